@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "nazori/base/result.h"
+
+namespace nazori::base {
+
+/// The whole content of a regular file.
+/// @param max_bytes  a larger file is refused before anything is read.
+/// @return Errc::not_found for a missing file, Errc::io for a folder, a device or a file over the limit.
+[[nodiscard]] Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path,
+                                                          std::size_t max_bytes);
+
+/// Writes a file so that readers see the old content or the new, never a part: it is written beside under
+/// another name, flushed to disk, then renamed over. On failure the old file stands and nothing is left
+/// behind.
+[[nodiscard]] Result<void> write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+[[nodiscard]] Result<void> write_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace nazori::base

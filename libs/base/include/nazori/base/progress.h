@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+namespace nazori::base {
+
+/// Told how far long work has come: `done` from 0 to 1, never going back, and the name of the present step
+/// (English). Called on the thread that does the work. Returning false asks the work to stop; it then fails
+/// with Errc::cancelled and leaves everything as it was.
+using Progress = std::function<bool(double done, std::string_view step)>;
+
+}  // namespace nazori::base

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "nazori/base/result.h"
+#include "nazori/kanji/stroke.h"
+#include "nazori/surface/height_map.h"
+
+namespace nazori::carving {
+
+/// Shape of a groove cut across its direction.
+enum class CrossSection : std::uint8_t {
+  rounded,      ///< smooth bowl, no step in slope anywhere
+  v_shaped,     ///< straight walls, eased at the bottom and the lip
+  flat_bottom,  ///< level floor over the middle half
+};
+
+/// The brush that carves.
+struct Brush {
+  double width = 7.0;  ///< of the groove at the body of a stroke [glyph units, of 109], 0.5..40
+  double depth = 1.0;  ///< of the centre line, as a fraction of the tablet's depth, (0, 1]
+  CrossSection cross_section = CrossSection::rounded;
+  bool endings = true;  ///< carve stop, hook and taper differently; false: every stroke even to its end
+};
+
+/// How the brush stands at one place of a stroke.
+struct BrushMark {
+  double half_width;  ///< [glyph units]
+  double depth;       ///< fraction of the tablet's depth
+};
+
+/// The brush at arc length `s` of a stroke that is `length` long, both in glyph units: press at entry, even
+/// body, then the ending. Carving cuts by this profile and the stroke's centre line in haptics lies as deep
+/// as it says. `either` is carved as stop.
+/// @param hook_length  length of the kick at the end, 0 for strokes without one (see hook_length()).
+[[nodiscard]] BrushMark brush_at(const Brush& brush, kanji::StrokeEnding ending, double s, double length,
+                                 double hook_length = 0);
+
+/// Length of the kick at the end of a stroke's line, glyph units: the part after its last sharp turn where
+/// the ending is a hook, else 0.
+[[nodiscard]] double hook_length(const kanji::StrokeLine& line);
+
+/// Carves strokes into a tablet of `size` x `size` samples. Overlapping grooves join at the deeper one
+/// without a ridge, so the order of strokes does not change the result; points outside the glyph box are
+/// carved as far as they reach in.
+/// @param size  HeightMap::kMinSize..kMaxSize.
+/// @return Errc::bad_argument naming the argument: size, a brush setting out of range, a point that is not
+/// finite or farther
+///         than 10 boxes away.
+/// @cost time in proportion to the area of the grooves; memory at most twice the map.
+/// Thread-safe: yes. Not for the servo thread.
+/// @source profile: own design, docs/architecture.md.
+[[nodiscard]] base::Result<surface::HeightMap> carve(std::span<const kanji::StrokeLine> strokes, int size,
+                                                     const Brush& brush = {});
+
+}  // namespace nazori::carving

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "nazori/haptics/haptic_device.h"
+
+namespace nazori::devices {
+
+/// Where a mouse, pen or finger is on the tablet.
+struct PointerState {
+  double x_m = 0;  ///< tablet frame
+  double y_m = 0;
+  double depth_m = 0;    ///< how far the tip is pushed below the plateau, >= 0; only while pressed
+  bool pressed = false;  ///< button or pen contact
+  bool in_range = true;  ///< over the tablet at all
+};
+
+/// Mouse, pen tablet or touch screen as a stylus without force: pressing moves the tip below the plateau,
+/// letting go lifts it `kHover_m` above. The tip moves there over a few milliseconds, as a hand would. Runs
+/// its own 1 kHz servo thread.
+class PointerDevice final : public haptics::HapticDevice {
+ public:
+  static constexpr double kHover_m = 0.005;
+
+  PointerDevice();
+  ~PointerDevice() override;
+
+  [[nodiscard]] haptics::DeviceDescription describe() const override;
+  [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override;
+  void stop() noexcept override;
+
+  /// Newest pointer state. Thread: interface. Wait-free.
+  void move(const PointerState& state) noexcept;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace nazori::devices

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "nazori/geometry/point.h"
+
+namespace nazori::geometry {
+
+/// Where a polyline comes closest to a point.
+template <class Frame>
+struct NearestPoint {
+  Point2<Frame> point;
+  double distance = std::numeric_limits<double>::infinity();
+  double arc_length = 0;    ///< from the first point of the polyline to `point`, along it
+  std::size_t segment = 0;  ///< index of the first point of the segment that holds `point`
+};
+
+/// Sum of the lengths of all segments. 0 for fewer than two points.
+template <class Frame>
+[[nodiscard]] double arc_length(std::span<const Point2<Frame>> line) {
+  double sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) sum += distance(line[i - 1], line[i]);
+  return sum;
+}
+
+/// Closest point of a polyline to `p`; of several at the same distance the first. One point counts as a
+/// segment of length 0.
+/// @param line  at least one point.
+template <class Frame>
+[[nodiscard]] NearestPoint<Frame> nearest_point(std::span<const Point2<Frame>> line, Point2<Frame> p) {
+  assert(!line.empty());
+  NearestPoint<Frame> best{line[0], distance(line[0], p), 0, 0};
+  double before = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const auto along = line[i + 1] - line[i];
+    const double squared = dot(along, along);
+    const double t = squared > 0 ? std::clamp(dot(p - line[i], along) / squared, 0.0, 1.0) : 0.0;
+    const auto candidate = line[i] + along * t;
+    const double d = distance(candidate, p);
+    const double segment = std::sqrt(squared);
+    if (d < best.distance) best = {candidate, d, before + t * segment, i};
+    before += segment;
+  }
+  return best;
+}
+
+/// The point at `s` along the polyline; s is held within [0, arc length].
+/// @param line  at least one point.
+template <class Frame>
+[[nodiscard]] Point2<Frame> point_at(std::span<const Point2<Frame>> line, double s) {
+  assert(!line.empty());
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double segment = distance(line[i], line[i + 1]);
+    if (s <= segment)
+      return segment > 0 ? line[i] + (line[i + 1] - line[i]) * (std::max(s, 0.0) / segment) : line[i];
+    s -= segment;
+  }
+  return line.back();
+}
+
+/// The polyline walked at even steps: first and last point kept, `count` points equally far apart along it.
+/// @param line  at least one point.  @param count  at least 2.
+template <class Frame>
+[[nodiscard]] Polyline<Frame> resample(std::span<const Point2<Frame>> line, std::size_t count) {
+  assert(!line.empty() && count >= 2);
+  Polyline<Frame> out;
+  out.reserve(count);
+  const double step = arc_length(line) / static_cast<double>(count - 1);
+  std::size_t i = 0;
+  double before = 0;
+  for (std::size_t k = 0; k + 1 < count; ++k) {
+    const double s = step * static_cast<double>(k);
+    while (i + 2 < line.size() && before + distance(line[i], line[i + 1]) < s) {
+      before += distance(line[i], line[i + 1]);
+      ++i;
+    }
+    const double segment = i + 1 < line.size() ? distance(line[i], line[i + 1]) : 0;
+    out.push_back(segment > 0 ? line[i] + (line[i + 1] - line[i]) * std::min((s - before) / segment, 1.0)
+                              : line[i]);
+  }
+  out.push_back(line.back());
+  return out;
+}
+
+}  // namespace nazori::geometry

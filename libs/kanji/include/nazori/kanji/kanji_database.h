@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nazori/base/result.h"
+#include "nazori/kanji/character.h"
+
+namespace nazori::kanji {
+
+/// What a search may ask for. Every condition that is set must hold.
+struct Query {
+  /// A character or several, a reading in kana (with or without the okurigana dot), romaji (Hepburn or
+  /// Kunrei, "kyuu", "kyû"), or the beginning of an English word of a meaning. Empty: no condition.
+  std::string text;
+  std::optional<int> grade;
+  std::optional<int> strokes;
+  std::optional<int> radical;  ///< classical number 1..214
+  int limit = 500;             ///< at most so many answers, >= 1
+};
+
+/// One line of a list of characters.
+struct Summary {
+  char32_t code_point = 0;
+  std::string meaning;  ///< first English meaning, empty for kana and letters
+  std::string reading;  ///< first kun or on reading
+  int strokes = 0;      ///< number of strokes in the main form
+  std::optional<int> grade;
+
+  friend bool operator==(const Summary&, const Summary&) = default;
+};
+
+/// The ready lists of characters.
+enum class List : std::uint8_t {
+  grade_1,
+  grade_2,
+  grade_3,
+  grade_4,
+  grade_5,
+  grade_6,
+  secondary,  ///< jouyou beyond grade 6 (KANJIDIC2 grade 8)
+  jinmeiyou,  ///< KANJIDIC2 grades 9 and 10
+  hiragana,
+  katakana,
+  latin_and_digits,
+  all,  ///< every character that has strokes
+};
+
+/// A published source the database was built from.
+struct Source {
+  std::string name;
+  std::string version;
+  std::string sha256;  ///< of the file as fetched, hexadecimal
+  std::string licence;
+};
+
+/// The kanji database kanji.db, opened read only.
+/// Thread-safe: no; each thread opens its own. Not for the servo thread.
+class KanjiDatabase {
+ public:
+  /// @return Errc::not_found for a missing file, Errc::schema for a file that is no kanji.db of this version.
+  [[nodiscard]] static base::Result<KanjiDatabase> open(const std::filesystem::path& path);
+
+  /// Where kanji.db is looked for, in order: the folder in NAZORI_DATA, the folder of the running program,
+  /// then nazori/kanji.db in XDG_DATA_HOME and each of XDG_DATA_DIRS. The first that exists, or
+  /// Errc::not_found whose remedy says how to build one.
+  [[nodiscard]] static base::Result<std::filesystem::path> locate();
+
+  KanjiDatabase(KanjiDatabase&&) noexcept;
+  KanjiDatabase& operator=(KanjiDatabase&&) noexcept;
+  ~KanjiDatabase();
+
+  /// One character whole; `variant` is a suffix, empty for the main form. nullopt where it is not in the
+  /// database.
+  [[nodiscard]] std::optional<Character> find(char32_t code_point, std::string_view variant = {}) const;
+
+  /// Characters that fit, best first: the character itself, exact readings, then beginnings; commoner before
+  /// rarer.
+  [[nodiscard]] std::vector<Summary> search(const Query& query) const;
+
+  /// Members of a ready list, in the order a learner meets them (grades: by frequency, then code point).
+  [[nodiscard]] std::vector<Summary> list(List which) const;
+
+  /// Words written with the character, commonest first.
+  [[nodiscard]] std::vector<Word> words(char32_t code_point, int limit) const;
+
+  /// Characters that have `element` as a component, commonest first.
+  [[nodiscard]] std::vector<Summary> containing(std::string_view element, int limit) const;
+
+  /// @param number 1..214; nullopt otherwise.
+  [[nodiscard]] std::optional<Radical> radical(int number) const;
+
+  [[nodiscard]] std::vector<Source> sources() const;
+
+ private:
+  struct Inside;
+  explicit KanjiDatabase(std::unique_ptr<Inside> inside);
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace nazori::kanji

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "nazori/base/result.h"
+#include "nazori/carving/carve.h"
+#include "nazori/geometry/frames.h"
+#include "nazori/haptics/haptic_scene.h"
+#include "nazori/kanji/stroke.h"
+#include "nazori/surface/height_map.h"
+#include "nazori/surface/smooth_surface.h"
+
+namespace nazori::tablet {
+
+/// What stands before the learner: a relief and the strokes that lie in it, ready to be seen (height map and
+/// lines), felt (surface and paths) and saved. Made from a character's strokes, or from a height map and
+/// strokes of one's own. Immutable after creation. Thread-safe: yes. Made on a worker thread (milliseconds),
+/// never on the servo thread.
+class CarvedTablet {
+ public:
+  /// Carves `lines` at `size` samples a side.
+  /// @return the errors of carving::carve.
+  [[nodiscard]] static base::Result<std::shared_ptr<const CarvedTablet>> from_lines(
+      std::vector<kanji::StrokeLine> lines, int size, const carving::Brush& brush = {},
+      const geometry::TabletShape& shape = {});
+
+  /// A relief that exists, with strokes that may be none; the strokes' depth is read from the relief.
+  /// @return Errc::bad_argument for an empty map.
+  [[nodiscard]] static base::Result<std::shared_ptr<const CarvedTablet>> from_height_map(
+      surface::HeightMap map, std::vector<kanji::StrokeLine> lines, const geometry::TabletShape& shape = {});
+
+  [[nodiscard]] const surface::HeightMap& height_map() const { return map_; }
+  [[nodiscard]] const std::vector<kanji::StrokeLine>& lines() const { return lines_; }
+  [[nodiscard]] const geometry::TabletShape& shape() const { return shape_; }
+  [[nodiscard]] const std::shared_ptr<const surface::SmoothSurface>& surface() const { return surface_; }
+  /// Centre lines in metres, z at the bottom of the groove: the kick and the taper rise as they are carved.
+  [[nodiscard]] const std::vector<haptics::StrokePath>& paths() const { return paths_; }
+
+  /// The scene for the servo with this tablet.
+  [[nodiscard]] std::shared_ptr<const haptics::HapticScene> scene(const haptics::Material& material,
+                                                                  const haptics::Snapping& snapping) const;
+
+ private:
+  CarvedTablet() = default;
+  surface::HeightMap map_;
+  std::vector<kanji::StrokeLine> lines_;
+  geometry::TabletShape shape_;
+  std::shared_ptr<const surface::SmoothSurface> surface_;
+  std::vector<haptics::StrokePath> paths_;
+};
+
+}  // namespace nazori::tablet
