@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/tablet/carved_tablet.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nazori::tablet {
+namespace {
+
+using geometry::GlyphPoint;
+using kanji::StrokeEnding;
+using kanji::StrokeLine;
+
+constexpr double kMm = 0.001;
+
+StrokeLine line(std::vector<GlyphPoint> points, StrokeEnding ending = StrokeEnding::stop) {
+  return {std::move(points), ending, std::nullopt};
+}
+
+std::shared_ptr<const CarvedTablet> carved(std::vector<StrokeLine> lines, int size = 256,
+                                           const carving::Brush& brush = {}) {
+  auto tablet = CarvedTablet::from_lines(std::move(lines), size, brush);
+  EXPECT_TRUE(tablet) << base::to_line(tablet.error());
+  return tablet ? *tablet : nullptr;
+}
+
+/// Height of the relief under a point of a path, in metres above the plateau.
+double relief_z_m(const CarvedTablet& tablet, const haptics::Vec3& p) {
+  const int size = tablet.surface()->size();
+  const auto at = geometry::tablet_to_grid({p.x, p.y}, size, tablet.shape());
+  return (tablet.surface()->at(at.x, at.y).height - 1) * tablet.shape().depth_m;
+}
+
+TEST(CarvedTablet, PathsStartAndEndWhereTheStrokesDoWithTheYAxisUp) {
+  // Glyph (10.9, 21.8) is a tenth of the box from the left and a fifth from the top of a 100 mm tablet.
+  const auto tablet = carved({line({{10.9, 21.8}, {98.1, 21.8}}), line({{54.5, 0}, {54.5, 109}})});
+  ASSERT_EQ(tablet->paths().size(), 2U);
+  const auto& first = tablet->paths()[0].points;
+  EXPECT_NEAR(first.front().x, -40 * kMm, 1e-12);
+  EXPECT_NEAR(first.front().y, 30 * kMm, 1e-12);
+  EXPECT_NEAR(first.back().x, 40 * kMm, 1e-12);
+  const auto& second = tablet->paths()[1].points;
+  EXPECT_NEAR(second.front().y, 50 * kMm, 1e-12);
+  EXPECT_NEAR(second.back().y, -50 * kMm, 1e-12);
+  EXPECT_NEAR(second.back().x, 0, 1e-12);
+}
+
+TEST(CarvedTablet, PathsLieOnTheBottomOfTheGrooveTheyCarved) {
+  const auto tablet = carved({line({{20, 30}, {90, 30}, {90, 85}}, StrokeEnding::hook),
+                              line({{30, 50}, {70, 95}}, StrokeEnding::taper)},
+                             512);
+  for (const auto& path : tablet->paths()) {
+    for (const auto& p : path.points) {
+      // A tenth of the depth: where a taper is narrower than a sample, the grid cannot hold its depth.
+      EXPECT_NEAR(p.z, relief_z_m(*tablet, p), 1.0 * kMm) << p.x << ' ' << p.y;
+    }
+  }
+  const auto& body = tablet->paths()[0].points;
+  EXPECT_NEAR(body[body.size() / 4].z, -10 * kMm, 0.2 * kMm);
+}
+
+TEST(CarvedTablet, ATaperRisesToThePlateauAndAStopDoesNot) {
+  const auto tablet = carved(
+      {line({{20, 30}, {90, 30}}, StrokeEnding::taper), line({{20, 80}, {90, 80}}, StrokeEnding::stop)});
+  const auto& taper = tablet->paths()[0].points;
+  EXPECT_GT(taper.back().z, -1 * kMm);
+  EXPECT_LT(taper[taper.size() / 2].z, -9 * kMm);
+  for (std::size_t i = taper.size() * 3 / 4; i + 1 < taper.size(); ++i) {
+    EXPECT_LE(taper[i].z, taper[i + 1].z + 1e-12) << i;
+  }
+  const auto& stop = tablet->paths()[1].points;
+  EXPECT_LT(stop[stop.size() - 12].z, -8 * kMm);
+}
+
+TEST(CarvedTablet, NeighbouringPointsOfAPathAreCloseEnoughToBeFeltAsOneCurve) {
+  const auto tablet = carved({line({{5, 5}, {104, 5}, {104, 104}}, StrokeEnding::hook)});
+  const auto& points = tablet->paths()[0].points;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    EXPECT_LE(std::hypot(points[i + 1].x - points[i].x, points[i + 1].y - points[i].y), 0.5 * kMm);
+  }
+  // The bend itself is kept: it is not cut off by walking in even steps.
+  EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const haptics::Vec3& p) {
+    return std::hypot(p.x - (104.0 / 109 - 0.5) * 0.1, p.y - (0.5 - 5.0 / 109) * 0.1) < 1e-12;
+  }));
+}
+
+TEST(CarvedTablet, ALongFileOfStrokesDoesNotMakePathsWithoutBound) {
+  std::vector<GlyphPoint> zigzag;
+  for (int i = 0; i < 60'000; ++i) zigzag.push_back({i % 2 == 0 ? 0.0 : 109.0, 109.0 * i / 60'000});
+  auto map = surface::HeightMap::create(16);
+  ASSERT_TRUE(map);
+  const auto tablet = CarvedTablet::from_height_map(*map, {line(zigzag)});
+  ASSERT_TRUE(tablet);
+  EXPECT_LE((*tablet)->paths()[0].points.size(), 330'000U);
+}
+
+TEST(CarvedTablet, OfAHeightMapThePathsLieAsDeepAsTheReliefUnderThem) {
+  auto map = surface::HeightMap::create(65);
+  ASSERT_TRUE(map);
+  // A plane that falls from the plateau on the left to the deepest on the right.
+  for (int row = 0; row < 65; ++row) {
+    for (int column = 0; column < 65; ++column) map->set(column, row, 1.0F - static_cast<float>(column) / 64);
+  }
+  const geometry::TabletShape shape{0.2, 0.008};
+  const auto tablet = CarvedTablet::from_height_map(*map, {line({{10.9, 50}, {98.1, 50}})}, shape);
+  ASSERT_TRUE(tablet) << base::to_line(tablet.error());
+  EXPECT_EQ((*tablet)->height_map(), *map);
+  const auto& points = (*tablet)->paths()[0].points;
+  for (const auto& p : points) EXPECT_NEAR(p.z, -(p.x / 0.2 + 0.5) * 0.008, 0.05 * kMm);
+  EXPECT_NEAR(points.front().x, -80 * kMm, 1e-12);
+}
+
+TEST(CarvedTablet, StrokesMayBeNone) {
+  auto map = surface::HeightMap::create(8);
+  ASSERT_TRUE(map);
+  const auto tablet = CarvedTablet::from_height_map(*map, {});
+  ASSERT_TRUE(tablet);
+  EXPECT_TRUE((*tablet)->paths().empty());
+  EXPECT_NE((*tablet)->surface(), nullptr);
+}
+
+TEST(CarvedTablet, EachLineKeepsItsNumberEvenADot) {
+  const auto tablet = carved({line({{20, 20}, {80, 20}}), line({{50, 50}}), line({{20, 80}, {80, 80}})});
+  ASSERT_EQ(tablet->paths().size(), 3U);
+  EXPECT_EQ(tablet->paths()[1].points.size(), 1U);
+  EXPECT_EQ(tablet->lines().size(), 3U);
+}
+
+TEST(CarvedTablet, RefusesWhatCannotBeCarved) {
+  const auto check = [](const auto& made, base::Errc code) {
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().code, code);
+    EXPECT_FALSE(made.error().what.empty());
+  };
+  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 1), base::Errc::bad_argument);
+  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 1'000'000), base::Errc::bad_argument);
+  carving::Brush brush;
+  brush.width = -3;
+  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 64, brush), base::Errc::bad_argument);
+  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 64, {}, {0, 0.01}), base::Errc::bad_argument);
+  check(CarvedTablet::from_height_map(surface::HeightMap{}, {}), base::Errc::bad_argument);
+  auto map = surface::HeightMap::create(8);
+  ASSERT_TRUE(map);
+  check(CarvedTablet::from_height_map(*map, {line({{1, std::numeric_limits<double>::quiet_NaN()}})}),
+        base::Errc::bad_argument);
+}
+
+TEST(CarvedTablet, TheSceneIsWhatTheHandFeels) {
+  const auto tablet = carved({line({{20, 20}, {80, 20}}), line({{20, 80}, {80, 80}})});
+  haptics::Material material;
+  material.stiffness = 0.5;
+  haptics::Snapping snapping;
+  snapping.enabled = true;
+  snapping.stroke = 2;
+  const auto scene = tablet->scene(material, snapping);
+  EXPECT_EQ(scene->surface, tablet->surface());
+  EXPECT_EQ(scene->strokes.size(), 2U);
+  EXPECT_EQ(scene->material.stiffness, 0.5);
+  EXPECT_TRUE(scene->snapping.enabled);
+  EXPECT_EQ(scene->snapping.stroke, 2);
+  EXPECT_EQ(scene->shape.width_m, tablet->shape().width_m);
+}
+
+}  // namespace
+}  // namespace nazori::tablet
