@@ -17,12 +17,16 @@ enum class CrossSection : std::uint8_t {
   flat_bottom,  ///< level floor over the middle half
 };
 
+/// Width of the brush for characters whose strokes stand far apart, glyph units.
+inline constexpr double kWidest = 7.0;
+
 /// The brush that carves.
 struct Brush {
-  double width = 7.0;  ///< of the groove at the body of a stroke [glyph units, of 109], 0.5..40
-  double depth = 1.0;  ///< of the centre line, as a fraction of the tablet's depth, (0, 1]
+  double width = kWidest;  ///< of the groove at the body of a stroke [glyph units, of 109], 0.5..40
+  double depth = 1.0;      ///< of the centre line, as a fraction of the tablet's depth, (0, 1]
   CrossSection cross_section = CrossSection::rounded;
   bool endings = true;  ///< carve stop, hook and taper differently; false: every stroke even to its end
+  bool fit = true;      ///< carve() narrows the width to suggested_width() where the strokes stand closer
 };
 
 /// How the brush stands at one place of a stroke.
@@ -41,6 +45,14 @@ struct BrushMark {
 /// Length of the kick at the end of a stroke's line, glyph units: the part after its last sharp turn where
 /// the ending is a hook, else 0.
 [[nodiscard]] double hook_length(const kanji::StrokeLine& line);
+
+/// The widest groove, up to kWidest, with which neighbouring parallel strokes still have a clear ridge
+/// between them: in proportion to the distance between the closest of them, as a writer takes a finer brush
+/// for a crowded character. Not below 3 glyph units, so that a stylus still falls in.
+[[nodiscard]] double suggested_width(std::span<const kanji::StrokeLine> strokes);
+
+/// The brush that carve() uses: `brush` with the width narrowed where Brush::fit asks for it.
+[[nodiscard]] Brush fitted(const Brush& brush, std::span<const kanji::StrokeLine> strokes);
 
 /// Carves strokes into a tablet of `size` x `size` samples. Overlapping grooves join at the deeper one
 /// without a ridge, so the order of strokes does not change the result; points outside the glyph box are

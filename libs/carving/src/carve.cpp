@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/carving/carve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "centre_line.h"
+#include "relief.h"
+
+namespace nazori::carving {
+namespace {
+
+using base::Errc;
+
+base::Result<void> check(const Brush& brush) {
+  if (!(brush.width >= 0.5 && brush.width <= 40)) {
+    return base::fail(Errc::bad_argument, "the brush is " + std::to_string(brush.width) + " glyph units wide",
+                      "brush.width", "give 0.5 to 40");
+  }
+  if (!(brush.depth > 0 && brush.depth <= 1)) {
+    return base::fail(Errc::bad_argument, "the brush goes " + std::to_string(brush.depth) + " deep",
+                      "brush.depth", "give more than 0, at most 1");
+  }
+  return {};
+}
+
+base::Result<void> check(std::span<const kanji::StrokeLine> strokes) {
+  constexpr double kFarthest = 10 * geometry::kGlyphSide;
+  const auto is_near = [](double v) { return v >= -kFarthest && v <= geometry::kGlyphSide + kFarthest; };
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const std::string name = "stroke " + std::to_string(i + 1);
+    if (strokes[i].points.empty()) return base::fail(Errc::bad_argument, "has no points", name);
+    for (const geometry::GlyphPoint p : strokes[i].points) {
+      if (is_near(p.x) && is_near(p.y)) continue;
+      return base::fail(Errc::bad_argument,
+                        "has a point at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")", name,
+                        "points must be finite and within 10 boxes of the glyph box");
+    }
+  }
+  return {};
+}
+
+bool comes_before(const kanji::StrokeLine* a, const kanji::StrokeLine* b) {
+  const auto less = [](geometry::GlyphPoint p, geometry::GlyphPoint q) {
+    return std::tie(p.x, p.y) < std::tie(q.x, q.y);
+  };
+  if (a->points == b->points) return a->ending < b->ending;
+  return std::lexicographical_compare(a->points.begin(), a->points.end(), b->points.begin(), b->points.end(),
+                                      less);
+}
+
+}  // namespace
+
+base::Result<surface::HeightMap> carve(std::span<const kanji::StrokeLine> strokes, int size,
+                                       const Brush& brush) {
+  if (auto fit = check(brush); !fit) return tl::unexpected(std::move(fit).error());
+  if (auto fit = check(strokes); !fit) return tl::unexpected(std::move(fit).error());
+  auto map = surface::HeightMap::create(size, 0.0F);
+  if (!map) return map;
+
+  // A fixed order makes the result the same to the last bit however the strokes come; a stroke given twice is
+  // carved once.
+  std::vector<const kanji::StrokeLine*> order;
+  order.reserve(strokes.size());
+  for (const kanji::StrokeLine& stroke : strokes) order.push_back(&stroke);
+  std::sort(order.begin(), order.end(), comes_before);
+  const auto same = [](const kanji::StrokeLine* a, const kanji::StrokeLine* b) {
+    return a->points == b->points && a->ending == b->ending;
+  };
+  order.erase(std::unique(order.begin(), order.end(), same), order.end());
+
+  const Brush used = fitted(brush, strokes);
+  Relief relief(map->samples(), size, brush.cross_section);
+  for (const kanji::StrokeLine* stroke : order)
+    for (const Piece& piece : trace(*stroke, used, size)) relief.cut(piece);
+
+  const auto depth = static_cast<float>(brush.depth);
+  for (float& sample : map->samples())
+    sample = 1.0F - depth * std::sqrt(std::min(std::max(sample, 0.0F), 1.0F));
+  return map;
+}
+
+}  // namespace nazori::carving

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nazori/carving/carve.h"
+#include "nazori/geometry/point.h"
+#include "nazori/kanji/stroke.h"
+
+namespace nazori::carving {
+
+/// A place on a stroke's centre line with the brush standing there, in samples of the grid.
+struct Joint {
+  double x = 0;
+  double y = 0;
+  double forward_x = 1;  ///< direction of writing, halfway between the segments before and after
+  double forward_y = 0;
+  double half_width = 0;
+  double depth = 0;         ///< of the brush's own depth, [0, 1]
+  bool needs_disc = false;  ///< the line bends more tightly here than the groove is wide
+};
+
+/// A part of a stroke that bends so gently that no sample of its groove is close to two distant places of it.
+struct Piece {
+  std::vector<Joint> joints;  ///< at least one
+  bool round_start = true;    ///< a round cap, or cut level because the stroke goes on without a corner
+  bool round_end = true;
+};
+
+/// Makes the smooth line that the brush follows from the points of a stroke: gentle bends become curves
+/// through the points, corners stay, and between corners the direction changes so little from joint to joint
+/// that a fingertip cannot tell it from a curve.
+/// @param size  side of the grid.
+[[nodiscard]] std::vector<Piece> trace(const kanji::StrokeLine& line, const Brush& brush, int size);
+
+/// Angle [rad] by which a line turns at point `i`, seen over `reach` to both sides; 0 at its ends.
+[[nodiscard]] double turn_at(std::span<const geometry::GlyphPoint> line, std::size_t i, double reach);
+
+}  // namespace nazori::carving

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "relief.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nazori::carving {
+namespace {
+
+constexpr int kBandRows = 48;
+
+// Cross sections: depth in [0, 1] at x in [0, 1], the distance from the centre line in half widths. All of
+// them are level at the lip and at the centre, so that no groove has an edge.
+
+struct Rounded {
+  float operator()(float x) const {
+    const float u = 1.0F - x * x;
+    return u * u;
+  }
+};
+
+struct VShaped {
+  static constexpr float kEase = 0.15F;
+  float operator()(float x) const {
+    const float inner = std::min(x, kEase);
+    const float outer = std::max(x - (1.0F - kEase), 0.0F);
+    const float fallen = inner * inner * (0.5F / kEase) + (x - inner) - outer * outer * (0.5F / kEase);
+    return std::max(1.0F - fallen * (1.0F / (1.0F - kEase)), 0.0F);
+  }
+};
+
+struct FlatBottom {
+  float operator()(float x) const {
+    const float t = std::min(2.0F - 2.0F * x, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
+  }
+};
+
+/// Columns [begin, end) that a row may use.
+struct Span {
+  int begin;
+  int end;
+};
+
+int clamp_to_int(double v, int low, int high) {
+  return v <= low ? low : v >= high ? high : static_cast<int>(v);
+}
+
+/// First whole column at or after x.
+int column_from(double x, int size) { return clamp_to_int(std::ceil(x), 0, size); }
+
+/// Keeps the columns of a row on the far side of a joint's cross line (`ahead`) or on the near side. Both
+/// sides compute the border alike, so that each sample belongs to exactly one of them.
+void clip(Span& span, const Joint& joint, double dy, bool ahead, int size) {
+  constexpr double kParallel = 1e-12;
+  if (std::abs(joint.forward_x) < kParallel) {
+    const bool beyond = joint.forward_y * dy >= 0;
+    if (beyond != ahead) span.end = span.begin;
+    return;
+  }
+  const double border = joint.x - joint.forward_y * dy / joint.forward_x;
+  const bool to_right = joint.forward_x > 0;
+  if (to_right) {
+    const int c = column_from(border, size);
+    ahead ? span.begin = std::max(span.begin, c) : span.end = std::min(span.end, c);
+  } else {
+    const int c = clamp_to_int(std::floor(border) + 1, 0, size);
+    ahead ? span.end = std::min(span.end, c) : span.begin = std::max(span.begin, c);
+  }
+}
+
+template <class Profile>
+void fill_even(float* row, int count, float q, float dq, float depth, Profile profile) {
+  for (int i = 0; i < count; ++i) {
+    const float x = std::min(std::abs(q + dq * static_cast<float>(i)), 1.0F);
+    row[i] = std::max(row[i], depth * profile(x));
+  }
+}
+
+/// Values that change evenly along a row.
+struct Ramp {
+  float start;
+  float step;
+};
+
+template <class Profile>
+void fill_changing(float* row, int count, Ramp across, Ramp from, Ramp to, Ramp width, Ramp depth,
+                   Profile profile) {
+  for (int i = 0; i < count; ++i) {
+    const auto k = static_cast<float>(i);
+    const float after = std::max(from.start + from.step * k, 0.0F);
+    const float before = std::max(to.start + to.step * k, 0.0F);
+    const float t = after / (after + before + 1e-12F);
+    const float q = std::abs(across.start + across.step * k);
+    const float x = std::min(q / (width.start + width.step * t), 1.0F);
+    row[i] = std::max(row[i], (depth.start + depth.step * t) * profile(x));
+  }
+}
+
+}  // namespace
+
+Relief::Relief(std::span<float> samples, int size, CrossSection cross_section)
+    : samples_(samples), size_(size), cross_section_(cross_section) {}
+
+float* Relief::row_of(int row, int begin, int end) {
+  Columns& used = used_[static_cast<std::size_t>(row - first_row_)];
+  float* const line =
+      depths_.data() + static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(size_);
+  if (used.begin >= used.end) {
+    std::fill(line + begin, line + end, 0.0F);
+    used = {begin, end};
+  } else {
+    if (begin < used.begin) {
+      std::fill(line + begin, line + used.begin, 0.0F);
+      used.begin = begin;
+    }
+    if (end > used.end) {
+      std::fill(line + used.end, line + end, 0.0F);
+      used.end = end;
+    }
+  }
+  return line;
+}
+
+template <class Profile>
+void Relief::sweep(const Joint& from, const Joint& to, Profile profile) {
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  const double length = std::hypot(dx, dy);
+  if (length <= 0) return;
+  const double ux = dx / length;
+  const double uy = dy / length;
+  const double reach = std::max(from.half_width, to.half_width);
+  if (reach <= 0) return;
+  // Cross lines may lean against the segment; this is how far their ends reach.
+  const double lean = reach * 1.5;
+  const int row_begin =
+      std::max(first_row_, clamp_to_int(std::ceil(std::min(from.y, to.y) - lean), 0, size_));
+  const int row_end =
+      std::min(last_row_, clamp_to_int(std::floor(std::max(from.y, to.y) + lean) + 1, 0, size_));
+  const bool even = from.half_width == to.half_width && from.depth == to.depth;
+  for (int row = row_begin; row < row_end; ++row) {
+    const double from_dy = row - from.y;
+    const double to_dy = row - to.y;
+    Span span{0, size_};
+    // Distance from the line: (x - from.x) * -uy + from_dy * ux, within the groove.
+    constexpr double kLevel = 1e-9;
+    if (std::abs(uy) > kLevel) {
+      const double a = from.x + (from_dy * ux - reach) / uy;
+      const double b = from.x + (from_dy * ux + reach) / uy;
+      span.begin = column_from(std::min(a, b), size_);
+      span.end = clamp_to_int(std::floor(std::max(a, b)) + 1, 0, size_);
+    } else if (std::abs(from_dy) > reach) {
+      continue;
+    }
+    clip(span, from, from_dy, true, size_);
+    clip(span, to, to_dy, false, size_);
+    if (span.begin >= span.end) continue;
+    const double x0 = span.begin;
+    float* const line = row_of(row, span.begin, span.end) + span.begin;
+    const double across = (x0 - from.x) * -uy + from_dy * ux;
+    const int count = span.end - span.begin;
+    if (even) {
+      fill_even(line, count, static_cast<float>(across / reach), static_cast<float>(-uy / reach),
+                static_cast<float>(from.depth), profile);
+    } else {
+      fill_changing(line, count, {static_cast<float>(across), static_cast<float>(-uy)},
+                    {static_cast<float>((x0 - from.x) * from.forward_x + from_dy * from.forward_y),
+                     static_cast<float>(from.forward_x)},
+                    {static_cast<float>(-(x0 - to.x) * to.forward_x - to_dy * to.forward_y),
+                     static_cast<float>(-to.forward_x)},
+                    {static_cast<float>(std::max(from.half_width, 1e-4)),
+                     static_cast<float>(std::max(to.half_width, 1e-4) - std::max(from.half_width, 1e-4))},
+                    {static_cast<float>(from.depth), static_cast<float>(to.depth - from.depth)}, profile);
+    }
+  }
+}
+
+template <class Profile>
+void Relief::press(const Joint& at, Profile profile) {
+  const double radius = at.half_width;
+  if (radius <= 0 || at.depth <= 0) return;
+  const int row_begin = std::max(first_row_, clamp_to_int(std::ceil(at.y - radius), 0, size_));
+  const int row_end = std::min(last_row_, clamp_to_int(std::floor(at.y + radius) + 1, 0, size_));
+  for (int row = row_begin; row < row_end; ++row) {
+    const double dy = row - at.y;
+    const double half = std::sqrt(std::max(radius * radius - dy * dy, 0.0));
+    const int begin = column_from(at.x - half, size_);
+    const int end = clamp_to_int(std::floor(at.x + half) + 1, 0, size_);
+    if (begin >= end) continue;
+    float* const line = row_of(row, begin, end) + begin;
+    const auto x0 = static_cast<float>((begin - at.x) / radius);
+    const auto step = static_cast<float>(1 / radius);
+    const auto y2 = static_cast<float>(dy * dy / (radius * radius));
+    const auto depth = static_cast<float>(at.depth);
+    const int count = end - begin;
+    for (int i = 0; i < count; ++i) {
+      const float x = x0 + step * static_cast<float>(i);
+      line[i] = std::max(line[i], depth * profile(std::min(std::sqrt(x * x + y2), 1.0F)));
+    }
+  }
+}
+
+void Relief::join() {
+  for (int row = first_row_; row < last_row_; ++row) {
+    const Columns used = used_[static_cast<std::size_t>(row - first_row_)];
+    const float* depths =
+        depths_.data() + static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(size_);
+    float* out = samples_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(size_);
+    for (int x = used.begin; x < used.end; ++x) {
+      const float square = depths[x] * depths[x];
+      out[x] += square - out[x] * square;
+    }
+  }
+}
+
+template <class Profile>
+void Relief::cut_with(const Piece& piece, Profile profile) {
+  double top = std::numeric_limits<double>::infinity();
+  double bottom = -top;
+  for (const Joint& joint : piece.joints) {
+    top = std::min(top, joint.y - joint.half_width);
+    bottom = std::max(bottom, joint.y + joint.half_width);
+  }
+  const int begin = clamp_to_int(std::floor(top), 0, size_);
+  const int end = clamp_to_int(std::ceil(bottom) + 1, 0, size_);
+  depths_.resize(static_cast<std::size_t>(std::min(kBandRows, size_)) * static_cast<std::size_t>(size_));
+  for (int band = begin; band < end; band += kBandRows) {
+    first_row_ = band;
+    last_row_ = std::min(end, band + std::min(kBandRows, size_));
+    used_.assign(static_cast<std::size_t>(last_row_ - first_row_), Columns{0, 0});
+    for (std::size_t i = 0; i + 1 < piece.joints.size(); ++i)
+      sweep(piece.joints[i], piece.joints[i + 1], profile);
+    for (const Joint& joint : piece.joints)
+      if (joint.needs_disc) press(joint, profile);
+    if (piece.round_start) press(piece.joints.front(), profile);
+    if (piece.round_end) press(piece.joints.back(), profile);
+    join();
+  }
+}
+
+void Relief::cut(const Piece& piece) {
+  switch (cross_section_) {
+    case CrossSection::rounded:
+      return cut_with(piece, Rounded{});
+    case CrossSection::v_shaped:
+      return cut_with(piece, VShaped{});
+    case CrossSection::flat_bottom:
+      return cut_with(piece, FlatBottom{});
+  }
+}
+
+}  // namespace nazori::carving
