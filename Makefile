@@ -1,0 +1,53 @@
+# The two commands are `make run` and `make test`; `make help` lists the rest.
+# NAZORI_SYSTEM_PACKAGES=no leaves the system's packages alone.
+SHELL := /bin/sh
+.DEFAULT_GOAL := help
+
+NAZORI_SYSTEM_PACKAGES ?= yes
+DATA := build/data
+RELEASE := build/release
+CHARACTER ?= 休
+
+.PHONY: help run test check bench demo program database packages-run packages-test packages-check format clean
+
+help:
+	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
+	@echo "make test    install what is missing, build, and run every test"
+	@echo "make check   what CI adds: formatting, static analysis, sanitizers, fuzzing"
+	@echo "make bench   build and run the benchmarks of every module"
+	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
+	@echo "make format  format the sources"
+	@echo "make clean   remove build/ (the downloaded data stay in the cache)"
+
+packages-run packages-test packages-check: packages-%:
+	@[ "$(NAZORI_SYSTEM_PACKAGES)" = no ] || tools/install-packages $*
+
+program: packages-run
+	@tools/build release nazori nazori-cli
+
+database: program
+	@tools/fetch-kanjivg > /dev/null
+	@$(RELEASE)/bin/nazori-cli database build --output $(DATA)/kanji.db
+
+run: database
+	@tools/run-nazori $(CHARACTER)
+
+demo: database
+	@NAZORI_DATA=$(DATA) $(RELEASE)/bin/nazori-cli demo $(CHARACTER) --output nazori-demo.png
+
+test: packages-test database
+	@tools/build release
+	@ctest --preset release
+
+check: packages-check database
+	@tools/check
+
+bench: packages-check database
+	@tools/build bench
+	@tools/run-benches
+
+format: packages-check
+	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
+
+clean:
+	rm -rf build
