@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "nazori/devices/rt_thread.h"
 #include "nazori/haptics/haptic_device.h"
 
 namespace nazori::devices {
@@ -32,6 +33,9 @@ class PointerDevice final : public haptics::HapticDevice {
 
   /// Newest pointer state. Thread: interface. Wait-free.
   void move(const PointerState& state) noexcept;
+
+  /// How the servo thread keeps time. Thread: interface.
+  [[nodiscard]] ClockStatus clock() const;
 
  private:
   struct Inside;

@@ -30,6 +30,8 @@ struct DeviceLimits {
   double own_damping_n_s_m = 0.05;  ///< physical damping of its joints, b in b > KT/2 + |B|
   double max_slew_n_s = 200;        ///< fastest change of force
   double delay_s = 0;               ///< from pose to force, beyond one tick
+  /// What a hand that holds the stylus loosely adds to own_damping_n_s_m.
+  double hand_damping_n_s_m = 2.0;
 };
 
 /// What the window and the command line say of a device.

@@ -32,6 +32,9 @@ struct Snapping {
   /// [m]; 0: the rule of 2005, pull-off force (5 N) / the device's maximum stiffness.
   double snap_distance_m = 0;
   int stroke = 0;  ///< 0 = all, n = only stroke n
+  /// [N]; 0: what the spring pulls with at the snap distance. Held to at least that: a stroke does not let go
+  /// where it would catch again at once.
+  double release_force_n = 0;
 };
 
 /// Everything the servo feels, immutable once handed over.

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/devices/pointer_device.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace nazori::devices {
+namespace {
+
+using haptics::DeviceSample;
+using haptics::Vec3;
+
+class Recorder final : public haptics::ServoCallback {
+ public:
+  Vec3 tick(const DeviceSample& sample) noexcept override {
+    const std::lock_guard lock(mutex_);
+    samples_.push_back(sample);
+    return Vec3(0);
+  }
+  [[nodiscard]] std::vector<DeviceSample> samples() {
+    const std::lock_guard lock(mutex_);
+    return samples_;
+  }
+  /// Waits until a sample satisfies `wish`; false after ten seconds.
+  bool wait_for(const std::function<bool(const DeviceSample&)>& wish) {
+    for (int i = 0; i < 10000; ++i) {
+      {
+        const std::lock_guard lock(mutex_);
+        if (!samples_.empty() && wish(samples_.back())) return true;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<DeviceSample> samples_;
+};
+
+TEST(PointerDevice, HasNoForceAndSaysSo) {
+  const PointerDevice device;
+  EXPECT_FALSE(device.describe().has_force);
+  EXPECT_EQ(device.describe().rate_hz, 1000);
+}
+
+TEST(PointerDevice, IsAbsentUntilThePointerIsOverTheTablet) {
+  PointerDevice device;
+  Recorder recorder;
+  ASSERT_TRUE(device.start(recorder));
+  EXPECT_TRUE(recorder.wait_for([](const DeviceSample& s) { return !s.present; }));
+  device.move({0.01, 0.02, 0, false, true});
+  EXPECT_TRUE(recorder.wait_for([](const DeviceSample& s) { return s.present; }));
+  device.stop();
+  // It appears where the pointer is; it does not sweep there from the middle.
+  for (const DeviceSample& s : recorder.samples()) {
+    if (s.present) {
+      EXPECT_DOUBLE_EQ(s.position_m.x, 0.01);
+      EXPECT_DOUBLE_EQ(s.position_m.z, PointerDevice::kHover_m);
+    }
+  }
+}
+
+TEST(PointerDevice, PressingMovesTheTipDownWithoutAJump) {
+  PointerDevice device;
+  Recorder recorder;
+  ASSERT_TRUE(device.start(recorder));
+  device.move({0, 0, 0, false, true});
+  ASSERT_TRUE(recorder.wait_for([](const DeviceSample& s) { return s.present; }));
+  device.move({0.001, 0, 0.004, true, true});
+  ASSERT_TRUE(recorder.wait_for([](const DeviceSample& s) {
+    return std::abs(s.position_m.z + 0.004) < 1e-5 && std::abs(s.position_m.x - 0.001) < 1e-5;
+  }));
+  device.move({0.001, 0, 0.004, false, true});
+  ASSERT_TRUE(recorder.wait_for(
+      [](const DeviceSample& s) { return std::abs(s.position_m.z - PointerDevice::kHover_m) < 1e-5; }));
+  device.stop();
+  const std::vector<DeviceSample> samples = recorder.samples();
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    EXPECT_LT(std::abs(samples[i].position_m.z - samples[i - 1].position_m.z), 0.003);
+  EXPECT_EQ(samples.back().buttons, 0U);
+}
+
+TEST(PointerDevice, IgnoresPositionsThatAreNotNumbers) {
+  PointerDevice device;
+  Recorder recorder;
+  ASSERT_TRUE(device.start(recorder));
+  device.move({0.01, 0.01, 0, false, true});
+  ASSERT_TRUE(recorder.wait_for([](const DeviceSample& s) { return s.present; }));
+  device.move({std::numeric_limits<double>::quiet_NaN(), 0, 0, true, true});
+  ASSERT_TRUE(recorder.wait_for([](const DeviceSample& s) { return s.buttons == 1; }));
+  device.stop();
+  for (const DeviceSample& s : recorder.samples()) EXPECT_TRUE(std::isfinite(s.position_m.x));
+}
+
+}  // namespace
+}  // namespace nazori::devices

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "nazori/haptics/tablet_surface.h"
+
+namespace nazori::haptics {
+
+/// Coulomb friction at the proxy.
+struct Friction {
+  double hold = 0;   ///< static coefficient: the proxy stays while the pull is within this cone
+  double slide = 0;  ///< dynamic coefficient, at most `hold`
+};
+
+/// A point held on a height field: the god-object of a stylus.
+///
+/// While the device is outside the material the proxy is the device. While it is inside, the proxy is the
+/// point of the surface at a local minimum of distance to the device, found by walking downhill in distance
+/// from where the proxy was (Newton steps of at most half a sample or a twelfth of the way), so it follows
+/// walls of any steepness. With friction it stops on the way as soon as the pull lies within the friction
+/// cone: lateral pull <= coefficient x depth. On first contact it starts where the device's way crossed the
+/// surface.
+///
+/// A proxy behind a ridge comes over it once the surface over the device is nearer by kRidge_m; so it never
+/// hangs behind, and a wall gives way only where the hand is already nearer the other side. What enters is
+/// made finite by the caller; whatever it is, the proxy is never below the surface.
+///
+/// @source C. Zilles, J. Salisbury, A constraint-based god-object method, IROS 1995 (proxy, force);
+/// S. Walker, J. Salisbury, Large haptic topographic maps, I3D 2003 (walking downhill in distance);
+/// N. Melder, W. Harwin, Extending the friction cone algorithm, 2004 (friction); Newton steps and the ridge
+/// rule: own design, see docs/haptics.md.
+/// Thread-safe: no. Real-time-safe: yes, bounded: at most about 80 evaluations of the surface.
+class SurfaceContact {
+ public:
+  /// How much nearer another part of the surface must be before the proxy crosses a ridge [m].
+  static constexpr double kRidge_m = 0.0005;
+
+  /// Moves the proxy for the device at `device_m`. @param device_m  finite.
+  void update(const TabletSurface& surface, const Vec3& device_m, const Friction& friction) noexcept;
+
+  /// Forgets the way the device came: the next update seats the proxy on the surface nearest the device.
+  void forget() noexcept { known_ = touching_ = sliding_ = false; }
+
+  /// Nothing to touch: the proxy is the device.
+  void free_at(const Vec3& device_m) noexcept;
+
+  [[nodiscard]] const Vec3& proxy_m() const noexcept { return proxy_; }
+  [[nodiscard]] bool touching() const noexcept { return touching_; }
+  /// Unit vector out of the material at the proxy; meaningful while touching.
+  [[nodiscard]] const Vec3& normal() const noexcept { return normal_; }
+  /// The proxy is held by friction, not moving.
+  [[nodiscard]] bool held() const noexcept { return touching_ && !sliding_; }
+
+ private:
+  Vec3 proxy_{0, 0, 0};
+  Vec3 normal_{0, 0, 1};
+  bool known_ = false;  // proxy_ says where the device was
+  bool touching_ = false;
+  bool sliding_ = false;
+};
+
+}  // namespace nazori::haptics

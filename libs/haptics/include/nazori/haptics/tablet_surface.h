@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "nazori/geometry/frames.h"
+#include "nazori/haptics/haptic_device.h"
+#include "nazori/surface/smooth_surface.h"
+
+namespace nazori::haptics {
+
+/// The carved surface as the height field z = H(x, y) in metres, tablet frame. It has no rim to fall off: the
+/// plateau (and a groove that runs into the edge) goes on level for ever.
+/// Holds no ownership: `surface` must outlive it. Real-time-safe: yes.
+class TabletSurface {
+ public:
+  /// Height, slope and bend in metres.
+  struct Place {
+    double x = 0, y = 0;               ///< [m]
+    double z = 0;                      ///< H [m], <= 0
+    double zx = 0, zy = 0;             ///< slope
+    double zxx = 0, zxy = 0, zyy = 0;  ///< bend [1/m]
+
+    [[nodiscard]] Vec3 point() const { return {x, y, z}; }
+    /// Unit vector out of the material.
+    [[nodiscard]] Vec3 normal() const {
+      const double s = 1 / std::sqrt(1 + zx * zx + zy * zy);
+      return {-zx * s, -zy * s, s};
+    }
+  };
+
+  TabletSurface() = default;
+  TabletSurface(const surface::SmoothSurface& surface, const geometry::TabletShape& shape)
+      : surface_(&surface),
+        half_m_(shape.width_m / 2),
+        per_m_((surface.size() - 1) / shape.width_m),
+        depth_m_(shape.depth_m),
+        cell_m_(shape.width_m / (surface.size() - 1)) {}
+
+  [[nodiscard]] bool exists() const { return surface_ != nullptr; }
+  /// Distance between two samples [m].
+  [[nodiscard]] double cell_m() const { return cell_m_; }
+
+  /// H(x, y) [m].
+  [[nodiscard]] double height(double x, double y) const {
+    return (surface_->at((x + half_m_) * per_m_, (half_m_ - y) * per_m_).height - 1) * depth_m_;
+  }
+  [[nodiscard]] Place at(double x, double y) const {
+    const surface::CurvedPoint p = surface_->curved_at((x + half_m_) * per_m_, (half_m_ - y) * per_m_);
+    const double slope = per_m_ * depth_m_;
+    const double bend = per_m_ * slope;
+    return {x,
+            y,
+            (p.height - 1) * depth_m_,
+            p.d_column * slope,
+            -p.d_row * slope,
+            p.d_column_column * bend,
+            -p.d_column_row * bend,
+            p.d_row_row * bend};
+  }
+
+ private:
+  const surface::SmoothSurface* surface_ = nullptr;
+  double half_m_ = 0, per_m_ = 0, depth_m_ = 0, cell_m_ = 1;
+};
+
+}  // namespace nazori::haptics

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the interface thread does with a servo; the tick is in servo_tick.cpp.
+#include "nazori/haptics/servo.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "servo_inside.h"
+
+namespace nazori::haptics {
+namespace {
+
+double fraction(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0; }
+
+// Friction coefficients over 10 hold a stylus as firmly as a hole would.
+double coefficient(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 10.0) : 0.0; }
+
+double positive(double value, double otherwise) {
+  return std::isfinite(value) && value > 0 ? value : otherwise;
+}
+
+double period_of(const DeviceDescription& device) { return 1 / positive(device.rate_hz, 1000); }
+
+constexpr double kPullOff_n = 5.0;  // the 2005 program's
+
+}  // namespace
+
+ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDescription& device,
+                       std::uint64_t number)
+    : scene(std::move(from)), generation(number) {
+  if (!scene) return;
+  const Material& material = scene->material;
+  const Snapping& snapping = scene->snapping;
+  const DeviceLimits& limits = device.limits;
+  if (scene->surface && scene->shape.width_m > 0 && scene->shape.depth_m > 0)
+    surface = TabletSurface(*scene->surface, scene->shape);
+  friction.hold = coefficient(material.static_friction);
+  friction.slide = std::min(coefficient(material.dynamic_friction), friction.hold);
+  popthrough_n = fraction(material.popthrough) * limits.max_force_n;
+
+  const double b = limits.own_damping_n_s_m + limits.hand_damping_n_s_m;
+  damping_n_s_m = std::min(fraction(material.damping) * limits.max_damping_n_s_m, b / 2);
+  stiffness_n_m = fraction(material.stiffness) * limits.max_stiffness_n_m;
+  double pull_n_m = snapping.enabled ? fraction(snapping.stiffness) * limits.max_stiffness_n_m : 0;
+  // Surface and stroke pull at once: together they stay within what the device renders, and what is passive.
+  const double most = std::min(limits.max_stiffness_n_m,
+                               passive_stiffness_n_m(b, damping_n_s_m, period_of(device), limits.delay_s));
+  if (stiffness_n_m + pull_n_m > most) {
+    const double part = most / (stiffness_n_m + pull_n_m);
+    stiffness_n_m *= part;
+    pull_n_m *= part;
+  }
+  if (!snapping.enabled) return;
+  strokes = StrokeIndex(scene->strokes, std::max(0, snapping.stroke));
+  snap.stiffness_n_m = pull_n_m;
+  snap.snap_distance_m =
+      positive(snapping.snap_distance_m, kPullOff_n / positive(limits.max_stiffness_n_m, 500));
+  // A margin, so that a hand at the very edge does not make the stroke catch and let go in turn.
+  snap.release_distance_m = 1.05 * snap.snap_distance_m;
+  if (pull_n_m > 0)
+    snap.release_distance_m =
+        std::max(snap.release_distance_m, positive(snapping.release_force_n, 0) / pull_n_m);
+}
+
+Servo::Inside::Inside(const DeviceDescription& description)
+    : device(description),
+      period_s(period_of(description)),
+      limiter(description.limits),
+      passivity(description.limits) {}
+
+Servo::Servo(const DeviceDescription& device) : inside_(std::make_unique<Inside>(device)) {}
+Servo::~Servo() = default;
+
+void Servo::set_scene(std::shared_ptr<const HapticScene> scene) {
+  Inside& in = *inside_;
+  in.kept.push_back(std::make_unique<const ServoScene>(std::move(scene), in.device, ++in.generations));
+  in.offered.store(in.kept.back().get(), std::memory_order_release);
+  const std::uint64_t used = in.used.load(std::memory_order_acquire);
+  std::erase_if(in.kept, [used](const auto& s) { return s->generation < used; });
+}
+
+const ServoSample& Servo::latest() noexcept { return inside_->newest.latest(); }
+
+std::size_t Servo::take_samples(std::span<ServoSample> out) noexcept {
+  return inside_->samples.pop(out.data(), out.size());
+}
+
+ServoTiming Servo::timing() const noexcept {
+  const ServoStopwatch& w = inside_->watch;
+  constexpr auto kRelaxed = std::memory_order_relaxed;
+  ServoTiming t;
+  t.ticks = w.ticks.load(kRelaxed);
+  t.late_ticks = w.late_ticks.load(kRelaxed);
+  t.missed_ticks = w.missed_ticks.load(kRelaxed);
+  t.dropped_samples = w.dropped_samples.load(kRelaxed);
+  t.mean_tick_s = t.ticks > 0 ? w.inside_s.load(kRelaxed) / static_cast<double>(t.ticks) : 0;
+  t.max_tick_s = w.max_tick_s.load(kRelaxed);
+  t.max_lateness_s = w.max_lateness_s.load(kRelaxed);
+  return t;
+}
+
+}  // namespace nazori::haptics

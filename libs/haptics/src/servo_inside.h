@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <boost/lockfree/spsc_queue.hpp>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "nazori/haptics/force_limiter.h"
+#include "nazori/haptics/latest_value.h"
+#include "nazori/haptics/servo.h"
+#include "servo_scene.h"
+
+namespace nazori::haptics {
+
+/// Stopwatch values that one thread writes and any thread reads.
+struct ServoStopwatch {
+  std::atomic<std::uint64_t> ticks{0};
+  std::atomic<std::uint64_t> late_ticks{0};
+  std::atomic<std::uint64_t> missed_ticks{0};
+  std::atomic<std::uint64_t> dropped_samples{0};
+  std::atomic<double> inside_s{0};
+  std::atomic<double> max_tick_s{0};
+  std::atomic<double> max_lateness_s{0};
+};
+
+struct Servo::Inside {
+  explicit Inside(const DeviceDescription& description);
+
+  Vec3 step(const DeviceSample& sample) noexcept;
+  void take_scene() noexcept;
+  Vec3 fault(const DeviceSample& sample) noexcept;
+  void absent(const DeviceSample& sample) noexcept;
+  void seat(const Vec3& device_m) noexcept;
+  Vec3 contact_force(const Vec3& device_m) noexcept;
+
+  const DeviceDescription device;
+  const double period_s;
+
+  // Hand-over of scenes. The servo only ever moves on to a later generation, so what is older than the one it
+  // says it uses is out of its reach.
+  std::vector<std::unique_ptr<const ServoScene>> kept;  // interface thread
+  std::uint64_t generations = 0;                        // interface thread
+  std::atomic<const ServoScene*> offered{nullptr};
+  std::atomic<std::uint64_t> used{0};
+
+  // Servo thread.
+  const ServoScene* scene = nullptr;
+  SurfaceContact contact;
+  StrokeConstraint snap;
+  ForceLimiter limiter;
+  Passivity passivity;
+  ServoSample sample;
+  Vec3 velocity{0, 0, 0};
+  double last_time_s = 0;
+  bool started = false;  // last_time_s and sample.device_m are from a good tick
+  bool pushed_through = false;
+
+  ServoStopwatch watch;
+  LatestValue<ServoSample> newest{ServoSample{}};
+  boost::lockfree::spsc_queue<ServoSample, boost::lockfree::capacity<8192>> samples;
+};
+
+}  // namespace nazori::haptics

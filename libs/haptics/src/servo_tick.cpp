@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// The servo thread's side of Servo.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "servo_inside.h"
+
+namespace nazori::haptics {
+namespace {
+
+constexpr double kTooLate_s = 0.005;
+constexpr double kVelocityFilter_s = 0.002;
+// Beyond this the tip is not in any hand; sums of squares stay exact enough.
+constexpr double kFarthest_m = 100.0;
+
+bool usable(const DeviceSample& s) noexcept {
+  return std::isfinite(s.time_s) && std::abs(s.position_m.x) < kFarthest_m &&
+         std::abs(s.position_m.y) < kFarthest_m && std::abs(s.position_m.z) < kFarthest_m;
+}
+
+template <class T>
+void add(std::atomic<T>& to, T value) noexcept {  // one writer: no read-modify-write needed
+  to.store(to.load(std::memory_order_relaxed) + value, std::memory_order_relaxed);
+}
+void raise(std::atomic<double>& to, double value) noexcept {
+  if (value > to.load(std::memory_order_relaxed)) to.store(value, std::memory_order_relaxed);
+}
+void mark(std::uint8_t& events, ServoEvent event) noexcept {
+  events = static_cast<std::uint8_t>(events | static_cast<std::uint8_t>(event));
+}
+
+}  // namespace
+
+Vec3 Servo::tick(const DeviceSample& sample) noexcept {
+  using Clock = std::chrono::steady_clock;  // read from the vDSO: no system call
+  Inside& in = *inside_;
+  const auto begin = Clock::now();
+  const Vec3 force = in.step(sample);
+  in.newest.back() = in.sample;
+  in.newest.publish();
+  if (!in.samples.push(in.sample)) add<std::uint64_t>(in.watch.dropped_samples, 1);
+  ++in.sample.tick;
+  const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
+  add<std::uint64_t>(in.watch.ticks, 1);
+  add(in.watch.inside_s, spent);
+  raise(in.watch.max_tick_s, spent);
+  return force;
+}
+
+/// Proxy where the device is, or lifted out of the material.
+void Servo::Inside::seat(const Vec3& device_m) noexcept {
+  contact.forget();
+  if (scene != nullptr)
+    contact.update(scene->surface, device_m, Friction{});
+  else
+    contact.free_at(device_m);
+  sample.proxy_m = contact.proxy_m();
+  contact.forget();
+}
+
+void Servo::Inside::take_scene() noexcept {
+  const ServoScene* next = offered.load(std::memory_order_acquire);
+  if (next == scene) return;
+  const bool same_surface = scene != nullptr && scene->scene && next->scene &&
+                            scene->scene->surface == next->scene->surface &&
+                            scene->scene->shape.width_m == next->scene->shape.width_m &&
+                            scene->scene->shape.depth_m == next->scene->shape.depth_m;
+  const bool same_material = scene != nullptr && scene->stiffness_n_m == next->stiffness_n_m &&
+                             scene->damping_n_s_m == next->damping_n_s_m;
+  if (!same_surface || (!same_material && contact.touching())) limiter.restart_ramp();
+  if (!same_surface) pushed_through = false;
+  snap.let_go();
+  scene = next;
+  used.store(next->generation, std::memory_order_release);
+}
+
+/// Input that cannot be trusted: no force, the newest good pose kept for show.
+Vec3 Servo::Inside::fault(const DeviceSample& from) noexcept {
+  mark(sample.events, ServoEvent::fault);
+  if (usable(from)) {
+    sample.device_m = from.position_m;
+    last_time_s = from.time_s;
+    started = true;
+  } else {
+    started = false;
+  }
+  seat(sample.device_m);
+  snap.forget();
+  limiter.drop();
+  passivity.forget();
+  velocity = Vec3(0);
+  pushed_through = false;
+  return Vec3(0);
+}
+
+void Servo::Inside::absent(const DeviceSample& from) noexcept {
+  sample.device_m = from.position_m;
+  seat(sample.device_m);
+  snap.forget();
+  limiter.drop();
+  passivity.forget();
+  velocity = Vec3(0);
+  pushed_through = false;
+}
+
+Vec3 Servo::Inside::contact_force(const Vec3& device_m) noexcept {
+  const Vec3& normal = contact.normal();
+  const Vec3 lag = contact.proxy_m() - device_m;
+  Vec3 force = scene->stiffness_n_m * lag;
+  if (scene->damping_n_s_m > 0) {
+    // Against the motion that stretches the spring: into the material, and sideways too where friction holds.
+    const Vec3 into = glm::dot(velocity, normal) * normal;
+    force -= scene->damping_n_s_m * (contact.held() ? velocity : into);
+    const double push = glm::dot(force, normal);
+    if (push < 0) force -= push * normal;  // a surface does not pull
+  }
+  return force;
+}
+
+Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
+  const bool was_touching = sample.touching;
+  const std::int32_t was_held = sample.stroke;
+  sample.events = 0;
+  sample.buttons = from.buttons;
+  sample.force_n = Vec3(0);
+  take_scene();
+
+  double period = period_s;
+  bool fine = usable(from);
+  if (fine && started) {
+    const double elapsed = from.time_s - last_time_s;
+    const double late = elapsed - period_s;
+    if (elapsed <= 0) {
+      fine = elapsed > -kTooLate_s;  // the same time twice is a clock's grain, going back is a fault
+    } else {
+      period = std::clamp(elapsed, 0.5 * period_s, 2 * period_s);
+    }
+    if (late > 0.5 * period_s) {
+      add<std::uint64_t>(watch.late_ticks, 1);
+      const double periods = std::floor(elapsed / period_s + 0.5);
+      if (periods > 1 && periods < 1e9) add(watch.missed_ticks, static_cast<std::uint64_t>(periods) - 1);
+      raise(watch.max_lateness_s, late);
+    }
+    if (late > kTooLate_s) fine = false;
+  }
+  if (std::isfinite(from.time_s)) sample.time_s = from.time_s;
+
+  if (!fine) {
+    (void)fault(from);
+  } else if (!from.present) {
+    absent(from);
+    last_time_s = from.time_s;
+    started = true;
+  } else {
+    const Vec3 device_m = from.position_m;
+    const Vec3 moved = started ? device_m - sample.device_m : Vec3(0);
+    if (!started) limiter.drop();
+    const double pass = period / (period + kVelocityFilter_s);
+    velocity += (moved / period - velocity) * pass;
+    sample.device_m = device_m;
+    last_time_s = from.time_s;
+    started = true;
+
+    Vec3 wanted(0);
+    sample.proxy_m = device_m;
+    if (scene == nullptr) {
+      contact.free_at(device_m);
+      snap.forget();
+    } else {
+      contact.update(scene->surface, device_m, scene->friction);
+      if (pushed_through) {
+        if (contact.touching())
+          contact.free_at(device_m);
+        else
+          pushed_through = false;
+      }
+      double stored = 0;
+      if (contact.touching()) {
+        wanted = contact_force(device_m);
+        if (scene->popthrough_n > 0 && glm::dot(wanted, wanted) > scene->popthrough_n * scene->popthrough_n) {
+          pushed_through = true;
+          contact.free_at(device_m);
+          wanted = Vec3(0);
+        }
+        const Vec3 lag = contact.proxy_m() - device_m;
+        stored = 0.5 * scene->stiffness_n_m * glm::dot(lag, lag);
+      }
+      sample.proxy_m = contact.proxy_m();
+      snap.update(scene->strokes, scene->snap, device_m, period);
+      if (snap.stroke() != 0) {
+        sample.proxy_m = snap.point_m();
+        if (scene->surface.exists())
+          sample.proxy_m.z =
+              std::max(sample.proxy_m.z, scene->surface.height(sample.proxy_m.x, sample.proxy_m.y));
+        const Vec3 lag = snap.point_m() - device_m;
+        stored += 0.5 * scene->snap.stiffness_n_m * glm::dot(lag, lag);
+      }
+      wanted += snap.force_n();
+
+      passivity.observe(moved, limiter.last_n(), period, stored);
+      const Vec3 brake = passivity.correction(moved, period);
+      const double strength = glm::dot(wanted, wanted);
+      if (strength > 0) {
+        // Braking may take a force away but not turn it round: a surface must not feel sticky.
+        const double opposed = glm::dot(brake, wanted);
+        if (opposed < 0) wanted *= std::max(0.0, 1 + opposed / strength);
+      }
+    }
+    sample.force_n = limiter.limit(wanted, period_s);
+  }
+
+  sample.touching = fine && from.present && (contact.touching() || snap.stroke() != 0);
+  sample.stroke = snap.stroke();
+  if (sample.touching != was_touching)
+    mark(sample.events, sample.touching ? ServoEvent::touch : ServoEvent::untouch);
+  if (was_held != 0 && sample.stroke != was_held) mark(sample.events, ServoEvent::release);
+  if (sample.stroke != 0 && sample.stroke != was_held) mark(sample.events, ServoEvent::capture);
+  return sample.force_n;
+}
+
+}  // namespace nazori::haptics

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The questions to a StrokeIndex that the servo asks; what builds one is in stroke_index.cpp.
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "nazori/haptics/stroke_index.h"
+
+namespace nazori::haptics {
+
+void StrokeIndex::test(const Vec3& p, std::size_t i, Hit& best) const noexcept {
+  const Segment& s = segments_[i];
+  const double t = std::clamp(glm::dot(p - s.from, s.along) * s.per_squared, 0.0, 1.0);
+  const Vec3 point = s.from + t * s.along;
+  const Vec3 away = p - point;
+  const double squared = glm::dot(away, away);
+  if (squared < best.squared_m2) best = {point, squared, static_cast<std::int32_t>(i), t};
+}
+
+StrokeIndex::Hit StrokeIndex::nearest(const Vec3& p, double reach_m) const noexcept {
+  Hit best;
+  best.squared_m2 = reach_m * reach_m;
+  for (const Cluster& c : clusters_) {
+    const Vec3 out = glm::max(Vec3(0), glm::max(c.low - p, p - c.high));
+    if (glm::dot(out, out) >= best.squared_m2) continue;
+    for (std::size_t i = c.begin; i < c.end; ++i) test(p, i, best);
+  }
+  return best;
+}
+
+StrokeIndex::Hit StrokeIndex::follow(const Vec3& p, std::int32_t segment) const noexcept {
+  Hit best;
+  test(p, static_cast<std::size_t>(segment), best);
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  // Uphill neighbours end the walk, so that a stroke that comes back near itself is not jumped over to. One
+  // worse segment is looked past: at a sharp kick the next but one may be nearer.
+  for (const int way : {1, -1}) {
+    int worse = 0;
+    for (std::int32_t i = segment + way; i >= s.first && i <= s.last && worse < 2; i += way) {
+      const double before = best.squared_m2;
+      test(p, static_cast<std::size_t>(i), best);
+      worse = best.squared_m2 < before ? 0 : worse + 1;
+    }
+  }
+  return best;
+}
+
+double StrokeIndex::arc_length_m(const Hit& hit) const noexcept {
+  const Segment& s = segments_[static_cast<std::size_t>(hit.segment)];
+  return s.before_m + hit.along * glm::length(s.along);
+}
+
+double StrokeIndex::stroke_length_m(std::int32_t segment) const noexcept {
+  const Segment& last =
+      segments_[static_cast<std::size_t>(segments_[static_cast<std::size_t>(segment)].last)];
+  return last.before_m + glm::length(last.along);
+}
+
+StrokeIndex::Hit StrokeIndex::at_length(std::int32_t stroke, double arc_m) const noexcept {
+  Hit hit;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Segment& s = segments_[i];
+    if (s.stroke != stroke) continue;
+    const double length = glm::length(s.along);
+    const double t = length > 0 ? std::clamp((arc_m - s.before_m) / length, 0.0, 1.0) : 0.0;
+    if (hit.segment >= 0 && arc_m < s.before_m) break;
+    hit = {s.from + t * s.along, 0, static_cast<std::int32_t>(i), t};
+  }
+  return hit;
+}
+
+Vec3 StrokeIndex::direction(std::int32_t segment) const noexcept {
+  const Segment& s = segments_[static_cast<std::size_t>(segment)];
+  return s.along * std::sqrt(s.per_squared);
+}
+
+}  // namespace nazori::haptics

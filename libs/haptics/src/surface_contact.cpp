@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/haptics/surface_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nazori::haptics {
+namespace {
+
+using Place = TabletSurface::Place;
+
+constexpr double kStill_m = 2e-8;  // a lateral pull below this counts as none
+constexpr int kMostSteps = 28;
+constexpr int kMostMarch = 32;
+
+struct Walk {
+  Place place;
+  bool moved;
+};
+
+/// Walks downhill in distance to `d`. Stops where the pull along the surface is within `friction` times the
+/// pull into it (0: at the minimum).
+Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction) noexcept {
+  const double far = std::max(std::abs(d.x - at.x), std::abs(d.y - at.y));
+  double reach = std::max(surface.cell_m() / 2, far / 12);
+  bool moved = false;
+  double ex = at.x - d.x, ey = at.y - d.y, ez = at.z - d.z;
+  double squared = ex * ex + ey * ey + ez * ez;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double gx = ex + ez * at.zx;
+    const double gy = ey + ez * at.zy;
+    const double steep = 1 + at.zx * at.zx + at.zy * at.zy;
+    // |pull along the surface|^2 = g' (I + s s')^-1 g with the slope s.
+    const double sg = at.zx * gx + at.zy * gy;
+    const double along2 = std::max(0.0, gx * gx + gy * gy - sg * sg / steep);
+    const double into = std::abs(ez - at.zx * ex - at.zy * ey) / std::sqrt(steep);
+    const double allowed = friction * into;
+    // Within 1e-9 of the cone counts as inside: where sliding ends, rounding must not restart it.
+    const double bound = std::max(kStill_m, allowed * (1 + 1e-9));
+    if (along2 <= bound * bound) break;
+    const double part = allowed > 0 ? 1 - allowed / std::sqrt(along2) : 1.0;
+    // Newton's step where the distance is convex, else Gauss-Newton's, which always leads downhill.
+    const double hxx = 1 + at.zx * at.zx + ez * at.zxx;
+    const double hxy = at.zx * at.zy + ez * at.zxy;
+    const double hyy = 1 + at.zy * at.zy + ez * at.zyy;
+    const double det = hxx * hyy - hxy * hxy;
+    double sx, sy;
+    if (hxx > 0 && det > 1e-3 * steep) {
+      sx = (hxy * gy - hyy * gx) / det;
+      sy = (hxy * gx - hxx * gy) / det;
+    } else {
+      sx = sg * at.zx / steep - gx;
+      sy = sg * at.zy / steep - gy;
+    }
+    sx *= part;
+    sy *= part;
+    const double length2 = sx * sx + sy * sy;
+    if (length2 > reach * reach) {
+      const double shorter = reach / std::sqrt(length2);
+      sx *= shorter;
+      sy *= shorter;
+    }
+    const Place trial = surface.at(at.x + sx, at.y + sy);
+    const double tx = trial.x - d.x, ty = trial.y - d.y, tz = trial.z - d.z;
+    const double trial2 = tx * tx + ty * ty + tz * tz;
+    if (!(trial2 < squared)) {
+      // Too far, or as near as numbers can tell.
+      reach = 0.25 * std::min(reach, std::sqrt(length2));
+      if (reach < 1e-10) break;
+      continue;
+    }
+    at = trial;
+    ex = tx;
+    ey = ty;
+    ez = tz;
+    squared = trial2;
+    moved = true;
+  }
+  return {at, moved};
+}
+
+/// Where the way from `from` (outside) to `to` (inside) crosses the surface, as seen in steps of half a
+/// sample, at most kMostMarch.
+Place crossing(const TabletSurface& surface, const Vec3& from, const Vec3& to) noexcept {
+  // Above the plateau there is nothing to meet.
+  double t0 = from.z > 0 && to.z < from.z ? std::clamp(from.z / (from.z - to.z), 0.0, 1.0) : 0.0;
+  const auto gap = [&](double t) {
+    return from.z + t * (to.z - from.z) -
+           surface.height(from.x + t * (to.x - from.x), from.y + t * (to.y - from.y));
+  };
+  double g0 = gap(t0);
+  if (g0 <= 0) return surface.at(from.x + t0 * (to.x - from.x), from.y + t0 * (to.y - from.y));
+  const double across = (1 - t0) * std::hypot(to.x - from.x, to.y - from.y);
+  const int steps = static_cast<int>(
+      std::clamp(std::ceil(across / (surface.cell_m() / 2)), 1.0, static_cast<double>(kMostMarch)));
+  const double step = (1 - t0) / steps;
+  double t1 = 1, g1 = 0;
+  for (int i = 1; i <= steps; ++i) {
+    t1 = i < steps ? t0 + step : 1.0;
+    g1 = gap(t1);
+    if (g1 <= 0) break;
+    t0 = t1;
+    g0 = g1;
+  }
+  for (int i = 0; i < 3 && g0 - g1 > 0; ++i) {
+    const double t = t0 + (t1 - t0) * std::clamp(g0 / (g0 - g1), 0.05, 0.95);
+    const double g = gap(t);
+    (g > 0 ? t0 : t1) = t;
+    (g > 0 ? g0 : g1) = g;
+  }
+  const double t = g0 - g1 > 0 ? t0 + (t1 - t0) * g0 / (g0 - g1) : t1;
+  return surface.at(from.x + t * (to.x - from.x), from.y + t * (to.y - from.y));
+}
+
+double distance2(const Place& p, const Vec3& d) noexcept {
+  return (p.x - d.x) * (p.x - d.x) + (p.y - d.y) * (p.y - d.y) + (p.z - d.z) * (p.z - d.z);
+}
+
+}  // namespace
+
+void SurfaceContact::free_at(const Vec3& device_m) noexcept {
+  proxy_ = device_m;
+  known_ = true;
+  touching_ = sliding_ = false;
+}
+
+void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
+                            const Friction& friction) noexcept {
+  if (!surface.exists() || device_m.z >= 0) {
+    free_at(device_m);
+    return;
+  }
+  const Place above = surface.at(device_m.x, device_m.y);
+  const double depth = above.z - device_m.z;
+  if (depth <= 0) {
+    free_at(device_m);
+    return;
+  }
+  Place start = above;
+  if (touching_) {
+    start = surface.at(proxy_.x, proxy_.y);
+  } else if (known_) {
+    start = crossing(surface, proxy_, device_m);
+  }
+  const double cone = sliding_ ? std::min(friction.slide, friction.hold) : friction.hold;
+  Walk walk = walk_towards(surface, start, device_m, cone);
+  if (walk.moved && friction.hold > friction.slide && !sliding_)  // broke loose: now it slides
+    walk = walk_towards(surface, walk.place, device_m, friction.slide);
+  sliding_ = walk.moved;
+
+  const double near = depth * depth / (1 + above.zx * above.zx + above.zy * above.zy);  // to first order
+  const double here = distance2(walk.place, device_m) / (1 + cone * cone);
+  const double limit = std::sqrt(near) + kRidge_m;
+  if (here > limit * limit) {
+    const Walk other = walk_towards(surface, above, device_m, 0);
+    const double there = std::sqrt(distance2(other.place, device_m)) + kRidge_m;
+    if (there * there < here) {
+      walk = other;
+      sliding_ = true;
+    }
+  }
+  proxy_ = walk.place.point();
+  normal_ = walk.place.normal();
+  touching_ = true;
+  known_ = true;
+}
+
+}  // namespace nazori::haptics
