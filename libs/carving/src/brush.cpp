@@ -15,14 +15,18 @@ using geometry::GlyphPoint;
 
 // Lengths of the presses in widths of the brush, and how much wider they are than the body.
 constexpr double kEntryReach = 0.9;
-constexpr double kEntryPress = 0.10;
+constexpr double kEntryPress = 0.08;
 constexpr double kStopReach = 1.1;
-constexpr double kStopPress = 0.18;
+constexpr double kStopPress = 0.15;
 // Part of the stroke over which a taper is lifted.
 constexpr double kTaperShare = 1.0 / 3.0;
 constexpr double kNarrowest = 3.0;
-
-double degrees(double angle) { return angle * 3.14159265358979323846 / 180.0; }
+// A turn that starts a kick [rad], how much of a stroke a kick may be, and its length in glyph units and at
+// most in parts of the stroke where the line has no such turn.
+constexpr double kSharp = 50 * 3.14159265358979323846 / 180;
+constexpr double kLongestHook = 0.5;
+constexpr double kPlainHook = 7.0;
+constexpr double kPlainHookShare = 0.25;
 
 /// 1 at 0, level there and at 1, 0 from 1 on.
 double bump(double t) {
@@ -41,6 +45,13 @@ double lift(double u) {
 double narrowing(double u) {
   const double v = std::clamp(u, 0.0, 1.0);
   return (1 - v) * (1 + v - 0.6 * v * v);
+}
+
+/// Width of a brush that kicks away from a stop: level at the stop, where its round foot still shows, then to
+/// a point.
+double kick_narrowing(double u) {
+  const double v = std::clamp(u, 0.0, 1.0);
+  return 1 - v * v * (1.5 - 0.5 * v);
 }
 
 }  // namespace
@@ -72,39 +83,40 @@ BrushMark brush_at(const Brush& brush, kanji::StrokeEnding ending, double s, dou
     }
     return mark;
   }
-  const double to_halt = std::abs(zones.body_end - s);
-  const double reach = zones.body_end - zones.ending_start;
-  if (reach > 0) mark.half_width *= 1 + kStopPress * bump(to_halt / reach);
-  if (s > zones.body_end) {
+  if (s <= zones.body_end) {
+    const double reach = zones.body_end - zones.ending_start;
+    if (reach > 0) mark.half_width *= 1 + kStopPress * bump((zones.body_end - s) / reach);
+  } else {
     const double u = (s - zones.body_end) / (length - zones.body_end);
-    mark.half_width *= narrowing(u);
-    mark.depth *= lift(u);
+    mark.half_width *= (1 + kStopPress) * kick_narrowing(u);
+    mark.depth *= lift(std::pow(u, 1.4));
   }
   return mark;
 }
 
 double hook_length(const kanji::StrokeLine& line) {
-  if (line.ending != kanji::StrokeEnding::hook || line.points.size() < 3) return 0;
+  if (line.ending != kanji::StrokeEnding::hook) return 0;
   const std::span<const GlyphPoint> points(line.points);
-  constexpr double kReach = 2.5;
-  constexpr double kLongest = 0.5;  // of the stroke
-  const double sharp = degrees(50);
   const double length = geometry::arc_length(points);
-  double tail = 0;
-  double best_turn = 0;
-  double best_tail = 0;
-  for (std::size_t i = points.size() - 2; i > 0; --i) {
-    tail += geometry::distance(points[i], points[i + 1]);
-    if (tail > kLongest * length) break;
-    const double turn = turn_at(points, i, kReach);
-    if (turn > sharp && turn > best_turn) {
+  // A kick drawn with a corner is found by looking closely, one drawn with a round foot from farther away.
+  constexpr double kCloseReach = 2.5;
+  constexpr double kFarReach = 6.0;
+  for (const double reach : {kCloseReach, kFarReach}) {
+    double tail = 0;
+    double best_turn = kSharp;
+    double best_tail = 0;
+    for (std::size_t i = points.size(); i-- > 2;) {
+      tail += geometry::distance(points[i - 1], points[i]);
+      if (tail > kLongestHook * length) break;
+      if (best_tail > 0 && tail > best_tail + reach) break;
+      const double turn = turn_at(points, i - 1, reach);
+      if (turn <= best_turn) continue;
       best_turn = turn;
       best_tail = tail;
-    } else if (best_turn > 0 && tail > best_tail + kReach) {
-      break;
     }
+    if (best_tail > 0) return best_tail;
   }
-  return best_tail;
+  return std::min(kPlainHook, length * kPlainHookShare);
 }
 
 double suggested_width(std::span<const kanji::StrokeLine> strokes) {
@@ -136,8 +148,8 @@ double suggested_width(std::span<const kanji::StrokeLine> strokes) {
   }
   if (steps.empty()) return kWidest;
   // Steps of one line (a stroke that goes on where another ended) are no neighbours.
-  constexpr double kSameLine = 1.0;
-  constexpr double kParallel = 0.85;
+  constexpr double kSameLine = 2.0;
+  constexpr double kParallel = 0.94;
   std::vector<double> gaps(steps.size(), 2 * kWidest);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     for (std::size_t j = i + 1; j < steps.size(); ++j) {
@@ -151,12 +163,14 @@ double suggested_width(std::span<const kanji::StrokeLine> strokes) {
       gaps[j] = std::min(gaps[j], gap);
     }
   }
-  constexpr double kCrowdedShare = 0.1;
-  constexpr double kWidthPerGap = 1.25;
+  constexpr double kCrowdedShare = 0.05;
+  constexpr double kWidthPerGap = 1.0;
   const auto crowded =
       gaps.begin() + static_cast<std::ptrdiff_t>(kCrowdedShare * static_cast<double>(gaps.size()));
   std::nth_element(gaps.begin(), crowded, gaps.end());
-  return std::clamp(kWidthPerGap * *crowded, kNarrowest, kWidest);
+  // Strokes that lie at all angles crowd a character too: its ink may cover only so much of the box.
+  constexpr double kWidthPerLength = 0.5 * 85.0 * 85.0;
+  return std::clamp(std::min(kWidthPerGap * *crowded, kWidthPerLength / total), kNarrowest, kWidest);
 }
 
 Brush fitted(const Brush& brush, std::span<const kanji::StrokeLine> strokes) {

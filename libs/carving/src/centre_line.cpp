@@ -169,6 +169,23 @@ std::vector<std::size_t> corners(const std::vector<Node>& line, double reach) {
   return out;
 }
 
+/// Marks the joints about which the line turns on a smaller radius than the groove is wide. What counts is
+/// the turn over about a half width: single joints say nothing, as their distances are uneven.
+void mark_tight_bends(const std::vector<Node>& line, const std::vector<double>& turns, double scale,
+                      std::vector<Joint>& joints) {
+  constexpr double kTight = 0.85;  // radians over a half width
+  double turned = 0;
+  std::size_t first = 0;
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const double reach = 0.5 * joints[i].half_width / scale;
+    for (; end < line.size() && line[end].s <= line[i].s + reach; ++end) turned += turns[end];
+    for (; line[first].s < line[i].s - reach; ++first) turned -= turns[first];
+    // The groove narrows along a taper, so the window's far end may lie behind one that was already passed.
+    joints[i].needs_disc = turned > kTight;
+  }
+}
+
 }  // namespace
 
 double turn_at(std::span<const GlyphPoint> line, std::size_t i, double reach) {
@@ -192,7 +209,7 @@ std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, in
   const double scale = (size - 1) / geometry::kGlyphSide;
   std::vector<Node> line = knots(stroke.points);
   // Fine enough that a facet is as long as two samples, but never visible even on a coarse grid.
-  const double max_turn = std::clamp(8.0 / size, 0.008, 0.06);
+  const double max_turn = std::clamp(12.0 / size, 0.012, 0.06);
   if (line.size() > 1) line = refine(line, max_turn);
   const double length = line.back().s;
   const double hook = hook_length(stroke) * (length > 0 ? 1.0 : 0.0);
@@ -217,13 +234,15 @@ std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, in
     Joint& joint = joints[i];
     joint = {line[i].at.x * scale,    line[i].at.y * scale,    forward.x, forward.y,
              mark.half_width * scale, mark.depth / brush.depth};
-    if (i > 0 && i + 1 < line.size()) {
-      turns[i] = angle_between(before, after);
-      const double reach = std::min(line[i].s - line[i - 1].s, line[i + 1].s - line[i].s);
-      joint.needs_disc = turns[i] * 1.15 * mark.half_width > reach;
-    }
+    if (i > 0 && i + 1 < line.size()) turns[i] = angle_between(before, after);
   }
+  mark_tight_bends(line, turns, scale, joints);
 
+  if (brush.endings && hook > 0) {
+    // The walls of a kick close in so fast that a disc would stick out of them.
+    for (std::size_t i = 0; i < line.size(); ++i)
+      if (line[i].s > length - hook) joints[i].needs_disc = false;
+  }
   std::vector<Piece> pieces;
   const std::vector<std::size_t> split = corners(line, 0.6 * brush.width / 2);
   Piece piece;

@@ -43,7 +43,7 @@ struct BrushMark {
                                  double hook_length = 0);
 
 /// Length of the kick at the end of a stroke's line, glyph units: the part after its last sharp turn where
-/// the ending is a hook, else 0.
+/// the ending is a hook (without such a turn its last quarter, at most 7 units), else 0.
 [[nodiscard]] double hook_length(const kanji::StrokeLine& line);
 
 /// The widest groove, up to kWidest, with which neighbouring parallel strokes still have a clear ridge
