@@ -111,10 +111,11 @@ base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_lines(
   if (!surface) return tl::unexpected(std::move(surface.error()));
 
   std::shared_ptr<CarvedTablet> tablet(new CarvedTablet);
+  const carving::Brush carved = carving::fitted(brush, lines);
   tablet->paths_ = paths_of(lines, shape, [&](const StrokeLine& line, double length) {
     const double hook = carving::hook_length(line);
-    return [&brush, ending = line.ending, length, hook](const Place& place) {
-      return carving::brush_at(brush, ending, place.s, length, hook).depth;
+    return [&carved, ending = line.ending, length, hook](const Place& place) {
+      return carving::brush_at(carved, ending, place.s, length, hook).depth;
     };
   });
   tablet->map_ = std::move(*map);
