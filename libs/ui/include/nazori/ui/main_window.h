@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QMainWindow>
+#include <QString>
+#include <filesystem>
+#include <memory>
+
+#include "nazori/base/result.h"
+
+namespace nazori::ui {
+
+class Appearance;
+
+/// The window: the carved tablet in the middle, characters to choose from on its left, all about the one on
+/// the desk on its right, one sentence below. Every widget has an objectName.
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+ public:
+  struct Setup {
+    std::filesystem::path database;  ///< kanji.db
+    QString settings_file;           ///< INI; empty: nazori/nazori.ini in the XDG config home
+    char32_t character = 0;          ///< to open with; 0: the last one
+    bool draws_tablet = true;        ///< false: no OpenGL (tests, machines without it)
+  };
+
+  MainWindow(const Setup& setup, Appearance& appearance);
+  ~MainWindow() override;
+
+  /// Puts a character on the desk; where the database has none of it, says so and changes nothing.
+  void show_character(char32_t code_point);
+  /// Opens height maps and stroke orders as if they had been dropped on the window.
+  void open_files(const QStringList& paths);
+
+ signals:
+  /// A character and its tablet are on the desk.
+  void character_shown(char32_t code_point);
+  /// Another language was chosen and saved; the window must be made anew.
+  void language_chosen();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace nazori::ui

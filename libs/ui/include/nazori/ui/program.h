@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <memory>
+
+#include "nazori/ui/main_window.h"
+
+namespace nazori::ui {
+
+class Appearance;
+
+/// The desktop program: its window, and a new one where the learner changes the language. Needs a
+/// QApplication. Thread: interface.
+class Program final : public QObject {
+  Q_OBJECT
+ public:
+  explicit Program(MainWindow::Setup setup);
+  ~Program() override;
+
+  /// Puts words, colours and icon in place and opens the window.
+  void show();
+  [[nodiscard]] MainWindow* window() const { return window_.get(); }
+
+  /// What must be set before the QApplication is made: the kind of OpenGL that the tablet needs.
+  static void prepare();
+  /// Says, in a box on the screen, why the program cannot start.
+  static void show_failure(const base::Error& error);
+
+ private:
+  void open_window();
+
+  MainWindow::Setup setup_;
+  std::unique_ptr<Appearance> appearance_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "appearance.h"
+
+#include <QApplication>
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QDBusPendingCallWatcher>
+#include <QDBusPendingReply>
+#include <QFileInfo>
+#include <QFont>
+#include <QStyleFactory>
+
+#include "palette.h"
+#include "style_sheet.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr auto kPortal = "org.freedesktop.portal.Desktop";
+constexpr auto kPortalPath = "/org/freedesktop/portal/desktop";
+constexpr auto kPortalSettings = "org.freedesktop.portal.Settings";
+constexpr auto kAppearance = "org.freedesktop.appearance";
+constexpr auto kColourScheme = "color-scheme";
+
+/// Asking where there is no session bus would start one.
+bool has_session_bus() {
+  return qEnvironmentVariableIsSet("DBUS_SESSION_BUS_ADDRESS") ||
+         QFileInfo::exists(qEnvironmentVariable("XDG_RUNTIME_DIR") + QStringLiteral("/bus"));
+}
+
+}  // namespace
+
+Appearance::Appearance(QObject* parent)
+    : QObject(parent), palette_dark_(ui::is_dark(QApplication::palette())) {
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  ask_desktop();
+}
+
+void Appearance::ask_desktop() {
+  if (!has_session_bus()) return;
+  auto bus = QDBusConnection::sessionBus();
+  auto question =
+      QDBusMessage::createMethodCall(QString::fromLatin1(kPortal), QString::fromLatin1(kPortalPath),
+                                     QString::fromLatin1(kPortalSettings), QStringLiteral("Read"));
+  question << QString::fromLatin1(kAppearance) << QString::fromLatin1(kColourScheme);
+  auto* watcher = new QDBusPendingCallWatcher(bus.asyncCall(question), this);
+  connect(watcher, &QDBusPendingCallWatcher::finished, this, [this](QDBusPendingCallWatcher* finished) {
+    const QDBusPendingReply<QDBusVariant> reply = *finished;
+    if (reply.isValid()) take_desktop(reply.value().variant());
+    finished->deleteLater();
+  });
+  bus.connect(QString::fromLatin1(kPortal), QString::fromLatin1(kPortalPath),
+              QString::fromLatin1(kPortalSettings), QStringLiteral("SettingChanged"), this,
+              SLOT(desktop_setting_changed(QString, QString, QDBusVariant)));
+}
+
+void Appearance::desktop_setting_changed(const QString& group, const QString& key,
+                                         const QDBusVariant& value) {
+  if (group == QLatin1String(kAppearance) && key == QLatin1String(kColourScheme))
+    take_desktop(value.variant());
+}
+
+void Appearance::take_desktop(const QVariant& value) {
+  // Read() wraps its answer twice.
+  const QVariant inner = value.canConvert<QDBusVariant>() ? value.value<QDBusVariant>().variant() : value;
+  // 1 asks for dark, 2 for light, 0 leaves it open.
+  const uint wish = inner.toUInt();
+  portal_dark_ = wish == 1 ? std::optional(true) : wish == 2 ? std::optional(false) : std::nullopt;
+  apply(theme_, text_pt_);
+}
+
+bool Appearance::is_dark() const {
+  if (theme_ != ThemeChoice::desktop) return theme_ == ThemeChoice::dark;
+  return portal_dark_.value_or(palette_dark_);
+}
+
+void Appearance::apply(ThemeChoice theme, int text_pt) {
+  theme_ = theme;
+  text_pt_ = text_pt;
+  const Colours& colours = is_dark() ? dark_colours() : light_colours();
+  QFont font = QApplication::font();
+  font.setPointSize(text_pt);
+  QApplication::setFont(font);
+  QApplication::setPalette(make_palette(colours));
+  qApp->setStyleSheet(style_sheet(colours));
+  emit changed();
+}
+
+}  // namespace nazori::ui

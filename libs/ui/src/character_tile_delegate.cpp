@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "character_tile_delegate.h"
+
+#include <QFontInfo>
+#include <QPainter>
+
+#include "character_list_model.h"
+#include "kanji_text.h"
+#include "palette.h"
+
+namespace nazori::ui {
+
+int CharacterTileDelegate::tile_side(const QFont& font) { return QFontInfo(font).pixelSize() * 3; }
+
+QSize CharacterTileDelegate::sizeHint(const QStyleOptionViewItem& option,
+                                      const QModelIndex& /*index*/) const {
+  const int side = tile_side(option.font);
+  return {side, side};
+}
+
+void CharacterTileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                                  const QModelIndex& index) const {
+  const Colours& c = colours_of(option.palette);
+  const bool is_current =
+      static_cast<char32_t>(index.data(CharacterListModel::kCodePointRole).toUInt()) == current_;
+  const bool has_focus = option.state.testFlag(QStyle::State_HasFocus);
+  const bool hovered = option.state.testFlag(QStyle::State_MouseOver);
+  const QRectF tile = QRectF(option.rect).adjusted(2.5, 2.5, -2.5, -2.5);
+
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(QPen(is_current || has_focus ? c.indigo : c.line, is_current || has_focus ? 2 : 1));
+  painter->setBrush(is_current ? blend(c.surface, c.indigo, 0.13)
+                    : hovered  ? blend(c.surface, c.line, 0.35)
+                               : c.surface);
+  painter->drawRoundedRect(tile, 6, 6);
+  QFont font = textbook_font(12);
+  font.setPixelSize(static_cast<int>(tile.height() * 0.66));
+  painter->setFont(font);
+  painter->setPen(is_current ? c.indigo : c.ink);
+  painter->drawText(tile, Qt::AlignCenter | Qt::TextDontClip, index.data(Qt::DisplayRole).toString());
+  painter->restore();
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace nazori::ui {
+
+/// A tile with one character in the textbook face. Its size follows the text size.
+class CharacterTileDelegate final : public QStyledItemDelegate {
+  Q_OBJECT
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void set_current(char32_t code_point) { current_ = code_point; }
+  [[nodiscard]] static int tile_side(const QFont& font);
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ private:
+  char32_t current_ = 0;  ///< the character on the desk
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "error_text.h"
+
+#include <QCoreApplication>
+
+#include "kanji_text.h"
+
+namespace nazori::ui {
+namespace {
+
+QString translate(const char* text) { return QCoreApplication::translate("nazori::ui::reason", text); }
+
+QString kind(base::Errc code) {
+  switch (code) {
+    case base::Errc::bad_argument:
+      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "a value is out of range"));
+    case base::Errc::io:
+      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "it could not be read or written"));
+    case base::Errc::parse:
+      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "its content does not follow the format"));
+    case base::Errc::schema:
+      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "it is of another kind than expected"));
+    case base::Errc::not_found:
+      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "it does not exist"));
+    case base::Errc::device:
+      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "the graphics or the device refused"));
+    case base::Errc::cancelled:
+      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "it was stopped"));
+  }
+  return {};
+}
+
+}  // namespace
+
+QString reason(const base::Error& error) {
+  QString detail = to_text(error.what);
+  while (detail.endsWith(QLatin1Char('.'))) detail.chop(1);
+  if (!error.remedy.empty()) detail += QStringLiteral("; ") + to_text(error.remedy);
+  return detail.isEmpty() ? kind(error.code) : QStringLiteral("%1 (%2)").arg(kind(error.code), detail);
+}
+
+}  // namespace nazori::ui

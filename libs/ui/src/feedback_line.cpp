@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "feedback_line.h"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QFontInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include "icons.h"
+#include "palette.h"
+
+namespace nazori::ui {
+
+FeedbackLine::FeedbackLine(QWidget* parent)
+    : QFrame(parent), sign_(new QLabel(this)), text_(new QLabel(this)) {
+  setObjectName(QStringLiteral("feedback_line"));
+  setAccessibleName(tr("What just happened"));
+  sign_->setObjectName(QStringLiteral("feedback_sign"));
+  text_->setObjectName(QStringLiteral("feedback_text"));
+  text_->setWordWrap(true);
+  text_->setTextFormat(Qt::PlainText);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(16, 9, 16, 9);
+  row->setSpacing(10);
+  row->addWidget(sign_, 0, Qt::AlignVCenter);
+  row->addWidget(text_, 1);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+  draw_sign();
+}
+
+void FeedbackLine::say(Feedback kind, const QString& sentence) {
+  kind_ = kind;
+  draw_sign();
+  if (text_->text() == sentence) return;
+  text_->setText(sentence);
+  text_->setAccessibleName(sentence);
+  setAccessibleDescription(sentence);
+  QAccessibleEvent spoken(text_, QAccessible::NameChanged);
+  QAccessible::updateAccessibility(&spoken);
+  QAccessibleEvent alert(text_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
+}
+
+QString FeedbackLine::sentence() const { return text_->text(); }
+
+void FeedbackLine::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) draw_sign();
+}
+
+void FeedbackLine::draw_sign() {
+  const Colours& c = colours_of(palette());
+  const int side = QFontInfo(font()).pixelSize() * 5 / 4;
+  switch (kind_) {
+    case Feedback::hint:
+      sign_->setPixmap(sign(Icon::hint, c.muted, side, devicePixelRatioF()));
+      break;
+    case Feedback::good:
+      sign_->setPixmap(sign(Icon::tick, c.moss, side, devicePixelRatioF()));
+      break;
+    case Feedback::advice:
+      sign_->setPixmap(sign(Icon::advice, c.amber, side, devicePixelRatioF()));
+      break;
+    case Feedback::wrong:
+      sign_->setPixmap(sign(Icon::cross, c.vermilion, side, devicePixelRatioF()));
+      break;
+  }
+}
+
+}  // namespace nazori::ui

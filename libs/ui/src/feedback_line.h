@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFrame>
+#include <cstdint>
+
+class QLabel;
+
+namespace nazori::ui {
+
+/// What a sentence is, and so its sign and colour: never the colour alone.
+enum class Feedback : std::uint8_t {
+  hint,    ///< what to do
+  good,    ///< a tick
+  advice,  ///< a warning sign
+  wrong,   ///< a cross
+};
+
+/// One sentence and one sign below the tablet, also spoken to assistive technology.
+class FeedbackLine final : public QFrame {
+  Q_OBJECT
+ public:
+  explicit FeedbackLine(QWidget* parent = nullptr);
+  void say(Feedback kind, const QString& sentence);
+  [[nodiscard]] QString sentence() const;
+  [[nodiscard]] Feedback kind() const { return kind_; }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void draw_sign();
+
+  QLabel* sign_;
+  QLabel* text_;
+  Feedback kind_ = Feedback::hint;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "file_exchange.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QStandardPaths>
+
+#include "error_text.h"
+#include "nazori/kanji/stroke_order.h"
+#include "save_dialog.h"
+
+namespace nazori::ui {
+
+FileExchange::FileExchange(Workshop* workshop, QWidget* window)
+    : QObject(window), workshop_(workshop), window_(window) {
+  connect(workshop_, &Workshop::failed, this, [this](const QString& path, const base::Error& error) {
+    const QString name = path.isEmpty() ? tr("The character") : QFileInfo(path).fileName();
+    emit say(Feedback::wrong, tr("%1: %2. The tablet is as it was.").arg(name, reason(error)));
+  });
+  connect(workshop_, &Workshop::saved, this, [this](const QString& path) {
+    emit say(Feedback::good, tr("Saved as %1.").arg(QDir::toNativeSeparators(path)));
+  });
+}
+
+void FileExchange::ask_and_open(const OwnTablet& onto) {
+  const QStringList paths =
+      QFileDialog::getOpenFileNames(window_, tr("Open a height map, a stroke order, or both"), folder_,
+                                    tr("Height maps and stroke orders (*.raw *.png *.str);;All files (*)"));
+  if (!paths.isEmpty()) open(paths, onto);
+}
+
+void FileExchange::open(const QStringList& paths, const OwnTablet& onto) {
+  QString map;
+  QString strokes;
+  for (const QString& path : paths) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    QString& place = suffix == QLatin1String("str") ? strokes : map;
+    const bool known =
+        suffix == QLatin1String("str") || suffix == QLatin1String("raw") || suffix == QLatin1String("png");
+    if (!known || !place.isEmpty()) {
+      const QString name = QFileInfo(path).fileName();
+      emit say(
+          Feedback::wrong,
+          known ? tr("%1 is one too many: open one height map and one stroke order. The tablet is as it was.")
+                      .arg(name)
+                : tr("%1 is neither RAW, PNG nor .str. The tablet is as it was.").arg(name));
+      return;
+    }
+    place = path;
+  }
+  if (map.isEmpty() && strokes.isEmpty()) return;
+  folder_ = QFileInfo(map.isEmpty() ? strokes : map).absolutePath();
+  int grid = 0;
+  if (map.isEmpty() && onto.map_size == 0) {
+    // A stroke file does not say its grid. One that cannot be read at all is reported by the workshop.
+    const auto guess = Workshop::guess_grid(strokes);
+    if (guess && !guess->certain) {
+      grid = ask_grid(strokes, guess->side);
+      if (grid == 0) return;
+    }
+  }
+  workshop_->load(map, strokes, onto, grid);
+}
+
+int FileExchange::ask_grid(const QString& path, int proposed) {
+  bool ok = false;
+  const int side = QInputDialog::getInt(
+      window_, tr("Size of the grid"),
+      tr("%1 does not say how large its grid is.\nColumns and rows:").arg(QFileInfo(path).fileName()),
+      proposed, surface::HeightMap::kMinSize, surface::HeightMap::kMaxSize, 1, &ok);
+  return ok ? side : 0;
+}
+
+void FileExchange::ask_and_save(const Tablet& tablet, const OwnTablet& own, const QString& name) {
+  if (!tablet) {
+    emit say(Feedback::advice, tr("There is no tablet to save yet."));
+    return;
+  }
+  SaveDialog dialog(own.map_size, !tablet->lines().empty(), window_);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString suffix = SaveDialog::suffix(dialog.format());
+  const QString start =
+      folder_.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::HomeLocation) : folder_;
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save as"),
+                                              QStringLiteral("%1/%2.%3").arg(start, name, suffix),
+                                              SaveDialog::filter(dialog.format()));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
+  folder_ = QFileInfo(path).absolutePath();
+  workshop_->save(tablet, path, dialog.format(), dialog.size(), own.map_size > 0);
+}
+
+}  // namespace nazori::ui

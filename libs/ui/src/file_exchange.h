@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include "feedback_line.h"
+#include "workshop.h"
+
+class QWidget;
+
+namespace nazori::ui {
+
+/// Opening and saving files: asks the learner what must be asked, lets the workshop do it, and says in one
+/// sentence how it went. What cannot be opened leaves the tablet as it is.
+class FileExchange final : public QObject {
+  Q_OBJECT
+ public:
+  FileExchange(Workshop* workshop, QWidget* window);
+
+  void set_folder(const QString& folder) { folder_ = folder; }
+  [[nodiscard]] QString folder() const { return folder_; }
+
+  void ask_and_open(const OwnTablet& onto);
+  /// At most one height map (RAW, PNG) and one stroke order (.str) of the list.
+  void open(const QStringList& paths, const OwnTablet& onto);
+  /// @param own  what was loaded; an empty one: the tablet is a carved character. @param name  proposed for
+  /// the file.
+  void ask_and_save(const Tablet& tablet, const OwnTablet& own, const QString& name);
+
+ signals:
+  void say(nazori::ui::Feedback kind, QString sentence);
+
+ private:
+  int ask_grid(const QString& path, int proposed);
+
+  Workshop* workshop_;
+  QWidget* window_;
+  QString folder_;
+};
+
+}  // namespace nazori::ui

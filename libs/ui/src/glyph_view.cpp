@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "glyph_view.h"
+
+#include <QFontInfo>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "kanji_text.h"
+#include "palette.h"
+
+namespace nazori::ui {
+
+GlyphView::GlyphView(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("glyph"));
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void GlyphView::show_character(std::shared_ptr<const CharacterSheet> sheet) {
+  sheet_ = std::move(sheet);
+  setAccessibleName(sheet_ ? to_text(sheet_->character.code_point) : QString());
+  update();
+}
+
+QSize GlyphView::sizeHint() const {
+  const int side = std::min(QFontInfo(font()).pixelSize() * 8, 210);
+  return {side, side};
+}
+
+void GlyphView::paintEvent(QPaintEvent* /*event*/) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const Colours& c = colours_of(palette());
+  const double side = std::min(width(), height());
+  const QRectF box(0.5, 0.5, side - 1, side - 1);
+  p.setPen(QPen(c.line, 1));
+  p.setBrush(c.surface);
+  p.drawRoundedRect(box, 10, 10);
+  // The cross of practice paper.
+  p.setPen(QPen(c.line, 1, Qt::DashLine));
+  p.drawLine(QPointF(side / 2, box.top() + 6), QPointF(side / 2, box.bottom() - 6));
+  p.drawLine(QPointF(box.left() + 6, side / 2), QPointF(box.right() - 6, side / 2));
+  if (!sheet_) return;
+  const auto& character = sheet_->character;
+  if (textbook_font_has(character.code_point)) {
+    QFont font = textbook_font(12);
+    font.setPixelSize(static_cast<int>(side * 0.82));
+    p.setFont(font);
+    p.setPen(c.ink);
+    // Centred by the ideographic box, not by the line's ascent and descent.
+    const QFontMetricsF metrics(font);
+    const QString text = to_text(character.code_point);
+    const QRectF ink = metrics.tightBoundingRect(text);
+    const double x = (side - metrics.horizontalAdvance(text)) / 2;
+    const double y = (side - ink.height()) / 2 - ink.top();
+    p.drawText(QPointF(x, y), text);
+    return;
+  }
+  const double scale = side * 0.84 / geometry::kGlyphSide;
+  p.translate(side * 0.08, side * 0.08);
+  p.scale(scale, scale);
+  p.setPen(QPen(c.ink, 4.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  p.setBrush(Qt::NoBrush);
+  for (const auto& stroke : character.strokes) {
+    QPainterPath path;
+    for (const auto& point : stroke.line.points)
+      if (path.elementCount() == 0)
+        path.moveTo(point.x, point.y);
+      else
+        path.lineTo(point.x, point.y);
+    p.drawPath(path);
+  }
+}
+
+}  // namespace nazori::ui

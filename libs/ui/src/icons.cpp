@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "icons.h"
+
+#include <QIconEngine>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "kanji_text.h"
+
+namespace nazori::ui {
+namespace {
+
+/// Draws in a box of 24 x 24 with a pen of 1.7.
+void draw(QPainter& p, Icon which, const QColor& colour) {
+  p.setPen(QPen(colour, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  p.setBrush(Qt::NoBrush);
+  const auto line = [&p](std::initializer_list<QPointF> points) {
+    p.drawPolyline(QPolygonF(QList<QPointF>(points)));
+  };
+  switch (which) {
+    case Icon::previous:
+      line({{14.5, 6}, {8.5, 12}, {14.5, 18}});
+      break;
+    case Icon::next:
+      line({{9.5, 6}, {15.5, 12}, {9.5, 18}});
+      break;
+    case Icon::back:
+      line({{10, 6}, {4.5, 12}, {10, 18}});
+      line({{5, 12}, {19.5, 12}});
+      break;
+    case Icon::strokes: {
+      QPainterPath brush(QPointF(5, 7));
+      brush.cubicTo(QPointF(9, 5), QPointF(14, 9), QPointF(19.5, 6));
+      brush.moveTo(QPointF(14, 4));
+      brush.cubicTo(QPointF(13, 12), QPointF(10, 17), QPointF(5, 20));
+      brush.moveTo(QPointF(11.5, 13));
+      brush.cubicTo(QPointF(14, 15), QPointF(17, 18), QPointF(19.5, 19.5));
+      p.drawPath(brush);
+      break;
+    }
+    case Icon::numbers: {
+      p.drawEllipse(QPointF(12, 12), 8.2, 8.2);
+      line({{10.2, 9.6}, {12.6, 8}, {12.6, 16}});
+      break;
+    }
+    case Icon::arrows:
+      line({{5, 19}, {18.5, 5.5}});
+      line({{10.5, 5.2}, {18.8, 5.2}, {18.8, 13.5}});
+      break;
+    case Icon::snap: {
+      // A horseshoe magnet.
+      QPainterPath magnet(QPointF(5, 4.5));
+      magnet.lineTo(5, 12.5);
+      magnet.arcTo(QRectF(5, 5.5, 14, 14), 180, 180);
+      magnet.lineTo(19, 4.5);
+      magnet.lineTo(14.6, 4.5);
+      magnet.lineTo(14.6, 12.5);
+      magnet.arcTo(QRectF(9.4, 9.9, 5.2, 5.2), 0, -180);
+      magnet.lineTo(9.4, 4.5);
+      magnet.closeSubpath();
+      p.drawPath(magnet);
+      line({{5, 8.6}, {9.4, 8.6}});
+      line({{14.6, 8.6}, {19, 8.6}});
+      break;
+    }
+    case Icon::erase: {
+      QPainterPath eraser(QPointF(4.5, 14));
+      eraser.lineTo(13, 5.5);
+      eraser.lineTo(19, 11.5);
+      eraser.lineTo(12, 18.5);
+      eraser.lineTo(9, 18.5);
+      eraser.closeSubpath();
+      p.drawPath(eraser);
+      line({{8.8, 9.8}, {14.8, 15.8}});
+      line({{9, 18.5}, {19.5, 18.5}});
+      break;
+    }
+    case Icon::library:
+    case Icon::information: {
+      p.drawRoundedRect(QRectF(3.5, 5, 17, 14), 2.2, 2.2);
+      const double x = which == Icon::library ? 9.0 : 15.0;
+      line({{x, 5}, {x, 19}});
+      break;
+    }
+    case Icon::reset_view: {
+      QPainterPath turn;
+      turn.arcMoveTo(QRectF(5, 5, 14, 14), 60);
+      turn.arcTo(QRectF(5, 5, 14, 14), 60, 290);
+      p.drawPath(turn);
+      line({{15.6, 2.6}, {15.9, 6.3}, {12.2, 6.6}});
+      break;
+    }
+    case Icon::search:
+      p.drawEllipse(QPointF(10.5, 10.5), 5.6, 5.6);
+      line({{14.8, 14.8}, {19.5, 19.5}});
+      break;
+    case Icon::tick:
+      line({{5, 12.8}, {10, 17.6}, {19.2, 6.8}});
+      break;
+    case Icon::cross:
+      line({{6.5, 6.5}, {17.5, 17.5}});
+      line({{17.5, 6.5}, {6.5, 17.5}});
+      break;
+    case Icon::advice:
+      line({{12, 4}, {21, 19.5}, {3, 19.5}, {12, 4}});
+      line({{12, 10}, {12, 14}});
+      p.drawPoint(QPointF(12, 16.8));
+      break;
+    case Icon::hint:
+      p.setBrush(colour);
+      p.drawEllipse(QPointF(12, 12), 2.4, 2.4);
+      break;
+  }
+}
+
+class LineIcon final : public QIconEngine {
+ public:
+  LineIcon(Icon which, QColor ink, QColor on) : which_(which), ink_(std::move(ink)), on_(std::move(on)) {}
+
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+    QColor colour = state == QIcon::On ? on_ : ink_;
+    if (mode == QIcon::Disabled) colour.setAlphaF(0.38F);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->translate(rect.topLeft());
+    painter->scale(rect.width() / 24.0, rect.height() / 24.0);
+    draw(*painter, which_, colour);
+    painter->restore();
+  }
+
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap picture(size);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+    return picture;
+  }
+
+  [[nodiscard]] QIconEngine* clone() const override { return new LineIcon(which_, ink_, on_); }
+
+ private:
+  Icon which_;
+  QColor ink_;
+  QColor on_;
+};
+
+}  // namespace
+
+QIcon icon(Icon which, const QColor& ink, const QColor& on) { return QIcon(new LineIcon(which, ink, on)); }
+
+QPixmap sign(Icon which, const QColor& colour, int side, double device_pixel_ratio) {
+  QPixmap picture(QSize(side, side) * device_pixel_ratio);
+  picture.setDevicePixelRatio(device_pixel_ratio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(side / 24.0, side / 24.0);
+  draw(painter, which, colour);
+  return picture;
+}
+
+QIcon program_icon() {
+  QIcon icon;
+  for (const int side : {16, 24, 32, 48, 64, 128, 256}) {
+    QPixmap picture(side, side);
+    picture.fill(Qt::transparent);
+    QPainter p(&picture);
+    p.setRenderHint(QPainter::Antialiasing);
+    const QRectF tile =
+        QRectF(0, 0, side, side).adjusted(side * 0.04, side * 0.04, -side * 0.04, -side * 0.04);
+    QLinearGradient wood(tile.topLeft(), tile.bottomRight());
+    wood.setColorAt(0, QColor(0xEFD9B0));
+    wood.setColorAt(1, QColor(0xD9B97F));
+    p.setPen(QPen(QColor(0xB08D55), side * 0.02));
+    p.setBrush(wood);
+    p.drawRoundedRect(tile, side * 0.17, side * 0.17);
+    QFont font = textbook_font(10, QFont::DemiBold);
+    font.setPixelSize(static_cast<int>(side * 0.72));
+    p.setFont(font);
+    p.setPen(QColor(0xFFF4DC));
+    p.drawText(tile.translated(side * 0.012, side * 0.016), Qt::AlignCenter, QStringLiteral("な"));
+    p.setPen(QColor(0x2A2018));
+    p.drawText(tile, Qt::AlignCenter, QStringLiteral("な"));
+    p.end();
+    icon.addPixmap(picture);
+  }
+  return icon;
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "information_panel.h"
+
+#include <QEvent>
+#include <QFontInfo>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "flow_layout.h"
+#include "glyph_view.h"
+#include "kanji_text.h"
+#include "palette.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kMargin = 16;
+
+void set_role(QWidget* widget, const char* role) { widget->setProperty("role", QString::fromLatin1(role)); }
+
+void make_selectable(QLabel* label) {
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label->setCursor(Qt::IBeamCursor);
+}
+
+void clear(QLayout* layout) {
+  while (QLayoutItem* item = layout->takeAt(0)) {
+    if (item->widget() != nullptr) {
+      item->widget()->hide();
+      item->widget()->deleteLater();
+    }
+    delete item;
+  }
+}
+
+/// The meanings in the language of the interface where KANJIDIC2 has it, else in English.
+QString meanings_of(const kanji::DictionaryEntry& entry) {
+  const std::string wanted = QLocale().name().section(QLatin1Char('_'), 0, 0).toStdString();
+  QStringList own;
+  QStringList english;
+  for (const auto& meaning : entry.meanings) {
+    if (meaning.language == wanted) own.append(to_text(meaning.text));
+    if (meaning.language == "en") english.append(to_text(meaning.text));
+  }
+  return (own.isEmpty() ? english : own).join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+InformationPanel::InformationPanel(QWidget* parent)
+    : QScrollArea(parent),
+      content_(new QWidget(this)),
+      head_(new QBoxLayout(QBoxLayout::LeftToRight)),
+      glyph_(new GlyphView(content_)),
+      meanings_(new QLabel(content_)),
+      facts_(new QLabel(content_)) {
+  setObjectName(QStringLiteral("information_panel"));
+  setAccessibleName(tr("About the character"));
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setWidgetResizable(true);
+  content_->setObjectName(QStringLiteral("information_content"));
+
+  meanings_->setObjectName(QStringLiteral("meanings"));
+  meanings_->setWordWrap(true);
+  meanings_->setTextFormat(Qt::PlainText);
+  make_selectable(meanings_);
+  facts_->setObjectName(QStringLiteral("facts"));
+  facts_->setWordWrap(true);
+  facts_->setTextFormat(Qt::PlainText);
+  set_role(facts_, "muted");
+  make_selectable(facts_);
+
+  auto* column = new QVBoxLayout(content_);
+  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  column->setSpacing(14);
+  auto* beside = new QVBoxLayout;
+  beside->setSpacing(6);
+  beside->addWidget(meanings_);
+  beside->addWidget(facts_);
+  beside->addStretch(1);
+  head_->setSpacing(14);
+  head_->addWidget(glyph_, 0, Qt::AlignTop | Qt::AlignLeft);
+  head_->addLayout(beside, 1);
+  column->addLayout(head_);
+  on_ = add_section(QStringLiteral("on"), tr("On reading"), 14, 2);
+  kun_ = add_section(QStringLiteral("kun"), tr("Kun reading"), 14, 2);
+  radical_ = add_section(QStringLiteral("radical"), tr("Radical"), 8, 2);
+  parts_ = add_section(QStringLiteral("parts"), tr("Parts"), 8, 8);
+  words_ = add_section(QStringLiteral("words"), tr("Words"), 0, 0);
+  word_list_ = new QVBoxLayout;
+  word_list_->setSpacing(9);
+  word_list_->setContentsMargins(0, 0, 0, 0);
+  static_cast<QVBoxLayout*>(words_.box->layout())->addLayout(word_list_);
+  column->addStretch(1);
+  setWidget(content_);
+  viewport()->setAutoFillBackground(false);
+  content_->setAutoFillBackground(false);
+  rebuild();
+}
+
+InformationPanel::Section InformationPanel::add_section(const QString& name, const QString& title,
+                                                        int horizontal_gap, int vertical_gap) {
+  auto* box = new QWidget(content_);
+  box->setObjectName(name + QStringLiteral("_section"));
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(3);
+  auto* heading = new QLabel(title, box);
+  set_role(heading, "heading");
+  column->addWidget(heading);
+  auto* flow = new FlowLayout(horizontal_gap, vertical_gap);
+  column->addLayout(flow);
+  static_cast<QVBoxLayout*>(content_->layout())->addWidget(box);
+  return {box, flow};
+}
+
+QLabel* InformationPanel::add_label(FlowLayout* flow, const QString& text, double scale, bool textbook,
+                                    bool muted) {
+  auto* label = new QLabel(text, flow->parentWidget());
+  const double size_pt = QFontInfo(font()).pointSizeF() * scale;
+  if (textbook) {
+    label->setFont(textbook_font(size_pt));
+  } else {
+    QFont scaled = font();
+    scaled.setPointSizeF(size_pt);
+    label->setFont(scaled);
+  }
+  if (muted) set_role(label, "muted");
+  make_selectable(label);
+  flow->addWidget(label);
+  return label;
+}
+
+void InformationPanel::show_character(std::shared_ptr<const CharacterSheet> sheet) {
+  sheet_ = std::move(sheet);
+  rebuild();
+  verticalScrollBar()->setValue(0);
+}
+
+void InformationPanel::show_own(const QString& name, int map_size, int strokes) {
+  sheet_.reset();
+  rebuild();
+  meanings_->setText(name);
+  QStringList facts{tr("Your own tablet")};
+  if (map_size > 0) facts.append(tr("%1 × %1 samples").arg(map_size));
+  facts.append(tr("%n strokes", nullptr, strokes));
+  facts_->setText(facts.join(QStringLiteral(" · ")));
+  verticalScrollBar()->setValue(0);
+}
+
+void InformationPanel::rebuild() {
+  content_->setUpdatesEnabled(false);
+  glyph_->setVisible(sheet_ != nullptr);
+  glyph_->show_character(sheet_);
+  QFont large = font();
+  large.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.2);
+  meanings_->setFont(large);
+  for (const Section* section : {&on_, &kun_, &radical_, &parts_, &words_}) {
+    clear(section->flow);
+    section->box->setVisible(false);
+    if (auto* heading = section->box->findChild<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) {
+      QFont small = font();
+      small.setPointSizeF(QFontInfo(font()).pointSizeF() * 0.9);
+      heading->setFont(small);
+    }
+  }
+  clear(word_list_);
+  if (sheet_) {
+    fill_facts();
+    fill_readings();
+    fill_radical();
+    fill_parts();
+    fill_words();
+  } else {
+    meanings_->clear();
+    facts_->clear();
+  }
+  fit();
+  content_->setUpdatesEnabled(true);
+}
+
+void InformationPanel::fill_facts() {
+  const auto& character = sheet_->character;
+  const auto& entry = character.entry;
+  const QString meanings = meanings_of(entry);
+  const QString letter = [&character] {
+    const char32_t c = character.code_point;
+    if (c >= 0x3041 && c <= 0x309F) return tr("Hiragana");
+    if (c >= 0x30A0 && c <= 0x30FF) return tr("Katakana");
+    if (c < 0x250 || (c >= 0xFF01 && c <= 0xFF5E)) return tr("Letter or digit");
+    return tr("No meaning is recorded");
+  }();
+  meanings_->setText(meanings.isEmpty() ? letter : meanings);
+
+  QStringList facts;
+  const auto drawn = static_cast<int>(character.strokes.size());
+  QString strokes = tr("%n strokes", nullptr, drawn);
+  // The sources differ for a few characters; both counts are told.
+  if (!entry.stroke_counts.empty() && entry.stroke_counts.front() != drawn)
+    strokes = tr("%1 here, %2 in the dictionary").arg(strokes).arg(entry.stroke_counts.front());
+  facts.append(strokes);
+  if (entry.grade) {
+    if (*entry.grade <= 6)
+      facts.append(tr("grade %1").arg(*entry.grade));
+    else
+      facts.append(*entry.grade == 8 ? tr("secondary school") : tr("for names"));
+  }
+  if (entry.frequency)
+    facts.append(tr("%1 of 2,501 in newspapers").arg(QLocale().toString(*entry.frequency)));
+  if (entry.old_jlpt_level) facts.append(tr("old JLPT %1").arg(*entry.old_jlpt_level));
+  facts_->setText(facts.join(QStringLiteral(" · ")));
+}
+
+void InformationPanel::fill_readings() {
+  const auto& entry = sheet_->character.entry;
+  const QColor muted = colours_of(palette()).muted;
+  for (const auto& on : entry.on_readings)
+    add_label(on_.flow, to_text(on), 1.25, true)->setObjectName(QStringLiteral("on_reading"));
+  for (const auto& kun : entry.kun_readings) {
+    const KunReading reading = split_kun(kun);
+    auto* label = add_label(kun_.flow, kun_rich(reading, muted), 1.25, true);
+    label->setTextFormat(Qt::RichText);
+    label->setObjectName(QStringLiteral("kun_reading"));
+    label->setAccessibleName(kun_plain(reading));
+    if (!reading.okurigana.isEmpty())
+      label->setToolTip(
+          tr("The kanji stands for %1; %2 follows it in kana").arg(reading.stem, reading.okurigana));
+  }
+  on_.box->setVisible(!entry.on_readings.empty());
+  kun_.box->setVisible(!entry.kun_readings.empty());
+}
+
+void InformationPanel::fill_radical() {
+  if (!sheet_->radical) return;
+  const auto& radical = *sheet_->radical;
+  add_label(radical_.flow, QString::number(radical.number), 1.0, false)
+      ->setObjectName(QStringLiteral("radical_number"));
+  add_label(radical_.flow, to_text(radical.form), 1.4, true)->setObjectName(QStringLiteral("radical_form"));
+  // The form it has in this character, where that is another one.
+  const auto& parts = sheet_->parts;
+  for (const auto& form : radical.variant_forms) {
+    const bool here =
+        std::any_of(parts.begin(), parts.end(), [&form](const Part& p) { return p.element == form; });
+    if (here)
+      add_label(radical_.flow, to_text(form), 1.4, true)->setObjectName(QStringLiteral("radical_variant"));
+  }
+  QStringList names;
+  for (const auto& name : radical.japanese_names) names.append(to_text(name));
+  add_label(radical_.flow, names.join(QStringLiteral("、")), 1.1, true)
+      ->setObjectName(QStringLiteral("radical_names"));
+  add_label(radical_.flow, to_text(radical.english_name), 1.0, false, true)
+      ->setObjectName(QStringLiteral("radical_english"));
+  radical_.box->setVisible(true);
+}
+
+void InformationPanel::fill_parts() {
+  const double size_pt = QFontInfo(font()).pointSizeF();
+  for (const auto& part : sheet_->parts) {
+    const QString element = to_text(part.element);
+    auto* button = new QPushButton(element, parts_.box);
+    button->setObjectName(QStringLiteral("part_") + element);
+    set_role(button, "part");
+    button->setFont(textbook_font(size_pt * 1.45));
+    QString says = element;
+    if (!part.original.empty() && part.original != part.element)
+      says += tr(", a form of %1").arg(to_text(part.original));
+    if (!part.meaning.empty()) says += QStringLiteral(": ") + to_text(part.meaning);
+    button->setAccessibleName(says);
+    button->setEnabled(part.target != 0);
+    button->setCursor(Qt::PointingHandCursor);
+    button->setToolTip(part.target != 0 ? tr("%1. Go there").arg(says) : says);
+    connect(button, &QPushButton::clicked, this,
+            [this, target = part.target] { emit character_chosen(target); });
+    parts_.flow->addWidget(button);
+  }
+  parts_.box->setVisible(!sheet_->parts.empty());
+}
+
+void InformationPanel::fill_words() {
+  const double size_pt = QFontInfo(font()).pointSizeF();
+  const Colours& c = colours_of(palette());
+  for (const auto& word : sheet_->words) {
+    auto* label = new QLabel(words_.box);
+    label->setObjectName(QStringLiteral("word"));
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::RichText);
+    QStringList glosses;
+    for (const auto& gloss : word.glosses) {
+      if (glosses.size() == 3) break;
+      glosses.append(to_text(gloss));
+    }
+    const QString text = to_text(word.text);
+    const QString reading = word.reading == word.text ? QString() : to_text(word.reading);
+    label->setText(
+        QStringLiteral(
+            "<span style=\"font-family:'Klee One'; font-size:%1pt\">%2</span>"
+            "&nbsp;&nbsp;<span style=\"font-family:'Klee One'; font-size:%3pt; color:%4\">%5</span>"
+            "<br>%6")
+            .arg(size_pt * 1.25)
+            .arg(text.toHtmlEscaped())
+            .arg(size_pt)
+            .arg(c.muted.name(), reading.toHtmlEscaped(),
+                 glosses.join(QStringLiteral("; ")).toHtmlEscaped()));
+    label->setAccessibleName(
+        QStringList{text, reading, glosses.join(QStringLiteral("; "))}.join(QStringLiteral(", ")));
+    make_selectable(label);
+    word_list_->addWidget(label);
+  }
+  words_.box->setVisible(!sheet_->words.empty());
+}
+
+void InformationPanel::changeEvent(QEvent* event) {
+  QScrollArea::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) {
+    const int place = verticalScrollBar()->value();
+    if (sheet_) rebuild();
+    verticalScrollBar()->setValue(place);
+  }
+}
+
+void InformationPanel::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  fit();
+}
+
+void InformationPanel::fit() {
+  // Large text in a narrow panel: the glyph above instead of beside.
+  const int beside = viewport()->width() - 2 * kMargin - glyph_->sizeHint().width() - head_->spacing();
+  const bool above = beside < QFontInfo(font()).pixelSize() * 8;
+  head_->setDirection(above ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QScrollArea>
+#include <memory>
+
+#include "library.h"
+
+class QBoxLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace nazori::ui {
+
+class FlowLayout;
+class GlyphView;
+
+/// Everything about the character on the desk: meanings, readings with the okurigana set apart, radical with
+/// its names, components that lead on, compounds.
+class InformationPanel final : public QScrollArea {
+  Q_OBJECT
+ public:
+  explicit InformationPanel(QWidget* parent = nullptr);
+
+  void show_character(std::shared_ptr<const CharacterSheet> sheet);
+  /// A tablet of the learner's own: its name, and how large it is.
+  void show_own(const QString& name, int map_size, int strokes);
+
+ signals:
+  void character_chosen(char32_t code_point);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Section {
+    QWidget* box;
+    FlowLayout* flow;
+  };
+
+  Section add_section(const QString& name, const QString& title, int horizontal_gap, int vertical_gap);
+  void rebuild();
+  void fill_facts();
+  void fill_readings();
+  void fill_radical();
+  void fill_parts();
+  void fill_words();
+  void fit();
+  QLabel* add_label(FlowLayout* flow, const QString& text, double scale, bool textbook, bool muted = false);
+
+  std::shared_ptr<const CharacterSheet> sheet_;
+  QWidget* content_;
+  QBoxLayout* head_;
+  GlyphView* glyph_;
+  QLabel* meanings_;
+  QLabel* facts_;
+  Section on_;
+  Section kun_;
+  Section radical_;
+  Section parts_;
+  Section words_;
+  QVBoxLayout* word_list_;
+};
+
+}  // namespace nazori::ui

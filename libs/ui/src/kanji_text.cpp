@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kanji_text.h"
+
+#include <QFontDatabase>
+#include <QRawFont>
+#include <algorithm>
+
+namespace nazori::ui {
+namespace {
+
+constexpr auto kFamily = "Klee One";
+
+}  // namespace
+
+QString to_text(char32_t code_point) { return QString::fromUcs4(&code_point, 1); }
+
+QString to_text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+KunReading split_kun(std::string_view reading) {
+  KunReading out;
+  QString text = to_text(reading);
+  if (text.startsWith(QLatin1Char('-'))) {
+    out.as_suffix = true;
+    text.remove(0, 1);
+  }
+  if (text.endsWith(QLatin1Char('-'))) {
+    out.as_prefix = true;
+    text.chop(1);
+  }
+  const auto dot = text.indexOf(QLatin1Char('.'));
+  out.stem = dot < 0 ? text : text.left(dot);
+  if (dot >= 0) out.okurigana = text.mid(dot + 1);
+  return out;
+}
+
+QString kun_plain(const KunReading& r) {
+  QString text = r.as_suffix ? QStringLiteral("～") : QString();
+  text += r.stem;
+  if (!r.okurigana.isEmpty()) text += QStringLiteral("・") + r.okurigana;
+  if (r.as_prefix) text += QStringLiteral("～");
+  return text;
+}
+
+QString kun_rich(const KunReading& r, const QColor& muted) {
+  const auto faint = [&muted](const QString& text) {
+    return text.isEmpty()
+               ? QString()
+               : QStringLiteral("<span style=\"color:%1\">%2</span>").arg(muted.name(), text.toHtmlEscaped());
+  };
+  return faint(r.as_suffix ? QStringLiteral("～") : QString()) + r.stem.toHtmlEscaped() +
+         faint(r.okurigana.isEmpty() ? QString() : QStringLiteral("・") + r.okurigana) +
+         faint(r.as_prefix ? QStringLiteral("～") : QString());
+}
+
+QFont textbook_font(double point_size, int weight) {
+  QFont font(QString::fromLatin1(kFamily));
+  font.setPointSizeF(std::max(point_size, 1.0));
+  font.setWeight(static_cast<QFont::Weight>(weight));
+  return font;
+}
+
+bool textbook_font_has(char32_t code_point) {
+  static const QRawFont kFont = QFontDatabase::hasFamily(QString::fromLatin1(kFamily))
+                                    ? QRawFont::fromFont(textbook_font(16))
+                                    : QRawFont();
+  return kFont.isValid() && kFont.supportsCharacter(static_cast<uint>(code_point));
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "key_list_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QRegularExpression>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "actions.h"
+#include "palette.h"
+
+namespace nazori::ui {
+namespace {
+
+QString plain(QString text) {
+  // "日本語 (&J)" and "&Open…" without their mnemonics.
+  static const QRegularExpression kTail(QStringLiteral(" ?\\(&.\\)"));
+  text.remove(kTail);
+  return text.remove(QLatin1Char('&'));
+}
+
+}  // namespace
+
+KeyListDialog::KeyListDialog(const Actions& actions, QWidget* parent) : QDialog(parent) {
+  setObjectName(QStringLiteral("key_list_dialog"));
+  setWindowTitle(tr("Keys and mouse"));
+  const Colours& c = colours_of(palette());
+  QString html = QStringLiteral("<table cellspacing=0 cellpadding=4 width=100%>");
+  const auto heading = [&](const QString& title) {
+    html += QStringLiteral("<tr><td colspan=2 style=\"padding-top:12px; color:%1\"><b>%2</b></td></tr>")
+                .arg(c.indigo.name(), plain(title).toHtmlEscaped());
+  };
+  const auto row = [&](const QString& what, const QString& how) {
+    html += QStringLiteral("<tr><td>%1</td><td align=right style=\"color:%2\">%3</td></tr>")
+                .arg(what.toHtmlEscaped(), c.muted.name(), how.toHtmlEscaped());
+  };
+  heading(tr("On the tablet"));
+  row(tr("Stylus down"), tr("left button, pen tip"));
+  row(tr("Deeper, less deep"), tr("wheel while pressed, pen pressure"));
+  row(tr("Turn and tilt"), tr("right button, pen's side button"));
+  row(tr("Move"), tr("middle button, or right with Shift"));
+  row(tr("Nearer, farther"), tr("wheel"));
+  row(tr("Straight view"), tr("Home"));
+  for (const auto& group : actions.groups()) {
+    heading(group.title);
+    for (const auto* action : group.actions) {
+      if (action == nullptr) continue;
+      QStringList keys;
+      for (const auto& key : action->shortcuts()) keys.append(key.toString(QKeySequence::NativeText));
+      row(plain(action->text()), keys.join(QStringLiteral("   ")));
+    }
+  }
+  html += QStringLiteral("</table>");
+  auto* text = new QTextBrowser(this);
+  text->setObjectName(QStringLiteral("key_list"));
+  text->setAccessibleName(windowTitle());
+  text->setHtml(html);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(12);
+  column->addWidget(text);
+  column->addWidget(buttons);
+  const int em = QFontMetrics(font()).height();
+  resize(em * 28, em * 34);
+}
+
+}  // namespace nazori::ui

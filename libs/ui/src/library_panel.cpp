@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "library_panel.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QScrollBar>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "character_tile_delegate.h"
+#include "icons.h"
+#include "palette.h"
+
+namespace nazori::ui {
+
+LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
+    : QWidget(parent),
+      library_(library),
+      model_(new CharacterListModel(this)),
+      delegate_(new CharacterTileDelegate(this)),
+      search_(new QLineEdit(this)),
+      lists_(new QComboBox(this)),
+      count_(new QLabel(this)),
+      grid_(new QListView(this)),
+      nothing_(new QLabel(this)),
+      stack_(new QStackedWidget(this)) {
+  setObjectName(QStringLiteral("library_panel"));
+  setAttribute(Qt::WA_StyledBackground);
+  setAccessibleName(tr("Characters"));
+
+  search_->setObjectName(QStringLiteral("search"));
+  search_->setPlaceholderText(tr("休, yasumu, rest …"));
+  search_->setAccessibleName(tr("Find a character"));
+  search_->setToolTip(
+      tr("Find a character by itself, by a reading in kana or romaji, or by an English meaning (Ctrl+F)"));
+  search_->setClearButtonEnabled(true);
+  search_->addAction(icon(Icon::search, colours_of(palette()).muted, colours_of(palette()).muted),
+                     QLineEdit::LeadingPosition);
+  search_->installEventFilter(this);
+
+  const std::pair<kanji::List, QString> lists[] = {{kanji::List::grade_1, tr("Grade 1")},
+                                                   {kanji::List::grade_2, tr("Grade 2")},
+                                                   {kanji::List::grade_3, tr("Grade 3")},
+                                                   {kanji::List::grade_4, tr("Grade 4")},
+                                                   {kanji::List::grade_5, tr("Grade 5")},
+                                                   {kanji::List::grade_6, tr("Grade 6")},
+                                                   {kanji::List::secondary, tr("Secondary school")},
+                                                   {kanji::List::jinmeiyou, tr("For names")},
+                                                   {kanji::List::hiragana, tr("Hiragana")},
+                                                   {kanji::List::katakana, tr("Katakana")},
+                                                   {kanji::List::latin_and_digits, tr("Letters and digits")},
+                                                   {kanji::List::all, tr("All characters")}};
+  for (const auto& [list, name] : lists) lists_->addItem(name, static_cast<int>(list));
+  lists_->setObjectName(QStringLiteral("lists"));
+  lists_->setAccessibleName(tr("List of characters"));
+  lists_->setMaxVisibleItems(static_cast<int>(std::size(lists)));
+  lists_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  lists_->setMinimumContentsLength(6);
+  count_->setObjectName(QStringLiteral("list_count"));
+  count_->setProperty("role", QStringLiteral("muted"));
+
+  grid_->setObjectName(QStringLiteral("character_grid"));
+  grid_->setAccessibleName(tr("Characters of the list"));
+  grid_->setModel(model_);
+  grid_->setItemDelegate(delegate_);
+  grid_->setFlow(QListView::LeftToRight);
+  grid_->setWrapping(true);
+  grid_->setResizeMode(QListView::Adjust);
+  grid_->setUniformItemSizes(true);
+  grid_->setSelectionMode(QAbstractItemView::SingleSelection);
+  grid_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  grid_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  grid_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  grid_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  grid_->setMouseTracking(true);
+
+  nothing_->setObjectName(QStringLiteral("nothing_found"));
+  nothing_->setWordWrap(true);
+  nothing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  nothing_->setProperty("role", QStringLiteral("muted"));
+  nothing_->setContentsMargins(6, 10, 6, 6);
+  stack_->addWidget(grid_);
+  stack_->addWidget(nothing_);
+
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(lists_, 1);
+  row->addWidget(count_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 12, 6, 0);
+  column->setSpacing(8);
+  column->addWidget(search_);
+  column->addLayout(row);
+  column->addWidget(stack_, 1);
+  row->setContentsMargins(0, 0, 6, 0);
+
+  connect(search_, &QLineEdit::textChanged, this, &LibraryPanel::search);
+  connect(search_, &QLineEdit::returnPressed, this, &LibraryPanel::choose_first);
+  connect(lists_, &QComboBox::activated, this, [this](int row_number) {
+    search_->clear();
+    show_list(static_cast<kanji::List>(lists_->itemData(row_number).toInt()));
+    emit list_changed(list_);
+  });
+  const auto choose = [this](const QModelIndex& index) {
+    if (const char32_t chosen = model_->at(index.row())) emit character_chosen(chosen);
+  };
+  connect(grid_, &QListView::clicked, this, choose);
+  connect(grid_, &QListView::activated, this, choose);
+  connect(library_, &Library::listed, this, [this](kanji::List which, const Summaries& characters) {
+    if (which == list_ && search_->text().trimmed().isEmpty()) show_characters(characters);
+  });
+  connect(library_, &Library::found, this, [this](const QString& text, const Summaries& characters) {
+    if (text == search_->text().trimmed()) show_characters(characters);
+  });
+  fit_tiles();
+}
+
+void LibraryPanel::show_list(kanji::List list) {
+  list_ = list;
+  lists_->setCurrentIndex(lists_->findData(static_cast<int>(list)));
+  library_->request_list(list);
+}
+
+void LibraryPanel::search(const QString& text) {
+  choose_when_found_ = false;
+  const QString wanted = text.trimmed();
+  if (wanted.isEmpty())
+    library_->request_list(list_);
+  else
+    library_->request_search(wanted);
+}
+
+void LibraryPanel::show_characters(const Summaries& characters) {
+  model_->set_characters(characters);
+  const auto count = static_cast<int>(characters->size());
+  const QString wanted = search_->text().trimmed();
+  const bool searched = !wanted.isEmpty();
+  shown_search_ = wanted;
+  count_->setText(searched ? tr("%n found", nullptr, count) : QString::number(count));
+  count_->setAccessibleName(searched ? count_->text() : tr("%n characters", nullptr, count));
+  nothing_->setText(
+      tr("Nothing found for “%1”. Try a character (休), a reading (やすむ, yasumu) or the beginning of an "
+         "English meaning (rest).")
+          .arg(wanted));
+  stack_->setCurrentWidget(count == 0 && searched ? static_cast<QWidget*>(nothing_) : grid_);
+  if (searched)
+    grid_->scrollToTop();
+  else
+    set_current(current_);
+  if (choose_when_found_) {
+    choose_when_found_ = false;
+    choose_first();
+  }
+}
+
+void LibraryPanel::choose_first() {
+  const QString wanted = search_->text().trimmed();
+  if (wanted.isEmpty()) return;
+  if (shown_search_ != wanted)
+    choose_when_found_ = true;
+  else if (const char32_t first = model_->at(0); first != 0)
+    emit character_chosen(first);
+}
+
+void LibraryPanel::set_current(char32_t code_point) {
+  current_ = code_point;
+  delegate_->set_current(code_point);
+  const int row = model_->row_of(code_point);
+  if (row >= 0) {
+    const QModelIndex index = model_->index(row);
+    grid_->setCurrentIndex(index);
+    grid_->scrollTo(index);
+  } else {
+    grid_->clearSelection();
+  }
+  grid_->viewport()->update();
+}
+
+char32_t LibraryPanel::neighbour(int step) const {
+  const int row = model_->row_of(current_);
+  return row < 0 ? model_->at(0) : model_->at(row + step);
+}
+
+void LibraryPanel::focus_search() {
+  search_->setFocus(Qt::ShortcutFocusReason);
+  search_->selectAll();
+}
+
+bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == search_ && event->type() == QEvent::KeyPress) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Down && model_->rowCount() > 0) {
+      grid_->setFocus(Qt::TabFocusReason);
+      if (!grid_->currentIndex().isValid()) grid_->setCurrentIndex(model_->index(0));
+      return true;
+    }
+    if (key->key() == Qt::Key_Escape && !search_->text().isEmpty()) {
+      search_->clear();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void LibraryPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fit_tiles();
+}
+
+void LibraryPanel::fit_tiles() {
+  const int side = CharacterTileDelegate::tile_side(font());
+  grid_->setGridSize({side, side});
+  grid_->verticalScrollBar()->setSingleStep(side / 2);
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "character_list_model.h"
+#include "library.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListView;
+class QStackedWidget;
+
+namespace nazori::ui {
+
+class CharacterTileDelegate;
+
+/// Where a character is chosen: a search box, the ready lists, and their characters as tiles.
+class LibraryPanel final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LibraryPanel(Library* library, QWidget* parent = nullptr);
+
+  void show_list(kanji::List list);
+  [[nodiscard]] kanji::List list() const { return list_; }
+  /// Marks the character on the desk and scrolls to it where it is in the list.
+  void set_current(char32_t code_point);
+  /// The character before (-1) or after (+1) the current one in the list; 0 where there is none.
+  [[nodiscard]] char32_t neighbour(int step) const;
+
+ public slots:
+  void focus_search();
+
+ signals:
+  void character_chosen(char32_t code_point);
+  void list_changed(nazori::kanji::List list);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void search(const QString& text);
+  void show_characters(const Summaries& characters);
+  void fit_tiles();
+  void choose_first();
+
+  Library* library_;
+  CharacterListModel* model_;
+  CharacterTileDelegate* delegate_;
+  QLineEdit* search_;
+  QComboBox* lists_;
+  QLabel* count_;
+  QListView* grid_;
+  QLabel* nothing_;
+  QStackedWidget* stack_;
+  kanji::List list_ = kanji::List::grade_1;
+  char32_t current_ = 0;
+  QString shown_search_;            ///< what the tiles answer; empty: the list
+  bool choose_when_found_ = false;  ///< Enter came before the answer
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preferences.h"
+
+#include <QSettings>
+#include <QStandardPaths>
+#include <algorithm>
+
+#include "kanji_text.h"
+
+namespace nazori::ui {
+namespace {
+
+/// One of a row of names, by its number in the enumeration; anything else keeps `fallback`.
+template <class Enum, std::size_t N>
+Enum read_name(const QSettings& ini, const QString& key, const char* const (&names)[N], Enum fallback) {
+  const QString text = ini.value(key).toString();
+  for (std::size_t i = 0; i < N; ++i)
+    if (text == QLatin1String(names[i])) return static_cast<Enum>(i);
+  return fallback;
+}
+
+constexpr const char* kStyles[] = {"classic", "wood", "slate"};
+constexpr const char* kThemes[] = {"desktop", "light", "dark"};
+constexpr const char* kLists[] = {"grade_1",  "grade_2",  "grade_3",          "grade_4",
+                                  "grade_5",  "grade_6",  "secondary",        "jinmeiyou",
+                                  "hiragana", "katakana", "latin_and_digits", "all"};
+
+}  // namespace
+
+QString Preferences::default_file() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
+         QStringLiteral("/nazori/nazori.ini");
+}
+
+Preferences Preferences::load(const QString& file) {
+  const QSettings ini(file, QSettings::IniFormat);
+  Preferences p;
+  p.geometry = ini.value(QStringLiteral("window/geometry")).toByteArray();
+  for (const auto& width : ini.value(QStringLiteral("window/pane_widths")).toStringList())
+    p.pane_widths.append(std::clamp(width.toInt(), 0, 100000));
+  if (p.pane_widths.size() != 3) p.pane_widths.clear();
+  const auto kanji = ini.value(QStringLiteral("tablet/kanji")).toString().toUcs4();
+  if (kanji.size() == 1) p.kanji = static_cast<char32_t>(kanji.front());
+  p.list = read_name(ini, QStringLiteral("library/list"), kLists, p.list);
+  p.library_open = ini.value(QStringLiteral("library/open"), p.library_open).toBool();
+  p.information_open = ini.value(QStringLiteral("information/open"), p.information_open).toBool();
+  p.strokes_visible = ini.value(QStringLiteral("tablet/strokes"), p.strokes_visible).toBool();
+  p.numbers_visible = ini.value(QStringLiteral("tablet/numbers"), p.numbers_visible).toBool();
+  p.arrows_visible = ini.value(QStringLiteral("tablet/arrows"), p.arrows_visible).toBool();
+  p.snapping = ini.value(QStringLiteral("tablet/snapping"), p.snapping).toBool();
+  p.style = read_name(ini, QStringLiteral("tablet/style"), kStyles, p.style);
+  p.theme = read_name(ini, QStringLiteral("window/theme"), kThemes, p.theme);
+  p.text_pt =
+      std::clamp(ini.value(QStringLiteral("window/text_pt"), p.text_pt).toInt(), kMinText_pt, kMaxText_pt);
+  p.reduced_motion = ini.value(QStringLiteral("window/reduced_motion"), p.reduced_motion).toBool();
+  p.language = ini.value(QStringLiteral("window/language")).toString();
+  if (p.language != QLatin1String("en") && p.language != QLatin1String("ja")) p.language.clear();
+  p.folder = ini.value(QStringLiteral("files/folder")).toString();
+  return p;
+}
+
+bool Preferences::save(const QString& file) const {
+  QSettings ini(file, QSettings::IniFormat);
+  QStringList widths;
+  for (const int width : pane_widths) widths.append(QString::number(width));
+  ini.setValue(QStringLiteral("window/geometry"), geometry);
+  ini.setValue(QStringLiteral("window/pane_widths"), widths);
+  ini.setValue(QStringLiteral("window/theme"), QLatin1String(kThemes[static_cast<std::size_t>(theme)]));
+  ini.setValue(QStringLiteral("window/text_pt"), text_pt);
+  ini.setValue(QStringLiteral("window/reduced_motion"), reduced_motion);
+  ini.setValue(QStringLiteral("window/language"), language);
+  ini.setValue(QStringLiteral("library/list"), QLatin1String(kLists[static_cast<std::size_t>(list)]));
+  ini.setValue(QStringLiteral("library/open"), library_open);
+  ini.setValue(QStringLiteral("information/open"), information_open);
+  ini.setValue(QStringLiteral("tablet/kanji"), to_text(kanji));
+  ini.setValue(QStringLiteral("tablet/strokes"), strokes_visible);
+  ini.setValue(QStringLiteral("tablet/numbers"), numbers_visible);
+  ini.setValue(QStringLiteral("tablet/arrows"), arrows_visible);
+  ini.setValue(QStringLiteral("tablet/snapping"), snapping);
+  ini.setValue(QStringLiteral("tablet/style"), QLatin1String(kStyles[static_cast<std::size_t>(style)]));
+  ini.setValue(QStringLiteral("files/folder"), folder);
+  ini.sync();
+  return ini.status() == QSettings::NoError;
+}
+
+}  // namespace nazori::ui

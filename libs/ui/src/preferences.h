@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QByteArray>
+#include <QList>
+#include <QString>
+#include <cstdint>
+
+#include "nazori/kanji/kanji_database.h"
+#include "nazori/view/tablet_view.h"
+
+namespace nazori::ui {
+
+enum class ThemeChoice : std::uint8_t { desktop, light, dark };
+
+/// What the window remembers from one run to the next.
+struct Preferences {
+  static constexpr int kMinText_pt = 12;
+  static constexpr int kMaxText_pt = 28;
+
+  QByteArray geometry;     ///< QWidget::saveGeometry
+  QList<int> pane_widths;  ///< library, tablet, information
+  char32_t kanji = U'休';
+  kanji::List list = kanji::List::grade_1;
+  bool library_open = true;
+  bool information_open = true;
+  bool strokes_visible = true;
+  bool numbers_visible = true;
+  bool arrows_visible = true;
+  bool snapping = false;
+  view::Style style = view::Style::wood;
+  ThemeChoice theme = ThemeChoice::desktop;
+  int text_pt = kMinText_pt;
+  bool reduced_motion = false;
+  QString language;  ///< "en", "ja"; empty: the desktop's
+  QString folder;    ///< where the last file was opened or saved
+
+  /// Reads an INI file; what is missing or makes no sense keeps its default.
+  [[nodiscard]] static Preferences load(const QString& file);
+  /// @return false where the file cannot be written.
+  bool save(const QString& file) const;
+  /// nazori/nazori.ini in the XDG config home.
+  [[nodiscard]] static QString default_file();
+};
+
+}  // namespace nazori::ui

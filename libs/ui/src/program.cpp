@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/ui/program.h"
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <utility>
+
+#include "appearance.h"
+#include "error_text.h"
+#include "icons.h"
+#include "language.h"
+#include "preferences.h"
+#include "tablet_window.h"
+
+namespace nazori::ui {
+
+Program::Program(MainWindow::Setup setup) : setup_(std::move(setup)) {
+  if (setup_.settings_file.isEmpty()) setup_.settings_file = Preferences::default_file();
+  install_language(Preferences::load(setup_.settings_file).language);
+  appearance_ = std::make_unique<Appearance>();
+  QApplication::setWindowIcon(program_icon());
+}
+
+Program::~Program() = default;
+
+void Program::prepare() { QSurfaceFormat::setDefaultFormat(TabletWindow::surface_format()); }
+
+void Program::show() { open_window(); }
+
+void Program::open_window() {
+  window_ = std::make_unique<MainWindow>(setup_, *appearance_);
+  setup_.character = 0;
+  connect(
+      window_.get(), &MainWindow::language_chosen, this,
+      [this] {
+        install_language(Preferences::load(setup_.settings_file).language);
+        open_window();
+      },
+      Qt::QueuedConnection);
+  window_->show();
+}
+
+void Program::show_failure(const base::Error& error) {
+  install_language({});
+  QMessageBox box(QMessageBox::Critical, QStringLiteral("Nazori"),
+                  tr("Nazori cannot start: %1.").arg(reason(error)), QMessageBox::Close);
+  box.exec();
+}
+
+}  // namespace nazori::ui

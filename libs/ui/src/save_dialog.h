@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+
+#include "workshop.h"
+
+class QComboBox;
+
+namespace nazori::ui {
+
+/// Asks what to save of the tablet: as which kind of file and how large.
+class SaveDialog final : public QDialog {
+  Q_OBJECT
+ public:
+  /// @param fixed_size  side of a map of one's own, which keeps its size; 0: the size can be chosen.
+  SaveDialog(int fixed_size, bool has_strokes, QWidget* parent);
+
+  [[nodiscard]] FileFormat format() const;
+  [[nodiscard]] int size() const;
+  /// "*.raw" and what it is, for the file dialog.
+  [[nodiscard]] static QString filter(FileFormat format);
+  [[nodiscard]] static QString suffix(FileFormat format);
+
+ private:
+  QComboBox* format_;
+  QComboBox* size_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "status_line.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <cmath>
+
+#include "kanji_text.h"
+#include "tablet_controller.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kLook_ms = 1000;
+
+}  // namespace
+
+StatusLine::StatusLine(TabletController& controller, QWidget* parent)
+    : QStatusBar(parent),
+      controller_(controller),
+      device_(new QLabel(this)),
+      rate_(new QLabel(this)),
+      missed_(new QLabel(this)),
+      depth_(new QLabel(this)) {
+  setObjectName(QStringLiteral("status_line"));
+  setSizeGripEnabled(false);
+  device_->setObjectName(QStringLiteral("device"));
+  rate_->setObjectName(QStringLiteral("rate"));
+  missed_->setObjectName(QStringLiteral("missed"));
+  depth_->setObjectName(QStringLiteral("depth"));
+  rate_->setToolTip(tr("How often a second the stylus is felt"));
+  missed_->setToolTip(tr("Moments of feeling that came too late or not at all, since the start"));
+  for (auto* label : {depth_, device_, rate_, missed_}) addPermanentWidget(label);
+  const auto device = controller_.stylus().describe();
+  // The window names what it knows; a device of another maker keeps its own name.
+  QString name = to_text(device.name);
+  if (name == QLatin1String("Mouse") || name == QLatin1String("Pointer") ||
+      name == QLatin1String("Mouse or pen"))
+    name = tr("Mouse or pen");
+  device_->setText(device.has_force ? name : tr("%1, without force").arg(name));
+  since_.start();
+  connect(&timer_, &QTimer::timeout, this, &StatusLine::look);
+  timer_.start(kLook_ms);
+  look();
+}
+
+void StatusLine::show_depth(double depth_m) {
+  const QString text =
+      depth_m > 0 ? tr("depth %1 mm").arg(QLocale().toString(depth_m * 1000, 'f', 1)) : QString();
+  if (depth_->text() != text) depth_->setText(text);
+}
+
+void StatusLine::look() {
+  const auto timing = controller_.stylus().timing();
+  const double seconds = static_cast<double>(since_.restart()) / 1000;
+  if (ticks_ > 0 && seconds > 0.2) {
+    // To tens: the last digit is only the stopwatch.
+    const double rate_hz = std::round(static_cast<double>(timing.ticks - ticks_) / seconds / 10) * 10;
+    rate_->setText(tr("%1 times a second").arg(QLocale().toString(rate_hz, 'f', 0)));
+  } else {
+    rate_->setText(tr("starting"));
+  }
+  ticks_ = timing.ticks;
+  const auto missed = timing.missed_ticks + timing.dropped_samples;
+  missed_->setText(tr("%1 missed").arg(QLocale().toString(static_cast<qulonglong>(missed))));
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QStatusBar>
+#include <QTimer>
+#include <cstdint>
+
+class QLabel;
+
+namespace nazori::ui {
+
+class TabletController;
+
+/// The device, the rate its servo really runs at, and what it missed. Looks once a second.
+class StatusLine final : public QStatusBar {
+  Q_OBJECT
+ public:
+  StatusLine(TabletController& controller, QWidget* parent);
+
+  void show_depth(double depth_m);
+
+ private:
+  void look();
+
+  TabletController& controller_;
+  QLabel* device_;
+  QLabel* rate_;
+  QLabel* missed_;
+  QLabel* depth_;
+  QTimer timer_;
+  QElapsedTimer since_;
+  std::uint64_t ticks_ = 0;
+};
+
+}  // namespace nazori::ui

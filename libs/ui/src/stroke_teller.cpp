@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stroke_teller.h"
+
+#include "tablet_controller.h"
+
+namespace nazori::ui {
+
+StrokeTeller::Sentence StrokeTeller::invitation(const TabletController& controller) {
+  if (controller.stroke_count() == 0)
+    return {Feedback::hint, tr("Press the left button to touch the tablet; the right button turns it.")};
+  if (!controller.strokes_visible())
+    return {Feedback::hint, tr("Press the left button in a groove and follow it. S shows the strokes.")};
+  return {Feedback::hint, tr("Hold the left button at number 1 and draw along the groove.")};
+}
+
+StrokeTeller::Sentence StrokeTeller::about(InkEvent event, int stroke, const TabletController& controller) {
+  const int next = controller.ink().next_stroke();
+  switch (event) {
+    case InkEvent::none:
+      return {};
+    case InkEvent::began:
+      return {Feedback::hint, tr("Stroke %1: follow the groove to its end.").arg(stroke)};
+    case InkEvent::finished:
+      if (next == 0)
+        return {Feedback::good, tr("All %n strokes are written. Delete clears the tablet.", nullptr,
+                                   controller.stroke_count())};
+      if (controller.current_stroke() != 0)
+        return {Feedback::good,
+                tr("Stroke %1 is written. The full stop key (.) shows the next.").arg(stroke)};
+      return {Feedback::good, tr("Stroke %1 is written. Stroke %2 is next.").arg(stroke).arg(next)};
+    case InkEvent::too_early:
+      return {Feedback::advice, tr("Stroke %1 comes before stroke %2.").arg(next).arg(stroke)};
+    case InkEvent::from_the_end:
+      return {Feedback::advice,
+              tr("Stroke %1 begins at its other end, where its number stands.").arg(stroke)};
+  }
+  return {};
+}
+
+StrokeTeller::Sentence StrokeTeller::snapping(const TabletController& controller) {
+  if (!controller.snapping()) return {Feedback::hint, tr("The stylus is free.")};
+  if (!controller.strokes_visible())
+    return {Feedback::advice, tr("Strokes hold the stylus only while they are shown: press S.")};
+  return {Feedback::hint, tr("Strokes now hold the stylus. Pull away firmly to leave one.")};
+}
+
+StrokeTeller::Sentence StrokeTeller::stroke_shown(const TabletController& controller) {
+  const int current = controller.current_stroke();
+  if (current == 0) return invitation(controller);
+  if (!controller.strokes_visible())
+    return {Feedback::advice, tr("Stroke %1 is chosen, but the strokes are hidden: press S.").arg(current)};
+  return {Feedback::hint,
+          tr("Stroke %1 of %2. Draw it from its number.").arg(current).arg(controller.stroke_count())};
+}
+
+}  // namespace nazori::ui

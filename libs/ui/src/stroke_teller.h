@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+
+#include "feedback_line.h"
+#include "ink_tracker.h"
+
+namespace nazori::ui {
+
+class TabletController;
+
+/// Finds the words for what happens on the tablet: short, kind, exact.
+class StrokeTeller {
+  Q_DECLARE_TR_FUNCTIONS(nazori::ui::StrokeTeller)
+ public:
+  struct Sentence {
+    Feedback kind = Feedback::hint;
+    QString text;  ///< empty: nothing worth saying
+  };
+
+  [[nodiscard]] static Sentence invitation(const TabletController& controller);
+  [[nodiscard]] static Sentence about(InkEvent event, int stroke, const TabletController& controller);
+  [[nodiscard]] static Sentence snapping(const TabletController& controller);
+  [[nodiscard]] static Sentence stroke_shown(const TabletController& controller);
+};
+
+}  // namespace nazori::ui

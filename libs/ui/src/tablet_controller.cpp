@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tablet_controller.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kActivePump_ms = 16;
+constexpr int kIdlePump_ms = 250;
+constexpr double kUsualDepth = 0.85;
+constexpr double kDeepest = 1.5;
+constexpr double kNotch = 0.05;
+
+}  // namespace
+
+TabletController::TabletController(QObject* parent) : QObject(parent), mouse_depth_(kUsualDepth) {
+  pointer_.in_range = false;
+  pump_timer_.setInterval(kIdlePump_ms);
+  pump_timer_.setTimerType(Qt::CoarseTimer);
+  connect(&pump_timer_, &QTimer::timeout, this, &TabletController::pump);
+}
+
+TabletController::~TabletController() = default;
+
+base::Result<void> TabletController::start() {
+  auto started = stylus_.start();
+  if (!started) return started;
+  send();
+  pump_timer_.start();
+  return {};
+}
+
+void TabletController::set_tablet(std::shared_ptr<const tablet::CarvedTablet> carved) {
+  pump();
+  tablet_ = std::move(carved);
+  current_ = 0;
+  ink_.set_strokes(tablet_ ? std::span<const haptics::StrokePath>(tablet_->paths())
+                           : std::span<const haptics::StrokePath>());
+  hand_over_scene();
+  emit tablet_changed();
+  emit state_changed();
+  emit picture_changed();
+}
+
+int TabletController::stroke_count() const { return tablet_ ? static_cast<int>(tablet_->lines().size()) : 0; }
+
+template <class T>
+void TabletController::change(T& value, T to, bool felt) {
+  if (value == to) return;
+  value = to;
+  if (felt) hand_over_scene();
+  emit state_changed();
+  emit picture_changed();
+}
+
+void TabletController::set_current_stroke(int stroke) {
+  change(current_, std::clamp(stroke, 0, stroke_count()), true);
+}
+
+void TabletController::next_stroke() { set_current_stroke(current_ >= stroke_count() ? 0 : current_ + 1); }
+
+void TabletController::previous_stroke() {
+  set_current_stroke(current_ == 0 ? stroke_count() : current_ - 1);
+}
+
+void TabletController::set_strokes_visible(bool on) { change(strokes_visible_, on, true); }
+void TabletController::set_numbers_visible(bool on) { change(numbers_visible_, on, false); }
+void TabletController::set_arrows_visible(bool on) { change(arrows_visible_, on, false); }
+void TabletController::set_snapping(bool on) { change(snapping_, on, true); }
+void TabletController::set_style(view::Style style) { change(style_, style, false); }
+
+void TabletController::clear_ink() {
+  ink_.clear();
+  emit picture_changed();
+}
+
+void TabletController::hand_over_scene() {
+  if (!tablet_) {
+    stylus_.set_scene(nullptr);
+    return;
+  }
+  haptics::Snapping snap;
+  snap.enabled = snapping_in_effect();
+  snap.stroke = current_;
+  stylus_.set_scene(tablet_->scene(haptics::Material{}, snap));
+}
+
+void TabletController::move_stylus(geometry::TabletPoint at, bool pressed, std::optional<double> pressure) {
+  const geometry::TabletShape shape = tablet_ ? tablet_->shape() : geometry::TabletShape{};
+  // A little beyond the edge is still the tablet: strokes may end near it.
+  const double edge_m = shape.width_m * 0.56;
+  pointer_.x_m = std::clamp(at.x, -edge_m, edge_m);
+  pointer_.y_m = std::clamp(at.y, -edge_m, edge_m);
+  const bool over = std::abs(at.x) <= edge_m && std::abs(at.y) <= edge_m;
+  const bool began = pressed && !pointer_.pressed;
+  if (began && !pressure) mouse_depth_ = kUsualDepth;
+  pointer_.pressed = pressed && (over || pointer_.pressed);
+  pointer_.in_range = over || pointer_.pressed;
+  const double fraction = pressure ? std::clamp(*pressure, 0.0, 1.0) * kDeepest : mouse_depth_;
+  pointer_.depth_m = pointer_.pressed ? fraction * shape.depth_m : 0;
+  send();
+}
+
+void TabletController::lift_stylus() {
+  pointer_.pressed = false;
+  pointer_.in_range = false;
+  pointer_.depth_m = 0;
+  send();
+}
+
+void TabletController::push_stylus(double notches) {
+  if (!pointer_.pressed) return;
+  const geometry::TabletShape shape = tablet_ ? tablet_->shape() : geometry::TabletShape{};
+  mouse_depth_ = std::clamp(mouse_depth_ + notches * kNotch, kNotch, kDeepest);
+  pointer_.depth_m = mouse_depth_ * shape.depth_m;
+  send();
+}
+
+void TabletController::send() {
+  stylus_.move(pointer_);
+  if (pump_timer_.isActive()) pump_timer_.setInterval(pointer_.pressed ? kActivePump_ms : kIdlePump_ms);
+  emit depth_changed(pointer_.depth_m);
+  emit picture_changed();
+}
+
+void TabletController::pump() {
+  std::array<haptics::ServoSample, 256> samples;
+  bool inked = false;
+  for (;;) {
+    const auto count = stylus_.take_samples(samples);
+    for (const auto& sample : std::span(samples).first(count)) {
+      const auto step = ink_.follow(sample.proxy_m, sample.touching, current_);
+      inked = inked || step.inked;
+      if (step.event != InkEvent::none) emit stroke_event(step.event, step.stroke);
+    }
+    if (count < samples.size()) break;
+  }
+  if (inked) emit picture_changed();
+}
+
+view::Overlay TabletController::overlay() {
+  view::Overlay overlay;
+  overlay.strokes_visible = strokes_visible_;
+  overlay.arrows_visible = arrows_visible_;
+  overlay.numbers_visible = numbers_visible_;
+  overlay.current_stroke = current_;
+  overlay.ink = ink_.progress();
+  if (pointer_.in_range) {
+    const auto& now = stylus_.latest();
+    overlay.cursor = view::Cursor{now.proxy_m, now.device_m, now.touching};
+  }
+  return overlay;
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "ink_tracker.h"
+#include "nazori/tablet/carved_tablet.h"
+#include "nazori/view/tablet_view.h"
+#include "stylus.h"
+
+namespace nazori::ui {
+
+/// What the tablet is doing: the carved tablet itself, which strokes are shown, whether they hold the stylus,
+/// the ink, and the stylus. Knows no OpenGL and no widgets: the picture and the toolbar both only show what
+/// it says. Thread: interface.
+class TabletController final : public QObject {
+  Q_OBJECT
+ public:
+  explicit TabletController(QObject* parent = nullptr);
+  ~TabletController() override;
+
+  /// Starts the stylus; without it everything but touching works.
+  [[nodiscard]] base::Result<void> start();
+
+  /// Puts another tablet on the desk: all strokes, no ink.
+  void set_tablet(std::shared_ptr<const tablet::CarvedTablet> carved);
+  [[nodiscard]] const std::shared_ptr<const tablet::CarvedTablet>& tablet() const { return tablet_; }
+
+  [[nodiscard]] int stroke_count() const;
+  /// 0: all strokes, n: stroke n alone.
+  [[nodiscard]] int current_stroke() const { return current_; }
+  void set_current_stroke(int stroke);
+  /// As in 2005: forwards and backwards, both wrapping through 0.
+  void next_stroke();
+  void previous_stroke();
+
+  [[nodiscard]] bool strokes_visible() const { return strokes_visible_; }
+  [[nodiscard]] bool numbers_visible() const { return numbers_visible_; }
+  [[nodiscard]] bool arrows_visible() const { return arrows_visible_; }
+  [[nodiscard]] bool snapping() const { return snapping_; }
+  /// As in 2005: strokes hold the stylus only while they are shown.
+  [[nodiscard]] bool snapping_in_effect() const { return snapping_ && strokes_visible_; }
+  [[nodiscard]] view::Style style() const { return style_; }
+  void set_strokes_visible(bool on);
+  void set_numbers_visible(bool on);
+  void set_arrows_visible(bool on);
+  void set_snapping(bool on);
+  void set_style(view::Style style);
+
+  void clear_ink();
+  [[nodiscard]] const InkTracker& ink() const { return ink_; }
+
+  /// The stylus over the tablet. @param pressure  0..1 of a pen; nothing for a mouse, whose depth the wheel
+  /// sets.
+  void move_stylus(geometry::TabletPoint at, bool pressed, std::optional<double> pressure = {});
+  void lift_stylus();
+  /// Pushes the pressed stylus deeper (positive) or less deep, in notches of the wheel.
+  void push_stylus(double notches);
+  [[nodiscard]] bool is_pressed() const { return pointer_.pressed; }
+  [[nodiscard]] double depth_m() const { return pointer_.depth_m; }
+
+  /// Takes what the servo has seen since the last call: ink flows, signals follow.
+  void pump();
+  [[nodiscard]] const haptics::ServoSample& latest() { return stylus_.latest(); }
+  [[nodiscard]] Stylus& stylus() { return stylus_; }
+
+  /// What to draw, as of now.
+  [[nodiscard]] view::Overlay overlay();
+  /// The stylus is over the tablet.
+  [[nodiscard]] bool stylus_in_range() const { return pointer_.in_range; }
+
+ signals:
+  void tablet_changed();
+  void state_changed();  ///< stroke shown, toggles, style
+  void picture_changed();
+  void stroke_event(nazori::ui::InkEvent event, int stroke);
+  void depth_changed(double depth_m);
+
+ private:
+  void hand_over_scene();
+  void send();
+  template <class T>
+  void change(T& value, T to, bool felt);
+
+  std::shared_ptr<const tablet::CarvedTablet> tablet_;
+  InkTracker ink_;
+  int current_ = 0;
+  bool strokes_visible_ = true;
+  bool numbers_visible_ = true;
+  bool arrows_visible_ = true;
+  bool snapping_ = false;
+  view::Style style_ = view::Style::wood;
+  devices::PointerState pointer_;
+  double mouse_depth_;  ///< where the mouse presses to, as a fraction of the tablet's depth
+  QTimer pump_timer_;
+  Stylus stylus_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tablet_window.h"
+
+#include <QCursor>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QScreen>
+#include <QTabletEvent>
+#include <QUrl>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "camera_motion.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kGlide_ms = 220;
+constexpr int kSettle_ms = 250;   ///< the simulated tip takes a few milliseconds to follow the pointer
+constexpr double kSeen_m = 2e-6;  ///< smaller moves of the tip change no pixel
+constexpr double kZoomPerNotch = 1.12;
+
+QStringList local_files(const QMimeData* data) {
+  QStringList paths;
+  for (const auto& url : data->urls())
+    if (url.isLocalFile()) paths.append(url.toLocalFile());
+  return paths;
+}
+
+}  // namespace
+
+TabletWindow::TabletWindow(TabletController* controller)
+    : controller_(controller), camera_(camera_motion::home()) {
+  setObjectName(QStringLiteral("tablet_window"));
+  setFormat(surface_format());
+  frame_timer_.setSingleShot(true);
+  frame_timer_.setTimerType(Qt::PreciseTimer);
+  connect(&frame_timer_, &QTimer::timeout, this, qOverload<>(&QPaintDeviceWindow::update));
+  connect(controller_, &TabletController::picture_changed, this, &TabletWindow::request_frame);
+  connect(controller_, &TabletController::tablet_changed, this, [this] { tablet_stale_ = true; });
+  glide_.setDuration(kGlide_ms);
+  glide_.setEasingCurve(QEasingCurve::OutCubic);
+  since_frame_.start();
+  since_move_.start();
+}
+
+TabletWindow::~TabletWindow() { release_graphics(); }
+
+QSurfaceFormat TabletWindow::surface_format() {
+  QSurfaceFormat format;
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setSamples(4);
+  format.setSwapInterval(1);
+  return format;
+}
+
+bool TabletWindow::is_possible() {
+  QOpenGLContext context;
+  context.setFormat(surface_format());
+  return context.create() && context.format().version() >= qMakePair(3, 3);
+}
+
+void TabletWindow::set_theme(view::Theme theme) {
+  theme_ = theme;
+  request_frame();
+}
+
+void TabletWindow::initializeGL() {
+  auto made = view::TabletView::create();
+  if (!made) {
+    emit drawing_failed(made.error());
+    return;
+  }
+  view_ = std::move(*made);
+  tablet_stale_ = true;
+  // The context goes before this object where the native window is taken away (another screen, closing).
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &TabletWindow::release_graphics,
+          Qt::DirectConnection);
+}
+
+void TabletWindow::release_graphics() {
+  if (!view_) return;
+  makeCurrent();
+  view_.reset();
+  doneCurrent();
+}
+
+void TabletWindow::request_frame() {
+  if (frame_timer_.isActive()) return;
+  // Not every driver waits for the screen: pace ourselves by its rate.
+  const double rate_hz = screen() != nullptr ? std::clamp(screen()->refreshRate(), 30.0, 500.0) : 60.0;
+  const auto wait_ms =
+      static_cast<int>(std::lround(1000.0 / rate_hz)) - static_cast<int>(since_frame_.elapsed());
+  frame_timer_.start(std::max(wait_ms, 0));
+}
+
+void TabletWindow::paintGL() {
+  since_frame_.restart();
+  if (!view_) return;
+  controller_->pump();
+  if (tablet_stale_) {
+    tablet_stale_ = false;
+    const auto& carved = controller_->tablet();
+    if (carved) {
+      view_->set_height_map(carved->height_map(), carved->shape());
+      view_->set_strokes(carved->lines());
+    } else {
+      view_->set_height_map({});
+      view_->set_strokes({});
+    }
+  }
+  view_->set_theme(theme_);
+  view_->set_style(controller_->style());
+  view_->set_camera(camera_);
+  const double scale = devicePixelRatio();
+  const view::Overlay overlay = controller_->overlay();
+  view_->draw(static_cast<int>(std::lround(width() * scale)), static_cast<int>(std::lround(height() * scale)),
+              scale, overlay);
+  if (!overlay.cursor) return;
+  const bool moved = glm::length(overlay.cursor->proxy_m - drawn_proxy_m_) > kSeen_m ||
+                     glm::length(overlay.cursor->device_m - drawn_device_m_) > kSeen_m;
+  drawn_proxy_m_ = overlay.cursor->proxy_m;
+  drawn_device_m_ = overlay.cursor->device_m;
+  if (moved || since_move_.elapsed() < kSettle_ms) request_frame();
+}
+
+std::optional<geometry::TabletPoint> TabletWindow::point_under(QPointF position) const {
+  if (!view_) return std::nullopt;
+  return view_->pick({position.x(), position.y()}, width(), height());
+}
+
+void TabletWindow::set_camera(const view::Camera& camera) {
+  camera_ = camera;
+  if (view_) view_->set_camera(camera_);
+  request_frame();
+}
+
+void TabletWindow::glide_to(const view::Camera& camera) {
+  glide_.stop();
+  if (reduced_motion_) {
+    set_camera(camera);
+    return;
+  }
+  disconnect(&glide_, nullptr, this, nullptr);
+  connect(&glide_, &QVariantAnimation::valueChanged, this,
+          [this, from = camera_, camera](const QVariant& share) {
+            set_camera(camera_motion::between(from, camera, share.toDouble()));
+          });
+  glide_.setStartValue(0.0);
+  glide_.setEndValue(1.0);
+  glide_.start();
+}
+
+void TabletWindow::orbit_by(double right, double down) {
+  glide_to(camera_motion::orbit(camera_, {right, down}));
+}
+
+void TabletWindow::pan_by(double right, double down) {
+  const QPointF middle(width() / 2.0, height() / 2.0);
+  const auto from = point_under(middle);
+  const auto to = point_under(middle + QPointF(right, down));
+  if (from && to) glide_to(camera_motion::pan(camera_, *from, *to));
+}
+
+void TabletWindow::zoom_by(double factor) { glide_to(camera_motion::zoom(camera_, factor)); }
+
+void TabletWindow::reset_camera() { glide_to(camera_motion::home()); }
+
+void TabletWindow::begin_drag(Drag drag, QPointF position) {
+  glide_.stop();
+  drag_ = drag;
+  drag_from_ = position;
+}
+
+void TabletWindow::drag_camera(QPointF to) {
+  if (drag_ == Drag::orbit) {
+    const QPointF by = to - drag_from_;
+    set_camera(camera_motion::orbit(camera_, {by.x(), by.y()}));
+  } else {
+    const auto grabbed = point_under(drag_from_);
+    const auto now = point_under(to);
+    if (grabbed && now) set_camera(camera_motion::pan(camera_, *grabbed, *now));
+  }
+  drag_from_ = to;
+}
+
+void TabletWindow::point_stylus(QPointF position, bool pressed, std::optional<double> pressure) {
+  since_move_.restart();
+  if (const auto at = point_under(position)) controller_->move_stylus(*at, pressed, pressure);
+  // Over the tablet the drawn stylus is the pointer; a second one beside it would only lag or lead.
+  const bool hide = controller_->stylus_in_range();
+  if (hide != (cursor().shape() == Qt::BlankCursor)) setCursor(hide ? Qt::BlankCursor : Qt::ArrowCursor);
+}
+
+void TabletWindow::mousePressEvent(QMouseEvent* event) {
+  if (drag_ != Drag::none) return;
+  const QPointF at = event->position();
+  if (event->button() == Qt::LeftButton) {
+    begin_drag(Drag::stylus, at);
+    point_stylus(at, true, {});
+  } else if (event->button() == Qt::MiddleButton ||
+             (event->button() == Qt::RightButton && event->modifiers().testFlag(Qt::ShiftModifier))) {
+    begin_drag(Drag::pan, at);
+  } else if (event->button() == Qt::RightButton) {
+    begin_drag(Drag::orbit, at);
+  }
+}
+
+void TabletWindow::mouseMoveEvent(QMouseEvent* event) {
+  if (drag_ == Drag::orbit || drag_ == Drag::pan)
+    drag_camera(event->position());
+  else
+    point_stylus(event->position(), drag_ == Drag::stylus, {});
+}
+
+void TabletWindow::mouseReleaseEvent(QMouseEvent* event) {
+  const bool ends = (drag_ == Drag::stylus && event->button() == Qt::LeftButton) ||
+                    (drag_ == Drag::orbit && event->button() == Qt::RightButton) ||
+                    (drag_ == Drag::pan && event->button() != Qt::LeftButton);
+  if (!ends) return;
+  drag_ = Drag::none;
+  point_stylus(event->position(), false, {});
+}
+
+void TabletWindow::tabletEvent(QTabletEvent* event) {
+  const QPointF at = event->position();
+  if (event->type() == QEvent::TabletPress) {
+    // The barrel button turns the tablet, as the right mouse button does.
+    if (event->button() == Qt::RightButton)
+      begin_drag(Drag::orbit, at);
+    else
+      pen_down_ = true;
+  } else if (event->type() == QEvent::TabletRelease) {
+    pen_down_ = false;
+    drag_ = Drag::none;
+  }
+  if (drag_ == Drag::orbit)
+    drag_camera(at);
+  else
+    point_stylus(at, pen_down_, event->pressure());
+  event->accept();
+}
+
+void TabletWindow::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  if (drag_ == Drag::stylus) {
+    controller_->push_stylus(-notches);
+    since_move_.restart();
+    return;
+  }
+  glide_.stop();
+  // What lies under the pointer stays there.
+  const auto before = point_under(event->position());
+  set_camera(camera_motion::zoom(camera_, std::pow(kZoomPerNotch, notches)));
+  const auto after = point_under(event->position());
+  if (before && after) set_camera(camera_motion::pan(camera_, *before, *after));
+}
+
+void TabletWindow::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Home:
+      reset_camera();
+      break;
+    case Qt::Key_Tab:
+      emit focus_leaves(true);
+      break;
+    case Qt::Key_Backtab:
+      emit focus_leaves(false);
+      break;
+    default:
+      QOpenGLWindow::keyPressEvent(event);
+  }
+}
+
+bool TabletWindow::event(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::Leave:
+      if (drag_ == Drag::none) {
+        controller_->lift_stylus();
+        since_move_.restart();
+      }
+      break;
+    case QEvent::DragEnter:
+    case QEvent::DragMove: {
+      auto* drag = static_cast<QDragMoveEvent*>(event);
+      if (!local_files(drag->mimeData()).isEmpty()) drag->acceptProposedAction();
+      return true;
+    }
+    case QEvent::Drop: {
+      auto* drop = static_cast<QDropEvent*>(event);
+      drop->acceptProposedAction();
+      emit files_dropped(local_files(drop->mimeData()));
+      return true;
+    }
+    default:
+      break;
+  }
+  return QOpenGLWindow::event(event);
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QOpenGLWindow>
+#include <QStringList>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <QVariantAnimation>
+#include <memory>
+#include <optional>
+
+#include "nazori/view/tablet_view.h"
+#include "tablet_controller.h"
+
+namespace nazori::ui {
+
+/// The tablet on the screen, and the mouse or pen on the tablet. Draws when something changed and not
+/// otherwise; while the stylus moves, up to the screen's rate, with the newest pose of the servo read just
+/// before drawing.
+///
+/// Left button or pen tip: stylus down, wheel or pressure: depth. Right button: turn and tilt. Middle button,
+/// or right with Shift: move. Wheel: nearer and farther. Home: as at the start.
+class TabletWindow final : public QOpenGLWindow {
+  Q_OBJECT
+ public:
+  explicit TabletWindow(TabletController* controller);
+  ~TabletWindow() override;
+
+  /// OpenGL 3.3 core as the scene needs it.
+  [[nodiscard]] static QSurfaceFormat surface_format();
+  /// Whether this display can give such a context at all.
+  [[nodiscard]] static bool is_possible();
+
+  void set_theme(view::Theme theme);
+  void set_reduced_motion(bool reduced) { reduced_motion_ = reduced; }
+
+  /// The camera's hand moves, for menus and keys. Amounts as for a drag in logical pixels, a factor for zoom.
+  void orbit_by(double right, double down);
+  void pan_by(double right, double down);
+  void zoom_by(double factor);
+  void reset_camera();
+
+ signals:
+  void drawing_failed(nazori::base::Error error);
+  void files_dropped(QStringList paths);
+  /// Tab was pressed: the keyboard goes on to the next or the previous widget.
+  void focus_leaves(bool forwards);
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  bool event(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void tabletEvent(QTabletEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  enum class Drag : std::uint8_t { none, stylus, orbit, pan };
+
+  [[nodiscard]] std::optional<geometry::TabletPoint> point_under(QPointF position) const;
+  void request_frame();
+  void set_camera(const view::Camera& camera);
+  void glide_to(const view::Camera& camera);
+  void drag_camera(QPointF to);
+  void point_stylus(QPointF position, bool pressed, std::optional<double> pressure);
+  void begin_drag(Drag drag, QPointF position);
+  void release_graphics();
+
+  TabletController* controller_;
+  std::unique_ptr<view::TabletView> view_;
+  view::Theme theme_ = view::Theme::light;
+  view::Camera camera_;
+  bool tablet_stale_ = true;
+  bool reduced_motion_ = false;
+  bool pen_down_ = false;
+  Drag drag_ = Drag::none;
+  QPointF drag_from_;
+  haptics::Vec3 drawn_proxy_m_{0};
+  haptics::Vec3 drawn_device_m_{0};
+  QElapsedTimer since_frame_;
+  QElapsedTimer since_move_;
+  QTimer frame_timer_;
+  QVariantAnimation glide_;
+};
+
+}  // namespace nazori::ui
