@@ -9,8 +9,10 @@ namespace {
 
 using Place = TabletSurface::Place;
 
-constexpr double kStill_m = 2e-8;  // a lateral pull below this counts as none
-constexpr int kMostSteps = 28;
+constexpr double kStill_m = 1e-7;  // a lateral pull below this counts as none
+// Steps need not be shorter than what a stylus can tell apart (its encoders: 0.055 mm on a Touch).
+constexpr double kFinest_m = 5e-5;
+constexpr int kMostSteps = 20;
 constexpr int kMostMarch = 32;
 
 struct Walk {
@@ -22,7 +24,7 @@ struct Walk {
 /// pull into it (0: at the minimum).
 Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction) noexcept {
   const double far = std::max(std::abs(d.x - at.x), std::abs(d.y - at.y));
-  double reach = std::max(surface.cell_m() / 2, far / 12);
+  double reach = std::max({surface.cell_m() / 2, kFinest_m, far / 12});
   bool moved = false;
   double ex = at.x - d.x, ey = at.y - d.y, ez = at.z - d.z;
   double squared = ex * ex + ey * ey + ez * ez;
@@ -33,10 +35,10 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
     // |pull along the surface|^2 = g' (I + s s')^-1 g with the slope s.
     const double sg = at.zx * gx + at.zy * gy;
     const double along2 = std::max(0.0, gx * gx + gy * gy - sg * sg / steep);
-    const double into = std::abs(ez - at.zx * ex - at.zy * ey) / std::sqrt(steep);
-    const double allowed = friction * into;
-    // Within 1e-9 of the cone counts as inside: where sliding ends, rounding must not restart it.
-    const double bound = std::max(kStill_m, allowed * (1 + 1e-9));
+    const double allowed =
+        friction > 0 ? friction * std::abs(ez - at.zx * ex - at.zy * ey) / std::sqrt(steep) : 0.0;
+    // A thousandth outside the cone counts as inside: no hand can tell, and the walk need not creep up to it.
+    const double bound = std::max(kStill_m, allowed * 1.001);
     if (along2 <= bound * bound) break;
     const double part = allowed > 0 ? 1 - allowed / std::sqrt(along2) : 1.0;
     // Newton's step where the distance is convex, else Gauss-Newton's, which always leads downhill.
@@ -138,7 +140,7 @@ void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
   }
   Place start = above;
   if (touching_) {
-    start = surface.at(proxy_.x, proxy_.y);
+    start = surface == surface_ ? place_ : surface.at(proxy_.x, proxy_.y);
   } else if (known_) {
     start = crossing(surface, proxy_, device_m);
   }
@@ -159,6 +161,8 @@ void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
       sliding_ = true;
     }
   }
+  surface_ = surface;
+  place_ = walk.place;
   proxy_ = walk.place.point();
   normal_ = walk.place.normal();
   touching_ = true;

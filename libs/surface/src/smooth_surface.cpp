@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/surface/smooth_surface.h"
 
+#include <atomic>
 #include <cstring>
 
 namespace nazori::surface {
+namespace {
+
+std::uint64_t next_serial() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+}  // namespace
 
 base::Result<std::shared_ptr<const SmoothSurface>> SmoothSurface::create(const HeightMap& map) {
   if (!map.is_loaded())
@@ -12,7 +21,8 @@ base::Result<std::shared_ptr<const SmoothSurface>> SmoothSurface::create(const H
 }
 
 SmoothSurface::SmoothSurface(const HeightMap& map)
-    : size_(map.size()),
+    : serial_(next_serial()),
+      size_(map.size()),
       stride_(static_cast<std::size_t>(map.size()) + 2),
       samples_(std::make_unique_for_overwrite<float[]>(stride_ * stride_)) {
   const std::size_t n = stride_ - 2;

@@ -32,7 +32,7 @@ struct Friction {
 class SurfaceContact {
  public:
   /// How much nearer another part of the surface must be before the proxy crosses a ridge [m].
-  static constexpr double kRidge_m = 0.0005;
+  static constexpr double kRidge_m = 0.0002;
 
   /// Moves the proxy for the device at `device_m`. @param device_m  finite.
   void update(const TabletSurface& surface, const Vec3& device_m, const Friction& friction) noexcept;
@@ -53,7 +53,9 @@ class SurfaceContact {
  private:
   Vec3 proxy_{0, 0, 0};
   Vec3 normal_{0, 0, 1};
-  bool known_ = false;  // proxy_ says where the device was
+  TabletSurface surface_;       // that place_ was read from
+  TabletSurface::Place place_;  // of the proxy, while touching
+  bool known_ = false;          // proxy_ says where the device was
   bool touching_ = false;
   bool sliding_ = false;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "nazori/geometry/frames.h"
 #include "nazori/haptics/haptic_device.h"
@@ -32,6 +33,7 @@ class TabletSurface {
   TabletSurface() = default;
   TabletSurface(const surface::SmoothSurface& surface, const geometry::TabletShape& shape)
       : surface_(&surface),
+        serial_(surface.serial()),
         half_m_(shape.width_m / 2),
         per_m_((surface.size() - 1) / shape.width_m),
         depth_m_(shape.depth_m),
@@ -40,6 +42,11 @@ class TabletSurface {
   [[nodiscard]] bool exists() const { return surface_ != nullptr; }
   /// Distance between two samples [m].
   [[nodiscard]] double cell_m() const { return cell_m_; }
+
+  /// The same surface in the same size.
+  friend bool operator==(const TabletSurface& a, const TabletSurface& b) {
+    return a.serial_ == b.serial_ && a.half_m_ == b.half_m_ && a.depth_m_ == b.depth_m_;
+  }
 
   /// H(x, y) [m].
   [[nodiscard]] double height(double x, double y) const {
@@ -61,6 +68,7 @@ class TabletSurface {
 
  private:
   const surface::SmoothSurface* surface_ = nullptr;
+  std::uint64_t serial_ = 0;  // of the surface; 0 none
   double half_m_ = 0, per_m_ = 0, depth_m_ = 0, cell_m_ = 1;
 };
 

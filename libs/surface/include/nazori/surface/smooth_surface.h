@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "nazori/base/result.h"
@@ -46,51 +47,39 @@ class SmoothSurface {
   /// Outside the grid the nearest edge goes on level, from half a sample beyond it; there, too, without a
   /// step in slope. @param column,row  finite; infinities and NaN count as far outside.
   [[nodiscard]] SurfacePoint at(double column, double row) const noexcept {
-    const Cell c = cell(column, row);
-    const Weights x(c.u), y(c.v);
-    SurfacePoint p{0, 0, 0};
-    for (std::size_t j = 0; j < 3; ++j) {
-      const float* s = c.corner + j * stride_;
-      const double s0 = s[0], s1 = s[1], s2 = s[2];
-      const double along = x.value[0] * s0 + x.value[1] * s1 + x.value[2] * s2;
-      p.height += y.value[j] * along;
-      p.d_row += y.slope[j] * along;
-      p.d_column += y.value[j] * (x.slope[0] * s0 + x.slope[1] * s1 + x.slope[2] * s2);
-    }
-    return p;
+    const CurvedPoint p = curved_at(column, row);  // what is not used costs nothing once inlined
+    return {p.height, p.d_column, p.d_row};
   }
   /// As at(), with the second derivatives.
   [[nodiscard]] CurvedPoint curved_at(double column, double row) const noexcept {
     const Cell c = cell(column, row);
-    const Weights x(c.u), y(c.v);
-    constexpr double kBend[3] = {1, -2, 1};
-    CurvedPoint p{0, 0, 0, 0, 0, 0};
-    for (std::size_t j = 0; j < 3; ++j) {
-      const float* s = c.corner + j * stride_;
-      const double s0 = s[0], s1 = s[1], s2 = s[2];
-      const double along = x.value[0] * s0 + x.value[1] * s1 + x.value[2] * s2;
-      const double slope = x.slope[0] * s0 + x.slope[1] * s1 + x.slope[2] * s2;
-      p.height += y.value[j] * along;
-      p.d_row += y.slope[j] * along;
-      p.d_row_row += kBend[j] * along;
-      p.d_column += y.value[j] * slope;
-      p.d_column_row += y.slope[j] * slope;
-      p.d_column_column += y.value[j] * (s0 - 2 * s1 + s2);
-    }
+    const float* top = c.corner;
+    const float* middle = top + stride_;
+    const float* bottom = middle + stride_;
+    const Piece left(c.v, top[0], middle[0], bottom[0]);
+    const Piece centre(c.v, top[1], middle[1], bottom[1]);
+    const Piece right(c.v, top[2], middle[2], bottom[2]);
+    const Piece along(c.u, left.value, centre.value, right.value);
+    const Piece down(c.u, left.slope, centre.slope, right.slope);
+    const Piece bend(c.u, left.bend, centre.bend, right.bend);
     // Beyond the rim it is level: the bend of the last square ends there.
-    if (c.column_outside) p.d_column_column = 0;
-    if (c.row_outside) p.d_row_row = 0;
-    return p;
+    return {along.value, along.slope,
+            down.value,  c.column_outside ? 0 : along.bend,
+            down.slope,  c.row_outside ? 0 : bend.value};
   }
+  /// Tells surfaces apart, also ones that lived at the same address.
+  [[nodiscard]] std::uint64_t serial() const noexcept { return serial_; }
 
  private:
-  /// The three B-splines that are not zero at `u` in [-0.5, 0.5] from the middle sample.
-  struct Weights {
-    explicit Weights(double u)
-        : value{0.5 * (0.5 - u) * (0.5 - u), 0.75 - u * u, 0.5 * (0.5 + u) * (0.5 + u)},
-          slope{u - 0.5, -2 * u, u + 0.5} {}
-    double value[3];
-    double slope[3];
+  /// The quadratic B-spline with three control values, at `u` in [-0.5, 0.5] from the middle one.
+  struct Piece {
+    Piece(double u, double before, double middle, double after)
+        : value(0), slope(0), bend(before - 2 * middle + after) {
+      const double lean = 0.5 * (after - before);
+      value = middle + u * lean + (0.125 + 0.5 * u * u) * bend;
+      slope = lean + u * bend;
+    }
+    double value, slope, bend;
   };
   struct Cell {
     const float* corner;  // sample above and left of the middle one
@@ -113,6 +102,7 @@ class SmoothSurface {
             y - j, x != column, y != row};
   }
 
+  std::uint64_t serial_;
   int size_;
   std::size_t stride_;
   std::unique_ptr<float[]> samples_;  // (size + 2) x (size + 2)

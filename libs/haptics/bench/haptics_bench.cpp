@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cost of a servo tick. The budget of a tick at 1 kHz is 1,000,000 ns.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include "nazori/haptics/servo.h"
+#include "nazori/haptics/surface_contact.h"
+#include "workload.h"
+
+namespace nazori::haptics {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::size_t kTicks = 200'000;
+
+struct Work {
+  explicit Work(int size) {
+    const workload::Kanji kanji = workload::make_kanji(size);
+    const auto t = workload::trace(kanji, kTicks), s = workload::sweep(kanji, kTicks),
+               c = workload::scribble(kanji, kTicks);
+    const std::vector<std::uint64_t> found{workload::checksum(kanji), workload::checksum(t),
+                                           workload::checksum(s), workload::checksum(c)};
+    const std::map<int, std::vector<std::uint64_t>> agreed{
+        {128, {0xb19ad546c7ced0a7, 0x4a4aac82dfc69037, 0x74094b2f65ce5153, 0xe62d3d094f4a1d9c}},
+        {2048, {0x5dff4e08a5c89bab, 0x99cf730f121b9437, 0x6065b925642f5b40, 0x75bf7ad5650879bb}}};
+    if (agreed.at(size) != found) throw std::runtime_error("the workload's checksums do not agree");
+    map = workload::height_map(kanji);
+    smooth = *surface::SmoothSurface::create(map);
+    tablet = TabletSurface(*smooth, workload::shape());
+    paths = {workload::to_metres(t), workload::to_metres(s), workload::to_metres(c)};
+  }
+  static const Work& of(int size) {
+    static std::map<int, Work> made;
+    const auto at = made.find(size);
+    return at != made.end() ? at->second : made.emplace(size, Work(size)).first->second;
+  }
+  surface::HeightMap map;
+  std::shared_ptr<const surface::SmoothSurface> smooth;
+  TabletSurface tablet;
+  std::vector<std::vector<Vec3>> paths;  // trace, sweep, scribble
+};
+
+/// Runs `tick(i)` over the path, timed as a whole (mean, with what is done in between) and once tick by tick
+/// (percentiles, less the clock's own cost).
+template <class Reset, class Tick, class Between>
+void measure(benchmark::State& state, Reset reset, Tick tick, Between between) {
+  double best = 1e9;
+  for ([[maybe_unused]] auto _ : state) {
+    reset();
+    const auto begin = Clock::now();
+    for (std::size_t i = 0; i < kTicks; ++i) {
+      tick(i);
+      between(i);
+    }
+    best = std::min(best, std::chrono::duration<double>(Clock::now() - begin).count());
+  }
+  std::vector<double> ns(kTicks), empty(kTicks);
+  for (std::size_t i = 0; i < kTicks; ++i) {
+    const auto begin = Clock::now();
+    empty[i] = std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
+  }
+  std::nth_element(empty.begin(), empty.begin() + kTicks / 2, empty.end());
+  reset();
+  for (std::size_t i = 0; i < kTicks; ++i) {
+    const auto begin = Clock::now();
+    tick(i);
+    ns[i] = std::chrono::duration<double, std::nano>(Clock::now() - begin).count() - empty[kTicks / 2];
+    between(i);
+  }
+  std::sort(ns.begin(), ns.end());
+  state.counters["mean_ns"] = best / kTicks * 1e9;
+  state.counters["p99_ns"] = ns[kTicks * 99 / 100];
+  state.counters["p99.9_ns"] = ns[kTicks * 999 / 1000];
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kTicks));
+}
+
+// Contact alone: proxy and force direction. Arguments: map size, path (0 trace, 1 sweep, 2 scribble),
+// friction.
+void BM_SurfaceContact(benchmark::State& state) {
+  const Work& work = Work::of(static_cast<int>(state.range(0)));
+  const std::vector<Vec3>& path = work.paths[static_cast<std::size_t>(state.range(1))];
+  const Friction friction = state.range(2) != 0 ? Friction{0.3, 0.2} : Friction{};
+  SurfaceContact contact;
+  measure(
+      state, [&] { contact = SurfaceContact(); },
+      [&](std::size_t i) {
+        contact.update(work.tablet, path[i], friction);
+        benchmark::DoNotOptimize(contact.proxy_m());
+      },
+      [](std::size_t) {});
+}
+BENCHMARK(BM_SurfaceContact)
+    ->ArgsProduct({{128, 2048}, {0, 1, 2}, {0, 1}})
+    ->ArgNames({"size", "path", "friction"})
+    ->Unit(benchmark::kMillisecond);
+
+/// Everything a tick does: friction, passivity, limits, recording, a new scene every 1,000 ticks; with the
+/// last argument snapping to 20 strokes too.
+void BM_ServoTick(benchmark::State& state) {
+  const Work& work = Work::of(static_cast<int>(state.range(0)));
+  const std::vector<Vec3>& path = work.paths[static_cast<std::size_t>(state.range(1))];
+  auto scene = std::make_shared<HapticScene>();
+  scene->surface = work.smooth;
+  scene->shape = workload::shape();
+  scene->material.static_friction = 0.3;
+  scene->material.dynamic_friction = 0.2;
+  if (state.range(2) != 0) {
+    scene->snapping.enabled = true;
+    scene->snapping.snap_distance_m = 0.004;
+    for (int s = 0; s < 20; ++s) {
+      StrokePath stroke;
+      for (int i = 0; i <= 40; ++i)
+        stroke.points.emplace_back(-0.045 + 0.09 * i / 40.0, -0.045 + 0.09 * s / 19.0 + 0.002 * (i % 2),
+                                   -0.005);
+      scene->strokes.push_back(stroke);
+    }
+  }
+  std::unique_ptr<Servo> servo;
+  std::vector<ServoSample> taken(1000);
+  measure(
+      state,
+      [&] {
+        servo = std::make_unique<Servo>(DeviceDescription{});
+        servo->set_scene(scene);
+      },
+      [&](std::size_t i) {
+        const DeviceSample sample{static_cast<double>(i) * 0.001, path[i], 0, true};
+        benchmark::DoNotOptimize(servo->tick(sample));
+      },
+      [&](std::size_t i) {  // what the interface does meanwhile: not the servo's time
+        if (i % 500 == 499) (void)servo->take_samples(taken);
+        if (i % 1000 == 999) servo->set_scene(scene);
+      });
+}
+BENCHMARK(BM_ServoTick)
+    ->ArgsProduct({{128, 2048}, {0, 1, 2}, {0, 1}})
+    ->ArgNames({"size", "path", "snap"})
+    ->Unit(benchmark::kMillisecond);
+
+// From a height map that exists to a scene the servo may be given.
+void BM_ReadyToTouch(benchmark::State& state) {
+  const Work& work = Work::of(static_cast<int>(state.range(0)));
+  for ([[maybe_unused]] auto _ : state) {
+    auto scene = std::make_shared<HapticScene>();
+    scene->surface = *surface::SmoothSurface::create(work.map);
+    Servo* servo = nullptr;
+    benchmark::DoNotOptimize(servo);
+    benchmark::DoNotOptimize(scene);
+  }
+}
+BENCHMARK(BM_ReadyToTouch)->Arg(128)->Arg(2048)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace nazori::haptics
