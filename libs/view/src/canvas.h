@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <memory>
+
+#include "gl_object.h"
+
+namespace nazori::view {
+
+/// A rectangle of pixels, y up as OpenGL counts. Empty where it has no width.
+struct PixelBox {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+  [[nodiscard]] bool is_empty() const { return width <= 0 || height <= 0; }
+};
+
+/// The picture that is kept between draws: the tablet is drawn with four samples a pixel and resolved, lines
+/// and numbers (which smooth their own edges) are drawn over the resolved picture.
+class Canvas {
+ public:
+  /// Keeps the pixels when the size stays. @return false when the GPU refuses framebuffers of this size.
+  bool resize(int width, int height);
+  /// Binds the multisampled framebuffer.
+  void bind_tablet() const { glBindFramebuffer(GL_FRAMEBUFFER, parts_->sampled.name()); }
+  /// Resolves `box` of the tablet, then binds the resolved picture.
+  void resolve(const PixelBox& box) const;
+  /// Copies the resolved picture into `framebuffer` at the origin and leaves that bound.
+  void show(GLuint framebuffer) const;
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+
+ private:
+  struct Parts {
+    Framebuffer sampled;
+    Renderbuffer sampled_colour;
+    Renderbuffer sampled_depth;
+    Framebuffer resolved;
+    Texture picture;
+  };
+  std::unique_ptr<Parts> parts_;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+}  // namespace nazori::view
