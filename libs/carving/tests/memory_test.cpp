@@ -26,14 +26,15 @@ void give_back(void* p) {
 }
 }  // namespace
 
-void* operator new(std::size_t size) {
+// Not inlined: the compiler would take malloc for a mismatch of the delete it sees.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   void* const p = std::malloc(size == 0 ? 1 : size);
   if (p == nullptr) throw std::bad_alloc();
   count(p);
   return p;
 }
-void operator delete(void* p) noexcept { give_back(p); }
-void operator delete(void* p, std::size_t /*size*/) noexcept { give_back(p); }
+[[gnu::noinline]] void operator delete(void* p) noexcept { give_back(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t /*size*/) noexcept { give_back(p); }
 // NOLINTEND(cppcoreguidelines-no-malloc)
 
 namespace nazori::carving {
