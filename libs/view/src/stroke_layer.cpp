@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "gl_upload.h"
@@ -16,8 +17,8 @@ constexpr double kAbovePlateau = 2.0 / 255.0;
 
 /// Logical pixels.
 constexpr double kClassicHalfWidth = 1.0;
-constexpr double kHalfWidth = 1.25;
-constexpr double kOutline = 1.1;
+constexpr double kHalfWidth = 1.5;
+constexpr double kOutline = 1.0;
 constexpr double kHeadLength = 13;
 constexpr double kDiscRadius = 10;
 constexpr double kDiscGap = 3;
@@ -204,7 +205,7 @@ void StrokeLayer::draw_heads(const Projection& projection, float size, float gro
 
 void StrokeLayer::draw(const Projection& projection, const PixelBox& box, const Look& look,
                        const StrokeChoice& choice, DrawStatistics& statistics) {
-  places_.clear();
+  numbers_.clear();
   if (anchors_.empty() || !choice.lines) return;
   const Palette& colours = palette(look.style, look.theme);
   const glm::vec2 viewport(projection.width, projection.height);
@@ -270,7 +271,7 @@ void StrokeLayer::draw_numbers(const Projection& projection, const Look& look, c
     wishes.push_back({start, length > 1e-6 ? (beside - start) / length : glm::dvec2(0)});
     shown.push_back(i + 1);
   }
-  places_ = lay_out_numbers(wishes, radius, gap);
+  const std::vector<glm::dvec2> places = lay_out_numbers(wishes, radius, gap);
 
   const Colour thread = choice.current > 0 ? colours.current_stroke : colours.stroke;
   const glm::vec2 viewport(projection.width, projection.height);
@@ -290,8 +291,8 @@ void StrokeLayer::draw_numbers(const Projection& projection, const Look& look, c
     disc_.set("disc", glm::vec3(at.x, projection.height - at.y, size * choice.scale));
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   };
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const glm::dvec2 way = places_[i] - wishes[i].start;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const glm::dvec2 way = places[i] - wishes[i].start;
     const double distance = glm::length(way);
     const double spacing = 4.5 * choice.scale;
     for (double s = spacing * 1.5; s < distance - radius; s += spacing)
@@ -302,12 +303,11 @@ void StrokeLayer::draw_numbers(const Projection& projection, const Look& look, c
   disc_.set("ground", current ? colours.current_disc : colours.disc);
   disc_.set("edge", current ? colours.stroke_edge : colours.disc_edge);
   disc_.set("ink", current ? colours.current_number : colours.number);
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    glm::dvec2& place = places_[i];
-    place = {std::round(place.x * 2) / 2, std::round(place.y * 2) / 2};
+  for (std::size_t i = 0; i < places.size(); ++i) {
     // Texels and pixels coincide when the middle of the cell and that of the disc agree.
     const double offset = cell % 2 == 0 ? 0.0 : 0.5;
-    place = glm::dvec2(std::floor(place.x), std::floor(place.y)) + offset;
+    const glm::dvec2 place = glm::floor(places[i]) + offset;
+    numbers_.push_back({shown[i], place, radius});
     const int index = shown[i] - 1;
     disc_.set("disc", glm::vec3(place.x, projection.height - place.y, radius));
     disc_.set("label", glm::vec3(index % sheet_.columns * cell, index / sheet_.columns * cell, cell));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "canvas.h"
@@ -34,8 +35,8 @@ class StrokeLayer {
   /// Draws inside `box` of the framebuffer bound.
   void draw(const Projection& projection, const PixelBox& box, const Look& look, const StrokeChoice& choice,
             DrawStatistics& statistics);
-  /// Where the numbers of the last draw stand [pixels, y down], one per number drawn.
-  [[nodiscard]] const std::vector<glm::dvec2>& number_places() const { return places_; }
+  /// The numbers of the last draw.
+  [[nodiscard]] std::span<const NumberPlace> numbers() const { return numbers_; }
 
  private:
   StrokeLayer(ShaderProgram line, ShaderProgram head, ShaderProgram disc);
@@ -63,7 +64,7 @@ class StrokeLayer {
   std::size_t classic_count_ = 0;
   std::vector<NumberAnchor> anchors_;
   geometry::TabletShape shape_;
-  std::vector<glm::dvec2> places_;
+  std::vector<NumberPlace> numbers_;
 };
 
 }  // namespace nazori::view
