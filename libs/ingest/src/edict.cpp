@@ -65,7 +65,7 @@ class GlossReader {
         for (const std::string_view part : parts) note(part);
       } else if (mark == "P") {
         entry_.common = true;
-      } else if (is_word_of_gloss(mark)) {
+      } else if (is_english(mark)) {
         break;
       } else {
         kept += std::string(gloss.substr(0, end + 1)) + " ";
@@ -80,9 +80,8 @@ class GlossReader {
   }
 
  private:
-  /// A bracket that belongs to the English: it has a space or a capital inside, "(stand) at ease" has not,
-  /// but stays in the gloss either way.
-  static bool is_word_of_gloss(std::string_view mark) { return mark.find(' ') != std::string_view::npos; }
+  /// Marks are single words; a bracket with a space in it is English, and no marks come after it.
+  static bool is_english(std::string_view mark) { return mark.find(' ') != std::string_view::npos; }
 
   void note(std::string_view part) {
     const auto have = split(entry_.parts_of_speech, ',');

@@ -83,7 +83,7 @@ bool ends_in_a_hook(const Line& line) {
   if (line.size() < 2) return false;
   const std::span<const geometry::GlyphPoint> points(line);
   const double whole = geometry::arc_length(points);
-  const double reach = std::min(14.0, 0.4 * whole);
+  const double reach = std::min(20.0, 0.5 * whole);
   constexpr double kTip = 1.5;
   const auto tip = line.back() - geometry::point_at(points, whole - std::min(kTip, reach / 2));
   for (double before = kTip; before < reach; before += 0.5) {

@@ -35,8 +35,8 @@ class StrokeEndings {
   std::map<char32_t, std::vector<kanji::StrokeEnding>> kana_;
 };
 
-/// Whether a line turns by more than 60 degrees in its last 14 glyph units, or its last two fifths where it
-/// is short.
+/// Whether a line turns by more than 60 degrees in its last 20 glyph units, or its second half where it is
+/// short.
 [[nodiscard]] bool ends_in_a_hook(const geometry::Polyline<geometry::GlyphFrame>& line);
 
 }  // namespace nazori::ingest

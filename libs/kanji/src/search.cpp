@@ -113,7 +113,8 @@ std::vector<Summary> KanjiDatabase::search(const Query& query) const {
   return answer_or<std::vector<Summary>>({}, [&]() -> std::vector<Summary> {
     const auto decoded = base::decode_utf8(query.text);
     if (!decoded || query.limit < 1) return {};
-    const std::u32string text = narrowed(trimmed(*decoded));
+    const std::u32string typed = trimmed(*decoded);
+    const std::u32string text = narrowed(typed);
     const auto& roster = inside_->roster();
 
     const auto allowed = [&](std::size_t place) {
@@ -141,7 +142,9 @@ std::vector<Summary> KanjiDatabase::search(const Query& query) const {
     } else {
       Fits fits(roster.size());
       if (text.size() == 1) {
-        if (const auto place = inside_->place_of(text[0])) fits.offer(*place, Tier::itself);
+        const auto exactly = inside_->place_of(typed[0]);
+        const auto place = exactly ? exactly : inside_->place_of(text[0]);
+        if (place) fits.offer(*place, Tier::itself);
       }
       const std::string spelled = base::encode_utf8(std::u32string_view(text));
       if (kana) {
@@ -153,9 +156,9 @@ std::vector<Summary> KanjiDatabase::search(const Query& query) const {
         for (const std::string& start : romaji_beginnings(spelled)) {
           if (std::find(complete.begin(), complete.end(), start) != complete.end()) continue;
           // What is typed so far is only a beginning of these.
-          Fits typed(roster.size());
-          offer_readings(inside_->reading_keys, start, true, typed);
-          for (const std::size_t place : typed.ordered()) fits.offer(place, Tier::beginning);
+          Fits sooner(roster.size());
+          offer_readings(inside_->reading_keys, start, true, sooner);
+          for (const std::size_t place : sooner.ordered()) fits.offer(place, Tier::beginning);
         }
         offer_meanings(inside_->meaning_keys, fold_meaning(spelled), fits);
       }
