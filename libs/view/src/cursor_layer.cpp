@@ -258,8 +258,8 @@ void CursorLayer::mark(const Projection& projection, glm::dvec2 from, glm::dvec2
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void CursorLayer::draw(const Projection& projection, const Cursor& cursor, const Look& look, bool current,
-                       double scale) {
+CursorLayer::Trace CursorLayer::draw(const Projection& projection, const Cursor& cursor, const Look& look,
+                                     bool current, double scale) {
   const Palette& colours = palette(look.style, look.theme);
   const bool classic = look.style == Style::classic;
   const double per_metre = projection.pixels_per_metre(cursor.proxy_m);
@@ -325,6 +325,7 @@ void CursorLayer::draw(const Projection& projection, const Cursor& cursor, const
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glBindVertexArray(0);
+  return {tip, projection.pixel(cursor.proxy_m + axis * length_m), length_m * per_metre * 0.35};
 }
 
 }  // namespace nazori::view

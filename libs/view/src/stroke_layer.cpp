@@ -299,20 +299,58 @@ void StrokeLayer::draw_numbers(const Projection& projection, const Look& look, c
       dot(wishes[i].start + way / distance * s, 1.6);
   }
   for (const NumberWish& wish : wishes) dot(wish.start, 3.4);
-  const bool current = choice.current > 0;
-  disc_.set("ground", current ? colours.current_disc : colours.disc);
-  disc_.set("edge", current ? colours.stroke_edge : colours.disc_edge);
-  disc_.set("ink", current ? colours.current_number : colours.number);
+  prepare_discs(projection, look, choice);
   for (std::size_t i = 0; i < places.size(); ++i) {
     // Texels and pixels coincide when the middle of the cell and that of the disc agree.
     const double offset = cell % 2 == 0 ? 0.0 : 0.5;
     const glm::dvec2 place = glm::floor(places[i]) + offset;
     numbers_.push_back({shown[i], place, radius});
-    const int index = shown[i] - 1;
-    disc_.set("disc", glm::vec3(place.x, projection.height - place.y, radius));
-    disc_.set("label", glm::vec3(index % sheet_.columns * cell, index / sheet_.columns * cell, cell));
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    draw_disc(projection, numbers_.back());
   }
+}
+
+void StrokeLayer::prepare_discs(const Projection& projection, const Look& look, const StrokeChoice& choice) {
+  const Palette& colours = palette(look.style, look.theme);
+  const bool current = choice.current > 0;
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, labels_.name());
+  glBindVertexArray(empty_array_.name());
+  disc_.use();
+  disc_.set("viewport", glm::vec2(projection.width, projection.height));
+  disc_.set("labels", 0);
+  disc_.set("ring", static_cast<float>(choice.scale));
+  disc_.set("ground", current ? colours.current_disc : colours.disc);
+  disc_.set("edge", current ? colours.stroke_edge : colours.disc_edge);
+  disc_.set("ink", current ? colours.current_number : colours.number);
+}
+
+void StrokeLayer::draw_disc(const Projection& projection, const NumberPlace& place) {
+  const int index = place.stroke - 1;
+  disc_.set("disc", glm::vec3(place.pixel.x, projection.height - place.pixel.y, place.radius));
+  disc_.set("label", glm::vec3(index % sheet_.columns * sheet_.cell, index / sheet_.columns * sheet_.cell,
+                               sheet_.cell));
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void StrokeLayer::draw_numbers_again(const Projection& projection, const Look& look,
+                                     const StrokeChoice& choice, glm::dvec2 from, glm::dvec2 to,
+                                     double reach) {
+  const glm::dvec2 way = to - from;
+  const double squared = glm::dot(way, way);
+  bool prepared = false;
+  for (const NumberPlace& place : numbers_) {
+    const double t = squared > 0 ? std::clamp(glm::dot(place.pixel - from, way) / squared, 0.0, 1.0) : 0.0;
+    if (glm::distance(place.pixel, from + way * t) > reach + place.radius) continue;
+    if (!prepared) {
+      glEnable(GL_BLEND);
+      glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
+      prepare_discs(projection, look, choice);
+      prepared = true;
+    }
+    draw_disc(projection, place);
+  }
+  if (prepared) glDisable(GL_BLEND);
+  glBindVertexArray(0);
 }
 
 }  // namespace nazori::view

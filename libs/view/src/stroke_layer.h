@@ -35,6 +35,10 @@ class StrokeLayer {
   /// Draws inside `box` of the framebuffer bound.
   void draw(const Projection& projection, const PixelBox& box, const Look& look, const StrokeChoice& choice,
             DrawStatistics& statistics);
+  /// Draws those numbers of the last draw again that touch the way from `from` to `to` [pixels, y down],
+  /// `reach` wide on both sides: what has been drawn over them since shall not hide them.
+  void draw_numbers_again(const Projection& projection, const Look& look, const StrokeChoice& choice,
+                          glm::dvec2 from, glm::dvec2 to, double reach);
   /// The numbers of the last draw.
   [[nodiscard]] std::span<const NumberPlace> numbers() const { return numbers_; }
 
@@ -44,6 +48,8 @@ class StrokeLayer {
   void draw_heads(const Projection& projection, float size, float grow, Colour colour, int current);
   void draw_numbers(const Projection& projection, const Look& look, const StrokeChoice& choice,
                     DrawStatistics& statistics);
+  void prepare_discs(const Projection& projection, const Look& look, const StrokeChoice& choice);
+  void draw_disc(const Projection& projection, const NumberPlace& place);
 
   ShaderProgram line_;
   ShaderProgram head_;

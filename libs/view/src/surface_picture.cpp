@@ -30,6 +30,9 @@ constexpr float kBounce = 0.42F;
 constexpr float kShadeDepth = 0.55F;
 /// Half the width of the shadow's edge, as a slope: the key light is a window, not a point.
 constexpr float kShadowSoftness = 0.55F;
+/// From here on the face is as plain as if nothing were carved: a thousandth of the depth is no pixel's
+/// worth.
+constexpr float kPlainHeight = 0.9995F;
 /// Nothing this high can be shaded by a plateau that is no higher.
 constexpr float kOpenHeight = 0.998F;
 constexpr std::array<float, 8> kReachSteps{1, 2, 4, 7, 11, 16, 23, 32};
@@ -234,7 +237,7 @@ SurfacePicture lit_picture(const surface::HeightMap& map, const geometry::Tablet
             relief.at(std::min(column + 1, n - 1), row) - relief.at(std::max(column - 1, 0), row);
         const float dy =
             relief.at(column, std::max(row - 1, 0)) - relief.at(column, std::min(row + 1, n - 1));
-        if (height >= 1 && dx == 0 && dy == 0) continue;
+        if (height >= kPlainHeight && std::abs(dx) + std::abs(dy) < 1 - kPlainHeight) continue;
         const glm::vec3 normal = glm::normalize(glm::vec3(-dx * slope, -dy * slope, 1));
         const float facing = std::max(glm::dot(normal, light), 0.0F) / light.z;
         const float lit = kKey * between(exposure.key, column, row) * facing;

@@ -13,7 +13,7 @@
 namespace nazori::view {
 namespace {
 
-constexpr float kMeshTolerance = 0.004F;
+constexpr float kMeshTolerance = 0.008F;
 constexpr int kCoarseGrid = 256;
 constexpr int kFineGrid = 512;
 constexpr int kCoarseMap = 160;

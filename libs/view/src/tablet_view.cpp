@@ -253,8 +253,12 @@ void TabletView::draw(int width, int height, double scale, const Overlay& overla
     inside_->canvas.show(static_cast<GLuint>(target));
   }
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
-  if (overlay.cursor)
-    inside_->cursor.draw(projection, *overlay.cursor, inside_->look, overlay.current_stroke > 0, scale);
+  if (overlay.cursor) {
+    const StrokeChoice& choice = inside_->drawn.strokes;
+    const auto trace =
+        inside_->cursor.draw(projection, *overlay.cursor, inside_->look, choice.current > 0, scale);
+    inside_->strokes.draw_numbers_again(projection, inside_->look, choice, trace.tip, trace.end, trace.reach);
+  }
   glUseProgram(0);
   ++inside_->statistics.pictures;
 }

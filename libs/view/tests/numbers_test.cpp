@@ -184,6 +184,32 @@ TEST(StrokeNumbers, AreNeverHiddenByTheTabletOnAnyOrbit) {
   }
 }
 
+TEST(StrokeNumbers, AreNotHiddenByTheStylus) {
+  Studio studio(500, 400);
+  studio.view->set_height_map(surface::HeightMap::create(64).value());
+  studio.view->set_strokes(rest());
+  Overlay overlay;
+  overlay.strokes_visible = true;
+  const Picture without = studio.shoot(overlay);
+  const auto number = studio.view->numbers()[3];
+  const auto under = studio.view->pick(number.pixel + glm::dvec2(-14, 14), 500, 400);
+  ASSERT_TRUE(under.has_value());
+  overlay.cursor = Cursor{{under->x, under->y, 0}, {under->x, under->y, 0}, true, {}};
+  const Picture with = studio.shoot(overlay);
+  int changed = 0;
+  for (int y = -12; y <= 12; ++y) {
+    for (int x = -12; x <= 12; ++x) {
+      const glm::dvec2 at = number.pixel + glm::dvec2(x, y);
+      const bool inside = std::hypot(x, y) < number.radius - 1.5;
+      if (inside) {
+        EXPECT_EQ(difference(pixel(without, at), pixel(with, at)), 0) << x << ", " << y;
+      }
+      changed += !inside && difference(pixel(without, at), pixel(with, at)) > 60 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(changed, 20) << "the stylus does not pass under the number, so this proves nothing";
+}
+
 TEST(StrokeNumbers, CanBeSwitchedOffAndFollowTheChosenStroke) {
   Studio studio(500, 400);
   studio.view->set_height_map(surface::HeightMap::create(64).value());
