@@ -31,6 +31,7 @@ class Counter final : public haptics::ServoCallback {
 
 std::vector<DeviceSample> recording(int count) {
   std::vector<DeviceSample> samples;
+  samples.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) samples.push_back({0.001 * i, {0.001 * i, 0, 0}, 0, true});
   return samples;
 }

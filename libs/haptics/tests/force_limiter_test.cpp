@@ -118,6 +118,18 @@ TEST(Passivity, SeesTheEnergyThatASampledWallMakesAndPaysItBack) {
   }
 }
 
+TEST(Passivity, BooksTheForceThatActsNotTheOneThatIsStillUnderway) {
+  DeviceLimits limits;
+  limits.own_damping_n_s_m = 0;
+  limits.delay_s = 0.002;
+  Passivity passivity{limits, kTick_s};
+  passivity.observe({0, 0, 0}, {0, 0, 1}, kTick_s, 1);
+  passivity.observe({0, 0, 0.001}, {0, 0, 0}, kTick_s, 1);
+  EXPECT_EQ(passivity.energy_j(), 0);
+  passivity.observe({0, 0, 0.001}, {0, 0, 0}, kTick_s, 1);
+  EXPECT_NEAR(passivity.energy_j(), -0.001, 1e-12);
+}
+
 TEST(Passivity, LeavesAPassiveSpringAlone) {
   DeviceLimits limits;
   limits.own_damping_n_s_m = 1;  // b > K T / 2 with room
