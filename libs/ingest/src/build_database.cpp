@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestSvg = 1024 * 1024;
+constexpr std::size_t kLargestSvg = 1024UL * 1024;
 constexpr std::size_t kLargestText = 256UL * 1024 * 1024;
 /// More lines of EDICT than this that cannot be read are damage, not slips of its editors.
 constexpr std::size_t kMostSkippedLines = 20;

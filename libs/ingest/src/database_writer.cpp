@@ -219,8 +219,8 @@ void DatabaseWriter::add_entry(char32_t code_point, const kanji::DictionaryEntry
 
 void DatabaseWriter::add_character(char32_t code_point, std::int64_t place, const DrawnForm* main,
                                    const kanji::DictionaryEntry* entry) {
-  static const kanji::DictionaryEntry kNothing;
-  const kanji::DictionaryEntry& e = entry == nullptr ? kNothing : *entry;
+  static const kanji::DictionaryEntry nothing;
+  const kanji::DictionaryEntry& e = entry == nullptr ? nothing : *entry;
   insert(character_, number_of(code_point), place, static_cast<int>(kind_of(code_point)),
          static_cast<int>(main == nullptr ? 0 : main->strokes.size()),
          e.stroke_counts.empty() ? 0 : e.stroke_counts.front(), e.grade, e.frequency, e.old_jlpt_level,

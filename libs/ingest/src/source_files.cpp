@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
@@ -23,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kChunk = 128 * 1024;
+constexpr std::size_t kChunk = 128UL * 1024;
 constexpr std::size_t kLargestSource = 256UL * 1024 * 1024;
 
 tl::unexpected<base::Error> damaged(const fs::path& path, const std::string& how) {
@@ -182,7 +183,7 @@ base::Result<std::string> read_euc_jp(const fs::path& path, std::size_t max_byte
   auto bytes = base::read_file(path, std::min(max_bytes, kLargestSource));
   if (!bytes) return tl::unexpected(bytes.error());
   const iconv_t opened = iconv_open("UTF-8", "EUC-JP");
-  if (opened == reinterpret_cast<iconv_t>(-1)) {
+  if (std::bit_cast<std::intptr_t>(opened) == -1) {
     return base::fail(base::Errc::io, "this system cannot convert EUC-JP", path.string());
   }
   const std::unique_ptr<void, CloseConverter> converter(opened);

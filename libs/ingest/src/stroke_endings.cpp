@@ -86,7 +86,9 @@ bool ends_in_a_hook(const Line& line) {
   const double reach = std::min(20.0, 0.5 * whole);
   constexpr double kTip = 1.5;
   const auto tip = line.back() - geometry::point_at(points, whole - std::min(kTip, reach / 2));
-  for (double before = kTip; before < reach; before += 0.5) {
+  constexpr double kStep = 0.5;
+  for (int i = 0; kTip + i * kStep < reach; ++i) {
+    const double before = kTip + i * kStep;
     const auto along =
         geometry::point_at(points, whole - before) - geometry::point_at(points, whole - before - 1);
     const double size = geometry::length(tip) * geometry::length(along);

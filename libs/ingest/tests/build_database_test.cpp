@@ -229,6 +229,15 @@ TEST_F(Build, APackageCutOffOrDamagedIsRefused) {
   expect_failure(base::Errc::parse, "kanjivg.tgz");
 }
 
+TEST_F(Build, TheChecksumOfAPackageIsVerifiedWhereMuchFollowsTheEndOfTheTar) {
+  auto tar = read_gzip(sources_.kanjivg_tgz, 10'000'000);
+  ASSERT_TRUE(tar);
+  write_gz(sources_.kanjivg_tgz, *tar + std::string(1'000'000, '\0'));
+  ASSERT_TRUE(build());
+  damage(sources_.kanjivg_tgz, fs::file_size(sources_.kanjivg_tgz) - 6);
+  expect_failure(base::Errc::parse, "kanjivg.tgz");
+}
+
 TEST_F(Build, APackageWithABadMemberIsRefusedByItsName) {
   Members bad = members_;
   bad.emplace_back("package/kanji/04e00.svg", "<svg");

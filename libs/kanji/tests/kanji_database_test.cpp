@@ -27,7 +27,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 const KanjiDatabase& database() {
-  static const auto kOpened = [] {
+  static const auto opened_once = [] {
     const char* const folder = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe)
     auto opened = KanjiDatabase::open(fs::path(folder == nullptr ? "." : folder) / "kanji.db");
     if (!opened) {
@@ -36,7 +36,7 @@ const KanjiDatabase& database() {
     }
     return std::move(*opened);
   }();
-  return kOpened;
+  return opened_once;
 }
 
 Character find(char32_t c) {
