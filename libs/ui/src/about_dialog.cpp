@@ -50,6 +50,7 @@ AboutDialog::AboutDialog(const std::vector<kanji::Source>& sources, QWidget* par
   text->setObjectName(QStringLiteral("licences"));
   text->setAccessibleName(tr("Licences"));
   text->setOpenExternalLinks(true);
+  text->document()->setDocumentMargin(12);
   text->setHtml(html);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -8,7 +8,7 @@
 #include <QDBusPendingReply>
 #include <QFileInfo>
 #include <QFont>
-#include <QStyleFactory>
+#include <QProxyStyle>
 
 #include "palette.h"
 #include "style_sheet.h"
@@ -22,6 +22,17 @@ constexpr auto kPortalSettings = "org.freedesktop.portal.Settings";
 constexpr auto kAppearance = "org.freedesktop.appearance";
 constexpr auto kColourScheme = "color-scheme";
 
+/// Fusion without pictures on the buttons of dialogs.
+class CalmStyle final : public QProxyStyle {
+ public:
+  CalmStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0
+                                                       : QProxyStyle::styleHint(hint, option, widget, data);
+  }
+};
+
 /// Asking where there is no session bus would start one.
 bool has_session_bus() {
   return qEnvironmentVariableIsSet("DBUS_SESSION_BUS_ADDRESS") ||
@@ -32,7 +43,7 @@ bool has_session_bus() {
 
 Appearance::Appearance(QObject* parent)
     : QObject(parent), palette_dark_(ui::is_dark(QApplication::palette())) {
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new CalmStyle);
   apply(theme_, text_pt_);
   ask_desktop();
 }

@@ -68,7 +68,10 @@ InkTracker::Step InkTracker::take_up(TabletPoint at, int only, bool coming_down)
     const double front_m = progress_[static_cast<std::size_t>(n - 1)] * line.length_m;
     const double away_m = geometry::distance(geometry::point_at<TabletFrame>(line.points, front_m), at);
     // Where several begin close together the one whose turn it is wins.
-    if (away_m <= kReach_m && n == next) return active_ = n, Step{InkEvent::began, n};
+    if (away_m <= kReach_m && n == next) {
+      active_ = n;
+      return {coming_down ? InkEvent::began : InkEvent::none, n};
+    }
     if (away_m < best_m) {
       best_m = away_m;
       best = n;
@@ -77,7 +80,7 @@ InkTracker::Step InkTracker::take_up(TabletPoint at, int only, bool coming_down)
   if (best != 0) {
     active_ = best;
     const bool early = only == 0 && next != 0 && best > next && coming_down;
-    return {early ? InkEvent::too_early : InkEvent::began, best};
+    return {early ? InkEvent::too_early : coming_down ? InkEvent::began : InkEvent::none, best};
   }
   if (coming_down) {
     const int candidate = only != 0 ? only : next;

@@ -13,7 +13,7 @@ namespace nazori::ui {
 /// What following the stylus brought to light.
 enum class InkEvent : std::uint8_t {
   none,
-  began,         ///< a stroke was taken up at its start or where its ink ends
+  began,         ///< the stylus came down on a stroke's start or where its ink ends
   finished,      ///< its end was reached
   too_early,     ///< a stroke was taken up while an earlier one is still to write
   from_the_end,  ///< the stylus came down at the far end of an unwritten stroke

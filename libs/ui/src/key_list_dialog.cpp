@@ -54,6 +54,7 @@ KeyListDialog::KeyListDialog(const Actions& actions, QWidget* parent) : QDialog(
   auto* text = new QTextBrowser(this);
   text->setObjectName(QStringLiteral("key_list"));
   text->setAccessibleName(windowTitle());
+  text->document()->setDocumentMargin(12);
   text->setHtml(html);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

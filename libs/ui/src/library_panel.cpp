@@ -11,6 +11,7 @@
 #include <QListView>
 #include <QScrollBar>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -227,6 +228,11 @@ void LibraryPanel::fit_tiles() {
   const int side = std::clamp(room / columns, wished / 2, wished * 3 / 2);
   delegate_->set_side(side);
   grid_->setGridSize({side, side});
+  // The new layout comes with the next turn of the event loop.
+  QTimer::singleShot(0, grid_, [this] {
+    if (const int row = model_->row_of(current_); row >= 0)
+      grid_->scrollTo(model_->index(row), QAbstractItemView::PositionAtCenter);
+  });
   grid_->verticalScrollBar()->setSingleStep(side / 2);
 }
 

@@ -45,10 +45,16 @@ void MainWindow::Inside::connect_actions() {
     });
   };
 
-  on(actions->open, [this] { files->ask_and_open(own); });
-  on(actions->save, [this] {
+  // After a dialog the keyboard is the tablet's again.
+  const auto back_to_tablet = [this] { tablet_place->setFocus(Qt::OtherFocusReason); };
+  on(actions->open, [this, back_to_tablet] {
+    files->ask_and_open(own);
+    back_to_tablet();
+  });
+  on(actions->save, [this, back_to_tablet] {
     const QString name = own.tablet ? own.name.section(QLatin1Char('.'), 0, 0) : to_text(preferences.kanji);
     files->ask_and_save(controller->tablet(), own, name);
+    back_to_tablet();
   });
   on(actions->quit, [this] { window.close(); });
 
@@ -134,8 +140,14 @@ void MainWindow::Inside::connect_actions() {
   camera(actions->zoom_out, [](TabletWindow& w) { w.zoom_by(1 / kZoomStep); });
   camera(actions->reset_view, [](TabletWindow& w) { w.reset_camera(); });
 
-  on(actions->keys, [this] { KeyListDialog(*actions, &window).exec(); });
-  on(actions->about, [this] { AboutDialog(sources, &window).exec(); });
+  on(actions->keys, [this, back_to_tablet] {
+    KeyListDialog(*actions, &window).exec();
+    back_to_tablet();
+  });
+  on(actions->about, [this, back_to_tablet] {
+    AboutDialog(sources, &window).exec();
+    back_to_tablet();
+  });
 }
 
 void MainWindow::Inside::connect_work() {
@@ -161,11 +173,10 @@ void MainWindow::Inside::connect_work() {
                    [this](const OwnTablet& loaded) { take_own(loaded); });
   QObject::connect(files, &FileExchange::say, &window,
                    [this](Feedback kind, const QString& sentence) { feedback->say(kind, sentence); });
-  for (auto signal : {&LibraryPanel::character_chosen})
-    QObject::connect(library_panel, signal, &window, [this](char32_t code_point) {
-      choose(code_point, true);
-      panes->close_drawers();
-    });
+  QObject::connect(library_panel, &LibraryPanel::character_chosen, &window, [this](char32_t code_point) {
+    choose(code_point, true);
+    panes->close_drawers();
+  });
   QObject::connect(library_panel, &LibraryPanel::list_changed, &window, [this] { save_later(); });
   QObject::connect(information_panel, &InformationPanel::character_chosen, &window,
                    [this](char32_t code_point) { choose(code_point, true); });

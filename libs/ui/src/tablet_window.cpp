@@ -154,6 +154,9 @@ void TabletWindow::paintGL() {
   if (moved || since_move_.elapsed() < kSettle_ms) request_frame();
 }
 
+// A window that shrinks is not exposed anew.
+void TabletWindow::resizeGL(int /*width*/, int /*height*/) { request_frame(); }
+
 std::optional<geometry::TabletPoint> TabletWindow::point_under(QPointF position) const {
   if (!view_) return std::nullopt;
   return view_->pick({position.x(), position.y()}, width(), height());
