@@ -97,6 +97,7 @@ int run(Console& console, const CarveSettings& settings) {
 void add_carve(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<CarveSettings>();
   CLI::App* verb = app.add_subcommand("carve", "Carve characters into height maps");
+  verb->group("Verbs");
   verb->add_option("characters", settings->characters,
                    "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();

@@ -96,6 +96,7 @@ Json to_json(const kanji::Character& character, const std::optional<kanji::Radic
     word_list.push_back(Json{{"text", word.text},
                              {"reading", word.reading},
                              {"glosses", word.glosses},
+                             {"senses", word.senses},
                              {"parts_of_speech", word.parts_of_speech},
                              {"common", word.common}});
   }

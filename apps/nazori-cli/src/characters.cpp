@@ -19,16 +19,22 @@ bool is_suffix_letter(char32_t c) {
   return (c >= U'0' && c <= U'9') || (c >= U'A' && c <= U'Z') || (c >= U'a' && c <= U'z');
 }
 
-/// "U+4F11", perhaps with a suffix.
+/// "U+4F11", perhaps with the suffix of a variant form.
+bool names_code_point(std::string_view text) {
+  return text.size() >= 3 && (text[0] == 'U' || text[0] == 'u') && text[1] == '+';
+}
 std::optional<CharacterName> parse_code_point(std::string_view text) {
-  if (text.size() < 3 || (text[0] != 'U' && text[0] != 'u') || text[1] != '+') return std::nullopt;
   const std::string_view digits = text.substr(2, text.find('-') - 2);
   std::uint32_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-  if (error != std::errc() || end != digits.data() + digits.size() || value > 0x10FFFF) return std::nullopt;
+  if (error != std::errc() || end != digits.data() + digits.size() || value > 0x10FFFF ||
+      (value >= 0xD800 && value <= 0xDFFF))
+    return std::nullopt;
   const std::size_t dash = text.find('-');
-  return CharacterName{static_cast<char32_t>(value),
-                       dash == std::string_view::npos ? "" : std::string(text.substr(dash + 1))};
+  if (dash == std::string_view::npos) return CharacterName{static_cast<char32_t>(value), ""};
+  const std::string_view suffix = text.substr(dash + 1);
+  if (suffix.empty() || !std::all_of(suffix.begin(), suffix.end(), is_suffix_letter)) return std::nullopt;
+  return CharacterName{static_cast<char32_t>(value), std::string(suffix)};
 }
 
 bool is_passed_over(char32_t c) {
@@ -51,8 +57,9 @@ char32_t with_sound_mark(char32_t kana, char32_t mark) {
 }
 
 /// A character followed by a hyphen and the suffix of a variant form.
+bool names_variant(std::u32string_view text) { return text.size() >= 2 && text[1] == U'-'; }
 std::optional<CharacterName> parse_variant(std::u32string_view text) {
-  if (text.size() < 3 || text[1] != U'-') return std::nullopt;
+  if (text.size() < 3) return std::nullopt;
   const std::u32string_view suffix = text.substr(2);
   if (!std::all_of(suffix.begin(), suffix.end(), is_suffix_letter)) return std::nullopt;
   return CharacterName{text[0], base::encode_utf8(suffix)};
@@ -93,11 +100,12 @@ base::Result<std::vector<CharacterName>> parse_characters(std::span<const std::s
       return base::fail(base::Errc::bad_argument, "is not valid UTF-8", "'" + argument + "'",
                         std::string(kHowToName));
     }
-    if (auto name = parse_code_point(argument)) {
-      add(std::move(*name));
-      continue;
-    }
-    if (auto name = parse_variant(*text)) {
+    if (names_code_point(argument) || names_variant(*text)) {
+      auto name = names_code_point(argument) ? parse_code_point(argument) : parse_variant(*text);
+      if (!name) {
+        return base::fail(base::Errc::bad_argument, "names no character", "'" + argument + "'",
+                          std::string(kHowToName));
+      }
       add(std::move(*name));
       continue;
     }

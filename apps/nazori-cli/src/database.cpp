@@ -164,6 +164,7 @@ int print_path(Console& console) {
 void add_build(CLI::App& database, Action& chosen) {
   auto settings = std::make_shared<BuildSettings>();
   CLI::App* verb = database.add_subcommand("build", "Build kanji.db from the published sources");
+  verb->group("Verbs");
   verb->add_option("-o,--output", settings->output,
                    "The file to write (default: kanji.db in the folder NAZORI_DATA, else beside the program)")
       ->type_name("FILE");
@@ -179,9 +180,9 @@ void add_build(CLI::App& database, Action& chosen) {
                  "Take a package of KanjiVG with another checksum too");
   verb->add_flag("--force", settings->force, "Build even where the database is up to date");
   verb->footer(
-      "Nothing is done where the database was built from the same sources already. Until the new one is "
-      "whole,\n"
-      "the old one stays in place; it stays for good when a source is missing or damaged.\n\n"
+      "Nothing is done where the database was built from the same sources already.\n"
+      "Until the new one is whole, the old one stays in place; it stays for good when a\n"
+      "source is missing or damaged.\n\n"
       "Examples:\n  nazori-cli database build\n"
       "  nazori-cli database build --output ~/.local/share/nazori/kanji.db --edict /usr/share/edict/edict");
   verb->callback(
@@ -191,6 +192,7 @@ void add_build(CLI::App& database, Action& chosen) {
 void add_check(CLI::App& database, Action& chosen) {
   auto settings = std::make_shared<CheckSettings>();
   CLI::App* verb = database.add_subcommand("check", "Read a kanji.db whole and say whether it is sound");
+  verb->group("Verbs");
   verb->add_option("file", settings->path, "The database (default: the one that is found)")
       ->type_name("FILE");
   verb->add_flag("--json", settings->json,
@@ -203,10 +205,11 @@ void add_check(CLI::App& database, Action& chosen) {
 
 void add_path(CLI::App& database, Action& chosen) {
   CLI::App* verb = database.add_subcommand("path", "Print where the database is that all verbs read");
+  verb->group("Verbs");
   verb->footer(
-      "Looked for in the folder NAZORI_DATA, beside the program, then as nazori/kanji.db in XDG_DATA_HOME "
-      "and\n"
-      "XDG_DATA_DIRS. Exit code 1 where there is none.\n\nExample:\n  nazori-cli database path");
+      "Looked for in the folder NAZORI_DATA, beside the program, then as nazori/kanji.db\n"
+      "in XDG_DATA_HOME and XDG_DATA_DIRS. Exit code 1 where there is none.\n\nExample:\n  nazori-cli "
+      "database path");
   verb->callback([&chosen] { chosen = print_path; });
 }
 
@@ -214,6 +217,7 @@ void add_path(CLI::App& database, Action& chosen) {
 
 void add_database(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("database", "Build, check or find the kanji database kanji.db");
+  verb->group("Verbs");
   verb->require_subcommand(1);
   verb->footer(
       "Examples:\n  nazori-cli database build\n  nazori-cli database check\n  nazori-cli database path");

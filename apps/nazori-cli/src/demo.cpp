@@ -81,7 +81,7 @@ std::string describe(const std::string& name, const TabletTrace& trace, const De
   std::string text = fmt::format(
       "{}  {} stroke{}, traced by a simulated hand through the servo at {:g} kHz, snapping {}\ndevice: {}\n"
       "                   hand aims off     tip held off        force\n"
-      "stroke    length   mean     most     mean     most     mean    peak    contact     depth  slips  "
+      "stroke    length    rms     most      rms     most     mean    peak    contact     depth  slips  "
       "traced\n",
       name, trace.strokes.size(), trace.strokes.size() == 1 ? "" : "s", settings.hardware.rate_hz / 1000,
       settings.snap ? "on" : "off", settings.hardware.name);
@@ -159,6 +159,7 @@ void add_demo(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<DemoSettings>();
   CLI::App* verb =
       app.add_subcommand("demo", "Let a simulated hand trace characters and tell how well they hold it");
+  verb->group("Verbs");
   verb->add_option("characters", settings->characters,
                    "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();
@@ -187,9 +188,10 @@ void add_demo(CLI::App& app, Action& chosen) {
   add_brush_options(*verb, settings->brush);
   add_database_option(*verb, settings->database);
   verb->footer(
-      "The hand aims beside the line as people do; the groove and, with --snap, the stroke hold the tip "
-      "nearer.\n"
-      "Distances are seen from above, from the stroke's centre line; mean is the root of the mean square.\n"
+      "The hand aims beside the line as people do; the groove and, with --snap, the\n"
+      "stroke hold the tip nearer. Where it slips into a groove that crosses, it sees\n"
+      "that, lifts the tip and comes back. Distances are seen from above, from the\n"
+      "stroke's centre line; rms is the root of the mean square.\n"
       "Without --real-time the result is the same every time.\n\nExamples:\n  nazori-cli demo 休\n"
       "  nazori-cli demo 休 木 --output 'traced/{}.png' --snap --json");
   verb->callback(

@@ -91,6 +91,16 @@ std::string strokes_text(const kanji::Character& character, int width) {
   return field("strokes", items, "   ", width);
 }
 
+/// Glosses with what stands between them: commas within a sense, semicolons between senses.
+std::vector<std::string> punctuated(const kanji::Word& word) {
+  std::vector<std::string> glosses = word.glosses;
+  for (std::size_t i = 0; i + 1 < glosses.size(); ++i) {
+    const bool same_sense = i + 1 < word.senses.size() && word.senses[i] == word.senses[i + 1];
+    glosses[i] += same_sense ? "," : ";";
+  }
+  return glosses;
+}
+
 std::string words_text(std::span<const kanji::Word> words, int width) {
   int text_width = 0;
   int reading_width = 0;
@@ -103,7 +113,7 @@ std::string words_text(std::span<const kanji::Word> words, int width) {
     std::string line = pad(text.empty() ? "words" : "", kLabelWidth) + pad(word.text, text_width + 2) +
                        pad(word.reading, reading_width + 2);
     const int indent = display_width(line);
-    text += line + flow(word.glosses, "; ", indent, width) + "\n";
+    text += line + flow(punctuated(word), " ", indent, width) + "\n";
   }
   return text;
 }
@@ -173,6 +183,7 @@ void add_info(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<InfoSettings>();
   CLI::App* verb =
       app.add_subcommand("info", "Tell what is known of characters: readings, meanings, strokes, words");
+  verb->group("Verbs");
   verb->add_option("characters", settings->characters,
                    "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();

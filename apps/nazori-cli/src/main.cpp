@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "console.h"
+#include "help_text.h"
 #include "verbs.h"
 
 namespace {
@@ -70,7 +72,7 @@ int main(int argc, char** argv) {
   CLI::App app("Nazori: carved kanji you can see, feel and trace", "nazori-cli");
   app.set_version_flag("--version", "nazori-cli " NAZORI_VERSION);
   app.require_subcommand(1);
-  app.get_formatter()->column_width(36);
+  app.formatter(std::make_shared<nazori::cli::HelpText>());
   app.footer(
       "Every verb documents itself: nazori-cli carve --help\n"
       "Exit code: 0 done, 1 the answer is no or not found, 2 bad usage or bad input.");

@@ -59,6 +59,7 @@ void add_brush_options(CLI::App& verb, carving::Brush& brush) {
   verb.add_option("--depth", brush.depth, "Depth of the groove, as a part of the tablet's depth")
       ->check(within(0.01, 1))
       ->capture_default_str()
+      ->type_name("PART")
       ->group(group);
   static const std::map<std::string, CrossSection> kSections{
       {"rounded", CrossSection::rounded}, {"v", CrossSection::v_shaped}, {"flat", CrossSection::flat_bottom}};

@@ -133,6 +133,7 @@ int run(Console& console, const RenderSettings& settings) {
 void add_render(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<RenderSettings>();
   CLI::App* verb = app.add_subcommand("render", "Draw pictures of carved tablets; needs no screen");
+  verb->group("Verbs");
   verb->add_option("characters", settings->characters,
                    "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11");
   verb->add_option("-o,--output", settings->output,

@@ -105,6 +105,7 @@ void add_search(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<SearchSettings>();
   CLI::App* verb =
       app.add_subcommand("search", "Find characters by reading, meaning, grade, strokes or radical");
+  verb->group("Verbs");
   verb->add_option("query", settings->words, "A character, a reading in kana or romaji, or an English word");
   verb->add_option("--grade", settings->grade,
                    "School grade: 1..6, 8 for secondary school, 9 and 10 for names")

@@ -29,7 +29,7 @@ void add_look_options(CLI::App& verb, Look& look) {
       ->group(group);
   verb.add_option_function<std::string>(
           "--style", [&look](const std::string& name) { look.style = kStyles.at(name); },
-          "wood, slate or classic (as in 2005); default is wood")
+          "wood, slate or classic (as in 2005)")
       ->check(CLI::IsMember({"default", "wood", "slate", "classic"}, CLI::ignore_case))
       ->default_str("wood")
       ->type_name("STYLE")

@@ -81,6 +81,32 @@ class Sight {
   int slips_ = 0;
 };
 
+/// The hand that feels the tip hang behind, held back by friction, and pulls harder until it comes along; and
+/// that leans against its drifting aside, as far as it notices.
+class Pull {
+ public:
+  /// By how much the hand aims beyond its plan, seen from above.
+  /// @param wrong_m  from the tip to its place on the line.  @param along  unit vector along the line.
+  /// @param piece  another one starts anew: there the pull has another direction.
+  Vec3 lead_m(const Vec3& wrong_m, const Vec3& along, int piece, double elapsed_s) {
+    if (piece != piece_) ahead_ = aside_ = 0;
+    piece_ = piece;
+    const Vec3 across{-along.y, along.x, 0};
+    const double step = kPerSecond * elapsed_s;
+    ahead_ = std::clamp(ahead_ + step * glm::dot(wrong_m, along), 0.0, kMostAhead_m);
+    aside_ = std::clamp(aside_ + step * glm::dot(wrong_m, across), -kMostAside_m, kMostAside_m);
+    return ahead_ * along + aside_ * across;
+  }
+
+ private:
+  static constexpr double kPerSecond = 6;
+  static constexpr double kMostAhead_m = 0.006;
+  static constexpr double kMostAside_m = 0.003;
+  double ahead_ = 0;
+  double aside_ = 0;
+  int piece_ = -1;
+};
+
 /// A hand at a device, the servo and what they do to each other. Stands between device and servo: each tick
 /// tells the hand where to go, then lets the servo answer.
 class Session final : public haptics::ServoCallback {
@@ -125,10 +151,14 @@ class Session final : public haptics::ServoCallback {
     const double off =
         tracing ? geometry::nearest_point<geometry::TabletFrame>(line_of(intent.stroke), tip).distance : 0;
     intent.target_m.z += sight_.lift_m(off, geometry::distance(tip, aim), tracing, 1 / rate_hz_);
-    if (tracing) sums_[static_cast<std::size_t>(intent.stroke) - 1].slips += sight_.take_slips();
+    if (tracing) {
+      const Vec3 wrong = intent.line_m - servo_.latest().proxy_m;
+      intent.target_m += pull_.lead_m(wrong, intent.along, intent.piece, 1 / rate_hz_);
+      sums_[static_cast<std::size_t>(intent.stroke) - 1].slips += sight_.take_slips();
+    }
     device_.set_target(intent.target_m);
     const Vec3 force = servo_.tick(sample);
-    if (tracing) add(intent, servo_.latest(), force);
+    if (tracing) add(intent.stroke, aim, servo_.latest(), force);
     next_.store(intent.next, std::memory_order_relaxed);
     done_.store(sample.time_s / plan_.duration_s(), std::memory_order_relaxed);
     return force;
@@ -150,14 +180,14 @@ class Session final : public haptics::ServoCallback {
  private:
   [[nodiscard]] const Line& line_of(int stroke) const { return lines_[static_cast<std::size_t>(stroke) - 1]; }
 
-  void add(const Intent& intent, const haptics::ServoSample& sample, const Vec3& force) {
-    Sums& sums = sums_[static_cast<std::size_t>(intent.stroke) - 1];
-    const Line& line = line_of(intent.stroke);
-    const auto aim = geometry::nearest_point<geometry::TabletFrame>(line, from_above(intent.target_m));
+  void add(int stroke, TabletPoint aimed, const haptics::ServoSample& sample, const Vec3& force) {
+    Sums& sums = sums_[static_cast<std::size_t>(stroke) - 1];
+    const Line& line = line_of(stroke);
+    const auto aim = geometry::nearest_point<geometry::TabletFrame>(line, aimed);
     const auto tip = geometry::nearest_point<geometry::TabletFrame>(line, from_above(sample.proxy_m));
     ++sums.ticks;
     sums.touching += sample.touching ? 1 : 0;
-    sums.snapped += sample.stroke == intent.stroke ? 1 : 0;
+    sums.snapped += sample.stroke == stroke ? 1 : 0;
     sums.aim_squared += aim.distance * aim.distance;
     sums.aim_max = std::max(sums.aim_max, aim.distance);
     if (sample.touching) {
@@ -200,6 +230,7 @@ class Session final : public haptics::ServoCallback {
   haptics::Servo servo_;
   double rate_hz_;
   Sight sight_;
+  Pull pull_;
   std::vector<Line> lines_;
   std::vector<Sums> sums_;
   std::atomic<double> done_{0};

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "program.h"
+#include "text_layout.h"
 
 namespace nazori::cli::test {
 namespace {
@@ -94,6 +96,7 @@ TEST_F(InfoOfRest, HasItsWords) {
                                     [](const json& word) { return word["text"] == "休日"; });
   EXPECT_EQ((*holiday)["reading"], "きゅうじつ");
   EXPECT_EQ((*holiday)["common"], true);
+  EXPECT_EQ((*holiday)["senses"].size(), (*holiday)["glosses"].size());
   EXPECT_THAT((*holiday)["glosses"].get<Texts>(), Contains(HasSubstr("holiday")));
 }
 
@@ -106,6 +109,8 @@ TEST(Info, ForPeopleFitsEightyColumnsAndSetsOkuriganaApart) {
     EXPECT_THAT(run.out, HasSubstr(part));
   }
   EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
+  std::istringstream lines(run.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 80) << line;
 }
 
 TEST(Info, SeveralCharactersAnswerInTheOrderAsked) {
@@ -159,6 +164,9 @@ TEST(Info, WhatIsNotFoundIsNamedAndTheRestIsTold) {
 TEST(Info, TextThatIsNotUtf8IsRefused) {
   expect_one_line(nazori_cli({"info", "\xE4\xBC"}), 2, {"UTF-8", "\\xE4\\xBC"});
   expect_one_line(nazori_cli({"info", ""}), 2, {"no character"});
+  for (const char* wrong : {"U+110000", "U+D800", "U+4F1G", "休-", "休-漢", "U+4F11-"}) {
+    expect_one_line(nazori_cli({"info", wrong}), 2, {wrong, "names no character"});
+  }
 }
 
 }  // namespace

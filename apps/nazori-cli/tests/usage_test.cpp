@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "program.h"
+#include "text_layout.h"
 
 namespace nazori::cli::test {
 namespace {
@@ -36,6 +39,8 @@ TEST(Usage, EveryVerbDocumentsItselfWithAnExample) {
     EXPECT_EQ(run.code, 0) << name;
     EXPECT_EQ(run.err, "") << name;
     EXPECT_THAT(run.out, HasSubstr("Example")) << name;
+    std::istringstream lines(run.out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 110) << line;
     EXPECT_THAT(run.out, HasSubstr("nazori-cli " + (verb.size() > 2 ? verb.front() + " " + name : name)));
   }
 }
