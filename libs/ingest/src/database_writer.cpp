@@ -67,7 +67,10 @@ std::optional<std::string> unless_empty(const std::string& text) {
 
 std::string joined(const std::vector<int>& numbers) {
   std::string out;
-  for (const int n : numbers) out += (out.empty() ? "" : " ") + std::to_string(n);
+  for (const int n : numbers) {
+    if (!out.empty()) out += ' ';
+    out += std::to_string(n);
+  }
   return out;
 }
 

@@ -107,8 +107,10 @@ KanjiDatabase::Inside::Inside(SQLite::Database opened)
       readings(db, "SELECT kind, text FROM reading WHERE code_point = ? ORDER BY position"),
       meanings(db, "SELECT language, text FROM meaning WHERE code_point = ? ORDER BY position"),
       codes(db, "SELECT system, value FROM code WHERE code_point = ? ORDER BY position"),
-      summaries(db, "SELECT meaning, reading FROM character WHERE code_point = ?"),
-      all_characters(db, "SELECT place, code_point, kind, strokes, counted, grade, radical FROM character"),
+      all_characters(
+          db,
+          "SELECT place, code_point, kind, strokes, counted, grade, radical, meaning, reading FROM "
+          "character"),
       words(db,
             "SELECT w.text, w.reading, w.parts_of_speech, w.common, w.glosses FROM word_of o JOIN word w ON "
             "w.id = o.word WHERE o.code_point = ? ORDER BY o.word LIMIT ?"),
@@ -137,6 +139,8 @@ void KanjiDatabase::Inside::load_roster() {
     entry.counted = row.number(4);
     entry.grade = row.number(5);
     entry.radical = row.number(6);
+    entry.meaning = row.text(7);
+    entry.reading = row.text(8);
     places_.emplace(entry.code_point, static_cast<std::size_t>(place));
   }
 }
@@ -146,18 +150,11 @@ std::optional<std::size_t> KanjiDatabase::Inside::place_of(char32_t code_point) 
   return found == places_.end() ? std::nullopt : std::optional(found->second);
 }
 
-Summary KanjiDatabase::Inside::summary(std::size_t place) {
-  const RosterEntry& entry = roster().at(place);
-  Summary out;
-  out.code_point = entry.code_point;
-  out.strokes = entry.drawn > 0 ? entry.drawn : entry.counted;
+Summary KanjiDatabase::Inside::summary(std::size_t place) const {
+  const RosterEntry& entry = roster_.at(place);
+  Summary out{
+      entry.code_point, entry.meaning, entry.reading, entry.drawn > 0 ? entry.drawn : entry.counted, {}};
   if (entry.grade > 0) out.grade = entry.grade;
-  Rewound row(summaries);
-  row->bind(1, static_cast<std::int64_t>(entry.code_point));
-  if (row->executeStep()) {
-    out.meaning = row.text(0);
-    out.reading = row.text(1);
-  }
   return out;
 }
 
@@ -339,7 +336,10 @@ std::vector<Summary> KanjiDatabase::containing(std::string_view element, int lim
     Rewound row(inside_->elements);
     row->bind(1, std::string(element));
     row->bind(2, std::max(limit, 0));
-    while (row->executeStep()) out.push_back(inside_->summary(static_cast<std::size_t>(row.number(0))));
+    while (row->executeStep()) {
+      const auto place = static_cast<std::size_t>(row.number(0));
+      if (place < inside_->roster().size()) out.push_back(inside_->summary(place));
+    }
     return out;
   });
 }

@@ -15,7 +15,8 @@
 
 namespace nazori::kanji {
 
-/// What a search must know of every character, in the order of their places.
+/// What searches and lists must know of every character, in the order of their places. All of it is held: a
+/// row fetched for each line of a list of thousands takes longer than the search.
 struct RosterEntry {
   char32_t code_point = 0;
   CharacterKind kind = CharacterKind::other;
@@ -23,6 +24,8 @@ struct RosterEntry {
   int counted = 0;  ///< the dictionary's count, 0 where it has none
   int grade = 0;    ///< 0: none
   int radical = 0;  ///< 0: none
+  std::string meaning;
+  std::string reading;
 };
 
 /// A statement kept ready, rewound whatever way its use ends.
@@ -50,12 +53,12 @@ struct KanjiDatabase::Inside {
   [[nodiscard]] const std::vector<RosterEntry>& roster() const { return roster_; }
   /// Place of a character, or nullopt.
   [[nodiscard]] std::optional<std::size_t> place_of(char32_t code_point) const;
-  [[nodiscard]] Summary summary(std::size_t place);
+  [[nodiscard]] Summary summary(std::size_t place) const;
 
   SQLite::Database db;
   SQLite::Statement character, form, variants, strokes, components, orders;
   SQLite::Statement stroke_counts, readings, meanings, codes;
-  SQLite::Statement summaries, all_characters, words, elements;
+  SQLite::Statement all_characters, words, elements;
   SQLite::Statement radical, radical_forms, radical_names, sources;
   SQLite::Statement reading_keys, meaning_keys;
 
