@@ -15,7 +15,7 @@ namespace nazori::view {
 namespace {
 
 constexpr int kSides = 28;
-constexpr std::size_t kIndicesPerBand = kSides * 6;
+constexpr std::size_t kIndicesPerBand = std::size_t{kSides} * 6;
 
 /// Logical pixels.
 constexpr double kBrushLength = 190;

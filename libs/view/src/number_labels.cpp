@@ -28,6 +28,10 @@ struct Glyph {
   std::vector<std::uint8_t> coverage;
 };
 
+std::size_t place_in(int width, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
 /// Figures of straight pieces on a field 4 wide and 6 high, y down: pairs of points.
 using Figure = std::vector<std::array<glm::dvec2, 2>>;
 
@@ -144,7 +148,8 @@ struct NumberFont::Face {
     const double em = face->units_per_EM;
     const double size = units > 0 ? pixels * em / units : pixels * 1.37;
     if (FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(std::max(1L, std::lround(size)))) != 0) return glyph;
-    if (FT_Load_Char(face, static_cast<FT_ULong>('0' + digit), FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT) != 0)
+    if (FT_Load_Char(face, FT_ULong{'0'} + static_cast<FT_ULong>(digit),
+                     FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT) != 0)
       return glyph;
     const FT_GlyphSlot slot = face->glyph;
     const FT_Bitmap& bitmap = slot->bitmap;
@@ -208,9 +213,8 @@ LabelSheet NumberFont::draw(int count, int cell) const {
           const int to_x = pen + glyph.left + x;
           const int to_y = top + y;
           if (to_x < 0 || to_y < 0 || to_x >= cell || to_y >= cell) continue;
-          auto& target =
-              sheet.coverage[static_cast<std::size_t>((cell_top + to_y) * width + cell_left + to_x)];
-          target = std::max(target, glyph.coverage[static_cast<std::size_t>(y * glyph.width + x)]);
+          auto& target = sheet.coverage[place_in(width, cell_left + to_x, cell_top + to_y)];
+          target = std::max(target, glyph.coverage[place_in(glyph.width, x, y)]);
         }
       }
       pen += glyph.advance;

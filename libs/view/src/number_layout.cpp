@@ -39,6 +39,7 @@ glm::dvec2 nearest_free(std::span<const glm::dvec2> placed, glm::dvec2 wish, dou
 
 std::vector<glm::dvec2> lay_out_numbers(std::span<const NumberWish> wishes, double radius, double gap) {
   std::vector<glm::dvec2> targets;
+  targets.reserve(wishes.size());
   for (const NumberWish& wish : wishes) targets.push_back(wish.start + wish.side * (radius + gap));
   std::vector<glm::dvec2> places = targets;
   const double apart = 2 * radius + gap / 2;
@@ -63,6 +64,7 @@ std::vector<glm::dvec2> lay_out_numbers(std::span<const NumberWish> wishes, doub
     for (std::size_t i = 0; i < places.size(); ++i) places[i] += (targets[i] - places[i]) * kPull;
   }
   std::vector<glm::dvec2> settled;
+  settled.reserve(places.size());
   for (const glm::dvec2 place : places) settled.push_back(nearest_free(settled, place, 2 * radius));
   return settled;
 }

@@ -125,7 +125,8 @@ class Triangulation {
     const int tile_cells = grid_ / kTilesPerSide;
     const int tile_column = std::min((a.column + b.column + c.column) / (3 * tile_cells), kTilesPerSide - 1);
     const int tile_row = std::min((a.row + b.row + c.row) / (3 * tile_cells), kTilesPerSide - 1);
-    auto& tile = tiles_[static_cast<std::size_t>(tile_row * kTilesPerSide + tile_column)];
+    auto& tile =
+        tiles_[static_cast<std::size_t>(tile_row) * kTilesPerSide + static_cast<std::size_t>(tile_column)];
     tile.insert(tile.end(), {number_of(b), number_of(a), number_of(c)});
   }
 

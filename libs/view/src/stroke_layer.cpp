@@ -295,8 +295,8 @@ void StrokeLayer::draw_numbers(const Projection& projection, const Look& look, c
     const glm::dvec2 way = places[i] - wishes[i].start;
     const double distance = glm::length(way);
     const double spacing = 4.5 * choice.scale;
-    for (double s = spacing * 1.5; s < distance - radius; s += spacing)
-      dot(wishes[i].start + way / distance * s, 1.6);
+    const int dots = std::max(0, static_cast<int>(std::ceil((distance - radius) / spacing - 1.5)));
+    for (int k = 0; k < dots; ++k) dot(wishes[i].start + way / distance * (spacing * (k + 1.5)), 1.6);
   }
   for (const NumberWish& wish : wishes) dot(wish.start, 3.4);
   prepare_discs(projection, look, choice);

@@ -55,10 +55,10 @@ void in_bands(int rows, const Work& work) {
   for (std::thread& thread : others) thread.join();
 }
 
+/// The sample whose cell holds a place; cells are 1 wide and begin at 0.
 float sample_clamped(const Relief& relief, float column, float row) {
   const int last = relief.size - 1;
-  return relief.at(std::clamp(static_cast<int>(column + 0.5F), 0, last),
-                   std::clamp(static_cast<int>(row + 0.5F), 0, last));
+  return relief.at(std::clamp(static_cast<int>(column), 0, last), std::clamp(static_cast<int>(row), 0, last));
 }
 
 /// Marches to the horizon: once towards the light, and eight ways for the sky.
@@ -85,10 +85,12 @@ Exposure make_exposure(const Relief& relief, const geometry::TabletShape& shape,
         if (height >= kOpenHeight) continue;
         const std::size_t place = static_cast<std::size_t>(row) * static_cast<std::size_t>(relief.size) +
                                   static_cast<std::size_t>(column);
-        const glm::vec2 here(column, row);
+        const glm::vec2 here(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
         float blocked = 0;
         const float farthest = (1 - height) * slope_per_step / (light_slope - kShadowSoftness * 0.9F);
-        for (float t = stride; t <= farthest; t += stride * 1.5F) {
+        const int steps = std::max(0, static_cast<int>((farthest - stride) / (stride * 1.5F)) + 1);
+        for (int step = 0; step < steps; ++step) {
+          const float t = stride * (1 + 1.5F * static_cast<float>(step));
           const glm::vec2 there = here + towards * t;
           blocked = std::max(blocked, (sample_clamped(relief, there.x, there.y) - height) / t);
         }
@@ -146,7 +148,7 @@ class GammaCoder {
   }
   [[nodiscard]] std::uint8_t operator()(float linear) const {
     const float held = std::clamp(linear, 0.0F, 1.0F);
-    return table_[static_cast<std::size_t>(held * static_cast<float>(table_.size() - 1) + 0.5F)];
+    return table_[static_cast<std::size_t>(held * static_cast<float>(table_.size() - 1))];
   }
 
  private:

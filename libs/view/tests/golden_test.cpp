@@ -33,11 +33,11 @@ struct Scene {
   bool strokes;
 };
 
-const std::array kScenes{
+constexpr std::array kScenes{
     Scene{"classic", Style::classic, Theme::light, {}, 0, 0, true},
     Scene{"classic_plain", Style::classic, Theme::light, {}, 0, 0, false},
-    Scene{"wood", Style::wood, Theme::light, Camera::resting(), 0, 0, true},
-    Scene{"wood_tracing", Style::wood, Theme::light, Camera::resting(), 4, 3.6, true},
+    Scene{"wood", Style::wood, Theme::light, {0, Camera::kRestingTilt, 1, {}}, 0, 0, true},
+    Scene{"wood_tracing", Style::wood, Theme::light, {0, Camera::kRestingTilt, 1, {}}, 4, 3.6, true},
     Scene{"wood_dark", Style::wood, Theme::dark, {0.5, 0.8, 1.1, {}}, 3, 2.5, true},
     Scene{"slate", Style::slate, Theme::light, {-0.4, 0.6, 1, {}}, 0, 2.0, true},
     Scene{"slate_dark", Style::slate, Theme::dark, {0, 0.2, 2.2, {0.01, 0.01}}, 2, 1.4, true},

@@ -52,8 +52,9 @@ double likeness(const Picture& picture, const NumberPlace& place, int digit, boo
     for (int x = left; x <= right; ++x) {
       const int column = std::min(4, (x - left) * 5 / (right - left + 1));
       const int row = std::min(6, (y - top) * 7 / (bottom - top + 1));
-      const char dot = kFigures[static_cast<std::size_t>(digit)]
-                               [static_cast<std::size_t>(row * 5 + (mirrored ? 4 - column : column))];
+      const std::size_t place_of_dot =
+          static_cast<std::size_t>(row) * 5 + static_cast<std::size_t>(mirrored ? 4 - column : column);
+      const char dot = kFigures[static_cast<std::size_t>(digit)][place_of_dot];
       const double a = 255 - luminance(pixel(picture, x, y));
       const double b = dot == '#' ? 1 : 0;
       sum_a += a;
@@ -70,8 +71,9 @@ double likeness(const Picture& picture, const NumberPlace& place, int digit, boo
 
 std::vector<kanji::StrokeLine> nine_strokes() {
   std::vector<kanji::StrokeLine> lines;
-  for (int i = 0; i < 9; ++i)
-    lines.push_back(straight({15.0 + i % 3 * 30, 20.0 + i / 3 * 32}, {35.0 + i % 3 * 30, 24.0 + i / 3 * 32}));
+  for (const double y : {20.0, 52.0, 84.0}) {
+    for (const double x : {15.0, 45.0, 75.0}) lines.push_back(straight({x, y}, {x + 20, y + 4}));
+  }
   return lines;
 }
 
@@ -121,7 +123,9 @@ TEST(StrokeNumbers, StandBesideTheirStarts) {
 
 TEST(StrokeNumbers, NeverHideEachOtherHoweverCrowded) {
   std::vector<kanji::StrokeLine> lines;
-  for (int i = 0; i < 30; ++i) lines.push_back(straight({50.0 + i % 5 * 2, 50.0 + i / 5 * 1.5}, {70, 60}));
+  for (const double y : {50.0, 51.5, 53.0, 54.5, 56.0, 57.5}) {
+    for (const double x : {50.0, 52.0, 54.0, 56.0, 58.0}) lines.push_back(straight({x, y}, {70, 60}));
+  }
   lines.push_back(lines.front());  // two strokes from one point
   Studio studio(640, 480);
   studio.view->set_height_map(surface::HeightMap::create(64).value());
@@ -169,7 +173,7 @@ TEST(StrokeNumbers, AreNeverHiddenByTheTabletOnAnyOrbit) {
   studio.view->set_refinement(Refinement::always);
   Overlay overlay;
   overlay.strokes_visible = true;
-  for (double azimuth = -3; azimuth < 3.1; azimuth += 1.0) {
+  for (const double azimuth : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0}) {
     for (const double tilt : {0.0, 0.7, 1.4}) {
       studio.view->set_camera({azimuth, tilt, 1, {}});
       const Picture picture = studio.shoot(overlay);

@@ -64,6 +64,12 @@ struct Studio {
   }
 };
 
+/// The pixel at which a point of the character is seen.
+inline glm::dvec2 seen(const Studio& studio, geometry::GlyphPoint p, double z_m = 0) {
+  const auto place = geometry::glyph_to_tablet(p, {});
+  return studio.view->project({place.x, place.y, z_m}, studio.width, studio.height);
+}
+
 struct Rgb {
   int red;
   int green;
