@@ -63,11 +63,13 @@ struct OffscreenContext::Inside {
   Inside& operator=(const Inside&) = delete;
   ~Inside() {
     if (context == EGL_NO_CONTEXT) return;
+    const EGLContext current = eglGetCurrentContext();
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
     target.reset();
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    const bool other = current != context;
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, other ? current : EGL_NO_CONTEXT);
     eglDestroyContext(display, context);
-    eglReleaseThread();
+    if (!other) eglReleaseThread();
   }
 
   base::Result<void> make_context();
@@ -144,6 +146,8 @@ base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create(int wid
 }
 
 Picture OffscreenContext::read() const {
+  if (eglGetCurrentContext() != inside_->context)
+    eglMakeCurrent(inside_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, inside_->context);
   Picture picture{inside_->width, inside_->height, {}};
   const std::size_t row = static_cast<std::size_t>(picture.width) * 4;
   picture.rgba.resize(row * static_cast<std::size_t>(picture.height));

@@ -56,8 +56,17 @@ TEST(OffscreenContext, CanBeMadeManyTimesAndTwoAtOnce) {
     auto first = OffscreenContext::create(16, 16);
     auto second = OffscreenContext::create(32, 16);
     ASSERT_TRUE(first && second);
+    glClearColor(0, 1, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
     first->reset();
-    EXPECT_EQ((*second)->read().width, 32);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 16, 16);
+    glClearColor(0, 0, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);  // into the second, which has stayed current
+    const Picture picture = (*second)->read();
+    EXPECT_EQ(picture.width, 32);
+    EXPECT_EQ(fixtures::pixel(picture, 4, 4).blue, 255);
+    EXPECT_EQ(fixtures::pixel(picture, 20, 4).green, 255);
   }
 }
 

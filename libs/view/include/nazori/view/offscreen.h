@@ -18,7 +18,8 @@ struct Picture {
 };
 
 /// An OpenGL 3.3 core context with a framebuffer of its own, through EGL on a surfaceless display: needs no
-/// screen. The context is current on the creating thread from creation to destruction.
+/// screen. The context is current on the creating thread from creation to destruction,
+/// unless another is made meanwhile; destroying one leaves another that is current in place.
 class OffscreenContext {
  public:
   /// @return Errc::device with the reason and the Debian package that would help.
@@ -27,7 +28,7 @@ class OffscreenContext {
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  /// What has been drawn (multisampling resolved).
+  /// What has been drawn (multisampling resolved). Makes this context current where it is not.
   [[nodiscard]] Picture read() const;
 
  private:
