@@ -63,6 +63,20 @@ TEST(CarvedTablet, PathsLieOnTheBottomOfTheGrooveTheyCarved) {
   EXPECT_NEAR(body[body.size() / 4].z, -10 * kMm, 0.2 * kMm);
 }
 
+TEST(CarvedTablet, OfACrowdedCharacterThePathsFollowTheNarrowedBrush) {
+  // Strokes 5 units apart: a groove of 7 would leave no ridge, so a narrower brush carves them.
+  const std::vector<StrokeLine> lines{line({{20, 30}, {90, 30}}), line({{20, 35}, {90, 35}}),
+                                      line({{20, 40}, {90, 40}})};
+  const carving::Brush narrow = carving::fitted(carving::Brush{}, lines);
+  ASSERT_LT(narrow.width, 6);
+  const auto tablet = carved(lines, 512);
+  for (const auto& p : tablet->paths()[1].points) {
+    const double s = (p.x / 0.1 + 0.5) * 109 - 20;
+    EXPECT_NEAR(p.z, -0.010 * carving::brush_at(narrow, StrokeEnding::stop, s, 70).depth, 1e-9) << s;
+    EXPECT_NEAR(p.z, relief_z_m(*tablet, p), 1.0 * kMm) << s;
+  }
+}
+
 TEST(CarvedTablet, ATaperRisesToThePlateauAndAStopDoesNot) {
   const auto tablet = carved(
       {line({{20, 30}, {90, 30}}, StrokeEnding::taper), line({{20, 80}, {90, 80}}, StrokeEnding::stop)});
