@@ -325,10 +325,10 @@ base::Result<BuildReport> build_database(const Sources& sources, const fs::path&
                          "CC BY-SA 3.0, Ulrich Apel, kanjivg.tagaini.net"});
       writer.add_source(
           {"KANJIDIC2", dictionary->version, (*sums)[1],
-           "EDRDG licence (CC BY-SA 3.0), Electronic Dictionary Research and Development Group"});
+           "EDRDG licence (CC BY-SA 4.0), Electronic Dictionary Research and Development Group"});
       writer.add_source(
           {"EDICT", edict->version, (*sums)[2],
-           "EDRDG licence (CC BY-SA 3.0), Electronic Dictionary Research and Development Group"});
+           "EDRDG licence (CC BY-SA 4.0), Electronic Dictionary Research and Development Group"});
       writer.add_radicals();
       if (auto written = write_characters(writer, *kanjivg, *dictionary, steps); !written) {
         return tl::unexpected(written.error());
