@@ -57,11 +57,11 @@ Library::Library(std::filesystem::path path, QObject* parent)
   worker_.post([this, path = std::move(path), database = database_] {
     auto opened_database = kanji::KanjiDatabase::open(path);
     if (!opened_database) {
-      Worker::answer(this, [this, error = opened_database.error()] { emit failed(error); });
+      worker_.answer([this, error = opened_database.error()] { emit failed(error); });
       return;
     }
     database->emplace(std::move(*opened_database));
-    Worker::answer(this, [this, sources = (*database)->sources()] { emit opened(sources); });
+    worker_.answer([this, sources = (*database)->sources()] { emit opened(sources); });
   });
 }
 
@@ -71,7 +71,7 @@ void Library::request_list(kanji::List which) {
   worker_.post([this, which, ticket = ++newest_list_, database = database_] {
     if (ticket != newest_list_ || !*database) return;
     auto characters = std::make_shared<const std::vector<kanji::Summary>>((*database)->list(which));
-    Worker::answer(this, [this, which, ticket, characters] {
+    worker_.answer([this, which, ticket, characters] {
       if (ticket == newest_list_) emit listed(which, characters);
     });
   });
@@ -83,7 +83,7 @@ void Library::request_search(const QString& text) {
     kanji::Query query;
     query.text = text.toStdString();
     auto characters = std::make_shared<const std::vector<kanji::Summary>>((*database)->search(query));
-    Worker::answer(this, [this, text, ticket, characters] {
+    worker_.answer([this, text, ticket, characters] {
       if (ticket == newest_search_) emit found(text, characters);
     });
   });
@@ -94,7 +94,7 @@ void Library::request_sheet(char32_t code_point) {
     if (ticket != newest_sheet_ || !*database) return;
     auto character = (*database)->find(code_point);
     if (!character || character->strokes.empty()) {
-      Worker::answer(this, [this, code_point, ticket] {
+      worker_.answer([this, code_point, ticket] {
         if (ticket == newest_sheet_) emit sheet_missing(code_point);
       });
       return;
@@ -104,7 +104,7 @@ void Library::request_sheet(char32_t code_point) {
     if (character->entry.radical) sheet->radical = (*database)->radical(*character->entry.radical);
     sheet->words = (*database)->words(code_point, kMaxWords);
     sheet->character = std::move(*character);
-    Worker::answer(this, [this, ticket, sheet = std::shared_ptr<const CharacterSheet>(sheet)] {
+    worker_.answer([this, ticket, sheet = std::shared_ptr<const CharacterSheet>(sheet)] {
       if (ticket == newest_sheet_) emit sheet_ready(sheet);
     });
   });

@@ -105,14 +105,14 @@ void Workshop::carve(const kanji::Character& character) {
     } else {
       auto made = tablet::CarvedTablet::from_lines(std::move(lines), kSize);
       if (!made) {
-        Worker::answer(this, [this, error = made.error()] { emit failed({}, error); });
+        worker_.answer([this, error = made.error()] { emit failed({}, error); });
         return;
       }
       tablet = std::move(*made);
       recent->push_front({code_point, tablet});
       if (recent->size() > kRecent) recent->pop_back();
     }
-    Worker::answer(this, [this, code_point, ticket, tablet] {
+    worker_.answer([this, code_point, ticket, tablet] {
       if (ticket == newest_) emit carved(code_point, tablet);
     });
   });
@@ -124,10 +124,10 @@ void Workshop::load(const QString& map_path, const QString& strokes_path, const 
     auto own = load_own(map_path, strokes_path, onto, grid_size);
     if (!own) {
       const QString path = map_path.isEmpty() ? strokes_path : map_path;
-      Worker::answer(this, [this, path, error = own.error()] { emit failed(path, error); });
+      worker_.answer([this, path, error = own.error()] { emit failed(path, error); });
       return;
     }
-    Worker::answer(this, [this, ticket, own = std::move(*own)] {
+    worker_.answer([this, ticket, own = std::move(*own)] {
       if (ticket == newest_) emit loaded(own);
     });
   });
@@ -136,7 +136,7 @@ void Workshop::load(const QString& map_path, const QString& strokes_path, const 
 void Workshop::save(const Tablet& tablet, const QString& path, FileFormat format, int size, bool own_map) {
   worker_.post([this, tablet, path, format, size, own_map] {
     const auto result = save_tablet(*tablet, path, format, size, own_map);
-    Worker::answer(this, [this, path, result] {
+    worker_.answer([this, path, result] {
       if (result)
         emit saved(path);
       else
