@@ -28,7 +28,7 @@ struct Friction {
 /// S. Walker, J. Salisbury, Large haptic topographic maps, I3D 2003 (walking downhill in distance);
 /// N. Melder, W. Harwin, Extending the friction cone algorithm, 2004 (friction); Newton steps and the ridge
 /// rule: own design, see docs/haptics.md.
-/// Thread-safe: no. Real-time-safe: yes, bounded: at most about 80 evaluations of the surface.
+/// Thread-safe: no. Real-time-safe: yes, bounded: at most about 100 evaluations of the surface.
 class SurfaceContact {
  public:
   /// How much nearer another part of the surface must be before the proxy crosses a ridge [m].
