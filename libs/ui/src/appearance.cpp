@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QFont>
 #include <QProxyStyle>
+#include <memory>
 
 #include "palette.h"
 #include "style_sheet.h"
@@ -43,7 +44,8 @@ bool has_session_bus() {
 
 Appearance::Appearance(QObject* parent)
     : QObject(parent), palette_dark_(ui::is_dark(QApplication::palette())) {
-  QApplication::setStyle(new CalmStyle);
+  auto style = std::make_unique<CalmStyle>();
+  QApplication::setStyle(style.release());  // the application owns it
   apply(theme_, text_pt_);
   ask_desktop();
 }

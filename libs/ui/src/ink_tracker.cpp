@@ -2,6 +2,7 @@
 #include "ink_tracker.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "nazori/geometry/polyline.h"
 
@@ -105,8 +106,9 @@ InkTracker::Step InkTracker::advance(TabletPoint at) {
   double nearest_m = kReach_m;
   constexpr double kStep_m = 0.00025;
   const double last_m = std::min(front_m + kReach_m, line.length_m);
-  for (double s = front_m; s < last_m + kStep_m; s += kStep_m) {
-    const double clamped_m = std::min(s, last_m);
+  const int steps = static_cast<int>(std::ceil((last_m - front_m) / kStep_m));
+  for (int step = 0; step <= steps; ++step) {
+    const double clamped_m = std::min(front_m + step * kStep_m, last_m);
     const double away_m = geometry::distance(geometry::point_at<TabletFrame>(line.points, clamped_m), at);
     if (away_m < nearest_m) {
       nearest_m = away_m;
