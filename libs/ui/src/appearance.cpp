@@ -9,7 +9,6 @@
 #include <QFileInfo>
 #include <QFont>
 #include <QProxyStyle>
-#include <memory>
 
 #include "palette.h"
 #include "style_sheet.h"
@@ -44,8 +43,8 @@ bool has_session_bus() {
 
 Appearance::Appearance(QObject* parent)
     : QObject(parent), palette_dark_(ui::is_dark(QApplication::palette())) {
-  auto style = std::make_unique<CalmStyle>();
-  QApplication::setStyle(style.release());  // the application owns it
+  // The application owns it.
+  QApplication::setStyle(new CalmStyle);  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks)
   apply(theme_, text_pt_);
   ask_desktop();
 }

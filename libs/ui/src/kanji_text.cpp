@@ -62,10 +62,10 @@ QFont textbook_font(double point_size, int weight) {
 }
 
 bool textbook_font_has(char32_t code_point) {
-  static const QRawFont kFont = QFontDatabase::hasFamily(QString::fromLatin1(kFamily))
-                                    ? QRawFont::fromFont(textbook_font(16))
-                                    : QRawFont();
-  return kFont.isValid() && kFont.supportsCharacter(static_cast<uint>(code_point));
+  static const QRawFont klee = QFontDatabase::hasFamily(QString::fromLatin1(kFamily))
+                                   ? QRawFont::fromFont(textbook_font(16))
+                                   : QRawFont();
+  return klee.isValid() && klee.supportsCharacter(static_cast<uint>(code_point));
 }
 
 }  // namespace nazori::ui

@@ -14,8 +14,8 @@ namespace {
 
 QString plain(QString text) {
   // "日本語 (&J)" and "&Open…" without their mnemonics.
-  static const QRegularExpression kTail(QStringLiteral(" ?\\(&.\\)"));
-  text.remove(kTail);
+  static const QRegularExpression mnemonic(QStringLiteral(" ?\\(&.\\)"));
+  text.remove(mnemonic);
   return text.remove(QLatin1Char('&'));
 }
 

@@ -17,9 +17,9 @@ QString translations(const char* name) {
 
 /// Every place holder of the source must be in the translation, and no other.
 QStringList place_holders(const QString& text) {
-  static const QRegularExpression kHolder(QStringLiteral("%(\\d|n)"));
+  static const QRegularExpression holder(QStringLiteral("%(\\d|n)"));
   QStringList found;
-  for (auto match = kHolder.globalMatch(text); match.hasNext();) found.append(match.next().captured());
+  for (auto match = holder.globalMatch(text); match.hasNext();) found.append(match.next().captured());
   found.removeDuplicates();
   found.sort();
   return found;
