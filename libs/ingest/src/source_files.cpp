@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
@@ -183,7 +182,7 @@ base::Result<std::string> read_euc_jp(const fs::path& path, std::size_t max_byte
   auto bytes = base::read_file(path, std::min(max_bytes, kLargestSource));
   if (!bytes) return tl::unexpected(bytes.error());
   const iconv_t opened = iconv_open("UTF-8", "EUC-JP");
-  if (std::bit_cast<std::intptr_t>(opened) == -1) {
+  if (reinterpret_cast<std::intptr_t>(opened) == -1) {
     return base::fail(base::Errc::io, "this system cannot convert EUC-JP", path.string());
   }
   const std::unique_ptr<void, CloseConverter> converter(opened);
