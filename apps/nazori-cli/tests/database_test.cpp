@@ -102,7 +102,8 @@ TEST(DatabaseBuild, InterruptedItLeavesTheOldDatabaseAndNothingElse) {
   const std::string output = folder / "kanji.db";
   write(output, "the old one");
   const Outcome run =
-      shell("timeout --preserve-status -s INT 0.7 \"$NAZORI\" database build --force -o '" + output + "'");
+      shell("timeout --foreground --preserve-status -s INT 0.7 \"$NAZORI\" database build --force -o '" +
+            output + "'");
   // 128 + SIGINT: it dies of the signal once it has put everything away.
   EXPECT_EQ(run.code, 130) << run.err;
   EXPECT_EQ(bytes_of(output).size(), 11U);
