@@ -8,7 +8,7 @@
 #include "alignment.h"
 #include "endings.h"
 #include "judgement.h"
-#include "lookalikes.h"
+#include "lookalike_contrast.h"
 #include "model_inside.h"
 #include "placement.h"
 #include "stroke_order_faults.h"
@@ -36,6 +36,20 @@ double chord_angle(const Samples& drawn, const Samples& model) {
   return std::atan2(mx * dy - my * dx, mx * dx + my * dy);
 }
 
+/// Share of the limit below which a stroke that runs backwards, or one of another form, is taken for what it
+/// seems to be.
+constexpr double kCertainly = 0.65;
+const std::vector<kanji::AlternativeOrder> kNoOrders;
+
+/// How much of the limit a stroke may use, from the roughness of the `count` others (square roots of their
+/// deviations, summed): in careful writing a stroke that is off is wrong; in hasty writing all are a little off.
+double allowance(double roughness, std::size_t count) {
+  constexpr double kUsual = 0.34;
+  constexpr double kUsualCount = 2;
+  const double mean = (roughness + kUsualCount * kUsual) / (static_cast<double>(count) + kUsualCount);
+  return std::clamp(0.3 + 2 * mean, 0.7, 1.4);
+}
+
 /// Judges against one form.
 class Judge {
  public:
@@ -45,11 +59,15 @@ class Judge {
         form_(form),
         orders_(orders),
         options_(options),
+        limit_(deviation_limit(options.strictness)),
         alignment_(align(
             {drawn, form.shapes, form.pairs, box, options.unfinished ? Extent::beginning : Extent::whole})) {
     grade_.variant = form.variant;
     grade_.strokes.resize(drawn.size());
   }
+
+  /// A form that is not the one that was asked for must fit better.
+  void demand(double share) { limit_ *= share; }
 
   Grade run() {
     judge_strokes();
@@ -61,12 +79,19 @@ class Judge {
 
  private:
   void judge_strokes() {
-    const double limit = deviation_limit(options_.strictness);
     const auto places = placements(alignment_, form_.shapes);
+    std::vector<Judgement> judgements;
+    double roughness = 0;
+    for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
+      judgements.push_back(judge(alignment_.links[k].difference, places[k]));
+      roughness += std::sqrt(std::min(judgements.back().deviation, 1.0));
+    }
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
       const auto& link = alignment_.links[k];
+      const auto& judged = judgements[k];
+      const double limit =
+          limit_ * allowance(roughness - std::sqrt(std::min(judged.deviation, 1.0)), judgements.size() - 1);
       auto& verdict = grade_.strokes[static_cast<std::size_t>(link.drawn)];
-      const auto judged = judge(link.difference, places[k]);
       describe(link, judged, verdict);
       if (link.drawn_count == 2) {
         auto& second = grade_.strokes[static_cast<std::size_t>(link.drawn) + 1];
@@ -74,7 +99,7 @@ class Judge {
         add({FaultKind::split, link.drawn, link.drawn + 1, {link.model}});
       } else if (link.model_count == 2) {
         add({FaultKind::joined, link.drawn, {}, {link.model, link.model + 1}});
-      } else if (judged.deviation > limit) {
+      } else if (judged.deviation > (link.difference.reversed ? kCertainly * limit : limit)) {
         auto most = judged.most;
         if (most == Deviation::shape && std::abs(verdict.angle_rad) > std::numbers::pi / 5)
           most = Deviation::direction;
@@ -193,6 +218,7 @@ class Judge {
   const Form& form_;
   const std::vector<kanji::AlternativeOrder>& orders_;
   const GradeOptions& options_;
+  double limit_;
   Alignment alignment_;
   Grade grade_;
   double shape_sum_ = 0;
@@ -206,7 +232,9 @@ Grade grade_shapes(std::span<const Shape> drawn, const std::optional<Affine>& bo
   if (!best.accepted) {
     for (const auto& variant : model.variants) {
       if (!options.unfinished && variant.shapes.size() != drawn.size()) continue;
-      auto other = Judge(drawn, box, variant, {}, options).run();
+      Judge judge(drawn, box, variant, kNoOrders, options);
+      judge.demand(kCertainly);
+      auto other = judge.run();
       if (other.accepted) {
         best = std::move(other);
         break;

@@ -71,6 +71,19 @@ StrokeDifference compare_samples(const Samples& d, const Samples& m, float freed
 }  // namespace
 
 StrokeDifference compare(const Shape& drawn, const Shape& model) {
+  // Too far apart to be taken for each other, whatever their shapes.
+  constexpr float kFar = 60.0F;
+  StrokeDifference far;
+  far.offset_x = drawn.whole.centre_x - model.whole.centre_x;
+  far.offset_y = drawn.whole.centre_y - model.whole.centre_y;
+  far.model_length = model.whole.length;
+  far.freedom = model.freedom;
+  far.cost = cost_of(far);
+  if (far.cost > kFar) {
+    far.shape = std::abs(drawn.spread - model.spread);
+    far.proportion = 1;
+    return far;
+  }
   auto best = compare_samples(drawn.whole, model.whole, model.freedom);
   const auto take = [&best](const StrokeDifference& other) {
     if (other.cost < best.cost) best = other;

@@ -18,8 +18,8 @@ struct Mistaken {
 [[nodiscard]] std::optional<Mistaken> mistaken_for(std::span<const Shape> drawn, const Form& asked,
                                                    std::span<const Model> lookalikes);
 
-/// How far apart two forms with as many strokes are once laid over each other; infinite where strokes run
-/// backwards. Squared deviations as in StrokeDifference::cost, kicks counted.
+/// How far apart two forms with as many strokes are once laid over each other, stroke by stroke in order:
+/// squared deviations of ends and shapes in units of what is natural. Infinite for another number of strokes.
 [[nodiscard]] double distance_of_forms(const Form& a, const Form& b);
 
 }  // namespace nazori::writing
