@@ -7,6 +7,7 @@
 
 #include "centre_line.h"
 #include "nazori/geometry/polyline.h"
+#include "stroke_set.h"
 
 namespace nazori::carving {
 namespace {
@@ -24,7 +25,8 @@ constexpr double kNarrowest = 3.0;
 // A turn that starts a kick [rad], how much of a stroke a kick may be, and its length in glyph units and at
 // most in parts of the stroke where the line has no such turn.
 constexpr double kSharp = 50 * 3.14159265358979323846 / 180;
-constexpr double kLongestHook = 0.5;
+constexpr double kLongestHookShare = 0.5;
+constexpr double kLongestHook = 14.0;
 constexpr double kPlainHook = 7.0;
 constexpr double kPlainHookShare = 0.25;
 
@@ -107,7 +109,7 @@ double hook_length(const kanji::StrokeLine& line) {
     double best_tail = 0;
     for (std::size_t i = points.size(); i-- > 2;) {
       tail += geometry::distance(points[i - 1], points[i]);
-      if (tail > kLongestHook * length) break;
+      if (tail > std::min(kLongestHook, kLongestHookShare * length)) break;
       if (best_tail > 0 && tail > best_tail + reach) break;
       const double turn = turn_at(points, i - 1, reach);
       if (turn <= best_turn) continue;
@@ -128,21 +130,24 @@ double suggested_width(std::span<const kanji::StrokeLine> strokes) {
   };
   constexpr double kSpacing = 2.0;
   constexpr std::size_t kMostSteps = 1500;
+  const std::vector<const kanji::StrokeLine*> set = stroke_set(strokes);
   double total = 0;
-  for (const kanji::StrokeLine& line : strokes)
-    total += geometry::arc_length(std::span<const GlyphPoint>(line.points));
+  for (const kanji::StrokeLine* line : set)
+    total += geometry::arc_length(std::span<const GlyphPoint>(line->points));
   if (!std::isfinite(total)) return kWidest;
   const double spacing = std::max(kSpacing, total / static_cast<double>(kMostSteps));
   std::vector<Step> steps;
-  for (std::size_t k = 0; k < strokes.size() && steps.size() < 2 * kMostSteps; ++k) {
+  for (std::size_t k = 0; k < set.size() && steps.size() < 2 * kMostSteps; ++k) {
     double until_next = spacing / 2;
-    const auto& points = strokes[k].points;
+    const auto& points = set[k]->points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const double length = geometry::distance(points[i], points[i + 1]);
       if (length <= 0) continue;
       const GlyphPoint forward = (points[i + 1] - points[i]) * (1 / length);
-      for (; until_next < length; until_next += spacing)
+      while (until_next < length) {
         steps.push_back({points[i] + forward * until_next, forward, k});
+        until_next += spacing;
+      }
       until_next -= length;
     }
   }

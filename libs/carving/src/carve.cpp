@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
-#include <vector>
 
 #include "centre_line.h"
 #include "relief.h"
+#include "stroke_set.h"
 
 namespace nazori::carving {
 namespace {
@@ -44,15 +43,6 @@ base::Result<void> check(std::span<const kanji::StrokeLine> strokes) {
   return {};
 }
 
-bool comes_before(const kanji::StrokeLine* a, const kanji::StrokeLine* b) {
-  const auto less = [](geometry::GlyphPoint p, geometry::GlyphPoint q) {
-    return std::tie(p.x, p.y) < std::tie(q.x, q.y);
-  };
-  if (a->points == b->points) return a->ending < b->ending;
-  return std::lexicographical_compare(a->points.begin(), a->points.end(), b->points.begin(), b->points.end(),
-                                      less);
-}
-
 }  // namespace
 
 base::Result<surface::HeightMap> carve(std::span<const kanji::StrokeLine> strokes, int size,
@@ -62,20 +52,9 @@ base::Result<surface::HeightMap> carve(std::span<const kanji::StrokeLine> stroke
   auto map = surface::HeightMap::create(size, 0.0F);
   if (!map) return map;
 
-  // A fixed order makes the result the same to the last bit however the strokes come; a stroke given twice is
-  // carved once.
-  std::vector<const kanji::StrokeLine*> order;
-  order.reserve(strokes.size());
-  for (const kanji::StrokeLine& stroke : strokes) order.push_back(&stroke);
-  std::sort(order.begin(), order.end(), comes_before);
-  const auto same = [](const kanji::StrokeLine* a, const kanji::StrokeLine* b) {
-    return a->points == b->points && a->ending == b->ending;
-  };
-  order.erase(std::unique(order.begin(), order.end(), same), order.end());
-
   const Brush used = fitted(brush, strokes);
   Relief relief(map->samples(), size, brush.cross_section);
-  for (const kanji::StrokeLine* stroke : order)
+  for (const kanji::StrokeLine* stroke : stroke_set(strokes))
     for (const Piece& piece : trace(*stroke, used, size)) relief.cut(piece);
 
   const auto depth = static_cast<float>(brush.depth);

@@ -130,7 +130,7 @@ void Actions::add_menus(QMenuBar* bar) const {
 }
 
 void Actions::draw_icons() {
-  const Colours& c = colours_of(window_->palette());
+  const Colours& c = current_colours();
   const std::pair<QAction*, Icon> drawings[] = {
       {previous_stroke, Icon::previous}, {next_stroke, Icon::next}, {strokes, Icon::strokes},
       {numbers, Icon::numbers},          {arrows, Icon::arrows},    {snap, Icon::snap},

@@ -20,7 +20,7 @@ QSize CharacterTileDelegate::sizeHint(const QStyleOptionViewItem& option,
 
 void CharacterTileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                                   const QModelIndex& index) const {
-  const Colours& c = colours_of(option.palette);
+  const Colours& c = current_colours();
   const bool is_current =
       static_cast<char32_t>(index.data(CharacterListModel::kCodePointRole).toUInt()) == current_;
   const bool has_focus = option.state.testFlag(QStyle::State_HasFocus);

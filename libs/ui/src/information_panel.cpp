@@ -209,15 +209,14 @@ void InformationPanel::fill_facts() {
     else
       facts.append(*entry.grade == 8 ? tr("secondary school") : tr("for names"));
   }
-  if (entry.frequency)
-    facts.append(tr("%1 of 2,501 in newspapers").arg(QLocale().toString(*entry.frequency)));
+  if (entry.frequency) facts.append(tr("no. %1 in newspapers").arg(QLocale().toString(*entry.frequency)));
   if (entry.old_jlpt_level) facts.append(tr("old JLPT %1").arg(*entry.old_jlpt_level));
   facts_->setText(facts.join(QStringLiteral(" · ")));
 }
 
 void InformationPanel::fill_readings() {
   const auto& entry = sheet_->character.entry;
-  const QColor muted = colours_of(palette()).muted;
+  const QColor muted = current_colours().muted;
   for (const auto& on : entry.on_readings)
     add_label(on_.flow, to_text(on), 1.25, true)->setObjectName(QStringLiteral("on_reading"));
   for (const auto& kun : entry.kun_readings) {
@@ -282,7 +281,7 @@ void InformationPanel::fill_parts() {
 
 void InformationPanel::fill_words() {
   const double size_pt = QFontInfo(font()).pointSizeF();
-  const Colours& c = colours_of(palette());
+  const Colours& c = current_colours();
   for (const auto& word : sheet_->words) {
     auto* label = new QLabel(words_.box);
     label->setObjectName(QStringLiteral("word"));

@@ -40,7 +40,7 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
   search_->setToolTip(
       tr("Find a character by itself, by a reading in kana or romaji, or by an English meaning (Ctrl+F)"));
   search_->setClearButtonEnabled(true);
-  search_->addAction(icon(Icon::search, colours_of(palette()).muted, colours_of(palette()).muted),
+  search_->addAction(icon(Icon::search, current_colours().muted, current_colours().muted),
                      QLineEdit::LeadingPosition);
   search_->installEventFilter(this);
 
@@ -175,7 +175,8 @@ void LibraryPanel::set_current(char32_t code_point) {
   if (row >= 0) {
     const QModelIndex index = model_->index(row);
     grid_->setCurrentIndex(index);
-    grid_->scrollTo(index);
+    const bool seen = grid_->viewport()->rect().contains(grid_->visualRect(index));
+    if (!seen) grid_->scrollTo(index, QAbstractItemView::PositionAtCenter);
   } else {
     grid_->clearSelection();
   }

@@ -19,6 +19,7 @@
 #include "error_text.h"
 #include "feedback_line.h"
 #include "file_exchange.h"
+#include "focus_frame.h"
 #include "information_panel.h"
 #include "library.h"
 #include "library_panel.h"
@@ -50,6 +51,7 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
   setWindowTitle(QStringLiteral("Nazori"));
   setAcceptDrops(true);
   setMinimumSize(kLeastSize);
+  inside_->apply_appearance();  // before the widgets are made, so that they are made in the right size
   inside_->build();
   inside_->connect_actions();
   inside_->connect_work();
@@ -68,6 +70,7 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
   else
     inside_->panes->setSizes(
         {inside_->library_panel->maximumWidth(), width(), inside_->information_panel->maximumWidth()});
+  inside_->tablet_place->setFocus(Qt::OtherFocusReason);
   inside_->library_panel->show_list(preferences.list);
   inside_->choose(setup.character != 0 ? setup.character : preferences.kanji, true);
 }
@@ -181,7 +184,7 @@ void MainWindow::Inside::build() {
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(tablet_place, 1);
+  column->addWidget(new FocusFrame(tablet_place, middle), 1);
   column->addWidget(feedback);
 
   panes = new Panes(library_panel, middle, information_panel, &window);

@@ -68,9 +68,9 @@ void Panes::fit(int window_width, int text_pt) {
   }
   // Larger text may have wider panels, but never more than half of the window together.
   const int larger = std::max(text_pt - 12, 0);
-  const int half = window_width / 2 - 2;
+  const int half = window_width / 2 - 6;
   const auto limit = [&](double share, int most, int least) {
-    const int by_share = drawers_ ? half : static_cast<int>(window_width * share) - 1;
+    const int by_share = drawers_ ? half : static_cast<int>(window_width * share) - 4;
     return std::max(std::min(by_share, most), least);
   };
   library_->setMaximumWidth(limit(kLibraryShare, kLibraryMax_px + larger * 9, kLibraryMin_px));

@@ -13,6 +13,7 @@
 #include "nazori/geometry/frames.h"
 #include "nazori/kanji/stroke.h"
 #include "nazori/surface/height_map.h"
+#include "nazori/view/camera.h"
 
 namespace nazori::view {
 
@@ -20,14 +21,6 @@ enum class Style : std::uint8_t {
   classic,  ///< the look of 2005: grey by height, blue background, red arrows, green cone, its camera
   wood,     ///< pale hinoki, lit from the upper left, ink in the grooves
   slate,    ///< the same, dark stone
-};
-
-/// How the tablet is looked at. Angles in radians; the default looks straight down on the tablet.
-struct Camera {
-  double azimuth = 0;         ///< turn about the tablet's normal
-  double tilt = 0;            ///< from straight above (0) to grazing (below pi/2)
-  double zoom = 1;            ///< 1 fits the tablet into the view; 0.2..20
-  geometry::TabletPoint pan;  ///< the point of the plateau in the middle of the view [m]
 };
 
 /// Colours that the desktop's theme decides.
@@ -38,6 +31,8 @@ struct Cursor {
   glm::dvec3 proxy_m{0};
   glm::dvec3 device_m{0};  ///< drawn faintly where it differs from the proxy
   bool touching = false;
+  /// From the tip towards the learner's hand, tablet frame; zero: leaning as a right or left hand holds it.
+  glm::dvec3 axis{0};
 };
 
 /// What is drawn besides the surface. Strokes are numbered from 1.
@@ -50,6 +45,36 @@ struct Overlay {
   /// count as 0.
   std::span<const double> ink;
   std::optional<Cursor> cursor;
+  /// Size of interface text relative to 12 pt: numbers, arrowheads and lines grow with it. 0.5..4.
+  double text_scale = 1;
+};
+
+/// A stroke number as it stands in a picture.
+struct NumberPlace {
+  int stroke = 0;       ///< from 1
+  glm::dvec2 pixel{0};  ///< middle of the disc, y down
+  double radius = 0;    ///< of the disc in pixels
+};
+
+/// The hand that holds the stylus: the light comes from the other side, so that the hand casts no shadow on
+/// its work.
+enum class Hand : std::uint8_t { right, left };
+
+/// When the edges of the tablet are smoothed with several samples a pixel.
+enum class Refinement : std::uint8_t {
+  when_still,  ///< not while the camera moves from picture to picture: more pictures a second
+  always,
+};
+
+/// What has been done since creation: how a caller or a test sees that nothing is sent twice.
+struct DrawStatistics {
+  std::uint64_t pictures = 0;         ///< calls of draw()
+  std::uint64_t full_redraws = 0;     ///< pictures for which tablet and strokes were drawn anew
+  std::uint64_t partial_redraws = 0;  ///< pictures for which only the region of fresh ink was drawn anew
+  std::uint64_t buffer_uploads = 0;   ///< vertex and index buffers sent
+  std::uint64_t texture_uploads = 0;  ///< textures sent
+
+  friend bool operator==(const DrawStatistics&, const DrawStatistics&) = default;
 };
 
 /// Draws the carved tablet with OpenGL 3.3 core into the framebuffer that is bound. Knows no window toolkit.
@@ -72,6 +97,8 @@ class TabletView {
   void set_strokes(std::span<const kanji::StrokeLine> strokes);
   void set_style(Style style);
   void set_theme(Theme theme);
+  void set_hand(Hand hand);
+  /// Takes what within_limits() makes of `camera`; camera() returns that.
   void set_camera(const Camera& camera);
   [[nodiscard]] const Camera& camera() const;
 
@@ -79,8 +106,26 @@ class TabletView {
   /// logical pixel (lines and numbers keep their logical size).
   void draw(int width, int height, double scale, const Overlay& overlay);
 
+  /// Refinement::when_still unless told otherwise.
+  void set_refinement(Refinement refinement);
+  /// The last picture was drawn quickly because the camera moved: draw once more when it has come to rest.
+  [[nodiscard]] bool wants_redraw() const;
+
   /// The point of the plateau under a pixel (y down), nothing where the line of sight misses its plane.
   [[nodiscard]] std::optional<geometry::TabletPoint> pick(glm::dvec2 pixel, int width, int height) const;
+  /// The pixel (y down) at which a point of the tablet frame [m] is seen: the inverse of pick() at z = 0.
+  [[nodiscard]] glm::dvec2 project(glm::dvec3 point_m, int width, int height) const;
+  /// The camera with the tablet moved by a drag: the point of the plateau under `from` comes to lie under
+  /// `to`.
+  [[nodiscard]] Camera panned(glm::dvec2 from, glm::dvec2 to, int width, int height) const;
+  /// The camera zoomed by `factor` while the point of the plateau under `pixel` stays where it is.
+  [[nodiscard]] Camera zoomed(double factor, glm::dvec2 pixel, int width, int height) const;
+
+  /// The numbers of the last picture, for tests and for a window that lets them be clicked. A stroke whose
+  /// start lies outside the picture has none.
+  [[nodiscard]] std::span<const NumberPlace> numbers() const;
+
+  [[nodiscard]] const DrawStatistics& statistics() const;
 
  private:
   struct Inside;

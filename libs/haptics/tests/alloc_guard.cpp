@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "alloc_guard.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+thread_local long t_calls = 0;
+
+void* counted(std::size_t size) {
+  ++t_calls;
+  void* made =
+      std::malloc(size == 0 ? 1 : size);  // NOLINT(cppcoreguidelines-no-malloc): this is operator new
+  if (made == nullptr) throw std::bad_alloc();
+  return made;
+}
+
+void* counted(std::size_t size, std::align_val_t alignment) {
+  ++t_calls;
+  const auto a = static_cast<std::size_t>(alignment);
+  void* made = std::aligned_alloc(a, (size + a - 1) / a * a);
+  if (made == nullptr) throw std::bad_alloc();
+  return made;
+}
+
+void give_back(void* p) noexcept {
+  ++t_calls;
+  std::free(p);  // NOLINT(cppcoreguidelines-no-malloc)
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void* operator new(std::size_t size, std::align_val_t a) { return counted(size, a); }
+void* operator new[](std::size_t size, std::align_val_t a) { return counted(size, a); }
+void operator delete(void* p) noexcept { give_back(p); }
+void operator delete[](void* p) noexcept { give_back(p); }
+void operator delete(void* p, std::size_t) noexcept { give_back(p); }
+void operator delete[](void* p, std::size_t) noexcept { give_back(p); }
+void operator delete(void* p, std::align_val_t) noexcept { give_back(p); }
+void operator delete[](void* p, std::align_val_t) noexcept { give_back(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { give_back(p); }
+void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { give_back(p); }
+
+namespace nazori::haptics::test {
+
+AllocGuard::AllocGuard() : at_start_(t_calls) {}
+AllocGuard::~AllocGuard() = default;
+long AllocGuard::calls() const { return t_calls - at_start_; }
+
+}  // namespace nazori::haptics::test

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/haptics/force_limiter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <random>
+
+namespace nazori::haptics {
+namespace {
+
+constexpr double kTick_s = 0.001;
+
+TEST(ForceLimiter, RisesOverThreeTenthsOfASecondAfterTheStart) {
+  ForceLimiter limiter{DeviceLimits{}};
+  double before = 0;
+  for (int i = 1; i <= 300; ++i) {
+    const double now = limiter.limit({0, 0, 0.8}, kTick_s).z;
+    EXPECT_NEAR(now, 0.8 * i / 300, 1e-9);
+    EXPECT_GE(now, before);
+    before = now;
+  }
+  EXPECT_NEAR(limiter.limit({0, 0, 0.8}, kTick_s).z, 0.8, 1e-12);
+}
+
+TEST(ForceLimiter, PassesNothingOverThePeakOrFasterThanTheSlewLimit) {
+  const DeviceLimits limits;
+  ForceLimiter limiter{limits};
+  std::mt19937 random(3);
+  std::normal_distribution<double> wild(0, 5);
+  Vec3 before(0);
+  for (int i = 0; i < 100'000; ++i) {
+    const Vec3 force = limiter.limit({wild(random), wild(random), wild(random)}, kTick_s);
+    ASSERT_LE(glm::length(force), limits.max_force_n * (1 + 1e-12));
+    ASSERT_LE(glm::length(force - before), limits.max_slew_n_s * kTick_s * (1 + 1e-9));
+    before = force;
+  }
+}
+
+TEST(ForceLimiter, WhatIsNotFiniteGivesZeroAndStartsTheRampAgain) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (const Vec3 bad : {Vec3(nan, 0, 0), Vec3(0, inf, 0), Vec3(0, 0, -inf), Vec3(1e200, 0, 0)}) {
+    ForceLimiter limiter{DeviceLimits{}};
+    for (int i = 0; i < 400; ++i) (void)limiter.limit({0, 0, 0.5}, kTick_s);
+    EXPECT_EQ(limiter.limit(bad, kTick_s), Vec3(0));
+    EXPECT_LT(limiter.limit({0, 0, 0.5}, kTick_s).z, 0.01);
+  }
+}
+
+TEST(ForceLimiter, DropIsAtOnceAndARestartedRampFallsWithTheSlewLimit) {
+  ForceLimiter limiter{DeviceLimits{}};
+  for (int i = 0; i < 400; ++i) (void)limiter.limit({0, 0, 0.8}, kTick_s);
+  limiter.restart_ramp();
+  EXPECT_NEAR(limiter.limit({0, 0, 0.8}, kTick_s).z, 0.6, 1e-9);  // 200 N/s
+  limiter.drop();
+  EXPECT_EQ(limiter.last_n(), Vec3(0));
+}
+
+TEST(ForceLimiter, HoldsTheContinuousForceInTheLongRunAndThePeakInTheShort) {
+  const DeviceLimits limits;
+  ForceLimiter limiter{limits};
+  double force = 0;
+  for (int i = 0; i < 1000; ++i) force = limiter.limit({0, 0, 3.3}, kTick_s).z;
+  EXPECT_NEAR(force, 3.3, 1e-9);
+  double heat = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    force = limiter.limit({0, 0, 3.3}, kTick_s).z;
+    heat = std::max(heat, limiter.heat());
+  }
+  EXPECT_LE(heat, 1 + 1e-6);
+  EXPECT_LE(force, 1.1 * limits.continuous_force_n);
+  EXPECT_GE(force, limits.continuous_force_n - 1e-9);
+  // Rest cools: the peak comes back.
+  for (int i = 0; i < 60'000; ++i) (void)limiter.limit(Vec3(0), kTick_s);
+  for (int i = 0; i < 50; ++i) force = limiter.limit({0, 0, 3.3}, kTick_s).z;
+  EXPECT_NEAR(force, 3.3, 1e-9);
+}
+
+TEST(PassiveStiffness, IsThatOfColgateAndSchenkelAndOfHulin) {
+  // Colgate's example: 500 N/m at 1 kHz needs 0.25 N s/m.
+  EXPECT_NEAR(passive_stiffness_n_m(0.25, 0, 0.001, 0), 500, 1e-9);
+  EXPECT_NEAR(passive_stiffness_n_m(2.05, 0, 0.001, 0), 4100, 1e-9);
+  EXPECT_NEAR(passive_stiffness_n_m(2.05, 0, 0.001, 0.001), 4100 / 3.0, 1e-9);  // one tick leaves a third
+  EXPECT_NEAR(passive_stiffness_n_m(2.05, 1.05, 0.001, 0), 2000, 1e-9);
+  EXPECT_EQ(passive_stiffness_n_m(0.1, 0.5, 0.001, 0), 0);
+}
+
+// A wall of sampled spring: pressed in and let out at speed v it gives back K T v^2 a second more than it
+// took.
+TEST(Passivity, SeesTheEnergyThatASampledWallMakesAndPaysItBack) {
+  DeviceLimits limits;
+  limits.own_damping_n_s_m = 0;
+  limits.max_damping_n_s_m = 5;
+  const double stiffness = 1000, speed = 0.1;
+  for (const bool controlled : {false, true}) {
+    Passivity passivity{limits, kTick_s};
+    double z = 0, out = 0, seen = 0;
+    Vec3 force(0);
+    for (int round = 0; round < 10; ++round)
+      for (int i = 0; i < 100; ++i) {
+        const double moved = (i < 50 ? -speed : speed) * kTick_s;
+        z += moved;
+        out += force.z * moved;
+        const double stored = z < 0 ? 0.5 * stiffness * z * z : 0;
+        passivity.observe({0, 0, moved}, force, kTick_s, stored);
+        seen = std::min(seen, passivity.energy_j());
+        force = {0, 0, z < 0 ? -stiffness * z : 0};
+        if (controlled) force += passivity.correction({0, 0, moved}, kTick_s);
+      }
+    if (controlled) {
+      EXPECT_LT(out, 0.5 * stiffness * kTick_s * speed * speed * kTick_s * 100);
+    } else {
+      EXPECT_NEAR(out, 10 * stiffness * speed * speed * kTick_s * 0.05, 1e-4);
+      EXPECT_LT(seen, 0);
+    }
+  }
+}
+
+TEST(Passivity, LeavesAPassiveSpringAlone) {
+  DeviceLimits limits;
+  limits.own_damping_n_s_m = 1;  // b > K T / 2 with room
+  Passivity passivity{limits, kTick_s};
+  double z = 0;
+  Vec3 force(0);
+  for (int i = 0; i < 5000; ++i) {
+    const double next = -0.002 * std::sin(0.01 * i);
+    const Vec3 moved{0, 0, next - z};
+    z = next;
+    passivity.observe(moved, force, kTick_s, z < 0 ? 0.5 * 500 * z * z : 0);
+    EXPECT_LT(glm::length(passivity.correction(moved, kTick_s)), 1e-3);
+    force = {0, 0, z < 0 ? -500 * z : 0};
+  }
+}
+
+}  // namespace
+}  // namespace nazori::haptics

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/haptics/stroke_constraint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <random>
+
+namespace nazori::haptics {
+namespace {
+
+constexpr double kTick_s = 0.001;
+const StrokeConstraint::Settings kSettings{100, 0.01, 0.0105};
+
+StrokePath line(const Vec3& from, const Vec3& to, int pieces = 1) {
+  StrokePath path;
+  for (int i = 0; i <= pieces; ++i) path.points.push_back(from + (to - from) * (double(i) / pieces));
+  return path;
+}
+
+void rest(StrokeConstraint& snap, const StrokeIndex& index, const Vec3& at, int ticks) {
+  for (int i = 0; i < ticks; ++i) snap.update(index, kSettings, at, kTick_s);
+}
+
+TEST(StrokeIndex, FindsTheNearestPlaceAsTryingAllSegmentsDoes) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> any(-0.05, 0.05);
+  std::vector<StrokePath> strokes(12);
+  for (StrokePath& s : strokes)
+    for (int i = 0; i < 30; ++i) s.points.emplace_back(any(random), any(random), 0.1 * any(random));
+  const StrokeIndex index(strokes, 0);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p{any(random), any(random), any(random)};
+    double best = std::numeric_limits<double>::infinity();
+    for (const StrokePath& s : strokes)
+      for (std::size_t k = 0; k + 1 < s.points.size(); ++k) {
+        const Vec3 d = s.points[k + 1] - s.points[k];
+        const double t = std::clamp(glm::dot(p - s.points[k], d) / glm::dot(d, d), 0.0, 1.0);
+        best = std::min(best, glm::length(p - s.points[k] - t * d));
+      }
+    const auto hit = index.nearest(p, 1.0);
+    EXPECT_NEAR(std::sqrt(hit.squared_m2), best, 1e-12);
+    EXPECT_EQ(index.nearest(p, best * 0.999).segment, -1);
+    EXPECT_NEAR(glm::length(hit.point - p), best, 1e-12);
+  }
+}
+
+TEST(StrokeIndex, LeavesOutWhatIsNoStrokeAndKeepsTheNumbers) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<StrokePath> strokes{
+      {{}}, {{{nan, 0, 0}}}, {{{0, 0, 0}, {0, nan, 0}, {0, 0, 0}, {0.01, 0, 0}}}};
+  const StrokeIndex index(strokes, 0);
+  const auto hit = index.nearest({0.005, 0, 0.001}, 1);
+  ASSERT_GE(hit.segment, 0);
+  EXPECT_EQ(index.stroke(hit.segment), 3);
+  EXPECT_NEAR(index.arc_length_m(hit), 0.005, 1e-12);
+  EXPECT_NEAR(index.stroke_length_m(hit.segment), 0.01, 1e-12);
+  EXPECT_TRUE(StrokeIndex(strokes, 1).empty());
+  EXPECT_TRUE(StrokeIndex(strokes, 9).empty());
+  EXPECT_NEAR(index.at_length(3, 0.004).point.x, 0.004, 1e-12);
+  EXPECT_NEAR(index.at_length(3, 1).point.x, 0.01, 1e-12);
+  EXPECT_EQ(index.at_length(2, 0).segment, -1);
+}
+
+TEST(StrokeConstraint, CatchesWithinTheSnapDistanceOnly) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0})}, 0);
+  StrokeConstraint snap;
+  rest(snap, index, {0, 0.0101, 0}, 10);
+  EXPECT_EQ(snap.stroke(), 0);
+  EXPECT_EQ(snap.force_n(), Vec3(0));
+  rest(snap, index, {0, 0.0099, 0}, 1);
+  EXPECT_EQ(snap.stroke(), 1);
+}
+
+TEST(StrokeConstraint, HoldsAtTheNearestPointWithTheSpringOnceBlendedIn) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, -0.005}, {0.03, 0, -0.005}, 7)}, 0);
+  StrokeConstraint snap;
+  rest(snap, index, {0.0123, 0.004, -0.003}, 200);
+  EXPECT_NEAR(glm::length(snap.point_m() - Vec3(0.0123, 0, -0.005)), 0, 1e-12);
+  EXPECT_NEAR(glm::length(snap.force_n() - 100.0 * Vec3(0, -0.004, -0.002)), 0, 1e-9);
+  // Beyond its end the end holds.
+  rest(snap, index, {0.036, 0.001, -0.005}, 200);
+  EXPECT_NEAR(glm::length(snap.point_m() - Vec3(0.03, 0, -0.005)), 0, 1e-12);
+}
+
+TEST(StrokeConstraint, LetsGoWhenPulledBeyondTheReleaseDistance) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0})}, 0);
+  StrokeConstraint snap;
+  rest(snap, index, {0, 0.001, 0}, 200);
+  rest(snap, index, {0, 0.0104, 0}, 1);
+  EXPECT_EQ(snap.stroke(), 1);
+  rest(snap, index, {0, 0.0106, 0}, 1);
+  EXPECT_EQ(snap.stroke(), 0);
+  rest(snap, index, {0, 0.0106, 0}, 200);
+  EXPECT_EQ(snap.force_n(), Vec3(0));
+}
+
+// A hand that moves 0.05 mm a tick changes the spring by 0.005 N a tick; what is above that is a step.
+TEST(StrokeConstraint, CatchAndReleaseAreNotFeltAsSteps) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0}, 9)}, 0);
+  for (const double stiffness : {100.0, 1000.0}) {
+    StrokeConstraint::Settings settings = kSettings;
+    settings.stiffness_n_m = stiffness;
+    StrokeConstraint snap;
+    Vec3 before(0);
+    double worst = 0;
+    int caught = 0, released = 0;
+    const double motion = 5e-5 * stiffness;
+    for (int i = 0; i < 4000; ++i) {
+      const double y = 0.02 * std::cos(0.0025 * i);
+      const std::int32_t was = snap.stroke();
+      snap.update(index, settings, {0.001, y, 0.002}, kTick_s);
+      caught += was == 0 && snap.stroke() != 0 ? 1 : 0;
+      released += was != 0 && snap.stroke() == 0 ? 1 : 0;
+      worst = std::max(worst, glm::length(snap.force_n() - before));
+      before = snap.force_n();
+    }
+    EXPECT_GE(caught, 3);
+    EXPECT_GE(released, 3);
+    EXPECT_LT(worst, 0.05 + motion);
+  }
+}
+
+TEST(StrokeConstraint, JoinedSegmentsActAsOneCurveRoundCornersAndKicks) {
+  StrokePath hook = line({0, 0.03, -0.005}, {0, -0.02, -0.005}, 20);
+  hook.points.emplace_back(-0.002, -0.0195, -0.004);  // a kick, back up to the left
+  hook.points.emplace_back(-0.006, -0.015, -0.001);
+  const StrokeIndex index(std::vector{hook}, 0);
+  StrokeConstraint snap;
+  rest(snap, index, {0, 0.03, -0.005}, 5);
+  double arc = 0;
+  for (std::size_t k = 0; k + 1 < hook.points.size(); ++k)
+    for (int i = 1; i <= 100; ++i) {
+      const Vec3 on = hook.points[k] + (hook.points[k + 1] - hook.points[k]) * (i / 100.0);
+      snap.update(index, kSettings, on, kTick_s);
+      ASSERT_EQ(snap.stroke(), 1);
+      EXPECT_NEAR(glm::length(snap.point_m() - on), 0, 1e-12);
+      EXPECT_GT(index.arc_length_m(snap.hit()), arc - 1e-12);
+      arc = index.arc_length_m(snap.hit());
+    }
+  EXPECT_NEAR(arc, index.stroke_length_m(0), 1e-12);
+}
+
+TEST(StrokeConstraint, AnotherStrokeCannotTakeOverWhileOneHolds) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0}), line({0, -0.03, 0}, {0, 0.03, 0})},
+                          0);
+  StrokeConstraint snap;
+  rest(snap, index, {-0.02, 0.001, 0}, 5);
+  for (double x = -0.02; x < 0.02; x += 1e-4) {
+    snap.update(index, kSettings, {x, 0.003, 0}, kTick_s);
+    EXPECT_EQ(snap.stroke(), 1);
+  }
+}
+
+TEST(StrokeConstraint, OnlyTheChosenStrokeHolds) {
+  const std::vector strokes{line({-0.03, 0, 0}, {0.03, 0, 0}), line({-0.03, 0.002, 0}, {0.03, 0.002, 0})};
+  const StrokeIndex index(strokes, 2);
+  StrokeConstraint snap;
+  rest(snap, index, {0, 0, 0}, 5);
+  EXPECT_EQ(snap.stroke(), 2);
+}
+
+TEST(StrokeConstraint, WhenTheStrokesGoItsPullFadesOut) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0})}, 0);
+  StrokeConstraint snap;
+  const Vec3 at{0, 0.005, 0};
+  rest(snap, index, at, 200);
+  snap.let_go();
+  const StrokeIndex none;
+  double before = glm::length(snap.force_n());
+  EXPECT_NEAR(before, 0.5, 1e-9);
+  for (int i = 0; i < 150; ++i) {
+    snap.update(none, kSettings, at, kTick_s);
+    const double now = glm::length(snap.force_n());
+    EXPECT_LE(now, before);
+    EXPECT_LT(before - now, 0.05);
+    before = now;
+  }
+  EXPECT_EQ(before, 0);
+}
+
+}  // namespace
+}  // namespace nazori::haptics

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/kanji/stroke_order.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "nazori/base/file.h"
+#include "nazori/geometry/frames.h"
+#include "nazori/geometry/polyline.h"
+
+namespace nazori::kanji {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using geometry::GlyphPoint;
+
+/// Little-endian int32, the only thing a .str file holds.
+Bytes file_of(std::initializer_list<std::int32_t> numbers) {
+  Bytes bytes;
+  for (const std::int32_t number : numbers) {
+    for (unsigned i = 0; i < 4; ++i)
+      bytes.push_back(static_cast<std::uint8_t>(static_cast<std::uint32_t>(number) >> (8 * i)));
+  }
+  return bytes;
+}
+
+/// Character 0018, 休, as the 2005 program had it: numbers in the order of its file, built here byte by byte.
+Bytes kyuu_of_2005() {
+  return file_of({6,  2,  50, 21, 19, 53, 2,  40, 40, 38, 99, 2,  63, 32,  109, 31,  2, 85,
+                  20, 86, 97, 3,  83, 41, 72, 59, 57, 74, 3,  90, 41, 103, 58,  125, 70});
+}
+
+TEST(StrokeOrder, ReadsThe休Of2005) {
+  const auto order = StrokeOrder::parse(kyuu_of_2005(), 128);
+  ASSERT_TRUE(order) << base::to_line(order.error());
+  EXPECT_EQ(order->count(), 6U);
+  EXPECT_EQ(order->stroke(1), (StrokeOrder::Points{{50, 21}, {19, 53}}));
+  EXPECT_EQ(order->stroke(6), (StrokeOrder::Points{{90, 41}, {103, 58}, {125, 70}}));
+  EXPECT_EQ(order->all().size(), 6U);
+}
+
+TEST(StrokeOrder, WritesTheVeryBytesItRead) {
+  const Bytes bytes = kyuu_of_2005();
+  EXPECT_EQ(StrokeOrder::parse(bytes, 128)->to_bytes(), bytes);
+  EXPECT_EQ(bytes[0], 6) << "least significant byte first";
+  EXPECT_EQ(bytes.size(), 4U + 6 * 4 + 14 * 8);
+}
+
+TEST(StrokeOrder, IsBuiltInCode) {
+  StrokeOrder order;
+  EXPECT_EQ(order.count(), 0U);
+  EXPECT_EQ(order.to_bytes(), file_of({0}));
+  order.add_stroke({{1, 2}, {3, 4}});
+  order.add_stroke({{5, 6}});
+  EXPECT_EQ(order.count(), 2U);
+  EXPECT_EQ(order.stroke(2), (StrokeOrder::Points{{5, 6}}));
+  EXPECT_EQ(order.to_bytes(), file_of({2, 2, 1, 2, 3, 4, 1, 5, 6}));
+  EXPECT_EQ(StrokeOrder::parse(order.to_bytes(), 7).value(), order);
+}
+
+TEST(StrokeOrder, EveryTruncationIsAnErrorWithAPlace) {
+  const Bytes bytes = kyuu_of_2005();
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    const auto order = StrokeOrder::parse(std::span(bytes).first(length), 128);
+    ASSERT_FALSE(order) << length;
+    EXPECT_EQ(order.error().code, base::Errc::parse);
+    EXPECT_NE(order.error().where.find("byte "), std::string::npos);
+  }
+}
+
+TEST(StrokeOrder, LeftOverBytesAreAnError) {
+  Bytes bytes = kyuu_of_2005();
+  bytes.push_back(0);
+  const auto order = StrokeOrder::parse(bytes, 128);
+  ASSERT_FALSE(order);
+  EXPECT_NE(order.error().what.find("left over"), std::string::npos);
+}
+
+TEST(StrokeOrder, NegativeAndAbsurdCountsAreErrorsWithoutSettingMemoryAside) {
+  constexpr std::int32_t kHuge = std::numeric_limits<std::int32_t>::max();
+  for (const Bytes& bytes :
+       {file_of({-1}), file_of({kHuge}), file_of({1025}), file_of({1, -1}), file_of({1, 0}),
+        file_of({1, kHuge}), file_of({1, 65537}), file_of({1, 65536, 1, 1}),
+        file_of({1, std::numeric_limits<std::int32_t>::min()})}) {
+    const auto order = StrokeOrder::parse(bytes, 8192);
+    ASSERT_FALSE(order);
+    EXPECT_EQ(order.error().code, base::Errc::parse);
+  }
+}
+
+TEST(StrokeOrder, PointsOutsideTheGridAreErrors) {
+  for (const auto& [x, y] : {std::pair{128, 0}, std::pair{0, 128}, std::pair{-1, 5}, std::pair{5, -1},
+                             std::pair{std::numeric_limits<std::int32_t>::min(), 0}}) {
+    const auto order = StrokeOrder::parse(file_of({1, 2, 3, 3, x, y}), 128);
+    ASSERT_FALSE(order) << x << ' ' << y;
+    EXPECT_NE(order.error().remedy.find("127"), std::string::npos);
+    EXPECT_EQ(order.error().where, "byte 16");
+  }
+  EXPECT_TRUE(StrokeOrder::parse(file_of({1, 1, 127, 127}), 128));
+  EXPECT_FALSE(StrokeOrder::parse(file_of({1, 1, 127, 127}), 127));
+}
+
+TEST(StrokeOrder, RefusesGridsThatNoHeightMapHas) {
+  for (const int size : {0, 1, -128, 8193}) {
+    const auto order = StrokeOrder::parse(file_of({0}), size);
+    ASSERT_FALSE(order) << size;
+    EXPECT_EQ(order.error().code, base::Errc::bad_argument);
+  }
+}
+
+TEST(StrokeOrder, LoadsWhatItSavedAndNamesTheFileThatFails) {
+  std::string folder = (std::filesystem::temp_directory_path() / "nazori-str-XXXXXX").string();
+  ASSERT_NE(mkdtemp(folder.data()), nullptr);
+  const std::filesystem::path path = std::filesystem::path(folder) / "休.str";
+  const auto order = StrokeOrder::parse(kyuu_of_2005(), 128).value();
+  ASSERT_TRUE(order.save(path));
+  EXPECT_EQ(base::read_file(path, 1000).value(), kyuu_of_2005());
+  EXPECT_EQ(StrokeOrder::load(path, 128).value(), order);
+  const auto too_small = StrokeOrder::load(path, 100);
+  ASSERT_FALSE(too_small);
+  EXPECT_NE(too_small.error().where.find("休.str"), std::string::npos);
+  EXPECT_EQ(StrokeOrder::load(folder, 128).error().code, base::Errc::io);
+  EXPECT_EQ(StrokeOrder::load(path.string() + "x", 128).error().code, base::Errc::not_found);
+  std::filesystem::remove_all(folder);
+}
+
+/// Largest distance, in samples, from places along `line` to the stroke of the file.
+double farthest(const StrokeLine& line, const StrokeOrder::Points& points, int size) {
+  std::vector<geometry::GridPoint> kept;
+  for (const StrokeOrderPoint p : points)
+    kept.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
+  double worst = 0;
+  for (const GlyphPoint p : geometry::resample(std::span<const GlyphPoint>(line.points), 500)) {
+    worst = std::max(worst, geometry::nearest_point(std::span<const geometry::GridPoint>(kept),
+                                                    geometry::glyph_to_grid(p, size))
+                                .distance);
+  }
+  return worst;
+}
+
+TEST(StrokeOrder, FromLinesKeepsBendsWithinOneSampleWithFewPoints) {
+  StrokeLine arc;
+  for (int i = 0; i <= 200; ++i)
+    arc.points.push_back({54.5 + 40 * std::cos(i * 0.02), 54.5 + 40 * std::sin(i * 0.02)});
+  StrokeLine corner{{{10, 10}, {90, 10}, {90, 95}, {84, 89}}, StrokeEnding::hook, {}};
+  for (const int size : {64, 128, 1024}) {
+    const std::vector<StrokeLine> lines{arc, corner};
+    const StrokeOrder order = StrokeOrder::from_lines(lines, size);
+    ASSERT_EQ(order.count(), 2U);
+    EXPECT_LE(farthest(arc, order.stroke(1), size), 1.0) << size;
+    EXPECT_LE(farthest(corner, order.stroke(2), size), 1.0) << size;
+    EXPECT_EQ(order.stroke(2).size(), 4U) << "corners and kick, nothing between";
+    EXPECT_LT(order.stroke(1).size(), 80U);
+    EXPECT_TRUE(StrokeOrder::parse(order.to_bytes(), size));
+  }
+  EXPECT_LT(StrokeOrder::from_lines(std::vector{arc}, 128).stroke(1).size(), 40U);
+}
+
+TEST(StrokeOrder, LinesComeBackFromAFileAsTheyWere) {
+  const auto order = StrokeOrder::parse(kyuu_of_2005(), 128).value();
+  EXPECT_EQ(StrokeOrder::from_lines(order.to_lines(128), 128), order);
+}
+
+TEST(StrokeOrder, PointsBeyondTheBoxAreHeldAtItsEdge) {
+  const StrokeLine line{{{-20, 50}, {130, 50}}, StrokeEnding::stop, {}};
+  EXPECT_EQ(StrokeOrder::from_lines(std::vector{line}, 110).stroke(1),
+            (StrokeOrder::Points{{0, 50}, {109, 50}}));
+}
+
+TEST(StrokeOrder, ALineThatIsOnePointStaysAStroke) {
+  const StrokeLine dot{{{54.5, 54.5}, {54.6, 54.5}}, StrokeEnding::stop, {}};
+  const auto order = StrokeOrder::from_lines(std::vector{dot}, 110);
+  ASSERT_EQ(order.count(), 1U);
+  EXPECT_EQ(order.stroke(1).size(), 1U);
+}
+
+TEST(StrokeOrder, AShortSharpLastSegmentIsReadAsAHook) {
+  const StrokeOrder order({{{20, 20}, {100, 20}, {100, 100}, {90, 92}},  // kick
+                           {{20, 20}, {100, 20}, {100, 100}},            // corner, no kick
+                           {{20, 20}, {60, 60}, {66, 70}},               // gentle bend
+                           {{20, 20}, {100, 20}}});
+  const auto lines = order.to_lines(128);
+  EXPECT_EQ(lines[0].ending, StrokeEnding::hook);
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_EQ(lines[k].ending, StrokeEnding::either) << k;
+}
+
+}  // namespace
+}  // namespace nazori::kanji

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace nazori::view {
+
+/// Numbers 1..count as white-on-black coverage, each in the middle of a square cell of one picture.
+struct LabelSheet {
+  int cell = 0;     ///< side of a cell in pixels
+  int columns = 0;  ///< cells in a row; the number n is cell n - 1, row by row from the top
+  int rows = 0;
+  std::vector<std::uint8_t> coverage;  ///< columns * cell wide, rows * cell high
+};
+
+/// Draws digits with the system's sans-serif bold face, found by fontconfig; where there is no font with
+/// digits, with figures of its own, so a picture never lacks its numbers.
+class NumberFont {
+ public:
+  NumberFont();
+  ~NumberFont();
+  NumberFont(NumberFont&&) noexcept;
+  NumberFont& operator=(NumberFont&&) noexcept;
+  NumberFont(const NumberFont&) = delete;
+  NumberFont& operator=(const NumberFont&) = delete;
+
+  /// The figures drawn without a font. For systems that have none, and for tests.
+  [[nodiscard]] static NumberFont built_in();
+
+  /// Family of the face in use, "built-in" without one.
+  [[nodiscard]] std::string family() const;
+
+  /// @param count  1..1024.  @param cell  side of a cell in pixels, 8..512: the numbers fill its inscribed
+  /// disc.
+  [[nodiscard]] LabelSheet draw(int count, int cell) const;
+
+ private:
+  struct Face;
+  explicit NumberFont(std::unique_ptr<Face> face);
+  std::unique_ptr<Face> face_;
+};
+
+}  // namespace nazori::view

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "nazori/view/tablet_view.h"
+
+namespace nazori::view {
+
+/// An sRGB colour, each channel 0..1.
+using Colour = glm::vec3;
+
+/// "0xB5301F" as a colour.
+[[nodiscard]] constexpr Colour from_hex(std::uint32_t rgb) {
+  return {static_cast<float>((rgb >> 16) & 0xFF) / 255.0F, static_cast<float>((rgb >> 8) & 0xFF) / 255.0F,
+          static_cast<float>(rgb & 0xFF) / 255.0F};
+}
+
+/// Every colour of a picture that is not a material.
+struct Palette {
+  Colour background;
+  float shadow;        ///< darkness of the board's shadow on the desk, 0..1
+  Colour ink;          ///< a finished stroke, before light falls on it
+  Colour current_ink;  ///< the current stroke's
+  float ink_gloss;     ///< how much the light shines back from wet ink
+  Colour stroke;       ///< centre line and arrowheads
+  Colour current_stroke;
+  Colour stroke_edge;  ///< thin outline that keeps lines and heads apart from the ground
+  Colour disc;         ///< behind a stroke number
+  Colour disc_edge;
+  Colour number;
+  Colour current_disc;
+  Colour current_number;
+  Colour device;  ///< the faint device point and its thread
+};
+
+[[nodiscard]] const Palette& palette(Style style, Theme theme);
+
+}  // namespace nazori::view
