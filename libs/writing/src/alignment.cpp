@@ -198,10 +198,10 @@ Affine refit(const AlignmentInput& input, const std::vector<Link>& links, double
 }
 
 /// Alternates between explaining and fitting, from a first map.
-Alignment settle(const AlignmentInput& input, Affine map, double scale) {
+Alignment settle(const AlignmentInput& input, Affine map, double scale, int rounds = 4) {
   Alignment best;
   best.cost = std::numeric_limits<float>::max();
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const auto table = tabulate(input, map);
     auto a = align_in_order(input, table);
     if (a.cost > kOutOfOrder) {
@@ -224,6 +224,7 @@ Alignment settle(const AlignmentInput& input, Affine map, double scale) {
 /// The map under which the strokes, taken in order, fit best; strokes of the longer side may be left out.
 struct Guess {
   Affine map;
+  std::vector<Link> links;
   float cost = std::numeric_limits<float>::max();
 };
 
@@ -240,6 +241,7 @@ Guess guess_in_order(const AlignmentInput& input, const std::vector<Link>& start
       g.cost += std::min(l.difference.cost, kWrong);
     }
   }
+  g.links = std::move(links);
   return g;
 }
 
@@ -307,6 +309,25 @@ Alignment align(const AlignmentInput& input) {
   }
   if (input.box) take(settle(input, *input.box, scale));
   return best;
+}
+
+Alignment align_roughly(const AlignmentInput& input) {
+  const std::size_t n = input.drawn.size();
+  const std::size_t m = input.model.size();
+  const auto moments = fit_by_moments(input.drawn, input.model);
+  const bool in_turn = n == m || (input.extent == Extent::beginning && n < m);
+  if (in_turn) {
+    // Taken one after another, first: that is how most is written.
+    std::vector<Link> links;
+    for (std::size_t k = 0; k < n; ++k) links.push_back({static_cast<int>(k), 1, static_cast<int>(k), 1, {}});
+    auto g = guess_in_order(input, links, fit_by_moments(input.drawn, input.model.first(n)).a);
+    if (g.cost < 4 * static_cast<float>(n)) {
+      auto a = collect(std::move(g.links), input, g.cost);
+      a.map = g.map;
+      return a;
+    }
+  }
+  return settle(input, moments, moments.a, 2);
 }
 
 }  // namespace nazori::writing

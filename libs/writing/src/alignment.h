@@ -44,5 +44,7 @@ struct AlignmentInput {
 
 /// The likeliest explanation of the drawn strokes; at least one drawn and one model stroke.
 [[nodiscard]] Alignment align(const AlignmentInput& input);
+/// Nearly that, for telling many models apart: one starting point, two rounds.
+[[nodiscard]] Alignment align_roughly(const AlignmentInput& input);
 
 }  // namespace nazori::writing

@@ -42,7 +42,8 @@ constexpr double kCertainly = 0.65;
 const std::vector<kanji::AlternativeOrder> kNoOrders;
 
 /// How much of the limit a stroke may use, from the roughness of the `count` others (square roots of their
-/// deviations, summed): in careful writing a stroke that is off is wrong; in hasty writing all are a little off.
+/// deviations, summed): in careful writing a stroke that is off is wrong; in hasty writing all are a little
+/// off.
 double allowance(double roughness, std::size_t count) {
   constexpr double kUsual = 0.34;
   constexpr double kUsualCount = 2;

@@ -10,9 +10,9 @@ namespace nazori::writing {
 inline constexpr double kSameToTheEye = 3;
 inline constexpr double kEasilyMistaken = 45;
 
-/// Kanji or kana of as many strokes that differ from `character` only in lengths, ends or proportions, so that
-/// one is easily written for the other; ascending. Kanji are compared with kanji, kana with kana that are not
-/// the small ones.
+/// Kanji or kana of as many strokes that differ from `character` only in lengths, ends or proportions, so
+/// that one is easily written for the other; ascending. Kanji are compared with kanji, kana with kana that
+/// are not the small ones.
 [[nodiscard]] std::vector<char32_t> lookalikes_of(char32_t character);
 
 }  // namespace nazori::writing
