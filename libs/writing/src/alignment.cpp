@@ -89,7 +89,7 @@ Alignment align_in_order(const AlignmentInput& input, const Table& t) {
         const auto& d = t.at(i, j);
         improve(cell(i + 1, j + 1), here + std::min(d.cost, kWrong), match, d);
         // Only where one alone does not explain it.
-        if (j + 1 < m && n < m + 1 && d.cost > 2) {
+        if (j < input.pairs.size() && n < m + 1 && d.cost > 2) {
           const auto e = compare(t.mapped[i], input.pairs[j]);
           if (!e.reversed && e.cost < kAcceptCost * 1.5F)
             improve(cell(i + 1, j + 2), here + e.cost + kJoined, join, e);

@@ -37,7 +37,7 @@ enum class Extent {
 struct AlignmentInput {
   std::span<const Shape> drawn;  ///< ink frame
   std::span<const Shape> model;  ///< glyph frame
-  std::span<const Shape> pairs;  ///< of the model: strokes k and k + 1 joined, at k
+  std::span<const Shape> pairs;  ///< of the model: strokes k and k + 1 joined, at k; empty: not thought of
   std::optional<Affine> box;     ///< writing box to glyph frame
   Extent extent = Extent::whole;
 };

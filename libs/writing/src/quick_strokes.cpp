@@ -7,6 +7,8 @@
 namespace nazori::writing {
 namespace {
 
+float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
+
 struct Frame {
   float x = 0, y = 0, scale = 1;
 };
@@ -33,7 +35,7 @@ ThreePoints three_points(FlatLine line) {
   const std::size_t n = line.size() / 2;
   float length = 0;
   for (std::size_t i = 1; i < n; ++i)
-    length += std::hypot(line[2 * i] - line[2 * i - 2], line[2 * i + 1] - line[2 * i - 1]);
+    length += length_of(line[2 * i] - line[2 * i - 2], line[2 * i + 1] - line[2 * i - 1]);
   p.x[0] = p.x[1] = line[0];
   p.y[0] = p.y[1] = line[1];
   p.x[2] = line[2 * n - 2];
@@ -42,7 +44,7 @@ ThreePoints three_points(FlatLine line) {
   for (std::size_t i = 1; i < n; ++i) {
     const float dx = line[2 * i] - line[2 * i - 2];
     const float dy = line[2 * i + 1] - line[2 * i - 1];
-    const float step = std::hypot(dx, dy);
+    const float step = length_of(dx, dy);
     if (step >= left) {
       const float t = step > 0 ? left / step : 0;
       p.x[1] = line[2 * i - 2] + dx * t;

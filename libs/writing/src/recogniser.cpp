@@ -171,6 +171,16 @@ Form form_of(const RecogniserInside& inside, const Known& known) {
   return form;
 }
 
+/// What is drawn is likelier to be a kanji than a kana of the same strokes (二, ニ), and rarely a letter or a
+/// mark.
+double cost_of_kind(char32_t c) {
+  constexpr double kKana = 0.8;
+  constexpr double kOther = 1.6;
+  const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
+  if (within(0x3041, 0x3096) || within(0x30A1, 0x30FA)) return kKana;
+  return within(0x3400, 0x9FFF) || within(0xF900, 0xFAFF) || c >= 0x20000 ? 0 : kOther;
+}
+
 /// Cost for each stroke, common characters a little cheaper.
 double cost_of(const RecogniserInside& inside, const Drawn& drawn, std::size_t index, const Form& form,
                const std::vector<Shape>& pairs, bool unfinished) {
@@ -181,7 +191,8 @@ double cost_of(const RecogniserInside& inside, const Drawn& drawn, std::size_t i
   const auto a =
       align_roughly({drawn.shapes, form.shapes, pairs, {}, beginning ? Extent::beginning : Extent::whole});
   const auto count = static_cast<double>(std::max(drawn.shapes.size(), std::size_t{1}));
-  double cost = static_cast<double>(a.cost) / count + kRare * std::log(20.0 + known.place);
+  double cost = static_cast<double>(a.cost) / count + kRare * std::log(20.0 + known.place) +
+                cost_of_kind(known.code_point);
   if (beginning)
     cost += 0.5;
   else
@@ -242,7 +253,7 @@ base::Result<std::vector<Candidate>> Recogniser::recognise(const Ink& ink,
   for (const auto index : shortlist(*inside_, drawn, options.unfinished)) {
     const auto form = form_of(*inside_, inside_->characters[index]);
     std::vector<Shape> pairs;
-    for (std::size_t k = 0; k + 1 < form.shapes.size(); ++k)
+    for (std::size_t k = 0; drawn.shapes.size() < form.shapes.size() && k + 1 < form.shapes.size(); ++k)
       pairs.push_back(joined(form.shapes[k].whole, form.shapes[k + 1].whole));
     scored.push_back({index, cost_of(*inside_, drawn, index, form, pairs, options.unfinished)});
   }

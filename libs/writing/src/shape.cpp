@@ -8,6 +8,9 @@
 namespace nazori::writing {
 namespace {
 
+/// Coordinates are at most 1e9: no need of hypot's care.
+double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
+
 /// A line with the length from its start to each point.
 struct Measured {
   std::span<const double> xs;
@@ -16,7 +19,7 @@ struct Measured {
 
   Measured(std::span<const double> x, std::span<const double> y) : xs(x), ys(y), along(x.size(), 0.0) {
     for (std::size_t i = 1; i < xs.size(); ++i)
-      along[i] = along[i - 1] + std::hypot(xs[i] - xs[i - 1], ys[i] - ys[i - 1]);
+      along[i] = along[i - 1] + length_of(xs[i] - xs[i - 1], ys[i] - ys[i - 1]);
   }
   [[nodiscard]] double length() const { return along.back(); }
 

@@ -59,6 +59,7 @@ StrokeDifference compare_samples(const Samples& d, const Samples& m, float freed
   e.shape = forward.shape;
   e.proportion = forward.proportion;
   e.cost = cost_of(e);
+  if (e.cost <= kReversedPenalty) return e;
   StrokeDifference back = e;
   const auto backward = distances<true>(d, m);
   back.shape = backward.shape;
