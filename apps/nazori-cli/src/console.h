@@ -68,7 +68,7 @@ class ProgressDisplay {
  private:
   bool terminal_;
   Plain plain_;
-  int last_tenth_ = -1;
+  int last_tenth_ = 0;
   double last_drawn_s_ = -1;
   bool drawn_ = false;
 };

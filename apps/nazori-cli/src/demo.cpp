@@ -51,6 +51,7 @@ Json stroke_json(const StrokeTrace& trace) {
           {"contact_share", trace.contact_share},
           {"snapped_share", trace.snapped_share},
           {"mean_depth_m", trace.mean_depth_m},
+          {"slips", trace.slips},
           {"traced_share", trace.traced_share}};
 }
 
@@ -78,17 +79,18 @@ Json trace_json(const kanji::Character& character, const TabletTrace& trace, con
 
 std::string describe(const std::string& name, const TabletTrace& trace, const DemoSettings& settings) {
   std::string text = fmt::format(
-      "{}  {} stroke{}, traced by a simulated hand at a {} through the servo at {:g} kHz, snapping {}\n"
+      "{}  {} stroke{}, traced by a simulated hand through the servo at {:g} kHz, snapping {}\ndevice: {}\n"
       "                   hand aims off     tip held off        force\n"
-      "stroke    length   mean     most     mean     most     mean    peak    contact     depth   traced\n",
-      name, trace.strokes.size(), trace.strokes.size() == 1 ? "" : "s", settings.hardware.name,
-      settings.hardware.rate_hz / 1000, settings.snap ? "on" : "off");
+      "stroke    length   mean     most     mean     most     mean    peak    contact     depth  slips  "
+      "traced\n",
+      name, trace.strokes.size(), trace.strokes.size() == 1 ? "" : "s", settings.hardware.rate_hz / 1000,
+      settings.snap ? "on" : "off", settings.hardware.name);
   for (const StrokeTrace& s : trace.strokes) {
     text += fmt::format(
         "{:6} {:6.1f} mm   {:4.2f}  {:4.2f} mm     {:4.2f}  {:4.2f} mm     {:4.2f}  {:4.2f} N     {:4.0f} %  "
-        " {:4.1f} mm   {:4.0f} %\n",
+        " {:4.1f} mm  {:5}  {:4.0f} %\n",
         s.stroke, mm(s.length_m), mm(s.aim_rms_m), mm(s.aim_max_m), mm(s.tip_rms_m), mm(s.tip_max_m),
-        s.mean_force_n, s.peak_force_n, percent(s.contact_share), mm(s.mean_depth_m),
+        s.mean_force_n, s.peak_force_n, percent(s.contact_share), mm(s.mean_depth_m), s.slips,
         percent(s.traced_share));
   }
   if (settings.real_time) {

@@ -2,11 +2,19 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <string>
+#include <vector>
 
 #include "console.h"
 #include "verbs.h"
 
 namespace {
+
+/// The innermost verb that has been read, the program itself where there is none.
+const CLI::App& last_verb(const CLI::App& app) {
+  const CLI::App* verb = &app;
+  while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
+  return *verb;
+}
 
 /// "nazori-cli carve": the verb whose arguments are being read.
 std::string name_of(const CLI::App& app) {
@@ -16,6 +24,15 @@ std::string name_of(const CLI::App& app) {
     name += " " + verb->get_name();
   }
   return name;
+}
+
+/// "info, search, carve" where one of several verbs should follow the last one, else nothing.
+std::string verbs_to_choose_from(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* verb : last_verb(app).get_subcommands([](const CLI::App*) { return true; })) {
+    names += (names.empty() ? "" : ", ") + verb->get_name();
+  }
+  return names;
 }
 
 int read_and_run(CLI::App& app, const nazori::cli::Action& chosen, nazori::cli::Console& console, int argc,
@@ -31,7 +48,13 @@ int read_and_run(CLI::App& app, const nazori::cli::Action& chosen, nazori::cli::
   } catch (const CLI::ParseError& error) {
     const std::string name = name_of(app);
     console.set_name(name);
-    return console.refuse({nazori::base::Errc::bad_argument, error.what(), "", "see " + name + " --help"});
+    std::string what = error.what();
+    if (const std::string verbs = verbs_to_choose_from(app); !verbs.empty()) {
+      const std::vector<std::string> given = last_verb(app).remaining();
+      what = (given.empty() ? std::string("a verb is missing") : "there is no verb '" + given.front() + "'") +
+             ": " + verbs;
+    }
+    return console.refuse({nazori::base::Errc::bad_argument, what, "", "see " + name + " --help"});
   }
   console.set_name(name_of(app));
   return chosen(console);

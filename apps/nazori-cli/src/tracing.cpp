@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "nazori/geometry/polyline.h"
 #include "tracing_plan.h"
@@ -35,6 +36,7 @@ struct Sums {
   double force = 0, force_max = 0;
   double depth = 0;
   double traced_m = 0;
+  int slips = 0;
 };
 
 /// A hand that is not held tightly, and not quite still.
@@ -46,12 +48,48 @@ devices::SimulatedHand loose_hand() {
   return hand;
 }
 
+/// The eye that watches the hand: sees when the tip has gone astray, into a groove that crosses, and has the
+/// hand lift it and put it down again where it should be.
+class Sight {
+ public:
+  /// How much higher than planned the hand wants the tip.
+  /// @param off_m  of the tip from the line, seen from above.  @param to_target_m  of the tip from where the
+  /// hand wants it, seen from above.  @param tracing  whether a stroke is being traced.
+  double lift_m(double off_m, double to_target_m, bool tracing, double elapsed_s) {
+    astray_s_ = tracing && off_m > kAstray_m ? astray_s_ + elapsed_s : 0;
+    if (!lifting_ && astray_s_ > kReaction_s) {
+      lifting_ = true;
+      ++slips_;
+    }
+    if (lifting_ && (to_target_m < kBack_m || !tracing)) lifting_ = false;
+    const double step = kSpeed_m_s * elapsed_s;
+    lift_ += std::clamp((lifting_ ? kHeight_m : 0.0) - lift_, -step, step);
+    return lift_;
+  }
+  /// Since the last call.
+  int take_slips() { return std::exchange(slips_, 0); }
+
+ private:
+  static constexpr double kAstray_m = 0.0035;  // beyond the lip of the groove
+  static constexpr double kBack_m = 0.0015;
+  static constexpr double kReaction_s = 0.2;
+  static constexpr double kHeight_m = 0.022;  // from below the deepest groove to above the plateau
+  static constexpr double kSpeed_m_s = 0.15;
+  double astray_s_ = 0;
+  double lift_ = 0;
+  bool lifting_ = false;
+  int slips_ = 0;
+};
+
 /// A hand at a device, the servo and what they do to each other. Stands between device and servo: each tick
 /// tells the hand where to go, then lets the servo answer.
 class Session final : public haptics::ServoCallback {
  public:
   Session(const tablet::CarvedTablet& tablet, const devices::SimulatedHardware& hardware, bool snapping)
-      : plan_(tablet.paths(), Habits{}), device_(hardware, loose_hand()), servo_(device_.describe()) {
+      : plan_(tablet.paths(), Habits{}),
+        device_(hardware, loose_hand()),
+        servo_(device_.describe()),
+        rate_hz_(hardware.rate_hz) {
     device_.place(plan_.at(0).target_m);
     for (const haptics::StrokePath& path : tablet.paths()) {
       Line line;
@@ -80,10 +118,17 @@ class Session final : public haptics::ServoCallback {
 
   /// Neither allocates nor waits.
   haptics::Vec3 tick(const haptics::DeviceSample& sample) noexcept override {
-    const Intent intent = plan_.at(sample.time_s);
+    Intent intent = plan_.at(sample.time_s);
+    const TabletPoint aim = from_above(intent.target_m);
+    const TabletPoint tip = from_above(servo_.latest().proxy_m);
+    const bool tracing = intent.stroke > 0;
+    const double off =
+        tracing ? geometry::nearest_point<geometry::TabletFrame>(line_of(intent.stroke), tip).distance : 0;
+    intent.target_m.z += sight_.lift_m(off, geometry::distance(tip, aim), tracing, 1 / rate_hz_);
+    if (tracing) sums_[static_cast<std::size_t>(intent.stroke) - 1].slips += sight_.take_slips();
     device_.set_target(intent.target_m);
     const Vec3 force = servo_.tick(sample);
-    if (intent.stroke > 0) add(intent, servo_.latest(), force);
+    if (tracing) add(intent, servo_.latest(), force);
     next_.store(intent.next, std::memory_order_relaxed);
     done_.store(sample.time_s / plan_.duration_s(), std::memory_order_relaxed);
     return force;
@@ -103,9 +148,11 @@ class Session final : public haptics::ServoCallback {
   }
 
  private:
+  [[nodiscard]] const Line& line_of(int stroke) const { return lines_[static_cast<std::size_t>(stroke) - 1]; }
+
   void add(const Intent& intent, const haptics::ServoSample& sample, const Vec3& force) {
     Sums& sums = sums_[static_cast<std::size_t>(intent.stroke) - 1];
-    const Line& line = lines_[static_cast<std::size_t>(intent.stroke) - 1];
+    const Line& line = line_of(intent.stroke);
     const auto aim = geometry::nearest_point<geometry::TabletFrame>(line, from_above(intent.target_m));
     const auto tip = geometry::nearest_point<geometry::TabletFrame>(line, from_above(sample.proxy_m));
     ++sums.ticks;
@@ -141,6 +188,7 @@ class Session final : public haptics::ServoCallback {
     trace.peak_force_n = sums.force_max;
     trace.contact_share = static_cast<double>(sums.touching) / ticks;
     trace.snapped_share = static_cast<double>(sums.snapped) / ticks;
+    trace.slips = sums.slips;
     trace.mean_depth_m = sums.depth / touching;
     trace.traced_share =
         trace.length_m > 0 ? std::min(1.0, sums.traced_m / trace.length_m) : (sums.touching > 0 ? 1.0 : 0.0);
@@ -150,6 +198,8 @@ class Session final : public haptics::ServoCallback {
   TracingPlan plan_;
   devices::SimulatedDevice device_;
   haptics::Servo servo_;
+  double rate_hz_;
+  Sight sight_;
   std::vector<Line> lines_;
   std::vector<Sums> sums_;
   std::atomic<double> done_{0};

@@ -25,6 +25,7 @@ struct StrokeTrace {
   double contact_share = 0;  ///< of the ticks
   double snapped_share = 0;  ///< of the ticks in which this stroke held the stylus
   double mean_depth_m = 0;   ///< of the tip below the plateau while it touched
+  int slips = 0;             ///< how often the tip went astray and the hand had to lift and come back
   double traced_share = 0;   ///< of the stroke's length, 0..1
 };
 

@@ -15,6 +15,7 @@ constexpr double kTravel_s = 0.30;  // over to the next stroke
 constexpr double kLower_s = 0.20;
 constexpr double kLift_s = 0.15;
 constexpr double kLightest = 0.25;    // of the pressing, where a groove has risen to nothing
+constexpr double kHalt_s = 0.12;      // at the end, before the lift
 constexpr double kShortest_s = 0.25;  // even a dot takes a moment
 
 /// From 0 to 1 with rest at both ends and no jerk there.
@@ -51,7 +52,7 @@ TracingPlan::TracingPlan(const std::vector<haptics::StrokePath>& strokes, const 
     }
     stroke.begin_s = duration_s_;
     // Easing in and out makes the middle faster than the mean.
-    stroke.tracing_s = std::max(kShortest_s, 1.5 * stroke.length_m / habits.speed_m_s);
+    stroke.tracing_s = std::max(kShortest_s, 1.5 * stroke.length_m / habits.speed_m_s) + kHalt_s;
     duration_s_ += kTravel_s + kLower_s + stroke.tracing_s + kLift_s;
     strokes_.push_back(std::move(stroke));
   }
@@ -100,7 +101,8 @@ Intent TracingPlan::at(double time_s) const {
   t -= kTravel_s;
   if (t < kLower_s) return {between(over(start), start, ease(t / kLower_s)), 0, number};
   t -= kLower_s;
-  if (t < now->tracing_s) return {on_line(*now, ease(t / now->tracing_s), number, time_s), number, number};
+  if (t < now->tracing_s)
+    return {on_line(*now, ease(t / (now->tracing_s - kHalt_s)), number, time_s), number, number};
   t -= now->tracing_s;
   const Vec3 end = on_line(*now, 1, number, time_s);
   return {between(end, over(now->points.back()), ease(t / kLift_s)), 0, number};

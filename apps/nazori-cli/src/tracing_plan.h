@@ -10,7 +10,7 @@ namespace nazori::cli {
 /// How a learner's hand moves who does not look closely.
 struct Habits {
   double speed_m_s = 0.05;   ///< along a stroke, once under way
-  double wander_m = 0.0012;  ///< how far off the line the hand strays, root mean square
+  double wander_m = 0.0008;  ///< how far off the line the hand strays, root mean square
   double press_m = 0.006;    ///< how far below the groove's floor the hand wants to be
   double hover_m = 0.006;    ///< above the plateau between strokes
 };

@@ -81,10 +81,10 @@ TEST(Carve, SeveralCharactersGoToAFolderOrToNamesWithThemIn) {
   EXPECT_THAT(named.names(), testing::UnorderedElementsAre("x休.raw", "x木.raw", "休.str", "木.str"));
 }
 
-TEST(Carve, ASlashDoesNotLeaveTheFolder) {
+TEST(Carve, ADotDoesNotMakeAHiddenFile) {
   const TemporaryFolder folder;
-  EXPECT_EQ(nazori_cli({"carve", "/", "-o", folder.path().string()}).code, 0);
-  EXPECT_THAT(folder.names(), ElementsAre("U+002F.png"));
+  EXPECT_EQ(nazori_cli({"carve", ".", "-o", folder.path().string()}).code, 0);
+  EXPECT_THAT(folder.names(), ElementsAre("U+002E.png"));
 }
 
 TEST(Carve, AnyMistakeIsOneLineAndLeavesNoFile) {

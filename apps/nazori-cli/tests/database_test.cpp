@@ -101,7 +101,10 @@ TEST(DatabaseBuild, APlaceThatCannotBeWrittenIsRefused) {
   expect_one_line(nazori_cli({"database", "build", "-o", "/dev/null/kanji.db"}), 2, {"/dev/null"});
 }
 
-TEST(Database, WithoutAVerbItSaysWhichThereAre) { expect_one_line(nazori_cli({"database"}), 2, {"--help"}); }
+TEST(Database, WithoutAVerbItSaysWhichThereAre) {
+  expect_one_line(nazori_cli({"database"}), 2, {"build, check, path"});
+  expect_one_line(nazori_cli({"database", "burn"}), 2, {"burn", "build, check, path"});
+}
 
 }  // namespace
 }  // namespace nazori::cli::test

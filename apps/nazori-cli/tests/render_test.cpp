@@ -56,7 +56,7 @@ TEST(Render, ThePictureHasTheSizeAskedFor) {
 }
 
 TEST(Render, EveryOptionChangesThePicture) {
-  const std::vector<std::string> plain{"休", "--size", "240"};
+  const std::vector<std::string> plain{"休", "--size", "240", "--map-size", "256"};
   const view::Picture first = rendered(plain);
   for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{{"--style", "classic"},
                                                                                       {"--style", "slate"},

@@ -47,8 +47,8 @@ TEST(Usage, VersionIsOneLine) {
 }
 
 TEST(Usage, NoVerbAndUnknownVerbsAreBadUsage) {
-  expect_one_line(nazori_cli({}), 2, {"--help"});
-  expect_one_line(nazori_cli({"frobnicate"}), 2, {"frobnicate", "--help"});
+  expect_one_line(nazori_cli({}), 2, {"info, search, carve", "--help"});
+  expect_one_line(nazori_cli({"frobnicate"}), 2, {"frobnicate", "info, search, carve", "--help"});
 }
 
 TEST(Usage, AMissingArgumentIsNamedTogetherWithTheVerb) {

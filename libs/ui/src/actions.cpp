@@ -3,6 +3,7 @@
 
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QWidget>
 #include <utility>
 
@@ -110,6 +111,9 @@ QAction* Actions::make(const char* name, const QString& text, const QString& tip
   action->setObjectName(QString::fromLatin1(name));
   action->setShortcuts(key_list);
   action->setCheckable(checkable);
+  // On buttons without the letter for the menu: "&Strokes", "筆画(&S)".
+  static const QRegularExpression kMnemonic(QStringLiteral("\\(&.\\)|&"));
+  action->setIconText(QString(text).remove(kMnemonic).remove(QChar(0x2026)).trimmed());
   action->setStatusTip(tip);
   action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, key_list.front().toString(QKeySequence::NativeText)));
   // A key must work with the menu bar hidden (full screen) too.

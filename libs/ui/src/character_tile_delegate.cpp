@@ -12,10 +12,9 @@ namespace nazori::ui {
 
 int CharacterTileDelegate::tile_side(const QFont& font) { return QFontInfo(font).pixelSize() * 3; }
 
-QSize CharacterTileDelegate::sizeHint(const QStyleOptionViewItem& option,
+QSize CharacterTileDelegate::sizeHint(const QStyleOptionViewItem& /*option*/,
                                       const QModelIndex& /*index*/) const {
-  const int side = tile_side(option.font);
-  return {side, side};
+  return {side_, side_};
 }
 
 void CharacterTileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

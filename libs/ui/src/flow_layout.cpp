@@ -17,9 +17,10 @@ QLayoutItem* FlowLayout::takeAt(int index) {
 }
 
 QSize FlowLayout::minimumSize() const {
+  // Narrower than its widest item: that one is then cut to the width, which lets its text wrap.
   QSize size;
   for (const auto* item : items_) size = size.expandedTo(item->minimumSize());
-  return size;
+  return {0, size.height()};
 }
 
 void FlowLayout::setGeometry(const QRect& rect) {

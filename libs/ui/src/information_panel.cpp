@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "information_panel.h"
 
-#include <QEvent>
 #include <QFontInfo>
 #include <QLabel>
 #include <QLocale>
@@ -130,6 +129,7 @@ QLabel* InformationPanel::add_label(FlowLayout* flow, const QString& text, doubl
     label->setFont(scaled);
   }
   if (muted) set_role(label, "muted");
+  label->setMinimumWidth(0);
   make_selectable(label);
   flow->addWidget(label);
   return label;
@@ -247,10 +247,8 @@ void InformationPanel::fill_radical() {
     if (here)
       add_label(radical_.flow, to_text(form), 1.4, true)->setObjectName(QStringLiteral("radical_variant"));
   }
-  QStringList names;
-  for (const auto& name : radical.japanese_names) names.append(to_text(name));
-  add_label(radical_.flow, names.join(QStringLiteral("、")), 1.1, true)
-      ->setObjectName(QStringLiteral("radical_names"));
+  for (const auto& name : radical.japanese_names)
+    add_label(radical_.flow, to_text(name), 1.1, true)->setObjectName(QStringLiteral("radical_name"));
   add_label(radical_.flow, to_text(radical.english_name), 1.0, false, true)
       ->setObjectName(QStringLiteral("radical_english"));
   radical_.box->setVisible(true);
@@ -312,13 +310,10 @@ void InformationPanel::fill_words() {
   words_.box->setVisible(!sheet_->words.empty());
 }
 
-void InformationPanel::changeEvent(QEvent* event) {
-  QScrollArea::changeEvent(event);
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) {
-    const int place = verticalScrollBar()->value();
-    if (sheet_) rebuild();
-    verticalScrollBar()->setValue(place);
-  }
+void InformationPanel::refresh() {
+  const int place = verticalScrollBar()->value();
+  if (sheet_) rebuild();
+  verticalScrollBar()->setValue(place);
 }
 
 void InformationPanel::resizeEvent(QResizeEvent* event) {

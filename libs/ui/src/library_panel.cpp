@@ -12,6 +12,7 @@
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "character_tile_delegate.h"
 #include "icons.h"
@@ -61,7 +62,8 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
   lists_->setAccessibleName(tr("List of characters"));
   lists_->setMaxVisibleItems(static_cast<int>(std::size(lists)));
   lists_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  lists_->setMinimumContentsLength(6);
+  lists_->setMinimumContentsLength(5);
+  lists_->setPlaceholderText(tr("Search"));
   count_->setObjectName(QStringLiteral("list_count"));
   count_->setProperty("role", QStringLiteral("muted"));
 
@@ -79,6 +81,7 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
   grid_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   grid_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   grid_->setMouseTracking(true);
+  grid_->viewport()->installEventFilter(this);
 
   nothing_->setObjectName(QStringLiteral("nothing_found"));
   nothing_->setWordWrap(true);
@@ -142,6 +145,7 @@ void LibraryPanel::show_characters(const Summaries& characters) {
   const QString wanted = search_->text().trimmed();
   const bool searched = !wanted.isEmpty();
   shown_search_ = wanted;
+  lists_->setCurrentIndex(searched ? -1 : lists_->findData(static_cast<int>(list_)));
   count_->setText(searched ? tr("%n found", nullptr, count) : QString::number(count));
   count_->setAccessibleName(searched ? count_->text() : tr("%n characters", nullptr, count));
   nothing_->setText(
@@ -194,6 +198,7 @@ void LibraryPanel::focus_search() {
 }
 
 bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == grid_->viewport() && event->type() == QEvent::Resize) fit_tiles();
   if (watched == search_ && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Down && model_->rowCount() > 0) {
@@ -215,7 +220,12 @@ void LibraryPanel::changeEvent(QEvent* event) {
 }
 
 void LibraryPanel::fit_tiles() {
-  const int side = CharacterTileDelegate::tile_side(font());
+  // As many columns as fit without making the tiles much smaller; they fill the panel's width.
+  const int wished = CharacterTileDelegate::tile_side(font());
+  const int room = grid_->viewport()->width() - 1;
+  const int columns = std::max(room * 20 / (wished * 17), 1);
+  const int side = std::clamp(room / columns, wished / 2, wished * 3 / 2);
+  delegate_->set_side(side);
   grid_->setGridSize({side, side});
   grid_->verticalScrollBar()->setSingleStep(side / 2);
 }

@@ -184,6 +184,7 @@ void MainWindow::Inside::connect_work() {
   QObject::connect(controller, &TabletController::depth_changed, status, &StatusLine::show_depth);
   QObject::connect(&appearance, &Appearance::changed, &window, [this] {
     actions->draw_icons();
+    information_panel->refresh();
     if (tablet_window == nullptr) return;
     tablet_window->set_theme(appearance.is_dark() ? view::Theme::dark : view::Theme::light);
     tablet_window->set_text_size(preferences.text_pt);

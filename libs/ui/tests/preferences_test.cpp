@@ -16,7 +16,7 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   const QString file = folder.filePath(QStringLiteral("a/nazori.ini"));
   Preferences p;
   p.geometry = QByteArray("\x01\x00\x7f", 3);
-  p.pane_widths = {240, 700, 340};
+  p.pane_widths = {240, 340};
   p.kanji = U'𠮟';
   p.list = nazori::kanji::List::katakana;
   p.library_open = false;
@@ -55,7 +55,7 @@ TEST(Preferences, AFileOfNonsenseGivesTheDefaults) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write(
       "[tablet]\nkanji=too long\nstyle=marble\n[window]\ntext_pt=900\ntheme=pink\nlanguage=xx\n"
-      "pane_widths=1,2\n[library]\nlist=moon\n\xff\xfe\x00junk");
+      "pane_widths=1,2,3\n[library]\nlist=moon\n\xff\xfe\x00junk");
   file.close();
   const auto read = Preferences::load(path);
   EXPECT_EQ(read.kanji, U'休');

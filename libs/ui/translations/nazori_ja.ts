@@ -697,6 +697,10 @@ Columns and rows:</source>
         <source>Nothing found for “%1”. Try a character (休), a reading (やすむ, yasumu) or the beginning of an English meaning (rest).</source>
         <translation>「%1」は見つかりませんでした。字（休）、読み（やすむ、yasumu）、英語の意味の初め（rest）を試してください。</translation>
     </message>
+    <message>
+        <source>Search</source>
+        <translation>検索結果</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::MainWindow</name>
@@ -918,6 +922,14 @@ Columns and rows:</source>
     <message>
         <source>stroke %1 of %2</source>
         <translation>%1画目（全%2画）</translation>
+    </message>
+    <message>
+        <source>How the tablet looks (Ctrl+1, 2, 3)</source>
+        <translation>文字板の見た目 (Ctrl+1, 2, 3)</translation>
+    </message>
+    <message>
+        <source>Look of the tablet: %1</source>
+        <translation>文字板の見た目：%1</translation>
     </message>
 </context>
 <context>
