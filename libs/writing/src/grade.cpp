@@ -21,6 +21,13 @@ Affine box_map(const WritingBox& box) {
   return {s, 0, -s * box.corner.x, 0, s, -s * box.corner.y};
 }
 
+Side start_of(const Samples& model) {
+  const float dx = model.x.back() - model.x.front();
+  const float dy = model.y.back() - model.y.front();
+  if (std::abs(dy) >= std::abs(dx)) return dy >= 0 ? Side::top : Side::bottom;
+  return dx >= 0 ? Side::left : Side::right;
+}
+
 /// Turn from the model's start-to-end line to the drawn one; 0 where either is closed.
 double chord_angle(const Samples& drawn, const Samples& model) {
   const auto chord = [](const Samples& s) {
@@ -36,9 +43,10 @@ double chord_angle(const Samples& drawn, const Samples& model) {
   return std::atan2(mx * dy - my * dx, mx * dx + my * dy);
 }
 
-/// Share of the limit below which a stroke that runs backwards, or one of another form, is taken for what it
-/// seems to be.
+/// Share of the limit below which a stroke that seems to run backwards is not simply a wrong one.
 constexpr double kCertainly = 0.65;
+/// Share of the limit that counts for forms other than the one that was asked for.
+constexpr double kOtherForm = 0.45;
 const std::vector<kanji::AlternativeOrder> kNoOrders;
 
 /// How much of the limit a stroke may use, from the roughness of the `count` others (square roots of their
@@ -106,7 +114,9 @@ class Judge {
           most = Deviation::direction;
         add({FaultKind::wrong, link.drawn, {}, {link.model}, most});
       } else if (link.difference.reversed) {
-        add({FaultKind::reversed, link.drawn, {}, {link.model}});
+        Fault fault{FaultKind::reversed, link.drawn, {}, {link.model}};
+        fault.start = start_of(form_.shapes[static_cast<std::size_t>(link.model)].whole);
+        add(std::move(fault));
       } else {
         verdict.ok = true;
       }
@@ -234,7 +244,7 @@ Grade grade_shapes(std::span<const Shape> drawn, const std::optional<Affine>& bo
     for (const auto& variant : model.variants) {
       if (!options.unfinished && variant.shapes.size() != drawn.size()) continue;
       Judge judge(drawn, box, variant, kNoOrders, options);
-      judge.demand(kCertainly);
+      judge.demand(kOtherForm);
       auto other = judge.run();
       if (other.accepted) {
         best = std::move(other);

@@ -11,6 +11,8 @@ namespace {
 
 /// Types with two readings ("㇔/㇑") may be drawn either way.
 constexpr float kFreedomOfTwoTypes = 1.6F;
+/// The slant of dots is officially free (言, 主, 礻).
+constexpr float kFreedomOfDots = 1.0F;
 
 base::Result<Form> make_form(const kanji::Character& character) {
   if (character.strokes.empty())
@@ -23,7 +25,10 @@ base::Result<Form> make_form(const kanji::Character& character) {
       return base::fail(base::Errc::bad_argument, "A stroke of the character has no points.");
     auto shape = make_shape<geometry::GlyphFrame>(stroke.line.points);
     const bool two_types = stroke.type.find('/') != std::string::npos;
-    if (two_types) shape.freedom = kFreedomOfTwoTypes;
+    if (two_types)
+      shape.freedom = kFreedomOfTwoTypes;
+    else if (stroke.type.starts_with("㇔"))
+      shape.freedom = kFreedomOfDots;
     form.shapes.push_back(shape);
     form.endings.push_back(stroke.line.ending);
     form.free_ending.push_back(two_types || stroke.line.ending == kanji::StrokeEnding::either ? 1 : 0);

@@ -47,7 +47,7 @@ float cost_of(const StrokeDifference& e) {
 }
 
 StrokeDifference compare_samples(const Samples& d, const Samples& m, float freedom) {
-  constexpr float kFloor = 4.0F;
+  constexpr float kFloor = 0.3F;
   constexpr float kReversedPenalty = 4.0F;
   StrokeDifference e;
   e.offset_x = d.centre_x - m.centre_x;

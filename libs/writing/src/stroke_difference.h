@@ -11,7 +11,7 @@ struct StrokeDifference {
   float offset_y = 0;
   float shape = 0;       ///< root mean square distance of the samples once the centres lie on each other
   float proportion = 0;  ///< the same of the shapes brought to length 1
-  float length_log = 0;  ///< natural logarithm of drawn by model length, short strokes lengthened by a floor
+  float length_log = 0;  ///< natural logarithm of drawn by model length
   float model_length = 0;
   float freedom = 1;  ///< Shape::freedom of the model stroke
   bool reversed = false;

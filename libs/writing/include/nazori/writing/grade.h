@@ -31,6 +31,9 @@ enum class FaultKind : std::uint8_t {
 /// Why a stroke is wrong: what deviates most.
 enum class Deviation : std::uint8_t { none, place, shape, direction, length };
 
+/// Where a stroke of the model starts, seen from its end.
+enum class Side : std::uint8_t { top, bottom, left, right };
+
 /// One thing to say about the writing.
 struct Fault {
   FaultKind kind = FaultKind::wrong;
@@ -41,6 +44,8 @@ struct Fault {
   Deviation deviation = Deviation::none;                       ///< wrong: what deviates most
   char32_t character = 0;                                      ///< other: what was written
   kanji::StrokeEnding expected = kanji::StrokeEnding::either;  ///< ending: how the model ends
+
+  Side start = Side::top;  ///< reversed: where the stroke should start
 
   friend bool operator==(const Fault&, const Fault&) = default;
 };
