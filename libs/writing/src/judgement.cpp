@@ -9,7 +9,7 @@ namespace nazori::writing {
 // The weights are those of a logistic regression that tells strokes of real writing from strange strokes put
 // in their places, rounded; docs/writing.md names the data and the figures.
 Judgement judge(const StrokeDifference& d, const Placement& placement) {
-  constexpr double kLimit = 6.8;
+  constexpr double kLimit = 6.5;
   const double length = static_cast<double>(d.model_length);
   // 1 for a dot, 0 for a long stroke: the direction of a dot varies more, and it hardly has a shape.
   const double dot = std::exp(-(length / 17) * (length / 17));
@@ -22,7 +22,7 @@ Judgement judge(const StrokeDifference& d, const Placement& placement) {
   // A dot may be as short as a touch.
   const double free_length = std::exp(-std::pow(length / 14, 4));
   const double stretch = std::min(std::abs(static_cast<double>(d.length_log)), 1.2);
-  const double size_part = 2.2 * size * size / 4 + 4.3 * (1 - free_length) * stretch * stretch;
+  const double size_part = 2.2 * size * size / 4 + 4.1 * (1 - free_length) * stretch * stretch;
   const double shape_part = (4.0 * (1 - dot) + 2.3 * dot) * proportion * proportion / 4;
   Judgement j;
   j.place = place / kLimit;

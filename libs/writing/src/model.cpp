@@ -2,6 +2,7 @@
 #include "nazori/writing/model.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "alignment.h"
 #include "model_inside.h"
@@ -11,8 +12,21 @@ namespace {
 
 /// Types with two readings ("㇔/㇑") may be drawn either way.
 constexpr float kFreedomOfTwoTypes = 1.6F;
-/// The slant of dots is officially free (言, 主, 礻).
-constexpr float kFreedomOfDots = 1.0F;
+
+/// Slanting dots vary more in their slant than short bars and verticals do; the figures are those of real
+/// writing in docs/writing.md.
+float freedom_of_short_strokes(const Samples& model) {
+  constexpr float kShort = 25;  // glyph units
+  constexpr float kLeast = 0.75F;
+  constexpr float kMost = 1.2F;
+  const float dx = model.x.back() - model.x.front();
+  const float dy = model.y.back() - model.y.front();
+  const float squared = dx * dx + dy * dy;
+  if (squared <= 0) return 1;
+  const float slant = std::abs(2 * dx * dy) / squared;  // 0 for bars and verticals, 1 at 45 degrees
+  const float ratio = model.length / kShort;
+  return 1 + std::exp(-ratio * ratio) * (kLeast + (kMost - kLeast) * slant - 1);
+}
 
 base::Result<Form> make_form(const kanji::Character& character) {
   if (character.strokes.empty())
@@ -25,10 +39,7 @@ base::Result<Form> make_form(const kanji::Character& character) {
       return base::fail(base::Errc::bad_argument, "A stroke of the character has no points.");
     auto shape = make_shape<geometry::GlyphFrame>(stroke.line.points);
     const bool two_types = stroke.type.find('/') != std::string::npos;
-    if (two_types)
-      shape.freedom = kFreedomOfTwoTypes;
-    else if (stroke.type.starts_with("㇔"))
-      shape.freedom = kFreedomOfDots;
+    shape.freedom = two_types ? kFreedomOfTwoTypes : freedom_of_short_strokes(shape.whole);
     form.shapes.push_back(shape);
     form.endings.push_back(stroke.line.ending);
     form.free_ending.push_back(two_types || stroke.line.ending == kanji::StrokeEnding::either ? 1 : 0);
