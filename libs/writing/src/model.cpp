@@ -40,6 +40,8 @@ base::Result<Form> make_form(const kanji::Character& character) {
     auto shape = make_shape<geometry::GlyphFrame>(stroke.line.points);
     const bool two_types = stroke.type.find('/') != std::string::npos;
     shape.freedom = two_types ? kFreedomOfTwoTypes : freedom_of_short_strokes(shape.whole);
+    // What the source does not call a kick is part of the stroke: the second leg of 糸's first stroke.
+    if (stroke.line.ending == kanji::StrokeEnding::stop) shape.body.reset();
     form.shapes.push_back(shape);
     form.endings.push_back(stroke.line.ending);
     form.free_ending.push_back(two_types || stroke.line.ending == kanji::StrokeEnding::either ? 1 : 0);

@@ -109,6 +109,7 @@ Shape transformed(const Shape& shape, const Affine& map) {
   Shape out;
   out.whole = transformed(shape.whole, map);
   if (shape.body) out.body = transformed(*shape.body, map);
+  out.kicked = shape.kicked;
   out.spread = spread_of(out.whole);
   return out;
 }
@@ -122,7 +123,10 @@ Shape make_shape(std::span<const double> xs, std::span<const double> ys) {
   const Measured line(xs, ys);
   Shape out;
   out.whole = line.part(0, line.length());
-  if (const auto corner = kick_start(out.whole)) out.body = line.part(0, *corner);
+  if (const auto corner = kick_start(out.whole)) {
+    out.body = line.part(0, *corner);
+    out.kicked = true;
+  }
   out.spread = spread_of(out.whole);
   return out;
 }

@@ -29,6 +29,7 @@ struct Samples {
 struct Shape {
   Samples whole;
   std::optional<Samples> body;  ///< without the kick; nullopt where there is none
+  bool kicked = false;          ///< it ends like a kick; a fold may do so too
   float spread = 0;             ///< root mean square distance of the samples from their centre
   float freedom = 1;            ///< of a model stroke: how much more its shape may vary than is usual
 };
