@@ -83,6 +83,8 @@ int main(int argc, char** argv) {
   nazori::cli::add_carve(app, chosen);
   nazori::cli::add_render(app, chosen);
   nazori::cli::add_demo(app, chosen);
+  nazori::cli::add_grade(app, chosen);
+  nazori::cli::add_recognise(app, chosen);
   nazori::cli::add_database(app, chosen);
 
   nazori::cli::Console console;

@@ -18,6 +18,8 @@ void add_search(CLI::App& app, Action& chosen);
 void add_carve(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);
+void add_grade(CLI::App& app, Action& chosen);
+void add_recognise(CLI::App& app, Action& chosen);
 void add_database(CLI::App& app, Action& chosen);
 
 }  // namespace nazori::cli

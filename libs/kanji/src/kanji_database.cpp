@@ -369,4 +369,19 @@ std::vector<Source> KanjiDatabase::sources() const {
   });
 }
 
+void KanjiDatabase::for_each_stroke(const std::function<void(const StrokePath&)>& take) const {
+  answer_or(0, [&] {
+    SQLite::Statement row(inside_->db,
+                          "SELECT f.code_point, c.place, s.path FROM form f JOIN character c ON c.code_point "
+                          "= f.code_point JOIN stroke s ON s.form = f.id WHERE f.variant = '' ORDER BY f.id, "
+                          "s.number");
+    while (row.executeStep()) {
+      const auto path = row.getColumn(2);
+      const char* text = path.getText();
+      take({static_cast<char32_t>(row.getColumn(0).getInt()), row.getColumn(1).getInt(), text});
+    }
+    return 0;
+  });
+}
+
 }  // namespace nazori::kanji

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,6 +63,13 @@ struct Source {
   std::string licence;
 };
 
+/// One stroke of one of all characters, as for_each_stroke() hands it on.
+struct StrokePath {
+  char32_t code_point = 0;
+  int place = 0;          ///< of the character, 0 the commonest
+  std::string_view path;  ///< SVG path data, glyph frame; gone after the call
+};
+
 /// The kanji database kanji.db, opened read only.
 /// Thread-safe: no; each thread opens its own. Not for the servo thread. A database that is damaged after
 /// open() answers as if it had nothing; `nazori-cli database check` tells.
@@ -102,6 +110,10 @@ class KanjiDatabase {
   [[nodiscard]] std::optional<Radical> radical(int number) const;
 
   [[nodiscard]] std::vector<Source> sources() const;
+
+  /// Hands every stroke of every main form to `take`: a character's strokes one after another, in writing
+  /// order. For those who need them all at once; find() is many times slower for that.
+  void for_each_stroke(const std::function<void(const StrokePath&)>& take) const;
 
  private:
   struct Inside;

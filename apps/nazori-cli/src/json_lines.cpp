@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json_lines.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <string>
+
+namespace nazori::cli {
+namespace {
+
+using base::Errc;
+using base::fail;
+
+/// Numbers of an array; nullopt for anything else.
+std::optional<std::vector<double>> read_numbers(const Json& array) {
+  if (!array.is_array()) return std::nullopt;
+  std::vector<double> numbers;
+  for (const auto& one : array) {
+    if (!one.is_number()) return std::nullopt;
+    numbers.push_back(one.get<double>());
+  }
+  return numbers;
+}
+
+base::Result<void> read_per_point(const Json& request, const char* name, double scale, writing::Ink& ink,
+                                  std::vector<double> writing::InkStroke::*member) {
+  const auto found = request.find(name);
+  if (found == request.end()) return {};
+  if (!found->is_array() || found->size() != ink.strokes.size())
+    return fail(Errc::parse, "is not one array for each stroke", name);
+  for (std::size_t i = 0; i < ink.strokes.size(); ++i) {
+    auto numbers = read_numbers((*found)[i]);
+    if (!numbers) return fail(Errc::parse, "is not an array of numbers", fmt::format("{}[{}]", name, i));
+    for (double& n : *numbers) n *= scale;
+    ink.strokes[i].*member = std::move(*numbers);
+  }
+  return {};
+}
+
+bool lies_in_unit_box(const writing::Ink& ink) {
+  for (const auto& stroke : ink.strokes)
+    for (const auto& p : stroke.points)
+      if (!(p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1)) return false;
+  return true;
+}
+
+Json refuse(const Json& refusal, const Json& request, int line, const base::Error& error) {
+  Json answer = Json::object();
+  if (request.is_object() && request.contains("id")) answer["id"] = request["id"];
+  answer["line"] = line;
+  answer["error"] = base::to_line(error);
+  answer.update(refusal);
+  return answer;
+}
+
+/// One line; text that is not UTF-8 was given back from the request and is replaced.
+std::string to_one_line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+base::Result<writing::Ink> read_ink(const Json& request) {
+  const auto strokes = request.find("strokes");
+  if (strokes == request.end() || !strokes->is_array())
+    return fail(Errc::parse, "is missing or is not an array", "strokes", "give [[[x, y], ...], ...]");
+  writing::Ink ink;
+  for (const auto& stroke : *strokes) {
+    const auto name = fmt::format("strokes[{}]", ink.strokes.size());
+    if (!stroke.is_array()) return fail(Errc::parse, "is not an array of points", name);
+    auto& points = ink.strokes.emplace_back().points;
+    for (const auto& point : stroke) {
+      if (!point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number())
+        return fail(Errc::parse, "is not a pair of numbers", fmt::format("{}[{}]", name, points.size()));
+      points.push_back({point[0].get<double>(), point[1].get<double>()});
+    }
+  }
+  constexpr double kSecondsPerMillisecond = 1e-3;
+  if (auto r = read_per_point(request, "times", kSecondsPerMillisecond, ink, &writing::InkStroke::times_s);
+      !r)
+    return tl::unexpected(r.error());
+  if (auto r = read_per_point(request, "pressures", 1, ink, &writing::InkStroke::pressures); !r)
+    return tl::unexpected(r.error());
+  if (const auto box = request.find("box"); box != request.end()) {
+    const auto numbers = read_numbers(*box);
+    if (!numbers || numbers->size() != 3)
+      return fail(Errc::parse, "is not three numbers", "box", "give [left, top, side]");
+    ink.box = writing::WritingBox{{(*numbers)[0], (*numbers)[1]}, (*numbers)[2]};
+  } else if (lies_in_unit_box(ink)) {
+    ink.box = writing::WritingBox{};
+  }
+  return ink;
+}
+
+int answer_lines(Console& console, const Json& refusal,
+                 const std::function<base::Result<Json>(const Json& request)>& answer) {
+  // Waiting for a line would outlive a signal that is only remembered; every answer so far has been sent.
+  (void)std::signal(SIGINT, SIG_DFL);
+  (void)std::signal(SIGTERM, SIG_DFL);
+  int code = kDone;
+  int number = 0;
+  std::string line;
+  while (std::getline(std::cin, line)) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const auto request = Json::parse(line, nullptr, false);
+    auto result =
+        request.is_object()
+            ? answer(request)
+            : base::Result<Json>(fail(Errc::parse, "is not a JSON object", fmt::format("line {}", number)));
+    if (!result) {
+      code = kWrong;
+      console.print(to_one_line(refuse(refusal, request, number, result.error())));
+    } else {
+      Json reply = Json::object();
+      if (request.contains("id")) reply["id"] = request["id"];
+      reply.update(*result);
+      console.print(to_one_line(reply));
+    }
+    (void)std::fflush(stdout);
+  }
+  return code;
+}
+
+}  // namespace nazori::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "nazori/base/result.h"
+#include "nazori/kanji/character.h"
+#include "nazori/kanji/kanji_database.h"
+#include "nazori/writing/ink.h"
+
+namespace nazori::writing {
+
+/// A character that may have been meant.
+struct Candidate {
+  char32_t character = 0;
+  double likeness = 0;  ///< 1 as the model, towards 0 for anything else
+
+  friend bool operator==(const Candidate&, const Candidate&) = default;
+};
+
+struct RecogniseOptions {
+  int limit = 10;           ///< at most so many candidates, >= 1
+  bool unfinished = false;  ///< strokes may still follow: characters that begin so are candidates too
+};
+
+struct RecogniserInside;
+
+/// Finds the characters of a database by their strokes, whatever the order and direction in which they were
+/// drawn, with a stroke missing, too many or joined to the next. Thread-safe once made.
+class Recogniser {
+ public:
+  /// Learns every drawn character of the database.
+  /// @return Errc::not_found where it has none.
+  [[nodiscard]] static base::Result<Recogniser> make(const kanji::KanjiDatabase& database);
+  /// Learns these characters only, the commonest first; those without strokes are passed over.
+  [[nodiscard]] static base::Result<Recogniser> make(const std::vector<kanji::Character>& characters);
+
+  Recogniser(Recogniser&&) noexcept;
+  Recogniser& operator=(Recogniser&&) noexcept;
+  ~Recogniser();
+
+  /// The likeliest characters, best first. 3 ms for 12 strokes and all characters.
+  /// @return the errors of check(ink); Errc::bad_argument for a limit below 1.
+  [[nodiscard]] base::Result<std::vector<Candidate>> recognise(const Ink& ink,
+                                                               const RecogniseOptions& options = {}) const;
+
+  /// How many characters are known.
+  [[nodiscard]] int size() const;
+
+ private:
+  explicit Recogniser(std::unique_ptr<const RecogniserInside> inside);
+  std::unique_ptr<const RecogniserInside> inside_;
+};
+
+}  // namespace nazori::writing

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "alignment.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "assignment.h"
+#include "fit.h"
+
+namespace nazori::writing {
+namespace {
+
+// Costs of what is not a stroke in its place, in the units of StrokeDifference::cost.
+constexpr float kWrong = 34;    // a strange stroke in the place of a right one
+constexpr float kMissing = 24;  // wrong < missing + extra
+constexpr float kExtra = 24;
+constexpr float kJoined = 19;  // joined < missing: else every joined pair were one missing stroke
+constexpr float kSplit = 16;
+constexpr float kOutOfOrder = 6;
+
+/// All that is compared under one map.
+struct Table {
+  std::size_t drawn_count;
+  std::size_t model_count;
+  std::vector<Shape> mapped;
+  std::vector<StrokeDifference> differences;  // drawn by model
+
+  [[nodiscard]] const StrokeDifference& at(std::size_t i, std::size_t j) const {
+    return differences[i * model_count + j];
+  }
+};
+
+Table tabulate(const AlignmentInput& input, const Affine& map) {
+  Table t{input.drawn.size(), input.model.size(), {}, {}};
+  t.mapped.reserve(t.drawn_count);
+  for (const auto& d : input.drawn) t.mapped.push_back(transformed(d, map));
+  t.differences.reserve(t.drawn_count * t.model_count);
+  for (const auto& d : t.mapped)
+    for (const auto& m : input.model) t.differences.push_back(compare(d, m));
+  return t;
+}
+
+Alignment collect(std::vector<Link> links, const AlignmentInput& input, float cost) {
+  Alignment a;
+  a.links = std::move(links);
+  a.cost = cost;
+  std::sort(a.links.begin(), a.links.end(), [](const Link& x, const Link& y) { return x.drawn < y.drawn; });
+  std::vector<char> drawn(input.drawn.size()), model(input.model.size());
+  int last = -1;
+  for (const auto& l : a.links) {
+    for (int k = 0; k < l.drawn_count; ++k) drawn[static_cast<std::size_t>(l.drawn + k)] = 1;
+    for (int k = 0; k < l.model_count; ++k) model[static_cast<std::size_t>(l.model + k)] = 1;
+    last = std::max(last, l.model + l.model_count - 1);
+  }
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    if (drawn[i] == 0) a.extra.push_back(static_cast<int>(i));
+  for (std::size_t j = 0; j < model.size(); ++j)
+    if (model[j] == 0 && (input.extent == Extent::whole || static_cast<int>(j) < last))
+      a.missing.push_back(static_cast<int>(j));
+  return a;
+}
+
+/// The best explanation that keeps the order: dynamic programming over prefixes.
+Alignment align_in_order(const AlignmentInput& input, const Table& t) {
+  const std::size_t n = t.drawn_count;
+  const std::size_t m = t.model_count;
+  enum Move : unsigned char { none, match, missing, extra, join, split };
+  struct Cell {
+    float cost = std::numeric_limits<float>::max();
+    Move move = none;
+    StrokeDifference difference;
+  };
+  std::vector<Cell> cells((n + 1) * (m + 1));
+  const auto cell = [&cells, m](std::size_t i, std::size_t j) -> Cell& { return cells[i * (m + 1) + j]; };
+  const auto improve = [](Cell& c, float cost, Move move, const StrokeDifference& difference) {
+    if (cost < c.cost) c = {cost, move, difference};
+  };
+  cell(0, 0).cost = 0;
+  for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t j = 0; j <= m; ++j) {
+      const float here = cell(i, j).cost;
+      if (j < m)
+        improve(cell(i, j + 1), here + (input.extent == Extent::beginning && i == n ? 0 : kMissing), missing,
+                {});
+      if (i < n) improve(cell(i + 1, j), here + kExtra, extra, {});
+      if (i < n && j < m) {
+        const auto& d = t.at(i, j);
+        improve(cell(i + 1, j + 1), here + std::min(d.cost, kWrong), match, d);
+        // Only where one alone does not explain it.
+        if (j < input.pairs.size() && n < m + 1 && d.cost > 2) {
+          const auto e = compare(t.mapped[i], input.pairs[j]);
+          if (!e.reversed && e.cost < kAcceptCost * 1.5F)
+            improve(cell(i + 1, j + 2), here + e.cost + kJoined, join, e);
+        }
+        if (i + 1 < n && n > m && d.cost > 2) {
+          const auto e = compare(joined(t.mapped[i].whole, t.mapped[i + 1].whole), input.model[j]);
+          if (!e.reversed && e.cost < kAcceptCost)
+            improve(cell(i + 2, j + 1), here + e.cost + kSplit, split, e);
+        }
+      }
+    }
+  }
+  std::vector<Link> links;
+  std::size_t i = n;
+  std::size_t j = m;
+  while (i > 0 || j > 0) {
+    const auto& c = cell(i, j);
+    const std::size_t used_drawn = c.move == missing ? 0 : c.move == split ? 2 : 1;
+    const std::size_t used_model = c.move == extra ? 0 : c.move == join ? 2 : 1;
+    i -= used_drawn;
+    j -= used_model;
+    if (used_drawn > 0 && used_model > 0)
+      links.push_back({static_cast<int>(i), static_cast<int>(used_drawn), static_cast<int>(j),
+                       static_cast<int>(used_model), c.difference});
+  }
+  return collect(std::move(links), input, cell(n, m).cost);
+}
+
+/// The best explanation in any order, without joined or split strokes.
+Alignment align_in_any_order(const AlignmentInput& input, const Table& t) {
+  const std::size_t size = std::max(t.drawn_count, t.model_count);
+  std::vector<float> costs(size * size);
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      auto& c = costs[i * size + j];
+      if (i >= t.drawn_count)
+        c = input.extent == Extent::beginning ? 0 : kMissing;
+      else if (j >= t.model_count)
+        c = kExtra;
+      else
+        c = std::min(t.at(i, j).cost, kWrong);
+    }
+  }
+  const auto columns = assign(costs, size);
+  std::vector<Link> links;
+  float total = 0;
+  std::vector<std::size_t> strange_drawn;
+  std::vector<std::size_t> strange_model;
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t j = columns[i];
+    total += costs[i * size + j];
+    if (i >= t.drawn_count || j >= t.model_count) continue;
+    if (t.at(i, j).cost < kWrong) {
+      links.push_back({static_cast<int>(i), 1, static_cast<int>(j), 1, t.at(i, j)});
+    } else {
+      strange_drawn.push_back(i);
+      strange_model.push_back(j);
+    }
+  }
+  // Strange strokes stand for each other in the order of their turns.
+  std::sort(strange_model.begin(), strange_model.end());
+  for (std::size_t k = 0; k < strange_drawn.size(); ++k)
+    links.push_back({static_cast<int>(strange_drawn[k]), 1, static_cast<int>(strange_model[k]), 1,
+                     t.at(strange_drawn[k], strange_model[k])});
+  auto result = collect(std::move(links), input, total);
+  if (input.extent == Extent::beginning) result.cost += kMissing * static_cast<float>(result.missing.size());
+  return result;
+}
+
+double scale_of(const Affine& map) { return std::sqrt(std::abs(map.a * map.d - map.b * map.c)); }
+
+/// What it costs that the writing is not where and as large as the box suggests; little, it breaks ties.
+float box_cost(const AlignmentInput& input, const Affine& map) {
+  if (!input.box) return 0;
+  // The middle of the model's box, seen in both maps.
+  const double det = map.a * map.d - map.b * map.c;
+  if (std::abs(det) < 1e-12) return 50;
+  const double ux = geometry::kGlyphSide / 2 - map.tx;
+  const double uy = geometry::kGlyphSide / 2 - map.ty;
+  const double x = (map.d * ux - map.b * uy) / det;
+  const double y = (map.a * uy - map.c * ux) / det;
+  const double dx = input.box->a * x + input.box->tx - geometry::kGlyphSide / 2;
+  const double dy = input.box->d * y + input.box->ty - geometry::kGlyphSide / 2;
+  const double size = std::log(scale_of(map) / input.box->a);
+  const double place_sigma = 12;
+  const double size_sigma = 0.25;
+  return static_cast<float>(std::min(
+      (dx * dx + dy * dy) / (place_sigma * place_sigma) + size * size / (size_sigma * size_sigma), 20.0));
+}
+
+Affine refit(const AlignmentInput& input, const std::vector<Link>& links, double scale) {
+  std::vector<FitPair> pairs;
+  pairs.reserve(links.size());
+  std::vector<Shape> made;
+  made.reserve(links.size());
+  for (const auto& l : links) {
+    const Samples* d = &input.drawn[static_cast<std::size_t>(l.drawn)].whole;
+    const Samples* m = &input.model[static_cast<std::size_t>(l.model)].whole;
+    if (l.drawn_count == 2)
+      d = &made.emplace_back(joined(*d, input.drawn[static_cast<std::size_t>(l.drawn) + 1].whole)).whole;
+    if (l.model_count == 2) m = &input.pairs[static_cast<std::size_t>(l.model)].whole;
+    const double slip = 1 + static_cast<double>(l.difference.cost) / 8;
+    pairs.push_back({d, m, l.difference.reversed, 1 / (slip * slip)});
+  }
+  return fit(pairs, scale);
+}
+
+/// Alternates between explaining and fitting, from a first map.
+Alignment settle(const AlignmentInput& input, Affine map, double scale, int rounds = 4) {
+  Alignment best;
+  best.cost = std::numeric_limits<float>::max();
+  for (int round = 0; round < rounds; ++round) {
+    const auto table = tabulate(input, map);
+    auto a = align_in_order(input, table);
+    if (a.cost > kOutOfOrder) {
+      auto b = align_in_any_order(input, table);
+      if (b.cost + kOutOfOrder < a.cost) {
+        b.cost += kOutOfOrder;
+        a = std::move(b);
+      }
+    }
+    a.map = map;
+    a.cost += box_cost(input, map);
+    const bool better = a.cost < best.cost - 0.05F;
+    if (a.cost < best.cost) best = std::move(a);
+    if (!better || best.links.empty()) break;
+    map = refit(input, best.links, scale);
+  }
+  return best;
+}
+
+/// The map under which the strokes, taken in order, fit best; strokes of the longer side may be left out.
+struct Guess {
+  Affine map;
+  std::vector<Link> links;
+  float cost = std::numeric_limits<float>::max();
+};
+
+Guess guess_in_order(const AlignmentInput& input, const std::vector<Link>& start, double scale) {
+  auto links = start;
+  Guess g;
+  for (int round = 0; round < 3; ++round) {
+    g.map = refit(input, links, scale);
+    g.cost = box_cost(input, g.map);
+    for (auto& l : links) {
+      const auto d = transformed(input.drawn[static_cast<std::size_t>(l.drawn)], g.map);
+      const auto j = static_cast<std::size_t>(l.model);
+      l.difference = compare(d, l.model_count == 2 ? input.pairs[j] : input.model[j]);
+      g.cost += std::min(l.difference.cost, kWrong);
+    }
+  }
+  g.links = std::move(links);
+  return g;
+}
+
+/// Links in order with `gap` strokes of the longer side left out at `at`, or joined there.
+std::vector<Link> links_in_order(std::size_t n, std::size_t m, std::size_t at, bool join) {
+  std::vector<Link> links;
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < n && j < m) {
+    if (i == at && n > m) {
+      ++i;
+      if (i >= n) break;
+    }
+    if (j == at && n < m && !join) {
+      ++j;
+      if (j >= m) break;
+    }
+    const int count = join && j == at && j + 1 < m ? 2 : 1;
+    links.push_back({static_cast<int>(i), 1, static_cast<int>(j), count, {}});
+    ++i;
+    j += static_cast<std::size_t>(count);
+  }
+  return links;
+}
+
+}  // namespace
+
+Alignment align(const AlignmentInput& input) {
+  const std::size_t n = input.drawn.size();
+  const std::size_t m = input.model.size();
+  const auto moments = fit_by_moments(input.drawn, input.model);
+  const double scale = input.extent == Extent::beginning && input.box ? input.box->a : moments.a;
+
+  Alignment best;
+  best.cost = std::numeric_limits<float>::max();
+  const auto take = [&best](Alignment a) {
+    if (a.cost < best.cost) best = std::move(a);
+  };
+  const auto good = [&best, m] { return best.cost < 2.5F * static_cast<float>(m) && best.cost < kJoined; };
+
+  if (n == m) {
+    const auto g = guess_in_order(input, links_in_order(n, m, n, false), scale);
+    take(settle(input, g.map, scale));
+    if (good()) return best;
+  } else if (input.extent == Extent::whole && (n + 1 == m || m + 1 == n)) {
+    Guess left_out;
+    Guess together;
+    for (std::size_t k = 0; k < std::max(n, m); ++k) {
+      const auto g = guess_in_order(input, links_in_order(n, m, k, false), scale);
+      if (g.cost < left_out.cost) left_out = g;
+      if (n < m && k + 1 < m) {
+        const auto j = guess_in_order(input, links_in_order(n, m, k, true), scale);
+        if (j.cost < together.cost) together = j;
+      }
+    }
+    take(settle(input, left_out.map, scale));
+    if (together.cost < left_out.cost + kMissing) take(settle(input, together.map, scale));
+  }
+  if (input.extent == Extent::beginning && n < m) {
+    std::vector<Link> links;
+    for (std::size_t k = 0; k < n; ++k) links.push_back({static_cast<int>(k), 1, static_cast<int>(k), 1, {}});
+    take(settle(input, guess_in_order(input, links, scale).map, scale));
+  } else {
+    take(settle(input, moments, scale));
+  }
+  if (input.box) take(settle(input, *input.box, scale));
+  return best;
+}
+
+Alignment align_roughly(const AlignmentInput& input) {
+  const std::size_t n = input.drawn.size();
+  const std::size_t m = input.model.size();
+  const auto moments = fit_by_moments(input.drawn, input.model);
+  const bool in_turn = n == m || (input.extent == Extent::beginning && n < m);
+  if (in_turn) {
+    // Taken one after another, first: that is how most is written.
+    std::vector<Link> links;
+    for (std::size_t k = 0; k < n; ++k) links.push_back({static_cast<int>(k), 1, static_cast<int>(k), 1, {}});
+    auto g = guess_in_order(input, links, fit_by_moments(input.drawn, input.model.first(n)).a);
+    if (g.cost < 4 * static_cast<float>(n)) {
+      auto a = collect(std::move(g.links), input, g.cost);
+      a.map = g.map;
+      return a;
+    }
+  }
+  return settle(input, moments, moments.a, 2);
+}
+
+}  // namespace nazori::writing

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shape.h"
+#include "stroke_difference.h"
+
+namespace nazori::writing {
+
+/// A drawn stroke (or two) and the model stroke (or two) it is taken for.
+struct Link {
+  int drawn = 0;        ///< first drawn stroke
+  int drawn_count = 1;  ///< 2: the model stroke was written in two pieces
+  int model = 0;        ///< first model stroke
+  int model_count = 1;  ///< 2: two strokes were written without lifting the pen
+  StrokeDifference difference;
+};
+
+/// Which drawn stroke is which of the model.
+struct Alignment {
+  std::vector<Link> links;   ///< by drawn stroke
+  std::vector<int> missing;  ///< model strokes without a drawn one
+  std::vector<int> extra;    ///< drawn strokes without a model
+  Affine map;                ///< ink to glyph frame
+  float cost = 0;            ///< of the whole explanation; lower is likelier
+};
+
+/// How far the model may be looked at.
+enum class Extent {
+  whole,      ///< all of the model was to be written
+  beginning,  ///< the character is still being written: strokes after the last drawn one are not missing
+};
+
+struct AlignmentInput {
+  std::span<const Shape> drawn;  ///< ink frame
+  std::span<const Shape> model;  ///< glyph frame
+  std::span<const Shape> pairs;  ///< of the model: strokes k and k + 1 joined, at k; empty: not thought of
+  std::optional<Affine> box;     ///< writing box to glyph frame
+  Extent extent = Extent::whole;
+};
+
+/// The likeliest explanation of the drawn strokes; at least one drawn and one model stroke.
+[[nodiscard]] Alignment align(const AlignmentInput& input);
+/// Nearly that, for telling many models apart: one starting point, two rounds.
+[[nodiscard]] Alignment align_roughly(const AlignmentInput& input);
+
+}  // namespace nazori::writing

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "alignment.h"
+#include "model_inside.h"
+#include "nazori/writing/grade.h"
+
+namespace nazori::writing {
+
+/// Kicks that are missing and kicks that should not be, of strokes taken for one stroke each. Endings that
+/// are officially free, or of which the source names two, are never among them.
+[[nodiscard]] std::vector<Fault> ending_faults(std::span<const Shape> drawn, const Alignment& alignment,
+                                               const Form& form);
+
+}  // namespace nazori::writing

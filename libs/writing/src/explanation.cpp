@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/writing/explanation.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "explanation_texts.h"
+#include "nazori/base/utf8.h"
+
+namespace nazori::writing {
+namespace {
+
+std::string fill(Text which, Language language, const std::string& first, const std::string& second = {}) {
+  return fmt::format(fmt::runtime(text(which, language)), first, second);
+}
+
+std::string number(int index) { return std::to_string(index + 1); }
+
+Text text_of_start(Side side) {
+  switch (side) {
+    case Side::top:
+      return Text::starts_top;
+    case Side::bottom:
+      return Text::starts_bottom;
+    case Side::left:
+      return Text::starts_left;
+    case Side::right:
+      return Text::starts_right;
+  }
+  return Text::starts_top;
+}
+
+Text text_of_wrong(const Fault& fault, const StrokeVerdict& verdict) {
+  switch (fault.deviation) {
+    case Deviation::place:
+      if (std::abs(verdict.offset_x) > std::abs(verdict.offset_y))
+        return verdict.offset_x > 0 ? Text::too_far_right : Text::too_far_left;
+      return verdict.offset_y > 0 ? Text::too_low : Text::too_high;
+    case Deviation::length:
+      return verdict.size > 1 ? Text::too_long : Text::too_short;
+    case Deviation::direction:
+      return Text::wrong_direction;
+    case Deviation::none:
+    case Deviation::shape:
+      break;
+  }
+  return Text::wrong_shape;
+}
+
+}  // namespace
+
+std::string explain(const Fault& fault, const Grade& grade, Language language) {
+  const auto stroke = number(fault.model.empty() ? fault.stroke : fault.model.front());
+  switch (fault.kind) {
+    case FaultKind::order:
+      if (fault.model.size() == 2)
+        return fill(Text::order, language, number(fault.model[0]), number(fault.model[1]));
+      break;
+    case FaultKind::reversed:
+      return fill(text_of_start(fault.start), language, stroke);
+    case FaultKind::missing:
+      return fill(Text::missing, language, stroke);
+    case FaultKind::extra:
+      return fill(Text::extra, language, number(fault.stroke));
+    case FaultKind::joined:
+      if (fault.model.size() == 2)
+        return fill(Text::joined, language, number(fault.model[0]), number(fault.model[1]));
+      break;
+    case FaultKind::split:
+      return fill(Text::split, language, stroke);
+    case FaultKind::other:
+      return fill(Text::other_character, language, base::encode_utf8(fault.character), stroke);
+    case FaultKind::ending:
+      return fill(fault.expected == kanji::StrokeEnding::hook ? Text::kick_missing : Text::kick_needless,
+                  language, stroke);
+    case FaultKind::wrong:
+      if (static_cast<std::size_t>(fault.stroke) < grade.strokes.size())
+        return fill(text_of_wrong(fault, grade.strokes[static_cast<std::size_t>(fault.stroke)]), language,
+                    stroke);
+      break;
+  }
+  return fill(Text::wrong_shape, language, stroke);
+}
+
+std::vector<std::string> explain(const Grade& grade, Language language) {
+  std::vector<std::string> sentences;
+  if (grade.accepted) {
+    const auto which = grade.alternative        ? Text::right_other_order
+                       : !grade.variant.empty() ? Text::right_other_form
+                                                : Text::right;
+    sentences.emplace_back(text(which, language));
+  }
+  for (const auto& fault : grade.faults) sentences.push_back(explain(fault, grade, language));
+  for (const auto& advice : grade.advice) sentences.push_back(explain(advice, grade, language));
+  return sentences;
+}
+
+}  // namespace nazori::writing

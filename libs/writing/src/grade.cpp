@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/writing/grade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "alignment.h"
+#include "endings.h"
+#include "judgement.h"
+#include "lookalike_contrast.h"
+#include "model_inside.h"
+#include "placement.h"
+#include "stroke_order_faults.h"
+
+namespace nazori::writing {
+namespace {
+
+Affine box_map(const WritingBox& box) {
+  const double s = geometry::kGlyphSide / box.side;
+  return {s, 0, -s * box.corner.x, 0, s, -s * box.corner.y};
+}
+
+Side start_of(const Samples& model) {
+  const float dx = model.x.back() - model.x.front();
+  const float dy = model.y.back() - model.y.front();
+  if (std::abs(dy) >= std::abs(dx)) return dy >= 0 ? Side::top : Side::bottom;
+  return dx >= 0 ? Side::left : Side::right;
+}
+
+/// Turn from the model's start-to-end line to the drawn one; 0 where either is closed.
+double chord_angle(const Samples& drawn, const Samples& model) {
+  const auto chord = [](const Samples& s) {
+    return std::pair{static_cast<double>(s.x.back() - s.x.front()),
+                     static_cast<double>(s.y.back() - s.y.front())};
+  };
+  const auto [dx, dy] = chord(drawn);
+  const auto [mx, my] = chord(model);
+  constexpr double kClosed = 0.2;  // chord by length
+  if (std::hypot(dx, dy) < kClosed * static_cast<double>(drawn.length) ||
+      std::hypot(mx, my) < kClosed * static_cast<double>(model.length))
+    return 0;
+  return std::atan2(mx * dy - my * dx, mx * dx + my * dy);
+}
+
+/// Share of the limit below which a stroke that seems to run backwards is not simply a wrong one.
+constexpr double kCertainly = 0.65;
+/// Share of the limit that counts for forms other than the one that was asked for.
+constexpr double kOtherForm = 0.45;
+const std::vector<kanji::AlternativeOrder> kNoOrders;
+
+/// How much of the limit a stroke may use, from the roughness of the `count` others (square roots of their
+/// deviations, summed): in careful writing a stroke that is off is wrong; in hasty writing all are a little
+/// off.
+double allowance(double roughness, std::size_t count) {
+  constexpr double kUsual = 0.34;
+  constexpr double kUsualCount = 2;
+  const double mean = (roughness + kUsualCount * kUsual) / (static_cast<double>(count) + kUsualCount);
+  return std::clamp(0.3 + 2 * mean, 0.7, 1.4);
+}
+
+/// Judges against one form.
+class Judge {
+ public:
+  Judge(std::span<const Shape> drawn, const std::optional<Affine>& box, const Form& form,
+        const std::vector<kanji::AlternativeOrder>& orders, const GradeOptions& options)
+      : drawn_(drawn),
+        form_(form),
+        orders_(orders),
+        options_(options),
+        limit_(deviation_limit(options.strictness)),
+        alignment_(align(
+            {drawn, form.shapes, form.pairs, box, options.unfinished ? Extent::beginning : Extent::whole})) {
+    grade_.variant = form.variant;
+    grade_.strokes.resize(drawn.size());
+  }
+
+  /// A form that is not the one that was asked for must fit better.
+  void demand(double share) { limit_ *= share; }
+
+  Grade run() {
+    judge_strokes();
+    judge_count();
+    judge_order();
+    finish();
+    return std::move(grade_);
+  }
+
+ private:
+  void judge_strokes() {
+    const auto places = placements(alignment_, form_.shapes);
+    std::vector<Judgement> judgements;
+    double roughness = 0;
+    for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
+      judgements.push_back(judge(alignment_.links[k].difference, places[k]));
+      roughness += std::sqrt(std::min(judgements.back().deviation, 1.0));
+    }
+    for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
+      const auto& link = alignment_.links[k];
+      const auto& judged = judgements[k];
+      const double limit =
+          limit_ * allowance(roughness - std::sqrt(std::min(judged.deviation, 1.0)), judgements.size() - 1);
+      auto& verdict = grade_.strokes[static_cast<std::size_t>(link.drawn)];
+      describe(link, judged, verdict);
+      if (link.drawn_count == 2) {
+        auto& second = grade_.strokes[static_cast<std::size_t>(link.drawn) + 1];
+        second = verdict;
+        add({FaultKind::split, link.drawn, link.drawn + 1, {link.model}});
+      } else if (link.model_count == 2) {
+        add({FaultKind::joined, link.drawn, {}, {link.model, link.model + 1}});
+      } else if (judged.deviation > (link.difference.reversed ? kCertainly * limit : limit)) {
+        auto most = judged.most;
+        if (most == Deviation::shape && std::abs(verdict.angle_rad) > std::numbers::pi / 5)
+          most = Deviation::direction;
+        add({FaultKind::wrong, link.drawn, {}, {link.model}, most});
+      } else if (link.difference.reversed) {
+        Fault fault{FaultKind::reversed, link.drawn, {}, {link.model}};
+        fault.start = start_of(form_.shapes[static_cast<std::size_t>(link.model)].whole);
+        add(std::move(fault));
+      } else {
+        verdict.ok = true;
+      }
+      shape_sum_ += std::min(judged.deviation - judged.place, 2.0);
+      place_sum_ += std::min(judged.place, 2.0);
+    }
+  }
+
+  void describe(const Link& link, const Judgement& judged, StrokeVerdict& verdict) const {
+    const auto& d = link.difference;
+    verdict.matched = link.model;
+    verdict.reversed = d.reversed;
+    verdict.offset_x = static_cast<double>(d.offset_x) / geometry::kGlyphSide;
+    verdict.offset_y = static_cast<double>(d.offset_y) / geometry::kGlyphSide;
+    verdict.size = std::exp(static_cast<double>(d.length_log));
+    verdict.shape = static_cast<double>(d.proportion);
+    verdict.deviation = judged.deviation;
+    const auto mapped = transformed(drawn_[static_cast<std::size_t>(link.drawn)].whole, alignment_.map);
+    verdict.angle_rad = chord_angle(mapped, form_.shapes[static_cast<std::size_t>(link.model)].whole);
+    if (d.reversed)
+      verdict.angle_rad = std::remainder(verdict.angle_rad + std::numbers::pi, 2 * std::numbers::pi);
+  }
+
+  void judge_count() {
+    for (const int i : alignment_.extra) add({FaultKind::extra, i, {}, {}});
+    for (const int j : alignment_.missing) add({FaultKind::missing, j, {}, {j}});
+  }
+
+  void judge_order() {
+    const auto turns = strokes_out_of_turn(alignment_.links);
+    if (turns.empty()) return;
+    if (const auto* listed = listed_order()) {
+      grade_.alternative = *listed;
+      return;
+    }
+    const bool advice = options_.strictness <= kOrderIsAdvice;
+    for (const auto& turn : turns) {
+      Fault fault{FaultKind::order, turn.drawn, turn.before, {}};
+      for (const int i : {turn.drawn, turn.before})
+        if (const auto m = grade_.strokes[static_cast<std::size_t>(i)].matched) fault.model.push_back(*m);
+      for (const int i : turn.misplaced) {
+        ++out_of_turn_;
+        if (!advice) grade_.strokes[static_cast<std::size_t>(i)].ok = false;
+      }
+      if (advice)
+        grade_.advice.push_back(std::move(fault));
+      else
+        add(std::move(fault));
+    }
+  }
+
+  /// The listed order that was followed from the first stroke to the last drawn one.
+  const kanji::AlternativeOrder* listed_order() const {
+    for (const auto& order : orders_) {
+      if (order.order.size() != form_.shapes.size()) continue;
+      const bool follows = std::all_of(alignment_.links.begin(), alignment_.links.end(), [&](const Link& l) {
+        return static_cast<std::size_t>(l.drawn) < order.order.size() && l.model_count == 1 &&
+               l.drawn_count == 1 && order.order[static_cast<std::size_t>(l.drawn)] == l.model + 1;
+      });
+      if (follows) return &order;
+    }
+    return nullptr;
+  }
+
+  void add(Fault fault) { grade_.faults.push_back(std::move(fault)); }
+
+  void finish() {
+    const auto strict_endings = options_.strictness >= kEndingsCount;
+    for (auto& fault : ending_faults(drawn_, alignment_, form_)) {
+      if (!grade_.strokes[static_cast<std::size_t>(fault.stroke)].ok) continue;
+      if (strict_endings) {
+        grade_.strokes[static_cast<std::size_t>(fault.stroke)].ok = false;
+        add(std::move(fault));
+      } else {
+        grade_.advice.push_back(std::move(fault));
+      }
+    }
+    std::stable_sort(grade_.faults.begin(), grade_.faults.end(),
+                     [](const Fault& a, const Fault& b) { return a.stroke < b.stroke; });
+    if (options_.unfinished) {
+      // A stroke of the model may still follow; that it was passed over is already in the turns.
+      std::erase_if(grade_.faults, [](const Fault& f) { return f.kind == FaultKind::missing; });
+    }
+    grade_.accepted = grade_.faults.empty();
+    score();
+  }
+
+  void score() {
+    const auto count = static_cast<double>(std::max(drawn_.size(), form_.shapes.size()));
+    const auto links = std::max(1.0, static_cast<double>(alignment_.links.size()));
+    double present = 0;
+    double backwards = 0;
+    for (const auto& f : grade_.faults) {
+      if (f.kind == FaultKind::reversed) ++backwards;
+      if (f.kind == FaultKind::missing || f.kind == FaultKind::extra || f.kind == FaultKind::wrong ||
+          f.kind == FaultKind::joined || f.kind == FaultKind::split)
+        ++present;
+    }
+    auto& p = grade_.parts;
+    p.strokes = std::clamp(1 - present / count, 0.0, 1.0);
+    p.order = std::clamp(1 - static_cast<double>(out_of_turn_) / links, 0.0, 1.0);
+    p.direction = std::clamp(1 - backwards / links, 0.0, 1.0);
+    p.shape = std::clamp(1 - 0.7 * shape_sum_ / links, 0.0, 1.0);
+    p.place = std::clamp(1 - 0.7 * place_sum_ / links, 0.0, 1.0);
+    grade_.score = static_cast<int>(
+        std::lround(30 * p.strokes + 15 * p.order + 15 * p.direction + 25 * p.shape + 15 * p.place));
+  }
+
+  std::span<const Shape> drawn_;
+  const Form& form_;
+  const std::vector<kanji::AlternativeOrder>& orders_;
+  const GradeOptions& options_;
+  double limit_;
+  Alignment alignment_;
+  Grade grade_;
+  double shape_sum_ = 0;
+  double place_sum_ = 0;
+  int out_of_turn_ = 0;
+};
+
+Grade grade_shapes(std::span<const Shape> drawn, const std::optional<Affine>& box, const ModelInside& model,
+                   const GradeOptions& options, std::span<const Model> lookalikes) {
+  auto best = Judge(drawn, box, model.main, model.orders, options).run();
+  if (!best.accepted) {
+    for (const auto& variant : model.variants) {
+      if (!options.unfinished && variant.shapes.size() != drawn.size()) continue;
+      Judge judge(drawn, box, variant, kNoOrders, options);
+      judge.demand(kOtherForm);
+      auto other = judge.run();
+      if (other.accepted) {
+        best = std::move(other);
+        break;
+      }
+    }
+  }
+  if (best.accepted && !options.unfinished && !best.alternative && best.variant.empty() &&
+      drawn.size() == model.main.shapes.size()) {
+    if (const auto mistaken = mistaken_for(drawn, model.main, lookalikes)) {
+      best.accepted = false;
+      best.strokes[static_cast<std::size_t>(mistaken->stroke)].ok = false;
+      Fault fault{FaultKind::other, mistaken->stroke, {}, {mistaken->stroke}};
+      fault.character = mistaken->character;
+      best.faults.push_back(std::move(fault));
+    }
+  }
+  return best;
+}
+
+struct Prepared {
+  std::vector<Shape> drawn;
+  std::optional<Affine> box;
+};
+
+base::Result<Prepared> prepare(const Ink& ink, const GradeOptions& options) {
+  if (auto good = check(ink); !good) return tl::unexpected(good.error());
+  if (!(options.strictness >= 0 && options.strictness <= 1))
+    return base::fail(base::Errc::bad_argument, "The strictness is not between 0 and 1.", "strictness");
+  Prepared p;
+  for (const auto& s : ink.strokes) p.drawn.push_back(make_shape<InkFrame>(s.points));
+  if (ink.box) p.box = box_map(*ink.box);
+  return p;
+}
+
+}  // namespace
+
+base::Result<Grade> grade(const Ink& ink, const Model& model, const GradeOptions& options,
+                          std::span<const Model> lookalikes) {
+  const auto p = prepare(ink, options);
+  if (!p) return tl::unexpected(p.error());
+  return grade_shapes(p->drawn, p->box, model.inside(), options, lookalikes);
+}
+
+base::Result<Grade> grade_live(const Ink& ink, const Model& model, const GradeOptions& options,
+                               std::span<const Model> lookalikes) {
+  const auto p = prepare(ink, options);
+  if (!p) return tl::unexpected(p.error());
+  const std::span<const Shape> drawn(p->drawn);
+  auto last = grade_shapes(drawn, p->box, model.inside(), options, lookalikes);
+  auto beginning = options;
+  beginning.unfinished = true;
+  std::vector<Fault> faults;
+  for (std::size_t n = 1; n <= drawn.size(); ++n) {
+    auto now = grade_shapes(drawn.first(n), p->box, model.inside(), beginning, {});
+    last.strokes[n - 1] = now.strokes.back();
+    for (auto& f : now.faults)
+      if (f.stroke == static_cast<int>(n) - 1 || f.second == static_cast<int>(n) - 1)
+        faults.push_back(std::move(f));
+  }
+  for (auto& f : last.faults)
+    if (f.kind == FaultKind::missing || f.kind == FaultKind::other) faults.push_back(std::move(f));
+  last.faults = std::move(faults);
+  last.accepted = last.faults.empty();
+  return last;
+}
+
+}  // namespace nazori::writing

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/writing/ink.h"
+
+#include <cmath>
+#include <string>
+
+#include "nazori/writing/grade.h"
+
+namespace nazori::writing {
+namespace {
+
+constexpr double kLargest = 1e9;
+
+bool usable(double v) { return std::isfinite(v) && std::abs(v) <= kLargest; }
+
+std::string stroke_name(std::size_t index) { return "stroke " + std::to_string(index + 1); }
+
+}  // namespace
+
+base::Result<void> check(const Ink& ink) {
+  using base::Errc;
+  using base::fail;
+  if (ink.strokes.empty()) return fail(Errc::bad_argument, "There are no strokes.");
+  if (ink.strokes.size() > kMaxInkStrokes)
+    return fail(Errc::bad_argument, "There are too many strokes.", std::to_string(ink.strokes.size()),
+                "give at most " + std::to_string(kMaxInkStrokes));
+  if (ink.box &&
+      !(usable(ink.box->corner.x) && usable(ink.box->corner.y) && ink.box->side > 0 && usable(ink.box->side)))
+    return fail(Errc::bad_argument, "The writing box is not a square with a size.");
+  std::size_t count = 0;
+  bool apart = false;
+  const InkPoint* first = nullptr;
+  for (std::size_t i = 0; i < ink.strokes.size(); ++i) {
+    const auto& s = ink.strokes[i];
+    if (s.points.empty()) return fail(Errc::bad_argument, "A stroke has no points.", stroke_name(i));
+    if (!s.times_s.empty() && s.times_s.size() != s.points.size())
+      return fail(Errc::bad_argument, "A stroke has not as many times as points.", stroke_name(i));
+    if (!s.pressures.empty() && s.pressures.size() != s.points.size())
+      return fail(Errc::bad_argument, "A stroke has not as many pressures as points.", stroke_name(i));
+    count += s.points.size();
+    if (count > kMaxInkPoints)
+      return fail(Errc::bad_argument, "There are too many points.", stroke_name(i),
+                  "give at most " + std::to_string(kMaxInkPoints));
+    for (const auto& p : s.points) {
+      if (!usable(p.x) || !usable(p.y))
+        return fail(Errc::bad_argument, "A coordinate is not a usable number.", stroke_name(i));
+      if (first == nullptr) first = &p;
+      apart = apart || !(p == *first);
+    }
+  }
+  if (!apart) return fail(Errc::bad_argument, "All points are equal.");
+  return {};
+}
+
+}  // namespace nazori::writing

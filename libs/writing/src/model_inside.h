@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "nazori/kanji/character.h"
+#include "nazori/writing/model.h"
+#include "shape.h"
+
+namespace nazori::writing {
+
+/// One drawn form of a character.
+struct Form {
+  std::string variant;
+  std::vector<Shape> shapes;
+  std::vector<Shape> pairs;  ///< stroke k and k + 1 without lifting the pen, at k
+  std::vector<kanji::StrokeEnding> endings;
+  std::vector<char> free_ending;  ///< the source names two types: nobody is told off
+};
+
+struct ModelInside {
+  char32_t code_point = 0;
+  Form main;
+  std::vector<Form> variants;
+  std::vector<kanji::AlternativeOrder> orders;
+};
+
+}  // namespace nazori::writing

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/writing/recogniser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "alignment.h"
+#include "lookalike_contrast.h"
+#include "nazori/geometry/svg_path.h"
+#include "nazori/writing/grade.h"
+#include "quick_strokes.h"
+#include "stroke_picture.h"
+
+namespace nazori::writing {
+namespace {
+
+/// A known character: where its strokes lie in the common arrays.
+struct Known {
+  char32_t code_point = 0;
+  int place = 0;  // 0: the commonest
+  std::size_t first_stroke = 0;
+  std::size_t strokes = 0;
+};
+
+}  // namespace
+
+struct RecogniserInside {
+  std::vector<Known> characters;
+  std::vector<Picture> pictures;    // of each character
+  std::vector<ThreePoints> points;  // of each stroke
+  std::vector<std::size_t> starts;  // of each stroke in `lines`, and one more
+  std::vector<float> lines;         // x and y in turns
+
+  [[nodiscard]] FlatLine line(std::size_t stroke) const {
+    return FlatLine(lines).subspan(starts[stroke], starts[stroke + 1] - starts[stroke]);
+  }
+  [[nodiscard]] std::vector<FlatLine> lines_of(const Known& known) const {
+    std::vector<FlatLine> result;
+    for (std::size_t k = 0; k < known.strokes; ++k) result.push_back(line(known.first_stroke + k));
+    return result;
+  }
+
+  void begin_character(char32_t code_point, int place) {
+    characters.push_back({code_point, place, points.size(), 0});
+  }
+  void add_point(geometry::GlyphPoint p) {
+    lines.push_back(static_cast<float>(p.x));
+    lines.push_back(static_cast<float>(p.y));
+  }
+  void end_stroke() {
+    const std::size_t start = starts.empty() ? 0 : starts.back();
+    if (starts.empty()) starts.push_back(0);
+    starts.push_back(lines.size());
+    points.push_back(three_points(FlatLine(lines).subspan(start)));
+    ++characters.back().strokes;
+  }
+  void finish() {
+    std::erase_if(characters, [](const Known& k) { return k.strokes == 0; });
+    std::stable_sort(characters.begin(), characters.end(),
+                     [](const Known& a, const Known& b) { return a.place < b.place; });
+    pictures.reserve(characters.size());
+    for (const auto& k : characters) pictures.push_back(make_picture(lines_of(k)));
+  }
+};
+
+namespace {
+
+/// A few points of each curve are enough: what is compared is sampled again.
+void add_path(RecogniserInside& inside, const geometry::BezierPath& path) {
+  auto from = path.start;
+  inside.add_point(from);
+  for (const auto& piece : path.pieces) {
+    for (const double t : {0.25, 0.5, 0.75}) {
+      const double s = 1 - t;
+      inside.add_point(from * (s * s * s) + piece[0] * (3 * s * s * t) + piece[1] * (3 * s * t * t) +
+                       piece[2] * (t * t * t));
+    }
+    inside.add_point(piece[2]);
+    from = piece[2];
+  }
+  inside.end_stroke();
+}
+
+/// What was drawn, in all the ways it is looked at.
+struct Drawn {
+  std::vector<Shape> shapes;
+  std::vector<ThreePoints> points;
+  Picture picture{};
+};
+
+Drawn look_at(const Ink& ink) {
+  Drawn d;
+  std::vector<std::vector<float>> flat;
+  for (const auto& s : ink.strokes) {
+    d.shapes.push_back(make_shape<InkFrame>(s.points));
+    const auto& whole = d.shapes.back().whole;
+    auto& line = flat.emplace_back();
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      line.push_back(whole.x[k]);
+      line.push_back(whole.y[k]);
+    }
+    d.points.push_back(three_points(line));
+  }
+  const std::vector<FlatLine> lines(flat.begin(), flat.end());
+  d.picture = make_picture(lines);
+  return d;
+}
+
+/// The `count` smallest of `scores`, by index.
+std::vector<std::size_t> smallest(const std::vector<float>& scores, std::size_t count) {
+  std::vector<std::size_t> index;
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    if (scores[i] < std::numeric_limits<float>::max()) index.push_back(i);
+  count = std::min(count, index.size());
+  std::nth_element(index.begin(), index.begin() + static_cast<std::ptrdiff_t>(count), index.end(),
+                   [&scores](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });
+  index.resize(count);
+  return index;
+}
+
+/// Characters worth a closer look: by their picture, and by three points of each stroke in order.
+std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& drawn, bool unfinished) {
+  constexpr std::size_t kByPicture = 36;
+  constexpr std::size_t kByOrder = 16;
+  constexpr float kNever = std::numeric_limits<float>::max();
+  constexpr float kPerStroke = 0.01F;
+  const auto n = drawn.points.size();
+  std::vector<float> by_picture(inside.characters.size(), kNever);
+  std::vector<float> by_order(inside.characters.size(), kNever);
+  for (std::size_t i = 0; i < inside.characters.size(); ++i) {
+    const auto& known = inside.characters[i];
+    const auto m = known.strokes;
+    // Strokes run together in quick writing: rather too few drawn than too many.
+    if (m + 2 + m / 8 >= n && m <= 2 * n + 2) {
+      const float apart = static_cast<float>(m > n ? m - n : n - m);
+      by_picture[i] = kPerStroke * apart - likeness(drawn.picture, inside.pictures[i]);
+    }
+    if (m == n || (unfinished && m > n))
+      by_order[i] = distance_in_order(drawn.points, std::span(inside.points).subspan(known.first_stroke, m)) +
+                    (m == n ? 0.0F : 0.01F);
+  }
+  auto result = smallest(by_picture, kByPicture);
+  for (const auto i : smallest(by_order, unfinished ? 2 * kByOrder : kByOrder)) result.push_back(i);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+struct Scored {
+  std::size_t index = 0;
+  double cost = 0;
+};
+
+Form form_of(const RecogniserInside& inside, const Known& known) {
+  Form form;
+  std::vector<double> xs;
+  std::vector<double> ys;
+  for (std::size_t k = 0; k < known.strokes; ++k) {
+    const auto line = inside.line(known.first_stroke + k);
+    xs.clear();
+    ys.clear();
+    for (std::size_t i = 0; i + 1 < line.size(); i += 2) {
+      xs.push_back(static_cast<double>(line[i]));
+      ys.push_back(static_cast<double>(line[i + 1]));
+    }
+    form.shapes.push_back(make_shape(xs, ys));
+  }
+  return form;
+}
+
+/// What is drawn is likelier to be a kanji than a kana of the same strokes (二, ニ), and rarely a letter or a
+/// mark.
+double cost_of_kind(char32_t c) {
+  constexpr double kKana = 0.8;
+  constexpr double kOther = 1.6;
+  const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
+  if (within(0x3041, 0x3096) || within(0x30A1, 0x30FA)) return kKana;
+  return within(0x3400, 0x9FFF) || within(0xF900, 0xFAFF) || c >= 0x20000 ? 0 : kOther;
+}
+
+/// Cost for each stroke, common characters a little cheaper.
+double cost_of(const RecogniserInside& inside, const Drawn& drawn, std::size_t index, const Form& form,
+               const std::vector<Shape>& pairs, bool unfinished) {
+  constexpr double kRare = 0.12;     // for each e-fold in rank
+  constexpr double kPicture = 12.0;  // for likeness 0
+  const auto& known = inside.characters[index];
+  const bool beginning = unfinished && known.strokes > drawn.shapes.size();
+  const auto a =
+      align_roughly({drawn.shapes, form.shapes, pairs, {}, beginning ? Extent::beginning : Extent::whole});
+  const auto count = static_cast<double>(std::max(drawn.shapes.size(), std::size_t{1}));
+  double cost = static_cast<double>(a.cost) / count + kRare * std::log(20.0 + known.place) +
+                cost_of_kind(known.code_point);
+  if (beginning)
+    cost += 0.5;
+  else
+    cost += kPicture * (1 - static_cast<double>(likeness(drawn.picture, inside.pictures[index])));
+  return cost;
+}
+
+}  // namespace
+
+Recogniser::Recogniser(std::unique_ptr<const RecogniserInside> inside) : inside_(std::move(inside)) {}
+Recogniser::Recogniser(Recogniser&&) noexcept = default;
+Recogniser& Recogniser::operator=(Recogniser&&) noexcept = default;
+Recogniser::~Recogniser() = default;
+
+base::Result<Recogniser> Recogniser::make(const kanji::KanjiDatabase& database) {
+  auto inside = std::make_unique<RecogniserInside>();
+  char32_t current = 0;
+  database.for_each_stroke([&](const kanji::StrokePath& stroke) {
+    const auto path = geometry::parse_svg_path(stroke.path);
+    if (!path) return;
+    if (inside->characters.empty() || stroke.code_point != current)
+      inside->begin_character(stroke.code_point, stroke.place);
+    current = stroke.code_point;
+    add_path(*inside, *path);
+  });
+  inside->finish();
+  if (inside->characters.empty())
+    return base::fail(base::Errc::not_found, "The database has no drawn characters.", {},
+                      "build it again: nazori-cli database build");
+  return Recogniser(std::move(inside));
+}
+
+base::Result<Recogniser> Recogniser::make(const std::vector<kanji::Character>& characters) {
+  auto inside = std::make_unique<RecogniserInside>();
+  int place = 0;
+  for (const auto& c : characters) {
+    inside->begin_character(c.code_point, place++);
+    for (const auto& s : c.strokes) {
+      if (s.line.points.empty()) continue;
+      for (const auto& p : s.line.points) inside->add_point(p);
+      inside->end_stroke();
+    }
+  }
+  inside->finish();
+  if (inside->characters.empty())
+    return base::fail(base::Errc::not_found, "None of the characters has strokes.");
+  return Recogniser(std::move(inside));
+}
+
+int Recogniser::size() const { return static_cast<int>(inside_->characters.size()); }
+
+base::Result<std::vector<Candidate>> Recogniser::recognise(const Ink& ink,
+                                                           const RecogniseOptions& options) const {
+  if (auto good = check(ink); !good) return tl::unexpected(good.error());
+  if (options.limit < 1) return base::fail(base::Errc::bad_argument, "The limit is below 1.", "limit");
+  const auto drawn = look_at(ink);
+  std::vector<Scored> scored;
+  for (const auto index : shortlist(*inside_, drawn, options.unfinished)) {
+    const auto form = form_of(*inside_, inside_->characters[index]);
+    std::vector<Shape> pairs;
+    for (std::size_t k = 0; drawn.shapes.size() < form.shapes.size() && k + 1 < form.shapes.size(); ++k)
+      pairs.push_back(joined(form.shapes[k].whole, form.shapes[k + 1].whole));
+    scored.push_back({index, cost_of(*inside_, drawn, index, form, pairs, options.unfinished)});
+  }
+  std::sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) { return a.cost < b.cost; });
+  if (scored.size() > static_cast<std::size_t>(options.limit))
+    scored.resize(static_cast<std::size_t>(options.limit));
+  std::vector<Candidate> result;
+  for (const auto& s : scored)
+    result.push_back({inside_->characters[s.index].code_point, 1 / (1 + std::max(0.0, s.cost) / 8)});
+  return result;
+}
+
+}  // namespace nazori::writing

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace nazori::writing {
+namespace {
+
+/// Coordinates are at most 1e9: no need of hypot's care.
+double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
+
+/// A line with the length from its start to each point.
+struct Measured {
+  std::span<const double> xs;
+  std::span<const double> ys;
+  std::vector<double> along;
+
+  Measured(std::span<const double> x, std::span<const double> y) : xs(x), ys(y), along(x.size(), 0.0) {
+    for (std::size_t i = 1; i < xs.size(); ++i)
+      along[i] = along[i - 1] + length_of(xs[i] - xs[i - 1], ys[i] - ys[i - 1]);
+  }
+  [[nodiscard]] double length() const { return along.back(); }
+
+  /// Samples of the part from `begin` to `end`, lengths along the line.
+  [[nodiscard]] Samples part(double begin, double end) const {
+    Samples out;
+    std::size_t i = 0;
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      const double s = begin + (end - begin) * static_cast<double>(k) / static_cast<double>(kSamples - 1);
+      while (i + 2 < along.size() && along[i + 1] < s) ++i;
+      const std::size_t j = std::min(i + 1, along.size() - 1);
+      const double segment = along[j] - along[i];
+      const double t = segment > 0 ? std::clamp((s - along[i]) / segment, 0.0, 1.0) : 0.0;
+      out.x[k] = static_cast<float>(xs[i] + (xs[j] - xs[i]) * t);
+      out.y[k] = static_cast<float>(ys[i] + (ys[j] - ys[i]) * t);
+    }
+    out.length = static_cast<float>(end - begin);
+    out.find_centre();
+    return out;
+  }
+};
+
+float spread_of(const Samples& s) {
+  float sum = 0;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const float dx = s.x[k] - s.centre_x;
+    const float dy = s.y[k] - s.centre_y;
+    sum += dx * dx + dy * dy;
+  }
+  return std::sqrt(sum / static_cast<float>(kSamples));
+}
+
+/// Length from the start to the corner where a kick begins; nullopt where there is none.
+std::optional<double> kick_start(const Samples& s) {
+  constexpr std::size_t kLongestKick = 7;  // of 23 steps
+  constexpr float kCosine = 0.57F;         // 55 degrees
+  float sharpest = kCosine;
+  std::optional<std::size_t> corner;
+  for (std::size_t k = kSamples - 1 - kLongestKick; k + 1 < kSamples; ++k) {
+    const float bx = s.x[k] - s.x[k - 3];
+    const float by = s.y[k] - s.y[k - 3];
+    const float ex = s.x[kSamples - 1] - s.x[k];
+    const float ey = s.y[kSamples - 1] - s.y[k];
+    const float size = std::sqrt((bx * bx + by * by) * (ex * ex + ey * ey));
+    if (size <= 0) continue;
+    const float cosine = (bx * ex + by * ey) / size;
+    if (cosine < sharpest) {
+      sharpest = cosine;
+      corner = k;
+    }
+  }
+  if (!corner) return std::nullopt;
+  return static_cast<double>(s.length) * static_cast<double>(*corner) / static_cast<double>(kSamples - 1);
+}
+
+}  // namespace
+
+void Samples::find_centre() {
+  centre_x = std::accumulate(x.begin(), x.end(), 0.0F) / static_cast<float>(kSamples);
+  centre_y = std::accumulate(y.begin(), y.end(), 0.0F) / static_cast<float>(kSamples);
+}
+
+Samples transformed(const Samples& samples, const Affine& map) {
+  Samples out;
+  const auto a = static_cast<float>(map.a);
+  const auto b = static_cast<float>(map.b);
+  const auto c = static_cast<float>(map.c);
+  const auto d = static_cast<float>(map.d);
+  const auto tx = static_cast<float>(map.tx);
+  const auto ty = static_cast<float>(map.ty);
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    out.x[k] = a * samples.x[k] + b * samples.y[k] + tx;
+    out.y[k] = c * samples.x[k] + d * samples.y[k] + ty;
+  }
+  float length = 0;
+  for (std::size_t k = 1; k < kSamples; ++k) {
+    const float dx = out.x[k] - out.x[k - 1];
+    const float dy = out.y[k] - out.y[k - 1];
+    length += std::sqrt(dx * dx + dy * dy);
+  }
+  out.length = length;
+  out.find_centre();
+  return out;
+}
+
+Shape transformed(const Shape& shape, const Affine& map) {
+  Shape out;
+  out.whole = transformed(shape.whole, map);
+  if (shape.body) out.body = transformed(*shape.body, map);
+  out.kicked = shape.kicked;
+  out.spread = spread_of(out.whole);
+  return out;
+}
+
+Samples sample_line(std::span<const double> xs, std::span<const double> ys) {
+  const Measured line(xs, ys);
+  return line.part(0, line.length());
+}
+
+Shape make_shape(std::span<const double> xs, std::span<const double> ys) {
+  const Measured line(xs, ys);
+  Shape out;
+  out.whole = line.part(0, line.length());
+  if (const auto corner = kick_start(out.whole)) {
+    out.body = line.part(0, *corner);
+    out.kicked = true;
+  }
+  out.spread = spread_of(out.whole);
+  return out;
+}
+
+Shape joined(const Samples& first, const Samples& second) {
+  std::vector<double> xs(first.x.begin(), first.x.end());
+  std::vector<double> ys(first.y.begin(), first.y.end());
+  xs.insert(xs.end(), second.x.begin(), second.x.end());
+  ys.insert(ys.end(), second.y.begin(), second.y.end());
+  return make_shape(xs, ys);
+}
+
+}  // namespace nazori::writing

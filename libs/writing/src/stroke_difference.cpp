@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stroke_difference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nazori::writing {
+namespace {
+
+struct Moments {
+  float shape;
+  float proportion;
+};
+
+/// Both sums in one pass; `backwards` walks the drawn samples from the end.
+template <bool backwards>
+Moments distances(const Samples& d, const Samples& m) {
+  const float fd = 1 / std::max(d.length, 1e-3F);
+  const float fm = 1 / std::max(m.length, 1e-3F);
+  float shape = 0;
+  float proportion = 0;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const std::size_t j = backwards ? kSamples - 1 - k : k;
+    const float dx = d.x[j] - d.centre_x;
+    const float dy = d.y[j] - d.centre_y;
+    const float mx = m.x[k] - m.centre_x;
+    const float my = m.y[k] - m.centre_y;
+    const float ex = dx - mx;
+    const float ey = dy - my;
+    shape += ex * ex + ey * ey;
+    const float ux = dx * fd - mx * fm;
+    const float uy = dy * fd - my * fm;
+    proportion += ux * ux + uy * uy;
+  }
+  constexpr auto kCount = static_cast<float>(kSamples);
+  return {std::sqrt(shape / kCount), std::sqrt(proportion / kCount)};
+}
+
+float cost_of(const StrokeDifference& e) {
+  const float length = e.model_length;
+  const float place = 2.9F + 0.035F * length;
+  const float size = 1.45F + 0.058F * length;
+  const float proportion = (0.04F + 0.46F / (length + 4.0F)) * e.freedom;
+  return (e.offset_x * e.offset_x + e.offset_y * e.offset_y) / (place * place) +
+         0.5F * e.shape * e.shape / (size * size) +
+         0.5F * e.proportion * e.proportion / (proportion * proportion);
+}
+
+StrokeDifference compare_samples(const Samples& d, const Samples& m, float freedom) {
+  constexpr float kFloor = 0.3F;
+  constexpr float kReversedPenalty = 4.0F;
+  StrokeDifference e;
+  e.offset_x = d.centre_x - m.centre_x;
+  e.offset_y = d.centre_y - m.centre_y;
+  e.model_length = m.length;
+  e.freedom = freedom;
+  e.length_log = std::log((d.length + kFloor) / (m.length + kFloor));
+  const auto forward = distances<false>(d, m);
+  e.shape = forward.shape;
+  e.proportion = forward.proportion;
+  e.cost = cost_of(e);
+  if (e.cost <= kReversedPenalty) return e;
+  StrokeDifference back = e;
+  const auto backward = distances<true>(d, m);
+  back.shape = backward.shape;
+  back.proportion = backward.proportion;
+  back.reversed = true;
+  back.cost = cost_of(back) + kReversedPenalty;
+  return back.cost < e.cost ? back : e;
+}
+
+}  // namespace
+
+StrokeDifference compare(const Shape& drawn, const Shape& model) {
+  // Too far apart to be taken for each other, whatever their shapes.
+  constexpr float kFar = 60.0F;
+  StrokeDifference far;
+  far.offset_x = drawn.whole.centre_x - model.whole.centre_x;
+  far.offset_y = drawn.whole.centre_y - model.whole.centre_y;
+  far.model_length = model.whole.length;
+  far.freedom = model.freedom;
+  far.cost = cost_of(far);
+  if (far.cost > kFar) {
+    far.shape = std::abs(drawn.spread - model.spread);
+    far.proportion = 1;
+    return far;
+  }
+  auto best = compare_samples(drawn.whole, model.whole, model.freedom);
+  const auto take = [&best](const StrokeDifference& other) {
+    if (other.cost < best.cost) best = other;
+  };
+  if (model.body) take(compare_samples(drawn.whole, *model.body, model.freedom));
+  if (drawn.body) take(compare_samples(*drawn.body, model.whole, model.freedom));
+  if (drawn.body && model.body) take(compare_samples(*drawn.body, *model.body, model.freedom));
+  return best;
+}
+
+}  // namespace nazori::writing

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "shape.h"
+
+namespace nazori::writing {
+
+/// How a drawn stroke differs from one of the model, both in glyph units.
+struct StrokeDifference {
+  float offset_x = 0;  ///< of the centre
+  float offset_y = 0;
+  float shape = 0;       ///< root mean square distance of the samples once the centres lie on each other
+  float proportion = 0;  ///< the same of the shapes brought to length 1
+  float length_log = 0;  ///< natural logarithm of drawn by model length
+  float model_length = 0;
+  float freedom = 1;  ///< Shape::freedom of the model stroke
+  bool reversed = false;
+  float cost = 0;  ///< squared deviations in units of what is natural, summed
+};
+
+/// Below this cost a stroke is the stroke of the model, at normal strictness.
+inline constexpr float kAcceptCost = 12.0F;
+
+[[nodiscard]] StrokeDifference compare(const Shape& drawn, const Shape& model);
+
+}  // namespace nazori::writing

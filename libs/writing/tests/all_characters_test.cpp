@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every stroke of every character of the database, as drawn and with each kind of mistake.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "drawing.h"
+#include "indistinguishable.h"
+#include "lookalike_contrast.h"
+#include "nazori/base/utf8.h"
+#include "nazori/geometry/polyline.h"
+#include "nazori/kanji/kanji_database.h"
+#include "nazori/writing/lookalikes.h"
+#include "nazori/writing/model_library.h"
+#include "nazori/writing/recogniser.h"
+
+namespace nazori::writing::test {
+namespace {
+
+const kanji::KanjiDatabase& database() {
+  static const auto kOpened = [] {
+    const char* folder = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe): one thread
+    auto opened =
+        kanji::KanjiDatabase::open(std::filesystem::path(folder == nullptr ? "." : folder) / "kanji.db");
+    EXPECT_TRUE(opened) << base::to_line(opened.error());
+    return std::move(*opened);
+  }();
+  return kOpened;
+}
+
+/// Which stroke of a character is spoilt: another one for each character and mistake, the same every run.
+std::size_t chosen(char32_t character, std::size_t salt, std::size_t count) {
+  return (static_cast<std::size_t>(character) * 2654435761U + salt * 40503U) % 104729U % count;
+}
+
+class AllCharacters : public testing::Test {
+ protected:
+  /// Calls `judge` for each main form.
+  template <class Judge>
+  static void each(Judge judge) {
+    ModelLibrary library(database());
+    for (const auto& summary : database().list(kanji::List::all)) {
+      const auto entry = library.find(summary.code_point);
+      ASSERT_TRUE(entry);
+      const auto character = database().find(summary.code_point);
+      const auto accepted = [&entry](const Ink& ink) {
+        const auto g = grade(ink, (*entry)->model, {}, (*entry)->lookalikes);
+        EXPECT_TRUE(g);
+        return g && g->accepted;
+      };
+      judge(*character, trace(*character), accepted);
+    }
+  }
+};
+
+TEST_F(AllCharacters, AreAcceptedAsDrawn) {
+  int count = 0;
+  each([&](const kanji::Character& c, const Ink& ink, const auto& accepted) {
+    ++count;
+    EXPECT_TRUE(accepted(ink)) << base::encode_utf8(c.code_point);
+  });
+  EXPECT_EQ(count, 6702);
+}
+
+TEST_F(AllCharacters, AreNotAcceptedWithAStrokeReversed) {
+  each([&](const kanji::Character& c, Ink ink, const auto& accepted) {
+    const auto k = chosen(c.code_point, 1, ink.strokes.size());
+    if (indistinguishable_reversed(c, k)) return;
+    ink.strokes[k] = reversed(ink.strokes[k]);
+    EXPECT_FALSE(accepted(ink)) << base::encode_utf8(c.code_point) << " stroke " << k + 1;
+  });
+}
+
+TEST_F(AllCharacters, AreNotAcceptedWithAStrokeMissing) {
+  each([&](const kanji::Character& c, Ink ink, const auto& accepted) {
+    const auto k = chosen(c.code_point, 2, ink.strokes.size());
+    if (ink.strokes.size() < 2 || indistinguishable_without(c, k)) return;
+    ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(k));
+    EXPECT_FALSE(accepted(ink)) << base::encode_utf8(c.code_point) << " stroke " << k + 1;
+  });
+}
+
+TEST_F(AllCharacters, AreNotAcceptedWithTwoStrokesExchanged) {
+  each([&](const kanji::Character& c, Ink ink, const auto& accepted) {
+    if (ink.strokes.size() < 2) return;
+    const auto k = chosen(c.code_point, 3, ink.strokes.size() - 1);
+    if (indistinguishable_exchanged(c, k)) return;
+    std::swap(ink.strokes[k], ink.strokes[k + 1]);
+    EXPECT_FALSE(accepted(ink)) << base::encode_utf8(c.code_point) << " strokes " << k + 1 << " and "
+                                << k + 2;
+  });
+}
+
+TEST_F(AllCharacters, AreNotAcceptedWithAStrokeShortenedToAThird) {
+  each([&](const kanji::Character& c, Ink ink, const auto& accepted) {
+    const auto k = chosen(c.code_point, 4, ink.strokes.size());
+    if (indistinguishable_shortened(c, k)) return;
+    ink.strokes[k] = shortened(ink.strokes[k], 1.0 / 3);
+    EXPECT_FALSE(accepted(ink)) << base::encode_utf8(c.code_point) << " stroke " << k + 1;
+  });
+}
+
+TEST_F(AllCharacters, AreAcceptedElsewhereLargerSlantedAndShaken) {
+  // Stated limits: any place and size, 8 degrees of turning, a slant of 0.15, an aspect of 1.2, and 1 % of
+  // the box of jitter on 16 points a stroke.
+  std::uint32_t seed = 1;
+  int refused = 0;
+  int count = 0;
+  each([&](const kanji::Character& c, Ink ink, const auto& accepted) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (auto& s : ink.strokes) s = resampled(s, 16);
+    ink = shaken(std::move(ink), 0.01 * geometry::kGlyphSide, ++seed);
+    const double size = std::exp(3 * unit(random));
+    const double turn = 0.14 * unit(random);
+    const double slant = 0.15 * unit(random);
+    const double aspect = std::exp(0.18 * unit(random));
+    ink =
+        mapped(std::move(ink), size * aspect * std::cos(turn), size * (slant - std::sin(turn)),
+               size * aspect * std::sin(turn), size * std::cos(turn), 500 * unit(random), 500 * unit(random));
+    ++count;
+    if (!accepted(ink)) ++refused;
+    (void)c;
+  });
+  EXPECT_LE(refused, count / 100);
+}
+
+TEST(Lookalikes, TheTableNamesAllPairsOfTheDatabase) {
+  const std::u32string small = U"ぁぃぅぇぉっゃゅょゎゕゖァィゥェォッャュョヮヵヶ";
+  const auto kind = [&small](char32_t c) {
+    if (small.find(c) != std::u32string::npos) return 0;
+    if ((c >= 0x3041 && c <= 0x3096) || (c >= 0x30A1 && c <= 0x30FA)) return 1;
+    return (c >= 0x3400 && c <= 0x9FFF) || (c >= 0xF900 && c <= 0xFAFF) || c >= 0x20000 ? 2 : 0;
+  };
+  std::map<std::pair<int, std::size_t>, std::vector<Model>> by_count;
+  for (const auto& summary : database().list(kanji::List::all))
+    if (const int k = kind(summary.code_point); k > 0) {
+      const auto c = database().find(summary.code_point);
+      by_count[{k, c->strokes.size()}].push_back(model_of(*c));
+    }
+  std::set<std::pair<char32_t, char32_t>> expected;
+  for (const auto& [key, models] : by_count)
+    for (const auto& a : models)
+      for (const auto& b : models) {
+        if (a.code_point() >= b.code_point()) continue;
+        const double there = distance_of_forms(a.inside().main, b.inside().main);
+        if (there >= kEasilyMistaken) continue;
+        const double back = distance_of_forms(b.inside().main, a.inside().main);
+        if (back < kEasilyMistaken && std::min(there, back) >= kSameToTheEye)
+          expected.insert({a.code_point(), b.code_point()});
+      }
+  std::set<std::pair<char32_t, char32_t>> listed;
+  for (const auto& [key, models] : by_count)
+    for (const auto& a : models)
+      for (const char32_t b : lookalikes_of(a.code_point()))
+        listed.insert({std::min(a.code_point(), b), std::max(a.code_point(), b)});
+  EXPECT_EQ(listed, expected);
+}
+
+TEST(Lookalikes, WritingOneIsNotAcceptedForTheOther) {
+  ModelLibrary library(database());
+  const std::vector<std::u32string> groups{U"土士", U"未末", U"己已巳", U"刀力", U"干于", U"人入八",
+                                           U"りリ", U"田由", U"由甲",   U"甲申", U"大丈", U"矢失",
+                                           U"午牛", U"千干", U"天夭",   U"目且", U"王壬"};
+  for (const auto& group : groups)
+    for (const char32_t asked : group)
+      for (const char32_t written : group) {
+        const auto entry = library.find(asked);
+        ASSERT_TRUE(entry);
+        const auto g = grade(trace(*database().find(written)), (*entry)->model, {}, (*entry)->lookalikes);
+        ASSERT_TRUE(g);
+        EXPECT_EQ(g->accepted, asked == written)
+            << base::encode_utf8(written) << " for " << base::encode_utf8(asked);
+      }
+}
+
+TEST(RecogniserOfAll, FindsEveryKanjiThatIsNotDrawnLikeAnother) {
+  const auto recogniser = Recogniser::make(database());
+  ASSERT_TRUE(recogniser);
+  EXPECT_EQ(recogniser->size(), 6702);
+  int missed = 0;
+  int count = 0;
+  for (const auto& summary : database().list(kanji::List::all)) {
+    if (count++ % 7 != 0) continue;
+    const auto found = recogniser->recognise(trace(*database().find(summary.code_point)));
+    ASSERT_TRUE(found);
+    const bool there = std::any_of(found->begin(), found->end(),
+                                   [&](const Candidate& c) { return c.character == summary.code_point; });
+    if (!there) ++missed;
+  }
+  EXPECT_LE(missed, 3);
+}
+
+}  // namespace
+}  // namespace nazori::writing::test

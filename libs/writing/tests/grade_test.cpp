@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/writing/grade.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "drawing.h"
+
+namespace nazori::writing::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(Grade, TheModelItselfIsAcceptedWithFullScore) {
+  const auto g = graded(trace(rest()), model_of(rest()));
+  EXPECT_TRUE(g.accepted);
+  EXPECT_EQ(g.score, 100);
+  ASSERT_EQ(g.strokes.size(), 6U);
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_TRUE(g.strokes[static_cast<std::size_t>(k)].ok);
+    EXPECT_EQ(g.strokes[static_cast<std::size_t>(k)].matched, k);
+    EXPECT_NEAR(g.strokes[static_cast<std::size_t>(k)].size, 1, 0.02);
+    EXPECT_NEAR(g.strokes[static_cast<std::size_t>(k)].offset_x, 0, 0.005);
+  }
+}
+
+TEST(Grade, TwoStrokesExchangedAreAnOrderFaultOfThoseTwoOnly) {
+  auto ink = trace(rest());
+  std::swap(ink.strokes[2], ink.strokes[3]);
+  const auto g = graded(ink, model_of(rest()));
+  EXPECT_FALSE(g.accepted);
+  EXPECT_THAT(fault_names(g), ElementsAre("order@2"));
+  EXPECT_EQ(g.faults[0].second, 3);
+  EXPECT_THAT(g.faults[0].model, ElementsAre(3, 2));
+  for (const std::size_t k : {0U, 1U, 4U, 5U}) EXPECT_TRUE(g.strokes[k].ok) << k;
+  EXPECT_EQ(g.strokes[2].matched, 3);
+  EXPECT_EQ(g.strokes[3].matched, 2);
+}
+
+TEST(Grade, AStrokeMovedToTheEndIsOneFaultNotMany) {
+  auto ink = trace(rest());
+  std::rotate(ink.strokes.begin() + 1, ink.strokes.begin() + 2, ink.strokes.end());
+  const auto g = graded(ink, model_of(rest()));
+  EXPECT_EQ(g.faults.size(), 1U);
+  EXPECT_EQ(g.faults[0].kind, FaultKind::order);
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_TRUE(g.strokes[k].ok) << k;
+  EXPECT_FALSE(g.strokes[5].ok);
+}
+
+TEST(Grade, ParallelBarsInTheWrongOrderAreSeen) {
+  auto ink = trace(three());
+  std::swap(ink.strokes[0], ink.strokes[1]);
+  EXPECT_THAT(fault_names(graded(ink, model_of(three()))), ElementsAre("order@0"));
+  auto eyes = trace(eye());
+  std::swap(eyes.strokes[2], eyes.strokes[3]);
+  EXPECT_THAT(fault_names(graded(eyes, model_of(eye()))), ElementsAre("order@2"));
+}
+
+TEST(Grade, AStrokeDrawnBackwardsSaysWhereItStarts) {
+  auto ink = trace(rest());
+  ink.strokes[3] = reversed(ink.strokes[3]);
+  const auto g = graded(ink, model_of(rest()));
+  EXPECT_THAT(fault_names(g), ElementsAre("reversed@3"));
+  EXPECT_TRUE(g.strokes[3].reversed);
+  EXPECT_FALSE(g.strokes[3].ok);
+  EXPECT_EQ(g.faults[0].start, Side::top);
+}
+
+TEST(Grade, AMissingStrokeDoesNotBlameThoseAfterIt) {
+  for (std::size_t gone = 0; gone < 6; ++gone) {
+    auto ink = trace(rest());
+    ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(gone));
+    const auto g = graded(ink, model_of(rest()));
+    EXPECT_THAT(fault_names(g), ElementsAre("missing@" + std::to_string(gone)));
+    for (const auto& s : g.strokes) EXPECT_TRUE(s.ok);
+  }
+}
+
+TEST(Grade, AnExtraStrokeIsNamed) {
+  auto ink = trace(rest());
+  ink.strokes.insert(ink.strokes.begin() + 2, InkStroke{{{70, 90}, {100, 95}}, {}, {}});
+  const auto g = graded(ink, model_of(rest()));
+  EXPECT_THAT(fault_names(g), ElementsAre("extra@2"));
+  EXPECT_EQ(g.strokes[2].matched, std::nullopt);
+  EXPECT_TRUE(g.strokes[3].ok);
+}
+
+TEST(Grade, TwoStrokesWithoutLiftingThePenAreJoined) {
+  auto ink = trace(rest());
+  ink.strokes[4] = joined(ink.strokes[4], ink.strokes[5]);
+  ink.strokes.pop_back();
+  const auto g = graded(ink, model_of(rest()));
+  EXPECT_THAT(fault_names(g), ElementsAre("joined@4"));
+  EXPECT_THAT(g.faults[0].model, ElementsAre(4, 5));
+}
+
+TEST(Grade, OneStrokeInTwoPiecesIsSplit) {
+  auto ink = trace(rest());
+  const auto whole = resampled(ink.strokes[2], 21);
+  ink.strokes[2].points.assign(whole.points.begin(), whole.points.begin() + 11);
+  ink.strokes.insert(ink.strokes.begin() + 3,
+                     InkStroke{{whole.points.begin() + 11, whole.points.end()}, {}, {}});
+  EXPECT_THAT(fault_names(graded(ink, model_of(rest()))), ElementsAre("split@2"));
+}
+
+TEST(Grade, AStrangeStrokeInThePlaceOfARightOneIsWrong) {
+  auto ink = trace(rest());
+  ink.strokes[2] = InkStroke{{{60, 20}, {62, 50}, {58, 70}}, {}, {}};
+  EXPECT_THAT(fault_names(graded(ink, model_of(rest()))), ElementsAre("wrong@2"));
+}
+
+TEST(Grade, PlaceAndSizeOfTheWholeDoNotCount) {
+  const auto model = model_of(rest());
+  for (const double size : {0.002, 0.3, 40.0}) {
+    const auto g = graded(mapped(trace(rest()), size, 0, 0, size, -7 * size, 1000 * size), model);
+    EXPECT_TRUE(g.accepted) << size;
+    EXPECT_EQ(g.score, 100) << size;
+  }
+}
+
+TEST(Grade, SlantAndAspectWithinReasonDoNotCount) {
+  const auto model = model_of(rest());
+  EXPECT_TRUE(graded(mapped(trace(rest()), 1, -0.25, 0, 1, 0, 0), model).accepted);
+  EXPECT_TRUE(graded(mapped(trace(rest()), 1, 0, -0.15, 1, 0, 0), model).accepted);
+  EXPECT_TRUE(graded(mapped(trace(rest()), 1.3, 0, 0, 0.9, 0, 0), model).accepted);
+  EXPECT_TRUE(graded(mapped(trace(rest()), 0.75, 0, 0, 1.1, 0, 0), model).accepted);
+}
+
+TEST(Grade, ThreePointsOrThousandsAreAsGood) {
+  for (const std::size_t count : {3U, 4U, 3000U}) {
+    auto ink = trace(rest());
+    for (auto& s : ink.strokes) s = resampled(s, count);
+    EXPECT_TRUE(graded(ink, model_of(rest())).accepted) << count;
+  }
+}
+
+TEST(Grade, AVerticalWithoutAnyWidthIsAVertical) {
+  auto ink = trace(rest());
+  ink.strokes[1].points = {{27, 43}, {27, 60}, {27, 93}};
+  EXPECT_TRUE(graded(ink, model_of(rest())).accepted);
+}
+
+TEST(Grade, RepeatedPointsAndASinglePointAreNoTrouble) {
+  auto ink = trace(rest());
+  ink.strokes[0].points.insert(ink.strokes[0].points.begin(), 50, ink.strokes[0].points.front());
+  EXPECT_TRUE(graded(ink, model_of(rest())).accepted);
+  ink.strokes[2].points = {{50, 40}};
+  const auto g = graded(ink, model_of(rest()));
+  EXPECT_FALSE(g.accepted);
+  EXPECT_FALSE(g.strokes[2].ok);
+}
+
+TEST(Grade, AListedOrderIsRecognisedAsAWholeAndNamed) {
+  auto c = soil();
+  c.alternative_orders = {{{1, 3, 2}, "a list"}};
+  auto ink = trace(c);
+  std::swap(ink.strokes[1], ink.strokes[2]);
+  const auto g = graded(ink, model_of(c));
+  EXPECT_TRUE(g.accepted);
+  ASSERT_TRUE(g.alternative);
+  EXPECT_EQ(g.alternative->source, "a list");
+  EXPECT_EQ(g.strokes[1].matched, 2);
+  EXPECT_TRUE(g.strokes[1].ok);
+  auto other = trace(c);
+  std::swap(other.strokes[0], other.strokes[1]);
+  EXPECT_FALSE(graded(other, model_of(c)).accepted);
+}
+
+TEST(Grade, AnotherOrderIsAdviceWhenLenient) {
+  auto ink = trace(rest());
+  std::swap(ink.strokes[0], ink.strokes[1]);
+  const auto g = graded(ink, model_of(rest()), kLenient);
+  EXPECT_TRUE(g.accepted);
+  ASSERT_EQ(g.advice.size(), 1U);
+  EXPECT_EQ(g.advice[0].kind, FaultKind::order);
+  EXPECT_FALSE(graded(ink, model_of(rest()), kNormal).accepted);
+}
+
+TEST(Grade, StrictnessIsContinuous) {
+  // A bar moved down more and more is given up the earlier, the stricter.
+  const auto model = model_of(rest());
+  double before = 1e9;
+  for (const double strictness : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    double limit = 0;
+    for (double shift = 0; shift < 40; shift += 0.5) {
+      auto ink = trace(rest());
+      for (auto& p : ink.strokes[2].points) p.y += shift;
+      if (!graded(ink, model, strictness).accepted) break;
+      limit = shift;
+    }
+    EXPECT_LT(limit, before) << strictness;
+    EXPECT_GT(limit, 3) << strictness;
+    before = limit;
+  }
+}
+
+TEST(Grade, EndingsAreAdviceAndFaultsOnlyWhenStrict) {
+  auto c = rest();
+  auto ink = trace(c);
+  auto& bar = ink.strokes[2].points;
+  bar.push_back({bar.back().x - 3, bar.back().y + 7});
+  const auto g = graded(ink, model_of(c));
+  EXPECT_TRUE(g.accepted);
+  ASSERT_EQ(g.advice.size(), 1U);
+  EXPECT_EQ(g.advice[0].kind, FaultKind::ending);
+  EXPECT_THAT(fault_names(graded(ink, model_of(c), kStrict)), ElementsAre("ending@2"));
+  for (auto& s : c.strokes) s.line.ending = kanji::StrokeEnding::either;
+  EXPECT_THAT(graded(ink, model_of(c), kStrict).faults, IsEmpty());
+}
+
+TEST(Grade, LookalikesAreNotTakenForEachOther) {
+  // 士: the lower bar of 土 is the shorter one.
+  auto samurai = soil();
+  samurai.code_point = U'士';
+  std::swap(samurai.strokes[0].line.points, samurai.strokes[2].line.points);
+  const double shift = samurai.strokes[2].line.points.front().y - samurai.strokes[0].line.points.front().y;
+  for (auto& p : samurai.strokes[0].line.points) p.y += shift;
+  for (auto& p : samurai.strokes[2].line.points) p.y -= shift;
+  const std::vector<Model> lookalikes{model_of(samurai)};
+  const auto right = grade(trace(soil()), model_of(soil()), {}, lookalikes);
+  ASSERT_TRUE(right);
+  EXPECT_TRUE(right->accepted);
+  const auto mistaken = grade(trace(samurai), model_of(soil()), {}, lookalikes);
+  ASSERT_TRUE(mistaken);
+  EXPECT_FALSE(mistaken->accepted);
+}
+
+TEST(Grade, BadInkIsRefusedWithTheStrokeAtFault) {
+  const auto model = model_of(rest());
+  const auto refused = [&model](const Ink& ink) {
+    const auto g = grade(ink, model);
+    return !g && g.error().code == base::Errc::bad_argument;
+  };
+  EXPECT_TRUE(refused({}));
+  EXPECT_TRUE(refused({{InkStroke{}}, {}}));
+  EXPECT_TRUE(refused({{InkStroke{{{1, 1}}, {}, {}}}, {}}));
+  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {1, 1}}, {}, {}}}, {}}));
+  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {std::nan(""), 1}}, {}, {}}}, {}}));
+  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {std::numeric_limits<double>::infinity(), 1}}, {}, {}}}, {}}));
+  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {2, 1}}, {0.5}, {}}}, {}}));
+  EXPECT_TRUE(refused({{InkStroke{geometry::Polyline<InkFrame>(100'000, {1, 2}), {}, {}}}, {}}));
+  auto boxed = trace(rest());
+  boxed.box->side = 0;
+  EXPECT_TRUE(refused(boxed));
+  auto second = trace(rest());
+  second.strokes[1].points[0].x = std::nan("");
+  EXPECT_EQ(grade(second, model).error().where, "stroke 2");
+  EXPECT_FALSE(grade(trace(rest()), model, {1.5, false}));
+}
+
+TEST(GradeLive, VerdictsAreThoseOfTheMoment) {
+  auto ink = trace(rest());
+  ink.strokes[1] = reversed(ink.strokes[1]);
+  const auto live = grade_live(ink, model_of(rest()));
+  ASSERT_TRUE(live);
+  EXPECT_THAT(fault_names(*live), ElementsAre("reversed@1"));
+  for (const std::size_t k : {0U, 2U, 3U, 4U, 5U}) EXPECT_TRUE(live->strokes[k].ok) << k;
+}
+
+TEST(GradeLive, AStrokeLeftOutIsNamedAndTheNextOnesStayRight) {
+  auto ink = trace(rest());
+  ink.strokes.erase(ink.strokes.begin() + 1);
+  const auto live = grade_live(ink, model_of(rest()));
+  ASSERT_TRUE(live);
+  EXPECT_THAT(fault_names(*live), ElementsAre("missing@1"));
+  EXPECT_FALSE(live->accepted);
+}
+
+TEST(GradeLive, TheBeginningIsNotBlamedForWhatFollows) {
+  auto ink = trace(rest());
+  ink.strokes.resize(3);
+  const auto g = grade(ink, model_of(rest()), {kNormal, true});
+  ASSERT_TRUE(g);
+  EXPECT_THAT(fault_names(*g), IsEmpty());
+  for (const auto& s : g->strokes) EXPECT_TRUE(s.ok);
+}
+
+}  // namespace
+}  // namespace nazori::writing::test
