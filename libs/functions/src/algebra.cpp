@@ -53,7 +53,11 @@ class PolynomialBuilder {
         const double c = ca * cb;
         if (std::fma(ca, cb, -c) != 0 || !std::isfinite(c)) return std::nullopt;
         Polynomial::Monomial m = ma;
-        for (const auto& [atom, power] : mb) m[atom] += power;
+        for (const auto& [atom, power] : mb) {
+          int& sum = m[atom];
+          sum += power;
+          if (sum == 0) m.erase(atom);
+        }
         if (!add_to(r, m, c)) return std::nullopt;
       }
     }
@@ -64,6 +68,33 @@ class PolynomialBuilder {
     std::string key = to_text(e);
     atoms_.emplace(key, e);
     return {{{{std::move(key), 1}}, 1.0}};
+  }
+
+  static bool is_exponential(const Expression& e) {
+    const Expression& base = e->arguments[0];
+    return (base->kind == NodeKind::constant || (base->kind == NodeKind::number && base->value > 0)) &&
+           !variables_of(e->arguments[1]).empty();
+  }
+
+  /// b^-u and b^(2u) as powers of b^u.
+  Terms exponential(const Expression& base, const Expression& exponent) {
+    Expression u = exponent;
+    int times_u = 1;
+    while (true) {
+      if (u->kind == NodeKind::negate) {
+        times_u = -times_u;
+        u = u->arguments[0];
+        continue;
+      }
+      const auto factor = u->kind == NodeKind::multiply ? rational_value(u->arguments[0]) : std::nullopt;
+      if (!factor || factor->q != 1 || factor->p == 0 || std::abs(factor->p) > 16 || std::abs(times_u) > 16) break;
+      times_u *= static_cast<int>(factor->p);
+      u = u->arguments[1];
+    }
+    Terms t = atom(binary(NodeKind::power, base, u));
+    Polynomial::Monomial m = t.begin()->first;
+    m.begin()->second = times_u;
+    return {{std::move(m), 1.0}};
   }
 
   std::optional<Terms> visit(const Expression& e) {
@@ -113,6 +144,7 @@ class PolynomialBuilder {
       }
       case NodeKind::power: {
         const auto n = rational_value(a[1]);
+        if (is_exponential(e)) return exponential(a[0], a[1]);
         if (!n || n->q != 1 || n->p < 0 || n->p > kMostPower) return atom(e);
         const auto base = visit(a[0]);
         std::optional<Terms> r = Terms{{{}, 1.0}};
@@ -148,6 +180,30 @@ std::optional<double> Polynomial::linear_factor(Variable v) const {
   const auto lone = lone_power(v);
   if (!lone || lone->power != 1) return std::nullopt;
   return lone->factor;
+}
+
+std::optional<Polynomial::OneAtom> Polynomial::in_one_atom() const {
+  OneAtom one;
+  std::string name;
+  int highest = 0;
+  bool first = true;
+  for (const auto& [m, c] : terms_) {
+    if (m.size() > 1) return std::nullopt;
+    if (!m.empty()) {
+      if (!name.empty() && name != m.begin()->first) return std::nullopt;
+      name = m.begin()->first;
+    }
+    const int power = m.empty() ? 0 : m.begin()->second;
+    one.lowest = first ? power : std::min(one.lowest, power);
+    highest = first ? power : std::max(highest, power);
+    first = false;
+  }
+  if (first || highest - one.lowest > kMostPower) return std::nullopt;
+  if (!name.empty()) one.atom = atoms_.at(name);
+  one.coefficients.assign(static_cast<std::size_t>(highest - one.lowest) + 1, 0.0);
+  for (const auto& [m, c] : terms_)
+    one.coefficients[static_cast<std::size_t>((m.empty() ? 0 : m.begin()->second) - one.lowest)] = c;
+  return one;
 }
 
 std::optional<Polynomial::LonePower> Polynomial::lone_power(Variable v) const {
@@ -241,6 +297,67 @@ std::vector<Expression> zero_factors(const Expression& e) {
     default:
       return {e};
   }
+}
+
+namespace {
+
+/// c0 + c1 a + c2 a^2 + ... by Horner's rule.
+Expression horner(const std::vector<double>& c, const Expression& atom) {
+  Expression e = number(c.back());
+  for (std::size_t i = c.size() - 1; i-- > 0;) {
+    e = is_number(e, 1) ? atom : binary(NodeKind::multiply, e, atom);
+    if (c[i] != 0) e = binary(NodeKind::add, e, number(c[i]));
+  }
+  return e;
+}
+
+/// Quotient and rest of N/D without rounding, where both are polynomials of one atom and D has degree one or
+/// more; null otherwise.
+Expression divided(const Expression& numerator, const Expression& denominator) {
+  const auto pn = Polynomial::of(numerator);
+  const auto pd = pn ? Polynomial::of(denominator) : std::nullopt;
+  const auto n = pd ? pn->in_one_atom() : std::nullopt;
+  const auto d = n ? pd->in_one_atom() : std::nullopt;
+  if (!d || !d->atom || (n->atom && to_text(n->atom) != to_text(d->atom))) return nullptr;
+  // Exponentials are never zero: both sides may be multiplied by a power of one.
+  const int lowest = std::min({n->lowest, d->lowest, 0});
+  const bool exponential = d->atom->kind == NodeKind::power;
+  if (lowest < 0 && !exponential) return nullptr;
+  const auto shifted = [&](const Polynomial::OneAtom& p) {
+    std::vector<double> c(static_cast<std::size_t>(p.lowest - lowest), 0.0);
+    c.insert(c.end(), p.coefficients.begin(), p.coefficients.end());
+    return c;
+  };
+  std::vector<double> rest = shifted(*n);
+  const std::vector<double> by = shifted(*d);
+  if (by.size() < 2 || rest.size() < by.size()) return nullptr;
+  std::vector<double> quotient(rest.size() - by.size() + 1, 0.0);
+  for (std::size_t k = quotient.size(); k-- > 0;) {
+    const double q = rest[k + by.size() - 1] / by.back();
+    if (std::fma(q, by.back(), -rest[k + by.size() - 1]) != 0) return nullptr;
+    quotient[k] = q;
+    for (std::size_t i = 0; i < by.size(); ++i) {
+      const double p = q * by[i];
+      const double difference = rest[k + i] - p;
+      if (std::fma(q, by[i], -p) != 0 || rest[k + i] - difference != p) return nullptr;
+      rest[k + i] = difference;
+    }
+  }
+  while (rest.size() > 1 && rest.back() == 0) rest.pop_back();
+  return binary(NodeKind::add, horner(quotient, d->atom),
+                binary(NodeKind::divide, horner(rest, d->atom), horner(by, d->atom)));
+}
+
+}  // namespace
+
+Expression improved(const Expression& e) {
+  if (e->arguments.empty()) return e;
+  Node n = *reduced(e);
+  for (Expression& a : n.arguments) a = improved(a);
+  if (n.kind == NodeKind::divide) {
+    if (Expression better = divided(n.arguments[0], n.arguments[1])) return better;
+  }
+  return std::make_shared<const Node>(std::move(n));
 }
 
 bool is_total(const Expression& e) {

@@ -23,6 +23,14 @@ class Polynomial {
   [[nodiscard]] bool depends_on(Variable v) const;
   /// The factor c where the polynomial is c*v + (something without v).
   [[nodiscard]] std::optional<double> linear_factor(Variable v) const;
+  /// The coefficients by rising powers where there is one atom only, and that atom. Negative powers are allowed
+  /// for exponentials; `lowest` is the power of the first coefficient.
+  struct OneAtom {
+    Expression atom;
+    int lowest = 0;
+    std::vector<double> coefficients;
+  };
+  [[nodiscard]] std::optional<OneAtom> in_one_atom() const;
   struct LonePower {
     int power = 1;
     double factor = 1;
@@ -47,6 +55,10 @@ struct Fraction {
 /// What multiplied makes `e`, without numbers, signs, powers and roots: the factors whose zeros are those of e.
 /// An `e` that is a number other than zero gives none; zero gives the number 0.
 [[nodiscard]] std::vector<Expression> zero_factors(const Expression& e);
+
+/// The same function in a form that intervals enclose more tightly: quotients of polynomials of one atom are
+/// divided out, (x^2-1)/(x-1) = x + 1 + 0/(x-1) and e^x/(1+e^x) = 1 - 1/(1+e^x); the domain stays.
+[[nodiscard]] Expression improved(const Expression& e);
 
 /// Whether the expression is defined and continuous everywhere by its looks alone.
 [[nodiscard]] bool is_total(const Expression& e);

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
+
+#include "algebra.h"
 
 namespace nazori::functions {
 namespace {
@@ -42,7 +43,7 @@ double simplest_between(double low, double high) {
   double scale = 1;
   for (int digits = 0; digits <= 15; ++digits, scale *= 10) {
     const double candidate = std::round(low / 2 * scale + high / 2 * scale) / scale;
-    if (candidate >= low && candidate <= high) return candidate;
+    if (candidate >= low && candidate <= high) return candidate == 0 ? 0 : candidate;
   }
   return low + (high - low) / 2;
 }
@@ -56,7 +57,7 @@ ArcTracer::ArcTracer(const Arc& arc, int statement, const TraceSettings& setting
       settings_(settings),
       out_(out),
       progress_(progress),
-      tape_(Tape::compile(std::array{arc.x, arc.y}, std::array{arc.parameter})),
+      tape_(Tape::compile(std::array{improved(arc.x), improved(arc.y)}, std::array{arc.parameter})),
       tolerance_(1.0 / (16.0 * std::max(settings.resolution, 256))),
       cell_(1.0 / settings.resolution),
       scale_{1 / (out.window.x1 - out.window.x0), 1 / (out.window.y1 - out.window.y0)},
@@ -109,7 +110,7 @@ bool ArcTracer::run() {
   for (int i = 0; i < kFirstPieces; ++i) {
     const double share = static_cast<double>(i + 1) / kFirstPieces;
     // Borders bent a little off round numbers, the ends kept.
-    const double bent = share + 0.003 * std::sin(2 * std::numbers::pi * share) / kFirstPieces * 7;
+    const double bent = share + 0.0137 * share * (1 - share);
     const Sample b = sample(i + 1 == kFirstPieces ? arc_.to : arc_.from + (arc_.to - arc_.from) * bent);
     if (!progress_.report(share - 1.0 / kFirstPieces)) return false;
     visit(a, b, 0);
@@ -117,6 +118,7 @@ bool ArcTracer::run() {
     a = b;
   }
   end_branch();
+  out_.undecided_cells += static_cast<std::int64_t>(std::ceil(undecided_area_ / (cell_ * cell_) - 1e-3));
   if (arc_.ends_are_real) {
     const bool closed = is_near(first, a, 4 * tolerance_);
     for (const Sample& end : {first, a}) {
@@ -184,7 +186,7 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
   if (piece < cell_ / 32 && ++narrow_breaks_ > kMostNarrowBreaks) {
     end_branch();
     const double shown = std::min(1.0, box.v.upper) - std::max(0.0, box.v.lower);
-    out_.undecided_cells += 1 + static_cast<std::int64_t>(std::max(0.0, shown) / cell_ / 32);
+    undecided_area_ += std::min(1.0, box.u.width()) * std::max(0.0, shown);
     if (out_.undecided_places.size() < kMostPlaces)
       out_.undecided_places.push_back({std::clamp(box.u.middle(), 0.0, 1.0), std::clamp(box.v.middle(), 0.0, 1.0)});
     return;
@@ -236,7 +238,7 @@ bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box) {
   }
   const double open = std::max(0.0, low - least) + std::max(0.0, most - high);
   if (open > 4 * cell_) {
-    out_.undecided_cells += static_cast<std::int64_t>(open / cell_ / 32) + 1;
+    undecided_area_ += (upright ? box.u.width() : box.v.width()) * open;
     if (out_.undecided_places.size() < kMostPlaces) out_.undecided_places.push_back({a.u, a.v});
   }
   return true;
@@ -314,6 +316,13 @@ void ArcTracer::end_branch() {
   if (branch_.points.size() > 1) {
     const CurvePoint& first = branch_.points.front();
     const CurvePoint& last = branch_.points.back();
+    const auto same = [&first](const CurvePoint& p) { return std::hypot(p.u - first.u, p.v - first.v) < 1e-12; };
+    if (std::all_of(branch_.points.begin(), branch_.points.end(), same)) {
+      out_.dots.push_back({statement_, {first.u, first.v}});
+      add_event(EventKind::isolated, {first.parameter, first.u, first.v});
+      branch_.points.clear();
+      return;
+    }
     branch_.closed = branch_.points.size() > 3 && std::hypot(first.u - last.u, first.v - last.v) < tolerance_;
     out_.branches.push_back(std::move(branch_));
   }
@@ -344,12 +353,18 @@ void ArcTracer::add_bar(PlatePoint from, PlatePoint to) {
 }
 
 void ArcTracer::add_event(EventKind kind, const Sample& at, const Sample* after) {
+  for (const Event& other : out_.events) {
+    // One break can show in two neighbouring pieces.
+    if (other.kind == kind && other.statement == statement_ && kind != EventKind::end &&
+        std::abs(other.parameter - at.t) < 1e-11 * (arc_.to - arc_.from))
+      return;
+  }
   Event e;
   e.kind = kind;
   e.statement = statement_;
-  e.parameter = at.t;
-  e.x = arc_.x->kind == NodeKind::variable && arc_.x->variable == arc_.parameter ? at.t : out_.window.x(at.u);
-  e.y = arc_.y->kind == NodeKind::variable && arc_.y->variable == arc_.parameter ? at.t : out_.window.y(at.v);
+  e.parameter = at.t + 0.0;  // no negative zero
+  e.x = arc_.x->kind == NodeKind::variable && arc_.x->variable == arc_.parameter ? e.parameter : out_.window.x(at.u);
+  e.y = arc_.y->kind == NodeKind::variable && arc_.y->variable == arc_.parameter ? e.parameter : out_.window.y(at.v);
   e.x_after = after != nullptr ? out_.window.x(after->u) : kNaN;
   e.y_after = after != nullptr ? out_.window.y(after->v) : kNaN;
   out_.events.push_back(e);

@@ -81,6 +81,7 @@ class ArcTracer {
   std::int64_t narrow_breaks_ = 0;
   std::size_t first_bar_ = 0;
   bool after_dense_ = false;
+  double undecided_area_ = 0;  ///< in plate units
 };
 
 /// The number with the fewest decimals in [low, high].

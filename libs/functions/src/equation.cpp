@@ -103,7 +103,9 @@ class Solver {
 
 EquationParts take_apart(const Expression& left, const Expression& right, const std::array<double, 2>& low,
                          const std::array<double, 2>& high) {
-  return Solver(reduced(binary(NodeKind::subtract, left, right)), low, high).run();
+  const auto is_zero = [](const Expression& e) { return e->kind == NodeKind::number && e->value == 0; };
+  const Expression whole = is_zero(right) ? left : is_zero(left) ? right : binary(NodeKind::subtract, left, right);
+  return Solver(reduced(whole), low, high).run();
 }
 
 }  // namespace nazori::functions

@@ -76,9 +76,24 @@ void PlaneTracer::add_root(Point p, Point q, double fp, double fq, bool continuo
 
 /// The zeros on one side of a box: a change of sign, or two where the function turns round in between.
 void PlaneTracer::add_edge_roots(Point p, Point q, bool continuous, std::vector<Point>& roots) {
-  const double fp = value(p);
-  const double fq = value(q);
-  if (!std::isfinite(fp) || !std::isfinite(fq)) return;
+  double fp = value(p);
+  double fq = value(q);
+  if (!std::isfinite(fp) || !std::isfinite(fq)) {
+    // The border of the domain crosses this side: its defined part counts.
+    if (!std::isfinite(fp) && !std::isfinite(fq)) return;
+    const Point inside = std::isfinite(fp) ? p : q;
+    Point& outside = std::isfinite(fp) ? q : p;
+    double defined = 0;
+    double undefined = 1;
+    for (int i = 0; i < 50; ++i) {
+      const double middle = (defined + undefined) / 2;
+      (std::isfinite(value(between(inside, outside, middle))) ? defined : undefined) = middle;
+    }
+    outside = between(inside, outside, defined);
+    fp = value(p);
+    fq = value(q);
+    continuous = false;
+  }
   if (sign_of(fp) != sign_of(fq)) {
     add_root(p, q, fp, fq, continuous, roots);
     return;

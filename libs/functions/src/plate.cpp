@@ -68,6 +68,37 @@ std::vector<std::uint8_t> regions_of(const Tracing& tracing, int size) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a piece touches the window itself, not only the margin around it.
+bool touches_window(PlatePoint p, PlatePoint q) {
+  constexpr double kHair = 1e-9;
+  double from = 0;
+  double to = 1;
+  for (const auto& [start, step] : {std::pair{p.u, q.u - p.u}, std::pair{p.v, q.v - p.v}}) {
+    if (std::abs(step) < 1e-300) {
+      if (start < -kHair || start > 1 + kHair) return false;
+      continue;
+    }
+    const double a = (-kHair - start) / step;
+    const double b = (1 + kHair - start) / step;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  return from <= to;
+}
+
+bool touches_window(const Branch& branch) {
+  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+    const CurvePoint& a = branch.points[i];
+    const CurvePoint& b = branch.points[i + 1];
+    if (touches_window(PlatePoint{a.u, a.v}, PlatePoint{b.u, b.v})) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 base::Result<void> check(const PlateSettings& settings) {
   if (settings.size < 32 || settings.size > 4096) {
     return base::fail(base::Errc::bad_argument, "a plate cannot have " + std::to_string(settings.size) + " samples a side",
@@ -94,14 +125,20 @@ base::Result<Plate> carve(const Tracing& tracing, const PlateSettings& settings)
   DistanceGrid all(settings.size, reach);
   bool strict = false;
   for (const Branch& b : tracing.branches) {
+    // A curve that only comes near the window is not in the picture.
+    if (!touches_window(b)) continue;
     if (b.strict) {
       strict = true;
     } else {
       all.add_line(b.points, b.closed, b.statement);
     }
   }
-  for (const Bar& b : tracing.bars) all.add_segment(b.from, b.to, b.statement);
-  for (const Dot& d : tracing.dots) all.add_segment(d.at, d.at, d.statement);
+  for (const Bar& b : tracing.bars) {
+    if (touches_window(b.from, b.to)) all.add_segment(b.from, b.to, b.statement);
+  }
+  for (const Dot& d : tracing.dots) {
+    if (touches_window(d.at, d.at)) all.add_segment(d.at, d.at, d.statement);
+  }
 
   Plate plate;
   plate.heights = std::move(*map);

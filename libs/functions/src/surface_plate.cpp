@@ -38,12 +38,16 @@ class SurfaceSampler {
     return std::isnan(z) ? kNaN : z;
   }
 
-  Sample sample(int row, int column) {
+  /// Finds the samples whose cells may be torn: everything where intervals prove nothing better.
+  void find_tears(std::vector<bool>& torn) { find_tears(torn, 0, 0, size_); }
+
+  Sample sample(int row, int column, bool suspect) {
     const double h = 1.0 / size_;
     const double u = column * h;
     const double v = 1 - (row + 1) * h;
     Sample s;
     s.value = value(u + h / 2, v + h / 2);
+    if (!suspect) return s;
     const Interval f = enclose(u, v, h);
     if (f.is_empty()) return {kNaN, true};
     if (has(f.cause, Cause::pole) && f.decoration == Decoration::partial) s.torn = has_pole(u, v, h, 0);
@@ -52,11 +56,26 @@ class SurfaceSampler {
   }
 
  private:
+  void find_tears(std::vector<bool>& torn, int row, int column, int side) {
+    if (row >= size_ || column >= size_) return;
+    const double h = 1.0 / size_;
+    const Interval f = enclose(column * h, 1 - (row + side) * h, side * h);
+    if (f.decoration >= Decoration::defined && f.is_bounded()) return;
+    if (side == 1) {
+      torn[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(column)] = true;
+      return;
+    }
+    const int half = (side + 1) / 2;
+    for (const int r : {row, row + half}) {
+      for (const int c : {column, column + half}) find_tears(torn, r, c, half);
+    }
+  }
+
   Interval enclose(double u, double v, double side) {
-    // A hair wider: a pole on a corner belongs to every cell that meets there.
+    // A cell owns its left and upper border: a pole on a corner belongs to one cell.
     const double hair = side * 1e-9;
-    tape_.evaluate<Interval>(std::array{Interval(window_.x(u - hair), window_.x(u + side + hair)),
-                                        Interval(window_.y(v - hair), window_.y(v + side + hair))},
+    tape_.evaluate<Interval>(std::array{Interval(window_.x(u - hair), window_.x(u + side - hair)),
+                                        Interval(window_.y(v + hair), window_.y(v + side + hair))},
                              intervals_);
     return intervals_[tape_.output(0)];
   }
@@ -124,10 +143,14 @@ base::Result<Plate> carve_surface(const Statement& surface, const Window& window
   SurfaceSampler sampler(surface.terms[0], window, n);
   std::vector<SurfaceSampler::Sample> samples;
   samples.reserve(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+  std::vector<bool> suspect(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), false);
+  sampler.find_tears(suspect);
   for (int row = 0; row < n; ++row) {
     if (!work.report(static_cast<double>(row) / n))
       return base::fail(base::Errc::cancelled, "the carving was stopped");
-    for (int column = 0; column < n; ++column) samples.push_back(sampler.sample(row, column));
+    for (int column = 0; column < n; ++column) {
+      samples.push_back(sampler.sample(row, column, suspect[samples.size()]));
+    }
   }
   Plate plate;
   plate.range = settings.heights ? *settings.heights : range_of(samples);

@@ -175,21 +175,29 @@ class PlotTracer {
     const auto cell = [pitch](double c) { return static_cast<std::int64_t>(std::floor(c / pitch)); };
     for (std::size_t i = 0; i < found.dots.size(); ++i)
       grid[key(cell(found.dots[i].u), cell(found.dots[i].v))].push_back(i);
+    // Two dots are linked where no third is nearer to both: along a curve that gives a chain.
     std::vector<bool> linked(found.dots.size(), false);
+    const auto gap = [&found](std::size_t i, std::size_t j) {
+      return std::hypot(found.dots[i].u - found.dots[j].u, found.dots[i].v - found.dots[j].v);
+    };
+    std::vector<std::size_t> near;
     for (std::size_t i = 0; i < found.dots.size(); ++i) {
-      const PlatePoint& p = found.dots[i];
+      near.clear();
       for (std::int64_t du = -1; du <= 1; ++du) {
         for (std::int64_t dv = -1; dv <= 1; ++dv) {
-          const auto near = grid.find(key(cell(p.u) + du, cell(p.v) + dv));
-          if (near == grid.end()) continue;
-          for (const std::size_t j : near->second) {
-            const PlatePoint& q = found.dots[j];
-            const double d = std::hypot(p.u - q.u, p.v - q.v);
-            if (j <= i || d > 1.9 * found.leaf) continue;
-            linked[i] = linked[j] = true;
-            found.segments.push_back({p, q});
+          const auto bucket = grid.find(key(cell(found.dots[i].u) + du, cell(found.dots[i].v) + dv));
+          if (bucket == grid.end()) continue;
+          for (const std::size_t j : bucket->second) {
+            if (j != i && gap(i, j) <= 1.9 * found.leaf) near.push_back(j);
           }
         }
+      }
+      for (const std::size_t j : near) {
+        const double d = gap(i, j);
+        const auto blocks = [&](std::size_t k) { return k != j && gap(i, k) < d && gap(k, j) < d; };
+        if (j < i || std::any_of(near.begin(), near.end(), blocks)) continue;
+        linked[i] = linked[j] = true;
+        found.segments.push_back({found.dots[i], found.dots[j]});
       }
     }
     std::vector<PlatePoint> lonely;
