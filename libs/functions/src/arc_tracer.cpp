@@ -97,6 +97,20 @@ ArcTracer::Box ArcTracer::enclose(double from, double to) {
   return box;
 }
 
+/// Whether rounding leaves the sample where it is drawn: near removable gaps, (1 - cos x)/x^2, it does not.
+bool ArcTracer::is_reliable(const Sample& s) {
+  if (!s.exists() || !is_inside(s)) return true;
+  const Box box = enclose(s.t, s.t);
+  return std::max(box.u.width(), box.v.width()) <= 4 * tolerance_;
+}
+
+/// The sample itself or the first reliable one in steps that double from `away` on.
+ArcTracer::Sample ArcTracer::nearest_reliable(const Sample& from, double away) {
+  Sample s = from;
+  for (int i = 0; i < 32 && s.exists() && !is_reliable(s); ++i, away *= 2) s = sample(from.t + away);
+  return s;
+}
+
 bool ArcTracer::run() {
   branch_.statement = statement_;
   branch_.has_parameter = true;
@@ -216,11 +230,16 @@ bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box) {
   const Interval& range = upright ? box.v : box.u;
   const double least = std::max(range.lower, -settings_.margin);
   const double most = std::min(range.upper, 1 + settings_.margin);
+  // Skipped, extend() joins what lies on both sides where that is near enough.
+  if (!is_reliable(a) || !is_reliable(b)) {
+    undecided_area_ += (upright ? box.u.width() : box.v.width()) * std::max(0.0, most - least);
+    return true;
+  }
   for (const int count : {8, 64}) {
     if (low <= least + 2 * cell_ && high >= most - 2 * cell_) break;
     for (int i = 1; i < count; ++i) {
       const Sample s = sample(a.t + (b.t - a.t) * i / count);
-      if (!s.exists()) continue;
+      if (!s.exists() || !is_reliable(s)) continue;
       low = std::min(low, across(s));
       high = std::max(high, across(s));
     }
@@ -256,13 +275,16 @@ ArcTracer::Side ArcTracer::side(const Sample& near, double away) {
 }
 
 /// The piece is as narrow as numbers allow and still not proven continuous: says what happens there.
-void ArcTracer::settle_break(const Sample& a, const Sample& b, const Box& box) {
-  const double width = b.t - a.t;
+void ArcTracer::settle_break(const Sample& left, const Sample& right, const Box& box) {
+  const double width = right.t - left.t;
+  const Sample a = nearest_reliable(left, -width);
+  const Sample b = nearest_reliable(right, width);
   const Side before = side(a, -width);
   const Side after = side(b, width);
-  const Sample at = sample(simplest_between(a.t, b.t));
+  Sample at = sample(simplest_between(left.t, right.t));
+  if (!is_reliable(at)) at.u = at.v = kNaN;
   const bool unbounded = !box.u.is_bounded() || !box.v.is_bounded();
-  const double reach = 4 * tolerance_;
+  const double reach = left.t == a.t && right.t == b.t ? 4 * tolerance_ : cell_ / 8;
   const bool joined = is_near(a, b, reach) && before != Side::growing && after != Side::growing;
   if (joined) {
     const bool missing = !at.exists() || !is_near(at, a, reach);
@@ -308,6 +330,12 @@ void ArcTracer::settle_break(const Sample& a, const Sample& b, const Box& box) {
 }
 
 void ArcTracer::extend(const Sample& a, const Sample& b) {
+  if (!branch_.points.empty() && branch_.points.back().parameter != a.t) {
+    // Something unreliable was skipped; what was drawn beyond it already stays.
+    const CurvePoint& last = branch_.points.back();
+    if (last.parameter >= b.t) return;
+    if (std::hypot(last.u - a.u, last.v - a.v) > cell_ / 8) end_branch();
+  }
   if (branch_.points.empty()) branch_.points.push_back({a.u, a.v, a.t});
   branch_.points.push_back({b.u, b.v, b.t});
 }

@@ -57,6 +57,8 @@ class ArcTracer {
   void split(const Sample& a, const Sample& b, int depth);
   void settle_break(const Sample& a, const Sample& b, const Box& box);
   [[nodiscard]] Side side(const Sample& near, double away);
+  [[nodiscard]] bool is_reliable(const Sample& s);
+  [[nodiscard]] Sample nearest_reliable(const Sample& from, double away);
   void extend(const Sample& a, const Sample& b);
   void end_branch();
   void add_bar(PlatePoint from, PlatePoint to);

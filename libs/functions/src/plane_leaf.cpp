@@ -123,6 +123,15 @@ void PlaneTracer::add_edge_roots(Point p, Point q, bool continuous, std::vector<
 
 void PlaneTracer::settle_leaf(const Square& s, bool continuous) {
   rejected_ = false;
+  if (!continuous) {
+    // Between jumps a function can be zero throughout: the box counts as its middle does.
+    const Interval middle = enclose(function_, Interval(s.u + s.side / 2), Interval(s.v + s.side / 2));
+    if (middle.is_point() && middle.lower == 0 && middle.decoration >= Decoration::defined &&
+        counts_at({s.u + s.side / 2, s.v + s.side / 2})) {
+      out_->fills.push_back({Point{s.u, s.v}, Point{s.u + s.side, s.v + s.side}});
+      return;
+    }
+  }
   const std::array<Point, 4> corners{Point{s.u, s.v}, Point{s.u + s.side, s.v}, Point{s.u + s.side, s.v + s.side},
                                      Point{s.u, s.v + s.side}};
   std::vector<Point> roots;
@@ -257,9 +266,11 @@ bool PlaneTracer::find_hidden(const Square& s, bool continuous) {
 /// what is left shrinks to single points that are zero as far as can be computed.
 bool PlaneTracer::look_closer(const Square& s) {
   constexpr std::size_t kMostBoxes = 40;
+  constexpr std::size_t kMostBoxesAtJumps = 300;
   std::vector<Square> boxes{s};
   for (int level = 0; level < 44; ++level) {
     std::vector<Square> left;
+    bool only_jumps = true;
     for (const Square& b : boxes) {
       const double h = b.side / 2;
       for (const Square& q : {Square{b.u, b.v, h}, Square{b.u + h, b.v, h}, Square{b.u, b.v + h, h},
@@ -271,11 +282,14 @@ bool PlaneTracer::look_closer(const Square& s) {
           const Interval w = enclose(whole_, q);
           if (w.is_empty() || !w.contains(0)) continue;
         }
+        only_jumps = only_jumps && f.decoration == Decoration::defined && has(f.cause, Cause::jump);
         left.push_back(q);
       }
     }
     if (left.empty()) return true;
-    if (left.size() > kMostBoxes) return false;
+    // Along a jump boxes are left at every level: a strip without width.
+    if (only_jumps && level == 5) return true;
+    if (left.size() > (only_jumps ? kMostBoxesAtJumps : kMostBoxes)) return false;
     boxes = std::move(left);
     // Everything left lies together: a single point can be told early.
     if (boxes[0].side < 1e-13) break;

@@ -158,7 +158,13 @@ class PlotTracer {
       out_.dots.push_back({statement_, q});
       if (is_alone(p, found)) add_event(EventKind::isolated, q);
     }
-    for (const PlatePoint& p : found.singular) add_event(EventKind::singular, to_plate(p));
+    // Along a double curve every box looks singular: only those by themselves are points of interest.
+    for (const PlatePoint& p : found.singular) {
+      const auto close = std::count_if(found.singular.begin(), found.singular.end(), [&](const PlatePoint& q) {
+        return std::hypot(p.u - q.u, p.v - q.v) < 8 * found.leaf && std::hypot(p.u - q.u, p.v - q.v) > 1e-7;
+      });
+      if (close == 0) add_event(EventKind::singular, to_plate(p));
+    }
     for (const auto& f : found.fills) out_.fills.push_back({statement_, f[0], f[1]});
     out_.undecided_cells += static_cast<std::int64_t>(found.undecided.size());
     out_.cells = std::max(out_.cells, static_cast<std::int64_t>(1.0 / (found.leaf * found.leaf)));
@@ -170,6 +176,17 @@ class PlotTracer {
   /// Adds segments between dots of neighbouring boxes. @return the dots that have no neighbour.
   static std::vector<PlatePoint> link_dots(PlaneSolution& found) {
     const double pitch = 2 * found.leaf;
+    // Boxes that share a corner find the same point.
+    std::sort(found.dots.begin(), found.dots.end(),
+              [](const PlatePoint& a, const PlatePoint& b) { return std::pair(a.u, a.v) < std::pair(b.u, b.v); });
+    std::vector<PlatePoint> distinct;
+    for (const PlatePoint& p : found.dots) {
+      bool known = false;
+      for (std::size_t i = distinct.size(); i-- > 0 && p.u - distinct[i].u < 1e-9 && !known;)
+        known = std::abs(p.v - distinct[i].v) < 1e-9;
+      if (!known) distinct.push_back(p);
+    }
+    found.dots = std::move(distinct);
     std::unordered_map<std::int64_t, std::vector<std::size_t>> grid;
     const auto key = [](std::int64_t i, std::int64_t j) { return i * 1'000'003 + j; };
     const auto cell = [pitch](double c) { return static_cast<std::int64_t>(std::floor(c / pitch)); };
