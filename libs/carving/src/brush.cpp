@@ -144,8 +144,10 @@ double suggested_width(std::span<const kanji::StrokeLine> strokes) {
       const double length = geometry::distance(points[i], points[i + 1]);
       if (length <= 0) continue;
       const GlyphPoint forward = (points[i + 1] - points[i]) * (1 / length);
-      for (; until_next < length; until_next += spacing)
+      while (until_next < length) {
         steps.push_back({points[i] + forward * until_next, forward, k});
+        until_next += spacing;
+      }
       until_next -= length;
     }
   }

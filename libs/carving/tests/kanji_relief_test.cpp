@@ -67,8 +67,15 @@ TEST(CarvedKanji, EveryStrokeLiesOnTheFloorOfItsGrooveAsDeepAsTheBrushSays) {
 
 TEST(CarvedKanji, BarsOfCrowdedCharactersKeepARidgeBetweenThem) {
   // 書: the bars of its upper half, left of the upright, and 三.
-  for (const auto& [character, x, first, last] :
-       {std::tuple{"書", 40.0, 3, 5}, std::tuple{"三", 50.0, 0, 1}}) {
+  struct Bars {
+    std::string character;
+    double x;
+    int first;
+    int last;
+  };
+  for (const Bars& bars : {Bars{"書", 40, 3, 5}, Bars{"三", 50, 0, 1}}) {
+    const std::string& character = bars.character;
+    const double x = bars.x;
     const auto strokes = kanjivg(character);
     const auto map = carved(strokes, 512, {});
     const auto y_of = [&](int k) {
@@ -83,7 +90,7 @@ TEST(CarvedKanji, BarsOfCrowdedCharactersKeepARidgeBetweenThem) {
       }
       return y;
     };
-    for (int k = first; k < last; ++k) {
+    for (int k = bars.first; k < bars.last; ++k) {
       double ridge = 0;
       for (double t = 0; t <= 1; t += 0.02) {
         ridge = std::max(ridge, height_at(map, {x, y_of(k) * (1 - t) + y_of(k + 1) * t}));

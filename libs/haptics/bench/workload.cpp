@@ -126,7 +126,11 @@ std::vector<Point3> trace(const Kanji& kanji, std::size_t ticks) {
   for (std::size_t s = 0; out.size() < ticks; ++s) {
     const Line& line = lines[s % lines.size()];
     const double down_to = height(kanji, line[0].x, line[0].y) - depth;
-    for (double z = top; z > down_to; z -= speed) out.push_back({line[0].x, line[0].y, z});
+    double z = top;
+    while (z > down_to) {
+      out.push_back({line[0].x, line[0].y, z});
+      z -= speed;
+    }
     const Point chord{line.back().x - line[0].x, line.back().y - line[0].y};
     const double chord_length = std::sqrt(chord.x * chord.x + chord.y * chord.y);
     const std::size_t start = out.size();
@@ -135,7 +139,7 @@ std::vector<Point3> trace(const Kanji& kanji, std::size_t ticks) {
         const Point a = back ? line[line.size() - 1 - k] : line[k];
         const Point b = back ? line[line.size() - 2 - k] : line[k + 1];
         const double length = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
-        const int steps = std::max(1, static_cast<int>(length / speed + 0.5));
+        const int steps = std::max(1, static_cast<int>(std::floor(length / speed + 0.5)));
         for (int i = 0; i < steps; ++i) {
           const double t = double(i) / steps;
           const double wander =
@@ -146,10 +150,14 @@ std::vector<Point3> trace(const Kanji& kanji, std::size_t ticks) {
         }
       }
     const Point3 last = out.back();
-    for (double z = last.z; z < top; z += fly) out.push_back({last.x, last.y, z});
+    z = last.z;
+    while (z < top) {
+      out.push_back({last.x, last.y, z});
+      z += fly;
+    }
     const Point to = lines[(s + 1) % lines.size()][0];
     const double length = std::sqrt((to.x - last.x) * (to.x - last.x) + (to.y - last.y) * (to.y - last.y));
-    const int steps = std::max(1, static_cast<int>(length / fly + 0.5));
+    const int steps = std::max(1, static_cast<int>(std::floor(length / fly + 0.5)));
     for (int i = 0; i < steps; ++i) {
       const double t = double(i) / steps;
       out.push_back({last.x + t * (to.x - last.x), last.y + t * (to.y - last.y), top});

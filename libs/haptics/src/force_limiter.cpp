@@ -44,9 +44,24 @@ double ForceLimiter::heat() const noexcept {
   return full > 0 ? mean_square_ / full : 0;
 }
 
+Passivity::Passivity(const DeviceLimits& limits, double period_s)
+    : own_damping_(limits.own_damping_n_s_m),
+      most_damping_(limits.max_damping_n_s_m),
+      delay_(limits.delay_s > 0 ? static_cast<std::size_t>(std::min(limits.delay_s / period_s + 0.5,
+                                                                    static_cast<double>(kMostDelay)))
+                                : 0) {}
+
+void Passivity::forget() noexcept {
+  energy_ = 0;
+  commanded_.fill(Vec3(0));
+}
+
 void Passivity::observe(const Vec3& moved_m, const Vec3& commanded_n, double period_s,
                         double stored_j) noexcept {
-  energy_ -= glm::dot(commanded_n, moved_m);
+  newest_ = (newest_ + 1) % commanded_.size();
+  commanded_[newest_] = commanded_n;
+  const Vec3& acted_n = commanded_[(newest_ + commanded_.size() - delay_) % commanded_.size()];
+  energy_ -= glm::dot(acted_n, moved_m);
   energy_ += own_damping_ * glm::dot(moved_m, moved_m) / period_s;
   energy_ = std::clamp(energy_, -kMostDebt_j, stored_j);
 }

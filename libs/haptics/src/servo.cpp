@@ -66,7 +66,7 @@ Servo::Inside::Inside(const DeviceDescription& description)
     : device(description),
       period_s(period_of(description)),
       limiter(description.limits),
-      passivity(description.limits) {}
+      passivity(description.limits, period_of(description)) {}
 
 Servo::Servo(const DeviceDescription& device) : inside_(std::make_unique<Inside>(device)) {}
 Servo::~Servo() = default;

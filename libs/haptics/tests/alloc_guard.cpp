@@ -47,7 +47,6 @@ void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { give_b
 namespace nazori::haptics::test {
 
 AllocGuard::AllocGuard() : at_start_(t_calls) {}
-AllocGuard::~AllocGuard() = default;
 long AllocGuard::calls() const { return t_calls - at_start_; }
 
 }  // namespace nazori::haptics::test

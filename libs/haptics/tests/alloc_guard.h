@@ -7,7 +7,6 @@ namespace nazori::haptics::test {
 class AllocGuard {
  public:
   AllocGuard();
-  ~AllocGuard();
   AllocGuard(const AllocGuard&) = delete;
   AllocGuard& operator=(const AllocGuard&) = delete;
   [[nodiscard]] long calls() const;

@@ -95,7 +95,7 @@ TEST(Passivity, SeesTheEnergyThatASampledWallMakesAndPaysItBack) {
   limits.max_damping_n_s_m = 5;
   const double stiffness = 1000, speed = 0.1;
   for (const bool controlled : {false, true}) {
-    Passivity passivity{limits};
+    Passivity passivity{limits, kTick_s};
     double z = 0, out = 0, seen = 0;
     Vec3 force(0);
     for (int round = 0; round < 10; ++round)
@@ -118,10 +118,22 @@ TEST(Passivity, SeesTheEnergyThatASampledWallMakesAndPaysItBack) {
   }
 }
 
+TEST(Passivity, BooksTheForceThatActsNotTheOneThatIsStillUnderway) {
+  DeviceLimits limits;
+  limits.own_damping_n_s_m = 0;
+  limits.delay_s = 0.002;
+  Passivity passivity{limits, kTick_s};
+  passivity.observe({0, 0, 0}, {0, 0, 1}, kTick_s, 1);
+  passivity.observe({0, 0, 0.001}, {0, 0, 0}, kTick_s, 1);
+  EXPECT_EQ(passivity.energy_j(), 0);
+  passivity.observe({0, 0, 0.001}, {0, 0, 0}, kTick_s, 1);
+  EXPECT_NEAR(passivity.energy_j(), -0.001, 1e-12);
+}
+
 TEST(Passivity, LeavesAPassiveSpringAlone) {
   DeviceLimits limits;
   limits.own_damping_n_s_m = 1;  // b > K T / 2 with room
-  Passivity passivity{limits};
+  Passivity passivity{limits, kTick_s};
   double z = 0;
   Vec3 force(0);
   for (int i = 0; i < 5000; ++i) {

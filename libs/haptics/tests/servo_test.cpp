@@ -296,6 +296,7 @@ TEST(Servo, SameInputGivesTheSameBytes) {
     Hand hand;
     hand.servo.set_scene(groove_with_stroke(groove));
     std::vector<Vec3> forces;
+    forces.reserve(5000);
     for (int i = 0; i < 5000; ++i)
       forces.push_back(hand.at(
           {0.03 * std::sin(0.003 * i), 0.004 * std::sin(0.02 * i), -0.008 + 0.009 * std::sin(0.005 * i)}));

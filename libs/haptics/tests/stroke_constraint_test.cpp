@@ -12,7 +12,7 @@ namespace nazori::haptics {
 namespace {
 
 constexpr double kTick_s = 0.001;
-const StrokeConstraint::Settings kSettings{100, 0.01, 0.0105};
+constexpr StrokeConstraint::Settings kSettings{100, 0.01, 0.0105};
 
 StrokePath line(const Vec3& from, const Vec3& to, int pieces = 1) {
   StrokePath path;
@@ -97,7 +97,7 @@ TEST(StrokeConstraint, LetsGoWhenPulledBeyondTheReleaseDistance) {
   EXPECT_EQ(snap.force_n(), Vec3(0));
 }
 
-// A hand that moves 0.05 mm a tick changes the spring by 0.005 N a tick; what is above that is a step.
+// A hand that moves 5 um a tick changes the spring by 0.5 or 5 mN a tick; what is above that is a step.
 TEST(StrokeConstraint, CatchAndReleaseAreNotFeltAsSteps) {
   const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0}, 9)}, 0);
   for (const double stiffness : {100.0, 1000.0}) {
@@ -107,9 +107,9 @@ TEST(StrokeConstraint, CatchAndReleaseAreNotFeltAsSteps) {
     Vec3 before(0);
     double worst = 0;
     int caught = 0, released = 0;
-    const double motion = 5e-5 * stiffness;
-    for (int i = 0; i < 4000; ++i) {
-      const double y = 0.02 * std::cos(0.0025 * i);
+    const double motion = 5e-6 * stiffness;
+    for (int i = 0; i < 40'000; ++i) {
+      const double y = 0.02 * std::cos(0.00025 * i);
       const std::int32_t was = snap.stroke();
       snap.update(index, settings, {0.001, y, 0.002}, kTick_s);
       caught += was == 0 && snap.stroke() != 0 ? 1 : 0;
@@ -143,13 +143,24 @@ TEST(StrokeConstraint, JoinedSegmentsActAsOneCurveRoundCornersAndKicks) {
   EXPECT_NEAR(arc, index.stroke_length_m(0), 1e-12);
 }
 
+// The end of a brush stroke may overshoot a little before it kicks back.
+TEST(StrokeConstraint, LooksPastAShortOvershootAtASharpKick) {
+  const StrokePath kick{{{0, 0.02, 0}, {0, 0, 0}, {0.0005, -0.0005, 0}, {-0.003, 0.003, 0}}};
+  const StrokeIndex index(std::vector{kick}, 0);
+  StrokeConstraint snap;
+  rest(snap, index, {0, 0.002, 0}, 5);
+  ASSERT_EQ(snap.segment(), 0);
+  rest(snap, index, {-0.002, 0.002, 0}, 1);
+  EXPECT_EQ(snap.segment(), 2);
+}
+
 TEST(StrokeConstraint, AnotherStrokeCannotTakeOverWhileOneHolds) {
   const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0}), line({0, -0.03, 0}, {0, 0.03, 0})},
                           0);
   StrokeConstraint snap;
   rest(snap, index, {-0.02, 0.001, 0}, 5);
-  for (double x = -0.02; x < 0.02; x += 1e-4) {
-    snap.update(index, kSettings, {x, 0.003, 0}, kTick_s);
+  for (int i = -200; i < 200; ++i) {
+    snap.update(index, kSettings, {1e-4 * i, 0.003, 0}, kTick_s);
     EXPECT_EQ(snap.stroke(), 1);
   }
 }

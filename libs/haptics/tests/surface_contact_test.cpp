@@ -35,7 +35,8 @@ double nearest_by_search(const Relief& relief, const Vec3& d, double reach) {
     return glm::length(Vec3(a, b, relief.tablet.height(a, b)) - d);
   };
   double best = far(x, y);
-  for (double step = reach / kTries; step > 1e-10; step /= 4) {
+  double step = reach / kTries;
+  while (step > 1e-10) {
     const double from_x = x, from_y = y;
     const int n = step == reach / kTries ? kTries : 8;
     for (int i = -n; i <= n; ++i)
@@ -45,6 +46,7 @@ double nearest_by_search(const Relief& relief, const Vec3& d, double reach) {
           x = from_x + i * step;
           y = from_y + j * step;
         }
+    step /= 4;
   }
   return best;
 }
@@ -181,7 +183,8 @@ TEST(SurfaceContact, OutsideTheTabletThePlateauGoesOn) {
   // And a rim with a groove running out of it has no edge to catch on.
   const Relief groove(64, 0.01, [](double, double y) { return -0.01 * std::exp(-1e5 * y * y); });
   SurfaceContact along;
-  for (double x = 0.03; x < 0.07; x += 0.0002) {
+  for (int i = 150; i < 350; ++i) {
+    const double x = 0.0002 * i;
     along.update(groove.tablet, {x, 0, -0.011}, {});
     EXPECT_NEAR(along.proxy_m().x, x, kTolerance_m);
   }
@@ -244,14 +247,14 @@ TEST(SurfaceContact, ADiveAtFiftyMetresASecondIsStoppedWhereItWentIn) {
   const Relief relief = crossing_grooves(128);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> where(-0.03, 0.03), tilt(0, 1), phase(0, 0.05);
-  for (int i = 0; i < 500; ++i) {
+  for (int dive = 0; dive < 500; ++dive) {
     const double x = where(random), y = where(random), lean = tilt(random), turn = 6 * tilt(random);
     const Vec3 way = glm::normalize(Vec3(lean * std::cos(turn), lean * std::sin(turn), -1));
     const Vec3 entry{x, y, relief.tablet.height(x, y)};
     SurfaceContact contact;
     const double start = -0.1 - phase(random);
-    for (double s = start; s < 0.05; s += 0.05) {
-      const Vec3 device = entry + s * way;
+    for (int i = 0; start + 0.05 * i < 0.05; ++i) {
+      const Vec3 device = entry + (start + 0.05 * i) * way;
       contact.update(relief.tablet, device, {});
       EXPECT_EQ(contact.touching(), above(relief, device) < 0);
       EXPECT_GE(above(relief, contact.proxy_m()), -1e-15);
@@ -283,12 +286,13 @@ TEST(SurfaceContact, FrictionHoldsWithinTheConeAndDragsBehindByTheDynamicCoeffic
   const double depth = 0.002;
   SurfaceContact contact;
   contact.update(flat.tablet, {0, 0, 0.001}, friction);
-  for (double x = 0; x < 0.49 * depth; x += 1e-6) contact.update(flat.tablet, {x, 0, -depth}, friction);
+  contact.update(flat.tablet, {0, 0, -depth}, friction);
+  double x = 0;
+  while (x < 0.49 * depth) contact.update(flat.tablet, {x += 1e-6, 0, -depth}, friction);
   EXPECT_NEAR(contact.proxy_m().x, 0, 1e-12);
   EXPECT_TRUE(contact.held());
-  double x = 0.49 * depth;
-  for (; x < 0.01; x += 1e-6) contact.update(flat.tablet, {x, 0, -depth}, friction);
-  EXPECT_NEAR(contact.proxy_m().x, x - 1e-6 - 0.3 * depth, 0.002 * 0.3 * depth + 1e-6);
+  while (x < 0.01) contact.update(flat.tablet, {x += 1e-6, 0, -depth}, friction);
+  EXPECT_NEAR(contact.proxy_m().x, x - 0.3 * depth, 0.002 * 0.3 * depth + 1e-6);
   EXPECT_FALSE(contact.held());
   // Stopping brings static friction back.
   const double stopped = contact.proxy_m().x;

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "levels.h"
 #include "nazori/base/file.h"
 #include "nazori/surface/height_map.h"
 
@@ -250,11 +251,11 @@ std::vector<std::uint8_t> to_png(const HeightMap& map, PngDepth depth) {
       const std::span<const float> heights = map.samples().subspan(y * side, side);
       for (std::size_t x = 0; x < side; ++x) {
         if (wide) {
-          const auto level = static_cast<unsigned>(heights[x] * 65535.0F + 0.5F);
+          const unsigned level = level_of(heights[x], 65535.0F);
           row[2 * x] = static_cast<std::uint8_t>(level >> 8U);
           row[2 * x + 1] = static_cast<std::uint8_t>(level & 0xFFU);
         } else {
-          row[x] = static_cast<std::uint8_t>(heights[x] * 255.0F + 0.5F);
+          row[x] = static_cast<std::uint8_t>(level_of(heights[x], 255.0F));
         }
       }
       png_write_row(png, row.data());

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "levels.h"
 #include "nazori/base/file.h"
 #include "nazori/surface/height_map.h"
 
@@ -63,7 +64,7 @@ base::Result<HeightMap> parse_raw(std::span<const std::uint8_t> bytes, std::opti
 std::vector<std::uint8_t> to_raw(const HeightMap& map) {
   std::vector<std::uint8_t> bytes(map.samples().size());
   std::transform(map.samples().begin(), map.samples().end(), bytes.begin(),
-                 [](float height) { return static_cast<std::uint8_t>(height * 255.0F + 0.5F); });
+                 [](float height) { return static_cast<std::uint8_t>(level_of(height, 255.0F)); });
   return bytes;
 }
 

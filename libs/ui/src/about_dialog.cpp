@@ -44,7 +44,7 @@ AboutDialog::AboutDialog(const std::vector<kanji::Source>& sources, QWidget* par
       html += item(QStringLiteral("%1 %2").arg(to_text(source.name), to_text(source.version)).toHtmlEscaped(),
                    to_text(source.licence).toHtmlEscaped() +
                        QStringLiteral("<br><span style=\"color:%1\">SHA-256 %2…</span>")
-                           .arg(colours_of(palette()).muted.name(), to_text(source.sha256).left(16)));
+                           .arg(current_colours().muted.name(), to_text(source.sha256).left(16)));
   }
   auto* text = new QTextBrowser(this);
   text->setObjectName(QStringLiteral("licences"));

@@ -3,6 +3,7 @@
 
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QWidget>
 #include <utility>
 
@@ -110,6 +111,9 @@ QAction* Actions::make(const char* name, const QString& text, const QString& tip
   action->setObjectName(QString::fromLatin1(name));
   action->setShortcuts(key_list);
   action->setCheckable(checkable);
+  // On buttons without the letter for the menu: "&Strokes", "筆画(&S)".
+  static const QRegularExpression kMnemonic(QStringLiteral("\\(&.\\)|&"));
+  action->setIconText(QString(text).remove(kMnemonic).remove(QChar(0x2026)).trimmed());
   action->setStatusTip(tip);
   action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, key_list.front().toString(QKeySequence::NativeText)));
   // A key must work with the menu bar hidden (full screen) too.
@@ -130,7 +134,7 @@ void Actions::add_menus(QMenuBar* bar) const {
 }
 
 void Actions::draw_icons() {
-  const Colours& c = colours_of(window_->palette());
+  const Colours& c = current_colours();
   const std::pair<QAction*, Icon> drawings[] = {
       {previous_stroke, Icon::previous}, {next_stroke, Icon::next}, {strokes, Icon::strokes},
       {numbers, Icon::numbers},          {arrows, Icon::arrows},    {snap, Icon::snap},

@@ -33,6 +33,7 @@ bool has_session_bus() {
 Appearance::Appearance(QObject* parent)
     : QObject(parent), palette_dark_(ui::is_dark(QApplication::palette())) {
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  apply(theme_, text_pt_);
   ask_desktop();
 }
 
@@ -80,8 +81,9 @@ void Appearance::apply(ThemeChoice theme, int text_pt) {
   const Colours& colours = is_dark() ? dark_colours() : light_colours();
   QFont font = QApplication::font();
   font.setPointSize(text_pt);
-  QApplication::setFont(font);
   QApplication::setPalette(make_palette(colours));
+  // The font first: widgets under a style sheet take it up as the sheet is set again.
+  QApplication::setFont(font);
   qApp->setStyleSheet(style_sheet(colours));
   emit changed();
 }

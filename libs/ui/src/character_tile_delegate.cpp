@@ -12,15 +12,14 @@ namespace nazori::ui {
 
 int CharacterTileDelegate::tile_side(const QFont& font) { return QFontInfo(font).pixelSize() * 3; }
 
-QSize CharacterTileDelegate::sizeHint(const QStyleOptionViewItem& option,
+QSize CharacterTileDelegate::sizeHint(const QStyleOptionViewItem& /*option*/,
                                       const QModelIndex& /*index*/) const {
-  const int side = tile_side(option.font);
-  return {side, side};
+  return {side_, side_};
 }
 
 void CharacterTileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                                   const QModelIndex& index) const {
-  const Colours& c = colours_of(option.palette);
+  const Colours& c = current_colours();
   const bool is_current =
       static_cast<char32_t>(index.data(CharacterListModel::kCodePointRole).toUInt()) == current_;
   const bool has_focus = option.state.testFlag(QStyle::State_HasFocus);

@@ -12,12 +12,15 @@ class CharacterTileDelegate final : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
 
   void set_current(char32_t code_point) { current_ = code_point; }
+  /// The side that suits a text size.
   [[nodiscard]] static int tile_side(const QFont& font);
+  void set_side(int side) { side_ = side; }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  private:
+  int side_ = 48;
   char32_t current_ = 0;  ///< the character on the desk
 };
 

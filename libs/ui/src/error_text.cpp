@@ -8,24 +8,24 @@
 namespace nazori::ui {
 namespace {
 
-QString translate(const char* text) { return QCoreApplication::translate("nazori::ui::reason", text); }
+QString words(const char* text) { return QCoreApplication::translate("nazori::ui::reason", text); }
 
 QString kind(base::Errc code) {
   switch (code) {
     case base::Errc::bad_argument:
-      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "a value is out of range"));
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "a value is out of range"));
     case base::Errc::io:
-      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "it could not be read or written"));
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it could not be read or written"));
     case base::Errc::parse:
-      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "its content does not follow the format"));
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "its content does not follow the format"));
     case base::Errc::schema:
-      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "it is of another kind than expected"));
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it is of another kind than expected"));
     case base::Errc::not_found:
-      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "it does not exist"));
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it does not exist"));
     case base::Errc::device:
-      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "the graphics or the device refused"));
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "the graphics or the device refused"));
     case base::Errc::cancelled:
-      return translate(QT_TRANSLATE_NOOP("nazori::ui::reason", "it was stopped"));
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it was stopped"));
   }
   return {};
 }

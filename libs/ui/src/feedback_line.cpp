@@ -51,7 +51,7 @@ void FeedbackLine::changeEvent(QEvent* event) {
 }
 
 void FeedbackLine::draw_sign() {
-  const Colours& c = colours_of(palette());
+  const Colours& c = current_colours();
   const int side = QFontInfo(font()).pixelSize() * 5 / 4;
   switch (kind_) {
     case Feedback::hint:

@@ -17,9 +17,10 @@ QLayoutItem* FlowLayout::takeAt(int index) {
 }
 
 QSize FlowLayout::minimumSize() const {
+  // Narrower than its widest item: that one is then cut to the width, which lets its text wrap.
   QSize size;
   for (const auto* item : items_) size = size.expandedTo(item->minimumSize());
-  return size;
+  return {0, size.height()};
 }
 
 void FlowLayout::setGeometry(const QRect& rect) {
@@ -28,9 +29,20 @@ void FlowLayout::setGeometry(const QRect& rect) {
 }
 
 int FlowLayout::arrange(const QRect& rect, bool apply) const {
+  struct Placed {
+    QLayoutItem* item;
+    QRect box;
+  };
+  QList<Placed> line;
   int x = rect.x();
   int y = rect.y();
-  int line = 0;
+  int height = 0;
+  // Items of one line stand on one middle.
+  const auto end_line = [&] {
+    for (auto& [item, box] : line)
+      if (apply) item->setGeometry(box.translated(0, (height - box.height()) / 2));
+    line.clear();
+  };
   for (auto* item : items_) {
     if (item->isEmpty()) continue;
     QSize size = item->sizeHint();
@@ -39,15 +51,17 @@ int FlowLayout::arrange(const QRect& rect, bool apply) const {
       if (item->hasHeightForWidth()) size.setHeight(item->heightForWidth(rect.width()));
     }
     if (x > rect.x() && x + size.width() > rect.x() + rect.width()) {
+      end_line();
       x = rect.x();
-      y += line + vertical_gap_;
-      line = 0;
+      y += height + vertical_gap_;
+      height = 0;
     }
-    if (apply) item->setGeometry(QRect(QPoint(x, y), size));
+    line.append({item, QRect(QPoint(x, y), size)});
     x += size.width() + horizontal_gap_;
-    line = std::max(line, size.height());
+    height = std::max(height, size.height());
   }
-  return y + line - rect.y();
+  end_line();
+  return y + height - rect.y();
 }
 
 }  // namespace nazori::ui

@@ -29,7 +29,7 @@ QSize GlyphView::sizeHint() const {
 void GlyphView::paintEvent(QPaintEvent* /*event*/) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const Colours& c = colours_of(palette());
+  const Colours& c = current_colours();
   const double side = std::min(width(), height());
   const QRectF box(0.5, 0.5, side - 1, side - 1);
   p.setPen(QPen(c.line, 1));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "information_panel.h"
 
-#include <QEvent>
 #include <QFontInfo>
 #include <QLabel>
 #include <QLocale>
@@ -130,6 +129,7 @@ QLabel* InformationPanel::add_label(FlowLayout* flow, const QString& text, doubl
     label->setFont(scaled);
   }
   if (muted) set_role(label, "muted");
+  label->setMinimumWidth(0);
   make_selectable(label);
   flow->addWidget(label);
   return label;
@@ -209,15 +209,14 @@ void InformationPanel::fill_facts() {
     else
       facts.append(*entry.grade == 8 ? tr("secondary school") : tr("for names"));
   }
-  if (entry.frequency)
-    facts.append(tr("%1 of 2,501 in newspapers").arg(QLocale().toString(*entry.frequency)));
+  if (entry.frequency) facts.append(tr("no. %1 in newspapers").arg(QLocale().toString(*entry.frequency)));
   if (entry.old_jlpt_level) facts.append(tr("old JLPT %1").arg(*entry.old_jlpt_level));
   facts_->setText(facts.join(QStringLiteral(" · ")));
 }
 
 void InformationPanel::fill_readings() {
   const auto& entry = sheet_->character.entry;
-  const QColor muted = colours_of(palette()).muted;
+  const QColor muted = current_colours().muted;
   for (const auto& on : entry.on_readings)
     add_label(on_.flow, to_text(on), 1.25, true)->setObjectName(QStringLiteral("on_reading"));
   for (const auto& kun : entry.kun_readings) {
@@ -248,10 +247,8 @@ void InformationPanel::fill_radical() {
     if (here)
       add_label(radical_.flow, to_text(form), 1.4, true)->setObjectName(QStringLiteral("radical_variant"));
   }
-  QStringList names;
-  for (const auto& name : radical.japanese_names) names.append(to_text(name));
-  add_label(radical_.flow, names.join(QStringLiteral("、")), 1.1, true)
-      ->setObjectName(QStringLiteral("radical_names"));
+  for (const auto& name : radical.japanese_names)
+    add_label(radical_.flow, to_text(name), 1.1, true)->setObjectName(QStringLiteral("radical_name"));
   add_label(radical_.flow, to_text(radical.english_name), 1.0, false, true)
       ->setObjectName(QStringLiteral("radical_english"));
   radical_.box->setVisible(true);
@@ -282,7 +279,7 @@ void InformationPanel::fill_parts() {
 
 void InformationPanel::fill_words() {
   const double size_pt = QFontInfo(font()).pointSizeF();
-  const Colours& c = colours_of(palette());
+  const Colours& c = current_colours();
   for (const auto& word : sheet_->words) {
     auto* label = new QLabel(words_.box);
     label->setObjectName(QStringLiteral("word"));
@@ -313,13 +310,10 @@ void InformationPanel::fill_words() {
   words_.box->setVisible(!sheet_->words.empty());
 }
 
-void InformationPanel::changeEvent(QEvent* event) {
-  QScrollArea::changeEvent(event);
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) {
-    const int place = verticalScrollBar()->value();
-    if (sheet_) rebuild();
-    verticalScrollBar()->setValue(place);
-  }
+void InformationPanel::refresh() {
+  const int place = verticalScrollBar()->value();
+  if (sheet_) rebuild();
+  verticalScrollBar()->setValue(place);
 }
 
 void InformationPanel::resizeEvent(QResizeEvent* event) {

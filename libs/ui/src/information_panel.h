@@ -26,11 +26,13 @@ class InformationPanel final : public QScrollArea {
   /// A tablet of the learner's own: its name, and how large it is.
   void show_own(const QString& name, int map_size, int strokes);
 
+  /// Takes up other colours and another text size.
+  void refresh();
+
  signals:
   void character_chosen(char32_t code_point);
 
  protected:
-  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:

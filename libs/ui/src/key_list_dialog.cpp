@@ -24,7 +24,7 @@ QString plain(QString text) {
 KeyListDialog::KeyListDialog(const Actions& actions, QWidget* parent) : QDialog(parent) {
   setObjectName(QStringLiteral("key_list_dialog"));
   setWindowTitle(tr("Keys and mouse"));
-  const Colours& c = colours_of(palette());
+  const Colours& c = current_colours();
   QString html = QStringLiteral("<table cellspacing=0 cellpadding=4 width=100%>");
   const auto heading = [&](const QString& title) {
     html += QStringLiteral("<tr><td colspan=2 style=\"padding-top:12px; color:%1\"><b>%2</b></td></tr>")

@@ -12,6 +12,7 @@
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "character_tile_delegate.h"
 #include "icons.h"
@@ -40,7 +41,7 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
   search_->setToolTip(
       tr("Find a character by itself, by a reading in kana or romaji, or by an English meaning (Ctrl+F)"));
   search_->setClearButtonEnabled(true);
-  search_->addAction(icon(Icon::search, colours_of(palette()).muted, colours_of(palette()).muted),
+  search_->addAction(icon(Icon::search, current_colours().muted, current_colours().muted),
                      QLineEdit::LeadingPosition);
   search_->installEventFilter(this);
 
@@ -61,7 +62,8 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
   lists_->setAccessibleName(tr("List of characters"));
   lists_->setMaxVisibleItems(static_cast<int>(std::size(lists)));
   lists_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  lists_->setMinimumContentsLength(6);
+  lists_->setMinimumContentsLength(5);
+  lists_->setPlaceholderText(tr("Search"));
   count_->setObjectName(QStringLiteral("list_count"));
   count_->setProperty("role", QStringLiteral("muted"));
 
@@ -79,6 +81,7 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
   grid_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   grid_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   grid_->setMouseTracking(true);
+  grid_->viewport()->installEventFilter(this);
 
   nothing_->setObjectName(QStringLiteral("nothing_found"));
   nothing_->setWordWrap(true);
@@ -142,6 +145,7 @@ void LibraryPanel::show_characters(const Summaries& characters) {
   const QString wanted = search_->text().trimmed();
   const bool searched = !wanted.isEmpty();
   shown_search_ = wanted;
+  lists_->setCurrentIndex(searched ? -1 : lists_->findData(static_cast<int>(list_)));
   count_->setText(searched ? tr("%n found", nullptr, count) : QString::number(count));
   count_->setAccessibleName(searched ? count_->text() : tr("%n characters", nullptr, count));
   nothing_->setText(
@@ -175,7 +179,8 @@ void LibraryPanel::set_current(char32_t code_point) {
   if (row >= 0) {
     const QModelIndex index = model_->index(row);
     grid_->setCurrentIndex(index);
-    grid_->scrollTo(index);
+    const bool seen = grid_->viewport()->rect().contains(grid_->visualRect(index));
+    if (!seen) grid_->scrollTo(index, QAbstractItemView::PositionAtCenter);
   } else {
     grid_->clearSelection();
   }
@@ -193,6 +198,7 @@ void LibraryPanel::focus_search() {
 }
 
 bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == grid_->viewport() && event->type() == QEvent::Resize) fit_tiles();
   if (watched == search_ && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Down && model_->rowCount() > 0) {
@@ -214,7 +220,12 @@ void LibraryPanel::changeEvent(QEvent* event) {
 }
 
 void LibraryPanel::fit_tiles() {
-  const int side = CharacterTileDelegate::tile_side(font());
+  // As many columns as fit without making the tiles much smaller; they fill the panel's width.
+  const int wished = CharacterTileDelegate::tile_side(font());
+  const int room = grid_->viewport()->width() - 1;
+  const int columns = std::max(room * 20 / (wished * 17), 1);
+  const int side = std::clamp(room / columns, wished / 2, wished * 3 / 2);
+  delegate_->set_side(side);
   grid_->setGridSize({side, side});
   grid_->verticalScrollBar()->setSingleStep(side / 2);
 }

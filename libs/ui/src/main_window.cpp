@@ -19,6 +19,7 @@
 #include "error_text.h"
 #include "feedback_line.h"
 #include "file_exchange.h"
+#include "focus_frame.h"
 #include "information_panel.h"
 #include "library.h"
 #include "library_panel.h"
@@ -50,6 +51,7 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
   setWindowTitle(QStringLiteral("Nazori"));
   setAcceptDrops(true);
   setMinimumSize(kLeastSize);
+  inside_->apply_appearance();  // before the widgets are made, so that they are made in the right size
   inside_->build();
   inside_->connect_actions();
   inside_->connect_work();
@@ -62,12 +64,10 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
     resize(kFirstSize.boundedTo(room));
   }
   inside_->panes->set_open(preferences.library_open, preferences.information_open);
+  if (preferences.pane_widths.size() == 2)
+    inside_->panes->wish(preferences.pane_widths[0], preferences.pane_widths[1]);
   inside_->panes->fit(width(), preferences.text_pt);
-  if (preferences.pane_widths.size() == 3)
-    inside_->panes->setSizes(preferences.pane_widths);
-  else
-    inside_->panes->setSizes(
-        {inside_->library_panel->maximumWidth(), width(), inside_->information_panel->maximumWidth()});
+  inside_->tablet_place->setFocus(Qt::OtherFocusReason);
   inside_->library_panel->show_list(preferences.list);
   inside_->choose(setup.character != 0 ? setup.character : preferences.kanji, true);
 }
@@ -181,7 +181,7 @@ void MainWindow::Inside::build() {
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(tablet_place, 1);
+  column->addWidget(new FocusFrame(tablet_place, middle), 1);
   column->addWidget(feedback);
 
   panes = new Panes(library_panel, middle, information_panel, &window);
@@ -243,9 +243,7 @@ void MainWindow::Inside::save_preferences() {
   save_timer.stop();
   if (!actions->full_screen->isChecked()) {
     preferences.geometry = window.saveGeometry();
-    if (panes->sizes().size() == 3 && !panes->are_drawers() && panes->library_wanted() &&
-        panes->information_wanted())
-      preferences.pane_widths = panes->sizes();
+    preferences.pane_widths = {panes->library_wish(), panes->information_wish()};
   }
   preferences.library_open = panes->library_wanted();
   preferences.information_open = panes->information_wanted();

@@ -184,8 +184,10 @@ void MainWindow::Inside::connect_work() {
   QObject::connect(controller, &TabletController::depth_changed, status, &StatusLine::show_depth);
   QObject::connect(&appearance, &Appearance::changed, &window, [this] {
     actions->draw_icons();
-    if (tablet_window != nullptr)
-      tablet_window->set_theme(appearance.is_dark() ? view::Theme::dark : view::Theme::light);
+    information_panel->refresh();
+    if (tablet_window == nullptr) return;
+    tablet_window->set_theme(appearance.is_dark() ? view::Theme::dark : view::Theme::light);
+    tablet_window->set_text_size(preferences.text_pt);
   });
   if (tablet_window != nullptr) {
     tablet_window->set_reduced_motion(preferences.reduced_motion);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palette.h"
 
+#include <QGuiApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -35,8 +36,8 @@ bool is_dark(const QPalette& palette) {
   return luminance(palette.color(QPalette::WindowText)) > luminance(palette.color(QPalette::Window));
 }
 
-const Colours& colours_of(const QPalette& palette) {
-  return is_dark(palette) ? dark_colours() : light_colours();
+const Colours& current_colours() {
+  return is_dark(QGuiApplication::palette()) ? dark_colours() : light_colours();
 }
 
 QPalette make_palette(const Colours& c) {

@@ -25,8 +25,9 @@ struct Colours {
 /// A palette is dark when its text is lighter than its window.
 [[nodiscard]] bool is_dark(const QPalette& palette);
 
-/// The colours that belong to a widget's palette, light or dark.
-[[nodiscard]] const Colours& colours_of(const QPalette& palette);
+/// The colours in force, by the application's palette. (A widget's own palette is changed by the style
+/// sheet.)
+[[nodiscard]] const Colours& current_colours();
 
 /// Qt's palette made from the colours.
 [[nodiscard]] QPalette make_palette(const Colours& colours);

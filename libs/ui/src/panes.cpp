@@ -26,6 +26,11 @@ Panes::Panes(QWidget* library, QWidget* tablet, QWidget* information, QWidget* p
   setStretchFactor(2, 0);
   library_->setMinimumWidth(kLibraryMin_px);
   information_->setMinimumWidth(kInformationMin_px);
+  connect(this, &QSplitter::splitterMoved, this, [this] {
+    if (drawers_) return;
+    if (library_->isVisible()) library_wish_ = library_->width();
+    if (information_->isVisible()) information_wish_ = information_->width();
+  });
 }
 
 void Panes::set_open(bool library, bool information) {
@@ -68,14 +73,23 @@ void Panes::fit(int window_width, int text_pt) {
   }
   // Larger text may have wider panels, but never more than half of the window together.
   const int larger = std::max(text_pt - 12, 0);
-  const int half = window_width / 2 - 2;
+  const int half = window_width / 2 - 6;
   const auto limit = [&](double share, int most, int least) {
-    const int by_share = drawers_ ? half : static_cast<int>(window_width * share) - 1;
+    const int by_share = drawers_ ? half : static_cast<int>(window_width * share) - 4;
     return std::max(std::min(by_share, most), least);
   };
-  library_->setMaximumWidth(limit(kLibraryShare, kLibraryMax_px + larger * 9, kLibraryMin_px));
-  information_->setMaximumWidth(
-      limit(kInformationShare, kInformationMax_px + larger * 11, kInformationMin_px));
+  const int library_most = limit(kLibraryShare, kLibraryMax_px + larger * 9, kLibraryMin_px);
+  const int information_most = limit(kInformationShare, kInformationMax_px + larger * 11, kInformationMin_px);
+  library_->setMaximumWidth(library_most);
+  information_->setMaximumWidth(information_most);
+  const int library = std::min(library_wish_, library_most);
+  const int information = std::min(information_wish_, information_most);
+  setSizes({library, std::max(window_width - library - information, 0), information});
+}
+
+void Panes::wish(int library_width, int information_width) {
+  library_wish_ = library_width;
+  information_wish_ = information_width;
 }
 
 }  // namespace nazori::ui

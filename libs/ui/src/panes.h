@@ -30,6 +30,11 @@ class Panes final : public QSplitter {
   /// Only the tablet.
   void set_alone(bool alone);
 
+  /// How wide the learner would have the panels; without a wish they are as wide as may be.
+  void wish(int library_width, int information_width);
+  [[nodiscard]] int library_wish() const { return library_wish_; }
+  [[nodiscard]] int information_wish() const { return information_wish_; }
+
   /// For a window of this width, in text of this size.
   void fit(int window_width, int text_pt);
 
@@ -41,6 +46,8 @@ class Panes final : public QSplitter {
 
   QWidget* library_;
   QWidget* information_;
+  int library_wish_ = QWIDGETSIZE_MAX;
+  int information_wish_ = QWIDGETSIZE_MAX;
   bool drawers_ = false;
   bool alone_ = false;
   bool library_wanted_ = true;

@@ -37,8 +37,8 @@ Preferences Preferences::load(const QString& file) {
   Preferences p;
   p.geometry = ini.value(QStringLiteral("window/geometry")).toByteArray();
   for (const auto& width : ini.value(QStringLiteral("window/pane_widths")).toStringList())
-    p.pane_widths.append(std::clamp(width.toInt(), 0, 100000));
-  if (p.pane_widths.size() != 3) p.pane_widths.clear();
+    p.pane_widths.append(std::max(width.toInt(), 0));
+  if (p.pane_widths.size() != 2) p.pane_widths.clear();
   const auto kanji = ini.value(QStringLiteral("tablet/kanji")).toString().toUcs4();
   if (kanji.size() == 1) p.kanji = static_cast<char32_t>(kanji.front());
   p.list = read_name(ini, QStringLiteral("library/list"), kLists, p.list);

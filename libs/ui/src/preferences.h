@@ -19,7 +19,7 @@ struct Preferences {
   static constexpr int kMaxText_pt = 28;
 
   QByteArray geometry;     ///< QWidget::saveGeometry
-  QList<int> pane_widths;  ///< library, tablet, information
+  QList<int> pane_widths;  ///< of library and information as last dragged; empty: as wide as may be
   char32_t kanji = U'休';
   kanji::List list = kanji::List::grade_1;
   bool library_open = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "status_line.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <cmath>
@@ -48,6 +49,13 @@ void StatusLine::show_depth(double depth_m) {
   const QString text =
       depth_m > 0 ? tr("depth %1 mm").arg(QLocale().toString(depth_m * 1000, 'f', 1)) : QString();
   if (depth_->text() != text) depth_->setText(text);
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+  QStatusBar::changeEvent(event);
+  // Its height comes from its labels, whose text grows only after its own.
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+    QTimer::singleShot(0, this, [this] { reformat(); });
 }
 
 void StatusLine::look() {

@@ -20,6 +20,9 @@ class StatusLine final : public QStatusBar {
 
   void show_depth(double depth_m);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void look();
 

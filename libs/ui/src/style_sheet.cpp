@@ -29,6 +29,7 @@ QToolBar QToolButton:checked { background: @tint; color: @indigo; }
 QToolBar QToolButton:disabled { color: @faint; }
 QToolBar QToolButton:focus { border-color: @indigo; }
 QToolBar QToolButton::menu-indicator { image: none; width: 0; }
+QToolButton#qt_toolbar_ext_button { background: @hover; border: 1px solid @line; border-radius: 5px; }
 QLabel#stroke_label { padding: 0 4px; }
 
 QStatusBar { border-top: 1px solid @line; color: @muted; }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kActivePump_ms = 16;
 constexpr int kIdlePump_ms = 250;
-constexpr double kUsualDepth = 0.85;
+constexpr double kUsualDepth = 1.15;  ///< below the deepest groove: a click touches the bottom
 constexpr double kDeepest = 1.5;
 constexpr double kNotch = 0.05;
 

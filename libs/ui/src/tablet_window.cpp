@@ -17,15 +17,25 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "camera_motion.h"
-
 namespace nazori::ui {
 namespace {
 
 constexpr int kGlide_ms = 220;
+constexpr int kStill_ms = 120;    ///< the camera has come to rest: one more picture, in full quality
 constexpr int kSettle_ms = 250;   ///< the simulated tip takes a few milliseconds to follow the pointer
 constexpr double kSeen_m = 2e-6;  ///< smaller moves of the tip change no pixel
-constexpr double kZoomPerNotch = 1.12;
+
+/// The view to begin with and to come back to: in the classic style the eye of 2005.
+view::Camera home(view::Style style) {
+  return style == view::Style::classic ? view::Camera{} : view::Camera::resting();
+}
+
+/// A drag to the right turns the tablet to the right, one upwards lays it flatter.
+view::Camera turned(view::Camera camera, QPointF drag) {
+  camera.azimuth += drag.x() * view::Camera::kOrbitStep;
+  camera.tilt -= drag.y() * view::Camera::kOrbitStep;
+  return view::within_limits(camera);
+}
 
 QStringList local_files(const QMimeData* data) {
   QStringList paths;
@@ -37,14 +47,18 @@ QStringList local_files(const QMimeData* data) {
 }  // namespace
 
 TabletWindow::TabletWindow(TabletController* controller)
-    : controller_(controller), camera_(camera_motion::home()) {
+    : controller_(controller), style_(controller->style()), camera_(home(style_)) {
   setObjectName(QStringLiteral("tablet_window"));
   setFormat(surface_format());
   frame_timer_.setSingleShot(true);
   frame_timer_.setTimerType(Qt::PreciseTimer);
   connect(&frame_timer_, &QTimer::timeout, this, qOverload<>(&QPaintDeviceWindow::update));
   connect(controller_, &TabletController::picture_changed, this, &TabletWindow::request_frame);
+  connect(controller_, &TabletController::state_changed, this, &TabletWindow::take_style);
   connect(controller_, &TabletController::tablet_changed, this, [this] { tablet_stale_ = true; });
+  still_timer_.setSingleShot(true);
+  still_timer_.setInterval(kStill_ms);
+  connect(&still_timer_, &QTimer::timeout, this, &TabletWindow::request_frame);
   glide_.setDuration(kGlide_ms);
   glide_.setEasingCurve(QEasingCurve::OutCubic);
   since_frame_.start();
@@ -57,8 +71,8 @@ QSurfaceFormat TabletWindow::surface_format() {
   QSurfaceFormat format;
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setSamples(4);
+  // The view brings its own canvas with depth and several samples a pixel.
+  format.setDepthBufferSize(0);
   format.setSwapInterval(1);
   return format;
 }
@@ -71,6 +85,11 @@ bool TabletWindow::is_possible() {
 
 void TabletWindow::set_theme(view::Theme theme) {
   theme_ = theme;
+  request_frame();
+}
+
+void TabletWindow::set_text_size(int text_pt) {
+  text_scale_ = text_pt / 12.0;
   request_frame();
 }
 
@@ -119,12 +138,14 @@ void TabletWindow::paintGL() {
     }
   }
   view_->set_theme(theme_);
-  view_->set_style(controller_->style());
+  view_->set_style(style_);
   view_->set_camera(camera_);
   const double scale = devicePixelRatio();
-  const view::Overlay overlay = controller_->overlay();
+  view::Overlay overlay = controller_->overlay();
+  overlay.text_scale = text_scale_;
   view_->draw(static_cast<int>(std::lround(width() * scale)), static_cast<int>(std::lround(height() * scale)),
               scale, overlay);
+  if (view_->wants_redraw()) still_timer_.start();
   if (!overlay.cursor) return;
   const bool moved = glm::length(overlay.cursor->proxy_m - drawn_proxy_m_) > kSeen_m ||
                      glm::length(overlay.cursor->device_m - drawn_device_m_) > kSeen_m;
@@ -153,27 +174,37 @@ void TabletWindow::glide_to(const view::Camera& camera) {
   disconnect(&glide_, nullptr, this, nullptr);
   connect(&glide_, &QVariantAnimation::valueChanged, this,
           [this, from = camera_, camera](const QVariant& share) {
-            set_camera(camera_motion::between(from, camera, share.toDouble()));
+            set_camera(view::between(from, camera, share.toDouble()));
           });
   glide_.setStartValue(0.0);
   glide_.setEndValue(1.0);
   glide_.start();
 }
 
-void TabletWindow::orbit_by(double right, double down) {
-  glide_to(camera_motion::orbit(camera_, {right, down}));
-}
+void TabletWindow::orbit_by(double right, double down) { glide_to(turned(camera_, {right, down})); }
 
 void TabletWindow::pan_by(double right, double down) {
-  const QPointF middle(width() / 2.0, height() / 2.0);
-  const auto from = point_under(middle);
-  const auto to = point_under(middle + QPointF(right, down));
-  if (from && to) glide_to(camera_motion::pan(camera_, *from, *to));
+  if (!view_) return;
+  const glm::dvec2 middle(width() / 2.0, height() / 2.0);
+  glide_to(view_->panned(middle, middle + glm::dvec2(right, down), width(), height()));
 }
 
-void TabletWindow::zoom_by(double factor) { glide_to(camera_motion::zoom(camera_, factor)); }
+void TabletWindow::zoom_by(double factor) {
+  view::Camera nearer = camera_;
+  nearer.zoom *= factor;
+  glide_to(view::within_limits(nearer));
+}
 
-void TabletWindow::reset_camera() { glide_to(camera_motion::home()); }
+void TabletWindow::reset_camera() { glide_to(home(style_)); }
+
+void TabletWindow::take_style() {
+  if (style_ == controller_->style()) return;
+  const view::Camera before = home(style_);
+  const bool at_home = camera_.tilt == before.tilt && camera_.azimuth == before.azimuth &&
+                       camera_.zoom == before.zoom && camera_.pan == before.pan;
+  style_ = controller_->style();
+  if (at_home) glide_to(home(style_));
+}
 
 void TabletWindow::begin_drag(Drag drag, QPointF position) {
   glide_.stop();
@@ -182,14 +213,10 @@ void TabletWindow::begin_drag(Drag drag, QPointF position) {
 }
 
 void TabletWindow::drag_camera(QPointF to) {
-  if (drag_ == Drag::orbit) {
-    const QPointF by = to - drag_from_;
-    set_camera(camera_motion::orbit(camera_, {by.x(), by.y()}));
-  } else {
-    const auto grabbed = point_under(drag_from_);
-    const auto now = point_under(to);
-    if (grabbed && now) set_camera(camera_motion::pan(camera_, *grabbed, *now));
-  }
+  if (drag_ == Drag::orbit)
+    set_camera(turned(camera_, to - drag_from_));
+  else if (view_)
+    set_camera(view_->panned({drag_from_.x(), drag_from_.y()}, {to.x(), to.y()}, width(), height()));
   drag_from_ = to;
 }
 
@@ -257,12 +284,11 @@ void TabletWindow::wheelEvent(QWheelEvent* event) {
     since_move_.restart();
     return;
   }
+  if (!view_) return;
   glide_.stop();
   // What lies under the pointer stays there.
-  const auto before = point_under(event->position());
-  set_camera(camera_motion::zoom(camera_, std::pow(kZoomPerNotch, notches)));
-  const auto after = point_under(event->position());
-  if (before && after) set_camera(camera_motion::pan(camera_, *before, *after));
+  const QPointF at = event->position();
+  set_camera(view_->zoomed(std::pow(view::Camera::kZoomStep, notches), {at.x(), at.y()}, width(), height()));
 }
 
 void TabletWindow::keyPressEvent(QKeyEvent* event) {

@@ -33,6 +33,8 @@ class TabletWindow final : public QOpenGLWindow {
   [[nodiscard]] static bool is_possible();
 
   void set_theme(view::Theme theme);
+  /// Numbers on the tablet grow with the text of the window.
+  void set_text_size(int text_pt);
   void set_reduced_motion(bool reduced) { reduced_motion_ = reduced; }
 
   /// The camera's hand moves, for menus and keys. Amounts as for a drag in logical pixels, a factor for zoom.
@@ -64,6 +66,7 @@ class TabletWindow final : public QOpenGLWindow {
   [[nodiscard]] std::optional<geometry::TabletPoint> point_under(QPointF position) const;
   void request_frame();
   void set_camera(const view::Camera& camera);
+  void take_style();
   void glide_to(const view::Camera& camera);
   void drag_camera(QPointF to);
   void point_stylus(QPointF position, bool pressed, std::optional<double> pressure);
@@ -73,7 +76,9 @@ class TabletWindow final : public QOpenGLWindow {
   TabletController* controller_;
   std::unique_ptr<view::TabletView> view_;
   view::Theme theme_ = view::Theme::light;
+  view::Style style_;
   view::Camera camera_;
+  double text_scale_ = 1;
   bool tablet_stale_ = true;
   bool reduced_motion_ = false;
   bool pen_down_ = false;
@@ -84,6 +89,7 @@ class TabletWindow final : public QOpenGLWindow {
   QElapsedTimer since_frame_;
   QElapsedTimer since_move_;
   QTimer frame_timer_;
+  QTimer still_timer_;
   QVariantAnimation glide_;
 };
 

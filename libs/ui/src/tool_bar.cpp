@@ -4,6 +4,9 @@
 #include <QEvent>
 #include <QFontInfo>
 #include <QLabel>
+#include <QLayout>
+#include <QMenu>
+#include <QResizeEvent>
 #include <QToolButton>
 #include <algorithm>
 
@@ -14,7 +17,12 @@
 namespace nazori::ui {
 
 ToolBar::ToolBar(const Actions& actions, const TabletController& controller, QWidget* parent)
-    : QToolBar(tr("Strokes and tablet"), parent), controller_(controller), stroke_(new QLabel(this)) {
+    : QToolBar(tr("Strokes and tablet"), parent),
+      controller_(controller),
+      looks_{actions.wood, actions.slate, actions.classic},
+      words_{actions.strokes, actions.numbers, actions.arrows, actions.snap},
+      stroke_(new QLabel(this)),
+      style_(new QToolButton(this)) {
   setObjectName(QStringLiteral("tool_bar"));
   setMovable(false);
   setFloatable(false);
@@ -44,7 +52,18 @@ ToolBar::ToolBar(const Actions& actions, const TabletController& controller, QWi
   addAction(actions.reset_view);
   icon_only(actions.reset_view);
   addSeparator();
-  for (auto* action : {actions.wood, actions.slate, actions.classic}) addAction(action);
+  auto* looks = new QMenu(this);
+  for (auto* action : {actions.wood, actions.slate, actions.classic}) {
+    looks->addAction(action);
+    connect(action, &QAction::toggled, this, &ToolBar::refresh);
+  }
+  style_->setMenu(looks);
+  style_->setPopupMode(QToolButton::InstantPopup);
+  style_->setObjectName(QStringLiteral("tool_style"));
+  style_->setFocusPolicy(Qt::TabFocus);
+  style_->setToolTip(tr("How the tablet looks (Ctrl+1, 2, 3)"));
+  style_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  addWidget(style_);
   auto* gap = new QWidget(this);
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   addWidget(gap);
@@ -54,7 +73,7 @@ ToolBar::ToolBar(const Actions& actions, const TabletController& controller, QWi
     if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action))) {
       button->setObjectName(QStringLiteral("tool_") + action->objectName());
       button->setFocusPolicy(Qt::TabFocus);
-      button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+      button->setAccessibleName(action->iconText());
       button->setAccessibleDescription(action->statusTip());
     }
   fit();
@@ -70,6 +89,9 @@ void ToolBar::refresh() {
     stroke_->setText(tr("all %n strokes", nullptr, count));
   else
     stroke_->setText(tr("stroke %1 of %2").arg(current).arg(count));
+  for (const auto* look : looks_)
+    if (look->isChecked()) style_->setText(look->iconText() + QStringLiteral("  ▾"));
+  style_->setAccessibleName(tr("Look of the tablet: %1").arg(style_->text().section(QLatin1Char(' '), 0, 0)));
 }
 
 void ToolBar::fit() {
@@ -80,6 +102,24 @@ void ToolBar::fit() {
   stroke_->setMinimumWidth(std::max(metrics.horizontalAdvance(tr("stroke %1 of %2").arg(28).arg(28)),
                                     metrics.horizontalAdvance(tr("all %n strokes", nullptr, 28))) +
                            em);
+  fit_words();
+}
+
+void ToolBar::fit_words() {
+  // Where the words do not fit the drawings alone stay, and their tool tips.
+  const auto show = [this](Qt::ToolButtonStyle style) {
+    for (auto* action : words_)
+      if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action)))
+        button->setToolButtonStyle(style);
+  };
+  show(Qt::ToolButtonTextBesideIcon);
+  layout()->invalidate();
+  if (layout()->sizeHint().width() > width()) show(Qt::ToolButtonIconOnly);
+}
+
+void ToolBar::resizeEvent(QResizeEvent* event) {
+  QToolBar::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) fit_words();
 }
 
 void ToolBar::changeEvent(QEvent* event) {

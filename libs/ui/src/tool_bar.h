@@ -4,6 +4,7 @@
 #include <QToolBar>
 
 class QLabel;
+class QToolButton;
 
 namespace nazori::ui {
 
@@ -21,12 +22,17 @@ class ToolBar final : public QToolBar {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void fit();
+  void fit_words();
 
   const TabletController& controller_;
+  QList<QAction*> looks_;
+  QList<QAction*> words_;  ///< whose buttons show words where there is room
   QLabel* stroke_;
+  QToolButton* style_;
 };
 
 }  // namespace nazori::ui

@@ -5,9 +5,9 @@
     <name>nazori::ui::InformationPanel</name>
     <message numerus="yes">
         <source>%n strokes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
         </translation>
     </message>
 </context>
@@ -15,16 +15,16 @@
     <name>nazori::ui::LibraryPanel</name>
     <message numerus="yes">
         <source>%n found</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n found</numerusform>
+            <numerusform>%n found</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n characters</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
         </translation>
     </message>
 </context>
@@ -32,9 +32,9 @@
     <name>nazori::ui::StrokeTeller</name>
     <message numerus="yes">
         <source>All %n strokes are written. Delete clears the tablet.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>The one stroke is written. Delete clears the tablet.</numerusform>
+            <numerusform>All %n strokes are written. Delete clears the tablet.</numerusform>
         </translation>
     </message>
 </context>
@@ -42,9 +42,9 @@
     <name>nazori::ui::ToolBar</name>
     <message numerus="yes">
         <source>all %n strokes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>one stroke</numerusform>
+            <numerusform>all %n strokes</numerusform>
         </translation>
     </message>
 </context>

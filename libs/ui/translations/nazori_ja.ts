@@ -5,918 +5,962 @@
     <name>nazori::ui::AboutDialog</name>
     <message>
         <source>About Nazori</source>
-        <translation type="unfinished"></translation>
+        <translation>Nazori について</translation>
     </message>
     <message>
         <source>Carved kanji you can see, feel and trace</source>
-        <translation type="unfinished"></translation>
+        <translation>見て、触れて、なぞれる、彫られた漢字</translation>
     </message>
     <message>
         <source>Licences</source>
-        <translation type="unfinished"></translation>
+        <translation>ライセンス</translation>
     </message>
     <message>
         <source>Nazori, the program</source>
-        <translation type="unfinished"></translation>
+        <translation>プログラム Nazori</translation>
     </message>
     <message>
         <source>Strokes: KanjiVG, © Ulrich Apel</source>
-        <translation type="unfinished"></translation>
+        <translation>筆画：KanjiVG © Ulrich Apel</translation>
     </message>
     <message>
         <source>Readings, meanings and words: KANJIDIC2 and EDICT, © EDRDG</source>
-        <translation type="unfinished"></translation>
+        <translation>読み・意味・熟語：KANJIDIC2、EDICT © EDRDG</translation>
     </message>
     <message>
         <source>Textbook face: Klee One, © Fontworks Inc.</source>
-        <translation type="unfinished"></translation>
+        <translation>教科書風の書体：クレー One © Fontworks Inc.</translation>
     </message>
     <message>
         <source>Interface toolkit: Qt %1</source>
-        <translation type="unfinished"></translation>
+        <translation>画面部品：Qt %1</translation>
     </message>
     <message>
         <source>Sources of the kanji database</source>
-        <translation type="unfinished"></translation>
+        <translation>漢字データベースの出典</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::Actions</name>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>開く(&amp;O)…</translation>
     </message>
     <message>
         <source>Open a height map (RAW, PNG) or a stroke order (.str)</source>
-        <translation type="unfinished"></translation>
+        <translation>高さマップ（RAW、PNG）または筆順（.str）を開きます</translation>
     </message>
     <message>
         <source>&amp;Save as…</source>
-        <translation type="unfinished"></translation>
+        <translation>名前を付けて保存(&amp;S)…</translation>
     </message>
     <message>
         <source>Save the tablet as RAW, PNG or .str</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を RAW、PNG、.str で保存します</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>終了(&amp;Q)</translation>
     </message>
     <message>
         <source>Close Nazori</source>
-        <translation type="unfinished"></translation>
+        <translation>Nazori を閉じます</translation>
     </message>
     <message>
         <source>&amp;Find a character</source>
-        <translation type="unfinished"></translation>
+        <translation>文字を探す(&amp;F)</translation>
     </message>
     <message>
         <source>Go to the search box</source>
-        <translation type="unfinished"></translation>
+        <translation>検索欄へ移ります</translation>
     </message>
     <message>
         <source>&amp;Next in the list</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧の次の字(&amp;N)</translation>
     </message>
     <message>
         <source>The next character of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧の次の字へ</translation>
     </message>
     <message>
         <source>&amp;Previous in the list</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧の前の字(&amp;P)</translation>
     </message>
     <message>
         <source>The character before in the list</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧の前の字へ</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished"></translation>
+        <translation>戻る(&amp;B)</translation>
     </message>
     <message>
         <source>Back to the character before</source>
-        <translation type="unfinished"></translation>
+        <translation>さっきの字へ戻ります</translation>
     </message>
     <message>
         <source>For&amp;ward</source>
-        <translation type="unfinished"></translation>
+        <translation>進む(&amp;W)</translation>
     </message>
     <message>
         <source>Forward again</source>
-        <translation type="unfinished"></translation>
+        <translation>また先へ進みます</translation>
     </message>
     <message>
         <source>&amp;Next stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>次の画(&amp;N)</translation>
     </message>
     <message>
         <source>Show the next stroke alone; after the last, all</source>
-        <translation type="unfinished"></translation>
+        <translation>次の画だけを見せます。最後の画の次は全画です</translation>
     </message>
     <message>
         <source>&amp;Previous stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>前の画(&amp;P)</translation>
     </message>
     <message>
         <source>Show the stroke before alone; before the first, all</source>
-        <translation type="unfinished"></translation>
+        <translation>前の画だけを見せます。最初の画の前は全画です</translation>
     </message>
     <message>
         <source>&amp;All strokes</source>
-        <translation type="unfinished"></translation>
+        <translation>全画(&amp;A)</translation>
     </message>
     <message>
         <source>Show all strokes at once</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての画を一度に見せます</translation>
     </message>
     <message>
         <source>&amp;Strokes</source>
-        <translation type="unfinished"></translation>
+        <translation>筆画(&amp;S)</translation>
     </message>
     <message>
         <source>Show or hide the strokes</source>
-        <translation type="unfinished"></translation>
+        <translation>筆画の線を見せる／隠す</translation>
     </message>
     <message>
         <source>N&amp;umbers</source>
-        <translation type="unfinished"></translation>
+        <translation>番号(&amp;U)</translation>
     </message>
     <message>
         <source>Show or hide the number at each stroke&apos;s start</source>
-        <translation type="unfinished"></translation>
+        <translation>書き始めの番号を見せる／隠す</translation>
     </message>
     <message>
         <source>A&amp;rrows</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印(&amp;R)</translation>
     </message>
     <message>
         <source>Show or hide the arrowheads</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印を見せる／隠す</translation>
     </message>
     <message>
         <source>S&amp;nap</source>
-        <translation type="unfinished"></translation>
+        <translation>吸着(&amp;N)</translation>
     </message>
     <message>
         <source>Strokes hold the stylus, while they are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>見えている画がペン先を引き留めます</translation>
     </message>
     <message>
         <source>&amp;Clear the ink</source>
-        <translation type="unfinished"></translation>
+        <translation>墨を消す(&amp;C)</translation>
     </message>
     <message>
         <source>Wipe the tablet clean to write again</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板をきれいにして、もう一度書けるようにします</translation>
     </message>
     <message>
         <source>&amp;Wood</source>
-        <translation type="unfinished"></translation>
+        <translation>木(&amp;W)</translation>
     </message>
     <message>
         <source>Pale wood</source>
-        <translation type="unfinished"></translation>
+        <translation>白木の板</translation>
     </message>
     <message>
         <source>S&amp;late</source>
-        <translation type="unfinished"></translation>
+        <translation>石(&amp;L)</translation>
     </message>
     <message>
         <source>Dark stone</source>
-        <translation type="unfinished"></translation>
+        <translation>黒い石の板</translation>
     </message>
     <message>
         <source>&amp;Classic</source>
-        <translation type="unfinished"></translation>
+        <translation>2005年風(&amp;C)</translation>
     </message>
     <message>
         <source>The look of 2005</source>
-        <translation type="unfinished"></translation>
+        <translation>2005年のプログラムの見た目</translation>
     </message>
     <message>
         <source>Colours of the &amp;desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>デスクトップの配色(&amp;D)</translation>
     </message>
     <message>
         <source>Light or dark, as the desktop is</source>
-        <translation type="unfinished"></translation>
+        <translation>明暗をデスクトップに合わせます</translation>
     </message>
     <message>
         <source>&amp;Light colours</source>
-        <translation type="unfinished"></translation>
+        <translation>明るい配色(&amp;L)</translation>
     </message>
     <message>
         <source>Always light</source>
-        <translation type="unfinished"></translation>
+        <translation>いつも明るく</translation>
     </message>
     <message>
         <source>Dar&amp;k colours</source>
-        <translation type="unfinished"></translation>
+        <translation>暗い配色(&amp;K)</translation>
     </message>
     <message>
         <source>Always dark</source>
-        <translation type="unfinished"></translation>
+        <translation>いつも暗く</translation>
     </message>
     <message>
         <source>Language of the des&amp;ktop</source>
-        <translation type="unfinished"></translation>
+        <translation>デスクトップの言語(&amp;K)</translation>
     </message>
     <message>
         <source>The language of the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>デスクトップの言語に合わせます</translation>
     </message>
     <message>
         <source>&amp;Larger text</source>
-        <translation type="unfinished"></translation>
+        <translation>文字を大きく(&amp;L)</translation>
     </message>
     <message>
         <source>Larger text</source>
-        <translation type="unfinished"></translation>
+        <translation>文字を大きくします</translation>
     </message>
     <message>
         <source>S&amp;maller text</source>
-        <translation type="unfinished"></translation>
+        <translation>文字を小さく(&amp;M)</translation>
     </message>
     <message>
         <source>Smaller text</source>
-        <translation type="unfinished"></translation>
+        <translation>文字を小さくします</translation>
     </message>
     <message>
         <source>&amp;Usual text size</source>
-        <translation type="unfinished"></translation>
+        <translation>標準の文字サイズ(&amp;U)</translation>
     </message>
     <message>
         <source>Text as at first</source>
-        <translation type="unfinished"></translation>
+        <translation>文字を初めの大きさに戻します</translation>
     </message>
     <message>
         <source>&amp;Reduced motion</source>
-        <translation type="unfinished"></translation>
+        <translation>動きを減らす(&amp;R)</translation>
     </message>
     <message>
         <source>Nothing glides, everything is there at once</source>
-        <translation type="unfinished"></translation>
+        <translation>滑るような動きをやめ、すぐに切り替えます</translation>
     </message>
     <message>
         <source>&amp;List of characters</source>
-        <translation type="unfinished"></translation>
+        <translation>文字の一覧(&amp;L)</translation>
     </message>
     <message>
         <source>Show or fold away the list</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧を出す／たたむ</translation>
     </message>
     <message>
         <source>&amp;Information</source>
-        <translation type="unfinished"></translation>
+        <translation>字の情報(&amp;I)</translation>
     </message>
     <message>
         <source>Show or fold away the information</source>
-        <translation type="unfinished"></translation>
+        <translation>字の情報を出す／たたむ</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>全画面(&amp;F)</translation>
     </message>
     <message>
         <source>Only the tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板だけにします</translation>
     </message>
     <message>
         <source>Turn left</source>
-        <translation type="unfinished"></translation>
+        <translation>左へ回す</translation>
     </message>
     <message>
         <source>Turn the tablet to the left</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を左へ回します</translation>
     </message>
     <message>
         <source>Turn right</source>
-        <translation type="unfinished"></translation>
+        <translation>右へ回す</translation>
     </message>
     <message>
         <source>Turn the tablet to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を右へ回します</translation>
     </message>
     <message>
         <source>Tilt away</source>
-        <translation type="unfinished"></translation>
+        <translation>寝かせる</translation>
     </message>
     <message>
         <source>Look along the tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を斜めから見ます</translation>
     </message>
     <message>
         <source>Tilt back</source>
-        <translation type="unfinished"></translation>
+        <translation>起こす</translation>
     </message>
     <message>
         <source>Look from above</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を真上から見ます</translation>
     </message>
     <message>
         <source>Move left</source>
-        <translation type="unfinished"></translation>
+        <translation>左へ動かす</translation>
     </message>
     <message>
         <source>Move the tablet to the left</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を左へ動かします</translation>
     </message>
     <message>
         <source>Move right</source>
-        <translation type="unfinished"></translation>
+        <translation>右へ動かす</translation>
     </message>
     <message>
         <source>Move the tablet to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を右へ動かします</translation>
     </message>
     <message>
         <source>Move up</source>
-        <translation type="unfinished"></translation>
+        <translation>上へ動かす</translation>
     </message>
     <message>
         <source>Move the tablet up</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を上へ動かします</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>下へ動かす</translation>
     </message>
     <message>
         <source>Move the tablet down</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を下へ動かします</translation>
     </message>
     <message>
         <source>Nearer</source>
-        <translation type="unfinished"></translation>
+        <translation>近づく</translation>
     </message>
     <message>
         <source>Farther</source>
-        <translation type="unfinished"></translation>
+        <translation>遠ざかる</translation>
     </message>
     <message>
         <source>&amp;Straight view</source>
-        <translation type="unfinished"></translation>
+        <translation>正面に戻す(&amp;S)</translation>
     </message>
     <message>
         <source>The whole tablet, straight from above</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板全体を正面から見ます</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>キー一覧(&amp;K)</translation>
     </message>
     <message>
         <source>All keys and what the mouse does</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてのキーとマウスの働き</translation>
     </message>
     <message>
         <source>&amp;About Nazori</source>
-        <translation type="unfinished"></translation>
+        <translation>Nazori について(&amp;A)</translation>
     </message>
     <message>
         <source>Version, licences and sources</source>
-        <translation type="unfinished"></translation>
+        <translation>バージョン、ライセンス、出典</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Character</source>
-        <translation type="unfinished"></translation>
+        <translation>文字(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>表示(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>ヘルプ(&amp;H)</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::FeedbackLine</name>
     <message>
         <source>What just happened</source>
-        <translation type="unfinished"></translation>
+        <translation>今のお知らせ</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::FileExchange</name>
     <message>
         <source>The character</source>
-        <translation type="unfinished"></translation>
+        <translation>この字</translation>
     </message>
     <message>
         <source>%1: %2. The tablet is as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2。文字板は元のままです。</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 に保存しました。</translation>
     </message>
     <message>
         <source>Open a height map, a stroke order, or both</source>
-        <translation type="unfinished"></translation>
+        <translation>高さマップ、筆順、またはその両方を開く</translation>
     </message>
     <message>
         <source>Height maps and stroke orders (*.raw *.png *.str);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>高さマップと筆順 (*.raw *.png *.str);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>%1 is one too many: open one height map and one stroke order. The tablet is as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 は余分です。高さマップと筆順を一つずつ開いてください。文字板は元のままです。</translation>
     </message>
     <message>
         <source>%1 is neither RAW, PNG nor .str. The tablet is as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 は RAW、PNG、.str のどれでもありません。文字板は元のままです。</translation>
     </message>
     <message>
         <source>Size of the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>升目の大きさ</translation>
     </message>
     <message>
         <source>%1 does not say how large its grid is.
 Columns and rows:</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 には升目の大きさが書かれていません。
+一辺の升の数：</translation>
     </message>
     <message>
         <source>There is no tablet to save yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>保存する文字板がまだありません。</translation>
     </message>
     <message>
         <source>Save as</source>
-        <translation type="unfinished"></translation>
+        <translation>名前を付けて保存</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::InformationPanel</name>
     <message>
         <source>About the character</source>
-        <translation type="unfinished"></translation>
+        <translation>字の情報</translation>
     </message>
     <message>
         <source>On reading</source>
-        <translation type="unfinished"></translation>
+        <translation>音読み</translation>
     </message>
     <message>
         <source>Kun reading</source>
-        <translation type="unfinished"></translation>
+        <translation>訓読み</translation>
     </message>
     <message>
         <source>Radical</source>
-        <translation type="unfinished"></translation>
+        <translation>部首</translation>
     </message>
     <message>
         <source>Parts</source>
-        <translation type="unfinished"></translation>
+        <translation>構成要素</translation>
     </message>
     <message>
         <source>Words</source>
-        <translation type="unfinished"></translation>
+        <translation>熟語・ことば</translation>
     </message>
     <message>
         <source>Your own tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>自分の文字板</translation>
     </message>
     <message>
         <source>%1 × %1 samples</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %1 点</translation>
     </message>
     <message numerus="yes">
         <source>%n strokes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 画</numerusform>
         </translation>
     </message>
     <message>
         <source>Hiragana</source>
-        <translation type="unfinished"></translation>
+        <translation>ひらがな</translation>
     </message>
     <message>
         <source>Katakana</source>
-        <translation type="unfinished"></translation>
+        <translation>カタカナ</translation>
     </message>
     <message>
         <source>Letter or digit</source>
-        <translation type="unfinished"></translation>
+        <translation>英字・数字</translation>
     </message>
     <message>
         <source>No meaning is recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>意味の記載はありません</translation>
     </message>
     <message>
         <source>%1 here, %2 in the dictionary</source>
-        <translation type="unfinished"></translation>
+        <translation>ここでは%1、辞書では %2 画</translation>
     </message>
     <message>
         <source>grade %1</source>
-        <translation type="unfinished"></translation>
+        <translation>小学%1年</translation>
     </message>
     <message>
         <source>secondary school</source>
-        <translation type="unfinished"></translation>
+        <translation>中学以上</translation>
     </message>
     <message>
         <source>for names</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of 2,501 in newspapers</source>
-        <translation type="unfinished"></translation>
+        <translation>人名用</translation>
     </message>
     <message>
         <source>old JLPT %1</source>
-        <translation type="unfinished"></translation>
+        <translation>旧日本語能力試験 %1 級</translation>
     </message>
     <message>
         <source>The kanji stands for %1; %2 follows it in kana</source>
-        <translation type="unfinished"></translation>
+        <translation>漢字が「%1」に当たり、「%2」を送ります</translation>
     </message>
     <message>
         <source>, a form of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>（%1の形）</translation>
     </message>
     <message>
         <source>%1. Go there</source>
-        <translation type="unfinished"></translation>
+        <translation>%1　この字へ</translation>
+    </message>
+    <message>
+        <source>no. %1 in newspapers</source>
+        <translation>新聞での頻度 %1 位</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::KeyListDialog</name>
     <message>
         <source>Keys and mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>キーとマウス</translation>
     </message>
     <message>
         <source>On the tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板の上で</translation>
     </message>
     <message>
         <source>Stylus down</source>
-        <translation type="unfinished"></translation>
+        <translation>ペン先を下ろす</translation>
     </message>
     <message>
         <source>left button, pen tip</source>
-        <translation type="unfinished"></translation>
+        <translation>左ボタン、ペン先</translation>
     </message>
     <message>
         <source>Deeper, less deep</source>
-        <translation type="unfinished"></translation>
+        <translation>深く／浅く</translation>
     </message>
     <message>
         <source>wheel while pressed, pen pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>押したままホイール、筆圧</translation>
     </message>
     <message>
         <source>Turn and tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>回す・傾ける</translation>
     </message>
     <message>
         <source>right button, pen&apos;s side button</source>
-        <translation type="unfinished"></translation>
+        <translation>右ボタン、ペンのボタン</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>動かす</translation>
     </message>
     <message>
         <source>middle button, or right with Shift</source>
-        <translation type="unfinished"></translation>
+        <translation>中ボタン、または Shift＋右ボタン</translation>
     </message>
     <message>
         <source>Nearer, farther</source>
-        <translation type="unfinished"></translation>
+        <translation>近づく／遠ざかる</translation>
     </message>
     <message>
         <source>wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>ホイール</translation>
     </message>
     <message>
         <source>Straight view</source>
-        <translation type="unfinished"></translation>
+        <translation>正面に戻す</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Home</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::LibraryPanel</name>
     <message>
         <source>Characters</source>
-        <translation type="unfinished"></translation>
+        <translation>文字</translation>
     </message>
     <message>
         <source>休, yasumu, rest …</source>
-        <translation type="unfinished"></translation>
+        <translation>休、yasumu、rest …</translation>
     </message>
     <message>
         <source>Find a character</source>
-        <translation type="unfinished"></translation>
+        <translation>文字を探す</translation>
     </message>
     <message>
         <source>Find a character by itself, by a reading in kana or romaji, or by an English meaning (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>字そのもの、かな・ローマ字の読み、英語の意味で探せます (Ctrl+F)</translation>
     </message>
     <message>
         <source>Grade 1</source>
-        <translation type="unfinished"></translation>
+        <translation>小学1年</translation>
     </message>
     <message>
         <source>Grade 2</source>
-        <translation type="unfinished"></translation>
+        <translation>小学2年</translation>
     </message>
     <message>
         <source>Grade 3</source>
-        <translation type="unfinished"></translation>
+        <translation>小学3年</translation>
     </message>
     <message>
         <source>Grade 4</source>
-        <translation type="unfinished"></translation>
+        <translation>小学4年</translation>
     </message>
     <message>
         <source>Grade 5</source>
-        <translation type="unfinished"></translation>
+        <translation>小学5年</translation>
     </message>
     <message>
         <source>Grade 6</source>
-        <translation type="unfinished"></translation>
+        <translation>小学6年</translation>
     </message>
     <message>
         <source>Secondary school</source>
-        <translation type="unfinished"></translation>
+        <translation>中学以上（常用）</translation>
     </message>
     <message>
         <source>For names</source>
-        <translation type="unfinished"></translation>
+        <translation>人名用</translation>
     </message>
     <message>
         <source>Hiragana</source>
-        <translation type="unfinished"></translation>
+        <translation>ひらがな</translation>
     </message>
     <message>
         <source>Katakana</source>
-        <translation type="unfinished"></translation>
+        <translation>カタカナ</translation>
     </message>
     <message>
         <source>Letters and digits</source>
-        <translation type="unfinished"></translation>
+        <translation>英字・数字</translation>
     </message>
     <message>
         <source>All characters</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての字</translation>
     </message>
     <message>
         <source>List of characters</source>
-        <translation type="unfinished"></translation>
+        <translation>文字の一覧</translation>
     </message>
     <message>
         <source>Characters of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>一覧の字</translation>
     </message>
     <message numerus="yes">
         <source>%n found</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 件</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n characters</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 字</numerusform>
         </translation>
     </message>
     <message>
         <source>Nothing found for “%1”. Try a character (休), a reading (やすむ, yasumu) or the beginning of an English meaning (rest).</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」は見つかりませんでした。字（休）、読み（やすむ、yasumu）、英語の意味の初め（rest）を試してください。</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索結果</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::MainWindow</name>
     <message>
         <source>The tablet cannot be drawn here: OpenGL 3.3 is missing. The package libgl1-mesa-dri draws it on any computer. Lists and information work.</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenGL 3.3 がないため、ここでは文字板を描けません。libgl1-mesa-dri パッケージがあればどの計算機でも描けます。一覧と字の情報は使えます。</translation>
     </message>
     <message>
         <source>Carved tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>彫られた文字板</translation>
     </message>
     <message>
         <source>The character as grooves to be traced: the left button presses the stylus down, the right button turns</source>
-        <translation type="unfinished"></translation>
+        <translation>溝になった字をなぞります。左ボタンでペン先を下ろし、右ボタンで回します</translation>
     </message>
     <message>
         <source>The settings could not be saved in %1. They hold until Nazori is closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>設定を %1 に保存できませんでした。Nazori を閉じるまでは有効です。</translation>
     </message>
     <message>
         <source>The kanji database: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>漢字データベース：%1。</translation>
     </message>
     <message>
         <source>%1 has no strokes in the database. The tablet is as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」の筆画はデータベースにありません。文字板は元のままです。</translation>
     </message>
     <message>
         <source>The tablet cannot be drawn: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を描けません：%1。</translation>
     </message>
     <message>
         <source>The stylus does not work: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>ペン先が動きません：%1。</translation>
     </message>
     <message>
         <source>%1 – Nazori</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – Nazori</translation>
     </message>
     <message>
         <source>%1 is on the desk.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を開きました。</translation>
     </message>
     <message>
         <source>%1 is on the desk. A .str file adds its strokes.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を開きました。.str ファイルを開くと筆画が加わります。</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::Program</name>
     <message>
         <source>Nazori cannot start: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nazori を起動できません：%1。</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::SaveDialog</name>
     <message>
         <source>Save the tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>文字板を保存</translation>
     </message>
     <message>
         <source>Height map, 8-bit RAW as in 2005</source>
-        <translation type="unfinished"></translation>
+        <translation>高さマップ（2005年と同じ8ビット RAW）</translation>
     </message>
     <message>
         <source>Height map, 16-bit PNG</source>
-        <translation type="unfinished"></translation>
+        <translation>高さマップ（16ビット PNG）</translation>
     </message>
     <message>
         <source>Stroke order, .str as in 2005</source>
-        <translation type="unfinished"></translation>
+        <translation>筆順（2005年と同じ .str）</translation>
     </message>
     <message>
         <source>%1 × %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %1</translation>
     </message>
     <message>
         <source>%1 × %1, as in 2005</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %1（2005年と同じ）</translation>
     </message>
     <message>
         <source>Choose the file…</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを選ぶ…</translation>
     </message>
     <message>
         <source>&amp;Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>種類(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Size</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさ(&amp;S)</translation>
     </message>
     <message>
         <source>Height maps (*.raw)</source>
-        <translation type="unfinished"></translation>
+        <translation>高さマップ (*.raw)</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像 (*.png)</translation>
     </message>
     <message>
         <source>Stroke orders (*.str)</source>
-        <translation type="unfinished"></translation>
+        <translation>筆順 (*.str)</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::StatusLine</name>
     <message>
         <source>How often a second the stylus is felt</source>
-        <translation type="unfinished"></translation>
+        <translation>ペン先の感触を1秒に計算する回数</translation>
     </message>
     <message>
         <source>Moments of feeling that came too late or not at all, since the start</source>
-        <translation type="unfinished"></translation>
+        <translation>起動してから、間に合わなかった、または抜けた回数</translation>
     </message>
     <message>
         <source>Mouse or pen</source>
-        <translation type="unfinished"></translation>
+        <translation>マウスまたはペン</translation>
     </message>
     <message>
         <source>%1, without force</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（力覚なし）</translation>
     </message>
     <message>
         <source>depth %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>深さ %1 mm</translation>
     </message>
     <message>
         <source>%1 times a second</source>
-        <translation type="unfinished"></translation>
+        <translation>毎秒 %1 回</translation>
     </message>
     <message>
         <source>starting</source>
-        <translation type="unfinished"></translation>
+        <translation>開始中</translation>
     </message>
     <message>
         <source>%1 missed</source>
-        <translation type="unfinished"></translation>
+        <translation>抜け %1 回</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::StrokeTeller</name>
     <message>
         <source>Press the left button to touch the tablet; the right button turns it.</source>
-        <translation type="unfinished"></translation>
+        <translation>左ボタンで文字板に触れ、右ボタンで回せます。</translation>
     </message>
     <message>
         <source>Press the left button in a groove and follow it. S shows the strokes.</source>
-        <translation type="unfinished"></translation>
+        <translation>溝の上で左ボタンを押し、溝に沿って動かしましょう。S キーで筆画が見えます。</translation>
     </message>
     <message>
         <source>Hold the left button at number 1 and draw along the groove.</source>
-        <translation type="unfinished"></translation>
+        <translation>番号 1 で左ボタンを押したまま、溝に沿って書きましょう。</translation>
     </message>
     <message>
         <source>Stroke %1: follow the groove to its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1画目：溝の終わりまでなぞりましょう。</translation>
     </message>
     <message numerus="yes">
         <source>All %n strokes are written. Delete clears the tablet.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 画すべて書けました。Delete キーで墨を消せます。</numerusform>
         </translation>
     </message>
     <message>
         <source>Stroke %1 is written. The full stop key (.) shows the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1画目が書けました。ピリオド（.）キーで次の画へ進みます。</translation>
     </message>
     <message>
         <source>Stroke %1 is written. Stroke %2 is next.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1画目が書けました。次は%2画目です。</translation>
     </message>
     <message>
         <source>Stroke %1 comes before stroke %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1画目は%2画目より先に書きます。</translation>
     </message>
     <message>
         <source>Stroke %1 begins at its other end, where its number stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1画目は反対の端、番号のある所から書き始めます。</translation>
     </message>
     <message>
         <source>The stylus is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>ペン先は自由に動きます。</translation>
     </message>
     <message>
         <source>Strokes hold the stylus only while they are shown: press S.</source>
-        <translation type="unfinished"></translation>
+        <translation>画が見えている間だけ吸着します。S キーで筆画を見せてください。</translation>
     </message>
     <message>
         <source>Strokes now hold the stylus. Pull away firmly to leave one.</source>
-        <translation type="unfinished"></translation>
+        <translation>画がペン先を引き留めます。強く引くと離れます。</translation>
     </message>
     <message>
         <source>Stroke %1 is chosen, but the strokes are hidden: press S.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1画目を選びましたが、筆画は隠れています。S キーで見えます。</translation>
     </message>
     <message>
         <source>Stroke %1 of %2. Draw it from its number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2画のうち%1画目です。番号から書きましょう。</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::ToolBar</name>
     <message>
         <source>Strokes and tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>筆画と文字板</translation>
     </message>
     <message>
         <source>no strokes</source>
-        <translation type="unfinished"></translation>
+        <translation>筆画なし</translation>
     </message>
     <message numerus="yes">
         <source>all %n strokes</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>全 %n 画</numerusform>
         </translation>
     </message>
     <message>
         <source>stroke %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1画目（全%2画）</translation>
+    </message>
+    <message>
+        <source>How the tablet looks (Ctrl+1, 2, 3)</source>
+        <translation>文字板の見た目 (Ctrl+1, 2, 3)</translation>
+    </message>
+    <message>
+        <source>Look of the tablet: %1</source>
+        <translation>文字板の見た目：%1</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::reason</name>
+    <message>
+        <source>a value is out of range</source>
+        <translation>値が範囲を外れています</translation>
+    </message>
+    <message>
+        <source>it could not be read or written</source>
+        <translation>読み書きできませんでした</translation>
+    </message>
+    <message>
+        <source>its content does not follow the format</source>
+        <translation>内容が形式に合っていません</translation>
+    </message>
+    <message>
+        <source>it is of another kind than expected</source>
+        <translation>種類が違います</translation>
+    </message>
+    <message>
+        <source>it does not exist</source>
+        <translation>存在しません</translation>
+    </message>
+    <message>
+        <source>the graphics or the device refused</source>
+        <translation>グラフィックスまたは装置が応じません</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>中止されました</translation>
     </message>
 </context>
 </TS>

@@ -33,10 +33,17 @@ bool Canvas::resize(int width, int height) {
   allocate(parts_->picture, GL_RGBA8, GL_RGBA, width, height);
   glBindFramebuffer(GL_FRAMEBUFFER, parts_->resolved.name());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, parts_->picture.name(), 0);
+  glBindRenderbuffer(GL_RENDERBUFFER, parts_->depth.name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, parts_->depth.name());
   const bool resolved = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   if (sampled && resolved) return true;
   parts_.reset();
   return false;
+}
+
+void Canvas::bind_tablet(bool quick) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, quick ? parts_->resolved.name() : parts_->sampled.name());
 }
 
 void Canvas::resolve(const PixelBox& box) const {

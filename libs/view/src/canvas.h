@@ -18,14 +18,15 @@ struct PixelBox {
   [[nodiscard]] bool is_empty() const { return width <= 0 || height <= 0; }
 };
 
-/// The picture that is kept between draws: the tablet is drawn with four samples a pixel and resolved, lines
-/// and numbers (which smooth their own edges) are drawn over the resolved picture.
+/// The picture that is kept between draws: the tablet is drawn with four samples a pixel and resolved, or
+/// with one sample straight away where time matters more; lines and numbers (which smooth their own edges)
+/// are drawn over it.
 class Canvas {
  public:
   /// Keeps the pixels when the size stays. @return false when the GPU refuses framebuffers of this size.
   bool resize(int width, int height);
-  /// Binds the multisampled framebuffer.
-  void bind_tablet() const { glBindFramebuffer(GL_FRAMEBUFFER, parts_->sampled.name()); }
+  /// Binds the framebuffer for the tablet. @param quick  one sample a pixel: the picture itself.
+  void bind_tablet(bool quick) const;
   /// Resolves `box` of the tablet, then binds the resolved picture.
   void resolve(const PixelBox& box) const;
   /// Copies the resolved picture into `framebuffer` at the origin and leaves that bound.
@@ -40,6 +41,7 @@ class Canvas {
     Renderbuffer sampled_depth;
     Framebuffer resolved;
     Texture picture;
+    Renderbuffer depth;
   };
   std::unique_ptr<Parts> parts_;
   int width_ = 0;

@@ -18,7 +18,8 @@ constexpr int kSides = 28;
 constexpr std::size_t kIndicesPerBand = kSides * 6;
 
 /// Logical pixels.
-constexpr double kBrushLength = 132;
+constexpr double kBrushLength = 190;
+constexpr double kBrushShare = 0.32;  ///< of the picture's smaller side, at most
 constexpr double kConeLength = 30;
 constexpr double kDeviceRadius = 5;
 constexpr double kThreadWidth = 1;
@@ -230,7 +231,8 @@ void CursorLayer::draw_body(const Projection& projection, const Body& body, glm:
   body_.set("clip_from_body", glm::mat4(projection.clip_from_tablet * tablet_from_body));
   body_.set("view_from_body", glm::mat4(glm::dmat4(turn)));
   body_.set("eye", glm::vec3(eye));
-  body_.set("fade", glm::vec3(0.55F, 1.0F, opacity));
+  const bool fades = body.rings == kBrush.size();
+  body_.set("fade", glm::vec3(fades ? 0.55F : 2.0F, fades ? 1.0F : 3.0F, opacity));
   glBindVertexArray(array_.name());
   // Bands on the eye's side of a plane across the axis hide those beyond it: far to near needs no depth.
   const auto band = [&](std::size_t k) {
@@ -256,8 +258,8 @@ void CursorLayer::mark(const Projection& projection, glm::dvec2 from, glm::dvec2
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void CursorLayer::draw(const Projection& projection, const Cursor& cursor, const Look& look, bool current,
-                       double scale) {
+CursorLayer::Trace CursorLayer::draw(const Projection& projection, const Cursor& cursor, const Look& look,
+                                     bool current, double scale) {
   const Palette& colours = palette(look.style, look.theme);
   const bool classic = look.style == Style::classic;
   const double per_metre = projection.pixels_per_metre(cursor.proxy_m);
@@ -270,11 +272,14 @@ void CursorLayer::draw(const Projection& projection, const Cursor& cursor, const
   const glm::dvec3 right = glm::normalize(glm::dvec3(clip[0][0], clip[1][0], clip[2][0]));
   const glm::dvec3 up = glm::normalize(glm::cross(towards, right));
   const double hand = look.hand == Hand::right ? 1 : -1;
-  const double length_m = (classic ? kConeLength : kBrushLength) * scale / per_metre;
+  // In a small picture the brush is smaller, too: it must not cover the character.
+  const double smaller = std::min(projection.width, projection.height);
+  const double brush = std::min(kBrushLength * scale, smaller * kBrushShare);
+  const double length_m = (classic ? kConeLength * scale : brush) / per_metre;
   glm::dvec3 axis = cursor.axis;
   if (glm::length(axis) < 1e-9) {
     axis = classic ? glm::dvec3(0, 0, 1) * 0.8 + right * 0.25 * hand + up * 0.2
-                   : right * 0.50 * hand + up * 0.62 + towards * 0.60;
+                   : right * 0.56 * hand + up * 0.66 + towards * 0.42;
   }
   axis = glm::normalize(axis);
 
@@ -291,7 +296,7 @@ void CursorLayer::draw(const Projection& projection, const Cursor& cursor, const
     const double lift = std::max(0.0, cursor.proxy_m.z) / light.z;
     const glm::dvec3 start(cursor.proxy_m.x - light.x * lift, cursor.proxy_m.y - light.y * lift,
                            std::min(cursor.proxy_m.z, 0.0));
-    const auto width = static_cast<float>(kBrushLength * 0.055 * scale);
+    const auto width = static_cast<float>(brush * 0.045);
     mark_.set("far_opacity", 0.0F);
     mark(projection, projection.pixel(start), projection.pixel(foot),
          {width * 0.35F, 0, width * (cursor.touching ? 1.6F : 2.6F), width * 1.1F},
@@ -320,6 +325,7 @@ void CursorLayer::draw(const Projection& projection, const Cursor& cursor, const
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glBindVertexArray(0);
+  return {tip, projection.pixel(cursor.proxy_m + axis * length_m), length_m * per_metre * 0.35};
 }
 
 }  // namespace nazori::view

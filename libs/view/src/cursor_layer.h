@@ -15,9 +15,16 @@ class CursorLayer {
  public:
   [[nodiscard]] static base::Result<CursorLayer> create(DrawStatistics& statistics);
 
+  /// What the stylus covers: the way from tip to end [pixels, y down] and how far to its sides.
+  struct Trace {
+    glm::dvec2 tip{0};
+    glm::dvec2 end{0};
+    double reach = 0;
+  };
   /// @param current  the stroke being written is the current one: the brush carries its colour.
   /// @param scale  device pixels per logical pixel.
-  void draw(const Projection& projection, const Cursor& cursor, const Look& look, bool current, double scale);
+  Trace draw(const Projection& projection, const Cursor& cursor, const Look& look, bool current,
+             double scale);
 
  private:
   struct Body {

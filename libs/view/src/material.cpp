@@ -49,22 +49,24 @@ glm::vec3 Material::reflectance(glm::vec3 point_m, float carved) const {
 
 /// A board sawn beside the pith: its rings are circles about an axis below the board that runs along y.
 glm::vec3 Material::wood(glm::vec3 p) const {
-  constexpr float kRing = 0.0030F;
-  const float sway = (value_noise(p.x * 16, p.y * 9, 1) - 0.5F) * 0.0075F +
-                     (value_noise(p.x * 60, p.y * 22, 2) - 0.5F) * 0.0016F;
-  const float across = p.x - 0.012F + sway;
-  const float below = p.z + 0.034F + 0.10F * p.y + (value_noise(p.y * 11, 0.5F, 3) - 0.5F) * 0.008F;
+  constexpr float kRing = 0.00215F;
+  const float sway = (value_noise(p.x * 15, p.y * 8, 1) - 0.5F) * 0.0062F +
+                     (value_noise(p.x * 55, p.y * 19, 2) - 0.5F) * 0.0012F;
+  const float across = p.x - 0.014F + sway;
+  const float below = p.z + 0.030F + 0.085F * p.y + (value_noise(p.y * 11, 0.5F, 3) - 0.5F) * 0.006F;
   const float radius = std::sqrt(across * across + below * below) / kRing;
-  const float pace = radius + (value_noise(radius * 0.37F, 7.5F, 4) - 0.5F) * 0.9F;
+  const float pace = radius + (value_noise(radius * 0.37F, 7.5F, 4) - 0.5F) * 1.3F;
   const float ring = pace - std::floor(pace);
-  const float strength = 0.55F + 0.45F * value_noise(std::floor(pace) * 0.71F, 3.5F, 5);
-  const float late = smooth_step(0.25F, 0.93F, ring) * (1 - smooth_step(0.94F, 1.0F, ring)) * strength;
+  const float strength = 0.40F + 0.60F * value_noise(std::floor(pace) * 0.71F, 3.5F, 5);
+  // Early wood darkens slowly, late wood is a thin line that ends at once.
+  const float rising = ring * ring * (0.30F + 0.70F * ring * ring * ring);
+  const float late = rising * (1 - smooth_step(0.93F, 1.0F, ring)) * strength;
 
   const float fibre = value_noise(p.x * 5200, p.y * 130, 6) - 0.5F;
   const float thread = value_noise(p.x * 1900, p.y * 42, 7) - 0.5F;
   const float cloud = value_noise(p.x * 22, p.y * 12, 8) - 0.5F;
   const float pore = smooth_step(0.90F, 1.0F, value_noise(p.x * 3300, p.y * 210, 9));
-  const glm::vec3 tone = glm::mix(pale_, deep_, std::clamp(late * 0.85F + cloud * 0.16F, 0.0F, 1.0F));
+  const glm::vec3 tone = glm::mix(pale_, deep_, std::clamp(late * 1.05F + cloud * 0.18F + 0.04F, 0.0F, 1.0F));
   return tone * (1 + 0.075F * fibre + 0.055F * thread + 0.05F * cloud - 0.07F * pore);
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double kClassicHalfView = 20.0 * std::numbers::pi / 180.0;
 constexpr double kHalfView = 13.0 * std::numbers::pi / 180.0;
 /// Share of the view's smaller side that the board fills at zoom 1, seen from above.
-constexpr double kFill = 0.90;
+constexpr double kFill = 0.87;
 
 /// The view shows the full field of view across its smaller side, so that a tall window does not cut the
 /// tablet off. Zooming is a crop around the middle: the perspective stays as calm as it was.

@@ -20,7 +20,9 @@ constexpr double kCornerTurn = 35 * kDegree;
 constexpr double kCornerReach = 2.5;    ///< glyph units before and after a point between which a turn counts
 constexpr double kStraightPiece = 6.0;  ///< glyph units: no flattened curve has pieces this long that bend
 constexpr double kStraightTurn = 8 * kDegree;
-constexpr double kHeadReach = 5.0;  ///< glyph units over which an arrowhead's direction is taken
+constexpr double kShortestStart = 5.0;  ///< glyph units: the press of a brush at its start is no run
+constexpr double kShortestEnd = 2.5;    ///< nor is a rounding of the last point; a kick is longer
+constexpr double kHeadReach = 5.0;      ///< glyph units over which an arrowhead's direction is taken
 constexpr double kClassicHead = 5.0 / 127.0;
 constexpr double kClassicSpread = 30 * kDegree;
 
@@ -108,13 +110,20 @@ std::vector<double> ink_radii(const Relief& relief, std::span<const GlyphPoint> 
     along = size > 0 ? along * (1 / size) : GlyphPoint{1, 0};
     raw.push_back(groove_half_width(relief, points[i], along));
   }
-  const double usual = median(raw);
-  std::vector<double> radii;
+  // Where grooves cross, the lip is that of the other one: such widths give way to those before and after.
+  const double widest = median(raw) * 1.06;
+  std::vector<double> radii = raw;
   for (std::size_t i = 0; i < raw.size(); ++i) {
-    const auto first = raw.begin() + static_cast<std::ptrdiff_t>(i > 2 ? i - 2 : 0);
-    const auto last = raw.begin() + static_cast<std::ptrdiff_t>(std::min(i + 3, raw.size()));
-    // The relief itself decides where the ink ends, so the brush reaches a little beyond the lip.
-    radii.push_back(std::min(median({first, last}), usual * 1.15) * 1.08 + 0.3);
+    if (raw[i] <= widest) continue;
+    std::size_t before = i;
+    while (before > 0 && raw[before] > widest) --before;
+    std::size_t after = i;
+    while (after + 1 < raw.size() && raw[after] > widest) ++after;
+    const double from = std::min(raw[before], widest);
+    const double to = std::min(raw[after], widest);
+    const double t =
+        after > before ? static_cast<double>(i - before) / static_cast<double>(after - before) : 0;
+    radii[i] = std::lerp(raw[before] > widest ? to : from, raw[after] > widest ? from : to, t);
   }
   return radii;
 }
@@ -232,7 +241,7 @@ std::vector<std::size_t> run_ends(std::span<const GlyphPoint> points) {
       if (corners[last].turn > corners[sharpest].turn) sharpest = last;
     }
     const double s = along[corners[sharpest].index];
-    if (s > 1.0 && length - s > 1.0) ends.push_back(corners[sharpest].index);
+    if (s > kShortestStart && length - s > kShortestEnd) ends.push_back(corners[sharpest].index);
     k = last + 1;
   }
   ends.push_back(points.size() - 1);

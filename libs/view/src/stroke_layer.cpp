@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "gl_upload.h"
@@ -16,8 +17,8 @@ constexpr double kAbovePlateau = 2.0 / 255.0;
 
 /// Logical pixels.
 constexpr double kClassicHalfWidth = 1.0;
-constexpr double kHalfWidth = 1.25;
-constexpr double kOutline = 1.1;
+constexpr double kHalfWidth = 1.5;
+constexpr double kOutline = 1.0;
 constexpr double kHeadLength = 13;
 constexpr double kDiscRadius = 10;
 constexpr double kDiscGap = 3;
@@ -204,7 +205,7 @@ void StrokeLayer::draw_heads(const Projection& projection, float size, float gro
 
 void StrokeLayer::draw(const Projection& projection, const PixelBox& box, const Look& look,
                        const StrokeChoice& choice, DrawStatistics& statistics) {
-  places_.clear();
+  numbers_.clear();
   if (anchors_.empty() || !choice.lines) return;
   const Palette& colours = palette(look.style, look.theme);
   const glm::vec2 viewport(projection.width, projection.height);
@@ -270,7 +271,7 @@ void StrokeLayer::draw_numbers(const Projection& projection, const Look& look, c
     wishes.push_back({start, length > 1e-6 ? (beside - start) / length : glm::dvec2(0)});
     shown.push_back(i + 1);
   }
-  places_ = lay_out_numbers(wishes, radius, gap);
+  const std::vector<glm::dvec2> places = lay_out_numbers(wishes, radius, gap);
 
   const Colour thread = choice.current > 0 ? colours.current_stroke : colours.stroke;
   const glm::vec2 viewport(projection.width, projection.height);
@@ -290,29 +291,66 @@ void StrokeLayer::draw_numbers(const Projection& projection, const Look& look, c
     disc_.set("disc", glm::vec3(at.x, projection.height - at.y, size * choice.scale));
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   };
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const glm::dvec2 way = places_[i] - wishes[i].start;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const glm::dvec2 way = places[i] - wishes[i].start;
     const double distance = glm::length(way);
     const double spacing = 4.5 * choice.scale;
     for (double s = spacing * 1.5; s < distance - radius; s += spacing)
       dot(wishes[i].start + way / distance * s, 1.6);
   }
   for (const NumberWish& wish : wishes) dot(wish.start, 3.4);
+  prepare_discs(projection, look, choice);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    // Texels and pixels coincide when the middle of the cell and that of the disc agree.
+    const double offset = cell % 2 == 0 ? 0.0 : 0.5;
+    const glm::dvec2 place = glm::floor(places[i]) + offset;
+    numbers_.push_back({shown[i], place, radius});
+    draw_disc(projection, numbers_.back());
+  }
+}
+
+void StrokeLayer::prepare_discs(const Projection& projection, const Look& look, const StrokeChoice& choice) {
+  const Palette& colours = palette(look.style, look.theme);
   const bool current = choice.current > 0;
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, labels_.name());
+  glBindVertexArray(empty_array_.name());
+  disc_.use();
+  disc_.set("viewport", glm::vec2(projection.width, projection.height));
+  disc_.set("labels", 0);
+  disc_.set("ring", static_cast<float>(choice.scale));
   disc_.set("ground", current ? colours.current_disc : colours.disc);
   disc_.set("edge", current ? colours.stroke_edge : colours.disc_edge);
   disc_.set("ink", current ? colours.current_number : colours.number);
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    glm::dvec2& place = places_[i];
-    place = {std::round(place.x * 2) / 2, std::round(place.y * 2) / 2};
-    // Texels and pixels coincide when the middle of the cell and that of the disc agree.
-    const double offset = cell % 2 == 0 ? 0.0 : 0.5;
-    place = glm::dvec2(std::floor(place.x), std::floor(place.y)) + offset;
-    const int index = shown[i] - 1;
-    disc_.set("disc", glm::vec3(place.x, projection.height - place.y, radius));
-    disc_.set("label", glm::vec3(index % sheet_.columns * cell, index / sheet_.columns * cell, cell));
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void StrokeLayer::draw_disc(const Projection& projection, const NumberPlace& place) {
+  const int index = place.stroke - 1;
+  disc_.set("disc", glm::vec3(place.pixel.x, projection.height - place.pixel.y, place.radius));
+  disc_.set("label", glm::vec3(index % sheet_.columns * sheet_.cell, index / sheet_.columns * sheet_.cell,
+                               sheet_.cell));
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void StrokeLayer::draw_numbers_again(const Projection& projection, const Look& look,
+                                     const StrokeChoice& choice, glm::dvec2 from, glm::dvec2 to,
+                                     double reach) {
+  const glm::dvec2 way = to - from;
+  const double squared = glm::dot(way, way);
+  bool prepared = false;
+  for (const NumberPlace& place : numbers_) {
+    const double t = squared > 0 ? std::clamp(glm::dot(place.pixel - from, way) / squared, 0.0, 1.0) : 0.0;
+    if (glm::distance(place.pixel, from + way * t) > reach + place.radius) continue;
+    if (!prepared) {
+      glEnable(GL_BLEND);
+      glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
+      prepare_discs(projection, look, choice);
+      prepared = true;
+    }
+    draw_disc(projection, place);
   }
+  if (prepared) glDisable(GL_BLEND);
+  glBindVertexArray(0);
 }
 
 }  // namespace nazori::view

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "canvas.h"
@@ -34,8 +35,12 @@ class StrokeLayer {
   /// Draws inside `box` of the framebuffer bound.
   void draw(const Projection& projection, const PixelBox& box, const Look& look, const StrokeChoice& choice,
             DrawStatistics& statistics);
-  /// Where the numbers of the last draw stand [pixels, y down], one per number drawn.
-  [[nodiscard]] const std::vector<glm::dvec2>& number_places() const { return places_; }
+  /// Draws those numbers of the last draw again that touch the way from `from` to `to` [pixels, y down],
+  /// `reach` wide on both sides: what has been drawn over them since shall not hide them.
+  void draw_numbers_again(const Projection& projection, const Look& look, const StrokeChoice& choice,
+                          glm::dvec2 from, glm::dvec2 to, double reach);
+  /// The numbers of the last draw.
+  [[nodiscard]] std::span<const NumberPlace> numbers() const { return numbers_; }
 
  private:
   StrokeLayer(ShaderProgram line, ShaderProgram head, ShaderProgram disc);
@@ -43,6 +48,8 @@ class StrokeLayer {
   void draw_heads(const Projection& projection, float size, float grow, Colour colour, int current);
   void draw_numbers(const Projection& projection, const Look& look, const StrokeChoice& choice,
                     DrawStatistics& statistics);
+  void prepare_discs(const Projection& projection, const Look& look, const StrokeChoice& choice);
+  void draw_disc(const Projection& projection, const NumberPlace& place);
 
   ShaderProgram line_;
   ShaderProgram head_;
@@ -63,7 +70,7 @@ class StrokeLayer {
   std::size_t classic_count_ = 0;
   std::vector<NumberAnchor> anchors_;
   geometry::TabletShape shape_;
-  std::vector<glm::dvec2> places_;
+  std::vector<NumberPlace> numbers_;
 };
 
 }  // namespace nazori::view

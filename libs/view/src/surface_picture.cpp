@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <thread>
 
 #include "material.h"
 #include "projection.h"
@@ -19,10 +20,19 @@ constexpr int kShadedSize = 1024;
 constexpr int kMaxShadedSize = 2048;
 constexpr int kGreyMaxSize = 2048;
 /// Ambient and key light; together 1 on the plateau.
-constexpr float kAmbient = 0.36F;
+constexpr float kAmbient = 0.40F;
 constexpr float kKey = 1 - kAmbient;
+constexpr glm::vec3 kKeyTint{1.02F, 1.0F, 0.965F};
+constexpr glm::vec3 kSkyTint{0.985F, 1.0F, 1.025F};
+/// Light between the walls of a groove that sees no sky.
+constexpr float kBounce = 0.42F;
+/// Grooves are shaded as if they were this much shallower: true shadows would hide their floors.
+constexpr float kShadeDepth = 0.55F;
 /// Half the width of the shadow's edge, as a slope: the key light is a window, not a point.
 constexpr float kShadowSoftness = 0.55F;
+/// From here on the face is as plain as if nothing were carved: a thousandth of the depth is no pixel's
+/// worth.
+constexpr float kPlainHeight = 0.9995F;
 /// Nothing this high can be shaded by a plateau that is no higher.
 constexpr float kOpenHeight = 0.998F;
 constexpr std::array<float, 8> kReachSteps{1, 2, 4, 7, 11, 16, 23, 32};
@@ -33,6 +43,17 @@ struct Exposure {
   std::vector<float> key;
   std::vector<float> sky;
 };
+
+/// Runs `work(first, last)` over the rows of a picture on a few threads.
+template <class Work>
+void in_bands(int rows, const Work& work) {
+  const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
+  std::vector<std::thread> others;
+  for (int k = 1; k < threads; ++k)
+    others.emplace_back([&work, rows, threads, k] { work(rows * k / threads, rows * (k + 1) / threads); });
+  work(0, rows / threads);
+  for (std::thread& thread : others) thread.join();
+}
 
 float sample_clamped(const Relief& relief, float column, float row) {
   const int last = relief.size - 1;
@@ -46,8 +67,8 @@ Exposure make_exposure(const Relief& relief, const geometry::TabletShape& shape,
   exposure.size = relief.size;
   exposure.key.assign(relief.heights.size(), 1.0F);
   exposure.sky.assign(relief.heights.size(), 1.0F);
-  const float slope_per_step =
-      static_cast<float>(shape.depth_m / shape.width_m * (relief.size - 1));  // height 1 over one sample
+  const float slope_per_step = static_cast<float>(shape.depth_m / shape.width_m * (relief.size - 1)) *
+                               kShadeDepth;  // height 1 over one sample
   const float stride = static_cast<float>(relief.size - 1) / 511.0F;
   const glm::vec3 light = light_direction(hand);
   const glm::vec2 towards = glm::normalize(glm::vec2(light.x, -light.y));
@@ -57,36 +78,38 @@ Exposure make_exposure(const Relief& relief, const geometry::TabletShape& shape,
     const double angle = (static_cast<double>(i) + 0.5) * std::numbers::pi / 4;
     ways[i] = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
   }
-  for (int row = 0; row < relief.size; ++row) {
-    for (int column = 0; column < relief.size; ++column) {
-      const float height = relief.at(column, row);
-      if (height >= kOpenHeight) continue;
-      const std::size_t place = static_cast<std::size_t>(row) * static_cast<std::size_t>(relief.size) +
-                                static_cast<std::size_t>(column);
-      const glm::vec2 here(column, row);
-      float blocked = 0;
-      const float farthest = (1 - height) * slope_per_step / (light_slope - kShadowSoftness * 0.9F);
-      for (float t = stride; t <= farthest; t += stride * 1.5F) {
-        const glm::vec2 there = here + towards * t;
-        blocked = std::max(blocked, (sample_clamped(relief, there.x, there.y) - height) / t);
-      }
-      const float edge = (blocked * slope_per_step - light_slope) / (2 * kShadowSoftness) + 0.5F;
-      const float dark = std::clamp(edge, 0.0F, 1.0F);
-      exposure.key[place] = 1 - dark * dark * (3 - 2 * dark);
-      float open = 0;
-      for (const glm::vec2 way : ways) {
-        float horizon = 0;
-        for (const float step : kReachSteps) {
-          const float t = step * stride;
-          const glm::vec2 there = here + way * t;
-          horizon = std::max(horizon, (sample_clamped(relief, there.x, there.y) - height) / t);
+  in_bands(relief.size, [&](int first, int last) {
+    for (int row = first; row < last; ++row) {
+      for (int column = 0; column < relief.size; ++column) {
+        const float height = relief.at(column, row);
+        if (height >= kOpenHeight) continue;
+        const std::size_t place = static_cast<std::size_t>(row) * static_cast<std::size_t>(relief.size) +
+                                  static_cast<std::size_t>(column);
+        const glm::vec2 here(column, row);
+        float blocked = 0;
+        const float farthest = (1 - height) * slope_per_step / (light_slope - kShadowSoftness * 0.9F);
+        for (float t = stride; t <= farthest; t += stride * 1.5F) {
+          const glm::vec2 there = here + towards * t;
+          blocked = std::max(blocked, (sample_clamped(relief, there.x, there.y) - height) / t);
         }
-        const float slope = horizon * slope_per_step;
-        open += 1 / (1 + slope * slope);
+        const float edge = (blocked * slope_per_step - light_slope) / (2 * kShadowSoftness) + 0.5F;
+        const float dark = std::clamp(edge, 0.0F, 1.0F);
+        exposure.key[place] = 1 - dark * dark * (3 - 2 * dark);
+        float open = 0;
+        for (const glm::vec2 way : ways) {
+          float horizon = 0;
+          for (const float step : kReachSteps) {
+            const float t = step * stride;
+            const glm::vec2 there = here + way * t;
+            horizon = std::max(horizon, (sample_clamped(relief, there.x, there.y) - height) / t);
+          }
+          const float slope = horizon * slope_per_step;
+          open += 1 / (1 + slope * slope);
+        }
+        exposure.sky[place] = open / static_cast<float>(ways.size());
       }
-      exposure.sky[place] = open / static_cast<float>(ways.size());
     }
-  }
+  });
   return exposure;
 }
 
@@ -149,74 +172,91 @@ Relief halved(const Relief& relief) {
 }  // namespace
 
 glm::vec3 light_direction(Hand hand) {
-  return glm::normalize(glm::vec3(hand == Hand::right ? -0.52F : 0.52F, 0.60F, 0.80F));
+  return glm::normalize(glm::vec3(hand == Hand::right ? -0.50F : 0.50F, 0.56F, 0.86F));
 }
 
 float open_light(glm::vec3 normal, Hand hand) {
   const glm::vec3 light = light_direction(hand);
-  return kAmbient * (0.5F + 0.5F * normal.z) + kKey * std::max(glm::dot(normal, light), 0.0F) / light.z;
+  // The desk throws light back onto the sides.
+  return kAmbient * (0.80F + 0.20F * normal.z) + 0.12F * (1 - normal.z) +
+         kKey * std::max(glm::dot(normal, light), 0.0F) / light.z;
 }
 
-SurfacePicture lit_picture(const surface::HeightMap& map, const geometry::TabletShape& shape, Style style,
-                           Theme theme, Hand hand) {
-  const Relief relief = resampled(map, std::clamp(map.size(), kShadedSize, kMaxShadedSize));
-  const int n = relief.size;
-  const Relief coarse = halved(relief);
-  const Exposure exposure = make_exposure(coarse, shape, hand);
-  const Interpolation between(n, coarse.size);
-  const Material material(style, theme);
-  const GammaCoder& code = gamma_coder();
-  const glm::vec3 light = light_direction(hand);
+int shaded_size(int map_size) { return std::clamp(map_size, kShadedSize, kMaxShadedSize); }
 
-  SurfacePicture picture;
-  picture.rim = static_cast<int>(std::lround(n * kRimFraction));
-  picture.size = n + 2 * picture.rim;
-  const auto texels = static_cast<std::size_t>(picture.size) * static_cast<std::size_t>(picture.size);
-  picture.rgba.resize(texels * 4);
-  picture.heights.resize(texels);
+PlainFace make_plain_face(const Look& look, int samples) {
+  PlainFace plain;
+  plain.look = look;
+  plain.rim = static_cast<int>(std::lround(samples * kRimFraction));
+  plain.size = samples + 2 * plain.rim;
+  plain.rgba.resize(static_cast<std::size_t>(plain.size) * static_cast<std::size_t>(plain.size) * 4);
+  const Material material(look.style, look.theme);
+  const GammaCoder& code = gamma_coder();
+  const std::uint8_t light = code(1 / kLightRange);
+  const float step_m = 0.1F / static_cast<float>(samples - 1);
+  in_bands(plain.size, [&](int first, int last) {
+    std::size_t out = static_cast<std::size_t>(first) * static_cast<std::size_t>(plain.size) * 4;
+    for (int y = first; y < last; ++y) {
+      for (int x = 0; x < plain.size; ++x, out += 4) {
+        const glm::vec3 point(static_cast<float>(x - plain.rim) * step_m - 0.05F,
+                              0.05F - static_cast<float>(y - plain.rim) * step_m, 0);
+        const glm::vec3 colour = material.reflectance(point, 0) * (kKeyTint * kKey + kSkyTint * kAmbient);
+        plain.rgba[out] = code(colour.x);
+        plain.rgba[out + 1] = code(colour.y);
+        plain.rgba[out + 2] = code(colour.z);
+        plain.rgba[out + 3] = light;
+      }
+    }
+  });
+  return plain;
+}
+
+SurfacePicture lit_picture(const surface::HeightMap& map, const geometry::TabletShape& shape,
+                           const PlainFace& plain) {
+  const int n = plain.size - 2 * plain.rim;
+  const Relief relief = resampled(map, n);
+  const Relief coarse = halved(relief);
+  const Exposure exposure = make_exposure(coarse, shape, plain.look.hand);
+  const Interpolation between(n, coarse.size);
+  const Material material(plain.look.style, plain.look.theme);
+  const GammaCoder& code = gamma_coder();
+  const glm::vec3 light = light_direction(plain.look.hand);
+
+  SurfacePicture picture{plain.size, plain.rim, plain.rgba, {}};
+  picture.heights.assign(picture.rgba.size() / 4, 255);
   const float step_m = 0.1F / static_cast<float>(n - 1);
   const float depth_m = 0.1F * static_cast<float>(shape.depth_m / shape.width_m);
   const float slope = depth_m / (2 * step_m);
-  std::size_t out = 0;
-  for (int y = 0; y < picture.size; ++y) {
-    const int row = std::clamp(y - picture.rim, 0, n - 1);
-    for (int x = 0; x < picture.size; ++x, ++out) {
-      const int column = std::clamp(x - picture.rim, 0, n - 1);
-      const bool on_rim = column != x - picture.rim || row != y - picture.rim;
-      const float height = on_rim ? 1.0F : relief.at(column, row);
-      const glm::vec3 point(static_cast<float>(x - picture.rim) * step_m - 0.05F,
-                            0.05F - static_cast<float>(y - picture.rim) * step_m, (height - 1) * depth_m);
-      float key = 1;
-      float sky = 1;
-      float facing = light.z;
-      if (!on_rim) {
+  in_bands(n, [&](int first, int last) {
+    for (int row = first; row < last; ++row) {
+      std::size_t out = static_cast<std::size_t>(row + plain.rim) * static_cast<std::size_t>(plain.size) +
+                        static_cast<std::size_t>(plain.rim);
+      for (int column = 0; column < n; ++column, ++out) {
+        const float height = relief.at(column, row);
         const float dx =
             relief.at(std::min(column + 1, n - 1), row) - relief.at(std::max(column - 1, 0), row);
         const float dy =
             relief.at(column, std::max(row - 1, 0)) - relief.at(column, std::min(row + 1, n - 1));
-        if (dx != 0 || dy != 0) {
-          const glm::vec3 normal = glm::normalize(glm::vec3(-dx * slope, -dy * slope, 1));
-          facing = std::max(glm::dot(normal, light), 0.0F);
-        }
-        if (height < kOpenHeight) {
-          key = between(exposure.key, column, row);
-          sky = between(exposure.sky, column, row);
-        }
+        if (height >= kPlainHeight && std::abs(dx) + std::abs(dy) < 1 - kPlainHeight) continue;
+        const glm::vec3 normal = glm::normalize(glm::vec3(-dx * slope, -dy * slope, 1));
+        const float facing = std::max(glm::dot(normal, light), 0.0F) / light.z;
+        const float lit = kKey * between(exposure.key, column, row) * facing;
+        const float sky = between(exposure.sky, column, row);
+        const float ambient = kAmbient * sky;
+        const glm::vec3 point(static_cast<float>(column) * step_m - 0.05F,
+                              0.05F - static_cast<float>(row) * step_m, (height - 1) * depth_m);
+        const glm::vec3 albedo = material.reflectance(point, 1 - height);
+        // Light that reaches a deep place has bounced off the walls and taken their colour.
+        const glm::vec3 bounce = albedo * ((1 - sky) * kBounce);
+        const glm::vec3 colour = albedo * (kKeyTint * lit + kSkyTint * ambient + bounce);
+        picture.rgba[out * 4] = code(colour.x);
+        picture.rgba[out * 4 + 1] = code(colour.y);
+        picture.rgba[out * 4 + 2] = code(colour.z);
+        picture.rgba[out * 4 + 3] = code((lit + ambient) / kLightRange);
+        picture.heights[out] = static_cast<std::uint8_t>(std::lround(height * 255));
       }
-      const float lit = kKey * key * facing / light.z;
-      const float ambient = kAmbient * sky;
-      const glm::vec3 albedo = material.reflectance(point, 1 - height);
-      // Light that reaches a deep place has bounced off the walls and taken their colour.
-      const glm::vec3 bounce = albedo * (kAmbient * (1 - sky) * 0.55F);
-      const glm::vec3 colour =
-          albedo * (glm::vec3(1.02F, 1.0F, 0.965F) * lit + glm::vec3(0.965F, 1.0F, 1.06F) * ambient + bounce);
-      picture.rgba[out * 4] = code(colour.x);
-      picture.rgba[out * 4 + 1] = code(colour.y);
-      picture.rgba[out * 4 + 2] = code(colour.z);
-      picture.rgba[out * 4 + 3] = code((lit + ambient) / kLightRange);
-      picture.heights[out] = static_cast<std::uint8_t>(std::lround(height * 255));
     }
-  }
+  });
   return picture;
 }
 

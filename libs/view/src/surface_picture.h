@@ -8,6 +8,14 @@
 
 namespace nazori::view {
 
+/// What decides how the tablet looks, apart from the camera.
+struct Look {
+  Style style = Style::wood;
+  Theme theme = Theme::light;
+  Hand hand = Hand::right;
+  friend bool operator==(const Look&, const Look&) = default;
+};
+
 /// The tablet's face as a picture: colour with its light and shadow already in it, since the light stands
 /// still relative to the tablet. Drawing then costs one texture look-up per pixel.
 struct SurfacePicture {
@@ -26,10 +34,24 @@ inline constexpr float kLightRange = 1.6F;
 /// Light on a surface that nothing shades, 1 on the plateau. @param normal  unit length, tablet frame.
 [[nodiscard]] float open_light(glm::vec3 normal, Hand hand);
 
-/// Wood or slate, lit. Shaded at 1,024 samples a side for maps up to that size, above that at up to 2,048.
-/// @param map  loaded.
+/// The face before anything is carved: costly to make, and the same for every character.
+struct PlainFace {
+  Look look;
+  int size = 0;  ///< texels a side, rim included
+  int rim = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// Samples a side at which a map is shaded: 1,024 for maps up to that size, above that up to 2,048.
+[[nodiscard]] int shaded_size(int map_size);
+
+/// @param samples  a side, without the rim.
+[[nodiscard]] PlainFace make_plain_face(const Look& look, int samples);
+
+/// Wood or slate with its light, and shadow in the grooves. Only what is carved is worked out.
+/// @param map  loaded.  @param plain  of shaded_size(map.size()) samples.
 [[nodiscard]] SurfacePicture lit_picture(const surface::HeightMap& map, const geometry::TabletShape& shape,
-                                         Style style, Theme theme, Hand hand);
+                                         const PlainFace& plain);
 
 /// 2005: grey by height, no light, no rim.
 [[nodiscard]] SurfacePicture grey_picture(const surface::HeightMap& map);

@@ -13,7 +13,7 @@
 namespace nazori::view {
 namespace {
 
-constexpr float kMeshTolerance = 0.004F;
+constexpr float kMeshTolerance = 0.008F;
 constexpr int kCoarseGrid = 256;
 constexpr int kFineGrid = 512;
 constexpr int kCoarseMap = 160;
@@ -150,9 +150,15 @@ void TabletLayer::send_mesh(DrawStatistics& statistics) {
 }
 
 void TabletLayer::send_face(const surface::HeightMap& map, DrawStatistics& statistics) {
-  const SurfacePicture face = look_.style == Style::classic
-                                  ? grey_picture(map)
-                                  : lit_picture(map, shape_, look_.style, look_.theme, look_.hand);
+  SurfacePicture face;
+  if (look_.style == Style::classic) {
+    face = grey_picture(map);
+  } else {
+    const int samples = shaded_size(map.size());
+    if (plain_.look != look_ || plain_.size != samples + 2 * plain_.rim)
+      plain_ = make_plain_face(look_, samples);
+    face = lit_picture(map, shape_, plain_);
+  }
   upload(face_, {GL_RGBA8, GL_RGBA, face.size, face.size, true}, face.rgba, statistics);
   upload(heights_, {GL_R8, GL_RED, face.size, face.size, false}, face.heights, statistics);
   // Samples sit in the middle of texels; the square spans from the first sample to the last.

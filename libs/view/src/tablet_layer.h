@@ -13,14 +13,6 @@
 
 namespace nazori::view {
 
-/// What decides how the tablet looks, apart from the camera.
-struct Look {
-  Style style = Style::wood;
-  Theme theme = Theme::light;
-  Hand hand = Hand::right;
-  friend bool operator==(const Look&, const Look&) = default;
-};
-
 /// Tablet, desk and shadow: mesh and face on the GPU.
 class TabletLayer {
  public:
@@ -61,6 +53,7 @@ class TabletLayer {
   Texture face_;
   Texture heights_;
   ReliefMesh mesh_;
+  PlainFace plain_;
   geometry::TabletShape shape_;
   Look look_;
   glm::vec2 face_from_square_{1, 0};

@@ -107,6 +107,9 @@ struct TabletView::Inside {
   bool strokes_stale = false;
   bool look_stale = false;
   PictureKey drawn;
+  Refinement refinement = Refinement::when_still;
+  bool in_motion = false;  ///< the last picture was drawn from another place than the one before
+  bool drawn_quickly = false;
 
   Inside(DrawStatistics counted, TabletLayer tablet_layer, InkLayer ink_layer, StrokeLayer stroke_layer,
          CursorLayer cursor_layer)
@@ -150,18 +153,23 @@ void TabletView::Inside::update_picture(const Projection& projection, const Over
   const bool inkable = look.style != Style::classic && !tablet.is_empty() && count > 0;
   if (inkable)
     change = ink.update(overlay.ink, choice.current, tablet.height_texture(), tablet.face_from_square());
-  const bool redraw = !same_picture(key, drawn) || change.everywhere;
+  // The first picture from a new place is a full one; from the second in a row on the camera is in motion.
+  const bool turned = drawn.content == content && !same_camera(camera, drawn.camera);
+  const bool quick = refinement == Refinement::when_still && turned && in_motion;
+  in_motion = turned;
+  const bool redraw = !same_picture(key, drawn) || change.everywhere || drawn_quickly;
   if (!redraw && change.fresh_m.empty()) return;
 
   const PixelBox box = redraw ? whole(projection) : box_around(change.fresh_m, projection, shape.depth_m);
   if (!box.is_empty()) {
-    canvas.bind_tablet();
+    canvas.bind_tablet(quick);
     tablet.draw(projection, box, inkable && ink.has_ink() ? ink.texture() : 0);
-    canvas.resolve(box);
+    if (!quick) canvas.resolve(box);
     strokes.draw(projection, box, look, choice, statistics);
     ++(redraw ? statistics.full_redraws : statistics.partial_redraws);
   }
   drawn = key;
+  drawn_quickly = quick;
 }
 
 TabletView::TabletView(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
@@ -223,8 +231,12 @@ void TabletView::set_hand(Hand hand) {
   inside_->look.hand = hand;
 }
 
+void TabletView::set_refinement(Refinement refinement) { inside_->refinement = refinement; }
+bool TabletView::wants_redraw() const { return inside_->drawn_quickly; }
+
 void TabletView::set_camera(const Camera& camera) { inside_->camera = within_limits(camera, inside_->shape); }
 const Camera& TabletView::camera() const { return inside_->camera; }
+std::span<const NumberPlace> TabletView::numbers() const { return inside_->strokes.numbers(); }
 const DrawStatistics& TabletView::statistics() const { return inside_->statistics; }
 
 void TabletView::draw(int width, int height, double scale, const Overlay& overlay) {
@@ -241,8 +253,12 @@ void TabletView::draw(int width, int height, double scale, const Overlay& overla
     inside_->canvas.show(static_cast<GLuint>(target));
   }
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
-  if (overlay.cursor)
-    inside_->cursor.draw(projection, *overlay.cursor, inside_->look, overlay.current_stroke > 0, scale);
+  if (overlay.cursor) {
+    const StrokeChoice& choice = inside_->drawn.strokes;
+    const auto trace =
+        inside_->cursor.draw(projection, *overlay.cursor, inside_->look, choice.current > 0, scale);
+    inside_->strokes.draw_numbers_again(projection, inside_->look, choice, trace.tip, trace.end, trace.reach);
+  }
   glUseProgram(0);
   ++inside_->statistics.pictures;
 }

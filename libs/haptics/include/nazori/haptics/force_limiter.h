@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "nazori/haptics/haptic_device.h"
 
 namespace nazori::haptics {
@@ -58,10 +61,11 @@ class Passivity {
   /// Deepest debt that is remembered [J]; a teleport would otherwise be paid for during minutes.
   static constexpr double kMostDebt_j = 0.01;
 
-  explicit Passivity(const DeviceLimits& limits)
-      : own_damping_(limits.own_damping_n_s_m), most_damping_(limits.max_damping_n_s_m) {}
+  /// @param period_s  of the servo: the device's delay is booked in whole periods of it, at most kMostDelay.
+  Passivity(const DeviceLimits& limits, double period_s);
 
-  /// Books the last tick. @param moved_m  since the last tick.  @param commanded_n  force in between.
+  /// Books the last tick. @param moved_m  since the last tick.  @param commanded_n  force in between, before
+  /// the device's delay.
   /// @param stored_j  energy in the springs now.
   void observe(const Vec3& moved_m, const Vec3& commanded_n, double period_s, double stored_j) noexcept;
 
@@ -69,11 +73,15 @@ class Passivity {
   [[nodiscard]] Vec3 correction(const Vec3& moved_m, double period_s) const noexcept;
 
   [[nodiscard]] double energy_j() const noexcept { return energy_; }
-  void forget() noexcept { energy_ = 0; }
+  void forget() noexcept;
 
  private:
+  static constexpr std::size_t kMostDelay = 32;
+
   double own_damping_, most_damping_;
   double energy_ = 0;
+  std::array<Vec3, kMostDelay + 1> commanded_{};  // ring: what was commanded in the last ticks
+  std::size_t delay_, newest_ = 0;
 };
 
 /// Largest stiffness that a sampled wall may have and still be passive:

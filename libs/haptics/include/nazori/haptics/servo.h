@@ -28,7 +28,7 @@ struct ServoSample {
   Vec3 device_m{0, 0, 0.02};
   Vec3 proxy_m{0, 0, 0.02};  ///< never below the surface (but with popthrough)
   Vec3 force_n{0, 0, 0};
-  bool touching = false;
+  bool touching = false;    ///< the proxy is on the surface, or a stroke holds it
   std::int32_t stroke = 0;  ///< number of the stroke that holds the stylus, 0 none
   std::uint32_t buttons = 0;
   std::uint8_t events = 0;  ///< ServoEvent bits

@@ -104,6 +104,7 @@ struct Word {
   std::string text;                  ///< "休日"
   std::string reading;               ///< "きゅうじつ"; equal to text for words written in kana
   std::vector<std::string> glosses;  ///< English
+  std::vector<int> senses;           ///< of each gloss the number of its sense, from 1, ascending
   std::string parts_of_speech;       ///< EDICT's marks, "n,adj-no"
   bool common = false;               ///< marked (P)
 

@@ -17,11 +17,13 @@ namespace nazori::kanji {
 /// What a search may ask for. Every condition that is set must hold.
 struct Query {
   /// A character or several, a reading in kana (with or without the okurigana dot), romaji (Hepburn or
-  /// Kunrei, "kyuu", "kyû"), or the beginning of an English word of a meaning. Empty: no condition.
+  /// Kunrei, "kyuu", "kyû"), or the beginning of an English word of a meaning. Text with kanji in it asks for
+  /// each of these, in its order. Empty: no condition.
   std::string text;
   std::optional<int> grade;
-  std::optional<int> strokes;
+  std::optional<int> strokes;  ///< as drawn, or as the dictionary counts them: they differ for a few
   std::optional<int> radical;  ///< classical number 1..214
+  bool drawn_only = true;      ///< only characters that have strokes; false: the whole dictionary
   int limit = 500;             ///< at most so many answers, >= 1
 };
 
@@ -30,7 +32,7 @@ struct Summary {
   char32_t code_point = 0;
   std::string meaning;  ///< first English meaning, empty for kana and letters
   std::string reading;  ///< first kun or on reading
-  int strokes = 0;      ///< number of strokes in the main form
+  int strokes = 0;      ///< number of strokes in the main form; the dictionary's where it is not drawn
   std::optional<int> grade;
 
   friend bool operator==(const Summary&, const Summary&) = default;
@@ -61,7 +63,8 @@ struct Source {
 };
 
 /// The kanji database kanji.db, opened read only.
-/// Thread-safe: no; each thread opens its own. Not for the servo thread.
+/// Thread-safe: no; each thread opens its own. Not for the servo thread. A database that is damaged after
+/// open() answers as if it had nothing; `nazori-cli database check` tells.
 class KanjiDatabase {
  public:
   /// @return Errc::not_found for a missing file, Errc::schema for a file that is no kanji.db of this version.
@@ -80,11 +83,13 @@ class KanjiDatabase {
   /// database.
   [[nodiscard]] std::optional<Character> find(char32_t code_point, std::string_view variant = {}) const;
 
-  /// Characters that fit, best first: the character itself, exact readings, then beginnings; commoner before
-  /// rarer.
+  /// Characters that fit, best first: the character itself; whole readings and first meanings; readings
+  /// without their okurigana and other whole meanings; names and single words of meanings; then beginnings.
+  /// Among equals the commoner before the rarer.
   [[nodiscard]] std::vector<Summary> search(const Query& query) const;
 
-  /// Members of a ready list, in the order a learner meets them (grades: by frequency, then code point).
+  /// Members of a ready list, in the order a learner meets them (grades: by frequency, then code
+  /// point; kana: as in the table of fifty sounds, then the voiced, then the small ones).
   [[nodiscard]] std::vector<Summary> list(List which) const;
 
   /// Words written with the character, commonest first.

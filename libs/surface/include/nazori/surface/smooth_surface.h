@@ -94,8 +94,9 @@ class SmoothSurface {
     const double last = size_ - 0.5;
     const double x = column > -0.5 ? (column < last ? column : last) : -0.5;
     const double y = row > -0.5 ? (row < last ? row : last) : -0.5;
-    const int i0 = static_cast<int>(x + 0.5);
-    const int j0 = static_cast<int>(y + 0.5);
+    const double from_left = x + 0.5, from_top = y + 0.5;  // >= 0: the cast rounds down
+    const int i0 = static_cast<int>(from_left);
+    const int j0 = static_cast<int>(from_top);
     const int i = i0 < size_ ? i0 : size_ - 1;
     const int j = j0 < size_ ? j0 : size_ - 1;
     return {samples_.get() + static_cast<std::size_t>(j) * stride_ + static_cast<std::size_t>(i), x - i,

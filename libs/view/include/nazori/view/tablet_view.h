@@ -49,9 +49,22 @@ struct Overlay {
   double text_scale = 1;
 };
 
+/// A stroke number as it stands in a picture.
+struct NumberPlace {
+  int stroke = 0;       ///< from 1
+  glm::dvec2 pixel{0};  ///< middle of the disc, y down
+  double radius = 0;    ///< of the disc in pixels
+};
+
 /// The hand that holds the stylus: the light comes from the other side, so that the hand casts no shadow on
 /// its work.
 enum class Hand : std::uint8_t { right, left };
+
+/// When the edges of the tablet are smoothed with several samples a pixel.
+enum class Refinement : std::uint8_t {
+  when_still,  ///< not while the camera moves from picture to picture: more pictures a second
+  always,
+};
 
 /// What has been done since creation: how a caller or a test sees that nothing is sent twice.
 struct DrawStatistics {
@@ -93,6 +106,11 @@ class TabletView {
   /// logical pixel (lines and numbers keep their logical size).
   void draw(int width, int height, double scale, const Overlay& overlay);
 
+  /// Refinement::when_still unless told otherwise.
+  void set_refinement(Refinement refinement);
+  /// The last picture was drawn quickly because the camera moved: draw once more when it has come to rest.
+  [[nodiscard]] bool wants_redraw() const;
+
   /// The point of the plateau under a pixel (y down), nothing where the line of sight misses its plane.
   [[nodiscard]] std::optional<geometry::TabletPoint> pick(glm::dvec2 pixel, int width, int height) const;
   /// The pixel (y down) at which a point of the tablet frame [m] is seen: the inverse of pick() at z = 0.
@@ -102,6 +120,10 @@ class TabletView {
   [[nodiscard]] Camera panned(glm::dvec2 from, glm::dvec2 to, int width, int height) const;
   /// The camera zoomed by `factor` while the point of the plateau under `pixel` stays where it is.
   [[nodiscard]] Camera zoomed(double factor, glm::dvec2 pixel, int width, int height) const;
+
+  /// The numbers of the last picture, for tests and for a window that lets them be clicked. A stroke whose
+  /// start lies outside the picture has none.
+  [[nodiscard]] std::span<const NumberPlace> numbers() const;
 
   [[nodiscard]] const DrawStatistics& statistics() const;
 

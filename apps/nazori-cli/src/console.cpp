@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "console.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <system_error>
+
+#include "text_layout.h"
+
+namespace nazori::cli {
+namespace {
+
+// The handler may touch nothing else.
+volatile std::sig_atomic_t stop_signal = 0;
+
+void remember_signal(int signal) { stop_signal = signal; }
+
+int columns_of(int descriptor) {
+  winsize size{};
+  if (::isatty(descriptor) != 1 || ::ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
+}
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void to_stderr(std::string_view text) {
+  // Nobody can be told when standard error is gone.
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
+  (void)std::fflush(stderr);
+}
+
+}  // namespace
+
+void Console::print(std::string_view text) {
+  if (write_error_ != 0) return;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) write_error_ = errno;
+}
+
+int Console::refuse(const base::Error& error) const {
+  to_stderr(fmt::format("{}: {}\n", name_, printable(base::to_line(error))));
+  return kWrong;
+}
+
+int Console::deny(const base::Error& error) const {
+  (void)refuse(error);
+  return kNo;
+}
+
+int Console::fail(const base::Error& error) const {
+  if (error.code == base::Errc::cancelled && stop_requested()) {
+    const int signal = stop_signal;
+    (void)std::signal(signal, SIG_DFL);
+    (void)std::raise(signal);
+  }
+  return refuse(error);
+}
+
+int Console::finish(int code) {
+  if (std::fflush(stdout) != 0 && write_error_ == 0) write_error_ = errno;
+  if (write_error_ == 0 || write_error_ == EPIPE) return code;
+  return refuse({base::Errc::io, "cannot be written: " + std::generic_category().message(write_error_),
+                 "standard output", ""});
+}
+
+int text_width() { return std::clamp(columns_of(STDOUT_FILENO), 40, 120); }
+
+void stop_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = remember_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl+C stops at once
+  (void)::sigaction(SIGINT, &action, nullptr);
+  (void)::sigaction(SIGTERM, &action, nullptr);
+}
+
+bool stop_requested() { return stop_signal != 0; }
+
+ProgressDisplay::ProgressDisplay(Plain plain) : terminal_(::isatty(STDERR_FILENO) == 1), plain_(plain) {}
+
+ProgressDisplay::~ProgressDisplay() { clear(); }
+
+bool ProgressDisplay::show(double done, std::string_view step) {
+  done = std::clamp(done, 0.0, 1.0);
+  const int percent = static_cast<int>(std::floor(done * 100));
+  if (terminal_) {
+    const double now = now_s();
+    if (last_drawn_s_ < 0) last_drawn_s_ = now;
+    // Work that is over in a blink needs no bar, and a bar needs no more than ten pictures a second.
+    if (now - last_drawn_s_ >= 0.1) {
+      last_drawn_s_ = now;
+      drawn_ = true;
+      constexpr int kCells = 24;
+      const int full = percent * kCells / 100;
+      std::string bar;
+      for (int i = 0; i < kCells; ++i) bar += i < full ? "█" : "░";
+      const int room = columns_of(STDERR_FILENO) - kCells - 10;
+      to_stderr(fmt::format("\r\x1b[K{} {:3} %  {}", bar, percent, cut(step, std::max(room, 0))));
+    }
+  } else if (plain_ == Plain::lines && percent / 10 > last_tenth_) {
+    last_tenth_ = percent / 10;
+    to_stderr(fmt::format("{:3} %  {}\n", last_tenth_ * 10, step));
+  }
+  return !stop_requested();
+}
+
+void ProgressDisplay::clear() {
+  if (drawn_) to_stderr("\r\x1b[K");
+  drawn_ = false;
+}
+
+base::Progress ProgressDisplay::callback() {
+  return [this](double done, std::string_view step) { return show(done, step); };
+}
+
+}  // namespace nazori::cli

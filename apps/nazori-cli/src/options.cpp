@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <span>
+
+#include "nazori/base/file.h"
+
+namespace nazori::cli {
+namespace {
+
+using carving::CrossSection;
+
+// 16 bits a sample, none of it compressible, with room for the format's own bytes.
+constexpr std::size_t kMostMapBytes =
+    std::size_t{surface::HeightMap::kMaxSize} * surface::HeightMap::kMaxSize * 2 + (std::size_t{16} << 20);
+
+std::optional<int> whole_number(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+char small_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+}  // namespace
+
+CLI::Validator within(double lowest, double highest) {
+  const std::string range = fmt::format("{}..{}", lowest, highest);
+  return {[lowest, highest, range](std::string& text) {
+            double value = 0;
+            if (!CLI::detail::lexical_cast(text, value) || !(value >= lowest && value <= highest)) {
+              return fmt::format("{} is not within {}", text, range);
+            }
+            return std::string();
+          },
+          range};
+}
+
+void add_brush_options(CLI::App& verb, carving::Brush& brush) {
+  const std::string group = "Brush";
+  verb.add_option_function<double>(
+          "--width",
+          [&brush](double width) {
+            brush.width = width;
+            brush.fit = false;
+          },
+          "Width of the groove, in units of 109 to the tablet's side; default is 7, less where strokes are "
+          "close")
+      ->check(within(0.5, 40))
+      ->type_name("UNITS")
+      ->group(group);
+  verb.add_option("--depth", brush.depth, "Depth of the groove, as a part of the tablet's depth")
+      ->check(within(0.01, 1))
+      ->capture_default_str()
+      ->group(group);
+  static const std::map<std::string, CrossSection> kSections{
+      {"rounded", CrossSection::rounded}, {"v", CrossSection::v_shaped}, {"flat", CrossSection::flat_bottom}};
+  verb.add_option_function<std::string>(
+          "--cross-section", [&brush](const std::string& name) { brush.cross_section = kSections.at(name); },
+          "Shape across the groove: rounded, v or flat")
+      ->check(CLI::IsMember({"rounded", "v", "flat"}, CLI::ignore_case))
+      ->default_str("rounded")
+      ->type_name("SHAPE")
+      ->group(group);
+  verb.add_flag_callback(
+          "--no-endings", [&brush] { brush.endings = false; },
+          "Carve every stroke even to its end: no stop, kick or taper")
+      ->group(group);
+}
+
+void add_database_option(CLI::App& verb, std::string& path) {
+  verb.add_option("--database", path, "The kanji database to read (see: nazori-cli database path)")
+      ->type_name("FILE");
+}
+
+base::Result<PictureSize> parse_picture_size(std::string_view text) {
+  const std::size_t cross = text.find('x');
+  const auto width = whole_number(text.substr(0, cross));
+  const auto height = cross == std::string_view::npos ? width : whole_number(text.substr(cross + 1));
+  const auto fits = [](std::optional<int> n) { return n && *n >= 16 && *n <= 8192; };
+  if (!fits(width) || !fits(height)) {
+    return base::fail(base::Errc::bad_argument, fmt::format("'{}' is no size of a picture", text), "--size",
+                      "give WIDTHxHEIGHT such as 1280x800, each 16..8192");
+  }
+  return PictureSize{*width, *height};
+}
+
+bool has_extension(const std::filesystem::path& path, std::string_view extension) {
+  std::string own = path.extension().string();
+  std::transform(own.begin(), own.end(), own.begin(), small_letter);
+  return own == extension;
+}
+
+base::Result<surface::HeightMap> load_height_map(const std::filesystem::path& path, std::optional<int> size) {
+  auto bytes = base::read_file(path, kMostMapBytes);
+  if (!bytes) return tl::unexpected(std::move(bytes.error()));
+  constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  const bool png = bytes->size() >= kPngSignature.size() &&
+                   std::equal(kPngSignature.begin(), kPngSignature.end(), bytes->begin());
+  auto map = png ? surface::parse_png(*bytes) : surface::parse_raw(*bytes, size);
+  if (!map) {
+    base::Error error = std::move(map.error());
+    error.where = path.string() + (error.where.empty() ? "" : ": " + error.where);
+    return tl::unexpected(std::move(error));
+  }
+  if (png && size && *size != map->size()) {
+    return base::fail(base::Errc::bad_argument,
+                      fmt::format("is a picture {0} x {0}, not {1} x {1}", map->size(), *size), path.string(),
+                      "leave --map-size out: a PNG says its own size");
+  }
+  return map;
+}
+
+}  // namespace nazori::cli

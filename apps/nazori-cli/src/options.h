@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "nazori/base/result.h"
+#include "nazori/carving/carve.h"
+#include "nazori/surface/height_map.h"
+
+namespace nazori::cli {
+
+/// A number within lowest..highest; nothing else, NaN neither.
+[[nodiscard]] CLI::Validator within(double lowest, double highest);
+
+/// --width, --depth, --cross-section, --no-endings. `brush` must live as long as `verb`.
+void add_brush_options(CLI::App& verb, carving::Brush& brush);
+
+/// --database. `path` stays empty where it is not given: KanjiDatabase::locate() then decides.
+void add_database_option(CLI::App& verb, std::string& path);
+
+/// Width and height of a picture.
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+};
+/// "1280x800", or "600" for a square one; 16..8192 each.
+[[nodiscard]] base::Result<PictureSize> parse_picture_size(std::string_view text);
+
+/// Whether the name of a file ends with `extension` (".png"), in small or capital letters.
+[[nodiscard]] bool has_extension(const std::filesystem::path& path, std::string_view extension);
+
+/// Reads a height map of one's own: a PNG where the file is one, else 8-bit RAW.
+/// @param size  side of a RAW; without it the file's length says.
+[[nodiscard]] base::Result<surface::HeightMap> load_height_map(const std::filesystem::path& path,
+                                                               std::optional<int> size);
+
+}  // namespace nazori::cli

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "characters.h"
+#include "nazori/kanji/stroke_order.h"
+#include "nazori/surface/height_map.h"
+#include "nazori/tablet/carved_tablet.h"
+#include "options.h"
+#include "output_files.h"
+#include "tablet_picture.h"
+#include "verbs.h"
+
+namespace nazori::cli {
+namespace {
+
+struct RenderSettings {
+  std::vector<std::string> characters;
+  std::string database;
+  std::string output;
+  std::string height_map;
+  std::string strokes;
+  std::optional<int> map_size;
+  int stroke = 0;
+  bool no_strokes = false;
+  bool no_arrows = false;
+  bool no_numbers = false;
+  carving::Brush brush;
+  Look look;
+};
+
+using Tablet = std::shared_ptr<const tablet::CarvedTablet>;
+
+constexpr int kCarvedSize = 1024;
+constexpr int kStrokeFileGrid = 128;
+
+/// A tablet of one's own: a relief, strokes, or both on one grid.
+base::Result<Tablet> own_tablet(const RenderSettings& settings) {
+  std::optional<surface::HeightMap> map;
+  if (!settings.height_map.empty()) {
+    auto loaded = load_height_map(settings.height_map, settings.map_size);
+    if (!loaded) return tl::unexpected(std::move(loaded.error()));
+    map = std::move(*loaded);
+  }
+  const int grid = map ? map->size() : settings.map_size.value_or(kStrokeFileGrid);
+  std::vector<kanji::StrokeLine> lines;
+  if (!settings.strokes.empty()) {
+    const auto order = kanji::StrokeOrder::load(settings.strokes, grid);
+    if (!order) return tl::unexpected(order.error());
+    lines = order->to_lines(grid);
+  }
+  if (map) return tablet::CarvedTablet::from_height_map(std::move(*map), std::move(lines));
+  return tablet::CarvedTablet::from_lines(std::move(lines), kCarvedSize, settings.brush);
+}
+
+base::Result<void> paint(TabletPainter& painter, const tablet::CarvedTablet& tablet,
+                         const RenderSettings& settings, const std::string& name,
+                         const std::filesystem::path& path) {
+  const int strokes = static_cast<int>(tablet.lines().size());
+  if (settings.stroke > strokes) {
+    return base::fail(
+        base::Errc::bad_argument, fmt::format("{} has {} stroke{}", name, strokes, strokes == 1 ? "" : "s"),
+        fmt::format("--stroke {}", settings.stroke), fmt::format("give 0..{}, 0 for all", strokes));
+  }
+  view::Overlay overlay;
+  overlay.strokes_visible = !settings.no_strokes;
+  overlay.arrows_visible = !settings.no_arrows;
+  overlay.numbers_visible = !settings.no_numbers;
+  overlay.current_stroke = settings.stroke;
+  return view::save_png(painter.paint(tablet, overlay), path);
+}
+
+int run_own(Console& console, const RenderSettings& settings) {
+  const auto path = output_file({"--output", settings.output, {".png"}});
+  if (!path) return console.refuse(path.error());
+  const auto tablet = own_tablet(settings);
+  if (!tablet) return console.refuse(tablet.error());
+  auto painter = TabletPainter::create(settings.look);
+  if (!painter) return console.refuse(painter.error());
+  const std::string name = settings.strokes.empty() ? settings.height_map : settings.strokes;
+  if (auto done = paint(*painter, **tablet, settings, name, *path); !done) return console.fail(done.error());
+  console.print(fmt::format("{}  {}  {}\n", name, path->string(), settings.look.size));
+  return kDone;
+}
+
+int run_characters(Console& console, const RenderSettings& settings) {
+  const auto names = parse_characters(settings.characters);
+  if (!names) return console.refuse(names.error());
+  const auto paths = output_files({"--output", settings.output, {".png"}}, *names);
+  if (!paths) return console.refuse(paths.error());
+  const auto characters = characters_with_strokes(console, settings.characters, settings.database);
+  if (!characters) return characters.error();
+  auto painter = TabletPainter::create(settings.look);
+  if (!painter) return console.refuse(painter.error());
+
+  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  for (std::size_t i = 0; i < characters->size(); ++i) {
+    const std::string name = name_of((*characters)[i]).text();
+    if (!progress.show(static_cast<double>(i) / static_cast<double>(characters->size()), "drawing " + name)) {
+      return console.fail({base::Errc::cancelled, "stopped", name, ""});
+    }
+    const auto tablet = tablet::CarvedTablet::from_lines(
+        (*characters)[i].lines(), settings.map_size.value_or(kCarvedSize), settings.brush);
+    if (!tablet) return console.refuse(tablet.error());
+    if (auto done = paint(*painter, **tablet, settings, name, (*paths)[i]); !done)
+      return console.fail(done.error());
+    console.print(fmt::format("{}  {}  {}\n", name, (*paths)[i].string(), settings.look.size));
+  }
+  return kDone;
+}
+
+int run(Console& console, const RenderSettings& settings) {
+  const bool own = !settings.height_map.empty() || !settings.strokes.empty();
+  if (own && !settings.characters.empty()) {
+    return console.refuse({base::Errc::bad_argument, "a character and a file of one's own exclude each other",
+                           settings.height_map.empty() ? "--strokes" : "--height-map",
+                           "leave out the character or the file"});
+  }
+  if (!own && settings.characters.empty()) {
+    return console.refuse({base::Errc::bad_argument, "nothing to draw", "",
+                           "name a character such as 休, or give --height-map or --strokes"});
+  }
+  return own ? run_own(console, settings) : run_characters(console, settings);
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Action& chosen) {
+  auto settings = std::make_shared<RenderSettings>();
+  CLI::App* verb = app.add_subcommand("render", "Draw pictures of carved tablets; needs no screen");
+  verb->add_option("characters", settings->characters,
+                   "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11");
+  verb->add_option("-o,--output", settings->output,
+                   "The .png to write; for several characters a folder or a name with {} for the character")
+      ->required()
+      ->type_name("FILE");
+  verb->add_option("--stroke", settings->stroke, "Only this stroke; 0 for all")
+      ->check(within(0, kanji::StrokeOrder::kMaxStrokes))
+      ->capture_default_str()
+      ->type_name("N");
+  verb->add_flag("--no-strokes", settings->no_strokes, "The bare tablet");
+  verb->add_flag("--no-arrows", settings->no_arrows, "Strokes without arrowheads");
+  verb->add_flag("--no-numbers", settings->no_numbers, "Strokes without their numbers");
+  const std::string own = "A tablet of one's own, in place of a character";
+  verb->add_option("--height-map", settings->height_map, "A height map: 8-bit RAW or greyscale PNG")
+      ->type_name("FILE")
+      ->group(own);
+  verb->add_option("--strokes", settings->strokes,
+                   "A stroke order (.str) on the height map's grid; alone, it is carved")
+      ->type_name("FILE")
+      ->group(own);
+  verb->add_option(
+          "--map-size", settings->map_size,
+          "Side of the RAW or of the grid of the .str (default: from the length of the RAW, else 128); for a "
+          "character, of the map that is carved (default: 1024)")
+      ->check(within(surface::HeightMap::kMinSize, surface::HeightMap::kMaxSize))
+      ->type_name("N")
+      ->group(own);
+  add_look_options(*verb, settings->look);
+  add_brush_options(*verb, settings->brush);
+  add_database_option(*verb, settings->database);
+  verb->footer(
+      "Examples:\n  nazori-cli render 休 --output 休.png --tilt 30\n"
+      "  nazori-cli render 休 木 --output 'pictures/{}.png' --style classic --size 600x600\n"
+      "  nazori-cli render --height-map 0018.raw --map-size 128 --strokes 0018.str --output 0018.png");
+  verb->callback(
+      [settings, &chosen] { chosen = [settings](Console& console) { return run(console, *settings); }; });
+}
+
+}  // namespace nazori::cli

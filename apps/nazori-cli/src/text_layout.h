@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace nazori::cli {
+
+/// Columns that text takes on a terminal: 2 for kanji and kana, 1 for letters, 0 for combining marks.
+/// @source wcwidth of the C library in its C.UTF-8 locale.
+[[nodiscard]] int display_width(std::string_view text);
+
+/// `text` with spaces after it up to `width` columns.
+[[nodiscard]] std::string pad(std::string_view text, int width);
+
+/// The beginning of `text` that fits into `width` columns.
+[[nodiscard]] std::string cut(std::string_view text, int width);
+
+/// Items joined by `separator`, in lines of at most `width` columns; lines after the first start with
+/// `indent` spaces. No item is broken; the first line is taken to start at column `indent` already.
+[[nodiscard]] std::string flow(std::span<const std::string> items, std::string_view separator, int indent,
+                               int width);
+
+/// `text` as it can be shown: bytes that are not UTF-8 and control characters become \xHH.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// A reading with its okurigana set apart by a middle dot: "やす・む" for "やす.む".
+[[nodiscard]] std::string with_middle_dot(std::string_view reading);
+
+}  // namespace nazori::cli

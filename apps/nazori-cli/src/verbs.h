@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "console.h"
+
+namespace nazori::cli {
+
+/// The work that the command line asks for. @return the exit code.
+using Action = std::function<int(Console&)>;
+
+/// Each adds one verb to the command line. Reading arguments that name the verb sets `chosen`; `chosen` must
+/// outlive `app`.
+void add_info(CLI::App& app, Action& chosen);
+void add_search(CLI::App& app, Action& chosen);
+void add_carve(CLI::App& app, Action& chosen);
+void add_render(CLI::App& app, Action& chosen);
+void add_demo(CLI::App& app, Action& chosen);
+void add_database(CLI::App& app, Action& chosen);
+
+}  // namespace nazori::cli

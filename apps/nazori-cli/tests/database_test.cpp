@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace nazori::cli::test {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(DatabasePath, IsTheFileThatAllVerbsRead) {
+  const Outcome run = nazori_cli({"database", "path"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.out, (data_folder() / "kanji.db").string() + "\n");
+}
+
+TEST(DatabasePath, IsANoWhereThereIsNone) {
+  const TemporaryFolder empty;
+  expect_one_line(
+      nazori_cli({"database", "path"}, {"NAZORI_DATA=" + empty.path().string(),
+                                        "XDG_DATA_HOME=" + (empty / "h"), "XDG_DATA_DIRS=" + (empty / "d")}),
+      1, {"database build"});
+}
+
+TEST(DatabaseCheck, TheTestsDatabaseIsSoundAndNamesItsSources) {
+  const Outcome run = nazori_cli({"database", "check"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* part : {"sound", "KanjiVG", "KANJIDIC2", "EDICT"}) EXPECT_THAT(run.out, HasSubstr(part));
+  const json report = json::parse(nazori_cli({"database", "check", "--json"}).out);
+  // The published sources: 6,702 main files of KanjiVG, 13,108 entries of KANJIDIC2, 214 classical radicals.
+  EXPECT_EQ(report["drawn_characters"], 6702);
+  EXPECT_EQ(report["dictionary_entries"], 13108);
+  EXPECT_EQ(report["radicals"], 214);
+  EXPECT_GE(report["sources"].size(), 3U);
+  for (const json& source : report["sources"]) {
+    EXPECT_EQ(source["sha256"].get<std::string>().size(), 64U);
+    EXPECT_NE(source["licence"], "");
+  }
+}
+
+TEST(DatabaseCheck, DamageIsANo) {
+  const TemporaryFolder folder;
+  const auto whole = bytes_of(data_folder() / "kanji.db");
+  write(folder / "cut.db",
+        std::string(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 2)));
+  expect_one_line(nazori_cli({"database", "check", folder / "cut.db"}), 1, {"cut.db"});
+  write(folder / "text.db", "no database at all");
+  expect_one_line(nazori_cli({"database", "check", folder / "text.db"}), 1, {"text.db"});
+  expect_one_line(nazori_cli({"database", "check", folder / "none.db"}), 1, {"none.db"});
+}
+
+TEST(DatabaseBuild, DoesNothingWhereTheDatabaseIsUpToDate) {
+  const auto path = data_folder() / "kanji.db";
+  const auto before = std::filesystem::last_write_time(path);
+  const Outcome run = nazori_cli({"database", "build"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("up to date"));
+  EXPECT_EQ(std::filesystem::last_write_time(path), before);
+}
+
+TEST(DatabaseBuild, AMissingSourceIsOneLineAndLeavesTheOldDatabase) {
+  const TemporaryFolder folder;
+  const std::string output = folder / "kanji.db";
+  write(output, "the old one");
+  expect_one_line(nazori_cli({"database", "build", "-o", output, "--kanjivg", folder / "none.tgz"}), 2,
+                  {"none.tgz", "make run"});
+  expect_one_line(nazori_cli({"database", "build", "-o", output, "--kanjidic", folder / "none.gz"}), 2,
+                  {"none.gz", "kanjidic-xml"});
+  expect_one_line(nazori_cli({"database", "build", "-o", output, "--edict", folder / "none"}), 2,
+                  {"none", "edict"});
+  EXPECT_EQ(bytes_of(output).size(), 11U);
+  EXPECT_THAT(folder.names(), ElementsAre("kanji.db"));
+}
+
+TEST(DatabaseBuild, ADamagedSourceIsOneLineAndLeavesTheOldDatabase) {
+  const TemporaryFolder folder;
+  const TemporaryFolder sources;
+  const std::string output = folder / "kanji.db";
+  write(output, "the old one");
+  write(sources / "kanjivg.tgz", "not an archive");
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"database", "build", "--output", output});
+    Outcome done = nazori_cli(arguments);
+    // Progress that is not on a terminal is in lines of their own; the trouble is the last one.
+    const std::size_t last = done.err.rfind("nazori-cli");
+    done.err = last == std::string::npos ? done.err : done.err.substr(last);
+    return done;
+  };
+  expect_one_line(run({"--kanjivg", sources / "kanjivg.tgz"}), 2, {"kanjivg.tgz", "SHA-256"});
+  expect_one_line(run({"--kanjivg", sources / "kanjivg.tgz", "--any-kanjivg"}), 2, {"kanjivg.tgz"});
+  EXPECT_EQ(bytes_of(output).size(), 11U);
+  EXPECT_THAT(folder.names(), ElementsAre("kanji.db"));
+}
+
+TEST(DatabaseBuild, APlaceThatCannotBeWrittenIsRefused) {
+  expect_one_line(nazori_cli({"database", "build", "-o", "/dev/null/kanji.db"}), 2, {"/dev/null"});
+}
+
+TEST(Database, WithoutAVerbItSaysWhichThereAre) {
+  expect_one_line(nazori_cli({"database"}), 2, {"build, check, path"});
+  expect_one_line(nazori_cli({"database", "burn"}), 2, {"burn", "build, check, path"});
+}
+
+}  // namespace
+}  // namespace nazori::cli::test

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace nazori::cli::test {
+namespace {
+
+using nlohmann::json;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Texts = std::vector<std::string>;
+
+json answer_of(const Outcome& run) {
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  return json::parse(run.out);
+}
+
+/// The 休 of issue 2 and of KANJIDIC2, KanjiVG and EDICT themselves.
+class InfoOfRest : public testing::Test {
+ protected:
+  const json rest = answer_of(nazori_cli({"info", "休", "--json"})).at(0);
+};
+
+TEST_F(InfoOfRest, HasSixStrokesWithTheirTypesAndEndings) {
+  EXPECT_EQ(rest["character"], "休");
+  EXPECT_EQ(rest["code_point"], "U+4F11");
+  EXPECT_EQ(rest["stroke_count"], 6);
+  EXPECT_EQ(rest["dictionary_stroke_counts"], json({6}));
+  Texts types;
+  Texts endings;
+  for (const json& stroke : rest["strokes"]) {
+    EXPECT_EQ(stroke["number"], static_cast<int>(types.size()) + 1);
+    EXPECT_THAT(stroke["path"].get<std::string>(), testing::StartsWith("M"));
+    EXPECT_EQ(stroke["number_position"].size(), 2U);
+    types.push_back(stroke["type"]);
+    endings.push_back(stroke["ending"]);
+  }
+  EXPECT_THAT(types, ElementsAre("㇒", "㇑", "㇐", "㇑", "㇒", "㇏"));
+  EXPECT_THAT(endings, ElementsAre("taper", "stop", "stop", "stop", "taper", "taper"));
+}
+
+TEST_F(InfoOfRest, HasTheDictionarysReadingsMeaningsAndCodes) {
+  EXPECT_THAT(rest["readings"]["on"].get<Texts>(), ElementsAre("キュウ"));
+  EXPECT_THAT(rest["readings"]["kun"].get<Texts>(), ElementsAre("やす.む", "やす.まる", "やす.める"));
+  EXPECT_THAT(rest["meanings"]["en"].get<Texts>(), ElementsAre("rest", "day off", "retire", "sleep"));
+  for (const char* language : {"fr", "es", "pt"})
+    EXPECT_FALSE(rest["meanings"][language].empty()) << language;
+  EXPECT_EQ(rest["grade"], 1);
+  EXPECT_EQ(rest["frequency"], 642);
+  EXPECT_EQ(rest["old_jlpt_level"], 4);
+  const json& codes = rest["codes"];
+  const auto has = [&codes](const std::string& system, const std::string& value) {
+    return std::any_of(codes.begin(), codes.end(),
+                       [&](const json& code) { return code["system"] == system && code["value"] == value; });
+  };
+  EXPECT_TRUE(has("skip", "1-2-4"));
+  EXPECT_TRUE(has("four_corner", "2429.0"));
+}
+
+TEST_F(InfoOfRest, HasItsRadical) {
+  EXPECT_EQ(rest["radical"]["number"], 9);
+  EXPECT_EQ(rest["radical"]["form"], "人");
+  EXPECT_EQ(rest["radical"]["english_name"], "person");
+  EXPECT_THAT(rest["radical"]["variant_forms"].get<Texts>(), Contains("亻"));
+  EXPECT_THAT(rest["radical"]["japanese_names"].get<Texts>(), testing::IsSupersetOf({"ひと", "にんべん"}));
+}
+
+TEST_F(InfoOfRest, HasItsTreeOfComponents) {
+  const json& root = rest["components"];
+  EXPECT_EQ(root["element"], "休");
+  EXPECT_EQ(root["strokes"], json({1, 2, 3, 4, 5, 6}));
+  ASSERT_EQ(root["children"].size(), 2U);
+  EXPECT_EQ(root["children"][0]["element"], "亻");
+  EXPECT_EQ(root["children"][0]["original"], "人");
+  EXPECT_EQ(root["children"][0]["position"], "left");
+  EXPECT_EQ(root["children"][0]["variant"], true);
+  EXPECT_EQ(root["children"][0]["strokes"], json({1, 2}));
+  EXPECT_EQ(root["children"][1]["element"], "木");
+  EXPECT_EQ(root["children"][1]["strokes"], json({3, 4, 5, 6}));
+}
+
+TEST_F(InfoOfRest, HasItsWords) {
+  Texts words;
+  for (const json& word : rest["words"]) words.push_back(word["text"]);
+  EXPECT_THAT(words, testing::IsSupersetOf({"休日", "休む"}));
+  const auto holiday = std::find_if(rest["words"].begin(), rest["words"].end(),
+                                    [](const json& word) { return word["text"] == "休日"; });
+  EXPECT_EQ((*holiday)["reading"], "きゅうじつ");
+  EXPECT_EQ((*holiday)["common"], true);
+  EXPECT_THAT((*holiday)["glosses"].get<Texts>(), Contains(HasSubstr("holiday")));
+}
+
+TEST(Info, ForPeopleFitsEightyColumnsAndSetsOkuriganaApart) {
+  const Outcome run = nazori_cli({"info", "休"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.err, "");
+  for (const char* part : {"休", "U+4F11", "6 strokes", "grade 1", "rest", "キュウ", "やす・む", "9 人",
+                           "person", "にんべん", "亻", "木", "taper", "休日", "きゅうじつ"}) {
+    EXPECT_THAT(run.out, HasSubstr(part));
+  }
+  EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
+}
+
+TEST(Info, SeveralCharactersAnswerInTheOrderAsked) {
+  const json answer = answer_of(nazori_cli({"info", "木休", "人", "U+4E00", "休", "--json", "--words", "0"}));
+  Texts names;
+  for (const json& one : answer) names.push_back(one["character"]);
+  EXPECT_THAT(names, ElementsAre("木", "休", "人", "一"));
+  EXPECT_TRUE(answer[0]["words"].empty());
+}
+
+TEST(Info, AVariantFormIsAskedForByItsSuffix) {
+  const json form = answer_of(nazori_cli({"info", "正-HzFst", "--json"})).at(0);
+  EXPECT_EQ(form["variant"], "HzFst");
+  EXPECT_EQ(form["stroke_count"], 5);
+  const json main = answer_of(nazori_cli({"info", "正", "--json"})).at(0);
+  EXPECT_THAT(main["variants"].get<Texts>(), Contains("HzFst"));
+  // 1 3 2 4 5: the order of KanjiVG's file 06b63-HzFst.svg.
+  EXPECT_EQ(main["alternative_orders"].at(0)["order"], json({1, 3, 2, 4, 5}));
+  EXPECT_NE(main["alternative_orders"].at(0)["source"], "");
+}
+
+TEST(Info, AWordCountKeepsTheCommonest) {
+  const json answer = answer_of(nazori_cli({"info", "休", "--json", "--words", "3"}));
+  ASSERT_EQ(answer[0]["words"].size(), 3U);
+  for (const json& word : answer[0]["words"]) EXPECT_EQ(word["common"], true);
+}
+
+TEST(Info, KanaAndLettersHaveStrokesAndNoDictionary) {
+  const json answer = answer_of(nazori_cli({"info", "あ", "A", "7", "か\u3099", "--json"}));
+  ASSERT_EQ(answer.size(), 4U);
+  EXPECT_EQ(answer[0]["stroke_count"], 3);
+  EXPECT_TRUE(answer[0]["grade"].is_null());
+  EXPECT_TRUE(answer[0]["radical"].is_null());
+  EXPECT_EQ(answer[3]["character"], "が");
+}
+
+TEST(Info, OutputIsTheSameEveryTime) {
+  EXPECT_EQ(nazori_cli({"info", "休木人", "--json"}).out, nazori_cli({"info", "休木人", "--json"}).out);
+}
+
+TEST(Info, WhatIsNotFoundIsNamedAndTheRestIsTold) {
+  const Outcome run = nazori_cli({"info", "休", "☃", "--json"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(json::parse(run.out).size(), 1U);
+  EXPECT_THAT(run.err, HasSubstr("☃"));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+  expect_one_line(nazori_cli({"info", "☃"}), 1, {"☃", "not in the database"});
+  expect_one_line(nazori_cli({"info", "休-NoSuchForm"}), 1, {"休-NoSuchForm"});
+}
+
+TEST(Info, TextThatIsNotUtf8IsRefused) {
+  expect_one_line(nazori_cli({"info", "\xE4\xBC"}), 2, {"UTF-8", "\\xE4\\xBC"});
+  expect_one_line(nazori_cli({"info", ""}), 2, {"no character"});
+}
+
+}  // namespace
+}  // namespace nazori::cli::test

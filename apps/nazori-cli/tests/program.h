@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nazori::cli::test {
+
+/// What a run of nazori-cli left behind.
+struct Outcome {
+  int code = -1;  ///< exit code; 128 + the signal's number where one ended it
+  std::string out;
+  std::string err;
+};
+
+/// Runs nazori-cli to its end with no terminal, in `folder`, and with changes to the environment
+/// ("NAZORI_DATA=", empty value: not set).
+Outcome nazori_cli(const std::vector<std::string>& arguments,
+                   const std::vector<std::string>& environment = {},
+                   const std::filesystem::path& folder = ".");
+
+/// The same through the shell; "$NAZORI" in `script` is the program.
+Outcome shell(const std::string& script);
+
+/// A folder of its own that is gone with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  /// Names of what lies in it, sorted.
+  [[nodiscard]] std::vector<std::string> names() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path);
+void write(const std::filesystem::path& path, const std::string& bytes);
+
+/// The folder of the tests' kanji.db.
+std::filesystem::path data_folder();
+
+/// Fails the test unless the run ended with `code`, with no answer and one line of trouble that holds each of
+/// `words`.
+void expect_one_line(const Outcome& run, int code, const std::vector<std::string>& words);
+
+}  // namespace nazori::cli::test

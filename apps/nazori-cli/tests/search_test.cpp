@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "program.h"
+
+namespace nazori::cli::test {
+namespace {
+
+using nlohmann::json;
+using testing::Contains;
+using testing::HasSubstr;
+
+std::vector<std::string> found(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "search");
+  arguments.emplace_back("--json");
+  const Outcome run = nazori_cli(arguments);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  std::vector<std::string> characters;
+  for (const json& one : json::parse(run.out)) characters.push_back(one["character"]);
+  return characters;
+}
+
+TEST(Search, FindsByMeaningReadingRomajiAndCharacter) {
+  EXPECT_THAT(found({"rest"}), Contains("休"));
+  EXPECT_THAT(found({"day", "off"}), Contains("休"));
+  EXPECT_THAT(found({"やすむ"}), Contains("休"));
+  EXPECT_THAT(found({"やす.む"}), Contains("休"));
+  EXPECT_THAT(found({"キュウ"}), Contains("休"));
+  EXPECT_THAT(found({"kyuu"}), Contains("休"));
+  EXPECT_EQ(found({"休"}).at(0), "休");
+}
+
+TEST(Search, ConditionsAllHold) {
+  // Six strokes under radical 9 in first grade: 休 alone.
+  EXPECT_THAT(found({"--grade", "1", "--strokes", "6", "--radical", "9"}), testing::ElementsAre("休"));
+  EXPECT_THAT(found({"--grade", "1", "--strokes", "6", "--radical", "亻"}), testing::ElementsAre("休"));
+}
+
+TEST(Search, TheFirstGradeHasEightyCharacters) {
+  const auto characters = found({"--grade", "1"});
+  EXPECT_EQ(std::set<std::string>(characters.begin(), characters.end()).size(), 80U);
+}
+
+TEST(Search, TheLimitIsKept) { EXPECT_EQ(found({"--grade", "6", "--limit", "7"}).size(), 7U); }
+
+TEST(Search, ForPeopleOneLineEach) {
+  const Outcome run = nazori_cli({"search", "休"});
+  EXPECT_EQ(run.code, 0);
+  const std::string line = run.out.substr(0, run.out.find('\n'));
+  for (const char* part : {"休", "6 strokes", "grade 1", "rest"}) EXPECT_THAT(line, HasSubstr(part));
+}
+
+TEST(Search, NothingFoundIsANo) {
+  expect_one_line(nazori_cli({"search", "xyzzyplugh"}), 1, {"no character", "xyzzyplugh"});
+  const Outcome run = nazori_cli({"search", "xyzzyplugh", "--json"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(json::parse(run.out), json::array());
+}
+
+TEST(Search, BadQuestionsAreRefused) {
+  expect_one_line(nazori_cli({"search"}), 2, {"nothing to search"});
+  expect_one_line(nazori_cli({"search", "  "}), 2, {"nothing to search"});
+  expect_one_line(nazori_cli({"search", "\xFF"}), 2, {"UTF-8"});
+  expect_one_line(nazori_cli({"search", "--radical", "215"}), 2, {"--radical", "1..214"});
+  expect_one_line(nazori_cli({"search", "--radical", "休"}), 2, {"--radical", "1..214"});
+  expect_one_line(nazori_cli({"search", "--grade", "11"}), 2, {"--grade", "1..10"});
+  expect_one_line(nazori_cli({"search", "--grade", "first"}), 2, {"--grade", "first"});
+  expect_one_line(nazori_cli({"search", "rest", "--limit", "0"}), 2, {"--limit"});
+  expect_one_line(nazori_cli({"search", "rest", "--strokes", "-1"}), 2, {"--strokes"});
+}
+
+}  // namespace
+}  // namespace nazori::cli::test

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace nazori::cli {
+namespace {
+
+TEST(TextLayout, KanjiAndKanaTakeTwoColumnsLettersOneMarksNone) {
+  EXPECT_EQ(display_width("休"), 2);
+  EXPECT_EQ(display_width("やすむ"), 6);
+  EXPECT_EQ(display_width("rest"), 4);
+  EXPECT_EQ(display_width("e\u0301"), 1);
+  EXPECT_EQ(display_width("\U0002000B"), 2);
+  EXPECT_EQ(display_width(""), 0);
+}
+
+TEST(TextLayout, PaddingCountsColumnsNotBytes) {
+  EXPECT_EQ(pad("休", 4), "休  ");
+  EXPECT_EQ(pad("on", 4), "on  ");
+  EXPECT_EQ(pad("キュウ", 4), "キュウ");
+}
+
+TEST(TextLayout, ALongListFlowsInLinesThatFitWithoutBreakingItems) {
+  const std::vector<std::string> items{"rest", "day off", "retire", "sleep"};
+  EXPECT_EQ(flow(items, ", ", 4, 20), "rest, day off,\n    retire, sleep");
+  EXPECT_EQ(flow(items, ", ", 0, 80), "rest, day off, retire, sleep");
+  const std::vector<std::string> wide{"休休休休", "休休休休"};
+  EXPECT_EQ(flow(wide, "  ", 2, 12), "休休休休\n  休休休休");
+}
+
+TEST(TextLayout, CutsAtACharacterNeverInsideOne) {
+  EXPECT_EQ(cut("休日", 3), "休");
+  EXPECT_EQ(cut("休日", 4), "休日");
+  EXPECT_EQ(cut("休日", 0), "");
+}
+
+TEST(TextLayout, WhatCannotBeShownIsSpelledOut) {
+  EXPECT_EQ(printable("休\xFF!"), "休\\xFF!");
+  EXPECT_EQ(printable("a\nb"), "a\\x0Ab");
+  EXPECT_EQ(printable("\xE4\xBC"), "\\xE4\\xBC");
+}
+
+TEST(TextLayout, OkuriganaIsSetApartByAMiddleDot) {
+  EXPECT_EQ(with_middle_dot("やす.む"), "やす・む");
+  EXPECT_EQ(with_middle_dot("キュウ"), "キュウ");
+}
+
+}  // namespace
+}  // namespace nazori::cli

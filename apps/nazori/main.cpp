@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QTimer>
+#include <cstdio>
+
+#include "nazori/kanji/kanji_database.h"
+#include "nazori/ui/program.h"
+
+namespace {
+
+constexpr int kExitBadUsage = 2;
+constexpr int kExitFailed = 1;
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  nazori::ui::Program::prepare();
+  QApplication application(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("Nazori"));
+  QApplication::setDesktopFileName(QStringLiteral("nazori"));
+  QApplication::setApplicationVersion(QStringLiteral(NAZORI_VERSION));
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral("Carved kanji you can see, feel and trace."));
+  const auto help = parser.addHelpOption();
+  const auto version = parser.addVersionOption();
+  const QCommandLineOption exit_after_startup(
+      QStringLiteral("exit-after-startup"),
+      QStringLiteral("Open the window, wait until its first character is on the desk, and leave."));
+  parser.addOption(exit_after_startup);
+  parser.addPositionalArgument(QStringLiteral("character"), QStringLiteral("Character to open with."),
+                               QStringLiteral("[character]"));
+  parser.process(application);
+
+  nazori::ui::MainWindow::Setup setup;
+  const auto arguments = parser.positionalArguments();
+  if (!arguments.isEmpty()) {
+    const auto code_points = arguments.front().toUcs4();
+    if (arguments.size() > 1 || code_points.size() != 1) {
+      std::fputs("nazori: give one character, as in: nazori 休\n", stderr);
+      return kExitBadUsage;
+    }
+    setup.character = static_cast<char32_t>(code_points.front());
+  }
+  const auto database = nazori::kanji::KanjiDatabase::locate();
+  if (!database) {
+    std::fprintf(stderr, "nazori: %s\n", nazori::base::to_line(database.error()).c_str());
+    if (!parser.isSet(exit_after_startup)) nazori::ui::Program::show_failure(database.error());
+    return kExitFailed;
+  }
+  setup.database = *database;
+
+  nazori::ui::Program program(setup);
+  program.show();
+  if (parser.isSet(exit_after_startup)) {
+    QObject::connect(program.window(), &nazori::ui::MainWindow::character_shown, &application,
+                     [&program] { QTimer::singleShot(0, program.window(), &QWidget::close); });
+    constexpr int kPatience_ms = 30000;
+    QTimer::singleShot(kPatience_ms, &application, [] { QApplication::exit(kExitFailed); });
+  }
+  return QApplication::exec();
+}

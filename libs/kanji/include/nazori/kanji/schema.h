@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace nazori::kanji {
+
+/// The layout of kanji.db, shared by the one who writes it (ingest) and the one who reads it (KanjiDatabase).
+/// A file of another version is refused, never converted: it is rebuilt from its sources.
+
+/// PRAGMA application_id of a kanji.db: "NZKD".
+inline constexpr std::int32_t kSchemaApplicationId = 0x4E5A4B44;
+/// PRAGMA user_version; goes up with every change of the layout or of what a column means.
+inline constexpr std::int32_t kSchemaVersion = 1;
+
+/// The CREATE statements, in SQL. What each table and column holds is written there.
+[[nodiscard]] std::string_view schema_sql();
+
+/// Values of character.kind.
+enum class CharacterKind : std::uint8_t {
+  ideograph = 0,  ///< kanji and the parts of kanji that Unicode lists apart
+  hiragana = 1,   ///< letters; marks such as ゝ are `other`
+  katakana = 2,   ///< letters and the long vowel mark ー
+  latin = 3,      ///< A-Z, a-z and the digits 0-9
+  other = 4,      ///< punctuation and marks
+};
+
+/// Values of reading.kind.
+enum class ReadingKind : std::uint8_t { on = 0, kun = 1, nanori = 2 };
+
+/// Values of reading_key.fit and meaning_key.fit: how well a key stands for the character, best first.
+enum class KeyFit : std::uint8_t {
+  whole = 0,  ///< a whole reading; the whole of the first English meaning
+  part = 1,   ///< a reading without its okurigana; the whole of another English meaning
+  name = 2,   ///< a reading in names; a meaning from its second or a later word on
+};
+
+}  // namespace nazori::kanji

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/kanji/kanji_database.h"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <utility>
+
+#include "kanji_database_inside.h"
+#include "nazori/base/utf8.h"
+#include "nazori/geometry/svg_path.h"
+
+namespace nazori::kanji {
+namespace {
+
+constexpr double kFlattenTolerance = 0.05;
+constexpr const char* kRebuild = "build it again: nazori-cli database build";
+
+std::vector<int> read_numbers(std::string_view text) {
+  std::vector<int> out;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at != end) {
+    int value = 0;
+    const auto read = std::from_chars(at, end, value);
+    if (read.ec != std::errc{}) break;
+    out.push_back(value);
+    at = read.ptr == end ? end : std::next(read.ptr);
+  }
+  return out;
+}
+
+StrokeEnding ending_of(int value) {
+  return value >= 0 && value <= static_cast<int>(StrokeEnding::either) ? static_cast<StrokeEnding>(value)
+                                                                       : StrokeEnding::stop;
+}
+
+Stroke read_stroke(Rewound& row) {
+  Stroke stroke;
+  stroke.path = row.text(0);
+  stroke.type = row.text(1);
+  stroke.line.ending = ending_of(row.number(2));
+  const auto x = row->getColumn(3);
+  const auto y = row->getColumn(4);
+  if (!x.isNull() && !y.isNull()) stroke.line.number_position = {x.getDouble(), y.getDouble()};
+  if (const auto path = geometry::parse_svg_path(stroke.path)) {
+    stroke.line.points = geometry::flatten(*path, kFlattenTolerance);
+  } else {
+    stroke.line.points = {{}};
+  }
+  return stroke;
+}
+
+Component read_component(Rewound& row) {
+  Component out;
+  out.first_stroke = row.number(1);
+  for (int i = 0; i < row.number(2); ++i) out.strokes.push_back(out.first_stroke + i);
+  out.element = row.text(3);
+  out.original = row.text(4);
+  out.position = row.text(5);
+  out.radical = row.text(6);
+  out.phon = row.text(7);
+  out.part = row.optional_number(8);
+  out.number = row.optional_number(9);
+  const int flags = row.number(10);
+  out.variant = (flags & 1) != 0;
+  out.partial = (flags & 2) != 0;
+  out.trad_form = (flags & 4) != 0;
+  out.radical_form = (flags & 8) != 0;
+  return out;
+}
+
+/// The tree of rows that each name their parent; a parent stands before its children.
+Component assemble(std::vector<std::pair<int, Component>> rows) {
+  for (std::size_t i = rows.size(); i-- > 1;) {
+    const auto parent = static_cast<std::size_t>(rows[i].first);
+    if (rows[i].first < 0 || parent >= i) continue;
+    rows[parent].second.children.push_back(std::move(rows[i].second));
+  }
+  if (rows.empty()) return {};
+  // Children were added last first.
+  const auto turn = [](const auto& self, Component& node) -> void {
+    std::reverse(node.children.begin(), node.children.end());
+    for (Component& child : node.children) self(self, child);
+  };
+  turn(turn, rows.front().second);
+  return std::move(rows.front().second);
+}
+
+}  // namespace
+
+KanjiDatabase::Inside::Inside(SQLite::Database opened)
+    : db(std::move(opened)),
+      character(db,
+                "SELECT strokes, grade, frequency, old_jlpt, radical FROM character WHERE code_point = ?"),
+      form(db, "SELECT id FROM form WHERE code_point = ? AND variant = ?"),
+      variants(db, "SELECT variant FROM form WHERE code_point = ? AND variant <> '' ORDER BY id"),
+      strokes(db, "SELECT path, type, ending, number_x, number_y FROM stroke WHERE form = ? ORDER BY number"),
+      components(db,
+                 "SELECT parent, first_stroke, stroke_count, element, original, place, radical, phon, part, "
+                 "number, flags FROM component WHERE form = ? ORDER BY position"),
+      orders(db,
+             "SELECT stroke_numbers, source FROM alternative_order WHERE code_point = ? ORDER BY position"),
+      stroke_counts(db, "SELECT count FROM stroke_count WHERE code_point = ? ORDER BY position"),
+      readings(db, "SELECT kind, text FROM reading WHERE code_point = ? ORDER BY position"),
+      meanings(db, "SELECT language, text FROM meaning WHERE code_point = ? ORDER BY position"),
+      codes(db, "SELECT system, value FROM code WHERE code_point = ? ORDER BY position"),
+      summaries(db, "SELECT meaning, reading FROM character WHERE code_point = ?"),
+      all_characters(db, "SELECT place, code_point, kind, strokes, counted, grade, radical FROM character"),
+      words(db,
+            "SELECT w.text, w.reading, w.parts_of_speech, w.common, w.glosses FROM word_of o JOIN word w ON "
+            "w.id = o.word WHERE o.code_point = ? ORDER BY o.word LIMIT ?"),
+      elements(db, "SELECT place FROM element_of WHERE element = ? ORDER BY place LIMIT ?"),
+      radical(db, "SELECT form, strokes, english_name FROM radical WHERE number = ?"),
+      radical_forms(db, "SELECT form FROM radical_form WHERE number = ? ORDER BY position"),
+      radical_names(db, "SELECT name FROM radical_name WHERE number = ? ORDER BY position"),
+      sources(db, "SELECT name, version, sha256, licence FROM source ORDER BY position"),
+      reading_keys(db, "SELECT key, place, fit FROM reading_key WHERE key >= ? AND key < ?"),
+      meaning_keys(db, "SELECT key, place, fit FROM meaning_key WHERE key >= ? AND key < ?") {
+  load_roster();
+}
+
+void KanjiDatabase::Inside::load_roster() {
+  const int characters = db.execAndGet("SELECT count(*) FROM character").getInt();
+  roster_.resize(static_cast<std::size_t>(characters));
+  places_.reserve(roster_.size());
+  Rewound row(all_characters);
+  while (row->executeStep()) {
+    const int place = row.number(0);
+    if (place < 0 || place >= characters) throw SQLite::Exception("places have gaps", SQLITE_CORRUPT);
+    RosterEntry& entry = roster_[static_cast<std::size_t>(place)];
+    entry.code_point = static_cast<char32_t>(row.number(1));
+    entry.kind = static_cast<CharacterKind>(row.number(2));
+    entry.drawn = row.number(3);
+    entry.counted = row.number(4);
+    entry.grade = row.number(5);
+    entry.radical = row.number(6);
+    places_.emplace(entry.code_point, static_cast<std::size_t>(place));
+  }
+}
+
+std::optional<std::size_t> KanjiDatabase::Inside::place_of(char32_t code_point) const {
+  const auto found = places_.find(code_point);
+  return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+Summary KanjiDatabase::Inside::summary(std::size_t place) {
+  const RosterEntry& entry = roster().at(place);
+  Summary out;
+  out.code_point = entry.code_point;
+  out.strokes = entry.drawn > 0 ? entry.drawn : entry.counted;
+  if (entry.grade > 0) out.grade = entry.grade;
+  Rewound row(summaries);
+  row->bind(1, static_cast<std::int64_t>(entry.code_point));
+  if (row->executeStep()) {
+    out.meaning = row.text(0);
+    out.reading = row.text(1);
+  }
+  return out;
+}
+
+KanjiDatabase::KanjiDatabase(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+KanjiDatabase::KanjiDatabase(KanjiDatabase&&) noexcept = default;
+KanjiDatabase& KanjiDatabase::operator=(KanjiDatabase&&) noexcept = default;
+KanjiDatabase::~KanjiDatabase() = default;
+
+base::Result<KanjiDatabase> KanjiDatabase::open(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status)) {
+    return base::fail(base::Errc::not_found, "does not exist", path.string(), kRebuild);
+  }
+  if (std::filesystem::is_directory(status)) {
+    return base::fail(base::Errc::schema, "is a folder, not a kanji database", path.string(), kRebuild);
+  }
+  try {
+    SQLite::Database db(path.string(), SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX);
+    if (db.execAndGet("PRAGMA application_id").getInt() != kSchemaApplicationId) {
+      return base::fail(base::Errc::schema, "is not a kanji database", path.string(), kRebuild);
+    }
+    const int version = db.execAndGet("PRAGMA user_version").getInt();
+    if (version != kSchemaVersion) {
+      return base::fail(base::Errc::schema,
+                        "has version " + std::to_string(version) + ", this program reads version " +
+                            std::to_string(kSchemaVersion),
+                        path.string(), kRebuild);
+    }
+    return KanjiDatabase(std::make_unique<Inside>(std::move(db)));
+  } catch (const SQLite::Exception& e) {
+    const bool refused = e.getErrorCode() == SQLITE_CANTOPEN || e.getErrorCode() == SQLITE_IOERR;
+    return base::fail(refused ? base::Errc::io : base::Errc::schema,
+                      std::string("cannot be read as a kanji database: ") + e.what(), path.string(),
+                      kRebuild);
+  }
+}
+
+std::optional<Character> KanjiDatabase::find(char32_t code_point, std::string_view variant) const {
+  return answer_or<std::optional<Character>>(std::nullopt, [&]() -> std::optional<Character> {
+    const auto key = static_cast<std::int64_t>(code_point);
+    Character out;
+    out.code_point = code_point;
+    out.variant = variant;
+    {
+      Rewound row(inside_->character);
+      row->bind(1, key);
+      if (!row->executeStep()) return std::nullopt;
+      out.entry.grade = row.optional_number(1);
+      out.entry.frequency = row.optional_number(2);
+      out.entry.old_jlpt_level = row.optional_number(3);
+      out.entry.radical = row.optional_number(4);
+    }
+    std::optional<std::int64_t> form;
+    {
+      Rewound row(inside_->form);
+      row->bind(1, key);
+      row->bind(2, std::string(variant));
+      if (row->executeStep()) form = row->getColumn(0).getInt64();
+    }
+    if (!form && !variant.empty()) return std::nullopt;
+    if (form) {
+      Rewound stroke(inside_->strokes);
+      stroke->bind(1, *form);
+      while (stroke->executeStep()) out.strokes.push_back(read_stroke(stroke));
+      std::vector<std::pair<int, Component>> rows;
+      Rewound component(inside_->components);
+      component->bind(1, *form);
+      while (component->executeStep()) rows.emplace_back(component.number(0), read_component(component));
+      out.components = assemble(std::move(rows));
+    }
+    const auto for_each_row = [&](SQLite::Statement& statement, const auto& take) {
+      Rewound row(statement);
+      row->bind(1, key);
+      while (row->executeStep()) take(row);
+    };
+    if (variant.empty()) {
+      for_each_row(inside_->variants, [&](Rewound& row) { out.variants.push_back(row.text(0)); });
+      for_each_row(inside_->orders, [&](Rewound& row) {
+        out.alternative_orders.push_back({read_numbers(row.text(0)), row.text(1)});
+      });
+    }
+    for_each_row(inside_->stroke_counts,
+                 [&](Rewound& row) { out.entry.stroke_counts.push_back(row.number(0)); });
+    for_each_row(inside_->readings, [&](Rewound& row) {
+      const auto kind = static_cast<ReadingKind>(row.number(0));
+      auto& list = kind == ReadingKind::on    ? out.entry.on_readings
+                   : kind == ReadingKind::kun ? out.entry.kun_readings
+                                              : out.entry.nanori;
+      list.push_back(row.text(1));
+    });
+    for_each_row(inside_->meanings, [&](Rewound& row) {
+      out.entry.meanings.push_back({row.text(0), row.text(1)});
+    });
+    for_each_row(inside_->codes, [&](Rewound& row) {
+      out.entry.codes.push_back({row.text(0), row.text(1)});
+    });
+    return out;
+  });
+}
+
+std::vector<Summary> KanjiDatabase::list(List which) const {
+  const auto belongs = [which](const RosterEntry& e) {
+    switch (which) {
+      case List::grade_1:
+        return e.grade == 1;
+      case List::grade_2:
+        return e.grade == 2;
+      case List::grade_3:
+        return e.grade == 3;
+      case List::grade_4:
+        return e.grade == 4;
+      case List::grade_5:
+        return e.grade == 5;
+      case List::grade_6:
+        return e.grade == 6;
+      case List::secondary:
+        return e.grade == 8;
+      case List::jinmeiyou:
+        return e.grade == 9 || e.grade == 10;
+      case List::hiragana:
+        return e.kind == CharacterKind::hiragana;
+      case List::katakana:
+        return e.kind == CharacterKind::katakana;
+      case List::latin_and_digits:
+        return e.kind == CharacterKind::latin;
+      case List::all:
+        return e.drawn > 0;
+    }
+    return false;
+  };
+  return answer_or<std::vector<Summary>>({}, [&] {
+    std::vector<Summary> out;
+    const auto& roster = inside_->roster();
+    for (std::size_t place = 0; place < roster.size(); ++place) {
+      if (belongs(roster[place])) out.push_back(inside_->summary(place));
+    }
+    return out;
+  });
+}
+
+std::vector<Word> KanjiDatabase::words(char32_t code_point, int limit) const {
+  return answer_or<std::vector<Word>>({}, [&] {
+    std::vector<Word> out;
+    Rewound row(inside_->words);
+    row->bind(1, static_cast<std::int64_t>(code_point));
+    row->bind(2, std::max(limit, 0));
+    while (row->executeStep()) {
+      Word word;
+      word.text = row.text(0);
+      word.reading = row->getColumn(1).isNull() ? word.text : row.text(1);
+      word.parts_of_speech = row.text(2);
+      word.common = row.number(3) != 0;
+      int sense = 1;
+      std::string gloss;
+      const auto finish = [&] {
+        word.glosses.push_back(std::move(gloss));
+        word.senses.push_back(sense);
+        gloss.clear();
+      };
+      for (const char c : row.text(4)) {
+        if (c != '/' && c != '\n') {
+          gloss += c;
+          continue;
+        }
+        finish();
+        if (c == '\n') ++sense;
+      }
+      finish();
+      out.push_back(std::move(word));
+    }
+    return out;
+  });
+}
+
+std::vector<Summary> KanjiDatabase::containing(std::string_view element, int limit) const {
+  return answer_or<std::vector<Summary>>({}, [&] {
+    std::vector<Summary> out;
+    Rewound row(inside_->elements);
+    row->bind(1, std::string(element));
+    row->bind(2, std::max(limit, 0));
+    while (row->executeStep()) out.push_back(inside_->summary(static_cast<std::size_t>(row.number(0))));
+    return out;
+  });
+}
+
+std::optional<Radical> KanjiDatabase::radical(int number) const {
+  return answer_or<std::optional<Radical>>(std::nullopt, [&]() -> std::optional<Radical> {
+    Rewound row(inside_->radical);
+    row->bind(1, number);
+    if (!row->executeStep()) return std::nullopt;
+    Radical out{number, row.text(0), {}, {}, row.text(2), row.number(1)};
+    Rewound form(inside_->radical_forms);
+    form->bind(1, number);
+    while (form->executeStep()) out.variant_forms.push_back(form.text(0));
+    Rewound name(inside_->radical_names);
+    name->bind(1, number);
+    while (name->executeStep()) out.japanese_names.push_back(name.text(0));
+    return out;
+  });
+}
+
+std::vector<Source> KanjiDatabase::sources() const {
+  return answer_or<std::vector<Source>>({}, [&] {
+    std::vector<Source> out;
+    Rewound row(inside_->sources);
+    while (row->executeStep()) out.push_back({row.text(0), row.text(1), row.text(2), row.text(3)});
+    return out;
+  });
+}
+
+}  // namespace nazori::kanji

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "nazori/kanji/kanji_database.h"
+#include "nazori/kanji/schema.h"
+
+namespace nazori::kanji {
+
+/// What a search must know of every character, in the order of their places.
+struct RosterEntry {
+  char32_t code_point = 0;
+  CharacterKind kind = CharacterKind::other;
+  int drawn = 0;    ///< strokes of the main form, 0 where nothing is drawn
+  int counted = 0;  ///< the dictionary's count, 0 where it has none
+  int grade = 0;    ///< 0: none
+  int radical = 0;  ///< 0: none
+};
+
+/// A statement kept ready, rewound whatever way its use ends.
+class Rewound {
+ public:
+  explicit Rewound(SQLite::Statement& statement) : statement_(statement) {}
+  Rewound(const Rewound&) = delete;
+  Rewound& operator=(const Rewound&) = delete;
+  ~Rewound() { (void)statement_.tryReset(); }
+  SQLite::Statement* operator->() { return &statement_; }
+  [[nodiscard]] int number(int column) { return statement_.getColumn(column).getInt(); }
+  [[nodiscard]] std::optional<int> optional_number(int column) {
+    const auto value = statement_.getColumn(column);
+    return value.isNull() ? std::nullopt : std::optional(value.getInt());
+  }
+  [[nodiscard]] std::string text(int column) { return statement_.getColumn(column).getString(); }
+
+ private:
+  SQLite::Statement& statement_;
+};
+
+struct KanjiDatabase::Inside {
+  explicit Inside(SQLite::Database opened);
+
+  [[nodiscard]] const std::vector<RosterEntry>& roster() const { return roster_; }
+  /// Place of a character, or nullopt.
+  [[nodiscard]] std::optional<std::size_t> place_of(char32_t code_point) const;
+  [[nodiscard]] Summary summary(std::size_t place);
+
+  SQLite::Database db;
+  SQLite::Statement character, form, variants, strokes, components, orders;
+  SQLite::Statement stroke_counts, readings, meanings, codes;
+  SQLite::Statement summaries, all_characters, words, elements;
+  SQLite::Statement radical, radical_forms, radical_names, sources;
+  SQLite::Statement reading_keys, meaning_keys;
+
+ private:
+  void load_roster();
+  std::vector<RosterEntry> roster_;
+  std::unordered_map<char32_t, std::size_t> places_;
+};
+
+/// Runs `work`; a failing database gives `otherwise`.
+template <class Answer, class Work>
+Answer answer_or(Answer otherwise, Work work) {
+  try {
+    return work();
+  } catch (const SQLite::Exception&) {
+    return otherwise;
+  }
+}
+
+}  // namespace nazori::kanji

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preferences.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+
+namespace {
+
+using nazori::ui::Preferences;
+using nazori::ui::ThemeChoice;
+
+TEST(Preferences, WhatIsSavedIsReadAgain) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("a/nazori.ini"));
+  Preferences p;
+  p.geometry = QByteArray("\x01\x00\x7f", 3);
+  p.pane_widths = {240, 340};
+  p.kanji = U'𠮟';
+  p.list = nazori::kanji::List::katakana;
+  p.library_open = false;
+  p.strokes_visible = false;
+  p.numbers_visible = false;
+  p.snapping = true;
+  p.style = nazori::view::Style::classic;
+  p.theme = ThemeChoice::dark;
+  p.text_pt = 20;
+  p.reduced_motion = true;
+  p.language = QStringLiteral("ja");
+  p.folder = QStringLiteral("/tmp/漢字");
+  ASSERT_TRUE(p.save(file));
+  const auto read = Preferences::load(file);
+  EXPECT_EQ(read.geometry, p.geometry);
+  EXPECT_EQ(read.pane_widths, p.pane_widths);
+  EXPECT_EQ(read.kanji, U'𠮟');
+  EXPECT_EQ(read.list, nazori::kanji::List::katakana);
+  EXPECT_FALSE(read.library_open);
+  EXPECT_TRUE(read.information_open);
+  EXPECT_FALSE(read.strokes_visible);
+  EXPECT_FALSE(read.numbers_visible);
+  EXPECT_TRUE(read.snapping);
+  EXPECT_EQ(read.style, nazori::view::Style::classic);
+  EXPECT_EQ(read.theme, ThemeChoice::dark);
+  EXPECT_EQ(read.text_pt, 20);
+  EXPECT_TRUE(read.reduced_motion);
+  EXPECT_EQ(read.language, QStringLiteral("ja"));
+  EXPECT_EQ(read.folder, p.folder);
+}
+
+TEST(Preferences, AFileOfNonsenseGivesTheDefaults) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("nazori.ini"));
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(
+      "[tablet]\nkanji=too long\nstyle=marble\n[window]\ntext_pt=900\ntheme=pink\nlanguage=xx\n"
+      "pane_widths=1,2,3\n[library]\nlist=moon\n\xff\xfe\x00junk");
+  file.close();
+  const auto read = Preferences::load(path);
+  EXPECT_EQ(read.kanji, U'休');
+  EXPECT_EQ(read.style, nazori::view::Style::wood);
+  EXPECT_EQ(read.text_pt, Preferences::kMaxText_pt);
+  EXPECT_EQ(read.theme, ThemeChoice::desktop);
+  EXPECT_TRUE(read.language.isEmpty());
+  EXPECT_TRUE(read.pane_widths.isEmpty());
+  EXPECT_EQ(read.list, nazori::kanji::List::grade_1);
+}
+
+TEST(Preferences, AMissingFileGivesTheDefaults) {
+  const auto read = Preferences::load(QStringLiteral("/nonexistent/nazori.ini"));
+  EXPECT_EQ(read.kanji, U'休');
+  EXPECT_TRUE(read.strokes_visible);
+  EXPECT_FALSE(read.snapping);
+}
+
+TEST(Preferences, AFolderThatCannotBeWrittenIsReported) {
+  EXPECT_FALSE(Preferences().save(QStringLiteral("/proc/nazori/nazori.ini")));
+}
+
+}  // namespace

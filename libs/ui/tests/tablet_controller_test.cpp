@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tablet_controller.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+namespace {
+
+using nazori::geometry::TabletPoint;
+using nazori::ui::InkEvent;
+using nazori::ui::TabletController;
+
+/// Three level strokes, the middle one through the centre of the tablet.
+std::shared_ptr<const nazori::tablet::CarvedTablet> three() {
+  std::vector<nazori::kanji::StrokeLine> lines(3);
+  for (int i = 0; i < 3; ++i)
+    lines[static_cast<std::size_t>(i)].points = {{20, 24.5 + 30 * i}, {89, 24.5 + 30 * i}};
+  return *nazori::tablet::CarvedTablet::from_lines(lines, 128);
+}
+
+TEST(TabletController, SteppingForwardsGoesThroughEveryStrokeAndWrapsThroughAll) {
+  TabletController controller;
+  controller.set_tablet(three());
+  std::vector<int> seen;
+  for (int i = 0; i < 5; ++i) {
+    controller.next_stroke();
+    seen.push_back(controller.current_stroke());
+  }
+  EXPECT_EQ(seen, (std::vector{1, 2, 3, 0, 1}));
+}
+
+TEST(TabletController, SteppingBackwardsWrapsThroughAllToTheLast) {
+  TabletController controller;
+  controller.set_tablet(three());
+  std::vector<int> seen;
+  for (int i = 0; i < 5; ++i) {
+    controller.previous_stroke();
+    seen.push_back(controller.current_stroke());
+  }
+  EXPECT_EQ(seen, (std::vector{3, 2, 1, 0, 3}));
+}
+
+TEST(TabletController, WithoutStrokesSteppingStaysAtAll) {
+  TabletController controller;
+  controller.next_stroke();
+  controller.previous_stroke();
+  EXPECT_EQ(controller.current_stroke(), 0);
+}
+
+TEST(TabletController, ANewTabletBeginsWithAllStrokesAndNoInk) {
+  TabletController controller;
+  controller.set_tablet(three());
+  controller.next_stroke();
+  controller.set_tablet(three());
+  EXPECT_EQ(controller.current_stroke(), 0);
+  EXPECT_EQ(controller.ink().progress(), (std::vector<double>{0, 0, 0}));
+}
+
+TEST(TabletController, StrokesHoldTheStylusOnlyWhileTheyAreShown) {
+  TabletController controller;
+  controller.set_tablet(three());
+  controller.set_snapping(true);
+  EXPECT_TRUE(controller.snapping_in_effect());
+  controller.set_strokes_visible(false);
+  EXPECT_FALSE(controller.snapping_in_effect());
+  EXPECT_TRUE(controller.snapping()) << "remembered for when they are shown again";
+}
+
+TEST(TabletController, ChangesAreToldOnceAndOnlyWhenTheyAreChanges) {
+  TabletController controller;
+  controller.set_tablet(three());
+  const QSignalSpy told(&controller, &TabletController::state_changed);
+  controller.set_numbers_visible(true);
+  EXPECT_EQ(told.count(), 0);
+  controller.set_numbers_visible(false);
+  EXPECT_EQ(told.count(), 1);
+}
+
+TEST(TabletController, PressingInAGrooveTouchesItsBottomAndNotThrough) {
+  TabletController controller;
+  controller.set_tablet(three());
+  ASSERT_TRUE(controller.start());
+  controller.move_stylus({0, 0}, true);
+  controller.push_stylus(100);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return controller.latest().touching && controller.latest().proxy_m.z < -0.008; }, 3000));
+  EXPECT_GE(controller.latest().proxy_m.z, -0.0101);
+  EXPECT_LT(controller.latest().device_m.z, controller.latest().proxy_m.z) << "the device itself is deeper";
+}
+
+TEST(TabletController, DrawingAlongAGrooveInksItAndReportsItsEnd) {
+  TabletController controller;
+  controller.set_tablet(three());
+  ASSERT_TRUE(controller.start());
+  QSignalSpy events(&controller, &TabletController::stroke_event);
+  const auto at = [](double glyph_x) {
+    return nazori::geometry::glyph_to_tablet({glyph_x, 24.5}, nazori::geometry::TabletShape{});
+  };
+  controller.move_stylus(at(20), true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().touching; }, 3000));
+  for (double x = 20; x <= 89.5; x += 0.5) {
+    controller.move_stylus(at(x), true);
+    QTest::qWait(4);
+  }
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        controller.pump();
+        return controller.ink().is_finished(1);
+      },
+      3000))
+      << controller.ink().progress()[0];
+  bool finished = false;
+  for (const auto& event : events) finished = finished || event.at(0).value<InkEvent>() == InkEvent::finished;
+  EXPECT_TRUE(finished);
+  EXPECT_EQ(controller.ink().next_stroke(), 2);
+}
+
+TEST(TabletController, WithSnappingTheProxyStaysOnTheStroke) {
+  TabletController controller;
+  controller.set_tablet(three());
+  controller.set_snapping(true);
+  ASSERT_TRUE(controller.start());
+  controller.move_stylus({0, 0.0015}, true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().stroke == 2; }, 3000));
+  EXPECT_NEAR(controller.latest().proxy_m.y, 0.0, 1e-4) << "stroke 2 lies on y = 0, the device beside it";
+}
+
+TEST(TabletController, WhatIsPressedOutsideTheTabletDoesNotTouchIt) {
+  TabletController controller;
+  controller.set_tablet(three());
+  controller.move_stylus({0.2, 0}, true);
+  EXPECT_FALSE(controller.is_pressed());
+  EXPECT_FALSE(controller.stylus_in_range());
+}
+
+TEST(TabletController, PenPressureGivesTheDepth) {
+  TabletController controller;
+  controller.set_tablet(three());
+  controller.move_stylus({0, 0}, true, 0.2);
+  const double light_m = controller.depth_m();
+  controller.move_stylus({0, 0}, true, 0.8);
+  EXPECT_GT(light_m, 0.0);
+  EXPECT_NEAR(controller.depth_m(), 4 * light_m, 1e-9);
+}
+
+TEST(TabletController, TheWheelChangesTheDepthOnlyWhilePressed) {
+  TabletController controller;
+  controller.set_tablet(three());
+  controller.push_stylus(1);
+  EXPECT_EQ(controller.depth_m(), 0.0);
+  controller.move_stylus({0, 0}, true);
+  const double before_m = controller.depth_m();
+  controller.push_stylus(1);
+  EXPECT_GT(controller.depth_m(), before_m);
+  controller.push_stylus(-1000);
+  EXPECT_GT(controller.depth_m(), 0.0);
+}
+
+}  // namespace

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QUrl>
+
+#include "nazori/kanji/stroke_order.h"
+#include "nazori/surface/height_map.h"
+#include "window_under_test.h"
+#include "workshop.h"
+
+namespace nazori::ui {
+namespace {
+
+class Files : public WindowTest {
+ protected:
+  QString write(const char* name, const QByteArray& bytes) {
+    const QString path = folder_.filePath(QString::fromUtf8(name));
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+    return path;
+  }
+  void open(const QStringList& paths) {
+    const QString before = feedback();
+    window_->open_files(paths);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return feedback() != before; }, 10000));
+  }
+  /// 休 as the program of 2005 had it, in its own format. @source A. D. Horne, West Virginia University,
+  /// 2005.
+  QString kyuu_2005() {
+    using Points = kanji::StrokeOrder::Points;
+    const kanji::StrokeOrder order({Points{{50, 21}, {19, 53}}, Points{{40, 40}, {38, 99}},
+                                    Points{{63, 32}, {109, 31}}, Points{{85, 20}, {86, 97}},
+                                    Points{{83, 41}, {72, 59}, {57, 74}},
+                                    Points{{90, 41}, {103, 58}, {125, 70}}});
+    const auto bytes = order.to_bytes();
+    return write("0018.str", QByteArray(reinterpret_cast<const char*>(bytes.data()),
+                                        static_cast<qsizetype>(bytes.size())));
+  }
+};
+
+TEST_F(Files, ARawOfPerfectSquareLengthIsOpenedWithoutAsking) {
+  open({write("own.raw", QByteArray(128 * 128, '\x80'))});
+  EXPECT_TRUE(feedback().contains(QStringLiteral("own.raw is on the desk"))) << feedback().toStdString();
+  EXPECT_TRUE(text("facts").contains(QStringLiteral("128 × 128")));
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("no strokes"));
+}
+
+TEST_F(Files, ABadFileIsExplainedAndTheTabletKept) {
+  const QString bad = write("bad.raw", QByteArray(16385, 'x'));
+  open({bad});
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("bad.raw: "))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().endsWith(QStringLiteral("The tablet is as it was.")));
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("休 – Nazori"));
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
+}
+
+TEST_F(Files, EveryKindOfUnreadableFileIsRefusedInOneSentence) {
+  for (const QString& path : {write("empty.raw", {}), write("short.str", QByteArray("\x06\x00\x00", 3)),
+                              write("text.png", "no picture"), write("song.mp3", "x"),
+                              folder_.filePath(QStringLiteral("missing.raw"))}) {
+    open({path});
+    EXPECT_TRUE(feedback().endsWith(QStringLiteral("The tablet is as it was."))) << feedback().toStdString();
+    EXPECT_FALSE(feedback().contains(QLatin1Char('\n')));
+    EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
+  }
+}
+
+TEST_F(Files, TheStrokesOf2005AreCarvedWithoutAskingForTheirGrid) {
+  open({kyuu_2005()});
+  EXPECT_EQ(feedback(), QStringLiteral("0018.str is on the desk."));
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
+}
+
+TEST_F(Files, AMapAndItsStrokesCanBeDroppedTogether) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(kyuu_2005()),
+                QUrl::fromLocalFile(write("0018.raw", QByteArray(128 * 128, '\xff')))});
+  const QString before = feedback();
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window_.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window_.get(), &drop);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return feedback() != before; }, 10000));
+  EXPECT_EQ(feedback(), QStringLiteral("0018.raw + 0018.str is on the desk."));
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
+}
+
+TEST_F(Files, StrokesAreLaidOverAMapThatIsAlreadyOpen) {
+  open({write("0018.raw", QByteArray(128 * 128, '\xff'))});
+  open({kyuu_2005()});
+  EXPECT_EQ(feedback(), QStringLiteral("0018.raw + 0018.str is on the desk."));
+  EXPECT_TRUE(text("facts").contains(QStringLiteral("128 × 128")));
+}
+
+TEST_F(Files, ChoosingACharacterComesBackFromAMapOfOnesOwn) {
+  open({write("own.raw", QByteArray(64 * 64, '\x80'))});
+  show(U'木');
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("all 4 strokes"));
+}
+
+TEST(Saving, ACarvedTabletIsWrittenInEachFormatAndReadAgain) {
+  const QTemporaryDir folder;
+  std::vector<kanji::StrokeLine> lines(1);
+  lines[0].points = {{20, 54.5}, {89, 54.5}};
+  const Tablet tablet = *tablet::CarvedTablet::from_lines(lines, 256);
+  Workshop workshop;
+  QSignalSpy saved(&workshop, &Workshop::saved);
+  const auto path = [&folder](const char* name) { return folder.filePath(QString::fromLatin1(name)); };
+  workshop.save(tablet, path("a.raw"), FileFormat::raw, 128, false);
+  workshop.save(tablet, path("a.png"), FileFormat::png, 512, false);
+  workshop.save(tablet, path("a.str"), FileFormat::strokes, 128, false);
+  ASSERT_TRUE(QTest::qWaitFor([&saved] { return saved.count() == 3; }, 10000));
+  const auto raw = surface::load_raw(path("a.raw").toStdString());
+  ASSERT_TRUE(raw);
+  EXPECT_EQ(raw->size(), 128);
+  EXPECT_LT(raw->at(64, 63), 0.2F) << "the groove";
+  EXPECT_GT(raw->at(64, 10), 0.99F) << "the plateau";
+  const auto png = surface::load_png(path("a.png").toStdString());
+  ASSERT_TRUE(png);
+  EXPECT_EQ(png->size(), 512);
+  const auto order = kanji::StrokeOrder::load(path("a.str").toStdString(), 128);
+  ASSERT_TRUE(order);
+  EXPECT_EQ(order->count(), 1U);
+}
+
+TEST(Saving, AFolderThatCannotBeWrittenIsReported) {
+  std::vector<kanji::StrokeLine> lines(1);
+  lines[0].points = {{20, 54.5}, {89, 54.5}};
+  const Tablet tablet = *tablet::CarvedTablet::from_lines(lines, 64);
+  Workshop workshop;
+  QSignalSpy failed(&workshop, &Workshop::failed);
+  workshop.save(tablet, QStringLiteral("/nonexistent/a.raw"), FileFormat::raw, 64, false);
+  EXPECT_TRUE(failed.wait(10000));
+}
+
+}  // namespace
+}  // namespace nazori::ui

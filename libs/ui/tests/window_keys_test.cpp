@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QLineEdit>
+#include <QListView>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+using Keys = WindowTest;
+
+TEST_F(Keys, FullStopAndCommaStepThroughTheStrokesAndWrapThroughAll) {
+  find<QListView>("character_grid")->setFocus();
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
+  press(Qt::Key_Period);
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("stroke 1 of 6"));
+  press(Qt::Key_Comma);
+  press(Qt::Key_Comma);
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("stroke 6 of 6"));
+  press(Qt::Key_Period);
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
+}
+
+TEST_F(Keys, SAndFSwitchStrokesAndSnapping) {
+  find<QListView>("character_grid")->setFocus();
+  EXPECT_TRUE(action("strokes")->isChecked());
+  EXPECT_FALSE(action("snap")->isChecked());
+  press(Qt::Key_S);
+  press(Qt::Key_F);
+  EXPECT_FALSE(action("strokes")->isChecked());
+  EXPECT_TRUE(action("snap")->isChecked());
+  EXPECT_TRUE(feedback().contains(QStringLiteral("only while they are shown"))) << feedback().toStdString();
+}
+
+TEST_F(Keys, LettersTypedIntoTheSearchBoxAreOnlyLetters) {
+  auto* search = find<QLineEdit>("search");
+  search->setFocus();
+  ASSERT_TRUE(search->hasFocus());
+  QTest::keyClicks(search, QStringLiteral("sfq.,n"));
+  EXPECT_EQ(search->text(), QStringLiteral("sfq.,n"));
+  EXPECT_TRUE(action("strokes")->isChecked());
+  EXPECT_FALSE(action("snap")->isChecked());
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
+  EXPECT_TRUE(window_->isVisible());
+}
+
+TEST_F(Keys, QClosesTheWindow) {
+  find<QListView>("character_grid")->setFocus();
+  press(Qt::Key_Q);
+  EXPECT_FALSE(window_->isVisible());
+}
+
+TEST_F(Keys, ControlFGoesToTheSearchBoxEvenWhereItIsFoldedAway) {
+  action("library")->trigger();
+  ASSERT_FALSE(find("library_panel")->isVisible());
+  press(Qt::Key_F, Qt::ControlModifier);
+  EXPECT_TRUE(find("library_panel")->isVisible());
+  EXPECT_TRUE(find<QLineEdit>("search")->hasFocus());
+}
+
+TEST_F(Keys, F2AndF3FoldThePanelsAwayAndBack) {
+  press(Qt::Key_F2);
+  EXPECT_FALSE(find("library_panel")->isVisible());
+  press(Qt::Key_F3);
+  EXPECT_FALSE(find("information_panel")->isVisible());
+  press(Qt::Key_F2);
+  press(Qt::Key_F3);
+  EXPECT_TRUE(find("library_panel")->isVisible());
+  EXPECT_TRUE(find("information_panel")->isVisible());
+}
+
+TEST_F(Keys, F11LeavesOnlyTheTabletAndTheFeedbackAndEscapeComesBack) {
+  press(Qt::Key_F11);
+  EXPECT_FALSE(find("library_panel")->isVisible());
+  EXPECT_FALSE(find("information_panel")->isVisible());
+  EXPECT_FALSE(find<QToolBar>("tool_bar")->isVisible());
+  EXPECT_TRUE(find("feedback_line")->isVisible());
+  press(Qt::Key_Escape);
+  EXPECT_TRUE(find("library_panel")->isVisible());
+  EXPECT_TRUE(find<QToolBar>("tool_bar")->isVisible());
+}
+
+TEST_F(Keys, EveryMenuEntryShowsAKeyAndNoKeyIsGivenTwice) {
+  QStringList keys;
+  for (const auto* menu : find<QMenuBar>("menu_bar")->findChildren<QMenu*>())
+    for (const auto* entry : menu->actions()) {
+      if (entry->isSeparator() || entry->menu() != nullptr) continue;
+      EXPECT_FALSE(entry->shortcut().isEmpty()) << entry->text().toStdString();
+      for (const auto& key : entry->shortcuts()) keys.append(key.toString());
+    }
+  EXPECT_GT(keys.size(), 40);
+  EXPECT_EQ(keys.removeDuplicates(), 0);
+}
+
+TEST_F(Keys, TheTextGrowsFrom12To28PointsAndNoFurther) {
+  for (int i = 0; i < 20; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::font().pointSize(), 28);
+  for (int i = 0; i < 20; ++i) press(Qt::Key_Minus, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::font().pointSize(), 12);
+}
+
+}  // namespace
+}  // namespace nazori::ui

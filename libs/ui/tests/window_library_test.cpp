@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListView>
+
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+class Finding : public WindowTest {
+ protected:
+  QAbstractItemModel* tiles() { return find<QListView>("character_grid")->model(); }
+  QString tile(int row) { return tiles()->index(row, 0).data().toString(); }
+
+  void search(const QString& words) {
+    auto* box = find<QLineEdit>("search");
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, words);
+    ASSERT_TRUE(
+        QTest::qWaitFor([this] { return text("list_count").contains(QStringLiteral("found")); }, 5000));
+    QTest::qWait(150);
+  }
+};
+
+TEST_F(Finding, TheFirstListIsTheEightyKanjiOfGradeOne) {
+  EXPECT_TRUE(QTest::qWaitFor([this] { return tiles()->rowCount() == 80; }, 5000));
+  EXPECT_EQ(text("list_count"), QStringLiteral("80"));
+}
+
+TEST_F(Finding, AllListsTheSixThousandSevenHundredAndTwo) {
+  auto* lists = find<QComboBox>("lists");
+  lists->setCurrentIndex(lists->count() - 1);
+  emit lists->activated(lists->count() - 1);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return tiles()->rowCount() == 6702; }, 5000)) << tiles()->rowCount();
+}
+
+TEST_F(Finding, RomajiEnglishKanaAndTheCharacterItselfAllFindKyuu) {
+  for (const auto* words : {"yasumu", "day off"}) {
+    search(QString::fromUtf8(words));
+    bool found = false;
+    for (int row = 0; row < tiles()->rowCount(); ++row) found = found || tile(row) == QStringLiteral("休");
+    EXPECT_TRUE(found) << words;
+  }
+  for (const auto* words : {"休", "やすむ"}) {
+    auto* box = find<QLineEdit>("search");
+    box->setText(QString::fromUtf8(words));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return tile(0) == QStringLiteral("休"); }, 5000)) << words;
+  }
+}
+
+TEST_F(Finding, EnterPutsTheBestFindOnTheDesk) {
+  QSignalSpy shown(window_.get(), &MainWindow::character_shown);
+  auto* box = find<QLineEdit>("search");
+  box->setFocus();
+  QTest::keyClicks(box, QStringLiteral("tree"));
+  QTest::keyClick(box, Qt::Key_Return);
+  ASSERT_TRUE(shown.wait(10000));
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("木 – Nazori"));
+}
+
+TEST_F(Finding, NothingFoundSaysWhatToTry) {
+  search(QStringLiteral("zzzzqq"));
+  EXPECT_TRUE(find("nothing_found")->isVisible());
+  EXPECT_TRUE(text("nothing_found").contains(QStringLiteral("zzzzqq")));
+  press(Qt::Key_Escape);
+  EXPECT_TRUE(find<QLineEdit>("search")->text().isEmpty());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return find("character_grid")->isVisible(); }, 5000));
+}
+
+TEST_F(Finding, BackGoesToTheCharacterBefore) {
+  show(U'木');
+  QSignalSpy shown(window_.get(), &MainWindow::character_shown);
+  action("back")->trigger();
+  ASSERT_TRUE(shown.wait(10000));
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("休 – Nazori"));
+  action("forward")->trigger();
+  ASSERT_TRUE(shown.wait(10000));
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("木 – Nazori"));
+}
+
+}  // namespace
+}  // namespace nazori::ui

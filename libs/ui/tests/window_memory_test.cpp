@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QComboBox>
+#include <QLineEdit>
+
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+using Memory = WindowTest;
+
+TEST_F(Memory, TheLastKanjiAndTheTogglesSurviveARestart) {
+  show(U'雨');
+  action("snap")->trigger();
+  action("numbers")->trigger();
+  action("slate")->trigger();
+  action("theme_dark")->trigger();
+  action("text_larger")->trigger();
+  action("information")->trigger();
+  window_->resize(612, 577);
+  window_->close();
+  open_window(0, {});
+  EXPECT_EQ(window_->size(), QSize(612, 577));
+  window_->resize(1280, 800);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("雨 – Nazori"));
+  EXPECT_TRUE(action("snap")->isChecked());
+  EXPECT_FALSE(action("numbers")->isChecked());
+  EXPECT_TRUE(action("slate")->isChecked());
+  EXPECT_TRUE(action("theme_dark")->isChecked());
+  EXPECT_TRUE(appearance_.is_dark());
+  EXPECT_EQ(QApplication::font().pointSize(), 14);
+  EXPECT_FALSE(find("information_panel")->isVisible());
+  EXPECT_TRUE(find("library_panel")->isVisible());
+}
+
+TEST_F(Memory, ACharacterAskedForAtStartWinsOverTheLastOne) {
+  open_window(U'水');
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("水 – Nazori"));
+}
+
+TEST_F(Memory, AnotherLanguageIsSavedAndAskedFor) {
+  const QSignalSpy chosen(window_.get(), &MainWindow::language_chosen);
+  action("language_japanese")->trigger();
+  EXPECT_EQ(chosen.count(), 1);
+  install_language(QStringLiteral("ja"));
+  open_window();
+  EXPECT_TRUE(action("language_japanese")->isChecked());
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("全 6 画"));
+  EXPECT_TRUE(text("facts").contains(QStringLiteral("小学1年")));
+  install_language(QStringLiteral("en"));
+}
+
+TEST_F(Memory, TheTabletKeepsHalfOfTheWidthAtEverySize) {
+  for (const int width : {1000, 1100, 1280, 1600, 1920}) {
+    window_->resize(width, 800);
+    QTest::qWait(30);
+    EXPECT_GE(find("tablet")->width(), width / 2 - 1) << width;
+  }
+}
+
+TEST_F(Memory, BelowAThousandPixelsThePanelsAreDrawersOneAtATime) {
+  window_->resize(900, 700);
+  QTest::qWait(30);
+  EXPECT_FALSE(find("library_panel")->isVisible());
+  EXPECT_FALSE(find("information_panel")->isVisible());
+  action("library")->trigger();
+  EXPECT_TRUE(find("library_panel")->isVisible());
+  action("information")->trigger();
+  EXPECT_FALSE(find("library_panel")->isVisible());
+  EXPECT_TRUE(find("information_panel")->isVisible());
+  EXPECT_GE(find("tablet")->width(), 449);
+  window_->resize(1280, 800);
+  QTest::qWait(30);
+  EXPECT_TRUE(find("library_panel")->isVisible());
+  EXPECT_TRUE(find("information_panel")->isVisible());
+}
+
+TEST_F(Memory, WhatCanBePressedHasANameForTheScreenReader) {
+  for (const char* name :
+       {"search", "lists", "character_grid", "tablet", "information_panel", "feedback_line"})
+    EXPECT_FALSE(find(name)->accessibleName().isEmpty()) << name;
+}
+
+}  // namespace
+}  // namespace nazori::ui

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "appearance.h"
+#include "language.h"
+#include "nazori/ui/main_window.h"
+
+namespace nazori::ui {
+
+/// The real window on the real database, without OpenGL, with settings in a folder of its own.
+class WindowTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    install_language(QStringLiteral("en"));
+    open_window();
+  }
+
+  void open_window(char32_t character = 0, QSize size = {1280, 800}) {
+    window_.reset();
+    MainWindow::Setup setup;
+    setup.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
+    setup.settings_file = folder_.filePath(QStringLiteral("nazori.ini"));
+    setup.character = character;
+    setup.draws_tablet = false;
+    window_ = std::make_unique<MainWindow>(setup, appearance_);
+    QSignalSpy shown(window_.get(), &MainWindow::character_shown);
+    window_->show();
+    window_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
+    ASSERT_TRUE(shown.wait(20000)) << feedback().toStdString();
+    // The screen of the tests is smaller than a learner's.
+    if (size.isValid()) window_->resize(size);
+    QCoreApplication::processEvents();
+  }
+
+  void show(char32_t character) {
+    QSignalSpy shown(window_.get(), &MainWindow::character_shown);
+    window_->show_character(character);
+    ASSERT_TRUE(shown.wait(20000)) << feedback().toStdString();
+  }
+
+  template <class T = QWidget>
+  T* find(const char* name) {
+    return window_->findChild<T*>(QString::fromLatin1(name));
+  }
+  QAction* action(const char* name) { return window_->findChild<QAction*>(QString::fromLatin1(name)); }
+  QString text(const char* label) { return find<QLabel>(label)->text(); }
+  QString feedback() { return text("feedback_text"); }
+  QStringList texts(const char* labels) {
+    QStringList all;
+    for (const auto* label : window_->findChildren<QLabel*>(QString::fromLatin1(labels)))
+      if (!label->isHidden()) all.append(label->text());
+    return all;
+  }
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWidget* at = window_->focusWidget() != nullptr ? window_->focusWidget() : window_.get();
+    QTest::keyClick(at, key, modifiers);
+  }
+
+  QTemporaryDir folder_;
+  Appearance appearance_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace nazori::ui
