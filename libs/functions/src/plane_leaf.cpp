@@ -278,6 +278,8 @@ bool PlaneTracer::look_closer(const Square& s) {
         if (++closer_looks_ > kMostCloserLooks) return false;
         const Interval f = enclose(function_, q);
         if (f.is_empty() || !f.contains(0)) continue;
+        // Zero throughout: part of an area, which counts by the middles of boxes.
+        if (f.is_point()) continue;
         if (has_whole_) {
           const Interval w = enclose(whole_, q);
           if (w.is_empty() || !w.contains(0)) continue;

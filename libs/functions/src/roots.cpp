@@ -23,15 +23,19 @@ class RootFinder {
     range_ = high - low;
     visit(low, high);
     std::sort(found_.roots.begin(), found_.roots.end(), [](const Root& a, const Root& b) { return a.at < b.at; });
-    // One zero on the border of two pieces shows up in both.
+    // One zero on the border of two pieces shows up in both, a touching one in all boxes that rounding leaves.
     std::vector<Root> distinct;
-    for (const Root& r : found_.roots) {
-      if (!distinct.empty() && r.at - distinct.back().at < 1e-9 * range_) {
-        distinct.back().crosses = distinct.back().crosses || r.crosses;
-        if (r.crosses) distinct.back().at = r.at;
-      } else {
-        distinct.push_back(r);
+    for (std::size_t i = 0; i < found_.roots.size();) {
+      Root merged = found_.roots[i];
+      std::size_t j = i + 1;
+      while (j < found_.roots.size() && found_.roots[j].at - found_.roots[j - 1].at < 1e-8 * range_) {
+        merged.crosses = merged.crosses || found_.roots[j].crosses;
+        if (found_.roots[j].crosses && !found_.roots[i].crosses) merged.at = found_.roots[j].at;
+        ++j;
       }
+      if (!merged.crosses) merged = touching(found_.roots[i].at, found_.roots[j - 1].at);
+      distinct.push_back(merged);
+      i = j;
     }
     found_.roots = std::move(distinct);
     return std::move(found_);
@@ -77,6 +81,28 @@ class RootFinder {
     visit(middle, high);
   }
 
+  double slope(double x) {
+    slopes_.resize(tape_.size());
+    tape_.evaluate<Dual<double, 1>>(std::array{Dual<double, 1>(x, 0)}, slopes_);
+    return slopes_[tape_.output(0)].slopes[0];
+  }
+
+  /// A touching zero lies where the slope changes sign, which is much sharper than the values.
+  Root touching(double first, double last) {
+    double low = first - 1e-6 * range_;
+    double high = last + 1e-6 * range_;
+    const bool crosses = value(low) * value(high) < 0;
+    const double before = slope(low);
+    if (!(before * slope(high) < 0)) return {(first + last) / 2, crosses};
+    for (int i = 0; i < 80; ++i) {
+      const double middle = low + (high - low) / 2;
+      const double s = slope(middle);
+      if (s == 0) return {middle, crosses};
+      (s * before > 0 ? low : high) = middle;
+    }
+    return {low + (high - low) / 2, crosses};
+  }
+
   void single(double low, double high) {
     double a = value(low);
     const double b = value(high);
@@ -84,7 +110,7 @@ class RootFinder {
       found_.roots.push_back({a == 0 ? low : high, true});
       return;
     }
-    if (!((a < 0) != (b < 0))) return;
+    if (!std::isfinite(a) || !std::isfinite(b) || (a < 0) == (b < 0)) return;
     while (true) {
       const double middle = low + (high - low) / 2;
       if (middle <= low || middle >= high) break;
@@ -106,6 +132,7 @@ class RootFinder {
   Tape tape_;
   std::vector<double> values_;
   std::vector<D> duals_;
+  std::vector<Dual<double, 1>> slopes_;
   Roots found_;
   double range_ = 1;
   int boxes_ = 0;
