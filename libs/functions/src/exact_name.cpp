@@ -60,7 +60,7 @@ std::optional<std::string> exact_name(double value) {
   }
   if (value > 0) {
     const auto squared = fraction_of(value * value / std::numbers::pi, 6);
-    if (squared && std::abs(squared->first) <= 100) return "sqrt(" + multiple(squared->first, squared->second, "pi") + ")";
+    if (squared && squared->first > 0 && squared->first <= 100) return "sqrt(" + multiple(squared->first, squared->second, "pi") + ")";
     const auto power = fraction_of(std::log(value), 6);
     if (power && std::abs(power->first) <= 6)
       return power->second == 1 ? fmt::format("e^{}", power->first) : fmt::format("e^({}/{})", power->first, power->second);

@@ -188,18 +188,18 @@ class PointFinder {
   /// Where the slope itself turns: by differences of slopes, on branches that are no mere straight line.
   void inflections(const Branch& b, ArcProbe& probe) {
     const double span = b.points.back().parameter - b.points.front().parameter;
-    const double h = 1e-5 * span;
+    const double h = 3e-5 * span;
     const auto bend = [&](double t) {
       const double d = probe.at(t + h).slope_y - probe.at(t - h).slope_y;
       // Differences of rounding errors are no bend.
-      return std::abs(d) < 1e-10 * (std::abs(probe.at(t).slope_y) + 1e-300) ? 0.0 : d;
+      return std::abs(d) < 1e-14 * (std::abs(probe.at(t).slope_y) + 1e-300) ? 0.0 : d;
     };
     sign_changes(b.points, bend, [&](double t, bool) {
       const auto v = probe.at(t);
       const double around = std::max(std::abs(probe.at(t + 2 * h).slope_y), std::abs(probe.at(t - 2 * h).slope_y));
       // At corners and cusps the slope jumps.
       if (std::isfinite(v.slope_y) && std::abs(bend(t + 2 * h)) < 0.2 * (around + 1e-12))
-        add(PointKind::inflection, snapped(v.x), std::abs(v.y) < 1e-9 ? 0 : v.y, t);
+        add(PointKind::inflection, snapped(v.x), probe.at(snapped(v.x)).y, t);
     });
   }
 
@@ -207,7 +207,7 @@ class PointFinder {
   static double snapped(double x) {
     for (const double unit : {1.0, 0.5, std::acos(-1.0) / 2, std::acos(-1.0) / 4, 1.0 / 3}) {
       const double near = std::round(x / unit) * unit;
-      if (std::abs(near - x) < 1e-8 * std::max(1.0, std::abs(x))) return near;
+      if (std::abs(near - x) < 1e-6 * std::max(1.0, std::abs(x))) return near;
     }
     return x;
   }
@@ -251,7 +251,8 @@ class PointFinder {
         add(PointKind::jump, e.x, e.y, e.parameter);
         break;
       case EventKind::end:
-        if (!is_passed_through(e)) add(PointKind::end, e.x, e.y, e.parameter);
+        // A limit that is not attained is known to some ten digits.
+        if (!is_passed_through(e)) add(PointKind::end, e.x, limit(e.y), e.parameter);
         break;
       case EventKind::singular:
         add(branches_at(e) >= 4 ? PointKind::self_crossing : PointKind::singular, e.x, e.y, e.parameter);
@@ -262,6 +263,11 @@ class PointFinder {
       case EventKind::limit:
         break;
     }
+  }
+
+  static double limit(double y) {
+    const double near = std::round(y * 1e4) / 1e4;
+    return std::abs(near - y) < 1e-9 * std::max(1.0, std::abs(y)) ? near : y;
   }
 
   /// Pieces of curves that end at the event.
@@ -291,8 +297,8 @@ class PointFinder {
     if (arc && f) {
       meet(*arc, f, j);
     } else {
-      for (const PlatePoint& p : crossings_of(tracing_, i, j)) {
-        PlatePoint at{window_.x(p.u), window_.y(p.v)};
+      for (const Meeting& m : crossings_of(tracing_, i, j)) {
+        PlatePoint at{window_.x(m.at.u), window_.y(m.at.v)};
         const Expression fa = equation_of(a);
         const Expression fb = equation_of(b);
         if (fa && fb) at = refined(fa, fb, at);
@@ -343,9 +349,33 @@ class PointFinder {
       const StatementKind kind = plot_.statements[i].kind;
       if (kind != StatementKind::parametric && kind != StatementKind::polar) continue;
       statement_ = static_cast<int>(i);
-      for (const PlatePoint& p : crossings_of(tracing_, statement_, statement_))
-        add(PointKind::self_crossing, window_.x(p.u), window_.y(p.v), 0);
+      const auto arc = arc_of(plot_.statements[i], window_, 0);
+      if (!arc) continue;
+      ArcProbe probe(*arc);
+      for (const Meeting& m : crossings_of(tracing_, statement_, statement_)) self_crossing(probe, m);
     }
+  }
+
+  /// Newton's method for the two parameters at which the arc is in the same place.
+  void self_crossing(ArcProbe& probe, const Meeting& m) {
+    double s = m.first;
+    double t = m.second;
+    for (int k = 0; k < 30; ++k) {
+      const auto a = probe.at(s);
+      const auto b = probe.at(t);
+      const double det = b.slope_x * a.slope_y - a.slope_x * b.slope_y;
+      const double dx = b.x - a.x;
+      const double dy = b.y - a.y;
+      const double ds = (b.slope_x * dy - b.slope_y * dx) / det;
+      const double dt = (a.slope_x * dy - a.slope_y * dx) / det;
+      if (!std::isfinite(ds + dt)) break;
+      s += ds;
+      t += dt;
+      if (std::abs(ds) + std::abs(dt) < 1e-15 * (1 + std::abs(s) + std::abs(t))) break;
+    }
+    const auto v = probe.at(s);
+    const bool near = std::hypot(window_.u(v.x) - m.at.u, window_.v(v.y) - m.at.v) < 1e-3;
+    add(PointKind::self_crossing, near ? v.x : window_.x(m.at.u), near ? v.y : window_.y(m.at.v), s);
   }
 
   const Plot& plot_;

@@ -19,9 +19,11 @@ struct Piece {
   std::size_t index;
   std::size_t count;
   bool closed;
+  double from;
+  double to;
 };
 
-std::optional<PlatePoint> crossing(const Piece& a, const Piece& b) {
+std::optional<Meeting> crossing(const Piece& a, const Piece& b) {
   const double ru = a.q.u - a.p.u;
   const double rv = a.q.v - a.p.v;
   const double su = b.q.u - b.p.u;
@@ -34,7 +36,7 @@ std::optional<PlatePoint> crossing(const Piece& a, const Piece& b) {
   const double s = (wu * rv - wv * ru) / det;
   constexpr double kHair = 1e-9;
   if (t < -kHair || t > 1 + kHair || s < -kHair || s > 1 + kHair) return std::nullopt;
-  return PlatePoint{a.p.u + t * ru, a.p.v + t * rv};
+  return Meeting{{a.p.u + t * ru, a.p.v + t * rv}, a.from + t * (a.to - a.from), b.from + s * (b.to - b.from)};
 }
 
 bool neighbours(const Piece& a, const Piece& b) {
@@ -47,7 +49,7 @@ int cell_of(double c) { return std::clamp(static_cast<int>(std::floor(c * kCells
 
 }  // namespace
 
-std::vector<PlatePoint> crossings_of(const Tracing& tracing, int a, int b) {
+std::vector<Meeting> crossings_of(const Tracing& tracing, int a, int b) {
   std::vector<Piece> pieces;
   for (std::size_t k = 0; k < tracing.branches.size(); ++k) {
     const Branch& branch = tracing.branches[k];
@@ -56,11 +58,12 @@ std::vector<PlatePoint> crossings_of(const Tracing& tracing, int a, int b) {
     for (std::size_t i = 0; i < n; ++i) {
       const CurvePoint& p = branch.points[i];
       const CurvePoint& q = branch.points[i + 1];
-      pieces.push_back({{p.u, p.v}, {q.u, q.v}, branch.statement, k, i, n, branch.closed});
+      pieces.push_back({{p.u, p.v}, {q.u, q.v}, branch.statement, k, i, n, branch.closed,
+                        p.parameter, q.parameter});
     }
   }
   std::vector<std::vector<std::size_t>> grid(static_cast<std::size_t>(kCells) * kCells);
-  std::vector<PlatePoint> found;
+  std::vector<Meeting> found;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& s = pieces[i];
     if (std::max(s.p.u, s.q.u) < 0 || std::min(s.p.u, s.q.u) > 1 || std::max(s.p.v, s.q.v) < 0 ||
@@ -74,7 +77,7 @@ std::vector<PlatePoint> crossings_of(const Tracing& tracing, int a, int b) {
           if (a != b ? o.statement == s.statement : neighbours(o, s)) continue;
           const auto at = crossing(o, s);
           if (!at) continue;
-          const auto same = [&](const PlatePoint& p) { return std::hypot(p.u - at->u, p.v - at->v) < 1e-4; };
+          const auto same = [&](const Meeting& m) { return std::hypot(m.at.u - at->at.u, m.at.v - at->at.v) < 1e-4; };
           if (std::none_of(found.begin(), found.end(), same)) found.push_back(*at);
           if (found.size() >= kMost) return found;
         }

@@ -29,11 +29,12 @@ class RootFinder {
       Root merged = found_.roots[i];
       std::size_t j = i + 1;
       while (j < found_.roots.size() && found_.roots[j].at - found_.roots[j - 1].at < 1e-8 * range_) {
-        merged.crosses = merged.crosses || found_.roots[j].crosses;
-        if (found_.roots[j].crosses && !found_.roots[i].crosses) merged.at = found_.roots[j].at;
         ++j;
       }
-      if (!merged.crosses) merged = touching(found_.roots[i].at, found_.roots[j - 1].at);
+      // Rounding can fake changes of sign close to a touching zero: the values well outside decide.
+      const double before = value(merged.at - 1e-6 * range_);
+      const double after = value(found_.roots[j - 1].at + 1e-6 * range_);
+      if (!merged.crosses || before * after > 0) merged = touching(merged.at, found_.roots[j - 1].at);
       distinct.push_back(merged);
       i = j;
     }
