@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "character_json.h"
+#include "nazori/functions/plate.h"
+#include "nazori/functions/points.h"
+#include "nazori/functions/sound.h"
+#include "nazori/surface/height_map.h"
+#include "options.h"
+#include "output_files.h"
+#include "verbs.h"
+
+namespace nazori::cli {
+namespace {
+
+using functions::PointKind;
+using Clock = std::chrono::steady_clock;
+
+struct PlotSettings {
+  std::string expression;
+  std::vector<double> window;
+  std::vector<double> heights;
+  std::string axes = "on";
+  std::string output;
+  std::string mask;
+  std::string sound;
+  std::string language = "en";
+  bool points = false;
+  bool json = false;
+  functions::PlateSettings plate;
+};
+
+struct Files {
+  std::optional<std::filesystem::path> output;
+  std::optional<std::filesystem::path> mask;
+  std::optional<std::filesystem::path> sound;
+};
+
+base::Result<Files> files_of(const PlotSettings& s) {
+  Files files;
+  const auto check = [](std::optional<std::filesystem::path>& to, const std::string& option, const std::string& text,
+                        std::vector<std::string> extensions) -> base::Result<void> {
+    if (text.empty()) return {};
+    auto file = output_file({option, text, std::move(extensions)});
+    if (!file) return tl::unexpected(std::move(file.error()));
+    to = std::move(*file);
+    return {};
+  };
+  if (auto r = check(files.output, "--output", s.output, {".png", ".raw"}); !r) return tl::unexpected(r.error());
+  if (auto r = check(files.mask, "--mask", s.mask, {".png"}); !r) return tl::unexpected(r.error());
+  if (auto r = check(files.sound, "--sound", s.sound, {".wav"}); !r) return tl::unexpected(r.error());
+  return files;
+}
+
+/// "y = 2 +" with a mark under nothing: one line, the column named.
+base::Result<functions::Plot> read(const PlotSettings& s) {
+  auto plot = functions::parse(s.expression);
+  if (!plot) return tl::unexpected(plot.error().to_error());
+  return std::move(*plot);
+}
+
+std::string kind_name(functions::StatementKind kind) {
+  switch (kind) {
+    case functions::StatementKind::explicit_y:
+    case functions::StatementKind::explicit_x: return "explicit";
+    case functions::StatementKind::implicit: return "implicit";
+    case functions::StatementKind::inequality: return "inequality";
+    case functions::StatementKind::parametric: return "parametric";
+    case functions::StatementKind::polar:
+    case functions::StatementKind::polar_implicit: return "polar";
+    case functions::StatementKind::surface: return "surface";
+  }
+  return "";
+}
+
+std::string key_of(PointKind kind) {
+  std::string name = functions::in_words(kind, functions::Language::english);
+  for (char& c : name) c = c == ' ' || c == '-' ? '_' : c;
+  return name;
+}
+
+Json number_or_null(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+
+Json point_json(const functions::PointOfInterest& p, functions::Language language) {
+  Json point = {{"kind", key_of(p.kind)}, {"statement", p.statement + 1}};
+  if (p.other >= 0) point["other_statement"] = p.other + 1;
+  point["x"] = number_or_null(p.x);
+  point["y"] = number_or_null(p.y);
+  point["x_name"] = p.x_name.empty() ? Json(nullptr) : Json(p.x_name);
+  point["y_name"] = p.y_name.empty() ? Json(nullptr) : Json(p.y_name);
+  point["words"] = functions::in_words(p, language);
+  return point;
+}
+
+struct Timings {
+  double draw_ms = 0;
+  double points_ms = 0;
+};
+
+Json to_json(const functions::Plot& plot, const functions::Picture& picture,
+             const std::vector<functions::PointOfInterest>& points, const Timings& timings, functions::Language language) {
+  Json statements = Json::array();
+  for (const functions::Statement& s : plot.statements) {
+    statements.push_back(Json{{"kind", kind_name(s.kind)},
+                              {"canonical", functions::canonical(s)},
+                              {"words", functions::in_words(s, language)}});
+  }
+  Json list = Json::array();
+  for (const auto& p : points) list.push_back(point_json(p, language));
+  const functions::Tracing& t = picture.tracing;
+  Json document = {
+      {"kind", plot.statements.size() > 1 ? "multi" : kind_name(plot.statements[0].kind)},
+      {"canonical", functions::canonical(plot)},
+      {"words", functions::in_words(plot, language)},
+      {"summary", functions::summary(plot, t, points, language)},
+      {"window", {t.window.x0, t.window.x1, t.window.y0, t.window.y1}},
+      {"tick_step", {functions::tick_step(t.window.x0, t.window.x1), functions::tick_step(t.window.y0, t.window.y1)}},
+      {"size", picture.plate.heights.size()},
+      {"statements", std::move(statements)},
+      {"points", std::move(list)},
+      {"pieces", t.branches.size()},
+      {"dense", t.dense},
+      {"undecided_share", t.undecided_share()},
+      {"timings_ms", {{"draw", timings.draw_ms}, {"points", timings.points_ms}}}};
+  if (plot.is_surface()) document["z"] = {picture.plate.range.low, picture.plate.range.high};
+  return document;
+}
+
+base::Result<void> save(const Files& files, const functions::Picture& picture, const functions::Plot& plot,
+                        const std::vector<functions::PointOfInterest>& points) {
+  if (files.output) {
+    auto saved = has_extension(*files.output, ".raw")
+                     ? surface::save_raw(picture.plate.heights, *files.output)
+                     : surface::save_png(picture.plate.heights, *files.output, surface::PngDepth::bits_16);
+    if (!saved) return saved;
+  }
+  if (files.mask) {
+    auto mask = surface::HeightMap::create(picture.plate.heights.size(), 0.0F);
+    if (!mask) return tl::unexpected(mask.error());
+    for (std::size_t i = 0; i < picture.plate.mask.size(); ++i)
+      mask->samples()[i] = picture.plate.mask[i] != 0 ? 1.0F : 0.0F;
+    if (auto saved = surface::save_png(*mask, *files.mask, surface::PngDepth::bits_8); !saved) return saved;
+  }
+  if (files.sound) {
+    if (plot.is_surface())
+      return base::fail(base::Errc::bad_argument, "a surface has no sweep", "--sound", "give a curve");
+    const auto sound = functions::sweep(plot, picture.tracing, points);
+    if (!sound) return tl::unexpected(sound.error());
+    return functions::save_wav(*sound, *files.sound);
+  }
+  return {};
+}
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+int run(Console& console, PlotSettings s) {
+  const auto plot = read(s);
+  if (!plot) return console.refuse(plot.error());
+  functions::Window window;
+  if (!s.window.empty()) window = {s.window[0], s.window[1], s.window[2], s.window[3]};
+  if (auto good = window.check(); !good) {
+    base::Error error = good.error();
+    error.where = "--window";
+    return console.refuse(error);
+  }
+  if (!s.heights.empty()) s.plate.heights = functions::HeightRange{s.heights[0], s.heights[1]};
+  if (s.axes == "off") s.plate.layers = functions::Layers::none();
+  const auto files = files_of(s);
+  if (!files) return console.refuse(files.error());
+  if (plot->is_surface() && files->sound)
+    return console.refuse({base::Errc::bad_argument, "a surface has no sweep", "--sound", "give a curve"});
+
+  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  const auto language = s.language == "ja" ? functions::Language::japanese : functions::Language::english;
+  Timings timings;
+  const auto start = Clock::now();
+  const auto picture = functions::draw(*plot, window, s.plate, progress.callback());
+  timings.draw_ms = ms_since(start);
+  progress.clear();
+  if (!picture) return console.fail(picture.error());
+  std::vector<functions::PointOfInterest> points;
+  if (s.points || s.json || files->sound) {
+    const auto before = Clock::now();
+    points = functions::points_of_interest(*plot, picture->tracing);
+    timings.points_ms = ms_since(before);
+  }
+  if (auto saved = save(*files, *picture, *plot, points); !saved) return console.fail(saved.error());
+  if (s.json) {
+    console.print(to_text(to_json(*plot, *picture, points, timings, language)));
+    return kDone;
+  }
+  console.print(functions::canonical(*plot) + "\n" + functions::summary(*plot, picture->tracing, points, language) + "\n");
+  if (s.points) {
+    for (const auto& p : points) console.print("  " + functions::in_words(p, language) + "\n");
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app, Action& chosen) {
+  auto s = std::make_shared<PlotSettings>();
+  CLI::App* verb = app.add_subcommand("plot", "Carve the graph of an expression");
+  verb->add_option("expression", s->expression,
+                   "y = tan(x), x^2 + y^2 = 1, y > x^2, x = cos(t); y = sin(t); 0 <= t <= pi, r = 1 + cos(theta), "
+                   "z = sin(x)cos(y); several curves separated by ;")
+      ->required();
+  verb->add_option("--window", s->window, "Part of the plane that is shown (default: -10,10,-10,10)")
+      ->delimiter(',')
+      ->expected(4)
+      ->type_name("X0,X1,Y0,Y1");
+  verb->add_option("--z", s->heights, "Range of heights of a surface (default: what its values take)")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("LOW,HIGH");
+  verb->add_option("--size", s->plate.size, "Side of the plate in samples")
+      ->check(within(32, 4096))
+      ->capture_default_str()
+      ->type_name("N");
+  verb->add_option("--half-width", s->plate.half_width, "Half width of a groove as a part of the plate's side")
+      ->check(within(0.001, 0.2))
+      ->capture_default_str()
+      ->type_name("FRACTION");
+  verb->add_option("--axes", s->axes, "Axes, ticks and rim: on or off")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str()
+      ->type_name("on|off");
+  verb->add_flag("--grid", s->plate.layers.grid, "Fine ridges at every tick");
+  verb->add_option("-o,--output", s->output, "The plate: .png (16-bit grey, white the plateau) or .raw (8 bits)")
+      ->type_name("FILE");
+  verb->add_option("--mask", s->mask, "What is carved or defined, 8-bit grey PNG of 255 and 0")->type_name("FILE");
+  verb->add_option("--sound", s->sound, "A sweep of the curves as WAV: pitch is height, left to right is x")->type_name("FILE");
+  verb->add_flag("--points", s->points, "Name the points of interest");
+  verb->add_flag("--json", s->json, "Answer in JSON (see docs/functions.md)");
+  verb->add_option("--language", s->language, "Of the words: en or ja")
+      ->check(CLI::IsMember({"en", "ja"}))
+      ->capture_default_str()
+      ->type_name("en|ja");
+  verb->footer(
+      "Examples:\n  nazori-cli plot 'y = tan(x); y = 1' --window=-6,6,-4,4 --output tan.png --points\n"
+      "  nazori-cli plot 'r = 1 + cos(theta)' --window=-1,3,-2,2 --sound heart.wav --json");
+  verb->callback([s, &chosen] { chosen = [s](Console& console) { return run(console, *s); }; });
+}
+
+}  // namespace nazori::cli

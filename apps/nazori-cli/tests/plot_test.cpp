@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "nazori/surface/height_map.h"
+#include "program.h"
+
+namespace nazori::cli::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(Plot, WritesThePlateAndTheMaskOfACircle) {
+  const TemporaryFolder folder;
+  const Outcome run = nazori_cli({"plot", "x^2 + y^2 = 1", "--window=-2,2,-2,2", "--size", "128", "--axes", "off",
+                                  "--output", folder / "circle.png", "--mask", folder / "mask.png"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto plate = surface::load_png(folder / "circle.png");
+  const auto mask = surface::load_png(folder / "mask.png");
+  ASSERT_TRUE(plate && mask);
+  // (1, 0) lies in column 96; the middle of the circle is untouched.
+  EXPECT_LT(plate->at(96, 64), 0.1F);
+  EXPECT_EQ(plate->at(64, 64), 1.0F);
+  EXPECT_EQ(mask->at(96, 64), 1.0F);
+  EXPECT_EQ(mask->at(64, 64), 0.0F);
+}
+
+TEST(Plot, NamesTheColumnOfAWrongExpressionInOneLineAndWritesNothing) {
+  for (const auto& [expression, column] :
+       {std::pair{"y = 2 +", "column 8"}, std::pair{"y = foo(x)", "column 5"}, std::pair{"y = (x+1", "column 9"}}) {
+    const TemporaryFolder folder;
+    const Outcome run = nazori_cli({"plot", expression, "--output", folder / "a.png"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr(column));
+    EXPECT_THAT(run.err, HasSubstr("expected"));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+    EXPECT_THAT(folder.names(), IsEmpty());
+  }
+}
+
+TEST(Plot, JsonTellsPointsOfInterestWithTheirExactNames) {
+  const Outcome run = nazori_cli({"plot", "y = tan(x)", "--window=-2,2,-4,4", "--size", "64", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto document = nlohmann::json::parse(run.out);
+  EXPECT_EQ(document["kind"], "explicit");
+  EXPECT_EQ(document["canonical"], "y = tan(x)");
+  EXPECT_EQ(document["words"], "y equals tangent of x");
+  EXPECT_EQ(document["undecided_share"], 0.0);
+  int asymptotes = 0;
+  for (const auto& p : document["points"]) {
+    if (p["kind"] != "vertical_asymptote") continue;
+    ++asymptotes;
+    EXPECT_NEAR(std::abs(p["x"].get<double>()), std::acos(0.0), 1e-9);
+    EXPECT_THAT(p["x_name"].get<std::string>(), HasSubstr("pi/2"));
+  }
+  EXPECT_EQ(asymptotes, 2);
+}
+
+TEST(Plot, WritesASoundWithTheHeadOfAWav) {
+  const TemporaryFolder folder;
+  const Outcome run = nazori_cli({"plot", "y = x", "--size", "64", "--sound", folder / "line.wav"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto bytes = bytes_of(folder / "line.wav");
+  ASSERT_GT(bytes.size(), 44U);
+  EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 4), "RIFF");
+}
+
+TEST(Plot, RefusesAnEmptyWindow) {
+  const Outcome run = nazori_cli({"plot", "y = x", "--window=2,1,0,1"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("--window"));
+}
+
+}  // namespace
+}  // namespace nazori::cli::test

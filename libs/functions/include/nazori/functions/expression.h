@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nazori::functions {
+
+enum class Variable : std::uint8_t { x, y, z, t, theta, r };
+enum class Constant : std::uint8_t { pi, e, tau };
+
+/// Functions that can be typed, all real: where the real value does not exist the function is undefined.
+enum class Function : std::uint8_t {
+  sin, cos, tan, cot, sec, csc, asin, acos, atan, acot, sinh, cosh, tanh, coth, sech, csch, asinh, acosh, atanh,
+  exp, ln, log10, log2, log_base, sqrt, cbrt, root, abs, sign, floor, ceil, round, trunc, fraction, gamma,
+  factorial, erf, min, max, mod, atan2, hypot
+};
+
+enum class NodeKind : std::uint8_t {
+  number, constant, variable, negate, add, subtract, multiply, divide, power, function
+};
+
+struct Node;
+/// An expression: an immutable tree, shared freely between threads.
+using Expression = std::shared_ptr<const Node>;
+
+/// One node of an expression. Never changed after it was made.
+struct Node {
+  NodeKind kind = NodeKind::number;
+  double value = 0;          ///< of a number: the double next to what was typed
+  bool exact = true;         ///< whether `value` is exactly what was typed (0.5 is, 0.1 is not)
+  Constant constant = Constant::pi;
+  Variable variable = Variable::x;
+  Function function = Function::sin;
+  std::vector<Expression> arguments;
+};
+
+[[nodiscard]] Expression number(double value, bool exact = true);
+[[nodiscard]] Expression constant(Constant which);
+[[nodiscard]] Expression variable(Variable which);
+[[nodiscard]] Expression negate(Expression a);
+[[nodiscard]] Expression binary(NodeKind kind, Expression a, Expression b);
+[[nodiscard]] Expression call(Function function, std::vector<Expression> arguments);
+
+/// The variables that occur.
+[[nodiscard]] std::set<Variable> variables_of(const Expression& e);
+[[nodiscard]] bool depends_on(const Expression& e, Variable v);
+
+/// The tree with every `from` replaced. Parts without `from` are shared, not copied.
+[[nodiscard]] Expression substitute(const Expression& e, Variable from, const Expression& to);
+
+/// Text that the parser reads back to the same tree; equal for equal trees. Example: "(1/2)*x".
+[[nodiscard]] std::string to_text(const Expression& e);
+[[nodiscard]] std::string_view name_of(Variable v);
+[[nodiscard]] std::string_view name_of(Constant c);
+/// The name that to_text writes: "sin", "ln", "log".
+[[nodiscard]] std::string_view name_of(Function f);
+
+/// A fraction of whole numbers in lowest terms, denominator positive.
+struct Rational {
+  std::int64_t p = 0;
+  std::int64_t q = 1;
+  friend bool operator==(const Rational&, const Rational&) = default;
+};
+
+/// The value of a tree of numbers joined by + - * / and whole powers, where numerator and denominator stay
+/// under 10^12. A typed 0.2 counts as 1/5.
+[[nodiscard]] std::optional<Rational> rational_value(const Expression& e);
+
+/// Value of an expression without variables, NaN where undefined.
+[[nodiscard]] double constant_value(const Expression& e);
+
+/// The same function written with fewer kinds: sec, cot, round, mod, ... become quotients, floors and sums of
+/// sin, cos, exp, ... The domain is kept, except that x/x-like cancellation is never done.
+[[nodiscard]] Expression reduced(const Expression& e);
+
+}  // namespace nazori::functions

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nazori/base/result.h"
+#include "nazori/functions/expression.h"
+
+namespace nazori::functions {
+
+enum class Comparison : std::uint8_t { equal, less, less_equal, greater, greater_equal };
+
+enum class StatementKind : std::uint8_t {
+  explicit_y,      ///< y = f(x): terms[0] = f
+  explicit_x,      ///< x = g(y): terms[0] = g
+  implicit,        ///< terms[0] = terms[1], in x and y
+  inequality,      ///< terms[0] ? terms[1] ? ..., a chain of comparisons in x and y
+  parametric,      ///< terms[0] = x(t), terms[1] = y(t)
+  polar,           ///< r = f(theta): terms[0] = f
+  polar_implicit,  ///< terms[0] = terms[1], in r and theta
+  surface,         ///< z = f(x, y): terms[0] = f
+};
+
+/// One thing to draw, as it was typed.
+struct Statement {
+  StatementKind kind = StatementKind::explicit_y;
+  std::vector<Expression> terms;
+  std::vector<Comparison> comparisons;  ///< of implicit and inequality: between the terms
+  Expression from;                      ///< range of the parameter, of parametric and polar statements
+  Expression to;
+  bool range_given = false;  ///< false: the customary 0 to 2 pi was put in
+  int column = 1;            ///< where it starts in the text
+};
+
+/// What one line of text asks for: one or several statements. Immutable after parse(); thread-safe.
+struct Plot {
+  std::vector<Statement> statements;
+  [[nodiscard]] bool is_surface() const {
+    return statements.size() == 1 && statements[0].kind == StatementKind::surface;
+  }
+};
+
+/// Why a text cannot be read.
+struct SyntaxError {
+  int column = 1;        ///< of the place at fault: counted in characters from 1, past the end for a text cut short
+  std::string message;   ///< "an operand is missing after \"+\""
+  std::string expected;  ///< "expected a number, a variable, a function or \"(\""
+
+  /// As an Error of code parse whose `where` is "column 8".
+  [[nodiscard]] base::Error to_error() const;
+};
+
+struct ParseOptions {
+  /// A comma between two digits is a decimal comma even among the arguments of min, max, mod, ... (these are
+  /// then separated by "; " or ", " with a space). Elsewhere it always is.
+  bool decimal_comma = false;
+};
+
+/// Reads expressions separated by ";". Precedence, from loose to tight: comparison; + -; * / and products
+/// without a sign, from left to right (1/2x is (1/2)*x); sign; power, from right to left; factorial. A
+/// function without parentheses takes the product that follows: sin 2x, ln|x|, sqrt x + 1 = sqrt(x) + 1.
+/// sin^2 x is (sin x)^2, sin^-1 x is asin x. log is to base 10, ln natural; 2e3 is 2*e*3.
+/// @param text  UTF-8 of at most 10,000 bytes, Unicode signs and full-width forms allowed.
+[[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {});
+
+/// The plot as unambiguous text that parse() reads back: "y = (1/2)*x".
+[[nodiscard]] std::string canonical(const Plot& plot);
+[[nodiscard]] std::string canonical(const Statement& statement);
+
+enum class Language : std::uint8_t { english, japanese };
+
+/// The plot read aloud: "y equals 1 over 2, times x". Groups that the ear could not tell are named "the
+/// quantity ... end".
+[[nodiscard]] std::string in_words(const Plot& plot, Language language);
+[[nodiscard]] std::string in_words(const Statement& statement, Language language);
+[[nodiscard]] std::string in_words(const Expression& expression, Language language);
+
+}  // namespace nazori::functions

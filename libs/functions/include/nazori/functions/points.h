@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nazori/functions/tracing.h"
+
+namespace nazori::functions {
+
+enum class PointKind : std::uint8_t {
+  zero,                  ///< on the x axis
+  y_intercept,           ///< on the y axis
+  maximum,
+  minimum,
+  inflection,
+  crossing,              ///< two statements cross
+  touching,              ///< two statements touch without crossing
+  vertical_asymptote,    ///< x only
+  horizontal_asymptote,  ///< y only
+  hole,
+  jump,
+  end,
+  self_crossing,
+  singular,              ///< cusp or another point without a tangent
+  isolated,
+};
+
+/// A place that the trace announces and that keys go to. In the units of the window.
+struct PointOfInterest {
+  PointKind kind = PointKind::zero;
+  int statement = 0;
+  int other = -1;        ///< of crossing and touching: the second statement
+  double x = 0;          ///< NaN where only y counts
+  double y = 0;          ///< NaN where only x counts
+  double parameter = 0;  ///< as CurvePoint::parameter
+  std::string x_name;    ///< exact, "pi/2", "sqrt(2)"; empty where none is known
+  std::string y_name;
+};
+
+/// All points of interest inside the window, by statement, then from left to right. At most `most` of one
+/// statement; dense curves have more than anyone can use.
+[[nodiscard]] std::vector<PointOfInterest> points_of_interest(const Plot& plot, const Tracing& tracing,
+                                                              std::size_t most = 200);
+
+/// The exact number that `value` is to within the last places: whole numbers, fractions, multiples of pi, roots,
+/// powers of e and logarithms of whole numbers. Text as parse() reads it.
+[[nodiscard]] std::optional<std::string> exact_name(double value);
+
+/// "zero", "maximum", ... in words.
+[[nodiscard]] std::string in_words(PointKind kind, Language language);
+/// "maximum at x = pi/2, about 1.571, y = 1".
+[[nodiscard]] std::string in_words(const PointOfInterest& point, Language language);
+/// One sentence on the whole: what is drawn, in how many pieces, what is remarkable, what is uncertain.
+[[nodiscard]] std::string summary(const Plot& plot, const Tracing& tracing,
+                                  const std::vector<PointOfInterest>& points, Language language);
+
+}  // namespace nazori::functions

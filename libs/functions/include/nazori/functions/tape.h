@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "nazori/functions/dual.h"
+#include "nazori/functions/expression.h"
+#include "nazori/functions/interval.h"
+
+namespace nazori::functions {
+
+/// Expressions as a flat list of steps, equal parts done once: what is evaluated a million times.
+///
+/// One tape serves every kind of number: double and long double (NaN where undefined), decorated intervals
+/// and duals of all of these. Immutable; thread-safe as long as each thread brings its own registers.
+class Tape {
+ public:
+  /// @param outputs  the expressions, over `inputs` only; other variables count as undefined.
+  /// @param inputs   the order in which evaluate() takes the variables.
+  [[nodiscard]] static Tape compile(std::span<const Expression> outputs, std::span<const Variable> inputs);
+
+  /// Registers that evaluate() needs.
+  [[nodiscard]] std::size_t size() const { return steps_.size(); }
+  [[nodiscard]] std::size_t output_count() const { return outputs_.size(); }
+  /// Whether a step can grow over the format (exp, powers, products of them): long double may help.
+  [[nodiscard]] bool can_overflow() const { return can_overflow_; }
+
+  /// Evaluates all outputs; output(i) tells where each lies in `registers`.
+  /// @param inputs     as many as compile() was given.
+  /// @param registers  at least size() of them; overwritten.
+  template <class T>
+  void evaluate(std::span<const T> inputs, std::span<T> registers) const;
+  [[nodiscard]] std::size_t output(std::size_t i) const { return outputs_[i]; }
+
+  /// The first output. Allocates; for what is done once.
+  template <class T>
+  [[nodiscard]] T evaluate_one(std::span<const T> inputs) const {
+    std::vector<T> registers(size());
+    evaluate<T>(inputs, registers);
+    return registers[output(0)];
+  }
+
+  enum class Op : std::uint8_t {
+    constant, input, undefined, negate, add, subtract, multiply, divide, square, power_integer,
+    power_rational, power, exp, log, log2, log10, sqrt, abs, sin, cos, tan, asin, acos, atan, atan2, sinh,
+    cosh, tanh, asinh, acosh, atanh, erf, gamma, floor, ceil, sign, min, max
+  };
+
+ private:
+  struct Step {
+    Op op = Op::constant;
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    int p = 0;
+    int q = 1;
+    double value = 0;  ///< of a constant, with the bounds of what was meant
+    double lower = 0;
+    double upper = 0;
+    friend bool operator==(const Step&, const Step&) = default;
+  };
+  class Builder;
+
+  std::vector<Step> steps_;
+  std::vector<std::uint32_t> outputs_;
+  bool can_overflow_ = false;
+};
+
+}  // namespace nazori::functions

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nazori/functions/expression.h"
+
+namespace nazori::functions {
+
+/// A sum of products of powers of atoms (variables and whatever cannot be multiplied out), each once, with
+/// coefficients that were computed without rounding.
+class Polynomial {
+ public:
+  /// @return nothing where a coefficient would be rounded or the sum grows over some hundred terms.
+  [[nodiscard]] static std::optional<Polynomial> of(const Expression& e);
+
+  [[nodiscard]] bool is_zero() const { return terms_.empty(); }
+  /// The value where no atom is left.
+  [[nodiscard]] std::optional<double> constant() const;
+  [[nodiscard]] bool depends_on(Variable v) const;
+  /// The factor c where the polynomial is c*v + (something without v).
+  [[nodiscard]] std::optional<double> linear_factor(Variable v) const;
+  /// The coefficients by rising powers where there is one atom only, and that atom. Negative powers are allowed
+  /// for exponentials; `lowest` is the power of the first coefficient.
+  struct OneAtom {
+    Expression atom;
+    int lowest = 0;
+    std::vector<double> coefficients;
+  };
+  [[nodiscard]] std::optional<OneAtom> in_one_atom() const;
+  struct LonePower {
+    int power = 1;
+    double factor = 1;
+  };
+  /// The same for c*v^n + (something without v).
+  [[nodiscard]] std::optional<LonePower> lone_power(Variable v) const;
+
+ private:
+  using Monomial = std::map<std::string, int>;
+  friend class PolynomialBuilder;
+  std::map<Monomial, double> terms_;
+  std::map<std::string, Expression> atoms_;
+};
+
+struct Fraction {
+  Expression numerator;
+  Expression denominator;  ///< null: one
+};
+/// The expression over one common denominator; tan counts as sin over cos.
+[[nodiscard]] Fraction over_common_denominator(const Expression& e);
+
+/// What multiplied makes `e`, without numbers, signs, powers and roots: the factors whose zeros are those of e.
+/// An `e` that is a number other than zero gives none; zero gives the number 0.
+[[nodiscard]] std::vector<Expression> zero_factors(const Expression& e);
+
+/// The same function in a form that intervals enclose more tightly: quotients of polynomials of one atom are
+/// divided out, (x^2-1)/(x-1) = x + 1 + 0/(x-1) and e^x/(1+e^x) = 1 - 1/(1+e^x); the domain stays.
+[[nodiscard]] Expression improved(const Expression& e);
+
+/// Whether the expression is defined and continuous everywhere by its looks alone.
+[[nodiscard]] bool is_total(const Expression& e);
+
+/// A way to take every |a|, min and max: the expression it leaves, and what must not be negative for it.
+struct Case {
+  Expression expression;
+  std::vector<Expression> not_negative;
+};
+/// All cases of up to four such functions; just `e` itself where there are more.
+[[nodiscard]] std::vector<Case> cases_of(const Expression& e);
+
+[[nodiscard]] std::size_t node_count(const Expression& e);
+
+}  // namespace nazori::functions

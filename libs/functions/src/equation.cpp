@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "equation.h"
+
+#include "algebra.h"
+#include "roots.h"
+
+namespace nazori::functions {
+namespace {
+
+// A common denominator that blows the equation up more than this is not worth having.
+constexpr std::size_t kMostGrowth = 12;
+
+/// The value of `e`, undefined where `guard` is.
+Expression guarded(const Expression& e, const Expression& guard) {
+  if (is_total(guard)) return e;
+  return binary(NodeKind::add, e, binary(NodeKind::multiply, number(0), guard));
+}
+
+class Solver {
+ public:
+  Solver(Expression whole, const std::array<double, 2>& low, const std::array<double, 2>& high)
+      : low_(low), high_(high) {
+    parts_.whole = std::move(whole);
+  }
+
+  EquationParts run() {
+    for (const Case& c : cases_of(parts_.whole)) {
+      const auto p = Polynomial::of(over_common_denominator(c.expression).numerator);
+      if (p && p->is_zero()) parts_.areas.push_back(c.not_negative);
+    }
+    if (!parts_.areas.empty()) {
+      add_plane(parts_.whole);
+      return std::move(parts_);
+    }
+    const Expression numerator = over_common_denominator(parts_.whole).numerator;
+    const bool fits = node_count(numerator) <= kMostGrowth * node_count(parts_.whole) + 40;
+    for (const Expression& factor : zero_factors(fits ? numerator : parts_.whole)) add(factor);
+    return std::move(parts_);
+  }
+
+ private:
+  void add(const Expression& factor) {
+    const auto p = Polynomial::of(factor);
+    if (p) {
+      if (const auto value = p->constant()) {
+        if (*value == 0) parts_.areas.push_back({});
+        return;
+      }
+      if (!p->depends_on(Variable::y)) return add_lines(substitute(factor, Variable::y, number(0)), Variable::x);
+      if (!p->depends_on(Variable::x)) return add_lines(substitute(factor, Variable::x, number(0)), Variable::y);
+      if (const auto c = p->linear_factor(Variable::y)) return add_solved(factor, Variable::y, *c);
+      if (const auto c = p->linear_factor(Variable::x)) return add_solved(factor, Variable::x, *c);
+    }
+    add_plane(factor);
+  }
+
+  /// Lines x = root or y = root.
+  void add_lines(const Expression& f, Variable fixed) {
+    const std::size_t axis = fixed == Variable::x ? 0 : 1;
+    const Roots found = find_roots(f, fixed, low_[axis], high_[axis]);
+    parts_.undecided += found.undecided;
+    const Variable free = fixed == Variable::x ? Variable::y : Variable::x;
+    for (const Root& r : found.roots) {
+      const Expression at = guarded(number(r.at), substitute(parts_.whole, fixed, number(r.at)));
+      add_arc(fixed == Variable::x ? at : variable(Variable::x), fixed == Variable::x ? variable(Variable::y) : at,
+              free);
+    }
+  }
+
+  /// The factor is c*v + rest: v = -rest/c.
+  void add_solved(const Expression& factor, Variable v, double c) {
+    const Expression rest = substitute(factor, v, number(0));
+    const Expression solved = c == -1  ? rest
+                              : c == 1 ? negate(rest)
+                                       : binary(NodeKind::divide, negate(rest), number(c));
+    const Expression value = guarded(solved, substitute(parts_.whole, v, solved));
+    if (v == Variable::y) {
+      add_arc(variable(Variable::x), value, Variable::x);
+    } else {
+      add_arc(value, variable(Variable::y), Variable::y);
+    }
+  }
+
+  void add_arc(Expression x, Expression y, Variable parameter) {
+    const std::size_t axis = parameter == Variable::x ? 0 : 1;
+    parts_.arcs.push_back({std::move(x), std::move(y), parameter, low_[axis], high_[axis], false});
+  }
+
+  void add_plane(const Expression& factor) {
+    PlaneEquation e;
+    e.function = factor;
+    e.whole = parts_.whole;
+    e.areas = parts_.areas;
+    parts_.equations.push_back(std::move(e));
+  }
+
+  EquationParts parts_;
+  std::array<double, 2> low_;
+  std::array<double, 2> high_;
+};
+
+}  // namespace
+
+EquationParts take_apart(const Expression& left, const Expression& right, const std::array<double, 2>& low,
+                         const std::array<double, 2>& high) {
+  const auto is_zero = [](const Expression& e) { return e->kind == NodeKind::number && e->value == 0; };
+  const Expression whole = is_zero(right) ? left : is_zero(left) ? right : binary(NodeKind::subtract, left, right);
+  return Solver(reduced(whole), low, high).run();
+}
+
+}  // namespace nazori::functions

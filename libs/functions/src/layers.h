@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "nazori/functions/plate.h"
+
+namespace nazori::functions {
+
+/// The plateau where ridges and a rim shall stand out above it.
+inline constexpr double kPlateauUnderLayers = 0.9;
+/// Ridges stay this many half widths away from the edge of a groove.
+inline constexpr double kClearance = 1.5;
+
+/// Raises axes, ticks, grid and rim on a carved plate, nowhere nearer to a curve than the clearance.
+/// @param distance  of a sample to the nearest curve, infinite where none is near.
+void add_layers(Plate& plate, const Window& window, const PlateSettings& settings,
+                const std::function<float(std::size_t)>& distance);
+
+}  // namespace nazori::functions

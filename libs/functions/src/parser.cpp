@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "parser.h"
+
+#include <utility>
+
+namespace nazori::functions {
+namespace {
+
+// Deeper nesting would let a hostile text overrun the stack.
+constexpr int kMostDepth = 200;
+constexpr const char* kOperand = "expected a number, a variable, a function or \"(\"";
+
+/// Counts nesting while it lives.
+class Nesting {
+ public:
+  explicit Nesting(int& depth) : depth_(depth) { ++depth_; }
+  Nesting(const Nesting&) = delete;
+  Nesting& operator=(const Nesting&) = delete;
+  ~Nesting() { --depth_; }
+
+ private:
+  int& depth_;
+};
+
+int arity(Function f) {
+  switch (f) {
+    case Function::mod:
+    case Function::atan2:
+    case Function::root:
+    case Function::hypot:
+      return 2;
+    case Function::min:
+    case Function::max:
+      return -2;  // two or more
+    default:
+      return 1;
+  }
+}
+
+const char* closing(char32_t open) { return open == U'(' ? ")" : open == U'[' ? "]" : "}"; }
+
+bool closes(char32_t open, char32_t close) {
+  return (open == U'(' && close == U')') || (open == U'[' && close == U']') || (open == U'{' && close == U'}');
+}
+
+/// The inverse that sin^-1 means, or nothing.
+std::optional<Function> inverse_of(Function f) {
+  switch (f) {
+    case Function::sin: return Function::asin;
+    case Function::cos: return Function::acos;
+    case Function::tan: return Function::atan;
+    case Function::cot: return Function::acot;
+    case Function::sinh: return Function::asinh;
+    case Function::cosh: return Function::acosh;
+    case Function::tanh: return Function::atanh;
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace
+
+tl::expected<std::vector<Relation>, SyntaxError> Parser::run() {
+  std::vector<Relation> relations;
+  while (true) {
+    while (is(TokenKind::semicolon)) ++at_;
+    if (is(TokenKind::end)) break;
+    auto one = relation();
+    if (!one) return tl::unexpected(std::move(one.error()));
+    relations.push_back(std::move(*one));
+    if (!is(TokenKind::semicolon) && !is(TokenKind::end)) {
+      if (is(TokenKind::close)) return unexpected_token("expected an operator, \";\" or the end");
+      return unexpected_token("expected an operator, \"=\", \";\" or the end");
+    }
+  }
+  if (relations.empty()) {
+    return tl::unexpected(SyntaxError{now().column, "there is no expression", "expected something like y = sin(x)"});
+  }
+  return relations;
+}
+
+bool Parser::starts_operand() const {
+  switch (now().kind) {
+    case TokenKind::number:
+    case TokenKind::variable:
+    case TokenKind::constant:
+    case TokenKind::function:
+    case TokenKind::root:
+    case TokenKind::open:
+      return true;
+    case TokenKind::bar:
+      return open_bars_ == 0;
+    default:
+      return false;
+  }
+}
+
+tl::unexpected<SyntaxError> Parser::missing_operand() const {
+  std::string message = is(TokenKind::end) || is(TokenKind::semicolon) ? "the text ends where an operand must follow"
+                                                                       : "\"" + now().text + "\" stands where an operand must be";
+  if (at_ > 0 && tokens_[at_ - 1].kind != TokenKind::semicolon)
+    message = "an operand is missing after \"" + tokens_[at_ - 1].text + "\"";
+  return tl::unexpected(SyntaxError{now().column, std::move(message), kOperand});
+}
+
+tl::unexpected<SyntaxError> Parser::unexpected_token(std::string expected) const {
+  const std::string what = is(TokenKind::end) ? "the text ends too early" : "\"" + now().text + "\" does not fit here";
+  return tl::unexpected(SyntaxError{now().column, what, std::move(expected)});
+}
+
+// "y(x) = ..." says the same as "y = ...".
+void Parser::skip_definition_head() {
+  if (at_ + 4 >= tokens_.size()) return;
+  const auto kind = [this](std::size_t i) { return tokens_[at_ + i].kind; };
+  const bool fits = kind(0) == TokenKind::variable && tokens_[at_].variable == Variable::y &&
+                    kind(1) == TokenKind::open && kind(2) == TokenKind::variable &&
+                    tokens_[at_ + 2].variable == Variable::x && kind(3) == TokenKind::close &&
+                    kind(4) == TokenKind::comparison;
+  if (fits) at_ += 3;
+}
+
+tl::expected<Relation, SyntaxError> Parser::relation() {
+  Relation r;
+  r.column = now().column;
+  const std::size_t start = at_;
+  skip_definition_head();
+  if (at_ != start) {
+    r.terms.push_back(variable(Variable::y));
+    ++at_;
+  } else {
+    auto first = sum();
+    if (!first) return tl::unexpected(std::move(first.error()));
+    r.terms.push_back(std::move(*first));
+  }
+  while (is(TokenKind::comparison)) {
+    r.comparisons.push_back(now().comparison);
+    ++at_;
+    auto next = sum();
+    if (!next) return tl::unexpected(std::move(next.error()));
+    r.terms.push_back(std::move(*next));
+  }
+  return r;
+}
+
+Parser::Parsed Parser::sum() {
+  const Nesting nesting(depth_);
+  if (depth_ > kMostDepth)
+    return tl::unexpected(SyntaxError{now().column, "parentheses are nested too deep", "expected a simpler expression"});
+  Parsed left = product();
+  while (left && (is(TokenKind::plus) || is(TokenKind::minus))) {
+    const NodeKind kind = is(TokenKind::plus) ? NodeKind::add : NodeKind::subtract;
+    ++at_;
+    Parsed right = product();
+    if (!right) return right;
+    left = binary(kind, std::move(*left), std::move(*right));
+  }
+  return left;
+}
+
+Parser::Parsed Parser::product() {
+  Parsed left = signed_operand();
+  while (left) {
+    NodeKind kind = NodeKind::multiply;
+    if (is(TokenKind::times) || is(TokenKind::divide)) {
+      kind = is(TokenKind::times) ? NodeKind::multiply : NodeKind::divide;
+      ++at_;
+    } else if (!starts_operand()) {
+      break;
+    } else if (is(TokenKind::number) && at_ > 0 && tokens_[at_ - 1].kind == TokenKind::number) {
+      return unexpected_token("expected an operator between two numbers");
+    }
+    Parsed right = signed_operand();
+    if (!right) return right;
+    left = binary(kind, std::move(*left), std::move(*right));
+  }
+  return left;
+}
+
+Parser::Parsed Parser::signed_operand() {
+  if (!is(TokenKind::plus) && !is(TokenKind::minus)) return raised();
+  const Nesting nesting(depth_);
+  if (depth_ > kMostDepth)
+    return tl::unexpected(SyntaxError{now().column, "there are too many signs", "expected a simpler expression"});
+  const bool negative = is(TokenKind::minus);
+  ++at_;
+  Parsed inner = signed_operand();
+  if (inner && negative) return negate(std::move(*inner));
+  return inner;
+}
+
+Parser::Parsed Parser::raised() {
+  Parsed base = factored();
+  if (!base || !is(TokenKind::power)) return base;
+  ++at_;
+  Parsed e = exponent();
+  if (!e) return e;
+  return binary(NodeKind::power, std::move(*base), std::move(*e));
+}
+
+/// What stands after ^: signs bind looser than a further power, 2^-x^2 = 2^(-(x^2)).
+Parser::Parsed Parser::exponent() {
+  const Nesting nesting(depth_);
+  if (depth_ > kMostDepth)
+    return tl::unexpected(SyntaxError{now().column, "powers are nested too deep", "expected a simpler expression"});
+  if (is(TokenKind::plus) || is(TokenKind::minus)) {
+    const bool negative = is(TokenKind::minus);
+    ++at_;
+    Parsed inner = exponent();
+    if (inner && negative) return negate(std::move(*inner));
+    return inner;
+  }
+  return raised();
+}
+
+Parser::Parsed Parser::factored() {
+  Parsed e = operand();
+  while (e && (is(TokenKind::factorial) || is(TokenKind::superscript))) {
+    if (is(TokenKind::factorial)) {
+      e = call(Function::factorial, {std::move(*e)});
+    } else {
+      e = binary(NodeKind::power, std::move(*e), number(now().value));
+    }
+    ++at_;
+  }
+  return e;
+}
+
+Parser::Parsed Parser::operand() {
+  const Token& token = now();
+  switch (token.kind) {
+    case TokenKind::number:
+      ++at_;
+      return number(token.value, token.exact);
+    case TokenKind::variable:
+      ++at_;
+      return variable(token.variable);
+    case TokenKind::constant:
+      ++at_;
+      return constant(token.constant);
+    case TokenKind::open:
+      return group();
+    case TokenKind::bar:
+      return bars();
+    case TokenKind::function:
+      return function_call();
+    case TokenKind::root: {
+      ++at_;
+      const Nesting nesting(depth_);
+      if (depth_ > kMostDepth)
+        return tl::unexpected(SyntaxError{now().column, "roots are nested too deep", "expected a simpler expression"});
+      Parsed inner = raised();
+      if (!inner) return inner;
+      if (token.degree == 2) return call(Function::sqrt, {std::move(*inner)});
+      if (token.degree == 3) return call(Function::cbrt, {std::move(*inner)});
+      return call(Function::root, {number(token.degree), std::move(*inner)});
+    }
+    default:
+      return missing_operand();
+  }
+}
+
+Parser::Parsed Parser::bars() {
+  const int column = now().column;
+  const Nesting nesting(depth_);
+  if (depth_ > kMostDepth)
+    return tl::unexpected(SyntaxError{column, "bars are nested too deep", "expected a simpler expression"});
+  ++at_;
+  ++open_bars_;
+  Parsed inner = sum();
+  --open_bars_;
+  if (!inner) return inner;
+  if (!is(TokenKind::bar)) {
+    return tl::unexpected(SyntaxError{now().column, "the bar of column " + std::to_string(column) + " is not closed",
+                                      "expected \"|\""});
+  }
+  ++at_;
+  return call(Function::abs, {std::move(*inner)});
+}
+
+Parser::Parsed Parser::group() {
+  const Token open = now();
+  ++at_;
+  const int bars_outside = std::exchange(open_bars_, 0);
+  Parsed inner = sum();
+  open_bars_ = bars_outside;
+  if (!inner) return inner;
+  if (!is(TokenKind::close) || !closes(open.bracket, now().bracket)) {
+    return tl::unexpected(SyntaxError{
+        now().column, "the \"" + open.text + "\" of column " + std::to_string(open.column) + " is not closed",
+        std::string("expected \"") + closing(open.bracket) + "\""});
+  }
+  ++at_;
+  return inner;
+}
+
+tl::expected<std::vector<Expression>, SyntaxError> Parser::argument_list() {
+  const Token open = now();
+  ++at_;
+  const int bars_outside = std::exchange(open_bars_, 0);
+  std::vector<Expression> arguments;
+  while (true) {
+    Parsed one = sum();
+    if (!one) return tl::unexpected(std::move(one.error()));
+    arguments.push_back(std::move(*one));
+    if (!is(TokenKind::comma) && !is(TokenKind::semicolon)) break;
+    ++at_;
+  }
+  open_bars_ = bars_outside;
+  if (!is(TokenKind::close) || !closes(open.bracket, now().bracket)) {
+    return tl::unexpected(SyntaxError{
+        now().column, "the \"" + open.text + "\" of column " + std::to_string(open.column) + " is not closed",
+        std::string("expected \"") + closing(open.bracket) + "\""});
+  }
+  ++at_;
+  return arguments;
+}
+
+/// The product after a function name without parentheses; the next function begins a new factor.
+Parser::Parsed Parser::bare_argument() {
+  const Nesting nesting(depth_);
+  if (depth_ > kMostDepth)
+    return tl::unexpected(SyntaxError{now().column, "functions are nested too deep", "expected a simpler expression"});
+  if (is(TokenKind::minus) || is(TokenKind::plus)) {
+    const bool negative = is(TokenKind::minus);
+    ++at_;
+    Parsed inner = bare_argument();
+    if (inner && negative) return negate(std::move(*inner));
+    return inner;
+  }
+  Parsed left = raised();
+  while (left && starts_operand() && !is(TokenKind::function)) {
+    if (is(TokenKind::number) && tokens_[at_ - 1].kind == TokenKind::number)
+      return unexpected_token("expected an operator between two numbers");
+    Parsed right = raised();
+    if (!right) return right;
+    left = binary(NodeKind::multiply, std::move(*left), std::move(*right));
+  }
+  return left;
+}
+
+Parser::Parsed Parser::function_call() {
+  const Token name = now();
+  ++at_;
+  Expression base;
+  Expression power;
+  if (is(TokenKind::underscore) && name.function == Function::log10) {
+    ++at_;
+    Parsed b = operand();
+    if (!b) return b;
+    base = std::move(*b);
+  }
+  if (is(TokenKind::superscript)) {
+    power = number(now().value);
+    ++at_;
+  } else if (is(TokenKind::power)) {
+    ++at_;
+    const bool negative = is(TokenKind::minus);
+    if (negative) ++at_;
+    Parsed p = operand();
+    if (!p) return p;
+    power = negative ? negate(std::move(*p)) : std::move(*p);
+  }
+  if (is(TokenKind::open)) {
+    auto arguments = argument_list();
+    if (!arguments) return tl::unexpected(std::move(arguments.error()));
+    return finish_call(name, std::move(*arguments), base, power);
+  }
+  if (!starts_operand() && !is(TokenKind::minus) && !is(TokenKind::plus) && !(is(TokenKind::bar))) {
+    return tl::unexpected(SyntaxError{now().column, "the argument of \"" + name.text + "\" is missing",
+                                      "expected \"(\" or an operand"});
+  }
+  Parsed argument = bare_argument();
+  if (!argument) return argument;
+  return finish_call(name, {std::move(*argument)}, base, power);
+}
+
+Parser::Parsed Parser::finish_call(const Token& name, std::vector<Expression> arguments, const Expression& base,
+                                   const Expression& power) {
+  const int wanted = arity(name.function);
+  const int given = static_cast<int>(arguments.size());
+  if ((wanted > 0 && given != wanted) || (wanted < 0 && given < -wanted)) {
+    const std::string count = wanted == 1 ? "one argument" : wanted == 2 ? "two arguments" : "two arguments or more";
+    return tl::unexpected(SyntaxError{name.column,
+                                      "\"" + name.text + "\" is given " + std::to_string(given) +
+                                          (given == 1 ? " argument" : " arguments"),
+                                      "expected " + count});
+  }
+  Expression e;
+  if (base) {
+    e = call(Function::log_base, {base, arguments[0]});
+  } else if (wanted < 0) {
+    e = arguments[0];
+    for (std::size_t i = 1; i < arguments.size(); ++i) e = call(name.function, {e, arguments[i]});
+  } else {
+    e = call(name.function, std::move(arguments));
+  }
+  if (!power) return e;
+  const auto value = rational_value(power);
+  if (value && *value == Rational{-1, 1}) {
+    if (const auto inverse = inverse_of(name.function)) return call(*inverse, e->arguments);
+  }
+  return binary(NodeKind::power, std::move(e), power);
+}
+
+}  // namespace nazori::functions

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/functions/plot.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "parser.h"
+
+namespace nazori::functions {
+namespace {
+
+constexpr std::size_t kMostStatements = 32;
+
+bool is_variable(const Expression& e, Variable v) { return e->kind == NodeKind::variable && e->variable == v; }
+
+tl::unexpected<SyntaxError> refuse(const Relation& r, std::string message, std::string expected) {
+  return tl::unexpected(SyntaxError{r.column, std::move(message), std::move(expected)});
+}
+
+bool is_equation(const Relation& r) {
+  return r.comparisons.size() == 1 && r.comparisons[0] == Comparison::equal;
+}
+
+bool falls(Comparison c) { return c == Comparison::greater || c == Comparison::greater_equal; }
+
+/// "0 <= t <= 2pi" or its mirror image.
+bool is_range(const Relation& r) {
+  if (r.terms.size() != 3) return false;
+  for (const Comparison c : r.comparisons) {
+    if (c == Comparison::equal || falls(c) != falls(r.comparisons[0])) return false;
+  }
+  return (is_variable(r.terms[1], Variable::t) || is_variable(r.terms[1], Variable::theta)) &&
+         variables_of(r.terms[0]).empty() && variables_of(r.terms[2]).empty();
+}
+
+/// Turns relations into statements, one after the other.
+class Reader {
+ public:
+  tl::expected<Plot, SyntaxError> run(const std::vector<Relation>& relations) {
+    for (std::size_t i = 0; i < relations.size();) {
+      const auto used = read(std::span(relations).subspan(i));
+      if (!used) return tl::unexpected(used.error());
+      i += *used;
+    }
+    for (const Statement& s : plot_.statements) {
+      if (s.kind == StatementKind::surface && plot_.statements.size() > 1) {
+        return tl::unexpected(SyntaxError{s.column, "a surface z = f(x, y) stands alone",
+                                          "expected one statement where one is a surface"});
+      }
+    }
+    if (plot_.statements.size() > kMostStatements) {
+      return tl::unexpected(SyntaxError{plot_.statements[kMostStatements].column, "there are more than 32 expressions",
+                                        "expected fewer"});
+    }
+    return std::move(plot_);
+  }
+
+ private:
+  Statement& add(StatementKind kind, const Relation& r, std::vector<Expression> terms) {
+    Statement s;
+    s.kind = kind;
+    s.terms = std::move(terms);
+    s.column = r.column;
+    plot_.statements.push_back(std::move(s));
+    return plot_.statements.back();
+  }
+
+  static tl::expected<void, SyntaxError> set_range(Statement& s, const Relation* range) {
+    s.from = number(0);
+    s.to = binary(NodeKind::multiply, number(2), constant(Constant::pi));
+    if (range == nullptr) return {};
+    const bool mirrored = falls(range->comparisons[0]);
+    s.from = range->terms[mirrored ? 2 : 0];
+    s.to = range->terms[mirrored ? 0 : 2];
+    s.range_given = true;
+    const double low = constant_value(s.from);
+    const double high = constant_value(s.to);
+    if (!std::isfinite(low) || !std::isfinite(high) || !(low <= high)) {
+      return tl::unexpected(SyntaxError{range->column, "the range of the parameter is empty or without bounds",
+                                        "expected a smaller number before a larger one"});
+    }
+    return {};
+  }
+
+  /// @return how many relations the statement took.
+  tl::expected<std::size_t, SyntaxError> read(std::span<const Relation> rest) {
+    const Relation& r = rest[0];
+    if (is_range(r)) {
+      return refuse(r, "a range belongs after the curve it is for",
+                    "expected x = ...; y = ...; range, or r = ...; range");
+    }
+    if (const auto used = parametric(rest); !used || *used > 0) return used;
+    std::set<Variable> all;
+    for (const Expression& e : r.terms) all.merge(variables_of(e));
+    if (all.contains(Variable::t)) {
+      return refuse(r, "t needs x and y to be given together", "expected x = f(t); y = g(t); a <= t <= b");
+    }
+    if (all.contains(Variable::theta) || all.contains(Variable::r)) return polar(rest, all);
+    if (all.contains(Variable::z)) return surface(r);
+    return plane(r, all);
+  }
+
+  /// @return 0 where the relations are not a parametric curve.
+  tl::expected<std::size_t, SyntaxError> parametric(std::span<const Relation> rest) {
+    if (rest.size() < 2 || !is_equation(rest[0]) || !is_equation(rest[1])) return 0;
+    const bool x_first = is_variable(rest[0].terms[0], Variable::x) && is_variable(rest[1].terms[0], Variable::y);
+    const bool y_first = is_variable(rest[0].terms[0], Variable::y) && is_variable(rest[1].terms[0], Variable::x);
+    if (!x_first && !y_first) return 0;
+    const Expression& first = rest[0].terms[1];
+    const Expression& second = rest[1].terms[1];
+    for (const Expression& e : {first, second}) {
+      for (const Variable v : variables_of(e)) {
+        if (v != Variable::t) return 0;
+      }
+    }
+    const bool has_range = rest.size() > 2 && is_range(rest[2]) && is_variable(rest[2].terms[1], Variable::t);
+    if (!has_range && !depends_on(first, Variable::t) && !depends_on(second, Variable::t)) return 0;
+    Statement& s = add(StatementKind::parametric, rest[0],
+                       x_first ? std::vector{first, second} : std::vector{second, first});
+    const auto ranged = set_range(s, has_range ? &rest[2] : nullptr);
+    if (!ranged) return tl::unexpected(ranged.error());
+    return has_range ? 3 : 2;
+  }
+
+  tl::expected<std::size_t, SyntaxError> polar(std::span<const Relation> rest, const std::set<Variable>& all) {
+    const Relation& r = rest[0];
+    for (const Variable v : all) {
+      if (v != Variable::r && v != Variable::theta) {
+        return refuse(r, "r and theta cannot be mixed with " + std::string(name_of(v)),
+                      "expected only r and theta, or only x and y");
+      }
+    }
+    const bool bare = r.comparisons.empty();
+    if (!bare && !is_equation(r)) {
+      return refuse(r, "inequalities in r and theta cannot be drawn", "expected r = f(theta)");
+    }
+    Statement* s = nullptr;
+    if (bare) {
+      if (depends_on(r.terms[0], Variable::r)) return refuse(r, "there is nothing to be equal to", "expected r = f(theta)");
+      s = &add(StatementKind::polar, r, {r.terms[0]});
+    } else if (is_variable(r.terms[0], Variable::r) && !depends_on(r.terms[1], Variable::r)) {
+      s = &add(StatementKind::polar, r, {r.terms[1]});
+    } else if (is_variable(r.terms[1], Variable::r) && !depends_on(r.terms[0], Variable::r)) {
+      s = &add(StatementKind::polar, r, {r.terms[0]});
+    } else {
+      s = &add(StatementKind::polar_implicit, r, r.terms);
+      s->comparisons = r.comparisons;
+    }
+    const bool has_range = rest.size() > 1 && is_range(rest[1]) && is_variable(rest[1].terms[1], Variable::theta);
+    const auto ranged = set_range(*s, has_range ? &rest[1] : nullptr);
+    if (!ranged) return tl::unexpected(ranged.error());
+    return has_range ? 2 : 1;
+  }
+
+  tl::expected<std::size_t, SyntaxError> surface(const Relation& r) {
+    if (is_equation(r)) {
+      for (const std::size_t i : {0U, 1U}) {
+        if (is_variable(r.terms[i], Variable::z) && !depends_on(r.terms[1 - i], Variable::z)) {
+          add(StatementKind::surface, r, {r.terms[1 - i]});
+          return 1;
+        }
+      }
+    }
+    return refuse(r, "z can only stand alone on one side", "expected z = f(x, y)");
+  }
+
+  tl::expected<std::size_t, SyntaxError> plane(const Relation& r, const std::set<Variable>& all) {
+    if (r.comparisons.empty()) {
+      const bool has_x = all.contains(Variable::x);
+      const bool has_y = all.contains(Variable::y);
+      const StatementKind kind = has_x && has_y ? StatementKind::surface
+                                 : has_y        ? StatementKind::explicit_x
+                                                : StatementKind::explicit_y;
+      add(kind, r, {r.terms[0]});
+      return 1;
+    }
+    if (is_equation(r)) {
+      for (const std::size_t i : {0U, 1U}) {
+        if (is_variable(r.terms[i], Variable::y) && !depends_on(r.terms[1 - i], Variable::y)) {
+          add(StatementKind::explicit_y, r, {r.terms[1 - i]});
+          return 1;
+        }
+        if (is_variable(r.terms[i], Variable::x) && !depends_on(r.terms[1 - i], Variable::x)) {
+          add(StatementKind::explicit_x, r, {r.terms[1 - i]});
+          return 1;
+        }
+      }
+      add(StatementKind::implicit, r, r.terms).comparisons = r.comparisons;
+      return 1;
+    }
+    add(StatementKind::inequality, r, r.terms).comparisons = r.comparisons;
+    return 1;
+  }
+
+  Plot plot_;
+};
+
+std::string sign_of(Comparison c) {
+  constexpr std::array<const char*, 5> kSigns{" = ", " < ", " <= ", " > ", " >= "};
+  return kSigns[static_cast<std::size_t>(c)];
+}
+
+std::string range_text(const Statement& s, Variable v) {
+  return "; " + to_text(s.from) + " <= " + std::string(name_of(v)) + " <= " + to_text(s.to);
+}
+
+}  // namespace
+
+base::Error SyntaxError::to_error() const {
+  return {base::Errc::parse, message, "column " + std::to_string(column), expected};
+}
+
+tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options) {
+  const auto tokens = tokenize(text, options);
+  if (!tokens) return tl::unexpected(tokens.error());
+  const auto relations = Parser(*tokens).run();
+  if (!relations) return tl::unexpected(relations.error());
+  return Reader().run(*relations);
+}
+
+std::string canonical(const Statement& s) {
+  switch (s.kind) {
+    case StatementKind::explicit_y: return "y = " + to_text(s.terms[0]);
+    case StatementKind::explicit_x: return "x = " + to_text(s.terms[0]);
+    case StatementKind::surface: return "z = " + to_text(s.terms[0]);
+    case StatementKind::parametric:
+      return "x = " + to_text(s.terms[0]) + "; y = " + to_text(s.terms[1]) + range_text(s, Variable::t);
+    case StatementKind::polar: return "r = " + to_text(s.terms[0]) + range_text(s, Variable::theta);
+    case StatementKind::implicit:
+    case StatementKind::inequality:
+    case StatementKind::polar_implicit: break;
+  }
+  std::string text = to_text(s.terms[0]);
+  for (std::size_t i = 1; i < s.terms.size(); ++i) text += sign_of(s.comparisons[i - 1]) + to_text(s.terms[i]);
+  return s.kind == StatementKind::polar_implicit ? text + range_text(s, Variable::theta) : text;
+}
+
+std::string canonical(const Plot& plot) {
+  std::string text;
+  for (const Statement& s : plot.statements) text += (text.empty() ? "" : "; ") + canonical(s);
+  return text;
+}
+
+}  // namespace nazori::functions

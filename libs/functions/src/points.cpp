@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/functions/points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "algebra.h"
+#include "arcs.h"
+#include "polyline_crossings.h"
+#include "roots.h"
+
+namespace nazori::functions {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+// Two points of interest of one kind nearer than this part of the plate are one.
+constexpr double kSame = 1e-6;
+
+/// Values and slopes of an arc.
+class ArcProbe {
+ public:
+  explicit ArcProbe(const Arc& arc)
+      : tape_(Tape::compile(std::array{improved(arc.x), improved(arc.y)}, std::array{arc.parameter})),
+        registers_(tape_.size()) {}
+
+  struct Values {
+    double x, y, slope_x, slope_y;
+  };
+  Values at(double t) {
+    tape_.evaluate<Dual<double, 1>>(std::array{Dual<double, 1>(t, 0)}, registers_);
+    const auto& x = registers_[tape_.output(0)];
+    const auto& y = registers_[tape_.output(1)];
+    return {x.value, y.value, x.slopes[0], y.slopes[0]};
+  }
+
+ private:
+  Tape tape_;
+  std::vector<Dual<double, 1>> registers_;
+};
+
+class PointFinder {
+ public:
+  PointFinder(const Plot& plot, const Tracing& tracing, std::size_t most)
+      : plot_(plot), tracing_(tracing), window_(tracing.window), most_(most) {}
+
+  std::vector<PointOfInterest> run() {
+    counts_.assign(plot_.statements.size(), 0);
+    for (std::size_t i = 0; i < plot_.statements.size(); ++i) {
+      const Statement& s = plot_.statements[i];
+      statement_ = static_cast<int>(i);
+      if (const auto arc = arc_of(s, window_, 0.02)) {
+        walk(*arc);
+      } else if (s.kind == StatementKind::implicit) {
+        intercepts(s);
+      }
+    }
+    for (const Event& e : tracing_.events) add(e);
+    for (std::size_t i = 0; i < plot_.statements.size(); ++i) {
+      for (std::size_t j = i + 1; j < plot_.statements.size(); ++j) meet(static_cast<int>(i), static_cast<int>(j));
+    }
+    self_crossings();
+    for (PointOfInterest& p : found_) {
+      p.x_name = exact_name(p.x).value_or("");
+      p.y_name = exact_name(p.y).value_or("");
+    }
+    std::stable_sort(found_.begin(), found_.end(), [](const PointOfInterest& a, const PointOfInterest& b) {
+      if (a.statement != b.statement) return a.statement < b.statement;
+      const double ax = std::isnan(a.x) ? -1e300 : a.x;
+      const double bx = std::isnan(b.x) ? -1e300 : b.x;
+      return ax < bx;
+    });
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] bool in_window(double x, double y) const {
+    constexpr double kHair = 1e-9;
+    const double u = window_.u(x);
+    const double v = window_.v(y);
+    return (std::isnan(x) || (u >= -kHair && u <= 1 + kHair)) && (std::isnan(y) || (v >= -kHair && v <= 1 + kHair)) &&
+           !(std::isnan(x) && std::isnan(y));
+  }
+
+  void add(PointKind kind, double x, double y, double parameter, int other = -1) {
+    if (!in_window(x, y)) return;
+    const auto owner = static_cast<std::size_t>(statement_);
+    if (counts_[owner] >= most_) return;
+    for (const PointOfInterest& p : found_) {
+      if (p.kind != kind || p.statement != statement_ || p.other != other) continue;
+      const double du = std::isnan(x) ? 0 : window_.u(p.x) - window_.u(x);
+      const double dv = std::isnan(y) ? 0 : window_.v(p.y) - window_.v(y);
+      if (std::hypot(du, dv) < kSame) return;
+    }
+    ++counts_[owner];
+    found_.push_back({kind, statement_, other, x + 0.0, y + 0.0, parameter + 0.0, {}, {}});
+  }
+
+  /// The argument in (low, high) where `f` changes sign.
+  template <class F>
+  static double bisect(double low, double high, const F& f) {
+    const bool negative = f(low) < 0;
+    for (int i = 0; i < 100; ++i) {
+      const double middle = low + (high - low) / 2;
+      if (middle <= low || middle >= high) break;
+      const double v = f(middle);
+      if (v == 0) return middle;
+      ((v < 0) == negative ? low : high) = middle;
+    }
+    const double a = std::abs(f(low));
+    const double b = std::abs(f(high));
+    return a <= b ? low : high;
+  }
+
+  /// Calls found(t, rising) wherever `f` changes sign along a branch.
+  template <class F, class Found>
+  static void sign_changes(const std::vector<CurvePoint>& points, const F& f, const Found& found) {
+    double last = 0;
+    double last_at = 0;
+    bool has_last = false;
+    int zeros = 0;
+    for (const CurvePoint& p : points) {
+      const double v = f(p.parameter);
+      if (std::isnan(v)) {
+        has_last = false;
+        continue;
+      }
+      if (v == 0) {
+        ++zeros;
+        continue;
+      }
+      // A run of zeros is a flat piece, not a place.
+      if (has_last && (v < 0) != (last < 0) && zeros <= 1 && p.parameter > last_at)
+        found(bisect(last_at, p.parameter, f), v > 0);
+      last = v;
+      last_at = p.parameter;
+      has_last = true;
+      zeros = 0;
+    }
+  }
+
+  void walk(const Arc& arc) {
+    ArcProbe probe(arc);
+    const StatementKind kind = plot_.statements[static_cast<std::size_t>(statement_)].kind;
+    const double flat = 1e-12 * std::max(std::abs(window_.y0), std::abs(window_.y1));
+    for (const Branch& b : tracing_.branches) {
+      if (b.statement != statement_ || !b.has_parameter) continue;
+      sign_changes(b.points, [&](double t) { return probe.at(t).y; },
+                   [&](double t, bool) { add(PointKind::zero, probe.at(t).x, 0, t); });
+      for (const CurvePoint* end : {&b.points.front(), &b.points.back()}) {
+        if (std::abs(probe.at(end->parameter).y) <= flat && kind != StatementKind::explicit_y)
+          add(PointKind::zero, probe.at(end->parameter).x, 0, end->parameter);
+      }
+      if (kind != StatementKind::explicit_x) {
+        sign_changes(b.points, [&](double t) { return probe.at(t).slope_y; },
+                     [&](double t, bool rising) {
+                       const auto v = probe.at(t);
+                       const bool least = kind == StatementKind::explicit_y ? rising : is_least(probe, t);
+                       const double y = std::isfinite(v.y) ? v.y : near_value(probe, t);
+                       if (std::abs(y) <= flat) add(PointKind::zero, v.x, 0, t);
+                       add(least ? PointKind::minimum : PointKind::maximum, v.x, std::abs(y) <= flat ? 0 : y, t);
+                     });
+      }
+      if (kind == StatementKind::explicit_y) inflections(b, probe);
+      if (kind != StatementKind::explicit_y) {
+        sign_changes(b.points, [&](double t) { return probe.at(t).x; },
+                     [&](double t, bool) { add(PointKind::y_intercept, 0, probe.at(t).y, t); });
+      }
+    }
+    if (kind == StatementKind::explicit_y) {
+      const auto v = probe.at(0);
+      if (window_.x0 <= 0 && window_.x1 >= 0 && std::isfinite(v.y)) add(PointKind::y_intercept, 0, v.y, 0);
+    }
+  }
+
+  static double near_value(ArcProbe& probe, double t) {
+    const double h = 1e-9 * std::max(1.0, std::abs(t));
+    return (probe.at(t - h).y + probe.at(t + h).y) / 2;
+  }
+
+  static bool is_least(ArcProbe& probe, double t) {
+    const double h = 1e-5 * std::max(1.0, std::abs(t));
+    return probe.at(t - h).y > probe.at(t).y;
+  }
+
+  /// Where the slope itself turns: by differences of slopes, on branches that are no mere straight line.
+  void inflections(const Branch& b, ArcProbe& probe) {
+    const double span = b.points.back().parameter - b.points.front().parameter;
+    const double h = 3e-5 * span;
+    const auto bend = [&](double t) {
+      const double d = probe.at(t + h).slope_y - probe.at(t - h).slope_y;
+      // Differences of rounding errors are no bend.
+      return std::abs(d) < 1e-14 * (std::abs(probe.at(t).slope_y) + 1e-300) ? 0.0 : d;
+    };
+    sign_changes(b.points, bend, [&](double t, bool) {
+      const auto v = probe.at(t);
+      const double around = std::max(std::abs(probe.at(t + 2 * h).slope_y), std::abs(probe.at(t - 2 * h).slope_y));
+      // At corners and cusps the slope jumps.
+      if (std::isfinite(v.slope_y) && std::abs(bend(t + 2 * h)) < 0.2 * (around + 1e-12))
+        add(PointKind::inflection, snapped(v.x), probe.at(snapped(v.x)).y, t);
+    });
+  }
+
+  /// Differences find an inflection to some eight digits only: a nearby exact number is meant.
+  static double snapped(double x) {
+    for (const double unit : {1.0, 0.5, std::acos(-1.0) / 2, std::acos(-1.0) / 4, 1.0 / 3}) {
+      const double near = std::round(x / unit) * unit;
+      if (std::abs(near - x) < 1e-6 * std::max(1.0, std::abs(x))) return near;
+    }
+    return x;
+  }
+
+  void intercepts(const Statement& s) {
+    const Expression f = equation_of(s);
+    const Expression on_x = reduced(substitute(f, Variable::y, number(0)));
+    const Expression on_y = reduced(substitute(f, Variable::x, number(0)));
+    const auto vanishes = [](const Expression& e) {
+      const auto p = Polynomial::of(over_common_denominator(e).numerator);
+      return p && p->is_zero();
+    };
+    if (window_.y0 <= 0 && window_.y1 >= 0 && !vanishes(on_x)) {
+      for (const Root& r : find_roots(numerator(on_x), Variable::x, window_.x0, window_.x1).roots)
+        if (is_defined(f, r.at, 0)) add(PointKind::zero, r.at, 0, 0);
+    }
+    if (window_.x0 <= 0 && window_.x1 >= 0 && !vanishes(on_y)) {
+      for (const Root& r : find_roots(numerator(on_y), Variable::y, window_.y0, window_.y1).roots)
+        if (is_defined(f, 0, r.at)) add(PointKind::y_intercept, 0, r.at, 0);
+    }
+  }
+
+  static Expression numerator(const Expression& e) { return over_common_denominator(e).numerator; }
+  static bool is_defined(const Expression& f, double x, double y) {
+    const Tape tape = Tape::compile(std::array{f}, std::array{Variable::x, Variable::y});
+    return std::isfinite(tape.evaluate_one<double>(std::array{x, y}));
+  }
+
+  void add(const Event& e) {
+    statement_ = e.statement;
+    const StatementKind kind = plot_.statements[static_cast<std::size_t>(e.statement)].kind;
+    switch (e.kind) {
+      case EventKind::pole:
+        if (kind == StatementKind::explicit_y) add(PointKind::vertical_asymptote, e.x, kNaN, e.parameter);
+        if (kind == StatementKind::explicit_x) add(PointKind::horizontal_asymptote, kNaN, e.y, e.parameter);
+        break;
+      case EventKind::hole:
+        add(PointKind::hole, e.x, e.y, e.parameter);
+        break;
+      case EventKind::jump:
+        add(PointKind::jump, e.x, e.y, e.parameter);
+        break;
+      case EventKind::end:
+        // A limit that is not attained is known to some ten digits.
+        if (!is_passed_through(e)) add(PointKind::end, e.x, limit(e.y), e.parameter);
+        break;
+      case EventKind::singular:
+        add(branches_at(e) >= 4 ? PointKind::self_crossing : PointKind::singular, e.x, e.y, e.parameter);
+        break;
+      case EventKind::isolated:
+        add(PointKind::isolated, e.x, e.y, e.parameter);
+        break;
+      case EventKind::limit:
+        break;
+    }
+  }
+
+  static double limit(double y) {
+    const double near = std::round(y * 1e4) / 1e4;
+    return std::abs(near - y) < 1e-9 * std::max(1.0, std::abs(y)) ? near : y;
+  }
+
+  /// Pieces of curves that end at the event.
+  [[nodiscard]] int branches_at(const Event& e) const {
+    int n = 0;
+    for (const Branch& b : tracing_.branches) {
+      if (b.statement != e.statement) continue;
+      for (const CurvePoint* p : {&b.points.front(), &b.points.back()})
+        n += std::hypot(p->u - window_.u(e.x), p->v - window_.v(e.y)) < 1e-5 ? 1 : 0;
+    }
+    return n;
+  }
+
+  [[nodiscard]] bool is_passed_through(const Event& e) const { return branches_at(e) >= 2; }
+
+  /// Crossings of two statements: in one variable where one of them is an arc, else where polylines meet.
+  void meet(int i, int j) {
+    const Statement& a = plot_.statements[static_cast<std::size_t>(i)];
+    const Statement& b = plot_.statements[static_cast<std::size_t>(j)];
+    statement_ = i;
+    auto arc = arc_of(a, window_, 0);
+    Expression f = equation_of(b);
+    if (!arc || !f) {
+      arc = arc_of(b, window_, 0);
+      f = equation_of(a);
+    }
+    if (arc && f) {
+      meet(*arc, f, j);
+    } else {
+      for (const Meeting& m : crossings_of(tracing_, i, j)) {
+        PlatePoint at{window_.x(m.at.u), window_.y(m.at.v)};
+        const Expression fa = equation_of(a);
+        const Expression fb = equation_of(b);
+        if (fa && fb) at = refined(fa, fb, at);
+        add(PointKind::crossing, at.u, at.v, 0, j);
+      }
+    }
+  }
+
+  void meet(const Arc& arc, const Expression& f, int other) {
+    // The placeholder keeps the second substitution away from what the first brought in.
+    const Expression with_x = substitute(f, Variable::x, variable(Variable::z));
+    const Expression with_y = substitute(with_x, Variable::y, arc.y);
+    const Expression along = reduced(substitute(with_y, Variable::z, arc.x));
+    const Expression top = numerator(along);
+    const auto p = Polynomial::of(top);
+    if (p && p->is_zero()) return;
+    ArcProbe probe(arc);
+    for (const Root& r : find_roots(top, arc.parameter, arc.from, arc.to).roots) {
+      const auto v = probe.at(r.at);
+      if (!std::isfinite(v.x) || !std::isfinite(v.y)) continue;
+      add(r.crosses ? PointKind::crossing : PointKind::touching, v.x, v.y, r.at, other);
+    }
+  }
+
+  /// Newton's method for f = g = 0; the start where it does not converge nearby. Points are (x, y) here.
+  static PlatePoint refined(const Expression& f, const Expression& g, PlatePoint start) {
+    const Tape tape = Tape::compile(std::array{f, g}, std::array{Variable::x, Variable::y});
+    using D = Dual<double, 2>;
+    std::vector<D> registers(tape.size());
+    PlatePoint p = start;
+    for (int i = 0; i < 30; ++i) {
+      tape.evaluate<D>(std::array{D(p.u, 0), D(p.v, 1)}, registers);
+      const D& a = registers[tape.output(0)];
+      const D& b = registers[tape.output(1)];
+      const double det = a.slopes[0] * b.slopes[1] - a.slopes[1] * b.slopes[0];
+      const double du = (a.value * b.slopes[1] - b.value * a.slopes[1]) / det;
+      const double dv = (b.value * a.slopes[0] - a.value * b.slopes[0]) / det;
+      if (!std::isfinite(du + dv)) return start;
+      p.u -= du;
+      p.v -= dv;
+      if (std::hypot(du, dv) < 1e-15 * (1 + std::hypot(p.u, p.v))) break;
+    }
+    return std::hypot(p.u - start.u, p.v - start.v) < 0.05 * (1 + std::hypot(start.u, start.v)) ? p : start;
+  }
+
+  void self_crossings() {
+    for (std::size_t i = 0; i < plot_.statements.size(); ++i) {
+      const StatementKind kind = plot_.statements[i].kind;
+      if (kind != StatementKind::parametric && kind != StatementKind::polar) continue;
+      statement_ = static_cast<int>(i);
+      const auto arc = arc_of(plot_.statements[i], window_, 0);
+      if (!arc) continue;
+      ArcProbe probe(*arc);
+      for (const Meeting& m : crossings_of(tracing_, statement_, statement_)) self_crossing(probe, m);
+    }
+  }
+
+  /// Newton's method for the two parameters at which the arc is in the same place.
+  void self_crossing(ArcProbe& probe, const Meeting& m) {
+    double s = m.first;
+    double t = m.second;
+    for (int k = 0; k < 30; ++k) {
+      const auto a = probe.at(s);
+      const auto b = probe.at(t);
+      const double det = b.slope_x * a.slope_y - a.slope_x * b.slope_y;
+      const double dx = b.x - a.x;
+      const double dy = b.y - a.y;
+      const double ds = (b.slope_x * dy - b.slope_y * dx) / det;
+      const double dt = (a.slope_x * dy - a.slope_y * dx) / det;
+      if (!std::isfinite(ds + dt)) break;
+      s += ds;
+      t += dt;
+      if (std::abs(ds) + std::abs(dt) < 1e-15 * (1 + std::abs(s) + std::abs(t))) break;
+    }
+    const auto v = probe.at(s);
+    const bool near = std::hypot(window_.u(v.x) - m.at.u, window_.v(v.y) - m.at.v) < 1e-3;
+    add(PointKind::self_crossing, near ? v.x : window_.x(m.at.u), near ? v.y : window_.y(m.at.v), s);
+  }
+
+  const Plot& plot_;
+  const Tracing& tracing_;
+  Window window_;
+  std::size_t most_;
+  int statement_ = 0;
+  std::vector<std::size_t> counts_;
+  std::vector<PointOfInterest> found_;
+};
+
+}  // namespace
+
+std::vector<PointOfInterest> points_of_interest(const Plot& plot, const Tracing& tracing, std::size_t most) {
+  if (plot.is_surface()) return {};
+  return PointFinder(plot, tracing, most).run();
+}
+
+}  // namespace nazori::functions

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "nazori/functions/expression.h"
+
+namespace nazori::functions {
+
+/// A zero of a function of one variable.
+struct Root {
+  double at = 0;
+  bool crosses = true;  ///< false: touches zero without a proven change of sign
+};
+
+struct Roots {
+  std::vector<Root> roots;  ///< rising
+  int undecided = 0;        ///< narrow places where a zero is neither proven nor excluded
+};
+
+/// All zeros of `f` in [low, high], by bisection with intervals: single ones are proven, double ones accepted
+/// where rounding cannot tell them from zero. Poles and jumps are never zeros.
+[[nodiscard]] Roots find_roots(const Expression& f, Variable v, double low, double high);
+
+}  // namespace nazori::functions

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "nazori/functions/plate.h"
+#include "nazori/functions/tape.h"
+#include "plate_settings.h"
+#include "work_progress.h"
+
+namespace nazori::functions {
+namespace {
+
+constexpr std::array<Variable, 2> kPlane{Variable::x, Variable::y};
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+// A box that may contain a pole is halved this often before the pole is believed.
+constexpr int kPoleDepth = 24;
+// A gap is closed where the values around it differ by less than this part of the range.
+constexpr double kHealed = 0.02;
+
+/// Values of f on the samples of a plate, and what is wrong with each sample.
+class SurfaceSampler {
+ public:
+  SurfaceSampler(const Expression& f, const Window& window, int size)
+      : tape_(Tape::compile(std::array{f}, kPlane)), window_(window), size_(size), values_(tape_.size()),
+        intervals_(tape_.size()) {}
+
+  struct Sample {
+    double value = kNaN;
+    bool torn = false;  ///< a pole or an undefined point lies in the cell
+  };
+
+  double value(double u, double v) {
+    tape_.evaluate<double>(std::array{window_.x(u), window_.y(v)}, values_);
+    const double z = values_[tape_.output(0)];
+    return std::isnan(z) ? kNaN : z;
+  }
+
+  /// Finds the samples whose cells may be torn: everything where intervals prove nothing better.
+  void find_tears(std::vector<bool>& torn) { find_tears(torn, 0, 0, size_); }
+
+  Sample sample(int row, int column, bool suspect) {
+    const double h = 1.0 / size_;
+    const double u = column * h;
+    const double v = 1 - (row + 1) * h;
+    Sample s;
+    s.value = value(u + h / 2, v + h / 2);
+    if (!suspect) return s;
+    const Interval f = enclose(u, v, h);
+    if (f.is_empty()) return {kNaN, true};
+    if (has(f.cause, Cause::pole) && f.decoration == Decoration::partial) s.torn = has_pole(u, v, h, 0);
+    if (std::isnan(s.value)) supersample(u, v, h, s);
+    return s;
+  }
+
+ private:
+  void find_tears(std::vector<bool>& torn, int row, int column, int side) {
+    if (row >= size_ || column >= size_) return;
+    const double h = 1.0 / size_;
+    const Interval f = enclose(column * h, 1 - (row + side) * h, side * h);
+    if (f.decoration >= Decoration::defined && f.is_bounded()) return;
+    if (side == 1) {
+      torn[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(column)] = true;
+      return;
+    }
+    const int half = (side + 1) / 2;
+    for (const int r : {row, row + half}) {
+      for (const int c : {column, column + half}) find_tears(torn, r, c, half);
+    }
+  }
+
+  Interval enclose(double u, double v, double side) {
+    // A cell owns its left and upper border: a pole on a corner belongs to one cell.
+    const double hair = side * 1e-9;
+    tape_.evaluate<Interval>(std::array{Interval(window_.x(u - hair), window_.x(u + side - hair)),
+                                        Interval(window_.y(v + hair), window_.y(v + side + hair))},
+                             intervals_);
+    return intervals_[tape_.output(0)];
+  }
+
+  bool has_pole(double u, double v, double side, int depth) {
+    const Interval f = enclose(u, v, side);
+    if (f.is_empty() || !(has(f.cause, Cause::pole) && f.decoration == Decoration::partial)) return false;
+    if (depth == kPoleDepth) return true;
+    const double h = side / 2;
+    return has_pole(u, v, h, depth + 1) || has_pole(u + h, v, h, depth + 1) || has_pole(u, v + h, h, depth + 1) ||
+           has_pole(u + h, v + h, h, depth + 1);
+  }
+
+  /// The middle of the cell is undefined: what its other parts say.
+  void supersample(double u, double v, double h, Sample& s) {
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < 16; ++i) {
+      const double z = value(u + h * (i % 4 + 0.5) / 4, v + h * (i / 4 + 0.5) / 4);
+      if (!std::isfinite(z)) continue;
+      sum += z;
+      ++count;
+    }
+    if (count > 0) s.value = sum / count;
+  }
+
+  Tape tape_;
+  Window window_;
+  int size_;
+  std::vector<double> values_;
+  std::vector<Interval> intervals_;
+};
+
+HeightRange range_of(const std::vector<SurfaceSampler::Sample>& samples) {
+  std::vector<double> values;
+  for (const auto& s : samples) {
+    if (std::isfinite(s.value) && !s.torn) values.push_back(s.value);
+  }
+  if (values.empty()) return {-1, 1};
+  // Poles would flatten everything else: the outermost hundredths do not count where they lie far out.
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) { return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))]; };
+  double low = at(0);
+  double high = at(1);
+  const double core = at(0.98) - at(0.02);
+  if (high - at(0.98) > 3 * core) high = at(0.98);
+  if (at(0.02) - low > 3 * core) low = at(0.02);
+  if (!(high > low)) return {low - 1, low + 1};
+  return {low, high};
+}
+
+}  // namespace
+
+base::Result<Plate> carve_surface(const Statement& surface, const Window& window, const PlateSettings& settings,
+                                  const base::Progress& progress) {
+  if (auto good = window.check(); !good) return tl::unexpected(std::move(good.error()));
+  if (auto good = check(settings); !good) return tl::unexpected(std::move(good.error()));
+  if (surface.kind != StatementKind::surface)
+    return base::fail(base::Errc::bad_argument, "only a surface z = f(x, y) has heights", "statement");
+  auto map = surface::HeightMap::create(settings.size, 0.0F);
+  if (!map) return tl::unexpected(std::move(map.error()));
+  WorkProgress work(progress);
+  work.begin_part(0, 1, "surface");
+  const int n = settings.size;
+  SurfaceSampler sampler(surface.terms[0], window, n);
+  std::vector<SurfaceSampler::Sample> samples;
+  samples.reserve(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+  std::vector<bool> suspect(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), false);
+  sampler.find_tears(suspect);
+  for (int row = 0; row < n; ++row) {
+    if (!work.report(static_cast<double>(row) / n))
+      return base::fail(base::Errc::cancelled, "the carving was stopped");
+    for (int column = 0; column < n; ++column) {
+      samples.push_back(sampler.sample(row, column, suspect[samples.size()]));
+    }
+  }
+  Plate plate;
+  plate.range = settings.heights ? *settings.heights : range_of(samples);
+  const double span = plate.range.high - plate.range.low;
+  plate.heights = std::move(*map);
+  plate.mask.assign(samples.size(), 0);
+  plate.statement.assign(samples.size(), 0);
+
+  const auto at = [n](int row, int column) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(column);
+  };
+  // A torn or undefined sample is a closed gap where all whole samples two steps around agree.
+  const auto healed = [&](int row, int column) -> std::optional<double> {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    double sum = 0;
+    int count = 0;
+    for (int dr = -2; dr <= 2; ++dr) {
+      for (int dc = -2; dc <= 2; ++dc) {
+        const int r = row + dr;
+        const int c = column + dc;
+        if (r < 0 || c < 0 || r >= n || c >= n) continue;
+        const auto& s = samples[at(r, c)];
+        if (s.torn) continue;
+        if (!std::isfinite(s.value)) return std::nullopt;
+        low = std::min(low, s.value);
+        high = std::max(high, s.value);
+        sum += s.value;
+        ++count;
+      }
+    }
+    if (count < 8 || high - low > kHealed * span) return std::nullopt;
+    return sum / count;
+  };
+  const std::span<float> heights = plate.heights.samples();
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < n; ++column) {
+      const std::size_t i = at(row, column);
+      double z = samples[i].value;
+      bool whole = !samples[i].torn && !std::isnan(z);
+      if (!whole) {
+        if (const auto closed = healed(row, column)) {
+          whole = true;
+          if (!std::isfinite(z)) z = *closed;
+        }
+      }
+      plate.mask[i] = whole ? 255 : 0;
+      plate.statement[i] = whole ? 1 : 0;
+      if (!std::isnan(z)) heights[i] = static_cast<float>(std::clamp((z - plate.range.low) / span, 0.0, 1.0));
+    }
+  }
+  return plate;
+}
+
+}  // namespace nazori::functions

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tokens.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "nazori/base/utf8.h"
+
+namespace nazori::functions {
+namespace {
+
+constexpr std::size_t kMostBytes = 10'000;
+
+struct FunctionName {
+  std::u32string_view text;
+  Function function;
+};
+
+constexpr FunctionName kFunctions[] = {
+    {U"sin", Function::sin},       {U"cos", Function::cos},       {U"tan", Function::tan},
+    {U"tg", Function::tan},        {U"cot", Function::cot},       {U"ctg", Function::cot},
+    {U"sec", Function::sec},       {U"csc", Function::csc},       {U"cosec", Function::csc},
+    {U"asin", Function::asin},     {U"arcsin", Function::asin},   {U"acos", Function::acos},
+    {U"arccos", Function::acos},   {U"atan", Function::atan},     {U"arctan", Function::atan},
+    {U"acot", Function::acot},     {U"arccot", Function::acot},   {U"sinh", Function::sinh},
+    {U"cosh", Function::cosh},     {U"tanh", Function::tanh},     {U"coth", Function::coth},
+    {U"sech", Function::sech},     {U"csch", Function::csch},     {U"asinh", Function::asinh},
+    {U"arsinh", Function::asinh},  {U"arcsinh", Function::asinh}, {U"acosh", Function::acosh},
+    {U"arcosh", Function::acosh},  {U"arccosh", Function::acosh}, {U"atanh", Function::atanh},
+    {U"artanh", Function::atanh},  {U"arctanh", Function::atanh}, {U"exp", Function::exp},
+    {U"ln", Function::ln},         {U"log", Function::log10},     {U"lg", Function::log10},
+    {U"sqrt", Function::sqrt},     {U"cbrt", Function::cbrt},     {U"root", Function::root},
+    {U"abs", Function::abs},       {U"sign", Function::sign},     {U"sgn", Function::sign},
+    {U"signum", Function::sign},   {U"floor", Function::floor},   {U"ceil", Function::ceil},
+    {U"ceiling", Function::ceil},  {U"round", Function::round},   {U"trunc", Function::trunc},
+    {U"frac", Function::fraction}, {U"gamma", Function::gamma},   {U"erf", Function::erf},
+    {U"factorial", Function::factorial},                          {U"min", Function::min},
+    {U"max", Function::max},       {U"mod", Function::mod},       {U"hypot", Function::hypot},
+};
+// Names that end in digits stand only where a parenthesis follows: "log2(x)", but "log2x" is log(2x).
+constexpr FunctionName kNumberedFunctions[] = {
+    {U"log2", Function::log2}, {U"log10", Function::log10}, {U"atan2", Function::atan2}};
+
+struct VariableName {
+  std::u32string_view text;
+  Variable variable;
+};
+constexpr VariableName kVariables[] = {{U"x", Variable::x}, {U"y", Variable::y},         {U"z", Variable::z},
+                                       {U"t", Variable::t}, {U"theta", Variable::theta}, {U"r", Variable::r}};
+struct ConstantName {
+  std::u32string_view text;
+  Constant constant;
+};
+constexpr ConstantName kConstants[] = {
+    {U"pi", Constant::pi}, {U"e", Constant::e}, {U"tau", Constant::tau}};
+
+constexpr std::u32string_view kSuperscriptDigits = U"⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
+bool is_letter(char32_t c) { return c >= U'a' && c <= U'z'; }
+bool is_space(char32_t c) {
+  return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r' || c == 0xA0 || c == 0x3000 ||
+         (c >= 0x2000 && c <= 0x200B) || c == 0x202F || c == 0x2060 || c == 0xFEFF;
+}
+
+/// One spelling for each sign; capitals become small.
+char32_t plain(char32_t c) {
+  if (c >= 0xFF01 && c <= 0xFF5E) c = c - 0xFF01 + U'!';
+  if (c >= U'A' && c <= U'Z') return c - U'A' + U'a';
+  switch (c) {
+    case U'×': case U'·': case U'⋅': case U'∙': case U'∗': case U'•': case U'・': return U'*';
+    case U'÷': case U'∕': case U'⁄': return U'/';
+    case U'−': case U'–': case U'—': case U'‐': case U'‑': return U'-';
+    case U'∣': case U'│': return U'|';
+    case U'≦': case U'⩽': return U'≤';
+    case U'≧': case U'⩾': return U'≥';
+    case U'ϑ': case U'Θ': return U'θ';
+    case U'、': return U',';
+    default: return c;
+  }
+}
+
+class Tokenizer {
+ public:
+  Tokenizer(std::u32string text, const ParseOptions& options) : text_(std::move(text)), options_(options) {
+    shown_ = text_;
+    std::transform(text_.begin(), text_.end(), text_.begin(), plain);
+  }
+
+  tl::expected<std::vector<Token>, SyntaxError> run() {
+    while (true) {
+      const std::size_t before = at_;
+      while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+      space_before_ = at_ > before;
+      if (at_ >= text_.size()) break;
+      if (auto error = next()) return tl::unexpected(std::move(*error));
+    }
+    push(TokenKind::end, 0);
+    return std::move(tokens_);
+  }
+
+ private:
+  [[nodiscard]] char32_t peek(std::size_t ahead) const {
+    return at_ + ahead < text_.size() ? text_[at_ + ahead] : U'\0';
+  }
+
+  Token& push(TokenKind kind, std::size_t length) {
+    Token token;
+    token.kind = kind;
+    token.column = static_cast<int>(at_) + 1;
+    token.text = base::encode_utf8(std::u32string_view(shown_).substr(at_, length));
+    token.space_before = space_before_;
+    space_before_ = false;
+    at_ += length;
+    tokens_.push_back(std::move(token));
+    return tokens_.back();
+  }
+
+  std::optional<SyntaxError> next() {
+    const char32_t c = text_[at_];
+    if (is_digit(c) || ((c == U'.' || c == U',') && is_digit(peek(1)) && !comma_separates())) return number();
+    if (is_letter(c)) return letters();
+    if (kSuperscriptDigits.find(c) != std::u32string_view::npos || c == U'⁻' || c == U'⁺') return superscript();
+    switch (c) {
+      case U'+': push(TokenKind::plus, 1); return {};
+      case U'-': push(TokenKind::minus, 1); return {};
+      case U'*': push(peek(1) == U'*' ? TokenKind::power : TokenKind::times, peek(1) == U'*' ? 2 : 1); return {};
+      case U'/': push(TokenKind::divide, 1); return {};
+      case U'^': push(TokenKind::power, 1); return {};
+      case U'!': push(TokenKind::factorial, 1); return {};
+      case U'_': push(TokenKind::underscore, 1); return {};
+      case U'|': push(TokenKind::bar, 1); return {};
+      case U',': push(TokenKind::comma, 1); return {};
+      case U';': push(TokenKind::semicolon, 1); return {};
+      case U'√': push(TokenKind::root, 1).degree = 2; return {};
+      case U'∛': push(TokenKind::root, 1).degree = 3; return {};
+      case U'∜': push(TokenKind::root, 1).degree = 4; return {};
+      case U'(': case U'[': case U'{': bracket(TokenKind::open, c); return {};
+      case U')': case U']': case U'}': bracket(TokenKind::close, c); return {};
+      case U'π': push(TokenKind::constant, 1).constant = Constant::pi; return {};
+      case U'τ': push(TokenKind::constant, 1).constant = Constant::tau; return {};
+      case U'ℯ': push(TokenKind::constant, 1).constant = Constant::e; return {};
+      case U'θ': push(TokenKind::variable, 1).variable = Variable::theta; return {};
+      case U'Γ': push(TokenKind::function, 1).function = Function::gamma; return {};
+      default: break;
+    }
+    if (comparison()) return {};
+    return SyntaxError{static_cast<int>(at_) + 1,
+                       "the character \"" + base::encode_utf8(shown_[at_]) + "\" has no meaning here",
+                       "expected a number, a variable, a function or an operator"};
+  }
+
+  void bracket(TokenKind kind, char32_t c) {
+    // Whether a comma separates arguments is known by the function before the innermost parenthesis.
+    if (kind == TokenKind::open) {
+      argument_lists_.push_back(!tokens_.empty() && tokens_.back().kind == TokenKind::function &&
+                                takes_several(tokens_.back().function));
+    } else if (!argument_lists_.empty()) {
+      argument_lists_.pop_back();
+    }
+    push(kind, 1).bracket = c;
+  }
+
+  static bool takes_several(Function f) {
+    return f == Function::min || f == Function::max || f == Function::mod || f == Function::atan2 ||
+           f == Function::root || f == Function::hypot;
+  }
+
+  [[nodiscard]] bool comma_separates() const {
+    return text_[at_] == U',' && !argument_lists_.empty() && argument_lists_.back() && !options_.decimal_comma;
+  }
+
+  std::optional<SyntaxError> number() {
+    std::string digits;
+    std::size_t length = 0;
+    bool fraction = false;
+    int decimals = 0;
+    while (true) {
+      const char32_t c = peek(length);
+      if (is_digit(c)) {
+        digits += static_cast<char>(c);
+        decimals += fraction ? 1 : 0;
+      } else if (c == U'.' || (c == U',' && is_digit(peek(length + 1)) && !separates(length))) {
+        if (fraction) {
+          return SyntaxError{static_cast<int>(at_ + length) + 1, "a number has two decimal signs",
+                             "expected a digit or an operator"};
+        }
+        fraction = true;
+        digits += '.';
+      } else {
+        break;
+      }
+      ++length;
+    }
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || !std::isfinite(value)) {
+      return SyntaxError{static_cast<int>(at_) + 1, "the number \"" + digits.substr(0, 40) + "\" is too large",
+                         "expected a number up to 1.7e308"};
+    }
+    Token& token = push(TokenKind::number, length);
+    token.value = value;
+    const double scale = decimals <= 22 ? std::pow(10.0, decimals) : 0;
+    const double whole = value * scale;
+    token.exact = scale > 0 && std::abs(whole) < 9e15 && std::floor(whole) == whole &&
+                  std::fma(value, scale, -whole) == 0 && digits.size() <= 17;
+    return {};
+  }
+
+  [[nodiscard]] bool separates(std::size_t ahead) const {
+    return peek(ahead) == U',' && !argument_lists_.empty() && argument_lists_.back() && !options_.decimal_comma;
+  }
+
+  std::optional<SyntaxError> superscript() {
+    std::size_t length = 0;
+    bool negative = false;
+    if (text_[at_] == U'⁻' || text_[at_] == U'⁺') {
+      negative = text_[at_] == U'⁻';
+      ++length;
+    }
+    double value = 0;
+    std::size_t digits = 0;
+    for (; length < 12; ++length, ++digits) {
+      const std::size_t digit = kSuperscriptDigits.find(peek(length));
+      if (digit == std::u32string_view::npos) break;
+      value = value * 10 + static_cast<double>(digit);
+    }
+    if (digits == 0) {
+      return SyntaxError{static_cast<int>(at_ + length) + 1, "a raised digit is missing",
+                         "expected one of ⁰ to ⁹"};
+    }
+    push(TokenKind::superscript, length).value = negative ? -value : value;
+    return {};
+  }
+
+  bool comparison() {
+    const char32_t c = text_[at_];
+    const char32_t after = peek(1);
+    Comparison which = Comparison::equal;
+    std::size_t length = 1;
+    switch (c) {
+      case U'=':
+        if (after == U'<') which = Comparison::less_equal, length = 2;
+        if (after == U'>') which = Comparison::greater_equal, length = 2;
+        if (after == U'=') length = 2;
+        break;
+      case U'<':
+        which = after == U'=' ? Comparison::less_equal : Comparison::less;
+        length = after == U'=' ? 2 : 1;
+        break;
+      case U'>':
+        which = after == U'=' ? Comparison::greater_equal : Comparison::greater;
+        length = after == U'=' ? 2 : 1;
+        break;
+      case U'≤': which = Comparison::less_equal; break;
+      case U'≥': which = Comparison::greater_equal; break;
+      default: return false;
+    }
+    push(TokenKind::comparison, length).comparison = which;
+    return true;
+  }
+
+  std::optional<SyntaxError> letters() {
+    std::size_t length = 0;
+    while (is_letter(peek(length))) ++length;
+    for (const FunctionName& name : kNumberedFunctions) {
+      const std::size_t n = name.text.size();
+      if (n > length && std::u32string_view(text_).substr(at_, n) == name.text && peek(n) == U'(') {
+        push(TokenKind::function, n).function = name.function;
+        return {};
+      }
+    }
+    const std::u32string_view run = std::u32string_view(text_).substr(at_, length);
+    std::vector<std::size_t> cuts;
+    std::vector<bool> dead(length + 1, false);
+    if (!cut(run, 0, cuts, dead)) {
+      const std::string word = base::encode_utf8(std::u32string_view(shown_).substr(at_, length));
+      const bool calls = peek(length) == U'(';
+      return SyntaxError{static_cast<int>(at_) + 1,
+                         (calls ? "unknown function \"" : "unknown name \"") + word + "\"",
+                         calls ? "expected a function such as sin, ln, sqrt, floor or gamma"
+                               : "expected x, y, t, r, theta, pi, e or a function"};
+    }
+    for (const std::size_t n : cuts) name(n);
+    return {};
+  }
+
+  static std::size_t longest_first(std::u32string_view rest, std::size_t shorter_than) {
+    std::size_t best = 0;
+    const auto consider = [&](std::u32string_view word) {
+      if (word.size() < shorter_than && word.size() > best && rest.substr(0, word.size()) == word) best = word.size();
+    };
+    for (const auto& n : kFunctions) consider(n.text);
+    for (const auto& n : kVariables) consider(n.text);
+    for (const auto& n : kConstants) consider(n.text);
+    return best;
+  }
+
+  static bool cut(std::u32string_view run, std::size_t from, std::vector<std::size_t>& cuts,
+                  std::vector<bool>& dead) {
+    if (from == run.size()) return true;
+    if (dead[from]) return false;
+    const std::u32string_view rest = run.substr(from);
+    for (std::size_t n = longest_first(rest, rest.size() + 1); n > 0; n = longest_first(rest, n)) {
+      cuts.push_back(n);
+      if (cut(run, from + n, cuts, dead)) return true;
+      cuts.pop_back();
+    }
+    dead[from] = true;
+    return false;
+  }
+
+  void name(std::size_t length) {
+    const std::u32string_view word = std::u32string_view(text_).substr(at_, length);
+    for (const auto& n : kFunctions) {
+      if (n.text == word) {
+        push(TokenKind::function, length).function = n.function;
+        return;
+      }
+    }
+    for (const auto& n : kVariables) {
+      if (n.text == word) {
+        push(TokenKind::variable, length).variable = n.variable;
+        return;
+      }
+    }
+    for (const auto& n : kConstants) {
+      if (n.text == word) {
+        push(TokenKind::constant, length).constant = n.constant;
+        return;
+      }
+    }
+  }
+
+  std::u32string text_;
+  std::u32string shown_;
+  ParseOptions options_;
+  std::size_t at_ = 0;
+  bool space_before_ = false;
+  std::vector<bool> argument_lists_;
+  std::vector<Token> tokens_;
+};
+
+}  // namespace
+
+tl::expected<std::vector<Token>, SyntaxError> tokenize(std::string_view text, const ParseOptions& options) {
+  if (text.size() > kMostBytes) {
+    return tl::unexpected(SyntaxError{1, "the text is longer than 10000 bytes", "expected a shorter expression"});
+  }
+  auto points = base::decode_utf8(text);
+  if (!points) return tl::unexpected(SyntaxError{1, "the text is not valid UTF-8", "expected UTF-8"});
+  return Tokenizer(std::move(*points), options).run();
+}
+
+}  // namespace nazori::functions

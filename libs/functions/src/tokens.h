@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nazori/functions/plot.h"
+
+namespace nazori::functions {
+
+enum class TokenKind : std::uint8_t {
+  number, variable, constant, function, plus, minus, times, divide, power, superscript, factorial, root,
+  open, close, bar, comma, underscore, comparison, semicolon, end
+};
+
+/// One word of an expression.
+struct Token {
+  TokenKind kind = TokenKind::end;
+  int column = 1;
+  std::string text;  ///< as typed, for messages
+  double value = 0;  ///< of a number or superscript
+  bool exact = true;
+  Variable variable = Variable::x;
+  Constant constant = Constant::pi;
+  Function function = Function::sin;
+  Comparison comparison = Comparison::equal;
+  char32_t bracket = 0;      ///< of open and close: ( [ {
+  int degree = 2;            ///< of a root sign
+  bool space_before = false;
+};
+
+/// Splits text into tokens, the last of kind `end`. Runs of letters are cut into known names, longest first:
+/// "xsinx" is x, sin, x.
+[[nodiscard]] tl::expected<std::vector<Token>, SyntaxError> tokenize(std::string_view text,
+                                                                     const ParseOptions& options);
+
+}  // namespace nazori::functions

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "nazori/functions/plot.h"
+
+// Any bytes are read or refused; what was read survives being written and read again.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  namespace f = nazori::functions;
+  const auto plot = f::parse({reinterpret_cast<const char*>(data), size});
+  if (!plot) {
+    if (plot.error().column < 1 || plot.error().message.empty() || plot.error().expected.empty()) std::abort();
+    return 0;
+  }
+  (void)f::in_words(*plot, f::Language::english);
+  (void)f::in_words(*plot, f::Language::japanese);
+  const std::string text = f::canonical(*plot);
+  if (text.size() > 10'000) return 0;
+  const auto again = f::parse(text);
+  // Parentheses put in for clarity may pass the limit of nesting.
+  if (again && f::canonical(*again) != text) std::abort();
+  return 0;
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "nazori/functions/plot.h"
+#include "nazori/functions/tape.h"
+
+namespace nazori::functions {
+namespace {
+
+using testing::HasSubstr;
+
+struct Reading {
+  std::string typed;
+  std::string canonical;
+};
+
+TEST(Parser, ReadsWhatPeopleType) {
+  const Reading readings[] = {
+      {"y = 2x", "y = 2*x"},
+      {"y = 2sin x", "y = 2*sin(x)"},
+      {"y = sin^2 x", "y = sin(x)^2"},
+      {"y = sin² x", "y = sin(x)^2"},
+      {"y = sin^-1 x", "y = asin(x)"},
+      {"y = -x^2", "y = -x^2"},
+      {"y = 2^-x", "y = 2^(-x)"},
+      {"y = x^2^3", "y = x^(2^3)"},
+      {"y = ||x| - 2|", "y = ||x| - 2|"},
+      {"y = 1,5x", "y = 1.5*x"},
+      {"y = x(x-2)", "y = x*(x - 2)"},
+      {"x = 2", "x = 2"},
+      {"y = x² − √(x)·π", "y = x^2 - sqrt(x)*pi"},
+      {"y = 1/2x", "y = (1/2)*x"},
+      {"y = e^-x^2", "y = e^(-x^2)"},
+      {"y = sin 2x", "y = sin(2*x)"},
+      {"sin(x)", "y = sin(x)"},
+      {"y = sin x cos x", "y = sin(x)*cos(x)"},
+      {"y = sqrt x + 1", "y = sqrt(x) + 1"},
+      {"y = xsinx", "y = x*sin(x)"},
+      {"xy = 1", "x*y = 1"},
+      {"y = 2e3", "y = 2*e*3"},
+      {"y = min(1, x)", "y = min(1, x)"},
+      {"y = max(1,2)", "y = max(1, 2)"},
+      {"y = 2|x|", "y = 2*|x|"},
+      {"y = log_2 x", "y = log_b(2, x)"},
+      {"y = x!", "y = x!"},
+      {"ｙ＝２ｘ", "y = 2*x"},
+      {"y(x) = x", "y = x"},
+      {"1 < x^2 + y^2 ≤ 4", "1 < x^2 + y^2 <= 4"},
+      {"r = 1 + cos θ", "r = 1 + cos(theta); 0 <= theta <= 2*pi"},
+      {"x = cos(t); y = sin(t); 0 <= t <= pi", "x = cos(t); y = sin(t); 0 <= t <= pi"},
+      {"y = x; y = 2x;", "y = x; y = 2*x"},
+      {"z = x y", "z = x*y"},
+  };
+  for (const Reading& r : readings) {
+    const auto plot = parse(r.typed);
+    ASSERT_TRUE(plot) << r.typed << ": " << plot.error().message;
+    EXPECT_EQ(canonical(*plot), r.canonical) << r.typed;
+  }
+}
+
+TEST(Parser, ReadsItsOwnCanonicalTextBack) {
+  for (const char* typed : {"y = -x^2", "y = 1/2x", "y = 2^-x", "x^2 + y^2 = 1", "y = |x - |x||", "y = (x+1)/(x-1)",
+                            "y = x - (1 - x)", "y = (x^2)^3", "y = -(-x)", "y = e^(1/x)", "r^2 = cos(2theta)"}) {
+    const auto plot = parse(typed);
+    ASSERT_TRUE(plot) << typed;
+    const auto again = parse(canonical(*plot));
+    ASSERT_TRUE(again) << canonical(*plot) << ": " << again.error().message;
+    EXPECT_EQ(canonical(*again), canonical(*plot));
+  }
+}
+
+double at(const std::string& text, double x) {
+  const auto plot = parse(text);
+  EXPECT_TRUE(plot) << text;
+  if (!plot) return std::nan("");
+  const Tape tape = Tape::compile(std::span(plot->statements[0].terms).first(1), std::array{Variable::x});
+  return tape.evaluate_one<double>(std::array{x});
+}
+
+TEST(Parser, FollowsTheConventionsOfSchool) {
+  EXPECT_DOUBLE_EQ(at("y = -2^2", 0), -4);
+  EXPECT_DOUBLE_EQ(at("y = 2^3^2", 0), 512);
+  EXPECT_DOUBLE_EQ(at("y = 1/2x", 4), 2);
+  EXPECT_DOUBLE_EQ(at("y = log(1000)", 0), 3);
+  EXPECT_DOUBLE_EQ(at("y = ln e", 0), 1);
+  EXPECT_DOUBLE_EQ(at("y = x^(2/3)", -8), 4);
+  EXPECT_DOUBLE_EQ(at("y = cbrt(x)", -27), -3);
+  EXPECT_TRUE(std::isnan(at("y = sqrt(x)", -1)));
+  EXPECT_TRUE(std::isnan(at("y = 1/x", 0)));
+  EXPECT_DOUBLE_EQ(at("y = 5!", 0), 120);
+  EXPECT_DOUBLE_EQ(at("y = mod(x, 3)", 7), 1);
+}
+
+struct Mistake {
+  std::string typed;
+  int column;
+  std::string message;
+};
+
+TEST(Parser, NamesTheColumnAndWhatWasExpected) {
+  const Mistake mistakes[] = {
+      {"y = 2 +", 8, "missing after \"+\""},
+      {"y = foo(x)", 5, "unknown function \"foo\""},
+      {"y = (x+1", 9, "not closed"},
+      {"y = |x", 7, "not closed"},
+      {"", 1, "no expression"},
+      {"y = 2 3", 7, "does not fit"},
+      {"y = x)", 6, "does not fit"},
+      {"y = sin", 8, "argument of \"sin\" is missing"},
+      {"y = 1.2.3", 8, "two decimal signs"},
+      {"y = mod(x)", 5, "1 argument"},
+      {"y = x $ 2", 7, "no meaning"},
+      {"0 <= t <= 1", 1, "belongs after the curve"},
+      {"y = t", 1, "t needs x and y"},
+      {"z = x; y = x", 1, "stands alone"},
+      {"\xff", 1, "UTF-8"},
+  };
+  for (const Mistake& m : mistakes) {
+    const auto plot = parse(m.typed);
+    ASSERT_FALSE(plot) << m.typed;
+    EXPECT_EQ(plot.error().column, m.column) << m.typed;
+    EXPECT_THAT(plot.error().message, HasSubstr(m.message));
+    EXPECT_THAT(plot.error().expected, HasSubstr("expected"));
+  }
+}
+
+TEST(Parser, ADeepNestIsAnErrorAndNotTheEndOfTheStack) {
+  EXPECT_FALSE(parse("y = " + std::string(3000, '(')));
+  EXPECT_FALSE(parse("y = " + std::string(3000, '-') + "x"));
+  std::string powers = "y = x";
+  for (int i = 0; i < 2000; ++i) powers += "^x";
+  EXPECT_FALSE(parse(powers));
+}
+
+TEST(Parser, EchoesTheReadingInWords) {
+  const auto plot = parse("y = 1/2x");
+  ASSERT_TRUE(plot);
+  EXPECT_EQ(in_words(*plot, Language::english), "y equals 1 over 2, times x");
+  EXPECT_EQ(in_words(*plot, Language::japanese), "y イコール 2 分の 1、 かける x");
+  const auto other = parse("y = 1/(2x)");
+  ASSERT_TRUE(other);
+  EXPECT_EQ(in_words(*other, Language::english), "y equals 1 over the quantity 2 times x end");
+}
+
+}  // namespace
+}  // namespace nazori::functions
