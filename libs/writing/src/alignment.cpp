@@ -20,6 +20,9 @@ constexpr float kJoined = 19;  // joined < missing: else every joined pair were 
 constexpr float kSplit = 16;
 constexpr float kOutOfOrder = 6;
 
+/// While the character is still being written, a stroke passed over is likelier than one too many.
+float extra_cost(Extent extent) { return extent == Extent::beginning ? kExtra + 6 : kExtra; }
+
 /// All that is compared under one map.
 struct Table {
   std::size_t drawn_count;
@@ -84,7 +87,7 @@ Alignment align_in_order(const AlignmentInput& input, const Table& t) {
       if (j < m)
         improve(cell(i, j + 1), here + (input.extent == Extent::beginning && i == n ? 0 : kMissing), missing,
                 {});
-      if (i < n) improve(cell(i + 1, j), here + kExtra, extra, {});
+      if (i < n) improve(cell(i + 1, j), here + extra_cost(input.extent), extra, {});
       if (i < n && j < m) {
         const auto& d = t.at(i, j);
         improve(cell(i + 1, j + 1), here + std::min(d.cost, kWrong), match, d);
@@ -128,7 +131,7 @@ Alignment align_in_any_order(const AlignmentInput& input, const Table& t) {
       if (i >= t.drawn_count)
         c = input.extent == Extent::beginning ? 0 : kMissing;
       else if (j >= t.model_count)
-        c = kExtra;
+        c = extra_cost(input.extent);
       else
         c = std::min(t.at(i, j).cost, kWrong);
     }

@@ -114,6 +114,14 @@ Affine fit(std::span<const FitPair> pairs, double expected_scale) {
                    {-aspect, 0, xy, yy + aspect + scale, yv + scale * s}}});
   // Writing is neither mirrored nor squeezed flat: rather no freedom at all.
   if (x[0] < 0.4 * s || x[3] < 0.4 * s || x[0] > 2.5 * s || x[3] > 2.5 * s) x = {s, 0, 0, s};
+  // Nor is it stretched beyond what hands do.
+  constexpr double kMostAspect = 1.6;
+  if (const double ratio = x[0] / x[3]; ratio > kMostAspect || ratio < 1 / kMostAspect) {
+    const double mean = std::sqrt(x[0] * x[3]);
+    const double half = std::sqrt(kMostAspect);
+    x[0] = ratio > 1 ? mean * half : mean / half;
+    x[3] = ratio > 1 ? mean / half : mean * half;
+  }
   Affine map{x[0], x[1], 0, x[2], x[3], 0};
   map.tx = qx - map.a * px - map.b * py;
   map.ty = qy - map.c * px - map.d * py;

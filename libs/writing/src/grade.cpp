@@ -44,7 +44,7 @@ double chord_angle(const Samples& drawn, const Samples& model) {
 }
 
 /// Share of the limit below which a stroke that seems to run backwards is not simply a wrong one.
-constexpr double kCertainly = 0.65;
+constexpr double kCertainly = 0.5;
 /// Share of the limit that counts for forms other than the one that was asked for.
 constexpr double kOtherForm = 0.45;
 const std::vector<kanji::AlternativeOrder> kNoOrders;
@@ -56,7 +56,7 @@ double allowance(double roughness, std::size_t count) {
   constexpr double kUsual = 0.34;
   constexpr double kUsualCount = 2;
   const double mean = (roughness + kUsualCount * kUsual) / (static_cast<double>(count) + kUsualCount);
-  return std::clamp(0.3 + 2 * mean, 0.7, 1.4);
+  return std::clamp(0.3 + 2 * mean, 0.6, 1.4);
 }
 
 /// Judges against one form.

@@ -46,6 +46,13 @@ float cost_of(const StrokeDifference& e) {
          0.5F * e.proportion * e.proportion / (proportion * proportion);
 }
 
+/// Sine of the slope from start to end.
+float slope(const Samples& s) {
+  const float dx = s.x.back() - s.x.front();
+  const float dy = s.y.back() - s.y.front();
+  return std::abs(dy) / std::max(std::sqrt(dx * dx + dy * dy), 1e-6F);
+}
+
 StrokeDifference compare_samples(const Samples& d, const Samples& m, float freedom) {
   constexpr float kFloor = 0.3F;
   constexpr float kReversedPenalty = 4.0F;
@@ -55,6 +62,7 @@ StrokeDifference compare_samples(const Samples& d, const Samples& m, float freed
   e.model_length = m.length;
   e.freedom = freedom;
   e.length_log = std::log((d.length + kFloor) / (m.length + kFloor));
+  e.steeper = slope(d) - slope(m);
   const auto forward = distances<false>(d, m);
   e.shape = forward.shape;
   e.proportion = forward.proportion;

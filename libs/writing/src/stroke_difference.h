@@ -13,6 +13,7 @@ struct StrokeDifference {
   float proportion = 0;  ///< the same of the shapes brought to length 1
   float length_log = 0;  ///< natural logarithm of drawn by model length
   float model_length = 0;
+  float steeper = 0;  ///< sine of the drawn stroke's slope minus the model's, 0 level, 1 upright
   float freedom = 1;  ///< Shape::freedom of the model stroke
   bool reversed = false;
   float cost = 0;  ///< squared deviations in units of what is natural, summed
