@@ -47,15 +47,16 @@ struct Files {
 
 base::Result<Files> files_of(const PlotSettings& s) {
   Files files;
-  const auto check = [](std::optional<std::filesystem::path>& to, const std::string& option, const std::string& text,
-                        std::vector<std::string> extensions) -> base::Result<void> {
+  const auto check = [](std::optional<std::filesystem::path>& to, const std::string& option,
+                        const std::string& text, std::vector<std::string> extensions) -> base::Result<void> {
     if (text.empty()) return {};
     auto file = output_file({option, text, std::move(extensions)});
     if (!file) return tl::unexpected(std::move(file.error()));
     to = std::move(*file);
     return {};
   };
-  if (auto r = check(files.output, "--output", s.output, {".png", ".raw"}); !r) return tl::unexpected(r.error());
+  if (auto r = check(files.output, "--output", s.output, {".png", ".raw"}); !r)
+    return tl::unexpected(r.error());
   if (auto r = check(files.mask, "--mask", s.mask, {".png"}); !r) return tl::unexpected(r.error());
   if (auto r = check(files.sound, "--sound", s.sound, {".wav"}); !r) return tl::unexpected(r.error());
   return files;
@@ -71,13 +72,19 @@ base::Result<functions::Plot> read(const PlotSettings& s) {
 std::string kind_name(functions::StatementKind kind) {
   switch (kind) {
     case functions::StatementKind::explicit_y:
-    case functions::StatementKind::explicit_x: return "explicit";
-    case functions::StatementKind::implicit: return "implicit";
-    case functions::StatementKind::inequality: return "inequality";
-    case functions::StatementKind::parametric: return "parametric";
+    case functions::StatementKind::explicit_x:
+      return "explicit";
+    case functions::StatementKind::implicit:
+      return "implicit";
+    case functions::StatementKind::inequality:
+      return "inequality";
+    case functions::StatementKind::parametric:
+      return "parametric";
     case functions::StatementKind::polar:
-    case functions::StatementKind::polar_implicit: return "polar";
-    case functions::StatementKind::surface: return "surface";
+    case functions::StatementKind::polar_implicit:
+      return "polar";
+    case functions::StatementKind::surface:
+      return "surface";
   }
   return "";
 }
@@ -107,7 +114,8 @@ struct Timings {
 };
 
 Json to_json(const functions::Plot& plot, const functions::Picture& picture,
-             const std::vector<functions::PointOfInterest>& points, const Timings& timings, functions::Language language) {
+             const std::vector<functions::PointOfInterest>& points, const Timings& timings,
+             functions::Language language) {
   Json statements = Json::array();
   for (const functions::Statement& s : plot.statements) {
     statements.push_back(Json{{"kind", kind_name(s.kind)},
@@ -123,7 +131,8 @@ Json to_json(const functions::Plot& plot, const functions::Picture& picture,
       {"words", functions::in_words(plot, language)},
       {"summary", functions::summary(plot, t, points, language)},
       {"window", {t.window.x0, t.window.x1, t.window.y0, t.window.y1}},
-      {"tick_step", {functions::tick_step(t.window.x0, t.window.x1), functions::tick_step(t.window.y0, t.window.y1)}},
+      {"tick_step",
+       {functions::tick_step(t.window.x0, t.window.x1), functions::tick_step(t.window.y0, t.window.y1)}},
       {"size", picture.plate.heights.size()},
       {"statements", std::move(statements)},
       {"points", std::move(list)},
@@ -200,7 +209,8 @@ int run(Console& console, PlotSettings s) {
     console.print(to_text(to_json(*plot, *picture, points, timings, language)));
     return kDone;
   }
-  console.print(functions::canonical(*plot) + "\n" + functions::summary(*plot, picture->tracing, points, language) + "\n");
+  console.print(functions::canonical(*plot) + "\n" +
+                functions::summary(*plot, picture->tracing, points, language) + "\n");
   if (s.points) {
     for (const auto& p : points) console.print("  " + functions::in_words(p, language) + "\n");
   }
@@ -212,9 +222,10 @@ int run(Console& console, PlotSettings s) {
 void add_plot(CLI::App& app, Action& chosen) {
   auto s = std::make_shared<PlotSettings>();
   CLI::App* verb = app.add_subcommand("plot", "Carve the graph of an expression");
-  verb->add_option("expression", s->expression,
-                   "y = tan(x), x^2 + y^2 = 1, y > x^2, x = cos(t); y = sin(t); 0 <= t <= pi, r = 1 + cos(theta), "
-                   "z = sin(x)cos(y); several curves separated by ;")
+  verb->add_option(
+          "expression", s->expression,
+          "y = tan(x), x^2 + y^2 = 1, y > x^2, x = cos(t); y = sin(t); 0 <= t <= pi, r = 1 + cos(theta), "
+          "z = sin(x)cos(y); several curves separated by ;")
       ->required();
   verb->add_option("--window", s->window, "Part of the plane that is shown (default: -10,10,-10,10)")
       ->delimiter(',')
@@ -228,7 +239,8 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->check(within(32, 4096))
       ->capture_default_str()
       ->type_name("N");
-  verb->add_option("--half-width", s->plate.half_width, "Half width of a groove as a part of the plate's side")
+  verb->add_option("--half-width", s->plate.half_width,
+                   "Half width of a groove as a part of the plate's side")
       ->check(within(0.001, 0.2))
       ->capture_default_str()
       ->type_name("FRACTION");
@@ -237,10 +249,13 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->capture_default_str()
       ->type_name("on|off");
   verb->add_flag("--grid", s->plate.layers.grid, "Fine ridges at every tick");
-  verb->add_option("-o,--output", s->output, "The plate: .png (16-bit grey, white the plateau) or .raw (8 bits)")
+  verb->add_option("-o,--output", s->output,
+                   "The plate: .png (16-bit grey, white the plateau) or .raw (8 bits)")
       ->type_name("FILE");
-  verb->add_option("--mask", s->mask, "What is carved or defined, 8-bit grey PNG of 255 and 0")->type_name("FILE");
-  verb->add_option("--sound", s->sound, "A sweep of the curves as WAV: pitch is height, left to right is x")->type_name("FILE");
+  verb->add_option("--mask", s->mask, "What is carved or defined, 8-bit grey PNG of 255 and 0")
+      ->type_name("FILE");
+  verb->add_option("--sound", s->sound, "A sweep of the curves as WAV: pitch is height, left to right is x")
+      ->type_name("FILE");
   verb->add_flag("--points", s->points, "Name the points of interest");
   verb->add_flag("--json", s->json, "Answer in JSON (see docs/functions.md)");
   verb->add_option("--language", s->language, "Of the words: en or ja")

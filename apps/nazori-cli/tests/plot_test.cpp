@@ -16,8 +16,8 @@ using testing::IsEmpty;
 
 TEST(Plot, WritesThePlateAndTheMaskOfACircle) {
   const TemporaryFolder folder;
-  const Outcome run = nazori_cli({"plot", "x^2 + y^2 = 1", "--window=-2,2,-2,2", "--size", "128", "--axes", "off",
-                                  "--output", folder / "circle.png", "--mask", folder / "mask.png"});
+  const Outcome run = nazori_cli({"plot", "x^2 + y^2 = 1", "--window=-2,2,-2,2", "--size", "128", "--axes",
+                                  "off", "--output", folder / "circle.png", "--mask", folder / "mask.png"});
   ASSERT_EQ(run.code, 0) << run.err;
   const auto plate = surface::load_png(folder / "circle.png");
   const auto mask = surface::load_png(folder / "mask.png");
@@ -31,7 +31,8 @@ TEST(Plot, WritesThePlateAndTheMaskOfACircle) {
 
 TEST(Plot, NamesTheColumnOfAWrongExpressionInOneLineAndWritesNothing) {
   for (const auto& [expression, column] :
-       {std::pair{"y = 2 +", "column 8"}, std::pair{"y = foo(x)", "column 5"}, std::pair{"y = (x+1", "column 9"}}) {
+       {std::pair{"y = 2 +", "column 8"}, std::pair{"y = foo(x)", "column 5"},
+        std::pair{"y = (x+1", "column 9"}}) {
     const TemporaryFolder folder;
     const Outcome run = nazori_cli({"plot", expression, "--output", folder / "a.png"});
     EXPECT_EQ(run.code, 2);

@@ -87,7 +87,8 @@ class PolynomialBuilder {
         continue;
       }
       const auto factor = u->kind == NodeKind::multiply ? rational_value(u->arguments[0]) : std::nullopt;
-      if (!factor || factor->q != 1 || factor->p == 0 || std::abs(factor->p) > 16 || std::abs(times_u) > 16) break;
+      if (!factor || factor->q != 1 || factor->p == 0 || std::abs(factor->p) > 16 || std::abs(times_u) > 16)
+        break;
       times_u *= static_cast<int>(factor->p);
       u = u->arguments[1];
     }
@@ -407,7 +408,8 @@ Expression first_choice(const Expression& e) {
   return nullptr;
 }
 
-Expression replaced(const Expression& e, const Expression& from, const std::string& from_text, const Expression& to) {
+Expression replaced(const Expression& e, const Expression& from, const std::string& from_text,
+                    const Expression& to) {
   if (e->kind == from->kind && to_text(e) == from_text) return to;
   if (e->arguments.empty()) return e;
   Node n = *e;

@@ -23,8 +23,8 @@ class Polynomial {
   [[nodiscard]] bool depends_on(Variable v) const;
   /// The factor c where the polynomial is c*v + (something without v).
   [[nodiscard]] std::optional<double> linear_factor(Variable v) const;
-  /// The coefficients by rising powers where there is one atom only, and that atom. Negative powers are allowed
-  /// for exponentials; `lowest` is the power of the first coefficient.
+  /// The coefficients by rising powers where there is one atom only, and that atom. Negative powers are
+  /// allowed for exponentials; `lowest` is the power of the first coefficient.
   struct OneAtom {
     Expression atom;
     int lowest = 0;
@@ -52,8 +52,8 @@ struct Fraction {
 /// The expression over one common denominator; tan counts as sin over cos.
 [[nodiscard]] Fraction over_common_denominator(const Expression& e);
 
-/// What multiplied makes `e`, without numbers, signs, powers and roots: the factors whose zeros are those of e.
-/// An `e` that is a number other than zero gives none; zero gives the number 0.
+/// What multiplied makes `e`, without numbers, signs, powers and roots: the factors whose zeros are those of
+/// e. An `e` that is a number other than zero gives none; zero gives the number 0.
 [[nodiscard]] std::vector<Expression> zero_factors(const Expression& e);
 
 /// The same function in a form that intervals enclose more tightly: quotients of polynomials of one atom are

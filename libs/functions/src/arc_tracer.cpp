@@ -86,8 +86,9 @@ ArcTracer::Box ArcTracer::enclose_with(double from, double to,
   tape_.evaluate<D>(std::array{D(BasicInterval<R>(static_cast<R>(from), static_cast<R>(to)), 0)}, registers);
   const D& x = registers[tape_.output(0)];
   const D& y = registers[tape_.output(1)];
-  return {scaled(narrowed(x.value), out_.window.x0, scale_[0]), scaled(narrowed(y.value), out_.window.y0, scale_[1]),
-          scaled(narrowed(x.slopes[0]), 0, scale_[0]), scaled(narrowed(y.slopes[0]), 0, scale_[1])};
+  return {scaled(narrowed(x.value), out_.window.x0, scale_[0]),
+          scaled(narrowed(y.value), out_.window.y0, scale_[1]), scaled(narrowed(x.slopes[0]), 0, scale_[0]),
+          scaled(narrowed(y.slopes[0]), 0, scale_[1])};
 }
 
 ArcTracer::Box ArcTracer::enclose(double from, double to) {
@@ -180,10 +181,18 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
     end_branch();
     return;
   }
-  const double narrowest = std::max((arc_.to - arc_.from) * kBreakPart,
-                                    4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a.t), std::abs(b.t)));
+  const double narrowest =
+      std::max((arc_.to - arc_.from) * kBreakPart,
+               4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a.t), std::abs(b.t)));
   if (box.is_continuous() && a.exists() && b.exists()) {
     if (is_straight(a, b, box)) {
+      // A chord between samples that rounding moved is straight too: narrow pieces must prove theirs.
+      const bool narrow = std::min(box.u.width(), box.v.width()) < cell_ / 32;
+      const bool small = std::max(box.u.width(), box.v.width()) < tolerance_;
+      if (narrow && !small && !(is_reliable(a) && is_reliable(b))) {
+        undecided_area_ += std::min(1.0, box.u.width()) * std::min(1.0, box.v.width());
+        return;
+      }
       extend(a, b);
       after_dense_ = false;
       return;
@@ -202,7 +211,8 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
     const double shown = std::min(1.0, box.v.upper) - std::max(0.0, box.v.lower);
     undecided_area_ += std::min(1.0, box.u.width()) * std::max(0.0, shown);
     if (out_.undecided_places.size() < kMostPlaces)
-      out_.undecided_places.push_back({std::clamp(box.u.middle(), 0.0, 1.0), std::clamp(box.v.middle(), 0.0, 1.0)});
+      out_.undecided_places.push_back(
+          {std::clamp(box.u.middle(), 0.0, 1.0), std::clamp(box.v.middle(), 0.0, 1.0)});
     return;
   }
   if (b.t - a.t > narrowest && depth < kMostDepth) {
@@ -219,7 +229,8 @@ void ArcTracer::split(const Sample& a, const Sample& b, int depth) {
   visit(middle, b, depth + 1);
 }
 
-/// A continuous piece thinner than a cell's 32nd: what it covers is certain by the intermediate value theorem.
+/// A continuous piece thinner than a cell's 32nd: what it covers is certain by the intermediate value
+/// theorem.
 bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box) {
   const bool upright = box.u.width() < cell_ / 32;
   const bool level = box.v.width() < cell_ / 32;
@@ -344,7 +355,9 @@ void ArcTracer::end_branch() {
   if (branch_.points.size() > 1) {
     const CurvePoint& first = branch_.points.front();
     const CurvePoint& last = branch_.points.back();
-    const auto same = [&first](const CurvePoint& p) { return std::hypot(p.u - first.u, p.v - first.v) < 1e-12; };
+    const auto same = [&first](const CurvePoint& p) {
+      return std::hypot(p.u - first.u, p.v - first.v) < 1e-12;
+    };
     if (std::all_of(branch_.points.begin(), branch_.points.end(), same)) {
       out_.dots.push_back({statement_, {first.u, first.v}});
       add_event(EventKind::isolated, {first.parameter, first.u, first.v});
@@ -364,14 +377,16 @@ void ArcTracer::add_bar(PlatePoint from, PlatePoint to) {
   if (out_.bars.size() > first_bar_) {
     Bar& last = out_.bars.back();
     const double quarter = cell_ / 4;
-    if (from.u == to.u && last.from.u == last.to.u && std::floor(last.from.u / quarter) == std::floor(from.u / quarter) &&
-        from.v <= last.to.v && last.from.v <= to.v) {
+    if (from.u == to.u && last.from.u == last.to.u &&
+        std::floor(last.from.u / quarter) == std::floor(from.u / quarter) && from.v <= last.to.v &&
+        last.from.v <= to.v) {
       last.from.v = std::min(last.from.v, from.v);
       last.to.v = std::max(last.to.v, to.v);
       return;
     }
-    if (from.v == to.v && last.from.v == last.to.v && std::floor(last.from.v / quarter) == std::floor(from.v / quarter) &&
-        from.u <= last.to.u && last.from.u <= to.u) {
+    if (from.v == to.v && last.from.v == last.to.v &&
+        std::floor(last.from.v / quarter) == std::floor(from.v / quarter) && from.u <= last.to.u &&
+        last.from.u <= to.u) {
       last.from.u = std::min(last.from.u, from.u);
       last.to.u = std::max(last.to.u, to.u);
       return;
@@ -391,8 +406,10 @@ void ArcTracer::add_event(EventKind kind, const Sample& at, const Sample* after)
   e.kind = kind;
   e.statement = statement_;
   e.parameter = at.t + 0.0;  // no negative zero
-  e.x = arc_.x->kind == NodeKind::variable && arc_.x->variable == arc_.parameter ? e.parameter : out_.window.x(at.u);
-  e.y = arc_.y->kind == NodeKind::variable && arc_.y->variable == arc_.parameter ? e.parameter : out_.window.y(at.v);
+  e.x = arc_.x->kind == NodeKind::variable && arc_.x->variable == arc_.parameter ? e.parameter
+                                                                                 : out_.window.x(at.u);
+  e.y = arc_.y->kind == NodeKind::variable && arc_.y->variable == arc_.parameter ? e.parameter
+                                                                                 : out_.window.y(at.v);
   e.x_after = after != nullptr ? out_.window.x(after->u) : kNaN;
   e.y_after = after != nullptr ? out_.window.y(after->v) : kNaN;
   out_.events.push_back(e);

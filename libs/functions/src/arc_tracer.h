@@ -24,7 +24,8 @@ struct Arc {
 /// tolerance, dense, or a break whose kind is then told.
 class ArcTracer {
  public:
-  ArcTracer(const Arc& arc, int statement, const TraceSettings& settings, Tracing& out, WorkProgress& progress);
+  ArcTracer(const Arc& arc, int statement, const TraceSettings& settings, Tracing& out,
+            WorkProgress& progress);
   /// @return false when it was stopped.
   bool run();
 

@@ -14,8 +14,11 @@ std::optional<Arc> arc_of(const Statement& s, const Window& w, double m) {
     case StatementKind::polar: {
       const Expression angle = variable(Variable::theta);
       return Arc{binary(NodeKind::multiply, s.terms[0], call(Function::cos, {angle})),
-                 binary(NodeKind::multiply, s.terms[0], call(Function::sin, {angle})), Variable::theta,
-                 constant_value(s.from), constant_value(s.to), true};
+                 binary(NodeKind::multiply, s.terms[0], call(Function::sin, {angle})),
+                 Variable::theta,
+                 constant_value(s.from),
+                 constant_value(s.to),
+                 true};
     }
     default:
       return std::nullopt;

@@ -11,7 +11,8 @@ namespace nazori::functions {
 DistanceGrid::DistanceGrid(int size, double reach)
     : size_(size),
       reach_(reach),
-      squares_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), std::numeric_limits<float>::infinity()),
+      squares_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size),
+               std::numeric_limits<float>::infinity()),
       statements_(squares_.size(), 0) {}
 
 float DistanceGrid::distance(std::size_t sample) const { return std::sqrt(squares_[sample]); }
@@ -19,7 +20,8 @@ float DistanceGrid::distance(std::size_t sample) const { return std::sqrt(square
 void DistanceGrid::add_segment(PlatePoint p, PlatePoint q, int statement) {
   const double n = size_;
   if (p.v > q.v) std::swap(p, q);
-  if (p.v > 1 + reach_ || q.v < -reach_ || std::max(p.u, q.u) < -reach_ || std::min(p.u, q.u) > 1 + reach_) return;
+  if (p.v > 1 + reach_ || q.v < -reach_ || std::max(p.u, q.u) < -reach_ || std::min(p.u, q.u) > 1 + reach_)
+    return;
   // Row i has its centre at v = 1 - (i + 0.5)/n.
   const double top = std::min(1.0, q.v + reach_);
   const double bottom = std::max(0.0, p.v - reach_);

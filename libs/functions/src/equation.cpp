@@ -46,8 +46,10 @@ class Solver {
         if (*value == 0) parts_.areas.push_back({});
         return;
       }
-      if (!p->depends_on(Variable::y)) return add_lines(substitute(factor, Variable::y, number(0)), Variable::x);
-      if (!p->depends_on(Variable::x)) return add_lines(substitute(factor, Variable::x, number(0)), Variable::y);
+      if (!p->depends_on(Variable::y))
+        return add_lines(substitute(factor, Variable::y, number(0)), Variable::x);
+      if (!p->depends_on(Variable::x))
+        return add_lines(substitute(factor, Variable::x, number(0)), Variable::y);
       if (const auto c = p->linear_factor(Variable::y)) return add_solved(factor, Variable::y, *c);
       if (const auto c = p->linear_factor(Variable::x)) return add_solved(factor, Variable::x, *c);
     }
@@ -62,8 +64,8 @@ class Solver {
     const Variable free = fixed == Variable::x ? Variable::y : Variable::x;
     for (const Root& r : found.roots) {
       const Expression at = guarded(number(r.at), substitute(parts_.whole, fixed, number(r.at)));
-      add_arc(fixed == Variable::x ? at : variable(Variable::x), fixed == Variable::x ? variable(Variable::y) : at,
-              free);
+      add_arc(fixed == Variable::x ? at : variable(Variable::x),
+              fixed == Variable::x ? variable(Variable::y) : at, free);
     }
   }
 
@@ -104,7 +106,9 @@ class Solver {
 EquationParts take_apart(const Expression& left, const Expression& right, const std::array<double, 2>& low,
                          const std::array<double, 2>& high) {
   const auto is_zero = [](const Expression& e) { return e->kind == NodeKind::number && e->value == 0; };
-  const Expression whole = is_zero(right) ? left : is_zero(left) ? right : binary(NodeKind::subtract, left, right);
+  const Expression whole = is_zero(right)  ? left
+                           : is_zero(left) ? right
+                                           : binary(NodeKind::subtract, left, right);
   return Solver(reduced(whole), low, high).run();
 }
 

@@ -13,7 +13,8 @@ namespace nazori::functions {
 struct EquationParts {
   std::vector<Arc> arcs;                 ///< solved for one variable; vertical and horizontal lines
   std::vector<PlaneEquation> equations;  ///< the rest
-  std::vector<std::vector<Expression>> areas;  ///< where these are not negative and `whole` is defined, all holds
+  std::vector<std::vector<Expression>>
+      areas;  ///< where these are not negative and `whole` is defined, all holds
   Expression whole;
   int undecided = 0;
 };

@@ -60,10 +60,12 @@ std::optional<std::string> exact_name(double value) {
   }
   if (value > 0) {
     const auto squared = fraction_of(value * value / std::numbers::pi, 6);
-    if (squared && squared->first > 0 && squared->first <= 100) return "sqrt(" + multiple(squared->first, squared->second, "pi") + ")";
+    if (squared && squared->first > 0 && squared->first <= 100)
+      return "sqrt(" + multiple(squared->first, squared->second, "pi") + ")";
     const auto power = fraction_of(std::log(value), 6);
     if (power && std::abs(power->first) <= 6)
-      return power->second == 1 ? fmt::format("e^{}", power->first) : fmt::format("e^({}/{})", power->first, power->second);
+      return power->second == 1 ? fmt::format("e^{}", power->first)
+                                : fmt::format("e^({}/{})", power->first, power->second);
   }
   // (a + b sqrt(n))/c, as quadratic equations give.
   for (const int n : {2, 3, 5, 6, 7, 10, 11, 13, 17}) {
@@ -72,8 +74,10 @@ std::optional<std::string> exact_name(double value) {
         if (b == 0) continue;
         const double rest = value * c - b * std::sqrt(static_cast<double>(n));
         const double a = std::round(rest);
-        if (a == 0 || std::abs(a) > 20 || std::abs(rest - a) > kTolerance * std::max(1.0, std::abs(value))) continue;
-        const std::string root = std::abs(b) == 1 ? fmt::format("sqrt({})", n) : fmt::format("{}*sqrt({})", std::abs(b), n);
+        if (a == 0 || std::abs(a) > 20 || std::abs(rest - a) > kTolerance * std::max(1.0, std::abs(value)))
+          continue;
+        const std::string root =
+            std::abs(b) == 1 ? fmt::format("sqrt({})", n) : fmt::format("{}*sqrt({})", std::abs(b), n);
         const std::string top = fmt::format("{} {} {}", a, b < 0 ? "-" : "+", root);
         return c == 1 ? top : fmt::format("({})/{}", top, c);
       }

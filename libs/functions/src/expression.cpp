@@ -16,10 +16,10 @@ namespace {
 constexpr std::int64_t kMostRational = 1'000'000'000'000;
 
 constexpr std::array<std::string_view, 42> kFunctionNames{
-    "sin",   "cos",   "tan",    "cot",  "sec",   "csc",  "asin",  "acos",  "atan", "acot",  "sinh",
-    "cosh",  "tanh",  "coth",   "sech", "csch",  "asinh", "acosh", "atanh", "exp", "ln",    "log",
-    "log2",  "log_b", "sqrt",   "cbrt", "root",  "abs",  "sign",  "floor", "ceil", "round", "trunc",
-    "frac",  "gamma", "factorial", "erf", "min", "max",  "mod",   "atan2", "hypot"};
+    "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",  "acos",  "atan", "acot",  "sinh",
+    "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh", "atanh", "exp",  "ln",    "log",
+    "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",  "floor", "ceil", "round", "trunc",
+    "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",   "atan2", "hypot"};
 
 /// How tightly a tree holds together as text.
 int strength(const Node& n) {
@@ -109,33 +109,54 @@ std::optional<Rational> combine(NodeKind kind, Rational a, Rational b) {
 
 Expression over(Expression a, Expression b) { return binary(NodeKind::divide, std::move(a), std::move(b)); }
 Expression plus(Expression a, Expression b) { return binary(NodeKind::add, std::move(a), std::move(b)); }
-Expression minus(Expression a, Expression b) { return binary(NodeKind::subtract, std::move(a), std::move(b)); }
-Expression times(Expression a, Expression b) { return binary(NodeKind::multiply, std::move(a), std::move(b)); }
+Expression minus(Expression a, Expression b) {
+  return binary(NodeKind::subtract, std::move(a), std::move(b));
+}
+Expression times(Expression a, Expression b) {
+  return binary(NodeKind::multiply, std::move(a), std::move(b));
+}
 Expression to_the(Expression a, Expression b) { return binary(NodeKind::power, std::move(a), std::move(b)); }
 
 Expression reduced_call(Function f, const std::vector<Expression>& a) {
   const Expression one = number(1);
   const Expression two = number(2);
   switch (f) {
-    case Function::cot: return over(call(Function::cos, {a[0]}), call(Function::sin, {a[0]}));
-    case Function::sec: return over(one, call(Function::cos, {a[0]}));
-    case Function::csc: return over(one, call(Function::sin, {a[0]}));
-    case Function::coth: return over(one, call(Function::tanh, {a[0]}));
-    case Function::sech: return over(one, call(Function::cosh, {a[0]}));
-    case Function::csch: return over(one, call(Function::sinh, {a[0]}));
-    case Function::acot: return minus(over(constant(Constant::pi), two), call(Function::atan, {a[0]}));
-    case Function::log_base: return over(call(Function::ln, {a[1]}), call(Function::ln, {a[0]}));
-    case Function::root: return to_the(a[1], over(one, a[0]));
-    case Function::cbrt: return to_the(a[0], over(one, number(3)));
-    case Function::exp: return to_the(constant(Constant::e), a[0]);
-    case Function::round: return call(Function::floor, {plus(a[0], number(0.5))});
+    case Function::cot:
+      return over(call(Function::cos, {a[0]}), call(Function::sin, {a[0]}));
+    case Function::sec:
+      return over(one, call(Function::cos, {a[0]}));
+    case Function::csc:
+      return over(one, call(Function::sin, {a[0]}));
+    case Function::coth:
+      return over(one, call(Function::tanh, {a[0]}));
+    case Function::sech:
+      return over(one, call(Function::cosh, {a[0]}));
+    case Function::csch:
+      return over(one, call(Function::sinh, {a[0]}));
+    case Function::acot:
+      return minus(over(constant(Constant::pi), two), call(Function::atan, {a[0]}));
+    case Function::log_base:
+      return over(call(Function::ln, {a[1]}), call(Function::ln, {a[0]}));
+    case Function::root:
+      return to_the(a[1], over(one, a[0]));
+    case Function::cbrt:
+      return to_the(a[0], over(one, number(3)));
+    case Function::exp:
+      return to_the(constant(Constant::e), a[0]);
+    case Function::round:
+      return call(Function::floor, {plus(a[0], number(0.5))});
     case Function::trunc:
       return times(call(Function::sign, {a[0]}), call(Function::floor, {call(Function::abs, {a[0]})}));
-    case Function::fraction: return minus(a[0], call(Function::floor, {a[0]}));
-    case Function::mod: return minus(a[0], times(a[1], call(Function::floor, {over(a[0], a[1])})));
-    case Function::factorial: return call(Function::gamma, {plus(a[0], one)});
-    case Function::hypot: return call(Function::sqrt, {plus(to_the(a[0], two), to_the(a[1], two))});
-    default: return call(f, a);
+    case Function::fraction:
+      return minus(a[0], call(Function::floor, {a[0]}));
+    case Function::mod:
+      return minus(a[0], times(a[1], call(Function::floor, {over(a[0], a[1])})));
+    case Function::factorial:
+      return call(Function::gamma, {plus(a[0], one)});
+    case Function::hypot:
+      return call(Function::sqrt, {plus(to_the(a[0], two), to_the(a[1], two))});
+    default:
+      return call(f, a);
   }
 }
 
@@ -222,23 +243,32 @@ std::string_view name_of(Function f) { return kFunctionNames[static_cast<std::si
 std::string to_text(const Expression& e) {
   const Node& n = *e;
   switch (n.kind) {
-    case NodeKind::number: return fmt::format("{}", n.value);
-    case NodeKind::constant: return std::string(name_of(n.constant));
-    case NodeKind::variable: return std::string(name_of(n.variable));
-    case NodeKind::negate: return "-" + wrapped(n.arguments[0], 3);
-    case NodeKind::add: return wrapped(n.arguments[0], 1) + " + " + wrapped(n.arguments[1], 2);
-    case NodeKind::subtract: return wrapped(n.arguments[0], 1) + " - " + wrapped(n.arguments[1], 2);
+    case NodeKind::number:
+      return fmt::format("{}", n.value);
+    case NodeKind::constant:
+      return std::string(name_of(n.constant));
+    case NodeKind::variable:
+      return std::string(name_of(n.variable));
+    case NodeKind::negate:
+      return "-" + wrapped(n.arguments[0], 3);
+    case NodeKind::add:
+      return wrapped(n.arguments[0], 1) + " + " + wrapped(n.arguments[1], 2);
+    case NodeKind::subtract:
+      return wrapped(n.arguments[0], 1) + " - " + wrapped(n.arguments[1], 2);
     case NodeKind::multiply: {
       // (1/2)*x rather than 1/2*x: the same tree, without the doubt.
       const bool quotient = n.arguments[0]->kind == NodeKind::divide;
       return wrapped(n.arguments[0], quotient ? 3 : 2) + "*" + wrapped(n.arguments[1], 3);
     }
-    case NodeKind::divide: return wrapped(n.arguments[0], 2) + "/" + wrapped(n.arguments[1], 3);
+    case NodeKind::divide:
+      return wrapped(n.arguments[0], 2) + "/" + wrapped(n.arguments[1], 3);
     case NodeKind::power: {
       const bool plain = strength(*n.arguments[1]) >= 5;
-      return wrapped(n.arguments[0], 5) + "^" + (plain ? to_text(n.arguments[1]) : "(" + to_text(n.arguments[1]) + ")");
+      return wrapped(n.arguments[0], 5) + "^" +
+             (plain ? to_text(n.arguments[1]) : "(" + to_text(n.arguments[1]) + ")");
     }
-    case NodeKind::function: break;
+    case NodeKind::function:
+      break;
   }
   if (n.function == Function::abs) return "|" + to_text(n.arguments[0]) + "|";
   if (n.function == Function::factorial) return wrapped(n.arguments[0], 5) + "!";
@@ -251,7 +281,8 @@ std::string to_text(const Expression& e) {
 std::optional<Rational> rational_value(const Expression& e) {
   const Node& n = *e;
   switch (n.kind) {
-    case NodeKind::number: return from_decimal(n.value);
+    case NodeKind::number:
+      return from_decimal(n.value);
     case NodeKind::negate: {
       auto r = rational_value(n.arguments[0]);
       if (r) r->p = -r->p;
@@ -266,7 +297,8 @@ std::optional<Rational> rational_value(const Expression& e) {
       const auto b = a ? rational_value(n.arguments[1]) : std::nullopt;
       return b ? combine(n.kind, *a, *b) : std::nullopt;
     }
-    default: return std::nullopt;
+    default:
+      return std::nullopt;
   }
 }
 

@@ -16,9 +16,8 @@ BasicInterval<R> rising(const BasicInterval<R>& a, F f, R least, R most, int ulp
   if (a.is_empty()) return a;
   using Q = Rounding<R>;
   return detail::marked(
-      detail::with_proof_of({std::max(least, Q::down_by(f(a.lower), ulps)),
-                             std::min(most, Q::up_by(f(a.upper), ulps))},
-                            a),
+      detail::with_proof_of(
+          {std::max(least, Q::down_by(f(a.lower), ulps)), std::min(most, Q::up_by(f(a.upper), ulps))}, a),
       a.is_bounded());
 }
 
@@ -42,7 +41,8 @@ bool may_hit(const BasicInterval<R>& a, R offset, R period) {
   constexpr R kSlack = 8 * std::numeric_limits<R>::epsilon();
   const R first = (a.lower - offset) / period;
   const R last = (a.upper - offset) / period;
-  return std::floor(last + kSlack * (std::abs(last) + 1)) >= std::ceil(first - kSlack * (std::abs(first) + 1));
+  return std::floor(last + kSlack * (std::abs(last) + 1)) >=
+         std::ceil(first - kSlack * (std::abs(first) + 1));
 }
 
 constexpr long double kPi = std::numbers::pi_v<long double>;
@@ -51,7 +51,8 @@ constexpr double kLargestAngle = 1e12;
 
 template <class R>
 BasicInterval<R> logarithm(const BasicInterval<R>& argument, R (*f)(R)) {
-  if (!argument.is_empty() && argument.upper <= 0) return BasicInterval<R>::empty(argument.cause | Cause::domain);
+  if (!argument.is_empty() && argument.upper <= 0)
+    return BasicInterval<R>::empty(argument.cause | Cause::domain);
   BasicInterval<R> a = cut(argument, R(0), kInf<R>);
   if (a.is_empty()) return a;
   if (a.lower == 0) a = a.weakened(Decoration::partial, Cause::domain);
@@ -78,7 +79,8 @@ BasicInterval<R> sqrt(const BasicInterval<R>& argument) {
 
 template <class R>
 BasicInterval<R> exp(const BasicInterval<R>& a) {
-  return rising(a, [](R v) { return std::exp(v); }, R(0), kInf<R>);
+  return rising(
+      a, [](R v) { return std::exp(v); }, R(0), kInf<R>);
 }
 
 template <class R>
@@ -135,58 +137,69 @@ BasicInterval<R> tan(const BasicInterval<R>& a) {
   if (!a.is_bounded() || a.magnitude() > R(kLargestAngle) || a.width() >= kThePi ||
       may_hit(a, kThePi / 2, kThePi))
     return BasicInterval<R>::entire(std::min(a.decoration, Decoration::partial), a.cause | Cause::pole);
-  return rising(a, [](R v) { return std::tan(v); }, -kInf<R>, kInf<R>);
+  return rising(
+      a, [](R v) { return std::tan(v); }, -kInf<R>, kInf<R>);
 }
 
 template <class R>
 BasicInterval<R> asin(const BasicInterval<R>& a) {
-  return rising(cut(a, R(-1), R(1)), [](R v) { return std::asin(v); }, -kInf<R>, kInf<R>);
+  return rising(
+      cut(a, R(-1), R(1)), [](R v) { return std::asin(v); }, -kInf<R>, kInf<R>);
 }
 template <class R>
 BasicInterval<R> acos(const BasicInterval<R>& a) {
   const BasicInterval<R> inside = cut(a, R(-1), R(1));
   if (inside.is_empty()) return inside;
   using Q = Rounding<R>;
-  return detail::with_proof_of({std::max(R(0), Q::down_by(std::acos(inside.upper), kUlps)),
-                                Q::up_by(std::acos(inside.lower), kUlps)},
-                               inside);
+  return detail::with_proof_of(
+      {std::max(R(0), Q::down_by(std::acos(inside.upper), kUlps)), Q::up_by(std::acos(inside.lower), kUlps)},
+      inside);
 }
 template <class R>
 BasicInterval<R> atan(const BasicInterval<R>& a) {
-  return rising(a, [](R v) { return std::atan(v); }, -kInf<R>, kInf<R>);
+  return rising(
+      a, [](R v) { return std::atan(v); }, -kInf<R>, kInf<R>);
 }
 
 template <class R>
 BasicInterval<R> sinh(const BasicInterval<R>& a) {
-  return rising(a, [](R v) { return std::sinh(v); }, -kInf<R>, kInf<R>);
+  return rising(
+      a, [](R v) { return std::sinh(v); }, -kInf<R>, kInf<R>);
 }
 template <class R>
 BasicInterval<R> cosh(const BasicInterval<R>& a) {
-  return rising(abs(a), [](R v) { return std::cosh(v); }, R(1), kInf<R>);
+  return rising(
+      abs(a), [](R v) { return std::cosh(v); }, R(1), kInf<R>);
 }
 template <class R>
 BasicInterval<R> tanh(const BasicInterval<R>& a) {
-  return rising(a, [](R v) { return std::tanh(v); }, R(-1), R(1));
+  return rising(
+      a, [](R v) { return std::tanh(v); }, R(-1), R(1));
 }
 template <class R>
 BasicInterval<R> asinh(const BasicInterval<R>& a) {
-  return rising(a, [](R v) { return std::asinh(v); }, -kInf<R>, kInf<R>);
+  return rising(
+      a, [](R v) { return std::asinh(v); }, -kInf<R>, kInf<R>);
 }
 template <class R>
 BasicInterval<R> acosh(const BasicInterval<R>& a) {
-  return rising(cut(a, R(1), kInf<R>), [](R v) { return std::acosh(v); }, R(0), kInf<R>);
+  return rising(
+      cut(a, R(1), kInf<R>), [](R v) { return std::acosh(v); }, R(0), kInf<R>);
 }
 template <class R>
 BasicInterval<R> atanh(const BasicInterval<R>& a) {
-  if (!a.is_empty() && (a.upper <= -1 || a.lower >= 1)) return BasicInterval<R>::empty(a.cause | Cause::domain);
+  if (!a.is_empty() && (a.upper <= -1 || a.lower >= 1))
+    return BasicInterval<R>::empty(a.cause | Cause::domain);
   BasicInterval<R> inside = cut(a, R(-1), R(1));
   if (inside.is_empty()) return inside;
   if (inside.lower == -1 || inside.upper == 1) inside = inside.weakened(Decoration::partial, Cause::domain);
-  return rising(inside, [](R v) { return std::atanh(v); }, -kInf<R>, kInf<R>);
+  return rising(
+      inside, [](R v) { return std::atanh(v); }, -kInf<R>, kInf<R>);
 }
 template <class R>
 BasicInterval<R> erf(const BasicInterval<R>& a) {
-  return rising(a, [](R v) { return std::erf(v); }, R(-1), R(1));
+  return rising(
+      a, [](R v) { return std::erf(v); }, R(-1), R(1));
 }
 
 template <class R>
@@ -216,25 +229,25 @@ BasicInterval<R> atan2(const BasicInterval<R>& y, const BasicInterval<R>& x) {
   return detail::with_proof_of({Q::down_by(low, kUlps), Q::up_by(high, kUlps)}, x, y);
 }
 
-#define NAZORI_INTERVAL_FUNCTIONS(R)                                   \
-  template BasicInterval<R> sqrt(const BasicInterval<R>&);             \
-  template BasicInterval<R> exp(const BasicInterval<R>&);              \
-  template BasicInterval<R> log(const BasicInterval<R>&);              \
-  template BasicInterval<R> log2(const BasicInterval<R>&);             \
-  template BasicInterval<R> log10(const BasicInterval<R>&);            \
-  template BasicInterval<R> sin(const BasicInterval<R>&);              \
-  template BasicInterval<R> cos(const BasicInterval<R>&);              \
-  template BasicInterval<R> tan(const BasicInterval<R>&);              \
-  template BasicInterval<R> asin(const BasicInterval<R>&);             \
-  template BasicInterval<R> acos(const BasicInterval<R>&);             \
-  template BasicInterval<R> atan(const BasicInterval<R>&);             \
-  template BasicInterval<R> sinh(const BasicInterval<R>&);             \
-  template BasicInterval<R> cosh(const BasicInterval<R>&);             \
-  template BasicInterval<R> tanh(const BasicInterval<R>&);             \
-  template BasicInterval<R> asinh(const BasicInterval<R>&);            \
-  template BasicInterval<R> acosh(const BasicInterval<R>&);            \
-  template BasicInterval<R> atanh(const BasicInterval<R>&);            \
-  template BasicInterval<R> erf(const BasicInterval<R>&);              \
+#define NAZORI_INTERVAL_FUNCTIONS(R)                        \
+  template BasicInterval<R> sqrt(const BasicInterval<R>&);  \
+  template BasicInterval<R> exp(const BasicInterval<R>&);   \
+  template BasicInterval<R> log(const BasicInterval<R>&);   \
+  template BasicInterval<R> log2(const BasicInterval<R>&);  \
+  template BasicInterval<R> log10(const BasicInterval<R>&); \
+  template BasicInterval<R> sin(const BasicInterval<R>&);   \
+  template BasicInterval<R> cos(const BasicInterval<R>&);   \
+  template BasicInterval<R> tan(const BasicInterval<R>&);   \
+  template BasicInterval<R> asin(const BasicInterval<R>&);  \
+  template BasicInterval<R> acos(const BasicInterval<R>&);  \
+  template BasicInterval<R> atan(const BasicInterval<R>&);  \
+  template BasicInterval<R> sinh(const BasicInterval<R>&);  \
+  template BasicInterval<R> cosh(const BasicInterval<R>&);  \
+  template BasicInterval<R> tanh(const BasicInterval<R>&);  \
+  template BasicInterval<R> asinh(const BasicInterval<R>&); \
+  template BasicInterval<R> acosh(const BasicInterval<R>&); \
+  template BasicInterval<R> atanh(const BasicInterval<R>&); \
+  template BasicInterval<R> erf(const BasicInterval<R>&);   \
   template BasicInterval<R> atan2(const BasicInterval<R>&, const BasicInterval<R>&);
 
 NAZORI_INTERVAL_FUNCTIONS(double)

@@ -35,9 +35,10 @@ BasicInterval<R> positive_gamma(const BasicInterval<R>& a) {
   using Q = Rounding<R>;
   const R first = gamma_at(a.lower);
   const R last = gamma_at(a.upper);
-  const bool has_least = a.lower <= static_cast<R>(kGammaArgument) && a.upper >= static_cast<R>(kGammaArgument);
-  const R low = has_least ? Q::down_by(static_cast<R>(kGammaLeast), 2)
-                          : Q::down_by(std::min(first, last), kGammaUlps);
+  const bool has_least =
+      a.lower <= static_cast<R>(kGammaArgument) && a.upper >= static_cast<R>(kGammaArgument);
+  const R low =
+      has_least ? Q::down_by(static_cast<R>(kGammaLeast), 2) : Q::down_by(std::min(first, last), kGammaUlps);
   return detail::marked(detail::with_proof_of({low, Q::up_by(std::max(first, last), kGammaUlps)}, a),
                         a.is_bounded());
 }
@@ -88,7 +89,8 @@ BasicInterval<R> digamma(const BasicInterval<R>& a) {
   const R first = at(a.lower);
   const R last = at(a.upper);
   const R slack = static_cast<R>(1e-13);
-  const R low = std::isnan(first) ? -kInf<R> : Q::down_by(first, kDigammaUlps) - slack - std::abs(first) * slack;
+  const R low =
+      std::isnan(first) ? -kInf<R> : Q::down_by(first, kDigammaUlps) - slack - std::abs(first) * slack;
   const R high = std::isnan(last) ? kInf<R> : Q::up_by(last, kDigammaUlps) + slack + std::abs(last) * slack;
   return detail::with_proof_of({low, high}, a);
 }
@@ -132,8 +134,9 @@ BasicInterval<R> power(const BasicInterval<R>& base, const BasicInterval<R>& exp
   const I plain_log = log(I(b.lower, b.upper));
   I r = exp(I(plain_log.lower, plain_log.upper) * I(exponent.lower, exponent.upper));
   r.decoration = proven;
-  r.cause = (b.is_bounded() && exponent.is_bounded() && b.lower > 0 && !r.is_bounded()) ? why | Cause::overflow
-                                                                                        : why;
+  r.cause = (b.is_bounded() && exponent.is_bounded() && b.lower > 0 && !r.is_bounded())
+                ? why | Cause::overflow
+                : why;
   return detail::with_proof_of(r, b, exponent);
 }
 
@@ -179,7 +182,9 @@ BasicInterval<R> power_rational(const BasicInterval<R>& base, int p, int q) {
     const R e = static_cast<R>(p) / static_cast<R>(q);
     return kPowerUlps + static_cast<int>(std::min(R(1e8), std::abs(std::log(v)) * e + 1));
   };
-  const auto least = [&](R v) { return v == 0 ? R(0) : std::max(R(0), Q::down_by(root_power(v, p, q), slack(v))); };
+  const auto least = [&](R v) {
+    return v == 0 ? R(0) : std::max(R(0), Q::down_by(root_power(v, p, q), slack(v)));
+  };
   const auto most = [&](R v) { return v == 0 ? R(0) : Q::up_by(root_power(v, p, q), slack(v)); };
   I r;
   if (b.lower >= 0) {
@@ -193,14 +198,14 @@ BasicInterval<R> power_rational(const BasicInterval<R>& base, int p, int q) {
   return detail::marked(detail::with_proof_of(r, b), b.is_bounded());
 }
 
-#define NAZORI_SPECIAL_FUNCTIONS(R)                                                   \
-  template BasicInterval<R> gamma(const BasicInterval<R>&);                           \
-  template BasicInterval<R> digamma(const BasicInterval<R>&);                         \
-  template BasicInterval<R> floor(const BasicInterval<R>&);                           \
-  template BasicInterval<R> ceil(const BasicInterval<R>&);                            \
-  template BasicInterval<R> sign(const BasicInterval<R>&);                            \
-  template BasicInterval<R> power(const BasicInterval<R>&, const BasicInterval<R>&);  \
-  template BasicInterval<R> power_integer(const BasicInterval<R>&, int);              \
+#define NAZORI_SPECIAL_FUNCTIONS(R)                                                  \
+  template BasicInterval<R> gamma(const BasicInterval<R>&);                          \
+  template BasicInterval<R> digamma(const BasicInterval<R>&);                        \
+  template BasicInterval<R> floor(const BasicInterval<R>&);                          \
+  template BasicInterval<R> ceil(const BasicInterval<R>&);                           \
+  template BasicInterval<R> sign(const BasicInterval<R>&);                           \
+  template BasicInterval<R> power(const BasicInterval<R>&, const BasicInterval<R>&); \
+  template BasicInterval<R> power_integer(const BasicInterval<R>&, int);             \
   template BasicInterval<R> power_rational(const BasicInterval<R>&, int, int);
 
 NAZORI_SPECIAL_FUNCTIONS(double)

@@ -27,7 +27,8 @@ double bump(double distance, double half_width) {
 std::vector<double> tick_places(double low, double high) {
   const double step = tick_step(low, high);
   std::vector<double> places;
-  for (double k = std::ceil(low / step); k * step <= high; ++k) places.push_back((k * step - low) / (high - low));
+  for (double k = std::ceil(low / step); k * step <= high; ++k)
+    places.push_back((k * step - low) / (high - low));
   return places;
 }
 
@@ -36,7 +37,8 @@ std::vector<double> distances_to(const std::vector<double>& places, int n, bool 
   std::vector<double> d(static_cast<std::size_t>(n), 10.0);
   for (int i = 0; i < n; ++i) {
     const double c = downwards ? 1 - (i + 0.5) / n : (i + 0.5) / n;
-    for (const double p : places) d[static_cast<std::size_t>(i)] = std::min(d[static_cast<std::size_t>(i)], std::abs(c - p));
+    for (const double p : places)
+      d[static_cast<std::size_t>(i)] = std::min(d[static_cast<std::size_t>(i)], std::abs(c - p));
   }
   return d;
 }

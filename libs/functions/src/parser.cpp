@@ -40,20 +40,29 @@ int arity(Function f) {
 const char* closing(char32_t open) { return open == U'(' ? ")" : open == U'[' ? "]" : "}"; }
 
 bool closes(char32_t open, char32_t close) {
-  return (open == U'(' && close == U')') || (open == U'[' && close == U']') || (open == U'{' && close == U'}');
+  return (open == U'(' && close == U')') || (open == U'[' && close == U']') ||
+         (open == U'{' && close == U'}');
 }
 
 /// The inverse that sin^-1 means, or nothing.
 std::optional<Function> inverse_of(Function f) {
   switch (f) {
-    case Function::sin: return Function::asin;
-    case Function::cos: return Function::acos;
-    case Function::tan: return Function::atan;
-    case Function::cot: return Function::acot;
-    case Function::sinh: return Function::asinh;
-    case Function::cosh: return Function::acosh;
-    case Function::tanh: return Function::atanh;
-    default: return std::nullopt;
+    case Function::sin:
+      return Function::asin;
+    case Function::cos:
+      return Function::acos;
+    case Function::tan:
+      return Function::atan;
+    case Function::cot:
+      return Function::acot;
+    case Function::sinh:
+      return Function::asinh;
+    case Function::cosh:
+      return Function::acosh;
+    case Function::tanh:
+      return Function::atanh;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -73,7 +82,8 @@ tl::expected<std::vector<Relation>, SyntaxError> Parser::run() {
     }
   }
   if (relations.empty()) {
-    return tl::unexpected(SyntaxError{now().column, "there is no expression", "expected something like y = sin(x)"});
+    return tl::unexpected(
+        SyntaxError{now().column, "there is no expression", "expected something like y = sin(x)"});
   }
   return relations;
 }
@@ -95,15 +105,17 @@ bool Parser::starts_operand() const {
 }
 
 tl::unexpected<SyntaxError> Parser::missing_operand() const {
-  std::string message = is(TokenKind::end) || is(TokenKind::semicolon) ? "the text ends where an operand must follow"
-                                                                       : "\"" + now().text + "\" stands where an operand must be";
+  std::string message = is(TokenKind::end) || is(TokenKind::semicolon)
+                            ? "the text ends where an operand must follow"
+                            : "\"" + now().text + "\" stands where an operand must be";
   if (at_ > 0 && tokens_[at_ - 1].kind != TokenKind::semicolon)
     message = "an operand is missing after \"" + tokens_[at_ - 1].text + "\"";
   return tl::unexpected(SyntaxError{now().column, std::move(message), kOperand});
 }
 
 tl::unexpected<SyntaxError> Parser::unexpected_token(std::string expected) const {
-  const std::string what = is(TokenKind::end) ? "the text ends too early" : "\"" + now().text + "\" does not fit here";
+  const std::string what =
+      is(TokenKind::end) ? "the text ends too early" : "\"" + now().text + "\" does not fit here";
   return tl::unexpected(SyntaxError{now().column, what, std::move(expected)});
 }
 
@@ -144,7 +156,8 @@ tl::expected<Relation, SyntaxError> Parser::relation() {
 Parser::Parsed Parser::sum() {
   const Nesting nesting(depth_);
   if (depth_ > kMostDepth)
-    return tl::unexpected(SyntaxError{now().column, "parentheses are nested too deep", "expected a simpler expression"});
+    return tl::unexpected(
+        SyntaxError{now().column, "parentheses are nested too deep", "expected a simpler expression"});
   Parsed left = product();
   while (left && (is(TokenKind::plus) || is(TokenKind::minus))) {
     const NodeKind kind = is(TokenKind::plus) ? NodeKind::add : NodeKind::subtract;
@@ -179,7 +192,8 @@ Parser::Parsed Parser::signed_operand() {
   if (!is(TokenKind::plus) && !is(TokenKind::minus)) return raised();
   const Nesting nesting(depth_);
   if (depth_ > kMostDepth)
-    return tl::unexpected(SyntaxError{now().column, "there are too many signs", "expected a simpler expression"});
+    return tl::unexpected(
+        SyntaxError{now().column, "there are too many signs", "expected a simpler expression"});
   const bool negative = is(TokenKind::minus);
   ++at_;
   Parsed inner = signed_operand();
@@ -200,7 +214,8 @@ Parser::Parsed Parser::raised() {
 Parser::Parsed Parser::exponent() {
   const Nesting nesting(depth_);
   if (depth_ > kMostDepth)
-    return tl::unexpected(SyntaxError{now().column, "powers are nested too deep", "expected a simpler expression"});
+    return tl::unexpected(
+        SyntaxError{now().column, "powers are nested too deep", "expected a simpler expression"});
   if (is(TokenKind::plus) || is(TokenKind::minus)) {
     const bool negative = is(TokenKind::minus);
     ++at_;
@@ -246,7 +261,8 @@ Parser::Parsed Parser::operand() {
       ++at_;
       const Nesting nesting(depth_);
       if (depth_ > kMostDepth)
-        return tl::unexpected(SyntaxError{now().column, "roots are nested too deep", "expected a simpler expression"});
+        return tl::unexpected(
+            SyntaxError{now().column, "roots are nested too deep", "expected a simpler expression"});
       Parsed inner = raised();
       if (!inner) return inner;
       if (token.degree == 2) return call(Function::sqrt, {std::move(*inner)});
@@ -269,8 +285,8 @@ Parser::Parsed Parser::bars() {
   --open_bars_;
   if (!inner) return inner;
   if (!is(TokenKind::bar)) {
-    return tl::unexpected(SyntaxError{now().column, "the bar of column " + std::to_string(column) + " is not closed",
-                                      "expected \"|\""});
+    return tl::unexpected(SyntaxError{
+        now().column, "the bar of column " + std::to_string(column) + " is not closed", "expected \"|\""});
   }
   ++at_;
   return call(Function::abs, {std::move(*inner)});
@@ -318,7 +334,8 @@ tl::expected<std::vector<Expression>, SyntaxError> Parser::argument_list() {
 Parser::Parsed Parser::bare_argument() {
   const Nesting nesting(depth_);
   if (depth_ > kMostDepth)
-    return tl::unexpected(SyntaxError{now().column, "functions are nested too deep", "expected a simpler expression"});
+    return tl::unexpected(
+        SyntaxError{now().column, "functions are nested too deep", "expected a simpler expression"});
   if (is(TokenKind::minus) || is(TokenKind::plus)) {
     const bool negative = is(TokenKind::minus);
     ++at_;
@@ -373,16 +390,18 @@ Parser::Parsed Parser::function_call() {
   return finish_call(name, {std::move(*argument)}, base, power);
 }
 
-Parser::Parsed Parser::finish_call(const Token& name, std::vector<Expression> arguments, const Expression& base,
-                                   const Expression& power) {
+Parser::Parsed Parser::finish_call(const Token& name, std::vector<Expression> arguments,
+                                   const Expression& base, const Expression& power) {
   const int wanted = arity(name.function);
   const int given = static_cast<int>(arguments.size());
   if ((wanted > 0 && given != wanted) || (wanted < 0 && given < -wanted)) {
-    const std::string count = wanted == 1 ? "one argument" : wanted == 2 ? "two arguments" : "two arguments or more";
-    return tl::unexpected(SyntaxError{name.column,
-                                      "\"" + name.text + "\" is given " + std::to_string(given) +
-                                          (given == 1 ? " argument" : " arguments"),
-                                      "expected " + count});
+    const std::string count = wanted == 1   ? "one argument"
+                              : wanted == 2 ? "two arguments"
+                                            : "two arguments or more";
+    return tl::unexpected(SyntaxError{
+        name.column,
+        "\"" + name.text + "\" is given " + std::to_string(given) + (given == 1 ? " argument" : " arguments"),
+        "expected " + count});
   }
   Expression e;
   if (base) {

@@ -24,7 +24,8 @@ PlatePoint between(PlatePoint p, PlatePoint q, double share) {
 
 /// One zero between two points where the signs differ. Where continuity is not proven, halves that keep the
 /// change of sign are taken until it is: poles and jumps never are.
-void PlaneTracer::add_root(Point p, Point q, double fp, double fq, bool continuous, std::vector<Point>& roots) {
+void PlaneTracer::add_root(Point p, Point q, double fp, double fq, bool continuous,
+                           std::vector<Point>& roots) {
   const double first = std::min(std::abs(fp), std::abs(fq));
   double low = 0;
   double high = 1;
@@ -132,8 +133,8 @@ void PlaneTracer::settle_leaf(const Square& s, bool continuous) {
       return;
     }
   }
-  const std::array<Point, 4> corners{Point{s.u, s.v}, Point{s.u + s.side, s.v}, Point{s.u + s.side, s.v + s.side},
-                                     Point{s.u, s.v + s.side}};
+  const std::array<Point, 4> corners{Point{s.u, s.v}, Point{s.u + s.side, s.v},
+                                     Point{s.u + s.side, s.v + s.side}, Point{s.u, s.v + s.side}};
   std::vector<Point> roots;
   for (std::size_t i = 0; i < 4; ++i) {
     // Each side is walked the same way from both of its boxes, so that the ends meet exactly.
@@ -218,7 +219,8 @@ bool PlaneTracer::find_critical(const Square& s, Point& at) {
       return g.slopes[0] == 0 && g.slopes[1] == 0;
     }
     Point step;
-    for (const auto& [eigenvalue, turn] : {std::pair{half + root, angle}, std::pair{half - root, angle + std::numbers::pi / 2}}) {
+    for (const auto& [eigenvalue, turn] :
+         {std::pair{half + root, angle}, std::pair{half - root, angle + std::numbers::pi / 2}}) {
       if (std::abs(eigenvalue) < 1e-5 * most) continue;
       const double c = std::cos(turn);
       const double n = std::sin(turn);
@@ -240,14 +242,15 @@ bool PlaneTracer::find_critical(const Square& s, Point& at) {
 
 /// Zeros that do not show on the border: ovals inside the box, double zeros.
 bool PlaneTracer::find_hidden(const Square& s, bool continuous) {
-  const std::array<Point, 4> corners{Point{s.u, s.v}, Point{s.u + s.side, s.v}, Point{s.u + s.side, s.v + s.side},
-                                     Point{s.u, s.v + s.side}};
+  const std::array<Point, 4> corners{Point{s.u, s.v}, Point{s.u + s.side, s.v},
+                                     Point{s.u + s.side, s.v + s.side}, Point{s.u, s.v + s.side}};
   Point p{s.u + s.side / 2, s.v + s.side / 2};
   const bool critical = find_critical(s, p);
   const bool inside = p.u >= s.u && p.u <= s.u + s.side && p.v >= s.v && p.v <= s.v + s.side;
   const double f = value(p);
   const double corner = value(corners[0]);
-  if (continuous && inside && std::isfinite(f) && std::isfinite(corner) && f != 0 && sign_of(f) != sign_of(corner)) {
+  if (continuous && inside && std::isfinite(f) && std::isfinite(corner) && f != 0 &&
+      sign_of(f) != sign_of(corner)) {
     std::vector<Point> around;
     for (const Point& c : corners) {
       const double fc = value(c);

@@ -75,7 +75,8 @@ PlaneTracer::Gradient PlaneTracer::gradient(Point p) {
 
 Interval PlaneTracer::enclose(const Tape& tape, Interval u, Interval v) {
   const auto mapped = [this](Interval i, std::size_t axis) {
-    return Interval(equation_.low[axis] + i.lower * range_[axis], equation_.low[axis] + i.upper * range_[axis]);
+    return Interval(equation_.low[axis] + i.lower * range_[axis],
+                    equation_.low[axis] + i.upper * range_[axis]);
   };
   tape.evaluate<Interval>(std::array{mapped(u, 0), mapped(v, 1)}, intervals_);
   return intervals_[tape.output(0)];
@@ -101,7 +102,9 @@ bool PlaneTracer::fills(const Square& s) {
 /// that the function is continuous there.
 bool PlaneTracer::is_zero_at(Point p) {
   const double eps = 4 * std::numeric_limits<double>::epsilon();
-  const auto around = [eps](double c) { return Interval(c - eps * (1 + std::abs(c)), c + eps * (1 + std::abs(c))); };
+  const auto around = [eps](double c) {
+    return Interval(c - eps * (1 + std::abs(c)), c + eps * (1 + std::abs(c)));
+  };
   const Interval f = enclose(function_, around(p.u), around(p.v));
   return !f.is_empty() && f.contains(0) && f.is_continuous() && counts_at(p);
 }
@@ -184,8 +187,8 @@ bool PlaneTracer::draw_graph(const Square& s, const Interval& slope_u, const Int
     }
     if (stray > tolerance_) return false;
   }
-  const std::array<Point, 4> corners{Point{s.u, s.v}, Point{s.u + s.side, s.v}, Point{s.u + s.side, s.v + s.side},
-                                     Point{s.u, s.v + s.side}};
+  const std::array<Point, 4> corners{Point{s.u, s.v}, Point{s.u + s.side, s.v},
+                                     Point{s.u + s.side, s.v + s.side}, Point{s.u, s.v + s.side}};
   std::array<double, 4> f{};
   for (std::size_t i = 0; i < 4; ++i) {
     f[i] = value(corners[i]);

@@ -14,8 +14,8 @@ namespace nazori::functions {
 
 /// An equation F(a, b) = 0 over a rectangle of two variables, and where it counts.
 struct PlaneEquation {
-  Expression function;   ///< F, mostly a factor of a numerator: without poles where that is possible
-  Expression whole;      ///< the equation as typed; zeros of F where this is undefined do not count
+  Expression function;  ///< F, mostly a factor of a numerator: without poles where that is possible
+  Expression whole;     ///< the equation as typed; zeros of F where this is undefined do not count
   std::array<Variable, 2> variables{Variable::x, Variable::y};
   std::array<double, 2> low{};
   std::array<double, 2> high{};
@@ -30,8 +30,8 @@ struct PlaneSolution {
     PlatePoint to;
   };
   std::vector<Segment> segments;
-  std::vector<PlatePoint> dots;        ///< zeros without a change of sign: double curves, single points
-  std::vector<PlatePoint> singular;    ///< zeros where the gradient vanishes and branches meet
+  std::vector<PlatePoint> dots;      ///< zeros without a change of sign: double curves, single points
+  std::vector<PlatePoint> singular;  ///< zeros where the gradient vanishes and branches meet
   std::vector<std::array<PlatePoint, 2>> fills;
   std::vector<PlatePoint> undecided;
   double leaf = 0;  ///< side of the finest boxes
@@ -96,7 +96,7 @@ class PlaneTracer {
 };
 
 /// Joins segments that share an end into polylines.
-[[nodiscard]] std::vector<std::vector<PlatePoint>> stitched(const std::vector<PlaneSolution::Segment>& segments,
-                                                            double tolerance);
+[[nodiscard]] std::vector<std::vector<PlatePoint>> stitched(
+    const std::vector<PlaneSolution::Segment>& segments, double tolerance);
 
 }  // namespace nazori::functions

@@ -13,8 +13,8 @@
 namespace nazori::functions {
 namespace {
 
-// Of the ripple that tells a region by touch: one wave per this part of the plate, its lowest and highest part
-// of the depth.
+// Of the ripple that tells a region by touch: one wave per this part of the plate, its lowest and highest
+// part of the depth.
 constexpr double kRipple = 0.012;
 constexpr double kRippleLow = 0.10;
 constexpr double kRippleHigh = 0.25;
@@ -101,8 +101,9 @@ bool touches_window(const Branch& branch) {
 
 base::Result<void> check(const PlateSettings& settings) {
   if (settings.size < 32 || settings.size > 4096) {
-    return base::fail(base::Errc::bad_argument, "a plate cannot have " + std::to_string(settings.size) + " samples a side",
-                      "size", "give 32 to 4096");
+    return base::fail(base::Errc::bad_argument,
+                      "a plate cannot have " + std::to_string(settings.size) + " samples a side", "size",
+                      "give 32 to 4096");
   }
   if (!(settings.half_width >= 0.001 && settings.half_width <= 0.2)) {
     return base::fail(base::Errc::bad_argument, "the half width of a groove is out of range", "half width",
@@ -173,9 +174,8 @@ base::Result<Plate> carve(const Tracing& tracing, const PlateSettings& settings)
         heights[i] = std::min(heights[i], static_cast<float>(plateau * (1 - profile(d, half_width))));
     }
   }
-  add_layers(plate, tracing.window, settings, [&](std::size_t i) {
-    return inside.empty() || inside[i] == 0 ? all.distance(i) : 0.0F;
-  });
+  add_layers(plate, tracing.window, settings,
+             [&](std::size_t i) { return inside.empty() || inside[i] == 0 ? all.distance(i) : 0.0F; });
   return plate;
 }
 

@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::size_t kMostStatements = 32;
 
-bool is_variable(const Expression& e, Variable v) { return e->kind == NodeKind::variable && e->variable == v; }
+bool is_variable(const Expression& e, Variable v) {
+  return e->kind == NodeKind::variable && e->variable == v;
+}
 
 tl::unexpected<SyntaxError> refuse(const Relation& r, std::string message, std::string expected) {
   return tl::unexpected(SyntaxError{r.column, std::move(message), std::move(expected)});
@@ -50,8 +52,8 @@ class Reader {
       }
     }
     if (plot_.statements.size() > kMostStatements) {
-      return tl::unexpected(SyntaxError{plot_.statements[kMostStatements].column, "there are more than 32 expressions",
-                                        "expected fewer"});
+      return tl::unexpected(SyntaxError{plot_.statements[kMostStatements].column,
+                                        "there are more than 32 expressions", "expected fewer"});
     }
     return std::move(plot_);
   }
@@ -77,7 +79,8 @@ class Reader {
     const double low = constant_value(s.from);
     const double high = constant_value(s.to);
     if (!std::isfinite(low) || !std::isfinite(high) || !(low <= high)) {
-      return tl::unexpected(SyntaxError{range->column, "the range of the parameter is empty or without bounds",
+      return tl::unexpected(SyntaxError{range->column,
+                                        "the range of the parameter is empty or without bounds",
                                         "expected a smaller number before a larger one"});
     }
     return {};
@@ -104,8 +107,10 @@ class Reader {
   /// @return 0 where the relations are not a parametric curve.
   tl::expected<std::size_t, SyntaxError> parametric(std::span<const Relation> rest) {
     if (rest.size() < 2 || !is_equation(rest[0]) || !is_equation(rest[1])) return 0;
-    const bool x_first = is_variable(rest[0].terms[0], Variable::x) && is_variable(rest[1].terms[0], Variable::y);
-    const bool y_first = is_variable(rest[0].terms[0], Variable::y) && is_variable(rest[1].terms[0], Variable::x);
+    const bool x_first =
+        is_variable(rest[0].terms[0], Variable::x) && is_variable(rest[1].terms[0], Variable::y);
+    const bool y_first =
+        is_variable(rest[0].terms[0], Variable::y) && is_variable(rest[1].terms[0], Variable::x);
     if (!x_first && !y_first) return 0;
     const Expression& first = rest[0].terms[1];
     const Expression& second = rest[1].terms[1];
@@ -123,7 +128,8 @@ class Reader {
     return has_range ? 3 : 2;
   }
 
-  tl::expected<std::size_t, SyntaxError> polar(std::span<const Relation> rest, const std::set<Variable>& all) {
+  tl::expected<std::size_t, SyntaxError> polar(std::span<const Relation> rest,
+                                               const std::set<Variable>& all) {
     const Relation& r = rest[0];
     for (const Variable v : all) {
       if (v != Variable::r && v != Variable::theta) {
@@ -137,7 +143,8 @@ class Reader {
     }
     Statement* s = nullptr;
     if (bare) {
-      if (depends_on(r.terms[0], Variable::r)) return refuse(r, "there is nothing to be equal to", "expected r = f(theta)");
+      if (depends_on(r.terms[0], Variable::r))
+        return refuse(r, "there is nothing to be equal to", "expected r = f(theta)");
       s = &add(StatementKind::polar, r, {r.terms[0]});
     } else if (is_variable(r.terms[0], Variable::r) && !depends_on(r.terms[1], Variable::r)) {
       s = &add(StatementKind::polar, r, {r.terms[1]});
@@ -147,7 +154,8 @@ class Reader {
       s = &add(StatementKind::polar_implicit, r, r.terms);
       s->comparisons = r.comparisons;
     }
-    const bool has_range = rest.size() > 1 && is_range(rest[1]) && is_variable(rest[1].terms[1], Variable::theta);
+    const bool has_range =
+        rest.size() > 1 && is_range(rest[1]) && is_variable(rest[1].terms[1], Variable::theta);
     const auto ranged = set_range(*s, has_range ? &rest[1] : nullptr);
     if (!ranged) return tl::unexpected(ranged.error());
     return has_range ? 2 : 1;
@@ -221,18 +229,24 @@ tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions&
 
 std::string canonical(const Statement& s) {
   switch (s.kind) {
-    case StatementKind::explicit_y: return "y = " + to_text(s.terms[0]);
-    case StatementKind::explicit_x: return "x = " + to_text(s.terms[0]);
-    case StatementKind::surface: return "z = " + to_text(s.terms[0]);
+    case StatementKind::explicit_y:
+      return "y = " + to_text(s.terms[0]);
+    case StatementKind::explicit_x:
+      return "x = " + to_text(s.terms[0]);
+    case StatementKind::surface:
+      return "z = " + to_text(s.terms[0]);
     case StatementKind::parametric:
       return "x = " + to_text(s.terms[0]) + "; y = " + to_text(s.terms[1]) + range_text(s, Variable::t);
-    case StatementKind::polar: return "r = " + to_text(s.terms[0]) + range_text(s, Variable::theta);
+    case StatementKind::polar:
+      return "r = " + to_text(s.terms[0]) + range_text(s, Variable::theta);
     case StatementKind::implicit:
     case StatementKind::inequality:
-    case StatementKind::polar_implicit: break;
+    case StatementKind::polar_implicit:
+      break;
   }
   std::string text = to_text(s.terms[0]);
-  for (std::size_t i = 1; i < s.terms.size(); ++i) text += sign_of(s.comparisons[i - 1]) + to_text(s.terms[i]);
+  for (std::size_t i = 1; i < s.terms.size(); ++i)
+    text += sign_of(s.comparisons[i - 1]) + to_text(s.terms[i]);
   return s.kind == StatementKind::polar_implicit ? text + range_text(s, Variable::theta) : text;
 }
 

@@ -59,7 +59,8 @@ std::string in_words(const PointOfInterest& p, Language language) {
   std::string text = in_words(p.kind, language) + (english ? " at " : ": ");
   const char* joint = english ? "; " : "、";
   if (!std::isnan(p.x)) text += (english ? "x = " : "x = ") + spoken(p.x, p.x_name, language);
-  if (!std::isnan(p.y)) text += (std::isnan(p.x) ? "" : joint) + std::string("y = ") + spoken(p.y, p.y_name, language);
+  if (!std::isnan(p.y))
+    text += (std::isnan(p.x) ? "" : joint) + std::string("y = ") + spoken(p.y, p.y_name, language);
   return text;
 }
 
@@ -67,7 +68,8 @@ std::string summary(const Plot& plot, const Tracing& tracing, const std::vector<
                     Language language) {
   const bool english = language == Language::english;
   std::string text = in_words(plot, language);
-  const bool empty = tracing.branches.empty() && tracing.bars.empty() && tracing.dots.empty() && tracing.fills.empty();
+  const bool empty =
+      tracing.branches.empty() && tracing.bars.empty() && tracing.dots.empty() && tracing.fills.empty();
   if (!plot.is_surface()) {
     if (empty) {
       text += english ? ": no points satisfy this in the window" : "。この範囲に点はありません";

@@ -59,7 +59,8 @@ class PointFinder {
     }
     for (const Event& e : tracing_.events) add(e);
     for (std::size_t i = 0; i < plot_.statements.size(); ++i) {
-      for (std::size_t j = i + 1; j < plot_.statements.size(); ++j) meet(static_cast<int>(i), static_cast<int>(j));
+      for (std::size_t j = i + 1; j < plot_.statements.size(); ++j)
+        meet(static_cast<int>(i), static_cast<int>(j));
     }
     self_crossings();
     for (PointOfInterest& p : found_) {
@@ -80,8 +81,8 @@ class PointFinder {
     constexpr double kHair = 1e-9;
     const double u = window_.u(x);
     const double v = window_.v(y);
-    return (std::isnan(x) || (u >= -kHair && u <= 1 + kHair)) && (std::isnan(y) || (v >= -kHair && v <= 1 + kHair)) &&
-           !(std::isnan(x) && std::isnan(y));
+    return (std::isnan(x) || (u >= -kHair && u <= 1 + kHair)) &&
+           (std::isnan(y) || (v >= -kHair && v <= 1 + kHair)) && !(std::isnan(x) && std::isnan(y));
   }
 
   void add(PointKind kind, double x, double y, double parameter, int other = -1) {
@@ -147,26 +148,29 @@ class PointFinder {
     const double flat = 1e-12 * std::max(std::abs(window_.y0), std::abs(window_.y1));
     for (const Branch& b : tracing_.branches) {
       if (b.statement != statement_ || !b.has_parameter) continue;
-      sign_changes(b.points, [&](double t) { return probe.at(t).y; },
-                   [&](double t, bool) { add(PointKind::zero, probe.at(t).x, 0, t); });
+      sign_changes(
+          b.points, [&](double t) { return probe.at(t).y; },
+          [&](double t, bool) { add(PointKind::zero, probe.at(t).x, 0, t); });
       for (const CurvePoint* end : {&b.points.front(), &b.points.back()}) {
         if (std::abs(probe.at(end->parameter).y) <= flat && kind != StatementKind::explicit_y)
           add(PointKind::zero, probe.at(end->parameter).x, 0, end->parameter);
       }
       if (kind != StatementKind::explicit_x) {
-        sign_changes(b.points, [&](double t) { return probe.at(t).slope_y; },
-                     [&](double t, bool rising) {
-                       const auto v = probe.at(t);
-                       const bool least = kind == StatementKind::explicit_y ? rising : is_least(probe, t);
-                       const double y = std::isfinite(v.y) ? v.y : near_value(probe, t);
-                       if (std::abs(y) <= flat) add(PointKind::zero, v.x, 0, t);
-                       add(least ? PointKind::minimum : PointKind::maximum, v.x, std::abs(y) <= flat ? 0 : y, t);
-                     });
+        sign_changes(
+            b.points, [&](double t) { return probe.at(t).slope_y; },
+            [&](double t, bool rising) {
+              const auto v = probe.at(t);
+              const bool least = kind == StatementKind::explicit_y ? rising : is_least(probe, t);
+              const double y = std::isfinite(v.y) ? v.y : near_value(probe, t);
+              if (std::abs(y) <= flat) add(PointKind::zero, v.x, 0, t);
+              add(least ? PointKind::minimum : PointKind::maximum, v.x, std::abs(y) <= flat ? 0 : y, t);
+            });
       }
       if (kind == StatementKind::explicit_y) inflections(b, probe);
       if (kind != StatementKind::explicit_y) {
-        sign_changes(b.points, [&](double t) { return probe.at(t).x; },
-                     [&](double t, bool) { add(PointKind::y_intercept, 0, probe.at(t).y, t); });
+        sign_changes(
+            b.points, [&](double t) { return probe.at(t).x; },
+            [&](double t, bool) { add(PointKind::y_intercept, 0, probe.at(t).y, t); });
       }
     }
     if (kind == StatementKind::explicit_y) {
@@ -196,7 +200,8 @@ class PointFinder {
     };
     sign_changes(b.points, bend, [&](double t, bool) {
       const auto v = probe.at(t);
-      const double around = std::max(std::abs(probe.at(t + 2 * h).slope_y), std::abs(probe.at(t - 2 * h).slope_y));
+      const double around =
+          std::max(std::abs(probe.at(t + 2 * h).slope_y), std::abs(probe.at(t - 2 * h).slope_y));
       // At corners and cusps the slope jumps.
       if (std::isfinite(v.slope_y) && std::abs(bend(t + 2 * h)) < 0.2 * (around + 1e-12))
         add(PointKind::inflection, snapped(v.x), probe.at(snapped(v.x)).y, t);

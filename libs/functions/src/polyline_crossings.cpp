@@ -36,7 +36,8 @@ std::optional<Meeting> crossing(const Piece& a, const Piece& b) {
   const double s = (wu * rv - wv * ru) / det;
   constexpr double kHair = 1e-9;
   if (t < -kHair || t > 1 + kHair || s < -kHair || s > 1 + kHair) return std::nullopt;
-  return Meeting{{a.p.u + t * ru, a.p.v + t * rv}, a.from + t * (a.to - a.from), b.from + s * (b.to - b.from)};
+  return Meeting{
+      {a.p.u + t * ru, a.p.v + t * rv}, a.from + t * (a.to - a.from), b.from + s * (b.to - b.from)};
 }
 
 bool neighbours(const Piece& a, const Piece& b) {
@@ -58,8 +59,8 @@ std::vector<Meeting> crossings_of(const Tracing& tracing, int a, int b) {
     for (std::size_t i = 0; i < n; ++i) {
       const CurvePoint& p = branch.points[i];
       const CurvePoint& q = branch.points[i + 1];
-      pieces.push_back({{p.u, p.v}, {q.u, q.v}, branch.statement, k, i, n, branch.closed,
-                        p.parameter, q.parameter});
+      pieces.push_back(
+          {{p.u, p.v}, {q.u, q.v}, branch.statement, k, i, n, branch.closed, p.parameter, q.parameter});
     }
   }
   std::vector<std::vector<std::size_t>> grid(static_cast<std::size_t>(kCells) * kCells);
@@ -77,7 +78,9 @@ std::vector<Meeting> crossings_of(const Tracing& tracing, int a, int b) {
           if (a != b ? o.statement == s.statement : neighbours(o, s)) continue;
           const auto at = crossing(o, s);
           if (!at) continue;
-          const auto same = [&](const Meeting& m) { return std::hypot(m.at.u - at->at.u, m.at.v - at->at.v) < 1e-4; };
+          const auto same = [&](const Meeting& m) {
+            return std::hypot(m.at.u - at->at.u, m.at.v - at->at.v) < 1e-4;
+          };
           if (std::none_of(found.begin(), found.end(), same)) found.push_back(*at);
           if (found.size() >= kMost) return found;
         }

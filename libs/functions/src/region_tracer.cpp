@@ -17,7 +17,8 @@ RegionTracer::RegionTracer(const std::vector<Condition>& conditions, const Expre
                            const TraceSettings& settings, Tracing& out, WorkProgress& progress)
     : statement_(statement), out_(out), progress_(progress) {
   std::size_t most = 1;
-  for (const Condition& c : conditions) tests_.push_back({Tape::compile(std::array{c.expression}, kPlane), c.strict, false});
+  for (const Condition& c : conditions)
+    tests_.push_back({Tape::compile(std::array{c.expression}, kPlane), c.strict, false});
   if (guard) tests_.push_back({Tape::compile(std::array{guard}, kPlane), false, true});
   for (const Test& t : tests_) most = std::max(most, t.tape.size());
   values_.resize(most);
@@ -41,7 +42,8 @@ bool RegionTracer::holds(PlatePoint p) {
 
 RegionTracer::Answer RegionTracer::ask(const Test& test, double u, double v, double side) {
   const Window& w = out_.window;
-  test.tape.evaluate<Interval>(std::array{Interval(w.x(u), w.x(u + side)), Interval(w.y(v), w.y(v + side))}, intervals_);
+  test.tape.evaluate<Interval>(std::array{Interval(w.x(u), w.x(u + side)), Interval(w.y(v), w.y(v + side))},
+                               intervals_);
   const Interval f = intervals_[test.tape.output(0)];
   if (f.is_empty()) return Answer::no;
   const bool sure = f.decoration >= Decoration::defined;

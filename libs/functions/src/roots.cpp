@@ -22,8 +22,10 @@ class RootFinder {
   Roots run(double low, double high) {
     range_ = high - low;
     visit(low, high);
-    std::sort(found_.roots.begin(), found_.roots.end(), [](const Root& a, const Root& b) { return a.at < b.at; });
-    // One zero on the border of two pieces shows up in both, a touching one in all boxes that rounding leaves.
+    std::sort(found_.roots.begin(), found_.roots.end(),
+              [](const Root& a, const Root& b) { return a.at < b.at; });
+    // One zero on the border of two pieces shows up in both, a touching one in all boxes that rounding
+    // leaves.
     std::vector<Root> distinct;
     for (std::size_t i = 0; i < found_.roots.size();) {
       Root merged = found_.roots[i];
@@ -68,7 +70,8 @@ class RootFinder {
     if (high - low <= std::max(1e-13 * range_, 8 * kEps * std::max(std::abs(low), std::abs(high)))) {
       // A touching zero cannot be proven, only not be told from zero.
       const double x = low + (high - low) / 2;
-      if (f.value.is_continuous() && enclose(x - 2 * kEps * std::abs(x), x + 2 * kEps * std::abs(x)).value.contains(0)) {
+      if (f.value.is_continuous() &&
+          enclose(x - 2 * kEps * std::abs(x), x + 2 * kEps * std::abs(x)).value.contains(0)) {
         const double before = value(low - 1e-7 * range_);
         const double after = value(high + 1e-7 * range_);
         found_.roots.push_back({x, before * after < 0});

@@ -60,10 +60,9 @@ long double gamma(long double v) { return gamma_of(v); }
 
 double digamma(double v) {
   namespace policies = boost::math::policies;
-  using Quiet = policies::policy<policies::domain_error<policies::ignore_error>,
-                                 policies::pole_error<policies::ignore_error>,
-                                 policies::overflow_error<policies::ignore_error>,
-                                 policies::evaluation_error<policies::ignore_error>>;
+  using Quiet = policies::policy<
+      policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
+      policies::overflow_error<policies::ignore_error>, policies::evaluation_error<policies::ignore_error>>;
   if (std::isnan(v) || v == -std::numeric_limits<double>::infinity() || (v <= 0 && std::floor(v) == v))
     return kNaN<double>;
   if (v > 1e300) return std::log(v);

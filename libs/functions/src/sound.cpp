@@ -32,18 +32,29 @@ struct Moment {
 /// Two short tones that tell a kind of point, as factors of 660 Hz.
 std::pair<double, double> earcon_of(PointKind kind) {
   switch (kind) {
-    case PointKind::zero: return {2.0, 2.0};
-    case PointKind::y_intercept: return {1.5, 1.5};
-    case PointKind::maximum: return {2.0, 3.0};
-    case PointKind::minimum: return {3.0, 2.0};
-    case PointKind::crossing: return {1.0, 2.5};
-    case PointKind::touching: return {2.5, 2.5};
-    case PointKind::hole: return {0.5, 0.5};
+    case PointKind::zero:
+      return {2.0, 2.0};
+    case PointKind::y_intercept:
+      return {1.5, 1.5};
+    case PointKind::maximum:
+      return {2.0, 3.0};
+    case PointKind::minimum:
+      return {3.0, 2.0};
+    case PointKind::crossing:
+      return {1.0, 2.5};
+    case PointKind::touching:
+      return {2.5, 2.5};
+    case PointKind::hole:
+      return {0.5, 0.5};
     case PointKind::vertical_asymptote:
-    case PointKind::horizontal_asymptote: return {4.0, 1.0};
-    case PointKind::jump: return {1.0, 4.0};
-    case PointKind::end: return {1.0, 0.75};
-    default: return {1.25, 1.5};
+    case PointKind::horizontal_asymptote:
+      return {4.0, 1.0};
+    case PointKind::jump:
+      return {1.0, 4.0};
+    case PointKind::end:
+      return {1.0, 0.75};
+    default:
+      return {1.25, 1.5};
   }
 }
 
@@ -55,7 +66,8 @@ class Synthesizer {
   }
 
   void silence(double seconds) {
-    sound_.samples.resize(sound_.samples.size() + 2 * static_cast<std::size_t>(seconds * settings_.sample_rate), 0.0F);
+    sound_.samples.resize(
+        sound_.samples.size() + 2 * static_cast<std::size_t>(seconds * settings_.sample_rate), 0.0F);
   }
 
   [[nodiscard]] std::size_t position() const { return sound_.samples.size() / 2; }
@@ -88,7 +100,9 @@ class Synthesizer {
         pan_ = cue.pan;
       }
       double volume = loudness * settings_.volume;
-      if (m.dense) volume *= 0.6 + 0.4 * std::sin(2 * std::numbers::pi * kTremoloHz * static_cast<double>(i) / settings_.sample_rate);
+      if (m.dense)
+        volume *= 0.6 + 0.4 * std::sin(2 * std::numbers::pi * kTremoloHz * static_cast<double>(i) /
+                                       settings_.sample_rate);
       push(tone(hertz) * (1 - noise_share_) + noise() * noise_share_, volume);
     }
   }
@@ -100,7 +114,8 @@ class Synthesizer {
     for (std::size_t i = 0; i < n; ++i) {
       const double t = static_cast<double>(i) / settings_.sample_rate;
       const double hz = 660 * (2 * i < n ? first : second);
-      const double envelope = std::sin(std::numbers::pi * static_cast<double>((2 * i) % n) / static_cast<double>(n));
+      const double envelope =
+          std::sin(std::numbers::pi * static_cast<double>((2 * i) % n) / static_cast<double>(n));
       add(at + i, 0.35 * settings_.volume * envelope * std::sin(2 * std::numbers::pi * hz * t), pan);
     }
   }
@@ -124,7 +139,8 @@ class Synthesizer {
     double sum = 0;
     for (std::size_t h = 0; h < kHarmonics.size(); ++h) {
       const auto order = static_cast<double>(h + 1);
-      if (hertz * order < 0.45 * settings_.sample_rate) sum += kHarmonics[h] * std::sin(2 * std::numbers::pi * order * phase_);
+      if (hertz * order < 0.45 * settings_.sample_rate)
+        sum += kHarmonics[h] * std::sin(2 * std::numbers::pi * order * phase_);
     }
     return sum / 1.82;
   }
@@ -163,7 +179,11 @@ class Sweeper {
  public:
   Sweeper(const Plot& plot, const Tracing& tracing, const std::vector<PointOfInterest>& points,
           const SoundSettings& settings)
-      : plot_(plot), tracing_(tracing), points_(points), settings_(settings), synthesizer_(settings, tracing.window) {}
+      : plot_(plot),
+        tracing_(tracing),
+        points_(points),
+        settings_(settings),
+        synthesizer_(settings, tracing.window) {}
 
   Sound run() {
     for (std::size_t i = 0; i < plot_.statements.size(); ++i) {
@@ -199,7 +219,8 @@ class Sweeper {
     for (const PointOfInterest& p : points_) {
       if (p.statement != statement || std::isnan(p.x)) continue;
       const double u = w.u(p.x);
-      synthesizer_.mark(start + static_cast<std::size_t>(std::clamp(u, 0.0, 1.0) * settings_.seconds * settings_.sample_rate),
+      synthesizer_.mark(start + static_cast<std::size_t>(std::clamp(u, 0.0, 1.0) * settings_.seconds *
+                                                         settings_.sample_rate),
                         p.kind, 2 * u - 1);
     }
   }
@@ -231,7 +252,8 @@ class Sweeper {
       total += length_of(b);
     }
     if (total == 0) return;
-    std::stable_sort(branches.begin(), branches.end(), [&](const Branch* a, const Branch* b) { return lowest(a) < lowest(b); });
+    std::stable_sort(branches.begin(), branches.end(),
+                     [&](const Branch* a, const Branch* b) { return lowest(a) < lowest(b); });
     for (const Branch* b : branches) {
       const double length = length_of(*b);
       const auto count = static_cast<std::size_t>(settings_.seconds * length / total * kStepsPerSecond) + 2;
@@ -241,9 +263,11 @@ class Sweeper {
       for (std::size_t k = 0; k < count; ++k) {
         const double goal = length * static_cast<double>(k) / static_cast<double>(count - 1);
         const auto piece_length = [&] {
-          return std::hypot(b->points[piece + 1].u - b->points[piece].u, b->points[piece + 1].v - b->points[piece].v);
+          return std::hypot(b->points[piece + 1].u - b->points[piece].u,
+                            b->points[piece + 1].v - b->points[piece].v);
         };
-        while (piece + 2 < b->points.size() && walked + piece_length() < goal) walked += piece_length(), ++piece;
+        while (piece + 2 < b->points.size() && walked + piece_length() < goal)
+          walked += piece_length(), ++piece;
         const double share = piece_length() > 0 ? std::clamp((goal - walked) / piece_length(), 0.0, 1.0) : 0;
         const CurvePoint& p = b->points[piece];
         const CurvePoint& q = b->points[piece + 1];
@@ -274,13 +298,12 @@ Cue cue_at(PlatePoint at, const Window& window, double nearness, const SoundSett
   return cue;
 }
 
-base::Result<Sound> sweep(const Plot& plot, const Tracing& tracing, const std::vector<PointOfInterest>& points,
-                          const SoundSettings& s) {
-  const bool good = s.sample_rate >= 8000 && s.sample_rate <= 192'000 && s.seconds >= 0.2 && s.seconds <= 60 &&
-                    s.lowest_hz > 0 && s.highest_hz > s.lowest_hz && s.highest_hz < s.sample_rate / 2.0 && s.volume >= 0 &&
-                    s.volume <= 1;
-  if (!good)
-    return base::fail(base::Errc::bad_argument, "a setting of the sound is out of range", "sound");
+base::Result<Sound> sweep(const Plot& plot, const Tracing& tracing,
+                          const std::vector<PointOfInterest>& points, const SoundSettings& s) {
+  const bool good = s.sample_rate >= 8000 && s.sample_rate <= 192'000 && s.seconds >= 0.2 &&
+                    s.seconds <= 60 && s.lowest_hz > 0 && s.highest_hz > s.lowest_hz &&
+                    s.highest_hz < s.sample_rate / 2.0 && s.volume >= 0 && s.volume <= 1;
+  if (!good) return base::fail(base::Errc::bad_argument, "a setting of the sound is out of range", "sound");
   return Sweeper(plot, tracing, points, s).run();
 }
 

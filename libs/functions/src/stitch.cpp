@@ -34,7 +34,8 @@ class PointIndex {
 
  private:
   static std::uint64_t key(std::int64_t a, std::int64_t b) {
-    return static_cast<std::uint64_t>(a) * 0x9E3779B97F4A7C15ULL ^ static_cast<std::uint64_t>(b) * 0xC2B2AE3D27D4EB4FULL;
+    return static_cast<std::uint64_t>(a) * 0x9E3779B97F4A7C15ULL ^
+           static_cast<std::uint64_t>(b) * 0xC2B2AE3D27D4EB4FULL;
   }
   double tolerance_;
   std::unordered_map<std::uint64_t, std::size_t> numbers_;
@@ -42,7 +43,8 @@ class PointIndex {
 
 }  // namespace
 
-std::vector<std::vector<PlatePoint>> stitched(const std::vector<PlaneSolution::Segment>& segments, double tolerance) {
+std::vector<std::vector<PlatePoint>> stitched(const std::vector<PlaneSolution::Segment>& segments,
+                                              double tolerance) {
   PointIndex index(tolerance);
   struct Edge {
     std::size_t a;
@@ -67,7 +69,8 @@ std::vector<std::vector<PlatePoint>> stitched(const std::vector<PlaneSolution::S
   }
   const auto walk = [&](std::size_t from) {
     while (true) {
-      const auto free = std::find_if(at[from].begin(), at[from].end(), [&](std::size_t e) { return !edges[e].used; });
+      const auto free =
+          std::find_if(at[from].begin(), at[from].end(), [&](std::size_t e) { return !edges[e].used; });
       if (free == at[from].end()) return;
       std::vector<PlatePoint> line{index.points[from]};
       std::size_t e = *free;

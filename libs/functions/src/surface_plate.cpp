@@ -24,7 +24,10 @@ constexpr double kHealed = 0.02;
 class SurfaceSampler {
  public:
   SurfaceSampler(const Expression& f, const Window& window, int size)
-      : tape_(Tape::compile(std::array{f}, kPlane)), window_(window), size_(size), values_(tape_.size()),
+      : tape_(Tape::compile(std::array{f}, kPlane)),
+        window_(window),
+        size_(size),
+        values_(tape_.size()),
         intervals_(tape_.size()) {}
 
   struct Sample {
@@ -62,7 +65,8 @@ class SurfaceSampler {
     const Interval f = enclose(column * h, 1 - (row + side) * h, side * h);
     if (f.decoration >= Decoration::defined && f.is_bounded()) return;
     if (side == 1) {
-      torn[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(column)] = true;
+      torn[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) +
+           static_cast<std::size_t>(column)] = true;
       return;
     }
     const int half = (side + 1) / 2;
@@ -85,8 +89,8 @@ class SurfaceSampler {
     if (f.is_empty() || !(has(f.cause, Cause::pole) && f.decoration == Decoration::partial)) return false;
     if (depth == kPoleDepth) return true;
     const double h = side / 2;
-    return has_pole(u, v, h, depth + 1) || has_pole(u + h, v, h, depth + 1) || has_pole(u, v + h, h, depth + 1) ||
-           has_pole(u + h, v + h, h, depth + 1);
+    return has_pole(u, v, h, depth + 1) || has_pole(u + h, v, h, depth + 1) ||
+           has_pole(u, v + h, h, depth + 1) || has_pole(u + h, v + h, h, depth + 1);
   }
 
   /// The middle of the cell is undefined: what its other parts say.
@@ -117,7 +121,9 @@ HeightRange range_of(const std::vector<SurfaceSampler::Sample>& samples) {
   if (values.empty()) return {-1, 1};
   // Poles would flatten everything else: the outermost hundredths do not count where they lie far out.
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share) { return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))]; };
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  };
   double low = at(0);
   double high = at(1);
   const double core = at(0.98) - at(0.02);
@@ -129,8 +135,8 @@ HeightRange range_of(const std::vector<SurfaceSampler::Sample>& samples) {
 
 }  // namespace
 
-base::Result<Plate> carve_surface(const Statement& surface, const Window& window, const PlateSettings& settings,
-                                  const base::Progress& progress) {
+base::Result<Plate> carve_surface(const Statement& surface, const Window& window,
+                                  const PlateSettings& settings, const base::Progress& progress) {
   if (auto good = window.check(); !good) return tl::unexpected(std::move(good.error()));
   if (auto good = check(settings); !good) return tl::unexpected(std::move(good.error()));
   if (surface.kind != StatementKind::surface)

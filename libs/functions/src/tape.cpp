@@ -15,32 +15,58 @@ using Op = Tape::Op;
 
 std::optional<Op> op_of(Function f) {
   switch (f) {
-    case Function::sin: return Op::sin;
-    case Function::cos: return Op::cos;
-    case Function::tan: return Op::tan;
-    case Function::asin: return Op::asin;
-    case Function::acos: return Op::acos;
-    case Function::atan: return Op::atan;
-    case Function::atan2: return Op::atan2;
-    case Function::sinh: return Op::sinh;
-    case Function::cosh: return Op::cosh;
-    case Function::tanh: return Op::tanh;
-    case Function::asinh: return Op::asinh;
-    case Function::acosh: return Op::acosh;
-    case Function::atanh: return Op::atanh;
-    case Function::ln: return Op::log;
-    case Function::log2: return Op::log2;
-    case Function::log10: return Op::log10;
-    case Function::sqrt: return Op::sqrt;
-    case Function::abs: return Op::abs;
-    case Function::sign: return Op::sign;
-    case Function::floor: return Op::floor;
-    case Function::ceil: return Op::ceil;
-    case Function::gamma: return Op::gamma;
-    case Function::erf: return Op::erf;
-    case Function::min: return Op::min;
-    case Function::max: return Op::max;
-    default: return std::nullopt;
+    case Function::sin:
+      return Op::sin;
+    case Function::cos:
+      return Op::cos;
+    case Function::tan:
+      return Op::tan;
+    case Function::asin:
+      return Op::asin;
+    case Function::acos:
+      return Op::acos;
+    case Function::atan:
+      return Op::atan;
+    case Function::atan2:
+      return Op::atan2;
+    case Function::sinh:
+      return Op::sinh;
+    case Function::cosh:
+      return Op::cosh;
+    case Function::tanh:
+      return Op::tanh;
+    case Function::asinh:
+      return Op::asinh;
+    case Function::acosh:
+      return Op::acosh;
+    case Function::atanh:
+      return Op::atanh;
+    case Function::ln:
+      return Op::log;
+    case Function::log2:
+      return Op::log2;
+    case Function::log10:
+      return Op::log10;
+    case Function::sqrt:
+      return Op::sqrt;
+    case Function::abs:
+      return Op::abs;
+    case Function::sign:
+      return Op::sign;
+    case Function::floor:
+      return Op::floor;
+    case Function::ceil:
+      return Op::ceil;
+    case Function::gamma:
+      return Op::gamma;
+    case Function::erf:
+      return Op::erf;
+    case Function::min:
+      return Op::min;
+    case Function::max:
+      return Op::max;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -84,20 +110,29 @@ class Tape::Builder {
   std::uint32_t add(const Expression& e) {
     const Node& n = *e;
     switch (n.kind) {
-      case NodeKind::number: return number(n.value, n.exact);
-      case NodeKind::constant: return constant(n.constant);
-      case NodeKind::variable: return input(n.variable);
-      case NodeKind::negate: return step(Op::negate, add(n.arguments[0]));
-      case NodeKind::add: return step(Op::add, add(n.arguments[0]), add(n.arguments[1]));
-      case NodeKind::subtract: return step(Op::subtract, add(n.arguments[0]), add(n.arguments[1]));
+      case NodeKind::number:
+        return number(n.value, n.exact);
+      case NodeKind::constant:
+        return constant(n.constant);
+      case NodeKind::variable:
+        return input(n.variable);
+      case NodeKind::negate:
+        return step(Op::negate, add(n.arguments[0]));
+      case NodeKind::add:
+        return step(Op::add, add(n.arguments[0]), add(n.arguments[1]));
+      case NodeKind::subtract:
+        return step(Op::subtract, add(n.arguments[0]), add(n.arguments[1]));
       case NodeKind::multiply: {
         const std::uint32_t a = add(n.arguments[0]);
         const std::uint32_t b = add(n.arguments[1]);
         return a == b ? step(Op::square, a) : step(Op::multiply, a, b);
       }
-      case NodeKind::divide: return step(Op::divide, add(n.arguments[0]), add(n.arguments[1]));
-      case NodeKind::power: return power(n);
-      case NodeKind::function: break;
+      case NodeKind::divide:
+        return step(Op::divide, add(n.arguments[0]), add(n.arguments[1]));
+      case NodeKind::power:
+        return power(n);
+      case NodeKind::function:
+        break;
     }
     const auto op = op_of(n.function);
     if (!op) return add(reduced(e));
@@ -128,9 +163,12 @@ class Tape::Builder {
 
   std::uint32_t constant(Constant c) {
     switch (c) {
-      case Constant::pi: return number(std::numbers::pi, false);
-      case Constant::e: return number(std::numbers::e, false);
-      case Constant::tau: return number(2 * std::numbers::pi, false);
+      case Constant::pi:
+        return number(std::numbers::pi, false);
+      case Constant::e:
+        return number(std::numbers::e, false);
+      case Constant::tau:
+        return number(2 * std::numbers::pi, false);
     }
     return number(0, true);
   }
@@ -172,8 +210,8 @@ Tape Tape::compile(std::span<const Expression> outputs, std::span<const Variable
 template <class T>
 void Tape::evaluate(std::span<const T> inputs, std::span<T> registers) const {
   using std::abs, std::acos, std::acosh, std::asin, std::asinh, std::atan, std::atan2, std::atanh, std::ceil,
-      std::cos, std::cosh, std::erf, std::exp, std::floor, std::log, std::log10, std::log2, std::sin, std::sinh,
-      std::sqrt, std::tan, std::tanh;
+      std::cos, std::cosh, std::erf, std::exp, std::floor, std::log, std::log10, std::log2, std::sin,
+      std::sinh, std::sqrt, std::tan, std::tanh;
   T* const r = registers.data();
   const auto undefined_at_zero = [](const T& a, const T& b) -> T {
     if constexpr (std::is_floating_point_v<T>) {
@@ -194,44 +232,120 @@ void Tape::evaluate(std::span<const T> inputs, std::span<T> registers) const {
     const T& a = r[s.a];
     const T& b = r[s.b];
     switch (s.op) {
-      case Op::constant: r[i] = ConstantOf<T>::make(s.value, s.lower, s.upper); break;
-      case Op::input: r[i] = inputs[s.a]; break;
-      case Op::undefined: r[i] = Undefined<T>::make(); break;
-      case Op::negate: r[i] = -a; break;
-      case Op::add: r[i] = a + b; break;
-      case Op::subtract: r[i] = a - b; break;
-      case Op::multiply: r[i] = a * b; break;
-      case Op::divide: r[i] = undefined_at_zero(a, b); break;
-      case Op::square: r[i] = square(a); break;
-      case Op::power_integer: r[i] = power_integer(a, s.p); break;
-      case Op::power_rational: r[i] = power_rational(a, s.p, s.q); break;
-      case Op::power: r[i] = power(a, b); break;
-      case Op::exp: r[i] = exp(a); break;
-      case Op::log: r[i] = logarithm(a, [](const T& v) -> T { return log(v); }); break;
-      case Op::log2: r[i] = logarithm(a, [](const T& v) -> T { return log2(v); }); break;
-      case Op::log10: r[i] = logarithm(a, [](const T& v) -> T { return log10(v); }); break;
-      case Op::sqrt: r[i] = sqrt(a); break;
-      case Op::abs: r[i] = abs(a); break;
-      case Op::sin: r[i] = sin(a); break;
-      case Op::cos: r[i] = cos(a); break;
-      case Op::tan: r[i] = tan(a); break;
-      case Op::asin: r[i] = asin(a); break;
-      case Op::acos: r[i] = acos(a); break;
-      case Op::atan: r[i] = atan(a); break;
-      case Op::atan2: r[i] = atan2(a, b); break;
-      case Op::sinh: r[i] = sinh(a); break;
-      case Op::cosh: r[i] = cosh(a); break;
-      case Op::tanh: r[i] = tanh(a); break;
-      case Op::asinh: r[i] = asinh(a); break;
-      case Op::acosh: r[i] = acosh(a); break;
-      case Op::atanh: r[i] = atanh(a); break;
-      case Op::erf: r[i] = erf(a); break;
-      case Op::gamma: r[i] = gamma(a); break;
-      case Op::floor: r[i] = floor(a); break;
-      case Op::ceil: r[i] = ceil(a); break;
-      case Op::sign: r[i] = sign(a); break;
-      case Op::min: r[i] = min(a, b); break;
-      case Op::max: r[i] = max(a, b); break;
+      case Op::constant:
+        r[i] = ConstantOf<T>::make(s.value, s.lower, s.upper);
+        break;
+      case Op::input:
+        r[i] = inputs[s.a];
+        break;
+      case Op::undefined:
+        r[i] = Undefined<T>::make();
+        break;
+      case Op::negate:
+        r[i] = -a;
+        break;
+      case Op::add:
+        r[i] = a + b;
+        break;
+      case Op::subtract:
+        r[i] = a - b;
+        break;
+      case Op::multiply:
+        r[i] = a * b;
+        break;
+      case Op::divide:
+        r[i] = undefined_at_zero(a, b);
+        break;
+      case Op::square:
+        r[i] = square(a);
+        break;
+      case Op::power_integer:
+        r[i] = power_integer(a, s.p);
+        break;
+      case Op::power_rational:
+        r[i] = power_rational(a, s.p, s.q);
+        break;
+      case Op::power:
+        r[i] = power(a, b);
+        break;
+      case Op::exp:
+        r[i] = exp(a);
+        break;
+      case Op::log:
+        r[i] = logarithm(a, [](const T& v) -> T { return log(v); });
+        break;
+      case Op::log2:
+        r[i] = logarithm(a, [](const T& v) -> T { return log2(v); });
+        break;
+      case Op::log10:
+        r[i] = logarithm(a, [](const T& v) -> T { return log10(v); });
+        break;
+      case Op::sqrt:
+        r[i] = sqrt(a);
+        break;
+      case Op::abs:
+        r[i] = abs(a);
+        break;
+      case Op::sin:
+        r[i] = sin(a);
+        break;
+      case Op::cos:
+        r[i] = cos(a);
+        break;
+      case Op::tan:
+        r[i] = tan(a);
+        break;
+      case Op::asin:
+        r[i] = asin(a);
+        break;
+      case Op::acos:
+        r[i] = acos(a);
+        break;
+      case Op::atan:
+        r[i] = atan(a);
+        break;
+      case Op::atan2:
+        r[i] = atan2(a, b);
+        break;
+      case Op::sinh:
+        r[i] = sinh(a);
+        break;
+      case Op::cosh:
+        r[i] = cosh(a);
+        break;
+      case Op::tanh:
+        r[i] = tanh(a);
+        break;
+      case Op::asinh:
+        r[i] = asinh(a);
+        break;
+      case Op::acosh:
+        r[i] = acosh(a);
+        break;
+      case Op::atanh:
+        r[i] = atanh(a);
+        break;
+      case Op::erf:
+        r[i] = erf(a);
+        break;
+      case Op::gamma:
+        r[i] = gamma(a);
+        break;
+      case Op::floor:
+        r[i] = floor(a);
+        break;
+      case Op::ceil:
+        r[i] = ceil(a);
+        break;
+      case Op::sign:
+        r[i] = sign(a);
+        break;
+      case Op::min:
+        r[i] = min(a, b);
+        break;
+      case Op::max:
+        r[i] = max(a, b);
+        break;
     }
   }
 }
@@ -240,8 +354,10 @@ template void Tape::evaluate<double>(std::span<const double>, std::span<double>)
 template void Tape::evaluate<long double>(std::span<const long double>, std::span<long double>) const;
 template void Tape::evaluate<Interval>(std::span<const Interval>, std::span<Interval>) const;
 template void Tape::evaluate<LongInterval>(std::span<const LongInterval>, std::span<LongInterval>) const;
-template void Tape::evaluate<Dual<double, 1>>(std::span<const Dual<double, 1>>, std::span<Dual<double, 1>>) const;
-template void Tape::evaluate<Dual<double, 2>>(std::span<const Dual<double, 2>>, std::span<Dual<double, 2>>) const;
+template void Tape::evaluate<Dual<double, 1>>(std::span<const Dual<double, 1>>,
+                                              std::span<Dual<double, 1>>) const;
+template void Tape::evaluate<Dual<double, 2>>(std::span<const Dual<double, 2>>,
+                                              std::span<Dual<double, 2>>) const;
 template void Tape::evaluate<Dual<Interval, 1>>(std::span<const Dual<Interval, 1>>,
                                                 std::span<Dual<Interval, 1>>) const;
 template void Tape::evaluate<Dual<Interval, 2>>(std::span<const Dual<Interval, 2>>,

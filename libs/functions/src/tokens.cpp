@@ -20,25 +20,34 @@ struct FunctionName {
 };
 
 constexpr FunctionName kFunctions[] = {
-    {U"sin", Function::sin},       {U"cos", Function::cos},       {U"tan", Function::tan},
-    {U"tg", Function::tan},        {U"cot", Function::cot},       {U"ctg", Function::cot},
-    {U"sec", Function::sec},       {U"csc", Function::csc},       {U"cosec", Function::csc},
-    {U"asin", Function::asin},     {U"arcsin", Function::asin},   {U"acos", Function::acos},
-    {U"arccos", Function::acos},   {U"atan", Function::atan},     {U"arctan", Function::atan},
-    {U"acot", Function::acot},     {U"arccot", Function::acot},   {U"sinh", Function::sinh},
-    {U"cosh", Function::cosh},     {U"tanh", Function::tanh},     {U"coth", Function::coth},
-    {U"sech", Function::sech},     {U"csch", Function::csch},     {U"asinh", Function::asinh},
-    {U"arsinh", Function::asinh},  {U"arcsinh", Function::asinh}, {U"acosh", Function::acosh},
-    {U"arcosh", Function::acosh},  {U"arccosh", Function::acosh}, {U"atanh", Function::atanh},
-    {U"artanh", Function::atanh},  {U"arctanh", Function::atanh}, {U"exp", Function::exp},
-    {U"ln", Function::ln},         {U"log", Function::log10},     {U"lg", Function::log10},
-    {U"sqrt", Function::sqrt},     {U"cbrt", Function::cbrt},     {U"root", Function::root},
-    {U"abs", Function::abs},       {U"sign", Function::sign},     {U"sgn", Function::sign},
-    {U"signum", Function::sign},   {U"floor", Function::floor},   {U"ceil", Function::ceil},
-    {U"ceiling", Function::ceil},  {U"round", Function::round},   {U"trunc", Function::trunc},
-    {U"frac", Function::fraction}, {U"gamma", Function::gamma},   {U"erf", Function::erf},
-    {U"factorial", Function::factorial},                          {U"min", Function::min},
-    {U"max", Function::max},       {U"mod", Function::mod},       {U"hypot", Function::hypot},
+    {U"sin", Function::sin},       {U"cos", Function::cos},
+    {U"tan", Function::tan},       {U"tg", Function::tan},
+    {U"cot", Function::cot},       {U"ctg", Function::cot},
+    {U"sec", Function::sec},       {U"csc", Function::csc},
+    {U"cosec", Function::csc},     {U"asin", Function::asin},
+    {U"arcsin", Function::asin},   {U"acos", Function::acos},
+    {U"arccos", Function::acos},   {U"atan", Function::atan},
+    {U"arctan", Function::atan},   {U"acot", Function::acot},
+    {U"arccot", Function::acot},   {U"sinh", Function::sinh},
+    {U"cosh", Function::cosh},     {U"tanh", Function::tanh},
+    {U"coth", Function::coth},     {U"sech", Function::sech},
+    {U"csch", Function::csch},     {U"asinh", Function::asinh},
+    {U"arsinh", Function::asinh},  {U"arcsinh", Function::asinh},
+    {U"acosh", Function::acosh},   {U"arcosh", Function::acosh},
+    {U"arccosh", Function::acosh}, {U"atanh", Function::atanh},
+    {U"artanh", Function::atanh},  {U"arctanh", Function::atanh},
+    {U"exp", Function::exp},       {U"ln", Function::ln},
+    {U"log", Function::log10},     {U"lg", Function::log10},
+    {U"sqrt", Function::sqrt},     {U"cbrt", Function::cbrt},
+    {U"root", Function::root},     {U"abs", Function::abs},
+    {U"sign", Function::sign},     {U"sgn", Function::sign},
+    {U"signum", Function::sign},   {U"floor", Function::floor},
+    {U"ceil", Function::ceil},     {U"ceiling", Function::ceil},
+    {U"round", Function::round},   {U"trunc", Function::trunc},
+    {U"frac", Function::fraction}, {U"gamma", Function::gamma},
+    {U"erf", Function::erf},       {U"factorial", Function::factorial},
+    {U"min", Function::min},       {U"max", Function::max},
+    {U"mod", Function::mod},       {U"hypot", Function::hypot},
 };
 // Names that end in digits stand only where a parenthesis follows: "log2(x)", but "log2x" is log(2x).
 constexpr FunctionName kNumberedFunctions[] = {
@@ -54,8 +63,7 @@ struct ConstantName {
   std::u32string_view text;
   Constant constant;
 };
-constexpr ConstantName kConstants[] = {
-    {U"pi", Constant::pi}, {U"e", Constant::e}, {U"tau", Constant::tau}};
+constexpr ConstantName kConstants[] = {{U"pi", Constant::pi}, {U"e", Constant::e}, {U"tau", Constant::tau}};
 
 constexpr std::u32string_view kSuperscriptDigits = U"⁰¹²³⁴⁵⁶⁷⁸⁹";
 
@@ -71,15 +79,40 @@ char32_t plain(char32_t c) {
   if (c >= 0xFF01 && c <= 0xFF5E) c = c - 0xFF01 + U'!';
   if (c >= U'A' && c <= U'Z') return c - U'A' + U'a';
   switch (c) {
-    case U'×': case U'·': case U'⋅': case U'∙': case U'∗': case U'•': case U'・': return U'*';
-    case U'÷': case U'∕': case U'⁄': return U'/';
-    case U'−': case U'–': case U'—': case U'‐': case U'‑': return U'-';
-    case U'∣': case U'│': return U'|';
-    case U'≦': case U'⩽': return U'≤';
-    case U'≧': case U'⩾': return U'≥';
-    case U'ϑ': case U'Θ': return U'θ';
-    case U'、': return U',';
-    default: return c;
+    case U'×':
+    case U'·':
+    case U'⋅':
+    case U'∙':
+    case U'∗':
+    case U'•':
+    case U'・':
+      return U'*';
+    case U'÷':
+    case U'∕':
+    case U'⁄':
+      return U'/';
+    case U'−':
+    case U'–':
+    case U'—':
+    case U'‐':
+    case U'‑':
+      return U'-';
+    case U'∣':
+    case U'│':
+      return U'|';
+    case U'≦':
+    case U'⩽':
+      return U'≤';
+    case U'≧':
+    case U'⩾':
+      return U'≥';
+    case U'ϑ':
+    case U'Θ':
+      return U'θ';
+    case U'、':
+      return U',';
+    default:
+      return c;
   }
 }
 
@@ -123,29 +156,75 @@ class Tokenizer {
     const char32_t c = text_[at_];
     if (is_digit(c) || ((c == U'.' || c == U',') && is_digit(peek(1)) && !comma_separates())) return number();
     if (is_letter(c)) return letters();
-    if (kSuperscriptDigits.find(c) != std::u32string_view::npos || c == U'⁻' || c == U'⁺') return superscript();
+    if (kSuperscriptDigits.find(c) != std::u32string_view::npos || c == U'⁻' || c == U'⁺')
+      return superscript();
     switch (c) {
-      case U'+': push(TokenKind::plus, 1); return {};
-      case U'-': push(TokenKind::minus, 1); return {};
-      case U'*': push(peek(1) == U'*' ? TokenKind::power : TokenKind::times, peek(1) == U'*' ? 2 : 1); return {};
-      case U'/': push(TokenKind::divide, 1); return {};
-      case U'^': push(TokenKind::power, 1); return {};
-      case U'!': push(TokenKind::factorial, 1); return {};
-      case U'_': push(TokenKind::underscore, 1); return {};
-      case U'|': push(TokenKind::bar, 1); return {};
-      case U',': push(TokenKind::comma, 1); return {};
-      case U';': push(TokenKind::semicolon, 1); return {};
-      case U'√': push(TokenKind::root, 1).degree = 2; return {};
-      case U'∛': push(TokenKind::root, 1).degree = 3; return {};
-      case U'∜': push(TokenKind::root, 1).degree = 4; return {};
-      case U'(': case U'[': case U'{': bracket(TokenKind::open, c); return {};
-      case U')': case U']': case U'}': bracket(TokenKind::close, c); return {};
-      case U'π': push(TokenKind::constant, 1).constant = Constant::pi; return {};
-      case U'τ': push(TokenKind::constant, 1).constant = Constant::tau; return {};
-      case U'ℯ': push(TokenKind::constant, 1).constant = Constant::e; return {};
-      case U'θ': push(TokenKind::variable, 1).variable = Variable::theta; return {};
-      case U'Γ': push(TokenKind::function, 1).function = Function::gamma; return {};
-      default: break;
+      case U'+':
+        push(TokenKind::plus, 1);
+        return {};
+      case U'-':
+        push(TokenKind::minus, 1);
+        return {};
+      case U'*':
+        push(peek(1) == U'*' ? TokenKind::power : TokenKind::times, peek(1) == U'*' ? 2 : 1);
+        return {};
+      case U'/':
+        push(TokenKind::divide, 1);
+        return {};
+      case U'^':
+        push(TokenKind::power, 1);
+        return {};
+      case U'!':
+        push(TokenKind::factorial, 1);
+        return {};
+      case U'_':
+        push(TokenKind::underscore, 1);
+        return {};
+      case U'|':
+        push(TokenKind::bar, 1);
+        return {};
+      case U',':
+        push(TokenKind::comma, 1);
+        return {};
+      case U';':
+        push(TokenKind::semicolon, 1);
+        return {};
+      case U'√':
+        push(TokenKind::root, 1).degree = 2;
+        return {};
+      case U'∛':
+        push(TokenKind::root, 1).degree = 3;
+        return {};
+      case U'∜':
+        push(TokenKind::root, 1).degree = 4;
+        return {};
+      case U'(':
+      case U'[':
+      case U'{':
+        bracket(TokenKind::open, c);
+        return {};
+      case U')':
+      case U']':
+      case U'}':
+        bracket(TokenKind::close, c);
+        return {};
+      case U'π':
+        push(TokenKind::constant, 1).constant = Constant::pi;
+        return {};
+      case U'τ':
+        push(TokenKind::constant, 1).constant = Constant::tau;
+        return {};
+      case U'ℯ':
+        push(TokenKind::constant, 1).constant = Constant::e;
+        return {};
+      case U'θ':
+        push(TokenKind::variable, 1).variable = Variable::theta;
+        return {};
+      case U'Γ':
+        push(TokenKind::function, 1).function = Function::gamma;
+        return {};
+      default:
+        break;
     }
     if (comparison()) return {};
     return SyntaxError{static_cast<int>(at_) + 1,
@@ -170,7 +249,8 @@ class Tokenizer {
   }
 
   [[nodiscard]] bool comma_separates() const {
-    return text_[at_] == U',' && !argument_lists_.empty() && argument_lists_.back() && !options_.decimal_comma;
+    return text_[at_] == U',' && !argument_lists_.empty() && argument_lists_.back() &&
+           !options_.decimal_comma;
   }
 
   std::optional<SyntaxError> number() {
@@ -198,7 +278,8 @@ class Tokenizer {
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || !std::isfinite(value)) {
-      return SyntaxError{static_cast<int>(at_) + 1, "the number \"" + digits.substr(0, 40) + "\" is too large",
+      return SyntaxError{static_cast<int>(at_) + 1,
+                         "the number \"" + digits.substr(0, 40) + "\" is too large",
                          "expected a number up to 1.7e308"};
     }
     Token& token = push(TokenKind::number, length);
@@ -211,7 +292,8 @@ class Tokenizer {
   }
 
   [[nodiscard]] bool separates(std::size_t ahead) const {
-    return peek(ahead) == U',' && !argument_lists_.empty() && argument_lists_.back() && !options_.decimal_comma;
+    return peek(ahead) == U',' && !argument_lists_.empty() && argument_lists_.back() &&
+           !options_.decimal_comma;
   }
 
   std::optional<SyntaxError> superscript() {
@@ -255,9 +337,14 @@ class Tokenizer {
         which = after == U'=' ? Comparison::greater_equal : Comparison::greater;
         length = after == U'=' ? 2 : 1;
         break;
-      case U'≤': which = Comparison::less_equal; break;
-      case U'≥': which = Comparison::greater_equal; break;
-      default: return false;
+      case U'≤':
+        which = Comparison::less_equal;
+        break;
+      case U'≥':
+        which = Comparison::greater_equal;
+        break;
+      default:
+        return false;
     }
     push(TokenKind::comparison, length).comparison = which;
     return true;
@@ -291,7 +378,8 @@ class Tokenizer {
   static std::size_t longest_first(std::u32string_view rest, std::size_t shorter_than) {
     std::size_t best = 0;
     const auto consider = [&](std::u32string_view word) {
-      if (word.size() < shorter_than && word.size() > best && rest.substr(0, word.size()) == word) best = word.size();
+      if (word.size() < shorter_than && word.size() > best && rest.substr(0, word.size()) == word)
+        best = word.size();
     };
     for (const auto& n : kFunctions) consider(n.text);
     for (const auto& n : kVariables) consider(n.text);
@@ -348,7 +436,8 @@ class Tokenizer {
 
 tl::expected<std::vector<Token>, SyntaxError> tokenize(std::string_view text, const ParseOptions& options) {
   if (text.size() > kMostBytes) {
-    return tl::unexpected(SyntaxError{1, "the text is longer than 10000 bytes", "expected a shorter expression"});
+    return tl::unexpected(
+        SyntaxError{1, "the text is longer than 10000 bytes", "expected a shorter expression"});
   }
   auto points = base::decode_utf8(text);
   if (!points) return tl::unexpected(SyntaxError{1, "the text is not valid UTF-8", "expected UTF-8"});

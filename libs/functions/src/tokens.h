@@ -11,8 +11,26 @@
 namespace nazori::functions {
 
 enum class TokenKind : std::uint8_t {
-  number, variable, constant, function, plus, minus, times, divide, power, superscript, factorial, root,
-  open, close, bar, comma, underscore, comparison, semicolon, end
+  number,
+  variable,
+  constant,
+  function,
+  plus,
+  minus,
+  times,
+  divide,
+  power,
+  superscript,
+  factorial,
+  root,
+  open,
+  close,
+  bar,
+  comma,
+  underscore,
+  comparison,
+  semicolon,
+  end
 };
 
 /// One word of an expression.
@@ -26,8 +44,8 @@ struct Token {
   Constant constant = Constant::pi;
   Function function = Function::sin;
   Comparison comparison = Comparison::equal;
-  char32_t bracket = 0;      ///< of open and close: ( [ {
-  int degree = 2;            ///< of a root sign
+  char32_t bracket = 0;  ///< of open and close: ( [ {
+  int degree = 2;        ///< of a root sign
   bool space_before = false;
 };
 

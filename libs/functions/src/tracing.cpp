@@ -20,7 +20,9 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostPlaces = 1000;
 
-Expression times(Expression a, Expression b) { return binary(NodeKind::multiply, std::move(a), std::move(b)); }
+Expression times(Expression a, Expression b) {
+  return binary(NodeKind::multiply, std::move(a), std::move(b));
+}
 
 class PlotTracer {
  public:
@@ -53,7 +55,8 @@ class PlotTracer {
       case StatementKind::explicit_x:
         return draw(Arc{s.terms[0], axes[1], Variable::y, low_[1], high_[1], false});
       case StatementKind::parametric:
-        return draw(Arc{s.terms[0], s.terms[1], Variable::t, constant_value(s.from), constant_value(s.to), true});
+        return draw(
+            Arc{s.terms[0], s.terms[1], Variable::t, constant_value(s.from), constant_value(s.to), true});
       case StatementKind::polar:
         return draw(polar_arc(s, s.terms[0]));
       case StatementKind::polar_implicit:
@@ -70,8 +73,12 @@ class PlotTracer {
 
   static Arc polar_arc(const Statement& s, const Expression& radius) {
     const Expression angle = variable(Variable::theta);
-    return {times(radius, call(Function::cos, {angle})), times(radius, call(Function::sin, {angle})),
-            Variable::theta, constant_value(s.from), constant_value(s.to), true};
+    return {times(radius, call(Function::cos, {angle})),
+            times(radius, call(Function::sin, {angle})),
+            Variable::theta,
+            constant_value(s.from),
+            constant_value(s.to),
+            true};
   }
 
   bool draw(const Arc& arc) { return ArcTracer(arc, statement_, settings_, out_, progress_).run(); }
@@ -160,9 +167,11 @@ class PlotTracer {
     }
     // Along a double curve every box looks singular: only those by themselves are points of interest.
     for (const PlatePoint& p : found.singular) {
-      const auto close = std::count_if(found.singular.begin(), found.singular.end(), [&](const PlatePoint& q) {
-        return std::hypot(p.u - q.u, p.v - q.v) < 8 * found.leaf && std::hypot(p.u - q.u, p.v - q.v) > 1e-7;
-      });
+      const auto close =
+          std::count_if(found.singular.begin(), found.singular.end(), [&](const PlatePoint& q) {
+            return std::hypot(p.u - q.u, p.v - q.v) < 8 * found.leaf &&
+                   std::hypot(p.u - q.u, p.v - q.v) > 1e-7;
+          });
       if (close == 0) add_event(EventKind::singular, to_plate(p));
     }
     for (const auto& f : found.fills) out_.fills.push_back({statement_, f[0], f[1]});
@@ -177,8 +186,9 @@ class PlotTracer {
   static std::vector<PlatePoint> link_dots(PlaneSolution& found) {
     const double pitch = 2 * found.leaf;
     // Boxes that share a corner find the same point.
-    std::sort(found.dots.begin(), found.dots.end(),
-              [](const PlatePoint& a, const PlatePoint& b) { return std::pair(a.u, a.v) < std::pair(b.u, b.v); });
+    std::sort(found.dots.begin(), found.dots.end(), [](const PlatePoint& a, const PlatePoint& b) {
+      return std::pair(a.u, a.v) < std::pair(b.u, b.v);
+    });
     std::vector<PlatePoint> distinct;
     for (const PlatePoint& p : found.dots) {
       bool known = false;
@@ -258,7 +268,8 @@ class PlotTracer {
       for (std::size_t j = 0; j < conditions.size(); ++j) {
         if (j != i) others.push_back({conditions[j].expression, false});
       }
-      keep_where(others, begin, s.comparisons[i] == Comparison::less || s.comparisons[i] == Comparison::greater);
+      keep_where(others, begin,
+                 s.comparisons[i] == Comparison::less || s.comparisons[i] == Comparison::greater);
     }
     // What happens on a border is no event of a curve.
     out_.events.resize(first_event);
@@ -282,7 +293,8 @@ class PlotTracer {
       for (std::size_t i = 0; i + 1 < whole.points.size(); ++i) {
         const CurvePoint& p = whole.points[i];
         const CurvePoint& q = whole.points[i + 1];
-        const int steps = conditions.empty() ? 1 : static_cast<int>(std::hypot(p.u - q.u, p.v - q.v) * 512) + 1;
+        const int steps =
+            conditions.empty() ? 1 : static_cast<int>(std::hypot(p.u - q.u, p.v - q.v) * 512) + 1;
         for (int k = 0; k < steps; ++k) {
           const double from = static_cast<double>(k) / steps;
           const double to = static_cast<double>(k + 1) / steps;
@@ -319,8 +331,8 @@ class PlotTracer {
 
 base::Result<void> Window::check() const {
   const auto narrow = [](double a, double b) {
-    return !std::isfinite(a) || !std::isfinite(b) || !(b > a) || b - a < 1e-10 * std::max(std::abs(a), std::abs(b)) ||
-           b - a < 1e-290 || !std::isfinite(b - a);
+    return !std::isfinite(a) || !std::isfinite(b) || !(b > a) ||
+           b - a < 1e-10 * std::max(std::abs(a), std::abs(b)) || b - a < 1e-290 || !std::isfinite(b - a);
   };
   if (narrow(x0, x1) || narrow(y0, y1)) {
     return base::fail(base::Errc::bad_argument, "the window is empty or too narrow to compute in", "window",
@@ -332,7 +344,8 @@ base::Result<void> Window::check() const {
 base::Result<Tracing> trace(const Plot& plot, const Window& window, const TraceSettings& settings,
                             const base::Progress& progress) {
   if (auto good = window.check(); !good) return tl::unexpected(std::move(good.error()));
-  if (settings.resolution < 32 || settings.resolution > 8192 || !(settings.margin >= 0 && settings.margin <= 1)) {
+  if (settings.resolution < 32 || settings.resolution > 8192 ||
+      !(settings.margin >= 0 && settings.margin <= 1)) {
     return base::fail(base::Errc::bad_argument, "the resolution or the margin of the tracing is out of range",
                       "settings", "give 32 to 8192 cells and a margin of 0 to 1");
   }

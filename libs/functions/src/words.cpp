@@ -15,21 +15,49 @@ struct FunctionWords {
 };
 
 // In the order of Function.
-constexpr std::array<FunctionWords, 42> kFunctionWords{{
-    {"sine", "サイン"}, {"cosine", "コサイン"}, {"tangent", "タンジェント"}, {"cotangent", "コタンジェント"},
-    {"secant", "セカント"}, {"cosecant", "コセカント"}, {"arc sine", "アークサイン"}, {"arc cosine", "アークコサイン"},
-    {"arc tangent", "アークタンジェント"}, {"arc cotangent", "アークコタンジェント"},
-    {"hyperbolic sine", "ハイパボリックサイン"}, {"hyperbolic cosine", "ハイパボリックコサイン"},
-    {"hyperbolic tangent", "ハイパボリックタンジェント"}, {"hyperbolic cotangent", "ハイパボリックコタンジェント"},
-    {"hyperbolic secant", "ハイパボリックセカント"}, {"hyperbolic cosecant", "ハイパボリックコセカント"},
-    {"inverse hyperbolic sine", "逆ハイパボリックサイン"}, {"inverse hyperbolic cosine", "逆ハイパボリックコサイン"},
-    {"inverse hyperbolic tangent", "逆ハイパボリックタンジェント"}, {"exponential", "指数関数"},
-    {"natural logarithm", "自然対数"}, {"logarithm to base 10", "常用対数"}, {"logarithm to base 2", "2を底とする対数"},
-    {"logarithm", "対数"}, {"square root", "平方根"}, {"cube root", "立方根"}, {"root", "累乗根"},
-    {"absolute value", "絶対値"}, {"sign", "符号"}, {"floor", "床関数"}, {"ceiling", "天井関数"}, {"rounding", "四捨五入"},
-    {"truncation", "切り捨て"}, {"fractional part", "小数部分"}, {"gamma", "ガンマ関数"}, {"factorial", "階乗"},
-    {"error function", "誤差関数"}, {"minimum", "最小値"}, {"maximum", "最大値"}, {"remainder", "余り"},
-    {"angle", "偏角"}, {"hypotenuse", "斜辺"}}};
+constexpr std::array<FunctionWords, 42> kFunctionWords{
+    {{"sine", "サイン"},
+     {"cosine", "コサイン"},
+     {"tangent", "タンジェント"},
+     {"cotangent", "コタンジェント"},
+     {"secant", "セカント"},
+     {"cosecant", "コセカント"},
+     {"arc sine", "アークサイン"},
+     {"arc cosine", "アークコサイン"},
+     {"arc tangent", "アークタンジェント"},
+     {"arc cotangent", "アークコタンジェント"},
+     {"hyperbolic sine", "ハイパボリックサイン"},
+     {"hyperbolic cosine", "ハイパボリックコサイン"},
+     {"hyperbolic tangent", "ハイパボリックタンジェント"},
+     {"hyperbolic cotangent", "ハイパボリックコタンジェント"},
+     {"hyperbolic secant", "ハイパボリックセカント"},
+     {"hyperbolic cosecant", "ハイパボリックコセカント"},
+     {"inverse hyperbolic sine", "逆ハイパボリックサイン"},
+     {"inverse hyperbolic cosine", "逆ハイパボリックコサイン"},
+     {"inverse hyperbolic tangent", "逆ハイパボリックタンジェント"},
+     {"exponential", "指数関数"},
+     {"natural logarithm", "自然対数"},
+     {"logarithm to base 10", "常用対数"},
+     {"logarithm to base 2", "2を底とする対数"},
+     {"logarithm", "対数"},
+     {"square root", "平方根"},
+     {"cube root", "立方根"},
+     {"root", "累乗根"},
+     {"absolute value", "絶対値"},
+     {"sign", "符号"},
+     {"floor", "床関数"},
+     {"ceiling", "天井関数"},
+     {"rounding", "四捨五入"},
+     {"truncation", "切り捨て"},
+     {"fractional part", "小数部分"},
+     {"gamma", "ガンマ関数"},
+     {"factorial", "階乗"},
+     {"error function", "誤差関数"},
+     {"minimum", "最小値"},
+     {"maximum", "最大値"},
+     {"remainder", "余り"},
+     {"angle", "偏角"},
+     {"hypotenuse", "斜辺"}}};
 
 std::string number_text(double v, Language language) {
   if (v < 0) return (language == Language::english ? "minus " : "マイナス") + fmt::format("{}", -v);
@@ -40,12 +68,17 @@ std::string number_text(double v, Language language) {
 int strength(const Node& n) {
   switch (n.kind) {
     case NodeKind::add:
-    case NodeKind::subtract: return 1;
+    case NodeKind::subtract:
+      return 1;
     case NodeKind::multiply:
-    case NodeKind::divide: return 2;
-    case NodeKind::negate: return 3;
-    case NodeKind::power: return 4;
-    default: return 5;
+    case NodeKind::divide:
+      return 2;
+    case NodeKind::negate:
+      return 3;
+    case NodeKind::power:
+      return 4;
+    default:
+      return 5;
   }
 }
 
@@ -57,23 +90,30 @@ class Speaker {
     const Node& n = *e;
     const auto& a = n.arguments;
     switch (n.kind) {
-      case NodeKind::number: return number_text(n.value, language_);
-      case NodeKind::constant: return n.constant == Constant::pi ? (english_ ? "pi" : "パイ") : std::string(name_of(n.constant));
+      case NodeKind::number:
+        return number_text(n.value, language_);
+      case NodeKind::constant:
+        return n.constant == Constant::pi ? (english_ ? "pi" : "パイ") : std::string(name_of(n.constant));
       case NodeKind::variable:
         return n.variable == Variable::theta && !english_ ? "シータ" : std::string(name_of(n.variable));
-      case NodeKind::negate: return (english_ ? "minus " : "マイナス ") + fenced(a[0], 3);
-      case NodeKind::add: return fenced(a[0], 1) + (english_ ? " plus " : " 足す ") + fenced(a[1], 2);
-      case NodeKind::subtract: return fenced(a[0], 1) + (english_ ? " minus " : " 引く ") + fenced(a[1], 2);
+      case NodeKind::negate:
+        return (english_ ? "minus " : "マイナス ") + fenced(a[0], 3);
+      case NodeKind::add:
+        return fenced(a[0], 1) + (english_ ? " plus " : " 足す ") + fenced(a[1], 2);
+      case NodeKind::subtract:
+        return fenced(a[0], 1) + (english_ ? " minus " : " 引く ") + fenced(a[1], 2);
       case NodeKind::multiply: {
         const bool quotient = a[0]->kind == NodeKind::divide;
-        return (quotient ? say(a[0]) + (english_ ? "," : "、") : fenced(a[0], 2)) + (english_ ? " times " : " かける ") +
-               fenced(a[1], 3);
+        return (quotient ? say(a[0]) + (english_ ? "," : "、") : fenced(a[0], 2)) +
+               (english_ ? " times " : " かける ") + fenced(a[1], 3);
       }
       case NodeKind::divide:
         if (english_) return fenced(a[0], 3) + " over " + fenced(a[1], 3);
         return fenced(a[1], 3) + " 分の " + fenced(a[0], 3);
-      case NodeKind::power: return power(a);
-      case NodeKind::function: return function(n);
+      case NodeKind::power:
+        return power(a);
+      case NodeKind::function:
+        return function(n);
     }
     return {};
   }
@@ -97,23 +137,40 @@ class Speaker {
     const auto& words = kFunctionWords[static_cast<std::size_t>(n.function)];
     const auto& a = n.arguments;
     switch (n.function) {
-      case Function::factorial: return fenced(a[0], 5) + (english_ ? " factorial" : " の階乗");
+      case Function::factorial:
+        return fenced(a[0], 5) + (english_ ? " factorial" : " の階乗");
       case Function::log_base:
         return english_ ? "the logarithm to base " + fenced(a[0], 5) + " of " + fenced(a[1], 4)
                         : say(a[0]) + " を底とする " + say(a[1]) + " の対数";
       case Function::root:
-        return english_ ? "the " + say(a[0]) + "th root of " + fenced(a[1], 4) : say(a[1]) + " の " + say(a[0]) + " 乗根";
-      case Function::sin: case Function::cos: case Function::tan: case Function::cot: case Function::sec:
-      case Function::csc: case Function::asin: case Function::acos: case Function::atan: case Function::acot:
-      case Function::sinh: case Function::cosh: case Function::tanh: case Function::coth: case Function::sech:
+        return english_ ? "the " + say(a[0]) + "th root of " + fenced(a[1], 4)
+                        : say(a[1]) + " の " + say(a[0]) + " 乗根";
+      case Function::sin:
+      case Function::cos:
+      case Function::tan:
+      case Function::cot:
+      case Function::sec:
+      case Function::csc:
+      case Function::asin:
+      case Function::acos:
+      case Function::atan:
+      case Function::acot:
+      case Function::sinh:
+      case Function::cosh:
+      case Function::tanh:
+      case Function::coth:
+      case Function::sech:
       case Function::csch:
         // As mathematicians say it: sine of 2 x.
-        return english_ ? std::string(words.english) + " of " + fenced(a[0], 2) : std::string(words.japanese) + " " + fenced(a[0], 2);
-      default: break;
+        return english_ ? std::string(words.english) + " of " + fenced(a[0], 2)
+                        : std::string(words.japanese) + " " + fenced(a[0], 2);
+      default:
+        break;
     }
     std::string list = fenced(a[0], a.size() > 1 ? 1 : 2);
     for (std::size_t i = 1; i < a.size(); ++i) list += (english_ ? " and " : " と ") + say(a[i]);
-    return english_ ? "the " + std::string(words.english) + " of " + list : list + " の" + std::string(words.japanese);
+    return english_ ? "the " + std::string(words.english) + " of " + list
+                    : list + " の" + std::string(words.japanese);
   }
 
   bool english_;
@@ -121,16 +178,18 @@ class Speaker {
 };
 
 std::string comparison(Comparison c, Language language) {
-  constexpr std::array<std::string_view, 5> kEnglish{" equals ", " is less than ", " is at most ", " is greater than ",
-                                                     " is at least "};
-  constexpr std::array<std::string_view, 5> kJapanese{" イコール ", " 小なり ", " 小なりイコール ", " 大なり ",
-                                                      " 大なりイコール "};
+  constexpr std::array<std::string_view, 5> kEnglish{" equals ", " is less than ", " is at most ",
+                                                     " is greater than ", " is at least "};
+  constexpr std::array<std::string_view, 5> kJapanese{" イコール ", " 小なり ", " 小なりイコール ",
+                                                      " 大なり ", " 大なりイコール "};
   return std::string((language == Language::english ? kEnglish : kJapanese)[static_cast<std::size_t>(c)]);
 }
 
 }  // namespace
 
-std::string in_words(const Expression& expression, Language language) { return Speaker(language).say(expression); }
+std::string in_words(const Expression& expression, Language language) {
+  return Speaker(language).say(expression);
+}
 
 std::string in_words(const Statement& s, Language language) {
   const bool english = language == Language::english;
@@ -142,15 +201,19 @@ std::string in_words(const Statement& s, Language language) {
                    : fmt::format("、{} は {} から {} まで", parameter, from, to);
   };
   switch (s.kind) {
-    case StatementKind::explicit_y: return "y" + equals + in_words(s.terms[0], language);
-    case StatementKind::explicit_x: return "x" + equals + in_words(s.terms[0], language);
-    case StatementKind::surface: return "z" + equals + in_words(s.terms[0], language);
+    case StatementKind::explicit_y:
+      return "y" + equals + in_words(s.terms[0], language);
+    case StatementKind::explicit_x:
+      return "x" + equals + in_words(s.terms[0], language);
+    case StatementKind::surface:
+      return "z" + equals + in_words(s.terms[0], language);
     case StatementKind::parametric:
       return "x" + equals + in_words(s.terms[0], language) + (english ? " and y" : "、y") + equals +
              in_words(s.terms[1], language) + range("t");
     case StatementKind::polar:
       return "r" + equals + in_words(s.terms[0], language) + range(english ? "theta" : "シータ");
-    default: break;
+    default:
+      break;
   }
   std::string text = in_words(s.terms[0], language);
   for (std::size_t i = 1; i < s.terms.size(); ++i)

@@ -41,11 +41,19 @@ using Value = std::optional<Precise>;
 
 Value function_of(Function f, const Precise& a) {
   Precise r;
-  const auto in = [&a](double low, double high) { return mpfr_cmp_d(a.get(), low) >= 0 && mpfr_cmp_d(a.get(), high) <= 0; };
+  const auto in = [&a](double low, double high) {
+    return mpfr_cmp_d(a.get(), low) >= 0 && mpfr_cmp_d(a.get(), high) <= 0;
+  };
   switch (f) {
-    case Function::sin: mpfr_sin(r.get(), a.get(), MPFR_RNDN); break;
-    case Function::cos: mpfr_cos(r.get(), a.get(), MPFR_RNDN); break;
-    case Function::tan: mpfr_tan(r.get(), a.get(), MPFR_RNDN); break;
+    case Function::sin:
+      mpfr_sin(r.get(), a.get(), MPFR_RNDN);
+      break;
+    case Function::cos:
+      mpfr_cos(r.get(), a.get(), MPFR_RNDN);
+      break;
+    case Function::tan:
+      mpfr_tan(r.get(), a.get(), MPFR_RNDN);
+      break;
     case Function::asin:
       if (!in(-1, 1)) return std::nullopt;
       mpfr_asin(r.get(), a.get(), MPFR_RNDN);
@@ -54,11 +62,21 @@ Value function_of(Function f, const Precise& a) {
       if (!in(-1, 1)) return std::nullopt;
       mpfr_acos(r.get(), a.get(), MPFR_RNDN);
       break;
-    case Function::atan: mpfr_atan(r.get(), a.get(), MPFR_RNDN); break;
-    case Function::sinh: mpfr_sinh(r.get(), a.get(), MPFR_RNDN); break;
-    case Function::cosh: mpfr_cosh(r.get(), a.get(), MPFR_RNDN); break;
-    case Function::tanh: mpfr_tanh(r.get(), a.get(), MPFR_RNDN); break;
-    case Function::asinh: mpfr_asinh(r.get(), a.get(), MPFR_RNDN); break;
+    case Function::atan:
+      mpfr_atan(r.get(), a.get(), MPFR_RNDN);
+      break;
+    case Function::sinh:
+      mpfr_sinh(r.get(), a.get(), MPFR_RNDN);
+      break;
+    case Function::cosh:
+      mpfr_cosh(r.get(), a.get(), MPFR_RNDN);
+      break;
+    case Function::tanh:
+      mpfr_tanh(r.get(), a.get(), MPFR_RNDN);
+      break;
+    case Function::asinh:
+      mpfr_asinh(r.get(), a.get(), MPFR_RNDN);
+      break;
     case Function::ln:
       if (a.sign() <= 0) return std::nullopt;
       mpfr_log(r.get(), a.get(), MPFR_RNDN);
@@ -67,18 +85,33 @@ Value function_of(Function f, const Precise& a) {
       if (a.sign() < 0) return std::nullopt;
       mpfr_sqrt(r.get(), a.get(), MPFR_RNDN);
       break;
-    case Function::cbrt: mpfr_cbrt(r.get(), a.get(), MPFR_RNDN); break;
-    case Function::abs: mpfr_abs(r.get(), a.get(), MPFR_RNDN); break;
-    case Function::floor: mpfr_floor(r.get(), a.get()); break;
-    case Function::ceil: mpfr_ceil(r.get(), a.get()); break;
-    case Function::sign: r = Precise(a.sign()); break;
-    case Function::exp: mpfr_exp(r.get(), a.get(), MPFR_RNDN); break;
-    case Function::erf: mpfr_erf(r.get(), a.get(), MPFR_RNDN); break;
+    case Function::cbrt:
+      mpfr_cbrt(r.get(), a.get(), MPFR_RNDN);
+      break;
+    case Function::abs:
+      mpfr_abs(r.get(), a.get(), MPFR_RNDN);
+      break;
+    case Function::floor:
+      mpfr_floor(r.get(), a.get());
+      break;
+    case Function::ceil:
+      mpfr_ceil(r.get(), a.get());
+      break;
+    case Function::sign:
+      r = Precise(a.sign());
+      break;
+    case Function::exp:
+      mpfr_exp(r.get(), a.get(), MPFR_RNDN);
+      break;
+    case Function::erf:
+      mpfr_erf(r.get(), a.get(), MPFR_RNDN);
+      break;
     case Function::gamma:
       if (a.sign() <= 0 && a.is_whole()) return std::nullopt;
       mpfr_gamma(r.get(), a.get(), MPFR_RNDN);
       break;
-    default: return std::nullopt;
+    default:
+      return std::nullopt;
   }
   if (!r.is_number()) return std::nullopt;
   return r;
@@ -111,8 +144,10 @@ Value power_of(const Expression& base_of, const Expression& exponent_of, double 
 Value value_of(const Expression& e, double x, double y) {
   const auto& a = e->arguments;
   switch (e->kind) {
-    case NodeKind::number: return Precise(e->value);
-    case NodeKind::variable: return Precise(e->variable == Variable::x ? x : y);
+    case NodeKind::number:
+      return Precise(e->value);
+    case NodeKind::variable:
+      return Precise(e->variable == Variable::x ? x : y);
     case NodeKind::constant: {
       Precise r;
       if (e->constant == Constant::pi) {
@@ -139,17 +174,25 @@ Value value_of(const Expression& e, double x, double y) {
       if (v) mpfr_neg(v->get(), v->get(), MPFR_RNDN);
       return v;
     }
-    case NodeKind::power: return power_of(a[0], a[1], x, y);
-    default: break;
+    case NodeKind::power:
+      return power_of(a[0], a[1], x, y);
+    default:
+      break;
   }
   const Value left = value_of(a[0], x, y);
   const Value right = value_of(a[1], x, y);
   if (!left || !right) return std::nullopt;
   Precise r;
   switch (e->kind) {
-    case NodeKind::add: mpfr_add(r.get(), left->get(), right->get(), MPFR_RNDN); break;
-    case NodeKind::subtract: mpfr_sub(r.get(), left->get(), right->get(), MPFR_RNDN); break;
-    case NodeKind::multiply: mpfr_mul(r.get(), left->get(), right->get(), MPFR_RNDN); break;
+    case NodeKind::add:
+      mpfr_add(r.get(), left->get(), right->get(), MPFR_RNDN);
+      break;
+    case NodeKind::subtract:
+      mpfr_sub(r.get(), left->get(), right->get(), MPFR_RNDN);
+      break;
+    case NodeKind::multiply:
+      mpfr_mul(r.get(), left->get(), right->get(), MPFR_RNDN);
+      break;
     default:
       if (right->sign() == 0) return std::nullopt;
       mpfr_div(r.get(), left->get(), right->get(), MPFR_RNDN);
@@ -164,33 +207,45 @@ class Grower {
  public:
   explicit Grower(unsigned seed) : random_(seed) {}
 
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
 
   Expression grow(int depth) {
-    constexpr std::array kFunctions{Function::sin,  Function::cos,   Function::tan,   Function::asin, Function::acos,
-                                    Function::atan, Function::sinh,  Function::cosh,  Function::tanh, Function::asinh,
-                                    Function::ln,   Function::sqrt,  Function::cbrt,  Function::abs,  Function::floor,
-                                    Function::ceil, Function::sign,  Function::exp,   Function::erf,  Function::gamma};
+    constexpr std::array kFunctions{Function::sin,  Function::cos,   Function::tan,   Function::asin,
+                                    Function::acos, Function::atan,  Function::sinh,  Function::cosh,
+                                    Function::tanh, Function::asinh, Function::ln,    Function::sqrt,
+                                    Function::cbrt, Function::abs,   Function::floor, Function::ceil,
+                                    Function::sign, Function::exp,   Function::erf,   Function::gamma};
     constexpr std::array kBinary{NodeKind::add, NodeKind::subtract, NodeKind::multiply, NodeKind::divide};
     if (depth == 0 || below(6) == 0) {
       switch (below(5)) {
-        case 0: return number(below(9) - 4);
-        case 1: return number(std::ldexp(below(64) - 32, -3));
-        case 2: return constant(below(2) == 0 ? Constant::pi : Constant::e);
-        default: return variable(below(2) == 0 ? Variable::x : Variable::y);
+        case 0:
+          return number(below(9) - 4);
+        case 1:
+          return number(std::ldexp(below(64) - 32, -3));
+        case 2:
+          return constant(below(2) == 0 ? Constant::pi : Constant::e);
+        default:
+          return variable(below(2) == 0 ? Variable::x : Variable::y);
       }
     }
     const int kind = below(10);
-    if (kind < 4) return binary(kBinary[static_cast<std::size_t>(below(4))], grow(depth - 1), grow(depth - 1));
+    if (kind < 4)
+      return binary(kBinary[static_cast<std::size_t>(below(4))], grow(depth - 1), grow(depth - 1));
     if (kind == 4) return binary(NodeKind::power, grow(depth - 1), number(below(9) - 3));
     if (kind == 5) {
       return binary(NodeKind::power, grow(depth - 1),
                     binary(NodeKind::divide, number(1 + below(5)), number(2 + below(4))));
     }
-    if (kind == 6) return below(2) == 0 ? binary(NodeKind::power, grow(depth - 1), grow(depth - 1)) : negate(grow(depth - 1));
-    if (kind == 7) return call(below(2) == 0 ? Function::min : Function::max, {grow(depth - 1), grow(depth - 1)});
-    return call(kFunctions[static_cast<std::size_t>(below(static_cast<int>(kFunctions.size())))], {grow(depth - 1)});
+    if (kind == 6)
+      return below(2) == 0 ? binary(NodeKind::power, grow(depth - 1), grow(depth - 1))
+                           : negate(grow(depth - 1));
+    if (kind == 7)
+      return call(below(2) == 0 ? Function::min : Function::max, {grow(depth - 1), grow(depth - 1)});
+    return call(kFunctions[static_cast<std::size_t>(below(static_cast<int>(kFunctions.size())))],
+                {grow(depth - 1)});
   }
 
  private:
@@ -229,8 +284,8 @@ TEST(Interval, ContainsTheTrueValueOfRandomExpressionsAtAMillionPoints) {
         if (v && is_clear(f, *v)) {
           ++told;
           ASSERT_TRUE(!f.is_empty() && contains(f, *v))
-              << to_text(e) << " at " << px << ", " << py << ": " << mpfr_get_d(v->get(), MPFR_RNDN) << " not in ["
-              << f.lower << ", " << f.upper << "]";
+              << to_text(e) << " at " << px << ", " << py << ": " << mpfr_get_d(v->get(), MPFR_RNDN)
+              << " not in [" << f.lower << ", " << f.upper << "]";
         }
         if (!v && f.decoration >= Decoration::defined && f.is_bounded())
           ADD_FAILURE() << to_text(e) << " is undefined at " << px << ", " << py;

@@ -97,25 +97,28 @@ TEST(Points, AnEmptyPlateIsSaid) {
   ASSERT_TRUE(plot);
   const auto tracing = trace(*plot, {-3, 3, -3, 3});
   ASSERT_TRUE(tracing);
-  EXPECT_NE(summary(*plot, *tracing, {}, Language::english).find("no points satisfy this"), std::string::npos);
+  EXPECT_NE(summary(*plot, *tracing, {}, Language::english).find("no points satisfy this"),
+            std::string::npos);
 }
 
-/// Frequency of one channel by its rising passages through zero.
-double pitch_of(const Sound& sound, double from_s, double seconds) {
-  const auto first = static_cast<std::size_t>(from_s * sound.sample_rate);
-  const auto count = static_cast<std::size_t>(seconds * sound.sample_rate);
+/// The frequency near `expected` at which the sound repeats itself best around a time.
+double pitch_of(const Sound& sound, double at_s, double expected) {
+  const auto at = [&](std::size_t k) {
+    return static_cast<double>(sound.samples[2 * k] + sound.samples[2 * k + 1]);
+  };
+  const auto count = static_cast<std::size_t>(0.03 * sound.sample_rate);
+  const double period = sound.sample_rate / expected;
   double best = 0;
   double best_lag = 1;
-  // The lag at which the tone repeats.
-  for (std::size_t lag = 30; lag < 400; ++lag) {
+  for (auto lag = static_cast<std::size_t>(0.7 * period); lag < static_cast<std::size_t>(1.4 * period);
+       ++lag) {
+    const std::size_t first = static_cast<std::size_t>(at_s * sound.sample_rate) - (count + lag) / 2;
     double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto at = [&](std::size_t k) {
-        return static_cast<double>(sound.samples[2 * k] + sound.samples[2 * k + 1]);
-      };
-      sum += at(first + i) * at(first + i + lag);
+    for (std::size_t i = 0; i < count; ++i) sum += at(first + i) * at(first + i + lag);
+    if (sum > best) {
+      best = sum;
+      best_lag = static_cast<double>(lag);
     }
-    if (sum > best * 1.02) best = sum, best_lag = static_cast<double>(lag);
   }
   return sound.sample_rate / best_lag;
 }
@@ -131,7 +134,7 @@ TEST(Sound, ThePitchOfARisingLineRisesFromTheLowestToTheHighest) {
   ASSERT_TRUE(sound);
   for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     const double expected = 200 * std::pow(5.0, share);
-    EXPECT_NEAR(pitch_of(*sound, share * settings.seconds, 0.03) / expected, 1.0, 0.03) << share;
+    EXPECT_NEAR(pitch_of(*sound, share * settings.seconds, expected) / expected, 1.0, 0.015) << share;
   }
 }
 

@@ -76,12 +76,20 @@ TEST(Tracing, DrawsWhatIsKnownOfHardCurvesAndNothingElse) {
       {"y = floor(x)", {-3.5, 3.5, -4.5, 4.5}, {{0.5, 0}, {0, 0}}, {{0, -0.5}, {1, 0.5}}, 8},
       {"y = |x|/x", {-3, 3, -2, 2}, {{1, 1}, {-1, -1}}, {{0, 0}, {0, 0.5}}, 2},
       {"y = sin(x)/x", {-10, 10, -1, 2}, {{0.001, 1}, {kPi, 0}}, {{0, 0}, {0, 1.6}}, 1},
-      {"y = (1-cos(x))/x^2", {-10, 10, -1, 1}, {{0.01, 0.49999583}, {kPi, 2 / (kPi * kPi)}}, {{0, 0}, {0, 0.2}}, 1},
+      {"y = (1-cos(x))/x^2",
+       {-10, 10, -1, 1},
+       {{0.01, 0.49999583}, {kPi, 2 / (kPi * kPi)}},
+       {{0, 0}, {0, 0.2}},
+       1},
       {"y = atan(1000000(x-1))", {-3, 5, -2, 2}, {{1, 0}, {1, 1}}, {{0, 0}, {2, 0}}, 1},
       {"y = e^x/(1+e^x)", {-1000, 1000, -0.5, 1.5}, {{0, 0.5}, {900, 1}, {-900, 0}}, {{500, 0.5}}, 1},
       {"y = sin(100x)", {-10, 10, -2, 2}, {{0, 0}, {5, 0.4}}, {{0, 1.4}, {5, -1.4}}, 1},
       {"x^2 + y^2 = 0", {-1, 1, -1, 1}, {{0, 0}}, {{0.2, 0}}, 1},
-      {"(x^2+y^2-1)^2 + (x-y)^2 = 0", {-2, 2, -2, 2}, {{std::sqrt(0.5), std::sqrt(0.5)}}, {{0, 0}, {1, 0}}, 2},
+      {"(x^2+y^2-1)^2 + (x-y)^2 = 0",
+       {-2, 2, -2, 2},
+       {{std::sqrt(0.5), std::sqrt(0.5)}},
+       {{0, 0}, {1, 0}},
+       2},
       {"x^2 - 2xy + y^2 = 0", {-3, 3, -3, 3}, {{0, 0}, {2, 2}}, {{1, -1}}, 1},
       {"1/(x-y) = 0", {-3, 3, -3, 3}, {}, {{0, 0}, {1, 1}}, 0},
       {"(x^2-y^2)/(x-y) = 0", {-3, 3, -3, 3}, {{1, -1}, {-2, 2}}, {{1, 1}, {-2, -2}}, 1},
@@ -98,14 +106,18 @@ TEST(Tracing, DrawsWhatIsKnownOfHardCurvesAndNothingElse) {
   for (const Known& k : cases) {
     const Picture p = drawn(k.expression, k.window);
     for (const auto& [x, y] : k.on) EXPECT_TRUE(carved(p, x, y)) << k.expression << " at " << x << ", " << y;
-    for (const auto& [x, y] : k.off) EXPECT_FALSE(carved(p, x, y)) << k.expression << " at " << x << ", " << y;
-    if (k.pieces >= 0) EXPECT_EQ(pieces_of(p.plate), k.pieces) << k.expression;
+    for (const auto& [x, y] : k.off)
+      EXPECT_FALSE(carved(p, x, y)) << k.expression << " at " << x << ", " << y;
+    if (k.pieces >= 0) {
+      EXPECT_EQ(pieces_of(p.plate), k.pieces) << k.expression;
+    }
     EXPECT_LT(p.tracing.undecided_share(), 0.01) << k.expression;
   }
 }
 
 TEST(Tracing, AGrooveIsAsWideAcrossItselfWhateverItsSlope) {
-  for (const auto& [expression, slope] : {std::pair{"y = 50x", 50.0}, std::pair{"y = 0.3x", 0.3}, std::pair{"y = x", 1.0}}) {
+  for (const auto& [expression, slope] :
+       {std::pair{"y = 50x", 50.0}, std::pair{"y = 0.3x", 0.3}, std::pair{"y = 0.8x", 0.8}}) {
     const Picture p = drawn(expression, {-1, 1, -1, 1}, 512);
     std::int64_t area = 0;
     for (const std::uint8_t m : p.plate.mask) area += m != 0 ? 1 : 0;
@@ -163,7 +175,8 @@ TEST(Tracing, ShowsACoarsePictureBeforeTheFineOne) {
 TEST(SurfacePlate, CutsPolesHealsHolesAndLeavesTheUndefinedOut) {
   const auto height = [](const Picture& p, double x, double y) {
     const int n = p.plate.heights.size();
-    return p.plate.heights.at(static_cast<int>(p.tracing.window.u(x) * n), static_cast<int>((1 - p.tracing.window.v(y)) * n));
+    return p.plate.heights.at(static_cast<int>(p.tracing.window.u(x) * n),
+                              static_cast<int>((1 - p.tracing.window.v(y)) * n));
   };
   const auto surface = [](const char* text, const Window& w, HeightRange z) {
     const auto plot = parse(text);

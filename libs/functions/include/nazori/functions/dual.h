@@ -67,7 +67,8 @@ T slope_of_step(const T& /*step*/) {
 }
 template <class R>
 BasicInterval<R> slope_of_step(const BasicInterval<R>& step) {
-  return step.is_point() ? BasicInterval<R>(R(0)) : BasicInterval<R>::entire(Decoration::partial, Cause::jump);
+  return step.is_point() ? BasicInterval<R>(R(0))
+                         : BasicInterval<R>::entire(Decoration::partial, Cause::jump);
 }
 
 /// Of min and max: 1 takes the slope of a, 0 of b, anything between is both.
@@ -294,8 +295,7 @@ Dual<T, N> atan2(const Dual<T, N>& y, const Dual<T, N>& x) {
   using std::atan2;
   Dual<T, N> r(T(atan2(y.value, x.value)));
   const T radius = square(x.value) + square(y.value);
-  for (std::size_t i = 0; i < N; ++i)
-    r.slopes[i] = (x.value * y.slopes[i] - y.value * x.slopes[i]) / radius;
+  for (std::size_t i = 0; i < N; ++i) r.slopes[i] = (x.value * y.slopes[i] - y.value * x.slopes[i]) / radius;
   return r;
 }
 

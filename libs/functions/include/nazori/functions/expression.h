@@ -16,13 +16,61 @@ enum class Constant : std::uint8_t { pi, e, tau };
 
 /// Functions that can be typed, all real: where the real value does not exist the function is undefined.
 enum class Function : std::uint8_t {
-  sin, cos, tan, cot, sec, csc, asin, acos, atan, acot, sinh, cosh, tanh, coth, sech, csch, asinh, acosh, atanh,
-  exp, ln, log10, log2, log_base, sqrt, cbrt, root, abs, sign, floor, ceil, round, trunc, fraction, gamma,
-  factorial, erf, min, max, mod, atan2, hypot
+  sin,
+  cos,
+  tan,
+  cot,
+  sec,
+  csc,
+  asin,
+  acos,
+  atan,
+  acot,
+  sinh,
+  cosh,
+  tanh,
+  coth,
+  sech,
+  csch,
+  asinh,
+  acosh,
+  atanh,
+  exp,
+  ln,
+  log10,
+  log2,
+  log_base,
+  sqrt,
+  cbrt,
+  root,
+  abs,
+  sign,
+  floor,
+  ceil,
+  round,
+  trunc,
+  fraction,
+  gamma,
+  factorial,
+  erf,
+  min,
+  max,
+  mod,
+  atan2,
+  hypot
 };
 
 enum class NodeKind : std::uint8_t {
-  number, constant, variable, negate, add, subtract, multiply, divide, power, function
+  number,
+  constant,
+  variable,
+  negate,
+  add,
+  subtract,
+  multiply,
+  divide,
+  power,
+  function
 };
 
 struct Node;
@@ -32,8 +80,8 @@ using Expression = std::shared_ptr<const Node>;
 /// One node of an expression. Never changed after it was made.
 struct Node {
   NodeKind kind = NodeKind::number;
-  double value = 0;          ///< of a number: the double next to what was typed
-  bool exact = true;         ///< whether `value` is exactly what was typed (0.5 is, 0.1 is not)
+  double value = 0;   ///< of a number: the double next to what was typed
+  bool exact = true;  ///< whether `value` is exactly what was typed (0.5 is, 0.1 is not)
   Constant constant = Constant::pi;
   Variable variable = Variable::x;
   Function function = Function::sin;

@@ -278,35 +278,62 @@ BasicInterval<R> max(const BasicInterval<R>& a, const BasicInterval<R>& b) {
 }
 
 // The elementary functions over double and long double (interval.cpp, interval_special.cpp). Arguments
-// outside a domain are cut off and weaken the proof; `power` takes real powers of a base that is not negative,
-// `power_integer` whole powers of any base, `power_rational` the real p/q-th power, q > 0, p/q in lowest
-// terms, which for odd q exists for a negative base too.
-template <class R> BasicInterval<R> sqrt(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> exp(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> log(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> log2(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> log10(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> sin(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> cos(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> tan(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> asin(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> acos(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> atan(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> atan2(const BasicInterval<R>& y, const BasicInterval<R>& x);
-template <class R> BasicInterval<R> sinh(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> cosh(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> tanh(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> asinh(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> acosh(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> atanh(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> erf(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> gamma(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> digamma(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> floor(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> ceil(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> sign(const BasicInterval<R>& a);
-template <class R> BasicInterval<R> power(const BasicInterval<R>& base, const BasicInterval<R>& exponent);
-template <class R> BasicInterval<R> power_integer(const BasicInterval<R>& base, int exponent);
-template <class R> BasicInterval<R> power_rational(const BasicInterval<R>& base, int p, int q);
+// outside a domain are cut off and weaken the proof; `power` takes real powers of a base that is not
+// negative, `power_integer` whole powers of any base, `power_rational` the real p/q-th power, q > 0, p/q in
+// lowest terms, which for odd q exists for a negative base too.
+template <class R>
+BasicInterval<R> sqrt(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> exp(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> log(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> log2(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> log10(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> sin(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> cos(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> tan(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> asin(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> acos(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> atan(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> atan2(const BasicInterval<R>& y, const BasicInterval<R>& x);
+template <class R>
+BasicInterval<R> sinh(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> cosh(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> tanh(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> asinh(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> acosh(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> atanh(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> erf(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> gamma(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> digamma(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> floor(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> ceil(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> sign(const BasicInterval<R>& a);
+template <class R>
+BasicInterval<R> power(const BasicInterval<R>& base, const BasicInterval<R>& exponent);
+template <class R>
+BasicInterval<R> power_integer(const BasicInterval<R>& base, int exponent);
+template <class R>
+BasicInterval<R> power_rational(const BasicInterval<R>& base, int p, int q);
 
 }  // namespace nazori::functions

@@ -27,7 +27,7 @@ struct HeightRange {
 };
 
 struct PlateSettings {
-  int size = 512;             ///< samples a side, 32 to 4096
+  int size = 512;              ///< samples a side, 32 to 4096
   double half_width = 0.0125;  ///< of a groove, as a part of the plate's side: 0.001 to 0.2
   Layers layers;
   std::optional<HeightRange> heights;  ///< of a surface; without it the range its values take
@@ -35,8 +35,8 @@ struct PlateSettings {
 
 /// A plot carved into a square plate.
 struct Plate {
-  /// Curves: 1 the plateau (0.9 where layers are shown, so that ridges and rim can stand out), 0 the bottom of a
-  /// groove. A surface: from the low end of its range (0) to the high end (1).
+  /// Curves: 1 the plateau (0.9 where layers are shown, so that ridges and rim can stand out), 0 the bottom
+  /// of a groove. A surface: from the low end of its range (0) to the high end (1).
   surface::HeightMap heights;
   /// Per sample, row 0 at the top: 255 carved or, of a surface, defined; 0 not.
   std::vector<std::uint8_t> mask;
@@ -54,8 +54,8 @@ struct Plate {
 /// deeper. Regions get a fine ripple; a border that does not belong to its region is dashed.
 [[nodiscard]] base::Result<Plate> carve(const Tracing& tracing, const PlateSettings& settings = {});
 
-/// Carves z = f(x, y). Values are cut to the range; samples where f is undefined or has a pole lie outside the
-/// mask, single gaps whose surroundings agree are closed.
+/// Carves z = f(x, y). Values are cut to the range; samples where f is undefined or has a pole lie outside
+/// the mask, single gaps whose surroundings agree are closed.
 [[nodiscard]] base::Result<Plate> carve_surface(const Statement& surface, const Window& window,
                                                 const PlateSettings& settings = {},
                                                 const base::Progress& progress = {});
@@ -67,7 +67,8 @@ struct Picture {
 };
 
 /// Traces and carves in one go, curves or a surface.
-[[nodiscard]] base::Result<Picture> draw(const Plot& plot, const Window& window, const PlateSettings& settings = {},
+[[nodiscard]] base::Result<Picture> draw(const Plot& plot, const Window& window,
+                                         const PlateSettings& settings = {},
                                          const base::Progress& progress = {});
 
 /// The same, coarse first: calls `show` with a picture of at most 128 samples as soon as there is one, then

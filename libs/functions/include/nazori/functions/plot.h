@@ -44,7 +44,7 @@ struct Plot {
 
 /// Why a text cannot be read.
 struct SyntaxError {
-  int column = 1;        ///< of the place at fault: counted in characters from 1, past the end for a text cut short
+  int column = 1;  ///< of the place at fault: counted in characters from 1, past the end for a text cut short
   std::string message;   ///< "an operand is missing after \"+\""
   std::string expected;  ///< "expected a number, a variable, a function or \"(\""
 

@@ -11,8 +11,8 @@
 namespace nazori::functions {
 
 enum class PointKind : std::uint8_t {
-  zero,                  ///< on the x axis
-  y_intercept,           ///< on the y axis
+  zero,         ///< on the x axis
+  y_intercept,  ///< on the y axis
   maximum,
   minimum,
   inflection,
@@ -24,7 +24,7 @@ enum class PointKind : std::uint8_t {
   jump,
   end,
   self_crossing,
-  singular,              ///< cusp or another point without a tangent
+  singular,  ///< cusp or another point without a tangent
   isolated,
 };
 
@@ -45,8 +45,8 @@ struct PointOfInterest {
 [[nodiscard]] std::vector<PointOfInterest> points_of_interest(const Plot& plot, const Tracing& tracing,
                                                               std::size_t most = 200);
 
-/// The exact number that `value` is to within the last places: whole numbers, fractions, multiples of pi, roots,
-/// powers of e and logarithms of whole numbers. Text as parse() reads it.
+/// The exact number that `value` is to within the last places: whole numbers, fractions, multiples of pi,
+/// roots, powers of e and logarithms of whole numbers. Text as parse() reads it.
 [[nodiscard]] std::optional<std::string> exact_name(double value);
 
 /// "zero", "maximum", ... in words.

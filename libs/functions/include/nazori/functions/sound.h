@@ -10,12 +10,12 @@
 namespace nazori::functions {
 
 struct SoundSettings {
-  int sample_rate = 44'100;     ///< [Hz], 8000 to 192000
-  double seconds = 4.0;         ///< one curve from end to end, 0.2 to 60
-  double lowest_hz = 200.0;     ///< at the bottom of the window
-  double highest_hz = 1000.0;   ///< at its top
-  double volume = 0.5;          ///< 0 to 1; 0 is silence
-  bool earcons = true;          ///< short signs at points of interest
+  int sample_rate = 44'100;    ///< [Hz], 8000 to 192000
+  double seconds = 4.0;        ///< one curve from end to end, 0.2 to 60
+  double lowest_hz = 200.0;    ///< at the bottom of the window
+  double highest_hz = 1000.0;  ///< at its top
+  double volume = 0.5;         ///< 0 to 1; 0 is silence
+  bool earcons = true;         ///< short signs at points of interest
 };
 
 /// What a listener hears at one place of the plate: for the sweep and for touching alike.
@@ -26,7 +26,8 @@ struct Cue {
   double loudness = 0;  ///< 0 silent to 1
 };
 /// @param nearness  1 on the curve, 0 out of reach; the loudness.
-[[nodiscard]] Cue cue_at(PlatePoint at, const Window& window, double nearness, const SoundSettings& settings = {});
+[[nodiscard]] Cue cue_at(PlatePoint at, const Window& window, double nearness,
+                         const SoundSettings& settings = {});
 
 /// Stereo samples in -1..1, left and right by turns.
 struct Sound {
@@ -34,12 +35,13 @@ struct Sound {
   std::vector<float> samples;
 };
 
-/// Each statement in turn, with a short silence between: y = f(x) from left to right in equal time, other curves
-/// along each branch, lower ones first. Silent where undefined, with a click at entry and exit; dense bands
-/// tremble; points of interest have signs of their own (below 0.2 s).
+/// Each statement in turn, with a short silence between: y = f(x) from left to right in equal time, other
+/// curves along each branch, lower ones first. Silent where undefined, with a click at entry and exit; dense
+/// bands tremble; points of interest have signs of their own (below 0.2 s).
 /// @return Errc::bad_argument for settings out of range.
 [[nodiscard]] base::Result<Sound> sweep(const Plot& plot, const Tracing& tracing,
-                                        const std::vector<PointOfInterest>& points, const SoundSettings& settings = {});
+                                        const std::vector<PointOfInterest>& points,
+                                        const SoundSettings& settings = {});
 
 /// 16-bit stereo WAV through libsndfile.
 [[nodiscard]] base::Result<void> save_wav(const Sound& sound, const std::filesystem::path& path);

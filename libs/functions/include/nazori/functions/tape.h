@@ -43,9 +43,44 @@ class Tape {
   }
 
   enum class Op : std::uint8_t {
-    constant, input, undefined, negate, add, subtract, multiply, divide, square, power_integer,
-    power_rational, power, exp, log, log2, log10, sqrt, abs, sin, cos, tan, asin, acos, atan, atan2, sinh,
-    cosh, tanh, asinh, acosh, atanh, erf, gamma, floor, ceil, sign, min, max
+    constant,
+    input,
+    undefined,
+    negate,
+    add,
+    subtract,
+    multiply,
+    divide,
+    square,
+    power_integer,
+    power_rational,
+    power,
+    exp,
+    log,
+    log2,
+    log10,
+    sqrt,
+    abs,
+    sin,
+    cos,
+    tan,
+    asin,
+    acos,
+    atan,
+    atan2,
+    sinh,
+    cosh,
+    tanh,
+    asinh,
+    acosh,
+    atanh,
+    erf,
+    gamma,
+    floor,
+    ceil,
+    sign,
+    min,
+    max
   };
 
  private:

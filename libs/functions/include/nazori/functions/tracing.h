@@ -73,13 +73,13 @@ struct Fill {
 };
 
 enum class EventKind : std::uint8_t {
-  pole,         ///< the curve leaves for infinity on at least one side
-  hole,         ///< a single missing point, closed by the tracing
-  jump,         ///< both sides end at different points
-  end,          ///< the curve begins or ends
-  singular,     ///< the gradient vanishes on the curve: crossing with itself, cusp
-  isolated,     ///< a single point
-  limit         ///< the dense band begins to be undecidable here
+  pole,      ///< the curve leaves for infinity on at least one side
+  hole,      ///< a single missing point, closed by the tracing
+  jump,      ///< both sides end at different points
+  end,       ///< the curve begins or ends
+  singular,  ///< the gradient vanishes on the curve: crossing with itself, cusp
+  isolated,  ///< a single point
+  limit      ///< the dense band begins to be undecidable here
 };
 
 /// Something that happens on a curve, found while it was traced; positions in the units of the window.
@@ -88,8 +88,8 @@ struct Event {
   int statement = 0;
   double parameter = 0;  ///< as CurvePoint::parameter
   double x = 0;
-  double y = 0;          ///< NaN where there is none
-  double x_after = 0;    ///< of a jump: the far end; NaN otherwise
+  double y = 0;        ///< NaN where there is none
+  double x_after = 0;  ///< of a jump: the far end; NaN otherwise
   double y_after = 0;
 };
 
@@ -103,9 +103,9 @@ struct Tracing {
   std::vector<Event> events;
   /// Cells of the tracing's own grid that no proof could settle; they are not drawn.
   std::int64_t undecided_cells = 0;
-  std::int64_t cells = 1;                     ///< of that grid
-  std::vector<PlatePoint> undecided_places;   ///< centres of some of them, at most 1000
-  bool dense = false;                         ///< a band is drawn where the curve is finer than a cell
+  std::int64_t cells = 1;                    ///< of that grid
+  std::vector<PlatePoint> undecided_places;  ///< centres of some of them, at most 1000
+  bool dense = false;                        ///< a band is drawn where the curve is finer than a cell
   [[nodiscard]] double undecided_share() const {
     return static_cast<double>(undecided_cells) / static_cast<double>(cells);
   }
@@ -122,7 +122,8 @@ struct TraceSettings {
 /// Finds the curves, dots and regions of every statement but surfaces. Deterministic; thread-safe.
 /// @return Errc::bad_argument for a bad window or setting, Errc::cancelled.
 /// @source Tupper 2001 (interval proofs of continuity and zeros); docs/functions.md.
-[[nodiscard]] base::Result<Tracing> trace(const Plot& plot, const Window& window, const TraceSettings& settings = {},
+[[nodiscard]] base::Result<Tracing> trace(const Plot& plot, const Window& window,
+                                          const TraceSettings& settings = {},
                                           const base::Progress& progress = {});
 
 }  // namespace nazori::functions
