@@ -8,12 +8,13 @@ DATA := build/data
 RELEASE := build/release
 CHARACTER ?= 休
 
-.PHONY: help run test check bench demo program database packages-run packages-test packages-check format clean
+.PHONY: help run test check lint bench demo program database packages-run packages-test packages-check format clean
 
 help:
 	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
 	@echo "make test    install what is missing, build, and run every test"
-	@echo "make check   what CI adds: formatting, static analysis, sanitizers, fuzzing"
+	@echo "make check   what CI adds: formatting, sanitizers, fuzzing"
+	@echo "make lint    static analysis of every source file (clang-tidy; half an hour on two cores)"
 	@echo "make bench   build and run the benchmarks of every module"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
 	@echo "make format  format the sources"
@@ -41,6 +42,9 @@ test: packages-test database
 
 check: packages-check database
 	@tools/check
+
+lint: packages-check database
+	@tools/run-clang-tidy
 
 bench: packages-check database
 	@tools/build bench

@@ -81,15 +81,12 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   keys = make("keys", tr("&Keys"), tr("All keys and what the mouse does"), {key("F1")});
   about = make("about", tr("&About Nazori"), tr("Version, licences and sources"), {key("Shift+F1")});
 
-  // The groups are this object's children.
-  // NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks)
   for (const auto& one_of : {QList<QAction*>{wood, slate, classic},
                              {theme_desktop, theme_light, theme_dark},
                              {language_desktop, language_english, language_japanese}}) {
     auto* group = new QActionGroup(this);
     for (auto* action : one_of) group->addAction(action);
   }
-  // NOLINTEND(clang-analyzer-cplusplus.NewDeleteLeaks)
 
   groups_ = {
       {tr("&File"), {open, save, nullptr, quit}},

@@ -44,7 +44,7 @@ bool has_session_bus() {
 Appearance::Appearance(QObject* parent)
     : QObject(parent), palette_dark_(ui::is_dark(QApplication::palette())) {
   // The application owns it.
-  QApplication::setStyle(new CalmStyle);  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks)
+  QApplication::setStyle(new CalmStyle);
   apply(theme_, text_pt_);
   ask_desktop();
 }
