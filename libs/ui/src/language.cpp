@@ -18,9 +18,9 @@ QString install_language(const QString& language) {
   QCoreApplication::removeTranslator(&own);
   QCoreApplication::removeTranslator(&qt);
   const QString desktop = QLocale::system().uiLanguages().value(0).section(QLatin1Char('-'), 0, 0);
-  const QString wanted = !language.isEmpty()              ? language
-                         : desktop == QLatin1String("ja") ? desktop
-                                                          : QStringLiteral("en");
+  QString wanted = !language.isEmpty()              ? language
+                   : desktop == QLatin1String("ja") ? desktop
+                                                    : QStringLiteral("en");
   const QLocale locale(wanted);
   QLocale::setDefault(language.isEmpty() && wanted == desktop ? QLocale::system() : locale);
   if (own.load(QStringLiteral(":/nazori/nazori_%1.qm").arg(wanted)))
