@@ -32,7 +32,8 @@ bool indistinguishable_shortened(const kanji::Character& character, std::size_t 
   // A dot may be a mere touch: natives write the dots of 代 and 心 a seventh as long as the model's.
   constexpr double kDot = 17;  // glyph units
   if (length_of(character.strokes[k]) < kDot) return true;
-  // The source has a form whose stroke is that much shorter: the inner bars of 日 that do not reach the right.
+  // The source has a form whose stroke is that much shorter: the inner bars of 日 that do not reach the
+  // right.
   return shorter_in_a_variant(character, k);
 }
 
