@@ -18,7 +18,7 @@ constexpr float kMissing = 24;  // wrong < missing + extra
 constexpr float kExtra = 24;
 constexpr float kJoined = 19;  // joined < missing: else every joined pair were one missing stroke
 constexpr float kSplit = 16;
-constexpr float kOutOfOrder = 6;
+constexpr float kOutOfOrder = 3.5F;
 
 /// While the character is still being written, a stroke passed over is likelier than one too many.
 float extra_cost(Extent extent) { return extent == Extent::beginning ? kExtra + 6 : kExtra; }

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "nazori/kanji/character.h"
+#include "nazori/kanji/kanji_database.h"
 
 namespace nazori::writing::test {
 
@@ -15,6 +16,7 @@ bool indistinguishable_without(const kanji::Character& character, std::size_t k)
 /// Strokes `k` and `k + 1` in the other order.
 bool indistinguishable_exchanged(const kanji::Character& character, std::size_t k);
 /// Only the first third of stroke `k`.
-bool indistinguishable_shortened(const kanji::Character& character, std::size_t k);
+bool indistinguishable_shortened(const kanji::KanjiDatabase& database, const kanji::Character& character,
+                                 std::size_t k);
 
 }  // namespace nazori::writing::test
