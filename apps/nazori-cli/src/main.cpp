@@ -82,10 +82,10 @@ int main(int argc, char** argv) {
   nazori::cli::add_search(app, chosen);
   nazori::cli::add_carve(app, chosen);
   nazori::cli::add_render(app, chosen);
+  nazori::cli::add_plot(app, chosen);
   nazori::cli::add_demo(app, chosen);
   nazori::cli::add_database(app, chosen);
 #ifdef NAZORI_UNFINISHED
-  nazori::cli::add_plot(app, chosen);
   nazori::cli::add_grade(app, chosen);
   nazori::cli::add_recognise(app, chosen);
 #endif
