@@ -82,13 +82,11 @@ int main(int argc, char** argv) {
   nazori::cli::add_search(app, chosen);
   nazori::cli::add_carve(app, chosen);
   nazori::cli::add_render(app, chosen);
+  nazori::cli::add_plot(app, chosen);
   nazori::cli::add_demo(app, chosen);
   nazori::cli::add_database(app, chosen);
   nazori::cli::add_grade(app, chosen);
   nazori::cli::add_recognise(app, chosen);
-#ifdef NAZORI_UNFINISHED
-  nazori::cli::add_plot(app, chosen);
-#endif
 
   nazori::cli::Console console;
   const int code = read_and_run(app, chosen, console, argc, argv);

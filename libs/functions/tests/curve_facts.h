@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nazori/functions/plate.h"
+
+namespace nazori::functions::test {
+
+/// What is known of a picture before it is drawn, from closed forms. Distances are parts of the plate's side.
+struct CurveFacts {
+  std::string id;
+  std::string expression;
+  Window window;
+  bool is_error = false;
+  bool is_surface = false;
+  HeightRange heights;
+  struct Place {
+    double x, y, z;
+  };
+  std::vector<Place> on;   ///< on the curve; of a surface with its height
+  std::vector<Place> off;  ///< at least 0.03 away from it; of a surface where it is undefined
+  int pieces = -1;         ///< connected grooves, -1 not known
+  struct Section {
+    double x, y;            ///< on the curve
+    double across_u, across_v;  ///< unit normal on the plate
+  };
+  std::vector<Section> sections;
+};
+
+[[nodiscard]] std::vector<CurveFacts> facts_of_file(const std::string& path);
+
+/// Everything in which the picture disagrees with the facts, one line each; empty where it agrees.
+[[nodiscard]] std::vector<std::string> disagreements(const CurveFacts& facts, int size, double half_width);
+
+/// Connected parts of what is carved, corners count as connected.
+[[nodiscard]] int pieces_of(const Plate& plate);
+
+/// Whether the sample at a place of the window is carved.
+[[nodiscard]] bool is_carved(const Picture& picture, double x, double y);
+
+}  // namespace nazori::functions::test
