@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "nazori/base/result.h"
+
+namespace nazori::study {
+
+/// A moment, in whole milliseconds since 1970-01-01 00:00 UTC.
+using Time = std::chrono::time_point<std::chrono::system_clock, std::chrono::milliseconds>;
+
+/// A study day: the calendar date on which it begins. Counted in days since 1970-01-01.
+using Day = std::chrono::sys_days;
+
+/// Tells what time it is. Everything of this room that needs the present asks one of these.
+using Clock = std::function<Time()>;
+
+/// The computer's clock.
+[[nodiscard]] Time system_now();
+
+/// "2026-01-01T09:00:00.000Z".
+[[nodiscard]] std::string to_text(Time time);
+/// "2026-01-01".
+[[nodiscard]] std::string to_text(Day day);
+
+/// Reads ISO 8601: "2026-01-01T09:00:00.000Z", with seconds and their parts left out or not, and with Z or an
+/// offset such as +09:00. Years 1970..9999.
+/// @return Errc::parse, the text in Error::where.
+[[nodiscard]] base::Result<Time> parse_time(std::string_view text);
+/// Reads "2026-01-01". @return Errc::parse, the text in Error::where.
+[[nodiscard]] base::Result<Day> parse_day(std::string_view text);
+
+/// The date in UTC that holds `time`.
+[[nodiscard]] Day utc_day(Time time);
+
+}  // namespace nazori::study
