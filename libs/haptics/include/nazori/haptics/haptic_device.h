@@ -6,6 +6,7 @@
 #include <string>
 
 #include "nazori/base/result.h"
+#include "nazori/haptics/device_status.h"
 
 namespace nazori::haptics {
 
@@ -63,6 +64,8 @@ class HapticDevice {
   [[nodiscard]] virtual base::Result<void> start(ServoCallback& servo) = 0;
   /// Force to zero, no tick runs after it returns. Harmless when not started.
   virtual void stop() noexcept = 0;
+  /// How it stands now. Never waits for the servo. Thread: interface. A device that has nothing to say runs.
+  [[nodiscard]] virtual DeviceStatus status() const { return {}; }
 };
 
 }  // namespace nazori::haptics
