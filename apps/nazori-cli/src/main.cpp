@@ -84,10 +84,10 @@ int main(int argc, char** argv) {
   nazori::cli::add_render(app, chosen);
   nazori::cli::add_demo(app, chosen);
   nazori::cli::add_database(app, chosen);
-#ifdef NAZORI_UNFINISHED
-  nazori::cli::add_plot(app, chosen);
   nazori::cli::add_grade(app, chosen);
   nazori::cli::add_recognise(app, chosen);
+#ifdef NAZORI_UNFINISHED
+  nazori::cli::add_plot(app, chosen);
 #endif
 
   nazori::cli::Console console;
