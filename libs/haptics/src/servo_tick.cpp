@@ -37,6 +37,7 @@ Vec3 Servo::tick(const DeviceSample& sample) noexcept {
   using Clock = std::chrono::steady_clock;  // read from the vDSO: no system call
   Inside& in = *inside_;
   const auto begin = Clock::now();
+  in.sample.begun_s = std::chrono::duration<double>(begin.time_since_epoch()).count();
   const Vec3 force = in.step(sample);
   in.newest.back() = in.sample;
   in.newest.publish();
@@ -137,11 +138,11 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     } else {
       period = std::clamp(elapsed, 0.5 * period_s, 2 * period_s);
     }
+    raise(watch.max_lateness_s, late);
     if (late > 0.5 * period_s) {
       add<std::uint64_t>(watch.late_ticks, 1);
       const double periods = std::floor(elapsed / period_s + 0.5);
       if (periods > 1 && periods < 1e9) add(watch.missed_ticks, static_cast<std::uint64_t>(periods) - 1);
-      raise(watch.max_lateness_s, late);
     }
     if (late > kTooLate_s) fine = false;
   }
