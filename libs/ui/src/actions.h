@@ -1,57 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QAction>
-#include <QActionGroup>
-#include <QKeySequence>
-#include <QList>
-#include <QObject>
-#include <QString>
+#include "action_set.h"
+#include "workplace.h"
 
-class QMenu;
+class QActionGroup;
 class QMenuBar;
 
 namespace nazori::ui {
 
-/// Everything the window can do, with its words and its keys. Menus, the toolbar and the list of keys are all
-/// made from these, so none can be missing in one of them.
-class Actions final : public QObject {
+/// What the window can do whatever workplace stands in it; with the menus of all.
+class Actions final : public ActionSet {
   Q_OBJECT
  public:
   explicit Actions(QWidget* window);
 
   QAction *open, *save, *quit;
-  QAction *find, *next_character, *previous_character, *back, *forward;
-  QAction *next_stroke, *previous_stroke, *all_strokes;
-  QAction *strokes, *numbers, *arrows, *snap, *clear_ink;
   QAction *wood, *slate, *classic;
   QAction *theme_desktop, *theme_light, *theme_dark;
   QAction *language_desktop, *language_english, *language_japanese;
   QAction *text_larger, *text_smaller, *text_usual, *reduced_motion;
-  QAction *library, *information, *full_screen;
+  QAction *left_panel, *right_panel, *full_screen;
   QAction *turn_left, *turn_right, *tilt_up, *tilt_down;
   QAction *move_left, *move_right, *move_up, *move_down;
   QAction *zoom_in, *zoom_out, *reset_view;
   QAction *keys, *about;
 
-  /// A named group of actions, as in the menu bar.
-  struct Group {
-    QString title;
-    QList<QAction*> actions;  ///< nullptr: a separator
-  };
-  [[nodiscard]] const QList<Group>& groups() const { return groups_; }
+  /// Adds an entry for a workplace; the first is on Alt+1.
+  QAction* add_workplace(const Workplace& workplace);
+  [[nodiscard]] const QList<QAction*>& workplaces() const { return workplaces_; }
 
-  /// Fills the menu bar.
-  void add_menus(QMenuBar* bar) const;
-  /// Draws the icons again in the colours of the window's palette.
-  void draw_icons();
+  /// The menus with those of one workplace among them, as they stand in the menu bar and in the list of keys.
+  [[nodiscard]] QList<Group> groups_with(const Workplace& workplace) const;
+  /// Puts a workplace's menus, panels and files in force. @param bar  is filled anew.
+  void enter(const Workplace& workplace, QMenuBar* bar);
 
  private:
-  QAction* make(const char* name, const QString& text, const QString& tip, const QList<QKeySequence>& keys,
-                bool checkable = false);
-
-  QWidget* window_;
-  QList<Group> groups_;
+  Group file_;
+  Group tablet_;
+  Group view_;
+  Group go_;
+  Group help_;
+  QActionGroup* one_workplace_;
+  QList<QAction*> workplaces_;
 };
 
 }  // namespace nazori::ui

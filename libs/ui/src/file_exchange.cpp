@@ -51,7 +51,7 @@ void FileExchange::open(const QStringList& paths, const OwnTablet& onto) {
     place = path;
   }
   if (map.isEmpty() && strokes.isEmpty()) return;
-  folder_ = QFileInfo(map.isEmpty() ? strokes : map).absolutePath();
+  remember_folder_of(map.isEmpty() ? strokes : map);
   int grid = 0;
   if (map.isEmpty() && onto.map_size == 0) {
     // A stroke file does not say its grid. One that cannot be read at all is reported by the workshop.
@@ -62,6 +62,11 @@ void FileExchange::open(const QStringList& paths, const OwnTablet& onto) {
     }
   }
   workshop_->load(map, strokes, onto, grid);
+}
+
+void FileExchange::remember_folder_of(const QString& path) {
+  folder_ = QFileInfo(path).absolutePath();
+  emit folder_changed(folder_);
 }
 
 int FileExchange::ask_grid(const QString& path, int proposed) {
@@ -88,7 +93,7 @@ void FileExchange::ask_and_save(const Tablet& tablet, const OwnTablet& own, cons
                                               SaveDialog::filter(dialog.format()));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
-  folder_ = QFileInfo(path).absolutePath();
+  remember_folder_of(path);
   workshop_->save(tablet, path, dialog.format(), dialog.size(), own.map_size > 0);
 }
 

@@ -18,8 +18,8 @@ class FileExchange final : public QObject {
  public:
   FileExchange(Workshop* workshop, QWidget* window);
 
+  /// Where file dialogs begin.
   void set_folder(const QString& folder) { folder_ = folder; }
-  [[nodiscard]] QString folder() const { return folder_; }
 
   void ask_and_open(const OwnTablet& onto);
   /// At most one height map (RAW, PNG) and one stroke order (.str) of the list.
@@ -30,8 +30,11 @@ class FileExchange final : public QObject {
 
  signals:
   void say(nazori::ui::Feedback kind, QString sentence);
+  /// Files were opened from or saved to this folder.
+  void folder_changed(QString folder);
 
  private:
+  void remember_folder_of(const QString& path);
   int ask_grid(const QString& path, int proposed);
 
   Workshop* workshop_;

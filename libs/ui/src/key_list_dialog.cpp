@@ -2,33 +2,20 @@
 #include "key_list_dialog.h"
 
 #include <QDialogButtonBox>
-#include <QRegularExpression>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
-#include "actions.h"
 #include "palette.h"
 
 namespace nazori::ui {
-namespace {
-
-QString plain(QString text) {
-  // "日本語 (&J)" and "&Open…" without their mnemonics.
-  static const QRegularExpression mnemonic(QStringLiteral(" ?\\(&.\\)"));
-  text.remove(mnemonic);
-  return text.remove(QLatin1Char('&'));
-}
-
-}  // namespace
-
-KeyListDialog::KeyListDialog(const Actions& actions, QWidget* parent) : QDialog(parent) {
+KeyListDialog::KeyListDialog(const QList<ActionSet::Group>& groups, QWidget* parent) : QDialog(parent) {
   setObjectName(QStringLiteral("key_list_dialog"));
   setWindowTitle(tr("Keys and mouse"));
   const Colours& c = current_colours();
   QString html = QStringLiteral("<table cellspacing=0 cellpadding=4 width=100%>");
   const auto heading = [&](const QString& title) {
     html += QStringLiteral("<tr><td colspan=2 style=\"padding-top:12px; color:%1\"><b>%2</b></td></tr>")
-                .arg(c.indigo.name(), plain(title).toHtmlEscaped());
+                .arg(c.indigo.name(), without_mnemonic(title).toHtmlEscaped());
   };
   const auto row = [&](const QString& what, const QString& how) {
     html += QStringLiteral("<tr><td>%1</td><td align=right style=\"color:%2\">%3</td></tr>")
@@ -41,13 +28,13 @@ KeyListDialog::KeyListDialog(const Actions& actions, QWidget* parent) : QDialog(
   row(tr("Move"), tr("middle button, or right with Shift"));
   row(tr("Nearer, farther"), tr("wheel"));
   row(tr("Straight view"), tr("Home"));
-  for (const auto& group : actions.groups()) {
+  for (const auto& group : groups) {
     heading(group.title);
     for (const auto* action : group.actions) {
-      if (action == nullptr) continue;
+      if (action == nullptr || !action->isVisible()) continue;
       QStringList keys;
       for (const auto& key : action->shortcuts()) keys.append(key.toString(QKeySequence::NativeText));
-      row(plain(action->text()), keys.join(QStringLiteral("   ")));
+      row(without_mnemonic(action->text()), keys.join(QStringLiteral("   ")));
     }
   }
   html += QStringLiteral("</table>");

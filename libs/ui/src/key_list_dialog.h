@@ -3,15 +3,16 @@
 
 #include <QDialog>
 
-namespace nazori::ui {
+#include "action_set.h"
 
-class Actions;
+namespace nazori::ui {
 
 /// F1: every action with its keys, and what the mouse and the pen do.
 class KeyListDialog final : public QDialog {
   Q_OBJECT
  public:
-  explicit KeyListDialog(const Actions& actions, QWidget* parent);
+  /// @param groups  as in the menu bar.
+  KeyListDialog(const QList<ActionSet::Group>& groups, QWidget* parent);
 };
 
 }  // namespace nazori::ui

@@ -10,25 +10,22 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
+#include <QSettings>
+#include <QStackedWidget>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "actions.h"
 #include "appearance.h"
-#include "error_text.h"
 #include "feedback_line.h"
-#include "file_exchange.h"
 #include "focus_frame.h"
-#include "information_panel.h"
-#include "library.h"
-#include "library_panel.h"
 #include "main_window_inside.h"
 #include "panes.h"
 #include "status_line.h"
-#include "tablet_controller.h"
 #include "tablet_window.h"
 #include "tool_bar.h"
+#include "workplace_rail.h"
 
 namespace nazori::ui {
 namespace {
@@ -52,31 +49,53 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
   setAcceptDrops(true);
   setMinimumSize(kLeastSize);
   inside_->apply_appearance();  // before the widgets are made, so that they are made in the right size
-  inside_->build();
+  inside_->build(setup);
   inside_->connect_actions();
-  inside_->connect_work();
+  inside_->connect_desk();
+  inside_->connect_tablet();
+
+  const auto& preferences = inside_->desk.preferences();
+  inside_->panes->set_open(preferences.left_open, preferences.right_open);
+  if (setup.character != 0) {
+    show_character(setup.character);
+  } else {
+    const auto& all = inside_->workplaces;
+    const auto last = std::find_if(all.begin(), all.end(),
+                                   [&](const auto& place) { return place->id() == preferences.workplace; });
+    inside_->enter(last == all.end() ? *all.front() : **last);
+  }
   inside_->show_state();
   inside_->apply_appearance();
 
-  const auto& preferences = inside_->preferences;
   if (preferences.geometry.isEmpty() || !restoreGeometry(preferences.geometry)) {
     const QSize room = QGuiApplication::primaryScreen()->availableSize();
     resize(kFirstSize.boundedTo(room));
   }
-  inside_->panes->set_open(preferences.library_open, preferences.information_open);
   if (preferences.pane_widths.size() == 2)
     inside_->panes->wish(preferences.pane_widths[0], preferences.pane_widths[1]);
   inside_->panes->fit(width(), preferences.text_pt);
-  inside_->tablet_place->setFocus(Qt::OtherFocusReason);
-  inside_->library_panel->show_list(preferences.list);
-  inside_->choose(setup.character != 0 ? setup.character : preferences.kanji, true);
+  inside_->rail->fit(width());
+  inside_->focus_tablet();
 }
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::show_character(char32_t code_point) { inside_->choose(code_point, true); }
+void MainWindow::go_to(const QString& workplace) {
+  for (const auto& place : inside_->workplaces)
+    if (place->id() == workplace) inside_->enter(*place);
+}
 
-void MainWindow::open_files(const QStringList& paths) { inside_->files->open(paths, inside_->own); }
+void MainWindow::show_character(char32_t code_point) { inside_->desk.show_character(code_point); }
+
+void MainWindow::open_files(const QStringList& paths) {
+  // The workplace at hand first; what nobody knows it refuses in its own words.
+  auto* place = inside_->current;
+  if (!place->opens(paths) || !place->has_files())
+    for (const auto& other : inside_->workplaces)
+      if (other->opens(paths)) place = other.get();
+  inside_->enter(*place);
+  place->open_files(paths);
+}
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   inside_->save_preferences();
@@ -85,7 +104,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  inside_->panes->fit(width(), inside_->preferences.text_pt);
+  inside_->panes->fit(width(), inside_->desk.preferences().text_pt);
+  inside_->rail->fit(width());
   inside_->save_later();
 }
 
@@ -118,44 +138,66 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 MainWindow::Inside::Inside(MainWindow& owner, const Setup& setup, Appearance& look)
-    : window(owner),
-      appearance(look),
-      settings_file(setup.settings_file.isEmpty() ? Preferences::default_file() : setup.settings_file),
-      preferences(Preferences::load(settings_file)),
-      draws_tablet(setup.draws_tablet),
-      library(new Library(setup.database, &owner)),
-      workshop(new Workshop(&owner)),
-      controller(new TabletController(&owner)),
-      files(new FileExchange(workshop, &owner)) {
-  controller->set_strokes_visible(preferences.strokes_visible);
-  controller->set_numbers_visible(preferences.numbers_visible);
-  controller->set_arrows_visible(preferences.arrows_visible);
-  controller->set_snapping(preferences.snapping);
-  controller->set_style(preferences.style);
-  files->set_folder(preferences.folder);
+    : window(owner), appearance(look), desk(owner, setup.database, setup.settings_file) {
   save_timer.setSingleShot(true);
   save_timer.setInterval(600);
   QObject::connect(&save_timer, &QTimer::timeout, &owner, [this] { save_preferences(); });
 }
 
-MainWindow::Inside::~Inside() = default;
+// The tablet draws what the desk holds, so it goes first.
+MainWindow::Inside::~Inside() { delete tablet_place; }
 
-void MainWindow::Inside::build() {
+void MainWindow::Inside::build(const Setup& setup) {
   actions = new Actions(&window);
-  actions->add_menus(window.menuBar());
   window.menuBar()->setObjectName(QStringLiteral("menu_bar"));
-  tool_bar = new ToolBar(*actions, *controller, &window);
+  tool_bar = new ToolBar(*actions, &window);
   window.addToolBar(Qt::TopToolBarArea, tool_bar);
   window.setContextMenuPolicy(Qt::NoContextMenu);
-
-  library_panel = new LibraryPanel(library, &window);
-  information_panel = new InformationPanel(&window);
   feedback = new FeedbackLine(&window);
-  status = new StatusLine(*controller, &window);
+  status = new StatusLine(desk.controller(), &window);
   window.setStatusBar(status);
+  build_tablet(setup.draws_tablet);
 
+  auto* middle = new QWidget(&window);
+  middle->setObjectName(QStringLiteral("middle"));
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(new FocusFrame(tablet_place, middle), 1);
+  column->addWidget(feedback);
+  panes = new Panes(middle, &window);
+  stage = new QStackedWidget(&window);
+  stage->setObjectName(QStringLiteral("stage"));
+  stage->addWidget(panes);
+  window.setCentralWidget(stage);
+
+  for (const auto make : setup.workplaces.empty() ? registered_workplaces() : setup.workplaces) {
+    workplaces.push_back(make(desk));
+    auto& place = *workplaces.back();
+    if (auto* own = place.actions()) own->set_in_force(false);
+    for (auto* panel : {place.left().widget, place.right().widget})
+      if (panel != nullptr) panel->hide();
+    if (auto* page = place.page()) {
+      auto* holder = new QWidget(stage);
+      auto* page_column = new QVBoxLayout(holder);
+      page_column->setContentsMargins(0, 0, 0, 0);
+      page_column->setSpacing(0);
+      page_column->addWidget(page, 1);
+      stage->addWidget(holder);
+    }
+    auto* entry = actions->add_workplace(place);
+    QObject::connect(entry, &QAction::triggered, &window, [this, &place] { enter(place); });
+    QObject::connect(&place, &Workplace::wants_to_be_entered, &window, [this, &place] { enter(place); });
+    QObject::connect(&place, &Workplace::title_changed, &window, [this] { show_title(); });
+  }
+  rail = new WorkplaceRail(actions->workplaces(), &window);
+  window.addToolBar(Qt::LeftToolBarArea, rail);
+  rail->setVisible(workplaces.size() > 1);
+}
+
+void MainWindow::Inside::build_tablet(bool draws_tablet) {
   if (draws_tablet && TabletWindow::is_possible()) {
-    tablet_window = new TabletWindow(controller);
+    tablet_window = new TabletWindow(&desk.controller());
     tablet_place = QWidget::createWindowContainer(tablet_window, &window);
     tablet_place->setFocusPolicy(Qt::StrongFocus);
   } else {
@@ -170,36 +212,59 @@ void MainWindow::Inside::build() {
   }
   tablet_place->setObjectName(QStringLiteral("tablet"));
   tablet_place->setAccessibleName(MainWindow::tr("Carved tablet"));
-  tablet_place->setAccessibleDescription(
-      MainWindow::tr("The character as grooves to be traced: the left button presses the stylus down, the "
-                     "right button turns"));
   tablet_place->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   tablet_place->setMinimumSize(260, 200);
+}
 
-  auto* middle = new QWidget(&window);
-  middle->setObjectName(QStringLiteral("middle"));
-  auto* column = new QVBoxLayout(middle);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(new FocusFrame(tablet_place, middle), 1);
-  column->addWidget(feedback);
+void MainWindow::Inside::enter(Workplace& workplace) {
+  if (current == &workplace) return;
+  if (current != nullptr) {
+    current->leave();
+    if (auto* old = current->actions()) old->set_in_force(false);
+  }
+  current = &workplace;
+  if (auto* own = workplace.actions()) own->set_in_force(true);
+  actions->enter(workplace, window.menuBar());
+  const auto entry = std::find_if(workplaces.begin(), workplaces.end(),
+                                  [&](const auto& place) { return place.get() == current; });
+  actions->workplaces()[entry - workplaces.begin()]->setChecked(true);
 
-  panes = new Panes(library_panel, middle, information_panel, &window);
-  window.setCentralWidget(panes);
-  QWidget::setTabOrder(tool_bar, library_panel);
-  QWidget::setTabOrder(library_panel, tablet_place);
-  QWidget::setTabOrder(tablet_place, information_panel);
+  auto* page = workplace.page();
+  auto* holder = page != nullptr ? page->parentWidget() : panes;
+  auto* words_under = page != nullptr ? holder : panes->widget(1);
+  if (feedback->parentWidget() != words_under) words_under->layout()->addWidget(feedback);
+  feedback->say(Feedback::hint, {});
+  if (page == nullptr) panes->set_panels(workplace.left().widget, workplace.right().widget);
+  stage->setCurrentWidget(holder);
+  tool_bar->enter(workplace);
+  tablet_place->setAccessibleDescription(workplace.tablet_description());
+  if (page == nullptr) {
+    QWidget* before = tool_bar;
+    for (auto* widget : {workplace.left().widget, tablet_place, workplace.right().widget}) {
+      if (widget == nullptr) continue;
+      QWidget::setTabOrder(before, widget);
+      before = widget;
+    }
+  }
+  workplace.enter();
+  show_title();
+  focus_tablet();
+  desk.preferences().workplace = workplace.id();
+  save_later();
+}
+
+void MainWindow::Inside::show_title() {
+  const QString title = current->title().isEmpty() ? without_mnemonic(current->name()) : current->title();
+  window.setWindowTitle(MainWindow::tr("%1 – Nazori").arg(title));
 }
 
 void MainWindow::Inside::show_state() {
+  const auto& preferences = desk.preferences();
+  const auto style = desk.controller().style();
   const std::pair<QAction*, bool> states[] = {
-      {actions->strokes, controller->strokes_visible()},
-      {actions->numbers, controller->numbers_visible()},
-      {actions->arrows, controller->arrows_visible()},
-      {actions->snap, controller->snapping()},
-      {actions->wood, controller->style() == view::Style::wood},
-      {actions->slate, controller->style() == view::Style::slate},
-      {actions->classic, controller->style() == view::Style::classic},
+      {actions->wood, style == view::Style::wood},
+      {actions->slate, style == view::Style::slate},
+      {actions->classic, style == view::Style::classic},
       {actions->theme_desktop, preferences.theme == ThemeChoice::desktop},
       {actions->theme_light, preferences.theme == ThemeChoice::light},
       {actions->theme_dark, preferences.theme == ThemeChoice::dark},
@@ -209,20 +274,21 @@ void MainWindow::Inside::show_state() {
       {actions->reduced_motion, preferences.reduced_motion},
   };
   for (const auto& [action, on] : states) action->setChecked(on);
-  for (auto* action : {actions->next_stroke, actions->previous_stroke, actions->all_strokes})
-    action->setEnabled(controller->stroke_count() > 0);
-  for (auto* action : {actions->numbers, actions->arrows}) action->setEnabled(controller->strokes_visible());
   actions->text_larger->setEnabled(preferences.text_pt < Preferences::kMaxText_pt);
   actions->text_smaller->setEnabled(preferences.text_pt > Preferences::kMinText_pt);
   tool_bar->refresh();
 }
 
-void MainWindow::Inside::apply_appearance() { appearance.apply(preferences.theme, preferences.text_pt); }
+void MainWindow::Inside::apply_appearance() {
+  appearance.apply(desk.preferences().theme, desk.preferences().text_pt);
+}
 
 void MainWindow::Inside::set_text_size(int text_pt) {
+  auto& preferences = desk.preferences();
   preferences.text_pt = std::clamp(text_pt, Preferences::kMinText_pt, Preferences::kMaxText_pt);
   apply_appearance();
   panes->fit(window.width(), preferences.text_pt);
+  rail->fit(window.width());
   show_state();
   save_later();
 }
@@ -232,32 +298,39 @@ void MainWindow::Inside::set_full_screen(bool on) {
   for (QWidget* widget : {static_cast<QWidget*>(window.menuBar()), static_cast<QWidget*>(tool_bar),
                           static_cast<QWidget*>(status)})
     widget->setVisible(!on);
+  rail->setVisible(!on && workplaces.size() > 1);
   panes->set_alone(on);
   window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
                            : window.windowState() & ~Qt::WindowFullScreen);
+}
+
+void MainWindow::Inside::focus_tablet() {
+  (current->page() != nullptr ? current->page() : tablet_place)->setFocus(Qt::OtherFocusReason);
 }
 
 void MainWindow::Inside::save_later() { save_timer.start(); }
 
 void MainWindow::Inside::save_preferences() {
   save_timer.stop();
+  auto& preferences = desk.preferences();
   if (!actions->full_screen->isChecked()) {
     preferences.geometry = window.saveGeometry();
-    preferences.pane_widths = {panes->library_wish(), panes->information_wish()};
+    preferences.pane_widths = {panes->left_wish(), panes->right_wish()};
   }
-  preferences.library_open = panes->library_wanted();
-  preferences.information_open = panes->information_wanted();
-  preferences.list = library_panel->list();
-  preferences.strokes_visible = controller->strokes_visible();
-  preferences.numbers_visible = controller->numbers_visible();
-  preferences.arrows_visible = controller->arrows_visible();
-  preferences.snapping = controller->snapping();
-  preferences.style = controller->style();
-  preferences.folder = files->folder();
-  if (!preferences.save(settings_file))
+  preferences.left_open = panes->left_wanted();
+  preferences.right_open = panes->right_wanted();
+  preferences.style = desk.controller().style();
+  const bool saved = preferences.save(desk.settings_file());
+  QSettings settings(desk.settings_file(), QSettings::IniFormat);
+  for (const auto& workplace : workplaces) {
+    settings.beginGroup(workplace->id());
+    workplace->save(settings);
+    settings.endGroup();
+  }
+  if (!saved)
     feedback->say(Feedback::wrong,
                   MainWindow::tr("The settings could not be saved in %1. They hold until Nazori is closed.")
-                      .arg(settings_file));
+                      .arg(desk.settings_file()));
 }
 
 }  // namespace nazori::ui

@@ -1,52 +1,80 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "panes.h"
 
+#include <QVBoxLayout>
 #include <algorithm>
 
 namespace nazori::ui {
 namespace {
 
-constexpr int kLibraryMin_px = 180;
-constexpr int kLibraryMax_px = 320;
-constexpr int kInformationMin_px = 240;
-constexpr int kInformationMax_px = 400;
-constexpr double kLibraryShare = 0.22;
-constexpr double kInformationShare = 0.28;
+constexpr int kLeftMin_px = 180;
+constexpr int kLeftMax_px = 320;
+constexpr int kRightMin_px = 240;
+constexpr int kRightMax_px = 400;
+constexpr double kLeftShare = 0.22;
+constexpr double kRightShare = 0.28;
+
+QWidget* make_place(QWidget* parent) {
+  auto* place = new QWidget(parent);
+  auto* column = new QVBoxLayout(place);
+  column->setContentsMargins(0, 0, 0, 0);
+  return place;
+}
+
+/// Hides what stood there before.
+void put(QWidget* panel, QWidget* before, QWidget* place) {
+  if (before != nullptr) before->hide();
+  if (panel == nullptr) return;
+  if (panel->parentWidget() != place) place->layout()->addWidget(panel);
+  panel->show();
+}
 
 }  // namespace
 
-Panes::Panes(QWidget* library, QWidget* tablet, QWidget* information, QWidget* parent)
-    : QSplitter(Qt::Horizontal, parent), library_(library), information_(information) {
+Panes::Panes(QWidget* tablet, QWidget* parent)
+    : QSplitter(Qt::Horizontal, parent), left_(make_place(this)), right_(make_place(this)) {
   setObjectName(QStringLiteral("panes"));
   setChildrenCollapsible(false);
   setHandleWidth(1);
-  for (auto* widget : {library, tablet, information}) addWidget(widget);
+  for (auto* widget : {left_, tablet, right_}) addWidget(widget);
   setStretchFactor(0, 0);
   setStretchFactor(1, 1);
   setStretchFactor(2, 0);
-  library_->setMinimumWidth(kLibraryMin_px);
-  information_->setMinimumWidth(kInformationMin_px);
+  left_->setMinimumWidth(kLeftMin_px);
+  right_->setMinimumWidth(kRightMin_px);
   connect(this, &QSplitter::splitterMoved, this, [this] {
     if (drawers_) return;
-    if (library_->isVisible()) library_wish_ = library_->width();
-    if (information_->isVisible()) information_wish_ = information_->width();
+    if (left_->isVisible()) left_wish_ = left_->width();
+    if (right_->isVisible()) right_wish_ = right_->width();
   });
 }
 
-void Panes::set_open(bool library, bool information) {
-  library_wanted_ = library;
-  information_wanted_ = information;
-  if (!drawers_) show_panels(library, information);
+void Panes::set_panels(QWidget* left, QWidget* right) {
+  put(left, left_panel_, left_);
+  put(right, right_panel_, right_);
+  left_panel_ = left;
+  right_panel_ = right;
+  show_panels(!drawers_ && left_wanted_, !drawers_ && right_wanted_);
 }
 
-void Panes::open_library(bool open) {
-  if (!drawers_) library_wanted_ = open;
-  show_panels(open, information_->isVisibleTo(this) && !(drawers_ && open));
+QWidget* Panes::shown_left() const { return left_->isVisibleTo(this) ? left_panel_ : nullptr; }
+
+QWidget* Panes::shown_right() const { return right_->isVisibleTo(this) ? right_panel_ : nullptr; }
+
+void Panes::set_open(bool left, bool right) {
+  left_wanted_ = left;
+  right_wanted_ = right;
+  if (!drawers_) show_panels(left, right);
 }
 
-void Panes::open_information(bool open) {
-  if (!drawers_) information_wanted_ = open;
-  show_panels(library_->isVisibleTo(this) && !(drawers_ && open), open);
+void Panes::open_left(bool open) {
+  if (!drawers_) left_wanted_ = open;
+  show_panels(open, right_->isVisibleTo(this) && !(drawers_ && open));
+}
+
+void Panes::open_right(bool open) {
+  if (!drawers_) right_wanted_ = open;
+  show_panels(left_->isVisibleTo(this) && !(drawers_ && open), open);
 }
 
 void Panes::close_drawers() {
@@ -56,20 +84,22 @@ void Panes::close_drawers() {
 void Panes::set_alone(bool alone) {
   alone_ = alone;
   const bool both = !drawers_;
-  show_panels(both && library_wanted_, both && information_wanted_);
+  show_panels(both && left_wanted_, both && right_wanted_);
 }
 
-void Panes::show_panels(bool library, bool information) {
-  library_->setVisible(library && !alone_);
-  information_->setVisible(information && !alone_);
-  emit opened(library && !alone_, information && !alone_);
+void Panes::show_panels(bool left, bool right) {
+  left = left && !alone_ && left_panel_ != nullptr;
+  right = right && !alone_ && right_panel_ != nullptr;
+  left_->setVisible(left);
+  right_->setVisible(right);
+  emit opened(left, right);
 }
 
 void Panes::fit(int window_width, int text_pt) {
   const bool drawers = window_width < kDrawers_px;
   if (drawers != drawers_) {
     drawers_ = drawers;
-    show_panels(!drawers && library_wanted_, !drawers && information_wanted_);
+    show_panels(!drawers && left_wanted_, !drawers && right_wanted_);
   }
   // Larger text may have wider panels, but never more than half of the window together.
   const int larger = std::max(text_pt - 12, 0);
@@ -78,18 +108,18 @@ void Panes::fit(int window_width, int text_pt) {
     const int by_share = drawers_ ? half : static_cast<int>(window_width * share) - 4;
     return std::max(std::min(by_share, most), least);
   };
-  const int library_most = limit(kLibraryShare, kLibraryMax_px + larger * 9, kLibraryMin_px);
-  const int information_most = limit(kInformationShare, kInformationMax_px + larger * 11, kInformationMin_px);
-  library_->setMaximumWidth(library_most);
-  information_->setMaximumWidth(information_most);
-  const int library = std::min(library_wish_, library_most);
-  const int information = std::min(information_wish_, information_most);
-  setSizes({library, std::max(window_width - library - information, 0), information});
+  const int left_most = limit(kLeftShare, kLeftMax_px + larger * 9, kLeftMin_px);
+  const int right_most = limit(kRightShare, kRightMax_px + larger * 11, kRightMin_px);
+  left_->setMaximumWidth(left_most);
+  right_->setMaximumWidth(right_most);
+  const int left = std::min(left_wish_, left_most);
+  const int right = std::min(right_wish_, right_most);
+  setSizes({left, std::max(window_width - left - right, 0), right});
 }
 
-void Panes::wish(int library_width, int information_width) {
-  library_wish_ = library_width;
-  information_wish_ = information_width;
+void Panes::wish(int left_width, int right_width) {
+  left_wish_ = left_width;
+  right_wish_ = right_width;
 }
 
 }  // namespace nazori::ui

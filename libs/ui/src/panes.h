@@ -8,7 +8,7 @@ class QAction;
 
 namespace nazori::ui {
 
-/// Library, tablet, information side by side. The tablet always has at least half of the width; where that
+/// A panel, the tablet, a panel side by side. The tablet always has at least half of the width; where that
 /// leaves too little for both panels they become drawers, of which one at a time is open.
 class Panes final : public QSplitter {
   Q_OBJECT
@@ -16,42 +16,50 @@ class Panes final : public QSplitter {
   /// Narrower windows have drawers.
   static constexpr int kDrawers_px = 1000;
 
-  Panes(QWidget* library, QWidget* tablet, QWidget* information, QWidget* parent);
+  Panes(QWidget* tablet, QWidget* parent);
 
-  void set_open(bool library, bool information);
-  void open_library(bool open);
-  void open_information(bool open);
+  /// The panels that stand beside the tablet from now on, either may be none; those before stay hidden.
+  void set_panels(QWidget* left, QWidget* right);
+
+  void set_open(bool left, bool right);
+  void open_left(bool open);
+  void open_right(bool open);
   [[nodiscard]] bool are_drawers() const { return drawers_; }
+  /// The panel that is shown; nullptr: none, or folded away.
+  [[nodiscard]] QWidget* shown_left() const;
+  [[nodiscard]] QWidget* shown_right() const;
   /// Closes what lies open as a drawer.
   void close_drawers();
   /// Whether each is open where there is room for both: what is worth remembering.
-  [[nodiscard]] bool library_wanted() const { return library_wanted_; }
-  [[nodiscard]] bool information_wanted() const { return information_wanted_; }
+  [[nodiscard]] bool left_wanted() const { return left_wanted_; }
+  [[nodiscard]] bool right_wanted() const { return right_wanted_; }
   /// Only the tablet.
   void set_alone(bool alone);
 
   /// How wide the learner would have the panels; without a wish they are as wide as may be.
-  void wish(int library_width, int information_width);
-  [[nodiscard]] int library_wish() const { return library_wish_; }
-  [[nodiscard]] int information_wish() const { return information_wish_; }
+  void wish(int left_width, int right_width);
+  [[nodiscard]] int left_wish() const { return left_wish_; }
+  [[nodiscard]] int right_wish() const { return right_wish_; }
 
   /// For a window of this width, in text of this size.
   void fit(int window_width, int text_pt);
 
  signals:
-  void opened(bool library, bool information);
+  void opened(bool left, bool right);
 
  private:
-  void show_panels(bool library, bool information);
+  void show_panels(bool left, bool right);
 
-  QWidget* library_;
-  QWidget* information_;
-  int library_wish_ = QWIDGETSIZE_MAX;
-  int information_wish_ = QWIDGETSIZE_MAX;
+  QWidget* left_;  ///< holds the panels of all workplaces, one of them shown
+  QWidget* right_;
+  QWidget* left_panel_ = nullptr;
+  QWidget* right_panel_ = nullptr;
+  int left_wish_ = QWIDGETSIZE_MAX;
+  int right_wish_ = QWIDGETSIZE_MAX;
   bool drawers_ = false;
   bool alone_ = false;
-  bool library_wanted_ = true;
-  bool information_wanted_ = true;
+  bool left_wanted_ = true;
+  bool right_wanted_ = true;
 };
 
 }  // namespace nazori::ui

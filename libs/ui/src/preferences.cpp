@@ -42,8 +42,9 @@ Preferences Preferences::load(const QString& file) {
   const auto kanji = ini.value(QStringLiteral("tablet/kanji")).toString().toUcs4();
   if (kanji.size() == 1) p.kanji = static_cast<char32_t>(kanji.front());
   p.list = read_name(ini, QStringLiteral("library/list"), kLists, p.list);
-  p.library_open = ini.value(QStringLiteral("library/open"), p.library_open).toBool();
-  p.information_open = ini.value(QStringLiteral("information/open"), p.information_open).toBool();
+  p.left_open = ini.value(QStringLiteral("library/open"), p.left_open).toBool();
+  p.right_open = ini.value(QStringLiteral("information/open"), p.right_open).toBool();
+  p.workplace = ini.value(QStringLiteral("window/workplace")).toString();
   p.strokes_visible = ini.value(QStringLiteral("tablet/strokes"), p.strokes_visible).toBool();
   p.numbers_visible = ini.value(QStringLiteral("tablet/numbers"), p.numbers_visible).toBool();
   p.arrows_visible = ini.value(QStringLiteral("tablet/arrows"), p.arrows_visible).toBool();
@@ -70,8 +71,9 @@ bool Preferences::save(const QString& file) const {
   ini.setValue(QStringLiteral("window/reduced_motion"), reduced_motion);
   ini.setValue(QStringLiteral("window/language"), language);
   ini.setValue(QStringLiteral("library/list"), QLatin1String(kLists[static_cast<std::size_t>(list)]));
-  ini.setValue(QStringLiteral("library/open"), library_open);
-  ini.setValue(QStringLiteral("information/open"), information_open);
+  ini.setValue(QStringLiteral("library/open"), left_open);
+  ini.setValue(QStringLiteral("information/open"), right_open);
+  ini.setValue(QStringLiteral("window/workplace"), workplace);
   ini.setValue(QStringLiteral("tablet/kanji"), to_text(kanji));
   ini.setValue(QStringLiteral("tablet/strokes"), strokes_visible);
   ini.setValue(QStringLiteral("tablet/numbers"), numbers_visible);

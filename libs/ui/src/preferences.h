@@ -19,11 +19,12 @@ struct Preferences {
   static constexpr int kMaxText_pt = 28;
 
   QByteArray geometry;     ///< QWidget::saveGeometry
-  QList<int> pane_widths;  ///< of library and information as last dragged; empty: as wide as may be
+  QList<int> pane_widths;  ///< of the left and the right panel as last dragged; empty: as wide as may be
   char32_t kanji = U'休';
   kanji::List list = kanji::List::grade_1;
-  bool library_open = true;
-  bool information_open = true;
+  bool left_open = true;
+  bool right_open = true;
+  QString workplace;  ///< Workplace::id; empty: the first
   bool strokes_visible = true;
   bool numbers_visible = true;
   bool arrows_visible = true;

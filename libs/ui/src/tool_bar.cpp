@@ -3,57 +3,39 @@
 
 #include <QEvent>
 #include <QFontInfo>
-#include <QLabel>
 #include <QLayout>
 #include <QMenu>
 #include <QResizeEvent>
 #include <QToolButton>
-#include <algorithm>
+#include <QWidgetAction>
 
 #include "actions.h"
-#include "palette.h"
-#include "tablet_controller.h"
 
 namespace nazori::ui {
+namespace {
 
-ToolBar::ToolBar(const Actions& actions, const TabletController& controller, QWidget* parent)
-    : QToolBar(tr("Strokes and tablet"), parent),
-      controller_(controller),
+/// An action of the toolbar that brings a widget and lives as long as the toolbar.
+QAction* make_place(QWidget* widget, QToolBar* bar) {
+  auto* place = new QWidgetAction(bar);
+  place->setDefaultWidget(widget);
+  return place;
+}
+
+}  // namespace
+
+ToolBar::ToolBar(const Actions& actions, QWidget* parent)
+    : QToolBar(tr("Tools"), parent),
+      actions_(actions),
       looks_{actions.wood, actions.slate, actions.classic},
-      words_{actions.strokes, actions.numbers, actions.arrows, actions.snap},
-      stroke_(new QLabel(this)),
       style_(new QToolButton(this)) {
   setObjectName(QStringLiteral("tool_bar"));
   setMovable(false);
   setFloatable(false);
   setContextMenuPolicy(Qt::PreventContextMenu);
-  setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  setToolButtonStyle(Qt::ToolButtonIconOnly);
 
-  stroke_->setObjectName(QStringLiteral("stroke_label"));
-  stroke_->setAlignment(Qt::AlignCenter);
-
-  const auto icon_only = [this](QAction* action) {
-    if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action)))
-      button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-  };
-  addAction(actions.library);
-  icon_only(actions.library);
-  addSeparator();
-  addAction(actions.previous_stroke);
-  icon_only(actions.previous_stroke);
-  addWidget(stroke_);
-  addAction(actions.next_stroke);
-  icon_only(actions.next_stroke);
-  addSeparator();
-  for (auto* action : {actions.strokes, actions.numbers, actions.arrows, actions.snap}) addAction(action);
-  addSeparator();
-  addAction(actions.clear_ink);
-  icon_only(actions.clear_ink);
-  addAction(actions.reset_view);
-  icon_only(actions.reset_view);
-  addSeparator();
   auto* looks = new QMenu(this);
-  for (auto* action : {actions.wood, actions.slate, actions.classic}) {
+  for (auto* action : looks_) {
     looks->addAction(action);
     connect(action, &QAction::toggled, this, &ToolBar::refresh);
   }
@@ -63,32 +45,49 @@ ToolBar::ToolBar(const Actions& actions, const TabletController& controller, QWi
   style_->setFocusPolicy(Qt::TabFocus);
   style_->setToolTip(tr("How the tablet looks (Ctrl+1, 2, 3)"));
   style_->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  addWidget(style_);
+  style_place_ = make_place(style_, this);
   auto* gap = new QWidget(this);
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  addWidget(gap);
-  addAction(actions.information);
-  icon_only(actions.information);
+  gap_ = make_place(gap, this);
+}
+
+void ToolBar::enter(const Workplace& workplace) {
+  clear();
+  words_.clear();
+  addAction(actions_.left_panel);
+  if (workplace.left().widget != nullptr) addSeparator();
+  for (const auto& tool : workplace.tools()) {
+    if (tool.action == nullptr) {
+      addSeparator();
+      continue;
+    }
+    addAction(tool.action);
+    if (tool.words) words_.append(tool.action);
+  }
+  if (workplace.page() == nullptr) {
+    addAction(actions_.reset_view);
+    addSeparator();
+    addAction(style_place_);
+  }
+  addAction(gap_);
+  addAction(actions_.right_panel);
+  name_buttons();
+  fit();
+  refresh();
+}
+
+void ToolBar::name_buttons() {
   for (auto* action : QToolBar::actions())
-    if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action))) {
+    if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action));
+        button != nullptr && button != style_) {
       button->setObjectName(QStringLiteral("tool_") + action->objectName());
       button->setFocusPolicy(Qt::TabFocus);
       button->setAccessibleName(action->iconText());
       button->setAccessibleDescription(action->statusTip());
     }
-  fit();
-  refresh();
 }
 
 void ToolBar::refresh() {
-  const int count = controller_.stroke_count();
-  const int current = controller_.current_stroke();
-  if (count == 0)
-    stroke_->setText(tr("no strokes"));
-  else if (current == 0)
-    stroke_->setText(tr("all %n strokes", nullptr, count));
-  else
-    stroke_->setText(tr("stroke %1 of %2").arg(current).arg(count));
   for (const auto* look : looks_)
     if (look->isChecked()) style_->setText(look->iconText() + QStringLiteral("  ▾"));
   style_->setAccessibleName(tr("Look of the tablet: %1").arg(style_->text().section(QLatin1Char(' '), 0, 0)));
@@ -97,11 +96,6 @@ void ToolBar::refresh() {
 void ToolBar::fit() {
   const int em = QFontInfo(font()).pixelSize();
   setIconSize({em * 5 / 4, em * 5 / 4});
-  // The label keeps its width while stepping, so the buttons stay under the pointer.
-  const QFontMetrics metrics(font());
-  stroke_->setMinimumWidth(std::max(metrics.horizontalAdvance(tr("stroke %1 of %2").arg(28).arg(28)),
-                                    metrics.horizontalAdvance(tr("all %n strokes", nullptr, 28))) +
-                           em);
   fit_words();
 }
 

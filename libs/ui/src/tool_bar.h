@@ -3,21 +3,23 @@
 
 #include <QToolBar>
 
-class QLabel;
+#include "workplace.h"
+
 class QToolButton;
 
 namespace nazori::ui {
 
 class Actions;
-class TabletController;
 
-/// The row above the tablet: which stroke is shown, and what is switched on.
+/// The row above the tablet: the tools of the workplace between what every workplace has.
 class ToolBar final : public QToolBar {
   Q_OBJECT
  public:
-  ToolBar(const Actions& actions, const TabletController& controller, QWidget* parent);
+  ToolBar(const Actions& actions, QWidget* parent);
 
-  /// Shows what the controller says now.
+  /// Shows the tools of a workplace.
+  void enter(const Workplace& workplace);
+  /// Shows which look is chosen now.
   void refresh();
 
  protected:
@@ -27,12 +29,14 @@ class ToolBar final : public QToolBar {
  private:
   void fit();
   void fit_words();
+  void name_buttons();
 
-  const TabletController& controller_;
+  const Actions& actions_;
   QList<QAction*> looks_;
   QList<QAction*> words_;  ///< whose buttons show words where there is room
-  QLabel* stroke_;
   QToolButton* style_;
+  QAction* style_place_;
+  QAction* gap_;
 };
 
 }  // namespace nazori::ui

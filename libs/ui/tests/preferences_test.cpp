@@ -19,7 +19,7 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   p.pane_widths = {240, 340};
   p.kanji = U'𠮟';
   p.list = nazori::kanji::List::katakana;
-  p.library_open = false;
+  p.left_open = false;
   p.strokes_visible = false;
   p.numbers_visible = false;
   p.snapping = true;
@@ -35,8 +35,8 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   EXPECT_EQ(read.pane_widths, p.pane_widths);
   EXPECT_EQ(read.kanji, U'𠮟');
   EXPECT_EQ(read.list, nazori::kanji::List::katakana);
-  EXPECT_FALSE(read.library_open);
-  EXPECT_TRUE(read.information_open);
+  EXPECT_FALSE(read.left_open);
+  EXPECT_TRUE(read.right_open);
   EXPECT_FALSE(read.strokes_visible);
   EXPECT_FALSE(read.numbers_visible);
   EXPECT_TRUE(read.snapping);

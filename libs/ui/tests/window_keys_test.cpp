@@ -54,7 +54,7 @@ TEST_F(Keys, QClosesTheWindow) {
 }
 
 TEST_F(Keys, ControlFGoesToTheSearchBoxEvenWhereItIsFoldedAway) {
-  action("library")->trigger();
+  action("left_panel")->trigger();
   ASSERT_FALSE(find("library_panel")->isVisible());
   press(Qt::Key_F, Qt::ControlModifier);
   EXPECT_TRUE(find("library_panel")->isVisible());

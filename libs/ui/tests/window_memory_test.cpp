@@ -16,7 +16,7 @@ TEST_F(Memory, TheLastKanjiAndTheTogglesSurviveARestart) {
   action("slate")->trigger();
   action("theme_dark")->trigger();
   action("text_larger")->trigger();
-  action("information")->trigger();
+  action("right_panel")->trigger();
   window_->resize(612, 577);
   window_->close();
   open_window(0, {});
@@ -64,9 +64,9 @@ TEST_F(Memory, BelowAThousandPixelsThePanelsAreDrawersOneAtATime) {
   QTest::qWait(30);
   EXPECT_FALSE(find("library_panel")->isVisible());
   EXPECT_FALSE(find("information_panel")->isVisible());
-  action("library")->trigger();
+  action("left_panel")->trigger();
   EXPECT_TRUE(find("library_panel")->isVisible());
-  action("information")->trigger();
+  action("right_panel")->trigger();
   EXPECT_FALSE(find("library_panel")->isVisible());
   EXPECT_TRUE(find("information_panel")->isVisible());
   EXPECT_GE(find("tablet")->width(), 449);

@@ -13,6 +13,7 @@
 #include "appearance.h"
 #include "language.h"
 #include "nazori/ui/main_window.h"
+#include "workplace.h"
 
 namespace nazori::ui {
 
@@ -31,6 +32,7 @@ class WindowTest : public testing::Test {
     setup.settings_file = folder_.filePath(QStringLiteral("nazori.ini"));
     setup.character = character;
     setup.draws_tablet = false;
+    setup.workplaces = workplaces_;
     window_ = std::make_unique<MainWindow>(setup, appearance_);
     QSignalSpy shown(window_.get(), &MainWindow::character_shown);
     window_->show();
@@ -66,6 +68,7 @@ class WindowTest : public testing::Test {
     QTest::keyClick(at, key, modifiers);
   }
 
+  std::vector<MakeWorkplace> workplaces_;  ///< empty: all that are registered
   QTemporaryDir folder_;
   Appearance appearance_;
   std::unique_ptr<MainWindow> window_;

@@ -29,22 +29,22 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::StrokeCounter</name>
+    <message numerus="yes">
+        <source>all %n strokes</source>
+        <translation>
+            <numerusform>one stroke</numerusform>
+            <numerusform>all %n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StrokeTeller</name>
     <message numerus="yes">
         <source>All %n strokes are written. Delete clears the tablet.</source>
         <translation>
             <numerusform>The one stroke is written. Delete clears the tablet.</numerusform>
             <numerusform>All %n strokes are written. Delete clears the tablet.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::ToolBar</name>
-    <message numerus="yes">
-        <source>all %n strokes</source>
-        <translation>
-            <numerusform>one stroke</numerusform>
-            <numerusform>all %n strokes</numerusform>
         </translation>
     </message>
 </context>

@@ -67,110 +67,6 @@
         <translation>Nazori を閉じます</translation>
     </message>
     <message>
-        <source>&amp;Find a character</source>
-        <translation>文字を探す(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Go to the search box</source>
-        <translation>検索欄へ移ります</translation>
-    </message>
-    <message>
-        <source>&amp;Next in the list</source>
-        <translation>一覧の次の字(&amp;N)</translation>
-    </message>
-    <message>
-        <source>The next character of the list</source>
-        <translation>一覧の次の字へ</translation>
-    </message>
-    <message>
-        <source>&amp;Previous in the list</source>
-        <translation>一覧の前の字(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The character before in the list</source>
-        <translation>一覧の前の字へ</translation>
-    </message>
-    <message>
-        <source>&amp;Back</source>
-        <translation>戻る(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Back to the character before</source>
-        <translation>さっきの字へ戻ります</translation>
-    </message>
-    <message>
-        <source>For&amp;ward</source>
-        <translation>進む(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Forward again</source>
-        <translation>また先へ進みます</translation>
-    </message>
-    <message>
-        <source>&amp;Next stroke</source>
-        <translation>次の画(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Show the next stroke alone; after the last, all</source>
-        <translation>次の画だけを見せます。最後の画の次は全画です</translation>
-    </message>
-    <message>
-        <source>&amp;Previous stroke</source>
-        <translation>前の画(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Show the stroke before alone; before the first, all</source>
-        <translation>前の画だけを見せます。最初の画の前は全画です</translation>
-    </message>
-    <message>
-        <source>&amp;All strokes</source>
-        <translation>全画(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Show all strokes at once</source>
-        <translation>すべての画を一度に見せます</translation>
-    </message>
-    <message>
-        <source>&amp;Strokes</source>
-        <translation>筆画(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Show or hide the strokes</source>
-        <translation>筆画の線を見せる／隠す</translation>
-    </message>
-    <message>
-        <source>N&amp;umbers</source>
-        <translation>番号(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Show or hide the number at each stroke&apos;s start</source>
-        <translation>書き始めの番号を見せる／隠す</translation>
-    </message>
-    <message>
-        <source>A&amp;rrows</source>
-        <translation>矢印(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Show or hide the arrowheads</source>
-        <translation>矢印を見せる／隠す</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>吸着(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Strokes hold the stylus, while they are shown</source>
-        <translation>見えている画がペン先を引き留めます</translation>
-    </message>
-    <message>
-        <source>&amp;Clear the ink</source>
-        <translation>墨を消す(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Wipe the tablet clean to write again</source>
-        <translation>文字板をきれいにして、もう一度書けるようにします</translation>
-    </message>
-    <message>
         <source>&amp;Wood</source>
         <translation>木(&amp;W)</translation>
     </message>
@@ -257,22 +153,6 @@
     <message>
         <source>Nothing glides, everything is there at once</source>
         <translation>滑るような動きをやめ、すぐに切り替えます</translation>
-    </message>
-    <message>
-        <source>&amp;List of characters</source>
-        <translation>文字の一覧(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Show or fold away the list</source>
-        <translation>一覧を出す／たたむ</translation>
-    </message>
-    <message>
-        <source>&amp;Information</source>
-        <translation>字の情報(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Show or fold away the information</source>
-        <translation>字の情報を出す／たたむ</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
@@ -383,10 +263,6 @@
         <translation>ファイル(&amp;F)</translation>
     </message>
     <message>
-        <source>&amp;Character</source>
-        <translation>文字(&amp;C)</translation>
-    </message>
-    <message>
         <source>&amp;Tablet</source>
         <translation>文字板(&amp;T)</translation>
     </message>
@@ -397,6 +273,164 @@
     <message>
         <source>&amp;Help</source>
         <translation>ヘルプ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>移動(&amp;G)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::CharacterActions</name>
+    <message>
+        <source>&amp;Find a character</source>
+        <translation>文字を探す(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Go to the search box</source>
+        <translation>検索欄へ移ります</translation>
+    </message>
+    <message>
+        <source>&amp;Next in the list</source>
+        <translation>一覧の次の字(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The next character of the list</source>
+        <translation>一覧の次の字へ</translation>
+    </message>
+    <message>
+        <source>&amp;Previous in the list</source>
+        <translation>一覧の前の字(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The character before in the list</source>
+        <translation>一覧の前の字へ</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>戻る(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Back to the character before</source>
+        <translation>さっきの字へ戻ります</translation>
+    </message>
+    <message>
+        <source>For&amp;ward</source>
+        <translation>進む(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Forward again</source>
+        <translation>また先へ進みます</translation>
+    </message>
+    <message>
+        <source>&amp;Next stroke</source>
+        <translation>次の画(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show the next stroke alone; after the last, all</source>
+        <translation>次の画だけを見せます。最後の画の次は全画です</translation>
+    </message>
+    <message>
+        <source>&amp;Previous stroke</source>
+        <translation>前の画(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the stroke before alone; before the first, all</source>
+        <translation>前の画だけを見せます。最初の画の前は全画です</translation>
+    </message>
+    <message>
+        <source>&amp;All strokes</source>
+        <translation>全画(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Show all strokes at once</source>
+        <translation>すべての画を一度に見せます</translation>
+    </message>
+    <message>
+        <source>&amp;Strokes</source>
+        <translation>筆画(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show or hide the strokes</source>
+        <translation>筆画の線を見せる／隠す</translation>
+    </message>
+    <message>
+        <source>N&amp;umbers</source>
+        <translation>番号(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show or hide the number at each stroke&apos;s start</source>
+        <translation>書き始めの番号を見せる／隠す</translation>
+    </message>
+    <message>
+        <source>A&amp;rrows</source>
+        <translation>矢印(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show or hide the arrowheads</source>
+        <translation>矢印を見せる／隠す</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>吸着(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Strokes hold the stylus, while they are shown</source>
+        <translation>見えている画がペン先を引き留めます</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the ink</source>
+        <translation>墨を消す(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Wipe the tablet clean to write again</source>
+        <translation>文字板をきれいにして、もう一度書けるようにします</translation>
+    </message>
+    <message>
+        <source>&amp;Character</source>
+        <translation>文字(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::Characters</name>
+    <message>
+        <source>&amp;Characters</source>
+        <translation>文字(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Carved characters to see, feel and write</source>
+        <translation>彫られた文字を見て、触れて、書きます</translation>
+    </message>
+    <message>
+        <source>&amp;List of characters</source>
+        <translation>文字の一覧(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show or fold away the list</source>
+        <translation>一覧を出す／たたむ</translation>
+    </message>
+    <message>
+        <source>&amp;Information</source>
+        <translation>字の情報(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show or fold away the information</source>
+        <translation>字の情報を出す／たたむ</translation>
+    </message>
+    <message>
+        <source>The character as grooves to be traced: the left button presses the stylus down, the right button turns</source>
+        <translation>溝になった字をなぞります。左ボタンでペン先を下ろし、右ボタンで回します</translation>
+    </message>
+    <message>
+        <source>%1 has no strokes in the database. The tablet is as it was.</source>
+        <translation>「%1」の筆画はデータベースにありません。文字板は元のままです。</translation>
+    </message>
+    <message>
+        <source>%1 is on the desk.</source>
+        <translation>%1 を開きました。</translation>
+    </message>
+    <message>
+        <source>%1 is on the desk. A .str file adds its strokes.</source>
+        <translation>%1 を開きました。.str ファイルを開くと筆画が加わります。</translation>
     </message>
 </context>
 <context>
@@ -541,7 +575,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>%1. Go there</source>
-        <translation>%1　この字へ</translation>
+        <translation>%1&#x3000;この字へ</translation>
     </message>
     <message>
         <source>no. %1 in newspapers</source>
@@ -713,20 +747,12 @@ Columns and rows:</source>
         <translation>彫られた文字板</translation>
     </message>
     <message>
-        <source>The character as grooves to be traced: the left button presses the stylus down, the right button turns</source>
-        <translation>溝になった字をなぞります。左ボタンでペン先を下ろし、右ボタンで回します</translation>
-    </message>
-    <message>
         <source>The settings could not be saved in %1. They hold until Nazori is closed.</source>
         <translation>設定を %1 に保存できませんでした。Nazori を閉じるまでは有効です。</translation>
     </message>
     <message>
         <source>The kanji database: %1.</source>
         <translation>漢字データベース：%1。</translation>
-    </message>
-    <message>
-        <source>%1 has no strokes in the database. The tablet is as it was.</source>
-        <translation>「%1」の筆画はデータベースにありません。文字板は元のままです。</translation>
     </message>
     <message>
         <source>The tablet cannot be drawn: %1.</source>
@@ -739,14 +765,6 @@ Columns and rows:</source>
     <message>
         <source>%1 – Nazori</source>
         <translation>%1 – Nazori</translation>
-    </message>
-    <message>
-        <source>%1 is on the desk.</source>
-        <translation>%1 を開きました。</translation>
-    </message>
-    <message>
-        <source>%1 is on the desk. A .str file adds its strokes.</source>
-        <translation>%1 を開きました。.str ファイルを開くと筆画が加わります。</translation>
     </message>
 </context>
 <context>
@@ -855,6 +873,23 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::StrokeCounter</name>
+    <message>
+        <source>no strokes</source>
+        <translation>筆画なし</translation>
+    </message>
+    <message numerus="yes">
+        <source>all %n strokes</source>
+        <translation>
+            <numerusform>全 %n 画</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>stroke %1 of %2</source>
+        <translation>%1画目（全%2画）</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StrokeTeller</name>
     <message>
         <source>Press the left button to touch the tablet; the right button turns it.</source>
@@ -918,30 +953,23 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::ToolBar</name>
     <message>
-        <source>Strokes and tablet</source>
-        <translation>筆画と文字板</translation>
-    </message>
-    <message>
-        <source>no strokes</source>
-        <translation>筆画なし</translation>
-    </message>
-    <message numerus="yes">
-        <source>all %n strokes</source>
-        <translation>
-            <numerusform>全 %n 画</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>stroke %1 of %2</source>
-        <translation>%1画目（全%2画）</translation>
-    </message>
-    <message>
         <source>How the tablet looks (Ctrl+1, 2, 3)</source>
         <translation>文字板の見た目 (Ctrl+1, 2, 3)</translation>
     </message>
     <message>
         <source>Look of the tablet: %1</source>
         <translation>文字板の見た目：%1</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>道具</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WorkplaceRail</name>
+    <message>
+        <source>Workplaces</source>
+        <translation>作業の場</translation>
     </message>
 </context>
 <context>

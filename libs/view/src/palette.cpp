@@ -89,7 +89,31 @@ constexpr Palette kSlateDark{
     .device = from_hex(0x9FBBEE),
 };
 
+/// On a pale ground: wood by day, and the white plateau of 2005.
+constexpr WritingColours kOnPale{
+    .unjudged = from_hex(0x2A2623),
+    .right = from_hex(0x3B5A24),
+    .nearly = from_hex(0x7A5000),
+    .wrong = from_hex(0xA82A1A),
+    .shown = from_hex(0x274C84),
+    .ground_of_sign = from_hex(0xFFFDF8),
+};
+
+/// On a dark one: slate, and wood by night.
+constexpr WritingColours kOnDark{
+    .unjudged = from_hex(0xF1E7D0),
+    .right = from_hex(0xAFCB8E),
+    .nearly = from_hex(0xEBBB62),
+    .wrong = from_hex(0xFF8F78),
+    .shown = from_hex(0x9FBBEE),
+    .ground_of_sign = from_hex(0x26231F),
+};
+
 }  // namespace
+
+const WritingColours& writing_colours(Style style, Theme theme) {
+  return style == Style::slate || (style == Style::wood && theme == Theme::dark) ? kOnDark : kOnPale;
+}
 
 const Palette& palette(Style style, Theme theme) {
   switch (style) {

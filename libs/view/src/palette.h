@@ -35,6 +35,19 @@ struct Palette {
   Colour device;  ///< the faint device point and its thread
 };
 
+/// Colours of writing by what is said of it; each at least 3 : 1 against the face of the tablet, its sign at
+/// least 4.5 : 1 against the sign's ground.
+struct WritingColours {
+  Colour unjudged;
+  Colour right;
+  Colour nearly;
+  Colour wrong;
+  Colour shown;
+  Colour ground_of_sign;
+};
+
+[[nodiscard]] const WritingColours& writing_colours(Style style, Theme theme);
+
 [[nodiscard]] const Palette& palette(Style style, Theme theme);
 
 }  // namespace nazori::view

@@ -16,6 +16,7 @@
 #include "relief.h"
 #include "stroke_layer.h"
 #include "tablet_layer.h"
+#include "writing_layer.h"
 
 namespace nazori::view {
 namespace {
@@ -94,6 +95,7 @@ struct TabletView::Inside {
   TabletLayer tablet;
   InkLayer ink;
   StrokeLayer strokes;
+  WritingLayer writing;
   CursorLayer cursor;
   Canvas canvas;
 
@@ -112,11 +114,12 @@ struct TabletView::Inside {
   bool drawn_quickly = false;
 
   Inside(DrawStatistics counted, TabletLayer tablet_layer, InkLayer ink_layer, StrokeLayer stroke_layer,
-         CursorLayer cursor_layer)
+         WritingLayer writing_layer, CursorLayer cursor_layer)
       : statistics(counted),
         tablet(std::move(tablet_layer)),
         ink(std::move(ink_layer)),
         strokes(std::move(stroke_layer)),
+        writing(std::move(writing_layer)),
         cursor(std::move(cursor_layer)) {}
 
   void send_what_is_stale();
@@ -193,11 +196,13 @@ base::Result<std::unique_ptr<TabletView>> TabletView::create() {
   if (!ink) return tl::unexpected(ink.error());
   auto strokes = StrokeLayer::create();
   if (!strokes) return tl::unexpected(strokes.error());
+  auto writing = WritingLayer::create();
+  if (!writing) return tl::unexpected(writing.error());
   auto cursor = CursorLayer::create(statistics);
   if (!cursor) return tl::unexpected(cursor.error());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
   auto inside = std::make_unique<Inside>(statistics, std::move(*tablet), std::move(*ink), std::move(*strokes),
-                                         std::move(*cursor));
+                                         std::move(*writing), std::move(*cursor));
   return std::unique_ptr<TabletView>(new TabletView(std::move(inside)));
 }
 
@@ -237,6 +242,7 @@ bool TabletView::wants_redraw() const { return inside_->drawn_quickly; }
 void TabletView::set_camera(const Camera& camera) { inside_->camera = within_limits(camera, inside_->shape); }
 const Camera& TabletView::camera() const { return inside_->camera; }
 std::span<const NumberPlace> TabletView::numbers() const { return inside_->strokes.numbers(); }
+std::span<const SignPlace> TabletView::signs() const { return inside_->writing.signs(); }
 const DrawStatistics& TabletView::statistics() const { return inside_->statistics; }
 
 void TabletView::draw(int width, int height, double scale, const Overlay& overlay) {
@@ -253,6 +259,8 @@ void TabletView::draw(int width, int height, double scale, const Overlay& overla
     inside_->canvas.show(static_cast<GLuint>(target));
   }
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
+  inside_->writing.draw(projection, overlay.writing, inside_->look, scale,
+                        std::clamp(overlay.text_scale, kMinTextScale, kMaxTextScale), inside_->statistics);
   if (overlay.cursor) {
     const StrokeChoice& choice = inside_->drawn.strokes;
     const auto trace =

@@ -5,6 +5,7 @@
 #include <QString>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "nazori/base/result.h"
 
@@ -12,8 +13,11 @@ namespace nazori::ui {
 
 class Appearance;
 
-/// The window: the carved tablet in the middle, characters to choose from on its left, all about the one on
-/// the desk on its right, one sentence below. Every widget has an objectName.
+class Desk;
+class Workplace;
+
+/// The window: the carved tablet in the middle, what the workplace brings on its left and right, one sentence
+/// below. Which workplaces there are is registered in src/workplaces.cpp. Every widget has an objectName.
 class MainWindow final : public QMainWindow {
   Q_OBJECT
  public:
@@ -22,11 +26,15 @@ class MainWindow final : public QMainWindow {
     QString settings_file;           ///< INI; empty: nazori/nazori.ini in the XDG config home
     char32_t character = 0;          ///< to open with; 0: the last one
     bool draws_tablet = true;        ///< false: no OpenGL (tests, machines without it)
+    /// Makes the workplaces; empty: all that are registered.
+    std::vector<std::unique_ptr<Workplace> (*)(Desk&)> workplaces;
   };
 
   MainWindow(const Setup& setup, Appearance& appearance);
   ~MainWindow() override;
 
+  /// Goes to a workplace by its id; one that is not registered changes nothing.
+  void go_to(const QString& workplace);
   /// Puts a character on the desk; where the database has none of it, says so and changes nothing.
   void show_character(char32_t code_point);
   /// Opens height maps and stroke orders as if they had been dropped on the window.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "nazori/base/result.h"
 #include "nazori/geometry/frames.h"
@@ -35,6 +36,37 @@ struct Cursor {
   glm::dvec3 axis{0};
 };
 
+/// What is said of a stroke that the learner wrote. Each has a colour, and the first three a sign beside the
+/// stroke's start, so that nothing hangs on colour alone.
+enum class Verdict : std::uint8_t {
+  none,    ///< not judged: plain ink
+  right,   ///< a tick
+  nearly,  ///< an exclamation mark
+  wrong,   ///< a cross
+  shown,   ///< not the learner's: the model, laid over or given as a hint
+};
+
+/// A point of a stroke as written.
+struct WrittenPoint {
+  geometry::TabletPoint at;  ///< [m]
+  double half_width_m = 0;   ///< of the ink there
+};
+
+/// A stroke as written, from its start.
+struct WrittenStroke {
+  std::vector<WrittenPoint> points;
+  Verdict verdict = Verdict::none;
+  double opacity = 1;  ///< 0..1
+};
+
+/// A sign as it stands in a picture.
+struct SignPlace {
+  int stroke = 0;  ///< index into Overlay::writing
+  Verdict verdict = Verdict::none;
+  glm::dvec2 pixel{0};  ///< middle of the disc, y down
+  double radius = 0;    ///< of the disc in pixels
+};
+
 /// What is drawn besides the surface. Strokes are numbered from 1.
 struct Overlay {
   bool strokes_visible = false;
@@ -44,6 +76,8 @@ struct Overlay {
   /// Part of each stroke's length that has been traced, 0..1; ink fills the groove so far. Missing entries
   /// count as 0.
   std::span<const double> ink;
+  /// Flat ink on the tablet's face, in this order: the learner's own writing, and models laid over it.
+  std::span<const WrittenStroke> writing;
   std::optional<Cursor> cursor;
   /// Size of interface text relative to 12 pt: numbers, arrowheads and lines grow with it. 0.5..4.
   double text_scale = 1;
@@ -124,6 +158,8 @@ class TabletView {
   /// The numbers of the last picture, for tests and for a window that lets them be clicked. A stroke whose
   /// start lies outside the picture has none.
   [[nodiscard]] std::span<const NumberPlace> numbers() const;
+  /// The signs of the last picture.
+  [[nodiscard]] std::span<const SignPlace> signs() const;
 
   [[nodiscard]] const DrawStatistics& statistics() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stroke_teller.h"
+#include "characters/stroke_teller.h"
 
 #include "tablet_controller.h"
 

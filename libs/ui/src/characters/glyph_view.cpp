@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "glyph_view.h"
+#include "characters/glyph_view.h"
 
 #include <QFontInfo>
 #include <QPainter>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "character_list_model.h"
+#include "characters/character_list_model.h"
 
 #include <algorithm>
 

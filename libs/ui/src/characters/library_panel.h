@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "character_list_model.h"
+#include "characters/character_list_model.h"
 #include "library.h"
 
 class QComboBox;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "library_panel.h"
+#include "characters/library_panel.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "character_tile_delegate.h"
+#include "characters/character_tile_delegate.h"
 #include "icons.h"
 #include "palette.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "information_panel.h"
+#include "characters/information_panel.h"
 
 #include <QFontInfo>
 #include <QLabel>
@@ -9,8 +9,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "characters/glyph_view.h"
 #include "flow_layout.h"
-#include "glyph_view.h"
 #include "kanji_text.h"
 #include "palette.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "character_tile_delegate.h"
+#include "characters/character_tile_delegate.h"
 
 #include <QFontInfo>
 #include <QPainter>
 
-#include "character_list_model.h"
+#include "characters/character_list_model.h"
 #include "kanji_text.h"
 #include "palette.h"
 

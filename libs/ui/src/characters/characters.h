@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "characters/stroke_teller.h"
+#include "workplace.h"
+#include "workshop.h"
+
+namespace nazori::ui {
+
+class CharacterActions;
+class FileExchange;
+class InformationPanel;
+class LibraryPanel;
+class StrokeCounter;
+struct CharacterSheet;
+
+/// The workplace for characters: those to choose from on the left, all about the one on the desk on the
+/// right.
+class Characters final : public Workplace {
+  Q_OBJECT
+ public:
+  explicit Characters(Desk& desk);
+  ~Characters() override;
+
+  [[nodiscard]] QString id() const override;
+  [[nodiscard]] QString name() const override;
+  [[nodiscard]] QString purpose() const override;
+  [[nodiscard]] Icon drawing() const override;
+  [[nodiscard]] QString title() const override;
+  [[nodiscard]] Panel left() const override;
+  [[nodiscard]] Panel right() const override;
+  [[nodiscard]] ActionSet* actions() const override;
+  [[nodiscard]] QList<Tool> tools() const override;
+  [[nodiscard]] QString tablet_description() const override;
+
+  void enter() override;
+  void leave() override;
+  void take_appearance() override;
+
+  [[nodiscard]] bool opens(const QStringList& paths) const override;
+  void open_files(const QStringList& paths) override;
+  [[nodiscard]] bool has_files() const override { return true; }
+  void ask_and_open() override;
+  void ask_and_save() override;
+
+ private:
+  void connect_actions();
+  void connect_work();
+  void choose(char32_t code_point, bool remember);
+  void travel(int step);
+  void take_sheet(const std::shared_ptr<const CharacterSheet>& sheet);
+  void take_tablet(char32_t code_point, const Tablet& tablet);
+  void take_own(const OwnTablet& loaded);
+  void show_state();
+  void tell(const StrokeTeller::Sentence& sentence);
+
+  CharacterActions* actions_;
+  LibraryPanel* library_panel_;
+  InformationPanel* information_panel_;
+  StrokeCounter* counter_;
+  QAction* counter_place_;
+  FileExchange* files_;
+
+  bool entered_ = false;
+  Tablet tablet_;               ///< what is on the desk here, kept while another workplace has the tablet
+  OwnTablet own_;               ///< loaded from files; empty while a character is on the desk
+  std::vector<char32_t> path_;  ///< characters visited
+  std::size_t step_ = 0;        ///< where in `path_` we are
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include "feedback_line.h"
+#include "library.h"
+#include "preferences.h"
+#include "tablet_controller.h"
+#include "workshop.h"
+
+namespace nazori::ui {
+
+/// What all workplaces share: the window they stand in, the tablet with its stylus, the database, the
+/// workshop, the settings, and the one line of words. Lives as long as the window. Thread: interface.
+class Desk final : public QObject {
+  Q_OBJECT
+ public:
+  /// Settings are read from `settings_file`.
+  Desk(QWidget& window, const std::filesystem::path& database, QString settings_file);
+  ~Desk() override;
+
+  [[nodiscard]] QWidget& window() const { return window_; }
+  [[nodiscard]] const QString& settings_file() const { return settings_file_; }
+  [[nodiscard]] Preferences& preferences() { return preferences_; }
+  [[nodiscard]] Library& library() { return library_; }
+  [[nodiscard]] Workshop& workshop() { return workshop_; }
+  [[nodiscard]] TabletController& controller() { return controller_; }
+
+  /// One sentence in the feedback line, also to the screen reader.
+  void say(Feedback kind, const QString& sentence);
+  /// The settings have changed: they are written within a second.
+  void save_later() { emit save_wanted(); }
+  /// The keyboard goes to the tablet (or the page), as after a dialog.
+  void focus_tablet() { emit focus_wanted(); }
+  /// Closes panels that lie open as drawers, after something was chosen in one.
+  void close_drawers() { emit drawers_done(); }
+  /// Opens the left panel, even out of full screen.
+  void open_left_panel() { emit left_panel_wanted(); }
+
+  /// From any workplace: puts a character on the desk of the workplace for characters.
+  void show_character(char32_t code_point) { emit character_wanted(code_point); }
+
+ signals:
+  void said(nazori::ui::Feedback kind, QString sentence);
+  void save_wanted();
+  void focus_wanted();
+  void drawers_done();
+  void left_panel_wanted();
+  void character_wanted(char32_t code_point);
+  /// A character and its tablet are on the desk.
+  void character_shown(char32_t code_point);
+
+ private:
+  QWidget& window_;
+  QString settings_file_;
+  Preferences preferences_;
+  Library library_;
+  Workshop workshop_;
+  TabletController controller_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "characters/characters.h"
+#include "workplace.h"
+
+namespace nazori::ui {
+namespace {
+
+template <class T>
+std::unique_ptr<Workplace> make(Desk& desk) {
+  return std::make_unique<T>(desk);
+}
+
+}  // namespace
+
+std::vector<MakeWorkplace> registered_workplaces() {
+  return {
+      make<Characters>,
+  };
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "projection.h"
+#include "shader_program.h"
+#include "tablet_layer.h"
+
+namespace nazori::view {
+
+/// The learner's own writing, flat on the tablet's face, with what is said of each stroke. Drawn straight
+/// into the picture shown, so that a stroke being written costs no new picture of the tablet.
+class WritingLayer {
+ public:
+  [[nodiscard]] static base::Result<WritingLayer> create();
+
+  /// @param scale  device pixels per logical pixel.
+  void draw(const Projection& projection, std::span<const WrittenStroke> strokes, const Look& look,
+            double scale, double text_scale, DrawStatistics& statistics);
+  /// The signs of the last draw.
+  [[nodiscard]] std::span<const SignPlace> signs() const { return signs_; }
+
+ private:
+  /// A piece of a stroke as the GPU takes it.
+  struct Piece {
+    glm::vec2 from_m;
+    glm::vec2 to_m;
+    glm::vec2 radius_m;
+    glm::vec4 colour;
+    friend bool operator==(const Piece&, const Piece&) = default;
+  };
+  WritingLayer(ShaderProgram ink, ShaderProgram sign);
+  void place_signs(const Projection& projection, std::span<const WrittenStroke> strokes, double radius);
+  void draw_sign(const Projection& projection, const SignPlace& place, const Look& look, double scale);
+
+  ShaderProgram ink_;
+  ShaderProgram sign_;
+  VertexArray array_;
+  VertexArray empty_array_;
+  Buffer buffer_;
+  std::vector<Piece> sent_;
+  std::vector<SignPlace> signs_;
+};
+
+}  // namespace nazori::view
