@@ -26,6 +26,7 @@ constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::uint16_t kMajor = 1, kMinor = 0;
 constexpr std::size_t kDeviceAt = 160, kDeviceBytes = 128, kCharacterAt = 288, kCharacterBytes = 128;
 constexpr std::size_t kHeaderCrcAt = kHeaderBytes - 4, kRecordCrcAt = kRecordBytes - 4;
+constexpr std::size_t kFlagsAt = 146;
 constexpr std::size_t kBufferedRecords = 4096;
 
 // Bits of a record's flags.
@@ -76,10 +77,15 @@ ServoSample decode_sample(std::span<const std::uint8_t> record) {
   sample.device_m = load_vector(record, 16);
   sample.proxy_m = load_vector(record, 40);
   sample.force_n = load_vector(record, 64);
-  sample.stroke = load<std::int32_t>(record, 88);
-  sample.buttons = load<std::uint32_t>(record, 92);
-  sample.events = static_cast<decltype(sample.events)>(load<std::uint16_t>(record, 96));
-  sample.touching = (load<std::uint16_t>(record, 98) & kTouching) != 0;
+  sample.guide_m = load_vector(record, 88);
+  sample.progress_m = load<double>(record, 112);
+  sample.off_m = load<double>(record, 120);
+  sample.stroke = load<std::int32_t>(record, 128);
+  sample.guided_stroke = load<std::int32_t>(record, 132);
+  sample.done_stroke = load<std::int32_t>(record, 136);
+  sample.buttons = load<std::uint32_t>(record, 140);
+  sample.events = load<std::uint16_t>(record, 144);
+  sample.touching = (load<std::uint16_t>(record, kFlagsAt) & kTouching) != 0;
   return sample;
 }
 
@@ -150,10 +156,15 @@ void encode_record(const ServoSample& sample, std::vector<std::uint8_t>& bytes) 
   store_vector(record, 16, sample.device_m);
   store_vector(record, 40, sample.proxy_m);
   store_vector(record, 64, sample.force_n);
-  store(record, 88, sample.stroke);
-  store(record, 92, sample.buttons);
-  store(record, 96, static_cast<std::uint16_t>(sample.events));
-  store(record, 98, static_cast<std::uint16_t>(sample.touching ? kTouching : 0));
+  store_vector(record, 88, sample.guide_m);
+  store(record, 112, sample.progress_m);
+  store(record, 120, sample.off_m);
+  store(record, 128, sample.stroke);
+  store(record, 132, sample.guided_stroke);
+  store(record, 136, sample.done_stroke);
+  store(record, 140, sample.buttons);
+  store(record, 144, sample.events);
+  store(record, kFlagsAt, static_cast<std::uint16_t>(sample.touching ? kTouching : 0));
   store(record, kRecordCrcAt, checksum(record.first(kRecordCrcAt)));
 }
 
@@ -164,7 +175,7 @@ void encode_end(std::uint64_t samples, std::uint64_t lost, bool recovered, std::
   std::fill(record.begin(), record.end(), std::uint8_t{0});
   store(record, 0, samples);
   store(record, 8, lost);
-  store(record, 98, static_cast<std::uint16_t>(recovered ? kEnd | kRecovered : kEnd));
+  store(record, kFlagsAt, static_cast<std::uint16_t>(recovered ? kEnd | kRecovered : kEnd));
   store(record, kRecordCrcAt, checksum(record.first(kRecordCrcAt)));
 }
 
@@ -220,7 +231,7 @@ base::Result<std::size_t> RecordingReader::read(std::span<ServoSample> out) {
       ++end_.damaged;
       continue;
     }
-    if (const auto flags = load<std::uint16_t>(record, 98); (flags & kEnd) != 0) {
+    if (const auto flags = load<std::uint16_t>(record, kFlagsAt); (flags & kEnd) != 0) {
       end_.finished = true;
       end_.recovered = (flags & kRecovered) != 0;
       end_.lost = load<std::uint64_t>(record, 8);

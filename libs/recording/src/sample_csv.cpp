@@ -9,7 +9,9 @@ namespace nazori::recording {
 namespace {
 
 // In the order of the bits of haptics::ServoEvent.
-constexpr std::array<std::string_view, 5> kEvents{"touch", "untouch", "capture", "release", "fault"};
+constexpr std::array<std::string_view, 11> kEvents{
+    "touch",           "untouch",     "capture",     "release",  "fault",  "wrong_start",
+    "wrong_direction", "stroke_done", "lesson_done", "resisted", "resumed"};
 
 // The longest shortest text of a double is "-2.2250738585072014e-308".
 constexpr std::size_t kLongestNumber = 24;

@@ -98,7 +98,7 @@ TEST(RecordingFile, GivesBackEverySampleBitForBit) {
 TEST(RecordingFile, LiesInTheFileAsDocumented) {
   const auto samples = test::some_samples(2);
   const std::string bytes = recording_of(samples, true);
-  ASSERT_EQ(bytes.size(), 512U + 3 * 104U);
+  ASSERT_EQ(bytes.size(), 512U + 3 * 152U);
   const auto number = [&bytes]<class T>(std::size_t at, T value) {
     std::memcpy(&value, bytes.data() + at, sizeof(T));
     return value;
@@ -107,7 +107,7 @@ TEST(RecordingFile, LiesInTheFileAsDocumented) {
   EXPECT_EQ(bytes.substr(8, 4), "\x04\x03\x02\x01");
   EXPECT_EQ(number(12, std::uint16_t{}), 1);
   EXPECT_EQ(number(16, std::uint32_t{}), 512U);
-  EXPECT_EQ(number(20, std::uint32_t{}), 104U);
+  EXPECT_EQ(number(20, std::uint32_t{}), 152U);
   EXPECT_EQ(number(24, double{}), 4000);
   EXPECT_EQ(number(32, std::int64_t{}), 1'700'000'000'123'456'789);
   EXPECT_EQ(number(40, double{}), 0.2);
@@ -118,21 +118,26 @@ TEST(RecordingFile, LiesInTheFileAsDocumented) {
   EXPECT_EQ(bytes.substr(160, 6), "Touch ");
   EXPECT_EQ(bytes.substr(288, 4), std::string("休") + '\0');
   EXPECT_EQ(number(508, std::uint32_t{}), ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), 508));
-  const std::size_t second = 512 + 104;
+  const std::size_t second = 512 + 152;
   EXPECT_EQ(number(second, std::uint64_t{}), samples[1].tick);
   EXPECT_EQ(number(second + 8, double{}), samples[1].time_s);
   EXPECT_EQ(number(second + 16, double{}), samples[1].device_m.x);
   EXPECT_EQ(number(second + 56, double{}), samples[1].proxy_m.z);
   EXPECT_EQ(number(second + 80, double{}), samples[1].force_n.z);
-  EXPECT_EQ(number(second + 88, std::int32_t{}), samples[1].stroke);
-  EXPECT_EQ(number(second + 92, std::uint32_t{}), samples[1].buttons);
-  EXPECT_EQ(number(second + 96, std::uint16_t{}), samples[1].events);
-  EXPECT_EQ(number(second + 98, std::uint16_t{}), samples[1].touching ? 1 : 0);
-  EXPECT_EQ(number(second + 100, std::uint32_t{}),
-            ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data() + second), 100));
-  EXPECT_EQ(number(second + 104, std::uint64_t{}), 2U);
-  EXPECT_EQ(number(second + 104 + 8, std::uint64_t{}), 3U);
-  EXPECT_EQ(number(second + 104 + 98, std::uint16_t{}), 0x8000);
+  EXPECT_EQ(number(second + 88, double{}), samples[1].guide_m.x);
+  EXPECT_EQ(number(second + 112, double{}), samples[1].progress_m);
+  EXPECT_EQ(number(second + 120, double{}), samples[1].off_m);
+  EXPECT_EQ(number(second + 128, std::int32_t{}), samples[1].stroke);
+  EXPECT_EQ(number(second + 132, std::int32_t{}), samples[1].guided_stroke);
+  EXPECT_EQ(number(second + 136, std::int32_t{}), samples[1].done_stroke);
+  EXPECT_EQ(number(second + 140, std::uint32_t{}), samples[1].buttons);
+  EXPECT_EQ(number(second + 144, std::uint16_t{}), samples[1].events);
+  EXPECT_EQ(number(second + 146, std::uint16_t{}), samples[1].touching ? 1 : 0);
+  EXPECT_EQ(number(second + 148, std::uint32_t{}),
+            ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data() + second), 148));
+  EXPECT_EQ(number(second + 152, std::uint64_t{}), 2U);
+  EXPECT_EQ(number(second + 152 + 8, std::uint64_t{}), 3U);
+  EXPECT_EQ(number(second + 152 + 146, std::uint16_t{}), 0x8000);
 }
 
 TEST(RecordingFile, CutOffAnywhereIsReadToItsLastWholeRecord) {

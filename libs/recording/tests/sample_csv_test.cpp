@@ -31,7 +31,7 @@ TEST(SampleCsv, HasTheDocumentedColumns) {
   sample.touching = true;
   sample.stroke = 3;
   sample.events =
-      static_cast<std::uint8_t>(ServoEvent::touch) | static_cast<std::uint8_t>(ServoEvent::capture);
+      static_cast<std::uint16_t>(ServoEvent::touch) | static_cast<std::uint16_t>(ServoEvent::capture);
   EXPECT_EQ(row(sample), "0.25,0.001,-0.002,-0.0045,0.001,-0.002,-0.004,0,0,0.25,1,3,touch|capture\n");
 }
 
@@ -45,6 +45,12 @@ TEST(SampleCsv, NamesEveryEvent) {
   EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::capture)), "capture");
   EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::release)), "release");
   EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::fault)), "fault");
+  EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::wrong_start)), "wrong_start");
+  EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::wrong_direction)), "wrong_direction");
+  EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::stroke_done)), "stroke_done");
+  EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::lesson_done)), "lesson_done");
+  EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::resisted)), "resisted");
+  EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::resumed)), "resumed");
   EXPECT_EQ(event_words(0), "");
   EXPECT_EQ(event_words(1U << 30), "bit30");
 }

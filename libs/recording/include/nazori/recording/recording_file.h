@@ -21,7 +21,7 @@ namespace nazori::recording {
 /// Extension of a recording: ".nzr". Its layout stands in docs/file-formats.md.
 inline constexpr std::string_view kRecordingExtension = ".nzr";
 inline constexpr std::size_t kHeaderBytes = 512;
-inline constexpr std::size_t kRecordBytes = 104;
+inline constexpr std::size_t kRecordBytes = 152;
 
 /// What a recording says of itself.
 struct Session {
