@@ -25,18 +25,12 @@ class Descriptor {
     if (fd_ >= 0) ::close(fd_);
   }
   [[nodiscard]] int get() const { return fd_; }
-  /// Closes now; 0 or the error number.
-  int close() {
-    const int status = ::close(fd_);
-    fd_ = -1;
-    return status == 0 ? 0 : errno;
-  }
 
  private:
   int fd_;
 };
 
-/// Writes and flushes everything; 0 or the error number.
+/// Writes everything; 0 or the error number.
 int write_all(int fd, std::span<const std::uint8_t> bytes) {
   std::size_t written = 0;
   while (written < bytes.size()) {
@@ -45,7 +39,7 @@ int write_all(int fd, std::span<const std::uint8_t> bytes) {
     if (n < 0) return errno;
     written += static_cast<std::size_t>(n);
   }
-  return ::fsync(fd) == 0 ? 0 : errno;
+  return 0;
 }
 
 }  // namespace
@@ -80,27 +74,57 @@ Result<std::vector<std::uint8_t>> read_file(const fs::path& path, std::size_t ma
   return bytes;
 }
 
-Result<void> write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+Result<OutputFile> OutputFile::create(const fs::path& path) {
   std::string beside = path.string() + ".XXXXXX";
-  Descriptor file(::mkostemp(beside.data(), O_CLOEXEC));
-  if (file.get() < 0) return fail(Errc::io, "cannot be written: " + reason(errno), path.string());
-  int error = write_all(file.get(), bytes);
+  const int fd = ::mkostemp(beside.data(), O_CLOEXEC);
+  if (fd < 0) return fail(Errc::io, "cannot be written: " + reason(errno), path.string());
+  return OutputFile(path, std::move(beside), fd);
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)), beside_(std::move(other.beside_)), fd_(std::exchange(other.fd_, -1)) {}
+
+OutputFile::~OutputFile() {
+  if (fd_ < 0) return;
+  ::close(fd_);
+  ::unlink(beside_.c_str());
+}
+
+Result<void> OutputFile::refusal(int error_number) const {
+  return fail(Errc::io, "cannot be written: " + reason(error_number), path_.string());
+}
+
+Result<void> OutputFile::append(std::span<const std::uint8_t> bytes) {
+  if (const int error = write_all(fd_, bytes); error != 0) return refusal(error);
+  return {};
+}
+
+Result<void> OutputFile::append(std::string_view text) {
+  return append(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+Result<void> OutputFile::commit() {
+  int error = ::fsync(fd_) == 0 ? 0 : errno;
   // mkostemp makes the file private; a new file gets the permissions any other program would give it.
   struct stat old {};
-  const bool replaces = ::stat(path.c_str(), &old) == 0;
+  const bool replaces = ::stat(path_.c_str(), &old) == 0;
   if (error == 0 && replaces && S_ISDIR(old.st_mode)) error = EISDIR;
   if (error == 0) {
     const mode_t mask = ::umask(0);
     ::umask(mask);
-    if (::fchmod(file.get(), replaces ? old.st_mode & 0777U : 0666U & ~mask) != 0) error = errno;
+    if (::fchmod(fd_, replaces ? old.st_mode & 0777U : 0666U & ~mask) != 0) error = errno;
   }
-  if (error == 0) error = file.close();
-  if (error == 0 && ::rename(beside.c_str(), path.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(beside.c_str());
-    return fail(Errc::io, "cannot be written: " + reason(error), path.string());
-  }
-  return {};
+  if (::close(std::exchange(fd_, -1)) != 0 && error == 0) error = errno;
+  if (error == 0 && ::rename(beside_.c_str(), path_.c_str()) != 0) error = errno;
+  if (error == 0) return {};
+  ::unlink(beside_.c_str());
+  return refusal(error);
+}
+
+Result<void> write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  return file->append(bytes).and_then([&file] { return file->commit(); });
 }
 
 Result<void> write_file(const fs::path& path, std::string_view text) {

@@ -76,5 +76,32 @@ TEST_F(Files, RefusesFoldersMissingFilesAndTooLargeOnesBeforeReading) {
   EXPECT_EQ(read_file("/dev/zero", 100).error().code, Errc::io);
 }
 
+TEST_F(Files, WrittenPieceByPieceAppearWholeOnlyWithTheCommit) {
+  ASSERT_TRUE(write_file(folder_ / "a", "old"));
+  auto file = OutputFile::create(folder_ / "a");
+  ASSERT_TRUE(file);
+  ASSERT_TRUE(file->append("new "));
+  OutputFile moved = std::move(*file);
+  ASSERT_TRUE(moved.append("text"));
+  const auto before = read_file(folder_ / "a", 100);
+  EXPECT_EQ(std::string(before->begin(), before->end()), "old");
+  ASSERT_TRUE(moved.commit());
+  const auto after = read_file(folder_ / "a", 100);
+  EXPECT_EQ(std::string(after->begin(), after->end()), "new text");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Files, NeverCommittedLeaveTheOldContentAndNothingBeside) {
+  ASSERT_TRUE(write_file(folder_ / "a", "old"));
+  {
+    auto file = OutputFile::create(folder_ / "a");
+    ASSERT_TRUE(file);
+    ASSERT_TRUE(file->append("new"));
+  }
+  const auto read = read_file(folder_ / "a", 100);
+  EXPECT_EQ(std::string(read->begin(), read->end()), "old");
+  EXPECT_EQ(entries(), 1U);
+}
+
 }  // namespace
 }  // namespace nazori::base

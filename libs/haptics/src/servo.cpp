@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "servo_inside.h"
 
@@ -136,6 +137,12 @@ ServoTiming Servo::timing() const noexcept {
   t.max_tick_s = w.max_tick_s.load(kRelaxed);
   t.max_lateness_s = w.max_lateness_s.load(kRelaxed);
   return t;
+}
+
+void Servo::set_recording(SampleRing* ring) noexcept {
+  Inside& in = *inside_;
+  const SampleRing* old = in.recording.exchange(ring);
+  while (old != nullptr && old != ring && in.pushing.load() == old) std::this_thread::yield();
 }
 
 }  // namespace nazori::haptics

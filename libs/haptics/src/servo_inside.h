@@ -10,6 +10,7 @@
 
 #include "nazori/haptics/force_limiter.h"
 #include "nazori/haptics/latest_value.h"
+#include "nazori/haptics/sample_ring.h"
 #include "nazori/haptics/servo.h"
 #include "servo_scene.h"
 
@@ -30,6 +31,7 @@ struct Servo::Inside {
   explicit Inside(const DeviceDescription& description);
 
   Vec3 step(const DeviceSample& sample) noexcept;
+  void record() noexcept;
   void take_scene() noexcept;
   Vec3 fault(const DeviceSample& sample) noexcept;
   void absent(const DeviceSample& sample) noexcept;
@@ -48,6 +50,11 @@ struct Servo::Inside {
   std::uint64_t generations = 0;                        // interface thread
   std::atomic<const ServoScene*> offered{nullptr};
   std::atomic<std::uint64_t> used{0};
+
+  // Hand-over of the ring that is recorded into. The servo says which one it holds while it pushes, so that
+  // the interface thread knows when a ring is out of its reach.
+  std::atomic<SampleRing*> recording{nullptr};
+  std::atomic<SampleRing*> pushing{nullptr};
 
   // Servo thread.
   const ServoScene* scene = nullptr;

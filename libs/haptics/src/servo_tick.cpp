@@ -43,12 +43,23 @@ Vec3 Servo::tick(const DeviceSample& sample) noexcept {
   in.newest.back() = in.sample;
   in.newest.publish();
   if (!in.samples.push(in.sample)) add<std::uint64_t>(in.watch.dropped_samples, 1);
+  in.record();
   ++in.sample.tick;
   const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
   add<std::uint64_t>(in.watch.ticks, 1);
   add(in.watch.inside_s, spent);
   raise(in.watch.max_tick_s, spent);
   return force;
+}
+
+void Servo::Inside::record() noexcept {
+  SampleRing* ring = recording.load(std::memory_order_relaxed);
+  if (ring == nullptr) return;
+  // One total order with set_recording: either it sees that this ring is held, or this sees that it was taken
+  // away.
+  pushing.store(ring);
+  if (recording.load() == ring) ring->push(sample);
+  pushing.store(nullptr, std::memory_order_release);
 }
 
 /// Proxy where the device is, or lifted out of the material.

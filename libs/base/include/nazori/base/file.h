@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "nazori/base/result.h"
@@ -17,6 +19,31 @@ namespace nazori::base {
 /// @return Errc::not_found for a missing file, Errc::io for a folder, a device or a file over the limit.
 [[nodiscard]] Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path,
                                                           std::size_t max_bytes);
+
+/// A file that is written piece by piece, so that readers see the old content or the new, never a part: the
+/// pieces go into a file beside it under another name, which commit() flushes to disk and renames over.
+/// Without a commit the old file stands and nothing is left behind. Thread rules: one thread.
+class OutputFile {
+ public:
+  [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& path);
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
+  ~OutputFile();
+
+  [[nodiscard]] Result<void> append(std::span<const std::uint8_t> bytes);
+  [[nodiscard]] Result<void> append(std::string_view text);
+  /// Once, as the last call.
+  [[nodiscard]] Result<void> commit();
+
+ private:
+  OutputFile(std::filesystem::path path, std::string beside, int fd)
+      : path_(std::move(path)), beside_(std::move(beside)), fd_(fd) {}
+  [[nodiscard]] Result<void> refusal(int error_number) const;
+
+  std::filesystem::path path_;
+  std::string beside_;
+  int fd_;
+};
 
 /// Writes a file so that readers see the old content or the new, never a part: it is written beside under
 /// another name, flushed to disk, then renamed over. On failure the old file stands and nothing is left

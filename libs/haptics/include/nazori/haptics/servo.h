@@ -65,6 +65,8 @@ struct ServoTiming {
   double max_lateness_s = 0;  ///< of a tick after its due time
 };
 
+struct SampleRing;
+
 /// The haptic loop: takes the device's pose, holds the proxy on the surface and the strokes, and returns the
 /// force.
 ///
@@ -90,6 +92,11 @@ class Servo final : public ServoCallback {
   std::size_t take_samples(std::span<ServoSample> out) noexcept;
 
   [[nodiscard]] ServoTiming timing() const noexcept;
+
+  /// From the next tick on, every sample is also pushed into `ring`; null: none any more. When it returns,
+  /// the servo does not touch the ring it had before. Thread: one (interface); waits at most for a push that
+  /// is under way. Wait-free for the servo.
+  void set_recording(SampleRing* ring) noexcept;
 
   Vec3 tick(const DeviceSample& sample) noexcept override;
 
