@@ -12,7 +12,8 @@ using Place = TabletSurface::Place;
 constexpr double kStill_m = 1e-7;  // a lateral pull below this counts as none
 // Steps need not be shorter than what a stylus can tell apart (its encoders: 0.055 mm on a Touch).
 constexpr double kFinest_m = 5e-5;
-constexpr int kMostSteps = 20;
+constexpr int kMostSteps = 14;       // of the walk from the old place
+constexpr int kMostStepsBeyond = 8;  // of the one that looks beyond a ridge
 constexpr int kMostMarch = 32;
 
 struct Walk {
@@ -20,15 +21,18 @@ struct Walk {
   bool moved;
 };
 
-/// Walks downhill in distance to `d`. Stops where the pull along the surface is within `friction` times the
-/// pull into it (0: at the minimum).
-Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction) noexcept {
+/// Walks downhill in distance to `d`, at most `steps` steps. Stops where the pull along the surface is within
+/// `friction` times the pull into it (0: at the minimum).
+Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction,
+                  int steps = kMostSteps) noexcept {
   const double far = std::max(std::abs(d.x - at.x), std::abs(d.y - at.y));
   double reach = std::max({surface.cell_m() / 2, kFinest_m, far / 12});
+  // Every step that comes nearer lets the next be longer, up to what a ridge may hide.
+  const double longest = std::max(reach, SurfaceContact::kRidge_m);
   bool moved = false;
   double ex = at.x - d.x, ey = at.y - d.y, ez = at.z - d.z;
   double squared = ex * ex + ey * ey + ez * ez;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < steps; ++i) {
     const double gx = ex + ez * at.zx;
     const double gy = ey + ez * at.zy;
     const double steep = 1 + at.zx * at.zx + at.zy * at.zy;
@@ -41,33 +45,32 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
     const double bound = std::max(kStill_m, allowed * 1.001);
     if (along2 <= bound * bound) break;
     const double part = allowed > 0 ? 1 - allowed / std::sqrt(along2) : 1.0;
-    // Newton's step where the distance is convex, else Gauss-Newton's, which always leads downhill.
+    // Newton's step where the distance is convex, else Gauss-Newton's, which always leads downhill; both as
+    // (nx, ny) / divisor, so that the length is known without waiting for the division.
     const double hxx = 1 + at.zx * at.zx + ez * at.zxx;
     const double hxy = at.zx * at.zy + ez * at.zxy;
     const double hyy = 1 + at.zy * at.zy + ez * at.zyy;
     const double det = hxx * hyy - hxy * hxy;
-    double sx, sy;
+    double nx, ny, divisor;
     if (hxx > 0 && det > 1e-3 * steep) {
-      sx = (hxy * gy - hyy * gx) / det;
-      sy = (hxy * gx - hxx * gy) / det;
+      nx = hxy * gy - hyy * gx;
+      ny = hxy * gx - hxx * gy;
+      divisor = det;
     } else {
-      sx = sg * at.zx / steep - gx;
-      sy = sg * at.zy / steep - gy;
+      nx = sg * at.zx - steep * gx;
+      ny = sg * at.zy - steep * gy;
+      divisor = steep;
     }
-    sx *= part;
-    sy *= part;
-    const double length2 = sx * sx + sy * sy;
-    if (length2 > reach * reach) {
-      const double shorter = reach / std::sqrt(length2);
-      sx *= shorter;
-      sy *= shorter;
-    }
-    const Place trial = surface.at(at.x + sx, at.y + sy);
+    const double square = nx * nx + ny * ny, most = reach * divisor;
+    double scale = part / divisor;
+    if (part * part * square > most * most)
+      scale = reach / static_cast<double>(std::sqrt(static_cast<float>(square)));
+    const Place trial = surface.at(at.x + scale * nx, at.y + scale * ny);
     const double tx = trial.x - d.x, ty = trial.y - d.y, tz = trial.z - d.z;
     const double trial2 = tx * tx + ty * ty + tz * tz;
     if (!(trial2 < squared)) {
       // Too far, or as near as numbers can tell.
-      reach = 0.25 * std::min(reach, std::sqrt(length2));
+      reach = 0.25 * scale * std::sqrt(square);
       if (reach < 1e-10) break;
       continue;
     }
@@ -76,6 +79,7 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
     ey = ty;
     ez = tz;
     squared = trial2;
+    reach = std::min(2 * reach, longest);
     moved = true;
   }
   return {at, moved};
@@ -154,7 +158,7 @@ void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
   const double here = distance2(walk.place, device_m) / (1 + cone * cone);
   const double limit = std::sqrt(near) + kRidge_m;
   if (here > limit * limit) {
-    const Walk other = walk_towards(surface, above, device_m, 0);
+    const Walk other = walk_towards(surface, above, device_m, 0, kMostStepsBeyond);
     const double there = std::sqrt(distance2(other.place, device_m)) + kRidge_m;
     if (there * there < here) {
       walk = other;
