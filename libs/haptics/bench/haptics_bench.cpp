@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <map>
@@ -18,6 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t kTicks = 200'000;
+constexpr std::size_t kPasses = 9;
 
 /// Time this thread has had a core, so that other work on the machine does not count.
 double cpu_s() {
@@ -53,8 +55,15 @@ struct Work {
   std::vector<std::vector<Vec3>> paths;  // trace, sweep, scribble
 };
 
-/// Runs `tick(i)` over the path, timed as a whole (mean, with what is done in between) and once tick by tick
-/// (percentiles, less the clock's own cost).
+double quantile(std::vector<double>& values, double q) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// Runs `tick(i)` over the path, timed as a whole (the best mean, with what is done in between) and kPasses
+/// times tick by tick. Every pass does the same work in the same order; of each tick the median of its passes
+/// counts, less the clock's own cost, so that other work that had the core for a moment does not.
 template <class Reset, class Tick, class Between>
 void measure(benchmark::State& state, Reset reset, Tick tick, Between between) {
   double best = 1e9;
@@ -67,23 +76,30 @@ void measure(benchmark::State& state, Reset reset, Tick tick, Between between) {
     }
     best = std::min(best, cpu_s() - begin);
   }
-  std::vector<double> ns(kTicks), empty(kTicks);
-  for (std::size_t i = 0; i < kTicks; ++i) {
+  std::vector<double> ns(kTicks);
+  for (double& n : ns) {
     const auto begin = Clock::now();
-    empty[i] = std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
+    n = std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
   }
-  std::nth_element(empty.begin(), empty.begin() + kTicks / 2, empty.end());
-  reset();
+  const double empty = quantile(ns, 0.5);
+  std::vector<std::array<float, kPasses>> passes(kTicks);
+  for (std::size_t pass = 0; pass < kPasses; ++pass) {
+    reset();
+    for (std::size_t i = 0; i < kTicks; ++i) {
+      const auto begin = Clock::now();
+      tick(i);
+      passes[i][pass] = std::chrono::duration<float, std::nano>(Clock::now() - begin).count();
+      between(i);
+    }
+  }
   for (std::size_t i = 0; i < kTicks; ++i) {
-    const auto begin = Clock::now();
-    tick(i);
-    ns[i] = std::chrono::duration<double, std::nano>(Clock::now() - begin).count() - empty[kTicks / 2];
-    between(i);
+    std::sort(passes[i].begin(), passes[i].end());
+    ns[i] = static_cast<double>(passes[i][kPasses / 2]) - empty;
   }
-  std::sort(ns.begin(), ns.end());
   state.counters["mean_ns"] = best / kTicks * 1e9;
-  state.counters["p99_ns"] = ns[kTicks * 99 / 100];
-  state.counters["p99.9_ns"] = ns[kTicks * 999 / 1000];
+  state.counters["p99_ns"] = quantile(ns, 0.99);
+  state.counters["p99.9_ns"] = quantile(ns, 0.999);
+  state.counters["max_ns"] = quantile(ns, 1);
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kTicks));
 }
 

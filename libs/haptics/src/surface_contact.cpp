@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nazori::haptics {
 namespace {
@@ -15,6 +16,7 @@ constexpr double kFinest_m = 5e-5;
 constexpr int kMostSteps = 14;       // of the walk from the old place
 constexpr int kMostStepsBeyond = 8;  // of the one that looks beyond a ridge
 constexpr int kMostMarch = 32;
+constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 
 struct Walk {
   Place place;
@@ -22,9 +24,10 @@ struct Walk {
 };
 
 /// Walks downhill in distance to `d`, at most `steps` steps. Stops where the pull along the surface is within
-/// `friction` times the pull into it (0: at the minimum).
+/// `friction` times the pull into it (0: at the minimum), and where the plane that touches the surface is
+/// farther than `hopeless2` (squared): nothing nearer is to be expected there.
 Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction,
-                  int steps = kMostSteps) noexcept {
+                  int steps = kMostSteps, double hopeless2 = kAnyDistance) noexcept {
   const double far = std::max(std::abs(d.x - at.x), std::abs(d.y - at.y));
   double reach = std::max({surface.cell_m() / 2, kFinest_m, far / 12});
   // Every step that comes nearer lets the next be longer, up to what a ridge may hide.
@@ -39,8 +42,9 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
     // |pull along the surface|^2 = g' (I + s s')^-1 g with the slope s.
     const double sg = at.zx * gx + at.zy * gy;
     const double along2 = std::max(0.0, gx * gx + gy * gy - sg * sg / steep);
-    const double allowed =
-        friction > 0 ? friction * std::abs(ez - at.zx * ex - at.zy * ey) / std::sqrt(steep) : 0.0;
+    const double into = std::abs(ez - at.zx * ex - at.zy * ey);  // x sqrt(steep)
+    if (into * into > hopeless2 * steep) break;
+    const double allowed = friction > 0 ? friction * into / std::sqrt(steep) : 0.0;
     // A thousandth outside the cone counts as inside: no hand can tell, and the walk need not creep up to it.
     const double bound = std::max(kStill_m, allowed * 1.001);
     if (along2 <= bound * bound) break;
@@ -51,16 +55,10 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
     const double hxy = at.zx * at.zy + ez * at.zxy;
     const double hyy = 1 + at.zy * at.zy + ez * at.zyy;
     const double det = hxx * hyy - hxy * hxy;
-    double nx, ny, divisor;
-    if (hxx > 0 && det > 1e-3 * steep) {
-      nx = hxy * gy - hyy * gx;
-      ny = hxy * gx - hxx * gy;
-      divisor = det;
-    } else {
-      nx = sg * at.zx - steep * gx;
-      ny = sg * at.zy - steep * gy;
-      divisor = steep;
-    }
+    const bool newton = hxx > 0 && det > 1e-3 * steep;
+    const double nx = newton ? hxy * gy - hyy * gx : sg * at.zx - steep * gx;
+    const double ny = newton ? hxy * gx - hxx * gy : sg * at.zy - steep * gy;
+    const double divisor = newton ? det : steep;
     const double square = nx * nx + ny * ny, most = reach * divisor;
     double scale = part / divisor;
     if (part * part * square > most * most)
@@ -158,9 +156,9 @@ void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
   const double here = distance2(walk.place, device_m) / (1 + cone * cone);
   const double limit = std::sqrt(near) + kRidge_m;
   if (here > limit * limit) {
-    const Walk other = walk_towards(surface, above, device_m, 0, kMostStepsBeyond);
-    const double there = std::sqrt(distance2(other.place, device_m)) + kRidge_m;
-    if (there * there < here) {
+    const double nearer = std::sqrt(here) - kRidge_m;
+    const Walk other = walk_towards(surface, above, device_m, 0, kMostStepsBeyond, nearer * nearer);
+    if (distance2(other.place, device_m) < nearer * nearer) {
       walk = other;
       sliding_ = true;
     }
