@@ -27,8 +27,8 @@ void add(std::atomic<T>& to, T value) noexcept {  // one writer: no read-modify-
 void raise(std::atomic<double>& to, double value) noexcept {
   if (value > to.load(std::memory_order_relaxed)) to.store(value, std::memory_order_relaxed);
 }
-void mark(std::uint8_t& events, ServoEvent event) noexcept {
-  events = static_cast<std::uint8_t>(events | static_cast<std::uint8_t>(event));
+void mark(std::uint16_t& events, ServoEvent event) noexcept {
+  events = static_cast<std::uint16_t>(events | static_cast<std::uint16_t>(event));
 }
 
 }  // namespace
@@ -211,7 +211,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     sample.force_n = limiter.limit(wanted, period_s);
   }
 
-  sample.touching = fine && from.present && (contact.touching() || snap.stroke() != 0);
+  sample.touching = fine && from.present && contact.touching();
   sample.stroke = snap.stroke();
   if (sample.touching != was_touching)
     mark(sample.events, sample.touching ? ServoEvent::touch : ServoEvent::untouch);

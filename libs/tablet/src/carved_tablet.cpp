@@ -148,13 +148,15 @@ base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_height_map(
 }
 
 std::shared_ptr<const haptics::HapticScene> CarvedTablet::scene(const haptics::Material& material,
-                                                                const haptics::Snapping& snapping) const {
+                                                                const haptics::Snapping& snapping,
+                                                                const haptics::Guiding& guiding) const {
   auto scene = std::make_shared<haptics::HapticScene>();
   scene->surface = surface_;
   scene->shape = shape_;
   scene->material = material;
   scene->strokes = paths_;
   scene->snapping = snapping;
+  scene->guiding = guiding;
   return scene;
 }
 

@@ -11,6 +11,14 @@
 
 namespace nazori::haptics {
 
+/// What a surface feels like to a tip that slides over it: a tilt of the contact force, not a height.
+enum class Texture : std::uint8_t {
+  none,
+  paper,  ///< fine, the same in all directions
+  wood,   ///< grain along x: rough across it, smooth along it
+  stone,  ///< coarse with fine grit, the same in all directions
+};
+
 /// The surface's material, in the terms of 2005: each 0..1 of the device's maximum.
 struct Material {
   double stiffness = 0.8;
@@ -18,6 +26,8 @@ struct Material {
   double static_friction = 0.0;   ///< coefficient of the friction cone
   double dynamic_friction = 0.0;  ///< at most static_friction
   double popthrough = 0.0;        ///< 0 off; else the fraction of the device's peak force that pushes through
+  Texture texture = Texture::none;
+  double roughness = 0.5;  ///< 0..1, of the texture: at 1 the force tilts by at most 17 degrees
 };
 
 /// A stroke that can hold the stylus: its centre line in metres, z the depth of the groove there (<= 0).
@@ -37,6 +47,31 @@ struct Snapping {
   double release_force_n = 0;
 };
 
+/// What guidance does.
+enum class GuidingMode : std::uint8_t {
+  off,      ///< no order, no direction
+  lesson,   ///< only the stroke to be written attracts, from its start, forwards; the learner moves
+  lead,     ///< the stylus is taken along the strokes as a teacher would, and waits for the learner
+  disturb,  ///< nothing helps; a slow random force disturbs the writing, for advanced learners
+};
+
+/// How the learner is guided through the strokes in their order. In lesson and lead mode guidance alone holds
+/// the stylus on a stroke: Snapping has no effect.
+///
+/// A scene with the same strokes, mode, first stroke and attempt as the last goes on where that was, so
+/// strength may change in the middle of a stroke; any other starts the lesson anew.
+struct Guiding {
+  GuidingMode mode = GuidingMode::off;
+  /// 0..1, scales every force of guidance, the disturbance too. 0: unaided, events only. See next_help().
+  double strength = 1;
+  int stroke = 1;              ///< first to be written, from 1; beyond the last there is nothing to write
+  std::uint32_t attempt = 0;   ///< another number starts the lesson anew
+  double cap_n = 0.8;          ///< most that guidance pulls with at strength 1, 0..1 N
+  double speed_m_s = 0.04;     ///< the teacher's on a straight line, 0.005..0.2
+  double disturbance_n = 0.4;  ///< most that disturb mode pushes with at strength 1, 0..1 N
+  std::uint64_t seed = 1;      ///< of the disturbance: same seed, same force
+};
+
 /// Everything the servo feels, immutable once handed over.
 struct HapticScene {
   std::shared_ptr<const surface::SmoothSurface> surface;  ///< may be null: nothing to touch
@@ -44,6 +79,7 @@ struct HapticScene {
   Material material;
   std::vector<StrokePath> strokes;
   Snapping snapping;
+  Guiding guiding;
 };
 
 }  // namespace nazori::haptics

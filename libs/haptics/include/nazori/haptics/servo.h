@@ -11,15 +11,27 @@
 
 namespace nazori::haptics {
 
-/// Things that happen in a tick; several may at once (bits).
-enum class ServoEvent : std::uint8_t {
+/// Things that happen in a tick; several may at once (bits). From wrong_start on they come from guidance, in
+/// every mode of Guiding but off.
+enum class ServoEvent : std::uint16_t {
   none = 0,
-  touch = 1,    ///< contact began
-  untouch = 2,  ///< contact ended
-  capture = 4,  ///< a stroke took hold
-  release = 8,  ///< a stroke let go
-  fault = 16,   ///< input not finite or too late: force dropped to zero, the proxy re-seated
+  touch = 1,             ///< contact with the surface began
+  untouch = 2,           ///< contact with the surface ended
+  capture = 4,           ///< a stroke took hold; under guidance: it began to be written
+  release = 8,           ///< a stroke let go; under guidance: it is no longer being written
+  fault = 16,            ///< input not finite or too late: force dropped to zero, the proxy re-seated
+  wrong_start = 32,      ///< the stylus came down on another stroke, or not where the stroke goes on
+  wrong_direction = 64,  ///< the stylus went back along the stroke; once until it comes forwards again
+  stroke_done = 128,     ///< the stroke ServoSample::done_stroke is finished
+  lesson_done = 256,     ///< with stroke_done: it was the last
+  resisted = 512,        ///< leading or carrying stopped: the learner resists, or lifted or lost the stylus
+  resumed = 1024,        ///< the learner comes along again: leading or carrying goes on
 };
+
+/// Whether `event` is among `events`.
+[[nodiscard]] constexpr bool has(std::uint16_t events, ServoEvent event) noexcept {
+  return (events & static_cast<std::uint16_t>(event)) != 0;
+}
 
 /// What one tick saw and did.
 struct ServoSample {
@@ -28,10 +40,16 @@ struct ServoSample {
   Vec3 device_m{0, 0, 0.02};
   Vec3 proxy_m{0, 0, 0.02};  ///< never below the surface (but with popthrough)
   Vec3 force_n{0, 0, 0};
-  bool touching = false;    ///< the proxy is on the surface, or a stroke holds it
-  std::int32_t stroke = 0;  ///< number of the stroke that holds the stylus, 0 none
+  Vec3 guide_m{0, 0, 0.02};  ///< where guidance wants the tip; where none does, device_m
+  double progress_m = 0;     ///< under guidance: furthest arc length of guided_stroke reached, from above
+  double off_m = 0;          ///< while a guided stroke is written: distance to its line, from above
+  bool touching = false;     ///< the stylus is in contact with the surface
+  std::int32_t stroke = 0;   ///< number of the stroke that holds the stylus, or under guidance is being
+                             ///< written; 0 none. It may be in the air: touching says so.
+  std::int32_t guided_stroke = 0;  ///< under guidance: the stroke to be written, from 1; 0 none or all done
+  std::int32_t done_stroke = 0;    ///< with stroke_done: which; else 0
   std::uint32_t buttons = 0;
-  std::uint8_t events = 0;  ///< ServoEvent bits
+  std::uint16_t events = 0;  ///< ServoEvent bits
 };
 
 /// Stopwatch of the servo, for the status bar.

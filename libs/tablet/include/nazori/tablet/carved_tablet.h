@@ -41,7 +41,8 @@ class CarvedTablet {
 
   /// The scene for the servo with this tablet.
   [[nodiscard]] std::shared_ptr<const haptics::HapticScene> scene(const haptics::Material& material,
-                                                                  const haptics::Snapping& snapping) const;
+                                                                  const haptics::Snapping& snapping,
+                                                                  const haptics::Guiding& guiding = {}) const;
 
  private:
   CarvedTablet() = default;
