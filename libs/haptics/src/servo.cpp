@@ -21,27 +21,49 @@ double positive(double value, double otherwise) {
 
 double period_of(const DeviceDescription& device) { return 1 / positive(device.rate_hz, 1000); }
 
+double within(double value, double low, double high) {
+  return std::isfinite(value) ? std::clamp(value, low, high) : low;
+}
+
 constexpr double kPullOff_n = 5.0;  // the 2005 program's
+// Guidance holds as softly as snapping does unless told otherwise, and never as a wall.
+constexpr double kGuide = 0.2;
+constexpr double kMostGuide_n_m = 250;
+constexpr double kCarryDamping_n_s_m = 1.5;
+
+bool same_lesson(const HapticScene& a, const HapticScene& b) {
+  return a.guiding.mode == b.guiding.mode && a.guiding.stroke == b.guiding.stroke &&
+         a.guiding.attempt == b.guiding.attempt && a.guiding.seed == b.guiding.seed &&
+         std::equal(a.strokes.begin(), a.strokes.end(), b.strokes.begin(), b.strokes.end(),
+                    [](const StrokePath& p, const StrokePath& q) { return p.points == q.points; });
+}
 
 }  // namespace
 
 ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDescription& device,
-                       std::uint64_t number)
-    : scene(std::move(from)), generation(number) {
+                       std::uint64_t number, const ServoScene* before)
+    : scene(std::move(from)), generation(number), lesson(number) {
   if (!scene) return;
   const Material& material = scene->material;
   const Snapping& snapping = scene->snapping;
+  const Guiding& guiding = scene->guiding;
   const DeviceLimits& limits = device.limits;
   if (scene->surface && scene->shape.width_m > 0 && scene->shape.depth_m > 0)
     surface = TabletSurface(*scene->surface, scene->shape);
   friction.hold = coefficient(material.static_friction);
   friction.slide = std::min(coefficient(material.dynamic_friction), friction.hold);
   popthrough_n = fraction(material.popthrough) * limits.max_force_n;
+  roughness = fraction(material.roughness);
+  texture = roughness > 0 ? material.texture : Texture::none;
 
   const double b = limits.own_damping_n_s_m + limits.hand_damping_n_s_m;
   damping_n_s_m = std::min(fraction(material.damping) * limits.max_damping_n_s_m, b / 2);
   stiffness_n_m = fraction(material.stiffness) * limits.max_stiffness_n_m;
-  double pull_n_m = snapping.enabled ? fraction(snapping.stiffness) * limits.max_stiffness_n_m : 0;
+  const bool held_by_guidance = guiding.mode == GuidingMode::lesson || guiding.mode == GuidingMode::lead;
+  const bool snaps = snapping.enabled && !held_by_guidance;
+  double pull_n_m = snaps              ? fraction(snapping.stiffness) * limits.max_stiffness_n_m
+                    : held_by_guidance ? std::min(kGuide * limits.max_stiffness_n_m, kMostGuide_n_m)
+                                       : 0;
   // Surface and stroke pull at once: together they stay within what the device renders, and what is passive.
   const double most = std::min(limits.max_stiffness_n_m,
                                passive_stiffness_n_m(b, damping_n_s_m, period_of(device), limits.delay_s));
@@ -50,7 +72,22 @@ ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDesc
     stiffness_n_m *= part;
     pull_n_m *= part;
   }
-  if (!snapping.enabled) return;
+
+  if (guiding.mode != GuidingMode::off) {
+    plan = GuidancePlan(scene->strokes, within(guiding.speed_m_s, 0.005, 0.2));
+    first_stroke = std::max(1, guiding.stroke);
+    guide.mode = guiding.mode;
+    guide.strength = fraction(guiding.strength);
+    guide.cap_n = std::min(fraction(guiding.cap_n), limits.max_force_n);
+    guide.stiffness_n_m = held_by_guidance ? pull_n_m : 0;
+    guide.damping_n_s_m =
+        std::clamp(b / 2 - damping_n_s_m, 0.0, std::min(kCarryDamping_n_s_m, limits.max_damping_n_s_m));
+    guide.disturbance_n = std::min(fraction(guiding.disturbance_n), limits.max_force_n);
+    disturbance = Disturbance(guiding.seed, period_of(device));
+    if (before != nullptr && before->scene && same_lesson(*scene, *before->scene)) lesson = before->lesson;
+  }
+
+  if (!snaps) return;
   strokes = StrokeIndex(scene->strokes, std::max(0, snapping.stroke));
   snap.stiffness_n_m = pull_n_m;
   snap.snap_distance_m =
@@ -73,7 +110,9 @@ Servo::~Servo() = default;
 
 void Servo::set_scene(std::shared_ptr<const HapticScene> scene) {
   Inside& in = *inside_;
-  in.kept.push_back(std::make_unique<const ServoScene>(std::move(scene), in.device, ++in.generations));
+  const ServoScene* before = in.kept.empty() ? nullptr : in.kept.back().get();
+  in.kept.push_back(
+      std::make_unique<const ServoScene>(std::move(scene), in.device, ++in.generations, before));
   in.offered.store(in.kept.back().get(), std::memory_order_release);
   const std::uint64_t used = in.used.load(std::memory_order_acquire);
   std::erase_if(in.kept, [used](const auto& s) { return s->generation < used; });

@@ -35,6 +35,9 @@ struct Servo::Inside {
   void absent(const DeviceSample& sample) noexcept;
   void seat(const Vec3& device_m) noexcept;
   Vec3 contact_force(const Vec3& device_m) noexcept;
+  void lose_hold(bool lifted) noexcept;
+  Vec3 hold(const Vec3& device_m, double period) noexcept;
+  void tell_of_guidance() noexcept;
 
   const DeviceDescription device;
   const double period_s;
@@ -50,10 +53,12 @@ struct Servo::Inside {
   const ServoScene* scene = nullptr;
   SurfaceContact contact;
   StrokeConstraint snap;
+  Guidance guidance;
   ForceLimiter limiter;
   Passivity passivity;
   ServoSample sample;
   Vec3 velocity{0, 0, 0};
+  double stored_j = 0;  // in the springs, in this tick
   double last_time_s = 0;
   bool started = false;  // last_time_s and sample.device_m are from a good tick
   bool pushed_through = false;

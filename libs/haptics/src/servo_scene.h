@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "disturbance.h"
+#include "guidance.h"
+#include "guidance_plan.h"
 #include "nazori/haptics/haptic_scene.h"
 #include "nazori/haptics/stroke_constraint.h"
 #include "nazori/haptics/stroke_index.h"
@@ -15,7 +18,9 @@ namespace nazori::haptics {
 /// A HapticScene turned into what a tick needs: coefficients in SI, within the limits of one device, and the
 /// index of the strokes. Made and freed by the thread that hands the scene over.
 struct ServoScene {
-  ServoScene(std::shared_ptr<const HapticScene> scene, const DeviceDescription& device, std::uint64_t number);
+  /// @param before  the scene handed over last, null for the first: the lesson may go on from it.
+  ServoScene(std::shared_ptr<const HapticScene> scene, const DeviceDescription& device, std::uint64_t number,
+             const ServoScene* before);
 
   std::shared_ptr<const HapticScene> scene;
   std::uint64_t generation;
@@ -24,8 +29,15 @@ struct ServoScene {
   double stiffness_n_m = 0;
   double damping_n_s_m = 0;
   double popthrough_n = 0;  ///< 0: off
-  StrokeIndex strokes;      ///< empty while snapping is off
+  Texture texture = Texture::none;
+  double roughness = 0;
+  StrokeIndex strokes;  ///< empty while snapping is off
   StrokeConstraint::Settings snap;
+  std::uint64_t lesson = 0;  ///< another number: another lesson
+  std::int32_t first_stroke = 1;
+  GuidancePlan plan;  ///< empty while guidance is off
+  Guidance::Settings guide;
+  Disturbance disturbance;
 };
 
 }  // namespace nazori::haptics

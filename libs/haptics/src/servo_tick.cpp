@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "servo_inside.h"
+#include "texture.h"
 
 namespace nazori::haptics {
 namespace {
@@ -72,6 +73,8 @@ void Servo::Inside::take_scene() noexcept {
   if (!same_surface || (!same_material && contact.touching())) limiter.restart_ramp();
   if (!same_surface) pushed_through = false;
   snap.let_go();
+  if (scene == nullptr || scene->lesson != next->lesson)
+    guidance.begin(next->plan, next->first_stroke, next->disturbance);
   scene = next;
   used.store(next->generation, std::memory_order_release);
 }
@@ -86,23 +89,60 @@ Vec3 Servo::Inside::fault(const DeviceSample& from) noexcept {
   } else {
     started = false;
   }
-  seat(sample.device_m);
-  snap.forget();
-  limiter.drop();
-  passivity.forget();
-  velocity = Vec3(0);
-  pushed_through = false;
+  lose_hold(false);
   return Vec3(0);
 }
 
 void Servo::Inside::absent(const DeviceSample& from) noexcept {
   sample.device_m = from.position_m;
+  lose_hold(true);
+}
+
+void Servo::Inside::lose_hold(bool lifted) noexcept {
   seat(sample.device_m);
   snap.forget();
+  if (scene != nullptr) {
+    guidance.lose(scene->plan, scene->guide, lifted);
+    tell_of_guidance();
+  }
   limiter.drop();
   passivity.forget();
   velocity = Vec3(0);
   pushed_through = false;
+}
+
+void Servo::Inside::tell_of_guidance() noexcept {
+  sample.events = static_cast<std::uint16_t>(sample.events | guidance.events());
+  sample.done_stroke = guidance.done_stroke();
+  sample.guided_stroke = guidance.stroke();
+  sample.progress_m = guidance.progress_m();
+  sample.off_m = guidance.off_m();
+}
+
+/// What strokes and guidance pull with.
+Vec3 Servo::Inside::hold(const Vec3& device_m, double period) noexcept {
+  const Vec3 before = snap.force_n();
+  snap.update(scene->strokes, scene->snap, device_m, period);
+  if (snap.stroke() != 0) {
+    sample.proxy_m = snap.point_m();
+    if (scene->surface.exists())
+      sample.proxy_m.z =
+          std::max(sample.proxy_m.z, scene->surface.height(sample.proxy_m.x, sample.proxy_m.y));
+    const Vec3 lag = snap.point_m() - device_m;
+    stored_j += 0.5 * scene->snap.stiffness_n_m * glm::dot(lag, lag);
+  }
+  // Both may change at once; together they make no step either.
+  const double taken = glm::length(snap.force_n() - before);
+  const double left = std::max(0.1 * Guidance::kMostStep_n, Guidance::kMostStep_n - taken);
+  guidance.update(scene->plan, scene->guide, {device_m, velocity, contact.touching(), period, left});
+  tell_of_guidance();
+  sample.guide_m = guidance.guide_m();
+  stored_j += guidance.stored_j();
+  passivity.grant(guidance.granted_j());
+  Vec3 pull = snap.force_n();
+  // The surface holds the tip up; a stroke that runs shallow over a deeper groove must not lift it off.
+  if (scene->surface.exists() && pull.z > 0) pull.z = 0;
+  return pull + guidance.force_n();
 }
 
 Vec3 Servo::Inside::contact_force(const Vec3& device_m) noexcept {
@@ -116,7 +156,7 @@ Vec3 Servo::Inside::contact_force(const Vec3& device_m) noexcept {
     const double push = glm::dot(force, normal);
     if (push < 0) force -= push * normal;  // a surface does not pull
   }
-  return force;
+  return textured(force, normal, contact.proxy_m(), scene->texture, scene->roughness);
 }
 
 Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
@@ -125,6 +165,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
   sample.events = 0;
   sample.buttons = from.buttons;
   sample.force_n = Vec3(0);
+  sample.done_stroke = 0;
   take_scene();
 
   double period = period_s;
@@ -177,7 +218,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
         else
           pushed_through = false;
       }
-      double stored = 0;
+      stored_j = 0;
       if (contact.touching()) {
         wanted = contact_force(device_m);
         if (scene->popthrough_n > 0 && glm::dot(wanted, wanted) > scene->popthrough_n * scene->popthrough_n) {
@@ -186,21 +227,12 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
           wanted = Vec3(0);
         }
         const Vec3 lag = contact.proxy_m() - device_m;
-        stored = 0.5 * scene->stiffness_n_m * glm::dot(lag, lag);
+        stored_j = 0.5 * scene->stiffness_n_m * glm::dot(lag, lag);
       }
       sample.proxy_m = contact.proxy_m();
-      snap.update(scene->strokes, scene->snap, device_m, period);
-      if (snap.stroke() != 0) {
-        sample.proxy_m = snap.point_m();
-        if (scene->surface.exists())
-          sample.proxy_m.z =
-              std::max(sample.proxy_m.z, scene->surface.height(sample.proxy_m.x, sample.proxy_m.y));
-        const Vec3 lag = snap.point_m() - device_m;
-        stored += 0.5 * scene->snap.stiffness_n_m * glm::dot(lag, lag);
-      }
-      wanted += snap.force_n();
+      wanted += hold(device_m, period);
 
-      passivity.observe(moved, limiter.last_n(), period, stored);
+      passivity.observe(moved, limiter.last_n(), period, stored_j);
       const Vec3 brake = passivity.correction(moved, period);
       const double strength = glm::dot(wanted, wanted);
       if (strength > 0) {
@@ -213,7 +245,9 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
   }
 
   sample.touching = fine && from.present && contact.touching();
-  sample.stroke = snap.stroke();
+  const bool guided = scene != nullptr && scene->guide.mode != GuidingMode::off;
+  sample.stroke = !guided ? snap.stroke() : guidance.writing() ? guidance.stroke() : 0;
+  if (!fine || !from.present || !guided) sample.guide_m = sample.device_m;
   if (sample.touching != was_touching)
     mark(sample.events, sample.touching ? ServoEvent::touch : ServoEvent::untouch);
   if (was_held != 0 && sample.stroke != was_held) mark(sample.events, ServoEvent::release);

@@ -8,7 +8,7 @@
 
 namespace nazori::haptics {
 
-StrokeIndex::StrokeIndex(std::span<const StrokePath> strokes, int only) {
+StrokeIndex::StrokeIndex(std::span<const StrokePath> strokes, int only) : first_(strokes.size(), -1) {
   for (std::size_t s = 0; s < strokes.size(); ++s) {
     const auto number = static_cast<std::int32_t>(s) + 1;
     if (only != 0 && number != only) continue;
@@ -20,13 +20,14 @@ StrokeIndex::StrokeIndex(std::span<const StrokePath> strokes, int only) {
     }
     if (points.empty()) continue;
     const auto first = static_cast<std::int32_t>(segments_.size());
+    first_[s] = first;
     const std::size_t count = std::max<std::size_t>(1, points.size() - 1);
     double before = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 along = points.size() > 1 ? points[i + 1] - points[i] : Vec3(0);
       const double squared = glm::dot(along, along);
-      segments_.push_back({points[i], along, squared > 0 ? 1 / squared : 0, before, number, first,
-                           first + static_cast<std::int32_t>(count) - 1});
+      segments_.push_back({points[i], along, squared > 0 ? 1 / squared : 0, before, std::sqrt(squared),
+                           number, first, first + static_cast<std::int32_t>(count) - 1});
       before += std::sqrt(squared);
     }
   }

@@ -48,26 +48,31 @@ StrokeIndex::Hit StrokeIndex::follow(const Vec3& p, std::int32_t segment) const 
 
 double StrokeIndex::arc_length_m(const Hit& hit) const noexcept {
   const Segment& s = segments_[static_cast<std::size_t>(hit.segment)];
-  return s.before_m + hit.along * glm::length(s.along);
+  return s.before_m + hit.along * s.length_m;
 }
 
 double StrokeIndex::stroke_length_m(std::int32_t segment) const noexcept {
   const Segment& last =
       segments_[static_cast<std::size_t>(segments_[static_cast<std::size_t>(segment)].last)];
-  return last.before_m + glm::length(last.along);
+  return last.before_m + last.length_m;
 }
 
 StrokeIndex::Hit StrokeIndex::at_length(std::int32_t stroke, double arc_m) const noexcept {
   Hit hit;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const Segment& s = segments_[i];
-    if (s.stroke != stroke) continue;
-    const double length = glm::length(s.along);
-    const double t = length > 0 ? std::clamp((arc_m - s.before_m) / length, 0.0, 1.0) : 0.0;
-    if (hit.segment >= 0 && arc_m < s.before_m) break;
-    hit = {s.from + t * s.along, 0, static_cast<std::int32_t>(i), t};
+  if (stroke < 1 || static_cast<std::size_t>(stroke) > first_.size()) return hit;
+  const std::int32_t first = first_[static_cast<std::size_t>(stroke) - 1];
+  if (first < 0) return hit;
+  std::int32_t low = first, high = segments_[static_cast<std::size_t>(first)].last;
+  while (low < high) {  // the last segment that begins at or before arc_m
+    const std::int32_t middle = low + (high - low + 1) / 2;
+    if (segments_[static_cast<std::size_t>(middle)].before_m <= arc_m)
+      low = middle;
+    else
+      high = middle - 1;
   }
-  return hit;
+  const Segment& s = segments_[static_cast<std::size_t>(low)];
+  const double t = s.length_m > 0 ? std::clamp((arc_m - s.before_m) / s.length_m, 0.0, 1.0) : 0.0;
+  return {s.from + t * s.along, 0, low, t};
 }
 
 Vec3 StrokeIndex::direction(std::int32_t segment) const noexcept {

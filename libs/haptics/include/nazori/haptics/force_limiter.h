@@ -69,6 +69,9 @@ class Passivity {
   /// @param stored_j  energy in the springs now.
   void observe(const Vec3& moved_m, const Vec3& commanded_n, double period_s, double stored_j) noexcept;
 
+  /// Energy that is meant to be given to the hand in this tick, by leading: no debt. Before observe().
+  void grant(double energy_j) noexcept { energy_ += energy_j; }
+
   /// Damping force that pays the debt back, zero while there is none. Never more than most_damping * speed.
   [[nodiscard]] Vec3 correction(const Vec3& moved_m, double period_s) const noexcept;
 

@@ -27,7 +27,7 @@ struct Material {
   double dynamic_friction = 0.0;  ///< at most static_friction
   double popthrough = 0.0;        ///< 0 off; else the fraction of the device's peak force that pushes through
   Texture texture = Texture::none;
-  double roughness = 0.5;  ///< 0..1, of the texture: at 1 the force tilts by at most 17 degrees
+  double roughness = 0.5;  ///< 0..1, of the texture: at 1 the force tilts by at most 27 degrees
 };
 
 /// A stroke that can hold the stylus: its centre line in metres, z the depth of the groove there (<= 0).

@@ -41,6 +41,7 @@ class StrokeIndex {
   /// Metres from start to end of the stroke that holds `segment`.
   [[nodiscard]] double stroke_length_m(std::int32_t segment) const noexcept;
   /// The place `arc_m` along the stroke numbered `stroke`, held to its ends; segment -1 when there is none.
+  /// O(log segments).
   [[nodiscard]] Hit at_length(std::int32_t stroke, double arc_m) const noexcept;
   /// Unit direction of writing at `segment`; zero for a stroke of one point.
   [[nodiscard]] Vec3 direction(std::int32_t segment) const noexcept;
@@ -50,6 +51,7 @@ class StrokeIndex {
     Vec3 from, along;
     double per_squared;  // 1 / |along|^2, 0 for a single point
     double before_m;     // arc length at `from`
+    double length_m;     // |along|
     std::int32_t stroke;
     std::int32_t first, last;  // segments of the same stroke
   };
@@ -63,6 +65,7 @@ class StrokeIndex {
 
   std::vector<Segment> segments_;
   std::vector<Cluster> clusters_;
+  std::vector<std::int32_t> first_;  // by stroke: its first segment, -1 none
 };
 
 }  // namespace nazori::haptics

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "nazori/haptics/haptic_scene.h"
+#include "nazori/haptics/stroke_index.h"
+
+namespace nazori::haptics {
+
+/// The strokes of a character made ready for guidance: lines seen from above, the depth along them, and how
+/// fast a teacher would write at every place. Arc lengths are those seen from above, so that a line that
+/// dips into its groove is not longer for it. Immutable.
+/// Thread-safe: yes. Real-time-safe: all but the constructor.
+class GuidancePlan {
+ public:
+  /// At a bend of this radius the teacher slows down to 0.79 (cube root of a half) of the speed on a
+  /// straight.
+  static constexpr double kBend_m = 0.01;
+  /// Over this length before and after a place its bend is measured: a corner is this wide.
+  static constexpr double kWindow_m = 0.0015;
+  /// Most acceleration along the line, from the start and towards the end and every slower place.
+  static constexpr double kAcceleration_m_s2 = 0.25;
+  /// Fraction of the speed that is kept at the start and the end, so that the line is entered and left.
+  static constexpr double kSlowest = 0.25;
+
+  GuidancePlan() = default;
+  /// @param speed_m_s  on a straight line.
+  /// @source speed from the bend: v = c (R / (1 + a R))^(1/3), the two-thirds power law with its limit on a
+  /// straight: P. Viviani, R. Schneider, A developmental study of the relationship between geometry and
+  /// kinematics in drawing movements, J. Experimental Psychology: HPP 17(1), 1991; F. Lacquaniti, C.
+  /// Terzuolo, P. Viviani, The law relating the kinematic and figural aspects of drawing movements, Acta
+  /// Psychologica 54, 1983. The limit of acceleration: own design.
+  GuidancePlan(std::span<const StrokePath> strokes, double speed_m_s);
+
+  /// Strokes handed over, with those that have no points.
+  [[nodiscard]] std::int32_t strokes() const noexcept { return static_cast<std::int32_t>(lengths_m_.size()); }
+  /// First stroke with points from number `from` on; 0 none.
+  [[nodiscard]] std::int32_t stroke_from(std::int32_t from) const noexcept;
+  /// Lines at z = 0.
+  [[nodiscard]] const StrokeIndex& lines() const noexcept { return lines_; }
+  [[nodiscard]] double length_m(std::int32_t stroke) const noexcept {
+    return lengths_m_[static_cast<std::size_t>(stroke) - 1];
+  }
+  /// Depth of the groove at a place of lines().
+  [[nodiscard]] double depth_m(const StrokeIndex::Hit& hit) const noexcept {
+    const Depth& d = depths_m_[static_cast<std::size_t>(hit.segment)];
+    return d.from + hit.along * (d.to - d.from);
+  }
+  /// The teacher's speed at `arc_m` of `stroke`.
+  [[nodiscard]] double speed_m_s(std::int32_t stroke, double arc_m) const noexcept;
+
+ private:
+  struct Depth {
+    double from, to;
+  };
+  void set_pace(std::int32_t stroke, double speed_m_s);
+
+  StrokeIndex lines_;
+  std::vector<Depth> depths_m_;         // by segment of lines_
+  std::vector<double> lengths_m_;       // by stroke
+  std::vector<std::size_t> pace_from_;  // by stroke: first of its speeds, and one past the last
+  std::vector<float> pace_m_s_;         // at arc lengths step_m_ apart
+  double step_m_ = 0.001;
+};
+
+}  // namespace nazori::haptics
