@@ -223,6 +223,15 @@ std::vector<Point3> scribble(const Kanji& kanji, std::size_t ticks) {
   return out;
 }
 
+std::vector<std::vector<Point3>> centre_lines() {
+  std::vector<std::vector<Point3>> made;
+  for (const Line& line : strokes()) {
+    std::vector<Point3>& points = made.emplace_back();
+    for (const Point& p : line) points.push_back({p.x, p.y, 0});
+  }
+  return made;
+}
+
 std::uint64_t checksum(const Kanji& kanji) {
   std::uint64_t hash = kStart;
   for (const std::uint8_t level : kanji.levels) mix(hash, level);

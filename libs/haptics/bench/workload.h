@@ -38,6 +38,9 @@ struct Kanji {
 /// Wild curves at 3 units/s, 0.005 to 0.045 deep.
 [[nodiscard]] std::vector<Point3> scribble(const Kanji& kanji, std::size_t ticks);
 
+/// The six centre lines, at the floor of the grooves.
+[[nodiscard]] std::vector<std::vector<Point3>> centre_lines();
+
 /// FNV-1a of the levels, and of the positions in steps of 2^-20.
 [[nodiscard]] std::uint64_t checksum(const Kanji& kanji);
 [[nodiscard]] std::uint64_t checksum(std::span<const Point3> path);

@@ -193,8 +193,9 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     raise(watch.max_lateness_s, late);
     if (late > 0.5 * period_s) {
       add<std::uint64_t>(watch.late_ticks, 1);
-      const double periods = std::floor(elapsed / period_s + 0.5);
-      if (periods > 1 && periods < 1e9) add(watch.missed_ticks, static_cast<std::uint64_t>(periods) - 1);
+      // A tick that is late by less than a period is late, not lost; a hundredth for the clock's grain.
+      const double periods = std::floor(late / period_s + 0.01);
+      if (periods < 1e9) add(watch.missed_ticks, static_cast<std::uint64_t>(periods));
     }
     if (late > kTooLate_s) fine = false;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nazori::haptics {
 namespace {
@@ -12,62 +13,62 @@ using Place = TabletSurface::Place;
 constexpr double kStill_m = 1e-7;  // a lateral pull below this counts as none
 // Steps need not be shorter than what a stylus can tell apart (its encoders: 0.055 mm on a Touch).
 constexpr double kFinest_m = 5e-5;
-constexpr int kMostSteps = 20;
+constexpr int kMostSteps = 14;       // of the walk from the old place
+constexpr int kMostStepsBeyond = 8;  // of the one that looks beyond a ridge
 constexpr int kMostMarch = 32;
+constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 
 struct Walk {
   Place place;
   bool moved;
 };
 
-/// Walks downhill in distance to `d`. Stops where the pull along the surface is within `friction` times the
-/// pull into it (0: at the minimum).
-Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction) noexcept {
+/// Walks downhill in distance to `d`, at most `steps` steps. Stops where the pull along the surface is within
+/// `friction` times the pull into it (0: at the minimum), and where the plane that touches the surface is
+/// farther than `hopeless2` (squared): nothing nearer is to be expected there.
+Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction,
+                  int steps = kMostSteps, double hopeless2 = kAnyDistance) noexcept {
   const double far = std::max(std::abs(d.x - at.x), std::abs(d.y - at.y));
   double reach = std::max({surface.cell_m() / 2, kFinest_m, far / 12});
+  // Every step that comes nearer lets the next be longer, up to what a ridge may hide.
+  const double longest = std::max(reach, SurfaceContact::kRidge_m);
   bool moved = false;
   double ex = at.x - d.x, ey = at.y - d.y, ez = at.z - d.z;
   double squared = ex * ex + ey * ey + ez * ez;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < steps; ++i) {
     const double gx = ex + ez * at.zx;
     const double gy = ey + ez * at.zy;
     const double steep = 1 + at.zx * at.zx + at.zy * at.zy;
     // |pull along the surface|^2 = g' (I + s s')^-1 g with the slope s.
     const double sg = at.zx * gx + at.zy * gy;
     const double along2 = std::max(0.0, gx * gx + gy * gy - sg * sg / steep);
-    const double allowed =
-        friction > 0 ? friction * std::abs(ez - at.zx * ex - at.zy * ey) / std::sqrt(steep) : 0.0;
+    const double into = std::abs(ez - at.zx * ex - at.zy * ey);  // x sqrt(steep)
+    if (into * into > hopeless2 * steep) break;
+    const double allowed = friction > 0 ? friction * into / std::sqrt(steep) : 0.0;
     // A thousandth outside the cone counts as inside: no hand can tell, and the walk need not creep up to it.
     const double bound = std::max(kStill_m, allowed * 1.001);
     if (along2 <= bound * bound) break;
     const double part = allowed > 0 ? 1 - allowed / std::sqrt(along2) : 1.0;
-    // Newton's step where the distance is convex, else Gauss-Newton's, which always leads downhill.
+    // Newton's step where the distance is convex, else Gauss-Newton's, which always leads downhill; both as
+    // (nx, ny) / divisor, so that the length is known without waiting for the division.
     const double hxx = 1 + at.zx * at.zx + ez * at.zxx;
     const double hxy = at.zx * at.zy + ez * at.zxy;
     const double hyy = 1 + at.zy * at.zy + ez * at.zyy;
     const double det = hxx * hyy - hxy * hxy;
-    double sx, sy;
-    if (hxx > 0 && det > 1e-3 * steep) {
-      sx = (hxy * gy - hyy * gx) / det;
-      sy = (hxy * gx - hxx * gy) / det;
-    } else {
-      sx = sg * at.zx / steep - gx;
-      sy = sg * at.zy / steep - gy;
-    }
-    sx *= part;
-    sy *= part;
-    const double length2 = sx * sx + sy * sy;
-    if (length2 > reach * reach) {
-      const double shorter = reach / std::sqrt(length2);
-      sx *= shorter;
-      sy *= shorter;
-    }
-    const Place trial = surface.at(at.x + sx, at.y + sy);
+    const bool newton = hxx > 0 && det > 1e-3 * steep;
+    const double nx = newton ? hxy * gy - hyy * gx : sg * at.zx - steep * gx;
+    const double ny = newton ? hxy * gx - hxx * gy : sg * at.zy - steep * gy;
+    const double divisor = newton ? det : steep;
+    const double square = nx * nx + ny * ny, most = reach * divisor;
+    double scale = part / divisor;
+    if (part * part * square > most * most)
+      scale = reach / static_cast<double>(std::sqrt(static_cast<float>(square)));
+    const Place trial = surface.at(at.x + scale * nx, at.y + scale * ny);
     const double tx = trial.x - d.x, ty = trial.y - d.y, tz = trial.z - d.z;
     const double trial2 = tx * tx + ty * ty + tz * tz;
     if (!(trial2 < squared)) {
       // Too far, or as near as numbers can tell.
-      reach = 0.25 * std::min(reach, std::sqrt(length2));
+      reach = 0.25 * scale * std::sqrt(square);
       if (reach < 1e-10) break;
       continue;
     }
@@ -76,6 +77,7 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
     ey = ty;
     ez = tz;
     squared = trial2;
+    reach = std::min(2 * reach, longest);
     moved = true;
   }
   return {at, moved};
@@ -154,9 +156,9 @@ void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
   const double here = distance2(walk.place, device_m) / (1 + cone * cone);
   const double limit = std::sqrt(near) + kRidge_m;
   if (here > limit * limit) {
-    const Walk other = walk_towards(surface, above, device_m, 0);
-    const double there = std::sqrt(distance2(other.place, device_m)) + kRidge_m;
-    if (there * there < here) {
+    const double nearer = std::sqrt(here) - kRidge_m;
+    const Walk other = walk_towards(surface, above, device_m, 0, kMostStepsBeyond, nearer * nearer);
+    if (distance2(other.place, device_m) < nearer * nearer) {
       walk = other;
       sliding_ = true;
     }
