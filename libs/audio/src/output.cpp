@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/audio/output.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace nazori::audio {
+namespace {
+
+void ask(void* source, std::uint8_t* bytes, int length) noexcept {
+  const std::span<float> stereo(reinterpret_cast<float*>(bytes),
+                                static_cast<std::size_t>(length) / sizeof(float));
+  std::fill(stereo.begin(), stereo.end(), 0.0F);
+  static_cast<Source*>(source)->add_to(stereo);
+  for (float& sample : stereo) sample = std::clamp(sample, -1.0F, 1.0F);
+}
+
+tl::unexpected<base::Error> no_sound(const std::string& why) {
+  return base::fail(base::Errc::device, "there is no sound: " + why, "sound card",
+                    "plug in or switch on loudspeakers or headphones; all else works without");
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<Output>> Output::open(Source& source, const OutputSettings& settings) {
+  const bool power_of_two = (settings.frames & (settings.frames - 1)) == 0;
+  if (settings.rate_hz < 8'000 || settings.rate_hz > 192'000)
+    return base::fail(base::Errc::bad_argument, "the sample rate is out of range", "rate_hz",
+                      "8000 to 192000");
+  if (settings.frames < 64 || settings.frames > 8'192 || !power_of_two)
+    return base::fail(base::Errc::bad_argument, "the number of frames is out of range", "frames",
+                      "a power of two from 64 to 8192");
+  // SDL would take Ctrl+C from whoever runs the program in a terminal.
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+  SDL_SetHint(SDL_HINT_APP_NAME, "Nazori");
+  std::unique_ptr<Output> output(new Output);
+  if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) return no_sound(SDL_GetError());
+  output->started_ = true;
+  SDL_AudioSpec wanted{};
+  wanted.freq = settings.rate_hz;
+  wanted.format = AUDIO_F32SYS;
+  wanted.channels = 2;
+  wanted.samples = static_cast<std::uint16_t>(settings.frames);
+  wanted.callback = ask;
+  wanted.userdata = &source;
+  SDL_AudioSpec got{};
+  output->device_ = SDL_OpenAudioDevice(nullptr, 0, &wanted, &got, SDL_AUDIO_ALLOW_SAMPLES_CHANGE);
+  if (output->device_ == 0) return no_sound(SDL_GetError());
+  const char* driver = SDL_GetCurrentAudioDriver();
+  output->driver_ = driver != nullptr ? driver : "";
+  SDL_PauseAudioDevice(output->device_, 0);
+  return output;
+}
+
+Output::~Output() {
+  if (device_ != 0) SDL_CloseAudioDevice(device_);
+  if (started_) SDL_QuitSubSystem(SDL_INIT_AUDIO);
+}
+
+}  // namespace nazori::audio
