@@ -38,6 +38,7 @@ Vec3 Servo::tick(const DeviceSample& sample) noexcept {
   using Clock = std::chrono::steady_clock;  // read from the vDSO: no system call
   Inside& in = *inside_;
   const auto begin = Clock::now();
+  in.sample.begun_s = std::chrono::duration<double>(begin.time_since_epoch()).count();
   const Vec3 force = in.step(sample);
   in.newest.back() = in.sample;
   in.newest.publish();
@@ -178,12 +179,12 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     } else {
       period = std::clamp(elapsed, 0.5 * period_s, 2 * period_s);
     }
+    raise(watch.max_lateness_s, late);
     if (late > 0.5 * period_s) {
       add<std::uint64_t>(watch.late_ticks, 1);
       // A tick that is late by less than a period is late, not lost; a hundredth for the clock's grain.
       const double periods = std::floor(late / period_s + 0.01);
       if (periods < 1e9) add(watch.missed_ticks, static_cast<std::uint64_t>(periods));
-      raise(watch.max_lateness_s, late);
     }
     if (late > kTooLate_s) fine = false;
   }

@@ -21,17 +21,22 @@ StatusLine::StatusLine(TabletController& controller, QWidget* parent)
       controller_(controller),
       device_(new QLabel(this)),
       rate_(new QLabel(this)),
+      timing_(new QLabel(this)),
       missed_(new QLabel(this)),
       depth_(new QLabel(this)) {
   setObjectName(QStringLiteral("status_line"));
   setSizeGripEnabled(false);
   device_->setObjectName(QStringLiteral("device"));
   rate_->setObjectName(QStringLiteral("rate"));
+  timing_->setObjectName(QStringLiteral("timing"));
   missed_->setObjectName(QStringLiteral("missed"));
   depth_->setObjectName(QStringLiteral("depth"));
   rate_->setToolTip(tr("How often a second the stylus is felt"));
+  timing_->setToolTip(tr(
+      "How long a moment of feeling takes to compute on average, how late one came at most since the start, "
+      "and how old the drawn stylus was at most in the last second"));
   missed_->setToolTip(tr("Moments of feeling that came too late or not at all, since the start"));
-  for (auto* label : {depth_, device_, rate_, missed_}) addPermanentWidget(label);
+  for (auto* label : {depth_, device_, rate_, timing_, missed_}) addPermanentWidget(label);
   const auto device = controller_.stylus().describe();
   // The window names what it knows; a device of another maker keeps its own name.
   QString name = to_text(device.name);
@@ -69,6 +74,13 @@ void StatusLine::look() {
     rate_->setText(tr("starting"));
   }
   ticks_ = timing.ticks;
+  const QLocale locale;
+  QString times = tr("tick %1 µs, late %2 ms")
+                      .arg(locale.toString(timing.mean_tick_s * 1e6, 'f', 1),
+                           locale.toString(timing.max_lateness_s * 1e3, 'f', 1));
+  if (const double age_s = controller_.take_drawn_age_s(); age_s > 0)
+    times = tr("%1, seen after %2 ms").arg(times, locale.toString(age_s * 1e3, 'f', 0));
+  timing_->setText(times);
   const auto missed = timing.missed_ticks + timing.dropped_samples;
   missed_->setText(tr("%1 missed").arg(QLocale().toString(static_cast<qulonglong>(missed))));
 }

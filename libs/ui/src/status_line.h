@@ -12,7 +12,8 @@ namespace nazori::ui {
 
 class TabletController;
 
-/// The device, the rate its servo really runs at, and what it missed. Looks once a second.
+/// The device, the rate its servo really runs at, how long a tick takes and how late it comes, how old the
+/// drawn stylus is, and what was missed. Looks once a second.
 class StatusLine final : public QStatusBar {
   Q_OBJECT
  public:
@@ -29,6 +30,7 @@ class StatusLine final : public QStatusBar {
   TabletController& controller_;
   QLabel* device_;
   QLabel* rate_;
+  QLabel* timing_;
   QLabel* missed_;
   QLabel* depth_;
   QTimer timer_;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace nazori::ui {
 namespace {
@@ -148,11 +150,22 @@ view::Overlay TabletController::overlay() {
   overlay.numbers_visible = numbers_visible_;
   overlay.current_stroke = current_;
   overlay.ink = ink_.progress();
+  shown_s_ = 0;
   if (pointer_.in_range) {
     const auto& now = stylus_.latest();
+    shown_s_ = now.begun_s;
     overlay.cursor = view::Cursor{now.proxy_m, now.device_m, now.touching};
   }
   return overlay;
 }
+
+void TabletController::note_drawn() {
+  if (shown_s_ <= 0) return;
+  const double now_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  drawn_age_s_ = std::max(drawn_age_s_, now_s - shown_s_);
+}
+
+double TabletController::take_drawn_age_s() { return std::exchange(drawn_age_s_, 0); }
 
 }  // namespace nazori::ui

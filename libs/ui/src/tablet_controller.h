@@ -69,6 +69,10 @@ class TabletController final : public QObject {
 
   /// What to draw, as of now.
   [[nodiscard]] view::Overlay overlay();
+  /// The picture of the last overlay() is done: how old what it shows of the stylus was by then.
+  void note_drawn();
+  /// Greatest age of a drawn stylus since the last call [s], 0 where none was drawn.
+  [[nodiscard]] double take_drawn_age_s();
   /// The stylus is over the tablet.
   [[nodiscard]] bool stylus_in_range() const { return pointer_.in_range; }
 
@@ -94,7 +98,9 @@ class TabletController final : public QObject {
   bool snapping_ = false;
   view::Style style_ = view::Style::wood;
   devices::PointerState pointer_;
-  double mouse_depth_;  ///< where the mouse presses to, as a fraction of the tablet's depth
+  double shown_s_ = 0;      ///< begun_s of the sample in the last overlay, 0 none
+  double drawn_age_s_ = 0;  ///< greatest since it was taken
+  double mouse_depth_;      ///< where the mouse presses to, as a fraction of the tablet's depth
   QTimer pump_timer_;
   Stylus stylus_;
 };

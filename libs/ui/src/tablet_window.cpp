@@ -145,6 +145,7 @@ void TabletWindow::paintGL() {
   overlay.text_scale = text_scale_;
   view_->draw(static_cast<int>(std::lround(width() * scale)), static_cast<int>(std::lround(height() * scale)),
               scale, overlay);
+  controller_->note_drawn();
   if (view_->wants_redraw()) still_timer_.start();
   if (!overlay.cursor) return;
   const bool moved = glm::length(overlay.cursor->proxy_m - drawn_proxy_m_) > kSeen_m ||

@@ -49,6 +49,22 @@ TEST(TabletController, WithoutStrokesSteppingStaysAtAll) {
   EXPECT_EQ(controller.current_stroke(), 0);
 }
 
+TEST(TabletController, ADrawnStylusIsAsOldAsTheMomentOfFeelingItShows) {
+  TabletController controller;
+  controller.set_tablet(three());
+  ASSERT_TRUE(controller.start());
+  (void)controller.overlay();
+  controller.note_drawn();
+  EXPECT_EQ(controller.take_drawn_age_s(), 0) << "no stylus in the picture";
+  controller.move_stylus(TabletPoint{0, 0}, false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().begun_s > 0; }));
+  (void)controller.overlay();
+  QTest::qSleep(30);
+  controller.note_drawn();
+  EXPECT_GE(controller.take_drawn_age_s(), 0.030);
+  EXPECT_EQ(controller.take_drawn_age_s(), 0);
+}
+
 TEST(TabletController, ANewTabletBeginsWithAllStrokesAndNoInk) {
   TabletController controller;
   controller.set_tablet(three());

@@ -838,6 +838,18 @@ Columns and rows:</source>
         <translation>開始中</translation>
     </message>
     <message>
+        <source>How long a moment of feeling takes to compute on average, how late one came at most since the start, and how old the drawn stylus was at most in the last second</source>
+        <translation>力覚の計算一回にかかる平均時間、開始から今までの最大の遅れ、直前の一秒間に描いたペン先の最大の古さ</translation>
+    </message>
+    <message>
+        <source>tick %1 µs, late %2 ms</source>
+        <translation>一回 %1 µs・遅れ %2 ms</translation>
+    </message>
+    <message>
+        <source>%1, seen after %2 ms</source>
+        <translation>%1・表示まで %2 ms</translation>
+    </message>
+    <message>
         <source>%1 missed</source>
         <translation>抜け %1 回</translation>
     </message>

@@ -36,7 +36,9 @@ enum class ServoEvent : std::uint16_t {
 /// What one tick saw and did.
 struct ServoSample {
   std::uint64_t tick = 0;
-  double time_s = 0;
+  double time_s = 0;  ///< of the device
+  /// When the tick began, on std::chrono::steady_clock: how old a picture of it is.
+  double begun_s = 0;
   Vec3 device_m{0, 0, 0.02};
   Vec3 proxy_m{0, 0, 0.02};  ///< never below the surface (but with popthrough)
   Vec3 force_n{0, 0, 0};
@@ -60,7 +62,7 @@ struct ServoTiming {
   std::uint64_t dropped_samples = 0;  ///< the sample queue was full
   double mean_tick_s = 0;             ///< time spent inside a tick
   double max_tick_s = 0;
-  double max_lateness_s = 0;
+  double max_lateness_s = 0;  ///< of a tick after its due time
 };
 
 /// The haptic loop: takes the device's pose, holds the proxy on the surface and the strokes, and returns the
