@@ -8,6 +8,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <string>
 
 #include "nazori/haptics/servo.h"
 #include "nazori/haptics/surface_contact.h"
@@ -194,6 +195,117 @@ TEST(ClosedLoop, EveryPresetIsStableAtItsLimitsAndStopsTheHand) {
     const double ahead = 2 + hardware.limits.delay_s * hardware.rate_hz;
     EXPECT_LT(device.work_j(), ahead * most_in_a_tick) << hardware.name;
   }
+}
+
+/// What a hand that comes down on a plate at 0.2 m/s and goes on pressing feels.
+struct TouchDown {
+  double peak_n = 0, hop_m = 0;
+  int touches = 0;
+};
+TouchDown come_down(SimulatedDevice& device, haptics::ServoCallback& wall) {
+  const haptics::DeviceDescription about = device.describe();
+  const int second = static_cast<int>(about.rate_hz);
+  device.place({0, 0, 0.01});
+  for (int i = 0; i < second; ++i) (void)device.step(wall);  // the ramp
+  const double press = std::min(0.02, 0.6 * about.limits.continuous_force_n / 100);
+  const int ticks = static_cast<int>((0.01 + press) / 0.2 * about.rate_hz);
+  TouchDown felt;
+  bool inside = false;
+  for (int i = 1; i <= ticks + second; ++i) {
+    device.set_target({0, 0, 0.01 - (0.01 + press) * std::min(1.0, static_cast<double>(i) / ticks)});
+    felt.peak_n = std::max(felt.peak_n, device.step(wall).z);
+    const bool now = device.tip_m().z < 0;
+    felt.touches += now && !inside ? 1 : 0;
+    inside = now;
+    if (felt.touches > 0) felt.hop_m = std::max(felt.hop_m, device.tip_m().z);
+  }
+  return felt;
+}
+
+// A spring gives back what it took: 0.2 kg held by 2 N s/m hop on 5,000 N/m whatever renders it. The servo
+// must not add to what an ideal spring does, one that is served 40,000 times a second without ramp or slew
+// limit.
+TEST(ClosedLoop, AtTouchDownAPresetHopsNoHigherThanOnAnIdealSpring) {
+  const auto smooth = plate();
+  for (const SimulatedHardware& hardware : SimulatedHardware::presets()) {
+    SimulatedDevice device(hardware, {100, 2, 0, 9});
+    haptics::Servo servo(device.describe());
+    auto scene = std::make_shared<haptics::HapticScene>();
+    scene->surface = smooth;
+    scene->material.stiffness = 1;
+    servo.set_scene(scene);
+    const TouchDown felt = come_down(device, servo);
+
+    SimulatedHardware perfect = hardware;
+    perfect.rate_hz = 40'000;
+    perfect.encoder_m = 0;
+    perfect.limits.delay_s = 0;
+    perfect.limits.max_force_n = 1e3;
+    SimulatedDevice same(perfect, {100, 2, 0, 9});
+    const double stiffness = hardware.limits.max_stiffness_n_m;
+    Law spring([&](const DeviceSample& s) { return Vec3(0, 0, std::max(0.0, -stiffness * s.position_m.z)); });
+    const TouchDown ideal = come_down(same, spring);
+    RecordProperty(hardware.name, std::to_string(felt.peak_n) + " N, hop " +
+                                      std::to_string(felt.hop_m * 1e3) + " mm; ideal " +
+                                      std::to_string(ideal.peak_n) + " N, hop " +
+                                      std::to_string(ideal.hop_m * 1e3) + " mm");
+    EXPECT_LT(felt.peak_n, 1.1 * ideal.peak_n) << hardware.name;
+    EXPECT_LT(felt.hop_m, 1.05 * ideal.hop_m + 2e-4) << hardware.name;
+    EXPECT_LE(felt.touches, ideal.touches + 1) << hardware.name;
+  }
+}
+
+// A hand draws the tip at 12 mm/s round a ring groove of 20 mm, 1 N deep at 1,000 N/m.
+TEST(ClosedLoop, ACurvedGrooveTracedByAHandHasNoRipple) {
+  const double radius = 0.02;
+  for (const int size : {128, 512}) {
+    surface::HeightMap map = *surface::HeightMap::create(size);
+    for (int row = 0; row < size; ++row)
+      for (int column = 0; column < size; ++column) {
+        const auto p =
+            geometry::grid_to_tablet({static_cast<double>(column), static_cast<double>(row)}, size, {});
+        const double d = std::abs(std::hypot(p.x, p.y) - radius);
+        const double z = d > 0.004 ? 0.0 : -0.5 * (1 + std::cos(d / 0.004 * std::numbers::pi));
+        map.set(column, row, static_cast<float>(1 + z));
+      }
+    SimulatedHardware hardware = ideal();
+    hardware.limits = haptics::DeviceLimits{20, 20, 1000, 5, 0.05, 400, 0, 2};
+    SimulatedDevice device(hardware, {100, 2, 0, 9});
+    haptics::Servo servo(device.describe());
+    auto scene = std::make_shared<haptics::HapticScene>();
+    scene->surface = *surface::SmoothSurface::create(map);
+    scene->material.stiffness = 1;
+    servo.set_scene(scene);
+    device.place({radius, 0, 0.001});
+    for (int i = 0; i < 1000; ++i) {
+      device.set_target({radius, 0, 0.001 - 0.021 * i / 1000});
+      (void)device.step(servo);
+    }
+    double near = 1, far = 0;
+    for (int i = 0; i < 11'500; ++i) {  // the first second is the hand's own start
+      const double at = 12e-6 * i / radius;
+      device.set_target({radius * std::cos(at), radius * std::sin(at), -0.02});
+      (void)device.step(servo);
+      if (i < 1000) continue;
+      near = std::min(near, std::hypot(device.tip_m().x, device.tip_m().y));
+      far = std::max(far, std::hypot(device.tip_m().x, device.tip_m().y));
+    }
+    RecordProperty("ripple_um_" + std::to_string(size), std::to_string((far - near) / 2 * 1e6));
+    EXPECT_LT((far - near) / 2, 2e-5) << size;
+  }
+}
+
+TEST(SimulatedDevice, AfterAStopNoForceIsOnItsWay) {
+  SimulatedHardware h = ideal();
+  h.limits.delay_s = 0.003;
+  SimulatedDevice device(h, {});
+  Law push([](const DeviceSample&) { return Vec3(0, 0, 2); });
+  ASSERT_TRUE(device.start(push));
+  while (device.clock().ticks < 10) {
+  }
+  device.stop();
+  Law nothing([](const DeviceSample&) { return Vec3(0); });
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(device.step(nothing), Vec3(0));
 }
 
 TEST(SimulatedDevice, RunsInRealTimeOnItsOwnClock) {

@@ -13,8 +13,8 @@ using Place = TabletSurface::Place;
 constexpr double kStill_m = 1e-7;  // a lateral pull below this counts as none
 // Steps need not be shorter than what a stylus can tell apart (its encoders: 0.055 mm on a Touch).
 constexpr double kFinest_m = 5e-5;
-constexpr int kMostSteps = 14;       // of the walk from the old place
-constexpr int kMostStepsBeyond = 8;  // of the one that looks beyond a ridge
+constexpr int kMostSteps = 10;       // of the walk from the old place
+constexpr int kMostStepsBeyond = 6;  // of the one that looks beyond a ridge
 constexpr int kMostMarch = 32;
 constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 
@@ -29,7 +29,7 @@ struct Walk {
 Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction,
                   int steps = kMostSteps, double hopeless2 = kAnyDistance) noexcept {
   const double far = std::max(std::abs(d.x - at.x), std::abs(d.y - at.y));
-  double reach = std::max({surface.cell_m() / 2, kFinest_m, far / 12});
+  double reach = std::max({surface.cell_m() / 2, kFinest_m, far / 8});
   // Every step that comes nearer lets the next be longer, up to what a ridge may hide.
   const double longest = std::max(reach, SurfaceContact::kRidge_m);
   bool moved = false;

@@ -179,6 +179,31 @@ TEST(Servo, ALiftedPenFeelsNothing) {
   EXPECT_FALSE(hand.servo.latest().touching);
 }
 
+TEST(Servo, FiveMillisecondsLateIsTheLimit) {
+  const Relief flat(64, 0.01, plate);
+  for (const double late_s : {0.0049, 0.0051}) {
+    Hand hand;
+    hand.servo.set_scene(flat.scene());
+    hand.rest(kAbove, 400);
+    hand.go(kAbove, {0, 0, -0.002}, 100);
+    hand.time_s += late_s;
+    EXPECT_EQ(hand.at({0, 0, -0.002}) == Vec3(0), late_s > 0.005);
+    EXPECT_EQ(hand.saw(ServoEvent::fault), late_s > 0.005);
+  }
+}
+
+TEST(Servo, ATickLateByLessThanAPeriodIsNotLost) {
+  Hand hand;
+  hand.rest(kAbove, 10);
+  hand.time_s += 0.0007;
+  hand.at(kAbove);
+  EXPECT_EQ(hand.servo.timing().late_ticks, 1U);
+  EXPECT_EQ(hand.servo.timing().missed_ticks, 0U);
+  hand.time_s += 0.001;
+  hand.at(kAbove);
+  EXPECT_EQ(hand.servo.timing().missed_ticks, 1U);
+}
+
 std::shared_ptr<HapticScene> groove_with_stroke(const Relief& groove) {
   auto scene = groove.scene();
   scene->strokes.push_back({{{-0.04, 0, -0.01}, {0.04, 0, -0.01}}});
@@ -259,6 +284,31 @@ TEST(Servo, StiffnessStaysWithinWhatTheDeviceAndTheDelayAllow) {
     hand.go(kAbove, {0, 0, -0.0005}, 3000);
     const double allowed = 2.05 / (0.0005 + delay);  // b = 0.05 of the device and 2 of the hand
     EXPECT_NEAR(hand.rest({0, 0, -0.0005}, 10).z, allowed * 0.0005, 1e-3);
+  }
+}
+
+// b > K T / 2 + B: whoever asks for damping gets it, and the stiffness that is then passive. A Falcon (b
+// = 2.5 with the hand's) renders 3,000 N/m; with the most damping, b / 2, 2,500 are passive. An Inverse3 has
+// a delay of 1 ms.
+TEST(Servo, DampingTakesStiffnessWhereBothWouldNotBePassive) {
+  const Relief flat(64, 0.01, plate);
+  DeviceDescription falcon, inverse;
+  falcon.limits = {8, 8, 3000, 20, 0.5, 1200, 0, 2};
+  inverse.limits = {2, 2, 1000, 5, 0.05, 400, 0.001, 2};
+  struct Case {
+    const DeviceDescription& device;
+    double damping, stiffness_n_m;
+  };
+  for (const Case& c : {Case{falcon, 0, 3000}, Case{falcon, 1, 2500}, Case{inverse, 0, 1000},
+                        Case{inverse, 1, 1.025 / 0.0015}}) {
+    Hand hand(c.device);
+    auto scene = flat.scene();
+    scene->material.stiffness = 1;
+    scene->material.damping = c.damping;
+    hand.servo.set_scene(scene);
+    hand.rest(kAbove, 400);
+    hand.go(kAbove, {0, 0, -0.0005}, 3000);
+    EXPECT_NEAR(hand.rest({0, 0, -0.0005}, 50).z, c.stiffness_n_m * 0.0005, 1e-3);
   }
 }
 

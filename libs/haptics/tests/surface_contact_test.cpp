@@ -314,6 +314,32 @@ TEST(SurfaceContact, OnAnInclineFrictionHoldsUpToItsAngle) {
   }
 }
 
+// What is left of the pull along the surface is what the cone holds; and it came to rest at the cone's edge,
+// not deep inside it, where it had slid.
+TEST(SurfaceContact, AtRestWithFrictionThePullLiesInTheCone) {
+  const Relief relief = crossing_grooves(256);
+  std::mt19937 random(14);
+  std::uniform_real_distribution<double> where(-0.045, 0.045), deep(0.0002, 0.003), way(-1, 1);
+  int slid = 0;
+  for (const double mu : {0.1, 0.3, 0.8})
+    for (int i = 0; i < 200; ++i) {
+      const double x = where(random), y = where(random);
+      const Vec3 to{x, y, relief.tablet.height(x, y) - deep(random)};
+      SurfaceContact contact;
+      lead(contact, relief, to + Vec3(0.003 * way(random), 0.003 * way(random), 0.015), to, 60, {mu, mu});
+      for (int rest = 0; rest < 5; ++rest) contact.update(relief.tablet, to, {mu, mu});
+      EXPECT_TRUE(contact.held());
+      const Vec3 lag = contact.proxy_m() - to;
+      const double along = lateral(relief, contact, to), into = glm::dot(lag, contact.normal());
+      EXPECT_LE(along, mu * into * 1.002 + kTolerance_m);
+      slid += along > 0.95 * mu * into ? 1 : 0;
+      const Vec3 before = contact.proxy_m();
+      contact.update(relief.tablet, to, {mu, mu});
+      EXPECT_EQ(contact.proxy_m(), before);
+    }
+  EXPECT_GT(slid, 100);
+}
+
 TEST(SurfaceContact, WithoutFrictionAClosedWayCostsNoWorkAndWithFrictionItDoes) {
   const Relief relief = crossing_grooves(256);
   const auto work = [&](const Friction& friction) {

@@ -15,8 +15,8 @@ struct Friction {
 ///
 /// While the device is outside the material the proxy is the device. While it is inside, the proxy is the
 /// point of the surface at a local minimum of distance to the device, found by walking downhill in distance
-/// from where the proxy was (Newton steps of at most half a sample or a twelfth of the way), so it follows
-/// walls of any steepness. With friction it stops on the way as soon as the pull lies within the friction
+/// from where the proxy was (Newton steps of at most half a sample, kRidge_m or an eighth of the way), so it
+/// follows walls of any steepness. Ten steps a tick: a long way is gone in several. With friction it stops on the way as soon as the pull lies within the friction
 /// cone: lateral pull <= coefficient x depth. On first contact it starts where the device's way crossed the
 /// surface.
 ///
@@ -28,7 +28,7 @@ struct Friction {
 /// S. Walker, J. Salisbury, Large haptic topographic maps, I3D 2003 (walking downhill in distance);
 /// N. Melder, W. Harwin, Extending the friction cone algorithm, 2004 (friction); Newton steps and the ridge
 /// rule: own design, see docs/haptics.md.
-/// Thread-safe: no. Real-time-safe: yes, bounded: at most about 100 evaluations of the surface.
+/// Thread-safe: no. Real-time-safe: yes, bounded: at most 64 evaluations of the surface.
 class SurfaceContact {
  public:
   /// How much nearer another part of the surface must be before the proxy crosses a ridge [m].
