@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/devices/force_dimension.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "device_nodes.h"
+#include "force_dimension_abi.h"
+#include "nazori/devices/rt_thread.h"
+#include "nazori/devices/simulated_device.h"
+#include "servo_link.h"
+#include "shared_library.h"
+
+namespace nazori::devices {
+namespace {
+
+using haptics::DeviceState;
+using haptics::DeviceTrouble;
+using haptics::Vec3;
+
+constexpr const char* kName = "Force Dimension";
+constexpr int kMostBadTicks = 20;  // in a row; force is zero from the first
+
+DeviceResult<dhd::Functions> load(const std::string& user_path) {
+  std::vector<std::string> names{"libdhd.so.3", "libdrd.so.3", "libdhd.so", "libdrd.so"};
+  if (!user_path.empty()) names = {user_path};
+  const auto library = SharedLibrary::load(
+      kName, names, "install the SDK of Force Dimension, see docs/devices.md, Force Dimension and Falcon");
+  if (!library) return tl::unexpected(library.error());
+  dhd::Functions f;
+  DeviceResult<void> all;
+  const auto need = [&](auto& function, const char* name) {
+    if (all) all = library->need(function, name);
+  };
+  need(f.device_count, "dhdGetDeviceCount");
+  need(f.open, "dhdOpenID");
+  need(f.close, "dhdClose");
+  need(f.last_error, "dhdErrorGetLast");
+  need(f.last_error_text, "dhdErrorGetLastStr");
+  need(f.enable_force, "dhdEnableForce");
+  need(f.get_position, "dhdGetPosition");
+  need(f.set_force, "dhdSetForce");
+  if (!all) return tl::unexpected(all.error());
+  library->want(f.system_name, "dhdGetSystemName");
+  library->want(f.system_type, "dhdGetSystemType");
+  library->want(f.button_mask, "dhdGetButtonMask");
+  library->want(f.button, "dhdGetButton");
+  library->want(f.max_force, "dhdGetMaxForce");
+  library->want(f.set_max_force, "dhdSetMaxForce");
+  library->want(f.set_gravity_compensation, "dhdSetGravityCompensation");
+  return f;
+}
+
+/// What is known of a kind of device; the library does not tell.
+struct Kind {
+  haptics::DeviceLimits limits;
+  double radius_m;  // of the ball that it reaches
+};
+
+Kind kind_of(const std::string& name, int type) {
+  const auto says = [&](const char* word) {
+    return std::search(name.begin(), name.end(), word, word + std::char_traits<char>::length(word),
+                       [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); }) !=
+           name.end();
+  };
+  if (type == dhd::kFalcon || says("falcon")) return {SimulatedHardware::falcon().limits, 0.04};
+  if (says("omega")) return {SimulatedHardware::omega_3().limits, 0.075};
+  if (says("delta")) {
+    Kind delta{SimulatedHardware::omega_3().limits, 0.15};
+    delta.limits.max_force_n = delta.limits.continuous_force_n = 20;
+    return delta;
+  }
+  // sigma, lambda and what may come: no stronger than the omega until the library says so.
+  return {SimulatedHardware::omega_3().limits, 0.06};
+}
+
+/// Open while it lives.
+struct Port {
+  Port(const dhd::Functions& functions, char number) : dhd(functions), id(number) {
+    const char* given = dhd.system_name != nullptr ? dhd.system_name(id) : nullptr;
+    if (given != nullptr && *given != '\0') name = given;
+    Kind kind = kind_of(name, dhd.system_type != nullptr ? dhd.system_type(id) : 0);
+    const double most = dhd.max_force != nullptr ? dhd.max_force(id) : -1;
+    if (std::isfinite(most) && most > 0) kind.limits.max_force_n = std::min(kind.limits.max_force_n, most);
+    kind.limits.continuous_force_n = std::min(kind.limits.continuous_force_n, kind.limits.max_force_n);
+    limits = kind.limits;
+    const double half = kind.radius_m / std::sqrt(3.0);
+    workspace = {{-half, -half, -half}, {half, half, half}};
+  }
+  ~Port() { (void)dhd.close(id); }
+  Port(const Port&) = delete;
+  Port& operator=(const Port&) = delete;
+
+  const dhd::Functions dhd;
+  const char id;
+  std::string name = "Force Dimension device";
+  haptics::DeviceLimits limits;
+  DeviceWorkspace workspace;
+};
+
+std::string last_error(const dhd::Functions& dhd) {
+  const char* words = dhd.last_error_text();
+  return words != nullptr ? words : "error " + std::to_string(dhd.last_error());
+}
+
+class ForceDimensionDevice final : public haptics::HapticDevice {
+ public:
+  ForceDimensionDevice(std::shared_ptr<Port> port, const WorkspaceMapping& mapping, double rate_hz)
+      : port_(std::move(port)), rate_hz_(rate_hz), link_(port_->name, mapping, port_->limits) {}
+  ~ForceDimensionDevice() override { stop(); }
+
+  [[nodiscard]] haptics::DeviceDescription describe() const override {
+    return {port_->name, rate_hz_, true, link_.mapping().to_tablet(port_->limits)};
+  }
+
+  [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override {
+    if (clock_.status().running)
+      return base::fail(base::Errc::device, "the device is running already", port_->name);
+    const dhd::Functions& dhd = port_->dhd;
+    if (dhd.set_gravity_compensation != nullptr) (void)dhd.set_gravity_compensation(1, port_->id);
+    if (dhd.set_max_force != nullptr) (void)dhd.set_max_force(port_->limits.max_force_n, port_->id);
+    if (dhd.enable_force(1, port_->id) < 0)
+      return base::fail(base::Errc::device, "it gives no force: " + last_error(dhd), port_->name,
+                        "switch it on and home it: pull all arms of a Falcon out, then push them in");
+    bad_ticks_ = 0;
+    link_.start(servo);
+    auto started = clock_.start(1 / rate_hz_, [this](double) { tick(); });
+    if (!started) {
+      (void)dhd.enable_force(0, port_->id);
+      link_.stop();
+    }
+    return started;
+  }
+
+  void stop() noexcept override {
+    if (!clock_.status().running) return;
+    clock_.stop();
+    (void)port_->dhd.set_force(0, 0, 0, port_->id);
+    (void)port_->dhd.enable_force(0, port_->id);
+    link_.stop();
+  }
+
+  [[nodiscard]] haptics::DeviceStatus status() const override { return link_.status(); }
+
+ private:
+  void tick() noexcept {
+    const dhd::Functions& dhd = port_->dhd;
+    if (bad_ticks_ >= kMostBadTicks) return;  // lost
+    // x towards the operator, y to the right, z up.
+    double out = NAN, right = NAN, up = NAN;
+    bool fine = dhd.get_position(&out, &right, &up, port_->id) >= 0;
+    const std::uint32_t buttons = fine ? pressed() : 0;
+    Vec3 force(0);
+    if (fine) force = link_.feel({right, up, out}, buttons);
+    fine = dhd.set_force(force.z, force.x, force.y, port_->id) >= 0 && fine;
+    if (fine) {
+      bad_ticks_ = 0;
+      return;
+    }
+    (void)dhd.set_force(0, 0, 0, port_->id);
+    ++bad_ticks_;
+    link_.pause(bad_ticks_ < kMostBadTicks ? DeviceState::paused : DeviceState::lost,
+                DeviceTrouble::communication_lost, 0, buttons);
+  }
+
+  [[nodiscard]] std::uint32_t pressed() const noexcept {
+    const dhd::Functions& dhd = port_->dhd;
+    if (dhd.button_mask != nullptr) return dhd.button_mask(port_->id);
+    return dhd.button != nullptr && dhd.button(0, port_->id) > 0 ? 1U : 0U;
+  }
+
+  std::shared_ptr<Port> port_;
+  double rate_hz_;
+  ServoLink link_;
+  int bad_ticks_ = 0;  // servo thread
+  RtThread clock_;     // last: it stops before the rest goes
+};
+
+class ForceDimensionBackEnd final : public BackEnd {
+ public:
+  explicit ForceDimensionBackEnd(ForceDimensionSettings settings) : settings_(std::move(settings)) {}
+  [[nodiscard]] std::string_view id() const override { return "forcedimension"; }
+
+  [[nodiscard]] BackEndFindings find() override {
+    BackEndFindings found{"Force Dimension and Novint Falcon", {}, std::nullopt};
+    const auto dhd = load(settings_.library);
+    if (!dhd) {
+      found.problem = dhd.error();
+      return found;
+    }
+    const int count = dhd->device_count();
+    for (int i = 0; i < std::min(count, 16); ++i) {
+      if (const auto open = open_port(i)) {
+        found.devices.push_back({id_of(i), open->name, true, true});
+        found.problem = in_use(open->name).value();
+        continue;
+      }
+      const auto port = port_of(*dhd, i);
+      if (port)
+        found.devices.push_back({id_of(i), (*port)->name, true, true});
+      else
+        found.problem = port.error();
+    }
+    if (found.devices.empty() && !found.problem) found.problem = refused(*dhd).value();
+    return found;
+  }
+
+  [[nodiscard]] DeviceResult<OpenedDevice> open(std::string_view device,
+                                                const OpenRequest& request) override {
+    int index = 0;
+    if (const std::size_t colon = device.find(':'); colon != std::string_view::npos) {
+      const std::string_view number = device.substr(colon + 1);
+      const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), index);
+      if (failed != std::errc() || end != number.data() + number.size() || index < 0 || index > 15)
+        return no_device(DeviceTrouble::device_absent, "there is no such device", std::string(device),
+                         "forcedimension:0 is the first");
+    }
+    if (const auto open = open_port(index)) return in_use(open->name);
+    const auto dhd = load(settings_.library);
+    if (!dhd) return tl::unexpected(dhd.error());
+    const auto port = port_of(*dhd, index);
+    if (!port) return tl::unexpected(port.error());
+    const WorkspaceCalibration fit =
+        request.calibration.value_or(fit_workspace((*port)->workspace, request.shape, request.posture));
+    const auto mapping = WorkspaceMapping::create(fit);
+    if (!mapping) return tl::unexpected(DeviceProblem{DeviceTrouble::bad_calibration, mapping.error()});
+    open_[index] = *port;
+    return OpenedDevice{id_of(index),
+                        std::make_unique<ForceDimensionDevice>(*port, *mapping, settings_.rate_hz), fit,
+                        (*port)->workspace};
+  }
+
+ private:
+  static std::string id_of(int index) { return "forcedimension:" + std::to_string(index); }
+  static tl::unexpected<DeviceProblem> in_use(const std::string& name) {
+    return no_device(DeviceTrouble::in_use, "this program has it open already", name, "use that one");
+  }
+  static tl::unexpected<DeviceProblem> refused(const dhd::Functions& dhd) {
+    switch (dhd.last_error()) {
+      case dhd::kErrorNoDevice:
+      case 0:
+        if (const auto advice = permission_advice(device_nodes("/dev", {"hidraw"})))
+          return no_device(DeviceTrouble::no_permission, "no device answers", kName, *advice);
+        return no_device(
+            DeviceTrouble::device_absent, "no device answers", kName,
+            "plug it in, switch it on; if it is on, set the udev rule of docs/devices.md, permissions");
+      case dhd::kErrorBusy:
+        return no_device(DeviceTrouble::in_use, "the device is open already", kName,
+                         "close the other program that uses it");
+      default:
+        return no_device(DeviceTrouble::init_failed, "the device does not open: " + last_error(dhd), kName,
+                         "switch it off and on; for permissions see docs/devices.md");
+    }
+  }
+  static DeviceResult<std::shared_ptr<Port>> port_of(const dhd::Functions& dhd, int index) {
+    const int id = dhd.open(static_cast<char>(index));
+    if (id < 0) return refused(dhd);
+    return std::make_shared<Port>(dhd, static_cast<char>(id));
+  }
+  [[nodiscard]] std::shared_ptr<Port> open_port(int index) const {
+    const auto found = open_.find(index);
+    return found == open_.end() ? nullptr : found->second.lock();
+  }
+
+  ForceDimensionSettings settings_;
+  std::map<int, std::weak_ptr<Port>> open_;
+};
+
+}  // namespace
+
+std::unique_ptr<BackEnd> force_dimension_back_end(ForceDimensionSettings settings) {
+  return std::make_unique<ForceDimensionBackEnd>(std::move(settings));
+}
+
+}  // namespace nazori::devices

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/devices/openhaptics.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+#include "openhaptics_port.h"
+#include "servo_link.h"
+
+namespace nazori::devices {
+namespace {
+
+using haptics::DeviceState;
+using haptics::DeviceTrouble;
+using haptics::Vec3;
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr int kCalibrationTicks = 64;  // between looks at the calibration
+constexpr int kZeroTicks = 4;          // of zero force before the scheduler stops
+constexpr int kMostBadTicks = 50;      // in a row, before errors of no known kind end it
+constexpr auto kFirstRest = milliseconds(500);
+constexpr auto kLongestRest = milliseconds(8000);
+constexpr auto kForgiven = std::chrono::seconds(10);  // without an error, before rests are short again
+
+enum class ErrorKind : std::uint8_t { none, force, end, other };
+
+ErrorKind kind_of(unsigned int code) noexcept {
+  switch (code) {
+    case 0:
+      return ErrorKind::none;
+    case hd::warm_motors:
+    case hd::max_force:
+    case hd::force_impulse:
+    case hd::max_velocity:
+    case hd::mixed_forces:
+      return ErrorKind::force;
+    case hd::bad_handle:
+    case hd::device_fault:
+    case hd::communication:
+    case hd::configuration:
+    case hd::timer:
+    case hd::priority:
+    case hd::scheduler_full:
+      return ErrorKind::end;
+    default:
+      return ErrorKind::other;
+  }
+}
+
+DeviceTrouble trouble_of(unsigned int code) noexcept {
+  switch (code) {
+    case hd::warm_motors:
+      return DeviceTrouble::warm_motors;
+    case hd::max_velocity:
+      return DeviceTrouble::over_speed;
+    case hd::max_force:
+    case hd::force_impulse:
+    case hd::mixed_forces:
+      return DeviceTrouble::over_force;
+    case hd::communication:
+      return DeviceTrouble::communication_lost;
+    default:
+      return DeviceTrouble::device_fault;
+  }
+}
+
+class OpenHapticsDevice final : public haptics::HapticDevice {
+ public:
+  OpenHapticsDevice(std::shared_ptr<hd::Port> port, const WorkspaceMapping& mapping, unsigned long rate_hz)
+      : port_(std::move(port)), rate_hz_(rate_hz), link_(port_->name, mapping, port_->limits) {}
+  ~OpenHapticsDevice() override { stop(); }
+
+  [[nodiscard]] haptics::DeviceDescription describe() const override {
+    return {port_->name, static_cast<double>(rate_hz_), true, link_.mapping().to_tablet(port_->limits)};
+  }
+  [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override;
+  void stop() noexcept override;
+  [[nodiscard]] haptics::DeviceStatus status() const override { return link_.status(); }
+
+ private:
+  struct Reading {
+    Vec3 at_m{0, 0, 0};
+    std::uint32_t buttons = 0;
+    bool docked = false, released = false;
+  };
+  static unsigned int scheduled(void* self) noexcept { return static_cast<OpenHapticsDevice*>(self)->tick(); }
+  unsigned int tick() noexcept;
+  Reading read() noexcept;
+  /// Whether the device may be felt as far as its calibration goes; calibrates where it can.
+  bool calibrated(bool docked) noexcept;
+  /// Books an error of the library. @return false where the callback must end.
+  bool book(const hd::ErrorInfo& error) noexcept;
+
+  std::shared_ptr<hd::Port> port_;
+  unsigned long rate_hz_;
+  ServoLink link_;
+  hd::SchedulerHandle scheduled_ = 0;
+  bool started_ = false;  // interface
+  std::atomic<bool> stopping_{false}, ended_{false};
+  // Servo thread.
+  int ticks_ = 0, zero_ticks_ = 0, bad_ticks_ = 0;
+  unsigned int error_ = 0;  // why the force rests
+  Clock::time_point rest_until_, last_error_;
+  Clock::duration rest_ = kFirstRest;
+  bool inkwell_seen_ = false, switch_seen_ = false, calibrated_ = true;
+};
+
+base::Result<void> OpenHapticsDevice::start(haptics::ServoCallback& servo) {
+  if (started_) return base::fail(base::Errc::device, "the device is running already", port_->name);
+  const hd::Functions& hd = port_->hd;
+  const auto refuse = [&](const char* what, const hd::ErrorInfo& error) {
+    return tl::unexpected(
+        base::Error{base::Errc::device, what, port_->name,
+                    trouble_error(trouble_of(error.code), "", static_cast<int>(error.code)).what});
+  };
+  (void)hd::take_errors(hd);
+  hd.make_current(port_->handle);
+  hd.enable(hd::kForceOutput);
+  if (const auto error = hd::take_errors(hd); error.code != 0) return refuse("it gives no force", error);
+  if (hd.set_scheduler_rate != nullptr && rate_hz_ != 1000) {
+    hd.set_scheduler_rate(rate_hz_);
+    if (hd::take_errors(hd).code != 0) rate_hz_ = 1000;  // refused: the default stays, which is no failure
+  }
+  stopping_ = false;
+  ended_ = false;
+  ticks_ = zero_ticks_ = bad_ticks_ = 0;
+  error_ = 0;
+  rest_ = kFirstRest;
+  rest_until_ = last_error_ = Clock::time_point{};
+  calibrated_ = true;
+  link_.start(servo);
+  scheduled_ = hd.schedule_asynchronous(&OpenHapticsDevice::scheduled, this, hd::kFirst);
+  if (const auto error = hd::take_errors(hd); error.code != 0) {
+    link_.stop();
+    return refuse("its scheduler takes no servo", error);
+  }
+  started_ = true;
+  hd.start_scheduler();
+  // Force errors of the first ticks are the servo's business.
+  if (const auto error = hd::take_errors(hd); kind_of(error.code) == ErrorKind::end) {
+    stop();
+    return refuse("its scheduler does not start", error);
+  }
+  return {};
+}
+
+void OpenHapticsDevice::stop() noexcept {
+  if (!started_) return;
+  const hd::Functions& hd = port_->hd;
+  stopping_.store(true, std::memory_order_release);
+  // The last ticks write zeros. A scheduler that stands still must not hold the program up.
+  for (int i = 0; i < 200 && !ended_.load(std::memory_order_acquire); ++i)
+    std::this_thread::sleep_for(milliseconds(1));
+  hd.stop_scheduler();
+  hd.unschedule(scheduled_);
+  (void)hd::take_errors(hd);
+  started_ = false;
+  link_.stop();
+}
+
+OpenHapticsDevice::Reading OpenHapticsDevice::read() noexcept {
+  const hd::Functions& hd = port_->hd;
+  Reading r;
+  double mm[3] = {NAN, NAN, NAN};
+  hd.get_doubles(hd::kPosition, mm);
+  r.at_m = Vec3(mm[0], mm[1], mm[2]) * 1e-3;
+  int buttons = 0;
+  hd.get_integers(hd::kButtons, &buttons);
+  r.buttons = static_cast<std::uint32_t>(buttons);
+  // Both switches count only once they have been seen on, or the device says that it has one: devices without
+  // them read 0 for ever.
+  if (port_->reads_inkwell) {
+    hd::Boolean out = 0;
+    hd.get_booleans(hd::kInkwellSwitch, &out);
+    if (out != 0) inkwell_seen_ = true;
+    r.docked = out == 0 && (inkwell_seen_ || (port_->calibration_style & hd::kInkwellStyle) != 0);
+  }
+  if (port_->reads_safety_switch) {
+    hd::Boolean held = 0;
+    hd.get_booleans(hd::kSafetySwitch, &held);
+    if (held != 0) switch_seen_ = true;
+    r.released = held == 0 && switch_seen_;
+  }
+  return r;
+}
+
+bool OpenHapticsDevice::calibrated(bool docked) noexcept {
+  const hd::Functions& hd = port_->hd;
+  if (ticks_++ % kCalibrationTicks != 0) return calibrated_;
+  const unsigned int need = hd.check_calibration();
+  calibrated_ = need != hd::kNeedsUpdate && need != hd::kNeedsManualInput;
+  const bool by_inkwell = (port_->calibration_style & hd::kInkwellStyle) != 0;
+  if (need == hd::kNeedsUpdate && (!by_inkwell || docked))
+    hd.update_calibration(static_cast<unsigned int>(port_->calibration_style));
+  return calibrated_;
+}
+
+bool OpenHapticsDevice::book(const hd::ErrorInfo& error) noexcept {
+  const ErrorKind kind = kind_of(error.code);
+  if (kind == ErrorKind::none) {
+    bad_ticks_ = 0;
+    return true;
+  }
+  if (kind == ErrorKind::other) {
+    if (++bad_ticks_ < kMostBadTicks) return true;
+    error_ = error.code;
+    return false;
+  }
+  error_ = error.code;
+  if (kind == ErrorKind::end) return false;
+  const Clock::time_point now = Clock::now();
+  if (now > rest_until_) {  // a new one, not the echo of the last
+    rest_ = now - last_error_ < kForgiven ? std::min<Clock::duration>(2 * rest_, kLongestRest) : kFirstRest;
+  }
+  last_error_ = now;
+  rest_until_ = now + rest_;
+  return true;
+}
+
+unsigned int OpenHapticsDevice::tick() noexcept {
+  const hd::Functions& hd = port_->hd;
+  constexpr double kNothing[3] = {0, 0, 0};
+  hd.make_current(port_->handle);
+  hd.begin_frame(port_->handle);
+  if (stopping_.load(std::memory_order_acquire)) {
+    hd.set_doubles(hd::kForce, kNothing);
+    hd.end_frame(port_->handle);
+    if (++zero_ticks_ < kZeroTicks) return hd::kAgain;
+    ended_.store(true, std::memory_order_release);
+    return hd::kDone;
+  }
+
+  const Reading now = read();
+  const bool fine = calibrated(now.docked);
+  bool goes_on = book(hd::take_errors(hd));
+  const bool resting = Clock::now() < rest_until_;
+  double force_n[3] = {0, 0, 0};
+  if (!goes_on) {
+    link_.pause(DeviceState::lost, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);
+  } else if (resting) {
+    link_.pause(DeviceState::paused, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);
+  } else if (!fine) {
+    link_.pause(DeviceState::paused, DeviceTrouble::not_calibrated, 0, now.buttons);
+  } else if (now.docked) {
+    link_.pause(DeviceState::paused, DeviceTrouble::docked, 0, now.buttons);
+  } else if (now.released) {
+    link_.pause(DeviceState::paused, DeviceTrouble::safety_switch, 0, now.buttons);
+  } else {
+    // Hard errors switch the output off; whoever goes on switches it on again.
+    if (error_ != 0 && hd.is_enabled(hd::kForceOutput) == 0) hd.enable(hd::kForceOutput);
+    error_ = 0;
+    const Vec3 force = link_.feel(now.at_m, now.buttons);
+    force_n[0] = force.x;
+    force_n[1] = force.y;
+    force_n[2] = force.z;
+  }
+  hd.set_doubles(hd::kForce, force_n);
+  hd.end_frame(port_->handle);
+  if (goes_on && !book(hd::take_errors(hd))) {
+    goes_on = false;
+    link_.pause(DeviceState::lost, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);
+  }
+  if (goes_on) return hd::kAgain;
+  ended_.store(true, std::memory_order_release);
+  return hd::kDone;
+}
+
+class OpenHapticsBackEnd final : public BackEnd {
+ public:
+  explicit OpenHapticsBackEnd(OpenHapticsSettings settings) : settings_(std::move(settings)) {}
+  [[nodiscard]] std::string_view id() const override { return "openhaptics"; }
+
+  [[nodiscard]] BackEndFindings find() override {
+    BackEndFindings found{"OpenHaptics (PHANTOM, Touch)", {}, std::nullopt};
+    if (const auto open = open_.lock()) {
+      found.devices.push_back({"openhaptics", open->name, true, true});
+      found.problem = in_use(open->name).value();
+      return found;
+    }
+    const auto port = port_of("");
+    if (port)
+      found.devices.push_back({"openhaptics", (*port)->name, true, true});
+    else
+      found.problem = port.error();
+    return found;
+  }
+
+  [[nodiscard]] DeviceResult<OpenedDevice> open(std::string_view device,
+                                                const OpenRequest& request) override {
+    if (const auto already = open_.lock()) return in_use(already->name);
+    const std::size_t colon = device.find(':');
+    const auto port = port_of(colon == std::string_view::npos ? "" : std::string(device.substr(colon + 1)));
+    if (!port) return tl::unexpected(port.error());
+    const WorkspaceCalibration fit =
+        request.calibration.value_or(fit_workspace((*port)->workspace, request.shape, request.posture));
+    const auto mapping = WorkspaceMapping::create(fit);
+    if (!mapping) return tl::unexpected(DeviceProblem{DeviceTrouble::bad_calibration, mapping.error()});
+    open_ = *port;
+    return OpenedDevice{std::string(device),
+                        std::make_unique<OpenHapticsDevice>(*port, *mapping, settings_.rate_hz), fit,
+                        (*port)->workspace};
+  }
+
+ private:
+  static tl::unexpected<DeviceProblem> in_use(const std::string& name) {
+    return no_device(DeviceTrouble::in_use, "this program has it open already", name, "use that one");
+  }
+  [[nodiscard]] DeviceResult<std::shared_ptr<hd::Port>> port_of(const std::string& name) const {
+    const auto functions = hd::load(settings_.library);
+    if (!functions) return tl::unexpected(functions.error());
+    return hd::Port::open(*functions, settings_, name);
+  }
+
+  OpenHapticsSettings settings_;
+  std::weak_ptr<hd::Port> open_;
+};
+
+}  // namespace
+
+std::unique_ptr<BackEnd> openhaptics_back_end(OpenHapticsSettings settings) {
+  return std::make_unique<OpenHapticsBackEnd>(std::move(settings));
+}
+
+}  // namespace nazori::devices

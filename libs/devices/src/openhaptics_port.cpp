@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loading libHD.so and opening a device with it.
+#include "openhaptics_port.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "device_nodes.h"
+#include "shared_library.h"
+
+namespace nazori::devices::hd {
+namespace {
+
+using haptics::DeviceTrouble;
+
+constexpr const char* kName = "OpenHaptics";
+constexpr const char* kInstall =
+    "install the Touch driver and OpenHaptics of 3D Systems, see docs/devices.md, OpenHaptics";
+// Some versions return garbage instead of "no device" after a first failed attempt.
+constexpr Handle kLargestHandle = 1024;
+constexpr int kMostErrors = 256;
+
+std::string hex(unsigned int code) {
+  std::string text;
+  constexpr const char* kDigits = "0123456789abcdef";
+  for (int shift = 12; shift >= 0; shift -= 4) text += kDigits[(code >> shift) & 15U];
+  return "0x" + text;
+}
+
+tl::unexpected<DeviceProblem> refused(const Functions& hd, const ErrorInfo& error, const std::string& tried,
+                                      const OpenHapticsSettings& settings) {
+  const char* words = error.code != 0 ? hd.error_string(error.code) : nullptr;
+  const std::string said =
+      " (" + hex(error.code) + (words != nullptr ? std::string(": ") + words : "") + "; tried " + tried + ")";
+  switch (error.code) {
+    case already_initiated:
+      return no_device(DeviceTrouble::in_use, "the device is open already" + said, kName,
+                       "close the other program that uses it");
+    case licence:
+      return no_device(DeviceTrouble::init_failed, "the library asks for a licence" + said, kName,
+                       "put the licence file where the maker's manual says, or set OH_SDK_LICENSE_PATH");
+    case warm_motors:
+      return no_device(DeviceTrouble::init_failed, "the device's motors are warm" + said, kName,
+                       "wait some minutes");
+    case device_fault:
+    case communication:
+    case configuration:
+      if (const auto advice =
+              permission_advice(device_nodes(settings.device_folder, {"ttyACM", "hidraw", "raw1394", "fw"})))
+        return no_device(DeviceTrouble::no_permission, "no device answers" + said, kName, *advice);
+      return no_device(DeviceTrouble::device_absent, "no device answers" + said, kName,
+                       "plug it in, switch it on and run the maker's Touch_Setup once");
+    default:
+      return no_device(DeviceTrouble::init_failed, "the library opens no device" + said, kName,
+                       "run the maker's Touch_Diagnostic");
+  }
+}
+
+}  // namespace
+
+DeviceResult<Functions> load(const std::string& user_path) {
+  std::vector<std::string> names{"libHD.so", "libHD.so.3.4", "libHD.so.3.0", "/usr/lib/libHD.so",
+                                 "/usr/lib64/libHD.so"};
+  // A path that the user gave is meant: nothing else is taken in its place.
+  if (!user_path.empty()) names = {user_path};
+  const auto library = SharedLibrary::load(kName, names, kInstall);
+  if (!library) return tl::unexpected(library.error());
+  Functions hd;
+  DeviceResult<void> all;
+  const auto need = [&](auto& function, const char* name) {
+    if (all) all = library->need(function, name);
+  };
+  need(hd.init_device, "hdInitDevice");
+  need(hd.disable_device, "hdDisableDevice");
+  need(hd.make_current, "hdMakeCurrentDevice");
+  need(hd.begin_frame, "hdBeginFrame");
+  need(hd.end_frame, "hdEndFrame");
+  need(hd.get_error, "hdGetError");
+  need(hd.error_string, "hdGetErrorString");
+  need(hd.enable, "hdEnable");
+  need(hd.is_enabled, "hdIsEnabled");
+  need(hd.get_booleans, "hdGetBooleanv");
+  need(hd.get_integers, "hdGetIntegerv");
+  need(hd.get_doubles, "hdGetDoublev");
+  need(hd.get_string, "hdGetString");
+  need(hd.set_doubles, "hdSetDoublev");
+  need(hd.check_calibration, "hdCheckCalibration");
+  need(hd.update_calibration, "hdUpdateCalibration");
+  need(hd.start_scheduler, "hdStartScheduler");
+  need(hd.stop_scheduler, "hdStopScheduler");
+  need(hd.schedule_asynchronous, "hdScheduleAsynchronous");
+  need(hd.unschedule, "hdUnschedule");
+  if (!all) return tl::unexpected(all.error());
+  library->want(hd.set_scheduler_rate, "hdSetSchedulerRate");
+  return hd;
+}
+
+ErrorInfo take_errors(const Functions& hd) noexcept {
+  // The newest comes first; the oldest is the cause.
+  ErrorInfo oldest{0, 0, kNoDevice};
+  for (int i = 0; i < kMostErrors; ++i) {
+    const ErrorInfo error = hd.get_error();
+    if (error.code == 0) break;
+    oldest = error;
+  }
+  return oldest;
+}
+
+DeviceResult<std::shared_ptr<Port>> Port::open(const Functions& hd, const OpenHapticsSettings& settings,
+                                               const std::string& wanted_name) {
+  const std::string& user_name = wanted_name.empty() ? settings.device_name : wanted_name;
+  std::vector<const char*> names;
+  if (!user_name.empty()) names.push_back(user_name.c_str());
+  // Who names a device means it.
+  if (wanted_name.empty()) names.insert(names.end(), {nullptr, "Default Device", "Default PHANToM"});
+
+  (void)take_errors(hd);
+  ErrorInfo first{0, 0, kNoDevice};
+  std::string tried;
+  for (const char* name : names) {
+    const Handle handle = hd.init_device(name);
+    const ErrorInfo error = take_errors(hd);
+    const bool plausible = handle != kNoDevice && (tried.empty() || handle <= kLargestHandle);
+    if (plausible && error.code == 0) return std::shared_ptr<Port>(new Port(hd, handle));
+    if (first.code == 0) first = error;
+    tried +=
+        (tried.empty() ? "" : ", ") + (name != nullptr ? "'" + std::string(name) + "'" : "the first device");
+  }
+  return refused(hd, first, tried, settings);
+}
+
+Port::~Port() {
+  (void)take_errors(hd);
+  hd.disable_device(handle);
+  (void)take_errors(hd);
+}
+
+double Port::number(Enum what, double scale, double otherwise) const {
+  double value = 0;
+  hd.get_doubles(what, &value);
+  const bool failed = take_errors(hd).code != 0;
+  return !failed && std::isfinite(value) && value > 0 ? value * scale : otherwise;
+}
+
+void Port::describe() {
+  hd.make_current(handle);
+  const auto text = [&](Enum what) {
+    const char* value = hd.get_string(what);
+    return take_errors(hd).code == 0 && value != nullptr ? std::string(value) : std::string();
+  };
+  const std::string model = text(kModel), serial = text(kSerial);
+  name = model.empty() ? "OpenHaptics device" : model;
+  if (!serial.empty()) name += " (serial " + serial + ")";
+
+  // Where a getter is silent: what is known of a PHANTOM Omni, the weakest of them.
+  limits.max_force_n = number(kMaxForce, 1, 3.3);
+  limits.continuous_force_n = std::min(number(kMaxContinuousForce, 1, 0.88), limits.max_force_n);
+  limits.max_stiffness_n_m = number(kMaxStiffness, 1e3, 500);
+  limits.max_damping_n_s_m = number(kMaxDamping, 1e3, 2.5);
+
+  std::array<double, 6> box{};
+  hd.get_doubles(kUsableWorkspace, box.data());
+  if (take_errors(hd).code == 0 && box[3] > box[0] && box[4] > box[1] && box[5] > box[2])
+    workspace = {{box[0] * 1e-3, box[1] * 1e-3, box[2] * 1e-3},
+                 {box[3] * 1e-3, box[4] * 1e-3, box[5] * 1e-3}};
+
+  hd.get_integers(kCalibrationStyle, &calibration_style);
+  if (take_errors(hd).code != 0) calibration_style = 0;
+  Boolean switched = 0;
+  hd.get_booleans(kInkwellSwitch, &switched);
+  reads_inkwell = take_errors(hd).code == 0;
+  hd.get_booleans(kSafetySwitch, &switched);
+  reads_safety_switch = take_errors(hd).code == 0;
+}
+
+}  // namespace nazori::devices::hd

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "servo_link.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace nazori::devices {
+
+using haptics::DeviceState;
+using haptics::DeviceTrouble;
+using haptics::Vec3;
+
+namespace {
+
+constexpr auto kStalled = std::chrono::milliseconds(500);
+constexpr double kRateFilter = 0.02;
+
+bool finite(const Vec3& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
+void ServoLink::start(haptics::ServoCallback& servo) noexcept {
+  servo_ = &servo;
+  begin_ = last_ = Clock::now();
+  period_s_ = delay_s_ = 0;
+  Stand stand;
+  stand.state = DeviceState::running;
+  stand.at = begin_;
+  publish(stand);
+}
+
+void ServoLink::stop() noexcept {
+  servo_ = nullptr;
+  const Stand last = stand_.latest();
+  Stand stand;
+  // A lost device stays lost until it is opened again.
+  if (last.state == DeviceState::lost) stand = last;
+  publish(stand);
+}
+
+void ServoLink::publish(Stand stand) noexcept {
+  stand_.back() = stand;
+  stand_.publish();
+}
+
+haptics::DeviceSample ServoLink::sample(std::uint32_t buttons) noexcept {
+  now_ = Clock::now();
+  const double period = std::chrono::duration<double>(now_ - last_).count();
+  period_s_ += (period - period_s_) * (period_s_ > 0 ? kRateFilter : 1.0);
+  last_ = now_;
+  haptics::DeviceSample s;
+  s.time_s = std::chrono::duration<double>(now_ - begin_).count();
+  s.position_m = last_tablet_m_;
+  s.buttons = buttons;
+  return s;
+}
+
+Vec3 ServoLink::feel(const Vec3& device_m, std::uint32_t buttons) noexcept {
+  if (!finite(device_m)) {
+    pause(DeviceState::paused, DeviceTrouble::bad_message, 0, buttons);
+    return Vec3(0);
+  }
+  haptics::DeviceSample s = sample(buttons);
+  s.position_m = last_tablet_m_ = mapping_.to_tablet_m(device_m);
+  Vec3 force = mapping_.to_device_n(servo_->tick(s));
+  const double size = glm::length(force);
+  if (!(size <= limits_.max_force_n))
+    force = std::isfinite(size) ? force * (limits_.max_force_n / size) : Vec3(0);
+  Stand stand;
+  stand.state = DeviceState::running;
+  stand.buttons = buttons;
+  stand.rate_hz = period_s_ > 0 ? 1 / period_s_ : 0;
+  stand.delay_s = delay_s_;
+  stand.at = now_;
+  publish(stand);
+  return force;
+}
+
+void ServoLink::pause(DeviceState state, DeviceTrouble trouble, std::int32_t code,
+                      std::uint32_t buttons) noexcept {
+  haptics::DeviceSample s = sample(buttons);
+  s.present = false;
+  (void)servo_->tick(s);
+  Stand stand;
+  stand.state = state;
+  stand.trouble = trouble;
+  stand.code = code;
+  stand.buttons = buttons;
+  stand.rate_hz = period_s_ > 0 ? 1 / period_s_ : 0;
+  stand.delay_s = delay_s_;
+  stand.at = now_;
+  publish(stand);
+}
+
+haptics::DeviceStatus ServoLink::status() const {
+  const Stand stand = stand_.latest();
+  haptics::DeviceStatus s;
+  s.state = stand.state;
+  s.trouble = stand.trouble;
+  s.buttons = stand.buttons;
+  s.rate_hz = stand.rate_hz;
+  s.delay_s = stand.delay_s;
+  const bool ticks = stand.state == DeviceState::running || stand.state == DeviceState::paused;
+  if (ticks && Clock::now() - stand.at > kStalled) {
+    s.state = DeviceState::lost;
+    s.trouble = DeviceTrouble::stalled;
+    s.rate_hz = 0;
+  }
+  if (s.trouble != DeviceTrouble::none)
+    s.message = base::to_line(trouble_error(s.trouble, name_, stand.code));
+  return s;
+}
+
+base::Error trouble_error(DeviceTrouble trouble, const std::string& device, std::int32_t code) {
+  struct Sentence {
+    const char* what;
+    const char* remedy;
+  };
+  const Sentence s = [trouble]() -> Sentence {
+    switch (trouble) {
+      case DeviceTrouble::none:
+        return {"all is well", ""};
+      case DeviceTrouble::library_missing:
+        return {"its library is missing", "see docs/devices.md"};
+      case DeviceTrouble::symbol_missing:
+        return {"its library is incomplete", "install the maker's newest"};
+      case DeviceTrouble::service_missing:
+        return {"its service does not answer", "start the service"};
+      case DeviceTrouble::device_absent:
+        return {"it is not there", "plug it in and switch it on"};
+      case DeviceTrouble::no_permission:
+        return {"you may not open it", "see docs/devices.md, permissions"};
+      case DeviceTrouble::in_use:
+        return {"another program uses it", "close that program"};
+      case DeviceTrouble::init_failed:
+        return {"it refuses to start", "switch it off and on again"};
+      case DeviceTrouble::bad_calibration:
+        return {"its calibration is unusable", "calibrate the device again"};
+      case DeviceTrouble::docked:
+        return {"the stylus rests in its holder", "take it out to go on"};
+      case DeviceTrouble::safety_switch:
+        return {"the safety switch is not held", "hold the stylus so that the switch is pressed"};
+      case DeviceTrouble::not_calibrated:
+        return {"it asks to be calibrated",
+                "put the stylus into its holder for a moment, or move every arm to its end"};
+      case DeviceTrouble::over_force:
+        return {"its guard against too much force acted", "hold the stylus lightly; it goes on by itself"};
+      case DeviceTrouble::over_speed:
+        return {"its guard against too fast a motion acted", "move more slowly; it goes on by itself"};
+      case DeviceTrouble::warm_motors:
+        return {"its motors are warm", "put the stylus down for some minutes; it goes on by itself"};
+      case DeviceTrouble::not_ready:
+        return {"it is not ready", "switch its power on and close other programs"};
+      case DeviceTrouble::communication_lost:
+        return {"the connection was lost", "check cable and power, then choose the device again"};
+      case DeviceTrouble::device_fault:
+        return {"it reports a fault", "switch it off and on, then choose it again"};
+      case DeviceTrouble::stalled:
+        return {"it does not answer any more", "check cable and power, then choose the device again"};
+      case DeviceTrouble::service_gone:
+        return {"its service went away", "start the service again; the program connects by itself"};
+      case DeviceTrouble::bad_message:
+        return {"it sends what cannot be understood", "update the maker's software"};
+    }
+    return {"unknown trouble", ""};
+  }();
+  std::string what = s.what;
+  // The makers' codes are written in hexadecimal in their manuals.
+  if (code > 0) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    std::string hex;
+    for (std::int32_t rest = code; rest > 0; rest /= 16) hex.insert(hex.begin(), kDigits[rest % 16]);
+    what += " (code 0x" + hex + ")";
+  } else if (code < 0) {
+    what += " (code " + std::to_string(code) + ")";
+  }
+  return {base::Errc::device, what, device, s.remedy};
+}
+
+}  // namespace nazori::devices

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "nazori/devices/workspace_mapping.h"
+#include "nazori/haptics/haptic_device.h"
+#include "nazori/haptics/latest_value.h"
+
+namespace nazori::devices {
+
+/// What every back end does around the servo's tick: turns the pose into the tablet frame and the force back,
+/// lets no force out that is not finite or over the device's peak, gives none while the device is paused or
+/// lost, and tells the interface how it stands.
+/// The servo thread's members neither allocate, lock, log, throw nor wait.
+class ServoLink {
+ public:
+  /// @param name  of the device, for the sentences.  @param limits  at the stylus.
+  ServoLink(std::string name, const WorkspaceMapping& mapping, const haptics::DeviceLimits& limits)
+      : name_(std::move(name)), mapping_(mapping), limits_(limits) {}
+
+  /// Before the first tick. Thread: interface, while nothing ticks.
+  void start(haptics::ServoCallback& servo) noexcept;
+  /// After the last tick. Thread: interface, while nothing ticks.
+  void stop() noexcept;
+
+  /// A tick with the stylus in a hand. Thread: servo.
+  /// @param device_m  device frame. Not finite: as if absent.
+  /// @return force in the device frame [N].
+  haptics::Vec3 feel(const haptics::Vec3& device_m, std::uint32_t buttons) noexcept;
+
+  /// A tick without a stylus: the servo lets go, the force is zero. Thread: servo.
+  /// @param code  of the maker, for the sentence; 0 none.
+  void pause(haptics::DeviceState state, haptics::DeviceTrouble trouble, std::int32_t code,
+             std::uint32_t buttons) noexcept;
+
+  /// From pose to force, as measured. Thread: servo.
+  void set_delay_s(double delay_s) noexcept { delay_s_ = delay_s; }
+
+  /// Thread: interface. Reports DeviceTrouble::stalled where no tick has come for half a second.
+  [[nodiscard]] haptics::DeviceStatus status() const;
+
+  [[nodiscard]] const WorkspaceMapping& mapping() const noexcept { return mapping_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Stand {
+    haptics::DeviceState state = haptics::DeviceState::stopped;
+    haptics::DeviceTrouble trouble = haptics::DeviceTrouble::none;
+    std::int32_t code = 0;
+    std::uint32_t buttons = 0;
+    double rate_hz = 0;
+    double delay_s = 0;
+    Clock::time_point at;
+  };
+  haptics::DeviceSample sample(std::uint32_t buttons) noexcept;
+  void publish(Stand stand) noexcept;
+
+  std::string name_;
+  WorkspaceMapping mapping_;
+  haptics::DeviceLimits limits_;
+  mutable haptics::LatestValue<Stand> stand_{Stand{}};
+  // Servo thread, and the interface's while nothing ticks.
+  haptics::ServoCallback* servo_ = nullptr;
+  Clock::time_point begin_, now_, last_;
+  haptics::Vec3 last_tablet_m_{0, 0, 0.02};
+  double period_s_ = 0, delay_s_ = 0;
+};
+
+/// The sentence for a device in trouble: what happened and what to do. @param code  of the maker, 0 none.
+[[nodiscard]] base::Error trouble_error(haptics::DeviceTrouble trouble, const std::string& device,
+                                        std::int32_t code);
+
+}  // namespace nazori::devices

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/devices/openhaptics.h"
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "felt_plane.h"
+#include "nazori/devices/device_catalogue.h"
+#include "standins/hd_standin.h"
+
+namespace nazori::devices {
+namespace {
+
+using haptics::DeviceState;
+using haptics::DeviceTrouble;
+using test::comes_true;
+using test::FeltPlane;
+using test::Vec3;
+
+constexpr const char* kLibrary = NAZORI_STANDINS "/libHD.so";
+
+class OpenHaptics : public testing::Test {
+ protected:
+  OpenHaptics() {
+    void* library = dlopen(kLibrary, RTLD_NOW | RTLD_GLOBAL);
+    EXPECT_NE(library, nullptr) << dlerror();
+    stage = reinterpret_cast<standin::HdStageFunction>(dlsym(library, "nazori_standin_hd"))();
+    reinterpret_cast<void (*)()>(dlsym(library, "nazori_standin_hd_reset"))();
+  }
+  static OpenHapticsSettings settings() {
+    OpenHapticsSettings s;
+    s.library = kLibrary;
+    s.device_folder = "/nowhere";
+    return s;
+  }
+  OpenedDevice opened(const OpenRequest& request = {}) {
+    auto device = back_end->open("openhaptics", request);
+    EXPECT_TRUE(device) << base::to_line(device.error().error);
+    return std::move(*device);
+  }
+  /// Holds the stylus there, in the tablet frame.
+  void hold(const WorkspaceMapping& mapping, const Vec3& tablet_m) const {
+    const Vec3 mm = mapping.to_device_m(tablet_m) * 1e3;
+    stage->x_mm = mm.x;
+    stage->y_mm = mm.y;
+    stage->z_mm = mm.z;
+  }
+  [[nodiscard]] Vec3 force() const {
+    return {stage->force_x_n.load(), stage->force_y_n.load(), stage->force_z_n.load()};
+  }
+  [[nodiscard]] bool pushes(const Vec3& expected) const { return glm::length(force() - expected) < 1e-6; }
+
+  standin::HdStage* stage = nullptr;
+  std::unique_ptr<BackEnd> back_end = openhaptics_back_end(settings());
+};
+
+TEST_F(OpenHaptics, IsFoundWithItsNameAndClosedAgain) {
+  const BackEndFindings found = back_end->find();
+  ASSERT_EQ(found.devices.size(), 1U);
+  EXPECT_EQ(found.devices.front().id, "openhaptics");
+  EXPECT_EQ(found.devices.front().name, "Stand-in Touch (serial 0042)");
+  EXPECT_TRUE(found.devices.front().has_force);
+  EXPECT_FALSE(found.problem);
+  EXPECT_EQ(stage->inits, 1);
+  EXPECT_EQ(stage->disables, 1);
+}
+
+TEST_F(OpenHaptics, LimitsAreReadInTheMakersUnitsAndSeenFromTheTablet) {
+  OpenRequest request;
+  request.calibration.emplace();
+  const haptics::DeviceDescription d = opened(request).device->describe();
+  EXPECT_TRUE(d.has_force);
+  EXPECT_DOUBLE_EQ(d.limits.max_force_n, 3.3);
+  EXPECT_DOUBLE_EQ(d.limits.continuous_force_n, 0.88);
+  EXPECT_DOUBLE_EQ(d.limits.max_stiffness_n_m, 500);  // 0.5 N/mm
+  EXPECT_DOUBLE_EQ(d.limits.max_damping_n_s_m, 2.5);  // 0.0025 N per mm/s
+  request.calibration->scale = 0.5;
+  EXPECT_DOUBLE_EQ(opened(request).device->describe().limits.max_stiffness_n_m, 1000);
+}
+
+TEST_F(OpenHaptics, GettersThatAnswerZeroGiveWayToTheFiguresOfAnOmni) {
+  stage->dumb = true;
+  OpenRequest request;
+  request.calibration.emplace();
+  const OpenedDevice device = opened(request);
+  EXPECT_DOUBLE_EQ(device.device->describe().limits.max_force_n, 3.3);
+  EXPECT_DOUBLE_EQ(device.device->describe().limits.max_stiffness_n_m, 500);
+  EXPECT_DOUBLE_EQ(device.workspace.high_m.x, 0.080);
+}
+
+TEST_F(OpenHaptics, AKnownPlaneIsFeltInNewtonsAlongTheTabletsNormal) {
+  for (const double tilt : {std::numbers::pi / 2, std::numbers::pi / 3, 0.0}) {
+    OpenRequest request;
+    request.posture.tilt_rad = tilt;
+    OpenedDevice device = opened(request);
+    const WorkspaceMapping mapping = *WorkspaceMapping::create(device.calibration);
+    FeltPlane plane;
+    hold(mapping, {0.01, -0.02, 0.005});
+    ASSERT_TRUE(device.device->start(plane));
+    EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
+    EXPECT_NEAR(plane.x_m, 0.01, 1e-9);
+    EXPECT_NEAR(plane.y_m, -0.02, 1e-9);
+    EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
+    hold(mapping, {0.01, -0.02, -0.002});
+    // 2 mm deep on the tablet, 200 N/m: 0.4 N, up from the table as far as the tablet lies flat.
+    EXPECT_TRUE(comes_true([&] { return pushes({0, 0.4 * std::cos(tilt), 0.4 * std::sin(tilt)}); }));
+    device.device->stop();
+    EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
+    EXPECT_FALSE(stage->running);
+  }
+}
+
+TEST_F(OpenHaptics, TheRealServoHoldsTheHandUpWithTheStiffnessOfItsMaterial) {
+  OpenRequest request;
+  request.calibration.emplace();
+  OpenedDevice device = opened(request);
+  haptics::Servo servo(device.device->describe());
+  servo.set_scene(test::flat_tablet(0.8));
+  test::UnhurriedServo unhurried(servo, 1000);
+  stage->z_mm = -1.5;
+  ASSERT_TRUE(device.device->start(unhurried));
+  // 0.8 of 0.5 N/mm, 1.5 mm deep; the passivity of a resting hand takes nothing.
+  EXPECT_TRUE(comes_true([&] { return std::abs(stage->force_z_n - 0.6) < 1e-6; })) << stage->force_z_n;
+  EXPECT_NEAR(stage->force_x_n, 0, 1e-9);
+  device.device->stop();
+}
+
+TEST_F(OpenHaptics, ButtonsAndRateAreSeenWithoutWaiting) {
+  OpenedDevice device = opened();
+  FeltPlane plane;
+  EXPECT_EQ(device.device->status().state, DeviceState::stopped);
+  ASSERT_TRUE(device.device->start(plane));
+  stage->buttons = 3;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 3U; }));
+  EXPECT_EQ(plane.buttons, 3U);
+  EXPECT_GT(device.device->status().rate_hz, 0);
+  EXPECT_EQ(device.device->status().state, DeviceState::running);
+  EXPECT_EQ(device.device->status().message, "");
+  device.device->stop();
+  EXPECT_EQ(device.device->status().state, DeviceState::stopped);
+}
+
+TEST_F(OpenHaptics, NoForceLeavesThatIsOverThePeakOrNotANumber) {
+  OpenedDevice device = opened();
+  test::Push strong({0, 30, 40});
+  ASSERT_TRUE(device.device->start(strong));
+  EXPECT_TRUE(comes_true([&] { return std::abs(glm::length(force()) - 3.3) < 1e-6; }));
+  device.device->stop();
+  test::Push mad({std::nan(""), 0, 0});
+  ASSERT_TRUE(device.device->start(mad));
+  const std::uint64_t from = stage->ticks;
+  EXPECT_TRUE(comes_true([&] { return stage->ticks > from + 5; }));
+  EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
+}
+
+TEST_F(OpenHaptics, DockedItPausesAndOutAgainItGoesOn) {
+  OpenedDevice device = opened();
+  const WorkspaceMapping mapping = *WorkspaceMapping::create(device.calibration);
+  FeltPlane plane;
+  hold(mapping, {0, 0, -0.002});
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
+  stage->out_of_inkwell = false;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::docked; }));
+  EXPECT_EQ(device.device->status().state, DeviceState::paused);
+  EXPECT_NE(device.device->status().message.find("take it out"), std::string::npos);
+  EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
+  stage->out_of_inkwell = true;
+  EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
+}
+
+TEST_F(OpenHaptics, ADeviceWithoutAnInkwellIsNotTakenForDocked) {
+  stage->calibration_style = 2;
+  stage->out_of_inkwell = false;  // reads 0 for ever
+  OpenedDevice device = opened();
+  FeltPlane plane;
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
+}
+
+TEST_F(OpenHaptics, ASafetySwitchThatWasHeldAndIsLetGoPauses) {
+  OpenedDevice device = opened();
+  FeltPlane plane;
+  stage->safety_held = true;
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
+  stage->safety_held = false;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::safety_switch; }));
+  EXPECT_TRUE(comes_true([&] { return stage->zero_ticks > 2; }));
+}
+
+TEST_F(OpenHaptics, AsksForTheInkwellAndCalibratesThere) {
+  stage->calibration = 0x5001;
+  OpenedDevice device = opened();
+  FeltPlane plane;
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::not_calibrated; }));
+  EXPECT_EQ(stage->calibrations, 0);
+  stage->out_of_inkwell = false;
+  EXPECT_TRUE(comes_true([&] { return stage->calibrations == 1; }));
+  stage->out_of_inkwell = true;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::running; }));
+}
+
+TEST_F(OpenHaptics, ForceErrorsTakeTheForceAwayAtOnceAndItComesBackByItself) {
+  const std::array<std::pair<unsigned int, DeviceTrouble>, 4> cases{{{0x0200, DeviceTrouble::warm_motors},
+                                                                     {0x0201, DeviceTrouble::over_force},
+                                                                     {0x0202, DeviceTrouble::over_force},
+                                                                     {0x0203, DeviceTrouble::over_speed}}};
+  for (const auto& [code, trouble] : cases) {
+    OpenedDevice device = opened();
+    const WorkspaceMapping mapping = *WorkspaceMapping::create(device.calibration);
+    FeltPlane plane;
+    hold(mapping, {0, 0, -0.002});
+    ASSERT_TRUE(device.device->start(plane));
+    EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
+    stage->every_error = code;
+    stage->output = false;  // as the library does on hard errors
+    EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == trouble; }));
+    EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
+    EXPECT_EQ(stage->force_despite_error_n, 0);  // not even in the tick of the error
+    EXPECT_EQ(device.device->status().state, DeviceState::paused);
+    EXPECT_NE(device.device->status().message.find("goes on by itself"), std::string::npos);
+    stage->every_error = 0;
+    EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; })) << code;
+    EXPECT_EQ(device.device->status().message, "");
+  }
+}
+
+TEST_F(OpenHaptics, AForceErrorIsSeenEvenWhereItLastsOneTick) {
+  OpenedDevice device = opened();
+  FeltPlane plane;
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
+  stage->next_error = 0x0201;
+  EXPECT_TRUE(comes_true([&] { return plane.absent > 3; }));
+  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::running; }));
+}
+
+TEST_F(OpenHaptics, UnpluggedItIsLostWithASentenceAndPluggedInItOpensAgain) {
+  OpenedDevice device = opened();
+  const WorkspaceMapping mapping = *WorkspaceMapping::create(device.calibration);
+  FeltPlane plane;
+  hold(mapping, {0, 0, -0.002});
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
+  stage->plugged = false;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; }));
+  EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
+  EXPECT_EQ(stage->force_despite_error_n, 0);
+  EXPECT_EQ(device.device->status().trouble, DeviceTrouble::communication_lost);
+  EXPECT_EQ(device.device->status().message,
+            "Stand-in Touch (serial 0042): the connection was lost (code 0x302) (check cable and power, then "
+            "choose the device again)");
+  const int ticks = plane.ticks;
+  const std::uint64_t from = stage->ticks;
+  EXPECT_TRUE(comes_true([&] { return stage->ticks > from + 5; }));
+  EXPECT_EQ(plane.ticks, ticks);  // the callback has ended
+  device.device->stop();
+  EXPECT_EQ(device.device->status().state, DeviceState::lost);
+  device = {};
+  EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::device_absent);
+  stage->plugged = true;
+  device = opened();
+  FeltPlane again;
+  ASSERT_TRUE(device.device->start(again));
+  EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
+}
+
+TEST_F(OpenHaptics, EverySchedulerErrorEndsIt) {
+  for (const unsigned int code : {0x0104U, 0x0300U, 0x0303U, 0x0304U, 0x0500U, 0x0501U}) {
+    OpenedDevice device = opened();
+    FeltPlane plane;
+    ASSERT_TRUE(device.device->start(plane));
+    stage->next_error = code;
+    EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; })) << code;
+    EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
+  }
+}
+
+TEST_F(OpenHaptics, AServoThatStandsStillIsSaidAndDoesNotHoldUpTheStop) {
+  OpenedDevice device = opened();
+  FeltPlane plane;
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
+  stage->frozen = true;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::stalled; }));
+  EXPECT_EQ(device.device->status().state, DeviceState::lost);
+  device.device->stop();
+  EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
+}
+
+TEST_F(OpenHaptics, TriesTheUsersNameThenTheFirstThenTheUsualNames) {
+  for (const char* name : {"", "Default Device", "Default PHANToM"}) {
+    stage->only_name = name;
+    EXPECT_TRUE(back_end->open("openhaptics", {})) << name;
+    stage->garbage_handle = true;  // some versions: no error, and a number that is no device
+    EXPECT_TRUE(back_end->open("openhaptics", {}).has_value() || *name == '\0') << name;
+    stage->garbage_handle = false;
+  }
+  stage->only_name = "Left";
+  EXPECT_FALSE(back_end->open("openhaptics", {}));
+  EXPECT_EQ(back_end->open("openhaptics:Left", {})->id, "openhaptics:Left");
+  OpenHapticsSettings by_name = settings();
+  by_name.device_name = "Left";
+  EXPECT_TRUE(openhaptics_back_end(by_name)->open("openhaptics", {}));
+}
+
+TEST_F(OpenHaptics, ADeviceThatIsOpenIsListedAsInUse) {
+  const OpenedDevice device = opened();
+  const BackEndFindings found = back_end->find();
+  EXPECT_EQ(found.devices.size(), 1U);
+  EXPECT_EQ(found.problem->trouble, DeviceTrouble::in_use);
+  EXPECT_EQ(back_end->open("openhaptics", {}).error().trouble, DeviceTrouble::in_use);
+  // And by another part of the program, or another program, through the library's own word.
+  EXPECT_EQ(openhaptics_back_end(settings())->open("openhaptics", {}).error().trouble, DeviceTrouble::in_use);
+}
+
+TEST_F(OpenHaptics, EveryFailureToOpenSaysInOneLineWhatToDo) {
+  struct Case {
+    unsigned int code;
+    DeviceTrouble trouble;
+    const char* words;
+  };
+  for (const Case& c : {Case{0x0302, DeviceTrouble::device_absent, "Touch_Setup"},
+                        Case{0x0303, DeviceTrouble::device_absent, "'Default PHANToM'"},
+                        Case{0x0200, DeviceTrouble::init_failed, "wait some minutes"},
+                        Case{0x0600, DeviceTrouble::init_failed, "OH_SDK_LICENSE_PATH"},
+                        Case{0x0102, DeviceTrouble::init_failed, "Touch_Diagnostic"}}) {
+    stage->init_error = c.code;
+    const BackEndFindings found = back_end->find();
+    ASSERT_TRUE(found.problem);
+    EXPECT_EQ(found.problem->trouble, c.trouble) << c.code;
+    const std::string line = base::to_line(found.problem->error);
+    EXPECT_NE(line.find(c.words), std::string::npos) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    EXPECT_EQ(stage->disables, 0);
+  }
+}
+
+TEST_F(OpenHaptics, ASchedulerThatDoesNotStartIsAnErrorOfStart) {
+  OpenedDevice device = opened();
+  FeltPlane plane;
+  stage->start_error = 0x0304;
+  const auto started = device.device->start(plane);
+  ASSERT_FALSE(started);
+  EXPECT_NE(base::to_line(started.error()).find("Stand-in Touch"), std::string::npos);
+  stage->start_error = 0;
+  EXPECT_TRUE(device.device->start(plane));
+  EXPECT_FALSE(device.device->start(plane));  // twice
+}
+
+TEST_F(OpenHaptics, ARateThatTheDeviceRefusesIsNoFailure) {
+  OpenHapticsSettings fast = settings();
+  fast.rate_hz = 1600;
+  auto device = openhaptics_back_end(fast)->open("openhaptics", {});
+  ASSERT_TRUE(device);
+  FeltPlane plane;
+  ASSERT_TRUE(device->device->start(plane));
+  EXPECT_EQ(device->device->describe().rate_hz, 1000);
+}
+
+TEST_F(OpenHaptics, AnUnusableCalibrationIsRefusedAndTheDeviceClosed) {
+  OpenRequest request;
+  request.calibration.emplace();
+  request.calibration->scale = 0;
+  const auto refused = back_end->open("openhaptics", request);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().trouble, DeviceTrouble::bad_calibration);
+  EXPECT_EQ(stage->disables, 1);
+  EXPECT_TRUE(back_end->open("openhaptics", {}));
+}
+
+TEST_F(OpenHaptics, AMissingLibraryIsNamedWithAllTheNamesThatWereTried) {
+  OpenHapticsSettings missing;
+  missing.library = "/nowhere/libHD.so";
+  const BackEndFindings found = openhaptics_back_end(missing)->find();
+  ASSERT_TRUE(found.problem);
+  EXPECT_EQ(found.problem->trouble, DeviceTrouble::library_missing);
+  EXPECT_NE(base::to_line(found.problem->error).find("/nowhere/libHD.so"), std::string::npos);
+}
+
+TEST_F(OpenHaptics, ALibraryThatLacksAFunctionIsRefusedByTheNameOfTheFunction) {
+  OpenHapticsSettings incomplete;
+  incomplete.library = NAZORI_STANDINS "/incomplete/libHD.so";
+  const auto refused = openhaptics_back_end(incomplete)->open("openhaptics", {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().trouble, DeviceTrouble::symbol_missing);
+  EXPECT_NE(base::to_line(refused.error().error).find("hdUnschedule"), std::string::npos);
+}
+
+TEST_F(OpenHaptics, AFileThatIsNoLibraryIsSaidInTheLoadersWords) {
+  OpenHapticsSettings text;
+  text.library = NAZORI_STANDINS "/not-a-library.so";
+  const auto refused = openhaptics_back_end(text)->open("openhaptics", {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().trouble, DeviceTrouble::library_missing);
+  EXPECT_NE(base::to_line(refused.error().error).find("does not load"), std::string::npos);
+}
+
+TEST_F(OpenHaptics, WithoutItTheProgramGoesOnWithTheNextBest) {
+  std::vector<std::unique_ptr<BackEnd>> all;
+  all.push_back(openhaptics_back_end(settings()));
+  all.push_back(pointer_back_end());
+  DeviceCatalogue catalogue(std::move(all));
+  EXPECT_EQ(catalogue.open_best("", {}).opened->id, "openhaptics");
+  stage->plugged = false;
+  const BestDevice best = catalogue.open_best("openhaptics", {});
+  EXPECT_EQ(best.opened->id, "pointer");
+  ASSERT_FALSE(best.passed_over.empty());
+  EXPECT_EQ(best.passed_over.front().trouble, DeviceTrouble::device_absent);
+}
+
+}  // namespace
+}  // namespace nazori::devices

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace nazori::devices::standin {
+
+/// The hand, the cable and the faults of the stand-in for libdhd.so; and what the device was made to do.
+struct DhdStage {
+  // The test writes.
+  std::atomic<double> x_m, y_m, z_m;  ///< in the maker's frame: towards the operator, right, up
+  std::atomic<unsigned int> buttons;
+  std::atomic<int> devices;     ///< how many are plugged in
+  std::atomic<int> open_error;  ///< what opening and enabling fails with
+  std::atomic<bool> not_homed;  ///< dhdEnableForce fails
+  std::atomic<int> bad_reads;   ///< so many positions fail
+  std::atomic<bool> saturated;  ///< dhdSetForce answers 2, which is a success
+  std::atomic<const char*> name;
+  std::atomic<int> type;
+  std::atomic<double> max_force_n;  ///< -1: no answer
+  // The library writes.
+  std::atomic<double> force_x_n, force_y_n, force_z_n;  ///< at the motors, in the maker's frame
+  std::atomic<double> force_despite_error_n;  ///< most that was asked for while nothing was plugged in
+  std::atomic<double> guard_n;                ///< dhdSetMaxForce
+  std::atomic<bool> force_on, gravity_on;
+  std::atomic<int> opens, closes;
+  std::atomic<std::uint64_t> reads;
+};
+
+/// Exported by the stand-in as "nazori_standin_dhd"; "nazori_standin_dhd_reset" puts the stage back.
+using DhdStageFunction = DhdStage* (*)();
+
+}  // namespace nazori::devices::standin
