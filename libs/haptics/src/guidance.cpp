@@ -15,9 +15,6 @@ constexpr double kUp_m = 0.0005;
 
 Vec3 from_above(const Vec3& p) noexcept { return {p.x, p.y, 0}; }
 
-double start_reach(double length_m) noexcept {
-  return std::clamp(0.4 * length_m, 0.5 * Guidance::kStartReach_m, Guidance::kStartReach_m);
-}
 double end_reach(double length_m) noexcept { return std::min(Guidance::kEnd_m, 0.1 * length_m); }
 double lifted_end_reach(double length_m) noexcept {
   return std::min(Guidance::kLiftedEnd_m, 0.25 * length_m);
@@ -59,7 +56,8 @@ void Guidance::start_writing(const GuidancePlan& plan, const StrokeIndex::Hit& a
   hit_ = plan.lines().follow(from_above, at.segment);
   arc_ = wall_ = target_ = plan.lines().arc_length_m(hit_);
   going_back_ = false;
-  gain_ = allowance_ = resisted_s_ = pulled_back_s_ = 0;
+  gain_ = resisted_s_ = pulled_back_s_ = 0;
+  new_way_ = true;
   if (stopped_) mark(ServoEvent::resumed);
   stopped_ = false;
 }
@@ -88,7 +86,7 @@ void Guidance::see_whether_down(const GuidancePlan& plan, const Input& in) noexc
   if (stroke_ == 0 || writing_ || !down_ || must_lift_) return;
 
   const Vec3 at = from_above(in.device_m);
-  const double reach = start_reach(plan.length_m(stroke_));
+  const double reach = start_reach_m(plan.length_m(stroke_));
   const StrokeIndex::Hit entry = plan.lines().at_length(stroke_, reached_);
   if (glm::length(at - entry.point) <= reach) {
     astray_ = false;
@@ -137,7 +135,6 @@ void Guidance::track(const GuidancePlan& plan, const Settings& settings, const V
 void Guidance::update(const GuidancePlan& plan, const Settings& settings, const Input& in) noexcept {
   events_ = 0;
   done_ = 0;
-  stored_ = 0;
   guide_ = in.device_m;
   book(settings, known_ ? in.device_m - last_ : Vec3(0));
 
@@ -149,17 +146,12 @@ void Guidance::update(const GuidancePlan& plan, const Settings& settings, const 
 
   Vec3 wanted(0);
   double most = settings.cap_n * settings.strength;
-  Vec3 active_along(0);
-  bool active = false;
   if (settings.mode == GuidingMode::disturb) {
     disturbance_.advance();
     most = settings.disturbance_n * settings.strength;
     if (writing_) wanted = most * disturbance_.value();
-    active = true;
   } else if (settings.mode != GuidingMode::off && stroke_ != 0) {
     wanted = writing_ ? write(plan, settings, in) : carry(plan, settings, in);
-    active = !writing_ && !astray_;
-    if (writing_ && settings.mode == GuidingMode::lead) active_along = ahead(plan);
   }
 
   const double size = glm::length(wanted);
@@ -167,13 +159,12 @@ void Guidance::update(const GuidancePlan& plan, const Settings& settings, const 
   const Vec3 change = wanted - force_;
   const double step = glm::length(change);
   force_ = step > in.most_step_n ? force_ + change * (in.most_step_n / step) : wanted;
-  active_ = active ? force_ : glm::dot(force_, active_along) * active_along;
 }
 
 void Guidance::book(const Settings& settings, const Vec3& moved_m) noexcept {
   // A disturbance may do what its size and the way of the hand allow, and that it cannot exceed.
   if (settings.mode == GuidingMode::disturb) allowance_ = 1;
-  const double work = glm::dot(active_, moved_m);
+  const double work = glm::dot(force_, moved_m);
   granted_ = std::min(work, std::max(0.0, allowance_));
   allowance_ -= granted_;
 }
@@ -181,9 +172,9 @@ void Guidance::book(const Settings& settings, const Vec3& moved_m) noexcept {
 void Guidance::lose(const GuidancePlan& plan, const Settings& settings, bool lifted) noexcept {
   events_ = 0;
   done_ = 0;
-  granted_ = stored_ = 0;
+  granted_ = 0;
   const bool carried = !writing_ && stroke_ != 0 && glm::dot(force_, force_) > 0;
-  force_ = active_ = Vec3(0);
+  force_ = Vec3(0);
   known_ = false;
   if (lifted) down_ = must_lift_ = false;
   astray_ = false;

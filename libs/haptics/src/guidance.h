@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "disturbance.h"
@@ -65,11 +66,16 @@ class Guidance {
   /// learner lifted it: near the end of a stroke that finishes it.
   void lose(const GuidancePlan& plan, const Settings& settings, bool lifted) noexcept;
 
+  /// How near to the start of a stroke counts as at it: less for a dot, whose end is near too.
+  [[nodiscard]] static double start_reach_m(double length_m) noexcept {
+    return std::clamp(0.4 * length_m, 0.5 * kStartReach_m, kStartReach_m);
+  }
+
   [[nodiscard]] const Vec3& force_n() const noexcept { return force_; }
-  /// Work that guidance meant to do since the last tick, for the energy account: see docs/haptics.md.
+  /// Work of its force since the last tick as far as it was allowed: what is to be left out of the servo's
+  /// energy account. Each state begins with an allowance of force x way; leading adds cap x way of the
+  /// target.
   [[nodiscard]] double granted_j() const noexcept { return granted_; }
-  /// Energy in its springs at most.
-  [[nodiscard]] double stored_j() const noexcept { return stored_; }
   /// ServoEvent bits of the last update() or lose().
   [[nodiscard]] std::uint16_t events() const noexcept { return events_; }
   /// Stroke that was finished in it, 0 none.
@@ -127,10 +133,9 @@ class Guidance {
   double gain_ = 1;  // 0..1, rises after the learner comes along again
 
   Vec3 force_{0, 0, 0};
-  Vec3 active_{0, 0, 0};  // part of force_ that means to do work
-  double allowance_ = 0;  // [J] that it still may
-  bool new_way_ = true;   // the allowance for carrying is to be set
-  double granted_ = 0, stored_ = 0;
+  double allowance_ = 0;  // [J] that force_ may still do, what was put into its springs among it
+  bool new_way_ = true;   // the allowance is to be set
+  double granted_ = 0;
   Vec3 guide_{0, 0, 0};
   Disturbance disturbance_;
   std::uint16_t events_ = 0;

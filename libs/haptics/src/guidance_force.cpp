@@ -9,10 +9,9 @@
 namespace nazori::haptics {
 namespace {
 
-constexpr double kWall = 0.75;      // part of the cap that resists going back
-constexpr double kDownwards = 0.4;  // part of the cap that presses into the groove
-constexpr double kNear_m = 0.006;   // from here to kOver_m of the start the carried tip comes down
-constexpr double kOver_m = 0.002;
+constexpr double kWall = 0.75;        // part of the cap that resists going back
+constexpr double kDownwards = 0.4;    // part of the cap that presses into the groove
+constexpr double kOver = 0.25;        // part of the reach of a start: this near the tip goes all the way down
 constexpr double kClear_m = 0.003;    // above the plateau: here it is carried across with all its force
 constexpr double kAhead_m = 0.001;    // the pull looks this far ahead, or it would stick at corners
 constexpr double kOverrun_m = 0.003;  // the target goes beyond the end, or friction would stop short of it
@@ -35,20 +34,17 @@ Vec3 within(const Vec3& v, double most) noexcept {
   return size > most ? v * (most / size) : v;
 }
 
-/// Energy in a spring that pulls with at most `most_n`.
-double spring_j(double stiffness_n_m, double most_n, double stretch_m) noexcept {
-  if (!(stiffness_n_m > 0)) return 0;
-  const double linear = std::min(stretch_m, most_n / stiffness_n_m);
-  return 0.5 * stiffness_n_m * linear * linear + most_n * (stretch_m - linear);
-}
-
 }  // namespace
 
-/// Unit vector in which the line goes on, seen from above; zero for a dot.
+/// Unit vector in which the line goes on, with the rise of its groove; zero for a dot.
 Vec3 Guidance::ahead(const GuidancePlan& plan) const noexcept {
-  const Vec3 chord = plan.lines().at_length(stroke_, arc_ + kAhead_m).point - hit_.point;
-  const double size = glm::length(chord);
-  return size > 0.1 * kAhead_m ? chord / size : plan.lines().direction(hit_.segment);
+  const StrokeIndex::Hit next = plan.lines().at_length(stroke_, arc_ + kAhead_m);
+  Vec3 way = next.point - hit_.point;
+  const double across = glm::length(way);
+  if (across < 0.1 * kAhead_m) return plan.lines().direction(hit_.segment);
+  // Beyond 45 degrees the tip would be lifted rather than led.
+  way.z = std::clamp(plan.depth_m(next) - plan.depth_m(hit_), -across, across);
+  return glm::normalize(way);
 }
 
 /// Gives way to a learner who resists: no force from then on until the way to go has become shorter again,
@@ -80,10 +76,14 @@ Vec3 Guidance::write(const GuidancePlan& plan, const Settings& settings, const I
   const double cap = settings.cap_n * settings.strength;
   guide_ = {hit_.point.x, hit_.point.y, plan.depth_m(hit_)};
   Vec3 wanted = stiffness * (guide_ - in.device_m);
-  // Down only: where a shallow stroke runs over a deeper groove it must not lift the tip off the surface.
-  wanted.z = std::clamp(wanted.z, -kDownwards * cap, 0.0);
-  stored_ = spring_j(stiffness, cap, off_) +
-            spring_j(stiffness, kDownwards * cap, std::max(0.0, in.device_m.z - guide_.z));
+  // Whoever writes is pulled down only: where a shallow stroke runs over a deeper groove it must not lift the
+  // tip off the surface. Whoever is led is taken up a kick as well.
+  wanted.z =
+      std::clamp(wanted.z, -kDownwards * cap, settings.mode == GuidingMode::lead ? kDownwards * cap : 0);
+  if (new_way_) {
+    new_way_ = false;
+    allowance_ = cap * kLeave_m;
+  }
   if (settings.mode == GuidingMode::lead) {
     wanted += lead(plan, settings, in);
     return yield(wanted, in.velocity_m_s, std::min(cap, stiffness * kMostWait_m), kLeadPatience_s,
@@ -92,7 +92,6 @@ Vec3 Guidance::write(const GuidancePlan& plan, const Settings& settings, const I
   const double back = wall_ - kSlack_m - arc_;
   if (back > 0) {
     wanted += std::min(stiffness * back, kWall * cap) * ahead(plan);
-    stored_ += spring_j(stiffness, kWall * cap, back);
   }
   gain_ = std::min(1.0, gain_ + in.period_s / kHoldRise_s);
   return gain_ * wanted;
@@ -108,7 +107,7 @@ Vec3 Guidance::lead(const GuidancePlan& plan, const Settings& settings, const In
   if (!(stiffness > 0)) return Vec3(0);
   const double wait = std::clamp(cap / stiffness, kLeastWait_m, kMostWait_m);
   if (!stopped_) {
-    const double go = std::clamp(2 * (1 - (target_ - arc_) / wait), 0.0, 1.0);
+    const double go = std::clamp(4 * (1 - (target_ - arc_) / wait), 0.0, 1.0);
     const double step = std::min(go * plan.speed_m_s(stroke_, target_) * in.period_s,
                                  std::max(0.0, length + kOverrun_m - target_));
     target_ += step;
@@ -127,20 +126,18 @@ Vec3 Guidance::carry(const GuidancePlan& plan, const Settings& settings, const I
   const StrokeIndex::Hit entry = plan.lines().at_length(stroke_, reached_);
   const Vec3 across{entry.point.x - p.x, entry.point.y - p.y, 0};
   const bool up_first = must_lift_ || astray_;
-  const double over = up_first ? 0.0 : smooth((kNear_m - glm::length(across)) / (kNear_m - kOver_m));
+  // Comes down within reach of the start, so that it is not put down beside it.
+  const double near = start_reach_m(plan.length_m(stroke_));
+  const double over = up_first ? 0.0 : smooth((near - glm::length(across)) / ((1 - kOver) * near));
   const double bottom = plan.depth_m(entry);
   guide_ = {entry.point.x, entry.point.y, kHover_m + over * (bottom - kHover_m)};
-  if (astray_) {
-    const double depth = std::max(0.0, -p.z);
-    stored_ = spring_j(stiffness, cap, depth);
-    return {0, 0, std::min(stiffness * depth, cap)};
-  }
   const double most = kCarry * cap;
   to_go_ = glm::length(guide_ - p);
   if (new_way_) {
     new_way_ = false;
     allowance_ = most * (glm::length(across) + std::abs(kHover_m - p.z) + kHover_m - bottom);
   }
+  if (astray_) return {0, 0, std::min(stiffness * std::max(0.0, -p.z), cap)};
   const double freed = std::max(over, smooth(p.z / kClear_m));
   const Vec3 wanted = within(stiffness * (freed * across + Vec3(0, 0, guide_.z - p.z)), most) -
                       settings.damping_n_s_m * settings.strength * in.velocity_m_s;

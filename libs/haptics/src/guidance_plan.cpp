@@ -10,6 +10,7 @@ namespace nazori::haptics {
 namespace {
 
 constexpr double kSame_m = 1e-7;         // nearer than this, seen from above, two points are one
+constexpr double kStep_m = 0.001;        // from speed to speed
 constexpr double kMostSpeeds = 100'000;  // a file may hold a stroke a kilometre long
 
 }  // namespace
@@ -31,22 +32,23 @@ GuidancePlan::GuidancePlan(std::span<const StrokePath> strokes, double speed_m_s
     for (std::size_t i = 0; i + 1 < z.size(); ++i) depths_m_.push_back({z[i], z[i + 1]});
   }
   lines_ = StrokeIndex(flat, 0);
-  step_m_ = std::max(step_m_, total / kMostSpeeds);
+  const double most_step = std::max(kStep_m, total / kMostSpeeds);
   pace_from_.push_back(0);
   for (std::int32_t n = 1; n <= static_cast<std::int32_t>(strokes.size()); ++n) {
     const StrokeIndex::Hit start = lines_.at_length(n, 0);
     lengths_m_.push_back(start.segment >= 0 ? lines_.stroke_length_m(start.segment) : 0);
-    if (start.segment >= 0) set_pace(n, speed_m_s);
+    if (start.segment >= 0) set_pace(n, speed_m_s, most_step);
     pace_from_.push_back(pace_m_s_.size());
   }
 }
 
-void GuidancePlan::set_pace(std::int32_t stroke, double speed_m_s) {
+void GuidancePlan::set_pace(std::int32_t stroke, double speed_m_s, double most_step_m) {
   const double length = length_m(stroke);
-  const auto count = static_cast<std::size_t>(std::ceil(length / step_m_)) + 1;
+  const auto count = static_cast<std::size_t>(std::ceil(length / most_step_m)) + 1;
+  const double step = count > 1 ? length / static_cast<double>(count - 1) : 0;
   std::vector<double> squared(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double s = std::min(length, step_m_ * static_cast<double>(i));
+    const double s = std::min(length, step * static_cast<double>(i));
     const double w = std::min({kWindow_m, s, length - s});
     double part = 1;  // what the bend leaves of the speed
     if (w > kSame_m) {
@@ -62,7 +64,7 @@ void GuidancePlan::set_pace(std::int32_t stroke, double speed_m_s) {
   }
   const double slowest = std::pow(kSlowest * speed_m_s, 2);
   squared.front() = squared.back() = slowest;
-  const double gain = 2 * kAcceleration_m_s2 * step_m_;
+  const double gain = 2 * kAcceleration_m_s2 * step;
   for (std::size_t i = 1; i < count; ++i) squared[i] = std::min(squared[i], squared[i - 1] + gain);
   for (std::size_t i = count - 1; i-- > 0;) squared[i] = std::min(squared[i], squared[i + 1] + gain);
   for (const double v2 : squared) pace_m_s_.push_back(static_cast<float>(std::sqrt(v2)));

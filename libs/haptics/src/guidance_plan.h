@@ -56,14 +56,13 @@ class GuidancePlan {
   struct Depth {
     double from, to;
   };
-  void set_pace(std::int32_t stroke, double speed_m_s);
+  void set_pace(std::int32_t stroke, double speed_m_s, double most_step_m);
 
   StrokeIndex lines_;
   std::vector<Depth> depths_m_;         // by segment of lines_
   std::vector<double> lengths_m_;       // by stroke
   std::vector<std::size_t> pace_from_;  // by stroke: first of its speeds, and one past the last
-  std::vector<float> pace_m_s_;         // at arc lengths step_m_ apart
-  double step_m_ = 0.001;
+  std::vector<float> pace_m_s_;         // at even arc lengths, both ends among them
 };
 
 }  // namespace nazori::haptics

@@ -149,7 +149,6 @@ Vec3 Servo::Inside::hold(const Vec3& device_m, double period) noexcept {
   guidance.update(scene->plan, scene->guide, {device_m, velocity, contact.touching(), period, left});
   tell_of_guidance();
   sample.guide_m = guidance.guide_m();
-  stored_j += guidance.stored_j();
   passivity.grant(guidance.granted_j());
   Vec3 pull = snap.force_n();
   // The surface holds the tip up; a stroke that runs shallow over a deeper groove must not lift it off.
