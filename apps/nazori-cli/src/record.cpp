@@ -168,7 +168,7 @@ void add_record(CLI::App& app, Action& chosen) {
   record->group("Verbs");
   record->require_subcommand(1);
   record->footer(
-      "The window records (Session, Record), and so does nazori-cli demo --record FILE.\n\nExamples:\n"
+      "nazori-cli demo --record FILE makes one.\n\nExamples:\n"
       "  nazori-cli record info session.nzr\n  nazori-cli record export session.nzr --output session.csv");
 
   auto info = std::make_shared<InfoSettings>();

@@ -21,14 +21,14 @@ using testing::HasSubstr;
 std::string plate() { return std::string(std::size_t{128} * 128, '\xFF'); }
 
 /// A hand that comes down on a plate within half a second, rests at `depth_m` for `rest_s` and lifts.
-std::string pressing(double depth_m, double rest_s) {
+std::string pressing(double depth_m, double rest_s, double y_m = -0.02) {
   std::ostringstream text;
   text.precision(12);
   text << "t,x,y,z\n";
   const int rest = static_cast<int>(rest_s * 1000);
   for (int i = 0; i <= 1000 + rest; ++i) {
     const double down = i < 500 ? i / 500.0 : i < 500 + rest ? 1.0 : (1000 + rest - i) / 500.0;
-    text << i * 0.001 << ",0.01,-0.02," << 0.005 - (0.005 + depth_m) * down << '\n';
+    text << i * 0.001 << ",0.01," << y_m << ',' << 0.005 - (0.005 + depth_m) * down << '\n';
   }
   return text.str();
 }
@@ -162,12 +162,15 @@ TEST_F(Feel, ItsOutputCanBeItsInput) {
 }
 
 TEST_F(Feel, SnappingCatchesTheHandAboveAStroke) {
-  write(folder_ / "hand.csv", pressing(0.001, 0.2));
+  // 4 mm beside the middle of the stroke, within the 10 mm at which a Touch snaps.
+  write(folder_ / "hand.csv", pressing(0.005, 0.2, 0.004));
   const Outcome run = nazori_cli({"feel", "一", "--input", folder_ / "hand.csv", "--output",
-                                  folder_ / "out.csv", "--mode", "snap", "--device", "falcon", "--json"});
+                                  folder_ / "out.csv", "--mode", "snap", "--device", "touch", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   const json got = json::parse(run.out);
-  EXPECT_THAT(got["device"].get<std::string>(), HasSubstr("Falcon"));
+  EXPECT_THAT(got["device"].get<std::string>(), HasSubstr("Touch"));
+  EXPECT_GE(got["events"]["capture"], 1);
+  EXPECT_GT(got["stroke_share"], 0.1);
   EXPECT_EQ(got["mode"], "snap");
 }
 
