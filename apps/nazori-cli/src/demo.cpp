@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "character_json.h"
@@ -14,6 +17,7 @@
 #include "nazori/tablet/carved_tablet.h"
 #include "options.h"
 #include "output_files.h"
+#include "statistics_json.h"
 #include "tablet_picture.h"
 #include "tracing.h"
 #include "verbs.h"
@@ -25,6 +29,7 @@ struct DemoSettings {
   std::vector<std::string> characters;
   std::string database;
   std::string output = "{}-demo.png";
+  std::string record;
   devices::SimulatedHardware hardware = devices::SimulatedHardware::touch();
   bool snap = false;
   bool real_time = false;
@@ -55,10 +60,33 @@ Json stroke_json(const StrokeTrace& trace) {
           {"traced_share", trace.traced_share}};
 }
 
+/// How far the tip was held from the lines, over all strokes.
+struct Tracking {
+  double rms_m = 0;
+  double max_m = 0;
+};
+Tracking tracking_of(const TabletTrace& trace) {
+  Tracking tracking;
+  double squares = 0, weights = 0;
+  for (const StrokeTrace& stroke : trace.strokes) {
+    const double weight = stroke.duration_s * stroke.contact_share;
+    squares += weight * stroke.tip_rms_m * stroke.tip_rms_m;
+    weights += weight;
+    tracking.max_m = std::max(tracking.max_m, stroke.tip_max_m);
+  }
+  if (weights > 0) tracking.rms_m = std::sqrt(squares / weights);
+  return tracking;
+}
+
+std::string_view scheduling_of(const TabletTrace& trace) {
+  return trace.clock.real_time ? "SCHED_FIFO" : "SCHED_OTHER";
+}
+
 Json trace_json(const kanji::Character& character, const TabletTrace& trace, const DemoSettings& settings,
                 const std::filesystem::path& picture) {
   Json strokes = Json::array();
   for (const StrokeTrace& stroke : trace.strokes) strokes.push_back(stroke_json(stroke));
+  const Tracking tracking = tracking_of(trace);
   Json json{{"character", base::encode_utf8(character.code_point)},
             {"code_point", code_point_text(character.code_point)},
             {"variant", character.variant},
@@ -66,13 +94,24 @@ Json trace_json(const kanji::Character& character, const TabletTrace& trace, con
             {"device", settings.hardware.name},
             {"rate_hz", settings.hardware.rate_hz},
             {"snapping", settings.snap},
+            {"tracking_rms_m", tracking.rms_m},
+            {"tracking_max_m", tracking.max_m},
+            {"work_on_hand_j", trace.work_on_hand_j},
+            {"dissipated_j", -trace.work_on_hand_j},
+            {"samples", statistics_json(trace.samples)},
             {"strokes", std::move(strokes)}};
   if (settings.real_time) {
-    json["timing"] =
-        Json{{"real_time_scheduling", trace.clock.real_time}, {"ticks", trace.timing.ticks},
-             {"late_ticks", trace.timing.late_ticks},         {"missed_ticks", trace.timing.missed_ticks},
-             {"mean_tick_s", trace.timing.mean_tick_s},       {"max_tick_s", trace.timing.max_tick_s},
-             {"max_lateness_s", trace.timing.max_lateness_s}};
+    json["timing"] = Json{{"real_time_scheduling", trace.clock.real_time},
+                          {"scheduling", scheduling_of(trace)},
+                          {"ticks", trace.timing.ticks},
+                          {"p999_tick_s", trace.p999_tick_s},
+                          {"p999_lateness_s", trace.p999_lateness_s},
+                          {"skipped_periods", trace.clock.missed},
+                          {"late_ticks", trace.timing.late_ticks},
+                          {"missed_ticks", trace.timing.missed_ticks},
+                          {"mean_tick_s", trace.timing.mean_tick_s},
+                          {"max_tick_s", trace.timing.max_tick_s},
+                          {"max_lateness_s", trace.timing.max_lateness_s}};
   }
   return json;
 }
@@ -93,13 +132,21 @@ std::string describe(const std::string& name, const TabletTrace& trace, const De
         s.mean_force_n, s.peak_force_n, percent(s.contact_share), mm(s.mean_depth_m), s.slips,
         percent(s.traced_share));
   }
+  const Tracking tracking = tracking_of(trace);
+  text += fmt::format(
+      "all strokes: tip off the line {:.2f} mm rms, {:.2f} mm at most; force {:.2f} N mean, {:.2f} N peak\n"
+      "energy: {} {:.3f} mJ {} the hand\n",
+      mm(tracking.rms_m), mm(tracking.max_m), trace.samples.mean_force_n(), trace.samples.peak_force_n,
+      trace.work_on_hand_j > 0 ? "the motors did" : "the tablet dissipated",
+      std::abs(trace.work_on_hand_j) * 1e3, trace.work_on_hand_j > 0 ? "of work on" : "from");
   if (settings.real_time) {
     text += fmt::format(
-        "clock thread{}: {} ticks, {} late, {} missed; a tick took {:.1f} us, at most {:.1f} us; at most "
-        "{:.2f} ms late\n",
-        trace.clock.real_time ? " with real-time scheduling" : "", trace.timing.ticks,
-        trace.timing.late_ticks, trace.timing.missed_ticks, trace.timing.mean_tick_s * 1e6,
-        trace.timing.max_tick_s * 1e6, trace.timing.max_lateness_s * 1e3);
+        "clock thread, {}: {} ticks, {} late, {} missed; a tick took {:.1f} us, 99.9 % at most {:.1f} us, "
+        "all "
+        "at most {:.1f} us; 99.9 % at most {:.3f} ms late, all at most {:.3f} ms\n",
+        scheduling_of(trace), trace.timing.ticks, trace.timing.late_ticks, trace.timing.missed_ticks,
+        trace.timing.mean_tick_s * 1e6, trace.p999_tick_s * 1e6, trace.timing.max_tick_s * 1e6,
+        trace.p999_lateness_s * 1e3, trace.timing.max_lateness_s * 1e3);
   }
   return text;
 }
@@ -122,6 +169,12 @@ int run(Console& console, const DemoSettings& settings) {
   if (auto size = parse_picture_size(settings.look.size); !size) return console.refuse(size.error());
   const auto paths = output_files({"--output", settings.output, {".png"}}, *names);
   if (!paths) return console.refuse(paths.error());
+  std::vector<std::filesystem::path> recordings;
+  if (!settings.record.empty()) {
+    auto files = output_files({"--record", settings.record, {".nzr", ".csv"}}, *names);
+    if (!files) return console.refuse(files.error());
+    recordings = std::move(*files);
+  }
   const auto characters = characters_with_strokes(console, settings.characters, settings.database);
   if (!characters) return characters.error();
 
@@ -132,10 +185,12 @@ int run(Console& console, const DemoSettings& settings) {
     const std::string name = name_of(character).text();
     const auto tablet = tablet::CarvedTablet::from_lines(character.lines(), kMapSize, settings.brush);
     if (!tablet) return console.refuse(tablet.error());
+    std::optional<Record> record;
+    if (!recordings.empty()) record = Record{recordings[i], name};
     const auto all = static_cast<double>(characters->size());
     const auto traced =
         trace(**tablet, settings.hardware, settings.snap, settings.real_time ? Pace::real_time : Pace::fast,
-              [&](double done, std::string_view step) {
+              record, [&](double done, std::string_view step) {
                 return progress.show((static_cast<double>(i) + done) / all, fmt::format("{} {}", step, name));
               });
     progress.clear();
@@ -147,6 +202,7 @@ int run(Console& console, const DemoSettings& settings) {
       document.push_back(trace_json(character, *traced, settings, (*paths)[i]));
     } else {
       console.print(fmt::format("picture {}\n", (*paths)[i].string()));
+      if (record) console.print(fmt::format("recording {}\n", record->path.string()));
     }
   }
   if (settings.json) console.print(to_text(document));
@@ -168,21 +224,13 @@ void add_demo(CLI::App& app, Action& chosen) {
                    "the character")
       ->capture_default_str()
       ->type_name("FILE");
-  static const std::map<std::string, devices::SimulatedHardware> kDevices{
-      {"touch", devices::SimulatedHardware::touch()},
-      {"touch-x", devices::SimulatedHardware::touch_x()},
-      {"falcon", devices::SimulatedHardware::falcon()},
-      {"omega3", devices::SimulatedHardware::omega_3()},
-      {"inverse3", devices::SimulatedHardware::inverse3()}};
-  verb->add_option_function<std::string>(
-          "--device", [settings](const std::string& name) { settings->hardware = kDevices.at(name); },
-          "The device that is simulated: touch, touch-x, falcon, omega3 or inverse3")
-      ->check(CLI::IsMember({"touch", "touch-x", "falcon", "omega3", "inverse3"}))
-      ->default_str("touch")
-      ->type_name("DEVICE");
+  add_device_option(*verb, settings->hardware, "The device that is simulated");
   verb->add_flag("--snap", settings->snap, "Switch snapping on: strokes attract the stylus");
   verb->add_flag("--real-time", settings->real_time,
                  "Run on the clock thread as a device does, and tell how it kept time");
+  verb->add_option("--record", settings->record,
+                   "Record every tick to a .nzr (see nazori-cli record) or a .csv")
+      ->type_name("FILE");
   verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
   add_look_options(*verb, settings->look);
   add_brush_options(*verb, settings->brush);

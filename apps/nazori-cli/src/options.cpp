@@ -81,6 +81,21 @@ void add_database_option(CLI::App& verb, std::string& path) {
       ->type_name("FILE");
 }
 
+void add_device_option(CLI::App& verb, devices::SimulatedHardware& hardware, const std::string& description) {
+  static const std::map<std::string, devices::SimulatedHardware> kDevices{
+      {"touch", devices::SimulatedHardware::touch()},
+      {"touch-x", devices::SimulatedHardware::touch_x()},
+      {"falcon", devices::SimulatedHardware::falcon()},
+      {"omega3", devices::SimulatedHardware::omega_3()},
+      {"inverse3", devices::SimulatedHardware::inverse3()}};
+  verb.add_option_function<std::string>(
+          "--device", [&hardware](const std::string& name) { hardware = kDevices.at(name); },
+          description + ": touch, touch-x, falcon, omega3 or inverse3")
+      ->check(CLI::IsMember({"touch", "touch-x", "falcon", "omega3", "inverse3"}))
+      ->default_str("touch")
+      ->type_name("DEVICE");
+}
+
 base::Result<PictureSize> parse_picture_size(std::string_view text) {
   const std::size_t cross = text.find('x');
   const auto width = whole_number(text.substr(0, cross));

@@ -9,6 +9,7 @@
 
 #include "nazori/base/result.h"
 #include "nazori/carving/carve.h"
+#include "nazori/devices/simulated_device.h"
 #include "nazori/surface/height_map.h"
 
 namespace nazori::cli {
@@ -21,6 +22,9 @@ void add_brush_options(CLI::App& verb, carving::Brush& brush);
 
 /// --database. `path` stays empty where it is not given: KanjiDatabase::locate() then decides.
 void add_database_option(CLI::App& verb, std::string& path);
+
+/// --device: one of the simulated presets. `hardware` must live as long as `verb`.
+void add_device_option(CLI::App& verb, devices::SimulatedHardware& hardware, const std::string& description);
 
 /// Width and height of a picture.
 struct PictureSize {

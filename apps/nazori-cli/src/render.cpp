@@ -13,6 +13,7 @@
 #include "nazori/tablet/carved_tablet.h"
 #include "options.h"
 #include "output_files.h"
+#include "own_tablet.h"
 #include "tablet_picture.h"
 #include "verbs.h"
 
@@ -34,29 +35,7 @@ struct RenderSettings {
   Look look;
 };
 
-using Tablet = std::shared_ptr<const tablet::CarvedTablet>;
-
 constexpr int kCarvedSize = 1024;
-constexpr int kStrokeFileGrid = 128;
-
-/// A tablet of one's own: a relief, strokes, or both on one grid.
-base::Result<Tablet> own_tablet(const RenderSettings& settings) {
-  std::optional<surface::HeightMap> map;
-  if (!settings.height_map.empty()) {
-    auto loaded = load_height_map(settings.height_map, settings.map_size);
-    if (!loaded) return tl::unexpected(std::move(loaded.error()));
-    map = std::move(*loaded);
-  }
-  const int grid = map ? map->size() : settings.map_size.value_or(kStrokeFileGrid);
-  std::vector<kanji::StrokeLine> lines;
-  if (!settings.strokes.empty()) {
-    const auto order = kanji::StrokeOrder::load(settings.strokes, grid);
-    if (!order) return tl::unexpected(order.error());
-    lines = order->to_lines(grid);
-  }
-  if (map) return tablet::CarvedTablet::from_height_map(std::move(*map), std::move(lines));
-  return tablet::CarvedTablet::from_lines(std::move(lines), kCarvedSize, settings.brush);
-}
 
 base::Result<void> paint(TabletPainter& painter, const tablet::CarvedTablet& tablet,
                          const RenderSettings& settings, const std::string& name,
@@ -78,7 +57,8 @@ base::Result<void> paint(TabletPainter& painter, const tablet::CarvedTablet& tab
 int run_own(Console& console, const RenderSettings& settings) {
   const auto path = output_file({"--output", settings.output, {".png"}});
   if (!path) return console.refuse(path.error());
-  const auto tablet = own_tablet(settings);
+  const auto tablet =
+      own_tablet({settings.height_map, settings.strokes, settings.map_size}, kCarvedSize, settings.brush);
   if (!tablet) return console.refuse(tablet.error());
   auto painter = TabletPainter::create(settings.look);
   if (!painter) return console.refuse(painter.error());

@@ -2,6 +2,7 @@
 #include "tracing.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "nazori/geometry/polyline.h"
+#include "nazori/recording/session_recorder.h"
 #include "tracing_plan.h"
 
 namespace nazori::cli {
@@ -25,6 +27,34 @@ using Line = geometry::Polyline<geometry::TabletFrame>;
 constexpr double kTraced_m = 0.003;
 
 TabletPoint from_above(const Vec3& p) { return {p.x, p.y}; }
+
+/// Times counted in steps of 2 %, so that the thousandth part of them can be told without keeping all;
+/// nothing is allocated.
+class Durations {
+ public:
+  void add(double seconds) noexcept {
+    const double octaves = std::log2(std::max(seconds, kShortest_s) / kShortest_s);
+    const auto bin = static_cast<std::size_t>(octaves * kPerOctave);
+    ++counts_[std::min(bin, counts_.size() - 1)];
+    ++all_;
+  }
+  /// What `share` of the times do not exceed; 0 where there are none.
+  [[nodiscard]] double quantile_s(double share) const {
+    std::uint64_t seen = 0;
+    for (std::size_t bin = 0; bin < counts_.size(); ++bin) {
+      seen += counts_[bin];
+      if (all_ > 0 && static_cast<double>(seen) >= share * static_cast<double>(all_))
+        return kShortest_s * std::exp2(static_cast<double>(bin + 1) / kPerOctave);
+    }
+    return 0;
+  }
+
+ private:
+  static constexpr double kShortest_s = 1e-9;
+  static constexpr int kPerOctave = 32;
+  std::array<std::uint64_t, 32 * kPerOctave> counts_{};  // up to 4 s
+  std::uint64_t all_ = 0;
+};
 
 /// Sums over the ticks of one stroke.
 struct Sums {
@@ -157,7 +187,13 @@ class Session final : public haptics::ServoCallback {
       sums_[static_cast<std::size_t>(intent.stroke) - 1].slips += sight_.take_slips();
     }
     device_.set_target(intent.target_m);
+    const auto begin = std::chrono::steady_clock::now();
     const Vec3 force = servo_.tick(sample);
+    tick_times_.add(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    // The clock thread's due times are the whole periods since its start, whatever was missed.
+    const double periods = sample.time_s * rate_hz_;
+    lateness_.add((periods - std::floor(periods)) / rate_hz_);
+    samples_.add(servo_.latest());
     if (tracing) add(intent.stroke, aim, servo_.latest(), force);
     next_.store(intent.next, std::memory_order_relaxed);
     done_.store(sample.time_s / plan_.duration_s(), std::memory_order_relaxed);
@@ -165,6 +201,7 @@ class Session final : public haptics::ServoCallback {
   }
 
   [[nodiscard]] devices::SimulatedDevice& device() { return device_; }
+  [[nodiscard]] haptics::Servo& servo() { return servo_; }
   [[nodiscard]] bool finished() const { return done() >= 1; }
   /// 0..1 and beyond at the end. Thread-safe: yes.
   [[nodiscard]] double done() const { return done_.load(std::memory_order_relaxed); }
@@ -174,6 +211,10 @@ class Session final : public haptics::ServoCallback {
     for (std::size_t i = 0; i < sums_.size(); ++i)
       trace.strokes.push_back(stroke_trace(static_cast<int>(i) + 1));
     trace.timing = servo_.timing();
+    trace.samples = samples_;
+    trace.work_on_hand_j = device_.work_j();
+    trace.p999_tick_s = tick_times_.quantile_s(0.999);
+    trace.p999_lateness_s = lateness_.quantile_s(0.999);
     return trace;
   }
 
@@ -233,6 +274,8 @@ class Session final : public haptics::ServoCallback {
   Pull pull_;
   std::vector<Line> lines_;
   std::vector<Sums> sums_;
+  recording::SampleStatistics samples_;
+  Durations tick_times_, lateness_;
   std::atomic<double> done_{0};
   std::vector<std::shared_ptr<const haptics::HapticScene>> scenes_;  // [n]: stroke n is the current one
   std::atomic<int> next_{0};
@@ -245,29 +288,44 @@ base::Error stopped() { return {base::Errc::cancelled, "stopped", "demo", ""}; }
 
 base::Result<TabletTrace> trace(const tablet::CarvedTablet& tablet,
                                 const devices::SimulatedHardware& hardware, bool snapping, Pace pace,
-                                const base::Progress& progress) {
+                                const std::optional<Record>& record, const base::Progress& progress) {
   Session session(tablet, hardware, snapping);
   devices::SimulatedDevice& device = session.device();
-  if (pace == Pace::fast) {
-    constexpr std::uint64_t kBetweenProgress = 256;
-    for (std::uint64_t tick = 0; !session.finished(); ++tick) {
-      (void)device.step(session);
-      session.attend();
-      if (tick % kBetweenProgress == 0 && !progress(session.done(), "tracing"))
-        return tl::unexpected(stopped());
-    }
-    return session.result();
+  std::unique_ptr<recording::SessionRecorder> recorder;
+  if (record) {
+    recording::Session about;
+    about.device = device.describe();
+    about.shape = tablet.shape();
+    about.character = record->character;
+    auto started = recording::SessionRecorder::start(session.servo(), record->path, std::move(about));
+    if (!started) return tl::unexpected(std::move(started.error()));
+    recorder = std::move(*started);
   }
 
-  if (auto started = device.start(session); !started) return tl::unexpected(std::move(started.error()));
+  devices::ClockStatus clock;
   bool go_on = true;
-  while (go_on && !session.finished()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    session.attend();
-    go_on = progress(std::min(session.done(), 1.0), "tracing");
+  if (pace == Pace::fast) {
+    constexpr std::uint64_t kBetweenProgress = 256;
+    for (std::uint64_t tick = 0; go_on && !session.finished(); ++tick) {
+      (void)device.step(session);
+      session.attend();
+      if (tick % kBetweenProgress != 0) continue;
+      if (recorder) recorder->wait_for_room();
+      go_on = progress(session.done(), "tracing");
+    }
+  } else {
+    if (auto started = device.start(session); !started) return tl::unexpected(std::move(started.error()));
+    while (go_on && !session.finished()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      session.attend();
+      go_on = progress(std::min(session.done(), 1.0), "tracing");
+    }
+    clock = device.clock();
+    device.stop();
   }
-  const devices::ClockStatus clock = device.clock();
-  device.stop();
+  if (recorder) {
+    if (auto ended = recorder->finish(); !ended) return tl::unexpected(std::move(ended.error()));
+  }
   if (!go_on) return tl::unexpected(stopped());
   TabletTrace result = session.result();
   result.clock = clock;

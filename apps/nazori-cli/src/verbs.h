@@ -19,6 +19,8 @@ void add_carve(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
 void add_plot(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);
+void add_feel(CLI::App& app, Action& chosen);
+void add_record(CLI::App& app, Action& chosen);
 void add_grade(CLI::App& app, Action& chosen);
 void add_recognise(CLI::App& app, Action& chosen);
 void add_database(CLI::App& app, Action& chosen);

@@ -17,7 +17,7 @@ TEST(Usage, HelpNamesEveryVerb) {
   const Outcome run = nazori_cli({"--help"});
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.err, "");
-  for (const char* verb : {"info", "search", "carve", "render", "demo", "database"}) {
+  for (const char* verb : {"info", "search", "carve", "render", "demo", "feel", "record", "database"}) {
     EXPECT_THAT(run.out, HasSubstr(verb));
   }
 }
@@ -28,6 +28,10 @@ TEST(Usage, EveryVerbDocumentsItselfWithAnExample) {
                                                     {"carve"},
                                                     {"render"},
                                                     {"demo"},
+                                                    {"feel"},
+                                                    {"record"},
+                                                    {"record", "info"},
+                                                    {"record", "export"},
                                                     {"database"},
                                                     {"database", "build"},
                                                     {"database", "check"},

@@ -42,7 +42,11 @@ std::string event_words(std::uint32_t events) {
   for (int bit = 0; bit < 32; ++bit) {
     if ((events >> bit & 1U) == 0) continue;
     const std::string_view name = event_name(bit);
-    words += (words.empty() ? "" : "|") + (name.empty() ? "bit" + std::to_string(bit) : std::string(name));
+    if (!words.empty()) words += '|';
+    if (name.empty())
+      words.append("bit").append(std::to_string(bit));
+    else
+      words.append(name);
   }
   return words;
 }

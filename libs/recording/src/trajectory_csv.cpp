@@ -50,7 +50,7 @@ std::string quoted(std::string_view text) {
   std::string shown(text.substr(0, 40));
   for (char& c : shown)
     if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E) c = '?';
-  return "'" + shown + (text.size() > 40 ? "...'" : "'");
+  return fmt::format("'{}{}'", shown, text.size() > 40 ? "..." : "");
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ base::Result<void> TrajectoryReader::read_header() {
   }
   std::string missing;
   for (std::size_t i = 0; i < kColumns.size(); ++i)
-    if (seen[i] == 0) missing += (missing.empty() ? "" : ", ") + std::string(kColumns[i]);
+    if (seen[i] == 0) missing.append(missing.empty() ? "" : ", ").append(kColumns[i]);
   if (!missing.empty()) {
     return wrong(fmt::format("the header lacks the column{} {}", missing.size() > 1 ? "s" : "", missing),
                  std::string(kHeaderRemedy));

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "character_json.h"
+#include "characters.h"
+#include "nazori/haptics/servo.h"
+#include "nazori/kanji/stroke_order.h"
+#include "nazori/recording/sample_statistics.h"
+#include "nazori/recording/trajectory_ticks.h"
+#include "options.h"
+#include "output_files.h"
+#include "own_tablet.h"
+#include "sample_output.h"
+#include "statistics_json.h"
+#include "verbs.h"
+
+namespace nazori::cli {
+namespace {
+
+using haptics::GuidingMode;
+using recording::SampleStatistics;
+using recording::TrajectoryReader;
+using recording::TrajectoryTicks;
+using Tablet = std::shared_ptr<const tablet::CarvedTablet>;
+
+struct FeelSettings {
+  std::vector<std::string> characters;
+  std::string database;
+  OwnTablet own;
+  std::string input;
+  std::string output;
+  std::string mode = "contact";
+  std::optional<double> rate_hz;
+  int stroke = 0;
+  haptics::Material material;
+  std::vector<double> friction;
+  devices::SimulatedHardware hardware = devices::SimulatedHardware::touch();
+  bool json = false;
+  carving::Brush brush;
+};
+
+constexpr int kCarvedSize = 512;
+constexpr std::uint64_t kBetweenProgress = 16'384;
+
+/// What is felt, and how it is called.
+struct Subject {
+  std::string name;
+  Tablet tablet;
+};
+
+tl::expected<Subject, int> subject_of(const Console& console, const FeelSettings& settings) {
+  const bool own = !settings.own.height_map.empty() || !settings.own.strokes.empty();
+  if (own == !settings.characters.empty()) {
+    return tl::unexpected(console.refuse(
+        {base::Errc::bad_argument,
+         own ? "a character and a file of one's own exclude each other" : "nothing to feel", "",
+         own ? "leave out the character or the file"
+             : "name a character such as 休, or give --height-map or --strokes"}));
+  }
+  if (own) {
+    auto tablet = own_tablet(settings.own, kCarvedSize, settings.brush);
+    if (!tablet) return tl::unexpected(console.refuse(tablet.error()));
+    return Subject{settings.own.height_map.empty() ? settings.own.strokes : settings.own.height_map,
+                   std::move(*tablet)};
+  }
+  const auto names = parse_characters(settings.characters);
+  if (!names) return tl::unexpected(console.refuse(names.error()));
+  if (names->size() > 1) {
+    return tl::unexpected(console.refuse({base::Errc::bad_argument, "one hand feels one character at a time",
+                                          settings.characters.back(), "name one character"}));
+  }
+  const auto characters = characters_with_strokes(console, settings.characters, settings.database);
+  if (!characters) return tl::unexpected(characters.error());
+  auto tablet = tablet::CarvedTablet::from_lines(characters->front().lines(),
+                                                 settings.own.map_size.value_or(kCarvedSize), settings.brush);
+  if (!tablet) return tl::unexpected(console.refuse(tablet.error()));
+  return Subject{names->front().text(), std::move(*tablet)};
+}
+
+base::Result<std::shared_ptr<const haptics::HapticScene>> scene_of(const Subject& subject,
+                                                                   const FeelSettings& settings) {
+  const int strokes = static_cast<int>(subject.tablet->paths().size());
+  if (settings.mode != "contact" && strokes == 0) {
+    return base::fail(base::Errc::bad_argument, fmt::format("{} has no strokes", subject.name),
+                      "--mode " + settings.mode, "give --strokes, or use --mode contact");
+  }
+  if (settings.stroke > strokes) {
+    return base::fail(base::Errc::bad_argument,
+                      fmt::format("{} has {} stroke{}", subject.name, strokes, strokes == 1 ? "" : "s"),
+                      fmt::format("--stroke {}", settings.stroke), "give a smaller number");
+  }
+  haptics::Material material = settings.material;
+  if (!settings.friction.empty()) {
+    material.static_friction = settings.friction[0];
+    material.dynamic_friction = settings.friction[1];
+    if (material.dynamic_friction > material.static_friction) {
+      return base::fail(base::Errc::bad_argument, "dynamic friction is above static friction", "--friction",
+                        "give static,dynamic such as 0.4,0.3");
+    }
+  }
+  haptics::Snapping snapping;
+  snapping.enabled = settings.mode == "snap";
+  snapping.stroke = settings.stroke;
+  haptics::Guiding guiding;
+  if (settings.mode == "lesson") guiding.mode = GuidingMode::lesson;
+  if (settings.mode == "lead") guiding.mode = GuidingMode::lead;
+  if (settings.stroke > 0) guiding.stroke = settings.stroke;
+  return subject.tablet->scene(material, snapping, guiding);
+}
+
+/// What a replay came to.
+struct Felt {
+  SampleStatistics samples;
+  haptics::ServoTiming timing;
+  double took_s = 0;
+};
+
+base::Result<Felt> feel(TrajectoryTicks& ticks, haptics::Servo& servo, SampleOutput& output,
+                        ProgressDisplay& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  Felt felt;
+  recording::TrajectoryPoint point;
+  for (;;) {
+    const auto more = ticks.next(point);
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) break;
+    haptics::DeviceSample pose;
+    pose.time_s = point.time_s;
+    pose.position_m = point.position_m;
+    (void)servo.tick(pose);
+    const haptics::ServoSample& sample = servo.latest();
+    felt.samples.add(sample);
+    if (auto written = output.add(sample); !written) return tl::unexpected(std::move(written.error()));
+    if (felt.samples.samples % kBetweenProgress == 0 && !progress.show(ticks.progress(), "feeling"))
+      return base::fail(base::Errc::cancelled, "stopped", "feel");
+  }
+  if (auto done = output.commit(); !done) return tl::unexpected(std::move(done.error()));
+  felt.timing = servo.timing();
+  felt.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return felt;
+}
+
+/// How many seconds of the hand a second of this program felt.
+double real_time_factor(const Felt& felt, double rate_hz) {
+  return felt.took_s > 0 ? static_cast<double>(felt.samples.samples) / rate_hz / felt.took_s : 0;
+}
+
+Json felt_json(const Felt& felt, const Subject& subject, const FeelSettings& settings, double rate_hz) {
+  Json json{{"subject", subject.name}, {"mode", settings.mode},   {"device", settings.hardware.name},
+            {"rate_hz", rate_hz},      {"input", settings.input}, {"output", settings.output}};
+  json.update(statistics_json(felt.samples));
+  json["late_ticks"] = felt.timing.late_ticks;
+  json["missed_ticks"] = felt.timing.missed_ticks;
+  json["mean_tick_s"] = felt.timing.mean_tick_s;
+  json["took_s"] = felt.took_s;
+  json["real_time_factor"] = real_time_factor(felt, rate_hz);
+  return json;
+}
+
+std::string describe(const Felt& felt, const Subject& subject, const FeelSettings& settings, double rate_hz) {
+  return fmt::format(
+      "{}  felt in mode {} as by a {}\n{}replayed in {:.2f} s, {:.0f} times as fast as real time\n{}\n",
+      subject.name, settings.mode, settings.hardware.name, statistics_text(felt.samples, rate_hz),
+      felt.took_s, real_time_factor(felt, rate_hz), settings.output);
+}
+
+int run(Console& console, const FeelSettings& settings) {
+  const bool to_console = settings.output == "-";
+  if (to_console && settings.json) {
+    return console.refuse({base::Errc::bad_argument, "standard output cannot carry both the samples and JSON",
+                           "--json", "write the samples to a file, or leave --json out"});
+  }
+  if (!to_console) {
+    if (auto path = output_file({"--output", settings.output, {".csv"}}); !path)
+      return console.refuse(path.error());
+  }
+  const auto subject = subject_of(console, settings);
+  if (!subject) return subject.error();
+  auto scene = scene_of(*subject, settings);
+  if (!scene) return console.refuse(scene.error());
+  auto reader = TrajectoryReader::open(settings.input);
+  if (!reader) return console.refuse(reader.error());
+  auto ticks = TrajectoryTicks::create(std::move(*reader), settings.rate_hz);
+  if (!ticks) return console.refuse(ticks.error());
+
+  haptics::Servo servo({settings.hardware.name, ticks->rate_hz(), true, settings.hardware.limits});
+  servo.set_scene(std::move(*scene));
+  auto output = to_console ? SampleOutput::to_console(console) : SampleOutput::to_file(settings.output);
+  if (!output) return console.refuse(output.error());
+  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  const auto felt = feel(*ticks, servo, *output, progress);
+  progress.clear();
+  if (!felt) return console.fail(felt.error());
+  if (settings.json) {
+    console.print(to_text(felt_json(*felt, *subject, settings, ticks->rate_hz())));
+  } else if (!to_console) {
+    console.print(describe(*felt, *subject, settings, ticks->rate_hz()));
+  }
+  return kDone;
+}
+
+void add_material_options(CLI::App& verb, FeelSettings& settings) {
+  const std::string group = "Material";
+  haptics::Material& material = settings.material;
+  verb.add_option("--stiffness", material.stiffness, "As a part of the most that the device renders")
+      ->check(within(0, 1))
+      ->capture_default_str()
+      ->type_name("PART")
+      ->group(group);
+  verb.add_option("--damping", material.damping, "As a part of the most that the device renders")
+      ->check(within(0, 1))
+      ->capture_default_str()
+      ->type_name("PART")
+      ->group(group);
+  verb.add_option("--friction", settings.friction,
+                  "Coefficients of friction, static and dynamic (default: 0,0)")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(within(0, 10))
+      ->type_name("S,D")
+      ->group(group);
+  using haptics::Texture;
+  static const std::map<std::string, Texture> kTextures{
+      {"none", Texture::none}, {"paper", Texture::paper}, {"wood", Texture::wood}, {"stone", Texture::stone}};
+  verb.add_option_function<std::string>(
+          "--texture", [&material](const std::string& name) { material.texture = kTextures.at(name); },
+          "none, paper, wood or stone")
+      ->check(CLI::IsMember({"none", "paper", "wood", "stone"}))
+      ->default_str("none")
+      ->type_name("TEXTURE")
+      ->group(group);
+  verb.add_option("--roughness", material.roughness, "Of the texture")
+      ->check(within(0, 1))
+      ->capture_default_str()
+      ->type_name("PART")
+      ->group(group);
+}
+
+}  // namespace
+
+void add_feel(CLI::App& app, Action& chosen) {
+  auto settings = std::make_shared<FeelSettings>();
+  CLI::App* verb =
+      app.add_subcommand("feel", "Replay a recorded hand through the servo and write the forces");
+  verb->group("Verbs");
+  verb->add_option("characters", settings->characters, "The character to feel: 休, 正-HzFst or U+4F11");
+  verb->add_option("-i,--input", settings->input,
+                   "The hand: a .csv with the columns t,x,y,z in seconds and metres, tablet frame; - is "
+                   "standard input")
+      ->required()
+      ->type_name("FILE");
+  verb->add_option("-o,--output", settings->output, "The .csv to write; - is standard output")
+      ->required()
+      ->type_name("FILE");
+  verb->add_option(
+          "--mode", settings->mode,
+          "contact: the surface alone; snap: strokes attract, too; lesson: one stroke after the other; "
+          "lead: the hand is led along them")
+      ->check(CLI::IsMember({"contact", "snap", "lesson", "lead"}))
+      ->capture_default_str()
+      ->type_name("MODE");
+  verb->add_option("--stroke", settings->stroke,
+                   "snap: only this stroke, 0 all; lesson and lead: the first to be written")
+      ->check(within(0, kanji::StrokeOrder::kMaxStrokes))
+      ->capture_default_str()
+      ->type_name("N");
+  verb->add_option("--rate", settings->rate_hz,
+                   "Ticks a second, on straight lines between the rows (default: every row is a tick)")
+      ->check(within(TrajectoryTicks::kLowestRate_hz, TrajectoryTicks::kHighestRate_hz))
+      ->type_name("HZ");
+  add_device_option(*verb, settings->hardware, "Whose limits hold");
+  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
+  add_material_options(*verb, *settings);
+  const std::string own = "A tablet of one's own, in place of a character";
+  verb->add_option("--height-map", settings->own.height_map, "A height map: 8-bit RAW or greyscale PNG")
+      ->type_name("FILE")
+      ->group(own);
+  verb->add_option("--strokes", settings->own.strokes,
+                   "A stroke order (.str) on the height map's grid; alone, it is carved")
+      ->type_name("FILE")
+      ->group(own);
+  verb->add_option(
+          "--map-size", settings->own.map_size,
+          "Side of the RAW or of the grid of the .str (default: from the length of the RAW, else 128); for a "
+          "character, of the map that is carved (default: 512)")
+      ->check(within(surface::HeightMap::kMinSize, surface::HeightMap::kMaxSize))
+      ->type_name("N")
+      ->group(own);
+  add_brush_options(*verb, settings->brush);
+  add_database_option(*verb, settings->database);
+  verb->footer(
+      "Only positions go in: the velocity is estimated as on a device, by the same\n"
+      "code. The same input gives the same bytes.\n\nExamples:\n"
+      "  nazori-cli feel 休 --input hand.csv --output forces.csv\n"
+      "  nazori-cli feel --height-map 0018.raw --map-size 128 --input - --output - --friction 0.4,0.3 < "
+      "hand.csv");
+  verb->callback(
+      [settings, &chosen] { chosen = [settings](Console& console) { return run(console, *settings); }; });
+}
+
+}  // namespace nazori::cli

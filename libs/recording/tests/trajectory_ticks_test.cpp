@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/recording/trajectory_ticks.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace nazori::recording {
+namespace {
+
+struct Ticks {
+  double rate_hz = 0;
+  std::vector<TrajectoryPoint> points;
+  std::string trouble;
+};
+
+Ticks ticks(const std::string& text, std::optional<double> rate_hz = {}) {
+  Ticks got;
+  auto reader = TrajectoryReader::from(memory_source(text, "hand.csv"));
+  if (!reader) {
+    got.trouble = base::to_line(reader.error());
+    return got;
+  }
+  auto source = TrajectoryTicks::create(std::move(*reader), rate_hz);
+  if (!source) {
+    got.trouble = base::to_line(source.error());
+    return got;
+  }
+  got.rate_hz = source->rate_hz();
+  TrajectoryPoint point;
+  for (;;) {
+    const auto more = source->next(point);
+    if (!more) got.trouble = base::to_line(more.error());
+    if (!more || !*more) return got;
+    got.points.push_back(point);
+  }
+}
+
+std::string rows(int count, double period_s) {
+  std::string text = "t,x,y,z\n";
+  for (int i = 0; i < count; ++i)
+    text += fmt::format("{},{},{},{}\n", 5 + period_s * i, 1e-3 * i, -2e-3 * i, 3e-3 * i);
+  return text;
+}
+
+TEST(TrajectoryTicks, AreTheRowsWhereNoRateIsAskedFor) {
+  const Ticks got = ticks(rows(3000, 0.001));
+  EXPECT_EQ(got.rate_hz, 1000);
+  ASSERT_EQ(got.points.size(), 3000U);
+  EXPECT_EQ(got.points[0].time_s, 5);
+  EXPECT_EQ(got.points[2999].position_m.x, 2.999);
+}
+
+TEST(TrajectoryTicks, TheRateIsTheMedianSoThatAGapDoesNotCount) {
+  EXPECT_EQ(ticks(rows(100, 0.00025)).rate_hz, 4000);
+  EXPECT_NEAR(ticks(rows(100, 0.0003)).rate_hz, 3333.333, 0.4);
+  EXPECT_EQ(ticks("t,x,y,z\n0,0,0,0\n0.001,0,0,0\n0.5,0,0,0\n0.501,0,0,0\n").rate_hz, 1000);
+  EXPECT_EQ(ticks("t,x,y,z\n7,0,0,0\n").rate_hz, 1000);
+}
+
+TEST(TrajectoryTicks, ALineStaysALineAtAnotherRate) {
+  const Ticks got = ticks(rows(101, 0.01), 1000);  // one second
+  EXPECT_EQ(got.rate_hz, 1000);
+  ASSERT_EQ(got.points.size(), 1001U);
+  for (std::size_t i = 0; i < got.points.size(); ++i) {
+    const double s = static_cast<double>(i) * 1e-3;
+    ASSERT_NEAR(got.points[i].time_s, 5 + s, 1e-12);
+    ASSERT_NEAR(got.points[i].position_m.x, 0.1 * s, 1e-12);
+    ASSERT_NEAR(got.points[i].position_m.y, -0.2 * s, 1e-12);
+    ASSERT_NEAR(got.points[i].position_m.z, 0.3 * s, 1e-12);
+  }
+}
+
+TEST(TrajectoryTicks, ALowerRateLeavesRowsOut) {
+  const Ticks got = ticks(rows(1001, 0.001), 100);
+  ASSERT_EQ(got.points.size(), 101U);
+  EXPECT_NEAR(got.points[50].position_m.x, 0.5, 1e-9);
+}
+
+TEST(TrajectoryTicks, ASingleRowIsASingleTick) {
+  EXPECT_EQ(ticks("t,x,y,z\n7,1,2,3\n", 1000).points.size(), 1U);
+}
+
+TEST(TrajectoryTicks, RowsThatAreNoRateOfAServoAskForOne) {
+  EXPECT_THAT(ticks("t,x,y,z\n0,0,0,0\n1,0,0,0\n").trouble, testing::HasSubstr("--rate"));
+  EXPECT_EQ(ticks("t,x,y,z\n0,0,0,0\n1,0,0,0\n", 1000).points.size(), 1001U);
+}
+
+TEST(TrajectoryTicks, TroubleInARowComesThrough) {
+  EXPECT_THAT(ticks("t,x,y,z\n0,0,0,0\n0.1,0,0,oops\n", 100).trouble, testing::HasSubstr("hand.csv:3"));
+  EXPECT_THAT(ticks("t,x,y,z\n0,0,0,0\n0.1,0,0,oops\n").trouble, testing::HasSubstr("hand.csv:3"));
+}
+
+}  // namespace
+}  // namespace nazori::recording
