@@ -150,51 +150,58 @@ TEST(ClosedLoop, TheLargestStableStiffnessIsThatOfAnIdealPlane) {
   EXPECT_NEAR(largest_stable(0.001), 1380, 0.05 * 1380);
 }
 
-TEST(ClosedLoop, EveryPresetIsStableAtItsLimitsAndStopsTheHand) {
-  for (const SimulatedHardware& hardware : SimulatedHardware::presets()) {
-    SimulatedDevice device(hardware, {100, 2, 5e-5, 9});
-    haptics::Servo servo(device.describe());
-    auto scene = std::make_shared<haptics::HapticScene>();
-    scene->surface = plate();
-    scene->material.stiffness = 1;
-    servo.set_scene(scene);
-    device.place({0, 0, 0.01});
-    const int second = static_cast<int>(hardware.rate_hz);
-    double most_in_a_tick = 0;
-    const auto step = [&] {
-      const double before = device.work_j();
-      (void)device.step(servo);
-      most_in_a_tick = std::max(most_in_a_tick, std::abs(device.work_j() - before));
-    };
-    const auto go = [&](const Vec3& from, const Vec3& to, double speed_m_s) {
-      const int ticks = static_cast<int>(glm::length(to - from) / speed_m_s * hardware.rate_hz);
-      for (int i = 1; i <= ticks; ++i) {
-        device.set_target(from + (to - from) * (static_cast<double>(i) / ticks));
-        step();
-      }
-      for (int i = 0; i < second; ++i) step();
-    };
-    for (int i = 0; i < second; ++i) (void)device.step(servo);
-    const double press = std::min(0.02, 0.6 * hardware.limits.continuous_force_n / 100);
-    go({0, 0, 0.01}, {0, 0, -press}, 0.2);
-    double low = 1, high = -1;
-    for (int i = 0; i < second; ++i) {
-      device.set_target({0.01 * i / second, 0, -press});
-      (void)device.step(servo);
-      low = std::min(low, device.tip_m().z);
-      high = std::max(high, device.tip_m().z);
-      ASSERT_TRUE(servo.latest().touching) << hardware.name;
-      ASSERT_GE(servo.latest().proxy_m.z, -1e-12) << hardware.name;
+void expect_stable(const SimulatedHardware& hardware, double damping) {
+  SimulatedDevice device(hardware, {100, 2, 5e-5, 9});
+  haptics::Servo servo(device.describe());
+  auto scene = std::make_shared<haptics::HapticScene>();
+  scene->surface = plate();
+  scene->material.stiffness = 1;
+  scene->material.damping = damping;
+  servo.set_scene(scene);
+  device.place({0, 0, 0.01});
+  const int second = static_cast<int>(hardware.rate_hz);
+  double most_in_a_tick = 0;
+  const auto step = [&] {
+    const double before = device.work_j();
+    (void)device.step(servo);
+    most_in_a_tick = std::max(most_in_a_tick, std::abs(device.work_j() - before));
+  };
+  const auto go = [&](const Vec3& from, const Vec3& to, double speed_m_s) {
+    const int ticks = static_cast<int>(glm::length(to - from) / speed_m_s * hardware.rate_hz);
+    for (int i = 1; i <= ticks; ++i) {
+      device.set_target(from + (to - from) * (static_cast<double>(i) / ticks));
+      step();
     }
-    EXPECT_LT(high - low, 3e-4) << hardware.name;
-    EXPECT_GT(low, -0.65 * press) << hardware.name;
-    go({0.01, 0, -press}, {0.01, 0, 0.01}, 0.2);
-    EXPECT_NEAR(device.tip_m().z, 0.01, 5e-3) << hardware.name;
-    // No net energy but that of the tick that is ahead of the controller, of the one in which the force
-    // falls, and of those on their way.
-    const double ahead = 2 + hardware.limits.delay_s * hardware.rate_hz;
-    EXPECT_LT(device.work_j(), ahead * most_in_a_tick) << hardware.name;
+    for (int i = 0; i < second; ++i) step();
+  };
+  for (int i = 0; i < second; ++i) (void)device.step(servo);
+  const double press = std::min(0.02, 0.6 * hardware.limits.continuous_force_n / 100);
+  go({0, 0, 0.01}, {0, 0, -press}, 0.2);
+  double low = 1, high = -1;
+  for (int i = 0; i < second; ++i) {
+    device.set_target({0.01 * i / second, 0, -press});
+    (void)device.step(servo);
+    low = std::min(low, device.tip_m().z);
+    high = std::max(high, device.tip_m().z);
+    ASSERT_TRUE(servo.latest().touching) << hardware.name;
+    ASSERT_GE(servo.latest().proxy_m.z, -1e-12) << hardware.name;
   }
+  EXPECT_LT(high - low, 3e-4) << hardware.name;
+  EXPECT_GT(low, -0.65 * press) << hardware.name;
+  go({0.01, 0, -press}, {0.01, 0, 0.01}, 0.2);
+  EXPECT_NEAR(device.tip_m().z, 0.01, 5e-3) << hardware.name;
+  // No net energy but that of the tick that is ahead of the controller, of the one in which the force
+  // falls, and of those on their way.
+  const double ahead = 2 + hardware.limits.delay_s * hardware.rate_hz;
+  EXPECT_LT(device.work_j(), ahead * most_in_a_tick) << hardware.name;
+}
+
+TEST(ClosedLoop, EveryPresetIsStableAtItsLimitsAndStopsTheHand) {
+  for (const SimulatedHardware& hardware : SimulatedHardware::presets())
+    for (const double damping : {0.0, 0.5, 1.0}) {
+      SCOPED_TRACE(damping);
+      expect_stable(hardware, damping);
+    }
 }
 
 /// What a hand that comes down on a plate at 0.2 m/s and goes on pressing feels.

@@ -76,10 +76,8 @@ void Servo::Inside::seat(const Vec3& device_m) noexcept {
 void Servo::Inside::take_scene() noexcept {
   const ServoScene* next = offered.load(std::memory_order_acquire);
   if (next == scene) return;
-  const bool same_surface = scene != nullptr && scene->scene && next->scene &&
-                            scene->scene->surface == next->scene->surface &&
-                            scene->scene->shape.width_m == next->scene->shape.width_m &&
-                            scene->scene->shape.depth_m == next->scene->shape.depth_m;
+  // Compared without looking at the HapticScene, which is not in the cache.
+  const bool same_surface = scene != nullptr && scene->surface == next->surface;
   const bool same_material = scene != nullptr && scene->stiffness_n_m == next->stiffness_n_m &&
                              scene->damping_n_s_m == next->damping_n_s_m;
   if (!same_surface || (!same_material && contact.touching())) limiter.restart_ramp();

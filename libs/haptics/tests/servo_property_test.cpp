@@ -33,14 +33,23 @@ Relief carved(int size, double offset) {
   });
 }
 
-std::vector<std::shared_ptr<const HapticScene>> scenes(const std::vector<Relief>& reliefs) {
+constexpr int kUnguided = 4, kAllKinds = 7;
+
+std::vector<std::shared_ptr<const HapticScene>> scenes(const std::vector<Relief>& reliefs, int kinds) {
   std::vector<std::shared_ptr<const HapticScene>> made;
   for (const Relief& r : reliefs)
-    for (int kind = 0; kind < 3; ++kind) {
+    for (int kind = 0; kind < kinds; ++kind) {
       auto scene = r.scene();
       if (kind == 1) scene->material = {1, 0.3, 0.4, 0.3, 0};
-      if (kind == 2) {
-        scene->snapping = {true, 0.2, 0.004, 0};
+      if (kind == 3) {
+        scene->material.texture = Texture::stone;
+        scene->material.roughness = 1;
+      }
+      if (kind == 4) scene->guiding.mode = GuidingMode::lesson;
+      if (kind == 5) scene->guiding.mode = GuidingMode::lead;
+      if (kind == 6) scene->guiding.mode = GuidingMode::disturb;
+      if (kind == 2 || kind >= kUnguided) {
+        scene->snapping = {kind == 2, 0.2, 0.004, 0};
         StrokePath ring;
         for (int i = 0; i <= 60; ++i)
           ring.points.emplace_back(0.03 * std::cos(0.1 * i), 0.03 * std::sin(0.1 * i), -0.01);
@@ -68,7 +77,7 @@ bool is_out(const ServoSample& s, const HapticScene& scene) {
 
 void hostile(const DeviceDescription& device, unsigned seed, long ticks) {
   const std::vector<Relief> reliefs{carved(128, 0), carved(200, 0.004)};
-  const auto all = scenes(reliefs);
+  const auto all = scenes(reliefs, kAllKinds);
   const double period = 1 / device.rate_hz;
   Servo servo(device);
   servo.set_scene(all[0]);
@@ -130,7 +139,7 @@ TEST(ServoProperty, HostileInputNeverGetsTooMuchForceNorThroughTheSurface) {
 // controller: the one that acts, and those on their way.
 TEST(ServoProperty, AHandGetsNoNetEnergyOut) {
   const std::vector<Relief> reliefs{carved(128, 0)};
-  const auto all = scenes(reliefs);
+  const auto all = scenes(reliefs, kUnguided);
   for (const DeviceDescription& device : devices())
     for (const auto& scene : all) {
       SCOPED_TRACE(device.rate_hz);
@@ -142,7 +151,7 @@ TEST(ServoProperty, AHandGetsNoNetEnergyOut) {
       Vec3 at{0, 0, 0.004}, velocity(0), target{0, 0, 0.004}, force(0), next(0);
       double taken = 0;  // by the hand from the tablet
       double worst = 0, most_in_a_tick = 0;
-      const long ticks = property_ticks() / 9;
+      const long ticks = property_ticks() / (3 * kUnguided);
       const int hold = static_cast<int>(0.4 * device.rate_hz);
       for (long i = 0; i < ticks; ++i) {
         if (i % hold == 0)

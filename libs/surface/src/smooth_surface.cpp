@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/surface/smooth_surface.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <vector>
 
 namespace nazori::surface {
 namespace {
@@ -23,18 +25,19 @@ base::Result<std::shared_ptr<const SmoothSurface>> SmoothSurface::create(const H
 SmoothSurface::SmoothSurface(const HeightMap& map)
     : serial_(next_serial()),
       size_(map.size()),
-      stride_(static_cast<std::size_t>(map.size()) + 2),
-      samples_(std::make_unique_for_overwrite<float[]>(stride_ * stride_)) {
-  const std::size_t n = stride_ - 2;
-  const float* from = map.samples().data();
-  for (std::size_t row = 0; row < n; ++row) {
-    float* to = samples_.get() + (row + 1) * stride_;
-    std::memcpy(to + 1, from + row * n, n * sizeof(float));
-    to[0] = to[1];
-    to[n + 1] = to[n];
+      squares_((static_cast<std::size_t>(map.size()) + 2 + kSide - 1) / kSide),
+      samples_(static_cast<float*>(::operator new[](kLine* squares_* squares_, std::align_val_t{kLine}))) {
+  const auto n = static_cast<std::size_t>(size_);
+  std::vector<float> line(squares_ * kSide);
+  for (std::size_t row = 0; row < line.size(); ++row) {
+    const float* from = map.samples().data() + std::clamp<std::size_t>(row, 1, n) * n - n;
+    std::memcpy(line.data() + 1, from, n * sizeof(float));
+    line[0] = from[0];
+    std::fill(line.begin() + 1 + static_cast<std::ptrdiff_t>(n), line.end(), from[n - 1]);
+    for (std::size_t i = 0; i < squares_; ++i)
+      std::memcpy(samples_.get() + row_at(row) + i * kSide * kSide, line.data() + i * kSide,
+                  kSide * sizeof(float));
   }
-  std::memcpy(samples_.get(), samples_.get() + stride_, stride_ * sizeof(float));
-  std::memcpy(samples_.get() + (n + 1) * stride_, samples_.get() + n * stride_, stride_ * sizeof(float));
 }
 
 }  // namespace nazori::surface

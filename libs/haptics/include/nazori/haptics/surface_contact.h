@@ -16,9 +16,9 @@ struct Friction {
 /// While the device is outside the material the proxy is the device. While it is inside, the proxy is the
 /// point of the surface at a local minimum of distance to the device, found by walking downhill in distance
 /// from where the proxy was (Newton steps of at most half a sample, kRidge_m or an eighth of the way), so it
-/// follows walls of any steepness. Ten steps a tick: a long way is gone in several. With friction it stops on the way as soon as the pull lies within the friction
-/// cone: lateral pull <= coefficient x depth. On first contact it starts where the device's way crossed the
-/// surface.
+/// follows walls of any steepness. Ten steps a tick: a long way is gone in several. With friction it stops on
+/// the way as soon as the pull lies within the friction cone: lateral pull <= coefficient x depth. On first
+/// contact it starts where the device's way crossed the surface.
 ///
 /// A proxy behind a ridge comes over it once the surface over the device is nearer by kRidge_m; so it never
 /// hangs behind, and a wall gives way only where the hand is already nearer the other side. What enters is

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 
 #include "nazori/base/result.h"
 #include "nazori/surface/height_map.h"
@@ -35,7 +36,8 @@ struct CurvedPoint {
 /// with weights >= 0, so the surface never rings above the highest or below the lowest of them. The slope has
 /// no steps, the bend is constant within the square around a sample.
 ///
-/// Immutable. Thread-safe: yes. Real-time-safe: at(), curved_at() yes. Memory: 4 (size + 2)^2 bytes.
+/// Immutable. Thread-safe: yes. Real-time-safe: at(), curved_at() yes. Memory: 4 (size + 2)^2
+/// bytes, the side rounded up to a multiple of 4.
 /// @source C. de Boor, A Practical Guide to Splines, 1978: quadratic B-splines on integer knots.
 class SmoothSurface {
  public:
@@ -53,12 +55,14 @@ class SmoothSurface {
   /// As at(), with the second derivatives.
   [[nodiscard]] CurvedPoint curved_at(double column, double row) const noexcept {
     const Cell c = cell(column, row);
-    const float* top = c.corner;
-    const float* middle = top + stride_;
-    const float* bottom = middle + stride_;
-    const Piece left(c.v, top[0], middle[0], bottom[0]);
-    const Piece centre(c.v, top[1], middle[1], bottom[1]);
-    const Piece right(c.v, top[2], middle[2], bottom[2]);
+    // The three columns and the three rows of samples, where they lie in memory.
+    const float* west = samples_.get() + column_at(c.i);
+    const float* mid = samples_.get() + column_at(c.i + 1);
+    const float* east = samples_.get() + column_at(c.i + 2);
+    const std::size_t top = row_at(c.j), middle = row_at(c.j + 1), bottom = row_at(c.j + 2);
+    const Piece left(c.v, west[top], west[middle], west[bottom]);
+    const Piece centre(c.v, mid[top], mid[middle], mid[bottom]);
+    const Piece right(c.v, east[top], east[middle], east[bottom]);
     const Piece along(c.u, left.value, centre.value, right.value);
     const Piece down(c.u, left.slope, centre.slope, right.slope);
     const Piece bend(c.u, left.bend, centre.bend, right.bend);
@@ -82,7 +86,7 @@ class SmoothSurface {
     double value, slope, bend;
   };
   struct Cell {
-    const float* corner;  // sample above and left of the middle one
+    std::size_t i, j;  // of the sample above and left of the middle one, in the map with its border
     double u, v;
     bool column_outside, row_outside;
   };
@@ -99,14 +103,27 @@ class SmoothSurface {
     const int j0 = static_cast<int>(from_top);
     const int i = i0 < size_ ? i0 : size_ - 1;
     const int j = j0 < size_ ? j0 : size_ - 1;
-    return {samples_.get() + static_cast<std::size_t>(j) * stride_ + static_cast<std::size_t>(i), x - i,
-            y - j, x != column, y != row};
+    return {static_cast<std::size_t>(i), static_cast<std::size_t>(j), x - i, y - j, x != column, y != row};
   }
+
+  // The samples lie in squares of 4 x 4, one cache line each: what lies close on the tablet lies close in
+  // memory, in both directions.
+  static constexpr std::size_t kSide = 4, kLine = 64;
+  static_assert(kSide * kSide * sizeof(float) == kLine);
+  [[nodiscard]] static std::size_t column_at(std::size_t i) noexcept {
+    return i / kSide * (kSide * kSide) + i % kSide;
+  }
+  [[nodiscard]] std::size_t row_at(std::size_t j) const noexcept {
+    return j / kSide * (squares_ * kSide * kSide) + j % kSide * kSide;
+  }
+  struct Aligned {
+    void operator()(float* p) const noexcept { ::operator delete[](p, std::align_val_t{kLine}); }
+  };
 
   std::uint64_t serial_;
   int size_;
-  std::size_t stride_;
-  std::unique_ptr<float[]> samples_;  // (size + 2) x (size + 2)
+  std::size_t squares_;  // a side, with the border
+  std::unique_ptr<float[], Aligned> samples_;
 };
 
 }  // namespace nazori::surface
