@@ -36,10 +36,15 @@ Relief carved(int size, double offset) {
 std::vector<std::shared_ptr<const HapticScene>> scenes(const std::vector<Relief>& reliefs) {
   std::vector<std::shared_ptr<const HapticScene>> made;
   for (const Relief& r : reliefs)
-    for (int kind = 0; kind < 3; ++kind) {
+    for (int kind = 0; kind < 6; ++kind) {
       auto scene = r.scene();
       if (kind == 1) scene->material = {1, 0.3, 0.4, 0.3, 0};
-      if (kind == 2) {
+      if (kind == 5) scene->material.texture = Texture::stone;
+      if (kind >= 3) {
+        constexpr GuidingMode kModes[] = {GuidingMode::lesson, GuidingMode::lead, GuidingMode::disturb};
+        scene->guiding.mode = kModes[kind - 3];
+      }
+      if (kind >= 2) {
         scene->snapping = {true, 0.2, 0.004, 0};
         StrokePath ring;
         for (int i = 0; i <= 60; ++i)
@@ -112,6 +117,8 @@ TEST(ServoProperty, HostileInputNeverGetsTooMuchForceNorThroughTheSurface) {
 TEST(ServoProperty, AHandGetsNoNetEnergyOut) {
   const std::vector<Relief> reliefs{carved(128, 0)};
   for (const auto& scene : scenes(reliefs)) {
+    if (scene->guiding.mode != GuidingMode::off && scene->guiding.mode != GuidingMode::lesson)
+      continue;  // they mean to give energy; how much is tested with guidance
     DeviceDescription device;
     Servo servo(device);
     servo.set_scene(scene);
@@ -133,7 +140,8 @@ TEST(ServoProperty, AHandGetsNoNetEnergyOut) {
       force = servo.tick({0.001 * static_cast<double>(i + 1), at, 0, true});
       worst = std::max(worst, taken);
     }
-    EXPECT_LT(worst, 2e-4);
+    // A lesson carries the hand to where a stroke begins, which is allowed 0.6 of the cap x the way.
+    EXPECT_LT(worst, scene->guiding.mode == GuidingMode::lesson ? 0.48 * 0.1 : 2e-4);
     EXPECT_LT(taken, 0);
   }
 }
