@@ -8,6 +8,11 @@
 #include "nazori/haptics/stroke_index.h"
 
 namespace nazori::haptics {
+namespace {
+
+constexpr double kLookPast_m = 0.004;
+
+}  // namespace
 
 void StrokeIndex::test(const Vec3& p, std::size_t i, Hit& best) const noexcept {
   const Segment& s = segments_[i];
@@ -33,14 +38,18 @@ StrokeIndex::Hit StrokeIndex::follow(const Vec3& p, std::int32_t segment) const 
   Hit best;
   test(p, static_cast<std::size_t>(segment), best);
   const Segment& s = segments_[static_cast<std::size_t>(segment)];
-  // Uphill neighbours end the walk, so that a stroke that comes back near itself is not jumped over to. One
-  // worse segment is looked past: at a sharp kick the next but one may be nearer.
+  // Uphill neighbours end the walk, so that a stroke that comes back near itself is not jumped over to. Two
+  // segments and kLookPast_m are looked past: who cuts the corner of a sharp kick comes to its other leg.
   for (const int way : {1, -1}) {
     int worse = 0;
-    for (std::int32_t i = segment + way; i >= s.first && i <= s.last && worse < 2; i += way) {
+    double worse_m = 0;
+    for (std::int32_t i = segment + way; i >= s.first && i <= s.last && (worse < 2 || worse_m < kLookPast_m);
+         i += way) {
       const double before = best.squared_m2;
       test(p, static_cast<std::size_t>(i), best);
-      worse = best.squared_m2 < before ? 0 : worse + 1;
+      const bool nearer = best.squared_m2 < before;
+      worse = nearer ? 0 : worse + 1;
+      worse_m = nearer ? 0 : worse_m + segments_[static_cast<std::size_t>(i)].length_m;
     }
   }
   return best;
