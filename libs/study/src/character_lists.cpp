@@ -122,8 +122,8 @@ const std::vector<char32_t>& CharacterLists::ready(std::string_view id) {
     for (const kanji::Summary& one : database_->list(*list)) members.push_back(one.code_point);
   } else {
     const int level = id.back() - '0';
-    for (const auto* source : {"grade-1", "grade-2", "grade-3", "grade-4", "grade-5", "grade-6", "secondary",
-                               "jinmeiyou"}) {
+    for (const auto* source :
+         {"grade-1", "grade-2", "grade-3", "grade-4", "grade-5", "grade-6", "secondary", "jinmeiyou"}) {
       for (const char32_t character : ready(source)) {
         const CharacterFacts* known_facts = facts(character);
         if (known_facts != nullptr && known_facts->old_jlpt_level == level) members.push_back(character);
@@ -133,7 +133,8 @@ const std::vector<char32_t>& CharacterLists::ready(std::string_view id) {
   return ready_.emplace(id, std::move(members)).first->second;
 }
 
-base::Result<std::vector<char32_t>> CharacterLists::members(std::string_view id, const LearnerStore& learner) {
+base::Result<std::vector<char32_t>> CharacterLists::members(std::string_view id,
+                                                            const LearnerStore& learner) {
   if (id.starts_with(kOwn)) {
     const std::vector<CustomList> lists = learner.lists();
     for (const CustomList& list : lists) {
@@ -208,7 +209,8 @@ std::vector<char32_t> CharacterLists::in_learning_order(const Settings& settings
                            [this](char32_t character) { return facts(character); });
 }
 
-base::Result<std::vector<char32_t>> parse_list(std::string_view text, const std::function<bool(char32_t)>& known) {
+base::Result<std::vector<char32_t>> parse_list(std::string_view text,
+                                               const std::function<bool(char32_t)>& known) {
   std::vector<char32_t> characters;
   std::set<char32_t> taken;
   int number = 0;

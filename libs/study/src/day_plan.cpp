@@ -78,9 +78,10 @@ GentlePlan spread(int overdue, int per_day, int full_limit, const Cards& cards, 
   plan.days = 1;
   for (int day = 1; left > 0 && day < kMostDays; ++day, ++plan.days) {
     const int at = return_day + day;
-    const int limit = at < kDaysOfReturn
-                          ? static_cast<int>(std::ceil(full_limit * kShareOfReturn[static_cast<std::size_t>(at)]))
-                          : full_limit;
+    const int limit =
+        at < kDaysOfReturn
+            ? static_cast<int>(std::ceil(full_limit * kShareOfReturn[static_cast<std::size_t>(at)]))
+            : full_limit;
     left += coming[static_cast<std::size_t>(day)] - limit;
   }
   plan.last_day = today + days(plan.days - 1);
@@ -128,7 +129,8 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
     switch (card.memory.phase) {
       case Phase::fresh:
         if (card.introduced) {
-          begun.push_back({TaskKind::fresh, character, card.next_stage, learner.calendar().begin_of(*card.introduced), 0});
+          begun.push_back({TaskKind::fresh, character, card.next_stage,
+                           learner.calendar().begin_of(*card.introduced), 0});
         }
         break;
       case Phase::learning:
@@ -153,7 +155,8 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
   const int room = std::max(0, limit - plan.reviews_done);
   const int due = static_cast<int>(reviews.size());
   std::sort(reviews.begin(), reviews.end(), [](const StudyTask& a, const StudyTask& b) {
-    return std::tuple(-a.retrievability, a.due, a.character) < std::tuple(-b.retrievability, b.due, b.character);
+    return std::tuple(-a.retrievability, a.due, a.character) <
+           std::tuple(-b.retrievability, b.due, b.character);
   });
   plan.held_back = std::max(0, due - room);
   if (due > room && overdue > 0) {
@@ -161,8 +164,9 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
   }
   if (due > room) reviews.resize(static_cast<std::size_t>(room));
 
-  std::sort(steps.begin(), steps.end(),
-            [](const StudyTask& a, const StudyTask& b) { return std::tuple(a.due, a.character) < std::tuple(b.due, b.character); });
+  std::sort(steps.begin(), steps.end(), [](const StudyTask& a, const StudyTask& b) {
+    return std::tuple(a.due, a.character) < std::tuple(b.due, b.character);
+  });
   const Time end_of_day = learner.calendar().begin_of(today + days(1));
   for (const StudyTask& step : steps) {
     if (step.due <= now) {
@@ -180,7 +184,8 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
       const auto known = learner.cards().find(character);
       if (known != learner.cards().end()) {
         const Card& card = known->second;
-        if (card.introduced || card.paused || (card.postponed_until && *card.postponed_until > today)) continue;
+        if (card.introduced || card.paused || (card.postponed_until && *card.postponed_until > today))
+          continue;
       }
       plan.now.push_back({TaskKind::fresh, character, Stage::watch, learner.calendar().begin_of(today), 0});
       --fresh;

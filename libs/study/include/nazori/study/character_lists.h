@@ -51,7 +51,8 @@ class CharacterLists {
 
   /// Every character of the chosen lists once, in the order they are to be learnt. Lists that are not there
   /// are passed over.
-  [[nodiscard]] std::vector<char32_t> in_learning_order(const Settings& settings, const LearnerStore& learner);
+  [[nodiscard]] std::vector<char32_t> in_learning_order(const Settings& settings,
+                                                        const LearnerStore& learner);
 
  private:
   [[nodiscard]] const std::vector<char32_t>& ready(std::string_view id);

@@ -21,9 +21,9 @@ enum class TaskKind : std::uint8_t {
 struct StudyTask {
   TaskKind kind = TaskKind::review;
   char32_t character = 0;
-  Stage stage = Stage::memory;       ///< that the lesson proposes
-  Time due{};                        ///< step: the minute; else the beginning of the day it was due
-  double retrievability = 0;         ///< chance that it is still known; 0 for new ones
+  Stage stage = Stage::memory;  ///< that the lesson proposes
+  Time due{};                   ///< step: the minute; else the beginning of the day it was due
+  double retrievability = 0;    ///< chance that it is still known; 0 for new ones
 
   friend bool operator==(const StudyTask&, const StudyTask&) = default;
 };
@@ -31,10 +31,10 @@ struct StudyTask {
 /// How a backlog is worked off: what is still best known first, so many a day, with nothing new until it is
 /// done.
 struct GentlePlan {
-  int overdue = 0;   ///< reviews that have piled up
-  int per_day = 0;   ///< reviews asked for today
-  int days = 0;      ///< study days until all is caught up, today included
-  Day last_day{};    ///< the last of them
+  int overdue = 0;  ///< reviews that have piled up
+  int per_day = 0;  ///< reviews asked for today
+  int days = 0;     ///< study days until all is caught up, today included
+  Day last_day{};   ///< the last of them
 
   friend bool operator==(const GentlePlan&, const GentlePlan&) = default;
 };
@@ -66,11 +66,13 @@ inline constexpr int kDaysOfReturn = 3;
 /// review the limit is 50 %, 75 % and 90 % on the first three days back. While reviews are held back nothing
 /// new is added. Paused, postponed and set apart characters do not come.
 /// @param learning_order  all characters the learner wants, in order: CharacterLists::in_learning_order().
-/// @source descending retrievability for backlogs: simulations of open-spaced-repetition, "Review Sort Orders".
+/// @source descending retrievability for backlogs: simulations of open-spaced-repetition, "Review Sort
+/// Orders".
 [[nodiscard]] base::Result<DayPlan> plan_day(const LearnerStore& learner,
                                              std::span<const char32_t> learning_order);
 
-/// The chance that a character is known now: FSRS's retrievability after the study days since its last review.
+/// The chance that a character is known now: FSRS's retrievability after the study days since its last
+/// review.
 [[nodiscard]] double retrievability_now(const Card& card, const Fsrs& fsrs, Day today);
 
 }  // namespace nazori::study
