@@ -267,6 +267,11 @@ const Json* JsonReader::Object::array(const char* member) {
   return value;
 }
 
+std::string JsonReader::Object::raw(const char* member) {
+  const Json* value = find(member);
+  return value == nullptr ? std::string() : value->dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 JsonReader::Object JsonReader::Object::object(const char* member) {
   static const Json kEmpty = Json::object();
   const Json* value = find(member);

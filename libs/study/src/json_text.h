@@ -36,6 +36,8 @@ class JsonReader {
     [[nodiscard]] double number(const char* member, double lowest, double highest);
     [[nodiscard]] bool truth(const char* member);
     [[nodiscard]] Object object(const char* member);
+    /// The text of a member in one line, whatever it is.
+    [[nodiscard]] std::string raw(const char* member);
     /// Calls `take` for each element of an array of objects, until something is wrong.
     template <class Take>
     void each(const char* member, Take take) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "nazori/base/result.h"
+#include "nazori/study/time.h"
+
+namespace nazori::study {
+
+/// Automatic backups kept: one a study day, the newest ones.
+inline constexpr int kBackupsKept = 7;
+
+/// A backup of a learner.db.
+struct Backup {
+  std::filesystem::path file;
+  std::uintmax_t bytes = 0;
+  bool automatic = false;  ///< one of the daily ones
+
+  friend bool operator==(const Backup&, const Backup&) = default;
+};
+
+/// The folder "backups" beside a learner.db.
+[[nodiscard]] std::filesystem::path backup_folder(const std::filesystem::path& learner);
+
+/// All backups beside a learner.db, newest first.
+[[nodiscard]] std::vector<Backup> backups_of(const std::filesystem::path& learner);
+
+/// Puts a backup in the place of a learner.db, which may be damaged or missing. The backup is read whole
+/// first; what stood there is kept beside the backups as "before-restore-...", so this too can be taken back.
+/// @return the file that holds what stood there, empty where nothing did; Errc::not_found, Errc::schema,
+/// Errc::parse for a backup that cannot be used, Errc::io also where the learner's file is in use. Nothing is
+/// changed then.
+[[nodiscard]] base::Result<std::filesystem::path> restore_backup(const std::filesystem::path& backup,
+                                                                 const std::filesystem::path& learner,
+                                                                 const Clock& clock = system_now);
+
+}  // namespace nazori::study

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "nazori/study/fsrs.h"
+#include "nazori/study/lesson.h"
+#include "nazori/study/settings.h"
+#include "nazori/study/time.h"
+#include "nazori/study/writing_result.h"
+
+namespace nazori::study {
+
+/// What an entry of the log says.
+enum class EntryKind : std::uint8_t {
+  writing = 0,    ///< a character was written, or watched: in stage `memory` a review, else practice
+  undo = 1,       ///< an earlier action counts no more
+  settings = 2,   ///< from here on with these settings
+  postpone = 3,   ///< a character comes no earlier than a day
+  pause = 4,      ///< a character does not come
+  resume = 5,     ///< it comes again
+  reset = 6,      ///< it is new again
+  leech_met = 7,  ///< the lesson for a character that is often forgotten was done; it comes again
+};
+/// "writing", "undo", ...
+[[nodiscard]] std::string_view name_of(EntryKind kind);
+[[nodiscard]] std::optional<EntryKind> entry_kind_named(std::string_view name);
+
+/// One writing of a character.
+struct Writing {
+  Stage stage = Stage::memory;
+  Rating rating = Rating::good;    ///< the learner's; means something in the stage `memory` only
+  Rating proposed = Rating::good;  ///< what proposed_rating() said
+  WritingResult result;
+
+  friend bool operator==(const Writing&, const Writing&) = default;
+};
+
+/// One entry of the append-only log. Which members mean something follows from `kind`.
+struct LogEntry {
+  std::int64_t id = 0;      ///< 1, 2, 3, ...
+  std::int64_t action = 0;  ///< id of the first entry of the same action; an undo takes back whole actions
+  Time at{};
+  Day day{};  ///< study day, by the zone the learner was in
+  EntryKind kind = EntryKind::writing;
+  char32_t character = 0;              ///< all but undo and settings
+  Writing writing;                     ///< writing
+  std::optional<int> interval_days;    ///< writing: the interval given, where it was moved within its range
+  int strokes = 1;                     ///< writing: strokes of the character, >= 1
+  std::optional<std::int64_t> undoes;  ///< undo: the action
+  std::optional<Day> until;            ///< postpone
+  std::string settings;                ///< settings: JSON
+
+  friend bool operator==(const LogEntry&, const LogEntry&) = default;
+};
+
+/// Everything the program knows of one character's study. Follows from the log.
+struct Card {
+  char32_t character = 0;
+  Memory memory;
+  std::optional<Day> introduced;       ///< the first day it was met since it was last reset
+  std::optional<Day> last_day;         ///< of the last review from memory
+  std::optional<Day> due_day;          ///< in the phase `review`: the study day it is due
+  std::optional<Day> postponed_until;  ///< not before this day
+  bool paused = false;
+  bool leech = false;               ///< set apart: forgotten too often
+  int leech_at = 0;                 ///< lapses at which it is set apart (again)
+  int practices = 0;                ///< writings in other stages than `memory`
+  Stage next_stage = Stage::watch;  ///< what the lesson proposes
+  double help = 1;                  ///< help of the next guided writing
+
+  friend bool operator==(const Card&, const Card&) = default;
+};
+
+/// Follows one character through the log. Entries must come in the order of the log, without those that were
+/// undone.
+class CardHistory {
+ public:
+  explicit CardHistory(char32_t character) { card_.character = character; }
+
+  /// @param settings  in force when the entry was made.
+  void apply(const LogEntry& entry, const Settings& settings);
+  /// Other settings are in force from here on. Where the weights differ, stability and difficulty are worked
+  /// out anew from all reviews; the day it is due stays.
+  void change_settings(const Settings& settings);
+
+  [[nodiscard]] const Card& card() const { return card_; }
+  /// Whether anything was done that the learner would miss: false for a character never met.
+  [[nodiscard]] bool met() const { return met_; }
+
+ private:
+  struct Answer {
+    Rating rating;
+    Time at;
+    int elapsed_days;
+  };
+  void write(const LogEntry& entry, const Settings& settings);
+  void review(const LogEntry& entry, const Settings& settings);
+  Card card_;
+  std::vector<Answer> answers_;
+  bool met_ = false;
+};
+
+}  // namespace nazori::study

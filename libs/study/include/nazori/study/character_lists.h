@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nazori/base/result.h"
+#include "nazori/kanji/kanji_database.h"
+#include "nazori/study/learner_store.h"
+
+namespace nazori::study {
+
+/// What the order of learning needs to know of a character.
+struct CharacterFacts {
+  char32_t character = 0;
+  std::optional<int> grade;           ///< 1..6, 8, 9, 10
+  std::optional<int> frequency;       ///< rank in newspapers
+  std::optional<int> old_jlpt_level;  ///< 4 (easiest) .. 1, the levels before 2010
+  int strokes = 0;
+  std::vector<char32_t> components;  ///< characters it is made of, at any depth
+
+  friend bool operator==(const CharacterFacts&, const CharacterFacts&) = default;
+};
+
+/// A ready list: its id and what it holds, for people (English).
+struct ReadyList {
+  std::string id;    ///< "grade-1", "old-jlpt-4", ...
+  std::string name;  ///< "grade 1", "old JLPT level 4 (before 2010)"
+};
+
+/// The ready lists: grade-1 .. grade-6, secondary, jinmeiyou, hiragana, katakana, old-jlpt-4 .. old-jlpt-1.
+[[nodiscard]] std::span<const ReadyList> ready_lists();
+
+/// Characters and lists of the kanji database, read when they are first asked for. Thread-safe: no.
+class CharacterLists {
+ public:
+  /// @param database  must live as long as this.
+  explicit CharacterLists(const kanji::KanjiDatabase& database) : database_(&database) {}
+
+  /// The members of a list, in its own order: "grade-1", "list:NAME" for a list of the learner's own,
+  /// "tag:NAME" for what carries a tag.
+  /// @return Errc::not_found.
+  [[nodiscard]] base::Result<std::vector<char32_t>> members(std::string_view id, const LearnerStore& learner);
+
+  /// Facts of a character; nullptr where the database does not draw it. Valid as long as this.
+  [[nodiscard]] const CharacterFacts* facts(char32_t character);
+
+  /// Every character of the chosen lists once, in the order they are to be learnt. Lists that are not there
+  /// are passed over.
+  [[nodiscard]] std::vector<char32_t> in_learning_order(const Settings& settings,
+                                                        const LearnerStore& learner);
+
+ private:
+  [[nodiscard]] const std::vector<char32_t>& ready(std::string_view id);
+  const kanji::KanjiDatabase* database_;
+  std::map<std::string, std::vector<char32_t>, std::less<>> ready_;
+  std::map<char32_t, CharacterFacts> facts_;
+};
+
+/// Puts characters in an order. Those that are equal keep the order they came in; what a fact is not known of
+/// comes last.
+[[nodiscard]] std::vector<char32_t> sort_for_learning(
+    std::vector<char32_t> characters, NewOrder order,
+    const std::function<const CharacterFacts*(char32_t)>& facts);
+
+/// Reads a list from text: characters in any number to a line, blanks and commas between them or not; what
+/// follows a # is a note. Characters that come twice are taken once.
+/// @param known  whether a character can be studied.
+/// @return Errc::parse with the line for anything else and for a text without characters.
+[[nodiscard]] base::Result<std::vector<char32_t>> parse_list(std::string_view text,
+                                                             const std::function<bool(char32_t)>& known);
+
+}  // namespace nazori::study

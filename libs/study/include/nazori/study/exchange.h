@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nazori/base/progress.h"
+#include "nazori/base/result.h"
+#include "nazori/kanji/kanji_database.h"
+#include "nazori/study/learner_store.h"
+
+namespace nazori::study {
+
+/// Everything of a learner as JSON (docs/file-formats.md): the whole log with its ink, lists and tags. What
+/// is imported elsewhere is exported alike, byte for byte.
+[[nodiscard]] base::Result<std::string> export_json(const LearnerStore& learner,
+                                                    const base::Progress& progress = {});
+
+/// Fills an empty learner from such a text.
+/// @return Errc::parse with line and reason; Errc::schema for another format or a newer version;
+/// Errc::bad_argument where the learner is not empty; Errc::cancelled. Nothing is changed then.
+[[nodiscard]] base::Result<void> import_json(LearnerStore& learner, std::string_view json,
+                                             const base::Progress& progress = {});
+
+/// Every writing as a table: RFC 4180, UTF-8, a header line. Those that were undone are marked.
+[[nodiscard]] base::Result<std::string> export_csv(const LearnerStore& learner);
+
+/// What goes on a card for Anki.
+struct AnkiOptions {
+  std::string deck = "Nazori";  ///< name; "::" makes a deck within a deck
+  int words = 4;                ///< at most so many words to a character, 0..20
+};
+
+/// An Anki package (.apkg) of new cards that ask for a character by meaning and reading and answer with its
+/// stroke order as a picture, its readings, meanings and words. The same characters always give the same
+/// notes, so that a second import updates the first.
+/// @param characters  those that are not drawn are left out.
+/// @source the layout "schema 11" of Anki's collections, which every Anki since 2.0 imports: AnkiDroid wiki,
+/// "Database Structure".
+/// @return Errc::not_found where no character is drawn, Errc::bad_argument, Errc::cancelled.
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> anki_package(const kanji::KanjiDatabase& database,
+                                                                   std::span<const char32_t> characters,
+                                                                   const AnkiOptions& options, Time now,
+                                                                   const base::Progress& progress = {});
+
+/// A picture of how a character is written, as SVG: a square for each stroke, the strokes so far in grey, the
+/// new one in black with its number and a dot where it begins.
+[[nodiscard]] std::string stroke_order_svg(const kanji::Character& character);
+
+}  // namespace nazori::study

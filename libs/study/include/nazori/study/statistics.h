@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "nazori/study/learner_store.h"
+
+namespace nazori::study {
+
+/// What was done on one study day.
+struct DayActivity {
+  Day day{};
+  int reviews = 0;     ///< from memory
+  int practices = 0;   ///< in other stages
+  int introduced = 0;  ///< characters met first
+  std::chrono::milliseconds time{0};
+
+  friend bool operator==(const DayActivity&, const DayActivity&) = default;
+};
+
+/// How many reviews were due at a chance, and how many succeeded. Only reviews after at least one day count.
+struct Retention {
+  int reviews = 0;
+  int recalled = 0;
+  double predicted = 0;  ///< mean of the chances that FSRS gave them; 0 without reviews
+  [[nodiscard]] double actual() const { return reviews == 0 ? 0 : static_cast<double>(recalled) / reviews; }
+
+  friend bool operator==(const Retention&, const Retention&) = default;
+};
+
+/// Days in a row with study. One day off in any seven does not break it.
+struct Streak {
+  int days = 0;  ///< with study, up to today; today may still be open
+  int longest = 0;
+  bool today_done = false;
+  bool day_off_used = false;  ///< within the last seven days: another one would break it
+
+  friend bool operator==(const Streak&, const Streak&) = default;
+};
+
+/// How firmly a character is known.
+enum class Strength : std::uint8_t {
+  unseen,    ///< not met
+  learning,  ///< begun, or in its steps
+  young,     ///< stability under 21 days
+  mature,    ///< stability of 21 days and more
+  leech,     ///< set apart
+  paused,
+};
+[[nodiscard]] std::string_view name_of(Strength strength);
+[[nodiscard]] Strength strength_of(const Card& card);
+
+/// A character's state for a grid.
+struct CharacterState {
+  char32_t character = 0;
+  Strength strength = Strength::unseen;
+  double retrievability = 0;  ///< now, 0..1
+
+  friend bool operator==(const CharacterState&, const CharacterState&) = default;
+};
+
+/// A stroke that goes wrong.
+struct HardStroke {
+  char32_t character = 0;
+  int stroke = 0;    ///< from 0
+  int faults = 0;    ///< writings in which it went wrong
+  int writings = 0;  ///< of the character
+  std::map<FaultKind, int> kinds;
+
+  friend bool operator==(const HardStroke&, const HardStroke&) = default;
+};
+
+/// How the pen moved on one study day: means over its writings with ink.
+struct DayMotion {
+  Day day{};
+  int writings = 0;
+  double speed = 0;       ///< glyph units a second
+  double smoothness = 0;  ///< spectral arc length, nearer to 0 is smoother
+
+  friend bool operator==(const DayMotion&, const DayMotion&) = default;
+};
+
+/// Reviews that will fall due.
+struct DayForecast {
+  Day day{};
+  int reviews = 0;  ///< today: with everything overdue
+
+  friend bool operator==(const DayForecast&, const DayForecast&) = default;
+};
+
+inline constexpr int kForecastDays = 30;
+
+/// Everything the statistics page shows, as data.
+struct Statistics {
+  Day today{};
+  std::vector<DayActivity> days;      ///< days with study, oldest first
+  std::vector<DayForecast> forecast;  ///< today and the 29 days after it
+  Retention retention;                ///< all time
+  Retention last_30_days;
+  Streak streak;
+  std::vector<CharacterState> characters;  ///< every one ever met, by code point
+  std::vector<HardStroke>
+      hard_strokes;               ///< the worst first, at most 100; with faults in two writings or more
+  std::vector<DayMotion> motion;  ///< oldest first
+  int reviews = 0;
+  std::chrono::milliseconds time{0};
+};
+
+[[nodiscard]] base::Result<Statistics> statistics_of(const LearnerStore& learner);
+
+/// The streak of days with study. `days` ascending. @param today may be missing from them.
+[[nodiscard]] Streak streak_of(const std::vector<Day>& days, Day today);
+
+/// What studying will take.
+struct Workload {
+  double reviews_per_day = 0;  ///< mean over the second half of the time
+  double minutes_per_day = 0;
+  double known = 0;  ///< characters one would recall at its end
+
+  friend bool operator==(const Workload&, const Workload&) = default;
+};
+
+/// What a desired retention costs: a year of `new_per_day` new characters is played through with FSRS's own
+/// chances (the same dice each time), one review taking 20 s, one that fails 40 s, a new character 3 minutes.
+/// A few milliseconds.
+/// @param settings  whose desired retention is asked about.
+/// @return Errc::bad_argument as Fsrs::create() says, or for new_per_day outside 0..100.
+[[nodiscard]] base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_per_day);
+
+}  // namespace nazori::study

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/study/backups.h"
+
+#include <SQLiteCpp/Backup.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "daily_backup.h"
+#include "file_lock.h"
+#include "nazori/study/learner_store.h"
+#include "store_schema.h"
+
+namespace nazori::study {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Errc;
+
+constexpr std::string_view kDaily = "daily-";
+constexpr std::string_view kExtension = ".db";
+
+bool is_daily(const fs::path& file) {
+  const std::string name = file.filename().string();
+  if (!name.starts_with(kDaily) || !name.ends_with(kExtension)) return false;
+  return parse_day(
+             std::string_view(name).substr(kDaily.size(), name.size() - kDaily.size() - kExtension.size()))
+      .has_value();
+}
+
+/// On disk, not only on its way there.
+base::Result<void> flush(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool done = descriptor >= 0 && ::fsync(descriptor) == 0;
+  const int number = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (done) return {};
+  return base::fail(Errc::io, "cannot be written: " + std::generic_category().message(number), path.string());
+}
+
+/// "20261121T134206Z"
+std::string stamp(Time time) {
+  std::string text = to_text(time).substr(0, 19) + "Z";
+  std::erase(text, '-');
+  std::erase(text, ':');
+  return text;
+}
+
+}  // namespace
+
+fs::path backup_folder(const fs::path& learner) { return learner.parent_path() / "backups"; }
+
+std::vector<Backup> backups_of(const fs::path& learner) {
+  struct Dated {
+    Backup backup;
+    fs::file_time_type time;
+  };
+  std::vector<Dated> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(backup_folder(learner), error)) {
+    if (!entry.is_regular_file(error) || entry.path().extension() != kExtension) continue;
+    found.push_back(
+        {{entry.path(), entry.file_size(error), is_daily(entry.path())}, entry.last_write_time(error)});
+  }
+  std::sort(found.begin(), found.end(), [](const Dated& a, const Dated& b) {
+    return a.time != b.time ? a.time > b.time : a.backup.file.filename() > b.backup.file.filename();
+  });
+  std::vector<Backup> backups;
+  for (Dated& one : found) backups.push_back(std::move(one.backup));
+  return backups;
+}
+
+base::Result<void> copy_database(SQLite::Database& database, const fs::path& file) {
+  const fs::path beside = file.string() + ".part";
+  std::error_code error;
+  fs::remove(beside, error);
+  auto copied = [&]() -> base::Result<void> {
+    try {
+      SQLite::Database target(beside.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+      SQLite::Backup backup(target, database);
+      (void)backup.executeStep();
+      // A copy of a WAL file is one too; a backup shall be a single file.
+      (void)target.execAndGet("PRAGMA journal_mode = DELETE");
+    } catch (const SQLite::Exception& trouble) {
+      return tl::unexpected(error_of(trouble, file.string()));
+    }
+    return flush(beside);
+  }();
+  if (copied) {
+    fs::rename(beside, file, error);
+    if (error) copied = base::fail(Errc::io, "cannot be written: " + error.message(), file.string());
+  }
+  if (!copied) fs::remove(beside, error);
+  return copied;
+}
+
+base::Result<void> keep_daily_backup(SQLite::Database& database, const fs::path& learner, Day day) {
+  const fs::path folder = backup_folder(learner);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return base::fail(Errc::io, "cannot be made: " + error.message(), folder.string());
+  const fs::path file = folder / fmt::format("{}{}{}", kDaily, to_text(day), kExtension);
+  if (fs::exists(file, error)) return {};
+  if (auto made = copy_database(database, file); !made) return made;
+  std::vector<fs::path> daily;
+  for (const Backup& backup : backups_of(learner)) {
+    if (backup.automatic) daily.push_back(backup.file);
+  }
+  std::sort(daily.begin(), daily.end());
+  while (daily.size() > static_cast<std::size_t>(kBackupsKept)) {
+    fs::remove(daily.front(), error);
+    daily.erase(daily.begin());
+  }
+  return {};
+}
+
+base::Result<void> keep_backup_before_migration(SQLite::Database& database, const fs::path& learner,
+                                                int version) {
+  const fs::path folder = backup_folder(learner);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return base::fail(Errc::io, "cannot be made: " + error.message(), folder.string());
+  return copy_database(database, folder / fmt::format("before-version-{}{}", version + 1, kExtension));
+}
+
+base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& learner, const Clock& clock) {
+  std::error_code error;
+  if (!fs::is_regular_file(backup, error)) {
+    return base::fail(Errc::not_found, "there is no such backup", backup.string(),
+                      "nazori-cli study restore --list names them");
+  }
+  if (learner.has_parent_path()) fs::create_directories(learner.parent_path(), error);
+  bool taken = false;
+  const auto lock = FileLock::take(learner.string() + ".lock", taken);
+  if (taken)
+    return base::fail(Errc::io, "is open in another Nazori", learner.string(), "close it there first");
+  if (!lock) return tl::unexpected(lock.error());
+
+  const fs::path beside = learner.string() + ".restored";
+  fs::remove(beside, error);
+  {
+    // Read as a learner's file would be, so that what is put in place can be opened.
+    auto source = LearnerStore::open(backup, Access::read, clock);
+    if (!source) return tl::unexpected(std::move(source.error()));
+    if (auto copied = source->copy_to(beside); !copied) return tl::unexpected(std::move(copied.error()));
+  }
+  fs::path kept;
+  if (fs::exists(learner, error)) {
+    const fs::path folder = backup_folder(learner);
+    fs::create_directories(folder, error);
+    kept = folder / ("before-restore-" + stamp(clock()) + std::string(kExtension));
+    // The write-ahead log goes with its file: it may hold what the file does not yet.
+    for (const char* part : {"-wal", "-shm"}) {
+      const fs::path from = learner.string() + part;
+      std::error_code missing;
+      if (fs::exists(from, missing)) fs::rename(from, kept.string() + part, error);
+    }
+    fs::rename(learner, kept, error);
+    if (error) {
+      fs::remove(beside, error);
+      return base::fail(Errc::io, "cannot be moved aside", learner.string(),
+                        "check the permissions of the folder");
+    }
+  }
+  fs::rename(beside, learner, error);
+  if (error) return base::fail(Errc::io, "cannot be written: " + error.message(), learner.string());
+  return kept;
+}
+
+}  // namespace nazori::study

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/study/card.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace nazori::study {
+namespace {
+
+constexpr std::array<std::string_view, 8> kKindNames{"writing", "undo",   "settings", "postpone",
+                                                     "pause",   "resume", "reset",    "leech_met"};
+
+/// Settings of the log are checked before they are written, so they always make a scheduler.
+Fsrs scheduler_of(const Settings& settings) {
+  auto fsrs = Fsrs::create(settings.fsrs);
+  assert(fsrs);
+  return fsrs ? *std::move(fsrs) : Fsrs();
+}
+
+}  // namespace
+
+std::string_view name_of(EntryKind kind) { return kKindNames[static_cast<std::size_t>(kind)]; }
+
+std::optional<EntryKind> entry_kind_named(std::string_view name) {
+  const auto found = std::find(kKindNames.begin(), kKindNames.end(), name);
+  if (found == kKindNames.end()) return std::nullopt;
+  return static_cast<EntryKind>(found - kKindNames.begin());
+}
+
+void CardHistory::review(const LogEntry& entry, const Settings& settings) {
+  const Fsrs fsrs = scheduler_of(settings);
+  // A clock that was put back counts as no time at all.
+  const int elapsed_days =
+      card_.last_day ? std::max(0, static_cast<int>((entry.day - *card_.last_day).count())) : 0;
+  const Rating rating = entry.writing.rating;
+  card_.memory = fsrs.next(card_.memory, rating, entry.at, elapsed_days);
+  answers_.push_back({rating, entry.at, elapsed_days});
+  if (card_.memory.phase == Phase::review) {
+    if (entry.interval_days) {
+      card_.memory.scheduled_days = *entry.interval_days;
+      card_.memory.due = entry.at + std::chrono::days(*entry.interval_days);
+    }
+    card_.due_day = entry.day + std::chrono::days(card_.memory.scheduled_days);
+  } else {
+    card_.due_day.reset();
+  }
+  card_.last_day = entry.day;
+  card_.postponed_until.reset();
+  if (card_.leech_at == 0) card_.leech_at = settings.leech_lapses;
+  if (rating == Rating::again && card_.memory.lapses >= card_.leech_at) card_.leech = true;
+}
+
+void CardHistory::write(const LogEntry& entry, const Settings& settings) {
+  if (!card_.introduced) card_.introduced = entry.day;
+  const Writing& writing = entry.writing;
+  Lesson lesson(card_.next_stage, card_.help, settings.lesson);
+  lesson.finish(writing.stage, writing.result, std::max(1, entry.strokes));
+  card_.next_stage = lesson.next_stage();
+  card_.help = lesson.help();
+  if (writing.stage == Stage::memory) {
+    review(entry, settings);
+  } else {
+    ++card_.practices;
+  }
+}
+
+void CardHistory::apply(const LogEntry& entry, const Settings& settings) {
+  met_ = true;
+  switch (entry.kind) {
+    case EntryKind::writing:
+      write(entry, settings);
+      return;
+    case EntryKind::postpone:
+      card_.postponed_until = entry.until;
+      return;
+    case EntryKind::pause:
+      card_.paused = true;
+      return;
+    case EntryKind::resume:
+      card_.paused = false;
+      return;
+    case EntryKind::reset: {
+      const char32_t character = card_.character;
+      const bool paused = card_.paused;
+      card_ = Card{};
+      card_.character = character;
+      card_.paused = paused;
+      answers_.clear();
+      return;
+    }
+    case EntryKind::leech_met:
+      card_.leech = false;
+      card_.leech_at = card_.memory.lapses + std::max(2, settings.leech_lapses / 2);
+      card_.next_stage = Stage::guided;
+      return;
+    case EntryKind::undo:
+    case EntryKind::settings:
+      return;
+  }
+}
+
+void CardHistory::change_settings(const Settings& settings) {
+  if (answers_.empty()) return;
+  const Fsrs fsrs = scheduler_of(settings);
+  Memory memory;
+  for (const Answer& answer : answers_) {
+    memory = fsrs.next(memory, answer.rating, answer.at, answer.elapsed_days);
+  }
+  card_.memory.stability = memory.stability;
+  card_.memory.difficulty = memory.difficulty;
+}
+
+}  // namespace nazori::study

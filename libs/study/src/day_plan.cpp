@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/study/day_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace nazori::study {
+namespace {
+
+using std::chrono::days;
+using std::chrono::milliseconds;
+using std::chrono::minutes;
+
+constexpr minutes kAhead{20};
+constexpr milliseconds kUsualReview{20'000};
+constexpr milliseconds kUsualNew{180'000};
+constexpr std::array<double, kDaysOfReturn> kShareOfReturn{0.5, 0.75, 0.9};
+
+/// What the log says of the days before and of today.
+struct Past {
+  std::set<char32_t> reviewed_today;
+  std::set<Day> days;  ///< with a review
+  std::vector<milliseconds> durations;
+};
+
+base::Result<Past> read_past(const LearnerStore& learner, Day today) {
+  Past past;
+  auto read = learner.for_each_entry(true, [&](const LearnerStore::LoggedEntry& logged) {
+    const LogEntry& entry = logged.entry;
+    if (entry.kind != EntryKind::writing || entry.writing.stage != Stage::memory) return true;
+    past.days.insert(entry.day);
+    if (entry.day == today) past.reviewed_today.insert(entry.character);
+    if (entry.writing.result.duration.count() > 0) past.durations.push_back(entry.writing.result.duration);
+    return true;
+  });
+  if (!read) return tl::unexpected(std::move(read.error()));
+  return past;
+}
+
+/// Which day since the return today is, from 0; kDaysOfReturn and more where the limit is full.
+int day_of_return(const std::set<Day>& studied, Day today) {
+  if (studied.empty()) return kDaysOfReturn;
+  std::vector<Day> all(studied.begin(), studied.end());
+  if (all.back() < today) all.push_back(today);
+  int since = 0;
+  for (std::size_t i = all.size() - 1; i > 0; --i, ++since) {
+    if (all[i] - all[i - 1] >= days(kDaysAway)) return since;
+    if (since >= kDaysOfReturn) break;
+  }
+  return kDaysOfReturn;
+}
+
+milliseconds usual_duration(std::vector<milliseconds> durations) {
+  constexpr std::size_t kLast = 200;
+  if (durations.size() > kLast) {
+    durations.erase(durations.begin(), durations.end() - static_cast<std::ptrdiff_t>(kLast));
+  }
+  if (durations.size() < 10) return kUsualReview;
+  const auto middle = durations.begin() + static_cast<std::ptrdiff_t>(durations.size() / 2);
+  std::nth_element(durations.begin(), middle, durations.end());
+  return *middle;
+}
+
+/// Reviews due on each of the coming days, for how long a backlog lasts.
+GentlePlan spread(int overdue, int per_day, int full_limit, const Cards& cards, Day today, int return_day) {
+  constexpr int kMostDays = 3'650;
+  GentlePlan plan{overdue, per_day, 0, today};
+  std::vector<int> coming(static_cast<std::size_t>(kMostDays), 0);
+  for (const auto& [character, card] : cards) {
+    if (!card.due_day || card.paused || card.leech) continue;
+    const auto offset = (*card.due_day - today).count();
+    if (offset > 0 && offset < kMostDays) ++coming[static_cast<std::size_t>(offset)];
+  }
+  int left = overdue - per_day;
+  plan.days = 1;
+  for (int day = 1; left > 0 && day < kMostDays; ++day, ++plan.days) {
+    const int at = return_day + day;
+    const int limit =
+        at < kDaysOfReturn
+            ? static_cast<int>(std::ceil(full_limit * kShareOfReturn[static_cast<std::size_t>(at)]))
+            : full_limit;
+    left += coming[static_cast<std::size_t>(day)] - limit;
+  }
+  plan.last_day = today + days(plan.days - 1);
+  return plan;
+}
+
+}  // namespace
+
+int DayPlan::count(TaskKind kind) const {
+  return static_cast<int>(
+      std::count_if(now.begin(), now.end(), [kind](const StudyTask& task) { return task.kind == kind; }));
+}
+
+double retrievability_now(const Card& card, const Fsrs& fsrs, Day today) {
+  if (!card.last_day) return 0;
+  return fsrs.retrievability(card.memory.stability,
+                             std::max<double>(0, static_cast<double>((today - *card.last_day).count())));
+}
+
+base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char32_t> learning_order) {
+  const Time now = learner.now();
+  const Day today = learner.today();
+  const Settings& settings = learner.settings();
+  const auto fsrs = Fsrs::create(settings.fsrs);
+  if (!fsrs) return tl::unexpected(fsrs.error());
+  const auto past = read_past(learner, today);
+  if (!past) return tl::unexpected(past.error());
+
+  DayPlan plan;
+  plan.day = today;
+  std::vector<StudyTask> steps;
+  std::vector<StudyTask> reviews;
+  std::vector<StudyTask> begun;
+  int overdue = 0;
+  for (const auto& [character, card] : learner.cards()) {
+    if (card.introduced == today) ++plan.new_done;
+    const bool new_today = card.introduced == today;
+    if (past->reviewed_today.contains(character) && !new_today) ++plan.reviews_done;
+    if (card.paused || (card.postponed_until && *card.postponed_until > today)) continue;
+    if (card.leech) {
+      plan.leeches.push_back(character);
+      continue;
+    }
+    const double chance = retrievability_now(card, *fsrs, today);
+    switch (card.memory.phase) {
+      case Phase::fresh:
+        if (card.introduced) {
+          begun.push_back({TaskKind::fresh, character, card.next_stage,
+                           learner.calendar().begin_of(*card.introduced), 0});
+        }
+        break;
+      case Phase::learning:
+      case Phase::relearning:
+        steps.push_back({TaskKind::step, character, card.next_stage, card.memory.due, chance});
+        break;
+      case Phase::review:
+        if (card.due_day && *card.due_day <= today) {
+          reviews.push_back({TaskKind::review, character, card.next_stage,
+                             learner.calendar().begin_of(*card.due_day), chance});
+          if (*card.due_day < today) ++overdue;
+        }
+        break;
+    }
+  }
+
+  const int return_day = day_of_return(past->days, today);
+  int limit = settings.reviews_per_day;
+  if (return_day < kDaysOfReturn) {
+    limit = static_cast<int>(std::ceil(limit * kShareOfReturn[static_cast<std::size_t>(return_day)]));
+  }
+  const int room = std::max(0, limit - plan.reviews_done);
+  const int due = static_cast<int>(reviews.size());
+  std::sort(reviews.begin(), reviews.end(), [](const StudyTask& a, const StudyTask& b) {
+    return std::tuple(-a.retrievability, a.due, a.character) <
+           std::tuple(-b.retrievability, b.due, b.character);
+  });
+  plan.held_back = std::max(0, due - room);
+  if (due > room && overdue > 0) {
+    plan.gentle = spread(due, room, settings.reviews_per_day, learner.cards(), today, return_day);
+  }
+  if (due > room) reviews.resize(static_cast<std::size_t>(room));
+
+  std::sort(steps.begin(), steps.end(), [](const StudyTask& a, const StudyTask& b) {
+    return std::tuple(a.due, a.character) < std::tuple(b.due, b.character);
+  });
+  const Time end_of_day = learner.calendar().begin_of(today + days(1));
+  for (const StudyTask& step : steps) {
+    if (step.due <= now) {
+      plan.now.push_back(step);
+    } else if (step.due < end_of_day) {
+      plan.later_today.push_back(step);
+    }
+  }
+  plan.now.insert(plan.now.end(), reviews.begin(), reviews.end());
+  plan.now.insert(plan.now.end(), begun.begin(), begun.end());
+  if (plan.held_back == 0) {
+    int fresh = settings.new_per_day - plan.new_done;
+    for (const char32_t character : learning_order) {
+      if (fresh <= 0) break;
+      const auto known = learner.cards().find(character);
+      if (known != learner.cards().end()) {
+        const Card& card = known->second;
+        if (card.introduced || card.paused || (card.postponed_until && *card.postponed_until > today))
+          continue;
+      }
+      plan.now.push_back({TaskKind::fresh, character, Stage::watch, learner.calendar().begin_of(today), 0});
+      --fresh;
+    }
+  }
+  // With nothing else to do, a step that is nearly due is better done than waited for.
+  if (plan.now.empty()) {
+    while (!plan.later_today.empty() && plan.later_today.front().due <= now + kAhead) {
+      plan.now.push_back(plan.later_today.front());
+      plan.later_today.erase(plan.later_today.begin());
+    }
+  }
+  const milliseconds usual = usual_duration(past->durations);
+  for (const StudyTask& task : plan.now) plan.estimate += task.kind == TaskKind::fresh ? kUsualNew : usual;
+  return plan;
+}
+
+}  // namespace nazori::study

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/study/ink.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace nazori::study {
+namespace {
+
+constexpr std::uint8_t kVersion = 1;
+// Four varints of at most five bytes a point, and one a stroke.
+constexpr std::size_t kMostBytes = kMostInkPoints * 20 + kMostInkStrokes * 5 + 8;
+
+using Bytes = std::vector<std::uint8_t>;
+
+void put(Bytes& bytes, std::uint32_t value) {
+  for (; value >= 0x80; value >>= 7U) bytes.push_back(static_cast<std::uint8_t>(value | 0x80U));
+  bytes.push_back(static_cast<std::uint8_t>(value));
+}
+
+void put_difference(Bytes& bytes, std::int32_t value) {
+  put(bytes, (static_cast<std::uint32_t>(value) << 1U) ^ static_cast<std::uint32_t>(value >> 31));
+}
+
+/// Takes varints off; after a failure everything is 0.
+class VarintReader {
+ public:
+  explicit VarintReader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
+  std::uint32_t number() {
+    std::uint32_t value = 0;
+    for (unsigned shift = 0; shift < 35; shift += 7) {
+      if (rest_.empty()) break;
+      const std::uint8_t byte = rest_.front();
+      rest_ = rest_.subspan(1);
+      if (shift == 28 && byte > 0x0F) break;
+      value |= static_cast<std::uint32_t>(byte & 0x7FU) << shift;
+      if (byte < 0x80) return value;
+    }
+    ok_ = false;
+    rest_ = {};
+    return 0;
+  }
+  std::int32_t difference() {
+    const std::uint32_t value = number();
+    return static_cast<std::int32_t>((value >> 1U) ^ (0U - (value & 1U)));
+  }
+  [[nodiscard]] bool ok() const { return ok_; }
+  [[nodiscard]] bool at_end() const { return rest_.empty(); }
+
+ private:
+  std::span<const std::uint8_t> rest_;
+  bool ok_ = true;
+};
+
+bool within(std::int64_t value, std::int64_t lowest, std::int64_t highest) {
+  return value >= lowest && value <= highest;
+}
+
+bool may_be_kept(const Ink& ink) {
+  std::size_t points = 0;
+  std::int32_t time = 0;
+  for (const InkStroke& stroke : ink.strokes) {
+    points += stroke.size();
+    for (const InkPoint& point : stroke) {
+      if (!within(point.x, -InkPoint::kFarthest, InkPoint::kFarthest) ||
+          !within(point.y, -InkPoint::kFarthest, InkPoint::kFarthest) ||
+          !within(point.time_ms, time, InkPoint::kLatest)) {
+        return false;
+      }
+      time = point.time_ms;
+    }
+  }
+  return ink.strokes.size() <= kMostInkStrokes && points <= kMostInkPoints;
+}
+
+tl::unexpected<base::Error> not_ink() { return base::fail(base::Errc::parse, "is no ink that can be read"); }
+
+base::Result<Ink> read_strokes(std::span<const std::uint8_t> bytes) {
+  VarintReader reader(bytes);
+  Ink ink;
+  const std::uint32_t strokes = reader.number();
+  if (strokes > kMostInkStrokes) return not_ink();
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  std::int64_t time = 0;
+  std::int64_t pressure = 0;
+  std::size_t points = 0;
+  for (std::uint32_t i = 0; i < strokes && reader.ok(); ++i) {
+    const std::uint32_t count = reader.number();
+    points += count;
+    if (points > kMostInkPoints) return not_ink();
+    InkStroke& stroke = ink.strokes.emplace_back();
+    for (std::uint32_t k = 0; k < count && reader.ok(); ++k) {
+      x += reader.difference();
+      y += reader.difference();
+      time += reader.number();
+      pressure += reader.difference();
+      if (!within(x, -InkPoint::kFarthest, InkPoint::kFarthest) ||
+          !within(y, -InkPoint::kFarthest, InkPoint::kFarthest) || !within(time, 0, InkPoint::kLatest) ||
+          !within(pressure, 0, 255)) {
+        return not_ink();
+      }
+      stroke.push_back({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y),
+                        static_cast<std::int32_t>(time), static_cast<std::uint8_t>(pressure)});
+    }
+  }
+  if (!reader.ok() || !reader.at_end()) return not_ink();
+  return ink;
+}
+
+}  // namespace
+
+InkPoint ink_point(geometry::GlyphPoint at, double time_ms, double pressure) {
+  const auto whole = [](double value, double lowest, double highest) {
+    return std::isfinite(value) ? std::lround(std::clamp(value, lowest, highest)) : 0;
+  };
+  InkPoint point;
+  point.x = static_cast<std::int32_t>(
+      whole(at.x * InkPoint::kStepsPerUnit, -InkPoint::kFarthest, InkPoint::kFarthest));
+  point.y = static_cast<std::int32_t>(
+      whole(at.y * InkPoint::kStepsPerUnit, -InkPoint::kFarthest, InkPoint::kFarthest));
+  point.time_ms = static_cast<std::int32_t>(whole(time_ms, 0, InkPoint::kLatest));
+  point.pressure = static_cast<std::uint8_t>(whole(pressure * 255, 0, 255));
+  return point;
+}
+
+geometry::GlyphPoint position_of(const InkPoint& point) {
+  return {static_cast<double>(point.x) / InkPoint::kStepsPerUnit,
+          static_cast<double>(point.y) / InkPoint::kStepsPerUnit};
+}
+
+base::Result<Bytes> pack(const Ink& ink) {
+  if (ink.strokes.empty()) return Bytes();
+  if (!may_be_kept(ink)) {
+    return base::fail(base::Errc::bad_argument, "is too much, too far out, or its times go back", "ink",
+                      "give at most 100 strokes and 50000 points");
+  }
+  Bytes plain;
+  put(plain, static_cast<std::uint32_t>(ink.strokes.size()));
+  InkPoint last;
+  for (const InkStroke& stroke : ink.strokes) {
+    put(plain, static_cast<std::uint32_t>(stroke.size()));
+    for (const InkPoint& point : stroke) {
+      put_difference(plain, point.x - last.x);
+      put_difference(plain, point.y - last.y);
+      put(plain, static_cast<std::uint32_t>(point.time_ms - last.time_ms));
+      put_difference(plain, point.pressure - last.pressure);
+      last = point;
+    }
+  }
+  uLongf size = compressBound(static_cast<uLong>(plain.size()));
+  Bytes packed(1 + size);
+  packed.front() = kVersion;
+  const int status = compress2(&packed[1], &size, plain.data(), static_cast<uLong>(plain.size()), 9);
+  assert(status == Z_OK);
+  (void)status;
+  packed.resize(1 + size);
+  return packed;
+}
+
+base::Result<Ink> unpack_ink(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return Ink{};
+  if (bytes.front() != kVersion || bytes.size() > kMostBytes) return not_ink();
+  const std::span<const std::uint8_t> packed = bytes.subspan(1);
+  // DEFLATE holds at most about 1032 bytes in one.
+  Bytes plain(std::min(kMostBytes, packed.size() * 1040 + 64));
+  uLongf size = static_cast<uLongf>(plain.size());
+  uLong used = static_cast<uLong>(packed.size());
+  if (uncompress2(plain.data(), &size, packed.data(), &used) != Z_OK || used != packed.size())
+    return not_ink();
+  return read_strokes(std::span(plain).first(size));
+}
+
+}  // namespace nazori::study

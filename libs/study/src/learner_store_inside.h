@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "file_lock.h"
+#include "nazori/study/learner_store.h"
+#include "store_schema.h"
+
+namespace nazori::study {
+
+/// Settings and the entry from which on they are in force, oldest first.
+using SettingsTimeline = std::vector<std::pair<std::int64_t, Settings>>;
+
+struct LearnerStore::Inside {
+  Inside(SQLite::Database opened, std::string file_name, Clock the_clock);
+
+  FileLock lock;  // given back last
+  SQLite::Database db;
+  std::string name;
+  Clock clock;
+  Calendar calendar;
+  SettingsTimeline timeline;  ///< never empty: the defaults come first
+  std::unordered_set<std::int64_t> undone;
+  Cards cards;
+  std::int64_t last_id = 0;
+  std::optional<base::Error> backup_trouble;
+
+  /// Reads timeline, undone actions, cards. @return Errc::parse for what cannot be.
+  [[nodiscard]] base::Result<void> load();
+  [[nodiscard]] const Settings& settings() const { return timeline.back().second; }
+  void take_calendar();
+
+  /// Writings and other entries of one character that are in force.
+  [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character);
+  /// Follows one character through its entries.
+  [[nodiscard]] CardHistory history_of(char32_t character);
+  /// Works out one character anew and keeps it in the table; the map is the caller's.
+  [[nodiscard]] std::optional<Card> refresh_row(char32_t character);
+  /// Runs `work`, which throws SQLite::Exception, and turns that into an error.
+  template <class Work>
+  auto guarded(Work work) const -> decltype(work()) {
+    try {
+      return work();
+    } catch (const SQLite::Exception& trouble) {
+      return tl::unexpected(error_of(trouble, name));
+    }
+  }
+  /// Adds one entry for each character as one action and refreshes their cards.
+  [[nodiscard]] base::Result<void> act(std::span<const char32_t> characters, LogEntry entry, const Ink* ink);
+};
+
+/// Whether settings lead to other numbers for the same reviews.
+[[nodiscard]] bool changes_memory(const Settings& before, const Settings& after);
+
+// Rows. All throw SQLite::Exception.
+/// The columns of the log as read_entry() wants them: SELECT kLogColumns FROM log.
+extern const char* const kLogColumns;
+/// @return nullopt for a row that no program of this version writes.
+[[nodiscard]] std::optional<LearnerStore::LoggedEntry> read_entry(SQLite::Statement& row);
+void insert_entry(SQLite::Database& db, const LogEntry& entry, const std::optional<PenMotion>& motion);
+void insert_ink(SQLite::Database& db, std::int64_t entry, std::span<const std::uint8_t> packed);
+[[nodiscard]] std::optional<Cards> read_cards(SQLite::Database& db);
+void put_list(SQLite::Database& db, const CustomList& list);
+void put_tag(SQLite::Database& db, char32_t character, const std::string& tag);
+void put_card(SQLite::Database& db, const Card& card);
+/// Errc::bad_argument where a writing is not one that may be logged.
+[[nodiscard]] base::Result<void> check_writing(char32_t character, int strokes, const Writing& writing);
+
+}  // namespace nazori::study

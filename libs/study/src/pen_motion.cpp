@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nazori/study/ink.h"
+
+namespace nazori::study {
+namespace {
+
+constexpr double kSampleS = 0.01;
+constexpr double kCutOffHz = 10;
+constexpr double kFrequencyStepHz = 0.1;
+constexpr double kAmplitudeLimit = 0.05;
+constexpr double kShortestLength = 2;
+constexpr double kShortestS = 0.08;
+// A stroke that rests longer is cut there: its end is no movement.
+constexpr double kLongestS = 20;
+
+double length_of(const InkStroke& stroke) {
+  double length = 0;
+  for (std::size_t i = 1; i < stroke.size(); ++i) {
+    length += geometry::distance(position_of(stroke[i - 1]), position_of(stroke[i]));
+  }
+  return length;
+}
+
+double duration_s(const InkStroke& stroke) {
+  return stroke.empty() ? 0 : (stroke.back().time_ms - stroke.front().time_ms) / 1000.0;
+}
+
+/// Speed in samples of 10 ms. The pen's points come unevenly, so the drawn length is read off between them.
+std::vector<double> speed_profile(const InkStroke& stroke) {
+  const auto samples = static_cast<std::size_t>(std::min(duration_s(stroke), kLongestS) / kSampleS);
+  std::vector<double> speed(samples);
+  std::size_t next = 1;
+  double passed = 0;  // length up to point next - 1
+  double before = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double at_ms = stroke.front().time_ms + static_cast<double>(i + 1) * kSampleS * 1000;
+    while (next + 1 < stroke.size() && stroke[next].time_ms < at_ms) {
+      passed += geometry::distance(position_of(stroke[next - 1]), position_of(stroke[next]));
+      ++next;
+    }
+    const InkPoint& a = stroke[next - 1];
+    const InkPoint& b = stroke[next];
+    const double gap = std::max(1, b.time_ms - a.time_ms);
+    const double share = std::clamp((at_ms - a.time_ms) / gap, 0.0, 1.0);
+    const double length = passed + share * geometry::distance(position_of(a), position_of(b));
+    speed[i] = (length - before) / kSampleS;
+    before = length;
+  }
+  return speed;
+}
+
+/// Amplitudes of the spectrum from 0 Hz to the cut-off, the first being 1.
+std::vector<double> amplitudes(const std::vector<double>& speed) {
+  std::vector<double> spectrum;
+  for (double hz = 0; hz <= kCutOffHz + 1e-9; hz += kFrequencyStepHz) {
+    const double turn = 2 * std::numbers::pi * hz * kSampleS;
+    double re = 0;
+    double im = 0;
+    for (std::size_t i = 0; i < speed.size(); ++i) {
+      re += speed[i] * std::cos(turn * static_cast<double>(i));
+      im -= speed[i] * std::sin(turn * static_cast<double>(i));
+    }
+    spectrum.push_back(std::hypot(re, im));
+  }
+  const double first = spectrum.front();
+  for (double& one : spectrum) one = first > 0 ? one / first : 0;
+  return spectrum;
+}
+
+double spectral_arc_length(const std::vector<double>& speed) {
+  const std::vector<double> spectrum = amplitudes(speed);
+  std::size_t last = spectrum.size() - 1;
+  while (last > 1 && spectrum[last] < kAmplitudeLimit) --last;
+  double arc = 0;
+  for (std::size_t i = 1; i <= last; ++i) {
+    arc += std::hypot(1.0 / static_cast<double>(last), spectrum[i] - spectrum[i - 1]);
+  }
+  return -arc;
+}
+
+}  // namespace
+
+std::optional<PenMotion> motion_of(const Ink& ink) {
+  double length = 0;
+  double seconds = 0;
+  double arcs = 0;
+  int counted = 0;
+  for (const InkStroke& stroke : ink.strokes) {
+    const double own_length = length_of(stroke);
+    const double own_s = duration_s(stroke);
+    if (own_length < kShortestLength || own_s < kShortestS) continue;
+    length += own_length;
+    seconds += own_s;
+    arcs += spectral_arc_length(speed_profile(stroke));
+    ++counted;
+  }
+  if (counted == 0) return std::nullopt;
+  return PenMotion{length / seconds, arcs / counted};
+}
+
+}  // namespace nazori::study

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/study/statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+
+#include "nazori/study/day_plan.h"
+
+namespace nazori::study {
+namespace {
+
+using std::chrono::days;
+
+constexpr double kMatureDays = 21;
+constexpr std::size_t kMostHardStrokes = 100;
+constexpr int kForgiveness = 7;
+
+/// What a review was up against.
+struct Before {
+  Day last_day;
+  double stability;
+};
+
+/// Goes through the log once and adds everything up.
+class Summing {
+ public:
+  Summing(const Fsrs& fsrs, const Settings& settings, Day today)
+      : fsrs_(fsrs), settings_(settings), today_(today) {}
+
+  void take(const LearnerStore::LoggedEntry& logged) {
+    const LogEntry& entry = logged.entry;
+    if (entry.kind == EntryKind::settings || entry.kind == EntryKind::undo) return;
+    CardHistory& history =
+        histories_.try_emplace(entry.character, CardHistory(entry.character)).first->second;
+    const Card before = history.card();
+    if (entry.kind == EntryKind::writing) {
+      writing(logged, before);
+    }
+    history.apply(entry, settings_);
+  }
+
+  void finish(Statistics& statistics) const {
+    for (const auto& [day, activity] : activity_) {
+      statistics.days.push_back(activity);
+      statistics.reviews += activity.reviews;
+      statistics.time += activity.time;
+    }
+    statistics.retention = finished(all_);
+    statistics.last_30_days = finished(recent_);
+    for (const auto& [key, stroke] : strokes_) {
+      if (stroke.faults < 2) continue;
+      statistics.hard_strokes.push_back(stroke);
+      statistics.hard_strokes.back().writings = writings_.at(stroke.character);
+    }
+    std::sort(statistics.hard_strokes.begin(), statistics.hard_strokes.end(),
+              [](const HardStroke& a, const HardStroke& b) {
+                return std::tuple(-a.faults, a.writings, a.character, a.stroke) <
+                       std::tuple(-b.faults, b.writings, b.character, b.stroke);
+              });
+    if (statistics.hard_strokes.size() > kMostHardStrokes) statistics.hard_strokes.resize(kMostHardStrokes);
+    for (const auto& [day, sum] : motion_) {
+      statistics.motion.push_back(
+          {day, sum.writings, sum.speed / sum.writings, sum.smoothness / sum.writings});
+    }
+  }
+
+ private:
+  void writing(const LearnerStore::LoggedEntry& logged, const Card& before) {
+    const LogEntry& entry = logged.entry;
+    const Writing& written = entry.writing;
+    DayActivity& activity = activity_[entry.day];
+    activity.day = entry.day;
+    activity.time += written.result.duration;
+    if (!before.introduced) ++activity.introduced;
+    if (written.stage == Stage::memory) {
+      ++activity.reviews;
+      review(entry, before);
+    } else {
+      ++activity.practices;
+    }
+    if (written.stage != Stage::watch) {
+      ++writings_[entry.character];
+      faults(entry);
+    }
+    if (logged.motion) {
+      DayMotion& sum = motion_[entry.day];
+      ++sum.writings;
+      sum.speed += logged.motion->speed;
+      sum.smoothness += logged.motion->smoothness;
+    }
+  }
+
+  void review(const LogEntry& entry, const Card& before) {
+    if (before.memory.phase != Phase::review || !before.last_day || entry.day <= *before.last_day) return;
+    const double chance = fsrs_.retrievability(before.memory.stability,
+                                               static_cast<double>((entry.day - *before.last_day).count()));
+    const bool recalled = entry.writing.rating != Rating::again;
+    for (Retention* sum : {&all_, entry.day > today_ - days(30) ? &recent_ : nullptr}) {
+      if (sum == nullptr) continue;
+      ++sum->reviews;
+      sum->recalled += recalled ? 1 : 0;
+      sum->predicted += chance;
+    }
+  }
+
+  void faults(const LogEntry& entry) {
+    std::set<int> seen;
+    for (const StrokeFault& fault : entry.writing.result.faults) {
+      HardStroke& stroke = strokes_[{entry.character, fault.stroke}];
+      stroke.character = entry.character;
+      stroke.stroke = fault.stroke;
+      ++stroke.kinds[fault.kind];
+      if (seen.insert(fault.stroke).second) ++stroke.faults;
+    }
+  }
+
+  static Retention finished(Retention sum) {
+    if (sum.reviews > 0) sum.predicted /= sum.reviews;
+    return sum;
+  }
+
+  const Fsrs& fsrs_;
+  const Settings& settings_;
+  Day today_;
+  std::map<char32_t, CardHistory> histories_;
+  std::map<Day, DayActivity> activity_;
+  std::map<Day, DayMotion> motion_;
+  std::map<std::pair<char32_t, int>, HardStroke> strokes_;
+  std::map<char32_t, int> writings_;
+  Retention all_;
+  Retention recent_;
+};
+
+}  // namespace
+
+std::string_view name_of(Strength strength) {
+  constexpr std::array<std::string_view, 6> kNames{"unseen", "learning", "young",
+                                                   "mature", "leech",    "paused"};
+  return kNames[static_cast<std::size_t>(strength)];
+}
+
+Strength strength_of(const Card& card) {
+  if (card.paused) return Strength::paused;
+  if (card.leech) return Strength::leech;
+  if (card.memory.phase == Phase::fresh) return card.introduced ? Strength::learning : Strength::unseen;
+  if (card.memory.phase != Phase::review) return Strength::learning;
+  return card.memory.stability < kMatureDays ? Strength::young : Strength::mature;
+}
+
+Streak streak_of(const std::vector<Day>& studied, Day today) {
+  Streak streak;
+  int run = 0;
+  std::optional<Day> last;
+  std::optional<Day> last_off;
+  const auto follows = [&](Day day) {
+    if (!last) return false;
+    const auto gap = (day - *last).count();
+    if (gap <= 1) return true;
+    const Day off = day - days(1);
+    return gap == 2 && (!last_off || (off - *last_off).count() >= kForgiveness);
+  };
+  for (const Day day : studied) {
+    if (day > today) break;
+    if (last == day) continue;
+    if (follows(day)) {
+      if ((day - *last).count() == 2) last_off = day - days(1);
+      ++run;
+    } else {
+      run = 1;
+      last_off.reset();
+    }
+    last = day;
+    streak.longest = std::max(streak.longest, run);
+  }
+  streak.today_done = last == today;
+  // Today may still be done, so yesterday's streak stands as long as today could join it.
+  streak.days = streak.today_done || follows(today) ? run : 0;
+  if (streak.days > 0 && !streak.today_done && (today - *last).count() == 2) last_off = today - days(1);
+  streak.day_off_used = streak.days > 0 && last_off && (today - *last_off).count() < kForgiveness;
+  return streak;
+}
+
+base::Result<Statistics> statistics_of(const LearnerStore& learner) {
+  const auto fsrs = Fsrs::create(learner.settings().fsrs);
+  if (!fsrs) return tl::unexpected(fsrs.error());
+  Statistics statistics;
+  statistics.today = learner.today();
+  Summing sums(*fsrs, learner.settings(), statistics.today);
+  auto read = learner.for_each_entry(true, [&](const LearnerStore::LoggedEntry& logged) {
+    sums.take(logged);
+    return true;
+  });
+  if (!read) return tl::unexpected(std::move(read.error()));
+  sums.finish(statistics);
+  for (int day = 0; day < kForecastDays; ++day)
+    statistics.forecast.push_back({statistics.today + days(day), 0});
+  for (const auto& [character, card] : learner.cards()) {
+    statistics.characters.push_back(
+        {character, strength_of(card), retrievability_now(card, *fsrs, statistics.today)});
+    if (card.paused || card.leech || card.memory.phase == Phase::fresh) continue;
+    Day due = card.due_day.value_or(statistics.today);
+    if (card.postponed_until) due = std::max(due, *card.postponed_until);
+    const auto offset = std::max<std::int64_t>(0, (due - statistics.today).count());
+    if (offset < kForecastDays) ++statistics.forecast[static_cast<std::size_t>(offset)].reviews;
+  }
+  std::vector<Day> studied;
+  for (const DayActivity& day : statistics.days) studied.push_back(day.day);
+  statistics.streak = streak_of(studied, statistics.today);
+  return statistics;
+}
+
+}  // namespace nazori::study

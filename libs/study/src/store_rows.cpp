@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "learner_store_inside.h"
+
+namespace nazori::study {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr int kMostFaults = 1'000;
+
+std::int64_t number_of(Time time) { return static_cast<std::int64_t>(time.time_since_epoch().count()); }
+std::int64_t number_of(Day day) { return static_cast<std::int64_t>(day.time_since_epoch().count()); }
+Time time_of(std::int64_t number) { return Time(milliseconds(number)); }
+Day day_of(std::int64_t number) { return Day(std::chrono::days(number)); }
+
+/// Binds values one after another; nullopt becomes NULL.
+class Binder {
+ public:
+  explicit Binder(SQLite::Statement& statement) : statement_(statement) {}
+  Binder& operator<<(std::int64_t value) {
+    statement_.bind(++column_, value);
+    return *this;
+  }
+  Binder& operator<<(int value) { return *this << static_cast<std::int64_t>(value); }
+  Binder& operator<<(bool value) { return *this << static_cast<std::int64_t>(value); }
+  Binder& operator<<(char32_t value) { return *this << static_cast<std::int64_t>(value); }
+  Binder& operator<<(double value) {
+    statement_.bind(++column_, value);
+    return *this;
+  }
+  Binder& operator<<(const std::string& value) {
+    statement_.bind(++column_, value);
+    return *this;
+  }
+  Binder& operator<<(Time value) { return *this << number_of(value); }
+  Binder& operator<<(Day value) { return *this << number_of(value); }
+  template <class Value>
+  Binder& operator<<(const std::optional<Value>& value) {
+    if (value) return *this << *value;
+    ++column_;
+    return *this;
+  }
+  void skip(int columns) { column_ += columns; }
+
+ private:
+  SQLite::Statement& statement_;
+  int column_ = 0;
+};
+
+/// Takes columns one after another and notes where one is outside its range.
+class RowReader {
+ public:
+  explicit RowReader(SQLite::Statement& row) : row_(row) {}
+  std::int64_t whole(std::int64_t lowest, std::int64_t highest) {
+    const auto column = row_.getColumn(at_++);
+    const std::int64_t value = column.getInt64();
+    ok_ = ok_ && !column.isNull() && value >= lowest && value <= highest;
+    return ok_ ? value : lowest;
+  }
+  int integer(int lowest, int highest) { return static_cast<int>(whole(lowest, highest)); }
+  std::optional<std::int64_t> optional(std::int64_t lowest, std::int64_t highest) {
+    if (row_.getColumn(at_).isNull()) {
+      ++at_;
+      return std::nullopt;
+    }
+    return whole(lowest, highest);
+  }
+  double real() { return row_.getColumn(at_++).getDouble(); }
+  std::string text() { return row_.getColumn(at_++).getString(); }
+  [[nodiscard]] bool is_null() const { return row_.getColumn(at_).isNull(); }
+  Time time() { return time_of(whole(kEarliestMs, kLatestMs)); }
+  Day day() { return day_of(whole(-kFarthestDay, kFarthestDay)); }
+  std::optional<Day> optional_day() {
+    const auto number = optional(-kFarthestDay, kFarthestDay);
+    return number ? std::optional(day_of(*number)) : std::nullopt;
+  }
+  void skip(int columns) { at_ += columns; }
+  [[nodiscard]] bool ok() const { return ok_; }
+  void refuse() { ok_ = false; }
+
+ private:
+  static constexpr std::int64_t kFarthestDay = 4'000'000;
+  static constexpr std::int64_t kLatestMs = kFarthestDay * 86'400'000;
+  static constexpr std::int64_t kEarliestMs = -kLatestMs;
+  SQLite::Statement& row_;
+  int at_ = 0;
+  bool ok_ = true;
+};
+
+std::string faults_text(const std::vector<StrokeFault>& faults) {
+  std::string text;
+  for (const StrokeFault& fault : faults) {
+    text += fmt::format("{}{}:{}", text.empty() ? "" : " ", name_of(fault.kind), fault.stroke);
+  }
+  return text;
+}
+
+std::optional<std::vector<StrokeFault>> read_faults(std::string_view text) {
+  std::vector<StrokeFault> faults;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    const std::size_t colon = word.find(':');
+    if (colon == std::string_view::npos) return std::nullopt;
+    const auto kind = fault_named(word.substr(0, colon));
+    StrokeFault fault;
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data() + colon + 1, end, fault.stroke);
+    if (!kind || read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    fault.kind = *kind;
+    faults.push_back(fault);
+  }
+  return faults;
+}
+
+void read_writing(RowReader& row, LogEntry& entry) {
+  Writing& writing = entry.writing;
+  WritingResult& result = writing.result;
+  writing.stage = static_cast<Stage>(row.integer(0, 3));
+  writing.rating = static_cast<Rating>(row.integer(1, 4));
+  writing.proposed = static_cast<Rating>(row.integer(1, 4));
+  result.accepted = row.integer(0, 1) == 1;
+  result.score = row.integer(0, 100);
+  if (auto faults = read_faults(row.text())) {
+    result.faults = *std::move(faults);
+  } else {
+    row.refuse();
+  }
+  result.hints = row.integer(0, INT32_MAX);
+  result.misses = row.integer(0, INT32_MAX);
+  result.shown_strokes = row.integer(0, INT32_MAX);
+  result.help = row.real();
+  result.duration = milliseconds(row.whole(0, INT64_MAX));
+  entry.strokes = row.integer(1, INT32_MAX);
+  if (const auto days = row.optional(1, 36'600)) entry.interval_days = static_cast<int>(*days);
+}
+
+}  // namespace
+
+const char* const kLogColumns =
+    "id, action, at_ms, day, kind, character, stage, rating, proposed, accepted, score, faults, hints, "
+    "misses, "
+    "shown_strokes, help, duration_ms, strokes, interval_days, speed, smoothness, undoes, until_day, "
+    "settings, "
+    "EXISTS(SELECT 1 FROM ink WHERE ink.entry = log.id)";
+
+std::optional<LearnerStore::LoggedEntry> read_entry(SQLite::Statement& statement) {
+  constexpr int kWritingColumns = 13;
+  RowReader row(statement);
+  LearnerStore::LoggedEntry logged;
+  LogEntry& entry = logged.entry;
+  entry.id = row.whole(1, INT64_MAX);
+  entry.action = row.whole(1, entry.id);
+  entry.at = row.time();
+  entry.day = row.day();
+  entry.kind = static_cast<EntryKind>(row.integer(0, 7));
+  entry.character = static_cast<char32_t>(row.optional(1, 0x10FFFF).value_or(0));
+  if (entry.kind == EntryKind::writing) {
+    read_writing(row, entry);
+  } else {
+    row.skip(kWritingColumns);
+  }
+  if (row.is_null()) {
+    row.skip(2);
+  } else {
+    const double speed = row.real();
+    logged.motion = PenMotion{speed, row.real()};
+  }
+  entry.undoes = row.optional(1, entry.id);
+  entry.until = row.optional_day();
+  entry.settings = row.text();
+  logged.has_ink = row.integer(0, 1) == 1;
+  if (!row.ok()) return std::nullopt;
+  return logged;
+}
+
+void insert_entry(SQLite::Database& db, const LogEntry& entry, const std::optional<PenMotion>& motion) {
+  SQLite::Statement insert(db, "INSERT INTO log VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  Binder bind(insert);
+  bind << entry.id << entry.action << entry.at << entry.day << static_cast<int>(entry.kind)
+       << (entry.character == 0 ? std::nullopt : std::optional(entry.character));
+  if (entry.kind == EntryKind::writing) {
+    const Writing& writing = entry.writing;
+    const WritingResult& result = writing.result;
+    bind << static_cast<int>(writing.stage) << static_cast<int>(writing.rating)
+         << static_cast<int>(writing.proposed) << result.accepted << result.score
+         << faults_text(result.faults) << result.hints << result.misses << result.shown_strokes << result.help
+         << static_cast<std::int64_t>(result.duration.count()) << entry.strokes << entry.interval_days;
+  } else {
+    bind.skip(13);
+  }
+  bind << (motion ? std::optional(motion->speed) : std::nullopt)
+       << (motion ? std::optional(motion->smoothness) : std::nullopt) << entry.undoes << entry.until
+       << (entry.kind == EntryKind::settings ? std::optional(entry.settings) : std::nullopt);
+  insert.exec();
+}
+
+void insert_ink(SQLite::Database& db, std::int64_t entry, std::span<const std::uint8_t> packed) {
+  if (packed.empty()) return;
+  SQLite::Statement insert(db, "INSERT INTO ink VALUES(?, ?)");
+  insert.bind(1, entry);
+  insert.bind(2, packed.data(), static_cast<int>(packed.size()));
+  insert.exec();
+}
+
+std::optional<Cards> read_cards(SQLite::Database& db) {
+  SQLite::Statement rows(
+      db,
+      "SELECT character, phase, stability, difficulty, step, scheduled_days, reps, lapses, due_ms, "
+      "last_review_ms, introduced, last_day, due_day, postponed_until, paused, leech, leech_at, practices, "
+      "next_stage, help FROM card ORDER BY character");
+  Cards cards;
+  while (rows.executeStep()) {
+    RowReader row(rows);
+    Card card;
+    Memory& memory = card.memory;
+    card.character = static_cast<char32_t>(row.whole(1, 0x10FFFF));
+    memory.phase = static_cast<Phase>(row.integer(0, 3));
+    memory.stability = row.real();
+    memory.difficulty = row.real();
+    memory.step = row.integer(0, 1'000);
+    memory.scheduled_days = row.integer(0, 40'000);
+    memory.reps = row.integer(0, INT32_MAX);
+    memory.lapses = row.integer(0, INT32_MAX);
+    memory.due = row.time();
+    if (row.is_null()) {
+      row.skip(1);
+    } else {
+      memory.last_review = row.time();
+    }
+    card.introduced = row.optional_day();
+    card.last_day = row.optional_day();
+    card.due_day = row.optional_day();
+    card.postponed_until = row.optional_day();
+    card.paused = row.integer(0, 1) == 1;
+    card.leech = row.integer(0, 1) == 1;
+    card.leech_at = row.integer(0, INT32_MAX);
+    card.practices = row.integer(0, INT32_MAX);
+    card.next_stage = static_cast<Stage>(row.integer(0, 3));
+    card.help = row.real();
+    if (!row.ok()) return std::nullopt;
+    cards.emplace(card.character, card);
+  }
+  return cards;
+}
+
+void put_card(SQLite::Database& db, const Card& card) {
+  SQLite::Statement put(db, "INSERT OR REPLACE INTO card VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  const Memory& memory = card.memory;
+  Binder(put) << card.character << static_cast<int>(memory.phase) << memory.stability << memory.difficulty
+              << memory.step << memory.scheduled_days << memory.reps << memory.lapses << memory.due
+              << memory.last_review << card.introduced << card.last_day << card.due_day
+              << card.postponed_until << card.paused << card.leech << card.leech_at << card.practices
+              << static_cast<int>(card.next_stage) << card.help;
+  put.exec();
+}
+
+base::Result<void> check_writing(char32_t character, int strokes, const Writing& writing) {
+  const auto refuse = [](const char* what, const char* where) -> base::Result<void> {
+    return base::fail(base::Errc::bad_argument, what, where);
+  };
+  const WritingResult& result = writing.result;
+  if (character == 0 || character > 0x10FFFF || (character >= 0xD800 && character <= 0xDFFF)) {
+    return refuse("is no character", "character");
+  }
+  if (strokes < 1 || strokes > 1'000) return refuse("is no number of strokes", "strokes");
+  if (result.score < 0 || result.score > 100) return refuse("is outside 0..100", "score");
+  if (!(result.help >= 0 && result.help <= 1)) return refuse("is outside 0..1", "help");
+  if (result.hints < 0 || result.misses < 0 || result.shown_strokes < 0) {
+    return refuse("are less than none", "hints, misses or shown strokes");
+  }
+  if (result.duration < milliseconds(0) || result.duration > std::chrono::hours(24)) {
+    return refuse("is outside a day", "duration");
+  }
+  if (result.faults.size() > kMostFaults) return refuse("are too many", "faults");
+  for (const StrokeFault& fault : result.faults) {
+    if (fault.stroke < 0 || fault.stroke > 1'000) return refuse("names no stroke", "fault");
+  }
+  return {};
+}
+
+}  // namespace nazori::study

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "store_schema.h"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <array>
+#include <string>
+
+namespace nazori::study {
+namespace {
+
+constexpr const char* kRestore = "nothing was changed; take a backup: nazori-cli study restore";
+
+/// What brings a file from version i to version i + 1. A step that was released is never changed again.
+constexpr std::array<const char*, kLearnerVersion> kMigrations{R"sql(
+-- Which versions this file has had.
+CREATE TABLE schema_version(
+  version INTEGER PRIMARY KEY,
+  since_ms INTEGER NOT NULL);      -- milliseconds since 1970-01-01 UTC
+
+-- Everything the learner did. Rows are only ever added.
+CREATE TABLE log(
+  id INTEGER PRIMARY KEY,          -- 1, 2, 3, ...
+  action INTEGER NOT NULL,         -- id of the first row of the same action
+  at_ms INTEGER NOT NULL,          -- milliseconds since 1970-01-01 UTC
+  day INTEGER NOT NULL,            -- study day, in days since 1970-01-01
+  kind INTEGER NOT NULL,           -- EntryKind
+  character INTEGER,               -- code point
+  stage INTEGER,                   -- Stage; this and the next ones of a writing
+  rating INTEGER,                  -- Rating, the learner's
+  proposed INTEGER,                -- Rating, the program's
+  accepted INTEGER,
+  score INTEGER,
+  faults TEXT,                     -- "wrong:3 ending:0": kind and stroke from 0
+  hints INTEGER,
+  misses INTEGER,
+  shown_strokes INTEGER,
+  help REAL,
+  duration_ms INTEGER,
+  strokes INTEGER,                 -- of the character
+  interval_days INTEGER,           -- where the interval was moved within its range
+  speed REAL, smoothness REAL,     -- of the ink, where it has times
+  undoes INTEGER,                  -- of an undo: the action
+  until_day INTEGER,               -- of a postponement
+  settings TEXT);                  -- of a change of settings: JSON
+CREATE INDEX log_of_character ON log(character, id);
+CREATE TRIGGER log_is_not_changed BEFORE UPDATE ON log
+  BEGIN SELECT RAISE(ABORT, 'the log is only added to'); END;
+CREATE TRIGGER log_is_not_shortened BEFORE DELETE ON log
+  BEGIN SELECT RAISE(ABORT, 'the log is only added to'); END;
+
+-- The ink of a writing: docs/file-formats.md.
+CREATE TABLE ink(entry INTEGER PRIMARY KEY, packed BLOB NOT NULL);
+
+-- What follows from the log; `study rebuild` makes it anew.
+CREATE TABLE card(
+  character INTEGER PRIMARY KEY,
+  phase INTEGER NOT NULL,
+  stability REAL NOT NULL,
+  difficulty REAL NOT NULL,
+  step INTEGER NOT NULL,
+  scheduled_days INTEGER NOT NULL,
+  reps INTEGER NOT NULL,
+  lapses INTEGER NOT NULL,
+  due_ms INTEGER NOT NULL,
+  last_review_ms INTEGER,
+  introduced INTEGER, last_day INTEGER, due_day INTEGER, postponed_until INTEGER,
+  paused INTEGER NOT NULL,
+  leech INTEGER NOT NULL,
+  leech_at INTEGER NOT NULL,
+  practices INTEGER NOT NULL,
+  next_stage INTEGER NOT NULL,
+  help REAL NOT NULL);
+
+CREATE TABLE list(name TEXT PRIMARY KEY);
+CREATE TABLE list_member(list TEXT, position INTEGER, character INTEGER NOT NULL,
+  PRIMARY KEY(list, position)) WITHOUT ROWID;
+CREATE TABLE tag(character INTEGER, tag TEXT, PRIMARY KEY(character, tag)) WITHOUT ROWID;
+)sql"};
+
+}  // namespace
+
+base::Result<int> check_store(SQLite::Database& database, const std::string& name) {
+  const int tables = database.execAndGet("SELECT count(*) FROM sqlite_master").getInt();
+  const int id = database.execAndGet("PRAGMA application_id").getInt();
+  const int version = database.execAndGet("PRAGMA user_version").getInt();
+  if (tables == 0 && id == 0 && version == 0) return 0;
+  if (id != kLearnerApplicationId || version < 1) {
+    return base::fail(base::Errc::schema, "is no learner's file of Nazori", name, "nothing was changed");
+  }
+  if (version > kLearnerVersion) {
+    return base::fail(
+        base::Errc::schema,
+        fmt::format("was written by a newer Nazori (version {} of the file, this one reads up to {})",
+                    version, kLearnerVersion),
+        name, "nothing was changed; install the newer Nazori");
+  }
+  const std::string verdict = database.execAndGet("PRAGMA quick_check(1)").getString();
+  if (verdict != "ok") return base::fail(base::Errc::parse, "is damaged: " + verdict, name, kRestore);
+  return version;
+}
+
+void migrate_store(SQLite::Database& database, int version, Time now) {
+  SQLite::Transaction transaction(database);
+  for (int step = version; step < kLearnerVersion; ++step) {
+    database.exec(kMigrations[static_cast<std::size_t>(step)]);
+    SQLite::Statement insert(database, "INSERT INTO schema_version VALUES(?, ?)");
+    insert.bind(1, step + 1);
+    insert.bind(2, static_cast<std::int64_t>(now.time_since_epoch().count()));
+    insert.exec();
+  }
+  database.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kLearnerApplicationId,
+                            kLearnerVersion));
+  transaction.commit();
+}
+
+base::Error error_of(const SQLite::Exception& trouble, const std::string& name) {
+  using base::Errc;
+  switch (trouble.getErrorCode()) {
+    case SQLITE_FULL:
+      return {Errc::io, "the disk is full", name, "make room; what was acknowledged before is safe"};
+    case SQLITE_READONLY:
+      return {Errc::io, "may not be written", name, "check the permissions of the file and its folder"};
+    case SQLITE_CANTOPEN:
+      return {Errc::io, "cannot be opened", name, "check the permissions of the file and its folder"};
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return {Errc::io, "is in use by another program", name, "close it there, then try again"};
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return {Errc::parse, std::string("is damaged: ") + trouble.what(), name, kRestore};
+    default:
+      return {Errc::io, std::string("cannot be read or written: ") + trouble.what(), name,
+              "check the disk; what was acknowledged before is safe"};
+  }
+}
+
+}  // namespace nazori::study

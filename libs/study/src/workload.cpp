@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <random>
+#include <vector>
+
+#include "nazori/study/statistics.h"
+
+namespace nazori::study {
+namespace {
+
+using std::chrono::days;
+
+constexpr int kDays = 365;
+constexpr double kReviewS = 20;
+constexpr double kFailedS = 40;
+constexpr double kNewS = 180;
+// Of what is recalled, as learners' collections have it: open-spaced-repetition's simulator, default ratings.
+constexpr double kHardShare = 0.12;
+constexpr double kEasyShare = 0.10;
+
+/// The same numbers on every computer, which distributions of the library do not promise.
+double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
+
+Rating first_rating(double dice) {
+  if (dice < 0.24) return Rating::again;
+  if (dice < 0.34) return Rating::hard;
+  return dice < 0.90 ? Rating::good : Rating::easy;
+}
+
+Rating next_rating(double chance, double dice, double grade) {
+  if (dice >= chance) return Rating::again;
+  if (grade < kHardShare) return Rating::hard;
+  return grade >= 1 - kEasyShare ? Rating::easy : Rating::good;
+}
+
+}  // namespace
+
+base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_per_day) {
+  if (new_per_day < 0 || new_per_day > 100) {
+    return base::fail(base::Errc::bad_argument, fmt::format("{} is outside its range", new_per_day),
+                      "new characters a day", "give 0 to 100");
+  }
+  const auto fsrs = Fsrs::create(settings);
+  if (!fsrs) return tl::unexpected(fsrs.error());
+  std::mt19937 random(1);
+  std::vector<std::vector<Memory>> due(kDays);
+  std::vector<Memory> beyond;
+  const Time start{};
+  int reviews = 0;
+  double seconds = 0;
+  // Steps of minutes are done on the same day, until the card is given days.
+  const auto schedule = [&](Memory memory, int day) {
+    for (int steps = 0; memory.phase != Phase::review && steps < 10; ++steps) {
+      memory = fsrs->next(memory, uniform(random) < 0.9 ? Rating::good : Rating::again, start + days(day), 0);
+      if (day >= kDays / 2) {
+        ++reviews;
+        seconds += kReviewS;
+      }
+    }
+    const int next = day + std::max(1, memory.scheduled_days);
+    (next < kDays ? due[static_cast<std::size_t>(next)] : beyond).push_back(memory);
+  };
+  for (int day = 0; day < kDays; ++day) {
+    const bool counts = day >= kDays / 2;
+    for (Memory memory : std::exchange(due[static_cast<std::size_t>(day)], {})) {
+      const int elapsed = day - static_cast<int>((*memory.last_review - start) / days(1));
+      const double chance = fsrs->retrievability(memory.stability, elapsed);
+      const double dice = uniform(random);
+      const Rating rating = next_rating(chance, dice, uniform(random));
+      if (counts) {
+        ++reviews;
+        seconds += rating == Rating::again ? kFailedS : kReviewS;
+      }
+      schedule(fsrs->next(memory, rating, start + days(day), elapsed), day);
+    }
+    for (int i = 0; i < new_per_day; ++i) {
+      if (counts) seconds += kNewS;
+      schedule(fsrs->next({}, first_rating(uniform(random)), start + days(day), 0), day);
+    }
+  }
+  Workload workload;
+  constexpr double kCounted = kDays - kDays / 2;
+  workload.reviews_per_day = reviews / kCounted;
+  workload.minutes_per_day = seconds / 60 / kCounted;
+  for (const Memory& memory : beyond) {
+    const int elapsed = kDays - static_cast<int>((*memory.last_review - start) / days(1));
+    workload.known += fsrs->retrievability(memory.stability, elapsed);
+  }
+  return workload;
+}
+
+}  // namespace nazori::study

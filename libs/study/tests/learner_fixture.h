@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "nazori/study/learner_store.h"
+
+namespace nazori::study::test {
+
+/// A folder of its own that is gone with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A clock that the test moves.
+class MovedClock {
+ public:
+  explicit MovedClock(const char* start) : time_(std::make_shared<Time>(*parse_time(start))) {}
+  void set(const char* time) { *time_ = *parse_time(time); }
+  void advance(std::chrono::milliseconds by) { *time_ += by; }
+  [[nodiscard]] Time now() const { return *time_; }
+  [[nodiscard]] Clock clock() const {
+    return [time = time_] { return *time; };
+  }
+
+ private:
+  std::shared_ptr<Time> time_;
+};
+
+/// A review from memory with this rating.
+Writing review(Rating rating);
+/// Ink of two strokes with times.
+Ink some_ink(int seed = 1);
+
+/// The value, or a failed test and an abort.
+template <class T>
+T must(base::Result<T> result) {
+  if (!result) {
+    ADD_FAILURE() << base::to_line(result.error());
+    std::abort();
+  }
+  return *std::move(result);
+}
+
+/// Settings with a zone that does not depend on the computer.
+void use_zone(LearnerStore& store, const char* zone);
+
+std::string bytes_of(const std::filesystem::path& path);
+
+}  // namespace nazori::study::test

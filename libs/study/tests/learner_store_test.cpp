@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/study/learner_store.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include "learner_fixture.h"
+
+namespace nazori::study {
+namespace {
+
+using std::chrono::days;
+using std::chrono::hours;
+using std::chrono::minutes;
+using test::bytes_of;
+using test::MovedClock;
+using test::must;
+using test::review;
+using test::some_ink;
+using test::TemporaryFolder;
+using test::use_zone;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr char32_t kRest = U'休';
+constexpr char32_t kTree = U'木';
+
+LearnerStore open(const std::filesystem::path& file, const MovedClock& clock) {
+  return must(LearnerStore::open(file, Access::write, clock.clock()));
+}
+
+TEST(LearnerStore, SchedulesAReviewAsTheSchedulerSays) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  use_zone(store, "UTC");
+  const Card card = must(store.add_writing(kRest, 6, review(Rating::easy)));
+  EXPECT_EQ(card.memory, Fsrs().next({}, Rating::easy, clock.now(), 0));
+  EXPECT_EQ(card.due_day, *parse_day("2026-01-09"));
+  EXPECT_EQ(card.introduced, *parse_day("2026-01-01"));
+  clock.advance(days(10));
+  const Card later = must(store.add_writing(kRest, 6, review(Rating::good)));
+  EXPECT_EQ(later.memory, Fsrs().next(card.memory, Rating::good, clock.now(), 10));
+}
+
+TEST(LearnerStore, CountsStudyDaysNotHours) {
+  // 23:00 and 01:00 are one evening; 03:00 and 05:00 are two days.
+  MovedClock clock("2026-01-01T23:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  use_zone(store, "UTC");
+  const Card evening = must(store.add_writing(kRest, 6, review(Rating::easy)));
+  clock.set("2026-01-02T01:00:00Z");
+  EXPECT_EQ(must(store.add_writing(kRest, 6, review(Rating::good))).memory,
+            Fsrs().next(evening.memory, Rating::good, clock.now(), 0));
+  const Card night = must(store.add_writing(kTree, 4, review(Rating::easy)));
+  clock.set("2026-01-02T05:00:00Z");
+  EXPECT_EQ(must(store.add_writing(kTree, 4, review(Rating::good))).memory,
+            Fsrs().next(night.memory, Rating::good, clock.now(), 1));
+}
+
+TEST(LearnerStore, AClockThatWasPutBackCountsAsNoTime) {
+  MovedClock clock("2026-01-10T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  const Card card = must(store.add_writing(kRest, 6, review(Rating::easy)));
+  clock.set("2026-01-01T09:00:00Z");
+  EXPECT_EQ(must(store.add_writing(kRest, 6, review(Rating::good))).memory,
+            Fsrs().next(card.memory, Rating::good, clock.now(), 0));
+}
+
+TEST(LearnerStore, PracticeIsKeptButSchedulesNothing) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  Writing trace = review(Rating::good);
+  trace.stage = Stage::trace;
+  const Card card = must(store.add_writing(kRest, 6, trace));
+  EXPECT_EQ(card.memory, Memory{});
+  EXPECT_EQ(card.practices, 1);
+  EXPECT_EQ(card.next_stage, Stage::guided);
+  EXPECT_EQ(must(store.writings_of(kRest)).size(), 1U);
+}
+
+TEST(LearnerStore, RemembersEverythingAcrossRestarts) {
+  const TemporaryFolder folder;
+  MovedClock clock("2026-01-01T09:00:00Z");
+  Writing writing = review(Rating::hard);
+  writing.result.hints = 1;
+  writing.result.help = 0.25;
+  Card card;
+  {
+    LearnerStore store = open(folder / "learner.db", clock);
+    Settings settings = store.settings();
+    settings.new_per_day = 7;
+    ASSERT_TRUE(store.change_settings(settings));
+    card = must(store.add_writing(kRest, 6, writing, some_ink()));
+  }
+  const LearnerStore store = open(folder / "learner.db", clock);
+  EXPECT_EQ(store.settings().new_per_day, 7);
+  EXPECT_EQ(store.card(kRest), card);
+  const auto writings = must(store.writings_of(kRest));
+  ASSERT_EQ(writings.size(), 1U);
+  EXPECT_EQ(writings[0].entry.writing, writing);
+  EXPECT_TRUE(writings[0].has_ink);
+  EXPECT_TRUE(writings[0].motion);
+  EXPECT_EQ(must(store.ink_of(writings[0].entry.id)), some_ink());
+}
+
+TEST(LearnerStore, UndoTakesBackAnyNumberAcrossRestarts) {
+  const TemporaryFolder folder;
+  MovedClock clock("2026-01-01T09:00:00Z");
+  std::vector<Card> before;
+  {
+    LearnerStore store = open(folder / "learner.db", clock);
+    for (const Rating rating : {Rating::good, Rating::good, Rating::again, Rating::easy}) {
+      before.push_back(store.card(kRest));
+      (void)must(store.add_writing(kRest, 6, review(rating)));
+      clock.advance(hours(30));
+    }
+  }
+  while (!before.empty()) {
+    LearnerStore store = open(folder / "learner.db", clock);
+    const auto undone = must(store.undo());
+    ASSERT_TRUE(undone);
+    EXPECT_THAT(undone->characters, ElementsAre(kRest));
+    EXPECT_EQ(store.card(kRest), before.back());
+    before.pop_back();
+  }
+  LearnerStore store = open(folder / "learner.db", clock);
+  EXPECT_FALSE(must(store.undo()));
+  EXPECT_TRUE(store.cards().empty());
+  EXPECT_EQ(store.last_entry(), 8);  // nothing was ever taken out of the log
+}
+
+TEST(LearnerStore, AnActionOnManyCharactersIsTakenBackAtOnce) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  (void)must(store.add_writing(kRest, 6, review(Rating::easy)));
+  (void)must(store.add_writing(kTree, 4, review(Rating::easy)));
+  const Cards before = store.cards();
+  const std::array both{kRest, kTree};
+  ASSERT_TRUE(store.reset(both));
+  EXPECT_EQ(store.card(kRest).memory, Memory{});
+  EXPECT_FALSE(store.card(kTree).introduced);
+  const auto undone = must(store.undo());
+  ASSERT_TRUE(undone);
+  EXPECT_EQ(undone->kind, EntryKind::reset);
+  EXPECT_EQ(store.cards(), before);
+}
+
+TEST(LearnerStore, WhatIsForgottenTooOftenIsSetApartUntilItsLessonIsDone) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  Settings settings = store.settings();
+  settings.leech_lapses = 3;
+  ASSERT_TRUE(store.change_settings(settings));
+  for (int lapse = 0; lapse < 3; ++lapse) {
+    (void)must(store.add_writing(kRest, 6, review(Rating::easy)));
+    EXPECT_FALSE(store.card(kRest).leech);
+    clock.advance(days(20));
+    (void)must(store.add_writing(kRest, 6, review(Rating::again)));
+    clock.advance(days(1));
+  }
+  EXPECT_TRUE(store.card(kRest).leech);
+  ASSERT_TRUE(store.leech_met(std::span(&kRest, 1)));
+  EXPECT_FALSE(store.card(kRest).leech);
+  EXPECT_EQ(store.card(kRest).leech_at, 5);
+  EXPECT_EQ(store.card(kRest).next_stage, Stage::guided);
+}
+
+TEST(LearnerStore, NewWeightsChangeTheMemoryButNotTheDay) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  (void)must(store.add_writing(kRest, 6, review(Rating::easy)));
+  clock.advance(days(9));
+  const Card before = must(store.add_writing(kRest, 6, review(Rating::good)));
+  Settings settings = store.settings();
+  settings.fsrs.weights[3] = 20;
+  ASSERT_TRUE(store.change_settings(settings));
+  const Card after = store.card(kRest);
+  EXPECT_EQ(after.due_day, before.due_day);
+  EXPECT_GT(after.memory.stability, before.memory.stability);
+  EXPECT_EQ(must(store.rebuild()).differences, 0);
+}
+
+/// Studies for some weeks with every kind of action; the same seed, the same weeks.
+void study_at_random(LearnerStore& store, MovedClock& clock, unsigned seed, int actions) {
+  std::mt19937 random(seed);
+  constexpr std::u32string_view kCharacters = U"一二三四五六七八九十百千休木林森";
+  for (int i = 0; i < actions; ++i) {
+    const char32_t one = kCharacters[random() % kCharacters.size()];
+    const std::array some{one, kCharacters[random() % kCharacters.size()]};
+    clock.advance(minutes(random() % 2000));
+    switch (random() % 20) {
+      case 0:
+        (void)must(store.undo());
+        break;
+      case 1:
+        ASSERT_TRUE(store.pause(some));
+        break;
+      case 2:
+        ASSERT_TRUE(store.resume(some));
+        break;
+      case 3:
+        ASSERT_TRUE(store.postpone(some, store.today() + days(random() % 5)));
+        break;
+      case 4:
+        ASSERT_TRUE(store.reset(std::span(&one, 1)));
+        break;
+      case 5: {
+        Settings settings = store.settings();
+        settings.fsrs.desired_retention = 0.8 + 0.01 * static_cast<double>(random() % 18);
+        settings.fsrs.weights[2] = 2 + 0.1 * static_cast<double>(random() % 9);
+        settings.fuzz = random() % 2 == 0;
+        settings.load_balance = random() % 2 == 0;
+        ASSERT_TRUE(store.change_settings(settings));
+        break;
+      }
+      default: {
+        Writing writing = review(kRatings[random() % 4]);
+        writing.stage = kStages[random() % 8 < 2 ? random() % 3 : 3];
+        (void)must(store.add_writing(one, 5, writing,
+                                     random() % 3 == 0 ? some_ink(static_cast<int>(random() % 9)) : Ink{}));
+      }
+    }
+  }
+}
+
+TEST(LearnerStore, EveryStateFollowsFromTheLog) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    MovedClock clock("2026-01-01T09:00:00Z");
+    LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+    study_at_random(store, clock, seed, 400);
+    const Cards before = store.cards();
+    const RebuildReport report = must(store.rebuild());
+    EXPECT_EQ(report.differences, 0) << seed;
+    EXPECT_EQ(store.cards(), before);
+    EXPECT_GT(report.cards, 10);
+  }
+}
+
+TEST(LearnerStore, RebuildingMendsCardsThatWereChanged) {
+  const TemporaryFolder folder;
+  MovedClock clock("2026-01-01T09:00:00Z");
+  Cards before;
+  {
+    LearnerStore store = open(folder / "learner.db", clock);
+    study_at_random(store, clock, 4, 60);
+    before = store.cards();
+  }
+  {
+    SQLite::Database db((folder / "learner.db").string(), SQLite::OPEN_READWRITE);
+    db.exec(
+        "UPDATE card SET stability = 1 WHERE character = (SELECT min(character) FROM card WHERE stability > "
+        "0);"
+        "DELETE FROM card WHERE character = (SELECT max(character) FROM card)");
+  }
+  LearnerStore store = open(folder / "learner.db", clock);
+  EXPECT_EQ(must(store.rebuild()).differences, 2);
+  EXPECT_EQ(store.cards(), before);
+}
+
+TEST(LearnerStore, TheLogCanOnlyBeAddedTo) {
+  const TemporaryFolder folder;
+  MovedClock clock("2026-01-01T09:00:00Z");
+  {
+    LearnerStore store = open(folder / "learner.db", clock);
+    (void)must(store.add_writing(kRest, 6, review(Rating::good)));
+  }
+  SQLite::Database db((folder / "learner.db").string(), SQLite::OPEN_READWRITE);
+  EXPECT_THROW(db.exec("UPDATE log SET rating = 4"), SQLite::Exception);
+  EXPECT_THROW(db.exec("DELETE FROM log"), SQLite::Exception);
+}
+
+TEST(LearnerStore, TheContentsFillAnotherStoreExactly) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  study_at_random(store, clock, 5, 200);
+  ASSERT_TRUE(store.save_list({"trees", {kTree, kRest}}));
+  const std::vector<std::string> tags{"hard", "school"};
+  ASSERT_TRUE(store.set_tags(kRest, tags));
+  LearnerStore other = must(LearnerStore::in_memory(clock.clock()));
+  const auto filled = other.fill(must(store.contents()));
+  ASSERT_TRUE(filled) << base::to_line(filled.error());
+  EXPECT_EQ(other.cards(), store.cards());
+  EXPECT_EQ(other.settings(), store.settings());
+  EXPECT_EQ(other.lists(), store.lists());
+  EXPECT_EQ(other.tags_of(kRest), tags);
+  EXPECT_EQ(must(other.rebuild()).differences, 0);
+  const auto again = other.fill(must(store.contents()));
+  EXPECT_FALSE(again);
+  EXPECT_THAT(again.error().what, HasSubstr("not empty"));
+}
+
+TEST(LearnerStore, APreviewIsWhatTheReviewThenGives) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  (void)must(store.add_writing(kRest, 6, review(Rating::easy)));
+  clock.advance(days(8));
+  for (const Rating rating : kRatings) {
+    const Card seen = store.preview(kRest, rating);
+    EXPECT_EQ(must(store.add_writing(kRest, 6, review(rating))).memory, seen.memory);
+    (void)must(store.undo());
+  }
+}
+
+TEST(LearnerStore, LoadIsBalancedWithinTheRange) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  Settings settings = store.settings();
+  settings.load_balance = true;
+  ASSERT_TRUE(store.change_settings(settings));
+  std::map<Day, int> load;
+  for (char32_t c = U'一'; c < U'一' + 30; ++c)
+    ++load[*must(store.add_writing(c, 4, review(Rating::easy))).due_day];
+  // 8 days may become 6 to 10: thirty characters, five days.
+  EXPECT_EQ(load.size(), 5U);
+  for (const auto& [day, count] : load) EXPECT_EQ(count, 6) << to_text(day);
+  EXPECT_EQ(must(store.rebuild()).differences, 0);
+}
+
+TEST(LearnerStore, ListsAndTagsAreKept) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  ASSERT_TRUE(store.save_list({"b", {kTree, kRest, kTree}}));
+  ASSERT_TRUE(store.save_list({"a", {kRest}}));
+  EXPECT_THAT(store.lists(), ElementsAre(CustomList{"a", {kRest}}, CustomList{"b", {kTree, kRest}}));
+  ASSERT_TRUE(store.remove_list("a"));
+  EXPECT_EQ(store.remove_list("a").error().code, base::Errc::not_found);
+  EXPECT_FALSE(store.save_list({"", {kRest}}));
+  EXPECT_FALSE(store.save_list({"two\nlines", {kRest}}));
+  EXPECT_FALSE(store.save_list({"\xFF", {kRest}}));
+}
+
+TEST(LearnerStore, WhatIsNoWritingIsRefused) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  EXPECT_EQ(store.add_writing(0, 6, review(Rating::good)).error().where, "character");
+  EXPECT_EQ(store.add_writing(0xD800, 6, review(Rating::good)).error().where, "character");
+  EXPECT_EQ(store.add_writing(kRest, 0, review(Rating::good)).error().where, "strokes");
+  Writing writing = review(Rating::good);
+  writing.result.score = 101;
+  EXPECT_EQ(store.add_writing(kRest, 6, writing).error().where, "score");
+  EXPECT_EQ(store.last_entry(), 0);
+}
+
+}  // namespace
+}  // namespace nazori::study
