@@ -17,7 +17,7 @@ TEST(Usage, HelpNamesEveryVerb) {
   const Outcome run = nazori_cli({"--help"});
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.err, "");
-  for (const char* verb : {"info", "search", "carve", "render", "demo", "database"}) {
+  for (const char* verb : {"info", "search", "carve", "render", "demo", "devices", "database"}) {
     EXPECT_THAT(run.out, HasSubstr(verb));
   }
 }
@@ -28,6 +28,7 @@ TEST(Usage, EveryVerbDocumentsItselfWithAnExample) {
                                                     {"carve"},
                                                     {"render"},
                                                     {"demo"},
+                                                    {"devices"},
                                                     {"database"},
                                                     {"database", "build"},
                                                     {"database", "check"},
