@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
   nazori::cli::add_demo(app, chosen);
   nazori::cli::add_feel(app, chosen);
   nazori::cli::add_record(app, chosen);
+  nazori::cli::add_devices(app, chosen);
   nazori::cli::add_database(app, chosen);
   nazori::cli::add_grade(app, chosen);
   nazori::cli::add_recognise(app, chosen);

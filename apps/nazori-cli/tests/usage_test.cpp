@@ -17,7 +17,7 @@ TEST(Usage, HelpNamesEveryVerb) {
   const Outcome run = nazori_cli({"--help"});
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.err, "");
-  for (const char* verb : {"info", "search", "carve", "render", "plot", "demo", "feel", "record", "database"}) {
+  for (const char* verb : {"info", "search", "carve", "render", "plot", "demo", "feel", "record", "devices", "database"}) {
     EXPECT_THAT(run.out, HasSubstr(verb));
   }
 }
@@ -33,6 +33,7 @@ TEST(Usage, EveryVerbDocumentsItselfWithAnExample) {
                                                     {"record"},
                                                     {"record", "info"},
                                                     {"record", "export"},
+                                                    {"devices"},
                                                     {"database"},
                                                     {"database", "build"},
                                                     {"database", "check"},

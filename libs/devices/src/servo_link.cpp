@@ -151,6 +151,9 @@ base::Error trouble_error(DeviceTrouble trouble, const std::string& device, std:
         return {"its motors are warm", "put the stylus down for some minutes; it goes on by itself"};
       case DeviceTrouble::not_ready:
         return {"it is not ready", "switch its power on and close other programs"};
+      case DeviceTrouble::too_slow:
+        return {"it answers too slowly to be felt",
+                "close other programs, and use a cable in place of radio"};
       case DeviceTrouble::communication_lost:
         return {"the connection was lost", "check cable and power, then choose the device again"};
       case DeviceTrouble::device_fault:

@@ -60,8 +60,8 @@ TEST_F(ForceDimension, EveryDeviceIsListedAndClosedAgain) {
 }
 
 TEST_F(ForceDimension, AKnownPlaneIsFeltInTheMakersFrame) {
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   // 10 mm right, 20 mm up and, with the tablet upright, 3 mm into it.
   stage->x_m = -0.003;
   stage->y_m = 0.010;
@@ -92,9 +92,9 @@ TEST_F(ForceDimension, EachAxisOfForceGoesTheWayOfItsAxisOfMotion) {
 TEST_F(ForceDimension, ATabletThatLiesFlatPushesUp) {
   OpenRequest request;
   request.posture.tilt_rad = 0;
+  test::Push push({0, 0, 1.5});
   auto device = back_end->open("forcedimension", request);
   ASSERT_TRUE(device);
-  test::Push push({0, 0, 1.5});
   ASSERT_TRUE(device->device->start(push));
   EXPECT_TRUE(comes_true([&] { return std::abs(stage->force_z_n - 1.5) < 1e-12; }));
   EXPECT_NEAR(stage->force_x_n, 0, 1e-12);
@@ -109,9 +109,9 @@ TEST_F(ForceDimension, LimitsAreThoseOfTheKindAndNeverAboveTheDevicesOwn) {
   EXPECT_EQ(opened().device->describe().limits.max_force_n, 8);
   stage->name = "";
   stage->type = 60;
+  test::Push strong({0, 0, 1000});
   OpenedDevice device = opened();
   EXPECT_EQ(device.device->describe().limits.max_force_n, 8);
-  test::Push strong({0, 0, 1000});
   ASSERT_TRUE(device.device->start(strong));
   EXPECT_TRUE(comes_true([&] { return std::abs(stage->force_x_n - 8) < 1e-9; }));
   EXPECT_EQ(stage->guard_n, 8);
@@ -119,16 +119,16 @@ TEST_F(ForceDimension, LimitsAreThoseOfTheKindAndNeverAboveTheDevicesOwn) {
 
 TEST_F(ForceDimension, SaturatedMotorsAreNoError) {
   stage->saturated = true;
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return plane.present > 50; }));
   EXPECT_EQ(plane.absent, 0);
 }
 
 TEST_F(ForceDimension, AReadingThatFailsTakesTheForceAwayUntilTheNextGoodOne) {
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   stage->x_m = -0.003;
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return force() > 0.5; }));
@@ -139,8 +139,8 @@ TEST_F(ForceDimension, AReadingThatFailsTakesTheForceAwayUntilTheNextGoodOne) {
 }
 
 TEST_F(ForceDimension, UnpluggedItIsLostAndPluggedInItOpensAgain) {
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   stage->x_m = -0.003;
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return force() > 0.5; }));
@@ -162,8 +162,8 @@ TEST_F(ForceDimension, UnpluggedItIsLostAndPluggedInItOpensAgain) {
 }
 
 TEST_F(ForceDimension, PositionsThatAreNotNumbersGiveNoForce) {
-  OpenedDevice device = opened();
   test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(push));
   EXPECT_TRUE(comes_true([&] { return force() > 0.5; }));
   stage->z_m = std::nan("");
@@ -172,8 +172,8 @@ TEST_F(ForceDimension, PositionsThatAreNotNumbersGiveNoForce) {
 }
 
 TEST_F(ForceDimension, ADeviceThatIsNotHomedRefusesToStartAndSaysHow) {
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   stage->not_homed = true;
   const auto refused = device.device->start(plane);
   ASSERT_FALSE(refused);
@@ -202,10 +202,10 @@ TEST_F(ForceDimension, EveryFailureToOpenSaysInOneLineWhatToDo) {
 
 TEST_F(ForceDimension, AnOlderLibraryWithoutTheButtonMaskStillWorks) {
   standin::DhdStage* const old = stage_of(NAZORI_STANDINS "/incomplete/libdhd.so");
+  FeltPlane plane;
   auto device =
       force_dimension_back_end({NAZORI_STANDINS "/incomplete/libdhd.so", 1000})->open("forcedimension", {});
   ASSERT_TRUE(device);
-  FeltPlane plane;
   old->buttons = 1;
   ASSERT_TRUE(device->device->start(plane));
   EXPECT_TRUE(comes_true([&] { return plane.buttons == 1U; }));

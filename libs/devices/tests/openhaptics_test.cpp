@@ -97,9 +97,9 @@ TEST_F(OpenHaptics, AKnownPlaneIsFeltInNewtonsAlongTheTabletsNormal) {
   for (const double tilt : {std::numbers::pi / 2, std::numbers::pi / 3, 0.0}) {
     OpenRequest request;
     request.posture.tilt_rad = tilt;
+    FeltPlane plane;
     OpenedDevice device = opened(request);
     const WorkspaceMapping mapping = *WorkspaceMapping::create(device.calibration);
-    FeltPlane plane;
     hold(mapping, {0.01, -0.02, 0.005});
     ASSERT_TRUE(device.device->start(plane));
     EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
@@ -131,8 +131,8 @@ TEST_F(OpenHaptics, TheRealServoHoldsTheHandUpWithTheStiffnessOfItsMaterial) {
 }
 
 TEST_F(OpenHaptics, ButtonsAndRateAreSeenWithoutWaiting) {
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   EXPECT_EQ(device.device->status().state, DeviceState::stopped);
   ASSERT_TRUE(device.device->start(plane));
   stage->buttons = 3;
@@ -146,12 +146,12 @@ TEST_F(OpenHaptics, ButtonsAndRateAreSeenWithoutWaiting) {
 }
 
 TEST_F(OpenHaptics, NoForceLeavesThatIsOverThePeakOrNotANumber) {
-  OpenedDevice device = opened();
   test::Push strong({0, 30, 40});
+  test::Push mad({std::nan(""), 0, 0});
+  OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(strong));
   EXPECT_TRUE(comes_true([&] { return std::abs(glm::length(force()) - 3.3) < 1e-6; }));
   device.device->stop();
-  test::Push mad({std::nan(""), 0, 0});
   ASSERT_TRUE(device.device->start(mad));
   const std::uint64_t from = stage->ticks;
   EXPECT_TRUE(comes_true([&] { return stage->ticks > from + 5; }));
@@ -159,9 +159,9 @@ TEST_F(OpenHaptics, NoForceLeavesThatIsOverThePeakOrNotANumber) {
 }
 
 TEST_F(OpenHaptics, DockedItPausesAndOutAgainItGoesOn) {
+  FeltPlane plane;
   OpenedDevice device = opened();
   const WorkspaceMapping mapping = *WorkspaceMapping::create(device.calibration);
-  FeltPlane plane;
   hold(mapping, {0, 0, -0.002});
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
@@ -177,15 +177,15 @@ TEST_F(OpenHaptics, DockedItPausesAndOutAgainItGoesOn) {
 TEST_F(OpenHaptics, ADeviceWithoutAnInkwellIsNotTakenForDocked) {
   stage->calibration_style = 2;
   stage->out_of_inkwell = false;  // reads 0 for ever
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
 }
 
 TEST_F(OpenHaptics, ASafetySwitchThatWasHeldAndIsLetGoPauses) {
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   stage->safety_held = true;
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
@@ -196,8 +196,8 @@ TEST_F(OpenHaptics, ASafetySwitchThatWasHeldAndIsLetGoPauses) {
 
 TEST_F(OpenHaptics, AsksForTheInkwellAndCalibratesThere) {
   stage->calibration = 0x5001;
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::not_calibrated; }));
   EXPECT_EQ(stage->calibrations, 0);
@@ -213,9 +213,9 @@ TEST_F(OpenHaptics, ForceErrorsTakeTheForceAwayAtOnceAndItComesBackByItself) {
                                                                      {0x0202, DeviceTrouble::over_force},
                                                                      {0x0203, DeviceTrouble::over_speed}}};
   for (const auto& [code, trouble] : cases) {
+    FeltPlane plane;
     OpenedDevice device = opened();
     const WorkspaceMapping mapping = *WorkspaceMapping::create(device.calibration);
-    FeltPlane plane;
     hold(mapping, {0, 0, -0.002});
     ASSERT_TRUE(device.device->start(plane));
     EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
@@ -233,8 +233,8 @@ TEST_F(OpenHaptics, ForceErrorsTakeTheForceAwayAtOnceAndItComesBackByItself) {
 }
 
 TEST_F(OpenHaptics, AForceErrorIsSeenEvenWhereItLastsOneTick) {
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
   stage->next_error = 0x0201;
@@ -243,9 +243,10 @@ TEST_F(OpenHaptics, AForceErrorIsSeenEvenWhereItLastsOneTick) {
 }
 
 TEST_F(OpenHaptics, UnpluggedItIsLostWithASentenceAndPluggedInItOpensAgain) {
+  FeltPlane plane;
+  FeltPlane again;
   OpenedDevice device = opened();
   const WorkspaceMapping mapping = *WorkspaceMapping::create(device.calibration);
-  FeltPlane plane;
   hold(mapping, {0, 0, -0.002});
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
@@ -267,15 +268,14 @@ TEST_F(OpenHaptics, UnpluggedItIsLostWithASentenceAndPluggedInItOpensAgain) {
   EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::device_absent);
   stage->plugged = true;
   device = opened();
-  FeltPlane again;
   ASSERT_TRUE(device.device->start(again));
   EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
 }
 
 TEST_F(OpenHaptics, EverySchedulerErrorEndsIt) {
   for (const unsigned int code : {0x0104U, 0x0300U, 0x0303U, 0x0304U, 0x0500U, 0x0501U}) {
-    OpenedDevice device = opened();
     FeltPlane plane;
+    OpenedDevice device = opened();
     ASSERT_TRUE(device.device->start(plane));
     stage->next_error = code;
     EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; })) << code;
@@ -284,8 +284,8 @@ TEST_F(OpenHaptics, EverySchedulerErrorEndsIt) {
 }
 
 TEST_F(OpenHaptics, AServoThatStandsStillIsSaidAndDoesNotHoldUpTheStop) {
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
   stage->frozen = true;
@@ -344,8 +344,8 @@ TEST_F(OpenHaptics, EveryFailureToOpenSaysInOneLineWhatToDo) {
 }
 
 TEST_F(OpenHaptics, ASchedulerThatDoesNotStartIsAnErrorOfStart) {
-  OpenedDevice device = opened();
   FeltPlane plane;
+  OpenedDevice device = opened();
   stage->start_error = 0x0304;
   const auto started = device.device->start(plane);
   ASSERT_FALSE(started);
@@ -358,9 +358,9 @@ TEST_F(OpenHaptics, ASchedulerThatDoesNotStartIsAnErrorOfStart) {
 TEST_F(OpenHaptics, ARateThatTheDeviceRefusesIsNoFailure) {
   OpenHapticsSettings fast = settings();
   fast.rate_hz = 1600;
+  FeltPlane plane;
   auto device = openhaptics_back_end(fast)->open("openhaptics", {});
   ASSERT_TRUE(device);
-  FeltPlane plane;
   ASSERT_TRUE(device->device->start(plane));
   EXPECT_EQ(device->device->describe().rate_hz, 1000);
 }

@@ -103,3 +103,8 @@ EXPORTED int dhdSetGravityCompensation(int on, char) {
   stage.gravity_on = on != 0;
   return 0;
 }
+
+namespace {
+// A program that knows nothing of the stage finds a device that works.
+[[maybe_unused]] const bool kReady = (nazori_standin_dhd_reset(), true);
+}  // namespace

@@ -34,6 +34,7 @@ enum class DeviceTrouble : std::uint8_t {
   over_speed,      ///< its guard against too fast a motion acted
   warm_motors,     ///< its motors must cool
   not_ready,       ///< switched off, braked or in use by another session
+  too_slow,        ///< poses come too late to be felt safely
   // Lost
   communication_lost,  ///< cable or radio
   device_fault,        ///< it reports a fault of its own

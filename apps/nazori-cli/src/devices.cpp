@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "character_json.h"
+#include "nazori/devices/device_catalogue.h"
+#include "nazori/devices/device_trial.h"
+#include "nazori/devices/every_back_end.h"
+#include "options.h"
+#include "text_layout.h"
+#include "verbs.h"
+
+namespace nazori::cli {
+namespace {
+
+struct DevicesSettings {
+  std::string device;
+  double test_s = 0;
+  bool json = false;
+};
+
+Json problem_json(const devices::DeviceProblem& problem) {
+  return {{"what", problem.error.what}, {"where", problem.error.where}, {"remedy", problem.error.remedy}};
+}
+
+int list(Console& console, devices::DeviceCatalogue& catalogue, const DevicesSettings& settings) {
+  Json document = Json::array();
+  std::string text;
+  for (const devices::BackEndFindings& found : catalogue.find()) {
+    Json json{{"back_end", found.back_end}, {"devices", Json::array()}, {"problem", nullptr}};
+    text += found.back_end + "\n";
+    for (const devices::FoundDevice& device : found.devices) {
+      json["devices"].push_back({{"id", device.id},
+                                 {"name", device.name},
+                                 {"has_force", device.has_force},
+                                 {"automatic", device.automatic}});
+      text += fmt::format("  {}  {}{}\n", pad(device.id, 22), device.name,
+                          device.has_force ? "" : "  (no force)");
+    }
+    if (found.problem) {
+      json["problem"] = problem_json(*found.problem);
+      text += fmt::format("  {}: {}\n", found.devices.empty() ? "nothing found" : "but",
+                          base::to_line(found.problem->error));
+    }
+    document.push_back(std::move(json));
+  }
+  console.print(settings.json ? to_text(document) : text);
+  return kDone;
+}
+
+Json trial_json(const std::string& id, const haptics::DeviceDescription& description,
+                const devices::TrialResult& trial, const haptics::DeviceStatus& status,
+                const devices::RealTimeReadiness& machine) {
+  Json histogram = Json::array();
+  for (std::size_t i = 0; i < trial.lateness.size(); ++i) {
+    histogram.push_back(
+        {{"up_to_s", i < devices::TrialResult::kEdges_s.size() ? Json(devices::TrialResult::kEdges_s[i])
+                                                               : Json(nullptr)},
+         {"ticks", trial.lateness[i]}});
+  }
+  return {{"id", id},
+          {"name", description.name},
+          {"has_force", description.has_force},
+          {"max_force_n", description.limits.max_force_n},
+          {"continuous_force_n", description.limits.continuous_force_n},
+          {"max_stiffness_n_m", description.limits.max_stiffness_n_m},
+          {"nominal_rate_hz", description.rate_hz},
+          {"rate_hz", trial.rate_hz},
+          {"seconds", trial.seconds},
+          {"ticks", trial.ticks},
+          {"absent_ticks", trial.absent},
+          {"lateness", std::move(histogram)},
+          {"max_lateness_s", trial.max_lateness_s},
+          {"rest_noise_m", trial.rest_noise_m >= 0 ? Json(trial.rest_noise_m) : Json(nullptr)},
+          {"round_trip_delay_s", status.delay_s > 0 ? Json(status.delay_s) : Json(nullptr)},
+          {"trouble", status.message.empty() ? Json(nullptr) : Json(status.message)},
+          {"machine",
+           {{"kernel", machine.kernel},
+            {"kernel_preempts", machine.kernel_preempts},
+            {"priority_limit", machine.priority_limit},
+            {"locked_bytes", machine.locked_bytes},
+            {"advice", machine.advice}}}};
+}
+
+std::string describe(const std::string& id, const haptics::DeviceDescription& description,
+                     const devices::TrialResult& trial, const haptics::DeviceStatus& status,
+                     const devices::RealTimeReadiness& machine) {
+  std::string text = fmt::format("{}  {}\n", id, description.name);
+  if (description.has_force) {
+    text += fmt::format("limits      {:.2f} N peak, {:.2f} N for long, {:.0f} N/m on the tablet\n",
+                        description.limits.max_force_n, description.limits.continuous_force_n,
+                        description.limits.max_stiffness_n_m);
+  }
+  text += fmt::format("rate        {:.0f} Hz of {:.0f} Hz, {} ticks in {:.1f} s\n", trial.rate_hz,
+                      description.rate_hz, trial.ticks, trial.seconds);
+  for (std::size_t i = 0; i < trial.lateness.size(); ++i) {
+    const std::string edge = i < devices::TrialResult::kEdges_s.size()
+                                 ? fmt::format("up to {:.2f} ms", devices::TrialResult::kEdges_s[i] * 1e3)
+                                 : fmt::format("more, up to {:.2f} ms", trial.max_lateness_s * 1e3);
+    text += fmt::format("{}{:>8}  {}\n", pad(i == 0 ? "lateness" : "", 12), trial.lateness[i], edge);
+  }
+  if (trial.rest_noise_m >= 0)
+    text += fmt::format("noise       {:.1f} um at its quietest (let go of the stylus for this)\n",
+                        trial.rest_noise_m * 1e6);
+  if (status.delay_s > 0)
+    text += fmt::format("round trip  {:.2f} ms from pose to force\n", status.delay_s * 1e3);
+  if (trial.absent > 0) text += fmt::format("away        {} ticks without a stylus\n", trial.absent);
+  if (!status.message.empty()) text += "trouble     " + status.message + "\n";
+  text += "machine     " + machine.kernel + "\n";
+  if (machine.advice.empty()) text += "            ready for real time\n";
+  for (const std::string& advice : machine.advice) text += "            " + advice + "\n";
+  return text;
+}
+
+int test(Console& console, devices::DeviceCatalogue& catalogue, const DevicesSettings& settings) {
+  auto opened =
+      settings.device.empty() ? catalogue.open_best("", {}).opened : catalogue.open(settings.device, {});
+  if (!opened) return console.deny(opened.error().error);
+  haptics::HapticDevice& device = *opened->device;
+  const haptics::DeviceDescription description = device.describe();
+  devices::DeviceTrial trial(description.rate_hz);
+  if (auto started = device.start(trial); !started) return console.deny(started.error());
+  const auto begin = std::chrono::steady_clock::now();
+  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  for (double done = 0; done < 1;) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    done = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / settings.test_s;
+    if (!progress.show(std::min(done, 1.0), "testing " + description.name)) break;
+  }
+  progress.clear();
+  const haptics::DeviceStatus status = device.status();
+  device.stop();
+  const devices::TrialResult result = trial.result();
+  const devices::RealTimeReadiness machine = devices::real_time_readiness();
+  console.print(settings.json ? to_text(trial_json(opened->id, description, result, status, machine))
+                              : describe(opened->id, description, result, status, machine));
+  return status.state == haptics::DeviceState::lost || result.ticks == 0 ? kNo : kDone;
+}
+
+int run(Console& console, const DevicesSettings& settings) {
+  devices::DeviceCatalogue catalogue(devices::every_back_end(devices::BackEndSettings::from_environment()));
+  if (settings.test_s > 0) return test(console, catalogue, settings);
+  if (settings.device.empty()) return list(console, catalogue, settings);
+  return console.refuse({base::Errc::bad_argument, "without --test there is nothing to do with it",
+                         "--device", "give --test SECONDS too"});
+}
+
+}  // namespace
+
+void add_devices(CLI::App& app, Action& chosen) {
+  auto settings = std::make_shared<DevicesSettings>();
+  CLI::App* verb =
+      app.add_subcommand("devices", "List haptic devices, say why others are not there, and test one");
+  verb->group("Verbs");
+  verb->add_option(
+          "--test", settings->test_s,
+          "Run a device for so long without force: rate, lateness, noise at rest, round trip, and whether "
+          "the machine is ready for real time")
+      ->check(within(0.1, 3600))
+      ->type_name("SECONDS");
+  verb->add_option("--device", settings->device,
+                   "The device to test: its id, or a part of its name; default is the best one")
+      ->type_name("NAME");
+  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
+  verb->footer(
+      "The makers' libraries are looked for under their usual names, or where NAZORI_LIBHD\n"
+      "and NAZORI_LIBDHD say; the Inverse Service on port 10001 or NAZORI_INVERSE_PORT.\n"
+      "How to set a device up is in docs/devices.md.\n\nExamples:\n  nazori-cli devices\n"
+      "  nazori-cli devices --test 10 --device openhaptics --json");
+  verb->callback(
+      [settings, &chosen] { chosen = [settings](Console& console) { return run(console, *settings); }; });
+}
+
+}  // namespace nazori::cli

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace nazori::cli::test {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+// Nothing of the machine that runs the tests: no library, no service.
+const std::vector<std::string> kBare{"NAZORI_LIBHD=/nowhere/libHD.so", "NAZORI_LIBDHD=/nowhere/libdhd.so",
+                                     "NAZORI_INVERSE_PORT=1"};
+
+std::vector<std::string> with(const std::string& more) {
+  std::vector<std::string> all = kBare;
+  all.push_back(more);
+  return all;
+}
+
+TEST(Devices, EveryBackEndIsListedWithItsDevicesOrTheReason) {
+  const Outcome run = nazori_cli({"devices"}, kBare);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("/nowhere/libHD.so"));
+  EXPECT_THAT(run.out, HasSubstr("/nowhere/libdhd.so"));
+  EXPECT_THAT(run.out, HasSubstr("haply-inverse-service"));
+  EXPECT_THAT(run.out, HasSubstr("simulated:falcon"));
+  EXPECT_EQ(run.err, "");
+}
+
+TEST(Devices, TheListIsJsonToo) {
+  const Outcome run = nazori_cli({"devices", "--json"}, kBare);
+  const Json json = Json::parse(run.out);
+  ASSERT_EQ(json.size(), 5U);
+  EXPECT_TRUE(json[0]["devices"].empty());
+  EXPECT_THAT(json[0]["problem"]["remedy"].get<std::string>(), HasSubstr("docs/devices.md"));
+  EXPECT_TRUE(json[3]["problem"].is_null());
+  EXPECT_EQ(json[3]["devices"][0]["id"], "pointer");
+}
+
+TEST(Devices, AStandInForATouchIsFoundAndTestedEndToEnd) {
+  const std::vector<std::string> touch = with("NAZORI_LIBHD=" NAZORI_STANDINS "/libHD.so");
+  EXPECT_THAT(nazori_cli({"devices"}, touch).out, HasSubstr("Stand-in Touch (serial 0042)"));
+  const Outcome run = nazori_cli({"devices", "--test", "0.5", "--json"}, touch);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json["id"], "openhaptics");  // the best one, unasked
+  EXPECT_GT(json["ticks"].get<int>(), 0);
+  EXPECT_GT(json["rate_hz"].get<double>(), 0);
+  EXPECT_EQ(json["lateness"].size(), 8U);
+  EXPECT_TRUE(json["trouble"].is_null() || json["trouble"].is_string());
+  EXPECT_TRUE(json["machine"]["kernel_preempts"].is_boolean());
+}
+
+TEST(Devices, ASimulationCanBeTestedByName) {
+  const Outcome run = nazori_cli({"devices", "--test", "0.3", "--device", "simulated:touch"}, kBare);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("lateness"));
+  EXPECT_THAT(run.out, HasSubstr("machine"));
+}
+
+TEST(Devices, ADeviceThatIsNotThereIsOneLineAndTheAnswerNo) {
+  expect_one_line(nazori_cli({"devices", "--test", "1", "--device", "gramophone"}, kBare), 1,
+                  {"gramophone", "simulated:touch"});
+  expect_one_line(nazori_cli({"devices", "--test", "1", "--device", "openhaptics"}, kBare), 1,
+                  {"/nowhere/libHD.so", "docs/devices.md"});
+}
+
+TEST(Devices, WrongUseIsRefused) {
+  expect_one_line(nazori_cli({"devices", "--device", "pointer"}, kBare), 2, {"--device", "--test"});
+  expect_one_line(nazori_cli({"devices", "--test", "-1"}, kBare), 2, {"--test"});
+  expect_one_line(nazori_cli({"devices", "--test", "nan"}, kBare), 2, {"--test"});
+}
+
+}  // namespace
+}  // namespace nazori::cli::test

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/devices/inverse_service.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "felt_plane.h"
+#include "standins/inverse_standin.h"
+
+namespace nazori::devices {
+namespace {
+
+using haptics::DeviceState;
+using haptics::DeviceTrouble;
+using standin::InverseService;
+using test::comes_true;
+using test::FeltPlane;
+using test::Vec3;
+
+class Inverse3 : public testing::Test {
+ protected:
+  [[nodiscard]] InverseServiceSettings settings() const {
+    InverseServiceSettings s;
+    s.port = service->port();
+    s.delay_s = 0.020;   // so that no force depends on how busy the machine is
+    s.give_up_s = 3600;  // no test waits for it but the one that says so
+    return s;
+  }
+  [[nodiscard]] OpenedDevice opened() const { return opened(settings()); }
+  static OpenedDevice opened(const InverseServiceSettings& s) {
+    OpenRequest request;
+    request.calibration.emplace();
+    auto device = inverse_service_back_end(s)->open("inverse3", request);
+    EXPECT_TRUE(device) << base::to_line(device.error().error);
+    return std::move(*device);
+  }
+  [[nodiscard]] double force() const {
+    return std::hypot(service->force_x_n, service->force_y_n, service->force_z_n);
+  }
+  /// Presses 3 mm into an upright tablet: forward, away from the learner.
+  void press() const { service->y_m = 0.003; }
+
+  std::unique_ptr<InverseService> service = std::make_unique<InverseService>();
+};
+
+TEST_F(Inverse3, IsFoundByTheNameThatTheServiceGivesIt) {
+  const BackEndFindings found = inverse_service_back_end(settings())->find();
+  ASSERT_EQ(found.devices.size(), 1U);
+  EXPECT_EQ(found.devices.front().id, "inverse3:049D");
+  EXPECT_FALSE(found.problem);
+  EXPECT_EQ(inverse_service_back_end(settings())->open("inverse3:049D", {})->id, "inverse3:049D");
+  EXPECT_EQ(inverse_service_back_end(settings())->open("inverse3:XXXX", {}).error().trouble,
+            DeviceTrouble::device_absent);
+}
+
+TEST_F(Inverse3, AKnownPlaneIsFeltInTheServicesFrameWithoutAMalformedMessage) {
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  service->x_m = 0.01;
+  service->z_m = 0.02;
+  press();
+  ASSERT_TRUE(device.device->start(plane));
+  // 3 mm at 200 N/m, towards the learner: against +y, which is forward.
+  EXPECT_TRUE(comes_true([&] { return std::abs(service->force_y_n + 0.6) < 1e-9; })) << service->force_y_n;
+  EXPECT_EQ(service->force_x_n, 0);
+  EXPECT_EQ(service->force_z_n, 0);
+  EXPECT_NEAR(plane.x_m, 0.01, 1e-12);
+  EXPECT_NEAR(plane.y_m, 0.02, 1e-12);  // up is up
+  device.device->stop();
+  EXPECT_TRUE(comes_true([&] { return force() == 0; }));
+  EXPECT_EQ(service->malformed, 0);
+}
+
+TEST_F(Inverse3, GripButtonsRateAndDelayAreSeen) {
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(plane));
+  service->button_b = true;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 2U; }));
+  EXPECT_TRUE(comes_true([&] { return device.device->status().delay_s > 0; }));
+}
+
+TEST_F(Inverse3, TheForceIsHeldToTheCap) {
+  for (const double cap : {2.0, 1.0}) {
+    InverseServiceSettings s = settings();
+    s.force_cap_n = cap;
+    test::Push strong({0, 0, 50});
+    OpenedDevice device = opened(s);
+    EXPECT_EQ(device.device->describe().limits.max_force_n, cap);
+    ASSERT_TRUE(device.device->start(strong));
+    EXPECT_TRUE(comes_true([&] { return force() > 0.5 * cap; }));
+    EXPECT_LE(force(), cap + 1e-12);
+    device.device->stop();
+  }
+}
+
+TEST_F(Inverse3, AnOldServiceIsSpokenToInTheOldSpelling) {
+  service->version = "3.1.0";
+  service->takes_vector = false;
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  press();
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.3; }));
+}
+
+TEST_F(Inverse3, AServiceThatPassesOverOneSpellingIsSpokenToInTheOther) {
+  service->takes_vector = false;  // whatever its version says
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  press();
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.3; }));
+  EXPECT_GT(plane.absent, 0);  // the servo began again, with its ramp
+}
+
+TEST_F(Inverse3, AnUncalibratedOrUnreadyArmGetsNoForceAndGoesOnWhenItIs) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  service->calibrated = false;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::not_calibrated; }));
+  EXPECT_TRUE(comes_true([&] { return force() == 0; }));
+  service->calibrated = true;
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  service->ready = false;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::not_ready; }));
+  EXPECT_TRUE(comes_true([&] { return force() == 0; }));
+}
+
+TEST_F(Inverse3, AnArmThatIsUnpluggedAndPluggedInGoesOnByItself) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  service->plugged = false;
+  EXPECT_TRUE(
+      comes_true([&] { return device.device->status().trouble == DeviceTrouble::communication_lost; }));
+  EXPECT_TRUE(comes_true([&] { return force() == 0; }));
+  service->plugged = true;
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+}
+
+TEST_F(Inverse3, AServiceThatGoesAndComesBackIsConnectedToAgain) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  const std::uint16_t port = service->port();
+  service.reset();
+  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::service_gone; }));
+  EXPECT_EQ(device.device->status().state, DeviceState::paused);
+  EXPECT_NE(device.device->status().message.find("start the service again"), std::string::npos);
+  service = std::make_unique<InverseService>(port);
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  service->hang_up = true;
+  EXPECT_TRUE(comes_true([&] { return service->sessions >= 2 && force() > 0.1; }));
+  EXPECT_EQ(service->malformed, 0);
+}
+
+TEST_F(Inverse3, AServiceThatStaysAwayMakesTheDeviceLost) {
+  InverseServiceSettings s = settings();
+  s.give_up_s = 0.2;
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened(s);
+  ASSERT_TRUE(device.device->start(push));
+  service.reset();
+  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; }));
+  device.device->stop();
+  EXPECT_EQ(inverse_service_back_end(s)->find().problem->trouble, DeviceTrouble::service_missing);
+}
+
+TEST_F(Inverse3, GarbageAndHugeMessagesGiveNoForceAndDoNotEndTheProgram) {
+  for (const auto answer :
+       {InverseService::Answer::garbage, InverseService::Answer::wrong_types, InverseService::Answer::huge}) {
+    test::Push push({0, 0, 1});
+    OpenedDevice device = opened();
+    ASSERT_TRUE(device.device->start(push));
+    EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+    service->answer = answer;
+    EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::bad_message; }));
+    EXPECT_TRUE(comes_true([&] { return force() == 0; }));
+    service->answer = InverseService::Answer::state;
+    EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  }
+}
+
+TEST_F(Inverse3, AServiceThatFallsSilentOrSlowGivesNoForceAndSaysSo) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  service->delay_ms = 60;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::too_slow; }));
+  EXPECT_TRUE(comes_true([&] { return force() == 0; }));
+  service->delay_ms = 0;
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  service->answer = InverseService::Answer::nothing;
+  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::too_slow; }));
+  service->answer = InverseService::Answer::state;
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));  // over a new connection
+}
+
+TEST_F(Inverse3, TheDelayIsMeasuredAndASlowerServiceIsAnsweredWithLessForce) {
+  InverseServiceSettings s = settings();
+  s.delay_s.reset();
+  const double measured_s = opened(s).device->describe().limits.delay_s;
+  EXPECT_GE(measured_s, 0.001);
+  EXPECT_LE(measured_s, 0.020);
+  s.delay_s = 0;
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened(s);
+  service->delay_ms = 8;
+  ASSERT_TRUE(device.device->start(push));
+  // K may be (T/2 + 0) / (T/2 + 8 ms or more) of what a service without delay allows: a seventeenth.
+  EXPECT_TRUE(comes_true([&] { return force() > 0 && force() <= 1.0 / 17; }));
+}
+
+TEST_F(Inverse3, WhatIsNoServiceOrHasNoArmIsSaidInOneLine) {
+  service->plugged = false;
+  EXPECT_EQ(inverse_service_back_end(settings())->find().problem->trouble, DeviceTrouble::device_absent);
+  const InverseServiceSettings s = settings();
+  service.reset();
+  const BackEndFindings gone = inverse_service_back_end(s)->find();
+  EXPECT_EQ(gone.problem->trouble, DeviceTrouble::service_missing);
+  EXPECT_NE(base::to_line(gone.problem->error).find("haply-inverse-service"), std::string::npos);
+  InverseServiceSettings nowhere;
+  nowhere.host = "not an address";
+  EXPECT_EQ(inverse_service_back_end(nowhere)->find().problem->trouble, DeviceTrouble::service_missing);
+}
+
+TEST_F(Inverse3, AnUnusableCalibrationIsRefused) {
+  OpenRequest request;
+  request.calibration.emplace();
+  request.calibration->scale = -1;
+  EXPECT_EQ(inverse_service_back_end(settings())->open("inverse3", request).error().trouble,
+            DeviceTrouble::bad_calibration);
+}
+
+}  // namespace
+}  // namespace nazori::devices
