@@ -8,6 +8,7 @@
 #include "preferences.h"
 #include "tablet_controller.h"
 #include "workshop.h"
+#include "writing_judge.h"
 
 namespace nazori::ui {
 
@@ -26,6 +27,7 @@ class Desk final : public QObject {
   [[nodiscard]] Library& library() { return library_; }
   [[nodiscard]] Workshop& workshop() { return workshop_; }
   [[nodiscard]] TabletController& controller() { return controller_; }
+  [[nodiscard]] WritingJudge& judge() { return judge_; }
 
   /// One sentence in the feedback line, also to the screen reader.
   void say(Feedback kind, const QString& sentence);
@@ -57,6 +59,7 @@ class Desk final : public QObject {
   Preferences preferences_;
   Library library_;
   Workshop workshop_;
+  WritingJudge judge_;
   TabletController controller_;
 };
 

@@ -106,6 +106,80 @@ void draw(QPainter& p, Icon which, const QColor& colour) {
       line({{12, 10}, {12, 14}});
       p.drawPoint(QPointF(12, 16.8));
       break;
+    case Icon::watch:
+    case Icon::eye: {
+      QPainterPath eye(QPointF(3, 12));
+      eye.quadTo(QPointF(12, 3.5), QPointF(21, 12));
+      eye.quadTo(QPointF(12, 20.5), QPointF(3, 12));
+      p.drawPath(eye);
+      p.drawEllipse(QPointF(12, 12), 2.8, 2.8);
+      break;
+    }
+    case Icon::trace: {
+      QPainterPath groove(QPointF(4, 18));
+      groove.cubicTo(QPointF(8, 8), QPointF(12, 20), QPointF(15, 10));
+      p.drawPath(groove);
+      line({{15, 10}, {20, 3.5}});
+      break;
+    }
+    case Icon::guided:
+      p.drawEllipse(QPointF(6.5, 6.5), 2.6, 2.6);
+      p.setPen(QPen(colour, 1.7, Qt::DotLine, Qt::RoundCap));
+      line({{9, 9}, {19, 19}});
+      break;
+    case Icon::memory:
+      p.drawRoundedRect(QRectF(4, 4, 16, 16), 2.2, 2.2);
+      line({{12, 16}, {12, 16.2}});
+      line({{9.4, 9.6}, {10.4, 8}, {13.4, 8}, {14.4, 9.6}, {12, 12.8}});
+      break;
+    case Icon::play:
+      line({{8, 5.5}, {18.5, 12}, {8, 18.5}, {8, 5.5}});
+      break;
+    case Icon::slower:
+      line({{5, 12}, {19, 12}});
+      break;
+    case Icon::faster:
+      line({{5, 12}, {19, 12}});
+      line({{12, 5}, {12, 19}});
+      break;
+    case Icon::loop: {
+      QPainterPath round;
+      round.arcMoveTo(QRectF(4.5, 6, 15, 12), 30);
+      round.arcTo(QRectF(4.5, 6, 15, 12), 30, 300);
+      p.drawPath(round);
+      line({{20.6, 5.4}, {18.6, 9}, {15, 7.6}});
+      break;
+    }
+    case Icon::undo: {
+      line({{9, 4.5}, {4.5, 9}, {9, 13.5}});
+      QPainterPath turn(QPointF(5, 9));
+      turn.lineTo(14, 9);
+      turn.cubicTo(QPointF(21.5, 9), QPointF(21.5, 19), QPointF(14, 19));
+      turn.lineTo(10, 19);
+      p.drawPath(turn);
+      break;
+    }
+    case Icon::hint_lamp: {
+      QPainterPath lamp;
+      lamp.arcMoveTo(QRectF(6.5, 3.5, 11, 11), -55);
+      lamp.arcTo(QRectF(6.5, 3.5, 11, 11), -55, 290);
+      p.drawPath(lamp);
+      line({{9.4, 14}, {9.4, 17}, {14.6, 17}, {14.6, 14}});
+      line({{10.4, 20}, {13.6, 20}});
+      break;
+    }
+    case Icon::overlaid:
+      p.drawRoundedRect(QRectF(4, 4, 11.5, 11.5), 2, 2);
+      p.drawRoundedRect(QRectF(8.5, 8.5, 11.5, 11.5), 2, 2);
+      break;
+    case Icon::beside:
+      p.drawRoundedRect(QRectF(3, 6.5, 8, 11), 1.6, 1.6);
+      p.drawRoundedRect(QRectF(13, 6.5, 8, 11), 1.6, 1.6);
+      break;
+    case Icon::pen:
+      line({{4.5, 19.5}, {5.6, 14.8}, {15.8, 4.6}, {19.4, 8.2}, {9.2, 18.4}, {4.5, 19.5}});
+      line({{13.4, 7}, {17, 10.6}});
+      break;
     case Icon::hint:
       p.setBrush(colour);
       p.drawEllipse(QPointF(12, 12), 2.4, 2.4);

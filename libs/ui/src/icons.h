@@ -24,6 +24,20 @@ enum class Icon : std::uint8_t {
   advice,
   hint,
   back,
+  watch,
+  trace,
+  guided,
+  memory,
+  play,
+  slower,
+  faster,
+  loop,
+  undo,
+  hint_lamp,
+  eye,
+  overlaid,
+  beside,
+  pen,
 };
 
 /// The drawing in ink; in indigo where the icon's action is on.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/ui/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenuBar>
@@ -20,6 +20,7 @@
 #include "appearance.h"
 #include "feedback_line.h"
 #include "focus_frame.h"
+#include "key_guard.h"
 #include "main_window_inside.h"
 #include "panes.h"
 #include "status_line.h"
@@ -73,8 +74,7 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
   }
   if (preferences.pane_widths.size() == 2)
     inside_->panes->wish(preferences.pane_widths[0], preferences.pane_widths[1]);
-  inside_->panes->fit(width(), preferences.text_pt);
-  inside_->rail->fit(width());
+  inside_->fit();
   inside_->focus_tablet();
 }
 
@@ -104,8 +104,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  inside_->panes->fit(width(), inside_->desk.preferences().text_pt);
-  inside_->rail->fit(width());
+  inside_->fit();
   inside_->save_later();
 }
 
@@ -149,6 +148,7 @@ MainWindow::Inside::~Inside() { delete tablet_place; }
 
 void MainWindow::Inside::build(const Setup& setup) {
   actions = new Actions(&window);
+  qApp->installEventFilter(new KeyGuard(&window));
   window.menuBar()->setObjectName(QStringLiteral("menu_bar"));
   tool_bar = new ToolBar(*actions, &window);
   window.addToolBar(Qt::TopToolBarArea, tool_bar);
@@ -189,6 +189,9 @@ void MainWindow::Inside::build(const Setup& setup) {
     QObject::connect(entry, &QAction::triggered, &window, [this, &place] { enter(place); });
     QObject::connect(&place, &Workplace::wants_to_be_entered, &window, [this, &place] { enter(place); });
     QObject::connect(&place, &Workplace::title_changed, &window, [this] { show_title(); });
+    QObject::connect(&place, &Workplace::tools_changed, &window, [this, &place] {
+      if (current == &place) tool_bar->enter(place);
+    });
   }
   rail = new WorkplaceRail(actions->workplaces(), &window);
   window.addToolBar(Qt::LeftToolBarArea, rail);
@@ -287,10 +290,16 @@ void MainWindow::Inside::set_text_size(int text_pt) {
   auto& preferences = desk.preferences();
   preferences.text_pt = std::clamp(text_pt, Preferences::kMinText_pt, Preferences::kMaxText_pt);
   apply_appearance();
-  panes->fit(window.width(), preferences.text_pt);
-  rail->fit(window.width());
+  fit();
   show_state();
   save_later();
+}
+
+void MainWindow::Inside::fit() {
+  rail->fit(window.width());
+  // Half of the window is the tablet's, with the rail or without.
+  const int taken = rail->isVisibleTo(&window) ? 2 * rail->sizeHint().width() : 0;
+  panes->fit(window.width() - taken, desk.preferences().text_pt);
 }
 
 void MainWindow::Inside::set_full_screen(bool on) {

@@ -36,6 +36,7 @@ struct MainWindow::Inside {
   void show_state();
   void apply_appearance();
   void take_appearance();
+  void fit();
   void set_text_size(int text_pt);
   void set_language(const QString& language);
   void set_full_screen(bool on);

@@ -74,6 +74,22 @@ void TabletController::set_arrows_visible(bool on) { change(arrows_visible_, on,
 void TabletController::set_snapping(bool on) { change(snapping_, on, true); }
 void TabletController::set_style(view::Style style) { change(style_, style, false); }
 
+void TabletController::set_guides(const std::optional<TabletGuides>& guides) {
+  guides_ = guides;
+  hand_over_scene();
+  emit picture_changed();
+}
+
+void TabletController::set_writing(std::vector<view::WrittenStroke> writing) {
+  writing_ = std::move(writing);
+  emit picture_changed();
+}
+
+void TabletController::set_demonstration(std::optional<Demonstration> demonstration) {
+  demonstration_ = std::move(demonstration);
+  emit picture_changed();
+}
+
 void TabletController::clear_ink() {
   ink_.clear();
   emit picture_changed();
@@ -87,6 +103,7 @@ void TabletController::hand_over_scene() {
   haptics::Snapping snap;
   snap.enabled = snapping_in_effect();
   snap.stroke = current_;
+  if (guides_) snap.stiffness *= std::clamp(guides_->snapping_strength, 0.0, 1.0);
   stylus_.set_scene(tablet_->scene(haptics::Material{}, snap));
 }
 
@@ -99,6 +116,7 @@ void TabletController::move_stylus(geometry::TabletPoint at, bool pressed, std::
   const bool over = std::abs(at.x) <= edge_m && std::abs(at.y) <= edge_m;
   const bool began = pressed && !pointer_.pressed;
   if (began && !pressure) mouse_depth_ = kUsualDepth;
+  if (began && over) emit this->pressed({pointer_.x_m, pointer_.y_m});
   pointer_.pressed = pressed && (over || pointer_.pressed);
   pointer_.in_range = over || pointer_.pressed;
   const double fraction = pressure ? std::clamp(*pressure, 0.0, 1.0) * kDeepest : mouse_depth_;
@@ -133,7 +151,11 @@ void TabletController::pump() {
   bool inked = false;
   for (;;) {
     const auto count = stylus_.take_samples(samples);
-    for (const auto& sample : std::span(samples).first(count)) {
+    const auto taken = std::span<const haptics::ServoSample>(samples).first(count);
+    emit sampled(taken);
+    const bool traced = !guides_ || guides_->traced;
+    for (const auto& sample : taken) {
+      if (!traced) break;
       const auto step = ink_.follow(sample.proxy_m, sample.touching, current_);
       inked = inked || step.inked;
       if (step.event != InkEvent::none) emit stroke_event(step.event, step.stroke);
@@ -145,11 +167,14 @@ void TabletController::pump() {
 
 view::Overlay TabletController::overlay() {
   view::Overlay overlay;
-  overlay.strokes_visible = strokes_visible_;
-  overlay.arrows_visible = arrows_visible_;
-  overlay.numbers_visible = numbers_visible_;
+  overlay.strokes_visible = guides_ ? guides_->strokes : strokes_visible_;
+  overlay.arrows_visible = guides_ ? guides_->arrows : arrows_visible_;
+  overlay.numbers_visible = guides_ ? guides_->numbers : numbers_visible_;
+  overlay.lines_opacity = guides_ ? guides_->lines_opacity : 1.0;
   overlay.current_stroke = current_;
-  overlay.ink = ink_.progress();
+  overlay.ink = demonstration_ ? demonstration_->ink : ink_.progress();
+  overlay.writing = writing_;
+  if (demonstration_) overlay.cursor = demonstration_->brush;
   shown_s_ = 0;
   if (pointer_.in_range) {
     const auto& now = stylus_.latest();

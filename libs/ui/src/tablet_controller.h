@@ -5,6 +5,8 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "ink_tracker.h"
 #include "nazori/tablet/carved_tablet.h"
@@ -12,6 +14,24 @@
 #include "stylus.h"
 
 namespace nazori::ui {
+
+/// What is drawn and held of the strokes where a stage of learning decides it instead of the learner's
+/// switches.
+struct TabletGuides {
+  bool strokes = false;  ///< lines, arrowheads and numbers
+  bool arrows = false;
+  bool numbers = false;
+  double lines_opacity = 1;
+  bool snapping = false;
+  double snapping_strength = 1;  ///< of the usual pull, 0..1
+  bool traced = false;           ///< ink follows the stylus along the strokes
+};
+
+/// A brush that writes by itself.
+struct Demonstration {
+  std::vector<double> ink;  ///< of each stroke the share that is written
+  view::Cursor brush;
+};
 
 /// What the tablet is doing: the carved tablet itself, which strokes are shown, whether they hold the stylus,
 /// the ink, and the stylus. Knows no OpenGL and no widgets: the picture and the toolbar both only show what
@@ -42,13 +62,21 @@ class TabletController final : public QObject {
   [[nodiscard]] bool arrows_visible() const { return arrows_visible_; }
   [[nodiscard]] bool snapping() const { return snapping_; }
   /// As in 2005: strokes hold the stylus only while they are shown.
-  [[nodiscard]] bool snapping_in_effect() const { return snapping_ && strokes_visible_; }
+  [[nodiscard]] bool snapping_in_effect() const {
+    return guides_ ? guides_->snapping : snapping_ && strokes_visible_;
+  }
   [[nodiscard]] view::Style style() const { return style_; }
   void set_strokes_visible(bool on);
   void set_numbers_visible(bool on);
   void set_arrows_visible(bool on);
   void set_snapping(bool on);
   void set_style(view::Style style);
+
+  void set_guides(const std::optional<TabletGuides>& guides);
+  /// Flat ink on the tablet, drawn as given.
+  void set_writing(std::vector<view::WrittenStroke> writing);
+  /// Shown in place of the learner's ink, and of the stylus while that is away.
+  void set_demonstration(std::optional<Demonstration> demonstration);
 
   void clear_ink();
   [[nodiscard]] const InkTracker& ink() const { return ink_; }
@@ -82,6 +110,12 @@ class TabletController final : public QObject {
   void picture_changed();
   void stroke_event(nazori::ui::InkEvent event, int stroke);
   void depth_changed(double depth_m);
+  /// What the servo has seen since the last time, in order.
+  void sampled(std::span<const nazori::haptics::ServoSample> samples);
+  /// A pointer was pressed on the tablet.
+  void pressed(nazori::geometry::TabletPoint at);
+  /// The other end of the pen touched the tablet.
+  void eraser_used();
 
  private:
   void hand_over_scene();
@@ -97,6 +131,9 @@ class TabletController final : public QObject {
   bool arrows_visible_ = true;
   bool snapping_ = false;
   view::Style style_ = view::Style::wood;
+  std::optional<TabletGuides> guides_;
+  std::optional<Demonstration> demonstration_;
+  std::vector<view::WrittenStroke> writing_;
   devices::PointerState pointer_;
   double shown_s_ = 0;      ///< begun_s of the sample in the last overlay, 0 none
   double drawn_age_s_ = 0;  ///< greatest since it was taken

@@ -268,6 +268,8 @@ void TabletWindow::tabletEvent(QTabletEvent* event) {
     // The barrel button turns the tablet, as the right mouse button does.
     if (event->button() == Qt::RightButton)
       begin_drag(Drag::orbit, at);
+    else if (event->pointerType() == QPointingDevice::PointerType::Eraser)
+      emit controller_->eraser_used();
     else
       pen_down_ = true;
   } else if (event->type() == QEvent::TabletRelease) {

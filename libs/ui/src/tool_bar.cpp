@@ -52,6 +52,11 @@ ToolBar::ToolBar(const Actions& actions, QWidget* parent)
 }
 
 void ToolBar::enter(const Workplace& workplace) {
+  // The button with the keyboard is made anew with the others.
+  QAction* focused = nullptr;
+  for (auto* action : actions())
+    if (const auto* button = widgetForAction(action); button != nullptr && button->hasFocus())
+      focused = action;
   clear();
   words_.clear();
   addAction(actions_.left_panel);
@@ -74,6 +79,8 @@ void ToolBar::enter(const Workplace& workplace) {
   name_buttons();
   fit();
   refresh();
+  if (auto* button = focused != nullptr ? widgetForAction(focused) : nullptr)
+    button->setFocus(Qt::TabFocusReason);
 }
 
 void ToolBar::name_buttons() {

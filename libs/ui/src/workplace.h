@@ -77,6 +77,8 @@ class Workplace : public QObject {
 
  signals:
   void title_changed();
+  /// tools() are others now.
+  void tools_changed();
   /// It must stand in the window: something was asked for that only it can show.
   void wants_to_be_entered();
 

@@ -389,6 +389,218 @@
         <source>&amp;Character</source>
         <translation>文字(&amp;C)</translation>
     </message>
+    <message>
+        <source>&amp;Draw to find</source>
+        <translation>書いて探す(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Find a character by drawing it</source>
+        <translation>字を書いて探します</translation>
+    </message>
+    <message>
+        <source>&amp;Watch</source>
+        <translation>見る(&amp;W)</translation>
+    </message>
+    <message>
+        <source>A brush writes the character stroke by stroke</source>
+        <translation>筆が一画ずつ字を書きます</translation>
+    </message>
+    <message>
+        <source>&amp;Trace</source>
+        <translation>なぞる(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Trace the grooves, with lines and numbers</source>
+        <translation>線と番号を見ながら溝をなぞります</translation>
+    </message>
+    <message>
+        <source>&amp;Guided</source>
+        <translation>導かれて書く(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Only the groove, or only where strokes start; strokes hold the stylus</source>
+        <translation>溝だけ、または書き始めだけを頼りに書きます。画がペン先を引き留めます</translation>
+    </message>
+    <message>
+        <source>&amp;Memory</source>
+        <translation>覚えて書く(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Write on a blank tablet, and be judged</source>
+        <translation>何もない文字板に書き、判定を受けます</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>再生(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>再生／一時停止</translation>
+    </message>
+    <message>
+        <source>Stroke &amp;back</source>
+        <translation>一画戻る(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Back to the start of the stroke</source>
+        <translation>画の初めに戻ります</translation>
+    </message>
+    <message>
+        <source>Stroke &amp;on</source>
+        <translation>一画進む(&amp;O)</translation>
+    </message>
+    <message>
+        <source>On to the end of the stroke</source>
+        <translation>画の終わりに進みます</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>遅く(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>遅くします</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>速く(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>速くします</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>くり返す(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>終わったら初めから</translation>
+    </message>
+    <message>
+        <source>Only the g&amp;roove</source>
+        <translation>溝だけ(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The groove leads, without lines</source>
+        <translation>線なしで、溝が導きます</translation>
+    </message>
+    <message>
+        <source>Only the &amp;starts</source>
+        <translation>書き始めだけ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Numbers say where strokes start</source>
+        <translation>番号が書き始めを示します</translation>
+    </message>
+    <message>
+        <source>&amp;Undo the stroke</source>
+        <translation>一画取り消す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Take back the last stroke</source>
+        <translation>最後の画を取り消します</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>できた(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Judge what is written</source>
+        <translation>書いた字を判定します</translation>
+    </message>
+    <message>
+        <source>&amp;Hint</source>
+        <translation>ヒント(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Show the next stroke; asked again, all of them</source>
+        <translation>次の画を見せます。もう一度押すと残り全部です</translation>
+    </message>
+    <message>
+        <source>Gi&amp;ve up</source>
+        <translation>あきらめる(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show the character</source>
+        <translation>字を見せます</translation>
+    </message>
+    <message>
+        <source>&amp;Judge each stroke</source>
+        <translation>一画ごとに判定(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Judge every stroke as it ends, or all at the end</source>
+        <translation>一画ごとに判定するか、最後にまとめて判定するか</translation>
+    </message>
+    <message>
+        <source>Tablet: &amp;blank</source>
+        <translation>文字板：溝なし(&amp;B)</translation>
+    </message>
+    <message>
+        <source>No groove is shown</source>
+        <translation>溝を見せません</translation>
+    </message>
+    <message>
+        <source>Tablet: groo&amp;ve</source>
+        <translation>文字板：溝あり(&amp;V)</translation>
+    </message>
+    <message>
+        <source>The groove is shown</source>
+        <translation>溝を見せます</translation>
+    </message>
+    <message>
+        <source>Tablet: groove &amp;after each stroke</source>
+        <translation>文字板：書けた画から溝が現れる(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The groove of each stroke appears when it is written right</source>
+        <translation>正しく書けた画の溝が現れます</translation>
+    </message>
+    <message>
+        <source>L&amp;enient</source>
+        <translation>やさしく(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Judge leniently</source>
+        <translation>やさしく判定します</translation>
+    </message>
+    <message>
+        <source>N&amp;ormal</source>
+        <translation>ふつう(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Judge as a teacher does</source>
+        <translation>先生のように判定します</translation>
+    </message>
+    <message>
+        <source>St&amp;rict</source>
+        <translation>きびしく(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Judge strictly</source>
+        <translation>きびしく判定します</translation>
+    </message>
+    <message>
+        <source>Model o&amp;ver the writing</source>
+        <translation>手本を重ねる(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Lay the model over what is written</source>
+        <translation>書いた字に手本を重ねます</translation>
+    </message>
+    <message>
+        <source>Writing beside the &amp;model</source>
+        <translation>手本と並べる(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Show writing and model side by side, and replay both</source>
+        <translation>書いた字と手本を並べ、両方を再生します</translation>
+    </message>
+    <message>
+        <source>&amp;Practice</source>
+        <translation>練習(&amp;P)</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::Characters</name>
@@ -431,6 +643,75 @@
     <message>
         <source>%1 is on the desk. A .str file adds its strokes.</source>
         <translation>%1 を開きました。.str ファイルを開くと筆画が加わります。</translation>
+    </message>
+    <message>
+        <source>Write from memory</source>
+        <translation>覚えて書く</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::CompareView</name>
+    <message>
+        <source>Your writing beside the model</source>
+        <translation>書いた字と手本</translation>
+    </message>
+    <message>
+        <source>yours</source>
+        <translation>あなたの字</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>手本</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::DrawPanel</name>
+    <message>
+        <source>Draw to find</source>
+        <translation>書いて探す</translation>
+    </message>
+    <message>
+        <source>Enter takes the first, arrows choose. Ctrl+Z takes back a stroke, Delete clears, Esc closes.</source>
+        <translation>Enter で先頭の字を選び、矢印キーで選び直せます。Ctrl+Z で一画取り消し、Delete で消去、Esc で閉じます。</translation>
+    </message>
+    <message>
+        <source>Characters that look like it</source>
+        <translation>似ている字</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>取り消す</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>消す</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>The drawing could not be read: %1.</source>
+        <translation>書いた形を読み取れませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>Draw the character you look for. Order and direction do not matter much.</source>
+        <translation>探している字を書いてください。筆順や方向はあまり気にしなくてかまいません。</translation>
+    </message>
+    <message>
+        <source>%1 is likeliest. Enter takes it.</source>
+        <translation>「%1」がいちばん似ています。Enter で選びます。</translation>
+    </message>
+    <message>
+        <source>%1, number %2 of %3.</source>
+        <translation>%1（%3 字中 %2 番目）。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::DrawingPad</name>
+    <message>
+        <source>Draw the character here</source>
+        <translation>ここに字を書いてください</translation>
     </message>
 </context>
 <context>
@@ -487,6 +768,33 @@ Columns and rows:</source>
     <message>
         <source>Save as</source>
         <translation>名前を付けて保存</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::GuidedStage</name>
+    <message>
+        <source>All strokes are there, not all at their turn. Delete clears the tablet.</source>
+        <translation>全部の画が書けましたが、順番や向きが違う画がありました。Delete で消してもう一度書けます。</translation>
+    </message>
+    <message>
+        <source>Without a slip, and without help. F8 goes on to writing from memory.</source>
+        <translation>助けなしで間違いなく書けました。F8 で覚えて書く練習に進めます。</translation>
+    </message>
+    <message>
+        <source>Without a slip. There is less help now: write it again.</source>
+        <translation>間違いなく書けました。助けを減らします。もう一度書きましょう。</translation>
+    </message>
+    <message>
+        <source>Write each stroke from its number.</source>
+        <translation>番号のところから一画ずつ書きましょう。</translation>
+    </message>
+    <message>
+        <source>Follow the groove.</source>
+        <translation>溝に沿って書きましょう。</translation>
+    </message>
+    <message>
+        <source>%1 Without a slip so far: %2.</source>
+        <translation>%1これまで %2 回、間違いなく書けました。</translation>
     </message>
 </context>
 <context>
@@ -768,6 +1076,93 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::MemoryStage</name>
+    <message>
+        <source>The writing could not be judged: %1. It is kept.</source>
+        <translation>判定できませんでした：%1。書いた字はそのままです。</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet. H shows the first stroke.</source>
+        <translation>まだ何も書かれていません。H で最初の画を見せます。</translation>
+    </message>
+    <message>
+        <source>Every stroke is judged as it ends.</source>
+        <translation>一画ごとに判定します。</translation>
+    </message>
+    <message>
+        <source>The writing is judged at the end: press Enter.</source>
+        <translation>最後に判定します。Enter を押してください。</translation>
+    </message>
+    <message>
+        <source>Your writing beside the model. Space replays both.</source>
+        <translation>書いた字と手本を並べました。スペースキーで両方を再生します。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Write the character of %n strokes.</source>
+        <translation>
+            <numerusform>%n 画の字を書きましょう。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2 H gives a hint, Enter is done.</source>
+        <translation>%1：%2H でヒント、Enter で判定します。</translation>
+    </message>
+    <message>
+        <source>The tablet is full. Delete clears it.</source>
+        <translation>文字板がいっぱいです。Delete で消せます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes are written. Enter judges them.</source>
+        <translation>
+            <numerusform>%n 画書きました。Enter で判定します。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>That is no stroke of this character. Ctrl+Z takes it back.</source>
+        <translation>この字にない画です。Ctrl+Z で取り消せます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is right. Enter is done.</source>
+        <translation>%1画目は正しく書けました。Enter で判定します。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Stroke %1 is right. %n to go.</source>
+        <translation>
+            <numerusform>%1画目は正しく書けました。あと %n 画です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 %2 of 100 points.</source>
+        <translation>%1100 点中 %2 点です。</translation>
+    </message>
+    <message>
+        <source>%1 Ctrl+Z takes back a stroke, O shows the model.</source>
+        <translation>%1Ctrl+Z で一画取り消し、O で手本を重ねます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Taken back. %n strokes are written.</source>
+        <translation>
+            <numerusform>取り消しました。今は %n 画です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Every stroke is there. Enter is done.</source>
+        <translation>すべての画が書けています。Enter で判定します。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is shown in blue. H again shows all that are left.</source>
+        <translation>%1画目を青で示しました。もう一度 H を押すと残り全部を示します。</translation>
+    </message>
+    <message>
+        <source>All strokes that are left are shown in blue.</source>
+        <translation>残りの画をすべて青で示しました。</translation>
+    </message>
+    <message>
+        <source>This is how it is written. Delete clears the tablet to try again.</source>
+        <translation>こう書きます。Delete で消して、もう一度書けます。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::Program</name>
     <message>
         <source>Nazori cannot start: %1.</source>
@@ -951,6 +1346,125 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::StrokeWords</name>
+    <message>
+        <source>horizontal line</source>
+        <translation>横画</translation>
+    </message>
+    <message>
+        <source>vertical line</source>
+        <translation>縦画</translation>
+    </message>
+    <message>
+        <source>sweep to the left</source>
+        <translation>左払い</translation>
+    </message>
+    <message>
+        <source>sweep to the right</source>
+        <translation>右払い</translation>
+    </message>
+    <message>
+        <source>dot</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>rising stroke</source>
+        <translation>はね上げ</translation>
+    </message>
+    <message>
+        <source>horizontal line with a hook</source>
+        <translation>横画かぎ</translation>
+    </message>
+    <message>
+        <source>vertical line with a hook</source>
+        <translation>縦画はね</translation>
+    </message>
+    <message>
+        <source>horizontal line that turns down</source>
+        <translation>横折れ</translation>
+    </message>
+    <message>
+        <source>horizontal line that turns down, with a hook</source>
+        <translation>横折れはね</translation>
+    </message>
+    <message>
+        <source>vertical line that turns right</source>
+        <translation>縦折れ</translation>
+    </message>
+    <message>
+        <source>vertical line that bends right, with a hook</source>
+        <translation>縦曲がりはね</translation>
+    </message>
+    <message>
+        <source>vertical line with a rise</source>
+        <translation>縦はね上げ</translation>
+    </message>
+    <message>
+        <source>horizontal line that sweeps to the left</source>
+        <translation>横左払い</translation>
+    </message>
+    <message>
+        <source>curved line with a hook</source>
+        <translation>曲がりはね</translation>
+    </message>
+    <message>
+        <source>slanting line with a hook</source>
+        <translation>そりはね</translation>
+    </message>
+    <message>
+        <source>flat curve with a hook</source>
+        <translation>平そりはね</translation>
+    </message>
+    <message>
+        <source>horizontal line that bends, with a hook</source>
+        <translation>横曲がりはね</translation>
+    </message>
+    <message>
+        <source>horizontal line that turns down, then rises</source>
+        <translation>横折れはね上げ</translation>
+    </message>
+    <message>
+        <source>sweep to the left that turns right</source>
+        <translation>左払い折れ</translation>
+    </message>
+    <message>
+        <source>sweep to the left that turns to a dot</source>
+        <translation>左払い点</translation>
+    </message>
+    <message>
+        <source>line with three turns</source>
+        <translation>三つ折れ</translation>
+    </message>
+    <message>
+        <source>line with several turns and a hook</source>
+        <translation>折れ重なりはね</translation>
+    </message>
+    <message>
+        <source>line with two turns that sweeps to the left</source>
+        <translation>二つ折れ左払い</translation>
+    </message>
+    <message>
+        <source>line that turns and curves, with a hook</source>
+        <translation>横折れ曲がりはね</translation>
+    </message>
+    <message>
+        <source>It stops at the end.</source>
+        <translation>終わりは止めます。</translation>
+    </message>
+    <message>
+        <source>It stops, then kicks.</source>
+        <translation>止めてから、はねます。</translation>
+    </message>
+    <message>
+        <source>It is lifted while it moves, and thins out.</source>
+        <translation>動かしながら筆を上げ、払います。</translation>
+    </message>
+    <message>
+        <source>It may stop or thin out.</source>
+        <translation>止めても払ってもかまいません。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::ToolBar</name>
     <message>
         <source>How the tablet looks (Ctrl+1, 2, 3)</source>
@@ -963,6 +1477,43 @@ Columns and rows:</source>
     <message>
         <source>Tools</source>
         <translation>道具</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WatchStage</name>
+    <message>
+        <source>Space plays, Left and Right step from stroke to stroke.</source>
+        <translation>スペースキーで再生、左右の矢印キーで一画ずつ進みます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n strokes. Space plays them again; F6 goes on to tracing.</source>
+        <translation>
+            <numerusform>全 %n 画です。スペースキーでもう一度再生、F6 でなぞりに進みます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Speed %1.</source>
+        <translation>速さ %1 倍です。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2</source>
+        <translation>%1画目（全%2画）</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1：%2。%3</translation>
+    </message>
+    <message>
+        <source>no strokes</source>
+        <translation>筆画なし</translation>
+    </message>
+    <message>
+        <source>%1 of %2 · × %3</source>
+        <translation>%1 / %2 画 · × %3</translation>
     </message>
 </context>
 <context>

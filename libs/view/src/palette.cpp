@@ -104,7 +104,7 @@ constexpr WritingColours kOnDark{
     .unjudged = from_hex(0xF1E7D0),
     .right = from_hex(0xAFCB8E),
     .nearly = from_hex(0xEBBB62),
-    .wrong = from_hex(0xFF8F78),
+    .wrong = from_hex(0xFFA28F),
     .shown = from_hex(0x9FBBEE),
     .ground_of_sign = from_hex(0x26231F),
 };

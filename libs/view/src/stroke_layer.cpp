@@ -58,13 +58,14 @@ in vec2 place;
 flat in vec4 piece;
 uniform float half_width;
 uniform vec3 colour_of_line;
+uniform float opacity;
 out vec4 colour;
 void main() {
   vec2 way = piece.zw - piece.xy;
   float squared = dot(way, way);
   float t = squared > 0.0 ? clamp(dot(place - piece.xy, way) / squared, 0.0, 1.0) : 0.0;
   float cover = clamp(half_width + 0.5 - length(place - piece.xy - way * t), 0.0, 1.0);
-  colour = vec4(colour_of_line, cover);
+  colour = vec4(colour_of_line, cover * opacity);
 }
 )glsl";
 
@@ -91,6 +92,7 @@ constexpr const char* kHeadFragment = R"glsl(
 in vec2 place;
 uniform vec2 sizes;
 uniform vec3 colour_of_head;
+uniform float opacity;
 out vec4 colour;
 void main() {
   float grow = sizes.y / sizes.x;
@@ -99,7 +101,7 @@ void main() {
   float back = place.x - 1.0 + 0.28 * (1.0 - y / 0.445);
   float pixel = length(vec2(length(dFdx(place)), length(dFdy(place)))) * 0.7071;
   float outside = max(flank, back * 0.85) - grow;
-  colour = vec4(colour_of_head, clamp(0.5 - outside / pixel, 0.0, 1.0));
+  colour = vec4(colour_of_head, opacity * clamp(0.5 - outside / pixel, 0.0, 1.0));
 }
 )glsl";
 
@@ -203,21 +205,15 @@ void StrokeLayer::draw_heads(const Projection& projection, float size, float gro
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(head_count_));
 }
 
-void StrokeLayer::draw(const Projection& projection, const PixelBox& box, const Look& look,
-                       const StrokeChoice& choice, DrawStatistics& statistics) {
-  numbers_.clear();
-  if (anchors_.empty() || !choice.lines) return;
+void StrokeLayer::draw_ways(const Projection& projection, const Look& look, const StrokeChoice& choice) {
   const Palette& colours = palette(look.style, look.theme);
-  const glm::vec2 viewport(projection.width, projection.height);
-  glViewport(0, 0, projection.width, projection.height);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(box.x, box.y, box.width, box.height);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
-
+  const auto opacity = static_cast<float>(choice.lines_opacity);
+  head_.use();
+  head_.set("opacity", opacity);
   line_.use();
+  line_.set("opacity", opacity);
+  line_.set("viewport", glm::vec2(projection.width, projection.height));
   line_.set("clip_from_tablet", glm::mat4(projection.clip_from_tablet));
-  line_.set("viewport", viewport);
   line_.set("height", static_cast<float>(kAbovePlateau * shape_.depth_m));
   const int current = choice.current;
   const Colour stroke = current > 0 ? colours.current_stroke : colours.stroke;
@@ -226,17 +222,30 @@ void StrokeLayer::draw(const Projection& projection, const PixelBox& box, const 
     const auto half = static_cast<float>(kClassicHalfWidth * pixel);
     draw_lines(lines_array_, line_count_, half, stroke, current);
     if (choice.heads) draw_lines(classic_array_, classic_count_, half, stroke, current);
-  } else {
-    const double grow = std::sqrt(choice.text_scale) * pixel;
-    const auto half = static_cast<float>(kHalfWidth * grow);
-    const auto outline = static_cast<float>(kOutline * pixel);
-    const auto head = static_cast<float>(kHeadLength * grow);
-    draw_lines(lines_array_, line_count_, half + outline, colours.stroke_edge, current);
-    if (choice.heads) draw_heads(projection, head, outline, colours.stroke_edge, current);
-    line_.use();
-    draw_lines(lines_array_, line_count_, half, stroke, current);
-    if (choice.heads) draw_heads(projection, head, 0, stroke, current);
+    return;
   }
+  const double grow = std::sqrt(choice.text_scale) * pixel;
+  const auto half = static_cast<float>(kHalfWidth * grow);
+  const auto outline = static_cast<float>(kOutline * pixel);
+  const auto head = static_cast<float>(kHeadLength * grow);
+  draw_lines(lines_array_, line_count_, half + outline, colours.stroke_edge, current);
+  if (choice.heads) draw_heads(projection, head, outline, colours.stroke_edge, current);
+  line_.use();
+  draw_lines(lines_array_, line_count_, half, stroke, current);
+  if (choice.heads) draw_heads(projection, head, 0, stroke, current);
+}
+
+void StrokeLayer::draw(const Projection& projection, const PixelBox& box, const Look& look,
+                       const StrokeChoice& choice, DrawStatistics& statistics) {
+  numbers_.clear();
+  if (anchors_.empty() || !choice.lines) return;
+  glViewport(0, 0, projection.width, projection.height);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(box.x, box.y, box.width, box.height);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
+
+  if (choice.lines_opacity > 0) draw_ways(projection, look, choice);
   if (choice.numbers) draw_numbers(projection, look, choice, statistics);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);

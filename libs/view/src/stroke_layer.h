@@ -19,6 +19,7 @@ struct StrokeChoice {
   bool lines = false;
   bool heads = true;
   bool numbers = true;
+  double lines_opacity = 1;
   int current = 0;
   double scale = 1;  ///< device pixels per logical pixel
   double text_scale = 1;
@@ -44,6 +45,7 @@ class StrokeLayer {
 
  private:
   StrokeLayer(ShaderProgram line, ShaderProgram head, ShaderProgram disc);
+  void draw_ways(const Projection& projection, const Look& look, const StrokeChoice& choice);
   void draw_lines(const VertexArray& array, std::size_t count, float half_width, Colour colour, int current);
   void draw_heads(const Projection& projection, float size, float grow, Colour colour, int current);
   void draw_numbers(const Projection& projection, const Look& look, const StrokeChoice& choice,

@@ -146,6 +146,7 @@ void TabletView::Inside::update_picture(const Projection& projection, const Over
   choice.lines = overlay.strokes_visible;
   choice.heads = overlay.arrows_visible;
   choice.numbers = overlay.numbers_visible;
+  choice.lines_opacity = std::clamp(overlay.lines_opacity, 0.0, 1.0);
   choice.current =
       overlay.current_stroke >= 1 && overlay.current_stroke <= count ? overlay.current_stroke : 0;
   choice.scale = scale;

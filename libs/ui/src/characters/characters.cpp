@@ -2,13 +2,19 @@
 #include "characters/characters.h"
 
 #include <QFileInfo>
-#include <QWidgetAction>
+#include <QSettings>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "characters/character_actions.h"
+#include "characters/compare_view.h"
+#include "characters/draw_panel.h"
+#include "characters/guided_stage.h"
 #include "characters/information_panel.h"
 #include "characters/library_panel.h"
-#include "characters/stroke_counter.h"
+#include "characters/memory_stage.h"
+#include "characters/trace_stage.h"
+#include "characters/watch_stage.h"
 #include "desk.h"
 #include "error_text.h"
 #include "file_exchange.h"
@@ -16,16 +22,32 @@
 
 namespace nazori::ui {
 
+namespace {
+
+QWidget* stack_up(const char* name, QWidget* upper, QWidget* lower, QWidget* window) {
+  auto* side = new QWidget(window);
+  side->setObjectName(QString::fromLatin1(name));
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(upper);
+  column->addWidget(lower, 1);
+  upper->hide();
+  return side;
+}
+
+}  // namespace
+
 Characters::Characters(Desk& desk)
     : Workplace(desk),
       actions_(new CharacterActions(&desk.window())),
       library_panel_(new LibraryPanel(&desk.library(), &desk.window())),
       information_panel_(new InformationPanel(&desk.window())),
-      counter_(new StrokeCounter(desk.controller())),
+      compare_(new CompareView(&desk.window())),
+      draw_panel_(new DrawPanel(desk, &desk.window())),
+      left_side_(stack_up("left_side", draw_panel_, library_panel_, &desk.window())),
+      right_side_(stack_up("right_side", compare_, information_panel_, &desk.window())),
       files_(new FileExchange(&desk.workshop(), &desk.window())) {
-  auto* place = new QWidgetAction(this);
-  place->setDefaultWidget(counter_);
-  counter_place_ = place;
   const Preferences& preferences = desk.preferences();
   auto& controller = desk.controller();
   controller.set_strokes_visible(preferences.strokes_visible);
@@ -34,6 +56,24 @@ Characters::Characters(Desk& desk)
   controller.set_snapping(preferences.snapping);
   files_->set_folder(preferences.folder);
   library_panel_->show_list(preferences.list);
+
+  memory_ = new MemoryStage(desk, *actions_, compare_);
+  auto* trace = new TraceStage(desk, *actions_);
+  stages_ = {{QStringLiteral("watch"), actions_->watch, new WatchStage(desk, *actions_)},
+             {QStringLiteral("trace"), actions_->trace, trace},
+             {QStringLiteral("guided"), actions_->guided, new GuidedStage(desk, *actions_)},
+             {QStringLiteral("memory"), actions_->memory, memory_}};
+  QSettings settings(desk.settings_file(), QSettings::IniFormat);
+  settings.beginGroup(id());
+  memory_->load(settings);
+  const QString last = settings.value(QStringLiteral("stage")).toString();
+  stage_ = trace;
+  for (const auto& entry : stages_) {
+    entry.stage->setParent(this);
+    if (entry.id == last) stage_ = entry.stage;
+    connect(entry.action, &QAction::triggered, this, [this, stage = entry.stage] { enter_stage(stage); });
+    connect(entry.stage, &CharacterStage::hiding_changed, this, &Characters::show_hiding);
+  }
   connect_actions();
   connect_work();
 }
@@ -46,30 +86,26 @@ QString Characters::purpose() const { return tr("Carved characters to see, feel 
 Icon Characters::drawing() const { return Icon::strokes; }
 
 QString Characters::title() const {
+  if (stage_->hides_character()) return tr("Write from memory");
   return own_.tablet ? own_.name : tablet_ ? to_text(desk().preferences().kanji) : QString();
 }
 
 Workplace::Panel Characters::left() const {
-  return {library_panel_, tr("&List of characters"), tr("Show or fold away the list")};
+  return {left_side_, tr("&List of characters"), tr("Show or fold away the list")};
 }
 
 Workplace::Panel Characters::right() const {
-  return {information_panel_, tr("&Information"), tr("Show or fold away the information")};
+  return {right_side_, tr("&Information"), tr("Show or fold away the information")};
 }
 
 ActionSet* Characters::actions() const { return actions_; }
 
 QList<Tool> Characters::tools() const {
-  return {{actions_->previous_stroke},
-          {counter_place_},
-          {actions_->next_stroke},
-          {},
-          {actions_->strokes, true},
-          {actions_->numbers, true},
-          {actions_->arrows, true},
-          {actions_->snap, true},
-          {},
-          {actions_->clear_ink}};
+  QList<Tool> tools;
+  for (const auto& entry : stages_) tools.append({entry.action, true});
+  tools.append(Tool{});
+  tools.append(stage_->tools());
+  return tools;
 }
 
 QString Characters::tablet_description() const {
@@ -80,16 +116,55 @@ QString Characters::tablet_description() const {
 
 void Characters::enter() {
   entered_ = true;
-  if (tablet_) {
-    desk().controller().set_tablet(tablet_);
-    tell(StrokeTeller::invitation(desk().controller()));
-  } else if (path_.empty()) {
-    choose(desk().preferences().kanji, true);
-  }
-  show_state();
+  enter_stage(stage_);
+  if (!tablet_ && path_.empty()) choose(desk().preferences().kanji, true);
 }
 
-void Characters::leave() { entered_ = false; }
+void Characters::leave() {
+  stage_->leave();
+  desk().controller().set_guides({});
+  entered_ = false;
+}
+
+void Characters::enter_stage(CharacterStage* stage) {
+  stage_->leave();
+  stage_ = stage;
+  for (const auto& entry : stages_) {
+    for (auto* action : entry.stage->own_actions()) action->setEnabled(false);
+    if (entry.stage == stage) entry.action->setChecked(true);
+  }
+  for (auto* action : stage->own_actions()) action->setEnabled(true);
+  begin_lesson();
+  show_hiding();
+  emit tools_changed();
+  desk().save_later();
+}
+
+void Characters::begin_lesson() { stage_->enter({sheet_, tablet_}); }
+
+void Characters::show_hiding() {
+  const bool hidden = stage_->hides_character();
+  information_panel_->set_hidden_character(hidden);
+  library_panel_->set_current(hidden || !sheet_ ? 0 : sheet_->character.code_point);
+  emit title_changed();
+}
+
+void Characters::save(QSettings& settings) const {
+  for (const auto& entry : stages_)
+    if (entry.stage == stage_) settings.setValue(QStringLiteral("stage"), entry.id);
+  memory_->save(settings);
+}
+
+void Characters::open_drawing(bool open) {
+  if (open) desk().open_left_panel();
+  library_panel_->setVisible(!open);
+  draw_panel_->setVisible(open);
+  actions_->draw_to_find->setChecked(open);
+  if (open)
+    draw_panel_->begin();
+  else
+    desk().focus_tablet();
+}
 
 void Characters::take_appearance() { information_panel_->refresh(); }
 
@@ -105,16 +180,17 @@ void Characters::open_files(const QStringList& paths) { files_->open(paths, own_
 void Characters::ask_and_open() { files_->ask_and_open(own_); }
 
 void Characters::ask_and_save() {
-  const QString file_name = own_.tablet ? own_.name.section(QLatin1Char('.'), 0, 0) : title();
+  const QString file_name =
+      own_.tablet ? own_.name.section(QLatin1Char('.'), 0, 0) : to_text(desk().preferences().kanji);
   files_->ask_and_save(tablet_, own_, file_name);
 }
 
 void Characters::connect_actions() {
-  auto& controller = desk().controller();
   const auto on = [this](QAction* action, auto&& what) {
     connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
   };
   on(actions_->find, [this] {
+    if (actions_->draw_to_find->isChecked()) open_drawing(false);
     desk().open_left_panel();
     library_panel_->focus_search();
   });
@@ -126,33 +202,7 @@ void Characters::connect_actions() {
   });
   on(actions_->back, [this] { travel(-1); });
   on(actions_->forward, [this] { travel(+1); });
-
-  on(actions_->next_stroke, [this, &controller] {
-    controller.next_stroke();
-    tell(StrokeTeller::stroke_shown(controller));
-  });
-  on(actions_->previous_stroke, [this, &controller] {
-    controller.previous_stroke();
-    tell(StrokeTeller::stroke_shown(controller));
-  });
-  on(actions_->all_strokes, [this, &controller] {
-    controller.set_current_stroke(0);
-    tell(StrokeTeller::stroke_shown(controller));
-  });
-  on(actions_->strokes, [this, &controller](bool show) {
-    controller.set_strokes_visible(show);
-    tell(controller.snapping() ? StrokeTeller::snapping(controller) : StrokeTeller::invitation(controller));
-  });
-  on(actions_->numbers, [&controller](bool show) { controller.set_numbers_visible(show); });
-  on(actions_->arrows, [&controller](bool show) { controller.set_arrows_visible(show); });
-  on(actions_->snap, [this, &controller](bool hold) {
-    controller.set_snapping(hold);
-    tell(StrokeTeller::snapping(controller));
-  });
-  on(actions_->clear_ink, [this, &controller] {
-    controller.clear_ink();
-    tell(StrokeTeller::invitation(controller));
-  });
+  on(actions_->draw_to_find, [this](bool open) { open_drawing(open); });
 }
 
 void Characters::connect_work() {
@@ -185,38 +235,12 @@ void Characters::connect_work() {
   });
   connect(information_panel_, &InformationPanel::character_chosen, this,
           [this](char32_t code_point) { choose(code_point, true); });
-  auto& controller = desk().controller();
-  connect(&controller, &TabletController::state_changed, this, [this, &controller] {
-    if (!entered_) return;
-    Preferences& preferences = desk().preferences();
-    preferences.strokes_visible = controller.strokes_visible();
-    preferences.numbers_visible = controller.numbers_visible();
-    preferences.arrows_visible = controller.arrows_visible();
-    preferences.snapping = controller.snapping();
-    show_state();
-    desk().save_later();
+  connect(draw_panel_, &DrawPanel::closed, this, [this] { open_drawing(false); });
+  connect(draw_panel_, &DrawPanel::character_chosen, this, [this](char32_t code_point) {
+    open_drawing(false);
+    choose(code_point, true);
+    desk().close_drawers();
   });
-  connect(&controller, &TabletController::stroke_event, this,
-          [this, &controller](InkEvent event, int stroke) {
-            if (entered_) tell(StrokeTeller::about(event, stroke, controller));
-          });
-}
-
-void Characters::tell(const StrokeTeller::Sentence& sentence) { desk().say(sentence.kind, sentence.text); }
-
-void Characters::show_state() {
-  const auto& controller = desk().controller();
-  const std::pair<QAction*, bool> states[] = {
-      {actions_->strokes, controller.strokes_visible()},
-      {actions_->numbers, controller.numbers_visible()},
-      {actions_->arrows, controller.arrows_visible()},
-      {actions_->snap, controller.snapping()},
-  };
-  for (const auto& [action, checked] : states) action->setChecked(checked);
-  for (auto* action : {actions_->next_stroke, actions_->previous_stroke, actions_->all_strokes})
-    action->setEnabled(controller.stroke_count() > 0);
-  for (auto* action : {actions_->numbers, actions_->arrows}) action->setEnabled(controller.strokes_visible());
-  counter_->refresh();
 }
 
 void Characters::choose(char32_t code_point, bool remember) {
@@ -237,31 +261,36 @@ void Characters::travel(int by) {
 }
 
 void Characters::take_sheet(const std::shared_ptr<const CharacterSheet>& sheet) {
-  information_panel_->show_character(sheet);
-  library_panel_->set_current(sheet->character.code_point);
+  coming_ = sheet;
   desk().workshop().carve(sheet->character);
 }
 
 void Characters::take_tablet(char32_t code_point, const Tablet& tablet) {
+  if (!coming_ || coming_->character.code_point != code_point) return;
   own_ = {};
   tablet_ = tablet;
+  sheet_ = coming_;
   desk().preferences().kanji = code_point;
   desk().save_later();
-  emit title_changed();
-  if (!entered_) return;
-  desk().controller().set_tablet(tablet);
-  tell(StrokeTeller::invitation(desk().controller()));
-  emit desk().character_shown(code_point);
+  for (const auto& entry : stages_) entry.action->setEnabled(true);
+  information_panel_->show_character(sheet_);
+  if (entered_) begin_lesson();
+  show_hiding();
+  if (entered_) emit desk().character_shown(code_point);
 }
 
 void Characters::take_own(const OwnTablet& loaded) {
   own_ = loaded;
   tablet_ = own_.tablet;
-  if (!entered_) emit wants_to_be_entered();
-  desk().controller().set_tablet(tablet_);
+  sheet_ = nullptr;
+  emit wants_to_be_entered();
+  // What no dictionary knows can only be traced.
+  for (const auto& entry : stages_) entry.action->setEnabled(entry.action == actions_->trace);
+  for (const auto& entry : stages_)
+    if (entry.action == actions_->trace && entry.stage != stage_) enter_stage(entry.stage);
+  begin_lesson();
   information_panel_->show_own(own_.name, own_.map_size, desk().controller().stroke_count());
-  library_panel_->set_current(0);
-  emit title_changed();
+  show_hiding();
   desk().say(Feedback::good, own_.has_strokes
                                  ? tr("%1 is on the desk.").arg(own_.name)
                                  : tr("%1 is on the desk. A .str file adds its strokes.").arg(own_.name));

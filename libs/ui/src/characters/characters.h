@@ -5,17 +5,19 @@
 #include <memory>
 #include <vector>
 
-#include "characters/stroke_teller.h"
 #include "workplace.h"
 #include "workshop.h"
 
 namespace nazori::ui {
 
 class CharacterActions;
+class CharacterStage;
+class CompareView;
+class DrawPanel;
 class FileExchange;
 class InformationPanel;
 class LibraryPanel;
-class StrokeCounter;
+class MemoryStage;
 struct CharacterSheet;
 
 /// The workplace for characters: those to choose from on the left, all about the one on the desk on the
@@ -40,6 +42,7 @@ class Characters final : public Workplace {
   void enter() override;
   void leave() override;
   void take_appearance() override;
+  void save(QSettings& settings) const override;
 
   [[nodiscard]] bool opens(const QStringList& paths) const override;
   void open_files(const QStringList& paths) override;
@@ -55,17 +58,33 @@ class Characters final : public Workplace {
   void take_sheet(const std::shared_ptr<const CharacterSheet>& sheet);
   void take_tablet(char32_t code_point, const Tablet& tablet);
   void take_own(const OwnTablet& loaded);
-  void show_state();
-  void tell(const StrokeTeller::Sentence& sentence);
+  void enter_stage(CharacterStage* stage);
+  void begin_lesson();
+  void show_hiding();
+  void open_drawing(bool open);
 
   CharacterActions* actions_;
   LibraryPanel* library_panel_;
   InformationPanel* information_panel_;
-  StrokeCounter* counter_;
-  QAction* counter_place_;
+  CompareView* compare_;
+  DrawPanel* draw_panel_;
+  QWidget* left_side_;   ///< the list, or what is drawn to find
+  QWidget* right_side_;  ///< the comparison over the information
   FileExchange* files_;
+  /// In the order of their actions.
+  struct StageEntry {
+    QString id;
+    QAction* action;
+    CharacterStage* stage;
+  };
+  std::vector<StageEntry> stages_;
+  MemoryStage* memory_;
+  CharacterStage* stage_ = nullptr;
 
   bool entered_ = false;
+  std::shared_ptr<const CharacterSheet>
+      sheet_;  ///< of the character on the desk; null: a tablet of one's own
+  std::shared_ptr<const CharacterSheet> coming_;  ///< of the one being carved
   Tablet tablet_;               ///< what is on the desk here, kept while another workplace has the tablet
   OwnTablet own_;               ///< loaded from files; empty while a character is on the desk
   std::vector<char32_t> path_;  ///< characters visited

@@ -154,7 +154,7 @@ void InformationPanel::show_own(const QString& name, int map_size, int strokes) 
 
 void InformationPanel::rebuild() {
   content_->setUpdatesEnabled(false);
-  glyph_->setVisible(sheet_ != nullptr);
+  glyph_->setVisible(sheet_ != nullptr && !hides_character_);
   glyph_->show_character(sheet_);
   QFont large = font();
   large.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.2);
@@ -172,9 +172,11 @@ void InformationPanel::rebuild() {
   if (sheet_) {
     fill_facts();
     fill_readings();
-    fill_radical();
-    fill_parts();
-    fill_words();
+    if (!hides_character_) {
+      fill_radical();
+      fill_parts();
+      fill_words();
+    }
   } else {
     meanings_->clear();
     facts_->clear();
@@ -308,6 +310,12 @@ void InformationPanel::fill_words() {
     word_list_->addWidget(label);
   }
   words_.box->setVisible(!sheet_->words.empty());
+}
+
+void InformationPanel::set_hidden_character(bool hidden) {
+  if (hides_character_ == hidden) return;
+  hides_character_ = hidden;
+  refresh();
 }
 
 void InformationPanel::refresh() {

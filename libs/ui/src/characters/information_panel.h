@@ -26,6 +26,9 @@ class InformationPanel final : public QScrollArea {
   /// A tablet of the learner's own: its name, and how large it is.
   void show_own(const QString& name, int map_size, int strokes);
 
+  /// Keeps to meanings and readings, without the character itself, its parts and its words: it is to be
+  /// written from memory.
+  void set_hidden_character(bool hidden);
   /// Takes up other colours and another text size.
   void refresh();
 
@@ -52,6 +55,7 @@ class InformationPanel final : public QScrollArea {
   QLabel* add_label(FlowLayout* flow, const QString& text, double scale, bool textbook, bool muted = false);
 
   std::shared_ptr<const CharacterSheet> sheet_;
+  bool hides_character_ = false;
   QWidget* content_;
   QBoxLayout* head_;
   GlyphView* glyph_;

@@ -72,7 +72,9 @@ struct Overlay {
   bool strokes_visible = false;
   bool arrows_visible = true;   ///< arrowheads at the end of each segment's direction
   bool numbers_visible = true;  ///< a disc with the number at each stroke's start
-  int current_stroke = 0;       ///< 0: all strokes are drawn, n: only stroke n, as the current one
+  /// Of lines and arrowheads, 0..1; at 0 the numbers alone say where strokes start.
+  double lines_opacity = 1;
+  int current_stroke = 0;  ///< 0: all strokes are drawn, n: only stroke n, as the current one
   /// Part of each stroke's length that has been traced, 0..1; ink fills the groove so far. Missing entries
   /// count as 0.
   std::span<const double> ink;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <vector>
+
+#include "characters/stroke_player.h"
+#include "pen_recorder.h"
+#include "workshop.h"
+
+class QPainter;
+
+namespace nazori::ui {
+
+/// The learner's writing beside the model, and both written again at once: the learner's at its true speed,
+/// the model at a teacher's.
+class CompareView final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit CompareView(QWidget* parent = nullptr);
+
+  void show_writing(const std::vector<HandStroke>& strokes, const std::vector<view::Verdict>& verdicts,
+                    const Tablet& model);
+  void set_playing(bool playing);
+  /// Both as they were at a moment since the start [s].
+  void show_moment(double time_s);
+  /// When the longer of both is written [s].
+  [[nodiscard]] double duration_s() const;
+  /// How many points of the writing are seen.
+  [[nodiscard]] int points_shown() const;
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ signals:
+  void finished();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paint_own(QPainter& painter, const QRectF& box) const;
+  void paint_model(QPainter& painter, const QRectF& box) const;
+  [[nodiscard]] double own_duration_s() const;
+
+  std::vector<HandStroke> strokes_;
+  std::vector<view::Verdict> verdicts_;
+  Tablet model_;
+  StrokePlayer player_;
+  QTimer timer_;
+  QElapsedTimer since_;
+  double time_s_ = -1;  ///< below 0: all
+};
+
+}  // namespace nazori::ui

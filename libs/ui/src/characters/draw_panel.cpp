@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "characters/draw_panel.h"
+
+#include <QEvent>
+#include <QFontInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "characters/drawing_pad.h"
+#include "error_text.h"
+#include "kanji_text.h"
+
+namespace nazori::ui {
+
+DrawPanel::DrawPanel(Desk& desk, QWidget* parent)
+    : QWidget(parent),
+      desk_(desk),
+      pad_(new DrawingPad(this)),
+      candidates_(new QListWidget(this)),
+      words_(new QLabel(this)) {
+  setObjectName(QStringLiteral("draw_panel"));
+  setAttribute(Qt::WA_StyledBackground);
+  setAccessibleName(tr("Draw to find"));
+  words_->setObjectName(QStringLiteral("draw_words"));
+  words_->setWordWrap(true);
+  words_->setProperty("role", QStringLiteral("muted"));
+  words_->setText(
+      tr("Enter takes the first, arrows choose. Ctrl+Z takes back a stroke, Delete clears, Esc closes."));
+
+  candidates_->setObjectName(QStringLiteral("candidates"));
+  candidates_->setAccessibleName(tr("Characters that look like it"));
+  candidates_->setViewMode(QListView::IconMode);
+  candidates_->setFlow(QListView::LeftToRight);
+  candidates_->setMovement(QListView::Static);
+  candidates_->setResizeMode(QListView::Adjust);
+  candidates_->setUniformItemSizes(true);
+  candidates_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  candidates_->installEventFilter(this);
+  pad_->installEventFilter(this);
+
+  const auto button = [this](const QString& text, const char* name, auto&& what) {
+    auto* made = new QPushButton(text, this);
+    made->setObjectName(QString::fromLatin1(name));
+    connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
+    return made;
+  };
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  row->addWidget(button(tr("Undo"), "draw_undo", [this] { pad_->undo(); }));
+  row->addWidget(button(tr("Clear"), "draw_clear", [this] { pad_->clear(); }));
+  row->addStretch(1);
+  row->addWidget(button(tr("Close"), "draw_close", [this] { emit closed(); }));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 12, 6, 12);
+  column->setSpacing(8);
+  column->addWidget(pad_);
+  column->addLayout(row);
+  column->addWidget(candidates_, 1);
+  column->addWidget(words_);
+
+  connect(pad_, &DrawingPad::drawn, this, &DrawPanel::ask);
+  connect(candidates_, &QListWidget::itemClicked, this,
+          [this](QListWidgetItem* item) { choose(candidates_->row(item)); });
+  connect(&desk_.judge(), &WritingJudge::recognised, this,
+          [this](std::uint64_t ticket, const std::vector<writing::Candidate>& candidates) {
+            if (ticket == ticket_) show_candidates(candidates);
+          });
+  connect(&desk_.judge(), &WritingJudge::failed, this,
+          [this](std::uint64_t ticket, const base::Error& error) {
+            // A stroke of one point is no drawing yet.
+            if (ticket == ticket_ && error.code != base::Errc::bad_argument)
+              desk_.say(Feedback::wrong, tr("The drawing could not be read: %1.").arg(reason(error)));
+          });
+  fit();
+}
+
+void DrawPanel::begin() {
+  pad_->clear();
+  pad_->setFocus(Qt::OtherFocusReason);
+  desk_.say(Feedback::hint, tr("Draw the character you look for. Order and direction do not matter much."));
+}
+
+void DrawPanel::ask() {
+  writing::Ink ink = pad_->ink();
+  std::erase_if(ink.strokes, [](const writing::InkStroke& stroke) { return stroke.points.size() < 2; });
+  if (ink.strokes.empty()) {
+    ticket_ = 0;
+    candidates_->clear();
+    return;
+  }
+  ticket_ = desk_.judge().recognise(ink, kMostCandidates);
+}
+
+void DrawPanel::show_candidates(const std::vector<writing::Candidate>& candidates) {
+  const char32_t before = candidates_->currentItem() != nullptr && candidates_->currentRow() > 0
+                              ? static_cast<char32_t>(candidates_->currentItem()->data(Qt::UserRole).toUInt())
+                              : 0;
+  candidates_->clear();
+  const QFont font = textbook_font(QFontInfo(this->font()).pointSizeF() * 1.8);
+  int row = 0;
+  for (const auto& candidate : candidates) {
+    auto* item = new QListWidgetItem(to_text(candidate.character), candidates_);
+    item->setFont(font);
+    item->setTextAlignment(Qt::AlignCenter);
+    item->setData(Qt::UserRole, static_cast<uint>(candidate.character));
+    if (candidate.character == before) row = candidates_->count() - 1;
+  }
+  candidates_->setCurrentRow(row);
+  if (!candidates.empty())
+    desk_.say(Feedback::hint, tr("%1 is likeliest. Enter takes it.").arg(candidates_->item(0)->text()));
+}
+
+void DrawPanel::choose(int row) {
+  const auto* item = candidates_->item(row);
+  if (item == nullptr) return;
+  const auto chosen = static_cast<char32_t>(item->data(Qt::UserRole).toUInt());
+  emit character_chosen(chosen);
+}
+
+void DrawPanel::select(int by) {
+  if (candidates_->count() == 0) return;
+  candidates_->setCurrentRow(std::clamp(candidates_->currentRow() + by, 0, candidates_->count() - 1));
+  const auto* item = candidates_->currentItem();
+  desk_.say(Feedback::hint, tr("%1, number %2 of %3.")
+                                .arg(item->text())
+                                .arg(candidates_->currentRow() + 1)
+                                .arg(candidates_->count()));
+}
+
+bool DrawPanel::take_key(int key, Qt::KeyboardModifiers modifiers) {
+  const int columns =
+      std::max(candidates_->viewport()->width() / std::max(candidates_->gridSize().width(), 1), 1);
+  switch (key) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      choose(std::max(candidates_->currentRow(), 0));
+      return true;
+    case Qt::Key_Left:
+      select(-1);
+      return true;
+    case Qt::Key_Right:
+      select(+1);
+      return true;
+    case Qt::Key_Up:
+      select(-columns);
+      return true;
+    case Qt::Key_Down:
+      select(columns);
+      return true;
+    case Qt::Key_Delete:
+      pad_->clear();
+      return true;
+    case Qt::Key_Backspace:
+      pad_->undo();
+      return true;
+    case Qt::Key_Z:
+      if (!modifiers.testFlag(Qt::ControlModifier)) return false;
+      pad_->undo();
+      return true;
+    case Qt::Key_Escape:
+      emit closed();
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool DrawPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (take_key(key->key(), key->modifiers())) return true;
+  } else if (event->type() == QEvent::ShortcutOverride) {
+    // Here these keys belong to the drawing, whatever they mean elsewhere in the window.
+    const auto* key = static_cast<QKeyEvent*>(event);
+    switch (key->key()) {
+      case Qt::Key_Return:
+      case Qt::Key_Enter:
+      case Qt::Key_Left:
+      case Qt::Key_Right:
+      case Qt::Key_Up:
+      case Qt::Key_Down:
+      case Qt::Key_Delete:
+      case Qt::Key_Backspace:
+        if (key->modifiers() != Qt::NoModifier && key->modifiers() != Qt::KeypadModifier) break;
+        event->accept();
+        return true;
+      case Qt::Key_Z:
+        if (key->modifiers() != Qt::ControlModifier) break;
+        event->accept();
+        return true;
+      default:
+        break;
+    }
+  } else if (watched == pad_ && (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)) {
+    pad_->update();
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void DrawPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fit();
+}
+
+void DrawPanel::fit() {
+  const int side = QFontInfo(font()).pixelSize() * 3;
+  candidates_->setGridSize({side, side});
+}
+
+}  // namespace nazori::ui

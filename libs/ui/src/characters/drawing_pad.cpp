@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "characters/drawing_pad.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QTabletEvent>
+#include <algorithm>
+
+#include "palette.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr double kMousePressure = 0.6;
+constexpr double kStep = 0.004;  ///< of the pad's side: nearer points are left out
+
+}  // namespace
+
+DrawingPad::DrawingPad(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("drawing_pad"));
+  setAccessibleName(tr("Draw the character here"));
+  setCursor(Qt::CrossCursor);
+  setFocusPolicy(Qt::StrongFocus);
+  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+  ink_.box = writing::WritingBox{{0, 0}, 1};
+  clock_.start();
+}
+
+void DrawingPad::undo() {
+  if (ink_.strokes.empty()) return;
+  ink_.strokes.pop_back();
+  down_ = false;
+  update();
+  emit drawn();
+}
+
+void DrawingPad::clear() {
+  ink_.strokes.clear();
+  down_ = false;
+  update();
+  emit drawn();
+}
+
+void DrawingPad::add(QPointF at, double pressure) {
+  auto& stroke = ink_.strokes.back();
+  const double side = std::max(std::min(width(), height()), 1);
+  const writing::InkPoint point{at.x() / side, at.y() / side};
+  if (!stroke.points.empty() && geometry::distance(stroke.points.back(), point) < kStep) return;
+  stroke.points.push_back(point);
+  stroke.times_s.push_back(static_cast<double>(clock_.nsecsElapsed()) / 1e9);
+  stroke.pressures.push_back(pressure);
+  update();
+  emit drawn();
+}
+
+void DrawingPad::begin(QPointF at, double pressure) {
+  down_ = true;
+  ink_.strokes.emplace_back();
+  add(at, pressure);
+}
+
+void DrawingPad::go_on(QPointF at, double pressure) {
+  if (down_) add(at, pressure);
+}
+
+void DrawingPad::finish() {
+  if (!down_) return;
+  down_ = false;
+  // A tap without a way is no stroke.
+  if (ink_.strokes.back().points.size() < 2) ink_.strokes.pop_back();
+  update();
+  emit drawn();
+}
+
+void DrawingPad::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) begin(event->position(), kMousePressure);
+}
+
+void DrawingPad::mouseMoveEvent(QMouseEvent* event) { go_on(event->position(), kMousePressure); }
+
+void DrawingPad::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) finish();
+}
+
+void DrawingPad::tabletEvent(QTabletEvent* event) {
+  if (event->type() == QEvent::TabletPress) {
+    if (event->pointerType() == QPointingDevice::PointerType::Eraser)
+      undo();
+    else
+      begin(event->position(), event->pressure());
+  } else if (event->type() == QEvent::TabletRelease) {
+    finish();
+  } else {
+    go_on(event->position(), event->pressure());
+  }
+  event->accept();
+}
+
+void DrawingPad::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Colours& c = current_colours();
+  const double side = std::min(width(), height());
+  const QRectF box(1, 1, side - 2, side - 2);
+  painter.setPen(QPen(hasFocus() ? c.indigo : c.line, hasFocus() ? 2 : 1));
+  painter.setBrush(c.surface);
+  painter.drawRoundedRect(box, 8, 8);
+  painter.setPen(QPen(c.line, 1, Qt::DashLine));
+  painter.drawLine(QPointF(side / 2, 8), QPointF(side / 2, side - 8));
+  painter.drawLine(QPointF(8, side / 2), QPointF(side - 8, side / 2));
+  if (ink_.strokes.empty()) {
+    painter.setPen(c.muted);
+    painter.drawText(box.adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("Draw the character here"));
+  }
+  for (const auto& stroke : ink_.strokes)
+    for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+      painter.setPen(QPen(c.ink, side * (0.012 + 0.024 * stroke.pressures[i]), Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(QPointF(stroke.points[i - 1].x, stroke.points[i - 1].y) * side,
+                       QPointF(stroke.points[i].x, stroke.points[i].y) * side);
+    }
+}
+
+}  // namespace nazori::ui

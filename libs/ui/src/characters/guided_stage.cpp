@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "characters/guided_stage.h"
+
+#include <algorithm>
+#include <array>
+
+#include "characters/blank_tablet.h"
+#include "characters/stroke_teller.h"
+
+namespace nazori::ui {
+namespace {
+
+/// By the number of successes: how much of the lines is still seen, and how firmly strokes hold.
+constexpr std::array kLines{0.45, 0.2, 0.0, 0.0};
+constexpr std::array kHold{1.0, 0.6, 0.3, 0.0};
+
+double at_level(const std::array<double, 4>& help, int successes) {
+  return help[static_cast<std::size_t>(std::min(successes, 3))];
+}
+
+}  // namespace
+
+GuidedStage::GuidedStage(Desk& desk, CharacterActions& actions) : CharacterStage(desk, actions) {
+  actions.by_groove->setChecked(true);
+  for (auto* choice : {actions.by_groove, actions.by_starts})
+    connect(choice, &QAction::triggered, this, [this] {
+      lay_out();
+      invite();
+    });
+  connect(actions.clear_ink, &QAction::triggered, this, [this] {
+    if (!is_entered()) return;
+    clear();
+    invite();
+  });
+  connect(&controller(), &TabletController::stroke_event, this, [this](InkEvent event, int stroke) {
+    if (is_entered()) take(event, stroke);
+  });
+  connect(&controller(), &TabletController::pressed, this,
+          [this](geometry::TabletPoint at) { recorder_.press_at(at); });
+  connect(&controller(), &TabletController::sampled, this,
+          [this](std::span<const haptics::ServoSample> samples) {
+            if (is_entered() && this->actions().by_starts->isChecked()) take_samples(samples);
+          });
+}
+
+QList<QAction*> GuidedStage::own_actions() const {
+  return {actions().by_groove, actions().by_starts, actions().clear_ink};
+}
+
+QList<Tool> GuidedStage::tools() const {
+  return {{actions().by_groove, true}, {actions().by_starts, true}, {}, {actions().clear_ink}};
+}
+
+void GuidedStage::begin() {
+  const char32_t character = lesson().sheet ? lesson().sheet->character.code_point : 0;
+  if (character != character_ || character == 0) successes_ = 0;
+  character_ = character;
+  lay_out();
+  invite();
+}
+
+void GuidedStage::end() { controller().set_writing({}); }
+
+void GuidedStage::lay_out() {
+  const bool starts = actions().by_starts->isChecked();
+  TabletGuides guides;
+  guides.lines_opacity = at_level(kLines, successes_);
+  guides.numbers = starts || successes_ == 0;
+  guides.strokes = guides.numbers || guides.lines_opacity > 0;
+  guides.arrows = guides.lines_opacity > 0;
+  guides.snapping_strength = at_level(kHold, successes_);
+  guides.snapping = guides.snapping_strength > 0;
+  guides.traced = true;
+  controller().set_guides(guides);
+  if (!lesson().tablet)
+    controller().set_tablet(nullptr);
+  else
+    controller().set_tablet(starts ? blank_tablet(lesson().tablet->lines()) : lesson().tablet);
+  clear();
+}
+
+void GuidedStage::clear() {
+  controller().clear_ink();
+  recorder_.drop();
+  written_.clear();
+  controller().set_writing({});
+  slipped_ = false;
+}
+
+void GuidedStage::invite() {
+  QString sentence =
+      actions().by_starts->isChecked() ? tr("Write each stroke from its number.") : tr("Follow the groove.");
+  if (successes_ > 0) sentence = tr("%1 Without a slip so far: %2.").arg(sentence).arg(successes_);
+  desk().say(Feedback::hint, sentence);
+}
+
+void GuidedStage::take(InkEvent event, int stroke) {
+  slipped_ = slipped_ || event == InkEvent::too_early || event == InkEvent::from_the_end;
+  if (event == InkEvent::finished && controller().ink().next_stroke() == 0) {
+    if (slipped_) {
+      desk().say(Feedback::advice,
+                 tr("All strokes are there, not all at their turn. Delete clears the tablet."));
+      return;
+    }
+    ++successes_;
+    lay_out();
+    desk().say(Feedback::good,
+               successes_ > 2 ? tr("Without a slip, and without help. F8 goes on to writing from memory.")
+                              : tr("Without a slip. There is less help now: write it again."));
+    return;
+  }
+  const auto sentence = StrokeTeller::about(event, stroke, controller());
+  desk().say(sentence.kind, sentence.text);
+}
+
+void GuidedStage::take_samples(std::span<const haptics::ServoSample> samples) {
+  bool changed = false;
+  for (const auto& sample : samples) {
+    const auto event = recorder_.follow(sample);
+    changed = changed || event != PenRecorder::Event::none;
+    if (event == PenRecorder::Event::ended)
+      written_.push_back(to_written(recorder_.take(), view::Verdict::none));
+  }
+  if (!changed) return;
+  auto all = written_;
+  if (!recorder_.current().empty()) all.push_back(to_written(recorder_.current(), view::Verdict::none));
+  controller().set_writing(std::move(all));
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "characters/character_stage.h"
+#include "ink_tracker.h"
+#include "pen_recorder.h"
+
+namespace nazori::ui {
+
+/// Tracing with less and less help: only the groove, or only where strokes start. Strokes hold the stylus and
+/// lines are still faintly there; both fade each time the character was traced without a slip.
+class GuidedStage final : public CharacterStage {
+  Q_OBJECT
+ public:
+  GuidedStage(Desk& desk, CharacterActions& actions);
+  [[nodiscard]] QList<QAction*> own_actions() const override;
+  [[nodiscard]] QList<Tool> tools() const override;
+  /// How often this character was traced without a slip since it came to the desk.
+  [[nodiscard]] int successes() const { return successes_; }
+
+ protected:
+  void begin() override;
+  void end() override;
+
+ private:
+  void lay_out();
+  void clear();
+  void invite();
+  void take(InkEvent event, int stroke);
+  void take_samples(std::span<const haptics::ServoSample> samples);
+
+  PenRecorder recorder_;
+  std::vector<view::WrittenStroke> written_;
+  char32_t character_ = 0;
+  int successes_ = 0;
+  bool slipped_ = false;
+};
+
+}  // namespace nazori::ui

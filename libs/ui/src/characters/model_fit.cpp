@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "characters/model_fit.h"
+
+#include <algorithm>
+
+#include "nazori/geometry/polyline.h"
+
+namespace nazori::ui {
+namespace {
+
+using geometry::TabletFrame;
+using geometry::TabletPoint;
+using Line = geometry::Polyline<TabletFrame>;
+
+constexpr int kPoints = 17;
+constexpr double kLeastScale = 0.2;
+constexpr double kMostScale = 2;
+constexpr double kLineHalfWidth_m = 0.0007;
+
+Line evenly(const Line& line) {
+  Line out;
+  const double length_m = geometry::arc_length<TabletFrame>(line);
+  for (int i = 0; i < kPoints; ++i)
+    out.push_back(geometry::point_at<TabletFrame>(line, length_m * i / (kPoints - 1)));
+  return out;
+}
+
+Line line_of(const haptics::StrokePath& stroke) {
+  Line line;
+  for (const auto& p : stroke.points) line.push_back({p.x, p.y});
+  return line;
+}
+
+}  // namespace
+
+ModelFit fit_model(const std::vector<HandStroke>& written, const writing::Grade& grade,
+                   std::span<const haptics::StrokePath> model) {
+  Line from;
+  Line to;
+  for (std::size_t i = 0; i < written.size() && i < grade.strokes.size(); ++i) {
+    const auto& verdict = grade.strokes[i];
+    if (!verdict.matched || static_cast<std::size_t>(*verdict.matched) >= model.size() || written[i].empty())
+      continue;
+    Line hand;
+    for (const auto& point : written[i]) hand.push_back(point.at);
+    if (verdict.reversed) std::reverse(hand.begin(), hand.end());
+    const Line a = evenly(line_of(model[static_cast<std::size_t>(*verdict.matched)]));
+    const Line b = evenly(hand);
+    from.insert(from.end(), a.begin(), a.end());
+    to.insert(to.end(), b.begin(), b.end());
+  }
+  ModelFit fit;
+  if (from.empty()) return fit;
+  const auto mean = [](const Line& line) {
+    TabletPoint sum{0, 0};
+    for (const auto& p : line) sum = sum + p;
+    return TabletPoint{sum.x / static_cast<double>(line.size()), sum.y / static_cast<double>(line.size())};
+  };
+  const TabletPoint a = mean(from);
+  const TabletPoint b = mean(to);
+  double both = 0;
+  double alone = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const TabletPoint p = from[i] - a;
+    const TabletPoint q = to[i] - b;
+    both += p.x * q.x + p.y * q.y;
+    alone += p.x * p.x + p.y * p.y;
+  }
+  if (alone > 0) fit.scale = std::clamp(both / alone, kLeastScale, kMostScale);
+  fit.x_m = b.x - fit.scale * a.x;
+  fit.y_m = b.y - fit.scale * a.y;
+  return fit;
+}
+
+view::WrittenStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit, double opacity) {
+  view::WrittenStroke line;
+  line.verdict = view::Verdict::shown;
+  line.opacity = opacity;
+  for (const auto& p : line_of(stroke)) line.points.push_back({fit.apply(p), kLineHalfWidth_m});
+  return line;
+}
+
+std::vector<view::Verdict> verdicts(const writing::Grade& grade, std::size_t strokes) {
+  std::vector<view::Verdict> out(strokes, view::Verdict::none);
+  for (std::size_t i = 0; i < strokes && i < grade.strokes.size(); ++i)
+    out[i] = grade.strokes[i].ok ? view::Verdict::right : view::Verdict::wrong;
+  const auto mark = [&out](const writing::Fault& fault, view::Verdict verdict) {
+    if (fault.kind == writing::FaultKind::missing) return;
+    if (fault.stroke >= 0 && static_cast<std::size_t>(fault.stroke) < out.size())
+      out[static_cast<std::size_t>(fault.stroke)] = verdict;
+  };
+  for (const auto& advice : grade.advice) mark(advice, view::Verdict::nearly);
+  for (const auto& fault : grade.faults) mark(fault, view::Verdict::wrong);
+  return out;
+}
+
+std::vector<int> missing_strokes(const writing::Grade& grade, int model_strokes) {
+  std::vector<int> missing;
+  for (int n = 0; n < model_strokes; ++n) {
+    const bool there = std::any_of(grade.strokes.begin(), grade.strokes.end(),
+                                   [n](const writing::StrokeVerdict& v) { return v.matched == n; });
+    if (!there) missing.push_back(n);
+  }
+  return missing;
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "key_guard.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QKeyEvent>
+
+namespace nazori::ui {
+namespace {
+
+bool walks(int key) {
+  return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
+}
+
+bool takes(int key) { return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter; }
+
+bool works_with(const QObject* widget, int key) {
+  if (qobject_cast<const QAbstractItemView*>(widget) != nullptr ||
+      qobject_cast<const QComboBox*>(widget) != nullptr)
+    return walks(key) || takes(key);
+  return qobject_cast<const QAbstractButton*>(widget) != nullptr && key == Qt::Key_Space;
+}
+
+}  // namespace
+
+bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const auto modifiers = key->modifiers() & ~Qt::KeypadModifier;
+    if (modifiers == Qt::NoModifier && works_with(watched, key->key())) {
+      event->accept();
+      return true;
+    }
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pen_recorder.h"
+
+#include <algorithm>
+
+namespace nazori::ui {
+namespace {
+
+constexpr double kThinnest_m = 0.0004;
+constexpr double kWidest_m = 0.0020;
+constexpr double kArrived_m = 0.0008;
+constexpr double kTurnedAway_m = 0.0002;
+
+double length_m(const HandStroke& stroke) {
+  double sum_m = 0;
+  for (std::size_t i = 1; i < stroke.size(); ++i) sum_m += geometry::distance(stroke[i - 1].at, stroke[i].at);
+  return sum_m;
+}
+
+}  // namespace
+
+bool PenRecorder::is_on_its_way(geometry::TabletPoint at) {
+  if (!pressed_at_) return false;
+  const double away_m = geometry::distance(*pressed_at_, at);
+  // A quick hand has moved on before the stylus arrived: the stroke begins where it came nearest.
+  const bool arrived = away_m < kArrived_m || away_m > nearest_m_ + kTurnedAway_m;
+  nearest_m_ = std::min(nearest_m_, away_m);
+  if (!arrived) return true;
+  pressed_at_.reset();
+  nearest_m_ = kFar_m;
+  return false;
+}
+
+PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
+  if (!sample.touching) {
+    const bool ended = touching_ && !dropped_;
+    touching_ = false;
+    dropped_ = false;
+    if (ended) pressed_at_.reset();
+    nearest_m_ = kFar_m;
+    if (!ended) return Event::none;
+    ended_ = std::move(current_);
+    current_.clear();
+    if (length_m(ended_) >= kSlip_m) return Event::ended;
+    ended_.clear();
+    return Event::slip;
+  }
+  touching_ = true;
+  if (dropped_) return Event::none;
+  const geometry::TabletPoint at{sample.proxy_m.x, sample.proxy_m.y};
+  if (current_.empty() && is_on_its_way(at)) return Event::none;
+  const double pressure = std::clamp((sample.proxy_m.z - sample.device_m.z) / full_press_m_, 0.0, 1.0);
+  if (!current_.empty() && geometry::distance(current_.back().at, at) < kStep_m) {
+    // The pen rests: the width there is that of the firmest press.
+    current_.back().pressure = std::max(current_.back().pressure, pressure);
+    return Event::none;
+  }
+  current_.push_back({at, sample.time_s, pressure});
+  return Event::grew;
+}
+
+void PenRecorder::drop() {
+  current_.clear();
+  dropped_ = touching_;
+}
+
+writing::Ink to_ink(const std::vector<HandStroke>& strokes, const geometry::TabletShape& shape) {
+  writing::Ink ink;
+  for (const auto& stroke : strokes) {
+    auto& out = ink.strokes.emplace_back();
+    for (const auto& point : stroke) {
+      const auto glyph = geometry::tablet_to_glyph(point.at, shape);
+      out.points.push_back({glyph.x, glyph.y});
+      out.times_s.push_back(point.time_s);
+      out.pressures.push_back(point.pressure);
+    }
+  }
+  ink.box = writing::WritingBox{{0, 0}, geometry::kGlyphSide};
+  return ink;
+}
+
+double ink_half_width_m(double pressure) {
+  return kThinnest_m + (kWidest_m - kThinnest_m) * std::clamp(pressure, 0.0, 1.0);
+}
+
+view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict) {
+  view::WrittenStroke written;
+  written.verdict = verdict;
+  written.points.reserve(stroke.size());
+  for (const auto& point : stroke) written.points.push_back({point.at, ink_half_width_m(point.pressure)});
+  return written;
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "writing_judge.h"
+
+#include <optional>
+#include <utility>
+
+#include "nazori/kanji/kanji_database.h"
+#include "nazori/writing/model_library.h"
+
+namespace nazori::ui {
+
+struct WritingJudge::Books {
+  std::filesystem::path path;
+  std::optional<kanji::KanjiDatabase> database;
+  std::optional<writing::ModelLibrary> models;
+
+  base::Result<writing::Grade> grade(const JudgeRequest& request) {
+    if (!models) {
+      auto opened = kanji::KanjiDatabase::open(path);
+      if (!opened) return tl::unexpected(opened.error());
+      database.emplace(std::move(*opened));
+      models.emplace(*database);
+    }
+    const auto entry = models->find(request.character);
+    if (!entry) return tl::unexpected(entry.error());
+    writing::GradeOptions options;
+    options.strictness = request.strictness;
+    options.unfinished = !request.finished;
+    return request.finished
+               ? writing::grade(request.ink, (*entry)->model, options, (*entry)->lookalikes)
+               : writing::grade_live(request.ink, (*entry)->model, options, (*entry)->lookalikes);
+  }
+};
+
+struct WritingJudge::Reader {
+  std::filesystem::path path;
+  std::optional<writing::Recogniser> recogniser;
+
+  base::Result<std::vector<writing::Candidate>> read(const writing::Ink& ink, int limit) {
+    if (!recogniser) {
+      const auto database = kanji::KanjiDatabase::open(path);
+      if (!database) return tl::unexpected(database.error());
+      auto made = writing::Recogniser::make(*database);
+      if (!made) return tl::unexpected(made.error());
+      recogniser.emplace(std::move(*made));
+    }
+    writing::RecogniseOptions options;
+    options.limit = limit;
+    options.unfinished = true;
+    return recogniser->recognise(ink, options);
+  }
+};
+
+WritingJudge::WritingJudge(std::filesystem::path database, QObject* parent)
+    : QObject(parent), books_(std::make_shared<Books>()), reader_(std::make_shared<Reader>()) {
+  books_->path = database;
+  reader_->path = std::move(database);
+}
+
+WritingJudge::~WritingJudge() = default;
+
+std::uint64_t WritingJudge::judge(const JudgeRequest& request) {
+  const std::uint64_t ticket = ++newest_judgement_;
+  grader_.post([this, request, ticket, books = books_] {
+    if (ticket != newest_judgement_) return;
+    auto grade = books->grade(request);
+    grader_.answer([this, ticket, grade = std::move(grade)] {
+      if (ticket != newest_judgement_) return;
+      if (grade)
+        emit judged(ticket, *grade);
+      else
+        emit failed(ticket, grade.error());
+    });
+  });
+  return ticket;
+}
+
+std::uint64_t WritingJudge::recognise(const writing::Ink& ink, int limit) {
+  const std::uint64_t ticket = ++newest_recognition_;
+  recogniser_.post([this, ink, limit, ticket, reader = reader_] {
+    if (ticket != newest_recognition_) return;
+    auto candidates = reader->read(ink, limit);
+    recogniser_.answer([this, ticket, candidates = std::move(candidates)] {
+      if (ticket != newest_recognition_) return;
+      if (candidates)
+        emit recognised(ticket, *candidates);
+      else
+        emit failed(ticket, candidates.error());
+    });
+  });
+  return ticket;
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QListWidget>
+#include <QSettings>
+#include <QToolButton>
+#include <algorithm>
+
+#include "characters/character_actions.h"
+#include "characters/characters.h"
+#include "characters/compare_view.h"
+#include "desk.h"
+#include "nazori/geometry/polyline.h"
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+Desk* the_desk = nullptr;
+
+std::unique_ptr<Workplace> make_characters(Desk& desk) {
+  the_desk = &desk;
+  return std::make_unique<Characters>(desk);
+}
+
+using Points = std::vector<geometry::GlyphPoint>;
+
+class Stages : public WindowTest {
+ protected:
+  Stages() { workplaces_ = {make_characters}; }
+
+  /// The strokes of the character on the desk, as KanjiVG draws them.
+  std::vector<Points> model(char32_t character) {
+    const auto path = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
+    std::vector<Points> strokes;
+    for (const auto& line : kanji::KanjiDatabase::open(path)->find(character)->lines())
+      strokes.push_back(line.points);
+    return strokes;
+  }
+
+  /// The pen goes along a line on the tablet, at the pace of a hand.
+  void write(const Points& line) {
+    auto& controller = the_desk->controller();
+    const auto put = [&](geometry::GlyphPoint p, bool down) {
+      controller.move_stylus(geometry::glyph_to_tablet(p, {}), down);
+    };
+    put(line.front(), false);
+    QTest::qWait(60);
+    put(line.front(), true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().touching; }, 5000));
+    const double length = geometry::arc_length<geometry::GlyphFrame>(line);
+    for (double at = 0; at <= length; at += 1) {
+      put(geometry::point_at<geometry::GlyphFrame>(line, at), true);
+      QTest::qWait(3);
+    }
+    put(line.back(), true);
+    QTest::qWait(60);
+    put(line.back(), false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.latest().touching; }, 5000));
+    controller.pump();
+  }
+
+  bool says(const char* words) {
+    return QTest::qWaitFor([&] { return feedback().contains(QString::fromUtf8(words)); }, 10000);
+  }
+  std::vector<view::Verdict> seen_verdicts() {
+    std::vector<view::Verdict> out;
+    for (const auto& stroke : the_desk->controller().overlay().writing) out.push_back(stroke.verdict);
+    return out;
+  }
+};
+
+TEST_F(Stages, WritingRightFromMemoryIsToldStrokeByStrokeAndAccepted) {
+  show(U'十');
+  press(Qt::Key_F8);
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("Write from memory – Nazori"));
+  EXPECT_FALSE(find("glyph")->isVisible());
+  EXPECT_TRUE(feedback().contains(QStringLiteral("2 strokes"))) << feedback().toStdString();
+  const auto strokes = model(U'十');
+  write(strokes[0]);
+  EXPECT_TRUE(says("Stroke 1 is right. 1 to go.")) << feedback().toStdString();
+  EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::right}));
+  write(strokes[1]);
+  EXPECT_TRUE(says("of 100 points")) << feedback().toStdString();
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("十 – Nazori"));
+  EXPECT_TRUE(find("glyph")->isVisible());
+}
+
+TEST_F(Stages, AWrongStrokeIsMarkedExplainedAndKeptUntilItIsTakenBack) {
+  show(U'十');
+  press(Qt::Key_F8);
+  write({{90, 100}, {60, 60}, {95, 40}, {20, 20}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return seen_verdicts() == std::vector{view::Verdict::wrong}; }, 10000))
+      << feedback().toStdString();
+  EXPECT_FALSE(feedback().contains(QStringLiteral("Write the character")));
+  write(model(U'十')[0]);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return seen_verdicts().size() == 2; }, 5000));
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(seen_verdicts().size(), 1U);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(seen_verdicts().empty());
+  EXPECT_TRUE(feedback().contains(QStringLiteral("0 strokes")));
+}
+
+TEST_F(Stages, StrokesInTheWrongOrderAreNamedAtTheEnd) {
+  show(U'十');
+  press(Qt::Key_F8);
+  action("judge_each")->trigger();
+  const auto strokes = model(U'十');
+  write(strokes[1]);
+  EXPECT_TRUE(says("1 stroke is written")) << feedback().toStdString();
+  EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::none})) << "not judged before the end";
+  write(strokes[0]);
+  QTest::qWait(200);
+  press(Qt::Key_Return);
+  EXPECT_TRUE(says("before")) << feedback().toStdString();
+  const auto verdicts = seen_verdicts();
+  EXPECT_NE(std::find(verdicts.begin(), verdicts.end(), view::Verdict::wrong), verdicts.end());
+}
+
+TEST_F(Stages, AHintShowsOneStrokeASecondAllAndGivingUpEverything) {
+  show(U'休');
+  press(Qt::Key_F8);
+  press(Qt::Key_H);
+  EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::shown}));
+  press(Qt::Key_H);
+  EXPECT_EQ(seen_verdicts().size(), 6U);
+  EXPECT_FALSE(find("glyph")->isVisible());
+  press(Qt::Key_Delete);
+  EXPECT_TRUE(seen_verdicts().empty());
+  press(Qt::Key_G);
+  EXPECT_EQ(seen_verdicts().size(), 6U);
+  EXPECT_TRUE(find("glyph")->isVisible());
+}
+
+TEST_F(Stages, TheGrooveIsHiddenShownOrComesWithEachRightStroke) {
+  show(U'十');
+  press(Qt::Key_F8);
+  const auto carved = [] {
+    const auto& map = the_desk->controller().tablet()->height_map();
+    return *std::min_element(map.samples().begin(), map.samples().end()) < 0.5F;
+  };
+  EXPECT_FALSE(carved());
+  action("groove_shown")->trigger();
+  EXPECT_TRUE(carved());
+  EXPECT_TRUE(find("glyph")->isVisible()) << "what is carved is no secret";
+  action("groove_appears")->trigger();
+  EXPECT_FALSE(carved());
+  write(model(U'十')[0]);
+  EXPECT_TRUE(QTest::qWaitFor(carved, 20000)) << feedback().toStdString();
+}
+
+TEST_F(Stages, ComparingShowsTheModelOverTheWritingAndBothBesideEachOther) {
+  show(U'十');
+  press(Qt::Key_F8);
+  EXPECT_FALSE(action("compare_over")->isEnabled());
+  write(model(U'十')[0]);
+  ASSERT_TRUE(says("is right"));
+  press(Qt::Key_O);
+  EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::right, view::Verdict::shown, view::Verdict::shown}));
+  press(Qt::Key_B);
+  auto* compare = find<CompareView>("compare_view");
+  EXPECT_TRUE(compare->isVisible());
+  const int all = compare->points_shown();
+  EXPECT_GT(all, 20);
+  compare->show_moment(compare->duration_s() * 0.01);
+  EXPECT_LT(compare->points_shown(), all / 2);
+  compare->show_moment(compare->duration_s());
+  EXPECT_EQ(compare->points_shown(), all);
+}
+
+TEST_F(Stages, WatchingNamesTheStrokesAndStepsThroughThem) {
+  action("reduced_motion")->trigger();
+  press(Qt::Key_F5);
+  EXPECT_FALSE(action("play")->isChecked()) << "nothing moves unasked";
+  EXPECT_TRUE(feedback().contains(QStringLiteral("Space plays")));
+  press(Qt::Key_Right);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Stroke 1 of 6: sweep to the left.")))
+      << feedback().toStdString();
+  press(Qt::Key_Right);
+  press(Qt::Key_Right);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Stroke 2 of 6: vertical line. It stops")))
+      << feedback().toStdString();
+  const auto overlay = the_desk->controller().overlay();
+  ASSERT_EQ(overlay.ink.size(), 6U);
+  EXPECT_EQ(overlay.ink[1], 1);
+  EXPECT_EQ(overlay.ink[2], 0);
+  press(Qt::Key_Left);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Stroke 1 of 6"))) << feedback().toStdString();
+  press(Qt::Key_Space);
+  EXPECT_TRUE(action("play")->isChecked());
+  press(Qt::Key_Space);
+  EXPECT_FALSE(action("play")->isChecked());
+}
+
+TEST_F(Stages, GuidedShowsOnlyTheGrooveOrOnlyTheStartsAndHoldsTheStylus) {
+  press(Qt::Key_F7);
+  EXPECT_TRUE(the_desk->controller().snapping_in_effect());
+  EXPECT_LT(the_desk->controller().overlay().lines_opacity, 0.5);
+  action("by_starts")->trigger();
+  const auto& map = the_desk->controller().tablet()->height_map();
+  EXPECT_GT(*std::min_element(map.samples().begin(), map.samples().end()), 0.99F);
+  EXPECT_TRUE(the_desk->controller().overlay().numbers_visible);
+  press(Qt::Key_F6);
+  EXPECT_FALSE(the_desk->controller().snapping_in_effect()) << "the learner's own switch counts again";
+}
+
+TEST_F(Stages, KeysOfOneStageDoNothingInAnother) {
+  press(Qt::Key_F8);
+  press(Qt::Key_N);
+  EXPECT_TRUE(the_desk->controller().numbers_visible());
+  press(Qt::Key_F6);
+  press(Qt::Key_H);
+  EXPECT_FALSE(feedback().contains(QStringLiteral("blue")));
+  press(Qt::Key_N);
+  EXPECT_FALSE(the_desk->controller().numbers_visible());
+}
+
+TEST_F(Stages, SpaceOnAButtonPressesTheButton) {
+  press(Qt::Key_F5);
+  action("play")->setChecked(false);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  auto* loop = find<QToolButton>("tool_loop");
+  loop->setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(loop->hasFocus());
+  QTest::keyClick(loop, Qt::Key_Space);
+  EXPECT_TRUE(action("loop")->isChecked());
+}
+
+TEST_F(Stages, TheKeyboardStaysOnTheButtonThatChangesTheStage) {
+  auto* memory = find<QToolButton>("tool_memory");
+  memory->setFocus(Qt::TabFocusReason);
+  QTest::keyClick(memory, Qt::Key_Space);
+  EXPECT_TRUE(action("memory")->isChecked());
+  ASSERT_NE(window_->focusWidget(), nullptr);
+  EXPECT_EQ(window_->focusWidget()->objectName(), QStringLiteral("tool_memory"));
+}
+
+TEST_F(Stages, TheStageAndItsSettingsSurviveARestart) {
+  press(Qt::Key_F8);
+  action("groove_shown")->trigger();
+  action("lenient")->trigger();
+  window_->close();
+  open_window();
+  EXPECT_TRUE(action("memory")->isChecked());
+  EXPECT_TRUE(action("groove_shown")->isChecked());
+  EXPECT_TRUE(action("lenient")->isChecked());
+}
+
+class Drawing : public Stages {
+ protected:
+  void draw(const Points& line) {
+    auto* pad = find("drawing_pad");
+    const double side = std::min(pad->width(), pad->height());
+    const auto at = [side](geometry::GlyphPoint p) {
+      return QPoint(int(p.x / 109 * side), int(p.y / 109 * side));
+    };
+    QTest::mousePress(pad, Qt::LeftButton, {}, at(line.front()));
+    const double length = geometry::arc_length<geometry::GlyphFrame>(line);
+    for (double s = 2; s <= length; s += 2) {
+      QMouseEvent move(QEvent::MouseMove, at(geometry::point_at<geometry::GlyphFrame>(line, s)),
+                       QCursor::pos(), Qt::NoButton, Qt::LeftButton, {});
+      QCoreApplication::sendEvent(pad, &move);
+    }
+    QTest::mouseRelease(pad, Qt::LeftButton, {}, at(line.back()));
+  }
+  QListWidget* candidates() { return find<QListWidget>("candidates"); }
+};
+
+TEST_F(Drawing, ListsTheLikeliestWhileDrawingAndEnterTakesTheFirst) {
+  press(Qt::Key_D, Qt::ControlModifier);
+  ASSERT_TRUE(find("draw_panel")->isVisible());
+  EXPECT_FALSE(find("library_panel")->isVisible());
+  for (const auto& stroke : model(U'村')) draw(stroke);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return candidates()->count() > 0 && candidates()->item(0)->text() == QStringLiteral("村"); },
+      60000));
+  QSignalSpy shown(window_.get(), &MainWindow::character_shown);
+  QTest::keyClick(find("drawing_pad"), Qt::Key_Return);
+  ASSERT_TRUE(shown.wait(20000));
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("村 – Nazori"));
+  EXPECT_FALSE(find("draw_panel")->isVisible());
+  EXPECT_TRUE(find("library_panel")->isVisible());
+}
+
+TEST_F(Drawing, ArrowsChooseUndoAndDeleteTakeBackAndEscapeCloses) {
+  press(Qt::Key_D, Qt::ControlModifier);
+  auto* pad = find("drawing_pad");
+  for (const auto& stroke : model(U'木')) draw(stroke);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return candidates()->count() > 3; }, 60000));
+  QTest::keyClick(pad, Qt::Key_Right);
+  EXPECT_EQ(candidates()->currentRow(), 1);
+  QTest::keyClick(pad, Qt::Key_Left);
+  EXPECT_EQ(candidates()->currentRow(), 0);
+  QTest::keyClick(pad, Qt::Key_Delete);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return candidates()->count() == 0; }, 5000));
+  QTest::keyClick(pad, Qt::Key_Escape);
+  EXPECT_FALSE(find("draw_panel")->isVisible());
+  EXPECT_FALSE(action("draw_to_find")->isChecked());
+}
+
+}  // namespace
+}  // namespace nazori::ui
