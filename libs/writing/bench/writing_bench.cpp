@@ -26,7 +26,8 @@ Ink shaken(char32_t character) {
   std::mt19937 random(1);
   std::normal_distribution<double> deviate(0, 2.2);
   Ink ink;
-  for (const auto& s : database()->find(character)->strokes) {
+  const auto model = database()->find(character);
+  for (const auto& s : model->strokes) {
     auto& points = ink.strokes.emplace_back().points;
     const double dx = deviate(random);
     const double dy = deviate(random);

@@ -11,6 +11,7 @@
 #include "lookalike_contrast.h"
 #include "model_inside.h"
 #include "placement.h"
+#include "residue.h"
 #include "stroke_order_faults.h"
 
 namespace nazori::writing {
@@ -53,10 +54,10 @@ const std::vector<kanji::AlternativeOrder> kNoOrders;
 /// deviations, summed): in careful writing a stroke that is off is wrong; in hasty writing all are a little
 /// off.
 double allowance(double roughness, std::size_t count) {
-  constexpr double kUsual = 0.34;
-  constexpr double kUsualCount = 2;
+  constexpr double kUsual = 0.06;
+  constexpr double kUsualCount = 10.5;
   const double mean = (roughness + kUsualCount * kUsual) / (static_cast<double>(count) + kUsualCount);
-  return std::clamp(0.3 + 2 * mean, 0.6, 1.4);
+  return std::clamp(0.64 + 3 * mean, 0.5, 1.5);
 }
 
 /// Judges against one form.
@@ -92,7 +93,11 @@ class Judge {
     std::vector<Judgement> judgements;
     double roughness = 0;
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
-      judgements.push_back(judge(alignment_.links[k].difference, places[k]));
+      const auto& link = alignment_.links[k];
+      const auto left =
+          residue(transformed(drawn_[static_cast<std::size_t>(link.drawn)], alignment_.map),
+                  form_.shapes[static_cast<std::size_t>(link.model)], link.difference, places[k]);
+      judgements.push_back(judge(link.difference, places[k], left));
       roughness += std::sqrt(std::min(judgements.back().deviation, 1.0));
     }
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
@@ -205,8 +210,10 @@ class Judge {
   }
 
   void score() {
-    const auto count = static_cast<double>(std::max(drawn_.size(), form_.shapes.size()));
-    const auto links = std::max(1.0, static_cast<double>(alignment_.links.size()));
+    // Unfinished writing is scored as far as it goes; else what is missing has neither order nor shape.
+    const auto count = static_cast<double>(
+        options_.unfinished ? drawn_.size() : std::max(drawn_.size(), form_.shapes.size()));
+    const double found = std::min(static_cast<double>(alignment_.links.size()), count);
     double present = 0;
     double backwards = 0;
     for (const auto& f : grade_.faults) {
@@ -217,10 +224,10 @@ class Judge {
     }
     auto& p = grade_.parts;
     p.strokes = std::clamp(1 - present / count, 0.0, 1.0);
-    p.order = std::clamp(1 - static_cast<double>(out_of_turn_) / links, 0.0, 1.0);
-    p.direction = std::clamp(1 - backwards / links, 0.0, 1.0);
-    p.shape = std::clamp(1 - 0.7 * shape_sum_ / links, 0.0, 1.0);
-    p.place = std::clamp(1 - 0.7 * place_sum_ / links, 0.0, 1.0);
+    p.order = std::clamp((found - static_cast<double>(out_of_turn_)) / count, 0.0, 1.0);
+    p.direction = std::clamp((found - backwards) / count, 0.0, 1.0);
+    p.shape = std::clamp((found - 0.7 * shape_sum_) / count, 0.0, 1.0);
+    p.place = std::clamp((found - 0.7 * place_sum_) / count, 0.0, 1.0);
     grade_.score = static_cast<int>(
         std::lround(30 * p.strokes + 15 * p.order + 15 * p.direction + 25 * p.shape + 15 * p.place));
   }
@@ -298,15 +305,26 @@ base::Result<Grade> grade_live(const Ink& ink, const Model& model, const GradeOp
   auto beginning = options;
   beginning.unfinished = true;
   std::vector<Fault> faults;
+  std::vector<char> written(model.inside().main.shapes.size());
+  const auto note = [&written](int stroke) {
+    if (static_cast<std::size_t>(stroke) < written.size()) written[static_cast<std::size_t>(stroke)] = 1;
+  };
   for (std::size_t n = 1; n <= drawn.size(); ++n) {
     auto now = grade_shapes(drawn.first(n), p->box, model.inside(), beginning, {});
     last.strokes[n - 1] = now.strokes.back();
+    if (now.strokes.back().matched) note(*now.strokes.back().matched);
     for (auto& f : now.faults)
-      if (f.stroke == static_cast<int>(n) - 1 || f.second == static_cast<int>(n) - 1)
+      if (f.stroke == static_cast<int>(n) - 1 || f.second == static_cast<int>(n) - 1) {
+        if (f.kind == FaultKind::joined) std::for_each(f.model.begin(), f.model.end(), note);
         faults.push_back(std::move(f));
+      }
   }
+  if (!options.unfinished && !last.accepted)
+    for (std::size_t k = 0; k < written.size(); ++k)
+      if (written[k] == 0)
+        faults.push_back({FaultKind::missing, static_cast<int>(k), {}, {static_cast<int>(k)}});
   for (auto& f : last.faults)
-    if (f.kind == FaultKind::missing || f.kind == FaultKind::other) faults.push_back(std::move(f));
+    if (f.kind == FaultKind::other) faults.push_back(std::move(f));
   last.faults = std::move(faults);
   last.accepted = last.faults.empty();
   return last;

@@ -6,26 +6,34 @@
 
 namespace nazori::writing {
 
-// The weights are those of a logistic regression that tells strokes of real writing from strange strokes put
-// in their places, rounded; docs/writing.md names the data and the figures.
-Judgement judge(const StrokeDifference& d, const Placement& placement) {
+// The weights are those that tell strokes of real writing from strange strokes put in their places best,
+// rounded; docs/writing.md names the data and the figures.
+Judgement judge(const StrokeDifference& d, const Placement& placement, const Residue& residue) {
   constexpr double kLimit = 6.3;
   const double length = static_cast<double>(d.model_length);
-  // 1 for a dot, 0 for a long stroke: the direction of a dot varies more, and it hardly has a shape.
+  const double shortness = 1 / (length + 3);
+  // 1 for a dot, 0 for a long stroke: the place of a dot varies more.
   const double dot = std::exp(-(length / 17) * (length / 17));
   const auto squared = [](float x, float y) { return static_cast<double>(x * x + y * y); };
+  const auto square = [](double v) { return v * v; };
   const double place =
-      (1.1 * squared(d.offset_x, d.offset_y) + (1.1 - 0.75 * dot) * squared(placement.x, placement.y)) / 100;
+      (0.51 * squared(d.offset_x, d.offset_y) + (2.0 - 1.73 * dot) * squared(placement.x, placement.y)) / 100;
   // Quick dots fall steeper than the model's; hardly any is flatter.
-  const double steeper = std::clamp(static_cast<double>(d.steeper), -0.3, 0.3);
-  const double freedom = static_cast<double>(d.freedom) * (1 + 0.5 * dot * steeper);
-  const double size = static_cast<double>(d.shape) / (freedom * (1.45 + 0.058 * length));
-  const double proportion = static_cast<double>(d.proportion) / (0.1 * freedom);
+  const double steeper = std::clamp(static_cast<double>(d.steeper), -0.5, 0.5);
+  const double freedom = static_cast<double>(d.freedom) * (1 + 0.46 * dot * steeper);
+  const double proportion = static_cast<double>(d.proportion) / (freedom * (0.074 + 0.21 * shortness));
+  const double turn =
+      std::min(std::abs(static_cast<double>(residue.turn_rad)), 1.5) / (freedom * (1.44 + 4.0 * shortness));
+  const double bend = static_cast<double>(residue.bend) / (0.07 + 1.05 * shortness);
+  const double end = static_cast<double>(residue.nearer_end) / 10;
   // A dot may be as short as a touch.
   const double free_length = std::exp(-std::pow(length / 14, 4));
   const double stretch = std::min(std::abs(static_cast<double>(d.length_log)), 1.2);
-  const double size_part = 2.2 * size * size / 4 + 3.6 * (1 - free_length) * stretch * stretch;
-  const double shape_part = (4.0 * (1 - dot) + 2.3 * dot) * proportion * proportion / 4;
+  // Hardly a stroke somebody meant is half as long as it should be.
+  const double beyond = d.length_log < 0 ? std::max(stretch - 0.7, 0.0) : 0.0;
+  const double size_part =
+      (1 - free_length) * (3.0 * square(stretch) + 12.0 * square(beyond) * (1 - free_length));
+  const double shape_part = square(proportion) + square(turn) + square(bend) + 0.28 * square(end);
   Judgement j;
   j.place = place / kLimit;
   j.deviation = (place + size_part + shape_part) / kLimit;

@@ -3,6 +3,7 @@
 
 #include "nazori/writing/grade.h"
 #include "placement.h"
+#include "residue.h"
 #include "stroke_difference.h"
 
 namespace nazori::writing {
@@ -14,7 +15,8 @@ struct Judgement {
   Deviation most = Deviation::none;
 };
 
-[[nodiscard]] Judgement judge(const StrokeDifference& difference, const Placement& placement);
+[[nodiscard]] Judgement judge(const StrokeDifference& difference, const Placement& placement,
+                              const Residue& residue);
 
 /// The largest deviation that is accepted: 1 at normal strictness.
 [[nodiscard]] double deviation_limit(double strictness);

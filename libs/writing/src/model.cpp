@@ -13,6 +13,9 @@ namespace {
 /// Types with two readings ("㇔/㇑") may be drawn either way.
 constexpr float kFreedomOfTwoTypes = 1.6F;
 
+/// Kana, which have no types, come from running hands.
+constexpr float kFreedomOfUntyped = 1.12F;
+
 /// Slanting dots vary more in their slant than short bars and verticals do; the figures are those of real
 /// writing in docs/writing.md.
 float freedom_of_short_strokes(const Samples& model) {
@@ -40,6 +43,7 @@ base::Result<Form> make_form(const kanji::Character& character) {
     auto shape = make_shape<geometry::GlyphFrame>(stroke.line.points);
     const bool two_types = stroke.type.find('/') != std::string::npos;
     shape.freedom = two_types ? kFreedomOfTwoTypes : freedom_of_short_strokes(shape.whole);
+    if (stroke.type.empty()) shape.freedom *= kFreedomOfUntyped;
     // What the source does not call a kick is part of the stroke: the second leg of 糸's first stroke.
     if (stroke.line.ending == kanji::StrokeEnding::stop) shape.body.reset();
     form.shapes.push_back(shape);

@@ -82,6 +82,21 @@ void Samples::find_centre() {
   centre_y = std::accumulate(y.begin(), y.end(), 0.0F) / static_cast<float>(kSamples);
 }
 
+void Samples::smooth() {
+  const Samples raw = *this;
+  for (std::size_t k = 1; k + 1 < kSamples; ++k) {
+    x[k] = 0.25F * raw.x[k - 1] + 0.5F * raw.x[k] + 0.25F * raw.x[k + 1];
+    y[k] = 0.25F * raw.y[k - 1] + 0.5F * raw.y[k] + 0.25F * raw.y[k + 1];
+  }
+  length = 0;
+  for (std::size_t k = 1; k < kSamples; ++k) {
+    const float dx = x[k] - x[k - 1];
+    const float dy = y[k] - y[k - 1];
+    length += std::sqrt(dx * dx + dy * dy);
+  }
+  find_centre();
+}
+
 Samples transformed(const Samples& samples, const Affine& map) {
   Samples out;
   const auto a = static_cast<float>(map.a);
@@ -126,6 +141,11 @@ Shape make_shape(std::span<const double> xs, std::span<const double> ys) {
   if (const auto corner = kick_start(out.whole)) {
     out.body = line.part(0, *corner);
     out.kicked = true;
+  }
+  // After the corners were looked for; model and ink alike, so that rounded corners meet rounded corners.
+  for (int pass = 0; pass < 2; ++pass) {
+    out.whole.smooth();
+    if (out.body) out.body->smooth();
   }
   out.spread = spread_of(out.whole);
   return out;

@@ -23,6 +23,8 @@ struct Samples {
   float centre_y = 0;
 
   void find_centre();
+  /// Takes the shake out of a line: each sample but the ends moves half way to the mean of its neighbours.
+  void smooth();
 };
 
 /// A stroke ready to be compared: sampled at even steps, whole and without the kick at its end.

@@ -35,9 +35,14 @@ constexpr Spoilt kMostlyKick[] = {
 // Few strokes, and this one decides the proportions of the whole: the same is written by who writes it flat.
 constexpr Spoilt kProportions[] = {
     {U'こ', 1}, {U'ょ', 1}, {U'ア', 1}, {U'ア', 2}, {U'イ', 2}, {U'ァ', 1}, {U'ァ', 2}, {U'ィ', 2},
-    {U'T', 2}, {U'i', 1}, {U'j', 1}, {U'r', 1}, {U'人', 2}, {U'了', 1}, {U'了', 2}, {U'丁', 2},
+    {U'ハ', 2}, {U'八', 1}, {U'久', 3}, {U'L', 2}, {U'T', 2}, {U'i', 1}, {U'j', 1}, {U'r', 1}, {U'人', 2}, {U'了', 1}, {U'了', 2}, {U'丁', 2},
     {U'擦', 15}, {U'蔡', 12}, {U'⻏', 2}, {U'⻖', 2}, {U'亻', 2}, {U'冖', 1}, {U'冖', 2}, {U'厂', 1},
     {U'厂', 2}, {U'广', 3}, {U'禦', 15}, {U'阝', 2},
+};
+// Hardly longer than a dot: a quick hand writes them as a touch, like the dots of 代 and 心.
+constexpr Spoilt kHardlyMoreThanDots[] = {
+    {U'僚', 12}, {U'楢', 11}, {U'旄', 1}, {U'旙', 1}, {U'皰', 2}, {U'翦', 9}, {U'迺', 5}, {U'鮴', 6}, {U'パ', 1}, {U'小', 3},
+    {U'心', 4}, {U'志', 4}, {U'肯', 2}, {U'恣', 7}, {U'唸', 8}, {U'妁', 6}, {U'酖', 5}, {U'𠆢', 2},
 };
 // A comma is a speck: its tail tells no direction.
 constexpr Spoilt kSpecks[] = {{U',', 1}, {U';', 2}};
@@ -94,7 +99,8 @@ bool indistinguishable_shortened(const kanji::KanjiDatabase& database, const kan
   // The source has a form whose stroke is that much shorter: the inner bars of 日 that do not reach the
   // right.
   return shorter_in_a_variant(database, character, k) || listed(kMostlyKick, character.code_point, k) ||
-         listed(kProportions, character.code_point, k);
+         listed(kProportions, character.code_point, k) ||
+         listed(kHardlyMoreThanDots, character.code_point, k);
 }
 
 }  // namespace nazori::writing::test

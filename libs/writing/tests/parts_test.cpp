@@ -65,7 +65,9 @@ TEST(Fit, DoesNotTurnASingleBarIntoAVertical) {
 }
 
 TEST(Shape, SamplesAreEvenAndKeepTheEnds) {
-  const auto s = shape({0, 10, 10}, {0, 0, 13}).whole;
+  const std::vector<double> xs{0, 10, 10};
+  const std::vector<double> ys{0, 0, 13};
+  const auto s = sample_line(xs, ys);
   EXPECT_FLOAT_EQ(s.length, 23);
   for (std::size_t k = 0; k < kSamples; ++k) {
     const auto at = static_cast<float>(k);
