@@ -21,6 +21,7 @@ void add_plot(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);
 void add_grade(CLI::App& app, Action& chosen);
 void add_recognise(CLI::App& app, Action& chosen);
+void add_study(CLI::App& app, Action& chosen);
 void add_database(CLI::App& app, Action& chosen);
 
 }  // namespace nazori::cli
