@@ -17,7 +17,8 @@ TEST(Usage, HelpNamesEveryVerb) {
   const Outcome run = nazori_cli({"--help"});
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.err, "");
-  for (const char* verb : {"info", "search", "carve", "render", "plot", "demo", "feel", "record", "devices", "database"}) {
+  for (const char* verb : {"info", "search", "carve", "render", "plot", "demo", "feel", "record", "devices",
+                           "study", "database"}) {
     EXPECT_THAT(run.out, HasSubstr(verb));
   }
 }
@@ -37,7 +38,13 @@ TEST(Usage, EveryVerbDocumentsItselfWithAnExample) {
                                                     {"database"},
                                                     {"database", "build"},
                                                     {"database", "check"},
-                                                    {"database", "path"}};
+                                                    {"database", "path"},
+                                                    {"study"},
+                                                    {"study", "due"},
+                                                    {"study", "review"},
+                                                    {"study", "export"},
+                                                    {"study", "restore"},
+                                                    {"study", "replay"}};
   for (std::vector<std::string> verb : verbs) {
     const std::string name = verb.back();
     verb.emplace_back("--help");

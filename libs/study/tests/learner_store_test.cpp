@@ -210,7 +210,7 @@ void study_at_random(LearnerStore& store, MovedClock& clock, unsigned seed, int 
         break;
       case 5: {
         Settings settings = store.settings();
-        settings.fsrs.desired_retention = 0.8 + 0.01 * static_cast<double>(random() % 18);
+        settings.fsrs.desired_retention = 0.8 + 0.01 * static_cast<double>(random() % 17);
         settings.fsrs.weights[2] = 2 + 0.1 * static_cast<double>(random() % 9);
         settings.fuzz = random() % 2 == 0;
         settings.load_balance = random() % 2 == 0;

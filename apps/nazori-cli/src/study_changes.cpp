@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// study postpone, pause, resume, reset, leech, settings
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "nazori/base/file.h"
+#include "nazori/base/utf8.h"
+#include "study_session.h"
+
+namespace nazori::cli {
+namespace {
+
+using study::LearnerStore;
+
+constexpr std::size_t kMostSettingsBytes = 1 << 20;
+
+struct ChangeSettings {
+  StudyOptions options;
+  std::vector<std::string> characters;
+  int days = 1;
+};
+
+using Change = base::Result<void> (*)(LearnerStore&, std::span<const char32_t>, const ChangeSettings&);
+
+int change(Console& console, const ChangeSettings& settings, const char* word, Change apply) {
+  auto session = StudySession::open(settings.options, study::Access::write);
+  if (!session) return console.refuse(session.error());
+  const auto characters = session->characters(settings.characters);
+  if (!characters) return console.refuse(characters.error());
+  if (auto done = apply(session->learner(), *characters, settings); !done)
+    return console.refuse(done.error());
+  if (settings.options.json) {
+    Json cards = Json::array();
+    for (const char32_t one : *characters) {
+      cards.push_back(card_json(session->learner().card(one), session->learner()));
+    }
+    console.print(to_text(cards));
+  } else {
+    console.print(
+        fmt::format("{}: {} character{}\n", word, characters->size(), characters->size() == 1 ? "" : "s"));
+  }
+  return kDone;
+}
+
+int list_leeches(Console& console, const StudyOptions& options) {
+  auto learner = open_learner(options, study::Access::read);
+  if (!learner) return console.refuse(learner.error());
+  Json json = Json::array();
+  std::string lines;
+  for (const auto& [character, card] : learner->cards()) {
+    if (!card.leech) continue;
+    json.push_back(card_json(card, *learner));
+    lines += fmt::format("{}  forgotten {} times\n", base::encode_utf8(character), card.memory.lapses);
+  }
+  console.print(options.json ? to_text(json) : lines);
+  return json.empty() ? kNo : kDone;
+}
+
+void add_change(CLI::App& study, Action& chosen, const char* name, const char* description,
+                const char* footer, const char* word, Change apply, bool days = false) {
+  auto settings = std::make_shared<ChangeSettings>();
+  CLI::App* verb = add_study_verb(study, name, description, footer);
+  auto* characters = verb->add_option("characters", settings->characters,
+                                      "Characters, or lists: grade-1, list:NAME, tag:NAME");
+  const bool leech = std::string_view(name) == "leech";
+  if (!leech) characters->required();
+  if (days) {
+    verb->add_option("--days", settings->days, "Not before so many days from today")
+        ->check(CLI::Range(1, 3'650))
+        ->capture_default_str()
+        ->type_name("N");
+  }
+  add_learner_options(*verb, settings->options);
+  verb->add_option("--database", settings->options.database, "The kanji database to read")->type_name("FILE");
+  verb->callback([settings, &chosen, word, apply, leech] {
+    chosen = [=](Console& console) {
+      if (leech && settings->characters.empty()) return list_leeches(console, settings->options);
+      return change(console, *settings, word, apply);
+    };
+  });
+}
+
+struct SettingsSettings {
+  StudyOptions options;
+  std::string file;
+  std::string weights;
+  std::vector<std::string> changes;
+};
+
+/// The settings with "new_per_day=7" and the like put in.
+base::Result<study::Settings> changed_settings(const study::Settings& before, const SettingsSettings& asked) {
+  Json json = Json::parse(study::to_json(before));
+  for (const std::string& change : asked.changes) {
+    const std::size_t equals = change.find('=');
+    const std::string name = change.substr(0, equals);
+    if (equals == std::string::npos || !json.contains(name)) {
+      return base::fail(base::Errc::bad_argument, "is no setting", change,
+                        "give NAME=VALUE as nazori-cli study settings shows them");
+    }
+    const Json value = Json::parse(change.substr(equals + 1), nullptr, false);
+    json[name] = value.is_discarded() ? Json(change.substr(equals + 1)) : value;
+  }
+  auto settings = study::parse_settings(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  if (!settings) {
+    // The text was made here: its line says nothing to who called.
+    base::Error error = std::move(settings.error());
+    error.code = base::Errc::bad_argument;
+    if (const std::size_t comma = error.where.find(", "); comma != std::string::npos)
+      error.where.erase(0, comma + 2);
+    return tl::unexpected(std::move(error));
+  }
+  if (!asked.weights.empty()) {
+    const auto bytes = base::read_file(asked.weights, kMostSettingsBytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto weights = study::parse_weights({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    if (!weights) {
+      weights.error().where = asked.weights + ": " + weights.error().where;
+      return tl::unexpected(std::move(weights.error()));
+    }
+    settings->fsrs.weights = *weights;
+  }
+  return settings;
+}
+
+int settings(Console& console, const SettingsSettings& asked) {
+  const bool changes = !asked.changes.empty() || !asked.weights.empty();
+  auto learner = open_learner(asked.options, changes ? study::Access::write : study::Access::read);
+  if (!learner) return console.refuse(learner.error());
+  if (changes) {
+    const auto wanted = changed_settings(learner->settings(), asked);
+    if (!wanted) return console.refuse(wanted.error());
+    if (auto done = learner->change_settings(*wanted); !done) return console.refuse(done.error());
+  }
+  const Json json = Json::parse(study::to_json(learner->settings()));
+  if (asked.options.json) {
+    console.print(to_text(json));
+  } else {
+    for (const auto& [name, value] : json.items()) console.print(name + "=" + value.dump() + "\n");
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_study_changes(CLI::App& study, Action& chosen) {
+  using Characters = std::span<const char32_t>;
+  add_change(
+      study, chosen, "postpone", "Let characters come no earlier than some days from today",
+      "Example:\n  nazori-cli study postpone 休 --days 3", "postponed",
+      [](LearnerStore& store, Characters characters, const ChangeSettings& settings) {
+        return store.postpone(characters, store.today() + std::chrono::days(settings.days));
+      },
+      true);
+  add_change(study, chosen, "pause", "Let characters come no more until they are resumed",
+             "Example:\n  nazori-cli study pause list:rare", "paused",
+             [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
+               return store.pause(characters);
+             });
+  add_change(study, chosen, "resume", "Let paused characters come again",
+             "Example:\n  nazori-cli study resume 休", "resumed",
+             [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
+               return store.resume(characters);
+             });
+  add_change(study, chosen, "reset", "Make characters new again",
+             "The log keeps what was; undo takes it back.\n\nExample:\n  nazori-cli study reset grade-1",
+             "new again", [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
+               return store.reset(characters);
+             });
+  add_change(
+      study, chosen, "leech", "Name the characters set apart, or let some come again after their lesson",
+      "Exit code 1 where none is set apart.\n\nExamples:\n  nazori-cli study leech\n  nazori-cli study leech "
+      "鬱",
+      "come again", [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
+        return store.leech_met(characters);
+      });
+  auto asked = std::make_shared<SettingsSettings>();
+  CLI::App* verb = add_study_verb(study, "settings", "Show or change a learner's settings",
+                                  "Examples:\n  nazori-cli study settings\n"
+                                  "  nazori-cli study settings new_per_day=7 desired_retention=0.92\n"
+                                  "  nazori-cli study settings --weights weights.txt");
+  verb->add_option("changes", asked->changes, "NAME=VALUE");
+  verb->add_option("--weights", asked->weights, "Weights of FSRS: 21, 19 or 17 numbers, as Anki shows them")
+      ->type_name("FILE");
+  add_learner_options(*verb, asked->options);
+  verb->callback(
+      [asked, &chosen] { chosen = [asked](Console& console) { return settings(console, *asked); }; });
+}
+
+}  // namespace nazori::cli

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// study export, import, backup, restore, rebuild, replay
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "nazori/base/file.h"
+#include "nazori/study/backups.h"
+#include "nazori/study/exchange.h"
+#include "nazori/study/replay.h"
+#include "options.h"
+#include "output_files.h"
+#include "study_session.h"
+
+namespace nazori::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using study::Access;
+
+constexpr std::size_t kMostImportBytes = std::size_t{1} << 30;
+
+struct FileSettings {
+  StudyOptions options;
+  std::string file;
+  std::string output;
+  std::string deck = "Nazori";
+  std::vector<std::string> lists;
+  int words = 4;
+  bool list = false;
+  bool check = false;
+};
+
+std::string_view as_text(const std::vector<std::uint8_t>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+base::Result<std::vector<std::uint8_t>> anki(const FileSettings& settings, const base::Progress& progress) {
+  auto session = StudySession::open(settings.options, Access::read);
+  if (!session) return tl::unexpected(session.error());
+  std::vector<char32_t> characters;
+  if (settings.lists.empty()) {
+    for (const auto& [character, card] : session->learner().cards()) characters.push_back(character);
+    if (characters.empty()) {
+      return base::fail(base::Errc::not_found, "nothing studied yet", "Anki package",
+                        "name lists with --list");
+    }
+  } else {
+    auto named = session->characters(settings.lists);
+    if (!named) return tl::unexpected(named.error());
+    characters = *std::move(named);
+  }
+  return study::anki_package(session->database(), characters, {settings.deck, settings.words},
+                             session->learner().now(), progress);
+}
+
+int export_learner(Console& console, const FileSettings& settings) {
+  const auto file = output_file({"--output", settings.output, {".json", ".csv", ".apkg"}});
+  if (!file) return console.refuse(file.error());
+  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  base::Result<void> written;
+  if (has_extension(*file, ".apkg")) {
+    const auto bytes = anki(settings, progress.callback());
+    if (!bytes) return console.fail(bytes.error());
+    written = base::write_file(*file, *bytes);
+  } else {
+    const auto learner = open_learner(settings.options, Access::read);
+    if (!learner) return console.refuse(learner.error());
+    const auto text = has_extension(*file, ".csv") ? study::export_csv(*learner)
+                                                   : study::export_json(*learner, progress.callback());
+    if (!text) return console.fail(text.error());
+    written = base::write_file(*file, *text);
+  }
+  progress.clear();
+  if (!written) return console.refuse(written.error());
+  console.print(settings.options.json ? to_text({{"file", file->string()}}) : file->string() + "\n");
+  return kDone;
+}
+
+int import_learner(Console& console, const FileSettings& settings) {
+  const auto bytes = base::read_file(settings.file, kMostImportBytes);
+  if (!bytes) return console.refuse(bytes.error());
+  const auto clock = study_clock(settings.options);
+  if (!clock) return console.refuse(clock.error());
+  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  // Tried in memory first, so that a file that is refused leaves not even an empty profile.
+  auto trial = study::LearnerStore::in_memory(*clock);
+  auto done = trial ? study::import_json(*trial, as_text(*bytes)) : tl::unexpected(trial.error());
+  if (!done) {
+    done.error().where = settings.file + ": " + done.error().where;
+    return console.fail(done.error());
+  }
+  auto learner = open_learner(settings.options, Access::write);
+  if (!learner) return console.refuse(learner.error());
+  done = study::import_json(*learner, as_text(*bytes), progress.callback());
+  progress.clear();
+  if (!done) return console.fail(done.error());
+  console.print(
+      settings.options.json
+          ? to_text({{"entries", learner->last_entry()}, {"characters", learner->cards().size()}})
+          : fmt::format("{} entries, {} characters\n", learner->last_entry(), learner->cards().size()));
+  return kDone;
+}
+
+int backup(Console& console, const FileSettings& settings) {
+  const auto path = learner_path(settings.options);
+  if (!path) return console.refuse(path.error());
+  const auto learner = open_learner(settings.options, Access::read);
+  if (!learner) return console.refuse(learner.error());
+  if (learner->last_entry() == 0) {
+    return console.deny({base::Errc::not_found, "nothing studied yet", path->string(), ""});
+  }
+  fs::path file = settings.output;
+  if (settings.output.empty()) {
+    std::string stamp = study::to_text(learner->now()).substr(0, 19);
+    std::erase(stamp, ':');
+    file = study::backup_folder(*path) / ("own-" + stamp + "Z.db");
+    std::error_code ignored;
+    fs::create_directories(file.parent_path(), ignored);
+  }
+  if (auto done = learner->copy_to(file); !done) return console.refuse(done.error());
+  console.print(settings.options.json ? to_text({{"file", file.string()}}) : file.string() + "\n");
+  return kDone;
+}
+
+int restore(Console& console, const FileSettings& settings) {
+  const auto path = learner_path(settings.options);
+  if (!path) return console.refuse(path.error());
+  const auto backups = study::backups_of(*path);
+  if (settings.list) {
+    Json json = Json::array();
+    std::string lines;
+    for (const study::Backup& one : backups) {
+      json.push_back({{"file", one.file.string()}, {"bytes", one.bytes}, {"automatic", one.automatic}});
+      lines += fmt::format("{}  {} KiB\n", one.file.string(), one.bytes / 1024);
+    }
+    console.print(settings.options.json ? to_text(json) : lines);
+    return backups.empty() ? console.deny({base::Errc::not_found, "there is no backup", path->string(), ""})
+                           : kDone;
+  }
+  fs::path file = settings.file;
+  if (settings.file.empty()) {
+    for (const study::Backup& one : backups) {
+      if (one.automatic) {
+        file = one.file;
+        break;
+      }
+    }
+    if (file.empty()) return console.deny({base::Errc::not_found, "there is no backup", path->string(), ""});
+  }
+  const auto clock = study_clock(settings.options);
+  if (!clock) return console.refuse(clock.error());
+  const auto kept = study::restore_backup(file, *path, *clock);
+  if (!kept) return console.refuse(kept.error());
+  if (settings.options.json) {
+    console.print(to_text({{"restored", file.string()}, {"kept", kept->string()}}));
+  } else {
+    console.print(fmt::format("restored {}\n", file.string()));
+    if (!kept->empty()) console.print(fmt::format("what was there is kept as {}\n", kept->string()));
+  }
+  return kDone;
+}
+
+int rebuild(Console& console, const FileSettings& settings) {
+  auto learner = open_learner(settings.options, Access::write);
+  if (!learner) return console.refuse(learner.error());
+  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  const auto report = learner->rebuild(progress.callback());
+  progress.clear();
+  if (!report) return console.fail(report.error());
+  console.print(settings.options.json
+                    ? to_text({{"entries", report->entries},
+                               {"characters", report->cards},
+                               {"differences", report->differences}})
+                    : fmt::format("{} entries, {} characters, {} differed from what was kept\n",
+                                  report->entries, report->cards, report->differences));
+  return kDone;
+}
+
+int replay(Console& console, const FileSettings& settings) {
+  const auto bytes = base::read_file(settings.file, kMostImportBytes);
+  if (!bytes) return console.refuse(bytes.error());
+  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  auto replayed = study::replay_histories(as_text(*bytes), progress.callback());
+  progress.clear();
+  if (!replayed) {
+    replayed.error().where = settings.file + ": " + replayed.error().where;
+    return console.fail(replayed.error());
+  }
+  if (!settings.check) {
+    console.print(study::to_json(*replayed));
+    return kDone;
+  }
+  const auto found = study::compare_with_own_numbers(as_text(*bytes), *replayed);
+  if (!found) return console.refuse(found.error());
+  console.print(
+      fmt::format("{} steps; largest differences: stability {}, difficulty {}, retrievability {}, interval "
+                  "{} days, due {} s; {} other states\n",
+                  found->steps, found->stability, found->difficulty, found->retrievability,
+                  found->scheduled_days, found->due_s, found->states));
+  if (found->first.empty()) return kDone;
+  return console.deny({base::Errc::schema, "differs at the 8th decimal or in more", found->first, ""});
+}
+
+using Run = int (*)(Console&, const FileSettings&);
+
+CLI::App* add(CLI::App& study, Action& chosen, const char* name, const char* description, const char* footer,
+              const std::shared_ptr<FileSettings>& settings, Run run, bool learner = true) {
+  CLI::App* verb = add_study_verb(study, name, description, footer);
+  if (learner) add_learner_options(*verb, settings->options);
+  verb->callback([settings, &chosen, run] {
+    chosen = [settings, run](Console& console) { return run(console, *settings); };
+  });
+  return verb;
+}
+
+}  // namespace
+
+void add_study_files(CLI::App& study, Action& chosen) {
+  auto settings = std::make_shared<FileSettings>();
+  CLI::App* verb =
+      add(study, chosen, "export", "Write everything (.json), a table (.csv) or an Anki package (.apkg)",
+          "Examples:\n  nazori-cli study export --output me.json\n"
+          "  nazori-cli study export --output reviews.csv\n"
+          "  nazori-cli study export --output kanji.apkg --list grade-1 --deck 'Kanji::Grade 1'",
+          settings, export_learner);
+  verb->add_option("-o,--output", settings->output, "The file to write")->required()->type_name("FILE");
+  verb->add_option("--list", settings->lists,
+                   "For Anki: characters or lists; default is every character that was ever met")
+      ->type_name("LIST");
+  verb->add_option("--deck", settings->deck, "For Anki: name of the deck")
+      ->capture_default_str()
+      ->type_name("NAME");
+  verb->add_option("--words", settings->words, "For Anki: at most so many words to a character")
+      ->check(within(0, 20))
+      ->capture_default_str()
+      ->type_name("N");
+  verb->add_option("--database", settings->options.database, "The kanji database to read")->type_name("FILE");
+
+  settings = std::make_shared<FileSettings>();
+  verb = add(study, chosen, "import", "Fill an empty profile from an export in JSON",
+             "Example:\n  nazori-cli study import me.json --profile Mari", settings, import_learner);
+  verb->add_option("file", settings->file, "The export")->required()->type_name("FILE");
+
+  settings = std::make_shared<FileSettings>();
+  verb = add(study, chosen, "backup", "Make a backup now, besides the daily ones",
+             "Example:\n  nazori-cli study backup --output /media/stick/learner.db", settings, backup);
+  verb->add_option("-o,--output", settings->output, "The file to write (default: in the folder of backups)")
+      ->type_name("FILE");
+
+  settings = std::make_shared<FileSettings>();
+  verb = add(study, chosen, "restore", "Put a backup in the place of a learner's file",
+             "Without a file the newest daily backup is taken. What stood there is kept.\n\n"
+             "Examples:\n  nazori-cli study restore --list\n  nazori-cli study restore",
+             settings, restore);
+  verb->add_option("file", settings->file, "The backup")->type_name("FILE");
+  verb->add_flag("--list", settings->list, "Only name the backups there are, newest first");
+
+  settings = std::make_shared<FileSettings>();
+  add(study, chosen, "rebuild", "Work out every state anew from the log",
+      "Example:\n  nazori-cli study rebuild", settings, rebuild);
+
+  settings = std::make_shared<FileSettings>();
+  verb = add(study, chosen, "replay", "Schedule histories of reviews anew with FSRS-6",
+             "Prints the same form with its own numbers; with --check only how far they differ, and exit\n"
+             "code 1 where they do.\n\nExample:\n  nazori-cli study replay histories.json --check",
+             settings, replay, false);
+  verb->add_option("file", settings->file, "Histories in JSON (docs/file-formats.md)")
+      ->required()
+      ->type_name("FILE");
+  verb->add_flag("--check", settings->check, "Compare with the numbers in the file");
+}
+
+}  // namespace nazori::cli

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "nazori/base/utf8.h"
+#include "nazori/study/profiles.h"
+
+namespace nazori::cli {
+
+using study::LearnerStore;
+
+void add_learner_options(CLI::App& verb, StudyOptions& options) {
+  const std::string group = "Learner";
+  verb.add_option("--profile", options.profile, "Whose study; default is the profile 'learner'")
+      ->type_name("NAME")
+      ->group(group);
+  verb.add_option(
+          "--learners", options.learners,
+          "The folder of all profiles (default: NAZORI_LEARNERS, else nazori/learners in XDG_DATA_HOME)")
+      ->type_name("FOLDER")
+      ->group(group);
+  verb.add_option("--now", options.now, "Take this for the present: 2026-01-01T09:00Z or with +09:00")
+      ->type_name("TIME")
+      ->group(group);
+  verb.add_flag("--json", options.json, "Answer in JSON (see docs/command-line.md)");
+}
+
+CLI::App* add_study_verb(CLI::App& study, const char* name, const char* description, const char* footer) {
+  CLI::App* verb = study.add_subcommand(name, description);
+  verb->group("Verbs");
+  verb->footer(footer);
+  return verb;
+}
+
+base::Result<std::filesystem::path> learners_folder(const StudyOptions& options) {
+  if (!options.learners.empty()) return std::filesystem::path(options.learners);
+  return study::profiles_folder();
+}
+
+base::Result<std::filesystem::path> learner_path(const StudyOptions& options) {
+  const auto folder = learners_folder(options);
+  if (!folder) return tl::unexpected(folder.error());
+  return study::learner_file(
+      *folder, options.profile.empty() ? study::kDefaultProfile : std::string_view(options.profile));
+}
+
+base::Result<study::Clock> study_clock(const StudyOptions& options) {
+  if (options.now.empty()) return study::Clock(study::system_now);
+  const auto now = study::parse_time(options.now);
+  if (!now) return tl::unexpected(now.error());
+  return study::Clock([now = *now] { return now; });
+}
+
+base::Result<LearnerStore> open_learner(const StudyOptions& options, study::Access access) {
+  const auto path = learner_path(options);
+  if (!path) return tl::unexpected(path.error());
+  auto clock = study_clock(options);
+  if (!clock) return tl::unexpected(std::move(clock.error()));
+  return LearnerStore::open(*path, access, *std::move(clock));
+}
+
+StudySession::StudySession(LearnerStore learner, kanji::KanjiDatabase database)
+    : learner_(std::move(learner)),
+      database_(std::make_unique<kanji::KanjiDatabase>(std::move(database))),
+      lists_(std::make_unique<study::CharacterLists>(*database_)) {}
+
+base::Result<StudySession> StudySession::open(const StudyOptions& options, study::Access access) {
+  auto database = open_database(options.database);
+  if (!database) return tl::unexpected(std::move(database.error()));
+  auto learner = open_learner(options, access);
+  if (!learner) return tl::unexpected(std::move(learner.error()));
+  return StudySession(*std::move(learner), *std::move(database));
+}
+
+base::Result<study::DayPlan> StudySession::plan() {
+  return study::plan_day(learner_, lists_->in_learning_order(learner_.settings(), learner_));
+}
+
+base::Result<std::vector<char32_t>> StudySession::characters(const std::vector<std::string>& arguments) {
+  std::vector<char32_t> characters;
+  std::vector<std::string> named;
+  for (const std::string& argument : arguments) {
+    const auto ready = study::ready_lists();
+    const bool list =
+        argument.starts_with("list:") || argument.starts_with("tag:") ||
+        std::any_of(ready.begin(), ready.end(), [&](const auto& one) { return one.id == argument; });
+    if (!list) {
+      named.push_back(argument);
+      continue;
+    }
+    const auto members = lists_->members(argument, learner_);
+    if (!members) return tl::unexpected(members.error());
+    characters.insert(characters.end(), members->begin(), members->end());
+  }
+  if (!named.empty()) {
+    const auto names = parse_characters(named);
+    if (!names) return tl::unexpected(names.error());
+    std::vector<CharacterName> missing;
+    for (const CharacterName& name : *names) {
+      if (lists_->facts(name.code_point) == nullptr) missing.push_back(name);
+      characters.push_back(name.code_point);
+    }
+    if (!missing.empty()) return tl::unexpected(not_found(missing));
+  }
+  return characters;
+}
+
+std::string wait_text(const study::Card& card, study::Time now, study::Day today) {
+  if (card.due_day) {
+    const auto days = (*card.due_day - today).count();
+    if (days <= 0) return "today";
+    return days == 1 ? "in 1 day" : fmt::format("in {} days", days);
+  }
+  const auto minutes = std::chrono::ceil<std::chrono::minutes>(card.memory.due - now).count();
+  return minutes <= 0 ? "now" : fmt::format("in {} min", minutes);
+}
+
+std::string duration_text(std::chrono::milliseconds duration) {
+  const auto minutes = std::chrono::ceil<std::chrono::minutes>(duration).count();
+  if (minutes < 60) return fmt::format("{} min", minutes);
+  return fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
+Json card_json(const study::Card& card, const LearnerStore& learner) {
+  const study::Memory& memory = card.memory;
+  const auto day = [](const std::optional<study::Day>& one) {
+    return one ? Json(study::to_text(*one)) : Json();
+  };
+  const auto fsrs = study::Fsrs::create(learner.settings().fsrs);
+  return {{"character", base::encode_utf8(card.character)},
+          {"state", study::name_of(memory.phase)},
+          {"stability", memory.stability},
+          {"difficulty", memory.difficulty},
+          {"retrievability", fsrs ? study::retrievability_now(card, *fsrs, learner.today()) : 0},
+          {"scheduled_days", memory.scheduled_days},
+          {"due", memory.phase == study::Phase::fresh ? Json() : Json(study::to_text(memory.due))},
+          {"due_day", day(card.due_day)},
+          {"reps", memory.reps},
+          {"lapses", memory.lapses},
+          {"introduced", day(card.introduced)},
+          {"postponed_until", day(card.postponed_until)},
+          {"paused", card.paused},
+          {"leech", card.leech},
+          {"next_stage", study::name_of(card.next_stage)},
+          {"help", card.help}};
+}
+
+Json task_json(const study::StudyTask& task) {
+  constexpr std::array<const char*, 3> kKinds{"step", "review", "new"};
+  return {{"character", base::encode_utf8(task.character)},
+          {"kind", kKinds[static_cast<std::size_t>(task.kind)]},
+          {"stage", study::name_of(task.stage)},
+          {"due", study::to_text(task.due)},
+          {"retrievability", task.retrievability}};
+}
+
+void add_study(CLI::App& app, Action& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("study", "Learn characters by spaced repetition: due, review, statistics");
+  verb->group("Verbs");
+  verb->require_subcommand(1);
+  verb->footer(
+      "Examples:\n  nazori-cli study due\n  nazori-cli study review 休 --rating good\n"
+      "  nazori-cli study export --output me.json");
+  add_study_day(*verb, chosen);
+  add_study_review(*verb, chosen);
+  add_study_changes(*verb, chosen);
+  add_study_stats(*verb, chosen);
+  add_study_lists(*verb, chosen);
+  add_study_files(*verb, chosen);
+}
+
+}  // namespace nazori::cli

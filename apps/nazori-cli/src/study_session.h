@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "character_json.h"
+#include "characters.h"
+#include "console.h"
+#include "nazori/study/character_lists.h"
+#include "nazori/study/day_plan.h"
+#include "nazori/study/learner_store.h"
+#include "verbs.h"
+
+namespace nazori::cli {
+
+/// What every verb of `study` may be given.
+struct StudyOptions {
+  std::string profile;
+  std::string learners;
+  std::string now;
+  std::string database;
+  bool json = false;
+};
+
+/// --profile, --learners, --now, --json.
+void add_learner_options(CLI::App& verb, StudyOptions& options);
+
+/// A new verb of `study`. @param footer  of its help.
+[[nodiscard]] CLI::App* add_study_verb(CLI::App& study, const char* name, const char* description,
+                                       const char* footer);
+
+/// Where the files of learners are, and the learner that is meant.
+[[nodiscard]] base::Result<std::filesystem::path> learners_folder(const StudyOptions& options);
+[[nodiscard]] base::Result<std::filesystem::path> learner_path(const StudyOptions& options);
+/// The computer's clock, or one that stands at --now.
+[[nodiscard]] base::Result<study::Clock> study_clock(const StudyOptions& options);
+[[nodiscard]] base::Result<study::LearnerStore> open_learner(const StudyOptions& options,
+                                                             study::Access access);
+
+/// A learner with the kanji database, for what needs both.
+class StudySession {
+ public:
+  [[nodiscard]] static base::Result<StudySession> open(const StudyOptions& options, study::Access access);
+  [[nodiscard]] study::LearnerStore& learner() { return learner_; }
+  [[nodiscard]] const kanji::KanjiDatabase& database() const { return *database_; }
+  [[nodiscard]] study::CharacterLists& lists() { return *lists_; }
+  [[nodiscard]] base::Result<study::DayPlan> plan();
+  /// The characters that arguments name: characters, or a list as "list:NAME", "grade-1" and so on. All must
+  /// be drawn.
+  [[nodiscard]] base::Result<std::vector<char32_t>> characters(const std::vector<std::string>& arguments);
+
+ private:
+  StudySession(study::LearnerStore learner, kanji::KanjiDatabase database);
+  study::LearnerStore learner_;
+  std::unique_ptr<kanji::KanjiDatabase> database_;
+  std::unique_ptr<study::CharacterLists> lists_;
+};
+
+/// "in 10 min", "in 4 days", for people.
+[[nodiscard]] std::string wait_text(const study::Card& card, study::Time now, study::Day today);
+/// "6 min", "1 h 20 min".
+[[nodiscard]] std::string duration_text(std::chrono::milliseconds duration);
+/// A card as docs/command-line.md has it.
+[[nodiscard]] Json card_json(const study::Card& card, const study::LearnerStore& learner);
+[[nodiscard]] Json task_json(const study::StudyTask& task);
+
+// The verbs of `study`, each group in a file of its own.
+void add_study_day(CLI::App& study, Action& chosen);      ///< due, next
+void add_study_review(CLI::App& study, Action& chosen);   ///< review, undo
+void add_study_changes(CLI::App& study, Action& chosen);  ///< postpone, pause, resume, reset, leech, settings
+void add_study_stats(CLI::App& study, Action& chosen);    ///< stats, workload
+void add_study_lists(CLI::App& study, Action& chosen);    ///< lists, profiles
+void add_study_files(CLI::App& study, Action& chosen);  ///< export, import, backup, restore, rebuild, replay
+
+}  // namespace nazori::cli

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace nazori::cli::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A learner of the test's own, with a clock that it moves.
+class Study : public testing::Test {
+ protected:
+  Outcome study(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
+    arguments.insert(arguments.begin(), "study");
+    for (const char* part : {"--learners", (folder_ / "learners").c_str(), "--now", now.c_str()}) {
+      arguments.emplace_back(part);
+    }
+    return nazori_cli(arguments, {"TZ=UTC"});
+  }
+  json answer(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
+    arguments.emplace_back("--json");
+    const Outcome run = study(std::move(arguments), now);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return json::parse(run.out, nullptr, false);
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Study, AWeekIsActedOutWithAMovedClock) {
+  EXPECT_EQ(answer({"due"})["new"], 5);
+  for (int i = 0; i < 5; ++i) {
+    const json next = answer({"next"});
+    EXPECT_EQ(next["kind"], "new");
+    const std::string character = next["character"];
+    EXPECT_EQ(answer({"review", character, "--rating", "easy", "--seconds", "20"})["due_day"], "2026-01-09");
+  }
+  EXPECT_EQ(answer({"due"})["new"], 0);
+  EXPECT_EQ(study({"next"}).code, 1);
+  const std::string later = "2026-01-09T09:00:00Z";
+  EXPECT_EQ(answer({"due"}, later)["reviews"], 5);
+  EXPECT_EQ(answer({"due"}, later)["new"], 5);
+  const std::string character = answer({"next"}, later)["character"];
+  EXPECT_EQ(answer({"review", character, "--score", "95"}, later)["rating"], "good");
+  EXPECT_EQ(answer({"due"}, later)["reviews"], 4);
+  EXPECT_EQ(answer({"undo"}, later)[0]["characters"], character);
+  EXPECT_EQ(answer({"due"}, later)["reviews"], 5);
+  const json statistics = answer({"stats"}, later);
+  EXPECT_EQ(statistics["reviews"], 5);
+  EXPECT_EQ(statistics["forecast"].size(), 30U);
+  EXPECT_EQ(answer({"rebuild"}, later)["differences"], 0);
+}
+
+TEST_F(Study, TheRatingFollowsFromTheWriting) {
+  EXPECT_EQ(answer({"review", "休", "--score", "72", "--fault", "wrong:3"})["rating"], "hard");
+  EXPECT_EQ(answer({"review", "休", "--rejected"})["rating"], "again");
+  EXPECT_EQ(answer({"review", "休", "--stage", "trace"})["next_stage"], "guided");
+}
+
+TEST_F(Study, ExportAndImportAreExact) {
+  (void)answer({"review", "休", "--rating", "good"});
+  const std::string file = folder_ / "me.json";
+  EXPECT_EQ(study({"export", "--output", file}).code, 0);
+  EXPECT_EQ(study({"import", file, "--profile", "Mari"}).code, 0);
+  const std::string again = folder_ / "again.json";
+  EXPECT_EQ(study({"export", "--output", again, "--profile", "Mari"}).code, 0);
+  EXPECT_EQ(bytes_of(file), bytes_of(again));
+  expect_one_line(study({"import", file, "--profile", "Mari"}), 2, {"not empty"});
+  write(file, "{\"format\": \"nazori-learner\", \"version\": 1,\n\"entries\": [{}]}");
+  expect_one_line(study({"import", file, "--profile", "Ken"}), 2, {"line 2", "missing"});
+  EXPECT_EQ(json::parse(study({"profiles", "--json"}).out), json::array({"Mari", "learner"}));
+  EXPECT_EQ(study({"export", "--output", folder_ / "t.csv"}).code, 0);
+  EXPECT_EQ(study({"export", "--output", folder_ / "k.apkg", "--list", "休"}).code, 0);
+  expect_one_line(study({"export", "--output", folder_ / "k.txt"}), 2, {"k.txt"});
+}
+
+TEST_F(Study, BackupsAreMadeDailyAndRestored) {
+  (void)answer({"review", "休", "--rating", "good"});
+  (void)answer({"review", "木", "--rating", "good"}, "2026-01-02T09:00:00Z");
+  EXPECT_EQ(answer({"restore", "--list"}).size(), 1U);
+  EXPECT_EQ(study({"restore"}).code, 0);
+  EXPECT_EQ(answer({"stats"})["reviews"], 1);
+  expect_one_line(study({"restore", folder_ / "none.db"}), 2, {"no such backup"});
+}
+
+TEST_F(Study, ListsAreImportedAndChosen) {
+  write(folder_ / "list.txt", "木 林 # trees\n森\n");
+  EXPECT_EQ(study({"lists", "--import", folder_ / "list.txt", "--as", "trees"}).code, 0);
+  EXPECT_EQ(answer({"lists", "list:trees"}), json::array({"木", "林", "森"}));
+  EXPECT_EQ(study({"settings", "new_lists=[\"list:trees\"]", "new_order=own"}).code, 0);
+  EXPECT_EQ(answer({"next"})["character"], "木");
+  write(folder_ / "bad.txt", "木\n木x\n");
+  expect_one_line(study({"lists", "--import", folder_ / "bad.txt", "--as", "bad"}), 2,
+                  {"bad.txt", "line 2", "'x'"});
+  EXPECT_EQ(study({"lists", "list:bad"}).code, 1);
+}
+
+TEST_F(Study, BadQuestionsAreRefusedAndChangeNothing) {
+  expect_one_line(study({"review", "休", "--rating", "fine"}), 2, {"--rating"});
+  expect_one_line(study({"review", "休", "--fault", "wrong"}), 2, {"wrong:3"});
+  expect_one_line(study({"review", "休木"}), 2, {"one at a time"});
+  expect_one_line(study({"review", "\xF0\x9F\x98\x80"}), 2, {"U+1F600"});
+  expect_one_line(study({"settings", "desired_retention=0.5"}), 2, {"desired_retention", "0.8"});
+  expect_one_line(study({"settings", "colour=red"}), 2, {"colour=red"});
+  expect_one_line(study({"due"}, "yesterday"), 2, {"yesterday"});
+  expect_one_line(study({"due", "--profile", "a/b"}), 2, {"a/b"});
+  EXPECT_EQ(answer({"stats"})["reviews"], 0);
+}
+
+TEST_F(Study, ReplayPrintsTheFormItReads) {
+  const std::string file = folder_ / "h.json";
+  write(file,
+        "{\"cases\": [{\"request_retention\": 0.9, \"short_term_steps\": true, \"steps\": [\n"
+        "{\"at\": \"2026-01-01T09:00:00.000Z\", \"rating\": 4, \"stability\": 8.2956, \"difficulty\": 1,\n"
+        "\"state\": \"review\", \"scheduled_days\": 8, \"due\": \"2026-01-09T09:00:00.000Z\", \"reps\": 1,\n"
+        "\"lapses\": 0, \"retrievability_before\": null}]}]}");
+  const Outcome run = nazori_cli({"study", "replay", file});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["cases"][0]["steps"][0]["stability"], 8.2956);
+  EXPECT_EQ(nazori_cli({"study", "replay", file, "--check"}).code, 0);
+  write(file, "{\"cases\": [\n{\"request_retention\": 2, \"steps\": []}]}");
+  expect_one_line(nazori_cli({"study", "replay", file}), 2, {"line 2", "request_retention"});
+}
+
+}  // namespace
+}  // namespace nazori::cli::test
