@@ -6,6 +6,7 @@
 #include <QLayout>
 #include <QMenu>
 #include <QResizeEvent>
+#include <QTimer>
 #include <QToolButton>
 #include <QWidgetAction>
 
@@ -104,6 +105,8 @@ void ToolBar::fit() {
   const int em = QFontInfo(font()).pixelSize();
   setIconSize({em * 5 / 4, em * 5 / 4});
   fit_words();
+  // Buttons know their width in a new font only after they took it up.
+  QTimer::singleShot(0, this, &ToolBar::fit_words);
 }
 
 void ToolBar::fit_words() {

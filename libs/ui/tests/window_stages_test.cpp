@@ -281,6 +281,15 @@ TEST_F(Drawing, ListsTheLikeliestWhileDrawingAndEnterTakesTheFirst) {
   EXPECT_TRUE(find("library_panel")->isVisible());
 }
 
+TEST_F(Drawing, WhatIsDrawnWholeComesBeforeWhatGoesOnWithMoreStrokes) {
+  press(Qt::Key_D, Qt::ControlModifier);
+  // 休 is also how 体 begins.
+  for (const auto& stroke : model(U'休')) draw(stroke);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return candidates()->count() > 1 && candidates()->item(0)->text() == QStringLiteral("休"); },
+      60000));
+}
+
 TEST_F(Drawing, ArrowsChooseUndoAndDeleteTakeBackAndEscapeCloses) {
   press(Qt::Key_D, Qt::ControlModifier);
   auto* pad = find("drawing_pad");
