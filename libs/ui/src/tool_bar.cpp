@@ -80,8 +80,9 @@ void ToolBar::enter(const Workplace& workplace) {
   name_buttons();
   fit();
   refresh();
+  // New buttons are shown with the next layout; before, they cannot have the keyboard.
   if (auto* button = focused != nullptr ? widgetForAction(focused) : nullptr)
-    button->setFocus(Qt::TabFocusReason);
+    QTimer::singleShot(0, button, [button] { button->setFocus(Qt::TabFocusReason); });
 }
 
 void ToolBar::name_buttons() {
