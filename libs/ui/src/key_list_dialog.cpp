@@ -24,6 +24,7 @@ KeyListDialog::KeyListDialog(const QList<ActionSet::Group>& groups, QWidget* par
   heading(tr("On the tablet"));
   row(tr("Stylus down"), tr("left button, pen tip"));
   row(tr("Deeper, less deep"), tr("wheel while pressed, pen pressure"));
+  row(tr("Take back a stroke (Memory)"), tr("pen's other end"));
   row(tr("Turn and tilt"), tr("right button, pen's side button"));
   row(tr("Move"), tr("middle button, or right with Shift"));
   row(tr("Nearer, farther"), tr("wheel"));

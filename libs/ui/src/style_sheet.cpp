@@ -61,6 +61,13 @@ QListView#character_grid { background: transparent; border: 2px solid transparen
   outline: none; }
 QListView#character_grid:focus { border-color: @indigo; }
 
+QListWidget#candidates { background: @surface; border: 2px solid @line; border-radius: 8px; outline: none; padding: 4px; }
+QListWidget#candidates:focus { border-color: @indigo; }
+QListWidget#candidates::item { color: @ink; border: 2px solid transparent; border-radius: 7px; }
+QListWidget#candidates::item:hover { background: @hover; }
+QListWidget#candidates::item:selected { background: @tint; color: @ink; border-color: @indigo; }
+QWidget#draw_panel { background: @paper; }
+
 QScrollArea { background: transparent; border: none; }
 QScrollArea:focus { border: 2px solid @indigo; }
 QWidget#information_content { background: transparent; }

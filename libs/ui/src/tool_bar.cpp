@@ -6,6 +6,7 @@
 #include <QLayout>
 #include <QMenu>
 #include <QResizeEvent>
+#include <QTimer>
 #include <QToolButton>
 #include <QWidgetAction>
 
@@ -79,8 +80,9 @@ void ToolBar::enter(const Workplace& workplace) {
   name_buttons();
   fit();
   refresh();
+  // New buttons are shown with the next layout; before, they cannot have the keyboard.
   if (auto* button = focused != nullptr ? widgetForAction(focused) : nullptr)
-    button->setFocus(Qt::TabFocusReason);
+    QTimer::singleShot(0, button, [button] { button->setFocus(Qt::TabFocusReason); });
 }
 
 void ToolBar::name_buttons() {
@@ -104,6 +106,8 @@ void ToolBar::fit() {
   const int em = QFontInfo(font()).pixelSize();
   setIconSize({em * 5 / 4, em * 5 / 4});
   fit_words();
+  // Buttons know their width in a new font only after they took it up.
+  QTimer::singleShot(0, this, &ToolBar::fit_words);
 }
 
 void ToolBar::fit_words() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "writing_judge.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -36,18 +37,35 @@ struct WritingJudge::Reader {
   std::filesystem::path path;
   std::optional<writing::Recogniser> recogniser;
 
+  base::Result<void> learn() {
+    if (recogniser) return {};
+    const auto database = kanji::KanjiDatabase::open(path);
+    if (!database) return tl::unexpected(database.error());
+    auto made = writing::Recogniser::make(*database);
+    if (!made) return tl::unexpected(made.error());
+    recogniser.emplace(std::move(*made));
+    return {};
+  }
+
   base::Result<std::vector<writing::Candidate>> read(const writing::Ink& ink, int limit) {
-    if (!recogniser) {
-      const auto database = kanji::KanjiDatabase::open(path);
-      if (!database) return tl::unexpected(database.error());
-      auto made = writing::Recogniser::make(*database);
-      if (!made) return tl::unexpected(made.error());
-      recogniser.emplace(std::move(*made));
+    if (auto learnt = learn(); !learnt) return tl::unexpected(learnt.error());
+    const auto ends_here = recogniser->recognise(ink, {.limit = limit, .unfinished = false});
+    if (!ends_here) return tl::unexpected(ends_here.error());
+    const auto goes_on = recogniser->recognise(ink, {.limit = limit, .unfinished = true});
+    if (!goes_on) return tl::unexpected(goes_on.error());
+    std::vector<writing::Candidate> all;
+    const auto add = [&](const std::vector<writing::Candidate>& from, std::size_t i) {
+      if (i >= from.size() || all.size() >= static_cast<std::size_t>(limit)) return;
+      const bool known = std::any_of(all.begin(), all.end(), [&](const writing::Candidate& other) {
+        return other.character == from[i].character;
+      });
+      if (!known) all.push_back(from[i]);
+    };
+    for (std::size_t i = 0; i < std::max(ends_here->size(), goes_on->size()); ++i) {
+      add(*ends_here, i);
+      add(*goes_on, i);
     }
-    writing::RecogniseOptions options;
-    options.limit = limit;
-    options.unfinished = true;
-    return recogniser->recognise(ink, options);
+    return all;
   }
 };
 
@@ -89,6 +107,11 @@ std::uint64_t WritingJudge::recognise(const writing::Ink& ink, int limit) {
     });
   });
   return ticket;
+}
+
+void WritingJudge::prepare_recogniser() {
+  // A failure is told when something is asked.
+  recogniser_.post([reader = reader_] { (void)reader->learn(); });
 }
 
 }  // namespace nazori::ui

@@ -34,7 +34,10 @@ class WritingJudge final : public QObject {
 
   /// @return the number that comes back with the answer.
   std::uint64_t judge(const JudgeRequest& request);
+  /// Of characters that may end here and those that may go on, the likeliest by turns.
   std::uint64_t recognise(const writing::Ink& ink, int limit);
+  /// Lets the recogniser learn now what it needs, so that the first answer comes as soon as the others.
+  void prepare_recogniser();
 
  signals:
   void judged(std::uint64_t ticket, nazori::writing::Grade grade);

@@ -219,6 +219,7 @@ TEST_F(Stages, SpaceOnAButtonPressesTheButton) {
   action("play")->setChecked(false);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   auto* loop = find<QToolButton>("tool_loop");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return loop->isVisible(); }, 5000));
   loop->setFocus(Qt::TabFocusReason);
   ASSERT_TRUE(loop->hasFocus());
   QTest::keyClick(loop, Qt::Key_Space);
@@ -230,8 +231,12 @@ TEST_F(Stages, TheKeyboardStaysOnTheButtonThatChangesTheStage) {
   memory->setFocus(Qt::TabFocusReason);
   QTest::keyClick(memory, Qt::Key_Space);
   EXPECT_TRUE(action("memory")->isChecked());
-  ASSERT_NE(window_->focusWidget(), nullptr);
-  EXPECT_EQ(window_->focusWidget()->objectName(), QStringLiteral("tool_memory"));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const auto* at = window_->focusWidget();
+        return at != nullptr && at->objectName() == QStringLiteral("tool_memory") && at->isVisible();
+      },
+      5000));
 }
 
 TEST_F(Stages, TheStageAndItsSettingsSurviveARestart) {
@@ -279,6 +284,15 @@ TEST_F(Drawing, ListsTheLikeliestWhileDrawingAndEnterTakesTheFirst) {
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("村 – Nazori"));
   EXPECT_FALSE(find("draw_panel")->isVisible());
   EXPECT_TRUE(find("library_panel")->isVisible());
+}
+
+TEST_F(Drawing, WhatIsDrawnWholeComesBeforeWhatGoesOnWithMoreStrokes) {
+  press(Qt::Key_D, Qt::ControlModifier);
+  // 休 is also how 体 begins.
+  for (const auto& stroke : model(U'休')) draw(stroke);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return candidates()->count() > 1 && candidates()->item(0)->text() == QStringLiteral("休"); },
+      60000));
 }
 
 TEST_F(Drawing, ArrowsChooseUndoAndDeleteTakeBackAndEscapeCloses) {

@@ -948,6 +948,14 @@ Columns and rows:</source>
         <source>Home</source>
         <translation>Home</translation>
     </message>
+    <message>
+        <source>Take back a stroke (Memory)</source>
+        <translation>一画取り消す（覚えて書く）</translation>
+    </message>
+    <message>
+        <source>pen&apos;s other end</source>
+        <translation>ペンの反対側</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::LibraryPanel</name>

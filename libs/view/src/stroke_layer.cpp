@@ -65,6 +65,7 @@ void main() {
   float squared = dot(way, way);
   float t = squared > 0.0 ? clamp(dot(place - piece.xy, way) / squared, 0.0, 1.0) : 0.0;
   float cover = clamp(half_width + 0.5 - length(place - piece.xy - way * t), 0.0, 1.0);
+  if (cover <= 0.0) discard;
   colour = vec4(colour_of_line, cover * opacity);
 }
 )glsl";
@@ -84,6 +85,7 @@ void main() {
   vec2 aside = vec2(-head.w, head.z);
   vec2 at = head.xy - head.zw * place.x * sizes.x + aside * place.y * sizes.x;
   gl_Position = clip_from_tablet * vec4(at, height, 1.0);
+  gl_Position.z = 0.0;
   if (current > 0.5 && abs(stroke - current) > 0.5) gl_Position = vec4(2.0, 2.0, 0.0, 1.0);
 }
 )glsl";
@@ -101,7 +103,9 @@ void main() {
   float back = place.x - 1.0 + 0.28 * (1.0 - y / 0.445);
   float pixel = length(vec2(length(dFdx(place)), length(dFdy(place)))) * 0.7071;
   float outside = max(flank, back * 0.85) - grow;
-  colour = vec4(colour_of_head, opacity * clamp(0.5 - outside / pixel, 0.0, 1.0));
+  float cover = clamp(0.5 - outside / pixel, 0.0, 1.0);
+  if (cover <= 0.0) discard;
+  colour = vec4(colour_of_head, cover * opacity);
 }
 )glsl";
 
@@ -145,6 +149,30 @@ void point_lines(const VertexArray& array, const Buffer& buffer) {
   attribute(0, 4, sizeof(LinePiece), offsetof(LinePiece, from_m), 1);
   attribute(1, 1, sizeof(LinePiece), offsetof(LinePiece, stroke), 1);
 }
+
+/// Where lines are see-through, no pixel may be painted twice by pieces of one line that overlap.
+class FadedOnce {
+ public:
+  explicit FadedOnce(double opacity) : fades_(opacity < 1) {
+    if (!fades_) return;
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+  }
+  ~FadedOnce() {
+    if (fades_) glDisable(GL_DEPTH_TEST);
+  }
+  FadedOnce(const FadedOnce&) = delete;
+  FadedOnce& operator=(const FadedOnce&) = delete;
+
+  void begin_layer() const {
+    if (!fades_) return;
+    glClearDepth(1);
+    glClear(GL_DEPTH_BUFFER_BIT);
+  }
+
+ private:
+  bool fades_;
+};
 
 }  // namespace
 
@@ -228,9 +256,12 @@ void StrokeLayer::draw_ways(const Projection& projection, const Look& look, cons
   const auto half = static_cast<float>(kHalfWidth * grow);
   const auto outline = static_cast<float>(kOutline * pixel);
   const auto head = static_cast<float>(kHeadLength * grow);
+  const FadedOnce faded(choice.lines_opacity);
+  faded.begin_layer();
   draw_lines(lines_array_, line_count_, half + outline, colours.stroke_edge, current);
   if (choice.heads) draw_heads(projection, head, outline, colours.stroke_edge, current);
   line_.use();
+  faded.begin_layer();
   draw_lines(lines_array_, line_count_, half, stroke, current);
   if (choice.heads) draw_heads(projection, head, 0, stroke, current);
 }

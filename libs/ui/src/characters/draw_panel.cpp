@@ -80,6 +80,7 @@ DrawPanel::DrawPanel(Desk& desk, QWidget* parent)
 }
 
 void DrawPanel::begin() {
+  desk_.judge().prepare_recogniser();
   pad_->clear();
   pad_->setFocus(Qt::OtherFocusReason);
   desk_.say(Feedback::hint, tr("Draw the character you look for. Order and direction do not matter much."));

@@ -15,8 +15,6 @@ constexpr int kFrame_ms = 16;
 constexpr double kSpeedStep = 1.4142135623730951;
 constexpr double kSlowest = 0.25;
 constexpr double kFastest = 4;
-/// The handle of the brush leans as a right hand holds it.
-constexpr haptics::Vec3 kAxis{0.25, -0.35, 0.9};
 
 }  // namespace
 
@@ -145,7 +143,6 @@ void WatchStage::show_moment(double time_s) {
   demonstration.brush.proxy_m = pose.tip_m;
   demonstration.brush.device_m = pose.tip_m;
   demonstration.brush.touching = pose.writing;
-  demonstration.brush.axis = kAxis;
   controller().set_demonstration(std::move(demonstration));
   if (pose.writing && pose.stroke != told_) tell_stroke(pose.stroke);
   show_place();
