@@ -153,13 +153,14 @@ Streak streak_of(const std::vector<Day>& studied, Day today) {
   Streak streak;
   int run = 0;
   std::optional<Day> last;
-  std::optional<Day> last_off;
+  constexpr Day kNever{days(-1'000'000)};
+  Day last_off = kNever;
   const auto follows = [&](Day day) {
     if (!last) return false;
     const auto gap = (day - *last).count();
     if (gap <= 1) return true;
     const Day off = day - days(1);
-    return gap == 2 && (!last_off || (off - *last_off).count() >= kForgiveness);
+    return gap == 2 && (off - last_off).count() >= kForgiveness;
   };
   for (const Day day : studied) {
     if (day > today) break;
@@ -169,7 +170,7 @@ Streak streak_of(const std::vector<Day>& studied, Day today) {
       ++run;
     } else {
       run = 1;
-      last_off.reset();
+      last_off = kNever;
     }
     last = day;
     streak.longest = std::max(streak.longest, run);
@@ -178,7 +179,7 @@ Streak streak_of(const std::vector<Day>& studied, Day today) {
   // Today may still be done, so yesterday's streak stands as long as today could join it.
   streak.days = streak.today_done || follows(today) ? run : 0;
   if (streak.days > 0 && !streak.today_done && (today - *last).count() == 2) last_off = today - days(1);
-  streak.day_off_used = streak.days > 0 && last_off && (today - *last_off).count() < kForgiveness;
+  streak.day_off_used = streak.days > 0 && (today - last_off).count() < kForgiveness;
   return streak;
 }
 
