@@ -17,9 +17,9 @@ class Study : public testing::Test {
  protected:
   Outcome study(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
     arguments.insert(arguments.begin(), "study");
-    for (const char* part : {"--learners", (folder_ / "learners").c_str(), "--now", now.c_str()}) {
-      arguments.emplace_back(part);
-    }
+    for (const std::string& part :
+         {std::string("--learners"), folder_ / "learners", std::string("--now"), now})
+      arguments.push_back(part);
     return nazori_cli(arguments, {"TZ=UTC"});
   }
   json answer(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
