@@ -7,6 +7,7 @@
 
 #include "desk.h"
 #include "nazori/ui/main_window.h"
+#include "stroke_sound.h"
 #include "workplace.h"
 
 class QStackedWidget;
@@ -38,6 +39,9 @@ struct MainWindow::Inside {
   void take_appearance();
   void set_text_size(int text_pt);
   void set_language(const QString& language);
+  void record(bool on);
+  void connect_recording();
+  void connect_sound();
   void set_full_screen(bool on);
   void focus_tablet();
   void leave_tablet(bool forwards);
@@ -62,6 +66,7 @@ struct MainWindow::Inside {
 
   std::vector<kanji::Source> sources;
   QTimer save_timer;
+  StrokeSound sound;
 };
 
 }  // namespace nazori::ui
