@@ -93,9 +93,9 @@ TEST_F(Study, ListsAreImportedAndChosen) {
   EXPECT_EQ(answer({"lists", "list:trees"}), json::array({"木", "林", "森"}));
   EXPECT_EQ(study({"settings", "new_lists=[\"list:trees\"]", "new_order=own"}).code, 0);
   EXPECT_EQ(answer({"next"})["character"], "木");
-  write(folder_ / "bad.txt", "木\n木x\n");
+  write(folder_ / "bad.txt", "木\n木😀\n");
   expect_one_line(study({"lists", "--import", folder_ / "bad.txt", "--as", "bad"}), 2,
-                  {"bad.txt", "line 2", "'x'"});
+                  {"bad.txt", "line 2", "😀"});
   EXPECT_EQ(study({"lists", "list:bad"}).code, 1);
 }
 
@@ -103,7 +103,7 @@ TEST_F(Study, BadQuestionsAreRefusedAndChangeNothing) {
   expect_one_line(study({"review", "休", "--rating", "fine"}), 2, {"--rating"});
   expect_one_line(study({"review", "休", "--fault", "wrong"}), 2, {"wrong:3"});
   expect_one_line(study({"review", "休木"}), 2, {"one at a time"});
-  expect_one_line(study({"review", "\xF0\x9F\x98\x80"}), 2, {"U+1F600"});
+  expect_one_line(study({"review", "\xF0\x9F\x98\x80"}), 2, {"😀"});
   expect_one_line(study({"settings", "desired_retention=0.5"}), 2, {"desired_retention", "0.8"});
   expect_one_line(study({"settings", "colour=red"}), 2, {"colour=red"});
   expect_one_line(study({"due"}, "yesterday"), 2, {"yesterday"});

@@ -68,6 +68,43 @@ TEST(PointerDevice, IsAbsentUntilThePointerIsOverTheTablet) {
   }
 }
 
+TEST(PointerDevice, EveryPartOfAFastStrokeThatCameAtOnceIsPlayed) {
+  PointerDevice device;
+  Recorder recorder;
+  ASSERT_TRUE(device.start(recorder));
+  device.move({0, 0, 0.004, true, true}, 10.0);
+  ASSERT_TRUE(recorder.wait_for([](const DeviceSample& s) { return s.present; }));
+  // A zigzag of 30 corners, 20 ms from one to the next with a point every 5 ms, all in one moment: as when
+  // the window was busy for 0.6 s.
+  for (int i = 1; i <= 120; ++i) {
+    const double phase = i / 4.0;
+    const double up = std::abs(phase / 2 - std::floor(phase / 2 + 0.5)) * 2;  // 0 .. 1 .. 0
+    device.move({0.0001 * i, 0.01 * up, 0.004, true, true}, 10.0 + 0.005 * i);
+  }
+  ASSERT_TRUE(
+      recorder.wait_for([](const DeviceSample& s) { return std::abs(s.position_m.x - 0.012) < 1e-5; }));
+  device.stop();
+  int turns = 0;
+  bool high = false;
+  for (const DeviceSample& s : recorder.samples()) {
+    if (!high && s.position_m.y > 0.006) ++turns, high = true;
+    if (high && s.position_m.y < 0.004) ++turns, high = false;
+  }
+  EXPECT_GE(turns, 29);
+}
+
+TEST(PointerDevice, AClockThatJumpsBackHoldsNothingUp) {
+  PointerDevice device;
+  Recorder recorder;
+  ASSERT_TRUE(device.start(recorder));
+  device.move({0.001, 0, 0, false, true}, 5000);
+  device.move({0.002, 0, 0, false, true}, 5000.01);
+  device.move({0.003, 0, 0, false, true}, 1);
+  device.move({0.004, 0, 0, false, true}, 1.01);
+  EXPECT_TRUE(
+      recorder.wait_for([](const DeviceSample& s) { return std::abs(s.position_m.x - 0.004) < 1e-6; }));
+}
+
 TEST(PointerDevice, PressingMovesTheTipDownWithoutAJump) {
   PointerDevice device;
   Recorder recorder;

@@ -11,8 +11,20 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_workplace_(new QActio
   open = make("open", tr("&Open…"), tr("Open a height map (RAW, PNG) or a stroke order (.str)"),
               {QStringLiteral("Ctrl+O")});
   save = make("save", tr("&Save as…"), tr("Save the tablet as RAW, PNG or .str"), {QStringLiteral("Ctrl+S")});
+  record = make("record", tr("&Record the session"), tr("Write every moment of feeling to a file"),
+                {QStringLiteral("Ctrl+Shift+R")}, true);
   quit = make("quit", tr("&Quit"), tr("Close Nazori"), {QStringLiteral("Q"), QStringLiteral("Ctrl+Q")});
 
+  groove_sound = make("groove_sound", tr("Groove s&ound"), tr("Hear the stylus scratch in the groove"),
+                      {QStringLiteral("Ctrl+M")}, true);
+  sound_louder =
+      make("sound_louder", tr("Lo&uder"), tr("The scratch becomes louder"), {QStringLiteral("Ctrl+Shift+M")});
+  sound_softer =
+      make("sound_softer", tr("So&fter"), tr("The scratch becomes softer"), {QStringLiteral("Alt+Shift+M")});
+  slope_help =
+      make("slope_help", tr("Mouse feels s&lopes"),
+           tr("The stylus of the mouse goes slower up a slope and faster down, as if held in the groove"),
+           {QStringLiteral("Ctrl+Shift+L")}, true);
   wood = make("wood", tr("&Wood"), tr("Pale wood"), {QStringLiteral("Ctrl+1")}, true);
   slate = make("slate", tr("S&late"), tr("Dark stone"), {QStringLiteral("Ctrl+2")}, true);
   classic = make("classic", tr("&Classic"), tr("The look of 2005"), {QStringLiteral("Ctrl+3")}, true);
@@ -69,10 +81,11 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_workplace_(new QActio
   draw(right_panel, Icon::information);
   draw(reset_view, Icon::reset_view);
 
-  file_ = {tr("&File"), {open, save, nullptr, quit}};
+  file_ = {tr("&File"), {open, save, nullptr, record, nullptr, quit}};
   tablet_ = {tr("&Tablet"),
-             {wood, slate, classic, nullptr, reset_view, zoom_in, zoom_out, nullptr, turn_left, turn_right,
-              tilt_up, tilt_down, nullptr, move_left, move_right, move_up, move_down}};
+             {wood,      slate,      classic,      nullptr,      reset_view,   zoom_in,   zoom_out,   nullptr,
+              turn_left, turn_right, tilt_up,      tilt_down,    nullptr,      move_left, move_right, move_up,
+              move_down, nullptr,    groove_sound, sound_louder, sound_softer, slope_help}};
   view_ = {tr("&View"),
            {left_panel, right_panel, full_screen, nullptr, text_larger, text_smaller, text_usual, nullptr,
             theme_desktop, theme_light, theme_dark, reduced_motion, nullptr, language_desktop,

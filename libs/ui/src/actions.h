@@ -15,7 +15,8 @@ class Actions final : public ActionSet {
  public:
   explicit Actions(QWidget* window);
 
-  QAction *open, *save, *quit;
+  QAction *open, *save, *record, *quit;
+  QAction *groove_sound, *sound_louder, *sound_softer, *slope_help;
   QAction *wood, *slate, *classic;
   QAction *theme_desktop, *theme_light, *theme_dark;
   QAction *language_desktop, *language_english, *language_japanese;

@@ -1,23 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "desk.h"
 
+#include <QTimer>
 #include <utility>
 
 namespace nazori::ui {
+namespace {
+
+constexpr int kSettled_ms = 2000;
+
+}  // namespace
 
 Desk::Desk(QWidget& window, const std::filesystem::path& database, QString settings_file)
     : window_(window),
       settings_file_(settings_file.isEmpty() ? Preferences::default_file() : std::move(settings_file)),
       preferences_(Preferences::load(settings_file_)),
       library_(database),
-      judge_(database) {
+      judge_(database),
+      recording_(controller_.stylus(), settings_file_) {
   controller_.set_style(preferences_.style);
+  connect(this, &Desk::character_shown, this, &Desk::settle);
+  QTimer::singleShot(kSettled_ms, this, &Desk::settle);
 }
 
 Desk::~Desk() = default;
 
 void Desk::say(Feedback kind, const QString& sentence) {
   if (!sentence.isEmpty()) emit said(kind, sentence);
+}
+
+void Desk::tell(Feedback kind, const QString& sentence) {
+  if (settled_)
+    say(kind, sentence);
+  else
+    news_.append({kind, sentence});
+}
+
+void Desk::settle() {
+  settled_ = true;
+  // One line: what came last, unless something went wrong.
+  const auto news = std::exchange(news_, {});
+  for (const auto& [kind, sentence] : news) say(kind, sentence);
 }
 
 }  // namespace nazori::ui

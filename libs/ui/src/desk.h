@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QList>
 #include <QObject>
+#include <utility>
 
 #include "feedback_line.h"
 #include "library.h"
 #include "preferences.h"
+#include "session_recording.h"
 #include "tablet_controller.h"
 #include "workshop.h"
 #include "writing_judge.h"
@@ -28,9 +31,16 @@ class Desk final : public QObject {
   [[nodiscard]] Workshop& workshop() { return workshop_; }
   [[nodiscard]] TabletController& controller() { return controller_; }
   [[nodiscard]] WritingJudge& judge() { return judge_; }
+  [[nodiscard]] SessionRecording& recording() { return recording_; }
+  /// The ways to haptic devices, for who opens them.
+  [[nodiscard]] Stylus::BackEnds take_back_ends() { return std::move(back_ends_); }
+  void set_back_ends(Stylus::BackEnds back_ends) { back_ends_ = std::move(back_ends); }
 
   /// One sentence in the feedback line, also to the screen reader.
   void say(Feedback kind, const QString& sentence);
+  /// As say(), for what happened by itself: while the window is just opening it waits for the first words of
+  /// the workplace, which would hide it.
+  void tell(Feedback kind, const QString& sentence);
   /// The settings have changed: they are written within a second.
   void save_later() { emit save_wanted(); }
   /// The keyboard goes to the tablet (or the page), as after a dialog.
@@ -54,6 +64,8 @@ class Desk final : public QObject {
   void character_shown(char32_t code_point);
 
  private:
+  void settle();
+
   QWidget& window_;
   QString settings_file_;
   Preferences preferences_;
@@ -61,6 +73,10 @@ class Desk final : public QObject {
   Workshop workshop_;
   WritingJudge judge_;
   TabletController controller_;
+  SessionRecording recording_;
+  Stylus::BackEnds back_ends_;
+  bool settled_ = false;
+  QList<std::pair<Feedback, QString>> news_;
 };
 
 }  // namespace nazori::ui

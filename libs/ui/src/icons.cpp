@@ -82,6 +82,13 @@ void draw(QPainter& p, Icon which, const QColor& colour) {
       line({{x, 5}, {x, 19}});
       break;
     }
+    case Icon::device:
+      // A stylus at the end of a jointed arm.
+      line({{4, 19.5}, {12, 19.5}});
+      line({{8, 19.5}, {8, 9}, {16, 5}});
+      line({{16, 5}, {20, 13.5}});
+      p.drawEllipse(QPointF(8, 9), 1.6, 1.6);
+      break;
     case Icon::reset_view: {
       QPainterPath turn;
       turn.arcMoveTo(QRectF(5, 5, 14, 14), 60);

@@ -18,6 +18,7 @@ enum class Icon : std::uint8_t {
   library,
   information,
   reset_view,
+  device,
   search,
   tick,
   cross,

@@ -18,6 +18,7 @@
 
 #include "actions.h"
 #include "appearance.h"
+#include "back_ends.h"
 #include "feedback_line.h"
 #include "focus_frame.h"
 #include "key_guard.h"
@@ -138,6 +139,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 
 MainWindow::Inside::Inside(MainWindow& owner, const Setup& setup, Appearance& look)
     : window(owner), appearance(look), desk(owner, setup.database, setup.settings_file) {
+  desk.set_back_ends(setup.back_ends ? setup.back_ends() : registered_back_ends(desk.settings_file()));
   save_timer.setSingleShot(true);
   save_timer.setInterval(600);
   QObject::connect(&save_timer, &QTimer::timeout, &owner, [this] { save_preferences(); });
@@ -154,7 +156,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   window.addToolBar(Qt::TopToolBarArea, tool_bar);
   window.setContextMenuPolicy(Qt::NoContextMenu);
   feedback = new FeedbackLine(&window);
-  status = new StatusLine(desk.controller(), &window);
+  status = new StatusLine(desk.controller(), desk.recording(), &window);
   window.setStatusBar(status);
   build_tablet(setup.draws_tablet);
 

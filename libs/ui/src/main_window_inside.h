@@ -7,6 +7,7 @@
 
 #include "desk.h"
 #include "nazori/ui/main_window.h"
+#include "stroke_sound.h"
 #include "workplace.h"
 
 class QStackedWidget;
@@ -39,6 +40,9 @@ struct MainWindow::Inside {
   void fit();
   void set_text_size(int text_pt);
   void set_language(const QString& language);
+  void record(bool on);
+  void connect_recording();
+  void connect_sound();
   void set_full_screen(bool on);
   void focus_tablet();
   void leave_tablet(bool forwards);
@@ -63,6 +67,7 @@ struct MainWindow::Inside {
 
   std::vector<kanji::Source> sources;
   QTimer save_timer;
+  StrokeSound sound;
 };
 
 }  // namespace nazori::ui

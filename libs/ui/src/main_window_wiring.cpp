@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <QDateTime>
+#include <QFileDialog>
+#include <QStandardPaths>
 #include <algorithm>
+#include <cmath>
 
 #include "about_dialog.h"
 #include "actions.h"
@@ -54,6 +58,10 @@ void MainWindow::Inside::connect_actions() {
   });
   on(actions->save, [this] {
     current->ask_and_save();
+    focus_tablet();
+  });
+  on(actions->record, [this](bool wanted) {
+    record(wanted);
     focus_tablet();
   });
   on(actions->quit, [this] { window.close(); });
@@ -148,6 +156,106 @@ void MainWindow::Inside::take_appearance() {
   tablet_window->set_text_size(desk.preferences().text_pt);
 }
 
+void MainWindow::Inside::connect_recording() {
+  auto& recording = desk.recording();
+  QObject::connect(&recording, &SessionRecording::changed, &window,
+                   [this, &recording] { actions->record->setChecked(recording.is_on()); });
+  QObject::connect(&recording, &SessionRecording::moved_on, &window, [this](const QString& path) {
+    desk.tell(Feedback::hint, MainWindow::tr("Another device: the recording goes on in %1.").arg(path));
+  });
+  QObject::connect(&recording, &SessionRecording::failed, &window,
+                   [this](const QString& path, const base::Error& error) {
+                     desk.tell(Feedback::wrong,
+                               MainWindow::tr("The recording %1 has ended: %2.").arg(path, reason(error)));
+                   });
+  const auto recovered = recording.recover();
+  if (!recovered.files.isEmpty())
+    desk.tell(Feedback::good, MainWindow::tr("A recording had broken off. It is complete now: %1.")
+                                  .arg(recovered.files.join(QStringLiteral(", "))));
+  if (!recovered.broken.isEmpty())
+    desk.tell(Feedback::advice,
+              MainWindow::tr("A recording had broken off with the computer. It may lack its last second: %1.")
+                  .arg(recovered.broken.join(QStringLiteral(", "))));
+}
+
+void MainWindow::Inside::connect_sound() {
+  auto& preferences = desk.preferences();
+  auto& controller = desk.controller();
+  QObject::connect(&sound, &StrokeSound::failed, &window, [this](const base::Error& error) {
+    desk.tell(Feedback::advice, MainWindow::tr("No sound: %1. Everything else works.").arg(reason(error)));
+  });
+  QObject::connect(&controller.stylus(), &Stylus::sampled, &sound,
+                   [this, &controller](std::span<const haptics::ServoSample> samples) {
+                     const auto& tablet = controller.tablet();
+                     sound.follow(samples, tablet ? tablet->shape() : geometry::TabletShape{});
+                   });
+  QObject::connect(actions->groove_sound, &QAction::toggled, &window, [this](bool on) {
+    desk.preferences().groove_sound = on;
+    sound.set_on(on);
+    save_later();
+  });
+  const auto volume = [this](double by) {
+    return [this, by] {
+      double& of = desk.preferences().sound_volume;
+      of = std::clamp(of + by, 0.1, 1.0);
+      sound.set_volume(of);
+      desk.say(Feedback::hint, MainWindow::tr("Loudness %1 %.").arg(std::lround(of * 100)));
+      save_later();
+    };
+  };
+  QObject::connect(actions->sound_louder, &QAction::triggered, &window, volume(+0.1));
+  QObject::connect(actions->sound_softer, &QAction::triggered, &window, volume(-0.1));
+  QObject::connect(actions->slope_help, &QAction::toggled, &window, [this, &controller](bool on) {
+    desk.preferences().slope_help = on;
+    controller.set_slope_help(on);
+    save_later();
+  });
+  sound.set_volume(preferences.sound_volume);
+  actions->groove_sound->setChecked(preferences.groove_sound);
+  actions->slope_help->setChecked(preferences.slope_help);
+}
+
+void MainWindow::Inside::record(bool on) {
+  auto& recording = desk.recording();
+  if (!on) {
+    const auto written = recording.finish();
+    if (written)
+      desk.say(Feedback::good, MainWindow::tr("Recorded: %1.").arg(written->join(QStringLiteral(", "))));
+    else
+      desk.say(Feedback::wrong,
+               MainWindow::tr("The recording is not whole: %1.").arg(reason(written.error())));
+    return;
+  }
+  actions->record->setChecked(false);  // until it is
+  QFileDialog dialog(&window, MainWindow::tr("Record the session"));
+  dialog.setObjectName(QStringLiteral("record_dialog"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setNameFilters(
+      {MainWindow::tr("Recording, to be replayed (*.nzr)"), MainWindow::tr("Table (*.csv)")});
+  dialog.setDefaultSuffix(QStringLiteral("nzr"));
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+    dialog.setDefaultSuffix(filter.contains(QLatin1String("csv")) ? QStringLiteral("csv")
+                                                                  : QStringLiteral("nzr"));
+  });
+  auto& preferences = desk.preferences();
+  dialog.setDirectory(preferences.folder.isEmpty()
+                          ? QStandardPaths::writableLocation(QStandardPaths::HomeLocation)
+                          : preferences.folder);
+  dialog.selectFile(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HHmm")));
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
+  const QString path = dialog.selectedFiles().front();
+  const auto& tablet = desk.controller().tablet();
+  const auto started =
+      recording.start(path, current->title(), tablet ? tablet->shape() : geometry::TabletShape{});
+  if (!started) {
+    desk.say(Feedback::wrong,
+             MainWindow::tr("%1: %2. Nothing is recorded.").arg(path, reason(started.error())));
+    return;
+  }
+  desk.say(Feedback::hint, MainWindow::tr("Recording to %1 until %2 is pressed again.")
+                               .arg(path, actions->record->shortcut().toString(QKeySequence::NativeText)));
+}
+
 void MainWindow::Inside::connect_tablet() {
   if (tablet_window != nullptr) {
     tablet_window->set_reduced_motion(desk.preferences().reduced_motion);
@@ -159,6 +267,8 @@ void MainWindow::Inside::connect_tablet() {
       desk.say(Feedback::wrong, MainWindow::tr("The tablet cannot be drawn: %1.").arg(reason(error)));
     });
   }
+  connect_recording();
+  connect_sound();
   if (const auto started = desk.controller().start(); !started)
     desk.say(Feedback::wrong, MainWindow::tr("The stylus does not work: %1.").arg(reason(started.error())));
 }

@@ -49,6 +49,9 @@ Preferences Preferences::load(const QString& file) {
   p.numbers_visible = ini.value(QStringLiteral("tablet/numbers"), p.numbers_visible).toBool();
   p.arrows_visible = ini.value(QStringLiteral("tablet/arrows"), p.arrows_visible).toBool();
   p.snapping = ini.value(QStringLiteral("tablet/snapping"), p.snapping).toBool();
+  p.groove_sound = ini.value(QStringLiteral("sound/groove"), p.groove_sound).toBool();
+  p.sound_volume = std::clamp(ini.value(QStringLiteral("sound/volume"), p.sound_volume).toDouble(), 0.0, 1.0);
+  p.slope_help = ini.value(QStringLiteral("tablet/slope_help"), p.slope_help).toBool();
   p.style = read_name(ini, QStringLiteral("tablet/style"), kStyles, p.style);
   p.theme = read_name(ini, QStringLiteral("window/theme"), kThemes, p.theme);
   p.text_pt =
@@ -79,6 +82,9 @@ bool Preferences::save(const QString& file) const {
   ini.setValue(QStringLiteral("tablet/numbers"), numbers_visible);
   ini.setValue(QStringLiteral("tablet/arrows"), arrows_visible);
   ini.setValue(QStringLiteral("tablet/snapping"), snapping);
+  ini.setValue(QStringLiteral("sound/groove"), groove_sound);
+  ini.setValue(QStringLiteral("sound/volume"), sound_volume);
+  ini.setValue(QStringLiteral("tablet/slope_help"), slope_help);
   ini.setValue(QStringLiteral("tablet/style"), QLatin1String(kStyles[static_cast<std::size_t>(style)]));
   ini.setValue(QStringLiteral("files/folder"), folder);
   ini.sync();

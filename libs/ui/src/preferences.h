@@ -29,6 +29,9 @@ struct Preferences {
   bool numbers_visible = true;
   bool arrows_visible = true;
   bool snapping = false;
+  bool groove_sound = false;
+  double sound_volume = 0.5;  ///< 0..1
+  bool slope_help = false;    ///< the mouse slows down on slopes
   view::Style style = view::Style::wood;
   ThemeChoice theme = ThemeChoice::desktop;
   int text_pt = kMinText_pt;

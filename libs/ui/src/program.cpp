@@ -25,7 +25,12 @@ Program::Program(MainWindow::Setup setup) : setup_(std::move(setup)) {
 
 Program::~Program() = default;
 
-void Program::prepare() { QSurfaceFormat::setDefaultFormat(TabletWindow::surface_format()); }
+void Program::prepare() {
+  QSurfaceFormat::setDefaultFormat(TabletWindow::surface_format());
+  // Every event of mouse and pen counts: a fast stroke has few enough.
+  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+  QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
+}
 
 void Program::show() { open_window(); }
 

@@ -2,11 +2,13 @@
 #include "status_line.h"
 
 #include <QEvent>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLocale>
 #include <cmath>
 
-#include "kanji_text.h"
+#include "device_text.h"
+#include "session_recording.h"
 #include "tablet_controller.h"
 
 namespace nazori::ui {
@@ -16,9 +18,11 @@ constexpr int kLook_ms = 1000;
 
 }  // namespace
 
-StatusLine::StatusLine(TabletController& controller, QWidget* parent)
+StatusLine::StatusLine(TabletController& controller, const SessionRecording& recording, QWidget* parent)
     : QStatusBar(parent),
       controller_(controller),
+      recording_(recording),
+      record_(new QLabel(this)),
       device_(new QLabel(this)),
       rate_(new QLabel(this)),
       timing_(new QLabel(this)),
@@ -26,6 +30,7 @@ StatusLine::StatusLine(TabletController& controller, QWidget* parent)
       depth_(new QLabel(this)) {
   setObjectName(QStringLiteral("status_line"));
   setSizeGripEnabled(false);
+  record_->setObjectName(QStringLiteral("recording"));
   device_->setObjectName(QStringLiteral("device"));
   rate_->setObjectName(QStringLiteral("rate"));
   timing_->setObjectName(QStringLiteral("timing"));
@@ -36,18 +41,39 @@ StatusLine::StatusLine(TabletController& controller, QWidget* parent)
       "How long a moment of feeling takes to compute on average, how late one came at most since the start, "
       "and how old the drawn stylus was at most in the last second"));
   missed_->setToolTip(tr("Moments of feeling that came too late or not at all, since the start"));
-  for (auto* label : {depth_, device_, rate_, timing_, missed_}) addPermanentWidget(label);
-  const auto device = controller_.stylus().describe();
-  // The window names what it knows; a device of another maker keeps its own name.
-  QString name = to_text(device.name);
-  if (name == QLatin1String("Mouse") || name == QLatin1String("Pointer") ||
-      name == QLatin1String("Mouse or pen"))
-    name = tr("Mouse or pen");
-  device_->setText(device.has_force ? name : tr("%1, without force").arg(name));
+  for (auto* label : {record_, depth_, device_, rate_, timing_, missed_}) addPermanentWidget(label);
   since_.start();
+  show_device();
+  show_recording();
+  connect(&controller_.stylus(), &Stylus::changed, this, [this] {
+    ticks_ = 0;
+    show_device();
+    look();
+  });
+  connect(&recording_, &SessionRecording::changed, this, &StatusLine::show_recording);
   connect(&timer_, &QTimer::timeout, this, &StatusLine::look);
   timer_.start(kLook_ms);
   look();
+}
+
+void StatusLine::show_device() {
+  const auto device = controller_.stylus().describe();
+  const QString name = device_name(device.name);
+  device_->setText(device.has_force ? name : tr("%1, without force").arg(name));
+}
+
+void StatusLine::show_recording() {
+  record_->setVisible(recording_.is_on());
+  if (!recording_.is_on()) return;
+  const auto status = recording_.status();
+  const double seconds = static_cast<double>(status.samples) / controller_.stylus().describe().rate_hz;
+  const QString file = QFileInfo(recording_.path()).fileName();
+  const QString words = tr("● %1, %2 s").arg(file, QLocale().toString(seconds, 'f', 0));
+  record_->setText(
+      status.lost == 0
+          ? words
+          : tr("%1, %2 lost").arg(words, QLocale().toString(static_cast<qulonglong>(status.lost))));
+  record_->setToolTip(tr("The session is being recorded to %1").arg(recording_.path()));
 }
 
 void StatusLine::show_depth(double depth_m) {
@@ -64,6 +90,7 @@ void StatusLine::changeEvent(QEvent* event) {
 }
 
 void StatusLine::look() {
+  show_recording();
   const auto timing = controller_.stylus().timing();
   const double seconds = static_cast<double>(since_.restart()) / 1000;
   if (ticks_ > 0 && seconds > 0.2) {

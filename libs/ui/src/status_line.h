@@ -10,6 +10,7 @@ class QLabel;
 
 namespace nazori::ui {
 
+class SessionRecording;
 class TabletController;
 
 /// The device, the rate its servo really runs at, how long a tick takes and how late it comes, how old the
@@ -17,7 +18,7 @@ class TabletController;
 class StatusLine final : public QStatusBar {
   Q_OBJECT
  public:
-  StatusLine(TabletController& controller, QWidget* parent);
+  StatusLine(TabletController& controller, const SessionRecording& recording, QWidget* parent);
 
   void show_depth(double depth_m);
 
@@ -26,8 +27,12 @@ class StatusLine final : public QStatusBar {
 
  private:
   void look();
+  void show_device();
+  void show_recording();
 
   TabletController& controller_;
+  const SessionRecording& recording_;
+  QLabel* record_;
   QLabel* device_;
   QLabel* rate_;
   QLabel* timing_;

@@ -72,7 +72,7 @@ QScrollArea { background: transparent; border: none; }
 QScrollArea:focus { border: 2px solid @indigo; }
 QWidget#information_content { background: transparent; }
 QFrame[separator="true"] { background: @line; border: none; max-height: 1px; min-height: 1px; }
-QWidget#library_panel, QWidget#information_panel { background: @paper; }
+QWidget#library_panel, QWidget#information_panel, QWidget#seat_panel, QWidget#feel_panel { background: @paper; }
 QLabel[role="muted"] { color: @muted; }
 QLabel[role="heading"] { color: @muted; }
 

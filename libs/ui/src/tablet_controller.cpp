@@ -5,7 +5,10 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
+
+#include "nazori/devices/simulated_device.h"
 
 namespace nazori::ui {
 namespace {
@@ -15,6 +18,7 @@ constexpr int kIdlePump_ms = 250;
 constexpr double kUsualDepth = 1.15;  ///< below the deepest groove: a click touches the bottom
 constexpr double kDeepest = 1.5;
 constexpr double kNotch = 0.05;
+constexpr double kSeen_m = 2e-6;  ///< smaller moves of a device change no pixel
 
 }  // namespace
 
@@ -23,6 +27,8 @@ TabletController::TabletController(QObject* parent) : QObject(parent), mouse_dep
   pump_timer_.setInterval(kIdlePump_ms);
   pump_timer_.setTimerType(Qt::CoarseTimer);
   connect(&pump_timer_, &QTimer::timeout, this, &TabletController::pump);
+  connect(&stylus_, &Stylus::leaving, this, &TabletController::pump);
+  connect(&stylus_, &Stylus::changed, this, [this] { send(); });
 }
 
 TabletController::~TabletController() = default;
@@ -104,11 +110,25 @@ void TabletController::hand_over_scene() {
   snap.enabled = snapping_in_effect();
   snap.stroke = current_;
   if (guides_) snap.stiffness *= std::clamp(guides_->snapping_strength, 0.0, 1.0);
-  stylus_.set_scene(tablet_->scene(haptics::Material{}, snap));
+  stylus_.set_scene(tablet_->scene(material_, snap));
 }
 
-void TabletController::move_stylus(geometry::TabletPoint at, bool pressed, std::optional<double> pressure) {
+void TabletController::set_slope_help(bool on) { change(slope_help_, on, false); }
+
+void TabletController::set_judged(bool judged) { judged_ = judged; }
+
+void TabletController::set_material(const haptics::Material& material) {
+  material_ = material;
+  hand_over_scene();
+}
+
+void TabletController::move_stylus(geometry::TabletPoint at, bool pressed, std::optional<double> pressure,
+                                   std::optional<double> event_s) {
   const geometry::TabletShape shape = tablet_ ? tablet_->shape() : geometry::TabletShape{};
+  if (!pressed || pressure || !slope_help_ || judged_)
+    slope_gain_.reset();
+  else if (tablet_)
+    at = slope_gain_.follow(at, haptics::TabletSurface(*tablet_->surface(), shape));
   // A little beyond the edge is still the tablet: strokes may end near it.
   const double edge_m = shape.width_m * 0.56;
   pointer_.x_m = std::clamp(at.x, -edge_m, edge_m);
@@ -121,7 +141,7 @@ void TabletController::move_stylus(geometry::TabletPoint at, bool pressed, std::
   pointer_.in_range = over || pointer_.pressed;
   const double fraction = pressure ? std::clamp(*pressure, 0.0, 1.0) * kDeepest : mouse_depth_;
   pointer_.depth_m = pointer_.pressed ? fraction * shape.depth_m : 0;
-  send();
+  send(event_s);
 }
 
 void TabletController::lift_stylus() {
@@ -139,9 +159,15 @@ void TabletController::push_stylus(double notches) {
   send();
 }
 
-void TabletController::send() {
-  stylus_.move(pointer_);
-  if (pump_timer_.isActive()) pump_timer_.setInterval(pointer_.pressed ? kActivePump_ms : kIdlePump_ms);
+void TabletController::send(std::optional<double> event_s) {
+  stylus_.move(pointer_, event_s);
+  // A simulated device has no hand of its own: the mouse leads it.
+  if (const auto* opened = stylus_.opened(); opened != nullptr && pointer_.in_range)
+    if (auto* simulated = dynamic_cast<devices::SimulatedDevice*>(opened->device.get()))
+      simulated->set_target({pointer_.x_m, pointer_.y_m,
+                             pointer_.pressed ? -pointer_.depth_m : devices::PointerDevice::kHover_m});
+  const bool active = pointer_.pressed || !stylus_.is_pointer();
+  if (pump_timer_.isActive()) pump_timer_.setInterval(active ? kActivePump_ms : kIdlePump_ms);
   emit depth_changed(pointer_.depth_m);
   emit picture_changed();
 }
@@ -162,7 +188,13 @@ void TabletController::pump() {
     }
     if (count < samples.size()) break;
   }
-  if (inked) emit picture_changed();
+  bool moved = false;
+  if (!stylus_.is_pointer()) {
+    const haptics::Vec3& at = stylus_.latest().device_m;
+    moved = glm::length(at - seen_m_) > kSeen_m;
+    if (moved) seen_m_ = at;
+  }
+  if (inked || moved) emit picture_changed();
 }
 
 view::Overlay TabletController::overlay() {
@@ -176,7 +208,7 @@ view::Overlay TabletController::overlay() {
   overlay.writing = writing_;
   if (demonstration_) overlay.cursor = demonstration_->brush;
   shown_s_ = 0;
-  if (pointer_.in_range) {
+  if (stylus_in_range()) {
     const auto& now = stylus_.latest();
     shown_s_ = now.begun_s;
     overlay.cursor = view::Cursor{now.proxy_m, now.device_m, now.touching};

@@ -11,6 +11,7 @@
 #include "ink_tracker.h"
 #include "nazori/tablet/carved_tablet.h"
 #include "nazori/view/tablet_view.h"
+#include "slope_gain.h"
 #include "stylus.h"
 
 namespace nazori::ui {
@@ -83,8 +84,17 @@ class TabletController final : public QObject {
 
   /// The stylus over the tablet. @param pressure  0..1 of a pen; nothing for a mouse, whose depth the wheel
   /// sets.
-  void move_stylus(geometry::TabletPoint at, bool pressed, std::optional<double> pressure = {});
+  /// @param event_s  when, on the clock of the window system; nothing: now.
+  void move_stylus(geometry::TabletPoint at, bool pressed, std::optional<double> pressure = {},
+                   std::optional<double> event_s = {});
   void lift_stylus();
+  /// Lets a mouse go slower up a slope and faster down.
+  void set_slope_help(bool on);
+  [[nodiscard]] bool slope_help() const { return slope_help_; }
+  /// While what is written is judged nothing but the hand may move the stylus.
+  void set_judged(bool judged);
+  /// What the tablet feels like.
+  void set_material(const haptics::Material& material);
   /// Pushes the pressed stylus deeper (positive) or less deep, in notches of the wheel.
   void push_stylus(double notches);
   [[nodiscard]] bool is_pressed() const { return pointer_.pressed; }
@@ -102,7 +112,7 @@ class TabletController final : public QObject {
   /// Greatest age of a drawn stylus since the last call [s], 0 where none was drawn.
   [[nodiscard]] double take_drawn_age_s();
   /// The stylus is over the tablet.
-  [[nodiscard]] bool stylus_in_range() const { return pointer_.in_range; }
+  [[nodiscard]] bool stylus_in_range() const { return !stylus_.is_pointer() || pointer_.in_range; }
 
  signals:
   void tablet_changed();
@@ -119,7 +129,7 @@ class TabletController final : public QObject {
 
  private:
   void hand_over_scene();
-  void send();
+  void send(std::optional<double> event_s = {});
   template <class T>
   void change(T& value, T to, bool felt);
 
@@ -134,6 +144,11 @@ class TabletController final : public QObject {
   std::optional<TabletGuides> guides_;
   std::optional<Demonstration> demonstration_;
   std::vector<view::WrittenStroke> writing_;
+  haptics::Material material_;
+  SlopeGain slope_gain_;
+  bool slope_help_ = false;
+  bool judged_ = false;
+  haptics::Vec3 seen_m_{0};  ///< device, when its moving was last told
   devices::PointerState pointer_;
   double shown_s_ = 0;      ///< begun_s of the sample in the last overlay, 0 none
   double drawn_age_s_ = 0;  ///< greatest since it was taken

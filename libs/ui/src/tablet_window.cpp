@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tablet_window.h"
 
+#include <QCoreApplication>
 #include <QCursor>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QKeyEvent>
+#include <QLineF>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QScreen>
 #include <QTabletEvent>
+#include <QTouchEvent>
 #include <QUrl>
 #include <QWheelEvent>
 #include <algorithm>
@@ -23,6 +26,7 @@ namespace {
 constexpr int kGlide_ms = 220;
 constexpr int kStill_ms = 120;    ///< the camera has come to rest: one more picture, in full quality
 constexpr int kSettle_ms = 250;   ///< the simulated tip takes a few milliseconds to follow the pointer
+constexpr int kPenGone_ms = 500;  ///< the palm leaves the tablet after the pen
 constexpr double kSeen_m = 2e-6;  ///< smaller moves of the tip change no pixel
 
 /// The view to begin with and to come back to: in the classic style the eye of 2005.
@@ -63,6 +67,8 @@ TabletWindow::TabletWindow(TabletController* controller)
   glide_.setEasingCurve(QEasingCurve::OutCubic);
   since_frame_.start();
   since_move_.start();
+  // Where the pen is near is told to the application alone.
+  if (auto* application = QCoreApplication::instance()) application->installEventFilter(this);
 }
 
 TabletWindow::~TabletWindow() { release_graphics(); }
@@ -224,11 +230,14 @@ void TabletWindow::drag_camera(QPointF to) {
   drag_from_ = to;
 }
 
-void TabletWindow::point_stylus(QPointF position, bool pressed, std::optional<double> pressure) {
+void TabletWindow::point_stylus(QPointF position, bool pressed, std::optional<double> pressure,
+                                quint64 event_ms) {
   since_move_.restart();
-  if (const auto at = point_under(position)) controller_->move_stylus(*at, pressed, pressure);
+  std::optional<double> event_s;
+  if (event_ms != 0) event_s = static_cast<double>(event_ms) / 1000;
+  if (const auto at = point_under(position)) controller_->move_stylus(*at, pressed, pressure, event_s);
   // Over the tablet the drawn stylus is the pointer; a second one beside it would only lag or lead.
-  const bool hide = controller_->stylus_in_range();
+  const bool hide = controller_->stylus().is_pointer() && controller_->stylus_in_range();
   if (hide != (cursor().shape() == Qt::BlankCursor)) setCursor(hide ? Qt::BlankCursor : Qt::ArrowCursor);
 }
 
@@ -237,7 +246,7 @@ void TabletWindow::mousePressEvent(QMouseEvent* event) {
   const QPointF at = event->position();
   if (event->button() == Qt::LeftButton) {
     begin_drag(Drag::stylus, at);
-    point_stylus(at, true, {});
+    point_stylus(at, true, {}, event->timestamp());
   } else if (event->button() == Qt::MiddleButton ||
              (event->button() == Qt::RightButton && event->modifiers().testFlag(Qt::ShiftModifier))) {
     begin_drag(Drag::pan, at);
@@ -250,7 +259,7 @@ void TabletWindow::mouseMoveEvent(QMouseEvent* event) {
   if (drag_ == Drag::orbit || drag_ == Drag::pan)
     drag_camera(event->position());
   else
-    point_stylus(event->position(), drag_ == Drag::stylus, {});
+    point_stylus(event->position(), drag_ == Drag::stylus, {}, event->timestamp());
 }
 
 void TabletWindow::mouseReleaseEvent(QMouseEvent* event) {
@@ -259,10 +268,11 @@ void TabletWindow::mouseReleaseEvent(QMouseEvent* event) {
                     (drag_ == Drag::pan && event->button() != Qt::LeftButton);
   if (!ends) return;
   drag_ = Drag::none;
-  point_stylus(event->position(), false, {});
+  point_stylus(event->position(), false, {}, event->timestamp());
 }
 
 void TabletWindow::tabletEvent(QTabletEvent* event) {
+  since_pen_.start();
   const QPointF at = event->position();
   if (event->type() == QEvent::TabletPress) {
     // The barrel button turns the tablet, as the right mouse button does.
@@ -279,8 +289,58 @@ void TabletWindow::tabletEvent(QTabletEvent* event) {
   if (drag_ == Drag::orbit)
     drag_camera(at);
   else
-    point_stylus(at, pen_down_, event->pressure());
+    point_stylus(at, pen_down_, event->pressure(), event->timestamp());
   event->accept();
+}
+
+bool TabletWindow::pen_is_near() const {
+  return pen_in_proximity_ || (since_pen_.isValid() && since_pen_.elapsed() < kPenGone_ms);
+}
+
+void TabletWindow::touchEvent(QTouchEvent* event) {
+  // Taken even where nothing is done with it: Qt would make a mouse of the palm.
+  event->accept();
+  const auto& points = event->points();
+  if (pen_is_near() || event->type() == QEvent::TouchCancel || points.isEmpty()) {
+    if (fingers_ == 1 && !pen_down_) controller_->lift_stylus();
+    fingers_ = 0;
+    return;
+  }
+  int down = 0;
+  for (const auto& point : points) down += point.state() != QEventPoint::Released ? 1 : 0;
+  const QPointF first = points.front().position();
+  if (down >= 2 && points.size() >= 2) {
+    const QPointF second = points[1].position();
+    const QPointF middle = (first + second) / 2;
+    const double apart = QLineF(first, second).length();
+    if (fingers_ == 1) controller_->lift_stylus();
+    if (fingers_ == 2 && view_ && apart > 1 && pinch_apart_ > 1) {
+      set_camera(
+          view_->panned({pinch_middle_.x(), pinch_middle_.y()}, {middle.x(), middle.y()}, width(), height()));
+      set_camera(view_->zoomed(apart / pinch_apart_, {middle.x(), middle.y()}, width(), height()));
+    }
+    fingers_ = 2;
+    pinch_middle_ = middle;
+    pinch_apart_ = apart;
+    return;
+  }
+  // After two fingers the last one does not write: it is on its way up.
+  if (fingers_ == 2) {
+    if (down == 0) fingers_ = 0;
+    return;
+  }
+  fingers_ = down;
+  point_stylus(first, down == 1, {}, event->timestamp());
+  if (down == 0) controller_->lift_stylus();
+}
+
+bool TabletWindow::eventFilter(QObject* /*watched*/, QEvent* event) {
+  if (event->type() == QEvent::TabletEnterProximity) pen_in_proximity_ = true;
+  if (event->type() == QEvent::TabletLeaveProximity) {
+    pen_in_proximity_ = false;
+    since_pen_.start();
+  }
+  return false;
 }
 
 void TabletWindow::wheelEvent(QWheelEvent* event) {

@@ -19,6 +19,7 @@ namespace nazori::ui {
 /// otherwise; while the stylus moves, up to the screen's rate, with the newest pose of the servo read just
 /// before drawing.
 ///
+/// A finger writes too, two of them move and zoom; while a pen is near, fingers and palm are nothing.
 /// Left button or pen tip: stylus down, wheel or pressure: depth. Right button: turn and tilt. Middle button,
 /// or right with Shift: move. Wheel: nearer and farther. Home: as at the start.
 class TabletWindow final : public QOpenGLWindow {
@@ -58,6 +59,8 @@ class TabletWindow final : public QOpenGLWindow {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void tabletEvent(QTabletEvent* event) override;
+  void touchEvent(QTouchEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -70,7 +73,9 @@ class TabletWindow final : public QOpenGLWindow {
   void take_style();
   void glide_to(const view::Camera& camera);
   void drag_camera(QPointF to);
-  void point_stylus(QPointF position, bool pressed, std::optional<double> pressure);
+  /// @param event_ms  of the window system's clock, 0 unknown.
+  void point_stylus(QPointF position, bool pressed, std::optional<double> pressure, quint64 event_ms);
+  [[nodiscard]] bool pen_is_near() const;
   void begin_drag(Drag drag, QPointF position);
   void release_graphics();
 
@@ -83,6 +88,11 @@ class TabletWindow final : public QOpenGLWindow {
   bool tablet_stale_ = true;
   bool reduced_motion_ = false;
   bool pen_down_ = false;
+  bool pen_in_proximity_ = false;
+  QElapsedTimer since_pen_;  ///< last event of a pen; not valid: none yet
+  int fingers_ = 0;          ///< on the tablet
+  QPointF pinch_middle_;
+  double pinch_apart_ = 0;
   Drag drag_ = Drag::none;
   QPointF drag_from_;
   haptics::Vec3 drawn_proxy_m_{0};

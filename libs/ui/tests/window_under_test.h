@@ -12,6 +12,7 @@
 
 #include "appearance.h"
 #include "language.h"
+#include "nazori/devices/device_catalogue.h"
 #include "nazori/ui/main_window.h"
 #include "workplace.h"
 
@@ -33,6 +34,7 @@ class WindowTest : public testing::Test {
     setup.character = character;
     setup.draws_tablet = false;
     setup.workplaces = workplaces_;
+    setup.back_ends = back_ends_;
     window_ = std::make_unique<MainWindow>(setup, appearance_);
     QSignalSpy shown(window_.get(), &MainWindow::character_shown);
     window_->show();
@@ -68,6 +70,13 @@ class WindowTest : public testing::Test {
     QTest::keyClick(at, key, modifiers);
   }
 
+  /// No test may take hold of a device that happens to be plugged in.
+  std::function<std::vector<std::unique_ptr<devices::BackEnd>>()> back_ends_ = [] {
+    std::vector<std::unique_ptr<devices::BackEnd>> all;
+    all.push_back(devices::pointer_back_end());
+    all.push_back(devices::simulated_back_end());
+    return all;
+  };
   std::vector<MakeWorkplace> workplaces_;  ///< empty: all that are registered
   QTemporaryDir folder_;
   Appearance appearance_;

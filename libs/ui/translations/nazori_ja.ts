@@ -278,6 +278,46 @@
         <source>&amp;Go</source>
         <translation>移動(&amp;G)</translation>
     </message>
+    <message>
+        <source>&amp;Record the session</source>
+        <translation>記録する(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Write every moment of feeling to a file</source>
+        <translation>触った一瞬一瞬をファイルに書き留めます</translation>
+    </message>
+    <message>
+        <source>Groove s&amp;ound</source>
+        <translation>溝の音(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Hear the stylus scratch in the groove</source>
+        <translation>ペン先が溝をこする音を鳴らします</translation>
+    </message>
+    <message>
+        <source>Lo&amp;uder</source>
+        <translation>音を大きく(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The scratch becomes louder</source>
+        <translation>こする音を大きくします</translation>
+    </message>
+    <message>
+        <source>So&amp;fter</source>
+        <translation>音を小さく(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The scratch becomes softer</source>
+        <translation>こする音を小さくします</translation>
+    </message>
+    <message>
+        <source>Mouse feels s&amp;lopes</source>
+        <translation>マウスで坂を感じる(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The stylus of the mouse goes slower up a slope and faster down, as if held in the groove</source>
+        <translation>マウスのペン先が上り坂で遅く、下り坂で速くなり、溝に留まるように感じられます</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::CharacterActions</name>
@@ -715,10 +755,354 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::DeviceActions</name>
+    <message>
+        <source>&amp;Look for devices</source>
+        <translation>装置を探す(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Look again for what is plugged in</source>
+        <translation>つながっている装置をもう一度探します</translation>
+    </message>
+    <message>
+        <source>S&amp;tronger</source>
+        <translation>強く(&amp;T)</translation>
+    </message>
+    <message>
+        <source>The trial pushes harder by a tenth of the device&apos;s limit</source>
+        <translation>試し触りの力を、装置の上限の一割だけ強くします</translation>
+    </message>
+    <message>
+        <source>&amp;Weaker</source>
+        <translation>弱く(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The trial pushes less hard</source>
+        <translation>試し触りの力を弱くします</translation>
+    </message>
+    <message>
+        <source>Fit by &amp;corners…</source>
+        <translation>四隅で合わせる(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Show three corners of the tablet with the stylus</source>
+        <translation>文字板の三つの隅をペン先で示します</translation>
+    </message>
+    <message>
+        <source>&amp;Fit by itself</source>
+        <translation>自動で合わせる(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The largest tablet that the stylus can reach whole</source>
+        <translation>ペン先が隅まで届くいちばん大きな文字板にします</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>装置(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::DevicePlace</name>
+    <message>
+        <source>&amp;Device</source>
+        <translation>装置(&amp;D)</translation>
+    </message>
+    <message>
+        <source>What the tablet is felt with, and what it is made of</source>
+        <translation>文字板に触れる装置と、文字板の材質</translation>
+    </message>
+    <message>
+        <source>&amp;Devices</source>
+        <translation>装置の一覧(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show or fold away the devices</source>
+        <translation>装置の一覧を出す／たたむ</translation>
+    </message>
+    <message>
+        <source>&amp;What is felt</source>
+        <translation>手ごたえ(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show or fold away what is felt</source>
+        <translation>手ごたえを出す／たたむ</translation>
+    </message>
+    <message>
+        <source>A tablet to try the stylus on: a wall on the left, a groove on the right</source>
+        <translation>ペン先を試す文字板。左に壁、右に溝があります</translation>
+    </message>
+    <message>
+        <source>Feel the wall and the groove gently. It becomes stronger only when you ask for it.</source>
+        <translation>壁と溝にそっと触れてみてください。力は頼んだときだけ強くなります。</translation>
+    </message>
+    <message>
+        <source>Mouse and pen see the wall and the groove. A device with force is felt as soon as it is plugged in.</source>
+        <translation>マウスとペンでは壁と溝が見えます。力覚装置をつなぐと、すぐに手ごたえが伝わります。</translation>
+    </message>
+    <message>
+        <source>The tablet is as large as the stylus can reach.</source>
+        <translation>文字板をペン先の届く範囲いっぱいに合わせました。</translation>
+    </message>
+    <message>
+        <source>%1 goes on. What was written is still there.</source>
+        <translation>%1 を再開します。書いたものはそのまま残っています。</translation>
+    </message>
+    <message>
+        <source>%1 has the tablet.</source>
+        <translation>%1 で文字板に触れています。</translation>
+    </message>
+    <message>
+        <source>%1 Until then mouse and pen write.</source>
+        <translation>%1それまではマウスとペンで書けます。</translation>
+    </message>
+    <message>
+        <source>There is no device to be fitted.</source>
+        <translation>合わせる装置がありません。</translation>
+    </message>
+    <message>
+        <source>1 of 3: hold the tip where the bottom left corner is to be.</source>
+        <translation>1／3：左下の隅にしたい所にペン先を置いてください。</translation>
+    </message>
+    <message>
+        <source>Show three corners of the tablet in the air or on the desk.</source>
+        <translation>空中か机の上で、文字板の三つの隅を示してください。</translation>
+    </message>
+    <message>
+        <source>The device went away. The tablet is as it was.</source>
+        <translation>装置がなくなりました。文字板は元のままです。</translation>
+    </message>
+    <message>
+        <source>2 of 3: hold the tip where the bottom right corner is to be.</source>
+        <translation>2／3：右下の隅にしたい所にペン先を置いてください。</translation>
+    </message>
+    <message>
+        <source>3 of 3: hold the tip where the top left corner is to be.</source>
+        <translation>3／3：左上の隅にしたい所にペン先を置いてください。</translation>
+    </message>
+    <message>
+        <source>These corners make no tablet: they must be at least 2 cm apart, square, and in order. The tablet is as it was.</source>
+        <translation>この三隅では文字板になりません。2 cm 以上離し、直角に、順番どおりに示してください。文字板は元のままです。</translation>
+    </message>
+    <message>
+        <source>The tablet stands where you showed it.</source>
+        <translation>示した所に文字板を置きました。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::DeviceText</name>
+    <message>
+        <source>Mouse, pen or finger</source>
+        <translation>マウス・ペン・指</translation>
+    </message>
+    <message>
+        <source>Simulations</source>
+        <translation>模擬装置</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1: the maker&apos;s library is not installed.</source>
+        <translation>%1：製造元のライブラリーが入っていません。</translation>
+    </message>
+    <message>
+        <source>%1: the maker&apos;s library is too old or not the right one. Install a newer one.</source>
+        <translation>%1：製造元のライブラリーが古いか、別物です。新しいものを入れてください。</translation>
+    </message>
+    <message>
+        <source>%1: the maker&apos;s service does not answer. Start it.</source>
+        <translation>%1：製造元のサービスが応答しません。起動してください。</translation>
+    </message>
+    <message>
+        <source>%1: nothing is plugged in. Check cable and power.</source>
+        <translation>%1：何もつながっていません。ケーブルと電源を確かめてください。</translation>
+    </message>
+    <message>
+        <source>%1 is there, but you may not open it. Add yourself to its group, or install its udev rule.</source>
+        <translation>%1 はありますが、開く権限がありません。装置のグループに加わるか、udev 規則を入れてください。</translation>
+    </message>
+    <message>
+        <source>%1 is in use. Close the other program.</source>
+        <translation>%1 は使用中です。もう一方のプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>%1 is there but does not start. Unplug it and plug it in again.</source>
+        <translation>%1 はありますが、動き出しません。抜いてもう一度つないでください。</translation>
+    </message>
+    <message>
+        <source>%1: how the tablet was fitted cannot be used. Fit it again.</source>
+        <translation>%1：文字板の合わせ方が使えません。もう一度合わせてください。</translation>
+    </message>
+    <message>
+        <source>%1 rests in its holder. Take the stylus out to go on.</source>
+        <translation>%1 はペン立てに収まっています。ペンを取ると続きます。</translation>
+    </message>
+    <message>
+        <source>%1 gives no force: its safety switch is not held.</source>
+        <translation>%1 は力を出していません。安全スイッチが押されていません。</translation>
+    </message>
+    <message>
+        <source>%1 must find its place: put the stylus into the holder once.</source>
+        <translation>%1 は位置合わせが要ります。ペンを一度ペン立てに戻してください。</translation>
+    </message>
+    <message>
+        <source>%1 guarded itself against too large a force. It goes on by itself.</source>
+        <translation>%1 が大きすぎる力から身を守りました。ひとりでに続きます。</translation>
+    </message>
+    <message>
+        <source>%1 guarded itself against too fast a motion. It goes on by itself.</source>
+        <translation>%1 が速すぎる動きから身を守りました。ひとりでに続きます。</translation>
+    </message>
+    <message>
+        <source>The motors of %1 are warm. It goes on when they have cooled.</source>
+        <translation>%1 のモーターが熱くなりました。冷めると続きます。</translation>
+    </message>
+    <message>
+        <source>%1 is switched off or braked. Switch it on.</source>
+        <translation>%1 の電源が切れているか、ブレーキがかかっています。入れてください。</translation>
+    </message>
+    <message>
+        <source>The connection to %1 broke off. Check the cable.</source>
+        <translation>%1 との接続が切れました。ケーブルを確かめてください。</translation>
+    </message>
+    <message>
+        <source>%1 reports a fault. Switch it off and on again.</source>
+        <translation>%1 が故障を知らせています。電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>%1 does not answer any more. Unplug it and plug it in again.</source>
+        <translation>%1 が応答しなくなりました。抜いてもう一度つないでください。</translation>
+    </message>
+    <message>
+        <source>The service of %1 has stopped. Start it again.</source>
+        <translation>%1 のサービスが止まりました。もう一度起動してください。</translation>
+    </message>
+    <message>
+        <source>What %1 sends cannot be understood. Update its service.</source>
+        <translation>%1 から届くものが読み取れません。サービスを更新してください。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::FeedbackLine</name>
     <message>
         <source>What just happened</source>
         <translation>今のお知らせ</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::FeelPanel</name>
+    <message>
+        <source>What the stylus feels</source>
+        <translation>ペン先の手ごたえ</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>今</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>ペン先</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>ボタン</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Latest</source>
+        <translation>最大の遅れ</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>抜け</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>遅延</translation>
+    </message>
+    <message>
+        <source>Feel a wall, feel a groove</source>
+        <translation>壁に触れる、溝に触れる</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材質</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>硬さ</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>粘り</translation>
+    </message>
+    <message>
+        <source>Static friction</source>
+        <translation>静止摩擦</translation>
+    </message>
+    <message>
+        <source>Dynamic friction</source>
+        <translation>動摩擦</translation>
+    </message>
+    <message>
+        <source>Popthrough</source>
+        <translation>突き抜け</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>手ざわり</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>なめらか</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>紙</translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation>木</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>石</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>粗さ</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 mm</source>
+        <translation>%1、%2、%3 mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 times a second</source>
+        <translation>毎秒 %1 回</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>At %1 % of the device&apos;s limits. On the left stands a wall, on the right lies a groove.</source>
+        <translation>装置の上限の %1 % です。左に壁、右に溝があります。</translation>
     </message>
 </context>
 <context>
@@ -1082,6 +1466,58 @@ Columns and rows:</source>
         <source>%1 – Nazori</source>
         <translation>%1 – Nazori</translation>
     </message>
+    <message>
+        <source>Another device: the recording goes on in %1.</source>
+        <translation>装置が替わったので、記録は %1 に続きます。</translation>
+    </message>
+    <message>
+        <source>The recording %1 has ended: %2.</source>
+        <translation>記録 %1 は終わりました：%2。</translation>
+    </message>
+    <message>
+        <source>A recording had broken off. It is complete now: %1.</source>
+        <translation>途切れていた記録を最後まで復元しました：%1。</translation>
+    </message>
+    <message>
+        <source>A recording had broken off with the computer. It may lack its last second: %1.</source>
+        <translation>計算機とともに途切れた記録があります。最後の一秒が欠けているかもしれません：%1。</translation>
+    </message>
+    <message>
+        <source>No sound: %1. Everything else works.</source>
+        <translation>音が出ません：%1。ほかはすべて使えます。</translation>
+    </message>
+    <message>
+        <source>Loudness %1 %.</source>
+        <translation>音の大きさ %1 %。</translation>
+    </message>
+    <message>
+        <source>Recorded: %1.</source>
+        <translation>記録しました：%1。</translation>
+    </message>
+    <message>
+        <source>The recording is not whole: %1.</source>
+        <translation>記録は完全ではありません：%1。</translation>
+    </message>
+    <message>
+        <source>Record the session</source>
+        <translation>記録する</translation>
+    </message>
+    <message>
+        <source>Recording, to be replayed (*.nzr)</source>
+        <translation>再生できる記録 (*.nzr)</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1: %2. Nothing is recorded.</source>
+        <translation>%1：%2。記録していません。</translation>
+    </message>
+    <message>
+        <source>Recording to %1 until %2 is pressed again.</source>
+        <translation>もう一度 %2 を押すまで %1 に記録します。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::MemoryStage</name>
@@ -1229,6 +1665,130 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::SeatPanel</name>
+    <message>
+        <source>The tip is there</source>
+        <translation>ペン先を置いた</translation>
+    </message>
+    <message>
+        <source>Devices and how they stand</source>
+        <translation>装置とその置き方</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>装置</translation>
+    </message>
+    <message>
+        <source>Fit to the tablet</source>
+        <translation>文字板に合わせる</translation>
+    </message>
+    <message>
+        <source>Writing hand</source>
+        <translation>書く手</translation>
+    </message>
+    <message>
+        <source>Right hand writes</source>
+        <translation>右手で書く</translation>
+    </message>
+    <message>
+        <source>Left hand writes</source>
+        <translation>左手で書く</translation>
+    </message>
+    <message>
+        <source>Tilt of the tablet</source>
+        <translation>文字板の傾き</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>angle, 90 upright</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Seat beside the device</source>
+        <translation>装置に対する座る向き</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Buttons of the stylus</source>
+        <translation>ペンのボタン</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>何もしない</translation>
+    </message>
+    <message>
+        <source>next stroke</source>
+        <translation>次の画</translation>
+    </message>
+    <message>
+        <source>previous stroke</source>
+        <translation>前の画</translation>
+    </message>
+    <message>
+        <source>all strokes</source>
+        <translation>全画</translation>
+    </message>
+    <message>
+        <source>wipe the ink off</source>
+        <translation>墨を消す</translation>
+    </message>
+    <message>
+        <source>First button</source>
+        <translation>一つ目のボタン</translation>
+    </message>
+    <message>
+        <source>Second button</source>
+        <translation>二つ目のボタン</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>硬さ</translation>
+    </message>
+    <message>
+        <source>%1 N/m</source>
+        <translation>%1 N/m</translation>
+    </message>
+    <message>
+        <source>The best there is</source>
+        <translation>いちばん良い装置</translation>
+    </message>
+    <message>
+        <source>%1 (simulation)</source>
+        <translation>%1（模擬）</translation>
+    </message>
+    <message>
+        <source>%1 – in use</source>
+        <translation>%1 – 使用中</translation>
+    </message>
+    <message>
+        <source>%1 – not there</source>
+        <translation>%1 – 見つかりません</translation>
+    </message>
+    <message>
+        <source>Fitted by corners: 1 cm of the hand is %1 cm on the tablet.</source>
+        <translation>隅で合わせました。手の 1 cm が文字板の %1 cm です。</translation>
+    </message>
+    <message>
+        <source>Fitted by itself: 1 cm of the hand is %1 cm on the tablet.</source>
+        <translation>自動で合わせました。手の 1 cm が文字板の %1 cm です。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StatusLine</name>
     <message>
         <source>How often a second the stylus is felt</source>
@@ -1237,10 +1797,6 @@ Columns and rows:</source>
     <message>
         <source>Moments of feeling that came too late or not at all, since the start</source>
         <translation>起動してから、間に合わなかった、または抜けた回数</translation>
-    </message>
-    <message>
-        <source>Mouse or pen</source>
-        <translation>マウスまたはペン</translation>
     </message>
     <message>
         <source>%1, without force</source>
@@ -1273,6 +1829,18 @@ Columns and rows:</source>
     <message>
         <source>%1 missed</source>
         <translation>抜け %1 回</translation>
+    </message>
+    <message>
+        <source>● %1, %2 s</source>
+        <translation>● %1、%2 秒</translation>
+    </message>
+    <message>
+        <source>%1, %2 lost</source>
+        <translation>%1、抜け %2</translation>
+    </message>
+    <message>
+        <source>The session is being recorded to %1</source>
+        <translation>%1 に記録しています</translation>
     </message>
 </context>
 <context>

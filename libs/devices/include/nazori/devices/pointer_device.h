@@ -31,8 +31,14 @@ class PointerDevice final : public haptics::HapticDevice {
   [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override;
   void stop() noexcept override;
 
-  /// Newest pointer state. Thread: interface. Wait-free.
+  /// Newest pointer state, from the next tick on. Thread: interface. Wait-free.
   void move(const PointerState& state) noexcept;
+  /// The same with the time of its event, on any clock that runs evenly: states that are handed over together
+  /// (a fast pen, a window that was busy) are played one after the other in the time they took, so that no
+  /// part of a fast stroke is lost. What is late is played up to kFastest times as fast until it has caught
+  /// up. A clock that jumps back begins anew. Thread: interface. Wait-free.
+  void move(const PointerState& state, double event_s) noexcept;
+  static constexpr double kFastest = 4;
 
   /// How the servo thread keeps time. Thread: interface.
   [[nodiscard]] ClockStatus clock() const;

@@ -4,10 +4,12 @@
 #include <QMainWindow>
 #include <QString>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "nazori/base/result.h"
+#include "nazori/devices/back_end.h"
 
 namespace nazori::ui {
 
@@ -28,6 +30,8 @@ class MainWindow final : public QMainWindow {
     bool draws_tablet = true;        ///< false: no OpenGL (tests, machines without it)
     /// Makes the workplaces; empty: all that are registered.
     std::vector<std::unique_ptr<Workplace> (*)(Desk&)> workplaces;
+    /// Makes the ways to haptic devices; empty: all that the program knows.
+    std::function<std::vector<std::unique_ptr<devices::BackEnd>>()> back_ends;
   };
 
   MainWindow(const Setup& setup, Appearance& appearance);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "action_set.h"
+
+namespace nazori::ui {
+
+/// What can be done in the workplace for devices.
+class DeviceActions final : public ActionSet {
+  Q_OBJECT
+ public:
+  explicit DeviceActions(QWidget* window);
+  QAction *look_again, *stronger, *weaker, *calibrate, *fit;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/device_place.h"
+
+#include <QGuiApplication>
+#include <QSettings>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "device/device_actions.h"
+#include "device/feel_panel.h"
+#include "device/seat_panel.h"
+#include "device_text.h"
+#include "error_text.h"
+#include "kanji_text.h"
+
+namespace nazori::ui {
+
+std::shared_ptr<const tablet::CarvedTablet> wall_and_groove(const geometry::TabletShape& shape) {
+  constexpr int kSize = 512;
+  auto map = surface::HeightMap::create(kSize);
+  if (!map) return nullptr;
+  for (int column = 0; column < kSize; ++column) {
+    const double x = static_cast<double>(column) / (kSize - 1);
+    // A floor, then a steep wall; a round groove in the plateau.
+    const double wall = 0.1 + 0.9 * std::clamp((x - 0.30) / 0.06, 0.0, 1.0);
+    const double off = (x - 0.68) / 0.035;
+    const double height = std::min(wall, 1 - 0.8 * std::exp(-off * off));
+    for (int row = 0; row < kSize; ++row) map->set(column, row, static_cast<float>(height));
+  }
+  kanji::StrokeLine line;
+  line.points = {{0.68 * geometry::kGlyphSide, 15}, {0.68 * geometry::kGlyphSide, 94}};
+  auto made = tablet::CarvedTablet::from_height_map(std::move(*map), {line}, shape);
+  return made ? *made : nullptr;
+}
+
+DevicePlace::DevicePlace(Desk& desk)
+    : Workplace(desk),
+      stylus_(desk.controller().stylus()),
+      actions_(new DeviceActions(&desk.window())),
+      seat_panel_(new SeatPanel(*actions_, &desk.window())),
+      feel_panel_(new FeelPanel(stylus_, *actions_, &desk.window())) {
+  QSettings settings(desk.settings_file(), QSettings::IniFormat);
+  settings.beginGroup(id());
+  memory_.load(settings);
+  desk.controller().set_material(memory_.material);
+  feel_panel_->show_material(memory_.material);
+  connect_actions();
+  connect_panels();
+  connect_stylus();
+  // Once the window is there: looking for devices may take a moment.
+  QTimer::singleShot(0, this, [this] {
+    stylus_.choose(memory_.chosen.toStdString());
+    show_device();
+  });
+}
+
+DevicePlace::~DevicePlace() = default;
+
+QString DevicePlace::id() const { return QStringLiteral("device"); }
+QString DevicePlace::name() const { return tr("&Device"); }
+QString DevicePlace::purpose() const { return tr("What the tablet is felt with, and what it is made of"); }
+Icon DevicePlace::drawing() const { return Icon::device; }
+
+Workplace::Panel DevicePlace::left() const {
+  return {seat_panel_, tr("&Devices"), tr("Show or fold away the devices")};
+}
+
+Workplace::Panel DevicePlace::right() const {
+  return {feel_panel_, tr("&What is felt"), tr("Show or fold away what is felt")};
+}
+
+ActionSet* DevicePlace::actions() const { return actions_; }
+
+QList<Tool> DevicePlace::tools() const {
+  return {{actions_->look_again, true}, {}, {actions_->weaker, true}, {actions_->stronger, true}};
+}
+
+QString DevicePlace::tablet_description() const {
+  return tr("A tablet to try the stylus on: a wall on the left, a groove on the right");
+}
+
+void DevicePlace::enter() {
+  entered_ = true;
+  if (!trial_tablet_) trial_tablet_ = wall_and_groove({});
+  desk().controller().set_tablet(trial_tablet_);
+  set_strength(kTrialStep);
+  look_again();
+  feel_panel_->watch(true);
+  desk().say(
+      Feedback::hint,
+      stylus_.opened() != nullptr
+          ? tr("Feel the wall and the groove gently. It becomes stronger only when you ask for it.")
+          : tr("Mouse and pen see the wall and the groove. A device with force is felt as soon as it is "
+               "plugged in."));
+}
+
+void DevicePlace::leave() {
+  if (corner_ >= 0) end_calibration({}, Feedback::hint);
+  entered_ = false;
+  feel_panel_->watch(false);
+  set_strength(1);
+}
+
+void DevicePlace::save(QSettings& settings) const { memory_.save(settings); }
+
+void DevicePlace::connect_actions() {
+  connect(actions_->look_again, &QAction::triggered, this, [this] {
+    if (stylus_.opened() == nullptr) stylus_.choose(stylus_.chosen());
+    look_again();
+  });
+  connect(actions_->stronger, &QAction::triggered, this,
+          [this] { set_strength(stylus_.strength() + kTrialStep); });
+  connect(actions_->weaker, &QAction::triggered, this,
+          [this] { set_strength(stylus_.strength() - kTrialStep); });
+  connect(actions_->calibrate, &QAction::triggered, this, [this] { calibrate(); });
+  connect(actions_->fit, &QAction::triggered, this, [this] {
+    settings().calibration.reset();
+    stylus_.reopen();
+    desk().save_later();
+    desk().say(Feedback::good, tr("The tablet is as large as the stylus can reach."));
+  });
+}
+
+void DevicePlace::connect_panels() {
+  connect(seat_panel_, &SeatPanel::chosen, this, [this](const QString& id) { choose(id); });
+  connect(seat_panel_, &SeatPanel::posture_changed, this, [this](const devices::TabletPosture& posture) {
+    auto& of_device = settings();
+    of_device.posture = posture;
+    // Corners were shown for another posture.
+    of_device.calibration.reset();
+    stylus_.reopen();
+    desk().save_later();
+  });
+  connect(seat_panel_, &SeatPanel::buttons_changed, this, [this](ButtonDoes first, ButtonDoes second) {
+    settings().buttons = {first, second};
+    desk().save_later();
+  });
+  connect(seat_panel_, &SeatPanel::limits_changed, this, [this](double force_n, double stiffness_n_m) {
+    auto& of_device = settings();
+    of_device.max_force_n = force_n;
+    of_device.max_stiffness_n_m = stiffness_n_m;
+    stylus_.take_limits();
+    desk().save_later();
+  });
+  connect(seat_panel_, &SeatPanel::corner_shown, this, [this] { take_corner(); });
+  connect(feel_panel_, &FeelPanel::material_changed, this, [this](const haptics::Material& material) {
+    memory_.material = material;
+    desk().controller().set_material(material);
+    desk().save_later();
+  });
+}
+
+void DevicePlace::connect_stylus() {
+  stylus_.set_devices(desk().take_back_ends(), {},
+                      [this](const std::string& id) { return memory_.devices.value(to_text(id)); });
+  connect(&stylus_, &Stylus::changed, this, [this] { show_device(); });
+  // Not in the middle of taking samples: what a button does may open the device anew.
+  connect(
+      &stylus_, &Stylus::button_pressed, this, [this](int number) { press_button(number); },
+      Qt::QueuedConnection);
+  connect(&stylus_, &Stylus::device_taken, this, [this](const QString& name, bool again) {
+    desk().tell(Feedback::good,
+                again
+                    ? tr("%1 goes on. What was written is still there.").arg(device_name(name.toStdString()))
+                    : tr("%1 has the tablet.").arg(device_name(name.toStdString())));
+  });
+  const auto trouble = [this](const QString& name, haptics::DeviceTrouble what, const QString&) {
+    desk().tell(
+        Feedback::advice,
+        tr("%1 Until then mouse and pen write.").arg(trouble_text(what, device_name(name.toStdString()))));
+  };
+  connect(&stylus_, &Stylus::device_paused, this, trouble);
+  connect(&stylus_, &Stylus::device_lost, this, trouble);
+  connect(&stylus_, &Stylus::device_refused, this,
+          [this](const QString& id, haptics::DeviceTrouble what, const QString& message) {
+            desk().tell(Feedback::advice, trouble_text(what, device_name(id.toStdString()), message));
+          });
+}
+
+void DevicePlace::choose(const QString& id) {
+  memory_.chosen = id;
+  desk().save_later();
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  stylus_.choose(id.toStdString());
+  look_again();
+  QGuiApplication::restoreOverrideCursor();
+}
+
+void DevicePlace::look_again() {
+  const auto* opened = stylus_.opened();
+  seat_panel_->show_findings(stylus_.find(), memory_.chosen,
+                             opened != nullptr ? to_text(opened->id) : QStringLiteral("pointer"),
+                             device_name(stylus_.own_description().name));
+  show_device();
+}
+
+void DevicePlace::show_device() {
+  const auto* opened = stylus_.opened();
+  const auto own = stylus_.own_description();
+  const QString id = opened != nullptr ? to_text(opened->id) : QStringLiteral("pointer");
+  const bool has_force = opened != nullptr;
+  seat_panel_->show_device(memory_.devices.value(id), own, opened != nullptr ? opened->calibration.scale : 1);
+  feel_panel_->show_strength(stylus_.strength(), has_force);
+  for (auto* action : {actions_->calibrate, actions_->fit}) action->setEnabled(has_force);
+  const double strength = stylus_.strength();
+  actions_->stronger->setEnabled(has_force && strength < 1 - kTrialStep / 2);
+  actions_->weaker->setEnabled(has_force && strength > kTrialStep * 1.5);
+}
+
+void DevicePlace::set_strength(double strength) {
+  stylus_.set_strength(std::clamp(strength, kTrialStep, 1.0));
+  show_device();
+}
+
+DeviceSettings& DevicePlace::settings() {
+  const auto* opened = stylus_.opened();
+  return memory_.devices[opened != nullptr ? to_text(opened->id) : QStringLiteral("pointer")];
+}
+
+void DevicePlace::calibrate() {
+  if (stylus_.opened() == nullptr || stylus_.is_pointer()) {
+    desk().say(Feedback::advice, tr("There is no device to be fitted."));
+    return;
+  }
+  // Nothing pushes while the hand shows where the tablet is to be.
+  desk().controller().set_tablet(nullptr);
+  corner_ = 0;
+  seat_panel_->show_step(tr("1 of 3: hold the tip where the bottom left corner is to be."));
+  desk().say(Feedback::hint, tr("Show three corners of the tablet in the air or on the desk."));
+}
+
+void DevicePlace::take_corner() {
+  const auto* opened = stylus_.opened();
+  if (corner_ < 0 || opened == nullptr || stylus_.is_pointer()) {
+    end_calibration(tr("The device went away. The tablet is as it was."), Feedback::advice);
+    return;
+  }
+  const auto mapping = devices::WorkspaceMapping::create(opened->calibration);
+  const haptics::Vec3 tip_m = stylus_.latest().device_m;
+  corners_m_[static_cast<std::size_t>(corner_)] = mapping ? mapping->to_device_m(tip_m) : tip_m;
+  ++corner_;
+  if (corner_ < 3) {
+    seat_panel_->show_step(corner_ == 1 ? tr("2 of 3: hold the tip where the bottom right corner is to be.")
+                                        : tr("3 of 3: hold the tip where the top left corner is to be."));
+    return;
+  }
+  auto& of_device = settings();
+  const auto fitted = devices::calibrate_from_corners(corners_m_[0], corners_m_[1], corners_m_[2], {},
+                                                      of_device.posture.hand);
+  if (!fitted) {
+    end_calibration(
+        tr("These corners make no tablet: they must be at least 2 cm apart, square, and in order. "
+           "The tablet is as it was."),
+        Feedback::wrong);
+    return;
+  }
+  of_device.calibration = *fitted;
+  of_device.posture = fitted->posture;
+  end_calibration(tr("The tablet stands where you showed it."), Feedback::good);
+  stylus_.reopen();
+  desk().save_later();
+}
+
+void DevicePlace::end_calibration(const QString& sentence, Feedback kind) {
+  corner_ = -1;
+  seat_panel_->show_step({});
+  if (entered_) desk().controller().set_tablet(trial_tablet_);
+  desk().say(kind, sentence);
+}
+
+void DevicePlace::press_button(int number) {
+  if (corner_ >= 0) {
+    take_corner();
+    return;
+  }
+  if (stylus_.opened() == nullptr) return;
+  const auto buttons = memory_.devices.value(to_text(stylus_.opened()->id)).buttons;
+  if (number < 0 || number >= static_cast<int>(buttons.size())) return;
+  auto& controller = desk().controller();
+  switch (buttons[static_cast<std::size_t>(number)]) {
+    case ButtonDoes::nothing:
+      return;
+    case ButtonDoes::next_stroke:
+      controller.next_stroke();
+      return;
+    case ButtonDoes::previous_stroke:
+      controller.previous_stroke();
+      return;
+    case ButtonDoes::all_strokes:
+      controller.set_current_stroke(0);
+      return;
+    case ButtonDoes::clear_ink:
+      controller.clear_ink();
+      return;
+  }
+}
+
+}  // namespace nazori::ui

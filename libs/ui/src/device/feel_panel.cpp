@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/feel_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "device/device_actions.h"
+#include "device/number_slider.h"
+#include "stylus.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kMargin = 16;
+constexpr int kLook_ms = 100;
+
+void set_role(QWidget* widget, const char* role) { widget->setProperty("role", QString::fromLatin1(role)); }
+
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  set_role(label, "heading");
+  return label;
+}
+
+}  // namespace
+
+FeelPanel::FeelPanel(Stylus& stylus, const DeviceActions& actions, QWidget* parent)
+    : QScrollArea(parent), stylus_(stylus), content_(new QWidget(this)) {
+  setObjectName(QStringLiteral("feel_panel"));
+  setAccessibleName(tr("What the stylus feels"));
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setWidgetResizable(true);
+  content_->setObjectName(QStringLiteral("information_content"));
+  auto* column = new QVBoxLayout(content_);
+  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  column->setSpacing(8);
+
+  column->addWidget(heading(tr("Now"), content_));
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(3);
+  const std::array<std::pair<const char*, QString>, line_count> names{{
+      {"live_pose", tr("Tip")},
+      {"live_buttons", tr("Buttons")},
+      {"live_force", tr("Force")},
+      {"live_rate", tr("Rate")},
+      {"live_lateness", tr("Latest")},
+      {"live_missed", tr("Missed")},
+      {"live_delay", tr("Delay")},
+  }};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    lines_[i] = new QLabel(content_);
+    lines_[i]->setObjectName(QString::fromLatin1(names[i].first));
+    lines_[i]->setAccessibleName(names[i].second);
+    lines_[i]->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    form->addRow(names[i].second, lines_[i]);
+  }
+  column->addLayout(form);
+
+  trial_ = new QWidget(content_);
+  auto* trial = new QVBoxLayout(trial_);
+  trial->setContentsMargins(0, 0, 0, 0);
+  trial->addWidget(heading(tr("Feel a wall, feel a groove"), trial_));
+  strength_ = new QLabel(trial_);
+  strength_->setObjectName(QStringLiteral("strength"));
+  strength_->setWordWrap(true);
+  trial->addWidget(strength_);
+  auto* row = new QHBoxLayout;
+  for (QAction* action : {actions.weaker, actions.stronger}) {
+    auto* button = new QPushButton(without_mnemonic(action->text()), trial_);
+    button->setObjectName(QStringLiteral("button_") + action->objectName());
+    button->setToolTip(action->toolTip());
+    connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    row->addWidget(button);
+  }
+  trial->addLayout(row);
+  column->addWidget(trial_);
+
+  column->addWidget(heading(tr("Material"), content_));
+  const auto slider = [&](const QString& name, const char* object) {
+    auto* made =
+        new NumberSlider(name, QString::fromLatin1(object), 0, 1, 0.05, QStringLiteral("%1"), 2, content_);
+    column->addWidget(made);
+    connect(made, &NumberSlider::moved, this, &FeelPanel::tell_material);
+    return made;
+  };
+  stiffness_ = slider(tr("Stiffness"), "material_stiffness");
+  damping_ = slider(tr("Damping"), "material_damping");
+  hold_ = slider(tr("Static friction"), "material_static_friction");
+  slide_ = slider(tr("Dynamic friction"), "material_dynamic_friction");
+  popthrough_ = slider(tr("Popthrough"), "material_popthrough");
+  texture_ = new QComboBox(content_);
+  texture_->setObjectName(QStringLiteral("material_texture"));
+  texture_->setAccessibleName(tr("Texture"));
+  texture_->addItems({tr("smooth"), tr("paper"), tr("wood"), tr("stone")});
+  connect(texture_, &QComboBox::currentIndexChanged, this, &FeelPanel::tell_material);
+  column->addWidget(texture_);
+  roughness_ = slider(tr("Roughness"), "material_roughness");
+  column->addStretch(1);
+  setWidget(content_);
+  viewport()->setAutoFillBackground(false);
+  content_->setAutoFillBackground(false);
+  timer_.setInterval(kLook_ms);
+  connect(&timer_, &QTimer::timeout, this, &FeelPanel::look);
+}
+
+void FeelPanel::watch(bool on) {
+  if (on) {
+    look();
+    timer_.start();
+  } else {
+    timer_.stop();
+  }
+}
+
+void FeelPanel::look() {
+  const QLocale locale;
+  const auto& now = stylus_.latest();
+  const auto status = stylus_.status();
+  const auto timing = stylus_.timing();
+  const auto mm = [&](double m) { return locale.toString(m * 1000, 'f', 1); };
+  const auto show = [&](Line line, const QString& text) {
+    if (lines_[line]->text() != text) lines_[line]->setText(text);
+  };
+  show(pose, tr("%1, %2, %3 mm").arg(mm(now.device_m.x), mm(now.device_m.y), mm(now.device_m.z)));
+  QStringList down;
+  for (int i = 0; i < 32; ++i)
+    if ((now.buttons >> i & 1U) != 0) down.append(locale.toString(i + 1));
+  show(buttons, down.isEmpty() ? tr("none") : down.join(QStringLiteral(", ")));
+  show(force, tr("%1 N").arg(locale.toString(glm::length(now.force_n), 'f', 2)));
+  const double rate_hz = status.rate_hz > 0 ? status.rate_hz : stylus_.describe().rate_hz;
+  show(rate, tr("%1 times a second").arg(locale.toString(rate_hz, 'f', 0)));
+  show(lateness, tr("%1 ms").arg(locale.toString(timing.max_lateness_s * 1e3, 'f', 1)));
+  show(missed, locale.toString(static_cast<qulonglong>(timing.missed_ticks)));
+  show(delay, tr("%1 ms").arg(locale.toString(status.delay_s * 1e3, 'f', 1)));
+}
+
+void FeelPanel::show_strength(double strength, bool has_force) {
+  trial_->setVisible(has_force);
+  strength_->setText(
+      tr("At %1 % of the device's limits. On the left stands a wall, on the right lies a groove.")
+          .arg(QLocale().toString(std::lround(strength * 100))));
+}
+
+void FeelPanel::show_material(const haptics::Material& material) {
+  showing_ = true;
+  material_ = material;
+  stiffness_->set_value(material.stiffness);
+  damping_->set_value(material.damping);
+  hold_->set_value(material.static_friction);
+  slide_->set_value(material.dynamic_friction);
+  popthrough_->set_value(material.popthrough);
+  texture_->setCurrentIndex(static_cast<int>(material.texture));
+  roughness_->set_value(material.roughness);
+  showing_ = false;
+}
+
+void FeelPanel::tell_material() {
+  if (showing_) return;
+  material_.stiffness = stiffness_->value();
+  material_.damping = damping_->value();
+  material_.static_friction = hold_->value();
+  // What slides is never held less than what rests.
+  if (slide_->value() > hold_->value()) slide_->set_value(hold_->value());
+  material_.dynamic_friction = slide_->value();
+  material_.popthrough = popthrough_->value();
+  material_.texture = static_cast<haptics::Texture>(texture_->currentIndex());
+  material_.roughness = roughness_->value();
+  emit material_changed(material_);
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QScrollArea>
+#include <QTimer>
+#include <array>
+
+#include "nazori/haptics/haptic_scene.h"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+
+namespace nazori::ui {
+
+class DeviceActions;
+class NumberSlider;
+class Stylus;
+
+/// What the stylus is doing now, how hard the trial pushes, and what the tablet is made of.
+class FeelPanel final : public QScrollArea {
+  Q_OBJECT
+ public:
+  FeelPanel(Stylus& stylus, const DeviceActions& actions, QWidget* parent);
+
+  /// Looks at the stylus ten times a second while `on`.
+  void watch(bool on);
+  void show_strength(double strength, bool has_force);
+  void show_material(const haptics::Material& material);
+
+ signals:
+  void material_changed(nazori::haptics::Material material);
+
+ private:
+  enum Line : std::uint8_t { pose, buttons, force, rate, lateness, missed, delay, line_count };
+
+  void look();
+  void tell_material();
+
+  Stylus& stylus_;
+  QWidget* content_;
+  std::array<QLabel*, line_count> lines_{};
+  QLabel* strength_;
+  QWidget* trial_;
+  NumberSlider *stiffness_, *damping_, *hold_, *slide_, *popthrough_, *roughness_;
+  QComboBox* texture_;
+  haptics::Material material_;
+  bool showing_ = false;
+  QTimer timer_;
+};
+
+}  // namespace nazori::ui

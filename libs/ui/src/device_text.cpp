@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device_text.h"
+
+#include <QCoreApplication>
+
+#include "kanji_text.h"
+
+namespace nazori::ui {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(nazori::ui::DeviceText)
+};
+
+}  // namespace
+
+QString device_name(std::string_view name) {
+  if (name == "Mouse, pen or finger" || name == "Mouse or pen") return Words::tr("Mouse, pen or finger");
+  if (name == "Simulations") return Words::tr("Simulations");
+  return to_text(name);
+}
+
+QString trouble_text(haptics::DeviceTrouble trouble, const QString& name, const QString& detail) {
+  using enum haptics::DeviceTrouble;
+  const auto with_detail = [&](const QString& sentence) {
+    return detail.isEmpty() ? sentence : Words::tr("%1 (%2)").arg(sentence, detail);
+  };
+  switch (trouble) {
+    case none:
+      return {};
+    case library_missing:
+      return with_detail(Words::tr("%1: the maker's library is not installed.").arg(name));
+    case symbol_missing:
+      return with_detail(
+          Words::tr("%1: the maker's library is too old or not the right one. Install a newer one.")
+              .arg(name));
+    case service_missing:
+      return with_detail(Words::tr("%1: the maker's service does not answer. Start it.").arg(name));
+    case device_absent:
+      return with_detail(Words::tr("%1: nothing is plugged in. Check cable and power.").arg(name));
+    case no_permission:
+      return with_detail(
+          Words::tr("%1 is there, but you may not open it. Add yourself to its group, or install its udev "
+                    "rule.")
+              .arg(name));
+    case in_use:
+      return with_detail(Words::tr("%1 is in use. Close the other program.").arg(name));
+    case init_failed:
+      return with_detail(
+          Words::tr("%1 is there but does not start. Unplug it and plug it in again.").arg(name));
+    case bad_calibration:
+      return with_detail(Words::tr("%1: how the tablet was fitted cannot be used. Fit it again.").arg(name));
+    case docked:
+      return Words::tr("%1 rests in its holder. Take the stylus out to go on.").arg(name);
+    case safety_switch:
+      return Words::tr("%1 gives no force: its safety switch is not held.").arg(name);
+    case not_calibrated:
+      return Words::tr("%1 must find its place: put the stylus into the holder once.").arg(name);
+    case over_force:
+      return Words::tr("%1 guarded itself against too large a force. It goes on by itself.").arg(name);
+    case over_speed:
+      return Words::tr("%1 guarded itself against too fast a motion. It goes on by itself.").arg(name);
+    case warm_motors:
+      return Words::tr("The motors of %1 are warm. It goes on when they have cooled.").arg(name);
+    case not_ready:
+      return with_detail(Words::tr("%1 is switched off or braked. Switch it on.").arg(name));
+    case communication_lost:
+      return Words::tr("The connection to %1 broke off. Check the cable.").arg(name);
+    case device_fault:
+      return with_detail(Words::tr("%1 reports a fault. Switch it off and on again.").arg(name));
+    case stalled:
+      return Words::tr("%1 does not answer any more. Unplug it and plug it in again.").arg(name);
+    case service_gone:
+      return Words::tr("The service of %1 has stopped. Start it again.").arg(name);
+    case bad_message:
+      return with_detail(Words::tr("What %1 sends cannot be understood. Update its service.").arg(name));
+  }
+  return {};
+}
+
+}  // namespace nazori::ui

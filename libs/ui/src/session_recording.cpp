@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session_recording.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSettings>
+#include <filesystem>
+#include <utility>
+
+#include "stylus.h"
+
+namespace nazori::ui {
+namespace {
+
+const QString kKey = QStringLiteral("recording/unfinished");
+
+std::filesystem::path to_path(const QString& text) { return {text.toStdString()}; }
+
+bool is_csv(const QString& path) { return path.endsWith(QLatin1String(".csv")); }
+
+/// "session.nzr" is followed by "session-2.nzr".
+QString numbered(const QString& path, qsizetype number) {
+  const QFileInfo info(path);
+  return info.path() +
+         QStringLiteral("/%1-%2.%3").arg(info.completeBaseName()).arg(number).arg(info.suffix());
+}
+
+}  // namespace
+
+SessionRecording::SessionRecording(Stylus& stylus, QString settings_file, QObject* parent)
+    : QObject(parent), stylus_(stylus), settings_file_(std::move(settings_file)) {
+  connect(&stylus_, &Stylus::leaving, this, [this] {
+    if (!recorder_) return;
+    going_on_ = true;
+    if (const auto closed = close(); !closed) emit failed(path_, closed.error());
+  });
+  watch_.setInterval(1000);
+  connect(&watch_, &QTimer::timeout, this, [this] {
+    if (!recorder_ || recorder_->status().error.what.empty()) return;
+    const QString path = path_;
+    if (const auto ended = finish(); !ended) emit failed(path, ended.error());
+  });
+  connect(&stylus_, &Stylus::changed, this, [this] { move_on(); });
+}
+
+SessionRecording::~SessionRecording() {
+  if (recorder_) (void)close();
+}
+
+base::Result<void> SessionRecording::start(const QString& path, const QString& character,
+                                           const geometry::TabletShape& shape) {
+  (void)finish();
+  session_.character = character.toStdString();
+  session_.shape = shape;
+  first_path_ = path;
+  auto begun = begin(path);
+  emit changed();
+  return begun;
+}
+
+base::Result<void> SessionRecording::begin(const QString& path) {
+  session_.device = stylus_.describe();
+  auto recorder = recording::SessionRecorder::start(stylus_.servo(), to_path(path), session_);
+  if (!recorder) return tl::unexpected(std::move(recorder.error()));
+  recorder_ = std::move(*recorder);
+  watch_.start();
+  path_ = path;
+  written_.append(path);
+  remember(path);
+  return {};
+}
+
+base::Result<void> SessionRecording::close() {
+  auto finished = recorder_->finish();
+  recorder_.reset();
+  if (!finished) return tl::unexpected(std::move(finished.error()));
+  forget(path_);
+  return {};
+}
+
+void SessionRecording::move_on() {
+  if (!std::exchange(going_on_, false)) return;
+  const QString path = numbered(first_path_, written_.size() + 1);
+  if (const auto begun = begin(path); !begun)
+    emit failed(path, begun.error());
+  else
+    emit moved_on(path);
+  emit changed();
+}
+
+base::Result<QStringList> SessionRecording::finish() {
+  QStringList written = std::exchange(written_, {});
+  if (!recorder_) return written;
+  auto closed = close();
+  emit changed();
+  if (!closed) return tl::unexpected(std::move(closed.error()));
+  return written;
+}
+
+recording::RecorderStatus SessionRecording::status() const {
+  return recorder_ ? recorder_->status() : recording::RecorderStatus{};
+}
+
+void SessionRecording::remember(const QString& path) const {
+  QSettings settings(settings_file_, QSettings::IniFormat);
+  QStringList files = settings.value(kKey).toStringList();
+  if (!files.contains(path)) files.append(path);
+  settings.setValue(kKey, files);
+}
+
+void SessionRecording::forget(const QString& path) const {
+  QSettings settings(settings_file_, QSettings::IniFormat);
+  QStringList files = settings.value(kKey).toStringList();
+  files.removeAll(path);
+  if (files.isEmpty())
+    settings.remove(kKey);
+  else
+    settings.setValue(kKey, files);
+}
+
+SessionRecording::Recovered SessionRecording::recover() {
+  Recovered found;
+  const QStringList files = QSettings(settings_file_, QSettings::IniFormat).value(kKey).toStringList();
+  for (const auto& path : files) {
+    const QString raw = is_csv(path) ? path + QStringLiteral(".nzr") : path;
+    const auto result = recording::recover(to_path(raw));
+    // Another window is recording into it.
+    if (result && *result == recording::Recovery::in_progress) continue;
+    forget(path);
+    if (!result) continue;  // moved or removed since: nothing to say
+    if (is_csv(path)) {
+      if (const auto exported = recording::export_csv(to_path(raw), to_path(path), {}); !exported) {
+        emit failed(path, exported.error());
+        continue;
+      }
+      QFile::remove(raw);
+    }
+    (*result == recording::Recovery::nothing_left ? found.broken : found.files).append(path);
+  }
+  return found;
+}
+
+}  // namespace nazori::ui

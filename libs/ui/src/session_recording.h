@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+#include <memory>
+
+#include "nazori/base/result.h"
+#include "nazori/geometry/frames.h"
+#include "nazori/recording/session_recorder.h"
+
+namespace nazori::ui {
+
+class Stylus;
+
+/// Records every moment of feeling to a file, whatever device has the tablet. Another device goes on in a
+/// file of its own, numbered, because a recording says of which device it is. Which file is being written is
+/// kept in the settings, so that the next start can complete it after a crash. Thread: interface.
+class SessionRecording final : public QObject {
+  Q_OBJECT
+ public:
+  SessionRecording(Stylus& stylus, QString settings_file, QObject* parent = nullptr);
+  ~SessionRecording() override;
+
+  /// @param path  .nzr or .csv. @param character  what lies on the desk.
+  [[nodiscard]] base::Result<void> start(const QString& path, const QString& character,
+                                         const geometry::TabletShape& shape);
+  /// @return the files that were written; the error of the last.
+  base::Result<QStringList> finish();
+  [[nodiscard]] bool is_on() const { return recorder_ != nullptr; }
+  /// The file that is being written.
+  [[nodiscard]] const QString& path() const { return path_; }
+  [[nodiscard]] recording::RecorderStatus status() const;
+
+  /// What a program that died has left unfinished, completed now.
+  struct Recovered {
+    QStringList files;   ///< complete to the last moment
+    QStringList broken;  ///< end before the last moment: the computer was restarted
+  };
+  [[nodiscard]] Recovered recover();
+
+ signals:
+  void changed();
+  /// Recording goes on in another file, with another device.
+  void moved_on(QString path);
+  void failed(QString path, nazori::base::Error error);
+
+ private:
+  base::Result<void> begin(const QString& path);
+  base::Result<void> close();
+  void move_on();
+  void remember(const QString& path) const;
+  void forget(const QString& path) const;
+
+  Stylus& stylus_;
+  QString settings_file_;
+  QString first_path_;
+  QString path_;
+  QStringList written_;
+  recording::Session session_;
+  QTimer watch_;           ///< for a full disk
+  bool going_on_ = false;  ///< between two devices
+  std::unique_ptr<recording::SessionRecorder> recorder_;
+};
+
+}  // namespace nazori::ui

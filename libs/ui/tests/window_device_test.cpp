@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QComboBox>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSettings>
+#include <QSlider>
+
+#include "characters/characters.h"
+#include "desk.h"
+#include "device/device_place.h"
+#include "scripted_device.h"
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+using haptics::DeviceState;
+using haptics::DeviceTrouble;
+
+Desk* desk_under_test = nullptr;
+
+template <class T>
+std::unique_ptr<Workplace> make(Desk& desk) {
+  desk_under_test = &desk;
+  return std::make_unique<T>(desk);
+}
+
+class Device : public WindowTest {
+ protected:
+  Device() {
+    workplaces_ = {make<Characters>, make<DevicePlace>};
+    back_ends_ = [script = script_] {
+      std::vector<std::unique_ptr<devices::BackEnd>> all;
+      all.push_back(std::make_unique<test::ScriptedBackEnd>(script));
+      all.push_back(devices::pointer_back_end());
+      return all;
+    };
+  }
+  void SetUp() override {
+    WindowTest::SetUp();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return text("device") == QStringLiteral("Scripted arm"); }));
+  }
+  TabletController& controller() { return desk_under_test->controller(); }
+  Stylus& stylus() { return controller().stylus(); }
+  bool says(const QString& part) {
+    return QTest::qWaitFor([&] { return feedback().contains(part); }, 5000);
+  }
+  /// Presses the tip this deep below the plateau, away from the grooves of 休, until it is there.
+  void press_to(double z_m) {
+    script_->x_m = script_->y_m = 0.049;
+    script_->z_m = 0.002;
+    QTest::qWait(400);
+    script_->z_m = z_m;
+    QTest::qWait(600);
+  }
+
+  std::shared_ptr<test::Script> script_ = std::make_shared<test::Script>();
+};
+
+TEST_F(Device, ThatIsFoundHasTheTabletAndTheMouseDoesNot) {
+  EXPECT_FALSE(stylus().is_pointer());
+  script_->x_m = 0.011;
+  controller().move_stylus({-0.03, 0}, true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(controller().latest().device_m.x - 0.011) < 1e-9; }));
+  EXPECT_TRUE(controller().overlay().cursor.has_value()) << "it is drawn without a mouse over the tablet";
+}
+
+TEST_F(Device, WhenItIsDockedTheForceIsGoneItIsSaidAndTheMouseWritesUntilItComesBackWithARamp) {
+  press_to(-0.004);
+  ASSERT_GT(script_->force_n, 0.5);
+  script_->trouble = DeviceTrouble::docked;
+  script_->state = DeviceState::paused;
+  ASSERT_TRUE(says(QStringLiteral("rests in its holder. Take the stylus out to go on. Until then mouse")));
+  EXPECT_EQ(script_->force_n, 0);
+  EXPECT_TRUE(stylus().is_pointer());
+  EXPECT_EQ(text("device"), QStringLiteral("Mouse, pen or finger, without force"));
+  controller().move_stylus({-0.03, 0}, true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return controller().latest().touching; }));
+  const auto progress = controller().ink().progress();
+
+  script_->most_step_n = 0;
+  script_->state = DeviceState::running;
+  ASSERT_TRUE(says(QStringLiteral("Scripted arm goes on. What was written is still there.")));
+  EXPECT_FALSE(stylus().is_pointer());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return script_->force_n > 0.5; }));
+  EXPECT_LT(script_->most_step_n, 0.05) << "a ramp of 0.3 s, no kick";
+  EXPECT_EQ(controller().ink().progress(), progress);
+  EXPECT_EQ(script_->opened, 1) << "a pause closes nothing";
+}
+
+TEST_F(Device, ThatIsUnpluggedIsSaidAndTakenAgainWhenItIsPluggedIn) {
+  script_->plugged_in = false;
+  script_->trouble = DeviceTrouble::communication_lost;
+  script_->state = DeviceState::lost;
+  ASSERT_TRUE(says(QStringLiteral("The connection to Scripted arm broke off. Check the cable. Until then")));
+  EXPECT_TRUE(stylus().is_pointer());
+  EXPECT_EQ(stylus().opened(), nullptr);
+  script_->state = DeviceState::running;
+  script_->trouble = DeviceTrouble::none;
+  script_->plugged_in = true;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !stylus().is_pointer(); }, 8000));
+  EXPECT_TRUE(says(QStringLiteral("Scripted arm has the tablet.")));
+}
+
+TEST_F(Device, GivesNoMoreForceThanTheLearnerAllowsAndNeverMoreThanItsOwnLimit) {
+  press_to(-0.05);
+  EXPECT_GT(script_->most_force_n, 2.5);
+  EXPECT_LE(script_->most_force_n, haptics::DeviceLimits{}.max_force_n + 1e-9);
+  press(Qt::Key_2, Qt::AltModifier);
+  auto* limit = find<QSlider>("max_force");
+  limit->setValue(limit->minimum() + 9);  // 1.0 N
+  EXPECT_EQ(text("max_force_value"), QStringLiteral("1.0 N"));
+  press(Qt::Key_1, Qt::AltModifier);
+  script_->most_force_n = 0;
+  press_to(-0.05);
+  EXPECT_NEAR(script_->most_force_n, 1.0, 0.01);
+}
+
+TEST_F(Device, ButtonsStepThroughTheStrokesAndCanBeGivenOtherMeanings) {
+  const auto click = [this](std::uint32_t button) {
+    script_->buttons = button;
+    QTest::qWait(80);
+    script_->buttons = 0;
+    QTest::qWait(80);
+  };
+  click(1);
+  click(1);
+  EXPECT_EQ(controller().current_stroke(), 2);
+  click(2);
+  EXPECT_EQ(controller().current_stroke(), 0);
+  press(Qt::Key_2, Qt::AltModifier);
+  find<QComboBox>("stylus_button_1")->setCurrentIndex(static_cast<int>(ButtonDoes::previous_stroke));
+  press(Qt::Key_1, Qt::AltModifier);
+  click(1);
+  EXPECT_EQ(controller().current_stroke(), 6);
+}
+
+TEST_F(Device, ATrialBeginsWithATenthOfItsLimitsAndRisesOnlyOnRequest) {
+  press(Qt::Key_2, Qt::AltModifier);
+  const double peak_n = haptics::DeviceLimits{}.max_force_n;
+  script_->most_force_n = 0;
+  press_to(-0.2);
+  EXPECT_NEAR(script_->most_force_n, 0.1 * peak_n, 0.01);
+  EXPECT_TRUE(text("strength").contains(QStringLiteral("10 %"))) << text("strength").toStdString();
+  EXPECT_FALSE(action("weaker")->isEnabled());
+  find<QPushButton>("button_stronger")->click();
+  script_->most_force_n = 0;
+  press_to(-0.2);
+  EXPECT_NEAR(script_->most_force_n, 0.2 * peak_n, 0.01);
+  press(Qt::Key_1, Qt::AltModifier);
+  EXPECT_EQ(stylus().strength(), 1);
+}
+
+TEST_F(Device, IsFittedByThreeCornersAndKeepsTheFit) {
+  press(Qt::Key_2, Qt::AltModifier);
+  action("calibrate")->trigger();
+  const auto corner = [this](double x, double y) {
+    script_->x_m = x;
+    script_->y_m = y;
+    QTest::qWait(60);
+    find<QPushButton>("corner")->click();
+  };
+  EXPECT_TRUE(text("calibration_step").startsWith(QStringLiteral("1 of 3")));
+  // In the tablet's frame as it was; the arm is at 1:1, so these are 8 cm for 10 cm of tablet.
+  corner(-0.04, -0.04);
+  corner(0.04, -0.04);
+  corner(-0.04, 0.04);
+  ASSERT_TRUE(says(QStringLiteral("The tablet stands where you showed it."))) << feedback().toStdString();
+  ASSERT_TRUE(script_->asked_calibrated);
+  EXPECT_NEAR(stylus().opened()->calibration.scale, 0.100 / 0.080, 1e-6);
+  EXPECT_TRUE(text("fit_text").contains(QStringLiteral("1.25 cm"))) << text("fit_text").toStdString();
+  window_->close();
+  script_->asked_calibrated = false;
+  open_window();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return script_->asked_calibrated.load(); }));
+  EXPECT_NEAR(stylus().opened()->calibration.scale, 1.25, 1e-6);
+}
+
+TEST_F(Device, CornersThatMakeNoTabletChangeNothing) {
+  press(Qt::Key_2, Qt::AltModifier);
+  action("calibrate")->trigger();
+  for (int i = 0; i < 3; ++i) find<QPushButton>("corner")->click();
+  EXPECT_TRUE(says(QStringLiteral("These corners make no tablet")));
+  EXPECT_EQ(script_->opened, 1);
+  EXPECT_FALSE(find("corner")->isVisible());
+}
+
+TEST_F(Device, ChoiceAndMaterialAreRemembered) {
+  press(Qt::Key_2, Qt::AltModifier);
+  find<QRadioButton>("device_pointer")->click();
+  EXPECT_TRUE(stylus().is_pointer());
+  find<QSlider>("material_stiffness")->setValue(8);
+  find<QComboBox>("material_texture")->setCurrentIndex(2);
+  window_->close();
+  open_window();
+  QTest::qWait(100);
+  EXPECT_TRUE(stylus().is_pointer()) << "the mouse was chosen, though the arm is there";
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_TRUE(find<QRadioButton>("device_pointer")->isChecked());
+  EXPECT_EQ(find<QSlider>("material_stiffness")->value(), 8);
+  EXPECT_EQ(find<QComboBox>("material_texture")->currentIndex(), 2);
+}
+
+TEST_F(Device, ThePageSaysWhyADeviceIsNotThere) {
+  script_->plugged_in = false;
+  script_->state = DeviceState::lost;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return stylus().is_pointer(); }));
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_EQ(texts("reason"), QStringList{"Scripts: nothing is plugged in. Check cable and power."});
+}
+
+TEST_F(Device, ASimulationIsLedByTheMouse) {
+  back_ends_ = [] {
+    std::vector<std::unique_ptr<devices::BackEnd>> all;
+    all.push_back(devices::pointer_back_end());
+    all.push_back(devices::simulated_back_end());
+    return all;
+  };
+  open_window();
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_TRUE(stylus().is_pointer()) << "nobody asked for a simulation";
+  find<QRadioButton>("device_simulated:touch")->click();
+  press(Qt::Key_1, Qt::AltModifier);
+  controller().move_stylus({0.045, 0.045}, true);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return controller().latest().touching && controller().latest().force_n.z > 0.1; }));
+}
+
+TEST_F(Device, WhatIsOnItsPageHasNamesForTheScreenReader) {
+  press(Qt::Key_2, Qt::AltModifier);
+  for (const char* panel : {"seat_panel", "feel_panel"}) {
+    EXPECT_FALSE(find(panel)->accessibleName().isEmpty());
+    for (const auto* slider : find(panel)->findChildren<QSlider*>())
+      EXPECT_FALSE(slider->accessibleName().isEmpty()) << slider->objectName().toStdString();
+    for (const auto* box : find(panel)->findChildren<QComboBox*>())
+      EXPECT_FALSE(box->accessibleName().isEmpty()) << box->objectName().toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace nazori::ui
