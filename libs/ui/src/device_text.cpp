@@ -64,6 +64,9 @@ QString trouble_text(haptics::DeviceTrouble trouble, const QString& name, const 
       return Words::tr("The motors of %1 are warm. It goes on when they have cooled.").arg(name);
     case not_ready:
       return with_detail(Words::tr("%1 is switched off or braked. Switch it on.").arg(name));
+    case too_slow:
+      return Words::tr("%1 answers too late to be felt safely. Close other programs, or use a cable.")
+          .arg(name);
     case communication_lost:
       return Words::tr("The connection to %1 broke off. Check the cable.").arg(name);
     case device_fault:

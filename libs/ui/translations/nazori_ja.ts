@@ -963,6 +963,10 @@
         <translation>%1 の電源が切れているか、ブレーキがかかっています。入れてください。</translation>
     </message>
     <message>
+        <source>%1 answers too late to be felt safely. Close other programs, or use a cable.</source>
+        <translation>%1 の応答が遅く、安全に力を返せません。ほかのプログラムを閉じるか、ケーブルで接続してください。</translation>
+    </message>
+    <message>
         <source>The connection to %1 broke off. Check the cable.</source>
         <translation>%1 との接続が切れました。ケーブルを確かめてください。</translation>
     </message>

@@ -144,6 +144,7 @@ double MemoryStage::strictness() const {
 
 void MemoryStage::begin() {
   controller().set_guides(TabletGuides{});
+  controller().set_judged(true);
   actions().compare_over->setChecked(false);
   compare_->setVisible(actions().compare_beside->isChecked());
   start_over();
@@ -158,6 +159,7 @@ void MemoryStage::end() {
   actions().compare_beside->setChecked(false);
   strokes_.clear();
   controller().set_writing({});
+  controller().set_judged(false);
 }
 
 void MemoryStage::start_over() {
