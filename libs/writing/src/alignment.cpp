@@ -22,8 +22,19 @@ constexpr float kOutOfOrder = 3.5F;
 constexpr float kFar = 60;  // beyond kWrong: how strange strokes differ is told to the learner
 constexpr float kNever = std::numeric_limits<float>::max();
 
-/// While the character is still being written, a stroke passed over is likelier than one too many.
-float extra_cost(Extent extent) { return extent == Extent::beginning ? kExtra + 6 : kExtra; }
+/// While the character is still being written, a strange stroke stands for the one that is due.
+float extra_cost(Extent extent) { return extent == Extent::beginning ? kWrong + 2 : kExtra; }
+
+/// Cost of `count` strokes not drawn. While the character is still being written it is one slip to begin with
+/// a later stroke, however many are passed over: else that stroke would be one too many.
+float missing_cost(Extent extent, std::size_t count) {
+  constexpr float kPassedOver = 12;
+  constexpr float kEachMore = 1;
+  constexpr float kMost = 16;
+  const auto strokes = static_cast<float>(count);
+  if (extent == Extent::whole || count == 0) return kMissing * strokes;
+  return std::min(kPassedOver + kEachMore * (strokes - 1), kMost);
+}
 
 /// All that is compared under one map.
 struct Table {
@@ -75,20 +86,23 @@ Alignment align_in_order(const AlignmentInput& input, const Table& t) {
   struct Cell {
     float cost = kNever;
     Move move = none;
+    std::size_t missed = 1;  // model strokes a `missing` passes over
     StrokeDifference difference;
   };
   std::vector<Cell> cells((n + 1) * (m + 1));
   const auto cell = [&cells, m](std::size_t i, std::size_t j) -> Cell& { return cells[i * (m + 1) + j]; };
-  const auto improve = [](Cell& c, float cost, Move move, const StrokeDifference& difference) {
-    if (cost < c.cost) c = {cost, move, difference};
+  const auto improve = [](Cell& c, float cost, Move move, const StrokeDifference& difference,
+                          std::size_t missed = 1) {
+    if (cost < c.cost) c = {cost, move, missed, difference};
   };
   cell(0, 0).cost = 0;
   for (std::size_t i = 0; i <= n; ++i) {
     for (std::size_t j = 0; j <= m; ++j) {
       const float here = cell(i, j).cost;
-      if (j < m)
-        improve(cell(i, j + 1), here + (input.extent == Extent::beginning && i == n ? 0 : kMissing), missing,
-                {});
+      if (j < m && input.extent == Extent::whole) improve(cell(i, j + 1), here + kMissing, missing, {});
+      if (input.extent == Extent::beginning)
+        for (std::size_t gap = 1; j + gap <= m; ++gap)
+          improve(cell(i, j + gap), here + (i == n ? 0 : missing_cost(input.extent, gap)), missing, {}, gap);
       if (i < n) improve(cell(i + 1, j), here + extra_cost(input.extent), extra, {});
       if (i < n && j < m) {
         const auto& d = t.at(i, j);
@@ -113,7 +127,10 @@ Alignment align_in_order(const AlignmentInput& input, const Table& t) {
   while (i > 0 || j > 0) {
     const auto& c = cell(i, j);
     const std::size_t used_drawn = c.move == missing ? 0 : c.move == split ? 2 : 1;
-    const std::size_t used_model = c.move == extra ? 0 : c.move == join ? 2 : 1;
+    const std::size_t used_model = c.move == extra     ? 0
+                                   : c.move == join    ? 2
+                                   : c.move == missing ? c.missed
+                                                       : 1;
     i -= used_drawn;
     j -= used_model;
     if (used_drawn > 0 && used_model > 0)
@@ -160,7 +177,7 @@ Alignment align_in_any_order(const AlignmentInput& input, const Table& t) {
     links.push_back({static_cast<int>(strange_drawn[k]), 1, static_cast<int>(strange_model[k]), 1,
                      t.at(strange_drawn[k], strange_model[k])});
   auto result = collect(std::move(links), input, total);
-  if (input.extent == Extent::beginning) result.cost += kMissing * static_cast<float>(result.missing.size());
+  if (input.extent == Extent::beginning) result.cost += missing_cost(input.extent, result.missing.size());
   return result;
 }
 
@@ -179,7 +196,8 @@ float box_cost(const AlignmentInput& input, const Affine& map) {
   const double dx = input.box->a * x + input.box->tx - geometry::kGlyphSide / 2;
   const double dy = input.box->d * y + input.box->ty - geometry::kGlyphSide / 2;
   const double size = std::log(scale_of(map) / input.box->a);
-  const double place_sigma = 12;
+  // The beginning says little of its own place: the box says more.
+  const double place_sigma = input.extent == Extent::beginning ? 7 : 12;
   const double size_sigma = 0.25;
   return static_cast<float>(std::min(
       (dx * dx + dy * dy) / (place_sigma * place_sigma) + size * size / (size_sigma * size_sigma), 20.0));

@@ -127,8 +127,8 @@ std::vector<std::size_t> smallest(const std::vector<float>& scores, std::size_t 
 /// look likest first.
 std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& drawn, bool unfinished) {
   // The picture of a beginning is not that of the whole.
-  const std::size_t most_by_picture = unfinished ? 20 : 36;
-  const std::size_t most_by_order = unfinished ? 32 : 16;
+  const std::size_t most_by_picture = unfinished ? 18 : 28;
+  const std::size_t most_by_order = unfinished ? 28 : 14;
   constexpr float kNever = std::numeric_limits<float>::max();
   constexpr float kPerStroke = 0.01F;
   const auto n = drawn.shapes.size();

@@ -34,6 +34,7 @@ struct Shape {
   Samples whole;
   std::optional<Samples> body;  ///< without the kick; nullopt where there is none
   bool kicked = false;          ///< it ends like a kick; a fold may do so too
+  float touch = 14;             ///< of a model stroke: much below this length it may be as short as a touch
   float freedom = 1;            ///< of a model stroke: how much more its shape may vary than is usual
 };
 
