@@ -19,9 +19,22 @@ constexpr float kExtra = 24;
 constexpr float kJoined = 19;  // joined < missing: else every joined pair were one missing stroke
 constexpr float kSplit = 16;
 constexpr float kOutOfOrder = 3.5F;
+constexpr float kFar = 60;  // beyond kWrong: how strange strokes differ is told to the learner
+constexpr float kNever = std::numeric_limits<float>::max();
 
-/// While the character is still being written, a stroke passed over is likelier than one too many.
-float extra_cost(Extent extent) { return extent == Extent::beginning ? kExtra + 6 : kExtra; }
+/// While the character is still being written, a strange stroke stands for the one that is due.
+float extra_cost(Extent extent) { return extent == Extent::beginning ? kWrong + 2 : kExtra; }
+
+/// Cost of `count` strokes not drawn. While the character is still being written it is one slip to begin with
+/// a later stroke, however many are passed over: else that stroke would be one too many.
+float missing_cost(Extent extent, std::size_t count) {
+  constexpr float kPassedOver = 12;
+  constexpr float kEachMore = 1;
+  constexpr float kMost = 16;
+  const auto strokes = static_cast<float>(count);
+  if (extent == Extent::whole || count == 0) return kMissing * strokes;
+  return std::min(kPassedOver + kEachMore * (strokes - 1), kMost);
+}
 
 /// All that is compared under one map.
 struct Table {
@@ -35,13 +48,13 @@ struct Table {
   }
 };
 
-Table tabulate(const AlignmentInput& input, const Affine& map) {
+Table tabulate(const AlignmentInput& input, const Affine& map, float far) {
   Table t{input.drawn.size(), input.model.size(), {}, {}};
   t.mapped.reserve(t.drawn_count);
   for (const auto& d : input.drawn) t.mapped.push_back(transformed(d, map));
   t.differences.reserve(t.drawn_count * t.model_count);
   for (const auto& d : t.mapped)
-    for (const auto& m : input.model) t.differences.push_back(compare(d, m));
+    for (const auto& m : input.model) t.differences.push_back(compare(d, m, far));
   return t;
 }
 
@@ -71,34 +84,37 @@ Alignment align_in_order(const AlignmentInput& input, const Table& t) {
   const std::size_t m = t.model_count;
   enum Move : unsigned char { none, match, missing, extra, join, split };
   struct Cell {
-    float cost = std::numeric_limits<float>::max();
+    float cost = kNever;
     Move move = none;
+    std::size_t missed = 1;  // model strokes a `missing` passes over
     StrokeDifference difference;
   };
   std::vector<Cell> cells((n + 1) * (m + 1));
   const auto cell = [&cells, m](std::size_t i, std::size_t j) -> Cell& { return cells[i * (m + 1) + j]; };
-  const auto improve = [](Cell& c, float cost, Move move, const StrokeDifference& difference) {
-    if (cost < c.cost) c = {cost, move, difference};
+  const auto improve = [](Cell& c, float cost, Move move, const StrokeDifference& difference,
+                          std::size_t missed = 1) {
+    if (cost < c.cost) c = {cost, move, missed, difference};
   };
   cell(0, 0).cost = 0;
   for (std::size_t i = 0; i <= n; ++i) {
     for (std::size_t j = 0; j <= m; ++j) {
       const float here = cell(i, j).cost;
-      if (j < m)
-        improve(cell(i, j + 1), here + (input.extent == Extent::beginning && i == n ? 0 : kMissing), missing,
-                {});
+      if (j < m && input.extent == Extent::whole) improve(cell(i, j + 1), here + kMissing, missing, {});
+      if (input.extent == Extent::beginning)
+        for (std::size_t gap = 1; j + gap <= m; ++gap)
+          improve(cell(i, j + gap), here + (i == n ? 0 : missing_cost(input.extent, gap)), missing, {}, gap);
       if (i < n) improve(cell(i + 1, j), here + extra_cost(input.extent), extra, {});
       if (i < n && j < m) {
         const auto& d = t.at(i, j);
         improve(cell(i + 1, j + 1), here + std::min(d.cost, kWrong), match, d);
         // Only where one alone does not explain it.
-        if (j < input.pairs.size() && n < m + 1 && d.cost > 2) {
-          const auto e = compare(t.mapped[i], input.pairs[j]);
+        if (j < input.pairs.size() && n < m + 1 && d.cost > 2 && here + kJoined < cell(i + 1, j + 2).cost) {
+          const auto e = compare(t.mapped[i], input.pairs[j], kFar);
           if (!e.reversed && e.cost < kAcceptCost * 1.5F)
             improve(cell(i + 1, j + 2), here + e.cost + kJoined, join, e);
         }
-        if (i + 1 < n && n > m && d.cost > 2) {
-          const auto e = compare(joined(t.mapped[i].whole, t.mapped[i + 1].whole), input.model[j]);
+        if (i + 1 < n && n > m && d.cost > 2 && here + kSplit < cell(i + 2, j + 1).cost) {
+          const auto e = compare(joined(t.mapped[i].whole, t.mapped[i + 1].whole), input.model[j], kFar);
           if (!e.reversed && e.cost < kAcceptCost)
             improve(cell(i + 2, j + 1), here + e.cost + kSplit, split, e);
         }
@@ -111,7 +127,10 @@ Alignment align_in_order(const AlignmentInput& input, const Table& t) {
   while (i > 0 || j > 0) {
     const auto& c = cell(i, j);
     const std::size_t used_drawn = c.move == missing ? 0 : c.move == split ? 2 : 1;
-    const std::size_t used_model = c.move == extra ? 0 : c.move == join ? 2 : 1;
+    const std::size_t used_model = c.move == extra     ? 0
+                                   : c.move == join    ? 2
+                                   : c.move == missing ? c.missed
+                                                       : 1;
     i -= used_drawn;
     j -= used_model;
     if (used_drawn > 0 && used_model > 0)
@@ -158,7 +177,7 @@ Alignment align_in_any_order(const AlignmentInput& input, const Table& t) {
     links.push_back({static_cast<int>(strange_drawn[k]), 1, static_cast<int>(strange_model[k]), 1,
                      t.at(strange_drawn[k], strange_model[k])});
   auto result = collect(std::move(links), input, total);
-  if (input.extent == Extent::beginning) result.cost += kMissing * static_cast<float>(result.missing.size());
+  if (input.extent == Extent::beginning) result.cost += missing_cost(input.extent, result.missing.size());
   return result;
 }
 
@@ -177,7 +196,8 @@ float box_cost(const AlignmentInput& input, const Affine& map) {
   const double dx = input.box->a * x + input.box->tx - geometry::kGlyphSide / 2;
   const double dy = input.box->d * y + input.box->ty - geometry::kGlyphSide / 2;
   const double size = std::log(scale_of(map) / input.box->a);
-  const double place_sigma = 12;
+  // The beginning says little of its own place: the box says more.
+  const double place_sigma = input.extent == Extent::beginning ? 7 : 12;
   const double size_sigma = 0.25;
   return static_cast<float>(std::min(
       (dx * dx + dy * dy) / (place_sigma * place_sigma) + size * size / (size_sigma * size_sigma), 20.0));
@@ -200,12 +220,14 @@ Affine refit(const AlignmentInput& input, const std::vector<Link>& links, double
   return fit(pairs, scale);
 }
 
-/// Alternates between explaining and fitting, from a first map.
-Alignment settle(const AlignmentInput& input, Affine map, double scale, int rounds = 4) {
+/// Alternates between explaining and fitting, from a first map; ends early where the first explanation costs
+/// more than `hopeless`.
+Alignment settle(const AlignmentInput& input, Affine map, double scale, int rounds = 4,
+                 float hopeless = kNever, float far = kFar) {
   Alignment best;
-  best.cost = std::numeric_limits<float>::max();
+  best.cost = kNever;
   for (int round = 0; round < rounds; ++round) {
-    const auto table = tabulate(input, map);
+    const auto table = tabulate(input, map, far);
     auto a = align_in_order(input, table);
     if (a.cost > kOutOfOrder) {
       auto b = align_in_any_order(input, table);
@@ -218,7 +240,7 @@ Alignment settle(const AlignmentInput& input, Affine map, double scale, int roun
     a.cost += box_cost(input, map);
     const bool better = a.cost < best.cost - 0.05F;
     if (a.cost < best.cost) best = std::move(a);
-    if (!better || best.links.empty()) break;
+    if (!better || best.links.empty() || best.cost > hopeless) break;
     map = refit(input, best.links, scale);
   }
   return best;
@@ -228,24 +250,37 @@ Alignment settle(const AlignmentInput& input, Affine map, double scale, int roun
 struct Guess {
   Affine map;
   std::vector<Link> links;
-  float cost = std::numeric_limits<float>::max();
+  float cost = kNever;
 };
 
-Guess guess_in_order(const AlignmentInput& input, const std::vector<Link>& start, double scale) {
-  auto links = start;
-  Guess g;
-  for (int round = 0; round < 3; ++round) {
-    g.map = refit(input, links, scale);
+/// Fits and compares `rounds` times; stops as soon as it costs more than `limit`.
+void improve(Guess& g, const AlignmentInput& input, double scale, int rounds, float limit = kNever) {
+  for (int round = 0; round < rounds; ++round) {
+    g.map = refit(input, g.links, scale);
     g.cost = box_cost(input, g.map);
-    for (auto& l : links) {
+    for (auto& l : g.links) {
+      if (g.cost > limit) return;
       const auto d = transformed(input.drawn[static_cast<std::size_t>(l.drawn)], g.map);
       const auto j = static_cast<std::size_t>(l.model);
-      l.difference = compare(d, l.model_count == 2 ? input.pairs[j] : input.model[j]);
+      l.difference = compare(d, l.model_count == 2 ? input.pairs[j] : input.model[j], kFar);
       g.cost += std::min(l.difference.cost, kWrong);
     }
   }
+}
+
+Guess guess_in_order(const AlignmentInput& input, std::vector<Link> links, double scale) {
+  Guess g;
   g.links = std::move(links);
+  improve(g, input, scale, 3);
   return g;
+}
+
+std::vector<Link> one_after_another(std::size_t count) {
+  std::vector<Link> links;
+  links.reserve(count);
+  for (std::size_t k = 0; k < count; ++k)
+    links.push_back({static_cast<int>(k), 1, static_cast<int>(k), 1, {}});
+  return links;
 }
 
 /// Links in order with `gap` strokes of the longer side left out at `at`, or joined there.
@@ -270,6 +305,29 @@ std::vector<Link> links_in_order(std::size_t n, std::size_t m, std::size_t at, b
   return links;
 }
 
+/// The likeliest place where the one stroke too few or too many is left out, or where two are joined. All
+/// places are tried quickly, those that look best once more.
+Guess guess_around_a_gap(const AlignmentInput& input, bool join, double scale) {
+  constexpr std::size_t kLookedAtAgain = 3;
+  const std::size_t n = input.drawn.size();
+  const std::size_t m = input.model.size();
+  std::vector<Guess> best;  // ascending
+  for (std::size_t k = 0; k < std::max(n, m) - (join ? 1 : 0); ++k) {
+    Guess g;
+    g.links = links_in_order(n, m, k, join);
+    const bool full = best.size() == kLookedAtAgain;
+    improve(g, input, scale, 1, full ? best.back().cost : kNever);
+    if (full && g.cost >= best.back().cost) continue;
+    if (full) best.pop_back();
+    const auto place = std::upper_bound(best.begin(), best.end(), g.cost,
+                                        [](float cost, const Guess& other) { return cost < other.cost; });
+    best.insert(place, std::move(g));
+  }
+  for (auto& g : best) improve(g, input, scale, 2);
+  return std::move(*std::min_element(best.begin(), best.end(),
+                                     [](const Guess& a, const Guess& b) { return a.cost < b.cost; }));
+}
+
 }  // namespace
 
 Alignment align(const AlignmentInput& input) {
@@ -279,34 +337,32 @@ Alignment align(const AlignmentInput& input) {
   const double scale = input.extent == Extent::beginning && input.box ? input.box->a : moments.a;
 
   Alignment best;
-  best.cost = std::numeric_limits<float>::max();
+  best.cost = kNever;
   const auto take = [&best](Alignment a) {
     if (a.cost < best.cost) best = std::move(a);
   };
   const auto good = [&best, m] { return best.cost < 2.5F * static_cast<float>(m) && best.cost < kJoined; };
 
   if (n == m) {
-    const auto g = guess_in_order(input, links_in_order(n, m, n, false), scale);
+    const auto g = guess_in_order(input, one_after_another(n), scale);
     take(settle(input, g.map, scale));
     if (good()) return best;
   } else if (input.extent == Extent::whole && (n + 1 == m || m + 1 == n)) {
-    Guess left_out;
-    Guess together;
-    for (std::size_t k = 0; k < std::max(n, m); ++k) {
-      const auto g = guess_in_order(input, links_in_order(n, m, k, false), scale);
-      if (g.cost < left_out.cost) left_out = g;
-      if (n < m && k + 1 < m) {
-        const auto j = guess_in_order(input, links_in_order(n, m, k, true), scale);
-        if (j.cost < together.cost) together = j;
-      }
-    }
+    const auto left_out = guess_around_a_gap(input, false, scale);
     take(settle(input, left_out.map, scale));
-    if (together.cost < left_out.cost + kMissing) take(settle(input, together.map, scale));
+    // Nothing explains a stroke too few or too many for less.
+    const auto settled = [&best, m] {
+      return best.cost - std::min(kMissing, kExtra) < std::min(1.0F * static_cast<float>(m), kJoined);
+    };
+    if (settled()) return best;
+    if (n < m) {
+      const auto together = guess_around_a_gap(input, true, scale);
+      if (together.cost < left_out.cost + kMissing) take(settle(input, together.map, scale));
+      if (settled()) return best;
+    }
   }
   if (input.extent == Extent::beginning && n < m) {
-    std::vector<Link> links;
-    for (std::size_t k = 0; k < n; ++k) links.push_back({static_cast<int>(k), 1, static_cast<int>(k), 1, {}});
-    take(settle(input, guess_in_order(input, links, scale).map, scale));
+    take(settle(input, guess_in_order(input, one_after_another(n), scale).map, scale));
   } else {
     take(settle(input, moments, scale));
   }
@@ -314,23 +370,22 @@ Alignment align(const AlignmentInput& input) {
   return best;
 }
 
-Alignment align_roughly(const AlignmentInput& input) {
+Alignment align_roughly(const AlignmentInput& input, float hopeless) {
   const std::size_t n = input.drawn.size();
   const std::size_t m = input.model.size();
   const auto moments = fit_by_moments(input.drawn, input.model);
   const bool in_turn = n == m || (input.extent == Extent::beginning && n < m);
   if (in_turn) {
     // Taken one after another, first: that is how most is written.
-    std::vector<Link> links;
-    for (std::size_t k = 0; k < n; ++k) links.push_back({static_cast<int>(k), 1, static_cast<int>(k), 1, {}});
-    auto g = guess_in_order(input, links, fit_by_moments(input.drawn, input.model.first(n)).a);
+    auto g = guess_in_order(input, one_after_another(n), fit_by_moments(input.drawn, input.model.first(n)).a);
     if (g.cost < 4 * static_cast<float>(n)) {
       auto a = collect(std::move(g.links), input, g.cost);
       a.map = g.map;
       return a;
     }
   }
-  return settle(input, moments, moments.a, 2);
+  // A second round hardly halves what the first costs.
+  return settle(input, moments, moments.a, 2, 2 * hopeless, kWrong);
 }
 
 }  // namespace nazori::writing

@@ -44,7 +44,8 @@ struct AlignmentInput {
 
 /// The likeliest explanation of the drawn strokes; at least one drawn and one model stroke.
 [[nodiscard]] Alignment align(const AlignmentInput& input);
-/// Nearly that, for telling many models apart: one starting point, two rounds.
-[[nodiscard]] Alignment align_roughly(const AlignmentInput& input);
+/// Nearly that, for telling many models apart: one starting point, two rounds. What costs far more than
+/// `hopeless` after the first is not looked at again.
+[[nodiscard]] Alignment align_roughly(const AlignmentInput& input, float hopeless);
 
 }  // namespace nazori::writing

@@ -54,8 +54,8 @@ Ink ink_of(std::span<const Shape> shapes) {
     const double w = std::max(static_cast<double>(s.whole.length), 1e-9) / length;
     const double dx = static_cast<double>(s.whole.centre_x) - ink.x;
     const double dy = static_cast<double>(s.whole.centre_y) - ink.y;
-    const double own = static_cast<double>(s.spread);
-    ink.spread += w * (dx * dx + dy * dy + own * own);
+    const double own = static_cast<double>(s.whole.inertia) / static_cast<double>(kSamples);
+    ink.spread += w * (dx * dx + dy * dy + own);
   }
   ink.spread = std::sqrt(ink.spread);
   return ink;

@@ -97,7 +97,8 @@ class Judge {
       const auto left =
           residue(transformed(drawn_[static_cast<std::size_t>(link.drawn)], alignment_.map),
                   form_.shapes[static_cast<std::size_t>(link.model)], link.difference, places[k]);
-      judgements.push_back(judge(link.difference, places[k], left));
+      judgements.push_back(
+          judge(link.difference, places[k], left, form_.shapes[static_cast<std::size_t>(link.model)].touch));
       roughness += std::sqrt(std::min(judgements.back().deviation, 1.0));
     }
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {

@@ -8,7 +8,7 @@ namespace nazori::writing {
 
 // The weights are those that tell strokes of real writing from strange strokes put in their places best,
 // rounded; docs/writing.md names the data and the figures.
-Judgement judge(const StrokeDifference& d, const Placement& placement, const Residue& residue) {
+Judgement judge(const StrokeDifference& d, const Placement& placement, const Residue& residue, float touch) {
   constexpr double kLimit = 6.3;
   const double length = static_cast<double>(d.model_length);
   const double shortness = 1 / (length + 3);
@@ -27,12 +27,12 @@ Judgement judge(const StrokeDifference& d, const Placement& placement, const Res
   const double bend = static_cast<double>(residue.bend) / (0.07 + 1.05 * shortness);
   const double end = static_cast<double>(residue.nearer_end) / 10;
   // A dot may be as short as a touch.
-  const double free_length = std::exp(-std::pow(length / 14, 4));
+  const double free_length = std::exp(-std::pow(length / static_cast<double>(touch), 4));
   const double stretch = std::min(std::abs(static_cast<double>(d.length_log)), 1.2);
   // Hardly a stroke somebody meant is half as long as it should be.
-  const double beyond = d.length_log < 0 ? std::max(stretch - 0.7, 0.0) : 0.0;
+  const double beyond = std::clamp(-static_cast<double>(placement.length_log) - 0.7, 0.0, 0.5);
   const double size_part =
-      (1 - free_length) * (3.0 * square(stretch) + 12.0 * square(beyond) * (1 - free_length));
+      (1 - free_length) * (3.0 * square(stretch) + 40.0 * square(beyond) * (1 - free_length));
   const double shape_part = square(proportion) + square(turn) + square(bend) + 0.28 * square(end);
   Judgement j;
   j.place = place / kLimit;

@@ -16,7 +16,7 @@ struct Judgement {
 };
 
 [[nodiscard]] Judgement judge(const StrokeDifference& difference, const Placement& placement,
-                              const Residue& residue);
+                              const Residue& residue, float touch);
 
 /// The largest deviation that is accepted: 1 at normal strictness.
 [[nodiscard]] double deviation_limit(double strictness);

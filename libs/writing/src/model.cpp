@@ -16,6 +16,8 @@ constexpr float kFreedomOfTwoTypes = 1.6F;
 /// Kana, which have no types, come from running hands.
 constexpr float kFreedomOfUntyped = 1.12F;
 
+constexpr float kTouchOfDots = 24;  // glyph units
+
 /// Slanting dots vary more in their slant than short bars and verticals do; the figures are those of real
 /// writing in docs/writing.md.
 float freedom_of_short_strokes(const Samples& model) {
@@ -43,6 +45,8 @@ base::Result<Form> make_form(const kanji::Character& character) {
     auto shape = make_shape<geometry::GlyphFrame>(stroke.line.points);
     const bool two_types = stroke.type.find('/') != std::string::npos;
     shape.freedom = two_types ? kFreedomOfTwoTypes : freedom_of_short_strokes(shape.whole);
+    // What the source calls a dot may be a mere touch even where its model is long: those of 心, 小.
+    if (stroke.type.starts_with("㇔")) shape.touch = kTouchOfDots;
     if (stroke.type.empty()) shape.freedom *= kFreedomOfUntyped;
     // What the source does not call a kick is part of the stroke: the second leg of 糸's first stroke.
     if (stroke.line.ending == kanji::StrokeEnding::stop) shape.body.reset();

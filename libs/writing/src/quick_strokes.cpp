@@ -9,25 +9,6 @@ namespace {
 
 float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
 
-struct Frame {
-  float x = 0, y = 0, scale = 1;
-};
-
-Frame frame_of(std::span<const ThreePoints> strokes) {
-  float sx = 0, sy = 0, ss = 0;
-  for (const auto& s : strokes)
-    for (std::size_t k = 0; k < 3; ++k) {
-      sx += s.x[k];
-      sy += s.y[k];
-      ss += s.x[k] * s.x[k] + s.y[k] * s.y[k];
-    }
-  const auto n = static_cast<float>(3 * strokes.size());
-  Frame f{sx / n, sy / n, 1};
-  const float spread = ss / n - f.x * f.x - f.y * f.y;
-  f.scale = 1 / std::sqrt(std::max(spread, 1e-12F));
-  return f;
-}
-
 }  // namespace
 
 ThreePoints three_points(FlatLine line) {
@@ -56,18 +37,46 @@ ThreePoints three_points(FlatLine line) {
   return p;
 }
 
-float distance_in_order(std::span<const ThreePoints> drawn, std::span<const ThreePoints> model) {
-  const auto m = model.first(drawn.size());
-  const Frame a = frame_of(drawn);
-  const Frame b = frame_of(m);
-  float sum = 0;
-  for (std::size_t i = 0; i < drawn.size(); ++i)
+QuickDrawing quick_drawing(std::span<const ThreePoints> strokes) {
+  QuickDrawing drawing;
+  float sx = 0, sy = 0, ss = 0;
+  for (const auto& s : strokes)
     for (std::size_t k = 0; k < 3; ++k) {
-      const float dx = (drawn[i].x[k] - a.x) * a.scale - (m[i].x[k] - b.x) * b.scale;
-      const float dy = (drawn[i].y[k] - a.y) * a.scale - (m[i].y[k] - b.y) * b.scale;
-      sum += dx * dx + dy * dy;
+      sx += s.x[k];
+      sy += s.y[k];
+      ss += s.x[k] * s.x[k] + s.y[k] * s.y[k];
     }
-  return sum / static_cast<float>(3 * drawn.size());
+  const auto count = static_cast<float>(3 * strokes.size());
+  const float x = sx / count;
+  const float y = sy / count;
+  const float scale = 1 / std::sqrt(std::max(ss / count - x * x - y * y, 1e-12F));
+  drawing.strokes.assign(strokes.begin(), strokes.end());
+  for (auto& s : drawing.strokes)
+    for (std::size_t k = 0; k < 3; ++k) {
+      s.x[k] = (s.x[k] - x) * scale;
+      s.y[k] = (s.y[k] - y) * scale;
+    }
+  return drawing;
+}
+
+float distance_in_order(const QuickDrawing& drawn, std::span<const ThreePoints> model) {
+  // Both of mean square 1: |d - m|^2 = 2 - 2 dm; d is centred, so m need not be.
+  float x = 0, y = 0, squares = 0, both = 0;
+  for (std::size_t i = 0; i < drawn.strokes.size(); ++i) {
+    const auto& d = drawn.strokes[i];
+    const auto& m = model[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      x += m.x[k];
+      y += m.y[k];
+      squares += m.x[k] * m.x[k] + m.y[k] * m.y[k];
+      both += d.x[k] * m.x[k] + d.y[k] * m.y[k];
+    }
+  }
+  const auto count = static_cast<float>(3 * drawn.strokes.size());
+  x /= count;
+  y /= count;
+  const float spread = std::sqrt(std::max(squares / count - x * x - y * y, 1e-12F));
+  return std::max(0.0F, 2 - 2 * both / (count * spread));
 }
 
 }  // namespace nazori::writing

@@ -16,8 +16,15 @@ struct ThreePoints {
 
 [[nodiscard]] ThreePoints three_points(FlatLine line);
 
-/// Mean squared distance of the points of strokes taken in order, both brought to one place and size; the
-/// second side may have more strokes, only as many as the first has count.
-[[nodiscard]] float distance_in_order(std::span<const ThreePoints> drawn, std::span<const ThreePoints> model);
+/// What was drawn, brought to one place and size: centred, the mean square of the points is 1.
+struct QuickDrawing {
+  std::vector<ThreePoints> strokes;
+};
+
+[[nodiscard]] QuickDrawing quick_drawing(std::span<const ThreePoints> strokes);
+
+/// Mean squared distance of the points of strokes taken in order, both brought to one place and size; 0..4.
+/// The model must not have fewer strokes; only as many as were drawn count.
+[[nodiscard]] float distance_in_order(const QuickDrawing& drawn, std::span<const ThreePoints> model);
 
 }  // namespace nazori::writing

@@ -87,13 +87,14 @@ void add_path(RecogniserInside& inside, const geometry::BezierPath& path) {
 /// What was drawn, in all the ways it is looked at.
 struct Drawn {
   std::vector<Shape> shapes;
-  std::vector<ThreePoints> points;
+  QuickDrawing points;
   Picture picture{};
 };
 
 Drawn look_at(const Ink& ink) {
   Drawn d;
   std::vector<std::vector<float>> flat;
+  std::vector<ThreePoints> points;
   for (const auto& s : ink.strokes) {
     d.shapes.push_back(make_shape<InkFrame>(s.points));
     const auto& whole = d.shapes.back().whole;
@@ -102,8 +103,9 @@ Drawn look_at(const Ink& ink) {
       line.push_back(whole.x[k]);
       line.push_back(whole.y[k]);
     }
-    d.points.push_back(three_points(line));
+    points.push_back(three_points(line));
   }
+  d.points = quick_drawing(points);
   const std::vector<FlatLine> lines(flat.begin(), flat.end());
   d.picture = make_picture(lines);
   return d;
@@ -121,13 +123,15 @@ std::vector<std::size_t> smallest(const std::vector<float>& scores, std::size_t 
   return index;
 }
 
-/// Characters worth a closer look: by their picture, and by three points of each stroke in order.
+/// Characters worth a closer look: by their picture, and by three points of each stroke in order; those that
+/// look likest first.
 std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& drawn, bool unfinished) {
-  constexpr std::size_t kByPicture = 36;
-  constexpr std::size_t kByOrder = 16;
+  // The picture of a beginning is not that of the whole.
+  const std::size_t most_by_picture = unfinished ? 18 : 28;
+  const std::size_t most_by_order = unfinished ? 28 : 14;
   constexpr float kNever = std::numeric_limits<float>::max();
   constexpr float kPerStroke = 0.01F;
-  const auto n = drawn.points.size();
+  const auto n = drawn.shapes.size();
   std::vector<float> by_picture(inside.characters.size(), kNever);
   std::vector<float> by_order(inside.characters.size(), kNever);
   for (std::size_t i = 0; i < inside.characters.size(); ++i) {
@@ -142,10 +146,12 @@ std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& 
       by_order[i] = distance_in_order(drawn.points, std::span(inside.points).subspan(known.first_stroke, m)) +
                     (m == n ? 0.0F : 0.01F);
   }
-  auto result = smallest(by_picture, kByPicture);
-  for (const auto i : smallest(by_order, unfinished ? 2 * kByOrder : kByOrder)) result.push_back(i);
+  auto result = smallest(by_picture, most_by_picture);
+  for (const auto i : smallest(by_order, most_by_order)) result.push_back(i);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
+  std::stable_sort(result.begin(), result.end(),
+                   [&by_picture](std::size_t a, std::size_t b) { return by_picture[a] < by_picture[b]; });
   return result;
 }
 
@@ -156,6 +162,7 @@ struct Scored {
 
 Form form_of(const RecogniserInside& inside, const Known& known) {
   Form form;
+  form.shapes.reserve(known.strokes);
   std::vector<double> xs;
   std::vector<double> ys;
   for (std::size_t k = 0; k < known.strokes; ++k) {
@@ -181,23 +188,34 @@ double cost_of_kind(char32_t c) {
   return within(0x3400, 0x9FFF) || within(0xF900, 0xFAFF) || c >= 0x20000 ? 0 : kOther;
 }
 
-/// Cost for each stroke, common characters a little cheaper.
-double cost_of(const RecogniserInside& inside, const Drawn& drawn, std::size_t index, const Form& form,
-               const std::vector<Shape>& pairs, bool unfinished) {
+/// Cost for each stroke, common characters a little cheaper. Nullopt where it is not below `limit`.
+std::optional<double> cost_of(const RecogniserInside& inside, const Drawn& drawn, std::size_t index,
+                              bool unfinished, double limit) {
   constexpr double kRare = 0.12;     // for each e-fold in rank
   constexpr double kPicture = 12.0;  // for likeness 0
   const auto& known = inside.characters[index];
   const bool beginning = unfinished && known.strokes > drawn.shapes.size();
-  const auto a =
-      align_roughly({drawn.shapes, form.shapes, pairs, {}, beginning ? Extent::beginning : Extent::whole});
-  const auto count = static_cast<double>(std::max(drawn.shapes.size(), std::size_t{1}));
-  double cost = static_cast<double>(a.cost) / count + kRare * std::log(20.0 + known.place) +
-                cost_of_kind(known.code_point);
+  double cost = kRare * std::log(20.0 + known.place) + cost_of_kind(known.code_point);
   if (beginning)
     cost += 0.5;
   else
     cost += kPicture * (1 - static_cast<double>(likeness(drawn.picture, inside.pictures[index])));
-  return cost;
+  if (cost >= limit) return std::nullopt;
+  const auto form = form_of(inside, known);
+  std::vector<Shape> pairs;
+  if (const auto n = drawn.shapes.size(); n < known.strokes) {
+    // Strokes after the last drawn one are not looked at.
+    const auto last = beginning ? std::min(known.strokes, n + 2) : known.strokes;
+    pairs.reserve(last);
+    for (std::size_t k = 0; k + 1 < last; ++k)
+      pairs.push_back(joined(form.shapes[k].whole, form.shapes[k + 1].whole));
+  }
+  const auto count = static_cast<double>(drawn.shapes.size());
+  const auto a =
+      align_roughly({drawn.shapes, form.shapes, pairs, {}, beginning ? Extent::beginning : Extent::whole},
+                    static_cast<float>((limit - cost) * count));
+  cost += static_cast<double>(a.cost) / count;
+  return cost < limit ? std::optional(cost) : std::nullopt;
 }
 
 }  // namespace
@@ -249,17 +267,18 @@ base::Result<std::vector<Candidate>> Recogniser::recognise(const Ink& ink,
   if (auto good = check(ink); !good) return tl::unexpected(good.error());
   if (options.limit < 1) return base::fail(base::Errc::bad_argument, "The limit is below 1.", "limit");
   const auto drawn = look_at(ink);
-  std::vector<Scored> scored;
+  constexpr double kUnlikely = 1e6;
+  std::vector<Scored> scored;  // ascending
   for (const auto index : shortlist(*inside_, drawn, options.unfinished)) {
-    const auto form = form_of(*inside_, inside_->characters[index]);
-    std::vector<Shape> pairs;
-    for (std::size_t k = 0; drawn.shapes.size() < form.shapes.size() && k + 1 < form.shapes.size(); ++k)
-      pairs.push_back(joined(form.shapes[k].whole, form.shapes[k + 1].whole));
-    scored.push_back({index, cost_of(*inside_, drawn, index, form, pairs, options.unfinished)});
+    const bool full = scored.size() == static_cast<std::size_t>(options.limit);
+    const auto cost =
+        cost_of(*inside_, drawn, index, options.unfinished, full ? scored.back().cost : kUnlikely);
+    if (!cost) continue;
+    if (full) scored.pop_back();
+    const auto place = std::upper_bound(scored.begin(), scored.end(), *cost,
+                                        [](double c, const Scored& s) { return c < s.cost; });
+    scored.insert(place, {index, *cost});
   }
-  std::sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) { return a.cost < b.cost; });
-  if (scored.size() > static_cast<std::size_t>(options.limit))
-    scored.resize(static_cast<std::size_t>(options.limit));
   std::vector<Candidate> result;
   for (const auto& s : scored)
     result.push_back({inside_->characters[s.index].code_point, 1 / (1 + std::max(0.0, s.cost) / 8)});

@@ -26,15 +26,22 @@ struct Measured {
   /// Samples of the part from `begin` to `end`, lengths along the line.
   [[nodiscard]] Samples part(double begin, double end) const {
     Samples out;
-    std::size_t i = 0;
-    for (std::size_t k = 0; k < kSamples; ++k) {
-      const double s = begin + (end - begin) * static_cast<double>(k) / static_cast<double>(kSamples - 1);
-      while (i + 2 < along.size() && along[i + 1] < s) ++i;
-      const std::size_t j = std::min(i + 1, along.size() - 1);
+    const std::size_t last = along.size() - 1;
+    const double step = (end - begin) / static_cast<double>(kSamples - 1);
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < std::max<std::size_t>(last, 1) && k < kSamples; ++i) {
+      const std::size_t j = std::min(i + 1, last);
       const double segment = along[j] - along[i];
-      const double t = segment > 0 ? std::clamp((s - along[i]) / segment, 0.0, 1.0) : 0.0;
-      out.x[k] = static_cast<float>(xs[i] + (xs[j] - xs[i]) * t);
-      out.y[k] = static_cast<float>(ys[i] + (ys[j] - ys[i]) * t);
+      const double inverse = segment > 0 ? 1 / segment : 0;
+      const double dx = xs[j] - xs[i];
+      const double dy = ys[j] - ys[i];
+      for (; k < kSamples; ++k) {
+        const double s = begin + step * static_cast<double>(k);
+        if (s > along[j] && j < last) break;
+        const double t = std::clamp((s - along[i]) * inverse, 0.0, 1.0);
+        out.x[k] = static_cast<float>(xs[i] + dx * t);
+        out.y[k] = static_cast<float>(ys[i] + dy * t);
+      }
     }
     out.length = static_cast<float>(end - begin);
     out.find_centre();
@@ -42,14 +49,14 @@ struct Measured {
   }
 };
 
-float spread_of(const Samples& s) {
-  float sum = 0;
-  for (std::size_t k = 0; k < kSamples; ++k) {
-    const float dx = s.x[k] - s.centre_x;
-    const float dy = s.y[k] - s.centre_y;
-    sum += dx * dx + dy * dy;
+float polyline_length(const Samples& s) {
+  float length = 0;
+  for (std::size_t k = 1; k < kSamples; ++k) {
+    const float dx = s.x[k] - s.x[k - 1];
+    const float dy = s.y[k] - s.y[k - 1];
+    length += std::sqrt(dx * dx + dy * dy);
   }
-  return std::sqrt(sum / static_cast<float>(kSamples));
+  return length;
 }
 
 /// Length from the start to the corner where a kick begins; nullopt where there is none.
@@ -80,20 +87,24 @@ std::optional<double> kick_start(const Samples& s) {
 void Samples::find_centre() {
   centre_x = std::accumulate(x.begin(), x.end(), 0.0F) / static_cast<float>(kSamples);
   centre_y = std::accumulate(y.begin(), y.end(), 0.0F) / static_cast<float>(kSamples);
+  inertia = 0;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const float dx = x[k] - centre_x;
+    const float dy = y[k] - centre_y;
+    inertia += dx * dx + dy * dy;
+  }
 }
 
-void Samples::smooth() {
-  const Samples raw = *this;
-  for (std::size_t k = 1; k + 1 < kSamples; ++k) {
-    x[k] = 0.25F * raw.x[k - 1] + 0.5F * raw.x[k] + 0.25F * raw.x[k + 1];
-    y[k] = 0.25F * raw.y[k - 1] + 0.5F * raw.y[k] + 0.25F * raw.y[k + 1];
+void Samples::smooth(int passes) {
+  for (int pass = 0; pass < passes; ++pass) {
+    const auto raw_x = x;
+    const auto raw_y = y;
+    for (std::size_t k = 1; k + 1 < kSamples; ++k) {
+      x[k] = 0.25F * raw_x[k - 1] + 0.5F * raw_x[k] + 0.25F * raw_x[k + 1];
+      y[k] = 0.25F * raw_y[k - 1] + 0.5F * raw_y[k] + 0.25F * raw_y[k + 1];
+    }
   }
-  length = 0;
-  for (std::size_t k = 1; k < kSamples; ++k) {
-    const float dx = x[k] - x[k - 1];
-    const float dy = y[k] - y[k - 1];
-    length += std::sqrt(dx * dx + dy * dy);
-  }
+  length = polyline_length(*this);
   find_centre();
 }
 
@@ -109,13 +120,7 @@ Samples transformed(const Samples& samples, const Affine& map) {
     out.x[k] = a * samples.x[k] + b * samples.y[k] + tx;
     out.y[k] = c * samples.x[k] + d * samples.y[k] + ty;
   }
-  float length = 0;
-  for (std::size_t k = 1; k < kSamples; ++k) {
-    const float dx = out.x[k] - out.x[k - 1];
-    const float dy = out.y[k] - out.y[k - 1];
-    length += std::sqrt(dx * dx + dy * dy);
-  }
-  out.length = length;
+  out.length = polyline_length(out);
   out.find_centre();
   return out;
 }
@@ -125,7 +130,6 @@ Shape transformed(const Shape& shape, const Affine& map) {
   out.whole = transformed(shape.whole, map);
   if (shape.body) out.body = transformed(*shape.body, map);
   out.kicked = shape.kicked;
-  out.spread = spread_of(out.whole);
   return out;
 }
 
@@ -143,19 +147,21 @@ Shape make_shape(std::span<const double> xs, std::span<const double> ys) {
     out.kicked = true;
   }
   // After the corners were looked for; model and ink alike, so that rounded corners meet rounded corners.
-  for (int pass = 0; pass < 2; ++pass) {
-    out.whole.smooth();
-    if (out.body) out.body->smooth();
-  }
-  out.spread = spread_of(out.whole);
+  constexpr int kPasses = 2;
+  out.whole.smooth(kPasses);
+  if (out.body) out.body->smooth(kPasses);
   return out;
 }
 
 Shape joined(const Samples& first, const Samples& second) {
-  std::vector<double> xs(first.x.begin(), first.x.end());
-  std::vector<double> ys(first.y.begin(), first.y.end());
-  xs.insert(xs.end(), second.x.begin(), second.x.end());
-  ys.insert(ys.end(), second.y.begin(), second.y.end());
+  std::array<double, 2 * kSamples> xs{};
+  std::array<double, 2 * kSamples> ys{};
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    xs[k] = static_cast<double>(first.x[k]);
+    ys[k] = static_cast<double>(first.y[k]);
+    xs[kSamples + k] = static_cast<double>(second.x[k]);
+    ys[kSamples + k] = static_cast<double>(second.y[k]);
+  }
   return make_shape(xs, ys);
 }
 

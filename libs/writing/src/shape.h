@@ -21,10 +21,12 @@ struct Samples {
   float length = 0;    ///< of the line that was sampled
   float centre_x = 0;  ///< mean of the samples
   float centre_y = 0;
+  float inertia = 0;  ///< sum of the squared distances of the samples from their centre
 
+  /// To be called once x and y are known.
   void find_centre();
   /// Takes the shake out of a line: each sample but the ends moves half way to the mean of its neighbours.
-  void smooth();
+  void smooth(int passes);
 };
 
 /// A stroke ready to be compared: sampled at even steps, whole and without the kick at its end.
@@ -32,7 +34,7 @@ struct Shape {
   Samples whole;
   std::optional<Samples> body;  ///< without the kick; nullopt where there is none
   bool kicked = false;          ///< it ends like a kick; a fold may do so too
-  float spread = 0;             ///< root mean square distance of the samples from their centre
+  float touch = 14;             ///< of a model stroke: much below this length it may be as short as a touch
   float freedom = 1;            ///< of a model stroke: how much more its shape may vary than is usual
 };
 

@@ -12,28 +12,20 @@ struct Moments {
   float proportion;
 };
 
-/// Both sums in one pass; `backwards` walks the drawn samples from the end.
+/// Both from one sum: |d - m|^2 = |d|^2 + |m|^2 - 2 dm. `backwards` walks the drawn samples from the end.
 template <bool backwards>
 Moments distances(const Samples& d, const Samples& m) {
-  const float fd = 1 / std::max(d.length, 1e-3F);
-  const float fm = 1 / std::max(m.length, 1e-3F);
-  float shape = 0;
-  float proportion = 0;
+  float both = 0;
   for (std::size_t k = 0; k < kSamples; ++k) {
     const std::size_t j = backwards ? kSamples - 1 - k : k;
-    const float dx = d.x[j] - d.centre_x;
-    const float dy = d.y[j] - d.centre_y;
-    const float mx = m.x[k] - m.centre_x;
-    const float my = m.y[k] - m.centre_y;
-    const float ex = dx - mx;
-    const float ey = dy - my;
-    shape += ex * ex + ey * ey;
-    const float ux = dx * fd - mx * fm;
-    const float uy = dy * fd - my * fm;
-    proportion += ux * ux + uy * uy;
+    both += (d.x[j] - d.centre_x) * (m.x[k] - m.centre_x) + (d.y[j] - d.centre_y) * (m.y[k] - m.centre_y);
   }
   constexpr auto kCount = static_cast<float>(kSamples);
-  return {std::sqrt(shape / kCount), std::sqrt(proportion / kCount)};
+  const float fd = 1 / std::max(d.length, 1e-3F);
+  const float fm = 1 / std::max(m.length, 1e-3F);
+  const float shape = d.inertia + m.inertia - 2 * both;
+  const float proportion = d.inertia * fd * fd + m.inertia * fm * fm - 2 * both * fd * fm;
+  return {std::sqrt(std::max(shape, 0.0F) / kCount), std::sqrt(std::max(proportion, 0.0F) / kCount)};
 }
 
 float cost_of(const StrokeDifference& e) {
@@ -63,11 +55,12 @@ StrokeDifference compare_samples(const Samples& d, const Samples& m, float freed
   e.freedom = freedom;
   e.length_log = std::log((d.length + kFloor) / (m.length + kFloor));
   e.steeper = slope(d) - slope(m);
+  const float of_place = cost_of(e);
   const auto forward = distances<false>(d, m);
   e.shape = forward.shape;
   e.proportion = forward.proportion;
   e.cost = cost_of(e);
-  if (e.cost <= kReversedPenalty) return e;
+  if (e.cost <= of_place + kReversedPenalty) return e;
   StrokeDifference back = e;
   const auto backward = distances<true>(d, m);
   back.shape = backward.shape;
@@ -79,19 +72,18 @@ StrokeDifference compare_samples(const Samples& d, const Samples& m, float freed
 
 }  // namespace
 
-StrokeDifference compare(const Shape& drawn, const Shape& model) {
-  // Too far apart to be taken for each other, whatever their shapes.
-  constexpr float kFar = 60.0F;
-  StrokeDifference far;
-  far.offset_x = drawn.whole.centre_x - model.whole.centre_x;
-  far.offset_y = drawn.whole.centre_y - model.whole.centre_y;
-  far.model_length = model.whole.length;
-  far.freedom = model.freedom;
-  far.cost = cost_of(far);
-  if (far.cost > kFar) {
-    far.shape = std::abs(drawn.spread - model.spread);
-    far.proportion = 1;
-    return far;
+StrokeDifference compare(const Shape& drawn, const Shape& model, float far) {
+  StrokeDifference away;
+  away.offset_x = drawn.whole.centre_x - model.whole.centre_x;
+  away.offset_y = drawn.whole.centre_y - model.whole.centre_y;
+  away.model_length = model.whole.length;
+  away.freedom = model.freedom;
+  away.cost = cost_of(away);
+  if (away.cost > far) {
+    away.shape = std::abs(std::sqrt(drawn.whole.inertia) - std::sqrt(model.whole.inertia)) /
+                 std::sqrt(static_cast<float>(kSamples));
+    away.proportion = 1;
+    return away;
   }
   auto best = compare_samples(drawn.whole, model.whole, model.freedom);
   const auto take = [&best](const StrokeDifference& other) {

@@ -22,6 +22,7 @@ struct StrokeDifference {
 /// Below this cost a stroke is the stroke of the model, at normal strictness.
 inline constexpr float kAcceptCost = 12.0F;
 
-[[nodiscard]] StrokeDifference compare(const Shape& drawn, const Shape& model);
+/// Strokes whose places alone cost more than `far` are not looked at further, whatever their shapes.
+[[nodiscard]] StrokeDifference compare(const Shape& drawn, const Shape& model, float far);
 
 }  // namespace nazori::writing

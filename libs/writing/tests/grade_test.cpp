@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -267,6 +268,35 @@ TEST(GradeLive, AStrokeLeftOutIsNamedAndTheNextOnesStayRight) {
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
   EXPECT_THAT(fault_names(*live), ElementsAre("missing@1"));
+  EXPECT_FALSE(live->accepted);
+}
+
+TEST(GradeLive, AStrokeAloneIsTheSameStrokeInBothWays) {
+  for (const auto& c : {rest(), soil(), eye()}) {
+    const auto model = model_of(c);
+    const auto all = trace(c);
+    for (std::size_t k = 0; k < all.strokes.size(); ++k) {
+      Ink ink;
+      ink.box = all.box;
+      ink.strokes = {all.strokes[k]};
+      const auto live = grade_live(ink, model);
+      const auto whole = grade(ink, model);
+      ASSERT_TRUE(live && whole);
+      EXPECT_EQ(whole->strokes[0].matched, static_cast<int>(k));
+      EXPECT_EQ(live->strokes[0].matched, static_cast<int>(k));
+      EXPECT_EQ(fault_names(*live), fault_names(*whole));
+    }
+  }
+}
+
+TEST(GradeLive, AfterALaterStrokeDrawnFirstTheOthersAreStillKnown) {
+  auto ink = trace(rest());
+  std::rotate(ink.strokes.begin(), ink.strokes.begin() + 3, ink.strokes.begin() + 4);
+  const auto live = grade_live(ink, model_of(rest()));
+  ASSERT_TRUE(live);
+  std::vector<int> matched;
+  for (const auto& s : live->strokes) matched.push_back(s.matched.value_or(-1));
+  EXPECT_THAT(matched, ElementsAre(3, 0, 1, 2, 4, 5));
   EXPECT_FALSE(live->accepted);
 }
 

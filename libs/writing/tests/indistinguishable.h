@@ -3,11 +3,20 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "nazori/kanji/character.h"
 #include "nazori/kanji/kanji_database.h"
 
 namespace nazori::writing::test {
+
+struct Spoilt {
+  char32_t character;
+  std::size_t stroke;  ///< from 1
+};
+
+/// Those that indistinguishable_shortened() names one by one.
+std::vector<Spoilt> listed_as_shortened();
 
 /// Stroke `k` drawn backwards.
 bool indistinguishable_reversed(const kanji::Character& character, std::size_t k);
