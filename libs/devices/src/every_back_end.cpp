@@ -31,6 +31,7 @@ std::vector<std::unique_ptr<BackEnd>> every_back_end(const BackEndSettings& sett
   all.push_back(openhaptics_back_end(settings.openhaptics));
   all.push_back(force_dimension_back_end(settings.force_dimension));
   all.push_back(inverse_service_back_end(settings.inverse_service));
+  all.push_back(game_controllers_back_end());
   all.push_back(pointer_back_end());
   all.push_back(simulated_back_end());
   return all;

@@ -50,6 +50,7 @@ class UnhurriedServo final : public haptics::ServoCallback {
     timely.time_s = period_s_ * static_cast<double>(ticks_++);
     return servo_.tick(timely);
   }
+  [[nodiscard]] std::uint16_t events() const noexcept override { return servo_.events(); }
 
  private:
   haptics::Servo& servo_;

@@ -52,6 +52,8 @@ Vec3 Servo::tick(const DeviceSample& sample) noexcept {
   return force;
 }
 
+std::uint16_t Servo::events() const noexcept { return inside_->sample.events; }
+
 void Servo::Inside::record() noexcept {
   SampleRing* ring = recording.load(std::memory_order_relaxed);
   if (ring == nullptr) return;

@@ -6,6 +6,7 @@
 
 #include "nazori/devices/back_end.h"
 #include "nazori/devices/force_dimension.h"
+#include "nazori/devices/game_controllers.h"
 #include "nazori/devices/inverse_service.h"
 #include "nazori/devices/openhaptics.h"
 
@@ -22,7 +23,7 @@ struct BackEndSettings {
   [[nodiscard]] static BackEndSettings from_environment();
 };
 
-/// All of them, best first: OpenHaptics, Force Dimension, Inverse Service, pointer, simulations.
+/// All of them, best first: OpenHaptics, Force Dimension, Inverse Service, joysticks and pads, pointer, simulations.
 [[nodiscard]] std::vector<std::unique_ptr<BackEnd>> every_back_end(const BackEndSettings& settings);
 
 }  // namespace nazori::devices

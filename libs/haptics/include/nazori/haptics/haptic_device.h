@@ -51,6 +51,9 @@ class ServoCallback {
   virtual ~ServoCallback() = default;
   /// @return force to command [N], tablet frame, finite and within the device's limits.
   virtual Vec3 tick(const DeviceSample& sample) noexcept = 0;
+  /// What the last tick told, as bits of ServoEvent, for devices that say it in a way of their own, such as
+  /// rumble. Thread: servo.
+  [[nodiscard]] virtual std::uint16_t events() const noexcept { return 0; }
 };
 
 /// A stylus: with force, or a mouse, pen, recording or simulation in its place.

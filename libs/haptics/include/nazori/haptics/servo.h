@@ -99,6 +99,7 @@ class Servo final : public ServoCallback {
   void set_recording(SampleRing* ring) noexcept;
 
   Vec3 tick(const DeviceSample& sample) noexcept override;
+  [[nodiscard]] std::uint16_t events() const noexcept override;
 
  private:
   struct Inside;

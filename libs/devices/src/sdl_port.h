@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <SDL2/SDL_haptic.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "nazori/base/result.h"
+#include "nazori/devices/workspace_mapping.h"
+
+/// What Nazori uses of SDL's joysticks, gamepads and haptics, thin enough to be acted out by a test: SDL has
+/// no virtual haptic device.
+namespace nazori::devices::sdl {
+
+/// What a joystick, wheel or pad can do.
+struct Abilities {
+  unsigned effects = 0;  ///< SDL_HAPTIC_CONSTANT, SDL_HAPTIC_SPRING ...
+  int force_axes = 0;
+  bool rumble = false;
+  bool pad = false;  ///< SDL knows its layout as a gamepad's
+
+  /// Forces of a direction, not only shaking.
+  [[nodiscard]] bool force() const noexcept {
+    return (effects & (SDL_HAPTIC_CONSTANT | SDL_HAPTIC_SPRING)) != 0 && force_axes > 0;
+  }
+};
+
+struct Listed {
+  std::int32_t instance = -1;  ///< new each time it is plugged in
+  std::string guid;            ///< of the model
+  std::string name;
+  Abilities abilities;
+};
+
+struct Reading {
+  bool attached = false;
+  double x = 0, y = 0;  ///< -1..1, right and up
+  double press = 0;     ///< 0..1
+  std::uint32_t buttons = 0;
+};
+
+/// An open joystick, wheel or pad; closed when destroyed. Thread rules: one at a time.
+class Controller {
+ public:
+  virtual ~Controller() = default;
+  /// Takes in what happened since the last call.
+  [[nodiscard]] virtual Reading read() = 0;
+  /// As SDL_JoystickRumble.
+  virtual bool rumble(std::uint16_t low, std::uint16_t high, std::uint32_t length_ms) = 0;
+  /// As SDL_HapticNewEffect and its sisters; negative or false: refused.
+  [[nodiscard]] virtual int new_effect(SDL_HapticEffect& effect) = 0;
+  virtual bool update_effect(int id, SDL_HapticEffect& effect) = 0;
+  virtual bool run_effect(int id) = 0;
+  virtual bool stop_effect(int id) = 0;
+  virtual void destroy_effect(int id) = 0;
+};
+
+/// All that are plugged in. Thread rules: one thread (the interface), beside those of open controllers.
+class Port {
+ public:
+  virtual ~Port() = default;
+  [[nodiscard]] virtual base::Result<std::vector<Listed>> list() = 0;
+  /// @param hand  which stick of a pad. @return null with SDL's words where it does not open.
+  [[nodiscard]] virtual base::Result<std::unique_ptr<Controller>> open(const Listed& device,
+                                                                       WritingHand hand) = 0;
+};
+
+/// SDL itself, begun at the first call of list() or open().
+[[nodiscard]] std::shared_ptr<Port> system_port();
+
+}  // namespace nazori::devices::sdl

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sdl_feedback.h"
+
+#include <gtest/gtest.h>
+
+#include "nazori/haptics/servo.h"
+#include "standins/sdl_standin.h"
+
+namespace nazori::devices::sdl {
+namespace {
+
+using haptics::ServoEvent;
+using standin::Stick;
+using standin::StickController;
+
+class Feedback : public testing::Test {
+ protected:
+  std::shared_ptr<Stick> stick = std::make_shared<Stick>();
+  StickController controller{stick};
+
+  [[nodiscard]] ForceEffects effects(const Abilities& abilities) {
+    auto made = ForceEffects::create(controller, abilities);
+    EXPECT_TRUE(made);
+    return std::move(*made);
+  }
+  static Wish push(double right, double up) { return {true, 0, 0, right, up, false, 0}; }
+  static Wish told(ServoEvent event) { return {true, 0, 0, 0, 0, true, static_cast<std::uint16_t>(event)}; }
+};
+
+TEST_F(Feedback, APushComesFromTheOtherSide) {
+  ForceEffects force = effects(standin::kForceStick);
+  double now_s = 0;
+  for (const auto& [right, up] : {std::pair{0.5, 0.0}, {-0.5, 0.0}, {0.0, 0.5}, {0.0, -0.5}, {0.3, -0.4}}) {
+    EXPECT_TRUE(force.apply(push(right, up), now_s += 1));
+    EXPECT_NEAR(stick->push_right(), right, 1e-4);
+    EXPECT_NEAR(stick->push_up(), up, 1e-4);
+  }
+  // SDL_haptic.h: a force that comes from the south has the direction (0, 1).
+  EXPECT_TRUE(force.apply(push(0, 1), now_s + 1));
+  const SDL_HapticConstant c = stick->effect(SDL_HAPTIC_CONSTANT).what.constant;
+  EXPECT_EQ(c.direction.type, SDL_HAPTIC_CARTESIAN);
+  EXPECT_EQ(c.direction.dir[0], 0);
+  EXPECT_GT(c.direction.dir[1], 0);
+  EXPECT_EQ(c.level, 32767);
+}
+
+TEST_F(Feedback, APushBeyondTheFullForceKeepsItsDirection) {
+  ForceEffects force = effects(standin::kForceStick);
+  EXPECT_TRUE(force.apply(push(30, 40), 1));
+  EXPECT_NEAR(stick->push_right(), 0.6, 1e-4);
+  EXPECT_NEAR(stick->push_up(), 0.8, 1e-4);
+  EXPECT_TRUE(force.apply(push(std::nan(""), 0), 2));
+  EXPECT_FALSE(stick->anything_runs());
+}
+
+TEST_F(Feedback, OnlyChangesAreToldAndAtMostAHundredASecond) {
+  ForceEffects force = effects(standin::kForceStick);
+  for (int ms = 0; ms < 1000; ++ms) EXPECT_TRUE(force.apply(push(0.5, 0.2), ms * 0.001));
+  EXPECT_EQ(stick->effect(SDL_HAPTIC_CONSTANT).updates, 1);
+  EXPECT_EQ(stick->effect(SDL_HAPTIC_CONSTANT).runs,
+            3);  // at 0, 0.4 and 0.8 s, before it would end by itself
+  for (int ms = 1000; ms < 2000; ++ms) EXPECT_TRUE(force.apply(push(0.0004 * (ms - 1000), 0.5), ms * 0.001));
+  EXPECT_LE(stick->effect(SDL_HAPTIC_CONSTANT).updates, 101);
+  EXPECT_GT(stick->effect(SDL_HAPTIC_CONSTANT).updates, 30);
+  EXPECT_EQ(stick->effect(SDL_HAPTIC_CONSTANT).what.constant.length, 1000U);
+}
+
+TEST_F(Feedback, LettingGoIsToldAtOnce) {
+  ForceEffects force = effects(standin::kForceStick);
+  Wish wish = push(0.5, 0);
+  wish.pressed = true;
+  EXPECT_TRUE(force.apply(wish, 1));
+  EXPECT_TRUE(stick->effect(SDL_HAPTIC_DAMPER).running);
+  wish.on = false;
+  EXPECT_TRUE(force.apply(wish, 1.0001));
+  EXPECT_FALSE(stick->anything_runs());
+}
+
+TEST_F(Feedback, ThePenIsHeldBackOnlyWhilePressedDown) {
+  ForceEffects force = effects(standin::kForceStick);
+  Wish wish = push(0, 0);
+  EXPECT_TRUE(force.apply(wish, 1));
+  EXPECT_FALSE(stick->anything_runs());
+  wish.pressed = true;
+  EXPECT_TRUE(force.apply(wish, 2));
+  EXPECT_TRUE(stick->effect(SDL_HAPTIC_DAMPER).running);
+  EXPECT_EQ(stick->effect(SDL_HAPTIC_DAMPER).updates, 0);
+  wish.pressed = false;
+  EXPECT_TRUE(force.apply(wish, 3));
+  EXPECT_FALSE(stick->anything_runs());
+}
+
+TEST_F(Feedback, AWheelPushesAlongItsOneAxis) {
+  ForceEffects force = effects(standin::kWheel);
+  EXPECT_TRUE(force.apply(push(-0.25, 0.9), 1));
+  EXPECT_NEAR(stick->push_right(), -0.25, 1e-4);
+  EXPECT_EQ(stick->push_up(), 0);
+}
+
+TEST_F(Feedback, ADeviceWithSpringsOnlyIsPulledToWhereTheForceWouldBring) {
+  ForceEffects force = effects({SDL_HAPTIC_SPRING, 2, false, false});
+  EXPECT_TRUE(force.apply({true, 0.25, 0.5, 0.25, -0.25, true, 0}, 1));
+  const Stick::Effect spring = stick->effect(SDL_HAPTIC_SPRING);
+  EXPECT_TRUE(spring.running);
+  EXPECT_NEAR(spring.what.condition.center[0] / 32767.0, 0.5, 1e-4);
+  EXPECT_NEAR(spring.what.condition.center[1] / 32767.0, -0.25, 1e-4);  // SDL's y is down
+  EXPECT_EQ(spring.what.condition.right_coeff[0], 32767);
+}
+
+TEST_F(Feedback, ARefusedEffectIsToldAndTriedAgain) {
+  ForceEffects force = effects(standin::kWheel);
+  stick->refuses_effects = true;
+  for (int ms = 0; ms < 50; ++ms) EXPECT_FALSE(force.apply(push(0.5, 0), ms * 0.001)) << ms;
+  stick->refuses_effects = false;
+  EXPECT_TRUE(force.apply(push(0.5, 0), 0.06));
+  EXPECT_NEAR(stick->push_right(), 0.5, 1e-4);
+  stick->refuses_effects = true;
+  const auto none = ForceEffects::create(controller, standin::kWheel);
+  ASSERT_FALSE(none);
+  EXPECT_NE(base::to_line(none.error()).find("close other programs"), std::string::npos);
+}
+
+TEST_F(Feedback, NothingIsLeftOnTheDevice) {
+  {
+    ForceEffects force = effects(standin::kForceStick);
+    EXPECT_TRUE(force.apply(push(0.5, 0), 1));
+    EXPECT_EQ(stick->effects.size(), 2U);
+  }
+  EXPECT_TRUE(stick->effects.empty());
+}
+
+TEST_F(Feedback, APadTellsStrokesAndMistakesApart) {
+  RumbleCues rumble(controller);
+  rumble.apply(told(ServoEvent::capture), 1);
+  const std::uint16_t tap = stick->high;
+  EXPECT_GT(tap, 0);
+  EXPECT_EQ(stick->low, 0);
+  rumble.apply(push(0, 0), 1.1);
+  EXPECT_FALSE(stick->anything_runs());
+  rumble.apply(told(ServoEvent::stroke_done), 2);
+  EXPECT_GT(stick->high, tap);
+  EXPECT_EQ(stick->low, 0);
+  rumble.apply(told(ServoEvent::wrong_direction), 2.1);  // a mistake drowns out the end of a stroke
+  EXPECT_GT(stick->low, 0);
+  rumble.apply(told(ServoEvent::capture), 2.2);  // and no tap shortens it
+  EXPECT_GT(stick->low, 0);
+  rumble.apply(push(0, 0), 2.4);
+  EXPECT_FALSE(stick->anything_runs());
+}
+
+TEST_F(Feedback, AWallHumsAsHardAsItPushes) {
+  RumbleCues rumble(controller);
+  rumble.apply(push(0.2, 0), 1);
+  const std::uint16_t soft = stick->low;
+  rumble.apply(push(0, -0.9), 2);
+  EXPECT_GT(soft, 0);
+  EXPECT_GT(stick->low, 3 * soft);
+  EXPECT_EQ(stick->high, 0);
+  rumble.apply({}, 2.0001);
+  EXPECT_FALSE(stick->anything_runs());
+}
+
+TEST_F(Feedback, RumbleIsToldOnChangeAtMostAHundredTimesASecond) {
+  RumbleCues rumble(controller);
+  for (int ms = 0; ms < 1000; ++ms) rumble.apply(push(0.5, 0), ms * 0.001);
+  EXPECT_EQ(stick->rumbles, 3);
+  for (int ms = 1000; ms < 2000; ++ms) rumble.apply(push(ms % 2 == 0 ? 0.2 : 0.8, 0), ms * 0.001);
+  EXPECT_LE(stick->rumbles, 103);
+}
+
+}  // namespace
+}  // namespace nazori::devices::sdl

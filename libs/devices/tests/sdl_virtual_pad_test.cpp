@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// SDL itself, end to end, over a gamepad that SDL acts out.
+#include <SDL2/SDL.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+
+#include "felt_plane.h"
+#include "nazori/devices/game_controllers.h"
+
+namespace nazori::devices {
+namespace {
+
+using haptics::DeviceState;
+using haptics::DeviceTrouble;
+using test::comes_true;
+using test::FeltPlane;
+using test::Vec3;
+
+/// A virtual pad, plugged in while it lives.
+class VirtualPad {
+ public:
+  VirtualPad() {
+    SDL_VirtualJoystickDesc desc{};
+    desc.version = SDL_VIRTUAL_JOYSTICK_DESC_VERSION;
+    desc.type = SDL_JOYSTICK_TYPE_GAMECONTROLLER;
+    desc.naxes = SDL_CONTROLLER_AXIS_MAX;
+    desc.nbuttons = SDL_CONTROLLER_BUTTON_MAX;
+    desc.name = "Nazori's virtual pad";
+    desc.userdata = this;
+    desc.Rumble = [](void* self, Uint16 slow, Uint16 fast) {
+      static_cast<VirtualPad*>(self)->low = slow;
+      static_cast<VirtualPad*>(self)->high = fast;
+      return 0;
+    };
+    index_ = SDL_JoystickAttachVirtualEx(&desc);
+    EXPECT_GE(index_, 0) << SDL_GetError();
+    joystick_ = SDL_JoystickOpen(index_);
+    EXPECT_NE(joystick_, nullptr) << SDL_GetError();
+    // A trigger's axis rests at its lower end.
+    axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -32768);
+    axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, -32768);
+  }
+  ~VirtualPad() {
+    SDL_JoystickDetachVirtual(index_);
+    SDL_JoystickClose(joystick_);
+  }
+  VirtualPad(const VirtualPad&) = delete;
+  VirtualPad& operator=(const VirtualPad&) = delete;
+  void axis(int which, Sint16 value) const { SDL_JoystickSetVirtualAxis(joystick_, which, value); }
+  void button(int which, bool down) const { SDL_JoystickSetVirtualButton(joystick_, which, down ? 1 : 0); }
+
+  std::atomic<int> low{0}, high{0};
+
+ private:
+  int index_ = -1;
+  SDL_Joystick* joystick_ = nullptr;
+};
+
+class VirtualGamepad : public testing::Test {
+ protected:
+  VirtualGamepad() {
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    EXPECT_EQ(SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER), 0) << SDL_GetError();
+  }
+  ~VirtualGamepad() override { SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER); }
+  /// The virtual pad among whatever else may be plugged in.
+  std::string id_of_pad() {
+    for (const FoundDevice& device : back_end->find().devices) {
+      if (device.name == "Nazori's virtual pad") return device.id;
+    }
+    return {};
+  }
+  OpenedDevice opened(const OpenRequest& request = {}) {
+    auto device = back_end->open(id_of_pad(), request);
+    EXPECT_TRUE(device) << base::to_line(device.error().error);
+    return std::move(*device);
+  }
+
+  std::unique_ptr<BackEnd> back_end = game_controllers_back_end();
+};
+
+TEST_F(VirtualGamepad, TheStickOfTheWritingHandIsThePosition) {
+  const VirtualPad pad;
+  for (const WritingHand hand : {WritingHand::right, WritingHand::left}) {
+    const bool right = hand == WritingHand::right;
+    OpenRequest request;
+    request.posture.hand = hand;
+    FeltPlane plane;
+    OpenedDevice device = opened(request);
+    ASSERT_TRUE(device.device->start(plane));
+    EXPECT_TRUE(comes_true([&] { return plane.present > 0 && plane.z_m > 0.004; }));
+    pad.axis(right ? SDL_CONTROLLER_AXIS_RIGHTX : SDL_CONTROLLER_AXIS_LEFTX, 32767);
+    EXPECT_TRUE(comes_true([&] { return std::abs(plane.x_m - 0.055) < 1e-6; }));
+    EXPECT_NEAR(plane.y_m, 0, 1e-3);
+    pad.axis(right ? SDL_CONTROLLER_AXIS_RIGHTY : SDL_CONTROLLER_AXIS_LEFTY, -32768);  // SDL's up
+    EXPECT_TRUE(comes_true([&] { return std::abs(plane.y_m - 0.055) < 1e-6; }));
+    pad.axis(right ? SDL_CONTROLLER_AXIS_TRIGGERRIGHT : SDL_CONTROLLER_AXIS_TRIGGERLEFT, 32767);
+    EXPECT_TRUE(comes_true([&] { return plane.z_m < -0.010; }));
+    pad.button(SDL_CONTROLLER_BUTTON_B, true);
+    EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 2U; }));
+    pad.button(SDL_CONTROLLER_BUTTON_B, false);
+    EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 0U; }));
+  }
+}
+
+TEST_F(VirtualGamepad, RumblesWhileAWallPushesAndStopsWithTheDevice) {
+  const VirtualPad pad;
+  test::Push push({0.8, 0, 0});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return pad.low > 0; }));
+  EXPECT_EQ(pad.high, 0);
+  device.device->stop();
+  EXPECT_EQ(pad.low, 0);
+}
+
+TEST_F(VirtualGamepad, UnpluggedItIsLostAndPluggedInItIsFoundAgain) {
+  auto pad = std::make_unique<VirtualPad>();
+  test::Push push({0.8, 0, 0});
+  OpenedDevice device = opened();
+  const std::string id = device.id;
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return pad->low > 0; }));
+  EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::in_use);
+  pad.reset();
+  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; }));
+  EXPECT_EQ(device.device->status().trouble, DeviceTrouble::communication_lost);
+  EXPECT_EQ(id_of_pad(), "");
+  pad = std::make_unique<VirtualPad>();
+  EXPECT_EQ(id_of_pad(), id);
+  device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return pad->low > 0; }));
+}
+
+TEST_F(VirtualGamepad, SdlTakesNoSignals) {
+  (void)back_end->find();
+  struct sigaction action {};
+  ASSERT_EQ(sigaction(SIGINT, nullptr, &action), 0);
+  EXPECT_EQ(action.sa_handler, SIG_DFL);
+}
+
+TEST_F(VirtualGamepad, ADeviceOutlivesItsBackEnd) {
+  const VirtualPad pad;
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  back_end.reset();
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.present > 10; }));
+}
+
+}  // namespace
+}  // namespace nazori::devices
