@@ -74,8 +74,7 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
   }
   if (preferences.pane_widths.size() == 2)
     inside_->panes->wish(preferences.pane_widths[0], preferences.pane_widths[1]);
-  inside_->panes->fit(width(), preferences.text_pt);
-  inside_->rail->fit(width());
+  inside_->fit();
   inside_->focus_tablet();
 }
 
@@ -105,8 +104,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  inside_->panes->fit(width(), inside_->desk.preferences().text_pt);
-  inside_->rail->fit(width());
+  inside_->fit();
   inside_->save_later();
 }
 
@@ -289,10 +287,16 @@ void MainWindow::Inside::set_text_size(int text_pt) {
   auto& preferences = desk.preferences();
   preferences.text_pt = std::clamp(text_pt, Preferences::kMinText_pt, Preferences::kMaxText_pt);
   apply_appearance();
-  panes->fit(window.width(), preferences.text_pt);
-  rail->fit(window.width());
+  fit();
   show_state();
   save_later();
+}
+
+void MainWindow::Inside::fit() {
+  rail->fit(window.width());
+  // Half of the window is the tablet's, with the rail or without.
+  const int taken = rail->isVisibleTo(&window) ? 2 * rail->sizeHint().width() : 0;
+  panes->fit(window.width() - taken, desk.preferences().text_pt);
 }
 
 void MainWindow::Inside::set_full_screen(bool on) {

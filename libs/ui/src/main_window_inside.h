@@ -37,6 +37,7 @@ struct MainWindow::Inside {
   void show_state();
   void apply_appearance();
   void take_appearance();
+  void fit();
   void set_text_size(int text_pt);
   void set_language(const QString& language);
   void record(bool on);
