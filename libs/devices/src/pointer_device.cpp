@@ -59,13 +59,15 @@ struct PointerDevice::Inside {
   double told_s = -std::numeric_limits<double>::infinity();  // interface: time of the last event
   // Clock thread.
   TimedState played{PointerState{0, 0, 0, false, false}, 0};
-  double clock_s = 0;  // of the events
+  double clock_s = 0;         // of the events
+  double step_s = kPeriod_s;  // that the events went on in this tick
   Vec3 halfway{0, 0, kHover_m}, at{0, 0, kHover_m};
   bool present = false;
   RtThread clock;  // last: it stops before the rest goes
 };
 
 PointerState PointerDevice::Inside::play() noexcept {
+  step_s = kPeriod_s;
   if (!timed.load(std::memory_order_acquire)) {
     while (events.pop()) {
     }
@@ -81,7 +83,7 @@ PointerState PointerDevice::Inside::play() noexcept {
   if (clock_s < begin_s)
     clock_s = begin_s;
   else
-    clock_s += kPeriod_s * std::clamp(1 + late_s / kCatchUp_s, 1.0, kFastest);
+    clock_s += step_s = kPeriod_s * std::clamp(1 + late_s / kCatchUp_s, 1.0, kFastest);
   while (events.read_available() > 0 && events.front().at_s <= clock_s) {
     const bool was_pressed = played.state.pressed;
     played = events.front();
@@ -104,9 +106,10 @@ void PointerDevice::Inside::tick(double now_s, haptics::ServoCallback& servo) no
     // A pointer that comes back into range is there at once: it did not cross the tablet.
     if (state.in_range && !present) halfway = at = target;
     present = state.in_range;
-    constexpr double kPass = kPeriod_s / (kPeriod_s + kHand_s);
-    halfway += (target - halfway) * kPass;
-    at += (halfway - at) * kPass;
+    // In the time of the events: what is played faster keeps its shape.
+    const double pass = step_s / (step_s + kHand_s);
+    halfway += (target - halfway) * pass;
+    at += (halfway - at) * pass;
   }
   haptics::DeviceSample sample;
   sample.time_s = now_s;

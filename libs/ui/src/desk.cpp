@@ -2,6 +2,7 @@
 #include "desk.h"
 
 #include <QTimer>
+#include <algorithm>
 #include <utility>
 
 namespace nazori::ui {
@@ -38,9 +39,11 @@ void Desk::tell(Feedback kind, const QString& sentence) {
 
 void Desk::settle() {
   settled_ = true;
-  // One line: what came last, unless something went wrong.
+  // There is one line: the first of what is gravest.
   const auto news = std::exchange(news_, {});
-  for (const auto& [kind, sentence] : news) say(kind, sentence);
+  const auto gravest = std::max_element(news.begin(), news.end(),
+                                        [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (gravest != news.end()) say(gravest->first, gravest->second);
 }
 
 }  // namespace nazori::ui

@@ -8,7 +8,7 @@
 namespace nazori::ui {
 namespace {
 
-constexpr int kWordsWindow_em = 64;  ///< narrower windows keep the drawings only
+constexpr int kWordsWindow_em = 72;  ///< narrower windows keep the drawings only
 
 }  // namespace
 

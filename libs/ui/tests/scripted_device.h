@@ -38,8 +38,10 @@ class ScriptedDevice final : public haptics::HapticDevice {
   [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override {
     return clock_.start(0.001, [this, &servo](double now_s) {
       const bool running = script_->state == haptics::DeviceState::running;
-      const haptics::DeviceSample sample{
-          now_s, {script_->x_m, script_->y_m, script_->z_m}, script_->buttons, running};
+      const haptics::DeviceSample sample{now_s,
+                                         {script_->x_m.load(), script_->y_m.load(), script_->z_m.load()},
+                                         script_->buttons.load(),
+                                         running};
       const haptics::Vec3 force = servo.tick(sample);
       const double size_n = std::sqrt(force.x * force.x + force.y * force.y + force.z * force.z);
       script_->most_step_n = std::max(script_->most_step_n.load(), std::abs(size_n - script_->force_n));

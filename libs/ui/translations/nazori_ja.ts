@@ -1772,10 +1772,6 @@ Columns and rows:</source>
         <translation>いちばん良い装置</translation>
     </message>
     <message>
-        <source>%1 (simulation)</source>
-        <translation>%1（模擬）</translation>
-    </message>
-    <message>
         <source>%1 – in use</source>
         <translation>%1 – 使用中</translation>
     </message>

@@ -52,7 +52,7 @@ DevicePlace::DevicePlace(Desk& desk)
   // Once the window is there: looking for devices may take a moment.
   QTimer::singleShot(0, this, [this] {
     stylus_.choose(memory_.chosen.toStdString());
-    show_device();
+    refresh();
   });
 }
 
@@ -161,6 +161,7 @@ void DevicePlace::connect_stylus() {
       &stylus_, &Stylus::button_pressed, this, [this](int number) { press_button(number); },
       Qt::QueuedConnection);
   connect(&stylus_, &Stylus::device_taken, this, [this](const QString& name, bool again) {
+    QTimer::singleShot(0, this, &DevicePlace::refresh);
     desk().tell(Feedback::good,
                 again
                     ? tr("%1 goes on. What was written is still there.").arg(device_name(name.toStdString()))
@@ -173,6 +174,7 @@ void DevicePlace::connect_stylus() {
   };
   connect(&stylus_, &Stylus::device_paused, this, trouble);
   connect(&stylus_, &Stylus::device_lost, this, trouble);
+  connect(&stylus_, &Stylus::device_lost, this, &DevicePlace::refresh, Qt::QueuedConnection);
   connect(&stylus_, &Stylus::device_refused, this,
           [this](const QString& id, haptics::DeviceTrouble what, const QString& message) {
             desk().tell(Feedback::advice, trouble_text(what, device_name(id.toStdString()), message));
@@ -194,6 +196,13 @@ void DevicePlace::look_again() {
                              opened != nullptr ? to_text(opened->id) : QStringLiteral("pointer"),
                              device_name(stylus_.own_description().name));
   show_device();
+}
+
+void DevicePlace::refresh() {
+  if (entered_)
+    look_again();
+  else
+    show_device();
 }
 
 void DevicePlace::show_device() {
@@ -258,8 +267,8 @@ void DevicePlace::take_corner() {
   }
   of_device.calibration = *fitted;
   of_device.posture = fitted->posture;
-  end_calibration(tr("The tablet stands where you showed it."), Feedback::good);
   stylus_.reopen();
+  end_calibration(tr("The tablet stands where you showed it."), Feedback::good);
   desk().save_later();
 }
 

@@ -45,6 +45,7 @@ class DevicePlace final : public Workplace {
   void connect_stylus();
   void choose(const QString& id);
   void look_again();
+  void refresh();
   void show_device();
   void set_strength(double strength);
   /// What is remembered of the device in use, to be changed; made where there is none.

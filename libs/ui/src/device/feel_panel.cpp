@@ -99,6 +99,9 @@ FeelPanel::FeelPanel(Stylus& stylus, const DeviceActions& actions, QWidget* pare
   texture_ = new QComboBox(content_);
   texture_->setObjectName(QStringLiteral("material_texture"));
   texture_->setAccessibleName(tr("Texture"));
+  auto* texture_name = new QLabel(tr("Texture"), content_);
+  texture_name->setBuddy(texture_);
+  column->addWidget(texture_name);
   texture_->addItems({tr("smooth"), tr("paper"), tr("wood"), tr("stone")});
   connect(texture_, &QComboBox::currentIndexChanged, this, &FeelPanel::tell_material);
   column->addWidget(texture_);

@@ -33,6 +33,20 @@ QPushButton* button_for(QAction* action, QWidget* parent) {
   return button;
 }
 
+/// A radio button does not break its lines by itself.
+QString in_lines(const QString& text) {
+  constexpr qsizetype kLongest = 20;
+  QString lines;
+  qsizetype length = 0;
+  for (const auto& word : text.split(QLatin1Char(' '))) {
+    const bool fits = length + word.size() < kLongest;
+    if (!lines.isEmpty()) lines += fits ? QLatin1Char(' ') : QLatin1Char('\n');
+    length = fits ? length + word.size() + 1 : word.size();
+    lines += word;
+  }
+  return lines;
+}
+
 void empty(QLayout* layout) {
   while (QLayoutItem* item = layout->takeAt(0)) {
     if (item->widget() != nullptr) {
@@ -57,7 +71,7 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
       hand_(new QComboBox(content_)) {
   setObjectName(QStringLiteral("seat_panel"));
   setAccessibleName(tr("Devices and how they stand"));
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   setWidgetResizable(true);
   content_->setObjectName(QStringLiteral("information_content"));
   column_->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
@@ -107,6 +121,8 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
     buttons_[i]->setObjectName(QStringLiteral("stylus_button_%1").arg(i + 1));
     buttons_[i]->setAccessibleName(name);
     buttons_[i]->addItems(does);
+    buttons_[i]->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    buttons_[i]->setMinimumContentsLength(6);
     label->setBuddy(buttons_[i]);
     row->addWidget(label);
     row->addWidget(buttons_[i], 1);
@@ -165,7 +181,8 @@ QLabel* SeatPanel::heading(const QString& text) {
 }
 
 void SeatPanel::add_choice(const QString& id, const QString& text, bool checked) {
-  auto* choice = new QRadioButton(text, content_);
+  auto* choice = new QRadioButton(in_lines(text), content_);
+  choice->setAccessibleName(text);
   choice->setObjectName(QStringLiteral("device_%1").arg(id.isEmpty() ? QStringLiteral("best") : id));
   choice->setProperty("device", id);
   choice->setChecked(checked);
@@ -186,7 +203,6 @@ void SeatPanel::show_findings(const std::vector<devices::BackEndFindings>& findi
     for (const auto& device : back_end.devices) {
       const QString id = to_text(device.id);
       QString text = device_name(device.name);
-      if (!device.automatic && device.has_force) text = tr("%1 (simulation)").arg(text);
       in_use_listed = in_use_listed || id == in_use;
       if (id == in_use) text = tr("%1 – in use").arg(text);
       add_choice(id, text, id == chosen);
