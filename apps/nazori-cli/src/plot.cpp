@@ -13,6 +13,7 @@
 #include "character_json.h"
 #include "nazori/functions/plate.h"
 #include "nazori/functions/points.h"
+#include "nazori/functions/print_picture.h"
 #include "nazori/functions/sound.h"
 #include "nazori/surface/height_map.h"
 #include "options.h"
@@ -32,9 +33,11 @@ struct PlotSettings {
   std::string axes = "on";
   std::string output;
   std::string mask;
+  std::string print;
   std::string sound;
   std::string language = "en";
   bool points = false;
+  bool decimal_comma = false;
   bool json = false;
   functions::PlateSettings plate;
 };
@@ -42,6 +45,7 @@ struct PlotSettings {
 struct Files {
   std::optional<std::filesystem::path> output;
   std::optional<std::filesystem::path> mask;
+  std::optional<std::filesystem::path> print;
   std::optional<std::filesystem::path> sound;
 };
 
@@ -58,13 +62,13 @@ base::Result<Files> files_of(const PlotSettings& s) {
   if (auto r = check(files.output, "--output", s.output, {".png", ".raw"}); !r)
     return tl::unexpected(r.error());
   if (auto r = check(files.mask, "--mask", s.mask, {".png"}); !r) return tl::unexpected(r.error());
+  if (auto r = check(files.print, "--print", s.print, {".png"}); !r) return tl::unexpected(r.error());
   if (auto r = check(files.sound, "--sound", s.sound, {".wav"}); !r) return tl::unexpected(r.error());
   return files;
 }
 
-/// "y = 2 +" with a mark under nothing: one line, the column named.
 base::Result<functions::Plot> read(const PlotSettings& s) {
-  auto plot = functions::parse(s.expression);
+  auto plot = functions::parse(s.expression, {s.decimal_comma});
   if (!plot) return tl::unexpected(plot.error().to_error());
   return std::move(*plot);
 }
@@ -159,9 +163,12 @@ base::Result<void> save(const Files& files, const functions::Picture& picture, c
       mask->samples()[i] = picture.plate.mask[i] != 0 ? 1.0F : 0.0F;
     if (auto saved = surface::save_png(*mask, *files.mask, surface::PngDepth::bits_8); !saved) return saved;
   }
+  if (files.print) {
+    const auto print = functions::print_picture(picture.tracing);
+    if (!print) return tl::unexpected(print.error());
+    if (auto saved = surface::save_png(*print, *files.print, surface::PngDepth::bits_8); !saved) return saved;
+  }
   if (files.sound) {
-    if (plot.is_surface())
-      return base::fail(base::Errc::bad_argument, "a surface has no sweep", "--sound", "give a curve");
     const auto sound = functions::sweep(plot, picture.tracing, points);
     if (!sound) return tl::unexpected(sound.error());
     return functions::save_wav(*sound, *files.sound);
@@ -189,6 +196,8 @@ int run(Console& console, PlotSettings s) {
   if (!files) return console.refuse(files.error());
   if (plot->is_surface() && files->sound)
     return console.refuse({base::Errc::bad_argument, "a surface has no sweep", "--sound", "give a curve"});
+  if (plot->is_surface() && files->print)
+    return console.refuse({base::Errc::bad_argument, "a surface has no lines to print", "--print", "give a curve"});
 
   ProgressDisplay progress(ProgressDisplay::Plain::silent);
   const auto language = s.language == "ja" ? functions::Language::japanese : functions::Language::english;
@@ -254,8 +263,13 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->type_name("FILE");
   verb->add_option("--mask", s->mask, "What is carved or defined, 8-bit grey PNG of 255 and 0")
       ->type_name("FILE");
+  verb->add_option("--print", s->print,
+                   "Black lines on white for swell paper and eyes that need contrast, 160 mm at 300 dpi")
+      ->type_name("FILE");
   verb->add_option("--sound", s->sound, "A sweep of the curves as WAV: pitch is height, left to right is x")
       ->type_name("FILE");
+  verb->add_flag("--decimal-comma", s->decimal_comma,
+                 "1,5 is a decimal number in lists of arguments too: min(1,5; x)");
   verb->add_flag("--points", s->points, "Name the points of interest");
   verb->add_flag("--json", s->json, "Answer in JSON (see docs/functions.md)");
   verb->add_option("--language", s->language, "Of the words: en or ja")

@@ -70,6 +70,39 @@ TEST(Plot, WritesASoundWithTheHeadOfAWav) {
   EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 4), "RIFF");
 }
 
+TEST(Plot, PrintsBlackLinesOnWhite) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      nazori_cli({"plot", "y = x", "--window=-1,1,-1,1", "--size", "64", "--print", folder / "line.png"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto print = surface::load_png(folder / "line.png");
+  ASSERT_TRUE(print);
+  EXPECT_EQ(print->size(), 1890);
+  EXPECT_EQ(print->at(600, 1890 - 601), 0.0F);
+  EXPECT_EQ(print->at(600, 600), 1.0F);
+  EXPECT_EQ(nazori_cli({"plot", "z = x", "--print", folder / "a.png"}).code, 2);
+}
+
+TEST(Plot, ADecimalCommaCanBeAskedForInLists) {
+  EXPECT_THAT(nazori_cli({"plot", "y = min(1,5; x)", "--decimal-comma", "--size", "32"}).out,
+              HasSubstr("min(1.5, x)"));
+  EXPECT_THAT(nazori_cli({"plot", "y = 1,5x", "--size", "32"}).out, HasSubstr("1.5*x"));
+}
+
+TEST(Plot, RefusesHeightsOutOfOrderAndFilesOfOtherKindsWithoutWriting) {
+  const TemporaryFolder folder;
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"plot", "z = x", "--z=2,1", "--output", folder / "a.png"},
+        std::vector<std::string>{"plot", "y = x", "--output", folder / "a.jpg"},
+        std::vector<std::string>{"plot", "y = x", "--size", "31", "--output", folder / "a.png"},
+        std::vector<std::string>{"plot", "z = x", "--sound", folder / "a.wav"}}) {
+    const Outcome run = nazori_cli(arguments);
+    EXPECT_EQ(run.code, 2) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_THAT(folder.names(), IsEmpty());
+  }
+}
+
 TEST(Plot, RefusesAnEmptyWindow) {
   const Outcome run = nazori_cli({"plot", "y = x", "--window=2,1,0,1"});
   EXPECT_EQ(run.code, 2);

@@ -17,7 +17,7 @@ TEST(Usage, HelpNamesEveryVerb) {
   const Outcome run = nazori_cli({"--help"});
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.err, "");
-  for (const char* verb : {"info", "search", "carve", "render", "demo", "feel", "record", "database"}) {
+  for (const char* verb : {"info", "search", "carve", "render", "plot", "demo", "feel", "record", "database"}) {
     EXPECT_THAT(run.out, HasSubstr(verb));
   }
 }
@@ -27,6 +27,7 @@ TEST(Usage, EveryVerbDocumentsItselfWithAnExample) {
                                                     {"search"},
                                                     {"carve"},
                                                     {"render"},
+                                                    {"plot"},
                                                     {"demo"},
                                                     {"feel"},
                                                     {"record"},

@@ -73,4 +73,9 @@ struct Case {
 
 [[nodiscard]] std::size_t node_count(const Expression& e);
 
+/// Whether the expression is this very number.
+[[nodiscard]] inline bool is_number(const Expression& e, double v) {
+  return e->kind == NodeKind::number && e->value == v;
+}
+
 }  // namespace nazori::functions

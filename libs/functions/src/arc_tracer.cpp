@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algebra.h"
+#include "simplest_between.h"
 
 namespace nazori::functions {
 namespace {
@@ -17,10 +18,11 @@ constexpr int kMostDepth = 90;
 constexpr double kBreakPart = 0x1p-44;
 // Poles without end, as of tan(1/x): after this many narrow pieces with a break the rest stays undecided.
 constexpr std::int64_t kMostNarrowBreaks = 40'000;
+// Narrow pieces that are halved because their enclosure says too little.
+constexpr std::int64_t kMostBluntPieces = 30'000;
 constexpr std::size_t kMostPlaces = 1000;
 // Off the middle, so that a break at a round number does not fall on a border.
 constexpr double kSplit = 0.49731;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Interval narrowed(const Interval& i) { return i; }
 Interval narrowed(const LongInterval& i) {
@@ -39,15 +41,6 @@ Interval scaled(Interval i, double origin, double scale) {
 
 }  // namespace
 
-double simplest_between(double low, double high) {
-  double scale = 1;
-  for (int digits = 0; digits <= 15; ++digits, scale *= 10) {
-    const double candidate = std::round(low / 2 * scale + high / 2 * scale) / scale;
-    if (candidate >= low && candidate <= high) return candidate == 0 ? 0 : candidate;
-  }
-  return low + (high - low) / 2;
-}
-
 bool ArcTracer::Sample::exists() const { return std::isfinite(u) && std::isfinite(v); }
 
 ArcTracer::ArcTracer(const Arc& arc, int statement, const TraceSettings& settings, Tracing& out,
@@ -62,6 +55,7 @@ ArcTracer::ArcTracer(const Arc& arc, int statement, const TraceSettings& setting
       cell_(1.0 / settings.resolution),
       scale_{1 / (out.window.x1 - out.window.x0), 1 / (out.window.y1 - out.window.y0)},
       values_(tape_.size()),
+      intervals_(tape_.size()),
       long_values_(tape_.can_overflow() ? tape_.size() : 0),
       duals_(tape_.size()),
       long_duals_(tape_.can_overflow() ? tape_.size() : 0),
@@ -98,18 +92,24 @@ ArcTracer::Box ArcTracer::enclose(double from, double to) {
   return box;
 }
 
+/// The same for a single parameter, without slopes.
+ArcTracer::PointBox ArcTracer::enclose_point(double t) {
+  tape_.evaluate<Interval>(std::array{Interval(t)}, intervals_);
+  const Interval& x = intervals_[tape_.output(0)];
+  const Interval& y = intervals_[tape_.output(1)];
+  const bool overflows = tape_.can_overflow() && has(x.cause | y.cause, Cause::overflow);
+  if (overflows) {
+    const Box box = enclose(t, t);
+    return {box.u, box.v};
+  }
+  return {scaled(x, out_.window.x0, scale_[0]), scaled(y, out_.window.y0, scale_[1])};
+}
+
 /// Whether rounding leaves the sample where it is drawn: near removable gaps, (1 - cos x)/x^2, it does not.
 bool ArcTracer::is_reliable(const Sample& s) {
   if (!s.exists() || !is_inside(s)) return true;
-  const Box box = enclose(s.t, s.t);
+  const PointBox box = enclose_point(s.t);
   return std::max(box.u.width(), box.v.width()) <= 4 * tolerance_;
-}
-
-/// The sample itself or the first reliable one in steps that double from `away` on.
-ArcTracer::Sample ArcTracer::nearest_reliable(const Sample& from, double away) {
-  Sample s = from;
-  for (int i = 0; i < 32 && s.exists() && !is_reliable(s); ++i, away *= 2) s = sample(from.t + away);
-  return s;
 }
 
 bool ArcTracer::run() {
@@ -127,13 +127,20 @@ bool ArcTracer::run() {
     // Borders bent a little off round numbers, the ends kept.
     const double bent = share + 0.0137 * share * (1 - share);
     const Sample b = sample(i + 1 == kFirstPieces ? arc_.to : arc_.from + (arc_.to - arc_.from) * bent);
-    if (!progress_.report(share - 1.0 / kFirstPieces)) return false;
-    visit(a, b, 0);
-    if (progress_.is_stopped()) return false;
+    if (progress_.report(share - 1.0 / kFirstPieces)) visit(a, b, 0);
+    if (progress_.is_stopped()) {
+      end_branch();
+      return false;
+    }
     a = b;
   }
+  const bool last_is_drawn = !branch_.points.empty() && branch_.points.back().parameter == a.t;
   end_branch();
+  undecided_area_ = std::min(1.0, undecided_area_);
   out_.undecided_cells += static_cast<std::int64_t>(std::ceil(undecided_area_ / (cell_ * cell_) - 1e-3));
+  // The end of the range itself belongs to the curve even where it lies behind a jump.
+  if (arc_.ends_are_real && !last_is_drawn && a.exists() && is_inside(a))
+    out_.dots.push_back({statement_, {a.u, a.v}});
   if (arc_.ends_are_real) {
     const bool closed = is_near(first, a, 4 * tolerance_);
     for (const Sample& end : {first, a}) {
@@ -177,7 +184,8 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
     return;
   }
   const bool bounded = box.u.is_bounded() && box.v.is_bounded();
-  if (is_outside(box) && (box.is_continuous() || bounded)) {
+  // Only y = f(x) and x = g(y) are asked for their poles; elsewhere what is outside is done with.
+  if (is_outside(box) && (box.is_continuous() || bounded || arc_.ends_are_real)) {
     end_branch();
     return;
   }
@@ -197,7 +205,7 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
       after_dense_ = false;
       return;
     }
-    if (draw_narrow(a, b, box)) return;
+    if (draw_narrow(a, b, box, b.t - a.t > 64 * narrowest)) return;
     if (b.t - a.t <= narrowest) {
       extend(a, b);
       return;
@@ -205,6 +213,7 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
     split(a, b, depth);
     return;
   }
+  if (settle_invisible(a, b, box)) return;
   const double piece = std::min(box.u.width(), (b.t - a.t) / (arc_.to - arc_.from));
   if (piece < cell_ / 32 && ++narrow_breaks_ > kMostNarrowBreaks) {
     end_branch();
@@ -222,25 +231,46 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
   settle_break(a, b, box);
 }
 
+/// What is smaller than can be seen, without a pole, need not be looked at to the last place.
+bool ArcTracer::settle_invisible(const Sample& a, const Sample& b, const Box& box) {
+  if (!(std::max(box.u.width(), box.v.width()) < tolerance_ / 4) || has(box.cause(), Cause::pole)) return false;
+  const double part = (b.t - a.t) / (arc_.to - arc_.from);
+  if (a.exists() && b.exists() && part < 1e-6) {
+    extend(a, b);
+    return true;
+  }
+  if (a.exists() || b.exists() || part >= 1e-9) return false;
+  // Nowhere defined as far as was looked: a single point can be told at a round number only.
+  end_branch();
+  const Sample at = sample(simplest_between(a.t, b.t));
+  if (at.exists() && is_inside(at) && is_reliable(at)) {
+    out_.dots.push_back({statement_, {at.u, at.v}});
+    add_event(EventKind::isolated, at);
+  } else {
+    undecided_area_ += box.u.width() * box.v.width();
+  }
+  return true;
+}
+
 void ArcTracer::split(const Sample& a, const Sample& b, int depth) {
   const Sample middle = sample(a.t + (b.t - a.t) * kSplit);
-  if (depth < 8 && !progress_.report(0)) return;
+  if (depth < 8 ? !progress_.report(0) : (progress_.is_stopped() || !progress_.is_in_time())) return;
   visit(a, middle, depth + 1);
   visit(middle, b, depth + 1);
 }
 
 /// A continuous piece thinner than a cell's 32nd: what it covers is certain by the intermediate value
 /// theorem.
-bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box) {
+bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box, bool may_split) {
   const bool upright = box.u.width() < cell_ / 32;
   const bool level = box.v.width() < cell_ / 32;
   if (!upright && !level) return false;
   const auto across = [&](const Sample& s) { return upright ? s.v : s.u; };
   double low = std::min(across(a), across(b));
   double high = std::max(across(a), across(b));
-  const Interval& range = upright ? box.v : box.u;
-  const double least = std::max(range.lower, -settings_.margin);
-  const double most = std::min(range.upper, 1 + settings_.margin);
+  const Interval& whole = upright ? box.v : box.u;
+  double least = std::max(whole.lower, -settings_.margin);
+  double most = std::min(whole.upper, 1 + settings_.margin);
   // Skipped, extend() joins what lies on both sides where that is near enough.
   if (!is_reliable(a) || !is_reliable(b)) {
     undecided_area_ += (upright ? box.u.width() : box.v.width()) * std::max(0.0, most - least);
@@ -248,6 +278,15 @@ bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box) {
   }
   for (const int count : {8, 64}) {
     if (low <= least + 2 * cell_ && high >= most - 2 * cell_) break;
+    if (count == 64) {
+      const Interval sharper = by_mean_value(a, b, box, upright);
+      least = std::max(sharper.lower, -settings_.margin);
+      most = std::min(sharper.upper, 1 + settings_.margin);
+      if (low <= least + 2 * cell_ && high >= most - 2 * cell_) break;
+      // The enclosure is blunt, not the curve dense: halves are sharper, while there are not too many.
+      const bool turns = high - low > std::abs(across(b) - across(a)) + tolerance_;
+      if (!turns && may_split && ++blunt_pieces_ <= kMostBluntPieces) return false;
+    }
     for (int i = 1; i < count; ++i) {
       const Sample s = sample(a.t + (b.t - a.t) * i / count);
       if (!s.exists() || !is_reliable(s)) continue;
@@ -255,6 +294,7 @@ bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box) {
       high = std::max(high, across(s));
     }
   }
+  const double open = std::max(0.0, low - least) + std::max(0.0, most - high);
   extend(a, b);
   const double covered = std::abs(across(b) - across(a));
   if (high - low > covered + tolerance_) {
@@ -266,7 +306,6 @@ bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box) {
     out_.dense = true;
     after_dense_ = true;
   }
-  const double open = std::max(0.0, low - least) + std::max(0.0, most - high);
   if (open > 4 * cell_) {
     undecided_area_ += (upright ? box.u.width() : box.v.width()) * open;
     if (out_.undecided_places.size() < kMostPlaces) out_.undecided_places.push_back({a.u, a.v});
@@ -274,70 +313,19 @@ bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box) {
   return true;
 }
 
-ArcTracer::Side ArcTracer::side(const Sample& near, double away) {
-  if (!near.exists()) return Side::undefined;
-  const Sample far = sample(near.t + 64 * away);
-  if (!far.exists()) return Side::settled;
-  if (is_near(near, far, 4 * tolerance_)) return Side::settled;
-  const Sample farther = sample(near.t + 4096 * away);
-  const double step = std::hypot(near.u - far.u, near.v - far.v);
-  const bool outward = std::hypot(near.u - farther.u, near.v - farther.v) > step;
-  return outward || !farther.exists() ? Side::growing : Side::wandering;
-}
-
-/// The piece is as narrow as numbers allow and still not proven continuous: says what happens there.
-void ArcTracer::settle_break(const Sample& left, const Sample& right, const Box& box) {
-  const double width = right.t - left.t;
-  const Sample a = nearest_reliable(left, -width);
-  const Sample b = nearest_reliable(right, width);
-  const Side before = side(a, -width);
-  const Side after = side(b, width);
-  Sample at = sample(simplest_between(left.t, right.t));
-  if (!is_reliable(at)) at.u = at.v = kNaN;
-  const bool unbounded = !box.u.is_bounded() || !box.v.is_bounded();
-  const double reach = left.t == a.t && right.t == b.t ? 4 * tolerance_ : cell_ / 8;
-  const bool joined = is_near(a, b, reach) && before != Side::growing && after != Side::growing;
-  if (joined) {
-    const bool missing = !at.exists() || !is_near(at, a, reach);
-    if (is_inside(a) && (missing || has(box.cause(), Cause::pole))) {
-      Sample hole = a;
-      hole.t = at.t;
-      hole.u = (a.u + b.u) / 2;
-      hole.v = (a.v + b.v) / 2;
-      add_event(EventKind::hole, hole);
-    }
-    extend(a, b);
-    if (at.exists() && !is_near(at, a, reach) && is_inside(at)) {
-      out_.dots.push_back({statement_, {at.u, at.v}});
-      add_event(EventKind::isolated, at);
-    }
-    return;
-  }
-  end_branch();
-  const bool limits = before == Side::settled || after == Side::settled;
-  const bool in_view = (a.exists() && is_inside(a)) || (b.exists() && is_inside(b));
-  if (at.exists() && is_inside(at) && !is_near(at, a, reach) && !is_near(at, b, reach) &&
-      (limits || (!a.exists() && !b.exists()))) {
-    out_.dots.push_back({statement_, {at.u, at.v}});
-    add_event(EventKind::isolated, at);
-  }
-  const auto has_grown = [&](Side s, const Sample& p) {
-    return s == Side::growing || (s == Side::settled && !is_inside(p));
-  };
-  const bool grown = has_grown(before, a) || has_grown(after, b);
-  if (unbounded && grown) add_event(EventKind::pole, {at.t, at.u, kNaN});
-  if (before == Side::settled && after == Side::settled && in_view && !(unbounded && grown)) {
-    Sample from = a;
-    from.t = at.t;
-    add_event(EventKind::jump, from, &b);
-    return;
-  }
-  for (const auto& [which, point] : {std::pair{before, a}, std::pair{after, b}}) {
-    if (which != Side::settled || !is_inside(point)) continue;
-    // The end itself where it belongs to the curve, else the last number before it.
-    const bool attained = is_near(at, point, reach);
-    add_event(EventKind::end, attained ? at : Sample{at.t, point.u, point.v});
-  }
+/// The range across a narrow piece, by the mean value theorem where that is sharper.
+Interval ArcTracer::by_mean_value(const Sample& a, const Sample& b, const Box& box, bool upright) {
+  const Interval& range = upright ? box.v : box.u;
+  const Interval& slope = upright ? box.slope_v : box.slope_u;
+  if (!slope.is_bounded()) return range;
+  const double half = Rounding<double>::up((b.t - a.t) / 2);
+  const double middle = a.t + (b.t - a.t) / 2;
+  const PointBox centre = enclose_point(middle);
+  const Interval& c = upright ? centre.v : centre.u;
+  if (!c.is_bounded()) return range;
+  const Interval sharper = c + slope * Interval(-half, half);
+  return {std::max(range.lower, sharper.lower), std::min(range.upper, sharper.upper), range.decoration,
+          range.cause};
 }
 
 void ArcTracer::extend(const Sample& a, const Sample& b) {
@@ -393,26 +381,6 @@ void ArcTracer::add_bar(PlatePoint from, PlatePoint to) {
     }
   }
   out_.bars.push_back({statement_, from, to});
-}
-
-void ArcTracer::add_event(EventKind kind, const Sample& at, const Sample* after) {
-  for (const Event& other : out_.events) {
-    // One break can show in two neighbouring pieces.
-    if (other.kind == kind && other.statement == statement_ && kind != EventKind::end &&
-        std::abs(other.parameter - at.t) < 1e-11 * (arc_.to - arc_.from))
-      return;
-  }
-  Event e;
-  e.kind = kind;
-  e.statement = statement_;
-  e.parameter = at.t + 0.0;  // no negative zero
-  e.x = arc_.x->kind == NodeKind::variable && arc_.x->variable == arc_.parameter ? e.parameter
-                                                                                 : out_.window.x(at.u);
-  e.y = arc_.y->kind == NodeKind::variable && arc_.y->variable == arc_.parameter ? e.parameter
-                                                                                 : out_.window.y(at.v);
-  e.x_after = after != nullptr ? out_.window.x(after->u) : kNaN;
-  e.y_after = after != nullptr ? out_.window.y(after->v) : kNaN;
-  out_.events.push_back(e);
 }
 
 }  // namespace nazori::functions

@@ -45,16 +45,23 @@ class ArcTracer {
     [[nodiscard]] bool is_continuous() const { return u.is_continuous() && v.is_continuous(); }
     [[nodiscard]] Cause cause() const { return u.cause | v.cause; }
   };
+  struct PointBox {
+    Interval u;
+    Interval v;
+  };
   enum class Side : std::uint8_t { undefined, settled, growing, wandering };
 
   [[nodiscard]] Sample sample(double t);
   [[nodiscard]] Box enclose(double from, double to);
+  [[nodiscard]] PointBox enclose_point(double t);
   template <class R>
   [[nodiscard]] Box enclose_with(double from, double to, std::vector<Dual<BasicInterval<R>, 1>>& registers);
   void visit(const Sample& a, const Sample& b, int depth);
   [[nodiscard]] bool is_outside(const Box& box) const;
   [[nodiscard]] bool is_straight(const Sample& a, const Sample& b, const Box& box) const;
-  bool draw_narrow(const Sample& a, const Sample& b, const Box& box);
+  bool settle_invisible(const Sample& a, const Sample& b, const Box& box);
+  bool draw_narrow(const Sample& a, const Sample& b, const Box& box, bool may_split);
+  [[nodiscard]] Interval by_mean_value(const Sample& a, const Sample& b, const Box& box, bool upright);
   void split(const Sample& a, const Sample& b, int depth);
   void settle_break(const Sample& a, const Sample& b, const Box& box);
   [[nodiscard]] Side side(const Sample& near, double away);
@@ -77,17 +84,16 @@ class ArcTracer {
   double cell_;
   std::array<double, 2> scale_;
   std::vector<double> values_;
+  std::vector<Interval> intervals_;
   std::vector<long double> long_values_;
   std::vector<Dual<Interval, 1>> duals_;
   std::vector<Dual<LongInterval, 1>> long_duals_;
   Branch branch_;
   std::int64_t narrow_breaks_ = 0;
+  std::int64_t blunt_pieces_ = 0;
   std::size_t first_bar_ = 0;
   bool after_dense_ = false;
   double undecided_area_ = 0;  ///< in plate units
 };
-
-/// The number with the fewest decimals in [low, high].
-[[nodiscard]] double simplest_between(double low, double high);
 
 }  // namespace nazori::functions

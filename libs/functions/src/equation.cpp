@@ -61,6 +61,7 @@ class Solver {
     const std::size_t axis = fixed == Variable::x ? 0 : 1;
     const Roots found = find_roots(f, fixed, low_[axis], high_[axis]);
     parts_.undecided += found.undecided;
+    if (found.has_ranges) add_plane(f);
     const Variable free = fixed == Variable::x ? Variable::y : Variable::x;
     for (const Root& r : found.roots) {
       const Expression at = guarded(number(r.at), substitute(parts_.whole, fixed, number(r.at)));

@@ -10,15 +10,24 @@ namespace {
 // Functions"); one more for the hyperbolic ones.
 constexpr int kUlps = 3;
 
+/// Bounds of a value that libm computed at `argument`; at 0 all of these functions are exact.
+template <class R>
+R below(R value, R argument, int ulps = kUlps) {
+  return argument == 0 ? value : Rounding<R>::down_by(value, ulps);
+}
+template <class R>
+R above(R value, R argument, int ulps = kUlps) {
+  return argument == 0 ? value : Rounding<R>::up_by(value, ulps);
+}
+
 /// Rising function, defined everywhere.
 template <class R, class F>
 BasicInterval<R> rising(const BasicInterval<R>& a, F f, R least, R most, int ulps = kUlps) {
   if (a.is_empty()) return a;
-  using Q = Rounding<R>;
-  return detail::marked(
-      detail::with_proof_of(
-          {std::max(least, Q::down_by(f(a.lower), ulps)), std::min(most, Q::up_by(f(a.upper), ulps))}, a),
-      a.is_bounded());
+  return detail::marked(detail::with_proof_of({std::max(least, below(f(a.lower), a.lower, ulps)),
+                                               std::min(most, above(f(a.upper), a.upper, ulps))},
+                                              a),
+                        a.is_bounded());
 }
 
 /// The argument without what lies outside [least, most].
@@ -55,10 +64,11 @@ BasicInterval<R> logarithm(const BasicInterval<R>& argument, R (*f)(R)) {
     return BasicInterval<R>::empty(argument.cause | Cause::domain);
   BasicInterval<R> a = cut(argument, R(0), kInf<R>);
   if (a.is_empty()) return a;
-  if (a.lower == 0) a = a.weakened(Decoration::partial, Cause::domain);
-  using Q = Rounding<R>;
-  const R low = a.lower == 0 ? -kInf<R> : Q::down_by(f(a.lower), kUlps);
-  return detail::with_proof_of({low, Q::up_by(f(a.upper), kUlps)}, a);
+  // Falls without end towards 0: the end of the domain is a pole too.
+  if (a.lower == 0) a = a.weakened(Decoration::partial, Cause::domain | Cause::pole);
+  // Exact at 1.
+  const R low = a.lower == 0 ? -kInf<R> : below(f(a.lower), a.lower - 1);
+  return detail::with_proof_of({low, above(f(a.upper), a.upper - 1)}, a);
 }
 
 }  // namespace
@@ -102,15 +112,14 @@ BasicInterval<R> sin(const BasicInterval<R>& a) {
   constexpr R kTwoPi = static_cast<R>(2 * kPi);
   if (!a.is_bounded() || a.magnitude() > R(kLargestAngle) || a.width() >= kTwoPi)
     return detail::with_proof_of({R(-1), R(1)}, a);
-  using Q = Rounding<R>;
   const R first = std::sin(a.lower);
   const R last = std::sin(a.upper);
   const R low = may_hit(a, static_cast<R>(-kPi / 2), kTwoPi)
                     ? R(-1)
-                    : std::max(R(-1), Q::down_by(std::min(first, last), kUlps));
+                    : std::max(R(-1), std::min(below(first, a.lower), below(last, a.upper)));
   const R high = may_hit(a, static_cast<R>(kPi / 2), kTwoPi)
                      ? R(1)
-                     : std::min(R(1), Q::up_by(std::max(first, last), kUlps));
+                     : std::min(R(1), std::max(above(first, a.lower), above(last, a.upper)));
   return detail::with_proof_of({low, high}, a);
 }
 
@@ -120,13 +129,14 @@ BasicInterval<R> cos(const BasicInterval<R>& a) {
   constexpr R kTwoPi = static_cast<R>(2 * kPi);
   if (!a.is_bounded() || a.magnitude() > R(kLargestAngle) || a.width() >= kTwoPi)
     return detail::with_proof_of({R(-1), R(1)}, a);
-  using Q = Rounding<R>;
   const R first = std::cos(a.lower);
   const R last = std::cos(a.upper);
   const R low = may_hit(a, static_cast<R>(kPi), kTwoPi)
                     ? R(-1)
-                    : std::max(R(-1), Q::down_by(std::min(first, last), kUlps));
-  const R high = may_hit(a, R(0), kTwoPi) ? R(1) : std::min(R(1), Q::up_by(std::max(first, last), kUlps));
+                    : std::max(R(-1), std::min(below(first, a.lower), below(last, a.upper)));
+  const R high = may_hit(a, R(0), kTwoPi)
+                     ? R(1)
+                     : std::min(R(1), std::max(above(first, a.lower), above(last, a.upper)));
   return detail::with_proof_of({low, high}, a);
 }
 

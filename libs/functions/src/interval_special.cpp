@@ -117,7 +117,21 @@ template <class R>
 BasicInterval<R> power(const BasicInterval<R>& base, const BasicInterval<R>& exponent) {
   using I = BasicInterval<R>;
   if (base.is_empty() || exponent.is_empty()) return I::empty(base.cause | exponent.cause);
-  if (base.upper < 0) return I::empty(base.cause | exponent.cause | Cause::domain);
+  // (-1)^floor(x): whole powers exist for every base.
+  if (base.lower < 0 && exponent.is_point() && exponent.lower == std::floor(exponent.lower) &&
+      std::abs(exponent.lower) < R(1e6))
+    return detail::with_proof_of(power_integer(base, static_cast<int>(exponent.lower)), exponent);
+  if (base.upper < 0) {
+    // A step of the exponent between two whole numbers: either power.
+    if (exponent.decoration == Decoration::defined && exponent.is_bounded() &&
+        has(exponent.cause, Cause::jump) && exponent.lower == std::floor(exponent.lower) &&
+        exponent.upper == exponent.lower + 1 && std::abs(exponent.lower) < R(1e6)) {
+      const int n = static_cast<int>(exponent.lower);
+      return detail::with_proof_of(hull(power_integer(base, n), power_integer(base, n + 1)), exponent)
+          .weakened(Decoration::partial, Cause::jump);
+    }
+    return I::empty(base.cause | exponent.cause | Cause::domain);
+  }
   I b = base;
   if (b.lower < 0) b = I(0, b.upper, b.decoration, b.cause).weakened(Decoration::partial, Cause::domain);
   if (b.upper == 0) {

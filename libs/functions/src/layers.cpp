@@ -32,17 +32,6 @@ std::vector<double> tick_places(double low, double high) {
   return places;
 }
 
-/// Distance of each of n sample centres to the nearest place.
-std::vector<double> distances_to(const std::vector<double>& places, int n, bool downwards) {
-  std::vector<double> d(static_cast<std::size_t>(n), 10.0);
-  for (int i = 0; i < n; ++i) {
-    const double c = downwards ? 1 - (i + 0.5) / n : (i + 0.5) / n;
-    for (const double p : places)
-      d[static_cast<std::size_t>(i)] = std::min(d[static_cast<std::size_t>(i)], std::abs(c - p));
-  }
-  return d;
-}
-
 }  // namespace
 
 double tick_step(double low, double high) {
@@ -54,13 +43,24 @@ double tick_step(double low, double high) {
   return 10 * power;
 }
 
+std::vector<double> tick_distances(double low, double high, int n, bool downwards) {
+  std::vector<double> d(static_cast<std::size_t>(n), 10.0);
+  const std::vector<double> places = tick_places(low, high);
+  for (int i = 0; i < n; ++i) {
+    const double c = downwards ? 1 - (i + 0.5) / n : (i + 0.5) / n;
+    for (const double p : places)
+      d[static_cast<std::size_t>(i)] = std::min(d[static_cast<std::size_t>(i)], std::abs(c - p));
+  }
+  return d;
+}
+
 void add_layers(Plate& plate, const Window& window, const PlateSettings& settings,
                 const std::function<float(std::size_t)>& distance) {
   const Layers& layers = settings.layers;
   if (!layers.any()) return;
   const int n = settings.size;
-  const std::vector<double> across = distances_to(tick_places(window.x0, window.x1), n, false);
-  const std::vector<double> up = distances_to(tick_places(window.y0, window.y1), n, true);
+  const std::vector<double> across = tick_distances(window.x0, window.x1, n, false);
+  const std::vector<double> up = tick_distances(window.y0, window.y1, n, true);
   // An axis outside the window leaves its ticks on the nearest side of the frame.
   const double axis_u = std::clamp(window.u(0), 0.0, 1.0);
   const double axis_v = std::clamp(window.v(0), 0.0, 1.0);

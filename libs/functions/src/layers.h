@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "nazori/functions/plate.h"
 
@@ -12,6 +13,10 @@ namespace nazori::functions {
 inline constexpr double kPlateauUnderLayers = 0.9;
 /// Ridges stay this many half widths away from the edge of a groove.
 inline constexpr double kClearance = 1.5;
+
+/// Distance of each of n sample centres to the nearest tick, in plate units.
+/// @param downwards  the first sample has the largest value, as rows have.
+[[nodiscard]] std::vector<double> tick_distances(double low, double high, int n, bool downwards);
 
 /// Raises axes, ticks, grid and rim on a carved plate, nowhere nearer to a curve than the clearance.
 /// @param distance  of a sample to the nearest curve, infinite where none is near.

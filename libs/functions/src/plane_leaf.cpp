@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plane_tracer.h"
+#include "simplest_between.h"
 
 namespace nazori::functions {
 namespace {
@@ -265,6 +266,17 @@ bool PlaneTracer::find_hidden(const Square& s, bool continuous) {
   return true;
 }
 
+/// The point of the box, or just beside it, whose coordinates have the fewest decimals.
+PlaneTracer::Point PlaneTracer::roundest_in(const Square& s) const {
+  const auto round = [&](double c, std::size_t axis) {
+    const double hair = 8 * std::numeric_limits<double>::epsilon();
+    const double a = equation_.low[axis] + (c - hair) * range_[axis];
+    const double b = equation_.low[axis] + (c + s.side + hair) * range_[axis];
+    return (simplest_between(a, b) - equation_.low[axis]) / range_[axis];
+  };
+  return {round(s.u, 0), round(s.v, 1)};
+}
+
 /// Halves the box while zero cannot be excluded. @return true where the box is settled: nothing is left, or
 /// what is left shrinks to single points that are zero as far as can be computed.
 bool PlaneTracer::look_closer(const Square& s) {
@@ -296,8 +308,7 @@ bool PlaneTracer::look_closer(const Square& s) {
     if (only_jumps && level == 5) return true;
     if (left.size() > (only_jumps ? kMostBoxesAtJumps : kMostBoxes)) return false;
     boxes = std::move(left);
-    // Everything left lies together: a single point can be told early.
-    if (boxes[0].side < 1e-13) break;
+    if (boxes[0].side < 1e-15) break;
   }
   bool found = false;
   for (const Square& b : boxes) {
@@ -307,6 +318,9 @@ bool PlaneTracer::look_closer(const Square& s) {
       found = true;
     } else if (is_zero_at(p)) {
       out_->dots.push_back(p);
+      found = true;
+    } else if (const Point round = roundest_in(b); is_zero_at(round)) {
+      out_->dots.push_back(round);
       found = true;
     }
   }

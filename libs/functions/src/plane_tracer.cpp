@@ -120,7 +120,7 @@ bool PlaneTracer::counts_at(Point p) {
 }
 
 void PlaneTracer::visit(const Square& s, int level) {
-  if (progress_.is_stopped()) return;
+  if (progress_.is_stopped() || !progress_.is_in_time()) return;
   if (level == kProgressLevel) {
     done_ += 1 / std::exp2(2 * kProgressLevel);
     if (!progress_.report(done_)) return;

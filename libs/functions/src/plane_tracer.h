@@ -73,6 +73,7 @@ class PlaneTracer {
   bool find_critical(const Square& s, Point& at);
   bool find_hidden(const Square& s, bool continuous);
   bool look_closer(const Square& s);
+  [[nodiscard]] Point roundest_in(const Square& s) const;
 
   PlaneEquation equation_;
   int cells_;

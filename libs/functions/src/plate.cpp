@@ -2,12 +2,15 @@
 #include "nazori/functions/plate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "dashes.h"
 #include "distance_grid.h"
 #include "layers.h"
+#include "nazori/functions/tablet_curves.h"
 #include "plate_settings.h"
 
 namespace nazori::functions {
@@ -26,49 +29,19 @@ double profile(double distance, double half_width) {
   return 0.5 * (1 + std::cos(std::numbers::pi * distance / half_width));
 }
 
-void add_dashed(DistanceGrid& grid, const Branch& branch, double dash) {
-  double walked = 0;
-  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
-    const CurvePoint& a = branch.points[i];
-    const CurvePoint& b = branch.points[i + 1];
-    const double length = std::hypot(b.u - a.u, b.v - a.v);
-    for (double from = 0; from < length;) {
-      const double phase = std::fmod(walked, 2 * dash);
-      const bool draws = phase < dash;
-      const double step = std::min(length - from, (draws ? dash : 2 * dash) - phase + 1e-12);
-      const auto at = [&](double s) {
-        return PlatePoint{a.u + (b.u - a.u) * s / length, a.v + (b.v - a.v) * s / length};
-      };
-      if (draws) grid.add_segment(at(from), at(from + step), branch.statement);
-      from += step;
-      walked += step;
-    }
-  }
+/// Bumps on the floor of a groove, as a share of the depth: 0 for the first curve and on the walls, so that
+/// the groove is as wide as without.
+double texture(std::size_t sample, int size, int statement, double depth) {
+  constexpr double kWall = 0.7;
+  constexpr double kBump = 0.15;
+  const double period = feel_of(statement).texture_period;
+  if (period == 0 || depth <= kWall) return 0;
+  const auto n = static_cast<std::size_t>(size);
+  const double column = static_cast<double>(sample % n) / size;
+  const double row = static_cast<double>(sample / n) / size;
+  const double wave = std::cos(2 * std::numbers::pi * column / period) * std::cos(2 * std::numbers::pi * row / period);
+  return kBump * (0.5 + 0.5 * wave) * (depth - kWall) / (1 - kWall);
 }
-
-/// Marks samples whose centres lie in regions: 1 + statement.
-std::vector<std::uint8_t> regions_of(const Tracing& tracing, int size) {
-  std::vector<std::uint8_t> inside;
-  if (tracing.fills.empty()) return inside;
-  inside.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 0);
-  const double n = size;
-  for (const Fill& f : tracing.fills) {
-    const int left = std::max(0, static_cast<int>(std::ceil(f.low.u * n - 0.5)));
-    const int right = std::min(size - 1, static_cast<int>(std::floor(f.high.u * n - 0.5)));
-    const int top = std::max(0, static_cast<int>(std::ceil((1 - f.high.v) * n - 0.5)));
-    const int bottom = std::min(size - 1, static_cast<int>(std::floor((1 - f.low.v) * n - 0.5)));
-    for (int row = top; row <= bottom; ++row) {
-      const std::size_t base = static_cast<std::size_t>(row) * static_cast<std::size_t>(size);
-      for (int column = left; column <= right; ++column)
-        inside[base + static_cast<std::size_t>(column)] = static_cast<std::uint8_t>(f.statement + 1);
-    }
-  }
-  return inside;
-}
-
-}  // namespace
-
-namespace {
 
 /// Whether a piece touches the window itself, not only the margin around it.
 bool touches_window(PlatePoint p, PlatePoint q) {
@@ -159,14 +132,17 @@ base::Result<Plate> carve(const Tracing& tracing, const PlateSettings& settings)
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const float d = all.distance(i);
     if (!(d <= half_width)) continue;
-    heights[i] = std::min(heights[i], static_cast<float>(plateau * (1 - profile(d, half_width))));
+    const double depth = profile(d, half_width);
+    const double floor = depth * (1 - texture(i, settings.size, all.statement(i) - 1, depth));
+    heights[i] = std::min(heights[i], static_cast<float>(plateau * (1 - floor)));
     plate.mask[i] = 255;
     plate.statement[i] = static_cast<std::uint8_t>(all.statement(i));
   }
   if (strict) {
+    const double dash = std::max(kDash, 2 * half_width);
     DistanceGrid dashes(settings.size, half_width);
     for (const Branch& b : tracing.branches) {
-      if (b.strict) add_dashed(dashes, b, std::max(kDash, 2 * half_width));
+      if (b.strict) add_dashes(dashes, b, std::array{dash, dash});
     }
     for (std::size_t i = 0; i < heights.size(); ++i) {
       const float d = dashes.distance(i);
@@ -180,7 +156,7 @@ base::Result<Plate> carve(const Tracing& tracing, const PlateSettings& settings)
 }
 
 base::Result<Picture> draw(const Plot& plot, const Window& window, const PlateSettings& settings,
-                           const base::Progress& progress) {
+                           const base::Progress& progress, double most_milliseconds) {
   if (auto good = check(settings); !good) return tl::unexpected(std::move(good.error()));
   Picture picture;
   picture.tracing.window = window;
@@ -192,6 +168,7 @@ base::Result<Picture> draw(const Plot& plot, const Window& window, const PlateSe
   }
   TraceSettings trace_settings;
   trace_settings.resolution = settings.size;
+  trace_settings.most_milliseconds = most_milliseconds;
   trace_settings.margin = std::max(0.02, settings.half_width * 1.05);
   auto tracing = trace(plot, window, trace_settings, progress);
   if (!tracing) return tl::unexpected(std::move(tracing.error()));
@@ -206,13 +183,16 @@ base::Result<void> draw_coarse_to_fine(const Plot& plot, const Window& window, c
                                        const std::function<bool(Picture&&, bool)>& show,
                                        const base::Progress& progress) {
   constexpr int kCoarse = 128;
+  // Of the 100 ms after which a picture must be there; carving takes the rest.
+  constexpr double kCoarseMilliseconds = 60;
   const auto stopped = [] { return base::fail(base::Errc::cancelled, "the drawing was stopped"); };
   if (settings.size > kCoarse) {
     PlateSettings coarse = settings;
     coarse.size = kCoarse;
-    auto first = draw(plot, window, coarse, [&progress](double done, std::string_view step) {
-      return !progress || progress(done * 0.1, step);
-    });
+    auto first = draw(
+        plot, window, coarse,
+        [&progress](double done, std::string_view step) { return !progress || progress(done * 0.1, step); },
+        kCoarseMilliseconds);
     if (!first) return tl::unexpected(std::move(first.error()));
     if (!show(std::move(*first), false)) return stopped();
   }

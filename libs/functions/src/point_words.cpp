@@ -85,6 +85,7 @@ std::string summary(const Plot& plot, const Tracing& tracing, const std::vector<
                       : fmt::format("、{} {}個", words.japanese, count);
     }
     if (tracing.dense) text += english ? ", a dense band" : "、密な帯";
+    if (!tracing.complete) text += english ? ", not finished yet" : "、まだ途中です";
     if (tracing.undecided_share() > 0.001)
       text += english ? ", part of the picture could not be decided" : "、一部は判定できませんでした";
   }

@@ -53,7 +53,7 @@ RegionTracer::Answer RegionTracer::ask(const Test& test, double u, double v, dou
 }
 
 void RegionTracer::visit(double u, double v, double side, int level) {
-  if (progress_.is_stopped()) return;
+  if (progress_.is_stopped() || !progress_.is_in_time()) return;
   if (level == kProgressLevel) {
     done_ += 1 / std::exp2(2 * kProgressLevel);
     if (!progress_.report(done_)) return;

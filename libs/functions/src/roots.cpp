@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "nazori/functions/tape.h"
+#include "simplest_between.h"
 
 namespace nazori::functions {
 namespace {
@@ -63,6 +64,10 @@ class RootFinder {
     }
     const D f = enclose(low, high);
     if (f.value.is_empty() || !f.value.contains(0)) return;
+    if (f.value.is_point() && f.value.decoration >= Decoration::defined) {
+      found_.has_ranges = true;
+      return;
+    }
     if (f.value.is_continuous() && !f.slopes[0].is_empty() && !f.slopes[0].contains(0)) {
       single(low, high);
       return;
@@ -75,7 +80,7 @@ class RootFinder {
         const double before = value(low - 1e-7 * range_);
         const double after = value(high + 1e-7 * range_);
         found_.roots.push_back({x, before * after < 0});
-      } else {
+      } else if (!add_at_jump(low, high)) {
         ++found_.undecided;
       }
       return;
@@ -83,6 +88,16 @@ class RootFinder {
     const double middle = low + (high - low) * 0.49731;
     visit(low, middle);
     visit(middle, high);
+  }
+
+  /// At a jump the function can be zero at the jump itself: x - floor(x). Only a round number can be told.
+  bool add_at_jump(double low, double high) {
+    const double x = simplest_between(low, high);
+    const Interval at = enclose(x, x).value;
+    const bool is_zero = at.is_point() && at.lower == 0 && at.decoration >= Decoration::defined;
+    if (is_zero) found_.roots.push_back({x, true});
+    // Somewhere between the sides but at no number of this piece: a jump over zero.
+    return is_zero || (!at.is_empty() && !at.contains(0) && at.decoration >= Decoration::defined);
   }
 
   double slope(double x) {

@@ -16,6 +16,7 @@ struct Root {
 struct Roots {
   std::vector<Root> roots;  ///< rising
   int undecided = 0;        ///< narrow places where a zero is neither proven nor excluded
+  bool has_ranges = false;  ///< zero throughout some range too, as floor(x) is
 };
 
 /// All zeros of `f` in [low, high], by bisection with intervals: single ones are proven, double ones accepted

@@ -35,7 +35,8 @@ R rational_power(R base, int p, int q) {
 
 template <class R>
 R real_power(R base, R exponent) {
-  if (base < 0 || (base == 0 && exponent <= 0)) return kNaN<R>;
+  if (base == 0 && exponent <= 0) return kNaN<R>;
+  if (base < 0 && exponent != std::floor(exponent)) return kNaN<R>;
   return std::pow(base, exponent);
 }
 

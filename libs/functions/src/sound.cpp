@@ -5,22 +5,18 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "arcs.h"
+#include "voice.h"
 
 namespace nazori::functions {
 namespace {
 
 constexpr double kStepsPerSecond = 200;
 constexpr double kGapSeconds = 0.5;
-constexpr double kEarconSeconds = 0.12;
 constexpr double kClickSeconds = 0.012;
 constexpr double kNoiseBelowZero = 0.35;
-// Amplitudes of the harmonics of the tone: neither bare sine nor shrill.
-constexpr std::array<double, 4> kHarmonics{1.0, 0.45, 0.25, 0.12};
-constexpr double kTremoloHz = 14;
 
 /// One moment of a sweep.
 struct Moment {
@@ -29,39 +25,10 @@ struct Moment {
   bool dense = false;
 };
 
-/// Two short tones that tell a kind of point, as factors of 660 Hz.
-std::pair<double, double> earcon_of(PointKind kind) {
-  switch (kind) {
-    case PointKind::zero:
-      return {2.0, 2.0};
-    case PointKind::y_intercept:
-      return {1.5, 1.5};
-    case PointKind::maximum:
-      return {2.0, 3.0};
-    case PointKind::minimum:
-      return {3.0, 2.0};
-    case PointKind::crossing:
-      return {1.0, 2.5};
-    case PointKind::touching:
-      return {2.5, 2.5};
-    case PointKind::hole:
-      return {0.5, 0.5};
-    case PointKind::vertical_asymptote:
-    case PointKind::horizontal_asymptote:
-      return {4.0, 1.0};
-    case PointKind::jump:
-      return {1.0, 4.0};
-    case PointKind::end:
-      return {1.0, 0.75};
-    default:
-      return {1.25, 1.5};
-  }
-}
-
 class Synthesizer {
  public:
   explicit Synthesizer(const SoundSettings& settings, const Window& window)
-      : settings_(settings), window_(window) {
+      : settings_(settings), window_(window), voice_(settings.sample_rate) {
     sound_.sample_rate = settings.sample_rate;
   }
 
@@ -76,10 +43,7 @@ class Synthesizer {
     if (moments.empty()) return;
     const double per_step = settings_.sample_rate / kStepsPerSecond;
     const auto count = static_cast<std::size_t>(per_step * static_cast<double>(moments.size()));
-    double loudness = 0;
-    double hertz = 0;
     bool before = false;
-    const double ease = 1 - std::exp(-1 / (0.004 * settings_.sample_rate));
     const std::size_t start = position();
     for (std::size_t i = 0; i < count; ++i) {
       const double exact = static_cast<double>(i) / per_step;
@@ -92,32 +56,16 @@ class Synthesizer {
       }
       if (m.audible != before) clicks_.push_back(start + i);
       before = m.audible;
-      const Cue cue = cue_at(m.at, window_, m.audible ? 1 : 0, settings_);
-      loudness += (cue.loudness - loudness) * ease;
-      if (m.audible) {
-        hertz = cue.hertz;
-        noise_share_ = cue.noise;
-        pan_ = cue.pan;
-      }
-      double volume = loudness * settings_.volume;
-      if (m.dense)
-        volume *= 0.6 + 0.4 * std::sin(2 * std::numbers::pi * kTremoloHz * static_cast<double>(i) /
-                                       settings_.sample_rate);
-      push(tone(hertz) * (1 - noise_share_) + noise() * noise_share_, volume);
+      const StereoSample s = voice_.next(cue_at(m.at, window_, m.audible ? 1 : 0, settings_), m.dense);
+      sound_.samples.push_back(static_cast<float>(s.left * settings_.volume));
+      sound_.samples.push_back(static_cast<float>(s.right * settings_.volume));
     }
   }
 
   /// Adds an earcon over what is there already.
   void mark(std::size_t at, PointKind kind, double pan) {
-    const auto [first, second] = earcon_of(kind);
-    const auto n = static_cast<std::size_t>(kEarconSeconds * settings_.sample_rate);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double t = static_cast<double>(i) / settings_.sample_rate;
-      const double hz = 660 * (2 * i < n ? first : second);
-      const double envelope =
-          std::sin(std::numbers::pi * static_cast<double>((2 * i) % n) / static_cast<double>(n));
-      add(at + i, 0.35 * settings_.volume * envelope * std::sin(2 * std::numbers::pi * hz * t), pan);
-    }
+    Earcon earcon(kind, pan, settings_.sample_rate);
+    while (!earcon.is_over()) add(at++, earcon.next());
   }
 
   Sound finish() {
@@ -125,7 +73,7 @@ class Synthesizer {
       const auto n = static_cast<std::size_t>(kClickSeconds * settings_.sample_rate);
       for (std::size_t i = 0; i < n; ++i) {
         const double t = static_cast<double>(i) / static_cast<double>(n);
-        add(at + i, 0.2 * settings_.volume * (1 - t) * std::sin(60 * t), 0);
+        add(at + i, panned(0.2 * (1 - t) * std::sin(60 * t), 0));
       }
     }
     for (float& s : sound_.samples) s = std::clamp(s, -1.0F, 1.0F);
@@ -133,46 +81,17 @@ class Synthesizer {
   }
 
  private:
-  double tone(double hertz) {
-    phase_ += hertz / settings_.sample_rate;
-    phase_ -= std::floor(phase_);
-    double sum = 0;
-    for (std::size_t h = 0; h < kHarmonics.size(); ++h) {
-      const auto order = static_cast<double>(h + 1);
-      if (hertz * order < 0.45 * settings_.sample_rate)
-        sum += kHarmonics[h] * std::sin(2 * std::numbers::pi * order * phase_);
-    }
-    return sum / 1.82;
-  }
-
-  /// The same noise every time, so that files can be compared.
-  double noise() {
-    seed_ = seed_ * 1664525U + 1013904223U;
-    return static_cast<double>(seed_ >> 8U) / 8388608.0 - 1.0;
-  }
-
-  void push(double value, double volume) {
-    sound_.samples.push_back(0);
-    sound_.samples.push_back(0);
-    add(position() - 1, value * volume, pan_);
-  }
-
-  void add(std::size_t at, double value, double pan) {
+  void add(std::size_t at, const StereoSample& s) {
     if (2 * at + 1 >= sound_.samples.size()) return;
-    // Equal power on the way from left to right.
-    const double angle = (pan + 1) * std::numbers::pi / 4;
-    sound_.samples[2 * at] += static_cast<float>(value * std::cos(angle));
-    sound_.samples[2 * at + 1] += static_cast<float>(value * std::sin(angle));
+    sound_.samples[2 * at] += static_cast<float>(s.left * settings_.volume);
+    sound_.samples[2 * at + 1] += static_cast<float>(s.right * settings_.volume);
   }
 
   SoundSettings settings_;
   Window window_;
+  Voice voice_;
   Sound sound_;
   std::vector<std::size_t> clicks_;
-  double phase_ = 0;
-  double pan_ = 0;
-  double noise_share_ = 0;
-  std::uint32_t seed_ = 20'050'401;
 };
 
 class Sweeper {

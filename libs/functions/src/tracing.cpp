@@ -263,17 +263,38 @@ class PlotTracer {
     const std::size_t first_event = out_.events.size();
     for (std::size_t i = 0; i < s.comparisons.size(); ++i) {
       const std::size_t begin = out_.branches.size();
-      if (!draw_equation(s.terms[i], s.terms[i + 1])) return false;
+      const std::size_t first_dot = out_.dots.size();
+      const std::size_t first_bar = out_.bars.size();
+      const std::size_t first_fill = out_.fills.size();
+      const bool drawn = draw_equation(s.terms[i], s.terms[i + 1]);
+      if (!drawn) {
+        out_.branches.resize(begin);
+        out_.dots.resize(first_dot);
+      }
+      // A border with an area was settled with the region.
+      out_.fills.resize(first_fill);
+      if (!drawn) return false;
       std::vector<Condition> others;
       for (std::size_t j = 0; j < conditions.size(); ++j) {
         if (j != i) others.push_back({conditions[j].expression, false});
       }
-      keep_where(others, begin,
-                 s.comparisons[i] == Comparison::less || s.comparisons[i] == Comparison::greater);
+      const bool strict = s.comparisons[i] == Comparison::less || s.comparisons[i] == Comparison::greater;
+      keep_where(others, begin, strict);
+      keep_dots_where(others, first_dot, strict);
+      if (strict) out_.bars.resize(first_bar);
     }
     // What happens on a border is no event of a curve.
     out_.events.resize(first_event);
     return true;
+  }
+
+  /// Single points of a border that belongs to the region, x^2 + y^2 <= 0, where the other conditions hold.
+  void keep_dots_where(const std::vector<Condition>& conditions, std::size_t begin, bool strict) {
+    RegionTracer region(conditions, nullptr, statement_, settings_, out_, progress_);
+    const auto first = out_.dots.begin() + static_cast<std::ptrdiff_t>(begin);
+    out_.dots.erase(std::remove_if(first, out_.dots.end(),
+                                   [&](const Dot& d) { return strict || !region.holds(d.at); }),
+                    out_.dots.end());
   }
 
   /// Keeps of the branches from `begin` on what lies where the conditions hold, and marks it as a border.
@@ -329,6 +350,18 @@ class PlotTracer {
 
 }  // namespace
 
+Window Window::zoomed(PlatePoint at, double times) const {
+  const double cx = x(at.u);
+  const double cy = y(at.v);
+  return {cx - (cx - x0) / times, cx + (x1 - cx) / times, cy - (cy - y0) / times, cy + (y1 - cy) / times};
+}
+
+Window Window::moved(double du, double dv) const {
+  const double dx = (x1 - x0) * du;
+  const double dy = (y1 - y0) * dv;
+  return {x0 + dx, x1 + dx, y0 + dy, y1 + dy};
+}
+
 base::Result<void> Window::check() const {
   const auto narrow = [](double a, double b) {
     return !std::isfinite(a) || !std::isfinite(b) || !(b > a) ||
@@ -352,9 +385,11 @@ base::Result<Tracing> trace(const Plot& plot, const Window& window, const TraceS
   Tracing out;
   out.window = window;
   out.cells = static_cast<std::int64_t>(settings.resolution) * settings.resolution;
-  WorkProgress work(progress);
-  if (!PlotTracer(plot, settings, out, work).run())
-    return base::fail(base::Errc::cancelled, "the tracing was stopped");
+  WorkProgress work(progress, settings.most_milliseconds);
+  if (!PlotTracer(plot, settings, out, work).run()) {
+    if (!work.is_late()) return base::fail(base::Errc::cancelled, "the tracing was stopped");
+    out.complete = false;
+  }
   return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <string_view>
 
 #include "nazori/base/progress.h"
@@ -11,7 +12,9 @@ namespace nazori::functions {
 /// Shares one caller's Progress among the parts of a piece of work and remembers a stop.
 class WorkProgress {
  public:
-  explicit WorkProgress(const base::Progress& caller) : caller_(caller) {}
+  /// @param most_milliseconds  after which report() asks to stop; 0: never.
+  explicit WorkProgress(const base::Progress& caller, double most_milliseconds = 0)
+      : caller_(caller), most_(most_milliseconds) {}
 
   /// What follows is the part from `low` to `high` of the whole.
   void begin_part(double low, double high, std::string_view step) {
@@ -26,17 +29,32 @@ class WorkProgress {
       last_ = std::max(last_, low_ + (high_ - low_) * std::clamp(done, 0.0, 1.0));
       stopped_ = !caller_(last_, step_);
     }
-    return !stopped_;
+    return !stopped_ && is_in_time();
   }
-  [[nodiscard]] bool is_stopped() const { return stopped_; }
+  /// The same without saying how much is done; cheap enough for every box.
+  bool is_in_time() {
+    if (most_ > 0 && !late_ && ++asked_ % kEvery == 0)
+      late_ = std::chrono::duration<double, std::milli>(Clock::now() - start_).count() > most_;
+    return !late_;
+  }
+  /// Stopped, by the caller or by the clock.
+  [[nodiscard]] bool is_stopped() const { return stopped_ || late_; }
+  [[nodiscard]] bool is_late() const { return late_ && !stopped_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr unsigned kEvery = 16;
+
   const base::Progress& caller_;
+  double most_;
+  Clock::time_point start_ = Clock::now();
+  unsigned asked_ = 0;
   double low_ = 0;
   double high_ = 1;
   double last_ = 0;
   std::string_view step_;
   bool stopped_ = false;
+  bool late_ = false;
 };
 
 }  // namespace nazori::functions

@@ -134,7 +134,7 @@ Value power_of(const Expression& base_of, const Expression& exponent_of, double 
       mpfr_pow_si(r.get(), r.get(), q->p, MPFR_RNDN);
     }
   } else {
-    if (base->sign() < 0 || (base->sign() == 0 && exponent->sign() <= 0)) return std::nullopt;
+    if ((base->sign() < 0 && !exponent->is_whole()) || (base->sign() == 0 && exponent->sign() <= 0)) return std::nullopt;
     mpfr_pow(r.get(), base->get(), exponent->get(), MPFR_RNDN);
   }
   if (!r.is_number()) return std::nullopt;

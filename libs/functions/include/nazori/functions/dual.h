@@ -52,6 +52,13 @@ Dual<T, N> chain(const Dual<T, N>& a, T value, T slope) {
   return r;
 }
 
+inline bool is_zero(double v) { return v == 0; }
+inline bool is_zero(long double v) { return v == 0; }
+template <class R>
+bool is_zero(const BasicInterval<R>& v) {
+  return v.lower == 0 && v.upper == 0;
+}
+
 inline double slope_of_abs(double v) { return sign(v); }
 inline long double slope_of_abs(long double v) { return sign(v); }
 template <class R>
@@ -275,8 +282,11 @@ Dual<T, N> power(const Dual<T, N>& a, const Dual<T, N>& b) {
   using std::log;
   Dual<T, N> r(power(a.value, b.value));
   const T base_log = log(a.value);
-  for (std::size_t i = 0; i < N; ++i)
-    r.slopes[i] = r.value * (b.slopes[i] * base_log + b.value * a.slopes[i] / a.value);
+  for (std::size_t i = 0; i < N; ++i) {
+    // A base below zero has whole, constant exponents only: no logarithm is needed.
+    const T of_base = b.value * a.slopes[i] / a.value;
+    r.slopes[i] = r.value * (detail::is_zero(b.slopes[i]) ? of_base : b.slopes[i] * base_log + of_base);
+  }
   return r;
 }
 template <class T, int N>

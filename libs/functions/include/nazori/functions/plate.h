@@ -67,12 +67,13 @@ struct Picture {
 };
 
 /// Traces and carves in one go, curves or a surface.
+/// @param most_milliseconds  as TraceSettings has it; surfaces take what they need.
 [[nodiscard]] base::Result<Picture> draw(const Plot& plot, const Window& window,
                                          const PlateSettings& settings = {},
-                                         const base::Progress& progress = {});
+                                         const base::Progress& progress = {}, double most_milliseconds = 0);
 
-/// The same, coarse first: calls `show` with a picture of at most 128 samples as soon as there is one, then
-/// with the final one. `show` runs on this thread; returning false stops.
+/// The same, coarse first: calls `show` with a picture of at most 128 samples within 100 ms (where that is too
+/// short with what was proven till then, Tracing::complete false), then with the final one. `show` runs on this thread; returning false stops.
 [[nodiscard]] base::Result<void> draw_coarse_to_fine(const Plot& plot, const Window& window,
                                                      const PlateSettings& settings,
                                                      const std::function<bool(Picture&&, bool final)>& show,

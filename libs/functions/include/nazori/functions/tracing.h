@@ -11,6 +11,13 @@
 
 namespace nazori::functions {
 
+/// A point of the plate: the window is u and v from 0 to 1, u right, v up.
+struct PlatePoint {
+  double u = 0;
+  double v = 0;
+  friend bool operator==(const PlatePoint&, const PlatePoint&) = default;
+};
+
 /// The part of the plane that is shown, stretched to the square plate.
 struct Window {
   double x0 = -10;
@@ -23,15 +30,12 @@ struct Window {
   [[nodiscard]] double v(double y) const { return (y - y0) / (y1 - y0); }
   [[nodiscard]] double x(double u) const { return x0 + u * (x1 - x0); }
   [[nodiscard]] double y(double v) const { return y0 + v * (y1 - y0); }
+  /// The window drawn `times` larger (below 1: smaller) with the place `at` where it was.
+  [[nodiscard]] Window zoomed(PlatePoint at, double times) const;
+  /// The window moved by parts of its own sides, right and up.
+  [[nodiscard]] Window moved(double du, double dv) const;
   /// Errc::bad_argument where a side is empty, not finite, or too narrow for doubles.
   [[nodiscard]] base::Result<void> check() const;
-};
-
-/// A point of the plate: the window is u and v from 0 to 1, u right, v up.
-struct PlatePoint {
-  double u = 0;
-  double v = 0;
-  friend bool operator==(const PlatePoint&, const PlatePoint&) = default;
 };
 
 /// A point of a curve. `parameter` is x of y = f(x), y of x = g(y), t or theta; unused for implicit curves.
@@ -105,6 +109,7 @@ struct Tracing {
   std::int64_t undecided_cells = 0;
   std::int64_t cells = 1;                    ///< of that grid
   std::vector<PlatePoint> undecided_places;  ///< centres of some of them, at most 1000
+  bool complete = true;                      ///< false where the time was out before all was looked at
   bool dense = false;                        ///< a band is drawn where the curve is finer than a cell
   [[nodiscard]] double undecided_share() const {
     return static_cast<double>(undecided_cells) / static_cast<double>(cells);
@@ -117,6 +122,8 @@ struct TraceSettings {
   int resolution = 512;
   /// How far outside the window curves are followed, in plate units, so that grooves are whole at the edge.
   double margin = 0.02;
+  /// After this time tracing ends with what it has, Tracing::complete false; 0: it takes what it needs.
+  double most_milliseconds = 0;
 };
 
 /// Finds the curves, dots and regions of every statement but surfaces. Deterministic; thread-safe.

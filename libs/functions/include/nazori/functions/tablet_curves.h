@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "nazori/functions/tracing.h"
+#include "nazori/geometry/frames.h"
+
+namespace nazori::functions {
+
+/// A piece of a curve where the plate made of `size` samples has its groove: what a stylus can snap to.
+struct TabletCurve {
+  int statement = 0;
+  bool closed = false;  ///< the last point is the first one again
+  std::vector<geometry::TabletPoint> points;  ///< [m]; two or more
+};
+
+/// Where a place of the plate lies on the tablet. Samples of a plate are the middles of its cells, while
+/// samples of a height map span the tablet from edge to edge; both are taken into account.
+[[nodiscard]] geometry::TabletPoint tablet_place(PlatePoint at, int size, const geometry::TabletShape& shape);
+/// The other way round: for a hand on the tablet.
+[[nodiscard]] PlatePoint plate_place(geometry::TabletPoint at, int size, const geometry::TabletShape& shape);
+
+/// The curves inside the window as polylines that stay within `tolerance_m` of what was traced. Branches are
+/// cut at the frame; bars of dense bands are left out, single points come as two points a micrometre apart.
+/// @param size  samples a side of the plate they belong to, >= 2.
+[[nodiscard]] std::vector<TabletCurve> tablet_curves(const Tracing& tracing, int size,
+                                                     const geometry::TabletShape& shape = {},
+                                                     double tolerance_m = 20e-6);
+
+/// How the grooves of one statement feel, so that several can be told apart: friction first, then texture.
+struct CurveFeel {
+  double friction = 0.05;     ///< coefficient of the friction cone in the groove
+  double texture_period = 0;  ///< of the bumps on its floor, as a part of the plate's side; 0: smooth
+};
+/// Of the statement with this index; they repeat after four.
+[[nodiscard]] CurveFeel feel_of(int statement);
+
+}  // namespace nazori::functions

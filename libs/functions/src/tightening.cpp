@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rewriting for tighter intervals: what cancels on paper must not be left to rounding.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "algebra.h"
+
+namespace nazori::functions {
+namespace {
+
+/// c0 + c1 a + c2 a^2 + ... by Horner's rule.
+Expression horner(const std::vector<double>& c, const Expression& atom) {
+  Expression e = number(c.back());
+  for (std::size_t i = c.size() - 1; i-- > 0;) {
+    e = is_number(e, 1) ? atom : binary(NodeKind::multiply, e, atom);
+    if (c[i] != 0) e = binary(NodeKind::add, e, number(c[i]));
+  }
+  return e;
+}
+
+/// Quotient and rest of N/D without rounding, where both are polynomials of one atom and D has degree one or
+/// more; null otherwise.
+Expression divided(const Expression& numerator, const Expression& denominator) {
+  const auto pn = Polynomial::of(numerator);
+  const auto pd = pn ? Polynomial::of(denominator) : std::nullopt;
+  const auto n = pd ? pn->in_one_atom() : std::nullopt;
+  const auto d = n ? pd->in_one_atom() : std::nullopt;
+  if (!d || !d->atom || (n->atom && to_text(n->atom) != to_text(d->atom))) return nullptr;
+  // Exponentials are never zero: both sides may be multiplied by a power of one.
+  const int lowest = std::min({n->lowest, d->lowest, 0});
+  const bool exponential = d->atom->kind == NodeKind::power;
+  if (lowest < 0 && !exponential) return nullptr;
+  const auto shifted = [&](const Polynomial::OneAtom& p) {
+    std::vector<double> c(static_cast<std::size_t>(p.lowest - lowest), 0.0);
+    c.insert(c.end(), p.coefficients.begin(), p.coefficients.end());
+    return c;
+  };
+  std::vector<double> rest = shifted(*n);
+  const std::vector<double> by = shifted(*d);
+  if (by.size() < 2 || rest.size() < by.size()) return nullptr;
+  std::vector<double> quotient(rest.size() - by.size() + 1, 0.0);
+  for (std::size_t k = quotient.size(); k-- > 0;) {
+    const double q = rest[k + by.size() - 1] / by.back();
+    if (std::fma(q, by.back(), -rest[k + by.size() - 1]) != 0) return nullptr;
+    quotient[k] = q;
+    for (std::size_t i = 0; i < by.size(); ++i) {
+      const double p = q * by[i];
+      const double difference = rest[k + i] - p;
+      if (std::fma(q, by[i], -p) != 0 || rest[k + i] - difference != p) return nullptr;
+      rest[k + i] = difference;
+    }
+  }
+  while (rest.size() > 1 && rest.back() == 0) rest.pop_back();
+  return binary(NodeKind::add, horner(quotient, d->atom),
+                binary(NodeKind::divide, horner(rest, d->atom), horner(by, d->atom)));
+}
+
+bool is_call(const Expression& e, Function f) { return e->kind == NodeKind::function && e->function == f; }
+
+bool is_exponential(const Expression& e) {
+  return e->kind == NodeKind::power && e->arguments[0]->kind == NodeKind::constant;
+}
+
+/// sinh and cosh as exponentials.
+Expression with_exponentials(const Expression& e) {
+  if (e->arguments.empty()) return e;
+  Node n = *e;
+  for (Expression& a : n.arguments) a = with_exponentials(a);
+  if (n.kind == NodeKind::function && (n.function == Function::sinh || n.function == Function::cosh)) {
+    const Expression up = binary(NodeKind::power, constant(Constant::e), n.arguments[0]);
+    const Expression down = binary(NodeKind::power, constant(Constant::e), negate(n.arguments[0]));
+    const NodeKind kind = n.function == Function::sinh ? NodeKind::subtract : NodeKind::add;
+    return binary(NodeKind::divide, binary(kind, up, down), number(2));
+  }
+  return std::make_shared<const Node>(std::move(n));
+}
+
+/// A sum of multiples of powers of one atom, collected, where that is shorter than the sum as typed:
+/// cosh x - sinh x = e^-x. Null otherwise.
+Expression collected(const Expression& e) {
+  if (e->kind != NodeKind::add && e->kind != NodeKind::subtract) return nullptr;
+  if (!is_total(e)) return nullptr;
+  const Expression plain = with_exponentials(e);
+  const auto p = Polynomial::of(plain);
+  if (!p) return nullptr;
+  if (p->is_zero()) return number(0);
+  const auto one = p->in_one_atom();
+  if (!one) return nullptr;
+  if (!one->atom) return number(one->coefficients[0]);
+  const auto terms = static_cast<std::size_t>(
+      std::count_if(one->coefficients.begin(), one->coefficients.end(), [](double c) { return c != 0; }));
+  if (terms != 1) return nullptr;
+  const auto place = std::find_if(one->coefficients.begin(), one->coefficients.end(),
+                                  [](double c) { return c != 0; });
+  const auto power = static_cast<int>(place - one->coefficients.begin()) + one->lowest;
+  if (power == 0) return number(*place);
+  if (power < 0 && !is_exponential(one->atom)) return nullptr;
+  Expression r = one->atom;
+  if (is_exponential(r)) {
+    r = binary(NodeKind::power, r->arguments[0],
+               power == 1    ? r->arguments[1]
+               : power == -1 ? negate(r->arguments[1])
+                             : binary(NodeKind::multiply, number(power), r->arguments[1]));
+  } else if (power != 1) {
+    r = binary(NodeKind::power, r, number(power));
+  }
+  if (*place != 1) r = binary(NodeKind::multiply, number(*place), r);
+  return node_count(r) <= node_count(e) ? r : nullptr;
+}
+
+/// ln(e^u) = u and its like, defined wherever u is.
+Expression inverse_undone(const Node& n) {
+  if (n.kind != NodeKind::function || n.arguments[0]->kind != NodeKind::power) return nullptr;
+  const Expression& base = n.arguments[0]->arguments[0];
+  const Expression& exponent = n.arguments[0]->arguments[1];
+  const bool undone = (n.function == Function::ln && base->kind == NodeKind::constant &&
+                       base->constant == Constant::e) ||
+                      (n.function == Function::log10 && is_number(base, 10)) ||
+                      (n.function == Function::log2 && is_number(base, 2));
+  return undone && !variables_of(exponent).empty() ? exponent : nullptr;
+}
+
+/// gamma(u + n)/gamma(u) = u (u + 1) ... (u + n - 1), undefined where the quotient is.
+Expression gamma_ratio(const Expression& top, const Expression& bottom) {
+  if (!is_call(top, Function::gamma) || !is_call(bottom, Function::gamma)) return nullptr;
+  const auto p = Polynomial::of(binary(NodeKind::subtract, top->arguments[0], bottom->arguments[0]));
+  const auto step = p ? p->constant() : std::nullopt;
+  if (!step || *step != std::round(*step) || std::abs(*step) > 12 || *step == 0) return nullptr;
+  const Expression& lower = *step > 0 ? bottom->arguments[0] : top->arguments[0];
+  Expression r = lower;
+  for (int k = 1; k < std::abs(*step); ++k)
+    r = binary(NodeKind::multiply, r, binary(NodeKind::add, lower, number(k)));
+  if (*step < 0) r = binary(NodeKind::divide, number(1), r);
+  // gamma is never zero: what is added is 0 where it is defined.
+  return binary(NodeKind::add, r,
+                binary(NodeKind::multiply, number(0), call(Function::gamma, {lower})));
+}
+
+/// a^u b^u = (ab)^u and a^u / b^u = (a/b)^u for positive numbers a and b.
+Expression powers_joined(NodeKind kind, const Expression& left, const Expression& right) {
+  if (left->kind != NodeKind::power || right->kind != NodeKind::power) return nullptr;
+  const auto a = rational_value(left->arguments[0]);
+  const auto b = rational_value(right->arguments[0]);
+  if (!a || !b || a->p <= 0 || b->p <= 0) return nullptr;
+  if (variables_of(left->arguments[1]).empty()) return nullptr;
+  if (to_text(left->arguments[1]) != to_text(right->arguments[1])) return nullptr;
+  const auto base = rational_value(binary(kind, left->arguments[0], right->arguments[0]));
+  if (!base) return nullptr;
+  const Expression p = number(static_cast<double>(base->p));
+  if (base->p == base->q)
+    return binary(NodeKind::add, number(1), binary(NodeKind::multiply, number(0), left->arguments[1]));
+  const Expression joined =
+      base->q == 1 ? p : binary(NodeKind::divide, p, number(static_cast<double>(base->q)));
+  return binary(NodeKind::power, joined, left->arguments[1]);
+}
+
+}  // namespace
+
+Expression improved(const Expression& e) {
+  if (e->arguments.empty()) return e;
+  Node n = *reduced(e);
+  if (n.kind == NodeKind::add || n.kind == NodeKind::subtract) {
+    if (Expression better = collected(std::make_shared<const Node>(n))) return better;
+  }
+  for (Expression& a : n.arguments) a = improved(a);
+  if (n.kind == NodeKind::divide) {
+    if (Expression better = divided(n.arguments[0], n.arguments[1])) return better;
+    if (Expression better = divided(with_exponentials(n.arguments[0]), with_exponentials(n.arguments[1])))
+      return better;
+    if (Expression better = gamma_ratio(n.arguments[0], n.arguments[1])) return better;
+  }
+  if (n.kind == NodeKind::divide || n.kind == NodeKind::multiply) {
+    if (Expression better = powers_joined(n.kind, n.arguments[0], n.arguments[1])) return better;
+  }
+  if (Expression better = inverse_undone(n)) return better;
+  return std::make_shared<const Node>(std::move(n));
+}
+
+}  // namespace nazori::functions
