@@ -197,7 +197,8 @@ int run(Console& console, PlotSettings s) {
   if (plot->is_surface() && files->sound)
     return console.refuse({base::Errc::bad_argument, "a surface has no sweep", "--sound", "give a curve"});
   if (plot->is_surface() && files->print)
-    return console.refuse({base::Errc::bad_argument, "a surface has no lines to print", "--print", "give a curve"});
+    return console.refuse(
+        {base::Errc::bad_argument, "a surface has no lines to print", "--print", "give a curve"});
 
   ProgressDisplay progress(ProgressDisplay::Plain::silent);
   const auto language = s.language == "ja" ? functions::Language::japanese : functions::Language::english;
@@ -207,12 +208,9 @@ int run(Console& console, PlotSettings s) {
   timings.draw_ms = ms_since(start);
   progress.clear();
   if (!picture) return console.fail(picture.error());
-  std::vector<functions::PointOfInterest> points;
-  if (s.points || s.json || files->sound) {
-    const auto before = Clock::now();
-    points = functions::points_of_interest(*plot, picture->tracing);
-    timings.points_ms = ms_since(before);
-  }
+  const auto before = Clock::now();
+  const auto points = functions::points_of_interest(*plot, picture->tracing);
+  timings.points_ms = ms_since(before);
   if (auto saved = save(*files, *picture, *plot, points); !saved) return console.fail(saved.error());
   if (s.json) {
     console.print(to_text(to_json(*plot, *picture, points, timings, language)));

@@ -233,7 +233,8 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
 
 /// What is smaller than can be seen, without a pole, need not be looked at to the last place.
 bool ArcTracer::settle_invisible(const Sample& a, const Sample& b, const Box& box) {
-  if (!(std::max(box.u.width(), box.v.width()) < tolerance_ / 4) || has(box.cause(), Cause::pole)) return false;
+  if (!(std::max(box.u.width(), box.v.width()) < tolerance_ / 4) || has(box.cause(), Cause::pole))
+    return false;
   const double part = (b.t - a.t) / (arc_.to - arc_.from);
   if (a.exists() && b.exists() && part < 1e-6) {
     extend(a, b);

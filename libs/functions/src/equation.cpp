@@ -24,7 +24,8 @@ class Solver {
   }
 
   EquationParts run() {
-    for (const Case& c : cases_of(parts_.whole)) {
+    const std::vector<Case> cases = cases_of(parts_.whole);
+    for (const Case& c : cases) {
       const auto p = Polynomial::of(over_common_denominator(c.expression).numerator);
       if (p && p->is_zero()) parts_.areas.push_back(c.not_negative);
     }
@@ -32,6 +33,7 @@ class Solver {
       add_plane(parts_.whole);
       return std::move(parts_);
     }
+    if (cases.size() > 1 && add_cases(cases)) return std::move(parts_);
     const Expression numerator = over_common_denominator(parts_.whole).numerator;
     const bool fits = node_count(numerator) <= kMostGrowth * node_count(parts_.whole) + 40;
     for (const Expression& factor : zero_factors(fits ? numerator : parts_.whole)) add(factor);
@@ -39,6 +41,44 @@ class Solver {
   }
 
  private:
+  /// Straight pieces: where every case of |a|, min and max is linear in x or in y, each is solved and kept
+  /// where its conditions hold. |x| + |y| = max(|x|, |y|) changes its sign nowhere, but its cases do.
+  bool add_cases(const std::vector<Case>& cases) {
+    std::vector<Arc> arcs;
+    for (const Case& c : cases) {
+      for (const Expression& factor : zero_factors(over_common_denominator(c.expression).numerator)) {
+        const auto p = Polynomial::of(factor);
+        if (!p) return false;
+        if (p->constant()) continue;
+        Variable v = Variable::y;
+        auto slope = p->linear_factor(v);
+        if (!slope) {
+          v = Variable::x;
+          slope = p->linear_factor(v);
+        }
+        if (!slope) return false;
+        const Expression solved = solved_for(factor, v, *slope);
+        Expression value = guarded(solved, substitute(parts_.whole, v, solved));
+        for (const Expression& condition : c.not_negative) {
+          const Expression root = call(Function::sqrt, {substitute(condition, v, solved)});
+          value = binary(NodeKind::add, value, binary(NodeKind::multiply, number(0), root));
+        }
+        const bool over_x = v == Variable::y;
+        const std::size_t axis = over_x ? 0 : 1;
+        const Variable parameter = over_x ? Variable::x : Variable::y;
+        arcs.push_back({over_x ? variable(Variable::x) : value, over_x ? value : variable(Variable::y),
+                        parameter, low_[axis], high_[axis], false});
+      }
+    }
+    parts_.arcs = std::move(arcs);
+    return true;
+  }
+
+  static Expression solved_for(const Expression& factor, Variable v, double c) {
+    const Expression rest = substitute(factor, v, number(0));
+    return c == -1 ? rest : c == 1 ? negate(rest) : binary(NodeKind::divide, negate(rest), number(c));
+  }
+
   void add(const Expression& factor) {
     const auto p = Polynomial::of(factor);
     if (p) {
@@ -72,10 +112,7 @@ class Solver {
 
   /// The factor is c*v + rest: v = -rest/c.
   void add_solved(const Expression& factor, Variable v, double c) {
-    const Expression rest = substitute(factor, v, number(0));
-    const Expression solved = c == -1  ? rest
-                              : c == 1 ? negate(rest)
-                                       : binary(NodeKind::divide, negate(rest), number(c));
+    const Expression solved = solved_for(factor, v, c);
     const Expression value = guarded(solved, substitute(parts_.whole, v, solved));
     if (v == Variable::y) {
       add_arc(variable(Variable::x), value, Variable::x);

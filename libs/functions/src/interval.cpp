@@ -134,9 +134,8 @@ BasicInterval<R> cos(const BasicInterval<R>& a) {
   const R low = may_hit(a, static_cast<R>(kPi), kTwoPi)
                     ? R(-1)
                     : std::max(R(-1), std::min(below(first, a.lower), below(last, a.upper)));
-  const R high = may_hit(a, R(0), kTwoPi)
-                     ? R(1)
-                     : std::min(R(1), std::max(above(first, a.lower), above(last, a.upper)));
+  const R high =
+      may_hit(a, R(0), kTwoPi) ? R(1) : std::min(R(1), std::max(above(first, a.lower), above(last, a.upper)));
   return detail::with_proof_of({low, high}, a);
 }
 

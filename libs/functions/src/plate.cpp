@@ -39,7 +39,8 @@ double texture(std::size_t sample, int size, int statement, double depth) {
   const auto n = static_cast<std::size_t>(size);
   const double column = static_cast<double>(sample % n) / size;
   const double row = static_cast<double>(sample / n) / size;
-  const double wave = std::cos(2 * std::numbers::pi * column / period) * std::cos(2 * std::numbers::pi * row / period);
+  const double wave =
+      std::cos(2 * std::numbers::pi * column / period) * std::cos(2 * std::numbers::pi * row / period);
   return kBump * (0.5 + 0.5 * wave) * (depth - kWall) / (1 - kWall);
 }
 

@@ -25,10 +25,12 @@ class MemberReader {
       : object_(object), prefix_(std::move(prefix)) {}
 
   void read(const char* name, std::string& to) {
-    if (const Json* v = find(name)) v->is_string() ? void(to = v->get<std::string>()) : refuse(name, "a text");
+    if (const Json* v = find(name))
+      v->is_string() ? void(to = v->get<std::string>()) : refuse(name, "a text");
   }
   void read(const char* name, bool& to) {
-    if (const Json* v = find(name)) v->is_boolean() ? void(to = v->get<bool>()) : refuse(name, "true or false");
+    if (const Json* v = find(name))
+      v->is_boolean() ? void(to = v->get<bool>()) : refuse(name, "true or false");
   }
   void read(const char* name, int& to, int least, int most) {
     const Json* v = find(name);
@@ -44,8 +46,8 @@ class MemberReader {
     const Json* v = find(name);
     if (v == nullptr) return;
     const double value = v->is_number() ? v->get<double>() : std::nan("");
-    value >= least && value <= most ? void(to = value)
-                                    : refuse(name, fmt::format("a number from {} to {}", least, most));
+    value >= least&& value <= most ? void(to = value)
+                                   : refuse(name, fmt::format("a number from {} to {}", least, most));
   }
   template <std::size_t N>
   [[nodiscard]] std::optional<std::array<double, N>> numbers(const char* name) {
@@ -95,19 +97,17 @@ std::string place_of(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));
   const auto line = std::count(before.begin(), before.end(), '\n') + 1;
   const std::size_t last = before.rfind('\n');
-  return fmt::format("line {}, column {}", line, last == before.npos ? before.size() : before.size() - last - 1);
+  return fmt::format("line {}, column {}", line,
+                     last == before.npos ? before.size() : before.size() - last - 1);
 }
 
 }  // namespace
 
 std::string to_json(const PlotDocument& d) {
   const Layers& layers = d.plate.layers;
-  Json plate = {{"size", d.plate.size},
-                {"half_width", d.plate.half_width},
-                {"axes", layers.axes},
-                {"ticks", layers.ticks},
-                {"grid", layers.grid},
-                {"rim", layers.rim}};
+  Json plate = {{"size", d.plate.size}, {"half_width", d.plate.half_width},
+                {"axes", layers.axes},  {"ticks", layers.ticks},
+                {"grid", layers.grid},  {"rim", layers.rim}};
   if (d.plate.heights) plate["heights"] = {d.plate.heights->low, d.plate.heights->high};
   const Json document = {{"nazori_plot", kPlotDocumentVersion},
                          {"title", d.title},
@@ -142,7 +142,8 @@ base::Result<PlotDocument> parse_document(std::string_view text) {
     return base::fail(base::Errc::schema, "this is JSON, but not a plot", "nazori_plot", "give a saved plot");
   }
   const Json& version = json["nazori_plot"];
-  if (!version.is_number_integer() || version.get<double>() < 1 || version.get<double>() > kPlotDocumentVersion) {
+  if (!version.is_number_integer() || version.get<double>() < 1 ||
+      version.get<double>() > kPlotDocumentVersion) {
     return base::fail(base::Errc::schema,
                       fmt::format("the plot has version {}, this program reads 1 to {}", version.dump(),
                                   kPlotDocumentVersion),

@@ -64,6 +64,15 @@ std::string in_words(const PointOfInterest& p, Language language) {
   return text;
 }
 
+std::string place_in_words(double x, double y, Language language) {
+  const auto name = [](double v) {
+    // Whole numbers need no "about".
+    return std::round(v) == v && std::abs(v) < 1e4 ? fmt::format("{:.0f}", v + 0.0) : std::string();
+  };
+  return "x = " + spoken(x, name(x), language) + (language == Language::english ? "; " : "、") +
+         "y = " + spoken(y, name(y), language);
+}
+
 std::string summary(const Plot& plot, const Tracing& tracing, const std::vector<PointOfInterest>& points,
                     Language language) {
   const bool english = language == Language::english;

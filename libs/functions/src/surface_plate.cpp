@@ -17,8 +17,10 @@ constexpr std::array<Variable, 2> kPlane{Variable::x, Variable::y};
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // A box that may contain a pole is halved this often before the pole is believed.
 constexpr int kPoleDepth = 24;
-// A gap is closed where the values around it differ by less than this part of the range.
+// A gap is closed where the means of opposite values around it differ by less than this part of the range.
 constexpr double kHealed = 0.02;
+// And where they differ by more than this it is a step, whatever their means say.
+constexpr double kSteepest = 0.25;
 
 /// Values of f on the samples of a plate, and what is wrong with each sample.
 class SurfaceSampler {
@@ -168,10 +170,14 @@ base::Result<Plate> carve_surface(const Statement& surface, const Window& window
   const auto at = [n](int row, int column) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(column);
   };
-  // A torn or undefined sample is a closed gap where all whole samples two steps around agree.
+  // A torn or undefined sample is a closed gap where the means of opposite whole samples two steps around
+  // agree: a slope does not matter, a pole or a jump does.
   const auto healed = [&](int row, int column) -> std::optional<double> {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    double low = kInfinity;
+    double high = -kInfinity;
+    double low_mean = kInfinity;
+    double high_mean = -kInfinity;
     double sum = 0;
     int count = 0;
     for (int dr = -2; dr <= 2; ++dr) {
@@ -184,11 +190,22 @@ base::Result<Plate> carve_surface(const Statement& surface, const Window& window
         if (!std::isfinite(s.value)) return std::nullopt;
         low = std::min(low, s.value);
         high = std::max(high, s.value);
-        sum += s.value;
+        const int other_row = row - dr;
+        const int other_column = column - dc;
+        double mean = s.value;
+        if (other_row >= 0 && other_column >= 0 && other_row < n && other_column < n) {
+          const auto& other = samples[at(other_row, other_column)];
+          if (other.torn) continue;
+          mean = (s.value + other.value) / 2;
+        }
+        low_mean = std::min(low_mean, mean);
+        high_mean = std::max(high_mean, mean);
+        sum += mean;
         ++count;
       }
     }
-    if (count < 8 || high - low > kHealed * span) return std::nullopt;
+    if (count < 8 || high - low > kSteepest * span || high_mean - low_mean > kHealed * span)
+      return std::nullopt;
     return sum / count;
   };
   const std::span<float> heights = plate.heights.samples();

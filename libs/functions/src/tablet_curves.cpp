@@ -34,8 +34,7 @@ double distance_to_chord(TabletPoint p, TabletPoint a, TabletPoint b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const double length2 = dx * dx + dy * dy;
-  const double t =
-      length2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2, 0.0, 1.0) : 0.0;
+  const double t = length2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2, 0.0, 1.0) : 0.0;
   return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
@@ -66,6 +65,15 @@ std::vector<TabletPoint> simplified(const std::vector<TabletPoint>& all, double 
     if (keep[i]) kept.push_back(all[i]);
   }
   return kept;
+}
+
+/// Straight pieces of a branch; a closed one has one more, back to its start.
+std::size_t piece_count(const Branch& b) { return b.points.size() - (b.closed ? 0 : 1); }
+
+std::pair<PlatePoint, PlatePoint> piece_of(const Branch& b, std::size_t i) {
+  const CurvePoint& p = b.points[i];
+  const CurvePoint& q = b.points[(i + 1) % b.points.size()];
+  return {{p.u, p.v}, {q.u, q.v}};
 }
 
 }  // namespace
@@ -129,6 +137,52 @@ std::vector<TabletCurve> tablet_curves(const Tracing& tracing, int size, const g
     curves.push_back({d.statement, false, {p, {p.x + 1e-6, p.y}}});
   }
   return curves;
+}
+
+std::optional<CurvePlace> nearest_place(const Tracing& tracing, PlatePoint hand, int statement) {
+  std::optional<CurvePlace> best;
+  for (std::size_t b = 0; b < tracing.branches.size(); ++b) {
+    const Branch& branch = tracing.branches[b];
+    if (statement >= 0 && branch.statement != statement) continue;
+    const std::size_t pieces = piece_count(branch);
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const auto [p, q] = piece_of(branch, i);
+      const double du = q.u - p.u;
+      const double dv = q.v - p.v;
+      const double length2 = du * du + dv * dv;
+      const double share =
+          length2 > 0 ? std::clamp(((hand.u - p.u) * du + (hand.v - p.v) * dv) / length2, 0.0, 1.0) : 0.0;
+      const PlatePoint at{p.u + share * du, p.v + share * dv};
+      const double distance = std::hypot(at.u - hand.u, at.v - hand.v);
+      if (!best || distance < best->distance) best = CurvePlace{b, i, at, distance};
+    }
+  }
+  return best;
+}
+
+CurvePlace step_along(const Tracing& tracing, const CurvePlace& from, double distance) {
+  const Branch& branch = tracing.branches[from.branch];
+  const std::size_t pieces = piece_count(branch);
+  CurvePlace place = from;
+  double left = std::abs(distance);
+  // Twice round is enough for any step of a hand.
+  for (std::size_t moves = 0; moves < 2 * pieces + 2; ++moves) {
+    const auto [p, q] = piece_of(branch, place.piece);
+    const PlatePoint goal = distance < 0 ? p : q;
+    const double length = std::hypot(goal.u - place.at.u, goal.v - place.at.v);
+    if (length >= left && length > 0) {
+      place.at.u += (goal.u - place.at.u) * left / length;
+      place.at.v += (goal.v - place.at.v) * left / length;
+      break;
+    }
+    left -= length;
+    place.at = goal;
+    const bool at_end = distance < 0 ? place.piece == 0 : place.piece + 1 == pieces;
+    if (at_end && !branch.closed) break;
+    place.piece = distance < 0 ? (place.piece + pieces - 1) % pieces : (place.piece + 1) % pieces;
+  }
+  place.distance = 0;
+  return place;
 }
 
 CurveFeel feel_of(int statement) {

@@ -91,8 +91,8 @@ Expression collected(const Expression& e) {
   const auto terms = static_cast<std::size_t>(
       std::count_if(one->coefficients.begin(), one->coefficients.end(), [](double c) { return c != 0; }));
   if (terms != 1) return nullptr;
-  const auto place = std::find_if(one->coefficients.begin(), one->coefficients.end(),
-                                  [](double c) { return c != 0; });
+  const auto place =
+      std::find_if(one->coefficients.begin(), one->coefficients.end(), [](double c) { return c != 0; });
   const auto power = static_cast<int>(place - one->coefficients.begin()) + one->lowest;
   if (power == 0) return number(*place);
   if (power < 0 && !is_exponential(one->atom)) return nullptr;
@@ -114,10 +114,10 @@ Expression inverse_undone(const Node& n) {
   if (n.kind != NodeKind::function || n.arguments[0]->kind != NodeKind::power) return nullptr;
   const Expression& base = n.arguments[0]->arguments[0];
   const Expression& exponent = n.arguments[0]->arguments[1];
-  const bool undone = (n.function == Function::ln && base->kind == NodeKind::constant &&
-                       base->constant == Constant::e) ||
-                      (n.function == Function::log10 && is_number(base, 10)) ||
-                      (n.function == Function::log2 && is_number(base, 2));
+  const bool undone =
+      (n.function == Function::ln && base->kind == NodeKind::constant && base->constant == Constant::e) ||
+      (n.function == Function::log10 && is_number(base, 10)) ||
+      (n.function == Function::log2 && is_number(base, 2));
   return undone && !variables_of(exponent).empty() ? exponent : nullptr;
 }
 
@@ -133,8 +133,7 @@ Expression gamma_ratio(const Expression& top, const Expression& bottom) {
     r = binary(NodeKind::multiply, r, binary(NodeKind::add, lower, number(k)));
   if (*step < 0) r = binary(NodeKind::divide, number(1), r);
   // gamma is never zero: what is added is 0 where it is defined.
-  return binary(NodeKind::add, r,
-                binary(NodeKind::multiply, number(0), call(Function::gamma, {lower})));
+  return binary(NodeKind::add, r, binary(NodeKind::multiply, number(0), call(Function::gamma, {lower})));
 }
 
 /// a^u b^u = (ab)^u and a^u / b^u = (a/b)^u for positive numbers a and b.

@@ -24,9 +24,7 @@ std::uint64_t packed(const Cue& c, bool trembles) {
 }
 
 Cue unpacked(std::uint64_t bits) noexcept {
-  const auto part = [bits](unsigned shift) {
-    return static_cast<double>((bits >> shift) & 0xFFFU) / kSteps;
-  };
+  const auto part = [bits](unsigned shift) { return static_cast<double>((bits >> shift) & 0xFFFU) / kSteps; };
   Cue c;
   c.hertz = static_cast<double>(bits & 0xFFFFFFU) / kPitchSteps;
   c.pan = 2 * part(24) - 1;
@@ -80,7 +78,8 @@ void ToneGenerator::fill(std::span<float> stereo) noexcept {
     const double pan = 2 * static_cast<double>(sign & 0xFFFU) / kSteps - 1;
     v.earcon = Earcon(static_cast<PointKind>((sign >> 16U) & 0xFFU), pan, v.rate);
   }
-  const double wanted = muted_.load(std::memory_order_relaxed) ? 0.0 : volume_.load(std::memory_order_relaxed);
+  const double wanted =
+      muted_.load(std::memory_order_relaxed) ? 0.0 : volume_.load(std::memory_order_relaxed);
   const double ease = 1 - std::exp(-1 / (0.004 * v.rate));
   for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
     v.volume += (wanted - v.volume) * ease;

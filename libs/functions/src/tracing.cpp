@@ -292,9 +292,9 @@ class PlotTracer {
   void keep_dots_where(const std::vector<Condition>& conditions, std::size_t begin, bool strict) {
     RegionTracer region(conditions, nullptr, statement_, settings_, out_, progress_);
     const auto first = out_.dots.begin() + static_cast<std::ptrdiff_t>(begin);
-    out_.dots.erase(std::remove_if(first, out_.dots.end(),
-                                   [&](const Dot& d) { return strict || !region.holds(d.at); }),
-                    out_.dots.end());
+    out_.dots.erase(
+        std::remove_if(first, out_.dots.end(), [&](const Dot& d) { return strict || !region.holds(d.at); }),
+        out_.dots.end());
   }
 
   /// Keeps of the branches from `begin` on what lies where the conditions hold, and marks it as a border.

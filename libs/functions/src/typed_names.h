@@ -52,12 +52,14 @@ struct VariableName {
   std::u32string_view text;
   Variable variable;
 };
-inline constexpr VariableName kVariables[] = {{U"x", Variable::x}, {U"y", Variable::y},         {U"z", Variable::z},
-                                       {U"t", Variable::t}, {U"theta", Variable::theta}, {U"r", Variable::r}};
+inline constexpr VariableName kVariables[] = {{U"x", Variable::x},         {U"y", Variable::y},
+                                              {U"z", Variable::z},         {U"t", Variable::t},
+                                              {U"theta", Variable::theta}, {U"r", Variable::r}};
 struct ConstantName {
   std::u32string_view text;
   Constant constant;
 };
-inline constexpr ConstantName kConstants[] = {{U"pi", Constant::pi}, {U"e", Constant::e}, {U"tau", Constant::tau}};
+inline constexpr ConstantName kConstants[] = {
+    {U"pi", Constant::pi}, {U"e", Constant::e}, {U"tau", Constant::tau}};
 
 }  // namespace nazori::functions

@@ -72,7 +72,8 @@ StereoSample Voice::next(const Cue& target, bool trembles) noexcept {
   double tone = 0;
   for (std::size_t h = 0; h < kHarmonics.size(); ++h) {
     const auto order = static_cast<double>(h + 1);
-    if (hertz_ * order < 0.45 * rate_) tone += kHarmonics[h] * std::sin(2 * std::numbers::pi * order * phase_);
+    if (hertz_ * order < 0.45 * rate_)
+      tone += kHarmonics[h] * std::sin(2 * std::numbers::pi * order * phase_);
   }
   // The same noise every time, so that files can be compared.
   seed_ = seed_ * 1664525U + 1013904223U;

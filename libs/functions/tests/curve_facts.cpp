@@ -140,8 +140,7 @@ std::vector<std::string> disagreements(const CurveFacts& f, int size, double hal
   if (f.is_surface) {
     for (const auto& p : f.on) {
       const Cell c = cell_at(size, f.window.u(p.x), f.window.v(p.y));
-      const double wanted =
-          std::clamp((p.z - f.heights.low) / (f.heights.high - f.heights.low), 0.0, 1.0);
+      const double wanted = std::clamp((p.z - f.heights.low) / (f.heights.high - f.heights.low), 0.0, 1.0);
       const double got = plate.heights.at(c.column, c.row);
       // The middle of the cell may lie half a cell away from the place.
       if (std::abs(got - wanted) > 0.03 + 2.0 / size)

@@ -24,7 +24,7 @@ struct CurveFacts {
   std::vector<Place> off;  ///< at least 0.03 away from it; of a surface where it is undefined
   int pieces = -1;         ///< connected grooves, -1 not known
   struct Section {
-    double x, y;            ///< on the curve
+    double x, y;                ///< on the curve
     double across_u, across_v;  ///< unit normal on the plate
   };
   std::vector<Section> sections;

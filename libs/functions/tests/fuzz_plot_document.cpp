@@ -14,6 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const auto again = f::parse_document(f::to_json(*document));
-  if (!again || again->expression != document->expression || !(again->window == document->window)) std::abort();
+  if (!again || again->expression != document->expression || !(again->window == document->window))
+    std::abort();
   return 0;
 }

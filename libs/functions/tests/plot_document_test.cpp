@@ -43,7 +43,8 @@ TEST(PlotDocument, ComesBackAsItWasSaved) {
 }
 
 TEST(PlotDocument, WhatIsLeftOutKeepsItsDefaultAndWhatIsUnknownIsPassedOver) {
-  const auto d = parse_document(R"({"nazori_plot": 1, "expression": "y = x", "colour": "red", "plate": {"rim": false}})");
+  const auto d = parse_document(
+      R"({"nazori_plot": 1, "expression": "y = x", "colour": "red", "plate": {"rim": false}})");
   ASSERT_TRUE(d) << d.error().what;
   EXPECT_EQ(d->window, Window{});
   EXPECT_EQ(d->plate.size, PlateSettings{}.size);
@@ -65,7 +66,8 @@ TEST(PlotDocument, EveryMistakeIsNamedWithItsPlace) {
       {R"({"nazori_plot": 1})", base::Errc::bad_argument, "expression"},
       {R"({"nazori_plot": 1, "expression": 7})", base::Errc::bad_argument, "expression"},
       {R"({"nazori_plot": 1, "expression": "y = 2 +"})", base::Errc::parse, "expression, column 8"},
-      {R"({"nazori_plot": 1, "expression": "y = x", "window": [1, 2, 3]})", base::Errc::bad_argument, "window"},
+      {R"({"nazori_plot": 1, "expression": "y = x", "window": [1, 2, 3]})", base::Errc::bad_argument,
+       "window"},
       {R"({"nazori_plot": 1, "expression": "y = x", "window": [2, 1, 0, 1]})", base::Errc::bad_argument,
        "window"},
       {R"({"nazori_plot": 1, "expression": "y = x", "plate": {"size": 31}})", base::Errc::bad_argument,

@@ -3,15 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "curve_facts.h"
 #include "nazori/functions/plate.h"
 
 namespace nazori::functions {
 namespace {
+
+using test::is_carved;
+using test::pieces_of;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -23,40 +29,6 @@ struct Known {
   std::vector<std::pair<double, double>> off;
   int pieces;
 };
-
-int pieces_of(const Plate& plate) {
-  const int n = plate.heights.size();
-  std::vector<bool> seen(plate.mask.size(), false);
-  std::vector<int> stack;
-  int count = 0;
-  for (int start = 0; start < n * n; ++start) {
-    if (plate.mask[static_cast<std::size_t>(start)] == 0 || seen[static_cast<std::size_t>(start)]) continue;
-    ++count;
-    seen[static_cast<std::size_t>(start)] = true;
-    stack.push_back(start);
-    while (!stack.empty()) {
-      const int at = stack.back();
-      stack.pop_back();
-      for (int r = std::max(0, at / n - 1); r <= std::min(n - 1, at / n + 1); ++r) {
-        for (int c = std::max(0, at % n - 1); c <= std::min(n - 1, at % n + 1); ++c) {
-          const auto i = static_cast<std::size_t>(r * n + c);
-          if (plate.mask[i] == 0 || seen[i]) continue;
-          seen[i] = true;
-          stack.push_back(r * n + c);
-        }
-      }
-    }
-  }
-  return count;
-}
-
-bool carved(const Picture& p, double x, double y) {
-  const int n = p.plate.heights.size();
-  const Window& w = p.tracing.window;
-  const int column = std::clamp(static_cast<int>(w.u(x) * n), 0, n - 1);
-  const int row = std::clamp(static_cast<int>((1 - w.v(y)) * n), 0, n - 1);
-  return p.plate.mask[static_cast<std::size_t>(row * n + column)] != 0;
-}
 
 Picture drawn(const std::string& expression, const Window& window, int size = 256) {
   const auto plot = parse(expression);
@@ -105,9 +77,10 @@ TEST(Tracing, DrawsWhatIsKnownOfHardCurvesAndNothingElse) {
   };
   for (const Known& k : cases) {
     const Picture p = drawn(k.expression, k.window);
-    for (const auto& [x, y] : k.on) EXPECT_TRUE(carved(p, x, y)) << k.expression << " at " << x << ", " << y;
+    for (const auto& [x, y] : k.on)
+      EXPECT_TRUE(is_carved(p, x, y)) << k.expression << " at " << x << ", " << y;
     for (const auto& [x, y] : k.off)
-      EXPECT_FALSE(carved(p, x, y)) << k.expression << " at " << x << ", " << y;
+      EXPECT_FALSE(is_carved(p, x, y)) << k.expression << " at " << x << ", " << y;
     if (k.pieces >= 0) {
       EXPECT_EQ(pieces_of(p.plate), k.pieces) << k.expression;
     }
@@ -157,6 +130,33 @@ TEST(Tracing, StopsWhenAskedAndRefusesBadWindows) {
   EXPECT_FALSE(trace(*plot, {0, std::nan(""), 0, 1}));
 }
 
+TEST(Tracing, ThreadsShareOnePlotAndGetTheSamePicture) {
+  const auto plot = parse("y = tan(x); sin(x^2+y^2) = cos(xy)");
+  ASSERT_TRUE(plot);
+  PlateSettings settings;
+  settings.size = 64;
+  std::array<std::vector<std::uint8_t>, 3> masks;
+  std::vector<std::thread> threads;
+  for (auto& mask : masks) {
+    threads.emplace_back([&] {
+      auto picture = draw(*plot, {-3, 3, -3, 3}, settings);
+      if (picture) mask = std::move(picture->plate.mask);
+    });
+  }
+  for (std::thread& t : threads) t.join();
+  EXPECT_FALSE(masks[0].empty());
+  EXPECT_EQ(masks[0], masks[1]);
+  EXPECT_EQ(masks[0], masks[2]);
+}
+
+TEST(Tracing, AStrictBorderAddsNothingAndEqualityInsideItIsNoPartOfTheRegion) {
+  EXPECT_EQ(pieces_of(drawn("x^2 + y^2 < 0", {-2, 2, -2, 2}).plate), 0);
+  EXPECT_EQ(pieces_of(drawn("x^2 + y^2 <= 0", {-2, 2, -2, 2}).plate), 1);
+  const Picture negative = drawn("|x| > x", {-2, 2, -2, 2});
+  EXPECT_TRUE(is_carved(negative, -1, 0));
+  EXPECT_FALSE(is_carved(negative, 1, 0));
+}
+
 TEST(Tracing, ShowsACoarsePictureBeforeTheFineOne) {
   const auto plot = parse("x^2 + y^2 = 1");
   ASSERT_TRUE(plot);
@@ -190,14 +190,14 @@ TEST(SurfacePlate, CutsPolesHealsHolesAndLeavesTheUndefinedOut) {
   };
   const Picture pole = surface("z = 1/(x^2+y^2)", {-2, 2, -2, 2}, {0, 4});
   EXPECT_EQ(height(pole, 0, 0), 1.0F);
-  EXPECT_FALSE(carved(pole, 0, 0));
+  EXPECT_FALSE(is_carved(pole, 0, 0));
   EXPECT_NEAR(height(pole, 1, 1), 0.125, 0.01);
   const Picture hole = surface("z = sin(sqrt(x^2+y^2))/sqrt(x^2+y^2)", {-10, 10, -10, 10}, {-0.5, 1.2});
-  EXPECT_TRUE(carved(hole, 0, 0));
+  EXPECT_TRUE(is_carved(hole, 0, 0));
   EXPECT_NEAR(height(hole, 0, 0), 1.5 / 1.7, 0.01);
   const Picture dome = surface("z = sqrt(4-x^2-y^2)", {-3, 3, -3, 3}, {-1, 3});
-  EXPECT_TRUE(carved(dome, 1, 1));
-  EXPECT_FALSE(carved(dome, 2.5, 0));
+  EXPECT_TRUE(is_carved(dome, 1, 1));
+  EXPECT_FALSE(is_carved(dome, 2.5, 0));
 }
 
 }  // namespace

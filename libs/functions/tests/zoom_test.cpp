@@ -87,6 +87,29 @@ TEST(TabletCurves, LieWhereTheGroovesAreDeepest) {
   EXPECT_LT(curves[0].points.size(), 400U);
 }
 
+TEST(TabletCurves, AHandFindsTheNearestCurveAndStepsAlongIt) {
+  const Picture p = drawn("y = x; x^2 + y^2 = 1", {-2, 2, -2, 2});
+  const Window& w = p.tracing.window;
+  const auto line = nearest_place(p.tracing, {w.u(1.5), w.v(1.3)});
+  ASSERT_TRUE(line);
+  EXPECT_NEAR(w.x(line->at.u), 1.4, 1e-3);
+  EXPECT_NEAR(line->distance, 0.2 / std::sqrt(2.0) / 4, 1e-4);
+  const CurvePlace next = step_along(p.tracing, *line, 0.05);
+  EXPECT_NEAR(std::hypot(next.at.u - line->at.u, next.at.v - line->at.v), 0.05, 1e-9);
+  EXPECT_NEAR(next.at.u, next.at.v, 1e-6);
+  const CurvePlace end = step_along(p.tracing, *line, 100);
+  EXPECT_GE(std::max(std::abs(end.at.u - 0.5), std::abs(end.at.v - 0.5)), 0.5);
+  // Round the circle of circumference 2 pi / 4 and back to where it began.
+  const auto circle = nearest_place(p.tracing, {w.u(0.9), w.v(0.1)}, 1);
+  ASSERT_TRUE(circle);
+  const CurvePlace round = step_along(p.tracing, *circle, std::numbers::pi / 2);
+  EXPECT_NEAR(round.at.u, circle->at.u, 1e-3);
+  EXPECT_NEAR(round.at.v, circle->at.v, 1e-3);
+  EXPECT_FALSE(nearest_place(Tracing{}, {0.5, 0.5}));
+  EXPECT_EQ(place_in_words(1.5, -2, Language::english), "x = about 1.5; y = minus 2");
+  EXPECT_EQ(place_in_words(1.5, -2, Language::japanese), "x = 約1.5、y = マイナス2");
+}
+
 TEST(TabletCurves, EndAtTheFrameAndLeaveNothingOutside) {
   const Picture p = drawn("y = tan(x)", {-6, 6, -4, 4});
   const auto curves = tablet_curves(p.tracing, 256);
@@ -136,7 +159,9 @@ TEST(PrintPicture, IsBlackAndWhiteWithCurvesOfTheirWidthAndAxesBrokenBesideThem)
   // 1.6 mm across a slope of 45 degrees is 2.26 mm in a row: 0.113 of the window.
   int across = 0;
   for (int column = 0; column < n; ++column)
-    across += print->at(column, static_cast<int>(0.3 * n)) == 0.0F && column > n / 2 + 80 && column < n - 30 ? 1 : 0;
+    across += print->at(column, static_cast<int>(0.3 * n)) == 0.0F && column > n / 2 + 80 && column < n - 30
+                  ? 1
+                  : 0;
   EXPECT_NEAR(across, 1.6 * std::sqrt(2.0) / 160 * n, 2);
   EXPECT_TRUE(black(1.5, 0));
   EXPECT_FALSE(black(0.12, 0));

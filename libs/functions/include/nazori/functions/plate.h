@@ -72,8 +72,9 @@ struct Picture {
                                          const PlateSettings& settings = {},
                                          const base::Progress& progress = {}, double most_milliseconds = 0);
 
-/// The same, coarse first: calls `show` with a picture of at most 128 samples within 100 ms (where that is too
-/// short with what was proven till then, Tracing::complete false), then with the final one. `show` runs on this thread; returning false stops.
+/// The same, coarse first: calls `show` with a picture of at most 128 samples within 100 ms (where that is
+/// too short with what was proven till then, Tracing::complete false), then with the final one. `show` runs
+/// on this thread; returning false stops.
 [[nodiscard]] base::Result<void> draw_coarse_to_fine(const Plot& plot, const Window& window,
                                                      const PlateSettings& settings,
                                                      const std::function<bool(Picture&&, bool final)>& show,

@@ -34,6 +34,7 @@ inline constexpr int kPlotDocumentVersion = 1;
 
 /// The same in a file, at most 1 MB, written whole or not at all. Errors name the file.
 [[nodiscard]] base::Result<PlotDocument> load_document(const std::filesystem::path& path);
-[[nodiscard]] base::Result<void> save_document(const PlotDocument& document, const std::filesystem::path& path);
+[[nodiscard]] base::Result<void> save_document(const PlotDocument& document,
+                                               const std::filesystem::path& path);
 
 }  // namespace nazori::functions

@@ -53,6 +53,8 @@ struct PointOfInterest {
 [[nodiscard]] std::string in_words(PointKind kind, Language language);
 /// "maximum at x = pi/2, about 1.571, y = 1".
 [[nodiscard]] std::string in_words(const PointOfInterest& point, Language language);
+/// Where a hand is, in four significant digits: "x = about 1.57; y = minus 2".
+[[nodiscard]] std::string place_in_words(double x, double y, Language language);
 /// One sentence on the whole: what is drawn, in how many pieces, what is remarkable, what is uncertain.
 [[nodiscard]] std::string summary(const Plot& plot, const Tracing& tracing,
                                   const std::vector<PointOfInterest>& points, Language language);

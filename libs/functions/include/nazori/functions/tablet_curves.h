@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "nazori/functions/tracing.h"
@@ -11,7 +13,7 @@ namespace nazori::functions {
 /// A piece of a curve where the plate made of `size` samples has its groove: what a stylus can snap to.
 struct TabletCurve {
   int statement = 0;
-  bool closed = false;  ///< the last point is the first one again
+  bool closed = false;                        ///< the last point is the first one again
   std::vector<geometry::TabletPoint> points;  ///< [m]; two or more
 };
 
@@ -27,6 +29,23 @@ struct TabletCurve {
 [[nodiscard]] std::vector<TabletCurve> tablet_curves(const Tracing& tracing, int size,
                                                      const geometry::TabletShape& shape = {},
                                                      double tolerance_m = 20e-6);
+
+/// A place on a curve.
+struct CurvePlace {
+  std::size_t branch = 0;  ///< index into Tracing::branches
+  std::size_t piece = 0;   ///< between the points with this index and the next
+  PlatePoint at;
+  double distance = 0;  ///< from where was asked, in plate units
+};
+
+/// The place of a traced curve nearest to a hand; nothing where there is no curve. Takes a time in proportion
+/// to the number of points: for the interface, not for the servo.
+/// @param statement  only on this one; -1: on any.
+[[nodiscard]] std::optional<CurvePlace> nearest_place(const Tracing& tracing, PlatePoint hand,
+                                                      int statement = -1);
+/// The place `distance` further along the same branch (below 0: back), in plate units; stops at its ends,
+/// goes on round a closed one.
+[[nodiscard]] CurvePlace step_along(const Tracing& tracing, const CurvePlace& from, double distance);
 
 /// How the grooves of one statement feel, so that several can be told apart: friction first, then texture.
 struct CurveFeel {

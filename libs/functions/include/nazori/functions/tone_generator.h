@@ -12,8 +12,9 @@ namespace nazori::functions {
 
 /// A tone that follows a hand: the interface says where the hand is, the audio callback asks for samples.
 ///
-/// set(), play() and the volume are for one thread at a time, fill() for another; neither waits for the other.
-/// fill() does not allocate, lock, throw or call the system. Changes glide within 5 ms, so nothing clicks.
+/// set(), play() and the volume are for one thread at a time, fill() for another; neither waits for the
+/// other. fill() does not allocate, lock, throw or call the system. Changes glide within 5 ms, so nothing
+/// clicks.
 class ToneGenerator {
  public:
   /// @param settings  sample rate and volume; out-of-range values are brought into range. Allocates.
