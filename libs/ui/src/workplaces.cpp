@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/characters.h"
+#include "functions/functions_workplace.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -15,6 +16,7 @@ std::unique_ptr<Workplace> make(Desk& desk) {
 std::vector<MakeWorkplace> registered_workplaces() {
   return {
       make<Characters>,
+      make<FunctionsWorkplace>,
   };
 }
 

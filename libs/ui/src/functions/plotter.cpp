@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "nazori/functions/tablet_curves.h"
+#include "nazori/geometry/polyline.h"
 
 namespace nazori::ui {
 namespace {
@@ -83,8 +84,7 @@ void Plotter::draw(const PlotRequest& request) {
       }
       return wanted();
     };
-    auto result =
-        functions::draw_coarse_to_fine(request.plot, request.window, request.plate, show, progress);
+    auto result = functions::draw_coarse_to_fine(request.plot, request.window, request.plate, show, progress);
     if (!carved) result = std::move(carved);
     worker_.answer([this, ticket, result] {
       if (newest_.load() != ticket) return;
