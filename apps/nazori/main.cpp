@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFileInfo>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 
 #include "nazori/kanji/kanji_database.h"
@@ -29,16 +31,20 @@ int main(int argc, char** argv) {
       QStringLiteral("exit-after-startup"),
       QStringLiteral("Open the window, wait until its first character is on the desk, and leave."));
   parser.addOption(exit_after_startup);
-  parser.addPositionalArgument(QStringLiteral("character"), QStringLiteral("Character to open with."),
-                               QStringLiteral("[character]"));
+  parser.addPositionalArgument(
+      QStringLiteral("character or files"),
+      QStringLiteral("Character to open with, or files: a plot, a height map, a stroke order."),
+      QStringLiteral("[character | file...]"));
   parser.process(application);
 
   nazori::ui::MainWindow::Setup setup;
   const auto arguments = parser.positionalArguments();
-  if (!arguments.isEmpty()) {
+  const bool files = !arguments.isEmpty() && std::all_of(arguments.begin(), arguments.end(),
+                                                         [](const auto& a) { return QFileInfo(a).isFile(); });
+  if (!arguments.isEmpty() && !files) {
     const auto code_points = arguments.front().toUcs4();
     if (arguments.size() > 1 || code_points.size() != 1) {
-      std::fputs("nazori: give one character, as in: nazori 休\n", stderr);
+      std::fputs("nazori: give one character or files that exist, as in: nazori 休\n", stderr);
       return kExitBadUsage;
     }
     setup.character = static_cast<char32_t>(code_points.front());
@@ -53,6 +59,7 @@ int main(int argc, char** argv) {
 
   nazori::ui::Program program(setup);
   program.show();
+  if (files) program.window()->open_files(arguments);
   if (parser.isSet(exit_after_startup)) {
     QObject::connect(program.window(), &nazori::ui::MainWindow::character_shown, &application,
                      [&program] { QTimer::singleShot(0, program.window(), &QWidget::close); });

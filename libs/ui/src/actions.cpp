@@ -117,6 +117,21 @@ QList<ActionSet::Group> Actions::groups_with(const Workplace& workplace) const {
   return groups;
 }
 
+void Actions::give_keys(const Workplace& workplace) {
+  QList<QKeySequence> taken;
+  if (const auto* own = workplace.actions())
+    for (const auto& group : own->groups())
+      for (const auto* action : group.actions)
+        if (action != nullptr) taken.append(action->shortcuts());
+  for (auto* action : tablet_.actions) {
+    if (action == nullptr) continue;
+    if (!tablet_keys_.contains(action)) tablet_keys_.insert(action, action->shortcuts());
+    QList<QKeySequence> left = tablet_keys_.value(action);
+    left.removeIf([&taken](const QKeySequence& key) { return taken.contains(key); });
+    action->setShortcuts(left);
+  }
+}
+
 void Actions::enter(const Workplace& workplace, QMenuBar* bar) {
   const auto name_panel = [](QAction* action, const Workplace::Panel& panel) {
     action->setVisible(panel.widget != nullptr);
@@ -129,6 +144,7 @@ void Actions::enter(const Workplace& workplace, QMenuBar* bar) {
   name_panel(left_panel, workplace.left());
   name_panel(right_panel, workplace.right());
   set_in_force(tablet_, workplace.page() == nullptr);
+  give_keys(workplace);
   open->setVisible(workplace.has_files());
   save->setVisible(workplace.has_files());
   bar->clear();

@@ -37,12 +37,16 @@ class Actions final : public ActionSet {
   void enter(const Workplace& workplace, QMenuBar* bar);
 
  private:
+  /// A key that a workplace uses itself is its: the entries for the tablet are without it meanwhile.
+  void give_keys(const Workplace& workplace);
+
   Group file_;
   Group tablet_;
   Group view_;
   Group go_;
   Group help_;
   QActionGroup* one_workplace_;
+  QHash<QAction*, QList<QKeySequence>> tablet_keys_;  ///< as they are where no workplace takes one
   QList<QAction*> workplaces_;
 };
 

@@ -63,6 +63,23 @@ void draw(QPainter& p, Icon which, const QColor& colour) {
       line({{14.6, 8.6}, {19, 8.6}});
       break;
     }
+    case Icon::curve: {
+      QPainterPath wave(QPointF(4, 16));
+      wave.cubicTo(QPointF(8, -1), QPointF(14, 25), QPointF(20, 7));
+      p.drawPath(wave);
+      line({{4, 4}, {4, 20}, {20, 20}});
+      break;
+    }
+    case Icon::sound: {
+      line({{4, 9.5}, {7.5, 9.5}, {12, 5.5}, {12, 18.5}, {7.5, 14.5}, {4, 14.5}, {4, 9.5}});
+      QPainterPath waves;
+      waves.arcMoveTo(QRectF(9, 8, 8, 8), -50);
+      waves.arcTo(QRectF(9, 8, 8, 8), -50, 100);
+      waves.arcMoveTo(QRectF(6, 4.5, 15, 15), -50);
+      waves.arcTo(QRectF(6, 4.5, 15, 15), -50, 100);
+      p.drawPath(waves);
+      break;
+    }
     case Icon::erase: {
       QPainterPath eraser(QPointF(4.5, 14));
       eraser.lineTo(13, 5.5);

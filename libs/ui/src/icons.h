@@ -14,6 +14,8 @@ enum class Icon : std::uint8_t {
   numbers,
   arrows,
   snap,
+  curve,
+  sound,
   erase,
   library,
   information,

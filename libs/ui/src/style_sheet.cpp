@@ -41,10 +41,16 @@ QLineEdit { background: @surface; color: @ink; border: 2px solid @line; border-r
 QLineEdit:focus { border-color: @indigo; }
 QLineEdit > QToolButton { border: none; background: transparent; padding: 0; margin: 0; }
 
-QComboBox, QSpinBox { background: @surface; color: @ink; border: 2px solid @line; border-radius: 8px;
+QComboBox, QSpinBox, QDoubleSpinBox { background: @surface; color: @ink; border: 2px solid @line; border-radius: 8px;
   padding: 4px 8px; }
 QComboBox:hover { background: @hover; }
-QComboBox:focus, QSpinBox:focus { border-color: @indigo; }
+QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border-color: @indigo; }
+QCheckBox { border: 2px solid transparent; border-radius: 6px; padding: 2px 4px; }
+QCheckBox:focus { border-color: @indigo; }
+QSlider { border: 2px solid transparent; border-radius: 6px; padding: 2px; }
+QSlider:focus { border-color: @indigo; }
+QWidget#plot_panel, QWidget#points_panel { background: @paper; }
+QWidget#plot_content { background: transparent; }
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/nazori/down-@mode.png); width: 10px; height: 6px; }
 QComboBox QAbstractItemView { background: @surface; color: @ink; border: 1px solid @line; outline: none;

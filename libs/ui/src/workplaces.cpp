@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/characters.h"
 #include "device/device_place.h"
+#include "functions/functions_workplace.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -16,6 +17,7 @@ std::unique_ptr<Workplace> make(Desk& desk) {
 std::vector<MakeWorkplace> registered_workplaces() {
   return {
       make<Characters>,
+      make<FunctionsWorkplace>,
       make<DevicePlace>,
   };
 }

@@ -705,56 +705,6 @@
     </message>
 </context>
 <context>
-    <name>nazori::ui::DrawPanel</name>
-    <message>
-        <source>Draw to find</source>
-        <translation>書いて探す</translation>
-    </message>
-    <message>
-        <source>Enter takes the first, arrows choose. Ctrl+Z takes back a stroke, Delete clears, Esc closes.</source>
-        <translation>Enter で先頭の字を選び、矢印キーで選び直せます。Ctrl+Z で一画取り消し、Delete で消去、Esc で閉じます。</translation>
-    </message>
-    <message>
-        <source>Characters that look like it</source>
-        <translation>似ている字</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>取り消す</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>消す</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>閉じる</translation>
-    </message>
-    <message>
-        <source>The drawing could not be read: %1.</source>
-        <translation>書いた形を読み取れませんでした：%1。</translation>
-    </message>
-    <message>
-        <source>Draw the character you look for. Order and direction do not matter much.</source>
-        <translation>探している字を書いてください。筆順や方向はあまり気にしなくてかまいません。</translation>
-    </message>
-    <message>
-        <source>%1 is likeliest. Enter takes it.</source>
-        <translation>「%1」がいちばん似ています。Enter で選びます。</translation>
-    </message>
-    <message>
-        <source>%1, number %2 of %3.</source>
-        <translation>%1（%3 字中 %2 番目）。</translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::DrawingPad</name>
-    <message>
-        <source>Draw the character here</source>
-        <translation>ここに字を書いてください</translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::DeviceActions</name>
     <message>
         <source>&amp;Look for devices</source>
@@ -988,6 +938,56 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::DrawPanel</name>
+    <message>
+        <source>Draw to find</source>
+        <translation>書いて探す</translation>
+    </message>
+    <message>
+        <source>Enter takes the first, arrows choose. Ctrl+Z takes back a stroke, Delete clears, Esc closes.</source>
+        <translation>Enter で先頭の字を選び、矢印キーで選び直せます。Ctrl+Z で一画取り消し、Delete で消去、Esc で閉じます。</translation>
+    </message>
+    <message>
+        <source>Characters that look like it</source>
+        <translation>似ている字</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>取り消す</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>消す</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>The drawing could not be read: %1.</source>
+        <translation>書いた形を読み取れませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>Draw the character you look for. Order and direction do not matter much.</source>
+        <translation>探している字を書いてください。筆順や方向はあまり気にしなくてかまいません。</translation>
+    </message>
+    <message>
+        <source>%1 is likeliest. Enter takes it.</source>
+        <translation>「%1」がいちばん似ています。Enter で選びます。</translation>
+    </message>
+    <message>
+        <source>%1, number %2 of %3.</source>
+        <translation>%1（%3 字中 %2 番目）。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::DrawingPad</name>
+    <message>
+        <source>Draw the character here</source>
+        <translation>ここに字を書いてください</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::FeedbackLine</name>
     <message>
         <source>What just happened</source>
@@ -1156,6 +1156,506 @@ Columns and rows:</source>
     <message>
         <source>Save as</source>
         <translation>名前を付けて保存</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::FunctionActions</name>
+    <message>
+        <source>&amp;Expression</source>
+        <translation>式(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Go to the line with the expression</source>
+        <translation>式の入力欄へ移ります</translation>
+    </message>
+    <message>
+        <source>&amp;Points of interest</source>
+        <translation>注目点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Go to the table of points</source>
+        <translation>注目点の表へ移ります</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom in</source>
+        <translation>拡大(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Half of the window, about the point</source>
+        <translation>点を中心に範囲を半分にします</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>縮小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Twice the window, about the point</source>
+        <translation>点を中心に範囲を2倍にします</translation>
+    </message>
+    <message>
+        <source>&amp;Whole window</source>
+        <translation>はじめの範囲(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The window as it was at first</source>
+        <translation>範囲をはじめに戻します</translation>
+    </message>
+    <message>
+        <source>Save the height map as &amp;RAW…</source>
+        <translation>高さマップを RAW で保存(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>8-bit height map without header, as in 2005</source>
+        <translation>2005年と同じ、ヘッダーのない 8 ビットの高さマップ</translation>
+    </message>
+    <message>
+        <source>Save the height map as P&amp;NG…</source>
+        <translation>高さマップを PNG で保存(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>16-bit grey height map</source>
+        <translation>16 ビット・グレースケールの高さマップ</translation>
+    </message>
+    <message>
+        <source>Save for &amp;tactile paper…</source>
+        <translation>立体コピー用に保存(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Black and white picture with thick lines, for swell paper and for low vision</source>
+        <translation>太い線の白黒画像。立体コピー用紙と弱視の方のために</translation>
+    </message>
+    <message>
+        <source>Save the s&amp;ound…</source>
+        <translation>音を保存(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>The sweep of all curves as WAV</source>
+        <translation>すべての曲線の音を WAV で保存します</translation>
+    </message>
+    <message>
+        <source>&amp;Along the curve</source>
+        <translation>曲線に沿って進む(&amp;A)</translation>
+    </message>
+    <message>
+        <source>A hundredth of the window to the right</source>
+        <translation>範囲の百分の一だけ右へ</translation>
+    </message>
+    <message>
+        <source>&amp;Back along the curve</source>
+        <translation>曲線に沿って戻る(&amp;B)</translation>
+    </message>
+    <message>
+        <source>A hundredth of the window to the left</source>
+        <translation>範囲の百分の一だけ左へ</translation>
+    </message>
+    <message>
+        <source>To the next &amp;tick</source>
+        <translation>次の目盛りへ(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Along the curve to the next tick of the x axis</source>
+        <translation>曲線に沿って x 軸の次の目盛りまで</translation>
+    </message>
+    <message>
+        <source>To the tick be&amp;fore</source>
+        <translation>前の目盛りへ(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Back along the curve to the tick before</source>
+        <translation>曲線に沿って前の目盛りまで戻ります</translation>
+    </message>
+    <message>
+        <source>To its &amp;start</source>
+        <translation>はじめへ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Where this piece of the curve begins</source>
+        <translation>曲線のこの部分のはじまり</translation>
+    </message>
+    <message>
+        <source>To its &amp;end</source>
+        <translation>終わりへ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Where this piece of the curve ends</source>
+        <translation>曲線のこの部分の終わり</translation>
+    </message>
+    <message>
+        <source>&amp;Next curve or branch</source>
+        <translation>次の曲線・枝(&amp;N)</translation>
+    </message>
+    <message>
+        <source>To the next curve or branch</source>
+        <translation>次の曲線または枝へ</translation>
+    </message>
+    <message>
+        <source>&amp;Previous curve or branch</source>
+        <translation>前の曲線・枝(&amp;P)</translation>
+    </message>
+    <message>
+        <source>To the curve or branch before</source>
+        <translation>前の曲線または枝へ</translation>
+    </message>
+    <message>
+        <source>Next po&amp;int</source>
+        <translation>次の注目点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>To the next point of interest</source>
+        <translation>次の注目点へ</translation>
+    </message>
+    <message>
+        <source>P&amp;oint before</source>
+        <translation>前の注目点(&amp;O)</translation>
+    </message>
+    <message>
+        <source>To the point of interest before</source>
+        <translation>前の注目点へ</translation>
+    </message>
+    <message>
+        <source>Window to the &amp;left</source>
+        <translation>範囲を左へ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show what lies to the left</source>
+        <translation>左側を表示します</translation>
+    </message>
+    <message>
+        <source>Window to the r&amp;ight</source>
+        <translation>範囲を右へ(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show what lies to the right</source>
+        <translation>右側を表示します</translation>
+    </message>
+    <message>
+        <source>Window &amp;up</source>
+        <translation>範囲を上へ(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show what lies above</source>
+        <translation>上側を表示します</translation>
+    </message>
+    <message>
+        <source>Window &amp;down</source>
+        <translation>範囲を下へ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show what lies below</source>
+        <translation>下側を表示します</translation>
+    </message>
+    <message>
+        <source>&amp;Coordinates</source>
+        <translation>座標(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Say where the point is</source>
+        <translation>点の位置を伝えます</translation>
+    </message>
+    <message>
+        <source>S&amp;lope</source>
+        <translation>傾き(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Say how steep the curve is here</source>
+        <translation>ここでの曲線の傾きを伝えます</translation>
+    </message>
+    <message>
+        <source>Su&amp;mmary</source>
+        <translation>要約(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Say in one sentence what is drawn</source>
+        <translation>描かれているものを一文で伝えます</translation>
+    </message>
+    <message>
+        <source>&amp;Drop a beacon</source>
+        <translation>目印を置く(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Remember this place</source>
+        <translation>この場所を覚えます</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the next beacon</source>
+        <translation>次の目印へ(&amp;G)</translation>
+    </message>
+    <message>
+        <source>To the next of the places remembered</source>
+        <translation>覚えた場所の次へ</translation>
+    </message>
+    <message>
+        <source>Next piece alone</source>
+        <translation>次の曲線だけ</translation>
+    </message>
+    <message>
+        <source>Hold the stylus to the next piece alone</source>
+        <translation>次の曲線だけがペンを引き寄せます</translation>
+    </message>
+    <message>
+        <source>Piece before alone</source>
+        <translation>前の曲線だけ</translation>
+    </message>
+    <message>
+        <source>Hold the stylus to the piece before alone</source>
+        <translation>前の曲線だけがペンを引き寄せます</translation>
+    </message>
+    <message>
+        <source>All pieces</source>
+        <translation>すべての曲線</translation>
+    </message>
+    <message>
+        <source>Hold the stylus to any piece</source>
+        <translation>どの曲線もペンを引き寄せます</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>吸着</translation>
+    </message>
+    <message>
+        <source>Curves hold the stylus</source>
+        <translation>曲線がペンを引き寄せます</translation>
+    </message>
+    <message>
+        <source>Clear the ink</source>
+        <translation>墨を消す</translation>
+    </message>
+    <message>
+        <source>Wipe the tablet clean</source>
+        <translation>板の墨をふき取ります</translation>
+    </message>
+    <message>
+        <source>&amp;Hear the curves</source>
+        <translation>曲線を聴く(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Play every curve from end to end</source>
+        <translation>すべての曲線を端から端まで鳴らします</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>止める(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Stop every sound, and the drawing</source>
+        <translation>すべての音と描画を止めます</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>速く(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Play the curves faster</source>
+        <translation>曲線を速く鳴らします</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>遅く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Play the curves slower</source>
+        <translation>曲線を遅く鳴らします</translation>
+    </message>
+    <message>
+        <source>L&amp;ouder</source>
+        <translation>大きく(&amp;O)</translation>
+    </message>
+    <message>
+        <source>More volume</source>
+        <translation>音量を上げます</translation>
+    </message>
+    <message>
+        <source>&amp;Quieter</source>
+        <translation>小さく(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Less volume</source>
+        <translation>音量を下げます</translation>
+    </message>
+    <message>
+        <source>&amp;Mute</source>
+        <translation>消音(&amp;M)</translation>
+    </message>
+    <message>
+        <source>No sound at all</source>
+        <translation>音を出しません</translation>
+    </message>
+    <message>
+        <source>&amp;Plot</source>
+        <translation>グラフ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>T&amp;race</source>
+        <translation>たどる(&amp;R)</translation>
+    </message>
+    <message>
+        <source>S&amp;ound</source>
+        <translation>音(&amp;O)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::FunctionsWorkplace</name>
+    <message>
+        <source>F&amp;unctions</source>
+        <translation>関数(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Curves to see, feel and hear</source>
+        <translation>見て、触れて、聴く曲線</translation>
+    </message>
+    <message>
+        <source>&amp;Expression and window</source>
+        <translation>式と範囲(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show or fold away the expression</source>
+        <translation>式の欄を表示または折りたたみます</translation>
+    </message>
+    <message>
+        <source>&amp;Points of interest</source>
+        <translation>注目点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show or fold away the points of interest</source>
+        <translation>注目点を表示または折りたたみます</translation>
+    </message>
+    <message>
+        <source>The plot as grooves. Left and right go along the curve, up and down to another, Tab to the next point of interest, H plays it, S says what it is; Control L leaves to the expression, Control T to the table</source>
+        <translation>溝として彫られたグラフ。左右キーで曲線に沿って動き、上下キーで別の曲線へ、Tab で次の注目点へ移ります。H で音を鳴らし、S で要約を伝えます。Ctrl+L で式へ、Ctrl+T で表へ移ります</translation>
+    </message>
+    <message>
+        <source>This window cannot be shown: %1.</source>
+        <translation>この範囲は表示できません: %1。</translation>
+    </message>
+    <message>
+        <source>“%1” is no number. The window is as it was.</source>
+        <translation>「%1」は数ではありません。範囲は変わっていません。</translation>
+    </message>
+    <message>
+        <source>There is no other curve or branch.</source>
+        <translation>ほかの曲線や枝はありません。</translation>
+    </message>
+    <message>
+        <source>There is no slope here.</source>
+        <translation>ここには傾きがありません。</translation>
+    </message>
+    <message>
+        <source>Beacon %1 is here: %2.</source>
+        <translation>目印 %1 をここに置きました: %2。</translation>
+    </message>
+    <message>
+        <source>Go to a place on a curve first, with the arrow keys.</source>
+        <translation>まず矢印キーで曲線上の場所へ移ってください。</translation>
+    </message>
+    <message>
+        <source>Beacon %1</source>
+        <translation>目印 %1</translation>
+    </message>
+    <message>
+        <source>There is no beacon yet. B drops one.</source>
+        <translation>目印はまだありません。B で置けます。</translation>
+    </message>
+    <message>
+        <source>Curves hold the stylus.</source>
+        <translation>曲線がペンを引き寄せます。</translation>
+    </message>
+    <message>
+        <source>Curves let the stylus go.</source>
+        <translation>曲線はペンを放します。</translation>
+    </message>
+    <message>
+        <source>Volume %1</source>
+        <translation>音量 %1</translation>
+    </message>
+    <message>
+        <source>Nothing can be heard: %1.</source>
+        <translation>音を出せません: %1。</translation>
+    </message>
+    <message>
+        <source>This cannot be drawn: %1. The plate is as it was.</source>
+        <translation>これは描けません: %1。板は変わっていません。</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2.</source>
+        <translation>%1 を保存できませんでした: %2。</translation>
+    </message>
+    <message>
+        <source>The window cannot be changed any further.</source>
+        <translation>範囲はこれ以上変えられません。</translation>
+    </message>
+    <message>
+        <source>Next piece</source>
+        <translation>次の部分</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>端</translation>
+    </message>
+    <message>
+        <source>There is no curve to follow here.</source>
+        <translation>ここにはたどる曲線がありません。</translation>
+    </message>
+    <message>
+        <source>There are no points of interest in this window.</source>
+        <translation>この範囲に注目点はありません。</translation>
+    </message>
+    <message>
+        <source>A surface has no curve to play.</source>
+        <translation>曲面には鳴らす曲線がありません。</translation>
+    </message>
+    <message>
+        <source>The sound is off. M turns it on.</source>
+        <translation>音は切れています。M で入ります。</translation>
+    </message>
+    <message>
+        <source>Speed %1 of %2</source>
+        <translation>速さ %2 段階の %1</translation>
+    </message>
+    <message>
+        <source>The sound is off.</source>
+        <translation>音を切りました。</translation>
+    </message>
+    <message>
+        <source>The sound is on.</source>
+        <translation>音を入れました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>曲線 %n 本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Piece %1 of %2: %3</source>
+        <translation>%2 本中 %1 本目: %3</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: %2. The plate is as it was.</source>
+        <translation>%1 を開けませんでした: %2。板は変わっていません。</translation>
+    </message>
+    <message>
+        <source>%1 is on the desk.</source>
+        <translation>%1 を開きました。</translation>
+    </message>
+    <message>
+        <source>Open a plot</source>
+        <translation>グラフを開く</translation>
+    </message>
+    <message>
+        <source>There is no plot to save yet.</source>
+        <translation>保存するグラフがまだありません。</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>名前を付けて保存</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <translation>グラフ</translation>
     </message>
 </context>
 <context>
@@ -1611,6 +2111,171 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::PlotExport</name>
+    <message>
+        <source>Plots (*.json)</source>
+        <translation>グラフ (*.json)</translation>
+    </message>
+    <message>
+        <source>Height maps (*.raw)</source>
+        <translation>高さマップ (*.raw)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Sounds (*.wav)</source>
+        <translation>音声 (*.wav)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::PlotPanel</name>
+    <message>
+        <source>&amp;Axes</source>
+        <translation>軸(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Tic&amp;ks</source>
+        <translation>目盛り(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>格子(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Ri&amp;m</source>
+        <translation>縁(&amp;M)</translation>
+    </message>
+    <message>
+        <source>No soun&amp;d</source>
+        <translation>音なし(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Expression and window</source>
+        <translation>式と範囲</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>式</translation>
+    </message>
+    <message>
+        <source>Several are separated by semicolons. Up and down: what was entered before</source>
+        <translation>複数の式はセミコロンで区切ります。上下キーで以前の式を呼び出します</translation>
+    </message>
+    <message>
+        <source>The expression in words</source>
+        <translation>言葉にした式</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>描画</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>例</translation>
+    </message>
+    <message>
+        <source>Choose an example</source>
+        <translation>例を選ぶ</translation>
+    </message>
+    <message>
+        <source>E&amp;xpression</source>
+        <translation>式(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation>x の下限</translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation>x の上限</translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation>y の下限</translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation>y の上限</translation>
+    </message>
+    <message>
+        <source>On the plate</source>
+        <translation>板の上</translation>
+    </message>
+    <message>
+        <source>Width of the grooves in millimetres</source>
+        <translation>溝の幅(ミリメートル)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Groo&amp;ves</source>
+        <translation>溝の幅(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Samples a side</source>
+        <translation>一辺のサンプル数</translation>
+    </message>
+    <message>
+        <source>%1 × %1</source>
+        <translation>%1 × %1</translation>
+    </message>
+    <message>
+        <source>Sam&amp;ples</source>
+        <translation>細かさ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Vol&amp;ume</source>
+        <translation>音量(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>音量</translation>
+    </message>
+    <message>
+        <source>Column %1: %2; %3.</source>
+        <translation>%1 文字目: %2; %3。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::PointsPanel</name>
+    <message>
+        <source>Points of &amp;interest</source>
+        <translation>注目点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>There are none in this window.</source>
+        <translation>この範囲にはありません。</translation>
+    </message>
+    <message>
+        <source>About the plot</source>
+        <translation>グラフについて</translation>
+    </message>
+    <message>
+        <source>Points of interest</source>
+        <translation>注目点</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>, curves %1 and %2</source>
+        <translation>、曲線 %1 と %2</translation>
+    </message>
+    <message>
+        <source>, curve %1</source>
+        <translation>、曲線 %1</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::Program</name>
     <message>
         <source>Nazori cannot start: %1.</source>
@@ -1841,6 +2506,10 @@ Columns and rows:</source>
     <message>
         <source>The session is being recorded to %1</source>
         <translation>%1 に記録しています</translation>
+    </message>
+    <message>
+        <source>Mouse or pen</source>
+        <translation>マウスまたはペン</translation>
     </message>
 </context>
 <context>
@@ -2097,6 +2766,33 @@ Columns and rows:</source>
     <message>
         <source>Workplaces</source>
         <translation>作業の場</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::plot_words</name>
+    <message>
+        <source>infinity</source>
+        <translation>無限大</translation>
+    </message>
+    <message>
+        <source>minus infinity</source>
+        <translation>マイナス無限大</translation>
+    </message>
+    <message>
+        <source>minus %1</source>
+        <translation>マイナス%1</translation>
+    </message>
+    <message>
+        <source>The curve is upright here.</source>
+        <translation>ここでは曲線が垂直です。</translation>
+    </message>
+    <message>
+        <source>slope %1</source>
+        <translation>傾き %1</translation>
+    </message>
+    <message>
+        <source>x from %1 to %2, one tick is %3; y from %4 to %5, one tick is %6</source>
+        <translation>x は %1 から %2、1 目盛りは %3。y は %4 から %5、1 目盛りは %6</translation>
     </message>
 </context>
 <context>

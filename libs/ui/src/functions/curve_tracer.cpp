@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "functions/curve_tracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "nazori/functions/dual.h"
+#include "nazori/functions/tape.h"
+
+namespace nazori::ui {
+namespace {
+
+using functions::Branch;
+using functions::CurvePlace;
+using functions::PlatePoint;
+using functions::PointOfInterest;
+using functions::StatementKind;
+using functions::Variable;
+using Slope = functions::Dual<double, 1>;
+
+double distance(PlatePoint a, PlatePoint b) { return std::hypot(a.u - b.u, a.v - b.v); }
+
+/// The parameter at a place on a piece of a branch.
+double parameter_at(const Branch& branch, const CurvePlace& place) {
+  const auto& p = branch.points[place.piece];
+  const auto& q = branch.points[(place.piece + 1) % branch.points.size()];
+  const double length = std::hypot(q.u - p.u, q.v - p.v);
+  const double share = length > 0 ? std::hypot(place.at.u - p.u, place.at.v - p.v) / length : 0;
+  return p.parameter + (q.parameter - p.parameter) * std::clamp(share, 0.0, 1.0);
+}
+
+Slope value_of(const functions::Expression& e, Variable v, double at) {
+  const std::array<functions::Expression, 1> outputs{e};
+  const std::array<Variable, 1> inputs{v};
+  const std::array<Slope, 1> values{Slope(at, 0)};
+  return functions::Tape::compile(outputs, inputs).evaluate_one<Slope>(values);
+}
+
+struct Position {
+  Slope x;
+  Slope y;
+};
+
+/// x and y as the expression itself gives them, with their slopes by the parameter.
+std::optional<Position> position_of(const functions::Statement& s, double parameter) {
+  switch (s.kind) {
+    case StatementKind::explicit_y:
+      return Position{Slope(parameter, 0), value_of(s.terms[0], Variable::x, parameter)};
+    case StatementKind::explicit_x:
+      return Position{value_of(s.terms[0], Variable::y, parameter), Slope(parameter, 0)};
+    case StatementKind::parametric:
+      return Position{value_of(s.terms[0], Variable::t, parameter),
+                      value_of(s.terms[1], Variable::t, parameter)};
+    case StatementKind::polar: {
+      const Slope r = value_of(s.terms[0], Variable::theta, parameter);
+      const double c = std::cos(parameter);
+      const double d = std::sin(parameter);
+      Position at{Slope(r.value * c), Slope(r.value * d)};
+      at.x.slopes[0] = r.slopes[0] * c - r.value * d;
+      at.y.slopes[0] = r.slopes[0] * d + r.value * c;
+      return at;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void CurveTracer::set_drawing(SharedDrawing drawing) {
+  drawing_ = std::move(drawing);
+  point_ = -1;
+  if (!place_) return;
+  const double x = place_->x;
+  const double y = place_->y;
+  place_.reset();
+  if (!drawing_) return;
+  const auto& window = tracing().window;
+  const PlatePoint was{window.u(x), window.v(y)};
+  if (was.u < 0 || was.u > 1 || was.v < 0 || was.v > 1) return;
+  if (auto near = nearest(was); near && distance(near->at, was) < 0.2) place_ = near;
+}
+
+std::optional<TracePlace> CurveTracer::nearest(PlatePoint hand) const {
+  if (!drawing_) return std::nullopt;
+  const auto on = functions::nearest_place(tracing(), hand);
+  if (!on) return std::nullopt;
+  TracePlace place = described(*on);
+  place.on->distance = on->distance;
+  return place;
+}
+
+TracePlace CurveTracer::described(const CurvePlace& on) const {
+  const Branch& branch = tracing().branches[on.branch];
+  const auto& window = tracing().window;
+  TracePlace place;
+  place.on = on;
+  place.at = on.at;
+  place.statement = branch.statement;
+  place.x = window.x(on.at.u);
+  place.y = window.y(on.at.v);
+  if (!branch.has_parameter) return place;
+  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(branch.statement)];
+  if (const auto exact = position_of(statement, parameter_at(branch, on))) {
+    const PlatePoint at{window.u(exact->x.value), window.v(exact->y.value)};
+    // Beside a hole or a jump the expression may have another value than the line.
+    if (distance(at, on.at) < 0.005) {
+      place.x = exact->x.value;
+      place.y = exact->y.value;
+    }
+  }
+  return place;
+}
+
+bool CurveTracer::runs_left(std::size_t branch) const {
+  const Branch& b = tracing().branches[branch];
+  if (b.closed || b.points.size() < 2) return false;
+  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(b.statement)];
+  // A curve with a parameter of its own is walked as the parameter grows.
+  if (statement.kind == StatementKind::parametric || statement.kind == StatementKind::polar)
+    return b.points.front().parameter > b.points.back().parameter;
+  return b.points.front().u > b.points.back().u;
+}
+
+std::vector<std::size_t> CurveTracer::order() const {
+  const auto& branches = tracing().branches;
+  std::vector<std::size_t> order;
+  std::vector<PlatePoint> corner;
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    PlatePoint low{2, 2};
+    bool inside = false;
+    for (const auto& p : branches[i].points) {
+      low.u = std::min(low.u, p.u);
+      low.v = std::min(low.v, p.v);
+      inside = inside || (p.u >= 0 && p.u <= 1 && p.v >= 0 && p.v <= 1);
+    }
+    corner.push_back(low);
+    if (inside && branches[i].points.size() > 1) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (branches[a].statement != branches[b].statement) return branches[a].statement < branches[b].statement;
+    if (std::abs(corner[a].u - corner[b].u) > 1e-9) return corner[a].u < corner[b].u;
+    return corner[a].v < corner[b].v;
+  });
+  return order;
+}
+
+CurvePlace CurveTracer::end_of(std::size_t branch, bool last) const {
+  const Branch& b = tracing().branches[branch];
+  CurvePlace place;
+  place.branch = branch;
+  if (last && !b.closed) {
+    place.piece = b.points.size() - 2;
+    place.at = {b.points.back().u, b.points.back().v};
+  } else {
+    place.at = {b.points.front().u, b.points.front().v};
+  }
+  return place;
+}
+
+bool CurveTracer::begin() {
+  if (!drawing_) return false;
+  if (place_ && place_->on) return true;
+  const auto near = nearest(place_ ? place_->at : PlatePoint{0.5, 0.5});
+  if (!near) return false;
+  place_ = near;
+  return true;
+}
+
+CurveTracer::Step CurveTracer::pass_end(Way way) {
+  const auto all = order();
+  const auto here = std::find(all.begin(), all.end(), place_->on->branch);
+  if (here == all.end()) return Step::end;
+  const auto index = here - all.begin() + static_cast<std::ptrdiff_t>(way);
+  if (index < 0 || index >= static_cast<std::ptrdiff_t>(all.size())) return Step::end;
+  const std::size_t next = all[static_cast<std::size_t>(index)];
+  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(place_->statement)];
+  // Only y = f(x) goes on from left to right where it was broken off.
+  if (tracing().branches[next].statement != place_->statement || statement.kind != StatementKind::explicit_y)
+    return Step::end;
+  place_ = described(end_of(next, (way == Way::back) != runs_left(next)));
+  return Step::next_branch;
+}
+
+CurveTracer::Step CurveTracer::step(Way way) {
+  const bool had = place_.has_value();
+  if (!begin()) return Step::end;
+  if (!had) return Step::done;
+  const double sign = (way == Way::on) != runs_left(place_->on->branch) ? 1 : -1;
+  const auto next = functions::step_along(tracing(), *place_->on, sign * kStep);
+  if (distance(next.at, place_->at) < 1e-9) return pass_end(way);
+  place_ = described(next);
+  return Step::done;
+}
+
+CurveTracer::Step CurveTracer::step_to_tick(Way way) {
+  if (!begin()) return Step::end;
+  const auto& window = tracing().window;
+  const double tick = functions::tick_step(window.x0, window.x1);
+  const double sign = (way == Way::on) != runs_left(place_->on->branch) ? 1 : -1;
+  constexpr double kFine = 0.001;
+  constexpr double kNear = 1e-9;
+  CurvePlace at = *place_->on;
+  const double tick_u = tick / (window.x1 - window.x0);
+  const double zero_u = window.u(0);
+  bool moved = false;
+  // Once round the longest curve is a thousand windows: enough.
+  for (int i = 0; i < 100'000; ++i) {
+    const CurvePlace next = functions::step_along(tracing(), at, sign * kFine);
+    if (distance(next.at, at.at) < kNear) break;
+    const double before = (at.at.u - zero_u) / tick_u;
+    const double after = (next.at.u - zero_u) / tick_u;
+    const double line = after > before ? std::floor(before + 1 + kNear) : std::ceil(before - 1 - kNear);
+    if (after > before ? line <= after : (after < before && line >= after)) {
+      const double share = (line - before) / (after - before);
+      const CurvePlace there = functions::step_along(tracing(), at, sign * kFine * share);
+      if (distance(there.at, place_->at) > kFine / 10) {
+        place_ = described(there);
+        stand_on_tick(line * tick);
+        return Step::done;
+      }
+    }
+    at = next;
+    moved = true;
+  }
+  if (!moved) return pass_end(way);
+  place_ = described(at);
+  return Step::end;
+}
+
+void CurveTracer::stand_on_tick(double x) {
+  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(place_->statement)];
+  if (statement.kind != StatementKind::explicit_y) return;
+  const double y = value_of(statement.terms[0], Variable::x, x).value;
+  if (!(std::abs(tracing().window.v(y) - place_->at.v) < 0.5 * kStep)) return;
+  place_->x = x;
+  place_->y = y;
+}
+
+void CurveTracer::go_to_end(Way way) {
+  if (!begin()) return;
+  const std::size_t branch = place_->on->branch;
+  place_ = described(end_of(branch, (way == Way::on) != runs_left(branch)));
+}
+
+bool CurveTracer::change_branch(Way way) {
+  if (!begin()) return false;
+  const auto all = order();
+  if (all.size() < 2) return false;
+  const auto here = std::find(all.begin(), all.end(), place_->on->branch);
+  const auto count = static_cast<std::ptrdiff_t>(all.size());
+  const auto from = here == all.end() ? 0 : here - all.begin();
+  const auto next = all[static_cast<std::size_t>((from + static_cast<std::ptrdiff_t>(way) + count) % count)];
+  const Branch& branch = tracing().branches[next];
+  // Straight up or down where it passes here, else its nearest point.
+  std::optional<CurvePlace> best;
+  double best_off = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+    const auto& p = branch.points[i];
+    const auto& q = branch.points[i + 1];
+    const double du = q.u - p.u;
+    const double share = du != 0 ? std::clamp((place_->at.u - p.u) / du, 0.0, 1.0) : 0.0;
+    const PlatePoint at{p.u + share * du, p.v + share * (q.v - p.v)};
+    const double off = std::abs(at.u - place_->at.u) * 1000 + std::abs(at.v - place_->at.v);
+    if (off < best_off) {
+      best_off = off;
+      best = CurvePlace{next, i, at, 0};
+    }
+  }
+  if (!best) return false;
+  best->at.u = std::clamp(best->at.u, 0.0, 1.0);
+  place_ = described(*best);
+  return true;
+}
+
+const PointOfInterest* CurveTracer::next_point(Way way) {
+  if (!drawing_ || drawing_->points.empty()) return nullptr;
+  const auto count = static_cast<std::ptrdiff_t>(drawing_->points.size());
+  if (point_ < 0 && way == Way::back) point_ = 0;
+  point_ = (point_ + static_cast<std::ptrdiff_t>(way) + count) % count;
+  const auto& point = drawing_->points[static_cast<std::size_t>(point_)];
+  go_to(point);
+  return &point;
+}
+
+void CurveTracer::go_to(const PointOfInterest& point) {
+  if (!drawing_) return;
+  for (std::size_t i = 0; i < drawing_->points.size(); ++i)
+    if (&drawing_->points[i] == &point) point_ = static_cast<std::ptrdiff_t>(i);
+  const auto& window = tracing().window;
+  // An asymptote has one coordinate; the other is the middle of the window.
+  const double x = std::isnan(point.x) ? window.x(0.5) : point.x;
+  const double y = std::isnan(point.y) ? window.y(0.5) : point.y;
+  TracePlace place;
+  place.at = {window.u(x), window.v(y)};
+  place.statement = point.statement;
+  if (const auto on = functions::nearest_place(tracing(), place.at, point.statement);
+      on && on->distance < 0.5 * kStep)
+    place.on = on;
+  place.x = x;
+  place.y = y;
+  place_ = place;
+}
+
+void CurveTracer::go_to(double x, double y) {
+  if (!drawing_) return;
+  const auto& window = tracing().window;
+  if (const auto near = nearest({window.u(x), window.v(y)})) place_ = near;
+}
+
+const PointOfInterest* CurveTracer::point_here() const {
+  if (!place_ || !drawing_) return nullptr;
+  const auto& window = tracing().window;
+  const PointOfInterest* best = nullptr;
+  double nearest_m = 0.5 * kStep + 1e-12;
+  for (const auto& point : drawing_->points) {
+    if (point.statement != place_->statement && point.other != place_->statement) continue;
+    if (std::isnan(point.x) || std::isnan(point.y)) continue;
+    const double off = distance({window.u(point.x), window.v(point.y)}, place_->at);
+    if (off < nearest_m) {
+      nearest_m = off;
+      best = &point;
+    }
+  }
+  return best;
+}
+
+std::optional<double> CurveTracer::slope() const {
+  if (!place_ || !place_->on) return std::nullopt;
+  const Branch& branch = tracing().branches[place_->on->branch];
+  const auto& window = tracing().window;
+  double dx = 0;
+  double dy = 0;
+  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(branch.statement)];
+  const auto exact = branch.has_parameter ? position_of(statement, parameter_at(branch, *place_->on))
+                                          : std::optional<Position>();
+  if (exact && std::isfinite(exact->x.slopes[0]) && std::isfinite(exact->y.slopes[0])) {
+    dx = exact->x.slopes[0];
+    dy = exact->y.slopes[0];
+  } else {
+    const auto& p = branch.points[place_->on->piece];
+    const auto& q = branch.points[(place_->on->piece + 1) % branch.points.size()];
+    dx = (q.u - p.u) * (window.x1 - window.x0);
+    dy = (q.v - p.v) * (window.y1 - window.y0);
+    if (std::abs(dx) < 1e-9 * (window.x1 - window.x0)) dx = 0;
+  }
+  if (dx == 0 && dy == 0) return std::nullopt;
+  return dx == 0 ? std::copysign(std::numeric_limits<double>::infinity(), dy) : dy / dx;
+}
+
+void CurveTracer::drop_beacon() {
+  if (!place_) return;
+  beacons_.push_back({place_->x, place_->y});
+  beacon_ = beacons_.size() - 1;
+}
+
+int CurveTracer::go_to_next_beacon() {
+  if (beacons_.empty() || !drawing_) return 0;
+  beacon_ = (beacon_ + 1) % beacons_.size();
+  go_to(beacons_[beacon_].x, beacons_[beacon_].y);
+  return static_cast<int>(beacon_) + 1;
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "action_set.h"
+
+namespace nazori::ui {
+
+/// What can be done in the workplace for functions.
+class FunctionActions final : public ActionSet {
+  Q_OBJECT
+ public:
+  explicit FunctionActions(QWidget* window);
+
+  QAction *expression, *points, *zoom_in, *zoom_out, *pan_left, *pan_right, *pan_up, *pan_down, *reset_window;
+  QAction *export_raw, *export_png, *export_print, *export_sound;
+  QAction *step_on, *step_back, *tick_on, *tick_back, *to_start, *to_end, *branch_on, *branch_back;
+  QAction *point_on, *point_back, *coordinates, *slope, *summary, *beacon, *next_beacon;
+  QAction *curve_on, *curve_back, *all_curves, *snap, *clear_ink;
+  QAction *hear, *stop, *faster, *slower, *louder, *quieter, *mute;
+
+  /// The action whose key works only while the keyboard is on the tablet (arrows, Home, End, Tab, Esc);
+  /// nullptr: none has this key.
+  [[nodiscard]] QAction* on_tablet(QKeyCombination key) const;
+
+ private:
+  QAction* make_on_tablet(const char* name, const QString& text, const QString& tip, const QString& key);
+  QList<QAction*> on_tablet_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "functions/plot_panel.h"
+
+#include <QAccessible>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFontInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "functions/expression_line.h"
+#include "functions/plot_words.h"
+#include "icons.h"
+#include "kanji_text.h"
+#include "palette.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kMargin = 16;
+constexpr double kTabletSide_mm = geometry::TabletShape{}.width_m * 1000;
+
+struct Example {
+  const char* expression;
+  functions::Window window;
+};
+
+constexpr double kPi = 3.14159265358979323846;
+const Example kExamples[] = {
+    {"y = sin x", {-5, 5, -5, 5}},
+    {"y = tan(x); y = sin x", {-6, 6, -4, 4}},
+    {"y = x^3 - 3x", {-3, 3, -4, 4}},
+    {"y = 1/x", {-5, 5, -5, 5}},
+    {"y = |x| - 1", {-3, 3, -2, 2}},
+    {"y = floor(x)", {-3.5, 3.5, -4.5, 4.5}},
+    {"y = e^x; y = ln x", {-4, 4, -4, 4}},
+    {"y = x^2; y = 2 - x^2", {-3, 3, -3, 5}},
+    {"x^2 + y^2 = 4", {-3, 3, -3, 3}},
+    {"y^2 = x^3 - x", {-2, 3, -3, 3}},
+    {"x = cos(3t); y = sin(2t); 0 <= t <= 2π", {-1.5, 1.5, -1.5, 1.5}},
+    {"r = 2cos(3θ); 0 <= θ <= π", {-2.5, 2.5, -2.5, 2.5}},
+    {"y > x^2", {-3, 3, -1, 5}},
+    {"z = sin(x) cos(y)", {-kPi, kPi, -kPi, kPi}},
+};
+
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("role", QStringLiteral("heading"));
+  return label;
+}
+
+QLabel* wrapped(const char* name, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QString::fromLatin1(name));
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+/// A number as it may be typed anywhere: "-2pi", "1/3", "1,5".
+double number_of(const QString& text) {
+  const auto plot = functions::parse(text.toStdString(), {uses_decimal_comma()});
+  if (!plot || plot->statements.size() != 1) return std::nan("");
+  const auto& statement = plot->statements.front();
+  if (statement.kind != functions::StatementKind::explicit_y ||
+      !functions::variables_of(statement.terms[0]).empty())
+    return std::nan("");
+  return functions::constant_value(statement.terms[0]);
+}
+
+}  // namespace
+
+PlotPanel::PlotPanel(QWidget* parent)
+    : QScrollArea(parent),
+      content_(new QWidget(this)),
+      line_(new ExpressionLine(content_)),
+      words_(wrapped("expression_words", content_)),
+      error_row_(new QWidget(content_)),
+      error_sign_(new QLabel(error_row_)),
+      error_(wrapped("expression_error", error_row_)),
+      progress_(new QProgressBar(content_)),
+      examples_(new QComboBox(content_)),
+      axes_(new QCheckBox(tr("&Axes"), content_)),
+      ticks_(new QCheckBox(tr("Tic&ks"), content_)),
+      grid_(new QCheckBox(tr("&Grid"), content_)),
+      rim_(new QCheckBox(tr("Ri&m"), content_)),
+      width_(new QDoubleSpinBox(content_)),
+      size_(new QComboBox(content_)),
+      volume_(new QSlider(Qt::Horizontal, content_)),
+      mute_(new QCheckBox(tr("No soun&d"), content_)) {
+  setObjectName(QStringLiteral("plot_panel"));
+  setAccessibleName(tr("Expression and window"));
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setWidgetResizable(true);
+  setFocusPolicy(Qt::NoFocus);
+  content_->setObjectName(QStringLiteral("plot_content"));
+
+  line_->setObjectName(QStringLiteral("expression"));
+  line_->setAccessibleName(tr("Expression"));
+  line_->setPlaceholderText(QStringLiteral("y = sin x"));
+  line_->setToolTip(tr("Several are separated by semicolons. Up and down: what was entered before"));
+  words_->setProperty("role", QStringLiteral("muted"));
+  words_->setAccessibleName(tr("The expression in words"));
+  auto* error_layout = new QHBoxLayout(error_row_);
+  error_layout->setContentsMargins(0, 0, 0, 0);
+  error_layout->addWidget(error_sign_, 0, Qt::AlignTop);
+  error_layout->addWidget(error_, 1);
+  error_row_->hide();
+  progress_->setObjectName(QStringLiteral("plot_progress"));
+  progress_->setAccessibleName(tr("Drawing"));
+  progress_->setRange(0, 100);
+  progress_->setTextVisible(false);
+  progress_->setMaximumHeight(6);
+  QSizePolicy keeps = progress_->sizePolicy();
+  keeps.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(keeps);
+  progress_->hide();
+
+  examples_->setObjectName(QStringLiteral("examples"));
+  examples_->setAccessibleName(tr("Examples"));
+  examples_->addItem(tr("Choose an example"));
+  for (const auto& example : kExamples) examples_->addItem(QString::fromUtf8(example.expression));
+  examples_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  examples_->setMinimumContentsLength(8);
+  connect(examples_, &QComboBox::activated, this, [this](int row) {
+    if (row > 0)
+      emit example_chosen(QString::fromUtf8(kExamples[row - 1].expression), kExamples[row - 1].window);
+  });
+
+  auto* column = new QVBoxLayout(content_);
+  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  column->setSpacing(8);
+  auto* title = heading(tr("E&xpression"), content_);
+  title->setBuddy(line_);
+  for (QWidget* widget :
+       {static_cast<QWidget*>(title), static_cast<QWidget*>(line_), static_cast<QWidget*>(progress_),
+        static_cast<QWidget*>(words_), static_cast<QWidget*>(error_row_), static_cast<QWidget*>(examples_)})
+    column->addWidget(widget);
+
+  column->addSpacing(8);
+  column->addWidget(heading(tr("Window"), content_));
+  auto* form = new QFormLayout;
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->setSpacing(6);
+  const QString names[] = {tr("x from"), tr("x to"), tr("y from"), tr("y to")};
+  const char* ids[] = {"window_x0", "window_x1", "window_y0", "window_y1"};
+  for (std::size_t i = 0; i < borders_.size(); ++i) {
+    borders_[i] = new QLineEdit(content_);
+    borders_[i]->setObjectName(QString::fromLatin1(ids[i]));
+    borders_[i]->setAccessibleName(names[i]);
+    connect(borders_[i], &QLineEdit::editingFinished, this, &PlotPanel::take_window);
+    form->addRow(names[i], borders_[i]);
+  }
+  column->addLayout(form);
+
+  column->addSpacing(8);
+  column->addWidget(heading(tr("On the plate"), content_));
+  axes_->setObjectName(QStringLiteral("layer_axes"));
+  ticks_->setObjectName(QStringLiteral("layer_ticks"));
+  grid_->setObjectName(QStringLiteral("layer_grid"));
+  rim_->setObjectName(QStringLiteral("layer_rim"));
+  for (auto* layer : {axes_, ticks_, grid_, rim_}) {
+    connect(layer, &QCheckBox::clicked, this, &PlotPanel::take_plate);
+    column->addWidget(layer);
+  }
+  auto* plate_form = new QFormLayout;
+  plate_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  plate_form->setSpacing(6);
+  width_->setObjectName(QStringLiteral("groove_width"));
+  width_->setAccessibleName(tr("Width of the grooves in millimetres"));
+  width_->setRange(0.4, 10);
+  width_->setSingleStep(0.1);
+  width_->setDecimals(1);
+  width_->setSuffix(tr(" mm"));
+  width_->setKeyboardTracking(false);
+  width_->setLocale(QLocale::system());
+  connect(width_, &QDoubleSpinBox::valueChanged, this, &PlotPanel::take_plate);
+  plate_form->addRow(tr("Groo&ves"), width_);
+  size_->setObjectName(QStringLiteral("plate_size"));
+  size_->setAccessibleName(tr("Samples a side"));
+  for (const int side : {128, 256, 512, 1024, 2048}) size_->addItem(tr("%1 × %1").arg(side), side);
+  connect(size_, &QComboBox::activated, this, &PlotPanel::take_plate);
+  plate_form->addRow(tr("Sam&ples"), size_);
+  column->addLayout(plate_form);
+
+  column->addSpacing(8);
+  auto* sound = heading(tr("Vol&ume"), content_);
+  sound->setBuddy(volume_);
+  column->addWidget(sound);
+  volume_->setObjectName(QStringLiteral("volume"));
+  volume_->setAccessibleName(tr("Volume"));
+  volume_->setRange(0, 100);
+  volume_->setPageStep(10);
+  connect(volume_, &QSlider::valueChanged, this, &PlotPanel::volume_changed);
+  column->addWidget(volume_);
+  mute_->setObjectName(QStringLiteral("no_sound"));
+  connect(mute_, &QCheckBox::clicked, this, &PlotPanel::mute_changed);
+  column->addWidget(mute_);
+  column->addStretch(1);
+  setWidget(content_);
+  viewport()->setAutoFillBackground(false);
+  content_->setAutoFillBackground(false);
+  connect(line_, &QLineEdit::textChanged, this, &PlotPanel::expression_typed);
+}
+
+void PlotPanel::show_words(const QString& words) {
+  line_->mark_error(0);
+  error_row_->hide();
+  words_->setText(words);
+  words_->show();
+  words_->setAccessibleDescription(words);
+  line_->setAccessibleDescription(words);
+  QAccessibleEvent changed(line_, QAccessible::DescriptionChanged);
+  QAccessible::updateAccessibility(&changed);
+}
+
+void PlotPanel::show_error(const functions::SyntaxError& error) {
+  line_->mark_error(error.column);
+  const QString text =
+      tr("Column %1: %2; %3.").arg(error.column).arg(localised(error.message), localised(error.expected));
+  error_->setText(text);
+  line_->setAccessibleDescription(text);
+  QAccessibleEvent changed(line_, QAccessible::DescriptionChanged);
+  QAccessible::updateAccessibility(&changed);
+  take_appearance();
+  words_->hide();
+  error_row_->show();
+}
+
+void PlotPanel::take_appearance() {
+  const int side = QFontInfo(font()).pixelSize() * 5 / 4;
+  error_sign_->setPixmap(sign(Icon::cross, current_colours().vermilion, side, devicePixelRatioF()));
+}
+
+void PlotPanel::show_window(const functions::Window& window) {
+  window_ = window;
+  const double values[] = {window.x0, window.x1, window.y0, window.y1};
+  for (std::size_t i = 0; i < borders_.size(); ++i) {
+    borders_[i]->setText(number_text(values[i], 10));
+    borders_[i]->setCursorPosition(0);
+    borders_[i]->setModified(false);
+  }
+}
+
+void PlotPanel::take_window() {
+  functions::Window typed = window_;
+  double* values[] = {&typed.x0, &typed.x1, &typed.y0, &typed.y1};
+  for (std::size_t i = 0; i < borders_.size(); ++i) {
+    if (!borders_[i]->isModified()) continue;
+    borders_[i]->setModified(false);
+    const double value = number_of(borders_[i]->text());
+    if (!std::isfinite(value)) {
+      emit window_refused(borders_[i]->text());
+      show_window(window_);
+      return;
+    }
+    *values[i] = value;
+  }
+  if (!(typed == window_)) emit window_typed(typed);
+}
+
+void PlotPanel::show_plate(const functions::PlateSettings& plate) {
+  plate_ = plate;
+  const QSignalBlocker quiet(width_);
+  axes_->setChecked(plate.layers.axes);
+  ticks_->setChecked(plate.layers.ticks);
+  grid_->setChecked(plate.layers.grid);
+  rim_->setChecked(plate.layers.rim);
+  width_->setValue(plate.half_width * 2 * kTabletSide_mm);
+  size_->setCurrentIndex(std::max(0, size_->findData(plate.size)));
+}
+
+void PlotPanel::take_plate() {
+  plate_.layers = {axes_->isChecked(), ticks_->isChecked(), grid_->isChecked(), rim_->isChecked()};
+  plate_.half_width = width_->value() / 2 / kTabletSide_mm;
+  plate_.size = size_->currentData().toInt();
+  emit plate_changed(plate_);
+}
+
+void PlotPanel::show_volume(int percent, bool muted) {
+  const QSignalBlocker quiet(volume_);
+  volume_->setValue(percent);
+  mute_->setChecked(muted);
+}
+
+void PlotPanel::show_progress(double done) {
+  progress_->setVisible(done >= 0);
+  if (done >= 0) progress_->setValue(static_cast<int>(std::lround(done * 100)));
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QScrollArea>
+#include <array>
+
+#include "nazori/functions/plate.h"
+#include "nazori/functions/plot.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QSlider;
+
+namespace nazori::ui {
+
+class ExpressionLine;
+
+/// The left panel: the expression with its echo, the window, what is shown on the plate, and the sound. It
+/// only shows and asks; the workplace decides.
+class PlotPanel final : public QScrollArea {
+  Q_OBJECT
+ public:
+  explicit PlotPanel(QWidget* parent = nullptr);
+
+  [[nodiscard]] ExpressionLine* line() const { return line_; }
+
+  void show_words(const QString& words);
+  /// Marks the place and says what is wrong; the last words go.
+  void show_error(const functions::SyntaxError& error);
+  void show_window(const functions::Window& window);
+  void show_plate(const functions::PlateSettings& plate);
+  void show_volume(int percent, bool muted);
+  /// 0 to 1; below 0: nothing is being drawn.
+  void show_progress(double done);
+  /// The colours are others now.
+  void take_appearance();
+
+ signals:
+  void expression_typed(QString expression);
+  void example_chosen(QString expression, nazori::functions::Window window);
+  void window_typed(nazori::functions::Window window);
+  /// A border that is no number. @param text  what stands there.
+  void window_refused(QString text);
+  void plate_changed(nazori::functions::PlateSettings plate);
+  void volume_changed(int percent);
+  void mute_changed(bool muted);
+
+ private:
+  void take_window();
+  void take_plate();
+
+  QWidget* content_;
+  ExpressionLine* line_;
+  QLabel* words_;
+  QWidget* error_row_;
+  QLabel* error_sign_;
+  QLabel* error_;
+  QProgressBar* progress_;
+  QComboBox* examples_;
+  std::array<QLineEdit*, 4> borders_{};  ///< x0, x1, y0, y1
+  QCheckBox* axes_;
+  QCheckBox* ticks_;
+  QCheckBox* grid_;
+  QCheckBox* rim_;
+  QDoubleSpinBox* width_;
+  QComboBox* size_;
+  QSlider* volume_;
+  QCheckBox* mute_;
+  functions::Window window_;
+  functions::PlateSettings plate_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+#include "functions/curve_tracer.h"
+
+namespace nazori::ui {
+
+/// The language of the interface as the room of functions knows it.
+[[nodiscard]] functions::Language plot_language();
+/// Whether the learner's desktop writes 1,5.
+[[nodiscard]] bool uses_decimal_comma();
+
+/// Words and numbers from the room of functions with the learner's decimal sign.
+[[nodiscard]] QString localised(const std::string& words);
+/// A number for the eye, in `digits` significant digits.
+[[nodiscard]] QString number_text(double value, int digits = 6);
+/// A coordinate for the eye: "π/2 ≈ 1.571", the number alone where no exact name is known.
+[[nodiscard]] QString coordinate_text(double value, const std::string& exact_name);
+
+/// For the ear: "x = 1.5; y = minus 2".
+[[nodiscard]] QString place_words(const TracePlace& place);
+[[nodiscard]] QString point_words(const functions::PointOfInterest& point);
+[[nodiscard]] QString kind_words(functions::PointKind kind);
+[[nodiscard]] QString slope_words(double slope);
+/// "x from minus 6 to 6, one tick is 1; y from minus 4 to 4, one tick is 1".
+[[nodiscard]] QString window_words(const functions::Window& window);
+
+}  // namespace nazori::ui

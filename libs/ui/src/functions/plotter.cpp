@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "functions/plotter.h"
+
+#include <QElapsedTimer>
+#include <algorithm>
+
+#include "nazori/functions/tablet_curves.h"
+#include "nazori/geometry/polyline.h"
+
+namespace nazori::ui {
+namespace {
+
+/// More pieces than anyone can feel one by one only slow the servo down; the longest are kept.
+constexpr std::size_t kMostLines = 300;
+constexpr int kProgressStep_ms = 50;
+
+base::Result<std::shared_ptr<Drawing>> finish(const PlotRequest& request, functions::Picture&& picture,
+                                              bool final) {
+  auto drawing = std::make_shared<Drawing>();
+  drawing->asked = request;
+  drawing->picture = std::move(picture);
+  drawing->final = final;
+  const auto& plate = drawing->picture.plate;
+  const geometry::TabletShape shape;
+  auto curves = functions::tablet_curves(drawing->picture.tracing, plate.heights.size(), shape);
+  if (curves.size() > kMostLines) {
+    std::stable_sort(curves.begin(), curves.end(), [](const auto& a, const auto& b) {
+      return geometry::arc_length<geometry::TabletFrame>(a.points) >
+             geometry::arc_length<geometry::TabletFrame>(b.points);
+    });
+    curves.resize(kMostLines);
+  }
+  std::vector<kanji::StrokeLine> lines;
+  for (const auto& curve : curves) {
+    kanji::StrokeLine line;
+    for (const auto point : curve.points) line.points.push_back(geometry::tablet_to_glyph(point, shape));
+    lines.push_back(std::move(line));
+    drawing->statements.push_back(curve.statement);
+  }
+  auto carved = tablet::CarvedTablet::from_height_map(plate.heights, std::move(lines), shape);
+  if (!carved) return tl::unexpected(std::move(carved.error()));
+  drawing->tablet = std::move(*carved);
+  if (final) {
+    const auto& tracing = drawing->picture.tracing;
+    drawing->points = functions::points_of_interest(request.plot, tracing);
+    drawing->summary = functions::summary(request.plot, tracing, drawing->points, request.language);
+  }
+  return drawing;
+}
+
+}  // namespace
+
+Plotter::Plotter(QObject* parent) : QObject(parent) {}
+
+// Without this the destructor would wait until the drawing at hand is done.
+Plotter::~Plotter() { ++newest_; }
+
+void Plotter::draw(const PlotRequest& request) {
+  const std::uint64_t ticket = ++newest_;
+  busy_ = true;
+  worker_.post([this, request, ticket] {
+    const auto wanted = [this, ticket] { return newest_.load() == ticket; };
+    if (!wanted()) return;
+    QElapsedTimer since_told;
+    since_told.start();
+    base::Result<void> carved;
+    const auto show = [&](functions::Picture&& picture, bool final) {
+      auto drawing = finish(request, std::move(picture), final);
+      if (!drawing) {
+        carved = tl::unexpected(std::move(drawing.error()));
+        return false;
+      }
+      worker_.answer([this, ticket, shown = SharedDrawing(std::move(*drawing))] {
+        if (newest_.load() == ticket) emit drawn(shown);
+      });
+      return wanted();
+    };
+    const auto progress = [&](double done, std::string_view) {
+      if (since_told.elapsed() >= kProgressStep_ms) {
+        since_told.restart();
+        worker_.answer([this, ticket, done] {
+          if (newest_.load() == ticket) emit progressed(done);
+        });
+      }
+      return wanted();
+    };
+    auto result = functions::draw_coarse_to_fine(request.plot, request.window, request.plate, show, progress);
+    if (!carved) result = std::move(carved);
+    worker_.answer([this, ticket, result] {
+      if (newest_.load() != ticket) return;
+      rest(ticket);
+      if (!result && result.error().code != base::Errc::cancelled) emit failed(result.error());
+    });
+  });
+}
+
+void Plotter::rest(std::uint64_t ticket) {
+  if (newest_.load() != ticket) return;
+  busy_ = false;
+  emit rested();
+}
+
+void Plotter::stop() {
+  if (!busy_) return;
+  rest(++newest_);
+}
+
+}  // namespace nazori::ui

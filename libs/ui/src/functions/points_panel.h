@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "functions/plotter.h"
+
+class QLabel;
+class QTableWidget;
+
+namespace nazori::ui {
+
+/// What is remarkable about a plot: one sentence, and a table of its points of interest.
+class PointsPanel final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PointsPanel(QWidget* parent = nullptr);
+
+  void show_drawing(const SharedDrawing& drawing);
+  void set_current(int row);
+  void focus_table();
+
+ signals:
+  /// A row was clicked or entered.
+  void point_chosen(int row);
+
+ private:
+  QLabel* summary_;
+  QLabel* caption_;
+  QTableWidget* table_;
+  QLabel* empty_;
+};
+
+}  // namespace nazori::ui

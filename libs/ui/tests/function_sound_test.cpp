@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "functions/function_sound.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+namespace nazori::ui {
+namespace {
+
+/// SDL takes the driver that this variable names.
+class WithDriver {
+ public:
+  explicit WithDriver(const char* name) : before_(qgetenv("SDL_AUDIODRIVER")) {
+    qputenv("SDL_AUDIODRIVER", name);
+  }
+  ~WithDriver() {
+    if (before_.isNull())
+      qunsetenv("SDL_AUDIODRIVER");
+    else
+      qputenv("SDL_AUDIODRIVER", before_);
+  }
+  WithDriver(const WithDriver&) = delete;
+  WithDriver& operator=(const WithDriver&) = delete;
+
+ private:
+  QByteArray before_;
+};
+
+functions::Sound half_a_second() {
+  functions::Sound sound;
+  sound.samples.assign(44'100, 0.1F);
+  return sound;
+}
+
+TEST(FunctionSound, WithoutASoundCardOneMessageIsGivenAndAllElseGoesOn) {
+  const WithDriver none("no such driver");
+  FunctionSound sound;
+  QSignalSpy said(&sound, &FunctionSound::unavailable);
+  sound.play(half_a_second());
+  sound.sign(functions::PointKind::zero, 0);
+  sound.touch({440, 0, 0, 1});
+  sound.play(half_a_second());
+  EXPECT_EQ(said.count(), 1);
+  EXPECT_FALSE(sound.is_playing());
+  sound.stop();
+}
+
+TEST(FunctionSound, ASweepPlaysToItsEnd) {
+  const WithDriver dummy("dummy");
+  FunctionSound sound;
+  sound.play(half_a_second());
+  EXPECT_TRUE(sound.is_playing());
+  EXPECT_TRUE(QTest::qWaitFor([&sound] { return !sound.is_playing(); }, 20000));
+}
+
+TEST(FunctionSound, StopEndsASweepAtOnce) {
+  const WithDriver dummy("dummy");
+  FunctionSound sound;
+  functions::Sound minute;
+  minute.samples.assign(60 * 2 * 44'100, 0.1F);
+  sound.play(minute);
+  sound.play(minute);
+  EXPECT_TRUE(sound.is_playing());
+  sound.stop();
+  EXPECT_FALSE(sound.is_playing());
+}
+
+TEST(FunctionSound, MutedItDoesNotEvenAskForASoundCard) {
+  const WithDriver none("no such driver");
+  FunctionSound sound;
+  sound.set_muted(true);
+  QSignalSpy said(&sound, &FunctionSound::unavailable);
+  sound.play(half_a_second());
+  sound.touch({440, 0, 0, 1});
+  EXPECT_EQ(said.count(), 0);
+  EXPECT_FALSE(sound.is_playing());
+}
+
+TEST(FunctionSound, TheVolumeIsHeldBetweenNothingAndAll) {
+  FunctionSound sound;
+  sound.set_volume(120);
+  EXPECT_EQ(sound.volume(), 100);
+  sound.set_volume(-1);
+  EXPECT_EQ(sound.volume(), 0);
+}
+
+}  // namespace
+}  // namespace nazori::ui

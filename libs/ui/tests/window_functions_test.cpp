@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QAccessible>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QSettings>
+#include <QSlider>
+#include <QTableWidget>
+#include <cmath>
+
+#include "characters/characters.h"
+#include "functions/expression_line.h"
+#include "functions/functions_workplace.h"
+#include "nazori/functions/print_picture.h"
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+FunctionsWorkplace* made = nullptr;
+
+class FunctionsWindow : public WindowTest {
+ protected:
+  FunctionsWindow() {
+    workplaces_ = {
+        [](Desk& desk) -> std::unique_ptr<Workplace> { return std::make_unique<Characters>(desk); },
+        [](Desk& desk) -> std::unique_ptr<Workplace> {
+          auto place = std::make_unique<FunctionsWorkplace>(desk);
+          made = place.get();
+          return place;
+        }};
+    qputenv("SDL_AUDIODRIVER", "dummy");
+  }
+
+  void SetUp() override {
+    WindowTest::SetUp();
+    press(Qt::Key_2, Qt::AltModifier);
+    ASSERT_TRUE(wait_for_drawing());
+  }
+
+  bool wait_for_drawing() {
+    return QTest::qWaitFor([] { return made->shown() && made->shown()->final && !made->is_drawing(); },
+                           30000);
+  }
+
+  void type(const QString& expression) {
+    auto* line = find<QLineEdit>("expression");
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, expression);
+    ASSERT_TRUE(wait_for_drawing());
+  }
+
+  void window(double x0, double x1, double y0, double y1) {
+    const std::pair<const char*, double> borders[] = {
+        {"window_x0", x0}, {"window_x1", x1}, {"window_y0", y0}, {"window_y1", y1}};
+    for (const auto& [name, value] : borders) {
+      auto* border = find<QLineEdit>(name);
+      border->setFocus();
+      border->selectAll();
+      QTest::keyClicks(border, QString::number(value));
+      QTest::keyClick(border, Qt::Key_Return);
+    }
+    ASSERT_TRUE(wait_for_drawing());
+  }
+
+  void to_tablet() {
+    find("tablet")->setFocus();
+    QCoreApplication::processEvents();
+  }
+
+  [[nodiscard]] const Drawing& shown() const { return *made->shown(); }
+};
+
+TEST_F(FunctionsWindow, AnExpressionIsCarvedWhileItIsTyped) {
+  type(QStringLiteral("y = x^2"));
+  EXPECT_EQ(shown().asked.plot.statements.size(), 1U);
+  EXPECT_EQ(text("expression_words"), QStringLiteral("y equals x squared"));
+  EXPECT_TRUE(text("plot_summary").startsWith(QStringLiteral("y equals x squared: 1 piece")))
+      << text("plot_summary").toStdString();
+  EXPECT_EQ(window_->windowTitle(), QStringLiteral("y = x^2 – Nazori"));
+  // Where the parabola is the plate is cut, beside it not. (Window -6..6 by -4..4, samples from the top.)
+  const auto& map = shown().tablet->height_map();
+  const auto at = [&map](double x, double y) {
+    const double n = map.size();
+    return map.at(static_cast<int>((x + 6) / 12 * n), static_cast<int>((4 - y) / 8 * n));
+  };
+  EXPECT_LT(at(1.01, 1.01), 0.2F);
+  EXPECT_GT(at(1, 3), 0.85F);
+}
+
+TEST_F(FunctionsWindow, AnErrorNamesColumnAndExpectationAndThePlateStays) {
+  type(QStringLiteral("y = x"));
+  const auto before = made->shown();
+  auto* line = find<ExpressionLine>("expression");
+  QTest::keyClicks(line, QStringLiteral(" +"));
+  EXPECT_EQ(line->marked_column(), 8);
+  EXPECT_TRUE(find("expression_error")->isVisible());
+  EXPECT_TRUE(text("expression_error").startsWith(QStringLiteral("Column 8: ")))
+      << text("expression_error").toStdString();
+  EXPECT_TRUE(text("expression_error").contains(QStringLiteral("expected")));
+  QTest::qWait(200);
+  EXPECT_EQ(made->shown(), before);
+  QTest::keyClick(line, Qt::Key_Return);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Column 8: ")));
+  QTest::keyClicks(line, QStringLiteral(" 1"));
+  EXPECT_EQ(line->marked_column(), 0);
+  EXPECT_FALSE(find("expression_error")->isVisible());
+  ASSERT_TRUE(wait_for_drawing());
+  EXPECT_NE(made->shown(), before);
+}
+
+TEST_F(FunctionsWindow, EveryAsymptoteOfTheTangentStandsInTheTable) {
+  type(QStringLiteral("y = tan(x)"));
+  auto* table = find<QTableWidget>("points_table");
+  int asymptotes = 0;
+  QStringList places;
+  for (int row = 0; row < table->rowCount(); ++row)
+    if (table->item(row, 0)->text() == QLatin1String("vertical asymptote")) {
+      ++asymptotes;
+      places.append(table->item(row, 1)->text());
+    }
+  EXPECT_EQ(asymptotes, 4);
+  EXPECT_TRUE(places.contains(QStringLiteral("π/2 ≈ 1.571"))) << places.join(u'|').toStdString();
+}
+
+TEST_F(FunctionsWindow, ARowOfTheTableIsGoneToWithEnterAndTold) {
+  type(QStringLiteral("y = x^2 - 1"));
+  press(Qt::Key_T, Qt::ControlModifier);
+  auto* table = find<QTableWidget>("points_table");
+  ASSERT_TRUE(table->hasFocus());
+  for (int row = 0; row < table->rowCount(); ++row) {
+    if (table->item(row, 0)->text() != QLatin1String("minimum")) continue;
+    table->setCurrentCell(row, 0);
+    QTest::keyClick(table, Qt::Key_Return);
+    ASSERT_TRUE(made->place());
+    EXPECT_DOUBLE_EQ(made->place()->x, 0);
+    EXPECT_DOUBLE_EQ(made->place()->y, -1);
+    EXPECT_EQ(feedback(), QStringLiteral("minimum at x = 0; y = minus 1."));
+    return;
+  }
+  FAIL() << "no minimum in the table";
+}
+
+TEST_F(FunctionsWindow, ArrowsWalkAlongTheCurveOnlyFromTheTablet) {
+  type(QStringLiteral("y = x"));
+  press(Qt::Key_Right);
+  EXPECT_FALSE(made->place());
+  to_tablet();
+  press(Qt::Key_Right);
+  ASSERT_TRUE(made->place());
+  const double x = made->place()->x;
+  press(Qt::Key_Right);
+  EXPECT_GT(made->place()->x, x);
+  press(Qt::Key_Left);
+  EXPECT_NEAR(made->place()->x, x, 1e-9);
+  EXPECT_TRUE(feedback().contains(QStringLiteral("x = "))) << feedback().toStdString();
+  press(Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_NEAR(std::remainder(made->place()->x, 1.0), 0, 1e-3);
+  press(Qt::Key_End);
+  EXPECT_GT(made->place()->x, 3.9);
+  press(Qt::Key_Home);
+  EXPECT_LT(made->place()->x, -3.9);
+}
+
+TEST_F(FunctionsWindow, TabGoesFromPointToPointOnTheTabletAndFromFieldToFieldElsewhere) {
+  type(QStringLiteral("y = x^2 - 1"));
+  to_tablet();
+  press(Qt::Key_Tab);
+  ASSERT_TRUE(made->place());
+  EXPECT_TRUE(find("tablet")->hasFocus());
+  const double first = made->place()->x;
+  press(Qt::Key_Tab);
+  press(Qt::Key_Backtab, Qt::ShiftModifier);
+  EXPECT_DOUBLE_EQ(made->place()->x, first);
+  press(Qt::Key_L, Qt::ControlModifier);
+  EXPECT_TRUE(find("expression")->hasFocus());
+  press(Qt::Key_Tab);
+  EXPECT_FALSE(find("expression")->hasFocus());
+  EXPECT_DOUBLE_EQ(made->place()->x, first);
+}
+
+TEST_F(FunctionsWindow, CoordinatesSlopeSummaryAndBeaconsAreTold) {
+  type(QStringLiteral("y = 2x"));
+  to_tablet();
+  press(Qt::Key_Right);
+  press(Qt::Key_Right, Qt::ControlModifier);
+  press(Qt::Key_C);
+  EXPECT_TRUE(feedback().contains(QStringLiteral("x = 1; y = 2"))) << feedback().toStdString();
+  press(Qt::Key_D);
+  EXPECT_EQ(feedback(), QStringLiteral("slope 2"));
+  press(Qt::Key_B);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Beacon 1 is here"))) << feedback().toStdString();
+  press(Qt::Key_Home);
+  press(Qt::Key_G);
+  EXPECT_NEAR(made->place()->x, 1, 1e-3);
+  press(Qt::Key_S);
+  EXPECT_TRUE(feedback().contains(QStringLiteral("x from minus 6 to 6, one tick is ")))
+      << feedback().toStdString();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("y equals 2"))) << feedback().toStdString();
+}
+
+TEST_F(FunctionsWindow, ZoomIsAboutThePointAndDrawsAnew) {
+  type(QStringLiteral("y = x^2 - 1"));
+  to_tablet();
+  press(Qt::Key_Tab);
+  const double x = made->place()->x;
+  const auto before = shown().asked.window;
+  press(Qt::Key_Z);
+  ASSERT_TRUE(wait_for_drawing());
+  const auto after = shown().asked.window;
+  EXPECT_NEAR(after.x1 - after.x0, (before.x1 - before.x0) / 2, 1e-12);
+  EXPECT_NEAR(after.u(x), before.u(x), 1e-12);
+  press(Qt::Key_Z, Qt::ShiftModifier);
+  press(Qt::Key_Right, Qt::ShiftModifier);
+  ASSERT_TRUE(wait_for_drawing());
+  EXPECT_NEAR(shown().asked.window.x0, -3, 1e-12);
+  press(Qt::Key_W);
+  ASSERT_TRUE(wait_for_drawing());
+  EXPECT_EQ(shown().asked.window, (functions::Window{-6, 6, -4, 4}));
+}
+
+TEST_F(FunctionsWindow, BordersAreTypedAsNumbersOrExpressions) {
+  auto* border = find<QLineEdit>("window_x1");
+  border->setFocus();
+  border->selectAll();
+  QTest::keyClicks(border, QStringLiteral("2pi"));
+  QTest::keyClick(border, Qt::Key_Return);
+  ASSERT_TRUE(wait_for_drawing());
+  EXPECT_NEAR(shown().asked.window.x1, 2 * 3.14159265358979, 1e-12);
+  border->setFocus();
+  border->selectAll();
+  QTest::keyClicks(border, QStringLiteral("-7"));
+  QTest::keyClick(border, Qt::Key_Return);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("This window cannot be shown")))
+      << feedback().toStdString();
+  border->selectAll();
+  QTest::keyClicks(border, QStringLiteral("wide"));
+  QTest::keyClick(border, Qt::Key_Return);
+  EXPECT_TRUE(feedback().contains(QStringLiteral("is no number"))) << feedback().toStdString();
+  EXPECT_NEAR(shown().asked.window.x1, 2 * 3.14159265358979, 1e-12);
+}
+
+TEST_F(FunctionsWindow, CurvesHoldTheStylusAsStrokesDo) {
+  type(QStringLiteral("y = 1; y = -1"));
+  EXPECT_EQ(shown().tablet->lines().size(), 2U);
+  EXPECT_EQ(shown().tablet->paths().size(), 2U);
+  // The second curve, y = -1 of -4..4, lies an eighth of the tablet below its middle.
+  const auto& path = shown().tablet->paths()[1];
+  for (const auto& point : path.points) EXPECT_NEAR(point.y, -0.0125, 0.0002);
+  to_tablet();
+  press(Qt::Key_F);
+  EXPECT_TRUE(action("plot_snap")->isChecked());
+  press(Qt::Key_Period);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Piece 1 of 2: y equals 1"))) << feedback().toStdString();
+  press(Qt::Key_Period);
+  press(Qt::Key_Period);
+  EXPECT_EQ(feedback(), QStringLiteral("2 pieces"));
+}
+
+TEST_F(FunctionsWindow, NumbersAndArrowsOfCharactersAreAsTheyWereOnComingBack) {
+  press(Qt::Key_1, Qt::AltModifier);
+  EXPECT_TRUE(action("numbers")->isChecked());
+  EXPECT_FALSE(action("snap")->isChecked());
+  press(Qt::Key_2, Qt::AltModifier);
+  press(Qt::Key_F);
+  press(Qt::Key_1, Qt::AltModifier);
+  EXPECT_TRUE(action("numbers")->isChecked());
+  EXPECT_TRUE(action("arrows")->isChecked());
+  EXPECT_FALSE(action("snap")->isChecked());
+}
+
+TEST_F(FunctionsWindow, APlotIsSavedAndOpenedAgain) {
+  type(QStringLiteral("y = x^3 - 3x"));
+  window(-3, 3, -4, 4);
+  find<QCheckBox>("layer_grid")->click();
+  ASSERT_TRUE(wait_for_drawing());
+  const QString path = folder_.filePath(QStringLiteral("cubic.json"));
+  made->write(PlotFile::document, path);
+  ASSERT_TRUE(QTest::qWaitFor([&path] { return QFile::exists(path); }, 10000));
+  type(QStringLiteral("y = 1"));
+  press(Qt::Key_1, Qt::AltModifier);
+  window_->open_files({path});
+  ASSERT_TRUE(
+      QTest::qWaitFor([] { return made->shown()->final && made->shown()->asked.window.x1 == 3; }, 30000));
+  ASSERT_TRUE(wait_for_drawing());
+  EXPECT_EQ(find<QLineEdit>("expression")->text(), QStringLiteral("y = x^3 - 3x"));
+  EXPECT_TRUE(find<QCheckBox>("layer_grid")->isChecked());
+  EXPECT_TRUE(shown().asked.plate.layers.grid);
+}
+
+TEST_F(FunctionsWindow, AFileThatIsNoPlotLeavesThePlateAsItIs) {
+  const auto before = made->shown();
+  const QString path = folder_.filePath(QStringLiteral("other.json"));
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"nazori_plot\": 1}");
+  file.close();
+  window_->open_files({path});
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("other.json was not opened"))) << feedback().toStdString();
+  EXPECT_EQ(made->shown(), before);
+}
+
+TEST_F(FunctionsWindow, HeightMapsPrintsAndSoundsAreWritten) {
+  type(QStringLiteral("y = x"));
+  const std::pair<PlotFile, const char*> kinds[] = {{PlotFile::raw, "plot.raw"},
+                                                    {PlotFile::png, "plot.png"},
+                                                    {PlotFile::print, "print.png"},
+                                                    {PlotFile::sound, "plot.wav"}};
+  for (const auto& [kind, name] : kinds) {
+    const QString path = folder_.filePath(QString::fromLatin1(name));
+    made->write(kind, path);
+    ASSERT_TRUE(QTest::qWaitFor([&path] { return QFile::exists(path); }, 30000)) << name;
+  }
+  const auto raw = surface::load_raw(folder_.filePath(QStringLiteral("plot.raw")).toStdString());
+  ASSERT_TRUE(raw);
+  EXPECT_EQ(raw->size(), 512);
+  const auto png = surface::load_png(folder_.filePath(QStringLiteral("plot.png")).toStdString());
+  ASSERT_TRUE(png);
+  EXPECT_NEAR(png->at(100, 100), shown().picture.plate.heights.at(100, 100), 1.0 / 65535);
+  const auto print = surface::load_png(folder_.filePath(QStringLiteral("print.png")).toStdString());
+  ASSERT_TRUE(print);
+  for (const float sample : print->samples()) ASSERT_TRUE(sample == 0.0F || sample == 1.0F);
+}
+
+TEST_F(FunctionsWindow, WhatWasTypedAndSetIsThereAgainAfterARestart) {
+  type(QStringLiteral("y = x/2"));
+  press(Qt::Key_Return);
+  find<QSlider>("volume")->setValue(30);
+  find<QCheckBox>("layer_axes")->click();
+  to_tablet();
+  press(Qt::Key_M);
+  press(Qt::Key_Plus);
+  window_->close();
+  QSettings saved(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat);
+  saved.beginGroup(QStringLiteral("functions"));
+  EXPECT_EQ(saved.value(QStringLiteral("expression")).toString(), QStringLiteral("y = x/2"));
+  EXPECT_EQ(saved.value(QStringLiteral("volume")).toInt(), 30);
+  EXPECT_TRUE(saved.value(QStringLiteral("muted")).toBool());
+  EXPECT_FALSE(saved.value(QStringLiteral("axes")).toBool());
+  EXPECT_EQ(saved.value(QStringLiteral("speed")).toInt(), 3);
+  open_window(U'休');
+  press(Qt::Key_2, Qt::AltModifier);
+  ASSERT_TRUE(wait_for_drawing());
+  auto* line = find<ExpressionLine>("expression");
+  EXPECT_EQ(line->text(), QStringLiteral("y = x/2"));
+  EXPECT_EQ(line->history(), QStringList{QStringLiteral("y = x/2")});
+  EXPECT_EQ(find<QSlider>("volume")->value(), 30);
+  EXPECT_TRUE(action("sound_mute")->isChecked());
+  EXPECT_FALSE(find<QCheckBox>("layer_axes")->isChecked());
+}
+
+TEST_F(FunctionsWindow, AnExampleIsAPlotWithItsWindow) {
+  auto* examples = find<QComboBox>("examples");
+  examples->setFocus();
+  examples->setCurrentIndex(1);
+  emit examples->activated(1);
+  ASSERT_TRUE(wait_for_drawing());
+  EXPECT_EQ(find<QLineEdit>("expression")->text(), QStringLiteral("y = sin x"));
+  EXPECT_EQ(shown().asked.window, (functions::Window{-5, 5, -5, 5}));
+}
+
+TEST_F(FunctionsWindow, EveryExampleCanBeReadAndDrawn) {
+  auto* examples = find<QComboBox>("examples");
+  for (int row = 1; row < examples->count(); ++row) {
+    emit examples->activated(row);
+    ASSERT_TRUE(wait_for_drawing()) << row;
+    EXPECT_EQ(find<ExpressionLine>("expression")->marked_column(), 0)
+        << examples->itemText(row).toStdString();
+    EXPECT_EQ(window_->windowTitle(), examples->itemText(row) + QStringLiteral(" – Nazori"));
+  }
+}
+
+TEST_F(FunctionsWindow, ANewerExpressionStopsAnOlderOne) {
+  auto* line = find<QLineEdit>("expression");
+  // Takes a second and more.
+  line->setText(QStringLiteral("e^(sin x + cos y) = sin(e^(x + y))"));
+  line->setText(QStringLiteral("y = 1"));
+  ASSERT_TRUE(wait_for_drawing());
+  EXPECT_EQ(shown().asked.plot.statements[0].kind, functions::StatementKind::explicit_y);
+}
+
+TEST_F(FunctionsWindow, NoKeyIsGivenTwiceAndEveryFieldHasAName) {
+  QStringList keys;
+  for (const auto* entry : window_->findChildren<QAction*>())
+    if (entry->isVisible())
+      for (const auto& key : entry->shortcuts()) keys.append(key.toString());
+  QStringList once = keys;
+  once.removeDuplicates();
+  for (const auto& key : once) EXPECT_EQ(keys.count(key), 1) << key.toStdString();
+  for (const char* panel : {"plot_panel", "points_panel"})
+    for (auto* widget : find(panel)->findChildren<QWidget*>()) {
+      if ((widget->focusPolicy() & Qt::TabFocus) == 0 || !widget->isVisible()) continue;
+      auto* accessible = QAccessible::queryAccessibleInterface(widget);
+      ASSERT_NE(accessible, nullptr);
+      EXPECT_FALSE(accessible->text(QAccessible::Name).isEmpty())
+          << widget->metaObject()->className() << ' ' << widget->objectName().toStdString();
+    }
+}
+
+TEST_F(FunctionsWindow, NothingIsWiderThanItsPanelInTheLargestText) {
+  for (int i = 0; i < 8; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
+  QCoreApplication::processEvents();
+  auto* panel = find("plot_panel");
+  for (auto* widget : panel->findChildren<QWidget*>()) {
+    if (!widget->isVisible()) continue;
+    const int right = widget->mapTo(panel, QPoint(widget->width(), 0)).x();
+    EXPECT_LE(right, panel->width()) << widget->metaObject()->className() << ' '
+                                     << widget->objectName().toStdString();
+    if (const auto* box = qobject_cast<QCheckBox*>(widget))
+      EXPECT_GE(box->width(), box->sizeHint().width()) << box->text().toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace nazori::ui
