@@ -410,8 +410,9 @@ TEST_F(FunctionsWindow, NothingIsWiderThanItsPanelInTheLargestText) {
     const int right = widget->mapTo(panel, QPoint(widget->width(), 0)).x();
     EXPECT_LE(right, panel->width()) << widget->metaObject()->className() << ' '
                                      << widget->objectName().toStdString();
-    if (const auto* box = qobject_cast<QCheckBox*>(widget))
+    if (const auto* box = qobject_cast<QCheckBox*>(widget)) {
       EXPECT_GE(box->width(), box->sizeHint().width()) << box->text().toStdString();
+    }
   }
 }
 
