@@ -8,7 +8,7 @@
 namespace nazori::ui {
 namespace {
 
-constexpr int kSettled_ms = 2000;
+constexpr int kSettled_ms = 10'000;
 
 }  // namespace
 

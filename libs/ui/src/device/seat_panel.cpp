@@ -3,7 +3,6 @@
 
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -115,7 +114,6 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
                          tr("wipe the ink off")};
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     const QString name = i == 0 ? tr("First button") : tr("Second button");
-    auto* row = new QHBoxLayout;
     auto* label = new QLabel(name, content_);
     buttons_[i] = new QComboBox(content_);
     buttons_[i]->setObjectName(QStringLiteral("stylus_button_%1").arg(i + 1));
@@ -124,9 +122,8 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
     buttons_[i]->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     buttons_[i]->setMinimumContentsLength(6);
     label->setBuddy(buttons_[i]);
-    row->addWidget(label);
-    row->addWidget(buttons_[i], 1);
-    column_->addLayout(row);
+    column_->addWidget(label);
+    column_->addWidget(buttons_[i]);
     only_with_force_.push_back(label);
     only_with_force_.push_back(buttons_[i]);
     connect(buttons_[i], &QComboBox::currentIndexChanged, this, [this] {
