@@ -20,8 +20,9 @@ constexpr std::size_t kMostSteps = 60'000;
 std::vector<double> speeds(const InkStroke& s) {
   const double begin = s.times_s.front();
   const double duration = s.times_s.back() - begin;
-  const auto steps = std::min(static_cast<std::size_t>(duration / kStep_s), kMostSteps);
-  if (steps < 3) return {};
+  // Times that run backwards, or are no numbers, tell no speed.
+  if (!(duration >= 3 * kStep_s)) return {};
+  const auto steps = static_cast<std::size_t>(std::min(duration / kStep_s, static_cast<double>(kMostSteps)));
   std::vector<InkPoint> at;
   at.reserve(steps + 1);
   std::size_t i = 0;

@@ -59,24 +59,64 @@ QuickDrawing quick_drawing(std::span<const ThreePoints> strokes) {
   return drawing;
 }
 
-float distance_in_order(const QuickDrawing& drawn, std::span<const ThreePoints> model) {
-  // Both of mean square 1: |d - m|^2 = 2 - 2 dm; d is centred, so m need not be.
-  float x = 0, y = 0, squares = 0, both = 0;
-  for (std::size_t i = 0; i < drawn.strokes.size(); ++i) {
-    const auto& d = drawn.strokes[i];
-    const auto& m = model[i];
+namespace {
+
+/// Sums over the points of strokes of a model.
+struct Sums {
+  float x = 0, y = 0, squares = 0;
+
+  void add(const ThreePoints& s, float sign = 1) {
     for (std::size_t k = 0; k < 3; ++k) {
-      x += m.x[k];
-      y += m.y[k];
-      squares += m.x[k] * m.x[k] + m.y[k] * m.y[k];
-      both += d.x[k] * m.x[k] + d.y[k] * m.y[k];
+      x += sign * s.x[k];
+      y += sign * s.y[k];
+      squares += sign * (s.x[k] * s.x[k] + s.y[k] * s.y[k]);
     }
   }
-  const auto count = static_cast<float>(3 * drawn.strokes.size());
-  x /= count;
-  y /= count;
-  const float spread = std::sqrt(std::max(squares / count - x * x - y * y, 1e-12F));
+};
+
+float product(const ThreePoints& a, const ThreePoints& b) {
+  float sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += a.x[k] * b.x[k] + a.y[k] * b.y[k];
+  return sum;
+}
+
+/// Both of mean square 1: |d - m|^2 = 2 - 2 dm; d is centred, so m need not be.
+float distance(float both, const Sums& model, std::size_t strokes) {
+  const auto count = static_cast<float>(3 * strokes);
+  const float x = model.x / count;
+  const float y = model.y / count;
+  const float spread = std::sqrt(std::max(model.squares / count - x * x - y * y, 1e-12F));
   return std::max(0.0F, 2 - 2 * both / (count * spread));
+}
+
+}  // namespace
+
+float distance_in_order(const QuickDrawing& drawn, std::span<const ThreePoints> model) {
+  Sums sums;
+  float both = 0;
+  for (std::size_t i = 0; i < drawn.strokes.size(); ++i) {
+    sums.add(model[i]);
+    both += product(drawn.strokes[i], model[i]);
+  }
+  return distance(both, sums, drawn.strokes.size());
+}
+
+float distance_with_a_gap(const QuickDrawing& drawn, std::span<const ThreePoints> model) {
+  const std::size_t n = drawn.strokes.size();
+  // First the gap is at 0, then it moves up stroke by stroke.
+  Sums all;
+  float both = 0;
+  for (std::size_t i = 0; i <= n; ++i) all.add(model[i]);
+  for (std::size_t i = 0; i < n; ++i) both += product(drawn.strokes[i], model[i + 1]);
+  float least = 4;
+  for (std::size_t gap = 0; gap <= n; ++gap) {
+    auto others = all;
+    others.add(model[gap], -1);
+    least = std::min(least, distance(both, others, n));
+    if (gap < n)
+      both += product(drawn.strokes[gap], model[gap]) - product(drawn.strokes[gap], model[gap + 1]);
+  }
+  return least;
 }
 
 }  // namespace nazori::writing

@@ -27,4 +27,8 @@ struct QuickDrawing {
 /// The model must not have fewer strokes; only as many as were drawn count.
 [[nodiscard]] float distance_in_order(const QuickDrawing& drawn, std::span<const ThreePoints> model);
 
+/// The same where the model has one stroke more than was drawn: the one is left out with which they are
+/// nearest.
+[[nodiscard]] float distance_with_a_gap(const QuickDrawing& drawn, std::span<const ThreePoints> model);
+
 }  // namespace nazori::writing

@@ -37,7 +37,13 @@ const kanji::KanjiDatabase& database() {
 }
 
 // All characters in optimised code; every eighth where the code is slow.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define NAZORI_SLOW_CODE
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__) || \
+    defined(NAZORI_SLOW_CODE)
 constexpr std::size_t kEvery = 8;
 #else
 constexpr std::size_t kEvery = 1;
