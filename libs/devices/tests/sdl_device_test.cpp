@@ -193,8 +193,7 @@ TEST_F(GameControllers, UnpluggedInMidRunItIsLostAndPluggedInItIsFoundAgain) {
   EXPECT_EQ(back_end->open("sdl", {}).error().trouble, DeviceTrouble::in_use);
   stick->attached = false;
   port->plugged.clear();
-  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; }));
-  EXPECT_EQ(device.device->status().message,
+  EXPECT_EQ(test::comes_to(*device.device, DeviceState::lost, DeviceTrouble::communication_lost).message,
             "Stick: the connection was lost (check cable and power, then choose the device again)");
   EXPECT_TRUE(comes_true([&] { return !stick->anything_runs(); }));
   EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::device_absent);
