@@ -127,6 +127,7 @@ TEST_F(GameControllers, GrooveWallsPushTowardsTheMiddleOfTheGroove) {
   EXPECT_TRUE(comes_true([&] { return stick->push_right() > 0.03; })) << stick->push_right();
   stick->press = 0;
   EXPECT_TRUE(comes_true([&] { return !stick->anything_runs(); }));
+  device.device->stop();
 }
 
 TEST_F(GameControllers, TheForceIsAPartOfTheFullOneAndNeverMore) {
@@ -143,6 +144,7 @@ TEST_F(GameControllers, TheForceIsAPartOfTheFullOneAndNeverMore) {
   test::Push strong({300, 0, 0});
   ASSERT_TRUE(device.device->start(strong));
   EXPECT_TRUE(comes_true([&] { return stick->push_right() > 0.999; }));
+  device.device->stop();
 }
 
 /// Tells of one event, every time.
@@ -181,6 +183,7 @@ TEST_F(GameControllers, TheRealServoTellsThatAGrooveTookHold) {
     const std::lock_guard one(pad->lock);
     return pad->most_high > 0;
   }));
+  device.device->stop();
 }
 
 TEST_F(GameControllers, UnpluggedInMidRunItIsLostAndPluggedInItIsFoundAgain) {
