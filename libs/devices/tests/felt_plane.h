@@ -78,6 +78,18 @@ inline bool comes_true(const std::function<bool()>& wish) {
   return true;
 }
 
+/// Waits for a status with both and gives it. To be looked into as a whole: a machine that stands still for
+/// half a second shows another status for a moment.
+inline haptics::DeviceStatus comes_to(const haptics::HapticDevice& device, DeviceState state,
+                                      DeviceTrouble trouble) {
+  haptics::DeviceStatus seen;
+  (void)comes_true([&] {
+    seen = device.status();
+    return seen.state == state && seen.trouble == trouble;
+  });
+  return seen;
+}
+
 /// A flat tablet for the real servo.
 inline std::shared_ptr<const haptics::HapticScene> flat_tablet(double stiffness) {
   auto scene = std::make_shared<haptics::HapticScene>();

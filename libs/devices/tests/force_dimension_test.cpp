@@ -145,8 +145,7 @@ TEST_F(ForceDimension, UnpluggedItIsLostAndPluggedInItOpensAgain) {
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return force() > 0.5; }));
   stage->devices = 0;
-  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; }));
-  EXPECT_EQ(device.device->status().message,
+  EXPECT_EQ(test::comes_to(*device.device, DeviceState::lost, DeviceTrouble::communication_lost).message,
             "omega.3: the connection was lost (check cable and power, then choose the device again)");
   EXPECT_EQ(force(), 0);
   const std::uint64_t reads = stage->reads;

@@ -151,9 +151,9 @@ TEST_F(Inverse3, AServiceThatGoesAndComesBackIsConnectedToAgain) {
   EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
   const std::uint16_t port = service->port();
   service.reset();
-  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::service_gone; }));
-  EXPECT_EQ(device.device->status().state, DeviceState::paused);
-  EXPECT_NE(device.device->status().message.find("start the service again"), std::string::npos);
+  const haptics::DeviceStatus gone =
+      test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::service_gone);
+  EXPECT_NE(gone.message.find("start the service again"), std::string::npos);
   service = std::make_unique<InverseService>(port);
   EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
   service->hang_up = true;

@@ -138,9 +138,11 @@ TEST_F(OpenHaptics, ButtonsAndRateAreSeenWithoutWaiting) {
   stage->buttons = 3;
   EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 3U; }));
   EXPECT_EQ(plane.buttons, 3U);
-  EXPECT_GT(device.device->status().rate_hz, 0);
-  EXPECT_EQ(device.device->status().state, DeviceState::running);
-  EXPECT_EQ(device.device->status().message, "");
+  const haptics::DeviceStatus runs =
+      test::comes_to(*device.device, DeviceState::running, DeviceTrouble::none);
+  EXPECT_EQ(runs.state, DeviceState::running);
+  EXPECT_GT(runs.rate_hz, 0);
+  EXPECT_EQ(runs.message, "");
   device.device->stop();
   EXPECT_EQ(device.device->status().state, DeviceState::stopped);
 }
@@ -166,9 +168,10 @@ TEST_F(OpenHaptics, DockedItPausesAndOutAgainItGoesOn) {
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
   stage->out_of_inkwell = false;
-  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::docked; }));
-  EXPECT_EQ(device.device->status().state, DeviceState::paused);
-  EXPECT_NE(device.device->status().message.find("take it out"), std::string::npos);
+  const haptics::DeviceStatus docked =
+      test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::docked);
+  EXPECT_EQ(docked.trouble, DeviceTrouble::docked);
+  EXPECT_NE(docked.message.find("take it out"), std::string::npos);
   EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
   stage->out_of_inkwell = true;
   EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
@@ -221,14 +224,14 @@ TEST_F(OpenHaptics, ForceErrorsTakeTheForceAwayAtOnceAndItComesBackByItself) {
     EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
     stage->every_error = code;
     stage->output = false;  // as the library does on hard errors
-    EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == trouble; }));
+    const haptics::DeviceStatus paused = test::comes_to(*device.device, DeviceState::paused, trouble);
+    EXPECT_EQ(paused.trouble, trouble);
+    EXPECT_NE(paused.message.find("goes on by itself"), std::string::npos);
     EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
     EXPECT_EQ(stage->force_despite_error_n, 0);  // not even in the tick of the error
-    EXPECT_EQ(device.device->status().state, DeviceState::paused);
-    EXPECT_NE(device.device->status().message.find("goes on by itself"), std::string::npos);
     stage->every_error = 0;
     EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; })) << code;
-    EXPECT_EQ(device.device->status().message, "");
+    EXPECT_TRUE(comes_true([&] { return device.device->status().message.empty(); }));
   }
 }
 
@@ -251,11 +254,11 @@ TEST_F(OpenHaptics, UnpluggedItIsLostWithASentenceAndPluggedInItOpensAgain) {
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return glm::length(force()) > 0.3; }));
   stage->plugged = false;
-  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; }));
+  const haptics::DeviceStatus lost =
+      test::comes_to(*device.device, DeviceState::lost, DeviceTrouble::communication_lost);
   EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
   EXPECT_EQ(stage->force_despite_error_n, 0);
-  EXPECT_EQ(device.device->status().trouble, DeviceTrouble::communication_lost);
-  EXPECT_EQ(device.device->status().message,
+  EXPECT_EQ(lost.message,
             "Stand-in Touch (serial 0042): the connection was lost (code 0x302) (check cable and power, then "
             "choose the device again)");
   const int ticks = plane.ticks;

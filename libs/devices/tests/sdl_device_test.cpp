@@ -127,6 +127,7 @@ TEST_F(GameControllers, GrooveWallsPushTowardsTheMiddleOfTheGroove) {
   EXPECT_TRUE(comes_true([&] { return stick->push_right() > 0.03; })) << stick->push_right();
   stick->press = 0;
   EXPECT_TRUE(comes_true([&] { return !stick->anything_runs(); }));
+  device.device->stop();
 }
 
 TEST_F(GameControllers, TheForceIsAPartOfTheFullOneAndNeverMore) {
@@ -143,6 +144,7 @@ TEST_F(GameControllers, TheForceIsAPartOfTheFullOneAndNeverMore) {
   test::Push strong({300, 0, 0});
   ASSERT_TRUE(device.device->start(strong));
   EXPECT_TRUE(comes_true([&] { return stick->push_right() > 0.999; }));
+  device.device->stop();
 }
 
 /// Tells of one event, every time.
@@ -181,6 +183,7 @@ TEST_F(GameControllers, TheRealServoTellsThatAGrooveTookHold) {
     const std::lock_guard one(pad->lock);
     return pad->most_high > 0;
   }));
+  device.device->stop();
 }
 
 TEST_F(GameControllers, UnpluggedInMidRunItIsLostAndPluggedInItIsFoundAgain) {
@@ -193,8 +196,7 @@ TEST_F(GameControllers, UnpluggedInMidRunItIsLostAndPluggedInItIsFoundAgain) {
   EXPECT_EQ(back_end->open("sdl", {}).error().trouble, DeviceTrouble::in_use);
   stick->attached = false;
   port->plugged.clear();
-  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; }));
-  EXPECT_EQ(device.device->status().message,
+  EXPECT_EQ(test::comes_to(*device.device, DeviceState::lost, DeviceTrouble::communication_lost).message,
             "Stick: the connection was lost (check cable and power, then choose the device again)");
   EXPECT_TRUE(comes_true([&] { return !stick->anything_runs(); }));
   EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::device_absent);

@@ -125,8 +125,8 @@ TEST_F(VirtualGamepad, UnpluggedItIsLostAndPluggedInItIsFoundAgain) {
   EXPECT_TRUE(comes_true([&] { return pad->low > 0; }));
   EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::in_use);
   pad.reset();
-  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; }));
-  EXPECT_EQ(device.device->status().trouble, DeviceTrouble::communication_lost);
+  EXPECT_EQ(test::comes_to(*device.device, DeviceState::lost, DeviceTrouble::communication_lost).state,
+            DeviceState::lost);
   EXPECT_EQ(id_of_pad(), "");
   pad = std::make_unique<VirtualPad>();
   EXPECT_EQ(id_of_pad(), id);
