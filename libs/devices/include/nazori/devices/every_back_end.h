@@ -23,7 +23,8 @@ struct BackEndSettings {
   [[nodiscard]] static BackEndSettings from_environment();
 };
 
-/// All of them, best first: OpenHaptics, Force Dimension, Inverse Service, joysticks and pads, pointer, simulations.
+/// All of them, best first: OpenHaptics, Force Dimension, Inverse Service, joysticks and pads, pointer,
+/// simulations.
 [[nodiscard]] std::vector<std::unique_ptr<BackEnd>> every_back_end(const BackEndSettings& settings);
 
 }  // namespace nazori::devices
