@@ -35,11 +35,11 @@ TEST(Devices, EveryBackEndIsListedWithItsDevicesOrTheReason) {
 TEST(Devices, TheListIsJsonToo) {
   const Outcome run = nazori_cli({"devices", "--json"}, kBare);
   const Json json = Json::parse(run.out);
-  ASSERT_EQ(json.size(), 5U);
+  ASSERT_EQ(json.size(), 6U);
   EXPECT_TRUE(json[0]["devices"].empty());
   EXPECT_THAT(json[0]["problem"]["remedy"].get<std::string>(), HasSubstr("docs/devices.md"));
-  EXPECT_TRUE(json[3]["problem"].is_null());
-  EXPECT_EQ(json[3]["devices"][0]["id"], "pointer");
+  EXPECT_TRUE(json[4]["problem"].is_null());
+  EXPECT_EQ(json[4]["devices"][0]["id"], "pointer");
 }
 
 TEST(Devices, AStandInForATouchIsFoundAndTestedEndToEnd) {

@@ -65,7 +65,7 @@ TEST(TracingByKey, TheCoordinatesAreThoseOfTheExpressionNotOfTheDrawnLine) {
 }
 
 TEST(TracingByKey, ControlGoesFromTickToTick) {
-  auto tracer = tracer_of("y = x^2/4", {-4.5, 4.5, -1, 8});
+  auto tracer = tracer_of("y = x^2/4", {-4.5, 4.5, -4.5, 4.5});
   tracer.step(Way::on);
   for (const double tick : {1.0, 2.0, 3.0, 4.0}) {
     EXPECT_EQ(tracer.step_to_tick(Way::on), Step::done);

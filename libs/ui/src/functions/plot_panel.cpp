@@ -8,6 +8,7 @@
 #include <QFontInfo>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -98,7 +99,7 @@ PlotPanel::PlotPanel(QWidget* parent)
       mute_(new QCheckBox(tr("No soun&d"), content_)) {
   setObjectName(QStringLiteral("plot_panel"));
   setAccessibleName(tr("Expression and window"));
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   setWidgetResizable(true);
   setFocusPolicy(Qt::NoFocus);
   content_->setObjectName(QStringLiteral("plot_content"));
@@ -176,6 +177,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   plate_form->setSpacing(6);
   width_->setObjectName(QStringLiteral("groove_width"));
   width_->setAccessibleName(tr("Width of the grooves in millimetres"));
+  width_->findChild<QLineEdit*>()->setAccessibleName(width_->accessibleName());
   width_->setRange(0.4, 10);
   width_->setSingleStep(0.1);
   width_->setDecimals(1);
