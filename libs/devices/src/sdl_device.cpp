@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sdl_device.h"
 
+#include <SDL2/SDL_thread.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -88,7 +90,10 @@ class StickDevice final : public haptics::HapticDevice {
       return started;
     }
     try {
-      talk_ = std::jthread([this](const std::stop_token& stop) { talk(stop); });
+      talk_ = std::jthread([this](const std::stop_token& stop) {
+        talk(stop);
+        SDL_TLSCleanup();  // what SDL kept for this thread; it did not make the thread itself
+      });
     } catch (const std::system_error& e) {
       clock_.stop();
       effects_.reset();

@@ -17,8 +17,13 @@ void* operator new(std::size_t size) {
   if (p == nullptr) throw std::bad_alloc();
   return p;
 }
-void operator delete(void* p) noexcept { std::free(p); }                        // NOLINT
-void operator delete(void* p, std::size_t /*size*/) noexcept { std::free(p); }  // NOLINT
+void* operator new(std::size_t size, const std::nothrow_t& /*unused*/) noexcept {
+  if (counting.load(std::memory_order_relaxed)) allocations.fetch_add(1, std::memory_order_relaxed);
+  return std::malloc(size == 0 ? 1 : size);  // NOLINT
+}
+void operator delete(void* p) noexcept { std::free(p); }                                    // NOLINT
+void operator delete(void* p, std::size_t /*size*/) noexcept { std::free(p); }              // NOLINT
+void operator delete(void* p, const std::nothrow_t& /*unused*/) noexcept { std::free(p); }  // NOLINT
 
 namespace nazori::functions::test {
 
