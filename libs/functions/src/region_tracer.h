@@ -41,7 +41,6 @@ class RegionTracer {
   Tracing& out_;
   WorkProgress& progress_;
   int finest_level_ = 0;
-  double margin_ = 0;
   std::vector<double> values_;
   std::vector<Interval> intervals_;
   double done_ = 0;
