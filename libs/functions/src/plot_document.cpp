@@ -137,6 +137,8 @@ base::Result<PlotDocument> parse_document(std::string_view text) {
     json = Json::parse(text);
   } catch (const Json::parse_error& e) {
     return base::fail(base::Errc::parse, "this is not JSON", place_of(text, e.byte), "give a saved plot");
+  } catch (const Json::out_of_range&) {
+    return base::fail(base::Errc::parse, "a number is too large", "document", "give a saved plot");
   }
   if (!json.is_object() || !json.contains("nazori_plot")) {
     return base::fail(base::Errc::schema, "this is JSON, but not a plot", "nazori_plot", "give a saved plot");
