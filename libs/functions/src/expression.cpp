@@ -60,6 +60,22 @@ std::optional<std::int64_t> product(std::int64_t a, std::int64_t b) {
 }
 
 /// A typed decimal as the fraction that was meant.
+/// The shortest digits that give the number back, never as 1e24: that would be read as 1*e*24.
+std::string decimal(double v) {
+  std::string text = fmt::format("{}", v);
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  const int exponent = std::stoi(text.substr(e + 1));
+  std::string sign = text[0] == '-' ? "-" : "";
+  std::string digits = text.substr(sign.size(), e - sign.size());
+  const std::size_t point = digits.find('.');
+  const int fraction = point == std::string::npos ? 0 : static_cast<int>(digits.size() - point - 1);
+  if (point != std::string::npos) digits.erase(point, 1);
+  const int zeros = exponent - fraction;
+  if (zeros >= 0) return sign + digits + std::string(static_cast<std::size_t>(zeros), '0');
+  return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+}
+
 std::optional<Rational> from_decimal(double v) {
   if (!std::isfinite(v) || std::abs(v) > 1e12) return std::nullopt;
   std::int64_t scale = 1;
@@ -244,7 +260,7 @@ std::string to_text(const Expression& e) {
   const Node& n = *e;
   switch (n.kind) {
     case NodeKind::number:
-      return fmt::format("{}", n.value);
+      return decimal(n.value);
     case NodeKind::constant:
       return std::string(name_of(n.constant));
     case NodeKind::variable:

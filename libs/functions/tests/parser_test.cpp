@@ -65,7 +65,8 @@ TEST(Parser, ReadsWhatPeopleType) {
 TEST(Parser, ReadsItsOwnCanonicalTextBack) {
   for (const char* typed :
        {"y = -x^2", "y = 1/2x", "y = 2^-x", "x^2 + y^2 = 1", "y = |x - |x||", "y = (x+1)/(x-1)",
-        "y = x - (1 - x)", "y = (x^2)^3", "y = -(-x)", "y = e^(1/x)", "r^2 = cos(2theta)"}) {
+        "y = x - (1 - x)", "y = (x^2)^3", "y = -(-x)", "y = 999999999999999999999999x",
+        "y = 0.000000000000000000025x", "y = e^(1/x)", "r^2 = cos(2theta)"}) {
     const auto plot = parse(typed);
     ASSERT_TRUE(plot) << typed;
     const auto again = parse(canonical(*plot));
