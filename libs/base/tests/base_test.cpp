@@ -2,10 +2,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
+#include <random>
 
+#include "nazori/base/assignment.h"
 #include "nazori/base/file.h"
+#include "nazori/base/nesting.h"
 #include "nazori/base/result.h"
 #include "nazori/base/utf8.h"
 
@@ -50,6 +55,42 @@ TEST(Utf8, RefusesWhatIsNotUtf8) {
 
 TEST(Utf8, EncodesASurrogateAsTheReplacementCharacter) {
   EXPECT_EQ(encode_utf8(char32_t{0xD800}), "\xEF\xBF\xBD");
+}
+
+TEST(Nesting, CountsBracketsAndBracesTogether) {
+  EXPECT_FALSE(is_nested_deeper(R"({"a":[{"b":1},{"c":2}]})", 3));
+  EXPECT_TRUE(is_nested_deeper(R"({"a":[{"b":1},{"c":2}]})", 2));
+  EXPECT_FALSE(is_nested_deeper("", 0));
+  EXPECT_TRUE(is_nested_deeper("[", 0));
+}
+
+TEST(Nesting, LeavesOutWhatStandsInStrings) {
+  EXPECT_FALSE(is_nested_deeper(R"(["[[[[{{{{", "\"[[[[", "\\"])", 1));
+  EXPECT_TRUE(is_nested_deeper(R"(["\\"[[]]])", 2)) << "the string ends after the two backslashes";
+  EXPECT_FALSE(is_nested_deeper("\"\\", 0)) << "a text that breaks off";
+}
+
+TEST(CheapestAssignment, CostsNoMoreThanAnyOther) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> cost(0, 1);
+  for (int round = 0; round < 200; ++round) {
+    const std::size_t size = 1 + static_cast<std::size_t>(round) % 6;
+    std::vector<double> costs(size * size);
+    for (double& c : costs) c = cost(random);
+    const auto sum = [&](const std::vector<std::size_t>& column_of) {
+      double total = 0;
+      for (std::size_t row = 0; row < size; ++row) total += costs[row * size + column_of[row]];
+      return total;
+    };
+    std::vector<std::size_t> any(size);
+    std::iota(any.begin(), any.end(), std::size_t{0});
+    double least = sum(any);
+    while (std::next_permutation(any.begin(), any.end())) least = std::min(least, sum(any));
+    auto found = cheapest_assignment(std::span<const double>(costs), size);
+    EXPECT_NEAR(sum(found), least, 1e-12);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "a column is used twice";
+  }
 }
 
 TEST_F(Files, ReadBackWhatWasWritten) {

@@ -5,33 +5,16 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "nazori/base/nesting.h"
+
 namespace nazori::devices::inverse {
 namespace {
 
 using Json = nlohmann::json;
 using haptics::Vec3;
 
-/// Whether brackets are nested deeper than any message has them. The parser takes time that grows with the
-/// square of the depth.
-bool too_deep(std::string_view text) {
-  constexpr int kDeepest = 32;
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c == '\\') ++i;
-      if (c == '"') quoted = false;
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kDeepest) return true;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return false;
-}
+/// No message has brackets nested deeper. The parser takes time that grows with the square of the depth.
+constexpr int kDeepest = 32;
 
 /// The member of that name; null where there is none.
 const Json* member(const Json& object, const char* name) {
@@ -87,7 +70,7 @@ Json command(ForceKey key, const Vec3& force) {
 }  // namespace
 
 std::optional<ServiceState> parse_state(std::string_view message) {
-  if (too_deep(message)) return std::nullopt;
+  if (base::is_nested_deeper(message, kDeepest)) return std::nullopt;
   const Json json = Json::parse(message, nullptr, false);
   if (!json.is_object()) return std::nullopt;
   ServiceState state;
@@ -118,7 +101,7 @@ std::optional<ServiceState> parse_state(std::string_view message) {
 }
 
 std::optional<ForceKey> key_for_version(std::string_view answer) {
-  if (too_deep(answer)) return std::nullopt;
+  if (base::is_nested_deeper(answer, kDeepest)) return std::nullopt;
   const Json json = Json::parse(answer, nullptr, false);
   const Json* data = member(json, "data");
   for (const Json* place : {&json, data}) {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "nazori/base/file.h"
+#include "nazori/base/nesting.h"
 #include "plate_settings.h"
 
 namespace nazori::functions {
@@ -17,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBytes = 1'000'000;
+constexpr int kDeepest = 100;
 
 /// Reads members and remembers the first that is wrong.
 class MemberReader {
@@ -127,11 +129,8 @@ std::string to_json(const PlotDocument& d) {
 
 base::Result<PlotDocument> parse_document(std::string_view text) {
   // A hostile nest of brackets would overrun the stack when it is freed.
-  int depth = 0;
-  for (const char c : text) {
-    depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
-    if (depth > 100) return base::fail(base::Errc::parse, "the JSON is nested too deep", "document");
-  }
+  if (base::is_nested_deeper(text, kDeepest))
+    return base::fail(base::Errc::parse, "the JSON is nested too deep", "document");
   Json json;
   try {
     json = Json::parse(text);

@@ -9,10 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "nazori/base/nesting.h"
+
 namespace nazori::study {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr int kDeepest = 64;  // no text of ours is nested deeper
 
 /// Walks over a text and counts its lines as it is read.
 class CountingIterator {
@@ -124,30 +126,11 @@ int line_at(std::string_view text, std::size_t byte) {
   return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
 }
 
-/// Refuses texts that are nested deeper than any of ours before they cost a deep recursion.
-bool too_deep(std::string_view text) {
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c == '\\') ++i;
-      if (c == '"') quoted = false;
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kDeepest) return true;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 base::Result<Json> parse_json(std::string_view text) {
-  if (too_deep(text)) return base::fail(base::Errc::parse, "is nested too deeply", "the JSON text");
+  if (base::is_nested_deeper(text, kDeepest))
+    return base::fail(base::Errc::parse, "is nested too deeply", "the JSON text");
   try {
     return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& error) {
