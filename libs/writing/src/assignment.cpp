@@ -1,59 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assignment.h"
 
-#include <cassert>
-#include <limits>
+#include "nazori/base/assignment.h"
 
 namespace nazori::writing {
 
+// Here and not in a header: this file is compiled for sums in any order.
 std::vector<std::size_t> assign(std::span<const float> costs, std::size_t size) {
-  assert(costs.size() == size * size);
-  constexpr float kInfinity = std::numeric_limits<float>::max();
-  // Rows and columns count from 1; 0 stands for none.
-  std::vector<float> row_potential(size + 1), column_potential(size + 1), least(size + 1);
-  std::vector<std::size_t> row_of(size + 1), before(size + 1);
-  std::vector<char> used(size + 1);
-  for (std::size_t row = 1; row <= size; ++row) {
-    row_of[0] = row;
-    std::size_t column = 0;
-    least.assign(size + 1, kInfinity);
-    used.assign(size + 1, 0);
-    do {
-      used[column] = 1;
-      const std::size_t from = row_of[column];
-      float step = kInfinity;
-      std::size_t next = 0;
-      for (std::size_t j = 1; j <= size; ++j) {
-        if (used[j] != 0) continue;
-        const float reduced = costs[(from - 1) * size + j - 1] - row_potential[from] - column_potential[j];
-        if (reduced < least[j]) {
-          least[j] = reduced;
-          before[j] = column;
-        }
-        if (least[j] < step) {
-          step = least[j];
-          next = j;
-        }
-      }
-      for (std::size_t j = 0; j <= size; ++j) {
-        if (used[j] != 0) {
-          row_potential[row_of[j]] += step;
-          column_potential[j] -= step;
-        } else {
-          least[j] -= step;
-        }
-      }
-      column = next;
-    } while (row_of[column] != 0);
-    do {
-      const std::size_t previous = before[column];
-      row_of[column] = row_of[previous];
-      column = previous;
-    } while (column != 0);
-  }
-  std::vector<std::size_t> result(size);
-  for (std::size_t j = 1; j <= size; ++j) result[row_of[j] - 1] = j - 1;
-  return result;
+  return base::cheapest_assignment(costs, size);
 }
 
 }  // namespace nazori::writing
