@@ -83,9 +83,9 @@ QString SessionPanel::why() const {
 QString SessionPanel::history() const {
   const auto card = learner_.store().card(session_.character());
   if (card.memory.reps == 0) return tr("Not yet written from memory.");
-  QString text = tr("Written from memory %n times", nullptr, card.memory.reps);
-  if (card.memory.lapses > 0) text += tr(", forgotten %n times", nullptr, card.memory.lapses);
-  return text + tr(".");
+  QStringList said{tr("Written from memory: %n times", nullptr, card.memory.reps)};
+  if (card.memory.lapses > 0) said.append(tr("Forgotten: %n times", nullptr, card.memory.lapses));
+  return said.join(QLatin1Char('\n'));
 }
 
 QString SessionPanel::hard_strokes() const {
