@@ -65,6 +65,7 @@ class MemoryStage final : public CharacterStage {
   void give_up();
   void invite();
   void set_state(State state);
+  [[nodiscard]] bool shows_groove() const;
   void put_groove();
   void carve_written();
   void show_writing();

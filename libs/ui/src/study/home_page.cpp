@@ -101,11 +101,7 @@ HomePage::HomePage(Learner& learner, const StudySession& session, QWidget* paren
   others->addWidget(free_writing_);
   others->addStretch(1);
   column->addLayout(others);
-  auto* row = new QHBoxLayout(content_);
-  row->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-  row->addStretch(1);
-  row->addLayout(column, 100);
-  row->addStretch(1);
+  content_->setLayout(column);
   setWidget(content_);
   viewport()->setAutoFillBackground(false);
   content_->setAutoFillBackground(false);
@@ -265,8 +261,9 @@ void HomePage::fit() {
   QFont button = font();
   button.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.25);
   start_->setFont(button);
-  content_->setMaximumWidth(QWIDGETSIZE_MAX);
   const int room = std::min(viewport()->width() - 2 * kMargin, em * kWidest_em);
+  const int beside = std::max(kMargin, (viewport()->width() - room) / 2);
+  content_->layout()->setContentsMargins(beside, kMargin, beside, kMargin);
   const int columns = room >= em * 40 ? 4 : room >= em * 20 ? 2 : 1;
   for (std::size_t i = 0; i < tiles_.size(); ++i)
     grid_->addWidget(tiles_[i].frame, static_cast<int>(i) / columns, static_cast<int>(i) % columns);

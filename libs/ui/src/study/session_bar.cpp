@@ -19,7 +19,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMostMeanings = 4;
-constexpr int kMostReadings = 3;
+constexpr int kMostReadings = 2;
 
 QString meanings_of(const kanji::DictionaryEntry& entry) {
   QStringList all;
@@ -33,8 +33,10 @@ QString readings_of(const kanji::DictionaryEntry& entry) {
   for (const auto& on : entry.on_readings)
     if (all.size() < kMostReadings) all.append(to_text(on));
   QStringList kun;
-  for (const auto& one : entry.kun_readings)
-    if (kun.size() < kMostReadings) kun.append(kun_plain(split_kun(one)));
+  for (const auto& one : entry.kun_readings) {
+    const auto reading = split_kun(one);
+    if (!reading.as_suffix && !reading.as_prefix && kun.size() < kMostReadings) kun.append(kun_plain(reading));
+  }
   return (all + kun).join(QStringLiteral("、"));
 }
 

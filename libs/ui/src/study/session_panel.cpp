@@ -54,12 +54,19 @@ SessionPanel::SessionPanel(const StudySession& session, const SessionActions& ac
                        static_cast<QWidget*>(gallery_)})
     column->addWidget(one);
   column->addStretch(1);
-  for (auto* action : {actions.undo, actions.postpone, actions.pause, actions.reset, actions.end}) {
-    auto* button = new QPushButton(action->iconText(), content);
+  // Few words: the panel is narrow, and the menu has the whole ones.
+  const std::pair<QAction*, QString> buttons[] = {{actions.undo, tr("Take back")},
+                                                  {actions.postpone, tr("Tomorrow")},
+                                                  {actions.pause, tr("Pause")},
+                                                  {actions.reset, tr("Anew")},
+                                                  {actions.end, tr("End")}};
+  for (const auto& [action, words] : buttons) {
+    auto* button = new QPushButton(words, content);
+    button->setAccessibleName(action->iconText());
     button->setObjectName(QStringLiteral("button_") + action->objectName());
     button->setToolTip(action->toolTip());
     connect(button, &QPushButton::clicked, action, &QAction::trigger);
-    connect(action, &QAction::changed, button, [button, action] { button->setEnabled(action->isEnabled()); });
+    connect(action, &QAction::changed, button, [button, at = action] { button->setEnabled(at->isEnabled()); });
     column->addWidget(button);
   }
   setWidget(content);

@@ -128,6 +128,7 @@ double StudySession::help() const { return store().card(task_.character).help; }
 void StudySession::take_sheet(const std::shared_ptr<const CharacterSheet>& sheet) {
   if (!is_running()) return;
   away_ = !sheet || sheet->character.code_point != task_.character;
+  if (away_ && state_ == State::judged) final_ = true;
   if (!away_) {
     sheet_ = sheet;
     choose_word();
