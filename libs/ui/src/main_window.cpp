@@ -62,8 +62,11 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
     show_character(setup.character);
   } else {
     const auto& all = inside_->workplaces;
-    const auto last = std::find_if(all.begin(), all.end(),
-                                   [&](const auto& place) { return place->id() == preferences.workplace; });
+    const QString first = preferences.begin_at_home && all.front()->id() == QLatin1String("home")
+                              ? all.front()->id()
+                              : preferences.workplace;
+    const auto last =
+        std::find_if(all.begin(), all.end(), [&](const auto& place) { return place->id() == first; });
     inside_->enter(last == all.end() ? *all.front() : **last);
   }
   inside_->show_state();
@@ -138,7 +141,9 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 MainWindow::Inside::Inside(MainWindow& owner, const Setup& setup, Appearance& look)
-    : window(owner), appearance(look), desk(owner, setup.database, setup.settings_file) {
+    : window(owner),
+      appearance(look),
+      desk(owner, setup.database, setup.settings_file, {setup.learners, setup.database, setup.clock}) {
   desk.set_back_ends(setup.back_ends ? setup.back_ends() : registered_back_ends(desk.settings_file()));
   save_timer.setSingleShot(true);
   save_timer.setInterval(600);
@@ -168,6 +173,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   column->addWidget(new FocusFrame(tablet_place, middle), 1);
   column->addWidget(feedback);
   panes = new Panes(middle, &window);
+  panes->set_mirrored(desk.preferences().left_handed);
   stage = new QStackedWidget(&window);
   stage->setObjectName(QStringLiteral("stage"));
   stage->addWidget(panes);
@@ -179,6 +185,10 @@ void MainWindow::Inside::build(const Setup& setup) {
     if (auto* own = place.actions()) own->set_in_force(false);
     for (auto* panel : {place.left().widget, place.right().widget})
       if (panel != nullptr) panel->hide();
+    if (auto* bar = place.under_tablet()) {
+      bar->hide();
+      column->insertWidget(column->indexOf(feedback), bar);
+    }
     if (auto* page = place.page()) {
       auto* holder = new QWidget(stage);
       auto* page_column = new QVBoxLayout(holder);

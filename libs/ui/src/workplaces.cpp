@@ -2,6 +2,7 @@
 #include "characters/characters.h"
 #include "device/device_place.h"
 #include "functions/functions_workplace.h"
+#include "study/home.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -16,6 +17,7 @@ std::unique_ptr<Workplace> make(Desk& desk) {
 
 std::vector<MakeWorkplace> registered_workplaces() {
   return {
+      make<Home>,
       make<Characters>,
       make<FunctionsWorkplace>,
       make<DevicePlace>,
