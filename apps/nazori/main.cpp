@@ -29,8 +29,14 @@ int main(int argc, char** argv) {
   const auto version = parser.addVersionOption();
   const QCommandLineOption exit_after_startup(
       QStringLiteral("exit-after-startup"),
-      QStringLiteral("Open the window, wait until its first character is on the desk, and leave."));
+      QStringLiteral("Open the window, wait until it shows what it begins with, and leave."));
   parser.addOption(exit_after_startup);
+  const QCommandLineOption now(
+      QStringLiteral("now"),
+      QStringLiteral("Take this for the present, and go on from there: 2026-01-01T09:00Z or with +09:00. For "
+                     "acting out other days of study; the environment variable NAZORI_NOW does the same."),
+      QStringLiteral("time"));
+  parser.addOption(now);
   parser.addPositionalArgument(
       QStringLiteral("character or files"),
       QStringLiteral("Character to open with, or files: a plot, a height map, a stroke order."),
@@ -49,6 +55,13 @@ int main(int argc, char** argv) {
     }
     setup.character = static_cast<char32_t>(code_points.front());
   }
+  if (parser.isSet(now)) qputenv("NAZORI_NOW", parser.value(now).toUtf8());
+  const auto clock = nazori::study::environment_clock();
+  if (!clock) {
+    std::fprintf(stderr, "nazori: %s\n", nazori::base::to_line(clock.error()).c_str());
+    return kExitBadUsage;
+  }
+  setup.clock = *clock;
   const auto database = nazori::kanji::KanjiDatabase::locate();
   if (!database) {
     std::fprintf(stderr, "nazori: %s\n", nazori::base::to_line(database.error()).c_str());
@@ -61,7 +74,7 @@ int main(int argc, char** argv) {
   program.show();
   if (files) program.window()->open_files(arguments);
   if (parser.isSet(exit_after_startup)) {
-    QObject::connect(program.window(), &nazori::ui::MainWindow::character_shown, &application,
+    QObject::connect(program.window(), &nazori::ui::MainWindow::opened, &application,
                      [&program] { QTimer::singleShot(0, program.window(), &QWidget::close); });
     constexpr int kPatience_ms = 30000;
     QTimer::singleShot(kPatience_ms, &application, [] { QApplication::exit(kExitFailed); });

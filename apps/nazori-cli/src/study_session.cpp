@@ -49,7 +49,7 @@ base::Result<std::filesystem::path> learner_path(const StudyOptions& options) {
 }
 
 base::Result<study::Clock> study_clock(const StudyOptions& options) {
-  if (options.now.empty()) return study::Clock(study::system_now);
+  if (options.now.empty()) return study::environment_clock();
   const auto now = study::parse_time(options.now);
   if (!now) return tl::unexpected(now.error());
   return study::Clock([now = *now] { return now; });

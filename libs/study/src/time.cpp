@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdlib>
 #include <optional>
 
 namespace nazori::study {
@@ -103,6 +104,20 @@ std::optional<Time> read_time(Reader& reader) {
 }
 
 }  // namespace
+
+Clock clock_from(Time start) {
+  return [start, begun = std::chrono::steady_clock::now()] {
+    return start + std::chrono::duration_cast<milliseconds>(std::chrono::steady_clock::now() - begun);
+  };
+}
+
+base::Result<Clock> environment_clock() {
+  const char* text = std::getenv("NAZORI_NOW");
+  if (text == nullptr || *text == '\0') return Clock(system_now);
+  const auto start = parse_time(text);
+  if (!start) return tl::unexpected(start.error());
+  return clock_from(*start);
+}
 
 Time system_now() { return floor<milliseconds>(std::chrono::system_clock::now()); }
 

@@ -2,6 +2,7 @@
 #include "nazori/study/time.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 namespace nazori::study {
 namespace {
@@ -22,6 +23,28 @@ TEST(Time, IsReadAndWrittenAlike) {
 TEST(Time, WithAnOffsetIsTheSameMoment) {
   EXPECT_EQ(parse_time("2026-01-01T18:00:00+09:00"), parse_time("2026-01-01T09:00:00Z"));
   EXPECT_EQ(parse_time("2026-01-01T01:30-0730"), parse_time("2026-01-01T09:00Z"));
+}
+
+TEST(Time, OfAClockThatWasSetGoesOnFromThere) {
+  const Time start = *parse_time("2026-01-01T09:00Z");
+  const Clock clock = clock_from(start);
+  const Time first = clock();
+  EXPECT_GE(first, start);
+  EXPECT_LT(first, start + std::chrono::minutes(10));
+  EXPECT_GE(clock(), first);
+}
+
+TEST(Time, ThePresentCanBeSetInTheEnvironment) {
+  ::setenv("NAZORI_NOW", "2026-03-01T06:30+09:00", 1);
+  const auto set = environment_clock();
+  ASSERT_TRUE(set);
+  EXPECT_EQ(to_text((*set)()).substr(0, 13), "2026-02-28T21");
+  ::setenv("NAZORI_NOW", "tomorrow", 1);
+  const auto refused = environment_clock();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().where, "tomorrow");
+  ::unsetenv("NAZORI_NOW");
+  EXPECT_GT((*environment_clock())(), *parse_time("2026-01-01T00:00Z"));
 }
 
 TEST(Time, ThatIsNoneIsRefused) {

@@ -9,6 +9,7 @@
 #include "library.h"
 #include "preferences.h"
 #include "session_recording.h"
+#include "study/learner.h"
 #include "tablet_controller.h"
 #include "workshop.h"
 #include "writing_judge.h"
@@ -21,7 +22,8 @@ class Desk final : public QObject {
   Q_OBJECT
  public:
   /// Settings are read from `settings_file`.
-  Desk(QWidget& window, const std::filesystem::path& database, QString settings_file);
+  Desk(QWidget& window, const std::filesystem::path& database, QString settings_file,
+       const Learner::Place& learner);
   ~Desk() override;
 
   [[nodiscard]] QWidget& window() const { return window_; }
@@ -32,6 +34,7 @@ class Desk final : public QObject {
   [[nodiscard]] TabletController& controller() { return controller_; }
   [[nodiscard]] WritingJudge& judge() { return judge_; }
   [[nodiscard]] SessionRecording& recording() { return recording_; }
+  [[nodiscard]] Learner& learner() { return learner_; }
   /// The ways to haptic devices, for who opens them.
   [[nodiscard]] Stylus::BackEnds take_back_ends() { return std::move(back_ends_); }
   void set_back_ends(Stylus::BackEnds back_ends) { back_ends_ = std::move(back_ends); }
@@ -41,6 +44,8 @@ class Desk final : public QObject {
   /// As say(), for what happened by itself: while the window is just opening it waits for the first words of
   /// the workplace, which would hide it.
   void tell(Feedback kind, const QString& sentence);
+  /// The workplace shows what it begins with: what waited to be told is said now.
+  void note_opened();
   /// The settings have changed: they are written within a second.
   void save_later() { emit save_wanted(); }
   /// The keyboard goes to the tablet (or the page), as after a dialog.
@@ -62,10 +67,10 @@ class Desk final : public QObject {
   void character_wanted(char32_t code_point);
   /// A character and its tablet are on the desk.
   void character_shown(char32_t code_point);
+  /// Once: the window shows what it begins with.
+  void opened();
 
  private:
-  void settle();
-
   QWidget& window_;
   QString settings_file_;
   Preferences preferences_;
@@ -74,6 +79,7 @@ class Desk final : public QObject {
   WritingJudge judge_;
   TabletController controller_;
   SessionRecording recording_;
+  Learner learner_;
   Stylus::BackEnds back_ends_;
   bool settled_ = false;
   QList<std::pair<Feedback, QString>> news_;

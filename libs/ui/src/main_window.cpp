@@ -62,8 +62,11 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
     show_character(setup.character);
   } else {
     const auto& all = inside_->workplaces;
-    const auto last = std::find_if(all.begin(), all.end(),
-                                   [&](const auto& place) { return place->id() == preferences.workplace; });
+    const QString first = preferences.begin_at_home && all.front()->id() == QLatin1String("home")
+                              ? all.front()->id()
+                              : preferences.workplace;
+    const auto last =
+        std::find_if(all.begin(), all.end(), [&](const auto& place) { return place->id() == first; });
     inside_->enter(last == all.end() ? *all.front() : **last);
   }
   inside_->show_state();
@@ -138,7 +141,9 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 MainWindow::Inside::Inside(MainWindow& owner, const Setup& setup, Appearance& look)
-    : window(owner), appearance(look), desk(owner, setup.database, setup.settings_file) {
+    : window(owner),
+      appearance(look),
+      desk(owner, setup.database, setup.settings_file, {setup.learners, setup.database, setup.clock}) {
   desk.set_back_ends(setup.back_ends ? setup.back_ends() : registered_back_ends(desk.settings_file()));
   save_timer.setSingleShot(true);
   save_timer.setInterval(600);

@@ -127,6 +127,7 @@ void MainWindow::Inside::connect_desk() {
     panes->open_left(true);
   });
   QObject::connect(&desk, &Desk::character_shown, &window, &MainWindow::character_shown);
+  QObject::connect(&desk, &Desk::opened, &window, &MainWindow::opened);
   QObject::connect(&desk.library(), &Library::opened, &window,
                    [this](const std::vector<kanji::Source>& read) { sources = read; });
   QObject::connect(&desk.library(), &Library::failed, &window, [this](const base::Error& error) {

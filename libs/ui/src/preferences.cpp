@@ -59,6 +59,8 @@ Preferences Preferences::load(const QString& file) {
   p.reduced_motion = ini.value(QStringLiteral("window/reduced_motion"), p.reduced_motion).toBool();
   p.language = ini.value(QStringLiteral("window/language")).toString();
   if (p.language != QLatin1String("en") && p.language != QLatin1String("ja")) p.language.clear();
+  p.profile = ini.value(QStringLiteral("study/profile"), p.profile).toString();
+  p.begin_at_home = ini.value(QStringLiteral("study/begin_at_home"), p.begin_at_home).toBool();
   p.folder = ini.value(QStringLiteral("files/folder")).toString();
   return p;
 }
@@ -86,6 +88,8 @@ bool Preferences::save(const QString& file) const {
   ini.setValue(QStringLiteral("sound/volume"), sound_volume);
   ini.setValue(QStringLiteral("tablet/slope_help"), slope_help);
   ini.setValue(QStringLiteral("tablet/style"), QLatin1String(kStyles[static_cast<std::size_t>(style)]));
+  ini.setValue(QStringLiteral("study/profile"), profile);
+  ini.setValue(QStringLiteral("study/begin_at_home"), begin_at_home);
   ini.setValue(QStringLiteral("files/folder"), folder);
   ini.sync();
   return ini.status() == QSettings::NoError;

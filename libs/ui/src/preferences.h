@@ -36,8 +36,10 @@ struct Preferences {
   ThemeChoice theme = ThemeChoice::desktop;
   int text_pt = kMinText_pt;
   bool reduced_motion = false;
-  QString language;  ///< "en", "ja"; empty: the desktop's
-  QString folder;    ///< where the last file was opened or saved
+  QString language;                             ///< "en", "ja"; empty: the desktop's
+  QString profile = QStringLiteral("learner");  ///< who studies
+  bool begin_at_home = true;                    ///< the window opens with Home, not with the last workplace
+  QString folder;                               ///< where the last file was opened or saved
 
   /// Reads an INI file; what is missing or makes no sense keeps its default.
   [[nodiscard]] static Preferences load(const QString& file);

@@ -35,6 +35,10 @@ void Program::prepare() {
 void Program::show() { open_window(); }
 
 void Program::open_window() {
+  // The old one holds the learner's store, which the new one wants.
+  const bool quits = QApplication::quitOnLastWindowClosed();
+  QApplication::setQuitOnLastWindowClosed(false);
+  window_.reset();
   window_ = std::make_unique<MainWindow>(setup_, *appearance_);
   setup_.character = 0;
   connect(
@@ -45,6 +49,7 @@ void Program::open_window() {
       },
       Qt::QueuedConnection);
   window_->show();
+  QApplication::setQuitOnLastWindowClosed(quits);
 }
 
 void Program::show_failure(const base::Error& error) {

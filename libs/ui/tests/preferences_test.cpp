@@ -28,6 +28,8 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   p.text_pt = 20;
   p.reduced_motion = true;
   p.language = QStringLiteral("ja");
+  p.profile = QStringLiteral("花子");
+  p.begin_at_home = false;
   p.folder = QStringLiteral("/tmp/漢字");
   ASSERT_TRUE(p.save(file));
   const auto read = Preferences::load(file);
@@ -45,6 +47,8 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   EXPECT_EQ(read.text_pt, 20);
   EXPECT_TRUE(read.reduced_motion);
   EXPECT_EQ(read.language, QStringLiteral("ja"));
+  EXPECT_EQ(read.profile, p.profile);
+  EXPECT_FALSE(read.begin_at_home);
   EXPECT_EQ(read.folder, p.folder);
 }
 

@@ -8,6 +8,8 @@
 int main(int argc, char** argv) {
   const QTemporaryDir config;
   qputenv("XDG_CONFIG_HOME", config.path().toUtf8());
+  qputenv("XDG_DATA_HOME", config.path().toUtf8());
+  qunsetenv("NAZORI_LEARNERS");
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QApplication application(argc, argv);
   testing::InitGoogleTest(&argc, argv);

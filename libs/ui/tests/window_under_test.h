@@ -31,6 +31,8 @@ class WindowTest : public testing::Test {
     MainWindow::Setup setup;
     setup.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
     setup.settings_file = folder_.filePath(QStringLiteral("nazori.ini"));
+    setup.learners = folder_.filePath(QStringLiteral("learners")).toStdString();
+    setup.clock = clock_;
     setup.character = character;
     setup.draws_tablet = false;
     setup.workplaces = workplaces_;
@@ -77,6 +79,7 @@ class WindowTest : public testing::Test {
     all.push_back(devices::simulated_back_end());
     return all;
   };
+  study::Clock clock_;                     ///< empty: the computer's
   std::vector<MakeWorkplace> workplaces_;  ///< empty: all that are registered
   QTemporaryDir folder_;
   Appearance appearance_;

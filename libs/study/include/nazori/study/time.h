@@ -23,6 +23,12 @@ using Clock = std::function<Time()>;
 /// The computer's clock.
 [[nodiscard]] Time system_now();
 
+/// A clock that shows `start` now and goes on from there, for acting out other days.
+[[nodiscard]] Clock clock_from(Time start);
+/// The clock of the environment variable NAZORI_NOW ("2026-01-01T09:00Z"), which goes on from there; the
+/// computer's where it is not set. @return Errc::parse for what is no time.
+[[nodiscard]] base::Result<Clock> environment_clock();
+
 /// "2026-01-01T09:00:00.000Z".
 [[nodiscard]] std::string to_text(Time time);
 /// "2026-01-01".

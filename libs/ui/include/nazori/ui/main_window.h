@@ -10,6 +10,7 @@
 
 #include "nazori/base/result.h"
 #include "nazori/devices/back_end.h"
+#include "nazori/study/time.h"
 
 namespace nazori::ui {
 
@@ -27,6 +28,8 @@ class MainWindow final : public QMainWindow {
     std::filesystem::path database;  ///< kanji.db
     QString settings_file;           ///< INI; empty: nazori/nazori.ini in the XDG config home
     char32_t character = 0;          ///< to open with; 0: the last one
+    std::filesystem::path learners;  ///< folder of the profiles; empty: study::profiles_folder()
+    study::Clock clock;              ///< for all that is study; empty: the computer's
     bool draws_tablet = true;        ///< false: no OpenGL (tests, machines without it)
     /// Makes the workplaces; empty: all that are registered.
     std::vector<std::unique_ptr<Workplace> (*)(Desk&)> workplaces;
@@ -47,6 +50,8 @@ class MainWindow final : public QMainWindow {
  signals:
   /// A character and its tablet are on the desk.
   void character_shown(char32_t code_point);
+  /// Once: what the window begins with is there.
+  void opened();
   /// Another language was chosen and saved; the window must be made anew.
   void language_chosen();
 

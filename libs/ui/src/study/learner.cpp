@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/learner.h"
+
+#include <cassert>
+#include <utility>
+
+#include "error_text.h"
+#include "kanji_text.h"
+#include "nazori/study/profiles.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kLookAtTheDay_ms = 60'000;
+
+}  // namespace
+
+Learner::Learner(Place place, QObject* parent)
+    : QObject(parent), folder_(std::move(place.folder)), clock_(std::move(place.clock)) {
+  if (!clock_) clock_ = study::system_now;
+  if (folder_.empty())
+    if (auto known = study::profiles_folder()) folder_ = *std::move(known);
+  if (auto opened = kanji::KanjiDatabase::open(place.database)) {
+    database_.emplace(*std::move(opened));
+    lists_ = std::make_unique<study::CharacterLists>(*database_);
+  }
+  // Until a profile is opened.
+  store_.emplace(*study::LearnerStore::in_memory(clock_));
+  connect(&day_timer_, &QTimer::timeout, this, &Learner::look_at_the_day);
+  day_timer_.start(kLookAtTheDay_ms);
+}
+
+Learner::~Learner() = default;
+
+std::filesystem::path Learner::file() const {
+  const auto path = study::learner_file(folder_, profile_.toStdString());
+  return path ? *path : std::filesystem::path();
+}
+
+bool Learner::switch_profile(const QString& name) {
+  if (!study::can_be_profile(name.toStdString())) {
+    emit said(Feedback::wrong,
+              tr("“%1” cannot be the name of a learner: up to 60 bytes, no “/”, and no dot at "
+                 "its beginning.")
+                  .arg(name));
+    return false;
+  }
+  profile_ = name;
+  return open_again();
+}
+
+bool Learner::open_again() {
+  const bool fine = open();
+  emit profile_changed();
+  emit changed();
+  return fine;
+}
+
+void Learner::while_closed(const std::function<void()>& work) {
+  store_.emplace(*study::LearnerStore::in_memory(clock_));
+  can_write_ = false;
+  work();
+  open_again();
+}
+
+bool Learner::open() {
+  // The file is let go before it is opened: it may be the same one.
+  store_.emplace(*study::LearnerStore::in_memory(clock_));
+  can_write_ = false;
+  trouble_.clear();
+  order_.reset();
+  const auto path =
+      folder_.empty() ? study::learner_file("", "") : study::learner_file(folder_, profile_.toStdString());
+  if (!path) {
+    trouble_ = folder_.empty() ? tr("No folder for learners is known: set NAZORI_LEARNERS. Nothing is kept.")
+                               : reason(path.error());
+  } else if (auto opened = study::LearnerStore::open(*path, study::Access::write, clock_)) {
+    store_.emplace(*std::move(opened));
+    can_write_ = true;
+    if (const auto& backup = store_->backup_trouble())
+      emit said(Feedback::advice,
+                tr("Today's backup could not be made: %1. Studying works.").arg(reason(*backup)));
+  } else {
+    trouble_ = sentence_about(opened.error(), study::LearnerStore::in_use(*path));
+    if (auto readable = study::LearnerStore::open(*path, study::Access::read, clock_))
+      store_.emplace(*std::move(readable));
+  }
+  day_ = store_->today();
+  if (!trouble_.isEmpty()) emit said(Feedback::wrong, trouble_);
+  return can_write_;
+}
+
+QString Learner::sentence_about(const base::Error& error, bool in_use) const {
+  if (in_use)
+    return tr("%1 studies in another window of Nazori. Close it there; until then nothing is kept here.")
+        .arg(profile_);
+  switch (error.code) {
+    case base::Errc::schema:
+      return tr("The store of %1 was written by a newer Nazori or another program: %2. Nothing was changed, "
+                "and nothing is kept.")
+          .arg(profile_, to_text(error.where));
+    case base::Errc::parse:
+      return tr("The store of %1 is damaged: %2. Nothing was changed. A backup can be put in its place.")
+          .arg(profile_, to_text(error.where));
+    default:
+      return tr("The store of %1 cannot be written: %2. Nothing is kept.").arg(profile_, reason(error));
+  }
+}
+
+void Learner::tell_failure(const base::Error& error) {
+  emit said(Feedback::wrong, tr("It could not be kept: %1.").arg(reason(error)));
+}
+
+base::Result<study::DayPlan> Learner::plan() {
+  const auto& settings = store_->settings();
+  if (!order_ || ordered_by_.new_order != settings.new_order || ordered_by_.new_lists != settings.new_lists) {
+    order_ = lists_ ? lists_->in_learning_order(settings, *store_) : std::vector<char32_t>();
+    ordered_by_ = settings;
+  }
+  return study::plan_day(*store_, *order_);
+}
+
+void Learner::note_lists() {
+  order_.reset();
+  emit changed();
+}
+
+void Learner::look_at_the_day() {
+  if (store_->today() == day_) return;
+  // Opened anew, so that a window which is never closed has its daily backups, too.
+  if (can_write_)
+    open_again();
+  else
+    emit changed();
+  day_ = store_->today();
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "feedback_line.h"
+#include "nazori/study/character_lists.h"
+#include "nazori/study/day_plan.h"
+#include "nazori/study/learner_store.h"
+
+namespace nazori::ui {
+
+/// Who studies in this window: the profile's store, open for writing where that is possible. Where it is not
+/// (another window holds it, the folder is read-only, the file is damaged or of a newer version) nothing is
+/// written: can_write() is false, trouble() says why, and store() shows what can be read, or an empty one.
+/// Thread: interface.
+class Learner final : public QObject {
+  Q_OBJECT
+ public:
+  struct Place {
+    std::filesystem::path folder;    ///< of all profiles; empty: study::profiles_folder()
+    std::filesystem::path database;  ///< kanji.db, for lists and their order
+    study::Clock clock;              ///< empty: the computer's
+  };
+
+  explicit Learner(Place place, QObject* parent = nullptr);
+  ~Learner() override;
+
+  /// Opens a profile; one that is not there yet is a new learner. Emits profile_changed() in any case.
+  /// @return whether it can be written. A name that can be none changes nothing.
+  bool switch_profile(const QString& name);
+  /// Opens the same profile once more: after another window was closed, for the backup of a new day.
+  bool open_again();
+  /// Lets go of the file while `work` is done (a backup put in place, a profile renamed), then opens it
+  /// again.
+  void while_closed(const std::function<void()>& work);
+
+  [[nodiscard]] const QString& profile() const { return profile_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// The learner.db of the profile.
+  [[nodiscard]] std::filesystem::path file() const;
+
+  /// Never hold on to it: opening anew replaces it.
+  [[nodiscard]] study::LearnerStore& store() { return *store_; }
+  [[nodiscard]] const study::LearnerStore& store() const { return *store_; }
+  /// Whether what is done can be kept. Ask before every action.
+  [[nodiscard]] bool can_write() const { return can_write_; }
+  /// Why it cannot, in one sentence for the learner; empty while it can.
+  [[nodiscard]] const QString& trouble() const { return trouble_; }
+
+  /// Whether an action of the store was done: emits changed(), or says what went wrong.
+  template <class T>
+  bool take(const base::Result<T>& result) {
+    if (!result) {
+      tell_failure(result.error());
+      return false;
+    }
+    emit changed();
+    return true;
+  }
+
+  /// Characters and lists of the kanji database; nullptr where that cannot be read.
+  [[nodiscard]] study::CharacterLists* lists() { return lists_.get(); }
+  [[nodiscard]] const kanji::KanjiDatabase* database() const { return database_ ? &*database_ : nullptr; }
+  /// What today holds. Some milliseconds, the first time some tenths of a second.
+  [[nodiscard]] base::Result<study::DayPlan> plan();
+  /// Lists or tags have changed: what is learnt next is worked out anew, and changed() follows.
+  void note_lists();
+
+ signals:
+  /// Something was done, undone or set; a new study day has begun.
+  void changed();
+  /// Another learner, or the same one opened anew. changed() follows.
+  void profile_changed();
+  /// For desk().tell().
+  void said(nazori::ui::Feedback kind, QString sentence);
+
+ private:
+  bool open();
+  void tell_failure(const base::Error& error);
+  [[nodiscard]] QString sentence_about(const base::Error& error, bool in_use) const;
+  void look_at_the_day();
+
+  std::filesystem::path folder_;
+  study::Clock clock_;
+  QString profile_;
+  std::optional<kanji::KanjiDatabase> database_;
+  std::unique_ptr<study::CharacterLists> lists_;
+  std::optional<study::LearnerStore> store_;
+  bool can_write_ = false;
+  QString trouble_;
+  std::optional<std::vector<char32_t>> order_;  ///< of learning, while its settings hold
+  study::Settings ordered_by_;
+  study::Day day_{};
+  QTimer day_timer_;
+};
+
+}  // namespace nazori::ui
