@@ -18,9 +18,6 @@ namespace nazori::study {
 /// Settings and the entry from which on they are in force, oldest first.
 using SettingsTimeline = std::vector<std::pair<std::int64_t, Settings>>;
 
-/// Whether settings lead to other numbers for the same reviews.
-[[nodiscard]] bool changes_memory(const Settings& before, const Settings& after);
-
 /// Goes through a timeline beside the entries of the log.
 class SettingsInForce {
  public:

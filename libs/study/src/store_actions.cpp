@@ -8,11 +8,6 @@
 
 namespace nazori::study {
 
-bool changes_memory(const Settings& before, const Settings& after) {
-  return before.fsrs.weights != after.fsrs.weights ||
-         before.fsrs.short_term_steps != after.fsrs.short_term_steps;
-}
-
 std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(char32_t character) {
   SQLite::Statement rows(db, fmt::format("SELECT {} FROM log WHERE character = ? ORDER BY id", kLogColumns));
   rows.bind(1, static_cast<std::int64_t>(character));
