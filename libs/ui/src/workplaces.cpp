@@ -2,6 +2,7 @@
 #include "characters/characters.h"
 #include "device/device_place.h"
 #include "functions/functions_workplace.h"
+#include "progress/progress.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -17,6 +18,7 @@ std::unique_ptr<Workplace> make(Desk& desk) {
 std::vector<MakeWorkplace> registered_workplaces() {
   return {
       make<Characters>,
+      make<Progress>,
       make<FunctionsWorkplace>,
       make<DevicePlace>,
   };
