@@ -28,6 +28,8 @@ class ActionSet : public QObject {
   /// keys. Sets of different workplaces may use the same keys, because one at a time is in force.
   void set_in_force(bool in_force);
   static void set_in_force(const Group& group, bool in_force);
+  /// Has the groups of another set among its own, which stay the other's.
+  void adopt(const ActionSet& other) { groups_.append(other.groups_); }
   /// Draws the icons again in the colours of the window's palette.
   void draw_icons();
 

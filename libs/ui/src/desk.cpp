@@ -25,6 +25,8 @@ Desk::Desk(QWidget& window, const std::filesystem::path& database, QString setti
   connect(this, &Desk::character_shown, this, &Desk::note_opened);
   QTimer::singleShot(kSettled_ms, this, &Desk::note_opened);
   connect(&learner_, &Learner::said, this, &Desk::tell);
+  connect(&session_, &StudySession::said, this, &Desk::say);
+  session_.set_asks_by_words(preferences_.asks_by_words);
   connect(&learner_, &Learner::profile_changed, this, [this] {
     preferences_.profile = learner_.profile();
     save_later();

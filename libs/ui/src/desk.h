@@ -10,6 +10,7 @@
 #include "preferences.h"
 #include "session_recording.h"
 #include "study/learner.h"
+#include "study/study_session.h"
 #include "tablet_controller.h"
 #include "workshop.h"
 #include "writing_judge.h"
@@ -35,6 +36,7 @@ class Desk final : public QObject {
   [[nodiscard]] WritingJudge& judge() { return judge_; }
   [[nodiscard]] SessionRecording& recording() { return recording_; }
   [[nodiscard]] Learner& learner() { return learner_; }
+  [[nodiscard]] StudySession& session() { return session_; }
   /// The ways to haptic devices, for who opens them.
   [[nodiscard]] Stylus::BackEnds take_back_ends() { return std::move(back_ends_); }
   void set_back_ends(Stylus::BackEnds back_ends) { back_ends_ = std::move(back_ends); }
@@ -55,6 +57,10 @@ class Desk final : public QObject {
   /// Opens the left panel, even out of full screen.
   void open_left_panel() { emit left_panel_wanted(); }
 
+  /// To another workplace, by its id; one that is not registered changes nothing.
+  void go_to(const QString& workplace) { emit workplace_wanted(workplace); }
+  /// The settings of study have changed that are the window's: keys, layout, words.
+  void note_study_settings() { emit study_settings_changed(); }
   /// From any workplace: puts a character on the desk of the workplace for characters.
   void show_character(char32_t code_point) { emit character_wanted(code_point); }
 
@@ -65,6 +71,8 @@ class Desk final : public QObject {
   void drawers_done();
   void left_panel_wanted();
   void character_wanted(char32_t code_point);
+  void workplace_wanted(QString workplace);
+  void study_settings_changed();
   /// A character and its tablet are on the desk.
   void character_shown(char32_t code_point);
   /// Once: the window shows what it begins with.
@@ -80,6 +88,7 @@ class Desk final : public QObject {
   TabletController controller_;
   SessionRecording recording_;
   Learner learner_;
+  StudySession session_{learner_};
   Stylus::BackEnds back_ends_;
   bool settled_ = false;
   QList<std::pair<Feedback, QString>> news_;

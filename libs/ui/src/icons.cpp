@@ -210,6 +210,11 @@ void draw(QPainter& p, Icon which, const QColor& colour) {
       line({{4.5, 19.5}, {5.6, 14.8}, {15.8, 4.6}, {19.4, 8.2}, {9.2, 18.4}, {4.5, 19.5}});
       line({{13.4, 7}, {17, 10.6}});
       break;
+    case Icon::home:
+      line({{3.5, 11.5}, {12, 4}, {20.5, 11.5}});
+      line({{6, 10}, {6, 19.5}, {18, 19.5}, {18, 10}});
+      line({{10, 19.5}, {10, 14}, {14, 14}, {14, 19.5}});
+      break;
     case Icon::hint:
       p.setBrush(colour);
       p.drawEllipse(QPointF(12, 12), 2.4, 2.4);

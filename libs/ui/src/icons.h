@@ -42,6 +42,7 @@ enum class Icon : std::uint8_t {
   beside,
   pen,
   progress,
+  home,
 };
 
 /// The drawing in ink; in indigo where the icon's action is on.

@@ -177,6 +177,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   column->addWidget(new FocusFrame(tablet_place, middle), 1);
   column->addWidget(feedback);
   panes = new Panes(middle, &window);
+  panes->set_mirrored(desk.preferences().left_handed);
   stage = new QStackedWidget(&window);
   stage->setObjectName(QStringLiteral("stage"));
   stage->addWidget(panes);
@@ -188,6 +189,10 @@ void MainWindow::Inside::build(const Setup& setup) {
     if (auto* own = place.actions()) own->set_in_force(false);
     for (auto* panel : {place.left().widget, place.right().widget})
       if (panel != nullptr) panel->hide();
+    if (auto* bar = place.under_tablet()) {
+      bar->hide();
+      column->insertWidget(column->indexOf(feedback), bar);
+    }
     if (auto* page = place.page()) {
       auto* holder = new QWidget(stage);
       auto* page_column = new QVBoxLayout(holder);

@@ -127,6 +127,9 @@ void MainWindow::Inside::connect_desk() {
     panes->open_left(true);
   });
   QObject::connect(&desk, &Desk::character_shown, &window, &MainWindow::character_shown);
+  QObject::connect(&desk, &Desk::workplace_wanted, &window, &MainWindow::go_to);
+  QObject::connect(&desk, &Desk::study_settings_changed, &window,
+                   [this] { panes->set_mirrored(desk.preferences().left_handed); });
   QObject::connect(&desk, &Desk::opened, &window, &MainWindow::opened);
   QObject::connect(&desk.library(), &Library::opened, &window,
                    [this](const std::vector<kanji::Source>& read) { sources = read; });

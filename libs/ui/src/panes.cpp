@@ -114,7 +114,17 @@ void Panes::fit(int window_width, int text_pt) {
   right_->setMaximumWidth(right_most);
   const int left = std::min(left_wish_, left_most);
   const int right = std::min(right_wish_, right_most);
-  setSizes({left, std::max(window_width - left - right, 0), right});
+  const int middle = std::max(window_width - left - right, 0);
+  setSizes(mirrored_ ? QList<int>{right, middle, left} : QList<int>{left, middle, right});
+}
+
+void Panes::set_mirrored(bool mirrored) {
+  if (mirrored == mirrored_) return;
+  mirrored_ = mirrored;
+  const QList<int> widths = sizes();
+  insertWidget(0, mirrored ? right_ : left_);
+  insertWidget(2, mirrored ? left_ : right_);
+  setSizes({widths[2], widths[1], widths[0]});
 }
 
 void Panes::wish(int left_width, int right_width) {

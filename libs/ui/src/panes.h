@@ -36,6 +36,9 @@ class Panes final : public QSplitter {
   /// Only the tablet.
   void set_alone(bool alone);
 
+  /// The left panel stands on the right and the right one on the left, for a left hand at the tablet.
+  void set_mirrored(bool mirrored);
+
   /// How wide the learner would have the panels; without a wish they are as wide as may be.
   void wish(int left_width, int right_width);
   [[nodiscard]] int left_wish() const { return left_wish_; }
@@ -58,6 +61,7 @@ class Panes final : public QSplitter {
   int right_wish_ = QWIDGETSIZE_MAX;
   bool drawers_ = false;
   bool alone_ = false;
+  bool mirrored_ = false;
   bool left_wanted_ = true;
   bool right_wanted_ = true;
 };

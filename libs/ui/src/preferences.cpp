@@ -20,6 +20,7 @@ Enum read_name(const QSettings& ini, const QString& key, const char* const (&nam
 }
 
 constexpr const char* kStyles[] = {"classic", "wood", "slate"};
+constexpr const char* kHands[] = {"none", "left", "right"};
 constexpr const char* kThemes[] = {"desktop", "light", "dark"};
 constexpr const char* kLists[] = {"grade_1",  "grade_2",  "grade_3",          "grade_4",
                                   "grade_5",  "grade_6",  "secondary",        "jinmeiyou",
@@ -60,6 +61,9 @@ Preferences Preferences::load(const QString& file) {
   p.language = ini.value(QStringLiteral("window/language")).toString();
   if (p.language != QLatin1String("en") && p.language != QLatin1String("ja")) p.language.clear();
   p.profile = ini.value(QStringLiteral("study/profile"), p.profile).toString();
+  p.asks_by_words = ini.value(QStringLiteral("study/asks_by_words"), p.asks_by_words).toBool();
+  p.left_handed = ini.value(QStringLiteral("window/left_handed"), p.left_handed).toBool();
+  p.one_hand = read_name(ini, QStringLiteral("study/one_hand"), kHands, p.one_hand);
   p.begin_at_home = ini.value(QStringLiteral("study/begin_at_home"), p.begin_at_home).toBool();
   p.folder = ini.value(QStringLiteral("files/folder")).toString();
   return p;
@@ -89,6 +93,9 @@ bool Preferences::save(const QString& file) const {
   ini.setValue(QStringLiteral("tablet/slope_help"), slope_help);
   ini.setValue(QStringLiteral("tablet/style"), QLatin1String(kStyles[static_cast<std::size_t>(style)]));
   ini.setValue(QStringLiteral("study/profile"), profile);
+  ini.setValue(QStringLiteral("study/asks_by_words"), asks_by_words);
+  ini.setValue(QStringLiteral("window/left_handed"), left_handed);
+  ini.setValue(QStringLiteral("study/one_hand"), QLatin1String(kHands[static_cast<std::size_t>(one_hand)]));
   ini.setValue(QStringLiteral("study/begin_at_home"), begin_at_home);
   ini.setValue(QStringLiteral("files/folder"), folder);
   ini.sync();

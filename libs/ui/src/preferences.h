@@ -11,6 +11,9 @@
 
 namespace nazori::ui {
 
+/// Whose keys one hand alone can reach.
+enum class OneHand : std::uint8_t { none, left, right };
+
 enum class ThemeChoice : std::uint8_t { desktop, light, dark };
 
 /// What the window remembers from one run to the next.
@@ -38,6 +41,9 @@ struct Preferences {
   bool reduced_motion = false;
   QString language;                             ///< "en", "ja"; empty: the desktop's
   QString profile = QStringLiteral("learner");  ///< who studies
+  bool asks_by_words = true;                    ///< some reviews ask by a word with the character left out
+  bool left_handed = false;                     ///< what stands beside the tablet changes sides
+  OneHand one_hand = OneHand::none;             ///< keys of a session within reach of one hand
   bool begin_at_home = true;                    ///< the window opens with Home, not with the last workplace
   QString folder;                               ///< where the last file was opened or saved
 

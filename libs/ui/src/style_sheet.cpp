@@ -63,6 +63,18 @@ QPushButton:focus { border-color: @indigo; }
 QPushButton:disabled { color: @faint; }
 QPushButton:default { border-color: @indigo; }
 
+QPushButton[role="primary"] { background: @vermilion; color: @surface; border-color: @vermilion; padding: 7px 16px; }
+QPushButton[role="primary"]:hover { background: @vermilion_hover; }
+QPushButton[role="primary"]:focus { border-color: @ink; }
+QPushButton[role="primary"]:disabled { background: @hover; color: @faint; border-color: @line; }
+QFrame[role="card"], QLabel[role="card"] { background: @surface; border: 1px solid @line; border-radius: 10px; }
+QFrame[role="card"] QLabel { border: none; background: transparent; }
+QLabel[role="card"] { padding: 12px 16px; }
+QLabel[role="trouble"] { background: @surface; border: 2px solid @vermilion; border-radius: 10px; padding: 12px 16px; }
+QFrame#session_bar { background: @paper; border: none; border-top: 1px solid @line; }
+QProgressBar { background: @line; border: none; border-radius: 3px; }
+QProgressBar::chunk { background: @indigo; border-radius: 3px; }
+
 QListView#character_grid { background: transparent; border: 2px solid transparent; border-radius: 8px;
   outline: none; }
 QListView#character_grid:focus { border-color: @indigo; }
@@ -78,7 +90,8 @@ QScrollArea { background: transparent; border: none; }
 QScrollArea:focus { border: 2px solid @indigo; }
 QWidget#information_content { background: transparent; }
 QFrame[separator="true"] { background: @line; border: none; max-height: 1px; min-height: 1px; }
-QWidget#library_panel, QWidget#information_panel, QWidget#seat_panel, QWidget#feel_panel { background: @paper; }
+QWidget#library_panel, QWidget#information_panel, QWidget#seat_panel, QWidget#feel_panel,
+QWidget#session_panel, QWidget#home_page { background: @paper; }
 QWidget#progress_page, QWidget#progress_content { background: @paper; }
 QFrame[role="card"] { background: @surface; border: 1px solid @line; border-radius: 10px; }
 QFrame[role="card"] QLabel { border: none; }
@@ -127,6 +140,8 @@ QHeaderView::section { background: @paper; color: @muted; border: none; padding:
       {"@indigo", c.indigo},
       {"@hover", blend(c.paper, c.line, 0.45)},
       {"@press", blend(c.paper, c.line, 0.9)},
+      {"@vermilion_hover", blend(c.vermilion, c.ink, 0.15)},
+      {"@vermilion", c.vermilion},
       {"@tint", blend(c.surface, c.indigo, 0.13)},
       {"@faint", blend(c.muted, c.paper, 0.35)},
   };

@@ -50,6 +50,8 @@ class Workplace : public QObject {
 
   [[nodiscard]] virtual Panel left() const { return {}; }
   [[nodiscard]] virtual Panel right() const { return {}; }
+  /// Stands between the tablet and the words below it; the workplace shows and hides it. nullptr: nothing.
+  [[nodiscard]] virtual QWidget* under_tablet() const { return nullptr; }
   /// Stands in place of the tablet and its panels; nullptr: the tablet stays.
   [[nodiscard]] virtual QWidget* page() const { return nullptr; }
   [[nodiscard]] virtual ActionSet* actions() const { return nullptr; }

@@ -3,6 +3,7 @@
 #include "device/device_place.h"
 #include "functions/functions_workplace.h"
 #include "progress/progress.h"
+#include "study/home.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -17,6 +18,7 @@ std::unique_ptr<Workplace> make(Desk& desk) {
 
 std::vector<MakeWorkplace> registered_workplaces() {
   return {
+      make<Home>,
       make<Characters>,
       make<Progress>,
       make<FunctionsWorkplace>,

@@ -30,6 +30,9 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   p.language = QStringLiteral("ja");
   p.profile = QStringLiteral("花子");
   p.begin_at_home = false;
+  p.asks_by_words = false;
+  p.left_handed = true;
+  p.one_hand = nazori::ui::OneHand::right;
   p.folder = QStringLiteral("/tmp/漢字");
   ASSERT_TRUE(p.save(file));
   const auto read = Preferences::load(file);
@@ -49,6 +52,9 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   EXPECT_EQ(read.language, QStringLiteral("ja"));
   EXPECT_EQ(read.profile, p.profile);
   EXPECT_FALSE(read.begin_at_home);
+  EXPECT_FALSE(read.asks_by_words);
+  EXPECT_TRUE(read.left_handed);
+  EXPECT_EQ(read.one_hand, nazori::ui::OneHand::right);
   EXPECT_EQ(read.folder, p.folder);
 }
 

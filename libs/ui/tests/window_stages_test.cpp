@@ -8,7 +8,7 @@
 #include "characters/characters.h"
 #include "characters/compare_view.h"
 #include "desk.h"
-#include "nazori/geometry/polyline.h"
+#include "hand_under_test.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -21,42 +21,14 @@ std::unique_ptr<Workplace> make_characters(Desk& desk) {
   return std::make_unique<Characters>(desk);
 }
 
-using Points = std::vector<geometry::GlyphPoint>;
+using test::Points;
 
 class Stages : public WindowTest {
  protected:
   Stages() { workplaces_ = {make_characters}; }
 
-  /// The strokes of the character on the desk, as KanjiVG draws them.
-  std::vector<Points> model(char32_t character) {
-    const auto path = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
-    std::vector<Points> strokes;
-    for (const auto& line : kanji::KanjiDatabase::open(path)->find(character)->lines())
-      strokes.push_back(line.points);
-    return strokes;
-  }
-
-  /// The pen goes along a line on the tablet, at the pace of a hand.
-  void write(const Points& line) {
-    auto& controller = the_desk->controller();
-    const auto put = [&](geometry::GlyphPoint p, bool down) {
-      controller.move_stylus(geometry::glyph_to_tablet(p, {}), down);
-    };
-    put(line.front(), false);
-    QTest::qWait(60);
-    put(line.front(), true);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().touching; }, 5000));
-    const double length = geometry::arc_length<geometry::GlyphFrame>(line);
-    for (double at = 0; at <= length; at += 1) {
-      put(geometry::point_at<geometry::GlyphFrame>(line, at), true);
-      QTest::qWait(3);
-    }
-    put(line.back(), true);
-    QTest::qWait(60);
-    put(line.back(), false);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.latest().touching; }, 5000));
-    controller.pump();
-  }
+  static std::vector<Points> model(char32_t character) { return test::model(character); }
+  static void write(const Points& line) { test::write(the_desk->controller(), line); }
 
   bool says(const char* words) {
     return QTest::qWaitFor([&] { return feedback().contains(QString::fromUtf8(words)); }, 10000);

@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -28,6 +29,7 @@ class WindowTest : public testing::Test {
 
   void open_window(char32_t character = 0, QSize size = {1280, 800}) {
     window_.reset();
+    begin_with_characters();
     MainWindow::Setup setup;
     setup.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
     setup.settings_file = folder_.filePath(QStringLiteral("nazori.ini"));
@@ -46,6 +48,14 @@ class WindowTest : public testing::Test {
     // The screen of the tests is smaller than a learner's.
     if (size.isValid()) window_->resize(size);
     QCoreApplication::processEvents();
+  }
+
+  /// As for a learner who does not want Home first, so that there is a tablet at once.
+  void begin_with_characters() {
+    QSettings settings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat);
+    if (settings.contains(QStringLiteral("study/begin_at_home"))) return;
+    settings.setValue(QStringLiteral("study/begin_at_home"), false);
+    settings.setValue(QStringLiteral("window/workplace"), QStringLiteral("characters"));
   }
 
   void show(char32_t character) {

@@ -12,6 +12,79 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::HomePage</name>
+    <message numerus="yes">
+        <source>Done for now. %n characters come once more, the first at %1.</source>
+        <translation>
+            <numerusform>Done for now. %n character comes once more, at %1.</numerusform>
+            <numerusform>Done for now. %n characters come once more, the first at %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Done for today: your limit is reached. %n reviews wait for tomorrow.</source>
+        <translation>
+            <numerusform>Done for today: your limit is reached. %n review waits for tomorrow.</numerusform>
+            <numerusform>Done for today: your limit is reached. %n reviews wait for tomorrow.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Done for today. Tomorrow %n reviews are due.</source>
+        <translation>
+            <numerusform>Done for today. Tomorrow %n review is due.</numerusform>
+            <numerusform>Done for today. Tomorrow %n reviews are due.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.</source>
+        <translation>
+            <numerusform>%n review has been waiting. No hurry: today %1.</numerusform>
+            <numerusform>%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n days like this all is caught up (%1). Until then nothing new is added.</source>
+        <translation>
+            <numerusform>With this day all is caught up (%1). Until then nothing new is added.</numerusform>
+            <numerusform>With %n days like this all is caught up (%1). Until then nothing new is added.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more reviews wait for another day: that is your limit.</source>
+        <translation>
+            <numerusform>%n more review waits for another day: that is your limit.</numerusform>
+            <numerusform>%n more reviews wait for another day: that is your limit.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>minutes, about</source>
+        <translation>
+            <numerusform>minute, about</numerusform>
+            <numerusform>minutes, about</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Start: %n characters</source>
+        <translation>
+            <numerusform>Start: %n character</numerusform>
+            <numerusform>Start: %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters are forgotten often and set apart: %1</source>
+        <translation>
+            <numerusform>%n character is forgotten often and set apart: %1</numerusform>
+            <numerusform>%n characters are forgotten often and set apart: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Done: %n written from memory.</source>
+        <translation>
+            <numerusform>Done: %n written from memory.</numerusform>
+            <numerusform>Done: %n written from memory.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::InformationPanel</name>
     <message numerus="yes">
         <source>%n strokes</source>
@@ -70,6 +143,40 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::SessionBar</name>
+    <message numerus="yes">
+        <source>a character of %n strokes</source>
+        <translation>
+            <numerusform>a character of %n stroke</numerusform>
+            <numerusform>a character of %n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::SessionPanel</name>
+    <message numerus="yes">
+        <source>Written from memory: %n times</source>
+        <translation>
+            <numerusform>Written from memory: once</numerusform>
+            <numerusform>Written from memory: %n times</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Forgotten: %n times</source>
+        <translation>
+            <numerusform>Forgotten: once</numerusform>
+            <numerusform>Forgotten: %n times</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stroke %1 went wrong %n times.</source>
+        <translation>
+            <numerusform>Stroke %1 went wrong once.</numerusform>
+            <numerusform>Stroke %1 went wrong %n times.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StrokeCounter</name>
     <message numerus="yes">
         <source>all %n strokes</source>
@@ -86,6 +193,37 @@
         <translation>
             <numerusform>The one stroke is written. Delete clears the tablet.</numerusform>
             <numerusform>All %n strokes are written. Delete clears the tablet.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StudyWords</name>
+    <message numerus="yes">
+        <source>in %n minutes</source>
+        <translation>
+            <numerusform>in %n minute</numerusform>
+            <numerusform>in %n minutes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n days</source>
+        <translation>
+            <numerusform>in %n day</numerusform>
+            <numerusform>in %n days</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n months</source>
+        <translation>
+            <numerusform>in %n month</numerusform>
+            <numerusform>in %n months</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minutes</source>
+        <translation>
+            <numerusform>about %n minute</numerusform>
+            <numerusform>about %n minutes</numerusform>
         </translation>
     </message>
 </context>

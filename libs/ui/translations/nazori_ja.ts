@@ -688,6 +688,22 @@
         <source>Write from memory</source>
         <translation>覚えて書く</translation>
     </message>
+    <message>
+        <source>%1 comes tomorrow.</source>
+        <translation>%1 は明日出ます。</translation>
+    </message>
+    <message>
+        <source>%1 comes again.</source>
+        <translation>%1 はまた出ます。</translation>
+    </message>
+    <message>
+        <source>%1 is paused until it is resumed.</source>
+        <translation>%1 は再開するまで休みです。</translation>
+    </message>
+    <message>
+        <source>%1 is new again. Ctrl+Shift+Z takes it back.</source>
+        <translation>%1 は新しい文字に戻りました。Ctrl+Shift+Z で取り消せます。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::CompareView</name>
@@ -1684,6 +1700,219 @@ Columns and rows:</source>
         <source>%1 Without a slip so far: %2.</source>
         <translation>%1これまで %2 回、間違いなく書けました。</translation>
     </message>
+    <message>
+        <source>Stroke %1 is shown. Draw it from its number.</source>
+        <translation>%1画目を示しました。番号のところから書いてください。</translation>
+    </message>
+    <message>
+        <source>All strokes are there, not all at their turn.</source>
+        <translation>すべての画がありますが、順番どおりではないものがあります。</translation>
+    </message>
+    <message>
+        <source>Without a slip.</source>
+        <translation>間違いなく書けました。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::Home</name>
+    <message>
+        <source>H&amp;ome</source>
+        <translation>ホーム(&amp;O)</translation>
+    </message>
+    <message>
+        <source>What is due today, and how to begin</source>
+        <translation>今日の学習と、その始め方</translation>
+    </message>
+    <message>
+        <source>Enter starts. Everything is kept as soon as it is rated.</source>
+        <translation>Enter で始まります。評価したものはすぐに保存されます。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::HomeActions</name>
+    <message>
+        <source>&amp;Study what is due</source>
+        <translation>今日の分を学習する(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Begin with what is due now</source>
+        <translation>今の分から始めます</translation>
+    </message>
+    <message>
+        <source>&amp;Another lesson for what is forgotten often</source>
+        <translation>よく忘れる文字の別の練習(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Characters that were set apart, from watching on</source>
+        <translation>取り分けた文字を、見るところからやり直します</translation>
+    </message>
+    <message>
+        <source>&amp;Take back the last review</source>
+        <translation>最後の復習を取り消す(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Take back what was kept last; again for the one before, also of other days</source>
+        <translation>最後に保存したものを取り消します。繰り返すと、その前のものや別の日のものも取り消せます</translation>
+    </message>
+    <message>
+        <source>Study se&amp;ttings…</source>
+        <translation>学習の設定(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Limits, lists, order, desired retention</source>
+        <translation>一日の量、リスト、順番、目標の定着率</translation>
+    </message>
+    <message>
+        <source>St&amp;udy</source>
+        <translation>学習(&amp;U)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::HomePage</name>
+    <message>
+        <source>Today</source>
+        <translation>今日</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>もう一度試す</translation>
+    </message>
+    <message>
+        <source>Another lesson for these</source>
+        <translation>これらの文字の別の練習</translation>
+    </message>
+    <message>
+        <source>Study settings…</source>
+        <translation>学習の設定…</translation>
+    </message>
+    <message>
+        <source>Choose a character</source>
+        <translation>文字を選ぶ</translation>
+    </message>
+    <message numerus="yes">
+        <source>Done for now. %n characters come once more, the first at %1.</source>
+        <translation>
+            <numerusform>今のところ終わりです。あと %n 字がもう一度出ます。最初は %1 です。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Done for today: your limit is reached. %n reviews wait for tomorrow.</source>
+        <translation>
+            <numerusform>今日は終わりです。一日の上限に達しました。%n 件の復習は明日にまわります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nothing to learn yet. Choose lists and new characters a day in the study settings.</source>
+        <translation>まだ学ぶものがありません。学習の設定でリストと一日の新しい文字の数を選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Done for today. Tomorrow %n reviews are due.</source>
+        <translation>
+            <numerusform>今日は終わりです。明日は %n 件の復習があります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done for today. Nothing is due tomorrow; new characters come when the settings let them.</source>
+        <translation>今日は終わりです。明日の復習はありません。新しい文字は設定に従って出ます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.</source>
+        <translation>
+            <numerusform>復習が %n 件たまっています。急ぐことはありません。今日は %1 件、よく覚えているものからです。そのほうが多く残ります。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %n days like this all is caught up (%1). Until then nothing new is added.</source>
+        <translation>
+            <numerusform>この調子で %n 日で追いつきます（%1）。それまで新しい文字は加わりません。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more reviews wait for another day: that is your limit.</source>
+        <translation>
+            <numerusform>あと %n 件の復習は別の日にまわります。一日の上限です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each new character is first watched, then traced, then written with help that fades, then from memory. It comes back just before it would be forgotten.</source>
+        <translation>新しい文字は、まず見て、次になぞり、だんだん減る助けとともに書き、それから覚えて書きます。忘れそうになる少し前にまた出てきます。</translation>
+    </message>
+    <message>
+        <source>New today: %1</source>
+        <translation>今日の新しい文字：%1</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>due now</source>
+        <translation>件の復習</translation>
+    </message>
+    <message>
+        <source>new, after %1 today</source>
+        <translation>字が新しい文字（今日すでに %1 字）</translation>
+    </message>
+    <message>
+        <source>new today</source>
+        <translation>字が新しい文字</translation>
+    </message>
+    <message numerus="yes">
+        <source>minutes, about</source>
+        <translation>
+            <numerusform>分ほど</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>days in a row</source>
+        <translation>日続けて</translation>
+    </message>
+    <message>
+        <source>days in a row; this week&apos;s day off is used</source>
+        <translation>日続けて（今週の休みは使いました）</translation>
+    </message>
+    <message>
+        <source>days in a row; one day off a week is forgiven</source>
+        <translation>日続けて（週に一日は休んでも続きます）</translation>
+    </message>
+    <message>
+        <source>Go on with the session</source>
+        <translation>学習を続ける</translation>
+    </message>
+    <message numerus="yes">
+        <source>Start: %n characters</source>
+        <translation>
+            <numerusform>始める：%n 字</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Enter or the space bar starts</source>
+        <translation>Enter またはスペースキーで始まります</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters are forgotten often and set apart: %1</source>
+        <translation>
+            <numerusform>よく忘れるため取り分けた文字が %n 字あります：%1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Done: %n written from memory.</source>
+        <translation>
+            <numerusform>覚えて書いたもの：%n 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Met first: %1</source>
+        <translation>初めての文字：%1</translation>
+    </message>
+    <message>
+        <source>To see again soon: %1</source>
+        <translation>まもなくもう一度：%1</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <translation>時間：%1</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::InformationPanel</name>
@@ -1779,6 +2008,13 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::InkGallery</name>
+    <message>
+        <source>Earlier writing beside today&apos;s</source>
+        <translation>前に書いたものと今日のもの</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::KeyListDialog</name>
     <message>
         <source>Keys and mouse</source>
@@ -1843,6 +2079,41 @@ Columns and rows:</source>
     <message>
         <source>pen&apos;s other end</source>
         <translation>ペンの反対側</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::Learner</name>
+    <message>
+        <source>“%1” cannot be the name of a learner: up to 60 bytes, no “/”, and no dot at its beginning.</source>
+        <translation>「%1」は学習者の名前にできません。60 バイトまでで、「/」を含まず、点で始まらないものにしてください。</translation>
+    </message>
+    <message>
+        <source>No folder for learners is known: set NAZORI_LEARNERS. Nothing is kept.</source>
+        <translation>学習者のフォルダーが分かりません。NAZORI_LEARNERS を設定してください。何も保存されません。</translation>
+    </message>
+    <message>
+        <source>Today&apos;s backup could not be made: %1. Studying works.</source>
+        <translation>今日のバックアップを作れませんでした：%1。学習はできます。</translation>
+    </message>
+    <message>
+        <source>%1 studies in another window of Nazori. Close it there; until then nothing is kept here.</source>
+        <translation>%1 は別の Nazori の窓で学習中です。そちらを閉じてください。それまでここでは何も保存されません。</translation>
+    </message>
+    <message>
+        <source>The store of %1 was written by a newer Nazori or another program: %2. Nothing was changed, and nothing is kept.</source>
+        <translation>%1 の記録は新しい版の Nazori か別のプログラムのものです：%2。何も変えていません。何も保存されません。</translation>
+    </message>
+    <message>
+        <source>The store of %1 is damaged: %2. Nothing was changed. A backup can be put in its place.</source>
+        <translation>%1 の記録が壊れています：%2。何も変えていません。バックアップから戻せます。</translation>
+    </message>
+    <message>
+        <source>The store of %1 cannot be written: %2. Nothing is kept.</source>
+        <translation>%1 の記録に書き込めません：%2。何も保存されません。</translation>
+    </message>
+    <message>
+        <source>It could not be kept: %1.</source>
+        <translation>保存できませんでした：%1。</translation>
     </message>
 </context>
 <context>
@@ -2108,6 +2379,55 @@ Columns and rows:</source>
     <message>
         <source>This is how it is written. Delete clears the tablet to try again.</source>
         <translation>こう書きます。Delete で消して、もう一度書けます。</translation>
+    </message>
+    <message>
+        <source>%1 H shows where the stroke goes.</source>
+        <translation>%1H キーで書く場所を示します。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is shown in blue. Write it there and go on.</source>
+        <translation>%1画目を青で示しました。そこに書いて続けてください。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::NewListDialog</name>
+    <message>
+        <source>New list</source>
+        <translation>新しいリスト</translation>
+    </message>
+    <message>
+        <source>Characters</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>休日月火水木金土
+# what follows such a sign is a note</source>
+        <translation>休日月火水木金土
+# この印の後はメモです</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>ファイルから…</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名前(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Characters</source>
+        <translation>文字(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Read a list</source>
+        <translation>リストを読む</translation>
+    </message>
+    <message>
+        <source>Texts (*.txt *.csv *.tsv);;All files (*)</source>
+        <translation>テキスト (*.txt *.csv *.tsv);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Give the list a name of at most 100 bytes.</source>
+        <translation>リストに 100 バイトまでの名前を付けてください。</translation>
     </message>
 </context>
 <context>
@@ -2454,6 +2774,227 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::SessionActions</name>
+    <message>
+        <source>&amp;Study what is due</source>
+        <translation>今日の分を学習する(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Begin with what is due now</source>
+        <translation>今の分から始めます</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>次へ(&amp;G)</translation>
+    </message>
+    <message>
+        <source>To the next stage, or with the proposed rating</source>
+        <translation>次の段階へ、または提案された評価で進みます</translation>
+    </message>
+    <message>
+        <source>&amp;Again</source>
+        <translation>もう一度(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Forgotten: it comes again soon</source>
+        <translation>忘れていた：まもなくまた出ます</translation>
+    </message>
+    <message>
+        <source>&amp;Hard</source>
+        <translation>難しい(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Known with effort</source>
+        <translation>苦労して思い出した</translation>
+    </message>
+    <message>
+        <source>Goo&amp;d</source>
+        <translation>できた(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>思い出した</translation>
+    </message>
+    <message>
+        <source>&amp;Easy</source>
+        <translation>簡単(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Known without effort</source>
+        <translation>楽に思い出した</translation>
+    </message>
+    <message>
+        <source>&amp;Take back the last review</source>
+        <translation>最後の復習を取り消す(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Take back what was kept last; again for the one before, also of other days</source>
+        <translation>最後に保存したものを取り消します。繰り返すと、その前のものや別の日のものも取り消せます</translation>
+    </message>
+    <message>
+        <source>&amp;Postpone to tomorrow</source>
+        <translation>明日にまわす(&amp;P)</translation>
+    </message>
+    <message>
+        <source>This character comes tomorrow</source>
+        <translation>この文字は明日出ます</translation>
+    </message>
+    <message>
+        <source>Pa&amp;use or resume</source>
+        <translation>休止・再開(&amp;U)</translation>
+    </message>
+    <message>
+        <source>This character does not come until it is resumed</source>
+        <translation>この文字は再開するまで出ません</translation>
+    </message>
+    <message>
+        <source>&amp;Begin anew</source>
+        <translation>初めからやり直す(&amp;B)</translation>
+    </message>
+    <message>
+        <source>This character is new again</source>
+        <translation>この文字は新しい文字に戻ります</translation>
+    </message>
+    <message>
+        <source>&amp;Tags…</source>
+        <translation>タグ(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Words of your own for this character, to learn by</source>
+        <translation>この文字に付ける自分の言葉。それで選んで学べます</translation>
+    </message>
+    <message>
+        <source>End the &amp;session</source>
+        <translation>学習を終える(&amp;S)</translation>
+    </message>
+    <message>
+        <source>What was rated is kept</source>
+        <translation>評価したものは保存されています</translation>
+    </message>
+    <message>
+        <source>Study se&amp;ttings…</source>
+        <translation>学習の設定(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Limits, lists, order, desired retention</source>
+        <translation>一日の量、リスト、順番、目標の定着率</translation>
+    </message>
+    <message>
+        <source>St&amp;udy</source>
+        <translation>学習(&amp;U)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::SessionBar</name>
+    <message>
+        <source>Study session</source>
+        <translation>学習中</translation>
+    </message>
+    <message>
+        <source>How far the session is</source>
+        <translation>学習の進み具合</translation>
+    </message>
+    <message>
+        <source>hiragana for %1</source>
+        <translation>%1 のひらがな</translation>
+    </message>
+    <message>
+        <source>katakana for %1</source>
+        <translation>%1 のカタカナ</translation>
+    </message>
+    <message numerus="yes">
+        <source>a character of %n strokes</source>
+        <translation>
+            <numerusform>%n 画の文字</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 · %3 left</source>
+        <translation>%2 のうち %1 · 残り %3</translation>
+    </message>
+    <message>
+        <source>This character is not the one that is asked for.</source>
+        <translation>これは今の問題の文字ではありません。</translation>
+    </message>
+    <message>
+        <source>%1: %2, proposed</source>
+        <translation>%1：%2、提案</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Back to the session  ⏎</source>
+        <translation>学習に戻る  ⏎</translation>
+    </message>
+    <message>
+        <source>Next character  ⏎</source>
+        <translation>次の文字  ⏎</translation>
+    </message>
+    <message>
+        <source>%1  ⏎</source>
+        <translation>%1  ⏎</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::SessionPanel</name>
+    <message>
+        <source>The character that is studied</source>
+        <translation>学習中の文字</translation>
+    </message>
+    <message>
+        <source>Earlier writing</source>
+        <translation>前に書いたもの</translation>
+    </message>
+    <message>
+        <source>Another lesson: this one is forgotten often</source>
+        <translation>別の練習：よく忘れる文字</translation>
+    </message>
+    <message>
+        <source>Once more today</source>
+        <translation>今日もう一度</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>復習</translation>
+    </message>
+    <message>
+        <source>New character</source>
+        <translation>新しい文字</translation>
+    </message>
+    <message>
+        <source>Not yet written from memory.</source>
+        <translation>まだ覚えて書いたことがありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Written from memory: %n times</source>
+        <translation>
+            <numerusform>覚えて書いた回数：%n</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Forgotten: %n times</source>
+        <translation>
+            <numerusform>忘れた回数：%n</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stroke %1 went wrong %n times.</source>
+        <translation>
+            <numerusform>%1画目を %n 回間違えました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>今</translation>
+    </message>
+    <message>
+        <source>Its parts: %1.</source>
+        <translation>部分：%1</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StatusLine</name>
     <message>
         <source>How often a second the stylus is felt</source>
@@ -2506,10 +3047,6 @@ Columns and rows:</source>
     <message>
         <source>The session is being recorded to %1</source>
         <translation>%1 に記録しています</translation>
-    </message>
-    <message>
-        <source>Mouse or pen</source>
-        <translation>マウスまたはペン</translation>
     </message>
 </context>
 <context>
@@ -2707,6 +3244,439 @@ Columns and rows:</source>
     <message>
         <source>It may stop or thin out.</source>
         <translation>止めても払ってもかまいません。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StudySession</name>
+    <message>
+        <source>What is due cannot be told: %1.</source>
+        <translation>今日の分が分かりません：%1。</translation>
+    </message>
+    <message>
+        <source>Nothing is due now.</source>
+        <translation>今の分はありません。</translation>
+    </message>
+    <message>
+        <source>The session has ended. Everything that was rated is kept.</source>
+        <translation>学習を終えました。評価したものはすべて保存されています。</translation>
+    </message>
+    <message>
+        <source>%1 is forgotten often. It is set apart: Home offers another lesson for it.</source>
+        <translation>%1 はよく忘れるので取り分けました。ホームに別の練習があります。</translation>
+    </message>
+    <message>
+        <source>Kept: %1 is “%2” and comes %3.</source>
+        <translation>保存しました：%1 は「%2」、次は%3。</translation>
+    </message>
+    <message>
+        <source>There is nothing to take back.</source>
+        <translation>取り消すものはありません。</translation>
+    </message>
+    <message>
+        <source>Taken back: the last writing of %1.</source>
+        <translation>取り消しました：%1 の最後に書いたもの。</translation>
+    </message>
+    <message>
+        <source>Taken back: %1 is not postponed.</source>
+        <translation>取り消しました：%1 はまた予定どおりです。</translation>
+    </message>
+    <message>
+        <source>Taken back: %1 is not paused.</source>
+        <translation>取り消しました：%1 は休止していません。</translation>
+    </message>
+    <message>
+        <source>Taken back: %1 is paused again.</source>
+        <translation>取り消しました：%1 はまた休止です。</translation>
+    </message>
+    <message>
+        <source>Taken back: what was learnt of %1 is there again.</source>
+        <translation>取り消しました：%1 の学習が元に戻りました。</translation>
+    </message>
+    <message>
+        <source>Taken back: %1.</source>
+        <translation>取り消しました：%1。</translation>
+    </message>
+    <message>
+        <source>%1 Ctrl+Shift+Z takes it back.</source>
+        <translation>%1Ctrl+Shift+Z で取り消せます。</translation>
+    </message>
+    <message>
+        <source>%1 comes tomorrow.</source>
+        <translation>%1 は明日出ます。</translation>
+    </message>
+    <message>
+        <source>%1 is paused until it is asked for.</source>
+        <translation>%1 は再開するまで休みです。</translation>
+    </message>
+    <message>
+        <source>%1 is new again.</source>
+        <translation>%1 は新しい文字に戻りました。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StudySettingsDialog</name>
+    <message>
+        <source>The study settings hold from now on.</source>
+        <translation>学習の設定はこれから有効です。</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>タグ</translation>
+    </message>
+    <message>
+        <source>Tags of %1, with commas between them:</source>
+        <translation>%1 のタグ（コンマで区切ります）：</translation>
+    </message>
+    <message>
+        <source>Study settings</source>
+        <translation>学習の設定</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>Desired retention</source>
+        <translation>目標の定着率</translation>
+    </message>
+    <message>
+        <source>&amp;New characters a day, at most</source>
+        <translation>一日の新しい文字の上限(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Reviews a day, at most</source>
+        <translation>一日の復習の上限(&amp;R)</translation>
+    </message>
+    <message>
+        <source>A study &amp;day begins at (hour)</source>
+        <translation>学習の一日が始まる時刻（時）(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>時間帯</translation>
+    </message>
+    <message>
+        <source>as the computer</source>
+        <translation>コンピューターと同じ</translation>
+    </message>
+    <message>
+        <source>Time &amp;zone</source>
+        <translation>時間帯(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Order of new characters</source>
+        <translation>新しい文字の順番</translation>
+    </message>
+    <message>
+        <source>by school grade</source>
+        <translation>学年順</translation>
+    </message>
+    <message>
+        <source>commonest first</source>
+        <translation>よく使う順</translation>
+    </message>
+    <message>
+        <source>fewest strokes first</source>
+        <translation>画数の少ない順</translation>
+    </message>
+    <message>
+        <source>parts before wholes</source>
+        <translation>部分から全体へ</translation>
+    </message>
+    <message>
+        <source>as in the lists</source>
+        <translation>リストの順</translation>
+    </message>
+    <message>
+        <source>&amp;Order of new characters</source>
+        <translation>新しい文字の順番(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Lists to learn from</source>
+        <translation>学ぶリスト</translation>
+    </message>
+    <message>
+        <source>New list…</source>
+        <translation>新しいリスト…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下へ</translation>
+    </message>
+    <message>
+        <source>Postpone all…</source>
+        <translation>すべて延ばす…</translation>
+    </message>
+    <message>
+        <source>Postpone</source>
+        <translation>延ばす</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>日数</translation>
+    </message>
+    <message>
+        <source>%1 characters are postponed.</source>
+        <translation>%1 字を延ばしました。</translation>
+    </message>
+    <message>
+        <source>Pause all</source>
+        <translation>すべて休止</translation>
+    </message>
+    <message>
+        <source>%1 characters are paused.</source>
+        <translation>%1 字を休止しました。</translation>
+    </message>
+    <message>
+        <source>Resume all</source>
+        <translation>すべて再開</translation>
+    </message>
+    <message>
+        <source>%1 characters come again.</source>
+        <translation>%1 字がまた出ます。</translation>
+    </message>
+    <message>
+        <source>Begin all anew</source>
+        <translation>すべて初めから</translation>
+    </message>
+    <message>
+        <source>%1 characters are new again.</source>
+        <translation>%1 字が新しい文字に戻りました。</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Misses of a stroke until a &amp;hint is offered</source>
+        <translation>ヒントを勧めるまでの一画の失敗の数(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Misses until the stroke is &amp;shown</source>
+        <translation>画を示すまでの失敗の数(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Forgotten so often, a character gets another &amp;lesson</source>
+        <translation>この回数忘れた文字は別の練習へ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Vary intervals a little</source>
+        <translation>間隔を少しずらす(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Choose the &amp;emptier day</source>
+        <translation>少ない日を選ぶ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>FSRS weights of your own…</source>
+        <translation>自分の FSRS の重み…</translation>
+    </message>
+    <message>
+        <source>The usual weights</source>
+        <translation>標準の重み</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窓</translation>
+    </message>
+    <message>
+        <source>Nazori opens with &amp;Home</source>
+        <translation>ホームから始める(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Ask by a &amp;word at times, the character left out</source>
+        <translation>ときどき、文字を抜いた熟語で尋ねる(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Left-handed: what stands beside the tablet changes sides</source>
+        <translation>左利き：文字板の左右を入れ替える(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Keys for one hand</source>
+        <translation>片手のキー</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>left hand: 1 2 3 4, E goes on, W hint, X takes back</source>
+        <translation>左手：1 2 3 4、E で次へ、W でヒント、X で取り消し</translation>
+    </message>
+    <message>
+        <source>right hand: 7 8 9 0, K goes on, U hint, Backspace takes back</source>
+        <translation>右手：7 8 9 0、K で次へ、U でヒント、Backspace で取り消し</translation>
+    </message>
+    <message>
+        <source>&amp;Keys for one hand</source>
+        <translation>片手のキー(&amp;K)</translation>
+    </message>
+    <message>
+        <source>With %1 new a day about %2 reviews and %3 minutes a day; after a year about %4 characters known. Higher retention means more reviews.</source>
+        <translation>一日に新しい文字 %1 字なら、一日およそ復習 %2 件、%3 分。一年後にはおよそ %4 字を覚えています。定着率を高くすると復習が増えます。</translation>
+    </message>
+    <message>
+        <source>School grade %1</source>
+        <translation>小学%1年</translation>
+    </message>
+    <message>
+        <source>Secondary school</source>
+        <translation>中学校以上</translation>
+    </message>
+    <message>
+        <source>For names</source>
+        <translation>人名用</translation>
+    </message>
+    <message>
+        <source>Hiragana</source>
+        <translation>ひらがな</translation>
+    </message>
+    <message>
+        <source>Katakana</source>
+        <translation>カタカナ</translation>
+    </message>
+    <message>
+        <source>Old JLPT level %1 (before 2010)</source>
+        <translation>旧日本語能力試験 %1 級（2010年より前）</translation>
+    </message>
+    <message>
+        <source>Own list: %1</source>
+        <translation>自分のリスト：%1</translation>
+    </message>
+    <message>
+        <source>Tag: %1</source>
+        <translation>タグ：%1</translation>
+    </message>
+    <message>
+        <source>No list is chosen: nothing new will come.</source>
+        <translation>リストが選ばれていません。新しい文字は出ません。</translation>
+    </message>
+    <message>
+        <source>%1 characters are chosen, %2 of them met already.</source>
+        <translation>%1 字が選ばれ、そのうち %2 字はもう学び始めました。</translation>
+    </message>
+    <message>
+        <source>Only lists of your own can be removed.</source>
+        <translation>削除できるのは自分のリストだけです。</translation>
+    </message>
+    <message>
+        <source>Remove the list</source>
+        <translation>リストの削除</translation>
+    </message>
+    <message>
+        <source>Remove “%1”? What was learnt of its characters stays.</source>
+        <translation>「%1」を削除しますか。その文字の学習は残ります。</translation>
+    </message>
+    <message>
+        <source>There is nothing in this list.</source>
+        <translation>このリストには何もありません。</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z takes it back.</source>
+        <translation>Ctrl+Shift+Z で取り消せます。</translation>
+    </message>
+    <message>
+        <source>FSRS-6 with its usual weights.</source>
+        <translation>FSRS-6、標準の重み。</translation>
+    </message>
+    <message>
+        <source>FSRS-6 with weights of your own, the first %1.</source>
+        <translation>FSRS-6、自分の重み（最初は %1）。</translation>
+    </message>
+    <message>
+        <source>FSRS weights</source>
+        <translation>FSRS の重み</translation>
+    </message>
+    <message>
+        <source>21, 19 or 17 numbers, as Anki shows them:</source>
+        <translation>Anki が示すとおりの 21、19 または 17 個の数：</translation>
+    </message>
+    <message>
+        <source>These weights are not taken: %1.</source>
+        <translation>この重みは使えません：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StudyWords</name>
+    <message>
+        <source>Again</source>
+        <translation>もう一度</translation>
+    </message>
+    <message>
+        <source>Hard</source>
+        <translation>難しい</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>できた</translation>
+    </message>
+    <message>
+        <source>Easy</source>
+        <translation>簡単</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>見る</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>なぞる</translation>
+    </message>
+    <message>
+        <source>Guided</source>
+        <translation>導き</translation>
+    </message>
+    <message>
+        <source>From memory</source>
+        <translation>覚えて書く</translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n minutes</source>
+        <translation>
+            <numerusform>%n 分後</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>tomorrow</source>
+        <translation>明日</translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n days</source>
+        <translation>
+            <numerusform>%n 日後</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n months</source>
+        <translation>
+            <numerusform>%n か月後</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>in %1 years</source>
+        <translation>%1 年後</translation>
+    </message>
+    <message>
+        <source>less than a minute</source>
+        <translation>一分足らず</translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minutes</source>
+        <translation>
+            <numerusform>約 %n 分</numerusform>
+        </translation>
     </message>
 </context>
 <context>

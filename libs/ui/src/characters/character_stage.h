@@ -2,11 +2,14 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "characters/character_actions.h"
 #include "desk.h"
 #include "library.h"
+#include "nazori/study/lesson.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -41,14 +44,24 @@ class CharacterStage : public QObject {
   /// What the learner shall find out must not stand beside the tablet.
   [[nodiscard]] virtual bool hides_character() const { return false; }
 
+  /// What to do after a miss of a stroke, counted from 0; nothing: misses are only told.
+  using OnMiss = std::function<study::MissReply(int stroke)>;
+  void set_on_miss(OnMiss on_miss) { on_miss_ = std::move(on_miss); }
+
  signals:
   void hiding_changed();
+  /// The character was gone through to its end; what the stage knows of how.
+  void finished(nazori::study::WritingResult result);
 
  protected:
   /// The lesson begins, or begins anew with another character.
   virtual void begin() = 0;
   virtual void end() {}
 
+  [[nodiscard]] study::MissReply reply_to_miss(int stroke) const {
+    return on_miss_ ? on_miss_(stroke) : study::MissReply::try_again;
+  }
+  [[nodiscard]] bool is_taught() const { return static_cast<bool>(on_miss_); }
   [[nodiscard]] Desk& desk() const { return desk_; }
   [[nodiscard]] CharacterActions& actions() const { return actions_; }
   [[nodiscard]] TabletController& controller() const { return desk_.controller(); }
@@ -62,6 +75,7 @@ class CharacterStage : public QObject {
   Desk& desk_;
   CharacterActions& actions_;
   Lesson lesson_;
+  OnMiss on_miss_;
   bool entered_ = false;
 };
 

@@ -19,20 +19,26 @@
 #include "error_text.h"
 #include "file_exchange.h"
 #include "kanji_text.h"
+#include "study/session_actions.h"
+#include "study/session_bar.h"
+#include "study/session_panel.h"
+#include "study/study_dialogs.h"
 
 namespace nazori::ui {
 
 namespace {
 
-QWidget* stack_up(const char* name, QWidget* upper, QWidget* lower, QWidget* window) {
+/// Of which the last is there at first.
+QWidget* stack_up(const char* name, const QList<QWidget*>& pieces, QWidget* window) {
   auto* side = new QWidget(window);
   side->setObjectName(QString::fromLatin1(name));
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(upper);
-  column->addWidget(lower, 1);
-  upper->hide();
+  for (auto* piece : pieces) {
+    column->addWidget(piece, piece == pieces.front() && pieces.size() == 2 ? 0 : 1);
+    piece->setVisible(piece == pieces.back());
+  }
   return side;
 }
 
@@ -41,12 +47,15 @@ QWidget* stack_up(const char* name, QWidget* upper, QWidget* lower, QWidget* win
 Characters::Characters(Desk& desk)
     : Workplace(desk),
       actions_(new CharacterActions(&desk.window())),
+      session_actions_(new SessionActions(&desk.window())),
       library_panel_(new LibraryPanel(&desk.library(), &desk.window())),
       information_panel_(new InformationPanel(&desk.window())),
       compare_(new CompareView(&desk.window())),
       draw_panel_(new DrawPanel(desk, &desk.window())),
-      left_side_(stack_up("left_side", draw_panel_, library_panel_, &desk.window())),
-      right_side_(stack_up("right_side", compare_, information_panel_, &desk.window())),
+      session_panel_(new SessionPanel(desk.session(), *session_actions_, desk.learner(), &desk.window())),
+      session_bar_(new SessionBar(desk.session(), *session_actions_, desk.learner(), &desk.window())),
+      left_side_(stack_up("left_side", {draw_panel_, session_panel_, library_panel_}, &desk.window())),
+      right_side_(stack_up("right_side", {compare_, information_panel_}, &desk.window())),
       files_(new FileExchange(&desk.workshop(), &desk.window())) {
   const Preferences& preferences = desk.preferences();
   auto& controller = desk.controller();
@@ -59,10 +68,11 @@ Characters::Characters(Desk& desk)
 
   memory_ = new MemoryStage(desk, *actions_, compare_);
   auto* trace = new TraceStage(desk, *actions_);
-  stages_ = {{QStringLiteral("watch"), actions_->watch, new WatchStage(desk, *actions_)},
-             {QStringLiteral("trace"), actions_->trace, trace},
-             {QStringLiteral("guided"), actions_->guided, new GuidedStage(desk, *actions_)},
-             {QStringLiteral("memory"), actions_->memory, memory_}};
+  guided_ = new GuidedStage(desk, *actions_);
+  stages_ = {{QStringLiteral("watch"), actions_->watch, new WatchStage(desk, *actions_), study::Stage::watch},
+             {QStringLiteral("trace"), actions_->trace, trace, study::Stage::trace},
+             {QStringLiteral("guided"), actions_->guided, guided_, study::Stage::guided},
+             {QStringLiteral("memory"), actions_->memory, memory_, study::Stage::memory}};
   QSettings settings(desk.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
   memory_->load(settings);
@@ -74,8 +84,11 @@ Characters::Characters(Desk& desk)
     connect(entry.action, &QAction::triggered, this, [this, stage = entry.stage] { enter_stage(stage); });
     connect(entry.stage, &CharacterStage::hiding_changed, this, &Characters::show_hiding);
   }
+  actions_->adopt(*session_actions_);
   connect_actions();
   connect_work();
+  connect_session();
+  connect_study_actions();
 }
 
 Characters::~Characters() = default;
@@ -98,6 +111,8 @@ Workplace::Panel Characters::right() const {
   return {right_side_, tr("&Information"), tr("Show or fold away the information")};
 }
 
+QWidget* Characters::under_tablet() const { return session_bar_; }
+
 ActionSet* Characters::actions() const { return actions_; }
 
 QList<Tool> Characters::tools() const {
@@ -117,11 +132,13 @@ QString Characters::tablet_description() const {
 void Characters::enter() {
   entered_ = true;
   enter_stage(stage_);
+  show_session();
   if (!tablet_ && path_.empty()) choose(desk().preferences().kanji, true);
 }
 
 void Characters::leave() {
   stage_->leave();
+  session_bar_->hide();
   desk().controller().set_guides({});
   entered_ = false;
 }
@@ -134,13 +151,23 @@ void Characters::enter_stage(CharacterStage* stage) {
     if (entry.stage == stage) entry.action->setChecked(true);
   }
   for (auto* action : stage->own_actions()) action->setEnabled(true);
+  for (const auto& entry : stages_)
+    if (entry.stage == stage && entered_) desk().session().enter_stage(entry.name);
   begin_lesson();
   show_hiding();
   emit tools_changed();
   desk().save_later();
 }
 
-void Characters::begin_lesson() { stage_->enter({sheet_, tablet_}); }
+void Characters::begin_lesson() {
+  const auto& session = desk().session();
+  const bool taught = session.is_running() && !session.is_away();
+  guided_->set_help(taught ? std::optional(session.help()) : std::nullopt);
+  for (const auto& entry : stages_)
+    entry.stage->set_on_miss(taught ? [this](int stroke) { return desk().session().note_miss(stroke); }
+                                    : CharacterStage::OnMiss());
+  stage_->enter({sheet_, tablet_});
+}
 
 void Characters::show_hiding() {
   const bool hidden = stage_->hides_character();
@@ -157,16 +184,19 @@ void Characters::save(QSettings& settings) const {
 
 void Characters::open_drawing(bool open) {
   if (open) desk().open_left_panel();
-  library_panel_->setVisible(!open);
   draw_panel_->setVisible(open);
   actions_->draw_to_find->setChecked(open);
+  show_session();
   if (open)
     draw_panel_->begin();
   else
     desk().focus_tablet();
 }
 
-void Characters::take_appearance() { information_panel_->refresh(); }
+void Characters::take_appearance() {
+  information_panel_->refresh();
+  session_actions_->draw_icons();
+}
 
 bool Characters::opens(const QStringList& paths) const {
   return std::all_of(paths.begin(), paths.end(), [](const QString& path) {
@@ -191,6 +221,8 @@ void Characters::connect_actions() {
   };
   on(actions_->find, [this] {
     if (actions_->draw_to_find->isChecked()) open_drawing(false);
+    searching_ = true;
+    show_session();
     desk().open_left_panel();
     library_panel_->focus_search();
   });
@@ -262,6 +294,7 @@ void Characters::travel(int by) {
 
 void Characters::take_sheet(const std::shared_ptr<const CharacterSheet>& sheet) {
   coming_ = sheet;
+  searching_ = false;
   desk().workshop().carve(sheet->character);
 }
 
@@ -274,7 +307,15 @@ void Characters::take_tablet(char32_t code_point, const Tablet& tablet) {
   desk().save_later();
   for (const auto& entry : stages_) entry.action->setEnabled(true);
   information_panel_->show_character(sheet_);
-  if (entered_) begin_lesson();
+  auto& session = desk().session();
+  session.take_sheet(sheet_);
+  if (entered_) {
+    // For who studies, at the stage that is due; else at the one at hand.
+    if (session.is_running() && !session.is_away() && stage_for(session.stage()) != stage_)
+      enter_stage(stage_for(session.stage()));
+    else
+      begin_lesson();
+  }
   show_hiding();
   if (entered_) emit desk().character_shown(code_point);
 }
@@ -289,6 +330,7 @@ void Characters::take_own(const OwnTablet& loaded) {
   for (const auto& entry : stages_)
     if (entry.action == actions_->trace && entry.stage != stage_) enter_stage(entry.stage);
   begin_lesson();
+  desk().session().take_sheet(nullptr);
   information_panel_->show_own(own_.name, own_.map_size, desk().controller().stroke_count());
   show_hiding();
   desk().say(Feedback::good, own_.has_strokes

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "nazori/study/lesson.h"
 #include "workplace.h"
 #include "workshop.h"
 
@@ -15,9 +16,13 @@ class CharacterStage;
 class CompareView;
 class DrawPanel;
 class FileExchange;
+class GuidedStage;
 class InformationPanel;
 class LibraryPanel;
 class MemoryStage;
+class SessionActions;
+class SessionBar;
+class SessionPanel;
 struct CharacterSheet;
 
 /// The workplace for characters: those to choose from on the left, all about the one on the desk on the
@@ -35,6 +40,7 @@ class Characters final : public Workplace {
   [[nodiscard]] QString title() const override;
   [[nodiscard]] Panel left() const override;
   [[nodiscard]] Panel right() const override;
+  [[nodiscard]] QWidget* under_tablet() const override;
   [[nodiscard]] ActionSet* actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
   [[nodiscard]] QString tablet_description() const override;
@@ -62,12 +68,20 @@ class Characters final : public Workplace {
   void begin_lesson();
   void show_hiding();
   void open_drawing(bool open);
+  void connect_session();
+  void connect_study_actions();
+  void show_session();
+  [[nodiscard]] CharacterStage* stage_for(study::Stage stage) const;
+  [[nodiscard]] char32_t studied_character() const;
 
   CharacterActions* actions_;
+  SessionActions* session_actions_;
   LibraryPanel* library_panel_;
   InformationPanel* information_panel_;
   CompareView* compare_;
   DrawPanel* draw_panel_;
+  SessionPanel* session_panel_;
+  SessionBar* session_bar_;
   QWidget* left_side_;   ///< the list, or what is drawn to find
   QWidget* right_side_;  ///< the comparison over the information
   FileExchange* files_;
@@ -76,9 +90,11 @@ class Characters final : public Workplace {
     QString id;
     QAction* action;
     CharacterStage* stage;
+    study::Stage name;
   };
   std::vector<StageEntry> stages_;
   MemoryStage* memory_;
+  GuidedStage* guided_;
   CharacterStage* stage_ = nullptr;
 
   bool entered_ = false;
@@ -89,6 +105,7 @@ class Characters final : public Workplace {
   OwnTablet own_;               ///< loaded from files; empty while a character is on the desk
   std::vector<char32_t> path_;  ///< characters visited
   std::size_t step_ = 0;        ///< where in `path_` we are
+  bool searching_ = false;      ///< the list stands in the session's place
 };
 
 }  // namespace nazori::ui

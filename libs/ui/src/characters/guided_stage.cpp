@@ -13,6 +13,8 @@ namespace {
 /// By the number of successes: how much of the lines is still seen, and how firmly strokes hold.
 constexpr std::array kLines{0.45, 0.2, 0.0, 0.0};
 constexpr std::array kHold{1.0, 0.6, 0.3, 0.0};
+/// With less help the numbers are gone, too.
+constexpr double kNumbersUntil = 0.5;
 
 double at_level(const std::array<double, 4>& help, int successes) {
   return help[static_cast<std::size_t>(std::min(successes, 3))];
@@ -61,22 +63,39 @@ void GuidedStage::begin() {
 
 void GuidedStage::end() { controller().set_writing({}); }
 
-void GuidedStage::lay_out() {
+TabletGuides GuidedStage::guides() const {
   const bool starts = actions().by_starts->isChecked();
   TabletGuides guides;
-  guides.lines_opacity = at_level(kLines, successes_);
-  guides.numbers = starts || successes_ == 0;
+  const double help = help_.value_or(at_level(kHold, successes_));
+  guides.lines_opacity = help_ ? kLines.front() * help : at_level(kLines, successes_);
+  guides.numbers = starts || (help_ ? help > kNumbersUntil : successes_ == 0);
   guides.strokes = guides.numbers || guides.lines_opacity > 0;
   guides.arrows = guides.lines_opacity > 0;
-  guides.snapping_strength = at_level(kHold, successes_);
+  guides.snapping_strength = help;
+  if (shown_alone_ != 0) {
+    guides.strokes = guides.arrows = guides.numbers = true;
+    guides.lines_opacity = 1;
+  }
   guides.snapping = guides.snapping_strength > 0;
   guides.traced = true;
-  controller().set_guides(guides);
+  return guides;
+}
+
+void GuidedStage::lay_out() {
+  const bool starts = actions().by_starts->isChecked();
+  shown_alone_ = 0;
+  controller().set_guides(guides());
   if (!lesson().tablet)
     controller().set_tablet(nullptr);
   else
     controller().set_tablet(starts ? blank_tablet(lesson().tablet->lines()) : lesson().tablet);
   clear();
+}
+
+void GuidedStage::show_alone(int stroke) {
+  shown_alone_ = stroke;
+  controller().set_guides(guides());
+  controller().set_current_stroke(stroke);
 }
 
 void GuidedStage::clear() {
@@ -95,8 +114,25 @@ void GuidedStage::invite() {
 }
 
 void GuidedStage::take(InkEvent event, int stroke) {
-  slipped_ = slipped_ || event == InkEvent::too_early || event == InkEvent::from_the_end;
-  if (event == InkEvent::finished && controller().ink().next_stroke() == 0) {
+  const int next = controller().ink().next_stroke();
+  if (event == InkEvent::too_early || event == InkEvent::from_the_end) {
+    slipped_ = true;
+    if (reply_to_miss(next - 1) == study::MissReply::show) {
+      show_alone(next);
+      desk().say(Feedback::advice, tr("Stroke %1 is shown. Draw it from its number.").arg(next));
+      return;
+    }
+  }
+  if (event == InkEvent::finished && shown_alone_ == stroke) show_alone(0);
+  if (event == InkEvent::finished && next == 0) {
+    if (help_) {
+      study::WritingResult result;
+      result.help = *help_;
+      desk().say(slipped_ ? Feedback::advice : Feedback::good,
+                 slipped_ ? tr("All strokes are there, not all at their turn.") : tr("Without a slip."));
+      emit finished(result);
+      return;
+    }
     if (slipped_) {
       desk().say(Feedback::advice,
                  tr("All strokes are there, not all at their turn. Delete clears the tablet."));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "characters/character_stage.h"
@@ -19,6 +20,8 @@ class GuidedStage final : public CharacterStage {
   [[nodiscard]] QList<Tool> tools() const override;
   /// How often this character was traced without a slip since it came to the desk.
   [[nodiscard]] int successes() const { return successes_; }
+  /// How much help there is, 0..1, where a course of lessons decides it; nothing: by successes().
+  void set_help(std::optional<double> help) { help_ = help; }
 
  protected:
   void begin() override;
@@ -26,6 +29,8 @@ class GuidedStage final : public CharacterStage {
 
  private:
   void lay_out();
+  [[nodiscard]] TabletGuides guides() const;
+  void show_alone(int stroke);
   void clear();
   void invite();
   void take(InkEvent event, int stroke);
@@ -35,6 +40,8 @@ class GuidedStage final : public CharacterStage {
   std::vector<view::WrittenStroke> written_;
   char32_t character_ = 0;
   int successes_ = 0;
+  std::optional<double> help_;
+  int shown_alone_ = 0;  ///< stroke that is shown after too many misses
   bool slipped_ = false;
 };
 

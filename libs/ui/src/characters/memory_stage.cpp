@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <algorithm>
+#include <utility>
 
 #include "characters/blank_tablet.h"
 #include "characters/compare_view.h"
@@ -169,6 +170,7 @@ void MemoryStage::start_over() {
   carved_.clear();
   grade_ = {};
   hints_ = 0;
+  missed_ = false;
   live_ticket_ = whole_ticket_ = 0;
   recorder_.drop();
   put_groove();
@@ -257,12 +259,16 @@ void MemoryStage::add_stroke(HandStroke stroke) {
   if (state_ != State::writing) {
     seen_.assign(strokes_.size(), actions().judge_each->isChecked());
     set_state(State::writing);
+    emit taken_back();
   }
+  // In a lesson what was refused makes room for the next try.
+  clear_miss();
   strokes_.push_back(std::move(stroke));
   seen_.push_back(actions().judge_each->isChecked());
   hinted_.clear();
   hints_ = 0;
   tell_ = true;
+  emit stroke_added();
   ask(false);
   show_writing();
   refresh_actions();
@@ -308,12 +314,13 @@ void MemoryStage::tell_last_stroke() {
   }
   for (const auto& fault : grade_.faults)
     if (fault.stroke == last && fault.kind != writing::FaultKind::missing) {
-      desk().say(Feedback::wrong, to_text(writing::explain(fault, grade_, interface_language())));
+      tell_miss(to_text(writing::explain(fault, grade_, interface_language())),
+                fault.kind != writing::FaultKind::order);
       return;
     }
   if (static_cast<std::size_t>(last) < grade_.strokes.size() &&
       !grade_.strokes[static_cast<std::size_t>(last)].ok) {
-    desk().say(Feedback::wrong, tr("That is no stroke of this character. Ctrl+Z takes it back."));
+    tell_miss(tr("That is no stroke of this character. Ctrl+Z takes it back."), true);
     return;
   }
   for (const auto& advice : grade_.advice)
@@ -323,6 +330,38 @@ void MemoryStage::tell_last_stroke() {
     }
   desk().say(Feedback::good, left == 0 ? tr("Stroke %1 is right. Enter is done.").arg(last + 1)
                                        : tr("Stroke %1 is right. %n to go.", nullptr, left).arg(last + 1));
+}
+
+void MemoryStage::tell_miss(const QString& why, bool can_be_tried_again) {
+  // The stroke that should have come: the first that was missing before this one.
+  writing::Grade before = grade_;
+  if (before.strokes.size() == strokes_.size()) before.strokes.pop_back();
+  const auto missing = missing_strokes(before, stroke_count());
+  const int expected = missing.empty() ? 0 : missing.front();
+  missed_ = is_taught() && can_be_tried_again;
+  switch (reply_to_miss(expected)) {
+    case study::MissReply::try_again:
+      desk().say(Feedback::wrong, why);
+      return;
+    case study::MissReply::hint:
+      desk().say(Feedback::wrong, tr("%1 H shows where the stroke goes.").arg(why));
+      return;
+    case study::MissReply::show:
+      clear_miss();
+      hinted_ = {expected};
+      show_writing();
+      refresh_actions();
+      desk().say(Feedback::advice,
+                 tr("Stroke %1 is shown in blue. Write it there and go on.").arg(expected + 1));
+      return;
+  }
+}
+
+void MemoryStage::clear_miss() {
+  if (!std::exchange(missed_, false) || strokes_.empty()) return;
+  strokes_.pop_back();
+  seen_.pop_back();
+  if (grade_.strokes.size() > strokes_.size()) grade_.strokes.resize(strokes_.size());
 }
 
 void MemoryStage::finish() {
@@ -356,9 +395,11 @@ void MemoryStage::undo() {
   } else {
     return;
   }
+  missed_ = false;
   hinted_.clear();
   hints_ = 0;
   set_state(State::writing);
+  emit taken_back();
   tell_ = false;
   if (strokes_.empty()) {
     grade_ = {};
@@ -381,6 +422,7 @@ void MemoryStage::give_hint() {
     return;
   }
   ++hints_;
+  emit hint_given();
   hinted_ = hints_ == 1 ? std::vector<int>{missing.front()} : missing;
   show_writing();
   desk().say(Feedback::hint,
@@ -394,6 +436,8 @@ void MemoryStage::give_up() {
   for (int n = 0; n < stroke_count(); ++n) hinted_.push_back(n);
   set_state(State::given_up);
   show_writing();
+  refresh_actions();
+  emit given_up();
   desk().say(Feedback::hint, tr("This is how it is written. Delete clears the tablet to try again."));
 }
 
@@ -423,7 +467,7 @@ void MemoryStage::show_writing() {
 void MemoryStage::refresh_actions() {
   const bool any = !strokes_.empty();
   actions().undo_stroke->setEnabled(is_entered() && any);
-  actions().done->setEnabled(is_entered());
+  actions().done->setEnabled(is_entered() && state_ == State::writing);
   actions().compare_over->setEnabled(is_entered() && any);
   actions().compare_beside->setEnabled(is_entered() && any);
   actions().play->setEnabled(is_entered() && any && actions().compare_beside->isChecked());

@@ -39,6 +39,11 @@ class MemoryStage final : public CharacterStage {
  signals:
   /// The writing was judged as a whole.
   void judged(nazori::writing::Grade grade);
+  /// What was judged goes on being written.
+  void taken_back();
+  void stroke_added();
+  void hint_given();
+  void given_up();
 
  protected:
   void begin() override;
@@ -52,6 +57,8 @@ class MemoryStage final : public CharacterStage {
   void ask(bool finished);
   void take_grade(std::uint64_t ticket, const writing::Grade& grade);
   void tell_last_stroke();
+  void tell_miss(const QString& why, bool can_be_tried_again);
+  void clear_miss();
   void finish();
   void undo();
   void give_hint();
@@ -75,6 +82,7 @@ class MemoryStage final : public CharacterStage {
   bool tell_ = false;  ///< the answer to come is about a stroke just written
   State state_ = State::writing;
   int hints_ = 0;
+  bool missed_ = false;  ///< the last stroke was refused and goes when another is written
   std::vector<int> carved_;  ///< strokes whose grooves have appeared
   Worker carver_{QStringLiteral("carver")};
 };

@@ -2,6 +2,7 @@
 #include "characters/trace_stage.h"
 
 #include <QWidgetAction>
+#include <utility>
 
 #include "characters/stroke_counter.h"
 
@@ -54,7 +55,7 @@ TraceStage::TraceStage(Desk& desk, CharacterActions& actions)
     this->desk().save_later();
   });
   connect(&tablet, &TabletController::stroke_event, this, [this, &tablet](InkEvent event, int stroke) {
-    if (is_entered()) tell(StrokeTeller::about(event, stroke, tablet));
+    if (is_entered()) take(event, stroke);
   });
 }
 
@@ -79,8 +80,26 @@ QList<Tool> TraceStage::tools() const {
 void TraceStage::begin() {
   controller().set_guides({});
   controller().set_tablet(lesson().tablet);
+  shown_alone_ = 0;
   show_state();
   tell(StrokeTeller::invitation(controller()));
+}
+
+void TraceStage::take(InkEvent event, int stroke) {
+  auto& tablet = controller();
+  const int next = tablet.ink().next_stroke();
+  if (event == InkEvent::too_early || event == InkEvent::from_the_end) {
+    if (reply_to_miss(next - 1) == study::MissReply::show) {
+      shown_alone_ = next;
+      tablet.set_current_stroke(next);
+      tell(StrokeTeller::stroke_shown(tablet));
+      return;
+    }
+  }
+  if (event == InkEvent::finished && std::exchange(shown_alone_, 0) == stroke && next != 0)
+    tablet.set_current_stroke(0);
+  tell(StrokeTeller::about(event, stroke, tablet));
+  if (event == InkEvent::finished && next == 0) emit finished({});
 }
 
 void TraceStage::tell(const StrokeTeller::Sentence& sentence) { desk().say(sentence.kind, sentence.text); }

@@ -20,11 +20,13 @@ class TraceStage final : public CharacterStage {
   void begin() override;
 
  private:
+  void take(InkEvent event, int stroke);
   void tell(const StrokeTeller::Sentence& sentence);
   void show_state();
 
   StrokeCounter* counter_;
   QAction* counter_place_;
+  int shown_alone_ = 0;  ///< stroke that is shown alone after too many misses
 };
 
 }  // namespace nazori::ui

@@ -92,6 +92,7 @@ void WatchStage::advance() {
   const double passed_s = static_cast<double>(since_.restart()) / 1000;
   double next_s = time_s_ + passed_s * speed_;
   if (next_s >= player_.duration_s()) {
+    emit finished({});
     if (actions().loop->isChecked()) {
       told_ = 0;
       next_s = 0;
@@ -126,6 +127,7 @@ void WatchStage::step(int by) {
   }
   told_ = 0;
   show_moment(to_s);
+  if (by > 0 && to_s >= stops.back()) emit finished({});
 }
 
 void WatchStage::change_speed(double factor) {

@@ -131,11 +131,9 @@ void Learner::note_lists() {
 void Learner::look_at_the_day() {
   if (store_->today() == day_) return;
   // Opened anew, so that a window which is never closed has its daily backups, too.
-  if (can_write_)
-    open_again();
-  else
-    emit changed();
+  if (can_write_) open();
   day_ = store_->today();
+  emit changed();
 }
 
 }  // namespace nazori::ui

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/home_page.h"
+
+#include <QEvent>
+#include <QFontInfo>
+#include <QFrame>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QResizeEvent>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <set>
+
+#include "kanji_text.h"
+#include "preferences.h"
+#include "study/study_words.h"
+
+namespace nazori::ui {
+namespace {
+
+using std::chrono::days;
+
+constexpr int kMargin = 28;
+constexpr int kWidest_em = 60;  ///< longer lines are hard to read
+constexpr int kMostShown = 12;  ///< characters in a sentence
+
+QString in_a_row(const std::vector<char32_t>& characters) {
+  QString text;
+  for (std::size_t i = 0; i < characters.size() && i < kMostShown; ++i) text += to_text(characters[i]);
+  return characters.size() > kMostShown ? text + QStringLiteral("…") : text;
+}
+
+QLabel* sentence(const char* name, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QString::fromLatin1(name));
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+}  // namespace
+
+HomePage::HomePage(Learner& learner, const StudySession& session, QWidget* parent)
+    : QScrollArea(parent), learner_(learner), session_(session), content_(new QWidget(this)) {
+  setObjectName(QStringLiteral("home_page"));
+  setAccessibleName(tr("Today"));
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFrameShape(QFrame::NoFrame);
+  content_->setObjectName(QStringLiteral("information_content"));
+
+  day_ = sentence("home_day", content_);
+  trouble_ = sentence("home_trouble", content_);
+  trouble_->setProperty("role", QStringLiteral("trouble"));
+  summary_ = sentence("home_summary", content_);
+  summary_->setProperty("role", QStringLiteral("card"));
+  advice_ = sentence("home_advice", content_);
+  leeches_ = sentence("home_leeches", content_);
+  const auto button = [this](const char* name, const QString& text) {
+    auto* made = new QPushButton(text, content_);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setAutoDefault(true);  // Enter presses what has the keyboard
+    return made;
+  };
+  again_ = button("home_try_again", tr("Try again"));
+  start_ = button("home_start", {});
+  start_->setProperty("role", QStringLiteral("primary"));
+  leech_button_ = button("home_leech_lesson", tr("Another lesson for these"));
+  settings_ = button("home_settings", tr("Study settings…"));
+  free_writing_ = button("home_free_writing", tr("Choose a character"));
+  connect(again_, &QPushButton::clicked, this, [this] { learner_.open_again(); });
+  connect(start_, &QPushButton::clicked, this, &HomePage::start_wanted);
+  connect(leech_button_, &QPushButton::clicked, this, &HomePage::leeches_wanted);
+  connect(settings_, &QPushButton::clicked, this, &HomePage::settings_wanted);
+  connect(free_writing_, &QPushButton::clicked, this, &HomePage::free_writing_wanted);
+
+  grid_ = new QGridLayout;
+  grid_->setSpacing(12);
+  for (const auto& [which, name] : {std::pair(due, "home_due"), std::pair(fresh, "home_new"),
+                                    std::pair(minutes, "home_time"), std::pair(streak, "home_streak")})
+    tiles_[which] = make_tile(name);
+
+  auto* column = new QVBoxLayout;
+  column->setSpacing(16);
+  column->addWidget(day_);
+  column->addWidget(trouble_);
+  column->addWidget(again_, 0, Qt::AlignLeft);
+  column->addWidget(summary_);
+  column->addLayout(grid_);
+  column->addWidget(start_);
+  column->addWidget(advice_);
+  column->addWidget(leeches_);
+  column->addWidget(leech_button_, 0, Qt::AlignLeft);
+  column->addStretch(1);
+  auto* others = new QHBoxLayout;
+  others->addWidget(settings_);
+  others->addWidget(free_writing_);
+  others->addStretch(1);
+  column->addLayout(others);
+  auto* row = new QHBoxLayout(content_);
+  row->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  row->addStretch(1);
+  row->addLayout(column, 100);
+  row->addStretch(1);
+  setWidget(content_);
+  viewport()->setAutoFillBackground(false);
+  content_->setAutoFillBackground(false);
+  summary_->hide();
+  fit();
+}
+
+HomePage::Tile HomePage::make_tile(const char* name) {
+  Tile tile;
+  tile.frame = new QFrame(content_);
+  tile.frame->setProperty("role", QStringLiteral("card"));
+  tile.number = new QLabel(tile.frame);
+  tile.number->setObjectName(QString::fromLatin1(name));
+  tile.words = new QLabel(tile.frame);
+  tile.words->setWordWrap(true);
+  tile.words->setProperty("role", QStringLiteral("muted"));
+  auto* column = new QVBoxLayout(tile.frame);
+  column->setContentsMargins(16, 12, 16, 12);
+  column->setSpacing(2);
+  column->addWidget(tile.number);
+  column->addWidget(tile.words);
+  column->addStretch(1);
+  return tile;
+}
+
+void HomePage::show_tile(TileName which, const QString& number, const QString& words) {
+  tiles_[which].number->setText(number);
+  tiles_[which].words->setText(words);
+  tiles_[which].number->setAccessibleName(QStringLiteral("%1 %2").arg(number, words));
+}
+
+void HomePage::set_text(QLabel* label, const QString& text) {
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+
+study::Streak HomePage::streak_now() const {
+  std::set<study::Day> all;
+  (void)learner_.store().for_each_entry(true, [&](const study::LearnerStore::LoggedEntry& logged) {
+    if (logged.entry.kind == study::EntryKind::writing) all.insert(logged.entry.day);
+    return true;
+  });
+  return study::streak_of({all.begin(), all.end()}, learner_.store().today());
+}
+
+QString HomePage::after_the_work(const study::DayPlan& plan) const {
+  const auto& store = learner_.store();
+  if (!plan.later_today.empty())
+    return tr("Done for now. %n characters come once more, the first at %1.", nullptr,
+              static_cast<int>(plan.later_today.size()))
+        .arg(StudyWords::minute(plan.later_today.front().due, store.calendar()));
+  const auto tomorrow = std::count_if(store.cards().begin(), store.cards().end(), [&](const auto& one) {
+    return !one.second.paused && !one.second.leech && one.second.due_day == plan.day + days(1);
+  });
+  if (plan.held_back > 0)
+    return tr("Done for today: your limit is reached. %n reviews wait for tomorrow.", nullptr, plan.held_back);
+  if (store.cards().empty())
+    return tr("There is nothing to learn yet. Choose lists and new characters a day in the study settings.");
+  return tomorrow > 0 ? tr("Done for today. Tomorrow %n reviews are due.", nullptr, static_cast<int>(tomorrow))
+                      : tr("Done for today. Nothing is due tomorrow; new characters come when the settings "
+                           "let them.");
+}
+
+QString HomePage::advice(const study::DayPlan& plan) const {
+  if (plan.now.empty()) return after_the_work(plan);
+  QStringList said;
+  if (plan.gentle) {
+    said.append(tr("%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.",
+                   nullptr, plan.gentle->overdue)
+                    .arg(plan.gentle->per_day));
+    said.append(tr("With %n days like this all is caught up (%1). Until then nothing new is added.", nullptr,
+                   plan.gentle->days)
+                    .arg(StudyWords::day(plan.gentle->last_day)));
+  } else if (plan.held_back > 0) {
+    said.append(tr("%n more reviews wait for another day: that is your limit.", nullptr, plan.held_back));
+  }
+  if (learner_.store().cards().empty())
+    said.append(tr("Each new character is first watched, then traced, then written with help that fades, then "
+                   "from memory. It comes back just before it would be forgotten."));
+  std::vector<char32_t> news;
+  for (const auto& task : plan.now)
+    if (task.kind == study::TaskKind::fresh) news.push_back(task.character);
+  if (!news.empty()) said.append(tr("New today: %1").arg(in_a_row(news)));
+  return said.join(QLatin1Char('\n'));
+}
+
+void HomePage::refresh() {
+  const auto& store = learner_.store();
+  const QString day = StudyWords::day(store.today());
+  day_->setText(learner_.profile() == Preferences().profile ? day
+                                                            : tr("%1 · %2").arg(day, learner_.profile()));
+  set_text(trouble_, learner_.trouble());
+  again_->setVisible(!learner_.can_write());
+  const auto plan = learner_.plan();
+  if (!plan) {
+    set_text(trouble_, to_text(base::to_line(plan.error())));
+    return;
+  }
+  const QLocale locale;
+  const int news = plan->count(study::TaskKind::fresh);
+  const int reviews = static_cast<int>(plan->now.size()) - news;
+  show_tile(due, locale.toString(reviews), tr("due now"));
+  show_tile(fresh, locale.toString(news), plan->new_done > 0 ? tr("new, after %1 today").arg(plan->new_done)
+                                                             : tr("new today"));
+  const auto whole = std::chrono::ceil<std::chrono::minutes>(plan->estimate).count();
+  show_tile(minutes, plan->now.empty() ? locale.toString(0) : locale.toString(static_cast<qlonglong>(whole)),
+            tr("minutes, about", nullptr, static_cast<int>(whole)));
+  const auto run = streak_now();
+  show_tile(streak, locale.toString(run.days),
+            run.days == 0        ? tr("days in a row")
+            : run.day_off_used   ? tr("days in a row; this week's day off is used")
+                                 : tr("days in a row; one day off a week is forgiven"));
+
+  const bool running = session_.is_running();
+  const bool can_start = running || (!plan->now.empty() && learner_.can_write());
+  start_->setVisible(can_start);
+  start_->setText(running ? tr("Go on with the session")
+                          : tr("Start: %n characters", nullptr, static_cast<int>(plan->now.size())));
+  start_->setToolTip(tr("Enter or the space bar starts"));
+  set_text(advice_, advice(*plan));
+  const int leeches = static_cast<int>(plan->leeches.size());
+  set_text(leeches_, leeches == 0 ? QString()
+                                  : tr("%n characters are forgotten often and set apart: %1", nullptr, leeches)
+                                        .arg(in_a_row(plan->leeches)));
+  leech_button_->setVisible(leeches > 0 && !running && learner_.can_write());
+  QWidget* first = start_;
+  if (!can_start) first = learner_.can_write() ? static_cast<QWidget*>(settings_) : again_;
+  const bool had_focus = hasFocus() || (focusProxy() != nullptr && focusProxy()->hasFocus());
+  setFocusProxy(first);
+  if (had_focus) first->setFocus(Qt::OtherFocusReason);
+}
+
+void HomePage::show_summary(const SessionSummary& summary) {
+  QStringList said;
+  if (summary.reviews > 0) {
+    said.append(tr("Done: %n written from memory.", nullptr, summary.reviews));
+    QStringList counts;
+    for (std::size_t i = 0; i < study::kRatings.size(); ++i)
+      if (summary.ratings[i] > 0)
+        counts.append(QStringLiteral("%1 %2").arg(StudyWords::rating(study::kRatings[i])).arg(summary.ratings[i]));
+    said.append(counts.join(QStringLiteral(" · ")));
+  }
+  if (!summary.met.empty()) said.append(tr("Met first: %1").arg(in_a_row(summary.met)));
+  if (!summary.again.empty()) said.append(tr("To see again soon: %1").arg(in_a_row(summary.again)));
+  if (summary.reviews + summary.practices > 0) said.append(tr("Time: %1").arg(StudyWords::about(summary.time)));
+  set_text(summary_, said.join(QLatin1Char('\n')));
+}
+
+void HomePage::fit() {
+  const int em = QFontInfo(font()).pixelSize();
+  QFont large = font();
+  large.setPointSizeF(QFontInfo(font()).pointSizeF() * 2.2);
+  for (const auto& tile : tiles_) tile.number->setFont(large);
+  QFont heading = font();
+  heading.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.5);
+  day_->setFont(heading);
+  QFont button = font();
+  button.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.25);
+  start_->setFont(button);
+  content_->setMaximumWidth(QWIDGETSIZE_MAX);
+  const int room = std::min(viewport()->width() - 2 * kMargin, em * kWidest_em);
+  const int columns = room >= em * 40 ? 4 : room >= em * 20 ? 2 : 1;
+  for (std::size_t i = 0; i < tiles_.size(); ++i)
+    grid_->addWidget(tiles_[i].frame, static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+}
+
+void HomePage::changeEvent(QEvent* event) {
+  QScrollArea::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fit();
+}
+
+void HomePage::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  fit();
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QScrollArea>
+#include <array>
+
+#include "nazori/study/statistics.h"
+#include "study/learner.h"
+#include "study/study_session.h"
+
+class QFrame;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace nazori::ui {
+
+/// What a learner sees first: what is due now, how long it takes, and one button that begins.
+class HomePage final : public QScrollArea {
+  Q_OBJECT
+ public:
+  HomePage(Learner& learner, const StudySession& session, QWidget* parent = nullptr);
+
+  /// Looks at the day anew.
+  void refresh();
+  /// What the last session came to stands on top until the next begins.
+  void show_summary(const SessionSummary& summary);
+
+ signals:
+  void start_wanted();
+  void leeches_wanted();
+  void settings_wanted();
+  void free_writing_wanted();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Tile {
+    QFrame* frame = nullptr;
+    QLabel* number = nullptr;
+    QLabel* words = nullptr;
+  };
+  enum TileName : std::uint8_t { due, fresh, minutes, streak, tile_count };
+
+  Tile make_tile(const char* name);
+  void show_tile(TileName which, const QString& number, const QString& words);
+  [[nodiscard]] QString advice(const study::DayPlan& plan) const;
+  [[nodiscard]] QString after_the_work(const study::DayPlan& plan) const;
+  [[nodiscard]] study::Streak streak_now() const;
+  void set_text(QLabel* label, const QString& text);
+  void fit();
+
+  Learner& learner_;
+  const StudySession& session_;
+  QWidget* content_;
+  QLabel* day_;
+  QLabel* trouble_;
+  QPushButton* again_;
+  QLabel* summary_;
+  QGridLayout* grid_;
+  std::array<Tile, tile_count> tiles_;
+  QPushButton* start_;
+  QLabel* advice_;
+  QLabel* leeches_;
+  QPushButton* leech_button_;
+  QPushButton* settings_;
+  QPushButton* free_writing_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/ink_gallery.h"
+
+#include <QEvent>
+#include <QFontInfo>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <utility>
+
+#include "nazori/geometry/frames.h"
+#include "palette.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kGap = 8;
+constexpr int kFew = 2;        ///< pieces in a row at least
+constexpr int kLines = 2;      ///< of words below each
+constexpr double kPen = 0.03;  ///< width of the ink, of the side
+
+void paint_piece(QPainter& painter, const study::Ink& ink, const QRectF& box) {
+  const Colours& c = current_colours();
+  painter.setPen(QPen(c.line, 1));
+  painter.setBrush(c.surface);
+  painter.drawRoundedRect(box, 6, 6);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(c.ink, std::max(box.width() * kPen, 1.5), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const double scale = box.width() / geometry::kGlyphSide;
+  for (const auto& stroke : ink.strokes) {
+    QPainterPath path;
+    for (const auto& point : stroke) {
+      const auto at = study::position_of(point);
+      const QPointF to = box.topLeft() + QPointF(at.x, at.y) * scale;
+      if (path.elementCount() == 0)
+        path.moveTo(to);
+      else
+        path.lineTo(to);
+    }
+    painter.drawPath(path);
+  }
+}
+
+}  // namespace
+
+InkGallery::InkGallery(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("ink_gallery"));
+  setAccessibleName(tr("Earlier writing beside today's"));
+  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+}
+
+void InkGallery::show_pieces(std::vector<Piece> pieces) {
+  pieces_ = std::move(pieces);
+  QStringList all;
+  for (const auto& piece : pieces_) all.append(piece.words);
+  setAccessibleDescription(all.join(QStringLiteral("; ")));
+  setVisible(!pieces_.empty());
+  updateGeometry();
+  update();
+}
+
+int InkGallery::columns(int width) const {
+  return std::max(kFew, width / std::max(1, QFontInfo(font()).pixelSize() * 7));
+}
+
+int InkGallery::words_height() const { return QFontMetrics(font()).height() * kLines + 2; }
+
+int InkGallery::heightForWidth(int width) const {
+  if (pieces_.empty()) return 0;
+  const int across = columns(width);
+  const int side = (width - kGap * (across - 1)) / across;
+  const int rows = (static_cast<int>(pieces_.size()) + across - 1) / across;
+  return rows * (side + words_height() + kGap);
+}
+
+QSize InkGallery::sizeHint() const {
+  const int width = QFontInfo(font()).pixelSize() * 14;
+  return {width, heightForWidth(width)};
+}
+
+void InkGallery::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const int across = columns(width());
+  const double side = (width() - kGap * (across - 1.0)) / across;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const int row = static_cast<int>(i) / across;
+    const int column = static_cast<int>(i) % across;
+    const QRectF box(column * (side + kGap), row * (side + words_height() + kGap), side, side);
+    paint_piece(painter, pieces_[i].ink, box.adjusted(0.5, 0.5, -0.5, -0.5));
+    painter.setPen(current_colours().muted);
+    painter.drawText(QRectF(box.left(), box.bottom() + 2, side, words_height()),
+                     Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, pieces_[i].words);
+  }
+}
+
+void InkGallery::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) updateGeometry();
+}
+
+}  // namespace nazori::ui

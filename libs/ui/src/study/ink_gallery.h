@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <vector>
+
+#include "nazori/study/ink.h"
+
+namespace nazori::ui {
+
+/// Pieces of writing of one character side by side, as many as there is room for in rows, each with its words
+/// below.
+class InkGallery final : public QWidget {
+  Q_OBJECT
+ public:
+  struct Piece {
+    study::Ink ink;
+    QString words;  ///< "today, Good"
+  };
+
+  explicit InkGallery(QWidget* parent = nullptr);
+  void show_pieces(std::vector<Piece> pieces);
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+
+  [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+  [[nodiscard]] int heightForWidth(int width) const override;
+  [[nodiscard]] QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  [[nodiscard]] int columns(int width) const;
+  [[nodiscard]] int words_height() const;
+
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace nazori::ui

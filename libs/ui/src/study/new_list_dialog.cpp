@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+#include "error_text.h"
+#include "kanji_text.h"
+#include "nazori/base/file.h"
+#include "study/study_settings_dialog.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr std::size_t kLargestFile = 1'000'000;
+
+}  // namespace
+
+NewListDialog::NewListDialog(Learner& learner, QWidget* parent)
+    : QDialog(parent),
+      learner_(learner),
+      name_(new QLineEdit(this)),
+      text_(new QPlainTextEdit(this)),
+      trouble_(new QLabel(this)) {
+  setObjectName(QStringLiteral("new_list_dialog"));
+  setWindowTitle(tr("New list"));
+  name_->setObjectName(QStringLiteral("new_list_name"));
+  text_->setObjectName(QStringLiteral("new_list_text"));
+  text_->setAccessibleName(tr("Characters"));
+  text_->setPlaceholderText(tr("休日月火水木金土\n# what follows such a sign is a note"));
+  text_->setTabChangesFocus(true);
+  trouble_->setObjectName(QStringLiteral("new_list_trouble"));
+  trouble_->setWordWrap(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  auto* file = buttons->addButton(tr("From a file…"), QDialogButtonBox::ActionRole);
+  file->setObjectName(QStringLiteral("new_list_file"));
+  connect(file, &QPushButton::clicked, this, &NewListDialog::read_file);
+  connect(buttons, &QDialogButtonBox::accepted, this, &NewListDialog::take);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(20, 20, 20, 16);
+  form->setSpacing(12);
+  form->addRow(tr("&Name"), name_);
+  form->addRow(tr("&Characters"), text_);
+  form->addRow(trouble_);
+  form->addRow(buttons);
+}
+
+void NewListDialog::read_file() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Read a list"), {}, tr("Texts (*.txt *.csv *.tsv);;All files (*)"));
+  if (path.isEmpty()) return;
+  const auto bytes = base::read_file(path.toStdString(), kLargestFile);
+  if (!bytes) {
+    trouble_->setText(reason(bytes.error()));
+    return;
+  }
+  text_->setPlainText(QString::fromUtf8(reinterpret_cast<const char*>(bytes->data()),
+                                        static_cast<qsizetype>(bytes->size())));
+  if (name_->text().isEmpty()) name_->setText(path.section(QLatin1Char('/'), -1).section(QLatin1Char('.'), 0, 0));
+}
+
+void NewListDialog::take() {
+  const std::string name = name_->text().trimmed().toStdString();
+  if (!study::can_be_name(name)) {
+    trouble_->setText(tr("Give the list a name of at most 100 bytes."));
+    return;
+  }
+  const auto known = [this](char32_t one) {
+    return learner_.lists() != nullptr && learner_.lists()->facts(one) != nullptr;
+  };
+  auto characters = study::parse_list(text_->toPlainText().toStdString(), known);
+  if (!characters) {
+    trouble_->setText(characters.error().where.empty()
+                          ? reason(characters.error())
+                          : QStringLiteral("%1: %2").arg(to_text(characters.error().where), reason(characters.error())));
+    return;
+  }
+  list_ = {name, *std::move(characters)};
+  accept();
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/session_actions.h"
+
+namespace nazori::ui {
+
+SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
+  const auto key = [](const char* text) { return QStringList{QString::fromLatin1(text)}; };
+  start = make("study_start", tr("&Study what is due"), tr("Begin with what is due now"), key("Ctrl+Return"));
+  go_on = make("study_go_on", tr("&Go on"), tr("To the next stage, or with the proposed rating"),
+               {QStringLiteral("Return"), QStringLiteral("Enter")});
+  rate = {make("rate_again", tr("&Again"), tr("Forgotten: it comes again soon"), key("1")),
+          make("rate_hard", tr("&Hard"), tr("Known with effort"), key("2")),
+          make("rate_good", tr("Goo&d"), tr("Known"), key("3")),
+          make("rate_easy", tr("&Easy"), tr("Known without effort"), key("4"))};
+  undo = make("study_undo", tr("&Take back the last review"),
+              tr("Take back what was kept last; again for the one before, also of other days"),
+              key("Ctrl+Shift+Z"));
+  postpone = make("study_postpone", tr("&Postpone to tomorrow"), tr("This character comes tomorrow"),
+                  key("Ctrl+Shift+P"));
+  pause = make("study_pause", tr("Pa&use or resume"), tr("This character does not come until it is resumed"),
+               key("Ctrl+Shift+U"));
+  reset = make("study_reset", tr("&Begin anew"), tr("This character is new again"), key("Ctrl+Shift+N"));
+  tags = make("study_tags", tr("&Tags…"), tr("Words of your own for this character, to learn by"),
+              key("Ctrl+Shift+T"));
+  end = make("study_end", tr("End the &session"), tr("What was rated is kept"), key("Ctrl+Shift+E"));
+  settings = make("study_settings", tr("Study se&ttings…"), tr("Limits, lists, order, desired retention"),
+                  key("Ctrl+,"));
+  draw(undo, Icon::undo);
+  draw(go_on, Icon::next);
+  draw(start, Icon::play);
+  QList<QAction*> all{start, go_on, nullptr};
+  for (auto* one : rate) all.append(one);
+  all.append({nullptr, undo, nullptr, postpone, pause, reset, tags, nullptr, end, settings});
+  add_group(tr("St&udy"), all);
+}
+
+void SessionActions::show_state(const StudySession& session, bool can_write) {
+  const bool running = session.is_running();
+  const auto state = session.state();
+  // Return is the tablet's while something is being written.
+  go_on->setEnabled(running && (session.is_away() || state == StudySession::State::offered ||
+                                state == StudySession::State::judged));
+  for (auto* one : rate) one->setEnabled(state == StudySession::State::judged && !session.is_away());
+  start->setEnabled(!running && can_write);
+  end->setEnabled(running);
+  for (auto* one : {undo, postpone, pause, reset, tags}) one->setEnabled(can_write);
+}
+
+void SessionActions::set_one_hand(OneHand hand, QAction* hint, QAction* undo_stroke, QAction* done) {
+  struct Keys {
+    QAction* action;
+    const char* left;
+    const char* right;
+  };
+  const Keys added[] = {
+      {rate[0], "1", "7"},         {rate[1], "2", "8"},
+      {rate[2], "3", "9"},         {rate[3], "4", "0"},
+      {go_on, "E", "K"},           {done, "E", "K"},
+      {hint, "W", "U"},            {undo_stroke, "X", "Backspace"},
+      {undo, "Shift+X", "Shift+Backspace"},
+  };
+  for (const auto& [action, left, right] : added) {
+    if (!own_keys_.contains(action)) own_keys_.insert(action, action->shortcuts());
+    auto keys = own_keys_.value(action);
+    const QKeySequence more(QString::fromLatin1(hand == OneHand::left ? left : right),
+                            QKeySequence::PortableText);
+    if (hand != OneHand::none && !keys.contains(more)) keys.append(more);
+    action->setShortcuts(keys);
+  }
+}
+
+}  // namespace nazori::ui

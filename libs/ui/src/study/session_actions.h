@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "action_set.h"
+#include "preferences.h"
+#include "study/study_session.h"
+
+namespace nazori::ui {
+
+/// What can be done in a session, and with the character on the desk as something to be learnt.
+class SessionActions final : public ActionSet {
+  Q_OBJECT
+ public:
+  explicit SessionActions(QWidget* window);
+
+  QAction *start, *go_on;
+  std::array<QAction*, 4> rate;  ///< again, hard, good, easy
+  QAction *undo, *postpone, *pause, *reset, *end;
+  QAction *tags, *settings;
+
+  /// Which of them mean something now.
+  void show_state(const StudySession& session, bool can_write);
+  /// Adds keys that one hand reaches while the other writes, also to `hint`, `undo_stroke` and `done`.
+  void set_one_hand(OneHand hand, QAction* hint, QAction* undo_stroke, QAction* done);
+
+ private:
+  QHash<QAction*, QList<QKeySequence>> own_keys_;  ///< before one hand's were added
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/session_bar.h"
+
+#include <QEvent>
+#include <QFontInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QResizeEvent>
+#include <QVBoxLayout>
+
+#include "kanji_text.h"
+#include "palette.h"
+#include "study/study_words.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kMostMeanings = 4;
+constexpr int kMostReadings = 3;
+
+QString meanings_of(const kanji::DictionaryEntry& entry) {
+  QStringList all;
+  for (const auto& meaning : entry.meanings)
+    if (meaning.language == "en" && all.size() < kMostMeanings) all.append(to_text(meaning.text));
+  return all.join(QStringLiteral(", "));
+}
+
+QString readings_of(const kanji::DictionaryEntry& entry) {
+  QStringList all;
+  for (const auto& on : entry.on_readings)
+    if (all.size() < kMostReadings) all.append(to_text(on));
+  QStringList kun;
+  for (const auto& one : entry.kun_readings)
+    if (kun.size() < kMostReadings) kun.append(kun_plain(split_kun(one)));
+  return (all + kun).join(QStringLiteral("、"));
+}
+
+}  // namespace
+
+SessionBar::SessionBar(const StudySession& session, const SessionActions& actions, const Learner& learner,
+                       QWidget* parent)
+    : QFrame(parent),
+      session_(session),
+      actions_(actions),
+      learner_(learner),
+      progress_(new QLabel(this)),
+      line_(new QProgressBar(this)),
+      question_(new QLabel(this)),
+      next_(new QPushButton(this)),
+      ratings_(new QWidget(this)),
+      grid_(new QGridLayout(ratings_)) {
+  setObjectName(QStringLiteral("session_bar"));
+  setAccessibleName(tr("Study session"));
+  progress_->setObjectName(QStringLiteral("session_progress"));
+  progress_->setProperty("role", QStringLiteral("muted"));
+  line_->setObjectName(QStringLiteral("session_line"));
+  line_->setTextVisible(false);
+  line_->setAccessibleName(tr("How far the session is"));
+  question_->setObjectName(QStringLiteral("session_question"));
+  question_->setWordWrap(true);
+  question_->setTextFormat(Qt::RichText);
+  next_->setObjectName(QStringLiteral("session_next"));
+  next_->setProperty("role", QStringLiteral("primary"));
+  connect(next_, &QPushButton::clicked, actions.go_on, &QAction::trigger);
+
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setSpacing(6);
+  for (std::size_t i = 0; i < rating_.size(); ++i) {
+    rating_[i] = new QPushButton(ratings_);
+    rating_[i]->setObjectName(QStringLiteral("button_") + actions.rate[i]->objectName());
+    rating_[i]->setToolTip(actions.rate[i]->toolTip());
+    rating_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(rating_[i], &QPushButton::clicked, actions.rate[i], &QAction::trigger);
+  }
+  auto* head = new QHBoxLayout;
+  head->setSpacing(12);
+  head->addWidget(progress_);
+  head->addWidget(line_, 1);
+  auto* middle = new QHBoxLayout;
+  middle->setSpacing(12);
+  middle->addWidget(question_, 1);
+  middle->addWidget(next_, 0, Qt::AlignVCenter);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 8, 16, 8);
+  column->setSpacing(6);
+  column->addLayout(head);
+  column->addLayout(middle);
+  column->addWidget(ratings_);
+  fit();
+}
+
+QString SessionBar::question(const CharacterSheet& sheet) const {
+  const auto& character = sheet.character;
+  const double large = QFontInfo(font()).pointSizeF() * 1.35;
+  const QString muted = current_colours().muted.name();
+  const auto in_hand = [&](const QString& text) {
+    return QStringLiteral("<span style=\"font-family:'Klee One'; font-size:%1pt\">%2</span>")
+        .arg(large)
+        .arg(text.toHtmlEscaped());
+  };
+  if (const auto* word = session_.word(); word != nullptr && session_.stage() == study::Stage::memory) {
+    QString gap = to_text(word->text);
+    gap.replace(to_text(character.code_point), QStringLiteral("◯"));
+    QStringList glosses;
+    for (const auto& gloss : word->glosses)
+      if (glosses.size() < 3) glosses.append(to_text(gloss));
+    return QStringLiteral("%1 &nbsp;<span style=\"color:%2\">%3</span> &nbsp;%4")
+        .arg(in_hand(gap), muted, to_text(word->reading).toHtmlEscaped(),
+             glosses.join(QStringLiteral("; ")).toHtmlEscaped());
+  }
+  const QString meanings = meanings_of(character.entry);
+  const QString readings = readings_of(character.entry);
+  QString asked = session_.asks_from_memory() ? QString() : in_hand(to_text(character.code_point)) + QStringLiteral(" &nbsp;");
+  if (!meanings.isEmpty()) asked += QStringLiteral("<b>%1</b> &nbsp;").arg(meanings.toHtmlEscaped());
+  if (!readings.isEmpty()) asked += in_hand(readings);
+  if (meanings.isEmpty() && readings.isEmpty()) {
+    // Kana have no dictionary entry; one syllabary asks for the other.
+    constexpr char32_t kBetweenKana = 0x60;
+    const char32_t own = character.code_point;
+    if (own >= 0x3041 && own <= 0x3096)
+      asked += tr("hiragana for %1").arg(in_hand(to_text(own + kBetweenKana)));
+    else if (own >= 0x30A1 && own <= 0x30F6)
+      asked += tr("katakana for %1").arg(in_hand(to_text(own - kBetweenKana)));
+    else
+      asked += tr("a character of %n strokes", nullptr, static_cast<int>(character.strokes.size()));
+  }
+  return asked;
+}
+
+void SessionBar::show_state(const std::shared_ptr<const CharacterSheet>& sheet) {
+  setVisible(session_.is_running());
+  if (!session_.is_running()) return;
+  const int at = std::min(session_.done() + 1, session_.total());
+  progress_->setText(tr("%1 of %2 · %3 left")
+                         .arg(at)
+                         .arg(session_.total())
+                         .arg(StudyWords::about(session_.time_left())));
+  line_->setRange(0, std::max(session_.total(), 1));
+  line_->setValue(session_.done());
+  const bool ours = sheet && sheet->character.code_point == session_.character();
+  if (session_.is_away())
+    question_->setText(tr("This character is not the one that is asked for.").toHtmlEscaped());
+  else
+    question_->setText(ours ? question(*sheet) : QString());
+  show_ratings();
+  show_next();
+}
+
+void SessionBar::show_ratings() {
+  const bool judged = session_.state() == StudySession::State::judged && !session_.is_away();
+  ratings_->setVisible(judged);
+  if (!judged) return;
+  const auto now = learner_.store().now();
+  const auto today = learner_.store().today();
+  for (std::size_t i = 0; i < rating_.size(); ++i) {
+    const auto rating = study::kRatings[i];
+    const QString when = StudyWords::comes_again(session_.after(rating), now, today);
+    const bool proposed = rating == session_.proposed();
+    rating_[i]->setText(QStringLiteral("%1  %2%3\n%4")
+                            .arg(i + 1)
+                            .arg(StudyWords::rating(rating), proposed ? QStringLiteral("  ⏎") : QString(), when));
+    rating_[i]->setAccessibleName(proposed ? tr("%1: %2, proposed").arg(StudyWords::rating(rating), when)
+                                           : tr("%1: %2").arg(StudyWords::rating(rating), when));
+    rating_[i]->setProperty("role", proposed ? QStringLiteral("primary") : QStringLiteral("rating"));
+    rating_[i]->setStyle(rating_[i]->style());
+  }
+}
+
+void SessionBar::show_next() {
+  const bool offered = session_.state() == StudySession::State::offered;
+  next_->setVisible(session_.is_away() || offered);
+  if (session_.is_away())
+    next_->setText(tr("Back to the session  ⏎"));
+  else if (offered && session_.is_over())
+    next_->setText(tr("Next character  ⏎"));
+  else
+    next_->setText(tr("%1  ⏎").arg(StudyWords::stage(session_.stage())));
+}
+
+void SessionBar::fit() {
+  // Four in a row where they fit, else two and two.
+  const int em = QFontInfo(font()).pixelSize();
+  const int columns = width() > em * 32 ? 4 : 2;
+  for (std::size_t i = 0; i < rating_.size(); ++i)
+    grid_->addWidget(rating_[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+  line_->setFixedHeight(std::max(6, em / 3));
+}
+
+void SessionBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fit();
+}
+
+void SessionBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) fit();
+}
+
+}  // namespace nazori::ui

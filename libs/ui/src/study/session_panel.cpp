@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/session_panel.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <map>
+
+#include "kanji_text.h"
+#include "study/ink_gallery.h"
+#include "study/study_words.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kMargin = 16;
+constexpr int kMostEarlier = 5;
+constexpr int kMostHardStrokes = 3;
+
+QLabel* label(const char* name, const char* role, QWidget* parent) {
+  auto* made = new QLabel(parent);
+  made->setObjectName(QString::fromLatin1(name));
+  if (role != nullptr) made->setProperty("role", QString::fromLatin1(role));
+  made->setWordWrap(true);
+  made->setTextFormat(Qt::PlainText);
+  return made;
+}
+
+}  // namespace
+
+SessionPanel::SessionPanel(const StudySession& session, const SessionActions& actions, const Learner& learner,
+                           QWidget* parent)
+    : QScrollArea(parent), session_(session), learner_(learner) {
+  setObjectName(QStringLiteral("session_panel"));
+  setAccessibleName(tr("The character that is studied"));
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setWidgetResizable(true);
+  auto* content = new QWidget(this);
+  content->setObjectName(QStringLiteral("information_content"));
+  kind_ = label("session_kind", nullptr, content);
+  steps_ = label("session_steps", "muted", content);
+  history_ = label("session_history", nullptr, content);
+  faults_ = label("session_faults", nullptr, content);
+  parts_ = label("session_parts", nullptr, content);
+  ink_heading_ = label("session_ink_heading", "heading", content);
+  ink_heading_->setText(tr("Earlier writing"));
+  gallery_ = new InkGallery(content);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  column->setSpacing(10);
+  for (QWidget* one : {static_cast<QWidget*>(kind_), static_cast<QWidget*>(steps_),
+                       static_cast<QWidget*>(history_), static_cast<QWidget*>(faults_),
+                       static_cast<QWidget*>(parts_), static_cast<QWidget*>(ink_heading_),
+                       static_cast<QWidget*>(gallery_)})
+    column->addWidget(one);
+  column->addStretch(1);
+  for (auto* action : {actions.undo, actions.postpone, actions.pause, actions.reset, actions.end}) {
+    auto* button = new QPushButton(action->iconText(), content);
+    button->setObjectName(QStringLiteral("button_") + action->objectName());
+    button->setToolTip(action->toolTip());
+    connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    connect(action, &QAction::changed, button, [button, action] { button->setEnabled(action->isEnabled()); });
+    column->addWidget(button);
+  }
+  setWidget(content);
+  viewport()->setAutoFillBackground(false);
+  content->setAutoFillBackground(false);
+}
+
+QString SessionPanel::why() const {
+  if (session_.is_leech_lesson()) return tr("Another lesson: this one is forgotten often");
+  switch (session_.task().kind) {
+    case study::TaskKind::step:
+      return tr("Once more today");
+    case study::TaskKind::review:
+      return tr("Review");
+    case study::TaskKind::fresh:
+      return tr("New character");
+  }
+  return {};
+}
+
+QString SessionPanel::history() const {
+  const auto card = learner_.store().card(session_.character());
+  if (card.memory.reps == 0) return tr("Not yet written from memory.");
+  QStringList said{tr("Written from memory: %n times", nullptr, card.memory.reps)};
+  if (card.memory.lapses > 0) said.append(tr("Forgotten: %n times", nullptr, card.memory.lapses));
+  return said.join(QLatin1Char('\n'));
+}
+
+QString SessionPanel::hard_strokes() const {
+  const auto writings = learner_.store().writings_of(session_.character());
+  if (!writings) return {};
+  std::map<int, int> wrong;
+  for (const auto& one : *writings)
+    for (const auto& fault : one.entry.writing.result.faults)
+      if (fault.kind != study::FaultKind::ending) ++wrong[fault.stroke];
+  std::vector<std::pair<int, int>> worst;
+  for (const auto& [stroke, times] : wrong)
+    if (times > 1) worst.emplace_back(times, stroke);
+  std::sort(worst.rbegin(), worst.rend());
+  QStringList lines;
+  for (const auto& [times, stroke] : worst)
+    if (lines.size() < kMostHardStrokes)
+      lines.append(tr("Stroke %1 went wrong %n times.", nullptr, times).arg(stroke + 1));
+  return lines.join(QLatin1Char('\n'));
+}
+
+void SessionPanel::show_ink() {
+  std::vector<InkGallery::Piece> pieces;
+  if (session_.state() == StudySession::State::judged && !session_.is_away()) {
+    if (!session_.ink().strokes.empty()) pieces.push_back({session_.ink(), tr("now")});
+    const auto& store = learner_.store();
+    if (const auto writings = store.writings_of(session_.character())) {
+      int earlier = 0;
+      for (auto one = writings->rbegin(); one != writings->rend() && earlier < kMostEarlier; ++one) {
+        if (!one->has_ink || one->entry.writing.stage != study::Stage::memory) continue;
+        const auto ink = store.ink_of(one->entry.id);
+        if (!ink) continue;
+        ++earlier;
+        pieces.push_back({*ink, QStringLiteral("%1\n%2").arg(StudyWords::short_day(one->entry.day),
+                                                             StudyWords::rating(one->entry.writing.rating))});
+      }
+      if (earlier == 0) pieces.clear();
+    }
+  }
+  ink_heading_->setVisible(!pieces.empty());
+  gallery_->show_pieces(std::move(pieces));
+}
+
+void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet) {
+  if (!session_.is_running()) return;
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.15);
+  large.setWeight(QFont::DemiBold);
+  kind_->setFont(large);
+  kind_->setText(why());
+  QStringList steps;
+  for (const auto stage : study::kStages) {
+    const bool here = stage == session_.stage();
+    steps.append(here ? QStringLiteral("▸ ") + StudyWords::stage(stage) : StudyWords::stage(stage));
+  }
+  steps_->setText(steps.join(QStringLiteral("  ")));
+  history_->setText(history());
+  const bool secret = session_.asks_from_memory();
+  const QString hard = secret ? QString() : hard_strokes();
+  faults_->setText(hard);
+  faults_->setVisible(!hard.isEmpty());
+  QStringList parts;
+  if (!secret && sheet && sheet->character.code_point == session_.character())
+    for (const auto& part : sheet->parts)
+      parts.append(part.meaning.empty() ? to_text(part.element)
+                                        : QStringLiteral("%1 %2").arg(to_text(part.element), to_text(part.meaning)));
+  parts_->setVisible(session_.is_leech_lesson() && !parts.isEmpty());
+  parts_->setText(tr("Its parts: %1.").arg(parts.join(QStringLiteral(" + "))));
+  show_ink();
+}
+
+}  // namespace nazori::ui

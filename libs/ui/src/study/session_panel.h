@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QScrollArea>
+
+#include "study/session_actions.h"
+
+class QLabel;
+class QPushButton;
+
+namespace nazori::ui {
+
+class InkGallery;
+
+/// Beside the tablet while a session runs: why the character comes, what went wrong with it before, earlier
+/// writing beside today's, and what can be done with it.
+class SessionPanel final : public QScrollArea {
+  Q_OBJECT
+ public:
+  SessionPanel(const StudySession& session, const SessionActions& actions, const Learner& learner,
+               QWidget* parent);
+
+  void show_state(const std::shared_ptr<const CharacterSheet>& sheet);
+
+ private:
+  [[nodiscard]] QString why() const;
+  [[nodiscard]] QString history() const;
+  [[nodiscard]] QString hard_strokes() const;
+  void show_ink();
+
+  const StudySession& session_;
+  const Learner& learner_;
+  QLabel* kind_;
+  QLabel* steps_;
+  QLabel* history_;
+  QLabel* faults_;
+  QLabel* parts_;
+  QLabel* ink_heading_;
+  InkGallery* gallery_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+
+#include "preferences.h"
+#include "study/learner.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QSpinBox;
+class QTabWidget;
+
+namespace nazori::ui {
+
+class NumberSlider;
+
+/// How much, what, when and how a learner wants to study. Lists are kept as soon as they are made; all else
+/// when the dialog is accepted.
+class StudySettingsDialog final : public QDialog {
+  Q_OBJECT
+ public:
+  StudySettingsDialog(Learner& learner, const Preferences& preferences, QWidget* parent);
+
+  /// As chosen.
+  [[nodiscard]] study::Settings settings() const;
+  /// Puts the window's part of it there.
+  void fill(Preferences& preferences) const;
+
+ private:
+  QWidget* make_amount();
+  QWidget* make_lists();
+  QWidget* make_schedule();
+  QWidget* make_window(const Preferences& preferences);
+  QWidget* add_page(const QString& name);
+  QSpinBox* add_spin(QWidget* page, const QString& name, const char* object, int low, int high, int value);
+  QCheckBox* add_check(QWidget* page, const QString& name, const char* object, bool on);
+  void show_workload();
+  void show_lists();
+  void show_choice();
+  void show_weights();
+  void new_list();
+  void remove_list();
+  void move_list(int by);
+  void import_weights();
+  /// Does something with every character of the list that has the keyboard.
+  void for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what, const QString& done);
+  [[nodiscard]] QString current_list() const;
+  [[nodiscard]] QString name_of_list(const QString& id) const;
+
+  Learner& learner_;
+  study::Settings before_;
+  study::FsrsWeights weights_;
+  QTabWidget* tabs_;
+  NumberSlider* retention_;
+  QLabel* workload_;
+  QSpinBox *new_, *reviews_, *day_starts_;
+  QComboBox* zone_;
+  QComboBox* order_;
+  QListWidget* lists_;
+  QLabel* choice_;
+  QCheckBox *fuzz_, *balance_;
+  QSpinBox *leech_, *hint_, *show_;
+  QLabel* weights_words_;
+  QCheckBox *by_words_, *at_home_, *left_handed_;
+  QComboBox* one_hand_;
+};
+
+/// Asks for a list of the learner's own, typed or read from a file.
+class NewListDialog final : public QDialog {
+  Q_OBJECT
+ public:
+  NewListDialog(Learner& learner, QWidget* parent);
+  [[nodiscard]] const study::CustomList& list() const { return list_; }
+
+ private:
+  void read_file();
+  void take();
+
+  Learner& learner_;
+  study::CustomList list_;
+  class QLineEdit* name_;
+  class QPlainTextEdit* text_;
+  QLabel* trouble_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <vector>
+
+#include "nazori/geometry/frames.h"
+#include "nazori/geometry/polyline.h"
+#include "nazori/kanji/kanji_database.h"
+#include "tablet_controller.h"
+
+namespace nazori::ui::test {
+
+using Points = std::vector<geometry::GlyphPoint>;
+
+/// The strokes of a character, as KanjiVG draws them.
+inline std::vector<Points> model(char32_t character) {
+  const auto path = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
+  std::vector<Points> strokes;
+  for (const auto& line : kanji::KanjiDatabase::open(path)->find(character)->lines())
+    strokes.push_back(line.points);
+  return strokes;
+}
+
+/// The pen goes along a line on the tablet, at the pace of a hand.
+inline void write(TabletController& controller, const Points& line) {
+  const auto put = [&](geometry::GlyphPoint p, bool down) {
+    controller.move_stylus(geometry::glyph_to_tablet(p, {}), down);
+  };
+  put(line.front(), false);
+  QTest::qWait(60);
+  put(line.front(), true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().touching; }, 5000));
+  const double length = geometry::arc_length<geometry::GlyphFrame>(line);
+  for (double at = 0; at <= length; at += 1) {
+    put(geometry::point_at<geometry::GlyphFrame>(line, at), true);
+    QTest::qWait(3);
+  }
+  put(line.back(), true);
+  QTest::qWait(60);
+  put(line.back(), false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.latest().touching; }, 5000));
+  controller.pump();
+}
+
+}  // namespace nazori::ui::test

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/study_session.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include "nazori/study/profiles.h"
+
+namespace nazori::ui {
+namespace {
+
+using study::Rating;
+using study::Stage;
+using State = StudySession::State;
+
+std::filesystem::path kanji_db() {
+  return std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
+}
+
+class Session : public testing::Test {
+ protected:
+  Session() { open(); }
+
+  void open() {
+    session_.reset();
+    learner_.reset();
+    learner_ = std::make_unique<Learner>(
+        Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
+    QObject::connect(learner_.get(), &Learner::said, [this](Feedback, const QString& s) { said_.append(s); });
+    learner_->switch_profile(QStringLiteral("learner"));
+    session_ = std::make_unique<StudySession>(*learner_);
+    QObject::connect(session_.get(), &StudySession::said,
+                     [this](Feedback, const QString& s) { said_.append(s); });
+    session_->set_asks_by_words(false);
+    QObject::connect(session_.get(), &StudySession::character_wanted, [this](char32_t c) { bring(c); });
+    if (learner_->can_write() && learner_->store().settings().time_zone != "UTC") {
+      auto settings = learner_->store().settings();
+      settings.time_zone = "UTC";
+      settings.new_per_day = 2;
+      ASSERT_TRUE(learner_->store().change_settings(settings));
+    }
+  }
+
+  /// The character comes to the desk.
+  void bring(char32_t character) {
+    auto sheet = std::make_shared<CharacterSheet>();
+    sheet->character = *kanji::KanjiDatabase::open(kanji_db())->find(character);
+    session_->take_sheet(sheet);
+  }
+
+  static std::vector<HandStroke> hand() {
+    HandStroke stroke;
+    for (int i = 0; i < 20; ++i) stroke.push_back({{i * 0.002 - 0.02, 0}, i * 0.01, 0.5});
+    return {stroke};
+  }
+  static writing::Grade grade(bool accepted) {
+    writing::Grade made;
+    made.accepted = accepted;
+    made.score = accepted ? 85 : 30;
+    if (!accepted) made.faults.push_back({writing::FaultKind::missing, 0});
+    return made;
+  }
+  void write(bool accepted) {
+    session_->note_stroke();
+    session_->take_judgement(grade(accepted), hand());
+  }
+  /// A new character from watching to memory, all of it well.
+  void learn() {
+    ASSERT_EQ(session_->stage(), Stage::watch);
+    session_->take_practice(Stage::watch, {});
+    session_->go_on();
+    ASSERT_EQ(session_->stage(), Stage::trace);
+    session_->take_practice(Stage::trace, {});
+    session_->go_on();
+    ASSERT_EQ(session_->stage(), Stage::guided);
+    session_->take_practice(Stage::guided, {});
+    session_->go_on();
+    ASSERT_EQ(session_->stage(), Stage::memory);
+    write(true);
+    ASSERT_EQ(session_->state(), State::judged);
+  }
+
+  /// The lesson of a character that was set apart.
+  void learn_without_memory() {
+    session_->take_practice(Stage::watch, {});
+    session_->go_on();
+    session_->take_practice(Stage::trace, {});
+    session_->go_on();
+    session_->take_practice(Stage::guided, {});
+    EXPECT_TRUE(session_->is_over());
+    session_->go_on();
+  }
+
+  QTemporaryDir folder_;
+  study::Time now_ = *study::parse_time("2026-03-02T10:00Z");
+  QStringList said_;
+  std::unique_ptr<Learner> learner_;
+  std::unique_ptr<StudySession> session_;
+};
+
+TEST_F(Session, ANewCharacterGoesFromWatchingToMemoryAndIsKept) {
+  ASSERT_TRUE(session_->start());
+  const char32_t first = session_->character();
+  EXPECT_EQ(session_->total(), 2);
+  learn();
+  EXPECT_EQ(session_->proposed(), Rating::good);
+  session_->go_on();
+  EXPECT_NE(session_->character(), first);
+  EXPECT_EQ(session_->done(), 1);
+  const auto card = learner_->store().card(first);
+  EXPECT_EQ(card.memory.reps, 1);
+  EXPECT_EQ(card.practices, 3);
+  EXPECT_EQ(card.memory.phase, study::Phase::learning);
+}
+
+TEST_F(Session, WhatFailsIsPractisedAtOnceWithHelpAndComesAgain) {
+  ASSERT_TRUE(session_->start());
+  const char32_t first = session_->character();
+  learn();
+  session_->rate(Rating::good);
+  now_ += std::chrono::minutes(11);
+  session_->end();
+  ASSERT_TRUE(session_->start());
+  ASSERT_EQ(session_->character(), first);
+  EXPECT_EQ(session_->task().kind, study::TaskKind::step);
+  EXPECT_EQ(session_->stage(), Stage::memory);
+  write(false);
+  EXPECT_EQ(session_->proposed(), Rating::again);
+  session_->rate(Rating::again);
+  EXPECT_EQ(session_->character(), first) << "practised before anything else comes";
+  EXPECT_EQ(session_->stage(), Stage::guided);
+  EXPECT_GT(session_->help(), 0.5);
+  session_->take_practice(Stage::guided, {});
+  EXPECT_TRUE(session_->is_over());
+  session_->go_on();
+  EXPECT_NE(session_->character(), first);
+}
+
+TEST_F(Session, TheLearnersRatingCountsAndBothAreInTheLog) {
+  ASSERT_TRUE(session_->start());
+  const char32_t first = session_->character();
+  learn();
+  session_->rate(Rating::easy);
+  const auto writings = learner_->store().writings_of(first);
+  ASSERT_TRUE(writings);
+  const auto& last = writings->back().entry.writing;
+  EXPECT_EQ(last.rating, Rating::easy);
+  EXPECT_EQ(last.proposed, Rating::good);
+  EXPECT_TRUE(writings->back().has_ink);
+  EXPECT_EQ(learner_->store().card(first).memory.phase, study::Phase::review);
+}
+
+TEST_F(Session, UndoGoesBackToTheCharacterAlsoAfterARestart) {
+  ASSERT_TRUE(session_->start());
+  const char32_t first = session_->character();
+  learn();
+  session_->rate(Rating::easy);
+  ASSERT_NE(session_->character(), first);
+  open();
+  EXPECT_EQ(learner_->store().card(first).memory.reps, 1) << "what was rated is there after a restart";
+  ASSERT_TRUE(session_->start());
+  session_->undo();
+  EXPECT_EQ(session_->character(), first);
+  EXPECT_EQ(session_->stage(), Stage::memory);
+  EXPECT_EQ(learner_->store().card(first).memory.reps, 0);
+  session_->undo();
+  EXPECT_EQ(session_->stage(), Stage::guided) << "any number, one after another";
+}
+
+TEST_F(Session, WhatIsJudgedButNotRatedIsNotKept) {
+  ASSERT_TRUE(session_->start());
+  const char32_t first = session_->character();
+  learn();
+  session_->end();
+  EXPECT_EQ(learner_->store().card(first).memory.reps, 0);
+  EXPECT_EQ(learner_->store().card(first).next_stage, Stage::memory);
+}
+
+TEST_F(Session, LookingBeforeWritingFromMemoryCostsLookingAfterwardsDoesNot) {
+  ASSERT_TRUE(session_->start());
+  learn();
+  session_->rate(Rating::good);
+  now_ += std::chrono::minutes(11);
+  session_->end();
+  ASSERT_TRUE(session_->start());
+  ASSERT_EQ(session_->task().kind, study::TaskKind::step);
+  session_->enter_stage(Stage::watch);
+  session_->enter_stage(Stage::memory);
+  write(true);
+  EXPECT_EQ(session_->proposed(), Rating::again) << "all strokes were shown";
+  session_->undo();
+  EXPECT_EQ(session_->state(), State::doing);
+  session_->enter_stage(Stage::memory);
+  write(true);
+  EXPECT_EQ(session_->proposed(), Rating::good);
+  session_->enter_stage(Stage::watch);
+  EXPECT_EQ(session_->state(), State::judged);
+  session_->enter_stage(Stage::memory);
+  write(false);
+  EXPECT_EQ(session_->proposed(), Rating::good) << "what was judged first stays";
+}
+
+TEST_F(Session, AfterTheSetMissesAStrokeIsShownAndThatCosts) {
+  ASSERT_TRUE(session_->start());
+  EXPECT_EQ(session_->note_miss(0), study::MissReply::try_again);
+  EXPECT_EQ(session_->note_miss(0), study::MissReply::hint);
+  EXPECT_EQ(session_->note_miss(1), study::MissReply::try_again) << "another stroke counts anew";
+  EXPECT_EQ(session_->note_miss(1), study::MissReply::hint);
+  EXPECT_EQ(session_->note_miss(1), study::MissReply::show);
+}
+
+TEST_F(Session, ACorrectionAfterTheJudgementIsAMiss) {
+  ASSERT_TRUE(session_->start());
+  learn();
+  session_->rate(Rating::good);
+  session_->end();
+  now_ += std::chrono::minutes(11);
+  ASSERT_TRUE(session_->start());
+  write(false);
+  EXPECT_EQ(session_->proposed(), Rating::again);
+  session_->take_back_judgement();
+  EXPECT_EQ(session_->state(), State::doing);
+  write(true);
+  EXPECT_EQ(session_->proposed(), Rating::hard);
+}
+
+TEST_F(Session, PostponedPausedAndResetCharactersGiveWayToTheNext) {
+  ASSERT_TRUE(session_->start());
+  const char32_t first = session_->character();
+  session_->postpone();
+  EXPECT_NE(session_->character(), first);
+  EXPECT_EQ(learner_->store().card(first).postponed_until, learner_->store().today() + std::chrono::days(1));
+  const char32_t second = session_->character();
+  session_->pause();
+  EXPECT_TRUE(learner_->store().card(second).paused);
+  EXPECT_NE(session_->character(), second);
+  session_->undo();
+  EXPECT_EQ(session_->character(), second);
+}
+
+TEST_F(Session, EndsWithWhatWasDoneWhenNothingIsLeft) {
+  auto settings = learner_->store().settings();
+  settings.new_per_day = 1;
+  ASSERT_TRUE(learner_->store().change_settings(settings));
+  ASSERT_TRUE(session_->start());
+  const QSignalSpy ended(session_.get(), &StudySession::ended);
+  learn();
+  session_->rate(Rating::easy);
+  EXPECT_EQ(ended.count(), 1);
+  EXPECT_FALSE(session_->is_running());
+  EXPECT_EQ(session_->summary().reviews, 1);
+  EXPECT_EQ(session_->summary().ratings[3], 1);
+  EXPECT_EQ(session_->summary().practices, 3);
+  EXPECT_EQ(session_->summary().met.size(), 1U);
+  EXPECT_FALSE(session_->start());
+  EXPECT_EQ(said_.last(), QStringLiteral("Nothing is due now."));
+}
+
+TEST_F(Session, OfALeechEndsWithoutAReview) {
+  auto settings = learner_->store().settings();
+  settings.new_per_day = 1;
+  settings.leech_lapses = 2;
+  ASSERT_TRUE(learner_->store().change_settings(settings));
+  ASSERT_TRUE(session_->start());
+  const char32_t first = session_->character();
+  learn();
+  session_->rate(Rating::easy);
+  while (!learner_->store().card(first).leech) {
+    now_ += std::chrono::days(40);
+    study::Writing again;
+    again.stage = Stage::memory;
+    again.rating = Rating::again;
+    again.result.accepted = false;
+    ASSERT_TRUE(learner_->store().add_writing(first, 1, again));
+    now_ += std::chrono::minutes(15);
+    again.rating = Rating::good;
+    again.result.accepted = true;
+    ASSERT_TRUE(learner_->store().add_writing(first, 1, again));
+  }
+  const int reps = learner_->store().card(first).memory.reps;
+  ASSERT_TRUE(session_->start(true));
+  EXPECT_EQ(session_->character(), first);
+  EXPECT_TRUE(session_->is_leech_lesson());
+  learn_without_memory();
+  EXPECT_FALSE(session_->is_running());
+  EXPECT_FALSE(learner_->store().card(first).leech);
+  EXPECT_EQ(learner_->store().card(first).memory.reps, reps);
+}
+
+TEST_F(Session, IsRefusedWhereAnotherWindowHoldsTheStore) {
+  Learner second(Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
+  QStringList said;
+  QObject::connect(&second, &Learner::said, [&said](Feedback, const QString& s) { said.append(s); });
+  EXPECT_FALSE(second.switch_profile(QStringLiteral("learner")));
+  EXPECT_FALSE(second.can_write());
+  ASSERT_EQ(said.size(), 1);
+  EXPECT_TRUE(said.first().contains(QStringLiteral("another window"))) << said.first().toStdString();
+  StudySession of_second(second);
+  EXPECT_FALSE(of_second.start());
+  session_.reset();
+  learner_.reset();
+  EXPECT_TRUE(second.open_again());
+  EXPECT_TRUE(of_second.start());
+}
+
+TEST_F(Session, ADamagedStoreIsLeftByteForByte) {
+  const auto path = learner_->file();
+  session_.reset();
+  learner_.reset();
+  QFile file(QString::fromStdString(path.string()));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(QByteArray(5000, 'x'));
+  file.close();
+  Learner learner(Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
+  EXPECT_FALSE(learner.switch_profile(QStringLiteral("learner")));
+  EXPECT_TRUE(learner.trouble().contains(QStringLiteral("damaged"))) << learner.trouble().toStdString();
+  StudySession session(learner);
+  EXPECT_FALSE(session.start());
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_EQ(file.readAll(), QByteArray(5000, 'x'));
+}
+
+TEST_F(Session, AnotherProfileIsAnotherLearnerAndABadNameChangesNothing) {
+  ASSERT_TRUE(session_->start());
+  const char32_t first = session_->character();
+  learn();
+  session_->rate(Rating::good);
+  EXPECT_TRUE(learner_->switch_profile(QStringLiteral("花子")));
+  EXPECT_FALSE(session_->is_running());
+  EXPECT_FALSE(learner_->store().cards().contains(first));
+  EXPECT_FALSE(learner_->switch_profile(QStringLiteral("../x")));
+  EXPECT_EQ(learner_->profile(), QStringLiteral("花子"));
+  EXPECT_TRUE(learner_->can_write());
+  EXPECT_TRUE(learner_->switch_profile(QStringLiteral("learner")));
+  EXPECT_TRUE(learner_->store().cards().contains(first));
+}
+
+}  // namespace
+}  // namespace nazori::ui
