@@ -3,7 +3,6 @@
 
 #include <QSignalBlocker>
 #include <algorithm>
-#include <map>
 
 #include "kanji_text.h"
 
@@ -15,16 +14,16 @@ ListChoice::ListChoice(QWidget* parent) : QComboBox(parent) {
   addItem(tr("Met so far"), QString());
 }
 
-QString ListChoice::name_of(const study::ReadyList& list) {
-  const std::map<std::string, QString> names{{"secondary", tr("Secondary school")},
-                                             {"jinmeiyou", tr("For names")},
-                                             {"hiragana", tr("Hiragana")},
-                                             {"katakana", tr("Katakana")}};
-  if (const auto named = names.find(list.id); named != names.end()) return named->second;
-  const QString id = to_text(list.id);
-  const QString number = id.section(QLatin1Char('-'), -1);
-  return id.startsWith(QLatin1String("old-jlpt")) ? tr("Old JLPT level %1 (before 2010)").arg(number)
-                                                  : tr("Grade %1").arg(number);
+QString ListChoice::name_of(const QString& id) {
+  if (id.startsWith(QLatin1String("grade-"))) return tr("School grade %1").arg(id.mid(6));
+  if (id == QLatin1String("secondary")) return tr("Secondary school");
+  if (id == QLatin1String("jinmeiyou")) return tr("For names");
+  if (id == QLatin1String("hiragana")) return tr("Hiragana");
+  if (id == QLatin1String("katakana")) return tr("Katakana");
+  if (id.startsWith(QLatin1String("old-jlpt-"))) return tr("Old JLPT level %1 (before 2010)").arg(id.mid(9));
+  if (id.startsWith(QLatin1String("list:"))) return tr("Own list: %1").arg(id.mid(5));
+  if (id.startsWith(QLatin1String("tag:"))) return tr("Tag: %1").arg(id.mid(4));
+  return id;
 }
 
 void ListChoice::fill(const study::LearnerStore& store) {
@@ -32,9 +31,10 @@ void ListChoice::fill(const study::LearnerStore& store) {
   const QString before = list();
   clear();
   addItem(tr("Met so far"), QString());
-  for (const study::ReadyList& ready : study::ready_lists()) addItem(name_of(ready), to_text(ready.id));
-  for (const study::CustomList& own : store.lists())
-    addItem(to_text(own.name), QStringLiteral("list:") + to_text(own.name));
+  const auto add = [this](const QString& id) { addItem(name_of(id), id); };
+  for (const study::ReadyList& ready : study::ready_lists()) add(to_text(ready.id));
+  for (const study::CustomList& own : store.lists()) add(QStringLiteral("list:") + to_text(own.name));
+  for (const auto& [tag, characters] : store.tags()) add(QStringLiteral("tag:") + to_text(tag));
   set_list(before);
 }
 

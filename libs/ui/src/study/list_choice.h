@@ -23,8 +23,8 @@ class ListChoice final : public QComboBox {
   /// Its members; those met so far where no list is chosen or it is gone. @param lists  may be nullptr.
   [[nodiscard]] static std::vector<char32_t> members(const QString& id, study::CharacterLists* lists,
                                                      const study::LearnerStore& store);
-  /// "Grade 1"
-  [[nodiscard]] static QString name_of(const study::ReadyList& list);
+  /// "School grade 1", "Own list: street", by the id of a list.
+  [[nodiscard]] static QString name_of(const QString& id);
 };
 
 }  // namespace nazori::ui
