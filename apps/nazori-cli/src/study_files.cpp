@@ -111,14 +111,13 @@ int backup(Console& console, const FileSettings& settings) {
     return console.deny({base::Errc::not_found, "nothing studied yet", path->string(), ""});
   }
   fs::path file = settings.output;
-  if (settings.output.empty()) {
-    std::string stamp = study::to_text(learner->now()).substr(0, 19);
-    std::erase(stamp, ':');
-    file = study::backup_folder(*path) / ("own-" + stamp + "Z.db");
-    std::error_code ignored;
-    fs::create_directories(file.parent_path(), ignored);
+  if (file.empty()) {
+    auto made = study::make_backup(*learner, *path);
+    if (!made) return console.refuse(made.error());
+    file = *std::move(made);
+  } else if (auto done = learner->copy_to(file); !done) {
+    return console.refuse(done.error());
   }
-  if (auto done = learner->copy_to(file); !done) return console.refuse(done.error());
   console.print(settings.options.json ? to_text({{"file", file.string()}}) : file.string() + "\n");
   return kDone;
 }
@@ -131,8 +130,19 @@ int restore(Console& console, const FileSettings& settings) {
     Json json = Json::array();
     std::string lines;
     for (const study::Backup& one : backups) {
-      json.push_back({{"file", one.file.string()}, {"bytes", one.bytes}, {"automatic", one.automatic}});
-      lines += fmt::format("{}  {} KiB\n", one.file.string(), one.bytes / 1024);
+      const auto inside = study::look_into(one.file);
+      const std::string last =
+          inside && inside->last_day ? study::to_text(*inside->last_day) : std::string("-");
+      json.push_back({{"file", one.file.string()},
+                      {"bytes", one.bytes},
+                      {"automatic", one.automatic},
+                      {"sound", inside.has_value()},
+                      {"writings", inside ? Json(inside->writings) : Json()},
+                      {"characters", inside ? Json(inside->characters) : Json()},
+                      {"last_day", inside && inside->last_day ? Json(last) : Json()}});
+      lines += inside ? fmt::format("{}  {} writings of {} characters, last on {}\n", one.file.string(),
+                                    inside->writings, inside->characters, last)
+                      : fmt::format("{}  cannot be used: {}\n", one.file.string(), inside.error().what);
     }
     console.print(settings.options.json ? to_text(json) : lines);
     return backups.empty() ? console.deny({base::Errc::not_found, "there is no backup", path->string(), ""})

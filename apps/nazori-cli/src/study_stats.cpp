@@ -28,6 +28,15 @@ Json faults_json(const std::map<study::FaultKind, int>& kinds) {
   return json;
 }
 
+Json pace_json(const study::Pace& pace) {
+  const auto one = [](std::chrono::milliseconds time, int days) {
+    return Json{{"time_ms", time.count()}, {"days", days}, {"own", days >= study::kPaceNeeds}};
+  };
+  return {{"recalled", one(pace.recalled, pace.recalled_days)},
+          {"failed", one(pace.failed, pace.failed_days)},
+          {"introduced", one(pace.introduced, pace.introduced_days)}};
+}
+
 Json statistics_json(const Statistics& statistics) {
   Json json{{"today", study::to_text(statistics.today)},
             {"reviews", statistics.reviews},
@@ -39,6 +48,12 @@ Json statistics_json(const Statistics& statistics) {
               {"day_off_used", statistics.streak.day_off_used}}},
             {"retention", retention_json(statistics.retention)},
             {"retention_30_days", retention_json(statistics.last_30_days)}};
+  json["pace"] = pace_json(statistics.pace);
+  for (const auto& day : statistics.retention_days) {
+    Json one = retention_json(day.retention);
+    one["day"] = study::to_text(day.day);
+    json["retention_days"].push_back(std::move(one));
+  }
   for (const auto& day : statistics.days) {
     json["days"].push_back({{"day", study::to_text(day.day)},
                             {"reviews", day.reviews},
@@ -67,7 +82,7 @@ Json statistics_json(const Statistics& statistics) {
                               {"speed", day.speed},
                               {"smoothness", day.smoothness}});
   }
-  for (const char* list : {"days", "characters", "hard_strokes", "motion"}) {
+  for (const char* list : {"days", "retention_days", "characters", "hard_strokes", "motion"}) {
     if (!json.contains(list)) json[list] = Json::array();
   }
   return json;
@@ -118,12 +133,15 @@ int stats(Console& console, const StudyOptions& options) {
 int workload(Console& console, const StudyOptions& options) {
   const auto learner = open_learner(options, study::Access::read);
   if (!learner) return console.refuse(learner.error());
+  const auto pace = study::pace_of(*learner);
+  if (!pace) return console.refuse(pace.error());
   Json json = Json::array();
   std::string lines = "retention  reviews a day  minutes a day  known after a year\n";
   for (int percent = 80; percent <= 97; ++percent) {
     study::FsrsSettings settings = learner->settings().fsrs;
     settings.desired_retention = percent / 100.0;
-    const auto one = study::expected_workload(settings, std::min(100, learner->settings().new_per_day));
+    const auto one =
+        study::expected_workload(settings, std::min(100, learner->settings().new_per_day), *pace);
     if (!one) return console.refuse(one.error());
     json.push_back({{"desired_retention", settings.desired_retention},
                     {"reviews_per_day", one->reviews_per_day},

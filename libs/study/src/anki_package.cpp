@@ -201,6 +201,22 @@ std::string picture_name(char32_t character) {
   return fmt::format("nazori-{:05x}.svg", static_cast<unsigned>(character));
 }
 
+/// Kana that no syllable alone stands for: nullptr where `hiragana` is none of them.
+const char* special_sound(std::string_view hiragana) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 8> kSpecial{{{"っ", "small tsu"},
+                                                                              {"ゃ", "small ya"},
+                                                                              {"ゅ", "small yu"},
+                                                                              {"ょ", "small yo"},
+                                                                              {"ゎ", "small wa"},
+                                                                              {"ゕ", "small ka"},
+                                                                              {"ゖ", "small ke"},
+                                                                              {"ゔ", "vu"}}};
+  for (const auto& [kana, name] : kSpecial) {
+    if (kana == hiragana) return name;
+  }
+  return nullptr;
+}
+
 /// What a kana is asked for by: "ka (katakana)"; nothing for other characters.
 std::string sound_of(char32_t kana) {
   const std::string own = base::encode_utf8(kana);
@@ -213,6 +229,7 @@ std::string sound_of(char32_t kana) {
     const std::vector<std::string> kana_of_it = kanji::romaji_to_hiragana(romaji);
     return !kana_of_it.empty() && kana_of_it.front() == hiragana;
   };
+  if (const char* special = special_sound(hiragana)) return name(special);
   for (const char* romaji : kIrregular) {
     if (spells(romaji)) return name(romaji);
   }
@@ -220,7 +237,8 @@ std::string sound_of(char32_t kana) {
        {"", "k", "s", "t", "n", "h", "m", "y", "r", "w", "g", "z", "d", "b", "p", "x"}) {
     for (const char* vowel : {"a", "i", "u", "e", "o"}) {
       const std::string romaji = std::string(consonant) + vowel;
-      if (spells(romaji)) return name(romaji);
+      if (!spells(romaji)) continue;
+      return name(consonant == std::string_view("x") ? std::string("small ") + vowel : romaji);
     }
   }
   return {};

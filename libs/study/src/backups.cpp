@@ -126,6 +126,39 @@ base::Result<void> keep_backup_before_migration(SQLite::Database& database, cons
   return copy_database(database, folder / fmt::format("before-version-{}{}", version + 1, kExtension));
 }
 
+base::Result<fs::path> make_backup(const LearnerStore& learner, const fs::path& file) {
+  if (learner.last_entry() == 0) return base::fail(Errc::not_found, "nothing studied yet", file.string());
+  const fs::path folder = backup_folder(file);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return base::fail(Errc::io, "cannot be made: " + error.message(), folder.string());
+  const std::string name = "own-" + stamp(learner.now());
+  fs::path backup = folder / (name + std::string(kExtension));
+  for (int copy = 2; fs::exists(backup, error); ++copy)
+    backup = folder / fmt::format("{}-{}{}", name, copy, kExtension);
+  if (auto done = learner.copy_to(backup); !done) return tl::unexpected(std::move(done.error()));
+  return backup;
+}
+
+base::Result<BackupContents> look_into(const fs::path& backup) {
+  std::error_code error;
+  if (!fs::is_regular_file(backup, error))
+    return base::fail(Errc::not_found, "there is no such backup", backup.string());
+  const auto learner = LearnerStore::open(backup, Access::read);
+  if (!learner) return tl::unexpected(learner.error());
+  BackupContents contents;
+  auto read = learner->for_each_entry(true, [&](const LearnerStore::LoggedEntry& logged) {
+    if (logged.entry.kind != EntryKind::writing) return true;
+    ++contents.writings;
+    contents.last_day = logged.entry.day;
+    contents.last = logged.entry.at;
+    return true;
+  });
+  if (!read) return tl::unexpected(std::move(read.error()));
+  contents.characters = static_cast<int>(learner->cards().size());
+  return contents;
+}
+
 base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& learner, const Clock& clock) {
   std::error_code error;
   if (!fs::is_regular_file(backup, error)) {

@@ -100,6 +100,11 @@ void CardHistory::apply(const LogEntry& entry, const Settings& settings) {
   }
 }
 
+bool changes_memory(const Settings& before, const Settings& after) {
+  return before.fsrs.weights != after.fsrs.weights ||
+         before.fsrs.short_term_steps != after.fsrs.short_term_steps;
+}
+
 void CardHistory::change_settings(const Settings& settings) {
   if (answers_.empty()) return;
   const Fsrs fsrs = scheduler_of(settings);

@@ -7,6 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include "nazori/study/pace.h"
+
 namespace nazori::study {
 namespace {
 
@@ -15,25 +17,23 @@ using std::chrono::milliseconds;
 using std::chrono::minutes;
 
 constexpr minutes kAhead{20};
-constexpr milliseconds kUsualReview{20'000};
-constexpr milliseconds kUsualNew{180'000};
 constexpr std::array<double, kDaysOfReturn> kShareOfReturn{0.5, 0.75, 0.9};
 
 /// What the log says of the days before and of today.
 struct Past {
   std::set<char32_t> reviewed_today;
   std::set<Day> days;  ///< with a review
-  std::vector<milliseconds> durations;
+  PaceSum pace;
 };
 
 base::Result<Past> read_past(const LearnerStore& learner, Day today) {
   Past past;
   auto read = learner.for_each_entry(true, [&](const LearnerStore::LoggedEntry& logged) {
     const LogEntry& entry = logged.entry;
+    past.pace.take(entry);
     if (entry.kind != EntryKind::writing || entry.writing.stage != Stage::memory) return true;
     past.days.insert(entry.day);
     if (entry.day == today) past.reviewed_today.insert(entry.character);
-    if (entry.writing.result.duration.count() > 0) past.durations.push_back(entry.writing.result.duration);
     return true;
   });
   if (!read) return tl::unexpected(std::move(read.error()));
@@ -53,15 +53,19 @@ int day_of_return(const std::set<Day>& studied, Day today) {
   return kDaysOfReturn;
 }
 
-milliseconds usual_duration(std::vector<milliseconds> durations) {
-  constexpr std::size_t kLast = 200;
-  if (durations.size() > kLast) {
-    durations.erase(durations.begin(), durations.end() - static_cast<std::ptrdiff_t>(kLast));
+/// What a task will take; a review fails as often as FSRS thinks.
+milliseconds time_for(const StudyTask& task, const Pace& pace) {
+  switch (task.kind) {
+    case TaskKind::fresh:
+      return pace.introduced;
+    case TaskKind::step:
+      return pace.recalled;
+    case TaskKind::review:
+      return pace.recalled + std::chrono::round<milliseconds>(
+                                 (1 - task.retrievability) *
+                                 std::chrono::duration<double, std::milli>(pace.failed - pace.recalled));
   }
-  if (durations.size() < 10) return kUsualReview;
-  const auto middle = durations.begin() + static_cast<std::ptrdiff_t>(durations.size() / 2);
-  std::nth_element(durations.begin(), middle, durations.end());
-  return *middle;
+  return pace.recalled;
 }
 
 /// Reviews due on each of the coming days, for how long a backlog lasts.
@@ -198,8 +202,8 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
       plan.later_today.erase(plan.later_today.begin());
     }
   }
-  const milliseconds usual = usual_duration(past->durations);
-  for (const StudyTask& task : plan.now) plan.estimate += task.kind == TaskKind::fresh ? kUsualNew : usual;
+  const Pace pace = past->pace.pace();
+  for (const StudyTask& task : plan.now) plan.estimate += time_for(task, pace);
   return plan;
 }
 

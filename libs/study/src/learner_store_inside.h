@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <limits>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -16,6 +17,32 @@ namespace nazori::study {
 
 /// Settings and the entry from which on they are in force, oldest first.
 using SettingsTimeline = std::vector<std::pair<std::int64_t, Settings>>;
+
+/// Goes through a timeline beside the entries of the log.
+class SettingsInForce {
+ public:
+  explicit SettingsInForce(const SettingsTimeline& timeline) : timeline_(timeline) {}
+
+  /// Settings of the entry `id`, which must not be before the last one asked for. Those on the way that lead
+  /// to other numbers are handed to `history`.
+  template <class History>
+  const Settings& at(std::int64_t id, History& history) {
+    for (; place_ + 1 < timeline_.size() && timeline_[place_ + 1].first < id; ++place_) {
+      const Settings& next = timeline_[place_ + 1].second;
+      if (changes_memory(timeline_[place_].second, next)) history.change_settings(next);
+    }
+    return timeline_[place_].second;
+  }
+  /// The rest of the timeline.
+  template <class History>
+  void finish(History& history) {
+    (void)at(std::numeric_limits<std::int64_t>::max(), history);
+  }
+
+ private:
+  const SettingsTimeline& timeline_;
+  std::size_t place_ = 0;
+};
 
 struct LearnerStore::Inside {
   Inside(SQLite::Database opened, std::string file_name, Clock the_clock);
@@ -54,9 +81,6 @@ struct LearnerStore::Inside {
   /// Adds one entry for each character as one action and refreshes their cards.
   [[nodiscard]] base::Result<void> act(std::span<const char32_t> characters, LogEntry entry, const Ink* ink);
 };
-
-/// Whether settings lead to other numbers for the same reviews.
-[[nodiscard]] bool changes_memory(const Settings& before, const Settings& after);
 
 // Rows. All throw SQLite::Exception.
 /// The columns of the log as read_entry() wants them: SELECT kLogColumns FROM log.

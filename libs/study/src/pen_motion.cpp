@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <vector>
 
 #include "nazori/study/ink.h"
 
@@ -53,18 +55,36 @@ std::vector<double> speed_profile(const InkStroke& stroke) {
   return speed;
 }
 
+/// One turn in as many parts as there are samples in a period of the frequency step: every angle that the
+/// spectrum asks for is one of them.
+constexpr std::size_t kParts = 1000;
+static_assert(kFrequencyStepHz * kSampleS * kParts > 0.999999 &&
+              kFrequencyStepHz * kSampleS * kParts < 1.000001);
+
+const std::vector<std::complex<double>>& turn() {
+  static const std::vector<std::complex<double>> parts = [] {
+    std::vector<std::complex<double>> all;
+    for (std::size_t i = 0; i < kParts; ++i)
+      all.push_back(std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(i) / kParts));
+    return all;
+  }();
+  return parts;
+}
+
 /// Amplitudes of the spectrum from 0 Hz to the cut-off, the first being 1.
 std::vector<double> amplitudes(const std::vector<double>& speed) {
   std::vector<double> spectrum;
-  for (double hz = 0; hz <= kCutOffHz + 1e-9; hz += kFrequencyStepHz) {
-    const double turn = 2 * std::numbers::pi * hz * kSampleS;
-    double re = 0;
-    double im = 0;
-    for (std::size_t i = 0; i < speed.size(); ++i) {
-      re += speed[i] * std::cos(turn * static_cast<double>(i));
-      im -= speed[i] * std::sin(turn * static_cast<double>(i));
+  const auto& parts = turn();
+  const auto steps = static_cast<std::size_t>(std::lround(kCutOffHz / kFrequencyStepHz));
+  for (std::size_t step = 0; step <= steps; ++step) {
+    std::complex<double> sum;
+    std::size_t part = 0;
+    for (const double sample : speed) {
+      sum += sample * parts[part];
+      part += step;
+      if (part >= kParts) part -= kParts;
     }
-    spectrum.push_back(std::hypot(re, im));
+    spectrum.push_back(std::abs(sum));
   }
   const double first = spectrum.front();
   for (double& one : spectrum) one = first > 0 ? one / first : 0;

@@ -16,6 +16,7 @@ using std::chrono::days;
 constexpr double kMatureDays = 21;
 constexpr std::size_t kMostHardStrokes = 100;
 constexpr int kForgiveness = 7;
+constexpr int kEntriesBetweenProgress = 256;
 
 /// What a review was up against.
 struct Before {
@@ -26,12 +27,14 @@ struct Before {
 /// Goes through the log once and adds everything up.
 class Summing {
  public:
-  Summing(const Fsrs& fsrs, const Settings& settings, Day today)
-      : fsrs_(fsrs), settings_(settings), today_(today) {}
+  /// The settings a learner begins with; others come with the log.
+  explicit Summing(Day today) : today_(today) {}
 
   void take(const LearnerStore::LoggedEntry& logged) {
     const LogEntry& entry = logged.entry;
+    if (entry.kind == EntryKind::settings) change_settings(entry);
     if (entry.kind == EntryKind::settings || entry.kind == EntryKind::undo) return;
+    pace_.take(entry);
     CardHistory& history =
         histories_.try_emplace(entry.character, CardHistory(entry.character)).first->second;
     const Card before = history.card();
@@ -47,6 +50,9 @@ class Summing {
       statistics.reviews += activity.reviews;
       statistics.time += activity.time;
     }
+    statistics.pace = pace_.pace();
+    for (const auto& [day, retention] : retention_days_)
+      statistics.retention_days.push_back({day, finished(retention)});
     statistics.retention = finished(all_);
     statistics.last_30_days = finished(recent_);
     for (const auto& [key, stroke] : strokes_) {
@@ -67,6 +73,17 @@ class Summing {
   }
 
  private:
+  /// The chances that count are those of the weights in force at the time.
+  void change_settings(const LogEntry& entry) {
+    const auto settings = parse_settings(entry.settings);
+    if (!settings) return;
+    const bool others = changes_memory(settings_, *settings);
+    settings_ = *settings;
+    if (!others) return;
+    if (auto fsrs = Fsrs::create(settings_.fsrs)) fsrs_ = *fsrs;
+    for (auto& [character, history] : histories_) history.change_settings(settings_);
+  }
+
   void writing(const LearnerStore::LoggedEntry& logged, const Card& before) {
     const LogEntry& entry = logged.entry;
     const Writing& written = entry.writing;
@@ -97,7 +114,8 @@ class Summing {
     const double chance = fsrs_.retrievability(before.memory.stability,
                                                static_cast<double>((entry.day - *before.last_day).count()));
     const bool recalled = entry.writing.rating != Rating::again;
-    for (Retention* sum : {&all_, entry.day > today_ - days(30) ? &recent_ : nullptr}) {
+    for (Retention* sum :
+         {&all_, &retention_days_[entry.day], entry.day > today_ - days(30) ? &recent_ : nullptr}) {
       if (sum == nullptr) continue;
       ++sum->reviews;
       sum->recalled += recalled ? 1 : 0;
@@ -121,9 +139,11 @@ class Summing {
     return sum;
   }
 
-  const Fsrs& fsrs_;
-  const Settings& settings_;
+  Settings settings_;
+  Fsrs fsrs_;
   Day today_;
+  PaceSum pace_;
+  std::map<Day, Retention> retention_days_;
   std::map<char32_t, CardHistory> histories_;
   std::map<Day, DayActivity> activity_;
   std::map<Day, DayMotion> motion_;
@@ -183,16 +203,24 @@ Streak streak_of(const std::vector<Day>& studied, Day today) {
   return streak;
 }
 
-base::Result<Statistics> statistics_of(const LearnerStore& learner) {
+base::Result<Statistics> statistics_of(const LearnerStore& learner, const base::Progress& progress) {
   const auto fsrs = Fsrs::create(learner.settings().fsrs);
   if (!fsrs) return tl::unexpected(fsrs.error());
   Statistics statistics;
   statistics.today = learner.today();
-  Summing sums(*fsrs, learner.settings(), statistics.today);
+  Summing sums(statistics.today);
+  bool cancelled = false;
+  int taken = 0;
   auto read = learner.for_each_entry(true, [&](const LearnerStore::LoggedEntry& logged) {
+    if (progress && ++taken % kEntriesBetweenProgress == 0) {
+      const auto all = static_cast<double>(learner.last_entry());
+      cancelled = !progress(static_cast<double>(logged.entry.id) / all, "statistics");
+      if (cancelled) return false;
+    }
     sums.take(logged);
     return true;
   });
+  if (cancelled) return base::fail(base::Errc::cancelled, "stopped");
   if (!read) return tl::unexpected(std::move(read.error()));
   sums.finish(statistics);
   for (int day = 0; day < kForecastDays; ++day)

@@ -75,53 +75,12 @@ base::Result<void> check_entries(std::span<const LearnerStore::Contents::Entry> 
 
 }  // namespace
 
-base::Result<void> LearnerStore::change_settings(const Settings& settings) {
-  if (auto fine = check(settings); !fine) return fine;
-  if (settings == this->settings()) return {};
-  return inside_->guarded([&]() -> base::Result<void> {
-    Inside& in = *inside_;
-    LogEntry entry;
-    entry.id = in.last_id + 1;
-    entry.action = entry.id;
-    entry.at = now();
-    entry.day = today();
-    entry.kind = EntryKind::settings;
-    entry.settings = to_json(settings);
-    Cards changed = in.cards;
-    const bool all_change = changes_memory(in.settings(), settings);
-    in.timeline.emplace_back(entry.id, settings);
-    try {
-      SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
-      insert_entry(in.db, entry, std::nullopt);
-      if (all_change) {
-        for (auto& [character, card] : changed) {
-          if (const auto anew = in.refresh_row(character)) card = *anew;
-        }
-      }
-      transaction.commit();
-    } catch (const SQLite::Exception&) {
-      in.timeline.pop_back();
-      throw;
-    }
-    in.last_id = entry.id;
-    in.cards = std::move(changed);
-    in.take_calendar();
-    return {};
-  });
-}
-
 base::Result<RebuildReport> LearnerStore::rebuild(const base::Progress& progress) {
   Inside& in = *inside_;
   RebuildReport report;
   WholeHistory whole;
-  std::size_t in_force = 0;
+  SettingsInForce in_force(in.timeline);
   bool cancelled = false;
-  const auto go_to = [&](std::int64_t id) {
-    for (; in_force + 1 < in.timeline.size() && in.timeline[in_force + 1].first < id; ++in_force) {
-      const Settings& next = in.timeline[in_force + 1].second;
-      if (changes_memory(in.timeline[in_force].second, next)) whole.change_settings(next);
-    }
-  };
   auto read = for_each_entry(false, [&](const LoggedEntry& logged) {
     const LogEntry& entry = logged.entry;
     if (++report.entries % kEntriesBetweenProgress == 0 && progress) {
@@ -129,13 +88,12 @@ base::Result<RebuildReport> LearnerStore::rebuild(const base::Progress& progress
       if (cancelled) return false;
     }
     if (!names_a_character(entry.kind) || in.undone.contains(entry.action)) return true;
-    go_to(entry.id);
-    whole.apply(entry, in.timeline[in_force].second);
+    whole.apply(entry, in_force.at(entry.id, whole));
     return true;
   });
   if (!read) return tl::unexpected(std::move(read.error()));
   if (cancelled) return base::fail(Errc::cancelled, "stopped", in.name);
-  go_to(INT64_MAX);
+  in_force.finish(whole);
 
   Cards cards = whole.cards();
   for (const auto& [character, card] : cards) {
@@ -213,19 +171,12 @@ base::Result<void> LearnerStore::fill(const Contents& contents, const base::Prog
     // Inside the same transaction, so that an import is there whole or not at all.
     if (auto loaded = in.load(); !loaded) return loaded;
     WholeHistory whole;
-    std::size_t in_force = 0;
-    const auto go_to = [&](std::int64_t id) {
-      for (; in_force + 1 < in.timeline.size() && in.timeline[in_force + 1].first < id; ++in_force) {
-        const Settings& next = in.timeline[in_force + 1].second;
-        if (changes_memory(in.timeline[in_force].second, next)) whole.change_settings(next);
-      }
-    };
+    SettingsInForce in_force(in.timeline);
     for (const auto& [entry, ink] : contents.entries) {
       if (!names_a_character(entry.kind) || in.undone.contains(entry.action)) continue;
-      go_to(entry.id);
-      whole.apply(entry, in.timeline[in_force].second);
+      whole.apply(entry, in_force.at(entry.id, whole));
     }
-    go_to(INT64_MAX);
+    in_force.finish(whole);
     in.cards = whole.cards();
     for (const auto& [character, card] : in.cards) put_card(in.db, card);
     transaction.commit();

@@ -12,20 +12,21 @@ namespace {
 using std::chrono::days;
 
 constexpr int kDays = 365;
-constexpr double kReviewS = 20;
-constexpr double kFailedS = 40;
-constexpr double kNewS = 180;
-// Of what is recalled, as learners' collections have it: open-spaced-repetition's simulator, default ratings.
-constexpr double kHardShare = 0.12;
-constexpr double kEasyShare = 0.10;
+// How learners rate, first and later: the defaults of open-spaced-repetition's fsrs-optimizer (its
+// simulator), which come from the collections of Anki's users.
+constexpr double kFirstAgain = 0.24;
+constexpr double kFirstHard = 0.094;
+constexpr double kFirstGood = 0.495;
+constexpr double kHardShare = 0.224;
+constexpr double kEasyShare = 0.145;
 
 /// The same numbers on every computer, which distributions of the library do not promise.
 double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 
 Rating first_rating(double dice) {
-  if (dice < 0.24) return Rating::again;
-  if (dice < 0.34) return Rating::hard;
-  return dice < 0.90 ? Rating::good : Rating::easy;
+  if (dice < kFirstAgain) return Rating::again;
+  if (dice < kFirstAgain + kFirstHard) return Rating::hard;
+  return dice < kFirstAgain + kFirstHard + kFirstGood ? Rating::good : Rating::easy;
 }
 
 Rating next_rating(double chance, double dice, double grade) {
@@ -34,9 +35,11 @@ Rating next_rating(double chance, double dice, double grade) {
   return grade >= 1 - kEasyShare ? Rating::easy : Rating::good;
 }
 
+double seconds_of(std::chrono::milliseconds time) { return std::chrono::duration<double>(time).count(); }
+
 }  // namespace
 
-base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_per_day) {
+base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_per_day, const Pace& pace) {
   if (new_per_day < 0 || new_per_day > 100) {
     return base::fail(base::Errc::bad_argument, fmt::format("{} is outside its range", new_per_day),
                       "new characters a day", "give 0 to 100");
@@ -49,14 +52,11 @@ base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_p
   const Time start{};
   int reviews = 0;
   double seconds = 0;
-  // Steps of minutes are done on the same day, until the card is given days.
+  // Steps of minutes are done on the same day, until the card is given days; a day's pace has their time.
   const auto schedule = [&](Memory memory, int day) {
     for (int steps = 0; memory.phase != Phase::review && steps < 10; ++steps) {
       memory = fsrs->next(memory, uniform(random) < 0.9 ? Rating::good : Rating::again, start + days(day), 0);
-      if (day >= kDays / 2) {
-        ++reviews;
-        seconds += kReviewS;
-      }
+      if (day >= kDays / 2) ++reviews;
     }
     const int next = day + std::max(1, memory.scheduled_days);
     (next < kDays ? due[static_cast<std::size_t>(next)] : beyond).push_back(memory);
@@ -70,12 +70,12 @@ base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_p
       const Rating rating = next_rating(chance, dice, uniform(random));
       if (counts) {
         ++reviews;
-        seconds += rating == Rating::again ? kFailedS : kReviewS;
+        seconds += seconds_of(rating == Rating::again ? pace.failed : pace.recalled);
       }
       schedule(fsrs->next(memory, rating, start + days(day), elapsed), day);
     }
     for (int i = 0; i < new_per_day; ++i) {
-      if (counts) seconds += kNewS;
+      if (counts) seconds += seconds_of(pace.introduced);
       schedule(fsrs->next({}, first_rating(uniform(random)), start + days(day), 0), day);
     }
   }

@@ -193,6 +193,33 @@ TEST(AnkiPackage, HoldsACollectionOfSchema11AndItsPictures) {
               HasSubstr("ka (katakana)"));
 }
 
+TEST(AnkiPackage, AsksSomethingOfEveryKanaAndKanji) {
+  // Anki takes a card whose question is empty for one that may be deleted.
+  const auto database = open_kanji();
+  std::vector<char32_t> wanted;
+  for (const auto list : {kanji::List::hiragana, kanji::List::katakana, kanji::List::grade_1}) {
+    for (const kanji::Summary& one : database.list(list)) wanted.push_back(one.code_point);
+  }
+  const auto files = unzip(must(anki_package(database, wanted, {}, {})));
+  const TemporaryFolder folder;
+  const std::string path = (folder / "collection.anki2").string();
+  std::ofstream(path, std::ios::binary) << files.at("collection.anki2");
+  SQLite::Database db(path, SQLite::OPEN_READONLY);
+  SQLite::Statement notes(db, "SELECT sfld, flds FROM notes");
+  int asked = 0;
+  while (notes.executeStep()) {
+    const std::string fields = notes.getColumn(1).getString();
+    const auto meaning = fields.find('\x1F') + 1;
+    EXPECT_FALSE(fields.substr(meaning).starts_with("\x1F\x1F\x1F")) << notes.getColumn(0).getString();
+    ++asked;
+  }
+  EXPECT_GT(asked, 240);
+  EXPECT_THAT(db.execAndGet("SELECT flds FROM notes WHERE sfld = 'ょ'").getString(),
+              HasSubstr("small yo (hiragana)"));
+  EXPECT_THAT(db.execAndGet("SELECT flds FROM notes WHERE sfld = 'ァ'").getString(),
+              HasSubstr("small a (katakana)"));
+}
+
 TEST(AnkiPackage, RefusesWhatCannotBe) {
   const auto database = open_kanji();
   const std::array one{U'休'};

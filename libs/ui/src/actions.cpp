@@ -108,6 +108,7 @@ QAction* Actions::add_workplace(const Workplace& workplace) {
 
 QList<ActionSet::Group> Actions::groups_with(const Workplace& workplace) const {
   QList<Group> groups{file_};
+  groups.append(added_);
   if (const auto* own = workplace.actions()) groups.append(own->groups());
   if (workplace.page() == nullptr) groups.append(tablet_);
   groups.append(view_);

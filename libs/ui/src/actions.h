@@ -31,6 +31,9 @@ class Actions final : public ActionSet {
   QAction* add_workplace(const Workplace& workplace);
   [[nodiscard]] const QList<QAction*>& workplaces() const { return workplaces_; }
 
+  /// Adds a menu that every workplace has, after "File".
+  void add_menu(const Group& group) { added_.append(group); }
+
   /// The menus with those of one workplace among them, as they stand in the menu bar and in the list of keys.
   [[nodiscard]] QList<Group> groups_with(const Workplace& workplace) const;
   /// Puts a workplace's menus, panels and files in force. @param bar  is filled anew.
@@ -41,6 +44,7 @@ class Actions final : public ActionSet {
   void give_keys(const Workplace& workplace);
 
   Group file_;
+  QList<Group> added_;
   Group tablet_;
   Group view_;
   Group go_;

@@ -99,6 +99,12 @@ void draw(QPainter& p, Icon which, const QColor& colour) {
       line({{x, 5}, {x, 19}});
       break;
     }
+    case Icon::progress:
+      line({{4, 4}, {4, 20}, {20, 20}});
+      p.drawRect(QRectF(6.8, 13.5, 2.6, 6));
+      p.drawRect(QRectF(11.6, 10, 2.6, 9.5));
+      p.drawRect(QRectF(16.4, 5.5, 2.6, 14));
+      break;
     case Icon::device:
       // A stylus at the end of a jointed arm.
       line({{4, 19.5}, {12, 19.5}});

@@ -41,6 +41,7 @@ enum class Icon : std::uint8_t {
   overlaid,
   beside,
   pen,
+  progress,
   home,
 };
 

@@ -22,6 +22,8 @@
 #include "feedback_line.h"
 #include "focus_frame.h"
 #include "key_guard.h"
+#include "learners/learner_actions.h"
+#include "learners/learner_menu.h"
 #include "main_window_inside.h"
 #include "panes.h"
 #include "status_line.h"
@@ -155,6 +157,8 @@ MainWindow::Inside::~Inside() { delete tablet_place; }
 
 void MainWindow::Inside::build(const Setup& setup) {
   actions = new Actions(&window);
+  learner_menu = new LearnerMenu(desk);
+  for (const auto& group : learner_menu->actions().groups()) actions->add_menu(group);
   qApp->installEventFilter(new KeyGuard(&window));
   window.menuBar()->setObjectName(QStringLiteral("menu_bar"));
   tool_bar = new ToolBar(*actions, &window);

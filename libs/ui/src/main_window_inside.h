@@ -15,6 +15,7 @@ class QStackedWidget;
 namespace nazori::ui {
 
 class Actions;
+class LearnerMenu;
 class Panes;
 class StatusLine;
 class TabletWindow;
@@ -56,6 +57,7 @@ struct MainWindow::Inside {
   Workplace* current = nullptr;
 
   Actions* actions = nullptr;
+  LearnerMenu* learner_menu = nullptr;
   ToolBar* tool_bar = nullptr;
   WorkplaceRail* rail = nullptr;
   FeedbackLine* feedback = nullptr;

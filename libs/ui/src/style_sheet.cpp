@@ -92,6 +92,20 @@ QWidget#information_content { background: transparent; }
 QFrame[separator="true"] { background: @line; border: none; max-height: 1px; min-height: 1px; }
 QWidget#library_panel, QWidget#information_panel, QWidget#seat_panel, QWidget#feel_panel,
 QWidget#session_panel, QWidget#home_page { background: @paper; }
+QWidget#progress_page, QWidget#progress_content { background: @paper; }
+QFrame[role="card"] { background: @surface; border: 1px solid @line; border-radius: 10px; }
+QFrame[role="card"] QLabel { border: none; }
+QLabel[role="card_title"] { color: @ink; font-weight: bold; }
+QFrame[role="card"] QToolButton { color: @ink; background: @surface; border: 2px solid @line; border-radius: 7px; padding: 2px 8px; }
+QFrame[role="card"] QToolButton:hover { background: @hover; }
+QFrame[role="card"] QToolButton:checked { background: @tint; color: @indigo; }
+QFrame[role="card"] QToolButton:focus { border-color: @indigo; }
+QFrame[role="card"] QGraphicsView { background: transparent; border: 2px solid transparent; border-radius: 8px; }
+QFrame[role="card"] QGraphicsView:focus { border-color: @indigo; }
+QFrame[role="card"] QListView { background: transparent; border: 2px solid @line; border-radius: 8px; outline: none; }
+QFrame[role="card"] QListView:focus { border-color: @indigo; }
+QProgressBar { background: @surface; border: 1px solid @line; border-radius: 4px; max-height: 8px; }
+QProgressBar::chunk { background: @indigo; border-radius: 3px; }
 QLabel[role="muted"] { color: @muted; }
 QLabel[role="heading"] { color: @muted; }
 

@@ -2,6 +2,7 @@
 #include "characters/characters.h"
 #include "device/device_place.h"
 #include "functions/functions_workplace.h"
+#include "progress/progress.h"
 #include "study/home.h"
 #include "workplace.h"
 
@@ -19,6 +20,7 @@ std::vector<MakeWorkplace> registered_workplaces() {
   return {
       make<Home>,
       make<Characters>,
+      make<Progress>,
       make<FunctionsWorkplace>,
       make<DevicePlace>,
   };

@@ -320,6 +320,128 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::AnkiDialog</name>
+    <message>
+        <source>Export for Anki</source>
+        <translation>Anki 用に書き出す</translation>
+    </message>
+    <message>
+        <source>Choose the file…</source>
+        <translation>ファイルを選ぶ…</translation>
+    </message>
+    <message>
+        <source>&amp;Characters</source>
+        <translation>文字(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Deck</source>
+        <translation>デッキ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Words to a character</source>
+        <translation>一字あたりの語数(&amp;W)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::BackupsDialog</name>
+    <message>
+        <source>Daily</source>
+        <translation>毎日</translation>
+    </message>
+    <message>
+        <source>Made by you</source>
+        <translation>自分で作成</translation>
+    </message>
+    <message>
+        <source>What a restored one replaced</source>
+        <translation>復元の前のもの</translation>
+    </message>
+    <message>
+        <source>Before a newer version</source>
+        <translation>新しい版になる前のもの</translation>
+    </message>
+    <message>
+        <source>Backups of %1</source>
+        <translation>%1 のバックアップ</translation>
+    </message>
+    <message>
+        <source>Backups, the newest first</source>
+        <translation>バックアップ（新しい順）</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Last day in it</source>
+        <translation>最後の日</translation>
+    </message>
+    <message>
+        <source>Writings</source>
+        <translation>書いた回数</translation>
+    </message>
+    <message>
+        <source>Characters</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>&amp;Back up now</source>
+        <translation>今すぐバックアップ(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Put it in place…</source>
+        <translation>これに戻す(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>There is no backup yet. One is made by itself on each day of study, when Nazori opens.</source>
+        <translation>バックアップはまだありません。学習した日ごとに、なぞりを開いたとき自動で一つ作られます。</translation>
+    </message>
+    <message>
+        <source>One is made by itself on each day of study; seven are kept. What is replaced is kept too.</source>
+        <translation>学習した日ごとに自動で一つ作られ、七つまで残ります。置き換えられたものも残ります。</translation>
+    </message>
+    <message>
+        <source>cannot be used</source>
+        <translation>使えません</translation>
+    </message>
+    <message>
+        <source>%1, last day %2, writings %3, characters %4</source>
+        <translation>%1、最後の日 %2、書いた回数 %3、文字 %4</translation>
+    </message>
+    <message>
+        <source>Backed up as %1.</source>
+        <translation>%1 としてバックアップしました。</translation>
+    </message>
+    <message>
+        <source>No backup was made: %1.</source>
+        <translation>バックアップできませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>Restore from a backup</source>
+        <translation>バックアップから戻す</translation>
+    </message>
+    <message>
+        <source>Put this backup in the place of what %1 has done so far? %2</source>
+        <translation>%1 のこれまでの記録を、このバックアップに置き換えますか。%2</translation>
+    </message>
+    <message>
+        <source>What stands there now is kept as a backup, so this can be taken back.</source>
+        <translation>今の記録はバックアップとして残るので、元に戻せます。</translation>
+    </message>
+    <message>
+        <source>&amp;Put it in place</source>
+        <translation>これに戻す(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The backup was not put in place: %1. Everything is as it was.</source>
+        <translation>バックアップに戻せませんでした：%1。すべて元のままです。</translation>
+    </message>
+    <message>
+        <source>The backup is in place. What stood there is kept.</source>
+        <translation>バックアップに戻しました。前の記録は残してあります。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::CharacterActions</name>
     <message>
         <source>&amp;Find a character</source>
@@ -703,6 +825,68 @@
     <message>
         <source>%1 is new again. Ctrl+Shift+Z takes it back.</source>
         <translation>%1 は新しい文字に戻りました。Ctrl+Shift+Z で取り消せます。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::CharactersCard</name>
+    <message>
+        <source>Which characters</source>
+        <translation>どの文字</translation>
+    </message>
+    <message>
+        <source>Every character</source>
+        <translation>文字ごとの状態</translation>
+    </message>
+    <message>
+        <source>Characters you have met stand here, each with how firmly you know it.</source>
+        <translation>学んだ文字がここに並び、どれほど身についたかがわかります。</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>強さ</translation>
+    </message>
+    <message>
+        <source>Chance to recall it now</source>
+        <translation>いま思い出せる見込み</translation>
+    </message>
+    <message>
+        <source>%1. Enter opens a character.</source>
+        <translation>%1。Enter で文字を開きます。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::ChartCard</name>
+    <message>
+        <source>Numbers</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>The same as a table (N)</source>
+        <translation>同じものを表で (N)</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Copy the numbers (Ctrl+C)</source>
+        <translation>数字をコピー (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>%1 Left and right go from row to row, N shows all numbers.</source>
+        <translation>%1 左右のキーで一行ずつ読み、N ですべての数字を表示します。</translation>
+    </message>
+    <message>
+        <source>Numbers of %1</source>
+        <translation>%1の数字</translation>
+    </message>
+    <message>
+        <source>Copy the numbers of %1</source>
+        <translation>%1の数字をコピー</translation>
     </message>
 </context>
 <context>
@@ -1714,6 +1898,25 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::HardStrokesCard</name>
+    <message>
+        <source>Stroke %1 of %2 went wrong in %3 of %4 writings: %5</source>
+        <translation>「%2」の%1画目：%4回のうち%3回まちがい。%5</translation>
+    </message>
+    <message>
+        <source>Hardest strokes</source>
+        <translation>苦手な画</translation>
+    </message>
+    <message>
+        <source>No stroke has gone wrong twice. Those that do will stand here.</source>
+        <translation>二度まちがえた画はありません。あればここに並びます。</translation>
+    </message>
+    <message>
+        <source>Strokes that went wrong more than once: %1. Enter opens the character.</source>
+        <translation>二度以上まちがえた画：%1。Enter で文字を開きます。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::Home</name>
     <message>
         <source>H&amp;ome</source>
@@ -2117,6 +2320,238 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::LearnerActions</name>
+    <message>
+        <source>&amp;Who studies…</source>
+        <translation>学習者(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Choose, add, rename or remove a learner</source>
+        <translation>学習者を選ぶ、加える、名前を変える、外す</translation>
+    </message>
+    <message>
+        <source>&amp;Back up now</source>
+        <translation>今すぐバックアップ(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Keep a copy of everything besides the daily ones</source>
+        <translation>毎日のもののほかに、すべての控えを残す</translation>
+    </message>
+    <message>
+        <source>&amp;Restore from a backup…</source>
+        <translation>バックアップから戻す(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>See the backups and put one in place</source>
+        <translation>バックアップを見て、一つに戻す</translation>
+    </message>
+    <message>
+        <source>&amp;Export everything…</source>
+        <translation>すべて書き出す(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Write the whole log with its ink, lists and tags to a file (JSON)</source>
+        <translation>記録、筆跡、リスト、タグをすべてファイルに書く (JSON)</translation>
+    </message>
+    <message>
+        <source>Export a &amp;table of reviews…</source>
+        <translation>復習の表を書き出す(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Write every writing to a table (CSV)</source>
+        <translation>書いたものをすべて表にする (CSV)</translation>
+    </message>
+    <message>
+        <source>Export for &amp;Anki…</source>
+        <translation>Anki 用に書き出す(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Write cards with stroke order, readings, meanings and words (.apkg)</source>
+        <translation>筆順、読み、意味、語のカードを書き出す (.apkg)</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>読み込む(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Read what was exported (JSON), also elsewhere</source>
+        <translation>書き出したもの（ほかのパソコンのものも）を読み込む (JSON)</translation>
+    </message>
+    <message>
+        <source>&amp;Learner</source>
+        <translation>学習者(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::LearnerExchange</name>
+    <message>
+        <source>Something is being written or read already. Wait for it, or stop it.</source>
+        <translation>すでに書き出しか読み込みの途中です。終わるまで待つか、止めてください。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>止める</translation>
+    </message>
+    <message>
+        <source>Stopped. Everything is as it was.</source>
+        <translation>止めました。すべて元のままです。</translation>
+    </message>
+    <message>
+        <source>%1: %2. Everything is as it was.</source>
+        <translation>%1：%2。すべて元のままです。</translation>
+    </message>
+    <message>
+        <source>Writing %1…</source>
+        <translation>%1 を書き出し中…</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>%1 に保存しました。</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 を読み込み中…</translation>
+    </message>
+    <message>
+        <source>Imported for %1: characters %2. %1 studies now.</source>
+        <translation>%1 に読み込みました。文字 %2。いまの学習者は %1 です。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::LearnerMenu</name>
+    <message>
+        <source>Backed up as %1.</source>
+        <translation>%1 としてバックアップしました。</translation>
+    </message>
+    <message>
+        <source>Nothing is studied yet: there is nothing to back up.</source>
+        <translation>まだ何も学習していないので、バックアップするものがありません。</translation>
+    </message>
+    <message>
+        <source>No backup was made: %1.</source>
+        <translation>バックアップできませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>Everything of a learner (*.json)</source>
+        <translation>学習者のすべて (*.json)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Anki packages (*.apkg)</source>
+        <translation>Anki パッケージ (*.apkg)</translation>
+    </message>
+    <message>
+        <source>Nothing is studied yet: there is nothing to export.</source>
+        <translation>まだ何も学習していないので、書き出すものがありません。</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>読み込む</translation>
+    </message>
+    <message>
+        <source>Everything of a learner (*.json);;All files (*)</source>
+        <translation>学習者のすべて (*.json);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::LearnersDialog</name>
+    <message>
+        <source>Who studies</source>
+        <translation>学習者</translation>
+    </message>
+    <message>
+        <source>&amp;Learners</source>
+        <translation>学習者(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Learners</source>
+        <translation>学習者</translation>
+    </message>
+    <message>
+        <source>&amp;Name, to add or rename</source>
+        <translation>名前（加える・変える）(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Name, to add or rename</source>
+        <translation>名前（加える・変える）</translation>
+    </message>
+    <message>
+        <source>&amp;Study as this learner</source>
+        <translation>この学習者で学ぶ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>加える(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>名前を変える(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move…</source>
+        <translation>外す(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Everyone has their own log, settings and backups.</source>
+        <translation>記録、設定、バックアップは学習者ごとにあります。</translation>
+    </message>
+    <message>
+        <source>✓ %1 (studies now)</source>
+        <translation>✓ %1（学習中）</translation>
+    </message>
+    <message>
+        <source>Type a name first: up to 60 bytes, no “/”, and no dot at its beginning.</source>
+        <translation>まず名前を入力してください。60 バイトまで、「/」なし、先頭の点なし。</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Type another name.</source>
+        <translation>%1 はもうあります。ほかの名前にしてください。</translation>
+    </message>
+    <message>
+        <source>%1 studies now.</source>
+        <translation>いまの学習者は %1 です。</translation>
+    </message>
+    <message>
+        <source>%1 keeps its name: %2.</source>
+        <translation>%1 の名前は変わりません：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is called %2 now.</source>
+        <translation>%1 の名前は %2 になりました。</translation>
+    </message>
+    <message>
+        <source>Remove a learner</source>
+        <translation>学習者を外す</translation>
+    </message>
+    <message>
+        <source>Remove %1 with all reviews, ink and backups from the list of learners?</source>
+        <translation>%1 を、復習、筆跡、バックアップとともに学習者の一覧から外しますか。</translation>
+    </message>
+    <message>
+        <source>Nothing is deleted: the folder is moved to “.removed” beside the other learners, and moved back it is there again.</source>
+        <translation>何も消えません。フォルダーはほかの学習者の隣の「.removed」に移り、戻せばまた使えます。</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>外す(&amp;M)</translation>
+    </message>
+    <message>
+        <source>%1 is removed. The folder lies in %2.</source>
+        <translation>%1 を外しました。フォルダーは %2 にあります。</translation>
+    </message>
+    <message>
+        <source>%1 could not be removed: %2.</source>
+        <translation>%1 を外せませんでした：%2。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::LibraryPanel</name>
     <message>
         <source>Characters</source>
@@ -2209,6 +2644,45 @@ Columns and rows:</source>
     <message>
         <source>Search</source>
         <translation>検索結果</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::ListChoice</name>
+    <message>
+        <source>Met so far</source>
+        <translation>これまでに学んだ文字</translation>
+    </message>
+    <message>
+        <source>School grade %1</source>
+        <translation>小学%1年</translation>
+    </message>
+    <message>
+        <source>Secondary school</source>
+        <translation>中学以上（常用）</translation>
+    </message>
+    <message>
+        <source>For names</source>
+        <translation>人名用</translation>
+    </message>
+    <message>
+        <source>Hiragana</source>
+        <translation>ひらがな</translation>
+    </message>
+    <message>
+        <source>Katakana</source>
+        <translation>カタカナ</translation>
+    </message>
+    <message>
+        <source>Old JLPT level %1 (before 2010)</source>
+        <translation>旧日本語能力試験 %1 級（2010年より前）</translation>
+    </message>
+    <message>
+        <source>Own list: %1</source>
+        <translation>自分のリスト：%1</translation>
+    </message>
+    <message>
+        <source>Tag: %1</source>
+        <translation>タグ：%1</translation>
     </message>
 </context>
 <context>
@@ -2431,6 +2905,19 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::Numbers</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>head of a column, its number</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a row of a table, its numbers</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::PlotExport</name>
     <message>
         <source>Plots (*.json)</source>
@@ -2600,6 +3087,195 @@ Columns and rows:</source>
     <message>
         <source>Nazori cannot start: %1.</source>
         <translation>Nazori を起動できません：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::Progress</name>
+    <message>
+        <source>The statistics could not be read: %1.</source>
+        <translation>統計を読めませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>P&amp;rogress</source>
+        <translation>歩み(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What study has brought: charts and numbers</source>
+        <translation>学習の成果：グラフと数字</translation>
+    </message>
+    <message>
+        <source>Progress of %1</source>
+        <translation>%1 の歩み</translation>
+    </message>
+    <message>
+        <source>Everything is shown.</source>
+        <translation>すべて表示しています。</translation>
+    </message>
+    <message>
+        <source>A month is the shortest time.</source>
+        <translation>一か月が最短です。</translation>
+    </message>
+    <message>
+        <source>1 to 6 go to a chart, N shows its numbers, Ctrl+C copies them.</source>
+        <translation>1～6 でグラフへ、N で数字を表示、Ctrl+C でコピー。</translation>
+    </message>
+    <message>
+        <source>%1: there are no numbers yet.</source>
+        <translation>%1：まだ数字がありません。</translation>
+    </message>
+    <message>
+        <source>The numbers of “%1” are copied, lines: %2.</source>
+        <translation>「%1」の数字をコピーしました。行数：%2。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::ProgressActions</name>
+    <message>
+        <source>Reviews to &amp;come</source>
+        <translation>これからの復習(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Go to the reviews to come</source>
+        <translation>これからの復習へ</translation>
+    </message>
+    <message>
+        <source>&amp;Recalled, and predicted</source>
+        <translation>思い出せた率と予測(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Go to what was recalled and predicted</source>
+        <translation>思い出せた率と予測へ</translation>
+    </message>
+    <message>
+        <source>Reviews and &amp;minutes</source>
+        <translation>復習と時間(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Go to the reviews and minutes</source>
+        <translation>復習と時間へ</translation>
+    </message>
+    <message>
+        <source>&amp;Speed and smoothness</source>
+        <translation>速さとなめらかさ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Go to how the pen moved</source>
+        <translation>筆の動きへ</translation>
+    </message>
+    <message>
+        <source>&amp;Every character</source>
+        <translation>文字ごとの状態(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Go to the grid of characters</source>
+        <translation>文字の一覧へ</translation>
+    </message>
+    <message>
+        <source>&amp;Hardest strokes</source>
+        <translation>苦手な画(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Go to the strokes that go wrong</source>
+        <translation>まちがえる画へ</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers or drawing</source>
+        <translation>数字か図(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show the chart at hand as a table, or as a drawing again</source>
+        <translation>今のグラフを表に、または図に戻す</translation>
+    </message>
+    <message>
+        <source>Co&amp;py the numbers</source>
+        <translation>数字をコピー(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Copy the numbers of the chart at hand</source>
+        <translation>今のグラフの数字をコピー</translation>
+    </message>
+    <message>
+        <source>&amp;Longer time</source>
+        <translation>長い期間(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show a longer time</source>
+        <translation>もっと長い期間を表示</translation>
+    </message>
+    <message>
+        <source>Shorter &amp;time</source>
+        <translation>短い期間(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Show a shorter time</source>
+        <translation>もっと短い期間を表示</translation>
+    </message>
+    <message>
+        <source>&amp;Progress</source>
+        <translation>歩み(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::ProgressPage</name>
+    <message>
+        <source>Progress</source>
+        <translation>歩み</translation>
+    </message>
+    <message>
+        <source>Time s&amp;hown</source>
+        <translation>期間(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>期間</translation>
+    </message>
+    <message>
+        <source>A month</source>
+        <translation>一か月</translation>
+    </message>
+    <message>
+        <source>Three months</source>
+        <translation>三か月</translation>
+    </message>
+    <message>
+        <source>A year</source>
+        <translation>一年</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>The log is added up</source>
+        <translation>記録を集計しています</translation>
+    </message>
+    <message>
+        <source>Nothing is studied yet. Begin with a few characters at Home, or trace one in Characters; what you do will stand here, with every number as text.</source>
+        <translation>まだ何も学習していません。ホームで数文字から始めるか、文字の画面で一字なぞってください。したことがここに、すべての数字つきで並びます。</translation>
+    </message>
+    <message>
+        <source>Days in a row: %1, longest %2%3</source>
+        <translation>続いた日数：%1、最長 %2%3</translation>
+    </message>
+    <message>
+        <source>; today is open</source>
+        <translation>（今日はこれから）</translation>
+    </message>
+    <message>
+        <source>; a day off this week is taken</source>
+        <translation>（今週の休みは使いました）</translation>
+    </message>
+    <message>
+        <source>Reviews: %1 in %2</source>
+        <translation>復習：%1 回、%2</translation>
+    </message>
+    <message>
+        <source>Recalled in 30 days: %1 of %2, predicted %3</source>
+        <translation>30日間：%2 回のうち %1 思い出せた、予測 %3</translation>
+    </message>
+    <message>
+        <source>Characters: %1 met, %2 learnt</source>
+        <translation>文字：学んだ %1、身についた %2</translation>
     </message>
 </context>
 <context>
@@ -3070,6 +3746,17 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::StrengthModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>%1, %2, known with a chance of %3</source>
+        <translation>%1、%2、思い出せる見込み %3</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StrokeCounter</name>
     <message>
         <source>no strokes</source>
@@ -3264,6 +3951,206 @@ Columns and rows:</source>
     <message>
         <source>It may stop or thin out.</source>
         <translation>止めても払ってもかまいません。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StudyCharts</name>
+    <message>
+        <source>Day</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>Week from</source>
+        <translation>週（始まり）</translation>
+    </message>
+    <message>
+        <source>Month from</source>
+        <translation>月（始まり）</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 時間 %2 分</translation>
+    </message>
+    <message>
+        <source>not met</source>
+        <translation>まだ</translation>
+    </message>
+    <message>
+        <source>learning</source>
+        <translation>学習中</translation>
+    </message>
+    <message>
+        <source>young</source>
+        <translation>覚えたて</translation>
+    </message>
+    <message>
+        <source>firm</source>
+        <translation>定着</translation>
+    </message>
+    <message>
+        <source>set apart</source>
+        <translation>取り分け</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>休止中</translation>
+    </message>
+    <message>
+        <source>out of turn</source>
+        <translation>順番ちがい</translation>
+    </message>
+    <message>
+        <source>drawn backwards</source>
+        <translation>逆向き</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>書き忘れ</translation>
+    </message>
+    <message>
+        <source>one too many</source>
+        <translation>余分な画</translation>
+    </message>
+    <message>
+        <source>joined with another</source>
+        <translation>ほかの画とつながった</translation>
+    </message>
+    <message>
+        <source>drawn in pieces</source>
+        <translation>切れた</translation>
+    </message>
+    <message>
+        <source>wrong shape or place</source>
+        <translation>形か位置がちがう</translation>
+    </message>
+    <message>
+        <source>of another character</source>
+        <translation>ほかの文字の画</translation>
+    </message>
+    <message>
+        <source>wrong ending</source>
+        <translation>とめ・はね・はらいのちがい</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a fault, how often</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Reviews to come</source>
+        <translation>これからの復習</translation>
+    </message>
+    <message>
+        <source>Write a character from memory once, and the day it comes back stands here.</source>
+        <translation>一度そらで書くと、次に出る日がここに並びます。</translation>
+    </message>
+    <message>
+        <source>Reviews</source>
+        <translation>復習</translation>
+    </message>
+    <message>
+        <source>In 30 days: %1, today: %2. Most on %3: %4.</source>
+        <translation>30日間：%1、今日：%2。最も多いのは %3：%4。</translation>
+    </message>
+    <message>
+        <source>Reviews and minutes</source>
+        <translation>復習と時間</translation>
+    </message>
+    <message>
+        <source>Nothing was written in this time. What you write stands here, day by day.</source>
+        <translation>この期間には何も書いていません。書いたものが日ごとに並びます。</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>練習</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新しい文字</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>分</translation>
+    </message>
+    <message>
+        <source>Reviews: %1 in %2. Days of study: %3, each with about %4 reviews in %5 min.</source>
+        <translation>復習：%1 回、%2。学習した日：%3 日、一日におよそ %4 回、%5 分。</translation>
+    </message>
+    <message>
+        <source>Recalled, and predicted</source>
+        <translation>思い出せた率と予測</translation>
+    </message>
+    <message>
+        <source>Counted once a character comes back after a day or more. Come back tomorrow.</source>
+        <translation>一日以上たって文字がまた出ると数えます。明日また来てください。</translation>
+    </message>
+    <message>
+        <source>Recalled</source>
+        <translation>思い出せた</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>予測</translation>
+    </message>
+    <message>
+        <source>Reviews after a day or more: %1. Recalled %2, predicted %3.</source>
+        <translation>一日以上たってからの復習：%1 回。思い出せた %2、予測 %3。</translation>
+    </message>
+    <message>
+        <source>Speed and smoothness of the pen</source>
+        <translation>筆の速さとなめらかさ</translation>
+    </message>
+    <message>
+        <source>Shown once characters were written on the tablet, with pen, mouse or stylus.</source>
+        <translation>ペン、マウス、スタイラスで文字を書くと表示されます。</translation>
+    </message>
+    <message>
+        <source>Writings</source>
+        <translation>書いた回数</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>なめらかさ</translation>
+    </message>
+    <message>
+        <source>Speed (character widths a second)</source>
+        <translation>速さ（毎秒の字幅）</translation>
+    </message>
+    <message>
+        <source>Smoothness (nearer to 0 is smoother)</source>
+        <translation>なめらかさ（0 に近いほどなめらか）</translation>
+    </message>
+    <message>
+        <source>Speed %1 at first, %2 now, in character widths a second. Smoothness %3 at first, %4 now; nearer to 0 is smoother.</source>
+        <translation>速さは初め毎秒 %1 字幅、今は %2。なめらかさは初め %3、今は %4。0 に近いほどなめらかです。</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>画</translation>
+    </message>
+    <message>
+        <source>Wrong in</source>
+        <translation>まちがい</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>どのように</translation>
     </message>
 </context>
 <context>
@@ -3546,38 +4433,6 @@ Columns and rows:</source>
     <message>
         <source>With %1 new a day about %2 reviews and %3 minutes a day; after a year about %4 characters known. Higher retention means more reviews.</source>
         <translation>一日に新しい文字 %1 字なら、一日およそ復習 %2 件、%3 分。一年後にはおよそ %4 字を覚えています。定着率を高くすると復習が増えます。</translation>
-    </message>
-    <message>
-        <source>School grade %1</source>
-        <translation>小学%1年</translation>
-    </message>
-    <message>
-        <source>Secondary school</source>
-        <translation>中学校以上</translation>
-    </message>
-    <message>
-        <source>For names</source>
-        <translation>人名用</translation>
-    </message>
-    <message>
-        <source>Hiragana</source>
-        <translation>ひらがな</translation>
-    </message>
-    <message>
-        <source>Katakana</source>
-        <translation>カタカナ</translation>
-    </message>
-    <message>
-        <source>Old JLPT level %1 (before 2010)</source>
-        <translation>旧日本語能力試験 %1 級（2010年より前）</translation>
-    </message>
-    <message>
-        <source>Own list: %1</source>
-        <translation>自分のリスト：%1</translation>
-    </message>
-    <message>
-        <source>Tag: %1</source>
-        <translation>タグ：%1</translation>
     </message>
     <message>
         <source>No list is chosen: nothing new will come.</source>

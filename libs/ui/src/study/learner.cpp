@@ -16,7 +16,10 @@ constexpr int kLookAtTheDay_ms = 60'000;
 }  // namespace
 
 Learner::Learner(Place place, QObject* parent)
-    : QObject(parent), folder_(std::move(place.folder)), clock_(std::move(place.clock)) {
+    : QObject(parent),
+      folder_(std::move(place.folder)),
+      database_file_(place.database),
+      clock_(std::move(place.clock)) {
   if (!clock_) clock_ = study::system_now;
   if (folder_.empty())
     if (auto known = study::profiles_folder()) folder_ = *std::move(known);
@@ -56,10 +59,10 @@ bool Learner::open_again() {
   return fine;
 }
 
-void Learner::while_closed(const std::function<void()>& work) {
+void Learner::while_closed(const std::function<QString()>& work) {
   store_.emplace(*study::LearnerStore::in_memory(clock_));
   can_write_ = false;
-  work();
+  if (const QString next = work(); !next.isEmpty()) profile_ = next;
   open_again();
 }
 

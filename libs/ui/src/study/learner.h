@@ -38,9 +38,9 @@ class Learner final : public QObject {
   bool switch_profile(const QString& name);
   /// Opens the same profile once more: after another window was closed, for the backup of a new day.
   bool open_again();
-  /// Lets go of the file while `work` is done (a backup put in place, a profile renamed), then opens it
-  /// again.
-  void while_closed(const std::function<void()>& work);
+  /// Lets go of the file while `work` is done (a backup put in place, a profile renamed), then opens the
+  /// profile that it returns; empty: the same again.
+  void while_closed(const std::function<QString()>& work);
 
   [[nodiscard]] const QString& profile() const { return profile_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
@@ -68,6 +68,8 @@ class Learner final : public QObject {
 
   /// Characters and lists of the kanji database; nullptr where that cannot be read.
   [[nodiscard]] study::CharacterLists* lists() { return lists_.get(); }
+  /// kanji.db, for another thread to open.
+  [[nodiscard]] const std::filesystem::path& database_file() const { return database_file_; }
   [[nodiscard]] const kanji::KanjiDatabase* database() const { return database_ ? &*database_ : nullptr; }
   /// What today holds. Some milliseconds, the first time some tenths of a second.
   [[nodiscard]] base::Result<study::DayPlan> plan();
@@ -89,6 +91,7 @@ class Learner final : public QObject {
   void look_at_the_day();
 
   std::filesystem::path folder_;
+  std::filesystem::path database_file_;
   study::Clock clock_;
   QString profile_;
   std::optional<kanji::KanjiDatabase> database_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "nazori/base/result.h"
@@ -27,6 +28,26 @@ struct Backup {
 
 /// All backups beside a learner.db, newest first.
 [[nodiscard]] std::vector<Backup> backups_of(const std::filesystem::path& learner);
+
+class LearnerStore;
+
+/// Makes a backup besides the daily ones. @param file  the learner's own, which has the backups beside it.
+/// @return the backup; Errc::not_found where nothing is studied yet; Errc::io.
+[[nodiscard]] base::Result<std::filesystem::path> make_backup(const LearnerStore& learner,
+                                                              const std::filesystem::path& file);
+
+/// What can be found in a backup.
+struct BackupContents {
+  int writings = 0;  ///< in force
+  int characters = 0;
+  std::optional<Day> last_day;  ///< with a writing
+  Time last{};                  ///< its moment
+
+  friend bool operator==(const BackupContents&, const BackupContents&) = default;
+};
+
+/// Reads a backup whole. @return as LearnerStore::open() says of a file to read.
+[[nodiscard]] base::Result<BackupContents> look_into(const std::filesystem::path& backup);
 
 /// Puts a backup in the place of a learner.db, which may be damaged or missing. The backup is read whole
 /// first; what stood there is kept beside the backups as "before-restore-...", so this too can be taken back.

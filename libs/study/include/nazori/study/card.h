@@ -76,6 +76,9 @@ struct Card {
   friend bool operator==(const Card&, const Card&) = default;
 };
 
+/// Whether settings lead to other numbers for the same reviews.
+[[nodiscard]] bool changes_memory(const Settings& before, const Settings& after);
+
 /// Follows one character through the log. Entries must come in the order of the log, without those that were
 /// undone.
 class CardHistory {

@@ -98,12 +98,22 @@ class LearnerStore {
   [[nodiscard]] Card preview(char32_t character, Rating rating) const;
   /// Takes back the last action that is still in force, but no change of settings. nullopt: there is none.
   [[nodiscard]] base::Result<std::optional<Undone>> undo();
-  [[nodiscard]] base::Result<void> postpone(std::span<const char32_t> characters, Day until);
-  [[nodiscard]] base::Result<void> pause(std::span<const char32_t> characters);
-  [[nodiscard]] base::Result<void> resume(std::span<const char32_t> characters);
-  [[nodiscard]] base::Result<void> reset(std::span<const char32_t> characters);
+  [[nodiscard]] base::Result<void> postpone(std::span<const char32_t> characters, Day until) {
+    return act(characters, EntryKind::postpone, until);
+  }
+  [[nodiscard]] base::Result<void> pause(std::span<const char32_t> characters) {
+    return act(characters, EntryKind::pause);
+  }
+  [[nodiscard]] base::Result<void> resume(std::span<const char32_t> characters) {
+    return act(characters, EntryKind::resume);
+  }
+  [[nodiscard]] base::Result<void> reset(std::span<const char32_t> characters) {
+    return act(characters, EntryKind::reset);
+  }
   /// The special lesson of characters that were set apart is done.
-  [[nodiscard]] base::Result<void> leech_met(std::span<const char32_t> characters);
+  [[nodiscard]] base::Result<void> leech_met(std::span<const char32_t> characters) {
+    return act(characters, EntryKind::leech_met);
+  }
   /// @return Errc::bad_argument as check() says.
   [[nodiscard]] base::Result<void> change_settings(const Settings& settings);
 
@@ -161,6 +171,8 @@ class LearnerStore {
  private:
   struct Inside;
   explicit LearnerStore(std::unique_ptr<Inside> inside);
+  [[nodiscard]] base::Result<void> act(std::span<const char32_t> characters, EntryKind kind,
+                                       std::optional<Day> until = std::nullopt);
   std::unique_ptr<Inside> inside_;
 };
 

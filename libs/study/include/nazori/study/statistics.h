@@ -6,7 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "nazori/base/progress.h"
 #include "nazori/study/learner_store.h"
+#include "nazori/study/pace.h"
 
 namespace nazori::study {
 
@@ -29,6 +31,14 @@ struct Retention {
   [[nodiscard]] double actual() const { return reviews == 0 ? 0 : static_cast<double>(recalled) / reviews; }
 
   friend bool operator==(const Retention&, const Retention&) = default;
+};
+
+/// The retention of one study day (or of the days from one on: periods.h).
+struct DayRetention {
+  Day day{};
+  Retention retention;
+
+  friend bool operator==(const DayRetention&, const DayRetention&) = default;
 };
 
 /// Days in a row with study. One day off in any seven does not break it.
@@ -100,16 +110,21 @@ struct Statistics {
   std::vector<DayForecast> forecast;  ///< today and the 29 days after it
   Retention retention;                ///< all time
   Retention last_30_days;
+  std::vector<DayRetention> retention_days;  ///< days with reviews that count, oldest first
   Streak streak;
   std::vector<CharacterState> characters;  ///< every one ever met, by code point
   std::vector<HardStroke>
       hard_strokes;               ///< the worst first, at most 100; with faults in two writings or more
   std::vector<DayMotion> motion;  ///< oldest first
+  Pace pace;
   int reviews = 0;
   std::chrono::milliseconds time{0};
 };
 
-[[nodiscard]] base::Result<Statistics> statistics_of(const LearnerStore& learner);
+/// Goes once through the whole log (docs/benchmarks.md: how long that takes).
+/// @return Errc::cancelled where `progress` says so.
+[[nodiscard]] base::Result<Statistics> statistics_of(const LearnerStore& learner,
+                                                     const base::Progress& progress = {});
 
 /// The streak of days with study. `days` ascending. @param today may be missing from them.
 [[nodiscard]] Streak streak_of(const std::vector<Day>& days, Day today);
@@ -124,10 +139,10 @@ struct Workload {
 };
 
 /// What a desired retention costs: a year of `new_per_day` new characters is played through with FSRS's own
-/// chances (the same dice each time), one review taking 20 s, one that fails 40 s, a new character 3 minutes.
-/// A few milliseconds.
-/// @param settings  whose desired retention is asked about.
+/// chances (the same dice each time). A few milliseconds.
+/// @param settings  whose desired retention is asked about. @param pace  how long each thing takes.
 /// @return Errc::bad_argument as Fsrs::create() says, or for new_per_day outside 0..100.
-[[nodiscard]] base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_per_day);
+[[nodiscard]] base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_per_day,
+                                                       const Pace& pace = {});
 
 }  // namespace nazori::study

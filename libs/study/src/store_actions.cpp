@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "interval_choice.h"
+#include "learner_store_inside.h"
+
+namespace nazori::study {
+
+std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(char32_t character) {
+  SQLite::Statement rows(db, fmt::format("SELECT {} FROM log WHERE character = ? ORDER BY id", kLogColumns));
+  rows.bind(1, static_cast<std::int64_t>(character));
+  std::vector<LoggedEntry> entries;
+  while (rows.executeStep()) {
+    auto entry = read_entry(rows);
+    if (entry && !undone.contains(entry->entry.action)) entries.push_back(*std::move(entry));
+  }
+  return entries;
+}
+
+CardHistory LearnerStore::Inside::history_of(char32_t character) {
+  CardHistory history(character);
+  SettingsInForce in_force(timeline);
+  for (const LoggedEntry& logged : entries_of(character)) {
+    const Settings& settings_then = in_force.at(logged.entry.id, history);
+    history.apply(logged.entry, settings_then);
+  }
+  in_force.finish(history);
+  return history;
+}
+
+std::optional<Card> LearnerStore::Inside::refresh_row(char32_t character) {
+  const CardHistory history = history_of(character);
+  if (history.met()) {
+    put_card(db, history.card());
+    return history.card();
+  }
+  SQLite::Statement remove(db, "DELETE FROM card WHERE character = ?");
+  remove.bind(1, static_cast<std::int64_t>(character));
+  remove.exec();
+  return std::nullopt;
+}
+
+base::Result<void> LearnerStore::Inside::act(std::span<const char32_t> characters, LogEntry entry,
+                                             const Ink* ink) {
+  std::vector<std::uint8_t> packed;
+  std::optional<PenMotion> motion;
+  if (ink != nullptr) {
+    auto bytes = pack(*ink);
+    if (!bytes) return tl::unexpected(std::move(bytes.error()));
+    packed = *std::move(bytes);
+    motion = motion_of(*ink);
+  }
+  entry.at = clock();
+  entry.day = calendar.day_of(entry.at);
+  entry.action = last_id + 1;
+  return guarded([&]() -> base::Result<void> {
+    std::vector<Card> changed;
+    SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+    std::int64_t id = last_id;
+    for (const char32_t character : characters) {
+      entry.id = ++id;
+      entry.character = character;
+      insert_entry(db, entry, motion);
+      insert_ink(db, entry.id, packed);
+      if (auto card = refresh_row(character)) changed.push_back(*card);
+    }
+    transaction.commit();
+    last_id = id;
+    for (const Card& card : changed) cards[card.character] = card;
+    return {};
+  });
+}
+
+base::Result<Card> LearnerStore::add_writing(char32_t character, int strokes, const Writing& writing,
+                                             const Ink& ink) {
+  if (auto fine = check_writing(character, strokes, writing); !fine) {
+    return tl::unexpected(std::move(fine.error()));
+  }
+  LogEntry entry;
+  entry.kind = EntryKind::writing;
+  entry.writing = writing;
+  entry.strokes = strokes;
+  if (writing.stage == Stage::memory) {
+    const Card before = card(character);
+    const Card after = preview(character, writing.rating);
+    const auto fsrs = Fsrs::create(settings().fsrs);
+    const int elapsed =
+        before.last_day ? std::max(0, static_cast<int>((today() - *before.last_day).count())) : 0;
+    if (fsrs) {
+      entry.interval_days =
+          choose_interval(*fsrs, settings(), cards(), character, after.memory, elapsed, today());
+    }
+  }
+  if (auto done = inside_->act(std::span(&character, 1), entry, &ink); !done) {
+    return tl::unexpected(std::move(done.error()));
+  }
+  return card(character);
+}
+
+base::Result<void> LearnerStore::act(std::span<const char32_t> characters, EntryKind kind,
+                                     std::optional<Day> until) {
+  LogEntry entry;
+  entry.kind = kind;
+  entry.until = until;
+  return inside_->act(characters, entry, nullptr);
+}
+
+Card LearnerStore::preview(char32_t character, Rating rating) const {
+  try {
+    CardHistory history = inside_->history_of(character);
+    LogEntry entry;
+    entry.at = now();
+    entry.day = today();
+    entry.character = character;
+    entry.writing.rating = rating;
+    entry.writing.result.accepted = rating != Rating::again;
+    history.apply(entry, settings());
+    return history.card();
+  } catch (const SQLite::Exception&) {
+    return card(character);
+  }
+}
+
+base::Result<std::optional<Undone>> LearnerStore::undo() {
+  return inside_->guarded([&]() -> base::Result<std::optional<Undone>> {
+    Inside& in = *inside_;
+    SQLite::Statement last(in.db,
+                           "SELECT action, kind FROM log WHERE kind NOT IN (1, 2) AND action NOT IN "
+                           "(SELECT undoes FROM log WHERE undoes IS NOT NULL) ORDER BY id DESC LIMIT 1");
+    if (!last.executeStep()) return std::optional<Undone>();
+    const std::int64_t action = last.getColumn(0).getInt64();
+    Undone undone;
+    undone.kind = static_cast<EntryKind>(last.getColumn(1).getInt());
+    last.reset();
+    SQLite::Statement about(in.db, "SELECT DISTINCT character FROM log WHERE action = ? ORDER BY character");
+    about.bind(1, action);
+    while (about.executeStep())
+      undone.characters.push_back(static_cast<char32_t>(about.getColumn(0).getInt64()));
+    about.reset();
+
+    LogEntry entry;
+    entry.id = in.last_id + 1;
+    entry.action = entry.id;
+    entry.at = now();
+    entry.day = today();
+    entry.kind = EntryKind::undo;
+    entry.undoes = action;
+    Cards changed = in.cards;
+    in.undone.insert(action);
+    try {
+      SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
+      insert_entry(in.db, entry, std::nullopt);
+      for (const char32_t character : undone.characters) {
+        if (const auto card = in.refresh_row(character)) {
+          changed[character] = *card;
+        } else {
+          changed.erase(character);
+        }
+      }
+      transaction.commit();
+    } catch (const SQLite::Exception&) {
+      in.undone.erase(action);
+      throw;
+    }
+    in.last_id = entry.id;
+    in.cards = std::move(changed);
+    return std::optional(std::move(undone));
+  });
+}
+
+base::Result<void> LearnerStore::change_settings(const Settings& settings) {
+  if (auto fine = check(settings); !fine) return fine;
+  if (settings == this->settings()) return {};
+  return inside_->guarded([&]() -> base::Result<void> {
+    Inside& in = *inside_;
+    LogEntry entry;
+    entry.id = in.last_id + 1;
+    entry.action = entry.id;
+    entry.at = now();
+    entry.day = today();
+    entry.kind = EntryKind::settings;
+    entry.settings = to_json(settings);
+    Cards changed = in.cards;
+    const bool all_change = changes_memory(in.settings(), settings);
+    in.timeline.emplace_back(entry.id, settings);
+    try {
+      SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
+      insert_entry(in.db, entry, std::nullopt);
+      if (all_change) {
+        for (auto& [character, card] : changed) {
+          if (const auto anew = in.refresh_row(character)) card = *anew;
+        }
+      }
+      transaction.commit();
+    } catch (const SQLite::Exception&) {
+      in.timeline.pop_back();
+      throw;
+    }
+    in.last_id = entry.id;
+    in.cards = std::move(changed);
+    in.take_calendar();
+    return {};
+  });
+}
+
+}  // namespace nazori::study

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <unistd.h>
+#include <array>
+#include <fstream>
+#include <system_error>
+
+#include "daily_backup.h"
+#include "learner_store_inside.h"
+
+namespace nazori::study {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Errc;
+
+constexpr int kBusyMs = 5'000;
+
+fs::path lock_of(const fs::path& path) { return path.string() + ".lock"; }
+
+/// Refuses a file that SQLite would take for damaged only after it had looked around it.
+base::Result<void> check_beginning(const fs::path& path) {
+  std::array<char, 16> begin{};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return base::fail(Errc::io, "cannot be read", path.string(), "check its permissions");
+  file.read(begin.data(), begin.size());
+  if (file.gcount() == 0) return {};
+  constexpr std::string_view kMagic("SQLite format 3\0", 16);
+  if (std::string_view(begin.data(), static_cast<std::size_t>(file.gcount())) == kMagic) return {};
+  return base::fail(Errc::parse, "is damaged, or no learner's file of Nazori", path.string(),
+                    "nothing was changed; take a backup: nazori-cli study restore");
+}
+
+/// How to name the file to SQLite so that reading it leaves its folder alone.
+std::string read_only_uri(const fs::path& path) {
+  std::string uri = "file:";
+  for (const char c : fs::absolute(path).string()) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '/' || c == '-' || c == '_' || c == '.';
+    uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  uri += "?mode=ro";
+  // Without write permission WAL files cannot be made; a file that was closed well has none to read.
+  std::error_code ignored;
+  if (::access(path.parent_path().empty() ? "." : path.parent_path().c_str(), W_OK) != 0 &&
+      !fs::exists(path.string() + "-wal", ignored)) {
+    uri += "&immutable=1";
+  }
+  return uri;
+}
+
+void keep_wal_as_it_is(SQLite::Database& db, bool keep) {
+  (void)sqlite3_db_config(db.getHandle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, keep ? 1 : 0, nullptr);
+}
+
+}  // namespace
+
+LearnerStore::Inside::Inside(SQLite::Database opened, std::string file_name, Clock the_clock)
+    : db(std::move(opened)),
+      name(std::move(file_name)),
+      clock(std::move(the_clock)),
+      calendar(*Calendar::create("UTC")),
+      timeline{{0, Settings{}}} {}
+
+void LearnerStore::Inside::take_calendar() {
+  // A zone this computer does not know is no reason to keep a learner from studying.
+  auto own = Calendar::create(settings().time_zone, settings().day_starts_at);
+  if (!own) own = Calendar::create("", settings().day_starts_at);
+  if (own) calendar = *std::move(own);
+}
+
+base::Result<void> LearnerStore::Inside::load() {
+  const auto damaged = [&](const char* what) {
+    return base::fail(
+        Errc::parse, fmt::format("is damaged: {}", what), name,
+        "work it out anew: nazori-cli study rebuild; or take a backup: nazori-cli study restore");
+  };
+  timeline.assign(1, {0, Settings{}});
+  undone.clear();
+  SQLite::Statement rows(db, "SELECT id, settings FROM log WHERE settings IS NOT NULL ORDER BY id");
+  while (rows.executeStep()) {
+    auto settings = parse_settings(rows.getColumn(1).getString());
+    if (!settings) return damaged("settings that cannot be read");
+    timeline.emplace_back(rows.getColumn(0).getInt64(), *std::move(settings));
+  }
+  SQLite::Statement undos(db, "SELECT undoes FROM log WHERE undoes IS NOT NULL");
+  while (undos.executeStep()) undone.insert(undos.getColumn(0).getInt64());
+  last_id = db.execAndGet("SELECT coalesce(max(id), 0) FROM log").getInt64();
+  auto read = read_cards(db);
+  if (!read) return damaged("a card that cannot be");
+  cards = *std::move(read);
+  take_calendar();
+  return {};
+}
+
+bool LearnerStore::in_use(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(lock_of(path), ignored)) return false;
+  bool taken = false;
+  (void)FileLock::take(lock_of(path), taken);
+  return taken;
+}
+
+base::Result<LearnerStore> LearnerStore::in_memory(Clock clock) {
+  try {
+    SQLite::Database db(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    migrate_store(db, 0, clock());
+    auto inside = std::make_unique<Inside>(std::move(db), "memory", std::move(clock));
+    if (auto fine = inside->load(); !fine) return tl::unexpected(std::move(fine.error()));
+    return LearnerStore(std::move(inside));
+  } catch (const SQLite::Exception& trouble) {
+    return tl::unexpected(error_of(trouble, "memory"));
+  }
+}
+
+base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access access, Clock clock) {
+  std::error_code error;
+  const bool there = fs::exists(path, error);
+  if (!there && access == Access::read) return in_memory(std::move(clock));
+  FileLock lock;
+  if (access == Access::write) {
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+    if (error) {
+      return base::fail(Errc::io, "cannot be made: " + error.message(), path.parent_path().string(),
+                        "check the permissions of the folder");
+    }
+    bool taken = false;
+    auto own = FileLock::take(lock_of(path), taken);
+    if (taken) {
+      return base::fail(Errc::io, "is open in another Nazori", path.string(), "close it there first");
+    }
+    if (!own) return tl::unexpected(std::move(own.error()));
+    lock = *std::move(own);
+  }
+  if (there) {
+    if (auto fine = check_beginning(path); !fine) return tl::unexpected(std::move(fine.error()));
+  }
+  try {
+    const bool writes = access == Access::write;
+    SQLite::Database db(
+        writes ? path.string() : read_only_uri(path),
+        writes ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY | SQLite::OPEN_URI,
+        kBusyMs);
+    keep_wal_as_it_is(db, true);
+    const auto version = check_store(db, path.string());
+    if (!version) return tl::unexpected(version.error());
+    if (!writes && *version == 0) return in_memory(std::move(clock));
+    if (!writes && *version < kLearnerVersion) {
+      return base::fail(Errc::schema, "was written by an older Nazori", path.string(),
+                        "open it for writing once, which brings it up to date");
+    }
+    auto inside = std::make_unique<Inside>(std::move(db), path.string(), std::move(clock));
+    inside->lock = std::move(lock);
+    if (writes) {
+      keep_wal_as_it_is(inside->db, false);
+      if (*version > 0 && *version < kLearnerVersion) {
+        auto kept = keep_backup_before_migration(inside->db, path, *version);
+        if (!kept) return tl::unexpected(std::move(kept.error()));
+      }
+      if (*version < kLearnerVersion) migrate_store(inside->db, *version, inside->clock());
+      inside->db.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    }
+    if (auto fine = inside->load(); !fine) return tl::unexpected(std::move(fine.error()));
+    if (writes && inside->last_id > 0) {
+      const Day day = inside->calendar.day_of(inside->clock());
+      if (auto kept = keep_daily_backup(inside->db, path, day); !kept) {
+        inside->backup_trouble = std::move(kept.error());
+      }
+    }
+    return LearnerStore(std::move(inside));
+  } catch (const SQLite::Exception& trouble) {
+    return tl::unexpected(error_of(trouble, path.string()));
+  }
+}
+
+}  // namespace nazori::study

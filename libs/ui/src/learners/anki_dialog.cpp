@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learners/anki_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "study/list_choice.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kMostWords = 20;
+
+}  // namespace
+
+AnkiDialog::AnkiDialog(const study::LearnerStore& store, QWidget* parent)
+    : QDialog(parent), list_(new ListChoice(this)), deck_(new QLineEdit(this)), words_(new QSpinBox(this)) {
+  setObjectName(QStringLiteral("anki_dialog"));
+  setWindowTitle(tr("Export for Anki"));
+  list_->setObjectName(QStringLiteral("anki_list"));
+  list_->fill(store);
+  if (store.cards().empty()) list_->set_list(QStringLiteral("grade-1"));
+  deck_->setObjectName(QStringLiteral("anki_deck"));
+  deck_->setText(AnkiChoice().deck);
+  deck_->setMaxLength(40);
+  words_->setObjectName(QStringLiteral("anki_words"));
+  words_->setRange(0, kMostWords);
+  words_->setValue(AnkiChoice().words);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  auto* choose = buttons->addButton(tr("Choose the file…"), QDialogButtonBox::AcceptRole);
+  choose->setDefault(true);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(20, 20, 20, 16);
+  form->setSpacing(12);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->addRow(tr("&Characters"), list_);
+  form->addRow(tr("&Deck"), deck_);
+  form->addRow(tr("&Words to a character"), words_);
+  form->addRow(buttons);
+}
+
+AnkiChoice AnkiDialog::choice() const { return {list_->list(), deck_->text().trimmed(), words_->value()}; }
+
+}  // namespace nazori::ui

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+
+#include "learners/learner_exchange.h"
+
+class QLineEdit;
+class QSpinBox;
+
+namespace nazori::ui {
+
+class ListChoice;
+
+/// Asks what goes into an Anki package: which characters, the deck's name, how many words.
+class AnkiDialog final : public QDialog {
+  Q_OBJECT
+ public:
+  AnkiDialog(const study::LearnerStore& store, QWidget* parent);
+  [[nodiscard]] AnkiChoice choice() const;
+
+ private:
+  ListChoice* list_;
+  QLineEdit* deck_;
+  QSpinBox* words_;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learners/learner_exchange.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+#include <QProgressDialog>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <utility>
+
+#include "error_text.h"
+#include "kanji_text.h"
+#include "nazori/base/file.h"
+#include "nazori/study/backups.h"
+#include "nazori/study/exchange.h"
+#include "nazori/study/profiles.h"
+#include "study/list_choice.h"
+
+namespace nazori::ui {
+namespace {
+
+namespace fs = std::filesystem;
+using study::Access;
+using study::LearnerStore;
+
+constexpr std::size_t kMostImportBytes = std::size_t{1} << 30;
+constexpr int kPatience_ms = 500;
+
+base::Result<void> write_learner(LearnerExchange::Kind kind, const fs::path& learner,
+                                 const study::Clock& clock, const fs::path& database,
+                                 const AnkiChoice& choice, const fs::path& path,
+                                 const base::Progress& progress) {
+  const auto store = LearnerStore::open(learner, Access::read, clock);
+  if (!store) return tl::unexpected(store.error());
+  if (kind == LearnerExchange::Kind::anki) {
+    const auto kanji = kanji::KanjiDatabase::open(database);
+    if (!kanji) return tl::unexpected(kanji.error());
+    study::CharacterLists lists(*kanji);
+    const auto bytes = study::anki_package(*kanji, ListChoice::members(choice.list, &lists, *store),
+                                           {choice.deck.toStdString(), choice.words}, store->now(), progress);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return base::write_file(path, *bytes);
+  }
+  const auto text =
+      kind == LearnerExchange::Kind::csv ? study::export_csv(*store) : study::export_json(*store, progress);
+  if (!text) return tl::unexpected(text.error());
+  if (!progress(1, "write")) return base::fail(base::Errc::cancelled, "stopped");
+  return base::write_file(path, *text);
+}
+
+/// A name that no learner has yet.
+QString free_name(const fs::path& folder, const QString& wished) {
+  QString base = wished.trimmed();
+  while (!base.isEmpty() && !study::can_be_profile(base.toStdString())) base.chop(1);
+  if (base.isEmpty()) base = to_text(study::kDefaultProfile);
+  QString name = base;
+  std::error_code ignored;
+  for (int copy = 2; fs::exists(folder / name.toStdString(), ignored); ++copy)
+    name = QStringLiteral("%1 %2").arg(base).arg(copy);
+  return name;
+}
+
+}  // namespace
+
+LearnerExchange::LearnerExchange(Learner& learner, QWidget* window)
+    : QObject(window), learner_(learner), window_(window) {}
+
+LearnerExchange::~LearnerExchange() { wanted_ = false; }
+
+bool LearnerExchange::begin(const QString& words) {
+  if (busy_) {
+    emit said(Feedback::advice, tr("Something is being written or read already. Wait for it, or stop it."));
+    return false;
+  }
+  busy_ = true;
+  wanted_ = true;
+  dialog_ = new QProgressDialog(words, tr("Stop"), 0, 100, window_);
+  dialog_->setObjectName(QStringLiteral("exchange_progress"));
+  dialog_->setWindowModality(Qt::WindowModal);
+  dialog_->setMinimumDuration(kPatience_ms);
+  dialog_->setAutoClose(false);
+  dialog_->setAutoReset(false);
+  dialog_->setValue(0);
+  connect(dialog_, &QProgressDialog::canceled, this, &LearnerExchange::stop);
+  return true;
+}
+
+void LearnerExchange::end() {
+  busy_ = false;
+  if (dialog_ != nullptr) dialog_->deleteLater();
+  dialog_ = nullptr;
+  emit finished();
+}
+
+base::Progress LearnerExchange::progress() {
+  return [this](double done, std::string_view) {
+    worker_.answer([this, done] {
+      if (dialog_ != nullptr && wanted_) dialog_->setValue(std::clamp(static_cast<int>(100 * done), 0, 99));
+    });
+    return wanted_.load();
+  };
+}
+
+void LearnerExchange::tell_failure(const QString& path, const base::Error& error) {
+  if (error.code == base::Errc::cancelled)
+    emit said(Feedback::hint, tr("Stopped. Everything is as it was."));
+  else
+    emit said(Feedback::wrong,
+              tr("%1: %2. Everything is as it was.").arg(QFileInfo(path).fileName(), reason(error)));
+}
+
+void LearnerExchange::write(Kind kind, const QString& path, const AnkiChoice& choice) {
+  if (!begin(tr("Writing %1…").arg(QFileInfo(path).fileName()))) return;
+  const study::Time now = learner_.store().now();
+  worker_.post([this, kind, path, choice, now, file = learner_.file(), database = learner_.database_file()] {
+    auto done = write_learner(
+        kind, file, [now] { return now; }, database, choice, path.toStdString(), progress());
+    worker_.answer([this, path, done = std::move(done)] {
+      end();
+      if (done)
+        emit said(Feedback::good, tr("Saved as %1.").arg(QDir::toNativeSeparators(path)));
+      else
+        tell_failure(path, done.error());
+    });
+  });
+}
+
+void LearnerExchange::read(const QString& path) {
+  if (!begin(tr("Reading %1…").arg(QFileInfo(path).fileName()))) return;
+  const study::Time now = learner_.store().now();
+  worker_.post([this, path, now] {
+    auto read = [&]() -> base::Result<Read> {
+      const auto bytes = base::read_file(path.toStdString(), kMostImportBytes);
+      if (!bytes) return tl::unexpected(bytes.error());
+      Read made{std::make_shared<QTemporaryDir>(), {}, 0};
+      if (!made.folder->isValid())
+        return base::fail(base::Errc::io, "no folder for the import can be made", "temporary folder");
+      made.file = fs::path(made.folder->path().toStdString()) / "learner.db";
+      auto store = LearnerStore::open(made.file, Access::write, [now] { return now; });
+      if (!store) return tl::unexpected(store.error());
+      const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+      if (auto done = study::import_json(*store, text, progress()); !done)
+        return tl::unexpected(done.error());
+      if (!wanted_) return base::fail(base::Errc::cancelled, "stopped");
+      made.characters = static_cast<int>(store->cards().size());
+      return made;
+    }();
+    worker_.answer([this, path, read = std::move(read)] { put_in_place(path, read); });
+  });
+}
+
+void LearnerExchange::put_in_place(const QString& path, const base::Result<Read>& read) {
+  if (!read) {
+    end();
+    tell_failure(path, read.error());
+    return;
+  }
+  const bool is_empty = learner_.can_write() && learner_.store().last_entry() == 0 &&
+                        learner_.store().lists().empty() && learner_.store().tags().empty();
+  const QString name =
+      is_empty ? learner_.profile() : free_name(learner_.folder(), QFileInfo(path).completeBaseName());
+  const study::Time now = learner_.store().now();
+  base::Result<fs::path> done;
+  learner_.while_closed([&]() -> QString {
+    const auto file = study::learner_file(learner_.folder(), name.toStdString());
+    done =
+        file ? study::restore_backup(read->file, *file, [now] { return now; }) : tl::unexpected(file.error());
+    return done ? name : QString();
+  });
+  end();
+  if (!done) {
+    tell_failure(path, done.error());
+    return;
+  }
+  emit said(
+      Feedback::good,
+      tr("Imported for %1: characters %2. %1 studies now.").arg(name, QLocale().toString(read->characters)));
+}
+
+}  // namespace nazori::ui

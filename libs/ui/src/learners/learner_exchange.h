@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "nazori/base/progress.h"
+#include "study/learner.h"
+#include "worker.h"
+
+class QProgressDialog;
+class QTemporaryDir;
+
+namespace nazori::ui {
+
+/// What goes into an Anki package.
+struct AnkiChoice {
+  QString list;  ///< as ListChoice::list(); empty: what was met
+  QString deck = QStringLiteral("Nazori");
+  int words = 4;
+};
+
+/// Everything of a learner to a file and back, on a thread of its own, with how far it is and a way to stop.
+/// Files are written whole or not at all; what is imported is tried apart first. Says in one sentence how it
+/// went. Thread: interface.
+class LearnerExchange final : public QObject {
+  Q_OBJECT
+ public:
+  enum class Kind : std::uint8_t { json, csv, anki };
+
+  LearnerExchange(Learner& learner, QWidget* window);
+  ~LearnerExchange() override;
+
+  /// Writes the present learner. One work at a time: another is refused with a sentence.
+  void write(Kind kind, const QString& path, const AnkiChoice& choice = {});
+  /// Reads an export: into the present learner where nothing is studied yet, else into a new one named after
+  /// the file, who studies then.
+  void read(const QString& path);
+  [[nodiscard]] bool is_busy() const { return busy_; }
+  void stop() { wanted_ = false; }
+
+ signals:
+  void said(nazori::ui::Feedback kind, QString sentence);
+  void finished();
+
+ private:
+  /// What an import has made so far: a sound learner.db in a folder that goes with this.
+  struct Read {
+    std::shared_ptr<QTemporaryDir> folder;
+    std::filesystem::path file;
+    int characters = 0;
+  };
+  bool begin(const QString& words);
+  void end();
+  [[nodiscard]] base::Progress progress();
+  void put_in_place(const QString& path, const base::Result<Read>& read);
+  void tell_failure(const QString& path, const base::Error& error);
+
+  Learner& learner_;
+  QWidget* window_;
+  QPointer<QProgressDialog> dialog_;
+  bool busy_ = false;
+  std::atomic<bool> wanted_{false};
+  Worker worker_{QStringLiteral("exchange")};  // last: stops before what it uses goes
+};
+
+}  // namespace nazori::ui

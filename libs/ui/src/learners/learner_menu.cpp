@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learners/learner_menu.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "desk.h"
+#include "error_text.h"
+#include "kanji_text.h"
+#include "learners/anki_dialog.h"
+#include "learners/backups_dialog.h"
+#include "learners/learner_actions.h"
+#include "learners/learners_dialog.h"
+#include "nazori/study/backups.h"
+
+namespace nazori::ui {
+
+LearnerMenu::LearnerMenu(Desk& desk)
+    : QObject(&desk.window()),
+      desk_(desk),
+      actions_(new LearnerActions(&desk.window())),
+      exchange_(new LearnerExchange(desk.learner(), &desk.window())) {
+  const auto on = [this](QAction* action, auto&& what) {
+    connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
+  };
+  on(actions_->learners, [this] { show_learners(); });
+  on(actions_->back_up, [this] { back_up(); });
+  on(actions_->restore, [this] { show_backups(); });
+  on(actions_->export_json, [this] { ask_and_write(LearnerExchange::Kind::json); });
+  on(actions_->export_csv, [this] { ask_and_write(LearnerExchange::Kind::csv); });
+  on(actions_->export_anki, [this] { ask_and_write(LearnerExchange::Kind::anki); });
+  on(actions_->import_json, [this] { ask_and_read(); });
+  connect(exchange_, &LearnerExchange::said, &desk_, &Desk::say);
+}
+
+void LearnerMenu::show_learners() {
+  LearnersDialog dialog(desk_.learner(), &desk_.window());
+  connect(&dialog, &LearnersDialog::said, &desk_, &Desk::say);
+  dialog.exec();
+  desk_.focus_tablet();
+}
+
+void LearnerMenu::back_up() {
+  auto& learner = desk_.learner();
+  const auto made = study::make_backup(learner.store(), learner.file());
+  if (made)
+    desk_.say(Feedback::good, tr("Backed up as %1.").arg(to_text(made->string())));
+  else if (made.error().code == base::Errc::not_found)
+    desk_.say(Feedback::advice, tr("Nothing is studied yet: there is nothing to back up."));
+  else
+    desk_.say(Feedback::wrong, tr("No backup was made: %1.").arg(reason(made.error())));
+}
+
+void LearnerMenu::show_backups() {
+  BackupsDialog dialog(desk_.learner(), &desk_.window());
+  connect(&dialog, &BackupsDialog::said, &desk_, &Desk::say);
+  dialog.exec();
+  desk_.focus_tablet();
+}
+
+QString LearnerMenu::folder() const {
+  const QString& last = desk_.preferences().folder;
+  return last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::HomeLocation) : last;
+}
+
+void LearnerMenu::remember_folder_of(const QString& path) {
+  desk_.preferences().folder = QFileInfo(path).absolutePath();
+  desk_.save_later();
+}
+
+void LearnerMenu::ask_and_write(LearnerExchange::Kind kind) {
+  const auto& store = desk_.learner().store();
+  AnkiChoice choice;
+  QString suffix = QStringLiteral("json");
+  QString filter = tr("Everything of a learner (*.json)");
+  if (kind == LearnerExchange::Kind::csv) {
+    suffix = QStringLiteral("csv");
+    filter = tr("Tables (*.csv)");
+  } else if (kind == LearnerExchange::Kind::anki) {
+    suffix = QStringLiteral("apkg");
+    filter = tr("Anki packages (*.apkg)");
+    AnkiDialog dialog(store, &desk_.window());
+    if (dialog.exec() != QDialog::Accepted) return desk_.focus_tablet();
+    choice = dialog.choice();
+  }
+  if (store.last_entry() == 0 && kind != LearnerExchange::Kind::anki) {
+    desk_.say(Feedback::advice, tr("Nothing is studied yet: there is nothing to export."));
+    return;
+  }
+  QString path = QFileDialog::getSaveFileName(
+      &desk_.window(), tr("Export"),
+      QStringLiteral("%1/%2.%3").arg(folder(), desk_.learner().profile(), suffix), filter);
+  if (!path.isEmpty()) {
+    if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
+    remember_folder_of(path);
+    exchange_->write(kind, path, choice);
+  }
+  desk_.focus_tablet();
+}
+
+void LearnerMenu::ask_and_read() {
+  const QString path = QFileDialog::getOpenFileName(&desk_.window(), tr("Import"), folder(),
+                                                    tr("Everything of a learner (*.json);;All files (*)"));
+  if (!path.isEmpty()) {
+    remember_folder_of(path);
+    exchange_->read(path);
+  }
+  desk_.focus_tablet();
+}
+
+}  // namespace nazori::ui

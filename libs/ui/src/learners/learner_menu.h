@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include "learners/learner_exchange.h"
+
+namespace nazori::ui {
+
+class Desk;
+class LearnerActions;
+
+/// The menu "Learner": opens its dialogs, asks for files, and says how it went.
+class LearnerMenu final : public QObject {
+  Q_OBJECT
+ public:
+  explicit LearnerMenu(Desk& desk);
+
+  [[nodiscard]] LearnerActions& actions() const { return *actions_; }
+  [[nodiscard]] LearnerExchange& exchange() const { return *exchange_; }
+
+ private:
+  void show_learners();
+  void back_up();
+  void show_backups();
+  void ask_and_write(LearnerExchange::Kind kind);
+  void ask_and_read();
+  [[nodiscard]] QString folder() const;
+  void remember_folder_of(const QString& path);
+
+  Desk& desk_;
+  LearnerActions* actions_;
+  LearnerExchange* exchange_;
+};
+
+}  // namespace nazori::ui

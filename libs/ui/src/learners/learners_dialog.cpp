@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learners/learners_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "error_text.h"
+#include "kanji_text.h"
+#include "nazori/study/profiles.h"
+
+namespace nazori::ui {
+
+LearnersDialog::LearnersDialog(Learner& learner, QWidget* parent)
+    : QDialog(parent),
+      learner_(learner),
+      list_(new QListWidget(this)),
+      name_(new QLineEdit(this)),
+      words_(new QLabel(this)) {
+  setObjectName(QStringLiteral("learners_dialog"));
+  setWindowTitle(tr("Who studies"));
+  auto* list_caption = new QLabel(tr("&Learners"), this);
+  list_caption->setBuddy(list_);
+  list_->setObjectName(QStringLiteral("learners_list"));
+  list_->setAccessibleName(tr("Learners"));
+  auto* name_caption = new QLabel(tr("&Name, to add or rename"), this);
+  name_caption->setBuddy(name_);
+  name_->setObjectName(QStringLiteral("learner_name"));
+  name_->setAccessibleName(tr("Name, to add or rename"));
+  words_->setObjectName(QStringLiteral("learners_words"));
+  words_->setWordWrap(true);
+  words_->setTextFormat(Qt::PlainText);
+  const auto button = [this](const char* name, const QString& text) {
+    auto* made = new QPushButton(text, this);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setAutoDefault(false);
+    return made;
+  };
+  choose_ = button("learner_choose", tr("&Study as this learner"));
+  choose_->setDefault(true);
+  auto* add_button = button("learner_add", tr("&Add"));
+  rename_ = button("learner_rename", tr("&Rename"));
+  remove_ = button("learner_remove", tr("Re&move…"));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(choose_, &QPushButton::clicked, this, &LearnersDialog::choose);
+  connect(add_button, &QPushButton::clicked, this, &LearnersDialog::add);
+  connect(rename_, &QPushButton::clicked, this, &LearnersDialog::rename);
+  connect(remove_, &QPushButton::clicked, this, &LearnersDialog::remove);
+  connect(list_, &QListWidget::itemActivated, this, &LearnersDialog::choose);
+
+  auto* edit = new QHBoxLayout;
+  edit->addWidget(add_button);
+  edit->addWidget(rename_);
+  edit->addWidget(remove_);
+  edit->addStretch(1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(20, 20, 20, 16);
+  column->setSpacing(10);
+  column->addWidget(list_caption);
+  column->addWidget(list_, 1);
+  column->addWidget(choose_);
+  column->addWidget(name_caption);
+  column->addWidget(name_);
+  column->addLayout(edit);
+  column->addWidget(words_);
+  column->addWidget(buttons);
+  const int em = fontMetrics().height();
+  resize(em * 20, em * 22);
+  refresh();
+  show_words(tr("Everyone has their own log, settings and backups."));
+}
+
+void LearnersDialog::show_words(const QString& sentence) {
+  words_->setText(sentence);
+  words_->setAccessibleName(sentence);
+}
+
+QString LearnersDialog::chosen() const {
+  return list_->currentItem() == nullptr ? QString() : list_->currentItem()->data(Qt::UserRole).toString();
+}
+
+void LearnersDialog::refresh() {
+  list_->clear();
+  std::vector<std::string> names = study::profiles(learner_.folder());
+  const std::string current = learner_.profile().toStdString();
+  if (std::find(names.begin(), names.end(), current) == names.end()) names.insert(names.begin(), current);
+  for (const std::string& one : names) {
+    const QString name = to_text(one);
+    const bool studies = name == learner_.profile();
+    auto* item = new QListWidgetItem(studies ? tr("✓ %1 (studies now)").arg(name) : name, list_);
+    item->setData(Qt::UserRole, name);
+    if (studies) list_->setCurrentItem(item);
+  }
+}
+
+QString LearnersDialog::typed_name() {
+  const QString name = name_->text().trimmed();
+  if (!study::can_be_profile(name.toStdString())) {
+    show_words(tr("Type a name first: up to 60 bytes, no “/”, and no dot at its beginning."));
+    name_->setFocus();
+    return {};
+  }
+  const auto file = study::learner_file(learner_.folder(), name.toStdString());
+  std::error_code ignored;
+  if (file && std::filesystem::exists(file->parent_path(), ignored)) {
+    show_words(tr("%1 is there already. Type another name.").arg(name));
+    name_->setFocus();
+    return {};
+  }
+  return name;
+}
+
+void LearnersDialog::choose() {
+  const QString name = chosen();
+  if (name.isEmpty()) return;
+  if (name != learner_.profile() && learner_.switch_profile(name))
+    emit said(Feedback::good, tr("%1 studies now.").arg(name));
+  accept();
+}
+
+void LearnersDialog::add() {
+  const QString name = typed_name();
+  if (name.isEmpty() || !learner_.switch_profile(name)) return;
+  name_->clear();
+  refresh();
+  show_words(tr("%1 studies now.").arg(name));
+  emit said(Feedback::good, tr("%1 studies now.").arg(name));
+}
+
+void LearnersDialog::rename() {
+  const QString from = chosen();
+  if (from.isEmpty()) return;
+  const QString to = typed_name();
+  if (to.isEmpty()) return;
+  base::Result<void> done;
+  const auto work = [&] {
+    done = study::rename_profile(learner_.folder(), from.toStdString(), to.toStdString());
+    return done ? to : QString();
+  };
+  if (from == learner_.profile())
+    learner_.while_closed(work);
+  else
+    work();
+  refresh();
+  if (!done) {
+    show_words(tr("%1 keeps its name: %2.").arg(from, reason(done.error())));
+    return;
+  }
+  name_->clear();
+  show_words(tr("%1 is called %2 now.").arg(from, to));
+}
+
+void LearnersDialog::remove() {
+  const QString name = chosen();
+  if (name.isEmpty()) return;
+  QMessageBox question(QMessageBox::Question, tr("Remove a learner"),
+                       tr("Remove %1 with all reviews, ink and backups from the list of learners?").arg(name),
+                       QMessageBox::Cancel, this);
+  question.setObjectName(QStringLiteral("learner_remove_question"));
+  question.setInformativeText(
+      tr("Nothing is deleted: the folder is moved to “.removed” beside the other learners, and moved back it "
+         "is there again."));
+  auto* yes = question.addButton(tr("Re&move"), QMessageBox::AcceptRole);
+  yes->setObjectName(QStringLiteral("learner_remove_yes"));
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  if (question.clickedButton() != yes) return;
+  base::Result<std::filesystem::path> kept;
+  const auto work = [&]() -> QString {
+    kept = study::remove_profile(learner_.folder(), name.toStdString());
+    if (!kept) return {};
+    const auto left = study::profiles(learner_.folder());
+    return left.empty() ? to_text(study::kDefaultProfile) : to_text(left.front());
+  };
+  if (name == learner_.profile())
+    learner_.while_closed(work);
+  else
+    (void)work();
+  refresh();
+  show_words(kept ? tr("%1 is removed. The folder lies in %2.").arg(name, to_text(kept->string()))
+                  : tr("%1 could not be removed: %2.").arg(name, reason(kept.error())));
+}
+
+}  // namespace nazori::ui

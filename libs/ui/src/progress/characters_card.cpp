@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "progress/characters_card.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <array>
+#include <map>
+
+#include "kanji_text.h"
+#include "progress/strength_grid.h"
+#include "progress/study_charts.h"
+#include "study/list_choice.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr std::array kStrengths{study::Strength::mature, study::Strength::young,  study::Strength::learning,
+                                study::Strength::leech,  study::Strength::paused, study::Strength::unseen};
+
+}  // namespace
+
+CharactersCard::CharactersCard(QWidget* parent) : CharactersCard(new QWidget, parent) {}
+
+CharactersCard::CharactersCard(QWidget* drawing, QWidget* parent)
+    : ChartCard(QStringLiteral("characters"), drawing, parent),
+      list_(new ListChoice(drawing)),
+      grid_(new StrengthGrid(drawing)) {
+  list_->setObjectName(QStringLiteral("characters_list"));
+  list_->setAccessibleName(tr("Which characters"));
+  grid_->setObjectName(QStringLiteral("strength_grid"));
+  auto* here = new QLabel(drawing);
+  here->setObjectName(QStringLiteral("strength_reading"));
+  here->setProperty("role", QStringLiteral("muted"));
+  here->setWordWrap(true);
+  auto* column = new QVBoxLayout(drawing);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(list_, 0, Qt::AlignLeft);
+  column->addWidget(grid_, 1);
+  column->addWidget(here);
+  drawing->setFocusProxy(grid_);
+  connect(list_, &ListChoice::currentIndexChanged, this, [this] {
+    wanted_ = list_->list();
+    emit list_changed();
+  });
+  connect(grid_, &StrengthGrid::opened, this, &CharactersCard::opened);
+  connect(grid_, &StrengthGrid::walked, here, &QLabel::setText);
+}
+
+QString CharactersCard::list() const { return wanted_; }
+
+void CharactersCard::set_list(const QString& id) { wanted_ = id; }
+
+void CharactersCard::show_characters(const study::Statistics& statistics, study::CharacterLists* lists,
+                                     const study::LearnerStore& store) {
+  list_->fill(store);
+  {
+    const QSignalBlocker quiet(list_);
+    list_->set_list(wanted_);
+  }
+  std::map<char32_t, study::CharacterState> met;
+  for (const auto& state : statistics.characters) met.emplace(state.character, state);
+  std::vector<study::CharacterState> states;
+  if (list_->list().isEmpty()) {
+    states = statistics.characters;
+  } else {
+    for (const char32_t character : ListChoice::members(wanted_, lists, store)) {
+      const auto found = met.find(character);
+      states.push_back(found != met.end() ? found->second
+                                          : study::CharacterState{character, study::Strength::unseen, 0});
+    }
+  }
+  Chart chart;
+  chart.id = QStringLiteral("characters");
+  chart.title = tr("Every character");
+  chart.empty = tr("Characters you have met stand here, each with how firmly you know it.");
+  chart.numbers.head = {tr("Character"), tr("Strength"), tr("Chance to recall it now")};
+  std::map<study::Strength, int> counts;
+  for (const auto& state : states) {
+    ++counts[state.strength];
+    chart.numbers.rows.append({to_text(state.character), StudyCharts::strength(state.strength),
+                               state.strength == study::Strength::unseen
+                                   ? QStringLiteral("–")
+                                   : StudyCharts::percent(state.retrievability)});
+  }
+  QStringList words;
+  for (const auto strength : kStrengths)
+    if (const auto found = counts.find(strength); found != counts.end())
+      words.append(QStringLiteral("%1 %2 %3")
+                       .arg(look_of(strength, current_colours()).sign, StudyCharts::strength(strength),
+                            QLocale().toString(found->second))
+                       .trimmed());
+  chart.summary = words.join(QStringLiteral("  ·  "));
+  grid_->setAccessibleName(chart.title);
+  grid_->setAccessibleDescription(tr("%1. Enter opens a character.").arg(chart.summary));
+  grid_->show_states(std::move(states));
+  show_words(chart);
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFrame>
+
+#include "progress/chart.h"
+
+class QLabel;
+class QStackedWidget;
+class QTableWidget;
+class QToolButton;
+
+namespace nazori::ui {
+
+class DayChart;
+
+/// Something of the page with its numbers: a heading, a sentence, what is drawn, and the same as a table.
+/// Thread: interface.
+class ChartCard : public QFrame {
+  Q_OBJECT
+ public:
+  /// @param id  of the object names: "forecast_card", "forecast_table", ...
+  ChartCard(const QString& id, QWidget* parent);
+
+  void show_chart(const Chart& chart);
+  [[nodiscard]] const Chart& shown() const { return chart_; }
+  [[nodiscard]] bool shows_numbers() const;
+  void set_shows_numbers(bool numbers);
+  [[nodiscard]] QString title() const { return chart_.title; }
+  /// The keyboard goes to what is drawn, or to the table.
+  void focus_content();
+  void take_appearance();
+
+ signals:
+  void copy_wanted();
+
+ protected:
+  /// Without a chart: what is drawn is the derived class's.
+  ChartCard(const QString& id, QWidget* drawing, QWidget* parent);
+  void show_words(const Chart& chart);
+
+ private:
+  void build(const QString& id, QWidget* drawing);
+  void fill_table();
+  void read_row(int row);
+
+  Chart chart_;
+  QLabel* heading_;
+  QLabel* summary_;
+  QLabel* reading_;
+  QLabel* empty_;
+  QToolButton* numbers_;
+  QToolButton* copy_;
+  QStackedWidget* stack_;
+  QTableWidget* table_;
+  QWidget* drawing_ = nullptr;
+  DayChart* day_chart_ = nullptr;
+};
+
+}  // namespace nazori::ui

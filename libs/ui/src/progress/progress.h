@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "progress/statistics_reader.h"
+#include "workplace.h"
+
+namespace nazori::ui {
+
+class ChartCard;
+class ProgressActions;
+class ProgressPage;
+
+/// The workplace that shows what study has brought: a page of charts, each with its numbers.
+class Progress final : public Workplace {
+  Q_OBJECT
+ public:
+  explicit Progress(Desk& desk);
+  ~Progress() override;
+
+  [[nodiscard]] QString id() const override;
+  [[nodiscard]] QString name() const override;
+  [[nodiscard]] QString purpose() const override;
+  [[nodiscard]] Icon drawing() const override;
+  [[nodiscard]] QString title() const override;
+  [[nodiscard]] QWidget* page() const override;
+  [[nodiscard]] ActionSet* actions() const override;
+
+  void enter() override;
+  void leave() override;
+  void take_appearance() override;
+  void save(QSettings& settings) const override;
+
+  [[nodiscard]] bool is_reading() const { return reader_.is_busy(); }
+
+ private:
+  void connect_actions();
+  void read();
+  void copy(const ChartCard& card);
+
+  ProgressActions* actions_;
+  ProgressPage* page_;
+  StatisticsReader reader_;
+  bool entered_ = false;
+  bool stale_ = true;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "progress/progress_page.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <map>
+
+#include "progress/characters_card.h"
+#include "progress/hard_strokes_card.h"
+#include "progress/study_charts.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kMargin = 16;
+constexpr int kGap = 14;
+constexpr int kLettersForTwoColumns = 100;
+
+}  // namespace
+
+ProgressPage::ProgressPage(Learner& learner, QWidget* parent)
+    : QWidget(parent),
+      learner_(learner),
+      scroll_(new QScrollArea(this)),
+      content_(new QWidget(scroll_)),
+      trouble_(new QLabel(this)),
+      figures_(new QLabel(content_)),
+      time_(new QComboBox(content_)),
+      work_(new QProgressBar(content_)),
+      grid_(new QGridLayout),
+      forecast_(new ChartCard(QStringLiteral("forecast"), content_)),
+      retention_(new ChartCard(QStringLiteral("retention"), content_)),
+      activity_(new ChartCard(QStringLiteral("activity"), content_)),
+      motion_(new ChartCard(QStringLiteral("motion"), content_)),
+      characters_(new CharactersCard(content_)),
+      hard_strokes_(new HardStrokesCard(content_)),
+      cards_{forecast_, retention_, activity_, motion_, characters_, hard_strokes_},
+      at_hand_(forecast_) {
+  setObjectName(QStringLiteral("progress_page"));
+  setAccessibleName(tr("Progress"));
+  setFocusPolicy(Qt::StrongFocus);
+  content_->setObjectName(QStringLiteral("progress_content"));
+  trouble_->setObjectName(QStringLiteral("progress_trouble"));
+  trouble_->setWordWrap(true);
+  trouble_->setAlignment(Qt::AlignCenter);
+  trouble_->setMargin(3 * kMargin);
+  trouble_->hide();
+  figures_->setObjectName(QStringLiteral("progress_figures"));
+  figures_->setWordWrap(true);
+  figures_->setTextFormat(Qt::PlainText);
+  figures_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  auto* caption = new QLabel(tr("Time s&hown"), content_);
+  caption->setBuddy(time_);
+  time_->setObjectName(QStringLiteral("progress_time"));
+  time_->setAccessibleName(tr("Time shown"));
+  time_->addItem(tr("A month"), static_cast<int>(TimeShown::month));
+  time_->addItem(tr("Three months"), static_cast<int>(TimeShown::season));
+  time_->addItem(tr("A year"), static_cast<int>(TimeShown::year));
+  time_->addItem(tr("Everything"), static_cast<int>(TimeShown::everything));
+  time_->setCurrentIndex(1);
+  work_->setObjectName(QStringLiteral("progress_work"));
+  work_->setAccessibleName(tr("The log is added up"));
+  work_->setRange(0, 100);
+  work_->setTextVisible(false);
+  work_->hide();
+
+  auto* choice = new QHBoxLayout;
+  choice->setSpacing(8);
+  choice->addWidget(caption);
+  choice->addWidget(time_);
+  choice->addWidget(work_, 1);
+  choice->addStretch(1);
+  grid_->setSpacing(kGap);
+  auto* column = new QVBoxLayout(content_);
+  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  column->setSpacing(kGap);
+  column->addWidget(figures_);
+  column->addLayout(choice);
+  column->addLayout(grid_, 1);
+  scroll_->setObjectName(QStringLiteral("progress_scroll"));
+  scroll_->setWidget(content_);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(scroll_, 1);
+  all->addWidget(trouble_, 1);
+
+  connect(time_, &QComboBox::currentIndexChanged, this, [this] {
+    show_charts();
+    emit time_changed();
+  });
+  connect(characters_, &CharactersCard::list_changed, this, [this] {
+    show_characters();
+    emit time_changed();
+  });
+  connect(characters_, &CharactersCard::opened, this, &ProgressPage::opened);
+  connect(hard_strokes_, &HardStrokesCard::opened, this, &ProgressPage::opened);
+  for (auto* card : cards_)
+    connect(card, &ChartCard::copy_wanted, this, [this, card] { emit copy_wanted(card); });
+  connect(qApp, &QApplication::focusChanged, this,
+          [this](const QWidget* /*old*/, QWidget* now) { note_focus(now); });
+  show_statistics(std::make_shared<const study::Statistics>());
+}
+
+void ProgressPage::show_statistics(const SharedStatistics& statistics) {
+  statistics_ = statistics;
+  show_work(1);
+  show_trouble({});
+  show_figures();
+  show_charts();
+  forecast_->show_chart(StudyCharts::forecast(*statistics_));
+  show_characters();
+  hard_strokes_->show_strokes(*statistics_, learner_.database());
+  arrange();
+}
+
+void ProgressPage::show_characters() {
+  characters_->show_characters(*statistics_, learner_.lists(), learner_.store());
+}
+
+void ProgressPage::show_charts() {
+  const int days = static_cast<int>(time_shown());
+  const study::Day first = days == 0 ? study::Day() : statistics_->today - std::chrono::days(days - 1);
+  retention_->show_chart(StudyCharts::retention(*statistics_, first));
+  activity_->show_chart(StudyCharts::activity(*statistics_, first));
+  motion_->show_chart(StudyCharts::motion(*statistics_, first));
+}
+
+void ProgressPage::show_figures() {
+  const auto& s = *statistics_;
+  const QLocale locale;
+  if (s.characters.empty()) {
+    figures_->setText(
+        tr("Nothing is studied yet. Begin with a few characters at Home, or trace one in Characters; "
+           "what you do will stand here, with every number as text."));
+    return;
+  }
+  QStringList lines;
+  lines.append(tr("Days in a row: %1, longest %2%3")
+                   .arg(locale.toString(s.streak.days), locale.toString(s.streak.longest),
+                        s.streak.days == 0      ? QString()
+                        : !s.streak.today_done  ? tr("; today is open")
+                        : s.streak.day_off_used ? tr("; a day off this week is taken")
+                                                : QString()));
+  lines.append(tr("Reviews: %1 in %2").arg(locale.toString(s.reviews), StudyCharts::duration(s.time)));
+  if (s.last_30_days.reviews > 0)
+    lines.append(tr("Recalled in 30 days: %1 of %2, predicted %3")
+                     .arg(StudyCharts::percent(s.last_30_days.actual()),
+                          locale.toString(s.last_30_days.reviews),
+                          StudyCharts::percent(s.last_30_days.predicted)));
+  const auto known = std::count_if(s.characters.begin(), s.characters.end(), [](const auto& one) {
+    return one.strength == study::Strength::young || one.strength == study::Strength::mature;
+  });
+  lines.append(tr("Characters: %1 met, %2 learnt")
+                   .arg(locale.toString(static_cast<qlonglong>(s.characters.size())),
+                        locale.toString(static_cast<qlonglong>(known))));
+  figures_->setText(lines.join(QStringLiteral("\n")));
+}
+
+void ProgressPage::show_trouble(const QString& sentence) {
+  trouble_->setText(sentence);
+  trouble_->setVisible(!sentence.isEmpty());
+  scroll_->setVisible(sentence.isEmpty());
+}
+
+void ProgressPage::show_work(double done) {
+  work_->setVisible(done < 1);
+  work_->setValue(static_cast<int>(100 * done));
+}
+
+void ProgressPage::take_appearance() {
+  for (auto* card : cards_) card->take_appearance();
+  if (statistics_) show_characters();
+  columns_ = 0;
+  arrange();
+}
+
+ProgressPage::TimeShown ProgressPage::time_shown() const {
+  return static_cast<TimeShown>(time_->currentData().toInt());
+}
+
+void ProgressPage::set_time_shown(TimeShown time) {
+  time_->setCurrentIndex(std::max(0, time_->findData(static_cast<int>(time))));
+}
+
+bool ProgressPage::change_time_shown(int by) {
+  const int next = time_->currentIndex() + by;
+  if (next < 0 || next >= time_->count()) return false;
+  time_->setCurrentIndex(next);
+  return true;
+}
+
+ChartCard* ProgressPage::card(const QString& id) const {
+  const auto found = std::find_if(cards_.begin(), cards_.end(),
+                                  [&](const ChartCard* card) { return card->shown().id == id; });
+  return found == cards_.end() ? forecast_ : *found;
+}
+
+ChartCard* ProgressPage::card_at_hand() const { return at_hand_; }
+
+void ProgressPage::go_to(const QString& id) {
+  at_hand_ = card(id);
+  at_hand_->focus_content();
+  scroll_->ensureWidgetVisible(at_hand_, 0, kMargin);
+}
+
+void ProgressPage::note_focus(QWidget* now) {
+  for (auto* card : cards_) {
+    if (now == nullptr || !card->isAncestorOf(now)) continue;
+    at_hand_ = card;
+    scroll_->ensureWidgetVisible(card, 0, kMargin);
+  }
+}
+
+void ProgressPage::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  at_hand_->focus_content();
+}
+
+void ProgressPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
+}
+
+void ProgressPage::arrange() {
+  const int letters = width() / std::max(1, fontMetrics().averageCharWidth());
+  const int columns = letters >= kLettersForTwoColumns ? 2 : 1;
+  if (columns == columns_) return;
+  columns_ = columns;
+  while (grid_->count() > 0) delete grid_->takeAt(0);
+  for (int i = 0; i < cards_.size(); ++i) grid_->addWidget(cards_[i], i / columns, i % columns);
+  for (int i = 0; i < 2; ++i) grid_->setColumnStretch(i, i < columns ? 1 : 0);
+  for (int i = 1; i < cards_.size(); ++i) QWidget::setTabOrder(cards_[i - 1], cards_[i]);
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QList>
+#include <QWidget>
+
+#include "progress/chart_card.h"
+#include "progress/statistics_reader.h"
+#include "study/learner.h"
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+class QScrollArea;
+
+namespace nazori::ui {
+
+class CharactersCard;
+class HardStrokesCard;
+
+/// The page of a learner's progress: some figures, then a card for each chart. Thread: interface.
+class ProgressPage final : public QWidget {
+  Q_OBJECT
+ public:
+  /// How far back the charts of time go. The number is that of days; everything: 0.
+  enum class TimeShown { month = 31, season = 92, year = 366, everything = 0 };
+
+  explicit ProgressPage(Learner& learner, QWidget* parent = nullptr);
+
+  void show_statistics(const SharedStatistics& statistics);
+  /// One sentence in place of everything; empty: the cards again.
+  void show_trouble(const QString& sentence);
+  /// While the log is added up: 0..1; 1 hides it.
+  void show_work(double done);
+  void take_appearance();
+
+  [[nodiscard]] TimeShown time_shown() const;
+  void set_time_shown(TimeShown time);
+  /// Longer (+1) or shorter (-1). @return false at the end.
+  bool change_time_shown(int by);
+
+  [[nodiscard]] CharactersCard& characters() const { return *characters_; }
+  /// By the id of its chart; never nullptr for the six there are.
+  [[nodiscard]] ChartCard* card(const QString& id) const;
+  /// The card that has the keyboard, or had it last.
+  [[nodiscard]] ChartCard* card_at_hand() const;
+  void go_to(const QString& id);
+
+ signals:
+  void opened(char32_t character);
+  void copy_wanted(nazori::ui::ChartCard* card);
+  void time_changed();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+
+ private:
+  void arrange();
+  void show_figures();
+  void show_charts();
+  void show_characters();
+  void note_focus(QWidget* now);
+
+  Learner& learner_;
+  SharedStatistics statistics_;
+  QScrollArea* scroll_;
+  QWidget* content_;
+  QLabel* trouble_;
+  QLabel* figures_;
+  QComboBox* time_;
+  QProgressBar* work_;
+  QGridLayout* grid_;
+  ChartCard* forecast_;
+  ChartCard* retention_;
+  ChartCard* activity_;
+  ChartCard* motion_;
+  CharactersCard* characters_;
+  HardStrokesCard* hard_strokes_;
+  QList<ChartCard*> cards_;
+  ChartCard* at_hand_;
+  int columns_ = 0;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QComboBox>
+
+#include "nazori/study/character_lists.h"
+#include "nazori/study/learner_store.h"
+
+namespace nazori::ui {
+
+/// A list of characters to choose: those met so far (id: empty), the ready lists, the learner's own.
+class ListChoice final : public QComboBox {
+  Q_OBJECT
+ public:
+  explicit ListChoice(QWidget* parent = nullptr);
+
+  /// Fills it anew; what was chosen stays where it is still there. Emits nothing.
+  void fill(const study::LearnerStore& store);
+  /// As CharacterLists::members() takes it.
+  [[nodiscard]] QString list() const { return currentData().toString(); }
+  void set_list(const QString& id);
+
+  /// Its members; those met so far where no list is chosen or it is gone. @param lists  may be nullptr.
+  [[nodiscard]] static std::vector<char32_t> members(const QString& id, study::CharacterLists* lists,
+                                                     const study::LearnerStore& store);
+  /// "School grade 1", "Own list: street", by the id of a list.
+  [[nodiscard]] static QString name_of(const QString& id);
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "progress/study_charts.h"
+
+#include <gtest/gtest.h>
+
+#include <QLocale>
+#include <cmath>
+#include <set>
+
+#include "language.h"
+#include "palette.h"
+#include "progress/strength_grid.h"
+
+namespace nazori::ui {
+namespace {
+
+using std::chrono::days;
+using std::chrono::minutes;
+using study::Day;
+
+Day day(const char* text) { return *study::parse_day(text); }
+
+/// Four days of study in three weeks, the last of them today.
+study::Statistics some_statistics() {
+  study::Statistics s;
+  s.today = day("2026-03-20");
+  s.days = {{day("2026-03-01"), 0, 6, 2, minutes(9)},
+            {day("2026-03-02"), 2, 0, 0, minutes(1)},
+            {day("2026-03-10"), 10, 1, 0, minutes(4)},
+            {day("2026-03-20"), 7, 0, 1, minutes(3)}};
+  s.retention_days = {{day("2026-03-10"), {10, 9, 0.91}}, {day("2026-03-20"), {5, 4, 0.89}}};
+  for (int i = 0; i < study::kForecastDays; ++i)
+    s.forecast.push_back({s.today + days(i), i % 7 == 2 ? 4 : 1});
+  s.motion = {{day("2026-03-10"), 10, 109, -2.5}, {day("2026-03-20"), 7, 218, -1.75}};
+  s.hard_strokes = {{U'休', 2, 4, 9, {{study::FaultKind::wrong, 1}, {study::FaultKind::order, 3}}}};
+  return s;
+}
+
+class StudyChartsTest : public testing::Test {
+ protected:
+  void SetUp() override { install_language(QStringLiteral("en")); }
+};
+
+TEST_F(StudyChartsTest, ForecastHasARowForEachOfThirtyDays) {
+  const auto s = some_statistics();
+  const Chart chart = StudyCharts::forecast(s);
+  ASSERT_EQ(chart.places.size(), 30);
+  ASSERT_EQ(chart.numbers.rows.size(), 30);
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_EQ(chart.series[0].values[i], s.forecast[static_cast<std::size_t>(i)].reviews);
+    EXPECT_EQ(chart.numbers.rows[i][1].toInt(), s.forecast[static_cast<std::size_t>(i)].reviews);
+  }
+  EXPECT_EQ(chart.summary, QStringLiteral("In 30 days: 42, today: 1. Most on 22 Mar 2026: 4."));
+  EXPECT_EQ(chart.numbers.row_text(2), QStringLiteral("22 Mar 2026: Reviews 4"));
+}
+
+TEST_F(StudyChartsTest, ActivityCountsDaysWithoutStudyToo) {
+  const Chart chart = StudyCharts::activity(some_statistics(), Day());
+  ASSERT_EQ(chart.places.size(), 20);
+  EXPECT_EQ(chart.series[0].values[9], 10);
+  EXPECT_EQ(chart.series[1].values[9], 4);
+  EXPECT_EQ(chart.series[0].values[10], 0);
+  EXPECT_EQ(chart.numbers.rows[9],
+            (QStringList{QStringLiteral("10 Mar 2026"), QStringLiteral("10"), QStringLiteral("1"),
+                         QStringLiteral("0"), QStringLiteral("4.0")}));
+  EXPECT_EQ(chart.summary,
+            QStringLiteral("Reviews: 19 in 17 min. Days of study: 4, each with about 5 reviews in 4 min."));
+  EXPECT_EQ(StudyCharts::activity(some_statistics(), day("2026-03-05")).places.size(), 11);
+}
+
+TEST_F(StudyChartsTest, ALongTimeIsTakenTogetherByWeekAndByMonth) {
+  auto s = some_statistics();
+  s.days.insert(s.days.begin(), {day("2025-11-03"), 3, 0, 0, minutes(1)});
+  const Chart weeks = StudyCharts::activity(s, Day());
+  EXPECT_EQ(weeks.numbers.head[0], QStringLiteral("Week from"));
+  EXPECT_EQ(weeks.places.size(), 20);  // Mondays from 3 November to 16 March
+  EXPECT_EQ(weeks.places.back(), 19);
+  s.days.front().day = day("2023-06-15");
+  const Chart months = StudyCharts::activity(s, Day());
+  EXPECT_EQ(months.numbers.head[0], QStringLiteral("Month from"));
+  EXPECT_EQ(months.places.size(), 34);
+  EXPECT_EQ(months.places.back(), 33);
+}
+
+TEST_F(StudyChartsTest, RetentionShowsTrueBesidePredicted) {
+  const Chart chart = StudyCharts::retention(some_statistics(), Day());
+  ASSERT_EQ(chart.series.size(), 2);
+  EXPECT_EQ(chart.places, (QList<double>{0, 10}));
+  EXPECT_NEAR(chart.series[0].values[0], 90, 1e-9);
+  EXPECT_NEAR(chart.series[1].values[1], 89, 1e-9);
+  EXPECT_EQ(chart.left_range->first, 80);
+  EXPECT_EQ(chart.numbers.row_text(1),
+            QStringLiteral("20 Mar 2026: Reviews 5, Recalled 80 %, Predicted 89 %"));
+  EXPECT_EQ(chart.summary, QStringLiteral("Reviews after a day or more: 15. Recalled 87 %, predicted 90 %."));
+}
+
+TEST_F(StudyChartsTest, ThePenIsMeasuredInCharacterWidths) {
+  const Chart chart = StudyCharts::motion(some_statistics(), Day());
+  EXPECT_EQ(chart.series[0].values, (QList<double>{1, 2}));
+  EXPECT_EQ(chart.series[1].values, (QList<double>{-2.5, -1.75}));
+  EXPECT_EQ(chart.numbers.row_text(0),
+            QStringLiteral("10 Mar 2026: Writings 10, Speed 1.00, Smoothness -2.50"));
+}
+
+TEST_F(StudyChartsTest, AHardStrokeSaysWhatGoesWrongMostFirst) {
+  const auto s = some_statistics();
+  EXPECT_EQ(StudyCharts::faults(s.hard_strokes[0]),
+            QStringLiteral("out of turn (3), wrong shape or place (1)"));
+  const Numbers numbers = StudyCharts::hard_strokes(s);
+  ASSERT_EQ(numbers.rows.size(), 1);
+  EXPECT_EQ(numbers.rows[0].mid(0, 4), (QStringList{QStringLiteral("休"), QStringLiteral("3"),
+                                                    QStringLiteral("4"), QStringLiteral("9")}));
+}
+
+TEST_F(StudyChartsTest, WithoutStudyEveryChartSaysWhatToDo) {
+  study::Statistics none;
+  none.today = day("2026-03-20");
+  for (const Chart& chart : {StudyCharts::forecast(none), StudyCharts::activity(none, Day()),
+                             StudyCharts::retention(none, Day()), StudyCharts::motion(none, Day())}) {
+    EXPECT_TRUE(chart.places.isEmpty()) << chart.id.toStdString();
+    EXPECT_TRUE(chart.numbers.rows.isEmpty());
+    EXPECT_GT(chart.empty.size(), 20);
+    EXPECT_FALSE(chart.title.isEmpty());
+  }
+}
+
+TEST_F(StudyChartsTest, NumbersAreCopiedAsASpreadsheetTakesThem) {
+  const QString text = StudyCharts::retention(some_statistics(), Day()).numbers.as_text();
+  EXPECT_EQ(text, QStringLiteral("Day\tReviews\tRecalled\tPredicted\n10 Mar 2026\t10\t90 %\t91 %\n"
+                                 "20 Mar 2026\t5\t80 %\t89 %\n"));
+}
+
+TEST(StrengthLook, TextStandsOutAndEverySignIsAnother) {
+  constexpr std::array kAll{study::Strength::unseen, study::Strength::learning, study::Strength::young,
+                            study::Strength::mature, study::Strength::leech,    study::Strength::paused};
+  for (const Colours* colours : {&light_colours(), &dark_colours()}) {
+    std::set<QString> signs;
+    for (const auto strength : kAll) {
+      const StrengthLook look = look_of(strength, *colours);
+      EXPECT_GE(contrast_ratio(look.fill, look.text), 4.5) << static_cast<int>(strength);
+      EXPECT_TRUE(signs.insert(look.sign).second) << static_cast<int>(strength);
+    }
+    // Firmer is told by lightness alone, whatever colours an eye sees.
+    const auto against_paper = [&](study::Strength strength) {
+      return contrast_ratio(look_of(strength, *colours).fill, colours->surface);
+    };
+    EXPECT_LT(against_paper(study::Strength::unseen), against_paper(study::Strength::learning));
+    EXPECT_LT(against_paper(study::Strength::learning), against_paper(study::Strength::young));
+    EXPECT_LT(1.5 * against_paper(study::Strength::young), against_paper(study::Strength::mature));
+  }
+}
+
+}  // namespace
+}  // namespace nazori::ui

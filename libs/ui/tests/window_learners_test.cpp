@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QApplication>
+#include <QFile>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTimer>
+
+#include "characters/characters.h"
+#include "desk.h"
+#include "learners/anki_dialog.h"
+#include "learners/backups_dialog.h"
+#include "learners/learner_exchange.h"
+#include "learners/learner_menu.h"
+#include "learners/learners_dialog.h"
+#include "nazori/study/backups.h"
+#include "nazori/study/exchange.h"
+#include "nazori/study/profiles.h"
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+Desk* the_desk = nullptr;
+
+std::unique_ptr<Workplace> make_characters(Desk& desk) {
+  the_desk = &desk;
+  return std::make_unique<Characters>(desk);
+}
+
+class LearnersTest : public WindowTest {
+ protected:
+  LearnersTest() {
+    workplaces_ = {make_characters};
+    clock_ = [] { return *study::parse_time("2026-03-01T09:00:00Z"); };
+  }
+
+  [[nodiscard]] Learner& learner() const { return the_desk->learner(); }
+  [[nodiscard]] std::vector<std::string> names() const { return study::profiles(learner().folder()); }
+
+  void write(char32_t character) {
+    study::Writing writing;
+    writing.result.duration = std::chrono::seconds(5);
+    ASSERT_TRUE(learner().take(learner().store().add_writing(character, 1, writing)));
+  }
+
+  template <class T>
+  static T* part(QWidget& dialog, const char* name) {
+    return dialog.findChild<T*>(QString::fromLatin1(name));
+  }
+  /// Presses a button that opens a question, and answers it.
+  static void answer(QPushButton* button, const char* yes) {
+    QTimer::singleShot(0, button, [yes] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_NE(question, nullptr);
+      for (auto* one : question->buttons())
+        if (yes == nullptr ? question->standardButton(one) == QMessageBox::Cancel
+                           : one->objectName() == QLatin1String(yes))
+          one->click();
+    });
+    button->click();
+  }
+  void wait_for(const LearnerExchange& exchange) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !exchange.is_busy(); }, 20'000));
+  }
+};
+
+TEST_F(LearnersTest, ALearnerIsAddedChosenAndRemembered) {
+  write(U'一');
+  {
+    LearnersDialog dialog(learner(), window_.get());
+    part<QLineEdit>(dialog, "learner_name")->setText(QStringLiteral("花子"));
+    part<QPushButton>(dialog, "learner_add")->click();
+    EXPECT_EQ(learner().profile(), QStringLiteral("花子"));
+    EXPECT_TRUE(learner().store().cards().empty());
+    auto* list = part<QListWidget>(dialog, "learners_list");
+    ASSERT_EQ(list->count(), 2);
+    EXPECT_EQ(list->currentItem()->data(Qt::UserRole).toString(), QStringLiteral("花子"));
+  }
+  window_->close();
+  open_window();
+  EXPECT_EQ(learner().profile(), QStringLiteral("花子"));
+  LearnersDialog dialog(learner(), window_.get());
+  auto* list = part<QListWidget>(dialog, "learners_list");
+  for (int row = 0; row < list->count(); ++row)
+    if (list->item(row)->data(Qt::UserRole) == QStringLiteral("learner")) list->setCurrentRow(row);
+  part<QPushButton>(dialog, "learner_choose")->click();
+  EXPECT_EQ(learner().profile(), QStringLiteral("learner"));
+  EXPECT_TRUE(learner().store().cards().contains(U'一'));
+}
+
+TEST_F(LearnersTest, ANameThatIsTakenOrCanBeNoneIsRefusedInWords) {
+  write(U'一');
+  LearnersDialog dialog(learner(), window_.get());
+  for (const char* name : {"", ".hidden", "a/b", "learner"}) {
+    part<QLineEdit>(dialog, "learner_name")->setText(QString::fromLatin1(name));
+    part<QPushButton>(dialog, "learner_add")->click();
+    EXPECT_FALSE(part<QLabel>(dialog, "learners_words")->text().isEmpty());
+    EXPECT_EQ(learner().profile(), QStringLiteral("learner")) << name;
+  }
+  EXPECT_EQ(names().size(), 1U);
+}
+
+TEST_F(LearnersTest, TheLearnerAtHandKeepsEverythingUnderAnotherName) {
+  write(U'一');
+  LearnersDialog dialog(learner(), window_.get());
+  part<QLineEdit>(dialog, "learner_name")->setText(QStringLiteral("Mari"));
+  part<QPushButton>(dialog, "learner_rename")->click();
+  EXPECT_EQ(learner().profile(), QStringLiteral("Mari"));
+  EXPECT_TRUE(learner().can_write());
+  EXPECT_TRUE(learner().store().cards().contains(U'一'));
+  EXPECT_EQ(names(), std::vector<std::string>{"Mari"});
+}
+
+TEST_F(LearnersTest, WhoIsRemovedAfterAQuestionIsKeptAside) {
+  write(U'一');
+  ASSERT_TRUE(learner().switch_profile(QStringLiteral("Mari")));
+  write(U'二');
+  LearnersDialog dialog(learner(), window_.get());
+  answer(part<QPushButton>(dialog, "learner_remove"), nullptr);
+  EXPECT_EQ(names().size(), 2U);
+  answer(part<QPushButton>(dialog, "learner_remove"), "learner_remove_yes");
+  EXPECT_EQ(names(), std::vector<std::string>{"learner"});
+  EXPECT_EQ(learner().profile(), QStringLiteral("learner"));
+  EXPECT_TRUE(learner().store().cards().contains(U'一'));
+  EXPECT_TRUE(std::filesystem::exists(learner().folder() / ".removed" / "Mari" / "learner.db"));
+}
+
+TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
+  write(U'一');
+  action("back_up")->trigger();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Backed up as"))) << feedback().toStdString();
+  write(U'二');
+  BackupsDialog dialog(learner(), window_.get());
+  auto* table = part<QTableWidget>(dialog, "backups_table");
+  ASSERT_EQ(table->rowCount(), 1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->item(0, 2)->text() == QStringLiteral("1"); }, 20'000));
+  EXPECT_EQ(table->item(0, 1)->text(), QStringLiteral("1 Mar 2026"));
+  table->setCurrentCell(0, 0);
+  answer(part<QPushButton>(dialog, "backup_restore"), nullptr);
+  EXPECT_TRUE(learner().store().cards().contains(U'二'));
+  answer(part<QPushButton>(dialog, "backup_restore"), "backup_yes");
+  EXPECT_TRUE(learner().can_write());
+  EXPECT_TRUE(learner().store().cards().contains(U'一'));
+  EXPECT_FALSE(learner().store().cards().contains(U'二'));
+  // What stood there is a backup now, with both.
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        for (int row = 0; row < table->rowCount(); ++row)
+          if (table->item(row, 2)->text() == QStringLiteral("2")) return true;
+        return false;
+      },
+      20'000));
+}
+
+TEST_F(LearnersTest, ABackupThatCannotBeUsedCannotBeChosen) {
+  write(U'一');
+  std::filesystem::create_directories(study::backup_folder(learner().file()));
+  QFile broken(
+      QString::fromStdString((study::backup_folder(learner().file()) / "daily-2026-02-01.db").string()));
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("no database at all");
+  broken.close();
+  BackupsDialog dialog(learner(), window_.get());
+  auto* table = part<QTableWidget>(dialog, "backups_table");
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return table->item(0, 1)->text() == QStringLiteral("cannot be used"); }, 20'000));
+  EXPECT_FALSE(part<QPushButton>(dialog, "backup_restore")->isEnabled());
+}
+
+TEST_F(LearnersTest, WhatIsExportedIsImportedWholeForANewLearner) {
+  write(U'一');
+  write(U'二');
+  LearnerExchange exchange(learner(), window_.get());
+  const QString file = folder_.filePath(QStringLiteral("Mari.json"));
+  exchange.write(LearnerExchange::Kind::json, file);
+  wait_for(exchange);
+  const auto exported = study::export_json(learner().store());
+  exchange.read(file);
+  wait_for(exchange);
+  EXPECT_EQ(learner().profile(), QStringLiteral("Mari"));
+  EXPECT_TRUE(learner().can_write());
+  EXPECT_EQ(*study::export_json(learner().store()), *exported);
+  // Once more: the name is taken.
+  exchange.read(file);
+  wait_for(exchange);
+  EXPECT_EQ(learner().profile(), QStringLiteral("Mari 2"));
+  // Into a learner with nothing studied it goes itself.
+  ASSERT_TRUE(learner().switch_profile(QStringLiteral("empty")));
+  exchange.read(file);
+  wait_for(exchange);
+  EXPECT_EQ(learner().profile(), QStringLiteral("empty"));
+  EXPECT_EQ(*study::export_json(learner().store()), *exported);
+}
+
+TEST_F(LearnersTest, WhatCannotBeImportedLeavesNoLearnerBehind) {
+  write(U'一');
+  QFile file(folder_.filePath(QStringLiteral("bad.json")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"format\": \"nazori-learner\", \"version\": 1,\n\"entries\": [{\"id\": 7}]}");
+  file.close();
+  LearnerExchange exchange(learner(), window_.get());
+  QString said;
+  Feedback kind = Feedback::hint;
+  QObject::connect(&exchange, &LearnerExchange::said, window_.get(),
+                   [&](Feedback how, const QString& sentence) {
+                     kind = how;
+                     said = sentence;
+                   });
+  exchange.read(file.fileName());
+  wait_for(exchange);
+  EXPECT_EQ(kind, Feedback::wrong);
+  EXPECT_TRUE(said.startsWith(QStringLiteral("bad.json: "))) << said.toStdString();
+  EXPECT_TRUE(said.endsWith(QStringLiteral("Everything is as it was."))) << said.toStdString();
+  EXPECT_EQ(names(), std::vector<std::string>{"learner"});
+  EXPECT_EQ(learner().profile(), QStringLiteral("learner"));
+}
+
+TEST_F(LearnersTest, WorkThatIsStoppedWritesNothing) {
+  write(U'一');
+  LearnerExchange exchange(learner(), window_.get());
+  QString said;
+  QObject::connect(&exchange, &LearnerExchange::said, window_.get(),
+                   [&](Feedback, const QString& sentence) { said = sentence; });
+  const QString file = folder_.filePath(QStringLiteral("a.apkg"));
+  exchange.write(LearnerExchange::Kind::anki, file, {QStringLiteral("secondary"), QStringLiteral("Deck"), 4});
+  exchange.stop();
+  wait_for(exchange);
+  EXPECT_EQ(said, QStringLiteral("Stopped. Everything is as it was."));
+  EXPECT_FALSE(QFile::exists(file));
+}
+
+TEST_F(LearnersTest, TablesAndAnkiPackagesAreWritten) {
+  write(U'一');
+  LearnerExchange exchange(learner(), window_.get());
+  const QString table = folder_.filePath(QStringLiteral("a.csv"));
+  exchange.write(LearnerExchange::Kind::csv, table);
+  wait_for(exchange);
+  QFile csv(table);
+  ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
+  EXPECT_EQ(csv.readAll().toStdString(), *study::export_csv(learner().store()));
+  const QString package = folder_.filePath(QStringLiteral("a.apkg"));
+  exchange.write(LearnerExchange::Kind::anki, package);
+  wait_for(exchange);
+  QFile zip(package);
+  ASSERT_TRUE(zip.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(zip.read(2) == QByteArray("PK"));
+}
+
+TEST_F(LearnersTest, AnkiIsOfferedAListWhereNothingIsMet) {
+  const AnkiDialog dialog(learner().store(), window_.get());
+  EXPECT_EQ(dialog.choice().list, QStringLiteral("grade-1"));
+  EXPECT_EQ(dialog.choice().words, 4);
+}
+
+TEST_F(LearnersTest, TheMenuIsThereWithAKeyForEachEntry) {
+  for (const char* name :
+       {"learners", "back_up", "restore", "export_json", "export_csv", "export_anki", "import_json"}) {
+    ASSERT_NE(action(name), nullptr) << name;
+    EXPECT_TRUE(action(name)->isVisible()) << name;
+    EXPECT_FALSE(action(name)->shortcut().isEmpty()) << name;
+  }
+  action("back_up")->trigger();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Nothing is studied yet"))) << feedback().toStdString();
+}
+
+}  // namespace
+}  // namespace nazori::ui
