@@ -79,7 +79,9 @@ QScrollArea:focus { border: 2px solid @indigo; }
 QWidget#information_content { background: transparent; }
 QFrame[separator="true"] { background: @line; border: none; max-height: 1px; min-height: 1px; }
 QWidget#library_panel, QWidget#information_panel, QWidget#seat_panel, QWidget#feel_panel { background: @paper; }
+QWidget#writing_panel, QWidget#writing_content { background: @paper; }
 QLabel[role="muted"] { color: @muted; }
+QLabel[role="title"] { font-weight: 600; }
 QLabel[role="heading"] { color: @muted; }
 
 QPushButton[role="part"] { background: @surface; color: @ink; border: 2px solid @line; border-radius: 9px;
