@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "characters.h"
@@ -14,6 +15,7 @@
 #include "nazori/base/utf8.h"
 #include "nazori/writing/explanation.h"
 #include "nazori/writing/model_library.h"
+#include "nazori/writing/motion_remarks.h"
 #include "nazori/writing/pen_motion.h"
 #include "options.h"
 #include "verbs.h"
@@ -96,6 +98,7 @@ Json motion_json(const std::vector<writing::PenMotion>& motions) {
     Json json{{"duration_s", rounded(m.duration_s)},
               {"pause_before_s", rounded(m.pause_before_s)},
               {"speed_peaks", m.speed_peaks},
+              {"speed_at_end", rounded(m.speed_at_end)},
               {"pauses", m.pauses.size()}};
     if (m.pressure) json["pressure"] = rounded(*m.pressure);
     if (m.pressure_at_end) json["pressure_at_end"] = rounded(*m.pressure_at_end);
@@ -133,6 +136,16 @@ bool is_timed(const writing::Ink& ink) {
   return false;
 }
 
+std::vector<std::string> motion_sentences(std::span<const writing::PenMotion> motions,
+                                          std::span<const writing::MotionRemark> remarks,
+                                          writing::Language language) {
+  std::vector<std::string> sentences;
+  if (auto pace = writing::explain_pace(motions, remarks, language); !pace.empty())
+    sentences.push_back(std::move(pace));
+  for (const auto& remark : remarks) sentences.push_back(writing::explain(remark, language));
+  return sentences;
+}
+
 base::Result<Json> answer(const Json& request, writing::ModelLibrary& library, const GradeSettings& settings,
                           const writing::GradeOptions& options) {
   const auto named = request.find("char");
@@ -150,10 +163,17 @@ base::Result<Json> answer(const Json& request, writing::ModelLibrary& library, c
   const auto grade = judge(*ink, (*entry)->model, options, (*entry)->lookalikes);
   if (!grade) return tl::unexpected(grade.error());
   auto json = grade_json(*grade, text);
-  if (is_timed(*ink)) json["motion"] = motion_json(writing::pen_motion(*ink));
-  if (!settings.explain.empty())
-    json["explanation"] = writing::explain(
-        *grade, settings.explain == "ja" ? writing::Language::japanese : writing::Language::english);
+  const auto motions = is_timed(*ink) ? writing::pen_motion(*ink) : std::vector<writing::PenMotion>();
+  if (!motions.empty()) json["motion"] = motion_json(motions);
+  if (!settings.explain.empty()) {
+    const auto language = settings.explain == "ja" ? writing::Language::japanese : writing::Language::english;
+    json["explanation"] = writing::explain(*grade, language);
+    json["score_explanation"] = writing::explain_score(*grade, language);
+    if (!motions.empty()) {
+      const auto remarks = writing::motion_remarks(motions, *grade, (*entry)->model);
+      json["motion_explanation"] = motion_sentences(motions, remarks, language);
+    }
+  }
   return json;
 }
 

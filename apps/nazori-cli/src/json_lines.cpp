@@ -110,7 +110,8 @@ int answer_lines(Console& console, const Json& refusal,
     auto result =
         request.is_object()
             ? answer(request)
-            : base::Result<Json>(fail(Errc::parse, "is not a JSON object", fmt::format("line {}", number)));
+            : base::Result<Json>(fail(Errc::parse, "is not a JSON object", fmt::format("line {}", number),
+                                      "one object a line, with numbers that are finite"));
     if (!result) {
       code = kWrong;
       console.print(to_one_line(refuse(refusal, request, number, result.error())));

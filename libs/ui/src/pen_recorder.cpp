@@ -39,6 +39,9 @@ PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
     if (ended) pressed_at_.reset();
     nearest_m_ = kFar_m;
     if (!ended) return Event::none;
+    // How long the pen rested before it was lifted tells a stop from a sweep.
+    if (!current_.empty() && last_.time_s > current_.back().time_s)
+      current_.push_back({current_.back().at, last_.time_s, last_.pressure});
     ended_ = std::move(current_);
     current_.clear();
     if (length_m(ended_) >= kSlip_m) return Event::ended;
@@ -50,6 +53,7 @@ PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
   const geometry::TabletPoint at{sample.proxy_m.x, sample.proxy_m.y};
   if (current_.empty() && is_on_its_way(at)) return Event::none;
   const double pressure = std::clamp((sample.proxy_m.z - sample.device_m.z) / full_press_m_, 0.0, 1.0);
+  last_ = {at, sample.time_s, pressure};
   if (!current_.empty() && geometry::distance(current_.back().at, at) < kStep_m) {
     // The pen rests: the width there is that of the firmest press.
     current_.back().pressure = std::max(current_.back().pressure, pressure);
@@ -79,6 +83,23 @@ writing::Ink to_ink(const std::vector<HandStroke>& strokes, const geometry::Tabl
   return ink;
 }
 
+HandStroke until(const HandStroke& stroke, double time_s) {
+  HandStroke part;
+  for (const auto& point : stroke) {
+    if (point.time_s <= time_s) {
+      part.push_back(point);
+      continue;
+    }
+    if (part.empty()) break;
+    const auto& last = part.back();
+    const double share = (time_s - last.time_s) / (point.time_s - last.time_s);
+    part.push_back({last.at + (point.at - last.at) * share, time_s,
+                    last.pressure + (point.pressure - last.pressure) * share});
+    break;
+  }
+  return part;
+}
+
 double ink_half_width_m(double pressure) {
   return kThinnest_m + (kWidest_m - kThinnest_m) * std::clamp(pressure, 0.0, 1.0);
 }
@@ -87,7 +108,10 @@ view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict) 
   view::WrittenStroke written;
   written.verdict = verdict;
   written.points.reserve(stroke.size());
-  for (const auto& point : stroke) written.points.push_back({point.at, ink_half_width_m(point.pressure)});
+  for (const auto& point : stroke)
+    // The pen at rest draws nothing.
+    if (written.points.empty() || written.points.back().at != point.at)
+      written.points.push_back({point.at, ink_half_width_m(point.pressure)});
   return written;
 }
 

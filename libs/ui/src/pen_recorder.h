@@ -56,6 +56,7 @@ class PenRecorder {
 
   double full_press_m_;
   HandStroke current_;
+  HandPoint last_;  ///< of the touch at hand, whether it moved or not
   HandStroke ended_;
   [[nodiscard]] bool is_on_its_way(geometry::TabletPoint at);
 
@@ -67,6 +68,9 @@ class PenRecorder {
 
 /// Ink for the judge, in the glyph frame, with times and pressures and the tablet as its box.
 [[nodiscard]] writing::Ink to_ink(const std::vector<HandStroke>& strokes, const geometry::TabletShape& shape);
+
+/// What of a stroke was written by a moment of its clock; the last piece is cut where the pen was.
+[[nodiscard]] HandStroke until(const HandStroke& stroke, double time_s);
 
 /// Ink for the eye: pressure is width.
 [[nodiscard]] view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict);

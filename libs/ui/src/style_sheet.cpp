@@ -106,7 +106,9 @@ QFrame[role="card"] QListView { background: transparent; border: 2px solid @line
 QFrame[role="card"] QListView:focus { border-color: @indigo; }
 QProgressBar { background: @surface; border: 1px solid @line; border-radius: 4px; max-height: 8px; }
 QProgressBar::chunk { background: @indigo; border-radius: 3px; }
+QWidget#writing_panel, QWidget#writing_content { background: @paper; }
 QLabel[role="muted"] { color: @muted; }
+QLabel[role="title"] { font-weight: 600; }
 QLabel[role="heading"] { color: @muted; }
 
 QPushButton[role="part"] { background: @surface; color: @ink; border: 2px solid @line; border-radius: 9px;

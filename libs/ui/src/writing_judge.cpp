@@ -15,7 +15,12 @@ struct WritingJudge::Books {
   std::optional<kanji::KanjiDatabase> database;
   std::optional<writing::ModelLibrary> models;
 
-  base::Result<writing::Grade> grade(const JudgeRequest& request) {
+  struct Answer {
+    writing::Grade grade;
+    PenReport pen;
+  };
+
+  base::Result<Answer> grade(const JudgeRequest& request) {
     if (!models) {
       auto opened = kanji::KanjiDatabase::open(path);
       if (!opened) return tl::unexpected(opened.error());
@@ -27,9 +32,16 @@ struct WritingJudge::Books {
     writing::GradeOptions options;
     options.strictness = request.strictness;
     options.unfinished = !request.finished;
-    return request.finished
-               ? writing::grade(request.ink, (*entry)->model, options, (*entry)->lookalikes)
-               : writing::grade_live(request.ink, (*entry)->model, options, (*entry)->lookalikes);
+    const auto grade = request.finished
+                           ? writing::grade(request.ink, (*entry)->model, options, (*entry)->lookalikes)
+                           : writing::grade_live(request.ink, (*entry)->model, options, (*entry)->lookalikes);
+    if (!grade) return tl::unexpected(grade.error());
+    Answer answer{*grade, {}};
+    if (request.finished) {
+      answer.pen.motions = writing::pen_motion(request.ink);
+      answer.pen.remarks = writing::motion_remarks(answer.pen.motions, *grade, (*entry)->model);
+    }
+    return answer;
   }
 };
 
@@ -81,13 +93,15 @@ std::uint64_t WritingJudge::judge(const JudgeRequest& request) {
   const std::uint64_t ticket = ++newest_judgement_;
   grader_.post([this, request, ticket, books = books_] {
     if (ticket != newest_judgement_) return;
-    auto grade = books->grade(request);
-    grader_.answer([this, ticket, grade = std::move(grade)] {
+    auto answer = books->grade(request);
+    grader_.answer([this, ticket, finished = request.finished, answer = std::move(answer)] {
       if (ticket != newest_judgement_) return;
-      if (grade)
-        emit judged(ticket, *grade);
-      else
-        emit failed(ticket, grade.error());
+      if (!answer) {
+        emit failed(ticket, answer.error());
+        return;
+      }
+      if (finished) emit pen_told(ticket, answer->pen);
+      emit judged(ticket, answer->grade);
     });
   });
   return ticket;

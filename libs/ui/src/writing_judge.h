@@ -10,6 +10,7 @@
 
 #include "nazori/writing/grade.h"
 #include "nazori/writing/ink.h"
+#include "nazori/writing/motion_remarks.h"
 #include "nazori/writing/recogniser.h"
 #include "worker.h"
 
@@ -21,6 +22,12 @@ struct JudgeRequest {
   writing::Ink ink;
   double strictness = writing::kNormal;
   bool finished = true;  ///< false: stroke by stroke, more may follow
+};
+
+/// How the pen moved, and what of it is worth saying.
+struct PenReport {
+  std::vector<writing::PenMotion> motions;
+  std::vector<writing::MotionRemark> remarks;
 };
 
 /// Judging and recognising behind threads of their own: requests return at once, answers come as signals on
@@ -40,6 +47,8 @@ class WritingJudge final : public QObject {
   void prepare_recogniser();
 
  signals:
+  /// How finished writing was written; just before judged() with the same number.
+  void pen_told(std::uint64_t ticket, nazori::ui::PenReport pen);
   void judged(std::uint64_t ticket, nazori::writing::Grade grade);
   void recognised(std::uint64_t ticket, std::vector<nazori::writing::Candidate> candidates);
   /// Nothing was judged or recognised.

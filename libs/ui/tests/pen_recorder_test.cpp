@@ -49,6 +49,29 @@ TEST(PenRecorder, ARestingPenAddsNoPointsAndATapIsNoStroke) {
   EXPECT_EQ(recorder.follow(sample(0.2, 0, 0, false)), Event::slip);
 }
 
+TEST(PenRecorder, HowLongThePenRestedBeforeTheLiftIsKept) {
+  PenRecorder recorder;
+  for (int i = 0; i <= 10; ++i) recorder.follow(sample(i * 0.01, i * 0.001, 0.006));
+  recorder.follow(sample(0.4, 0.01, 0.006));
+  EXPECT_EQ(recorder.follow(sample(0.41, 0.01, 0, false)), Event::ended);
+  const auto stroke = recorder.take();
+  ASSERT_EQ(stroke.size(), 12U);
+  EXPECT_DOUBLE_EQ(stroke.back().time_s, 0.4);
+  EXPECT_DOUBLE_EQ(stroke.back().at.x, 0.01);
+  EXPECT_EQ(nazori::ui::to_written(stroke, nazori::view::Verdict::none).points.size(), 11U)
+      << "rest draws nothing";
+}
+
+TEST(PenRecorder, AStrokeUntilAMomentEndsWhereThePenWas) {
+  const nazori::ui::HandStroke stroke{{{0, 0}, 1, 0.2}, {{0.01, 0}, 2, 0.4}, {{0.01, 0.02}, 3, 0.4}};
+  EXPECT_TRUE(nazori::ui::until(stroke, 0.5).empty());
+  const auto part = nazori::ui::until(stroke, 1.5);
+  ASSERT_EQ(part.size(), 2U);
+  EXPECT_DOUBLE_EQ(part.back().at.x, 0.005);
+  EXPECT_DOUBLE_EQ(part.back().pressure, 0.3);
+  EXPECT_EQ(nazori::ui::until(stroke, 9).size(), 3U);
+}
+
 TEST(PenRecorder, WhatIsDroppedDoesNotComeBackWhenThePenIsLifted) {
   PenRecorder recorder;
   for (int i = 0; i <= 10; ++i) recorder.follow(sample(i * 0.01, i * 0.001, 0.006));

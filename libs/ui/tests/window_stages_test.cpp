@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QListWidget>
 #include <QSettings>
+#include <QSlider>
 #include <QToolButton>
 #include <algorithm>
 
@@ -139,6 +140,65 @@ TEST_F(Stages, ComparingShowsTheModelOverTheWritingAndBothBesideEachOther) {
   EXPECT_EQ(compare->points_shown(), all);
 }
 
+TEST_F(Stages, TheWritingIsReplayedOnTheTabletAtItsOwnSpeed) {
+  show(U'十');
+  press(Qt::Key_F8);
+  EXPECT_FALSE(action("play")->isEnabled()) << "there is nothing to replay";
+  write(model(U'十')[0]);
+  ASSERT_TRUE(says("is right"));
+  const auto points = [] {
+    std::size_t count = 0;
+    for (const auto& stroke : the_desk->controller().overlay().writing) count += stroke.points.size();
+    return count;
+  };
+  const auto all = points();
+  const auto* compare = find<CompareView>("compare_view");
+  EXPECT_FALSE(compare->isVisible()) << "not needed for it";
+  press(Qt::Key_Space);
+  EXPECT_TRUE(action("play")->isChecked());
+  EXPECT_LT(points(), all / 2);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !action("play")->isChecked(); }, 30000));
+  EXPECT_EQ(points(), all) << "all of it is there again";
+}
+
+TEST_F(Stages, StrictnessIsASliderThatKeysMoveToo) {
+  press(Qt::Key_F6);
+  EXPECT_FALSE(find("strictness")->isVisible());
+  press(Qt::Key_F8);
+  auto* slider = find<QSlider>("strictness");
+  ASSERT_TRUE(slider->isVisible());
+  EXPECT_TRUE(action("normal")->isChecked());
+  press(Qt::Key_BracketRight, Qt::ControlModifier);
+  EXPECT_EQ(slider->value(), slider->maximum() / 2 + 1);
+  EXPECT_FALSE(action("normal")->isChecked());
+  EXPECT_EQ(feedback(), QStringLiteral("Your writing is judged rather strictly."));
+  action("strict")->trigger();
+  EXPECT_EQ(slider->value(), slider->maximum());
+  EXPECT_EQ(slider->accessibleDescription(), QStringLiteral("strictly"));
+  slider->setFocus(Qt::TabFocusReason);
+  QTest::keyClick(slider, Qt::Key_Home);
+  EXPECT_TRUE(action("lenient")->isChecked());
+}
+
+TEST_F(Stages, TheReportTellsThePartsOfTheScoreAndHowThePenMoved) {
+  show(U'十');
+  press(Qt::Key_F8);
+  const auto strokes = model(U'十');
+  write(strokes[0]);
+  ASSERT_TRUE(says("Stroke 1 is right"));
+  EXPECT_FALSE(find("writing_report")->isVisible()) << "not while it is written";
+  write(strokes[1]);
+  ASSERT_TRUE(says("of 100 points")) << feedback().toStdString();
+  EXPECT_TRUE(find("writing_report")->isVisible());
+  EXPECT_TRUE(text("report_points").startsWith(QStringLiteral("Accepted: ")));
+  EXPECT_TRUE(text("report_parts").contains(QStringLiteral("Order: 15 of 15 points")))
+      << text("report_parts").toStdString();
+  EXPECT_TRUE(text("report_pen").startsWith(QStringLiteral("Written in ")))
+      << text("report_pen").toStdString();
+  press(Qt::Key_Delete);
+  EXPECT_FALSE(find("writing_report")->isVisible());
+}
+
 TEST_F(Stages, WatchingNamesTheStrokesAndStepsThroughThem) {
   action("reduced_motion")->trigger();
   press(Qt::Key_F5);
@@ -215,11 +275,13 @@ TEST_F(Stages, TheStageAndItsSettingsSurviveARestart) {
   press(Qt::Key_F8);
   action("groove_shown")->trigger();
   action("lenient")->trigger();
+  press(Qt::Key_BracketRight, Qt::ControlModifier);
   window_->close();
   open_window();
   EXPECT_TRUE(action("memory")->isChecked());
   EXPECT_TRUE(action("groove_shown")->isChecked());
-  EXPECT_TRUE(action("lenient")->isChecked());
+  EXPECT_FALSE(action("lenient")->isChecked());
+  EXPECT_EQ(find<QSlider>("strictness")->value(), 1);
 }
 
 class Drawing : public Stages {

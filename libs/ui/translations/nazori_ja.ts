@@ -444,6 +444,22 @@
 <context>
     <name>nazori::ui::CharacterActions</name>
     <message>
+        <source>&amp;More leniently</source>
+        <translation>もっと甘く(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Judge a little more leniently</source>
+        <translation>少し甘く採点します</translation>
+    </message>
+    <message>
+        <source>More str&amp;ictly</source>
+        <translation>もっと厳しく(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Judge a little more strictly</source>
+        <translation>少し厳しく採点します</translation>
+    </message>
+    <message>
         <source>&amp;Find a character</source>
         <translation>文字を探す(&amp;F)</translation>
     </message>
@@ -2771,6 +2787,10 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::MemoryStage</name>
     <message>
+        <source>Your writing is judged %1.</source>
+        <translation>%1採点します。</translation>
+    </message>
+    <message>
         <source>The writing could not be judged: %1. It is kept.</source>
         <translation>判定できませんでした：%1。書いた字はそのままです。</translation>
     </message>
@@ -4669,6 +4689,75 @@ Columns and rows:</source>
     <message>
         <source>it was stopped</source>
         <translation>中止されました</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StrictnessSlider</name>
+    <message>
+        <source>&amp;Judged</source>
+        <translation>採点(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Strictness</source>
+        <translation>採点の厳しさ</translation>
+    </message>
+    <message>
+        <source>How strictly writing is judged (Ctrl+[ and Ctrl+])</source>
+        <translation>採点の厳しさ（Ctrl+[ と Ctrl+]）</translation>
+    </message>
+    <message>
+        <source>lenient</source>
+        <translation>甘い</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>ふつう</translation>
+    </message>
+    <message>
+        <source>strict</source>
+        <translation>厳しい</translation>
+    </message>
+    <message>
+        <source>leniently</source>
+        <translation>甘く</translation>
+    </message>
+    <message>
+        <source>strictly</source>
+        <translation>厳しく</translation>
+    </message>
+    <message>
+        <source>as a teacher does</source>
+        <translation>先生のように</translation>
+    </message>
+    <message>
+        <source>rather leniently</source>
+        <translation>やや甘く</translation>
+    </message>
+    <message>
+        <source>rather strictly</source>
+        <translation>やや厳しく</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WritingPanel</name>
+    <message>
+        <source>Your writing</source>
+        <translation>あなたの字</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WritingReport</name>
+    <message>
+        <source>What was found in your writing</source>
+        <translation>書いた字の講評</translation>
+    </message>
+    <message>
+        <source>Accepted: %1 of 100 points</source>
+        <translation>合格：100点中%1点</translation>
+    </message>
+    <message>
+        <source>Not yet: %1 of 100 points</source>
+        <translation>もう少し：100点中%1点</translation>
     </message>
 </context>
 </TS>

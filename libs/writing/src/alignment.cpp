@@ -78,6 +78,29 @@ Alignment collect(std::vector<Link> links, const AlignmentInput& input, float co
   return a;
 }
 
+/// A line that is two strokes written without lifting the pen is about as long as both, and leads from where
+/// the first starts to where the second ends. Else it is one of the two, and the other is missing.
+bool goes_through_both(const Samples& drawn, const Samples& both, const Samples& first,
+                       const Samples& second) {
+  const auto ratio = [&drawn](const Samples& model) {
+    constexpr float kFloor = 0.3F;
+    return std::abs(std::log((drawn.length + kFloor) / (model.length + kFloor)));
+  };
+  constexpr float kSlack = 0.2F;
+  if (ratio(both) > std::min(ratio(first), ratio(second)) + kSlack) return false;
+  const auto apart = [](const Samples& a, const Samples& b, std::size_t k) {
+    const float dx = a.x[k] - b.x[k];
+    const float dy = a.y[k] - b.y[k];
+    return dx * dx + dy * dy;
+  };
+  // Where both strokes end in one corner, that end does not tell.
+  const float tells = both.length * both.length / 6;
+  const auto nearer = [&](const Samples& wanted, const Samples& other, std::size_t k) {
+    return apart(wanted, other, k) < tells || apart(drawn, wanted, k) <= apart(drawn, other, k);
+  };
+  return nearer(first, second, 0) && nearer(second, first, kSamples - 1);
+}
+
 /// The best explanation that keeps the order: dynamic programming over prefixes.
 Alignment align_in_order(const AlignmentInput& input, const Table& t) {
   const std::size_t n = t.drawn_count;
@@ -110,7 +133,9 @@ Alignment align_in_order(const AlignmentInput& input, const Table& t) {
         // Only where one alone does not explain it.
         if (j < input.pairs.size() && n < m + 1 && d.cost > 2 && here + kJoined < cell(i + 1, j + 2).cost) {
           const auto e = compare(t.mapped[i], input.pairs[j], kFar);
-          if (!e.reversed && e.cost < kAcceptCost * 1.5F)
+          if (!e.reversed && e.cost < kAcceptCost * 1.5F &&
+              goes_through_both(t.mapped[i].whole, input.pairs[j].whole, input.model[j].whole,
+                                input.model[j + 1].whole))
             improve(cell(i + 1, j + 2), here + e.cost + kJoined, join, e);
         }
         if (i + 1 < n && n > m && d.cost > 2 && here + kSplit < cell(i + 2, j + 1).cost) {

@@ -2,7 +2,10 @@
 #include "nazori/writing/explanation.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "explanation_texts.h"
@@ -48,6 +51,12 @@ Text text_of_wrong(const Fault& fault, const StrokeVerdict& verdict) {
   return Text::wrong_shape;
 }
 
+/// "2 1 3 (Tebiki 1958 list)": the strokes by their usual numbers, and who attests the order.
+std::string order_words(const kanji::AlternativeOrder& order) {
+  const auto remark = order.source.find(';');
+  return fmt::format("{} ({})", fmt::join(order.order, " "), order.source.substr(0, remark));
+}
+
 }  // namespace
 
 std::string explain(const Fault& fault, const Grade& grade, Language language) {
@@ -89,10 +98,40 @@ std::vector<std::string> explain(const Grade& grade, Language language) {
     const auto which = grade.alternative        ? Text::right_other_order
                        : !grade.variant.empty() ? Text::right_other_form
                                                 : Text::right;
-    sentences.emplace_back(text(which, language));
+    sentences.push_back(fill(which, language, grade.alternative ? order_words(*grade.alternative) : ""));
   }
   for (const auto& fault : grade.faults) sentences.push_back(explain(fault, grade, language));
   for (const auto& advice : grade.advice) sentences.push_back(explain(advice, grade, language));
+  return sentences;
+}
+
+std::vector<std::string> explain_score(const Grade& grade, Language language) {
+  struct Part {
+    Text text;
+    double share;
+    int most;
+    int points = 0;
+  };
+  const auto& p = grade.parts;
+  std::array<Part, 5> parts{{{Text::points_for_strokes, p.strokes, kPointsForStrokes},
+                             {Text::points_for_order, p.order, kPointsForOrder},
+                             {Text::points_for_direction, p.direction, kPointsForDirection},
+                             {Text::points_for_shape, p.shape, kPointsForShape},
+                             {Text::points_for_place, p.place, kPointsForPlace}}};
+  // Whole points that add up to the score: those cut most get the points that are left.
+  int left = grade.score;
+  for (auto& part : parts) {
+    part.points = static_cast<int>(part.share * part.most);
+    left -= part.points;
+  }
+  const auto cut = [](const Part& part) { return part.share * part.most - part.points; };
+  for (; left > 0; --left)
+    ++std::max_element(parts.begin(), parts.end(), [&cut](const Part& a, const Part& b) {
+        return cut(a) < cut(b);
+      })->points;
+  std::vector<std::string> sentences;
+  for (const auto& part : parts)
+    sentences.push_back(fmt::format(fmt::runtime(text(part.text, language)), part.points, part.most));
   return sentences;
 }
 

@@ -8,7 +8,7 @@
 
 namespace nazori::writing {
 
-/// The sentences, each with {0} and {1} for stroke numbers or characters.
+/// The sentences, each with {0}, {1} ... for stroke numbers, characters or amounts.
 enum class Text : std::uint8_t {
   right,
   right_other_order,
@@ -33,6 +33,19 @@ enum class Text : std::uint8_t {
   other_character,
   kick_missing,
   kick_needless,
+  paused,
+  hesitant,
+  not_stopped,
+  not_swept,
+  kick_held,
+  heavy_end,
+  light_end,
+  pace,
+  points_for_strokes,
+  points_for_order,
+  points_for_direction,
+  points_for_shape,
+  points_for_place,
 };
 
 [[nodiscard]] std::string_view text(Text which, Language language);

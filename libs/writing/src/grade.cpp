@@ -229,8 +229,9 @@ class Judge {
     p.direction = std::clamp((found - backwards) / count, 0.0, 1.0);
     p.shape = std::clamp((found - 0.7 * shape_sum_) / count, 0.0, 1.0);
     p.place = std::clamp((found - 0.7 * place_sum_) / count, 0.0, 1.0);
-    grade_.score = static_cast<int>(
-        std::lround(30 * p.strokes + 15 * p.order + 15 * p.direction + 25 * p.shape + 15 * p.place));
+    grade_.score = static_cast<int>(std::lround(kPointsForStrokes * p.strokes + kPointsForOrder * p.order +
+                                                kPointsForDirection * p.direction +
+                                                kPointsForShape * p.shape + kPointsForPlace * p.place));
   }
 
   std::span<const Shape> drawn_;
@@ -288,6 +289,24 @@ base::Result<Prepared> prepare(const Ink& ink, const GradeOptions& options) {
   return p;
 }
 
+/// What is said of strokes judged one by one once all of them are known: the whole tells better what a stroke
+/// that was not right is (two in one, say), and only it what is missing.
+std::vector<Fault> at_the_end(std::vector<Fault> live, const Grade& whole) {
+  if (whole.accepted) return live;
+  const auto touch = [](const Fault& a, const Fault& b) {
+    const auto both_have = [&b](int stroke) { return b.stroke == stroke || b.second == stroke; };
+    return both_have(a.stroke) || (a.second && both_have(*a.second));
+  };
+  std::erase_if(live, [&](const Fault& before) {
+    return std::any_of(whole.faults.begin(), whole.faults.end(),
+                       [&](const Fault& f) { return f.kind != FaultKind::missing && touch(before, f); });
+  });
+  live.insert(live.end(), whole.faults.begin(), whole.faults.end());
+  std::stable_sort(live.begin(), live.end(),
+                   [](const Fault& a, const Fault& b) { return a.stroke < b.stroke; });
+  return live;
+}
+
 }  // namespace
 
 base::Result<Grade> grade(const Ink& ink, const Model& model, const GradeOptions& options,
@@ -306,26 +325,21 @@ base::Result<Grade> grade_live(const Ink& ink, const Model& model, const GradeOp
   auto beginning = options;
   beginning.unfinished = true;
   std::vector<Fault> faults;
-  std::vector<char> written(model.inside().main.shapes.size());
-  const auto note = [&written](int stroke) {
-    if (static_cast<std::size_t>(stroke) < written.size()) written[static_cast<std::size_t>(stroke)] = 1;
-  };
   for (std::size_t n = 1; n <= drawn.size(); ++n) {
     auto now = grade_shapes(drawn.first(n), p->box, model.inside(), beginning, {});
     last.strokes[n - 1] = now.strokes.back();
-    if (now.strokes.back().matched) note(*now.strokes.back().matched);
-    for (auto& f : now.faults)
-      if (f.stroke == static_cast<int>(n) - 1 || f.second == static_cast<int>(n) - 1) {
-        if (f.kind == FaultKind::joined) std::for_each(f.model.begin(), f.model.end(), note);
-        faults.push_back(std::move(f));
-      }
+    const int stroke = static_cast<int>(n) - 1;
+    for (auto& f : now.faults) {
+      if (f.stroke != stroke && f.second != stroke) continue;
+      // Once is enough for a stroke drawn too early, however many come after it.
+      const bool said =
+          f.kind == FaultKind::order && std::any_of(faults.begin(), faults.end(), [&f](const Fault& before) {
+            return before.kind == FaultKind::order && before.stroke == f.stroke;
+          });
+      if (!said) faults.push_back(std::move(f));
+    }
   }
-  if (!options.unfinished && !last.accepted)
-    for (std::size_t k = 0; k < written.size(); ++k)
-      if (written[k] == 0)
-        faults.push_back({FaultKind::missing, static_cast<int>(k), {}, {static_cast<int>(k)}});
-  for (auto& f : last.faults)
-    if (f.kind == FaultKind::other) faults.push_back(std::move(f));
+  if (!options.unfinished) faults = at_the_end(std::move(faults), last);
   last.faults = std::move(faults);
   last.accepted = last.faults.empty();
   return last;

@@ -88,13 +88,16 @@ std::vector<Pause> find_pauses(const std::vector<double>& speed) {
   return pauses;
 }
 
+/// The last speed by the mean; 0 where there are none.
+double speed_at_end(const std::vector<double>& speed) {
+  const double sum = std::accumulate(speed.begin(), speed.end(), 0.0);
+  return sum > 0 ? speed.back() * static_cast<double>(speed.size()) / sum : 0;
+}
+
 PenLift lift_of(const std::vector<double>& speed, const PenMotion& motion) {
   constexpr double kStillMoving = 0.4;  // of the mean speed
   constexpr double kLighter = 0.5;      // of the mean pressure
-  if (!speed.empty()) {
-    const double mean = std::accumulate(speed.begin(), speed.end(), 0.0) / static_cast<double>(speed.size());
-    return speed.back() > kStillMoving * mean ? PenLift::swept : PenLift::stopped;
-  }
+  if (!speed.empty()) return motion.speed_at_end > kStillMoving ? PenLift::swept : PenLift::stopped;
   if (motion.pressure && motion.pressure_at_end)
     return *motion.pressure_at_end < kLighter * *motion.pressure ? PenLift::swept : PenLift::stopped;
   return PenLift::unknown;
@@ -131,11 +134,14 @@ std::vector<PenMotion> pen_motion(const Ink& ink) {
       speed = speeds(s);
       m.speed_peaks = count_peaks(speed);
       m.pauses = find_pauses(speed);
+      m.speed_at_end = speed_at_end(speed);
     }
     if (!s.pressures.empty() && s.pressures.size() == s.points.size()) {
       m.pressure = std::accumulate(s.pressures.begin(), s.pressures.end(), 0.0) /
                    static_cast<double>(s.pressures.size());
       m.pressure_at_end = pressure_at_end(s);
+      const auto [least, greatest] = std::minmax_element(s.pressures.begin(), s.pressures.end());
+      m.pressure_range = *greatest - *least;
     }
     m.lift = lift_of(speed, m);
     result.push_back(std::move(m));

@@ -50,6 +50,39 @@ TEST(Explanation, PraisesInBothLanguages) {
   EXPECT_THAT(explain(g, Language::japanese), ElementsAre("正しく書けました。"));
 }
 
+TEST(Explanation, NamesTheOrderThatIsAlsoUsed) {
+  Grade g;
+  g.accepted = true;
+  g.alternative = kanji::AlternativeOrder{{2, 1, 3}, "Tebiki 1958 list; the older order, short bar first"};
+  EXPECT_THAT(explain(g, Language::english),
+              ElementsAre("Right; this stroke order is also used: 2 1 3 (Tebiki 1958 list)."));
+  EXPECT_THAT(explain(g, Language::japanese),
+              ElementsAre("正しく書けました。この書き順も使われます：2 1 3 (Tebiki 1958 list)。"));
+}
+
+TEST(Explanation, ThePartsOfTheScoreAddUpToIt) {
+  auto ink = trace(rest());
+  std::swap(ink.strokes[1], ink.strokes[2]);
+  ink.strokes.pop_back();
+  for (auto& p : ink.strokes[3].points) p.x += 7;
+  for (const auto& g : {graded(ink, model_of(rest())), graded(trace(rest()), model_of(rest()))}) {
+    const auto sentences = explain_score(g, Language::english);
+    ASSERT_EQ(sentences.size(), 5U);
+    int points = 0;
+    int most = 0;
+    for (const auto& sentence : sentences) {
+      const auto colon = sentence.find(": ");
+      ASSERT_NE(colon, std::string::npos) << sentence;
+      points += std::stoi(sentence.substr(colon + 2));
+      most += std::stoi(sentence.substr(sentence.find(" of ") + 4));
+    }
+    EXPECT_EQ(points, g.score);
+    EXPECT_EQ(most, 100);
+  }
+  EXPECT_EQ(explain_score(graded(trace(rest()), model_of(rest())), Language::japanese)[1],
+            "書き順：15点満点中15点。正しい順に書けたかを見ます。");
+}
+
 TEST(Explanation, EveryKindOfFaultIsASentenceInEveryLanguage) {
   Grade g;
   g.strokes.resize(3);

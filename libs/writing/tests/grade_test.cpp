@@ -99,6 +99,21 @@ TEST(Grade, TwoStrokesWithoutLiftingThePenAreJoined) {
   EXPECT_THAT(g.faults[0].model, ElementsAre(4, 5));
 }
 
+TEST(Grade, AStrokeThatCoversOneOfTwoIsNotBothOfThem) {
+  // However uneven the hand: what is missing is missing, not joined to its neighbour.
+  for (const auto& c : {rest(), soil(), eye()}) {
+    const auto model = model_of(c);
+    for (std::size_t gone = 0; gone < c.strokes.size(); ++gone)
+      for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+        auto ink = trace(c);
+        ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(gone));
+        for (auto& s : ink.strokes) s = resampled(s, 4);
+        for (const auto& fault : graded(shaken(ink, 5, seed), model).faults)
+          EXPECT_NE(fault.kind, FaultKind::joined) << "without " << gone << ", seed " << seed;
+      }
+  }
+}
+
 TEST(Grade, OneStrokeInTwoPiecesIsSplit) {
   auto ink = trace(rest());
   const auto whole = resampled(ink.strokes[2], 21);
@@ -269,6 +284,29 @@ TEST(GradeLive, AStrokeLeftOutIsNamedAndTheNextOnesStayRight) {
   ASSERT_TRUE(live);
   EXPECT_THAT(fault_names(*live), ElementsAre("missing@1"));
   EXPECT_FALSE(live->accepted);
+}
+
+TEST(GradeLive, AtTheEndTwoStrokesInOneAreCalledThat) {
+  auto ink = trace(rest());
+  ink.strokes[3] = joined(ink.strokes[3], ink.strokes[4]);
+  ink.strokes.erase(ink.strokes.begin() + 4);
+  const auto live = grade_live(ink, model_of(rest()));
+  ASSERT_TRUE(live);
+  EXPECT_THAT(fault_names(*live), ElementsAre("joined@3"));
+  for (const std::size_t k : {0U, 1U, 2U, 4U}) EXPECT_TRUE(live->strokes[k].ok) << k;
+}
+
+TEST(GradeLive, AStrokeDrawnTooEarlyIsToldOnce) {
+  auto ink = trace(rest());
+  std::rotate(ink.strokes.begin(), ink.strokes.begin() + 4, ink.strokes.begin() + 5);
+  const auto live = grade_live(ink, model_of(rest()));
+  ASSERT_TRUE(live);
+  EXPECT_THAT(fault_names(*live), ElementsAre("order@0"));
+  auto unfinished = ink;
+  unfinished.strokes.pop_back();
+  const auto before = grade_live(unfinished, model_of(rest()), {kNormal, true});
+  ASSERT_TRUE(before);
+  EXPECT_THAT(fault_names(*before), ElementsAre("order@0"));
 }
 
 TEST(GradeLive, AStrokeAloneIsTheSameStrokeInBothWays) {

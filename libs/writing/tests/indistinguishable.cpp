@@ -59,6 +59,8 @@ bool shorter_in_a_variant(const kanji::KanjiDatabase& database, const kanji::Cha
 
 }  // namespace
 
+std::vector<Spoilt> listed_as_mostly_kick() { return {std::begin(kMostlyKick), std::end(kMostlyKick)}; }
+
 std::vector<Spoilt> listed_as_shortened() {
   std::vector<Spoilt> all(std::begin(kMostlyKick), std::end(kMostlyKick));
   all.insert(all.end(), std::begin(kProportions), std::end(kProportions));

@@ -70,6 +70,10 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   groove_appears = make("groove_appears", tr("Tablet: groove &after each stroke"),
                         tr("The groove of each stroke appears when it is written right"),
                         {QStringLiteral("Ctrl+Alt+A")}, true);
+  more_lenient = make("more_lenient", tr("&More leniently"), tr("Judge a little more leniently"),
+                      {QStringLiteral("Ctrl+[")});
+  more_strict = make("more_strict", tr("More str&ictly"), tr("Judge a little more strictly"),
+                     {QStringLiteral("Ctrl+]")});
   lenient = make("lenient", tr("L&enient"), tr("Judge leniently"), {QStringLiteral("Ctrl+Alt+L")}, true);
   normal = make("normal", tr("N&ormal"), tr("Judge as a teacher does"), {QStringLiteral("Ctrl+Alt+N")}, true);
   strict = make("strict", tr("St&rict"), tr("Judge strictly"), {QStringLiteral("Ctrl+Alt+T")}, true);
@@ -121,7 +125,7 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
        step_on,        slower,      faster,     loop,          nullptr,      by_groove,      by_starts,
        nullptr,        undo_stroke, done,       hint,          give_up,      nullptr,        compare_over,
        compare_beside, nullptr,     judge_each, groove_hidden, groove_shown, groove_appears, nullptr,
-       lenient,        normal,      strict});
+       more_lenient,   more_strict, lenient,    normal,        strict});
 }
 
 }  // namespace nazori::ui

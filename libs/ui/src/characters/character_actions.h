@@ -20,7 +20,7 @@ class CharacterActions final : public ActionSet {
   QAction *by_groove, *by_starts;
   QAction *undo_stroke, *done, *hint, *give_up, *judge_each;
   QAction *groove_hidden, *groove_shown, *groove_appears;
-  QAction *lenient, *normal, *strict;
+  QAction *more_lenient, *more_strict, *lenient, *normal, *strict;
   QAction *compare_over, *compare_beside;
 };
 

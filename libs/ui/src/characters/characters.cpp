@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "characters/character_actions.h"
-#include "characters/compare_view.h"
 #include "characters/draw_panel.h"
 #include "characters/guided_stage.h"
 #include "characters/information_panel.h"
@@ -15,6 +14,7 @@
 #include "characters/memory_stage.h"
 #include "characters/trace_stage.h"
 #include "characters/watch_stage.h"
+#include "characters/writing_panel.h"
 #include "desk.h"
 #include "error_text.h"
 #include "file_exchange.h"
@@ -50,12 +50,12 @@ Characters::Characters(Desk& desk)
       session_actions_(new SessionActions(&desk.window())),
       library_panel_(new LibraryPanel(&desk.library(), &desk.window())),
       information_panel_(new InformationPanel(&desk.window())),
-      compare_(new CompareView(&desk.window())),
+      writing_panel_(new WritingPanel(&desk.window())),
       draw_panel_(new DrawPanel(desk, &desk.window())),
       session_panel_(new SessionPanel(desk.session(), *session_actions_, desk.learner(), &desk.window())),
       session_bar_(new SessionBar(desk.session(), *session_actions_, desk.learner(), &desk.window())),
       left_side_(stack_up("left_side", {draw_panel_, session_panel_, library_panel_}, &desk.window())),
-      right_side_(stack_up("right_side", {compare_, information_panel_}, &desk.window())),
+      right_side_(stack_up("right_side", {writing_panel_, information_panel_}, &desk.window())),
       files_(new FileExchange(&desk.workshop(), &desk.window())) {
   const Preferences& preferences = desk.preferences();
   auto& controller = desk.controller();
@@ -66,7 +66,7 @@ Characters::Characters(Desk& desk)
   files_->set_folder(preferences.folder);
   library_panel_->show_list(preferences.list);
 
-  memory_ = new MemoryStage(desk, *actions_, compare_);
+  memory_ = new MemoryStage(desk, *actions_, writing_panel_);
   auto* trace = new TraceStage(desk, *actions_);
   guided_ = new GuidedStage(desk, *actions_);
   stages_ = {{QStringLiteral("watch"), actions_->watch, new WatchStage(desk, *actions_), study::Stage::watch},

@@ -13,7 +13,6 @@ namespace nazori::ui {
 
 class CharacterActions;
 class CharacterStage;
-class CompareView;
 class DrawPanel;
 class FileExchange;
 class GuidedStage;
@@ -23,6 +22,7 @@ class MemoryStage;
 class SessionActions;
 class SessionBar;
 class SessionPanel;
+class WritingPanel;
 struct CharacterSheet;
 
 /// The workplace for characters: those to choose from on the left, all about the one on the desk on the
@@ -78,12 +78,12 @@ class Characters final : public Workplace {
   SessionActions* session_actions_;
   LibraryPanel* library_panel_;
   InformationPanel* information_panel_;
-  CompareView* compare_;
+  WritingPanel* writing_panel_;
   DrawPanel* draw_panel_;
   SessionPanel* session_panel_;
   SessionBar* session_bar_;
   QWidget* left_side_;   ///< the list, or what is drawn to find
-  QWidget* right_side_;  ///< the comparison over the information
+  QWidget* right_side_;  ///< what is said of the writing over the information
   FileExchange* files_;
   /// In the order of their actions.
   struct StageEntry {

@@ -88,16 +88,16 @@ void CompareView::set_playing(bool playing) {
     since_.start();
     show_moment(0);
     timer_.start();
-  } else {
+  } else if (timer_.isActive()) {
     timer_.stop();
-    time_s_ = -1;
-    update();
+    show_moment(-1);
   }
 }
 
 void CompareView::show_moment(double time_s) {
   time_s_ = time_s;
   update();
+  emit moment_shown(time_s);
 }
 
 int CompareView::points_shown() const {

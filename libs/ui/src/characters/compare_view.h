@@ -35,6 +35,8 @@ class CompareView final : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
  signals:
+  /// Of the replay [s]; below 0: it is over, all is shown.
+  void moment_shown(double time_s);
   void finished();
 
  protected:

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/memory_stage.h"
 
-#include <QLocale>
 #include <QRegularExpression>
-#include <QSettings>
 #include <algorithm>
 #include <utility>
 
-#include "characters/blank_tablet.h"
 #include "characters/compare_view.h"
-#include "error_text.h"
+#include "characters/strictness_slider.h"
+#include "characters/writing_panel.h"
+#include "characters/writing_report.h"
 #include "kanji_text.h"
-#include "nazori/writing/explanation.h"
+#include "writing_language.h"
 
 namespace nazori::ui {
 namespace {
@@ -20,92 +19,11 @@ constexpr double kModelOver = 0.9;   ///< opacity of the model over the writing
 constexpr double kModelHint = 0.75;  ///< and of a hint
 constexpr int kMostSentences = 3;
 
-writing::Language interface_language() {
-  return QLocale().language() == QLocale::Japanese ? writing::Language::japanese : writing::Language::english;
-}
-
 }  // namespace
 
-MemoryStage::MemoryStage(Desk& desk, CharacterActions& actions, CompareView* compare)
-    : CharacterStage(desk, actions), compare_(compare) {
-  actions.judge_each->setChecked(true);
-  actions.groove_hidden->setChecked(true);
-  actions.normal->setChecked(true);
-  connect(&controller(), &TabletController::pressed, this,
-          [this](geometry::TabletPoint at) { recorder_.press_at(at); });
-  connect(&controller(), &TabletController::sampled, this,
-          [this](std::span<const haptics::ServoSample> samples) {
-            if (is_entered()) take_samples(samples);
-          });
-  connect(&controller(), &TabletController::eraser_used, this, [this] {
-    if (is_entered()) undo();
-  });
-  connect(&desk.judge(), &WritingJudge::judged, this, &MemoryStage::take_grade);
-  connect(&desk.judge(), &WritingJudge::failed, this, [this](std::uint64_t ticket, const base::Error& error) {
-    if (ticket == live_ticket_ || ticket == whole_ticket_)
-      this->desk().say(Feedback::wrong,
-                       tr("The writing could not be judged: %1. It is kept.").arg(reason(error)));
-  });
-  connect(actions.undo_stroke, &QAction::triggered, this, &MemoryStage::undo);
-  connect(actions.clear_ink, &QAction::triggered, this, [this] {
-    if (!is_entered()) return;
-    start_over();
-    invite();
-  });
-  connect(actions.done, &QAction::triggered, this, [this] {
-    if (strokes_.empty())
-      this->desk().say(Feedback::advice, tr("Nothing is written yet. H shows the first stroke."));
-    else
-      ask(true);
-  });
-  connect(actions.hint, &QAction::triggered, this, &MemoryStage::give_hint);
-  connect(actions.give_up, &QAction::triggered, this, &MemoryStage::give_up);
-  for (auto* choice : {actions.groove_hidden, actions.groove_shown, actions.groove_appears})
-    connect(choice, &QAction::triggered, this, [this] {
-      put_groove();
-      emit hiding_changed();
-      this->desk().save_later();
-    });
-  for (auto* choice : {actions.lenient, actions.normal, actions.strict})
-    connect(choice, &QAction::triggered, this, [this] {
-      if (!strokes_.empty()) ask(state_ == State::judged);
-      this->desk().save_later();
-    });
-  connect(actions.judge_each, &QAction::triggered, this, [this](bool each) {
-    seen_.assign(strokes_.size(), each || state_ == State::judged);
-    show_writing();
-    this->desk().say(Feedback::hint, each ? tr("Every stroke is judged as it ends.")
-                                          : tr("The writing is judged at the end: press Enter."));
-    this->desk().save_later();
-  });
-  connect(actions.compare_over, &QAction::triggered, this, [this] { show_writing(); });
-  connect(actions.compare_beside, &QAction::triggered, this, [this](bool on) {
-    compare_->setVisible(on);
-    show_writing();
-    refresh_actions();
-    if (on) this->desk().say(Feedback::hint, tr("Your writing beside the model. Space replays both."));
-  });
-  connect(actions.play, &QAction::triggered, this, [this](bool on) {
-    if (is_entered()) compare_->set_playing(on);
-  });
-  connect(compare_, &CompareView::finished, this, [this] {
-    if (is_entered()) this->actions().play->setChecked(false);
-  });
-}
-
-MemoryStage::~MemoryStage() = default;
-
-QList<QAction*> MemoryStage::own_actions() const {
-  const auto& a = actions();
-  return {a.undo_stroke, a.clear_ink,     a.done,         a.hint,           a.give_up,
-          a.judge_each,  a.groove_hidden, a.groove_shown, a.groove_appears, a.lenient,
-          a.normal,      a.strict,        a.compare_over, a.compare_beside, a.play};
-}
-
-QList<Tool> MemoryStage::tools() const {
-  return {{actions().undo_stroke},   {actions().clear_ink},  {}, {actions().hint, true},
-          {actions().give_up},       {actions().done, true}, {}, {actions().compare_over},
-          {actions().compare_beside}};
+void MemoryStage::set_playing(bool playing) {
+  actions().play->setChecked(playing);
+  compare_->set_playing(playing);
 }
 
 bool MemoryStage::hides_character() const {
@@ -117,63 +35,35 @@ bool MemoryStage::shows_groove() const {
   return actions().groove_shown->isChecked() && !is_taught();
 }
 
-void MemoryStage::load(const QSettings& settings) {
-  const QString groove = settings.value(QStringLiteral("groove")).toString();
-  (groove == QLatin1String("shown")     ? actions().groove_shown
-   : groove == QLatin1String("appears") ? actions().groove_appears
-                                        : actions().groove_hidden)
-      ->setChecked(true);
-  const QString strictness = settings.value(QStringLiteral("strictness")).toString();
-  (strictness == QLatin1String("lenient")  ? actions().lenient
-   : strictness == QLatin1String("strict") ? actions().strict
-                                           : actions().normal)
-      ->setChecked(true);
-  actions().judge_each->setChecked(settings.value(QStringLiteral("judge_each"), true).toBool());
-}
-
-void MemoryStage::save(QSettings& settings) const {
-  settings.setValue(QStringLiteral("groove"), actions().groove_shown->isChecked() ? QStringLiteral("shown")
-                                              : actions().groove_appears->isChecked()
-                                                  ? QStringLiteral("appears")
-                                                  : QStringLiteral("hidden"));
-  settings.setValue(QStringLiteral("strictness"), actions().lenient->isChecked()  ? QStringLiteral("lenient")
-                                                  : actions().strict->isChecked() ? QStringLiteral("strict")
-                                                                                  : QStringLiteral("normal"));
-  settings.setValue(QStringLiteral("judge_each"), actions().judge_each->isChecked());
-}
-
-double MemoryStage::strictness() const {
-  return actions().lenient->isChecked()  ? writing::kLenient
-         : actions().strict->isChecked() ? writing::kStrict
-                                         : writing::kNormal;
-}
-
 void MemoryStage::begin() {
   controller().set_guides(TabletGuides{});
   controller().set_judged(true);
   actions().compare_over->setChecked(false);
-  compare_->setVisible(actions().compare_beside->isChecked());
+  panel_->set_compare_shown(actions().compare_beside->isChecked());
+  panel_->show();
   start_over();
   invite();
 }
 
 void MemoryStage::end() {
   live_ticket_ = whole_ticket_ = 0;
-  compare_->set_playing(false);
-  compare_->hide();
-  actions().play->setChecked(false);
+  set_playing(false);
+  panel_->hide();
+  panel_->set_compare_shown(false);
   actions().compare_beside->setChecked(false);
+  groove_.leave();
   strokes_.clear();
   controller().set_writing({});
   controller().set_judged(false);
 }
 
 void MemoryStage::start_over() {
+  set_playing(false);
   strokes_.clear();
   seen_.clear();
   hinted_.clear();
-  carved_.clear();
   grade_ = {};
+  pen_ = {};
   hints_ = 0;
   missed_ = false;
   live_ticket_ = whole_ticket_ = 0;
@@ -186,37 +76,18 @@ void MemoryStage::start_over() {
 
 void MemoryStage::put_groove() {
   if (!is_entered() || !lesson().tablet) return;
-  if (shows_groove()) {
-    controller().set_tablet(without_strokes(lesson().tablet));
-  } else {
-    controller().set_tablet(blank_tablet());
-    carved_.clear();
-    if (actions().groove_appears->isChecked()) carve_written();
-  }
+  groove_.put(shows_groove()                          ? WritingGroove::Way::shown
+              : actions().groove_appears->isChecked() ? WritingGroove::Way::appears
+                                                      : WritingGroove::Way::hidden,
+              lesson().tablet);
+  groove_.carve(right_strokes());
 }
 
-void MemoryStage::carve_written() {
+std::vector<int> MemoryStage::right_strokes() const {
   std::vector<int> right;
   for (const auto& verdict : grade_.strokes)
     if (verdict.ok && verdict.matched) right.push_back(*verdict.matched);
-  std::sort(right.begin(), right.end());
-  if (right == carved_) return;
-  carved_ = right;
-  std::vector<kanji::StrokeLine> lines;
-  for (const int n : right) lines.push_back(lesson().tablet->lines()[static_cast<std::size_t>(n)]);
-  if (lines.empty()) {
-    controller().set_tablet(blank_tablet());
-    return;
-  }
-  carver_.post([this, lines = std::move(lines), right] {
-    auto made = tablet::CarvedTablet::from_lines(lines, Workshop::kSize);
-    if (!made) return;
-    Tablet bare = without_strokes(*made);
-    carver_.answer([this, bare = std::move(bare), right] {
-      if (is_entered() && actions().groove_appears->isChecked() && right == carved_)
-        controller().set_tablet(bare);
-    });
-  });
+  return right;
 }
 
 void MemoryStage::invite() {
@@ -243,6 +114,7 @@ void MemoryStage::invite() {
 
 void MemoryStage::set_state(State state) {
   state_ = state;
+  panel_->set_report_shown(state == State::judged);
   emit hiding_changed();
 }
 
@@ -257,6 +129,7 @@ void MemoryStage::take_samples(std::span<const haptics::ServoSample> samples) {
 }
 
 void MemoryStage::add_stroke(HandStroke stroke) {
+  set_playing(false);
   if (strokes_.size() >= writing::kMaxInkStrokes) {
     desk().say(Feedback::advice, tr("The tablet is full. Delete clears it."));
     return;
@@ -284,7 +157,7 @@ void MemoryStage::ask(bool finished) {
   JudgeRequest request;
   request.character = lesson().sheet->character.code_point;
   request.ink = to_ink(strokes_, geometry::TabletShape{});
-  request.strictness = strictness();
+  request.strictness = panel_->strictness().strictness();
   request.finished = finished;
   (finished ? whole_ticket_ : live_ticket_) = desk().judge().judge(request);
 }
@@ -298,7 +171,7 @@ void MemoryStage::take_grade(std::uint64_t ticket, const writing::Grade& grade) 
   }
   if (ticket != live_ticket_) return;
   grade_ = grade;
-  if (actions().groove_appears->isChecked()) carve_written();
+  groove_.carve(right_strokes());
   show_writing();
   if (!tell_) return;
   tell_ = false;
@@ -319,7 +192,7 @@ void MemoryStage::tell_last_stroke() {
   }
   for (const auto& fault : grade_.faults)
     if (fault.stroke == last && fault.kind != writing::FaultKind::missing) {
-      tell_miss(to_text(writing::explain(fault, grade_, interface_language())),
+      tell_miss(to_text(writing::explain(fault, grade_, writing_language())),
                 fault.kind != writing::FaultKind::order);
       return;
     }
@@ -330,7 +203,7 @@ void MemoryStage::tell_last_stroke() {
   }
   for (const auto& advice : grade_.advice)
     if (advice.stroke == last) {
-      desk().say(Feedback::advice, to_text(writing::explain(advice, grade_, interface_language())));
+      desk().say(Feedback::advice, to_text(writing::explain(advice, grade_, writing_language())));
       return;
     }
   desk().say(Feedback::good, left == 0 ? tr("Stroke %1 is right. Enter is done.").arg(last + 1)
@@ -375,15 +248,18 @@ void MemoryStage::finish() {
   set_state(State::judged);
   show_writing();
   QStringList sentences;
-  for (const auto& sentence : writing::explain(grade_, interface_language())) {
+  for (const auto& sentence : writing::explain(grade_, writing_language())) {
     if (sentences.size() == kMostSentences) break;
     sentences.append(to_text(sentence));
   }
-  const QString between =
-      interface_language() == writing::Language::japanese ? QString() : QStringLiteral(" ");
+  const QString between = writing_language() == writing::Language::japanese ? QString() : QStringLiteral(" ");
+  // Of how the pen moved one thing is said, and only where nothing else is wrong.
+  const bool spare = grade_.accepted && grade_.advice.empty() && !pen_.remarks.empty();
+  if (spare) sentences.append(to_text(writing::explain(pen_.remarks.front(), writing_language())));
   const QString said = sentences.join(between);
+  panel_->report().show_grade(grade_, pen_);
   if (grade_.accepted)
-    desk().say(grade_.advice.empty() ? Feedback::good : Feedback::advice,
+    desk().say(grade_.advice.empty() && !spare ? Feedback::good : Feedback::advice,
                tr("%1 %2 of 100 points.").arg(said).arg(grade_.score));
   else
     desk().say(Feedback::wrong, tr("%1 Ctrl+Z takes back a stroke, O shows the model.").arg(said));
@@ -392,6 +268,7 @@ void MemoryStage::finish() {
 }
 
 void MemoryStage::undo() {
+  set_playing(false);
   if (!recorder_.current().empty()) {
     recorder_.drop();
   } else if (!strokes_.empty()) {
@@ -450,8 +327,11 @@ void MemoryStage::show_writing() {
   if (!is_entered()) return;
   std::vector<view::WrittenStroke> all;
   const auto said = verdicts(grade_, strokes_.size());
-  for (std::size_t i = 0; i < strokes_.size(); ++i)
-    all.push_back(to_written(strokes_[i], seen_[i] ? said[i] : view::Verdict::none));
+  for (std::size_t i = 0; i < strokes_.size(); ++i) {
+    const HandStroke shown =
+        replayed_s_ < 0 ? strokes_[i] : until(strokes_[i], strokes_.front().front().time_s + replayed_s_);
+    if (!shown.empty()) all.push_back(to_written(shown, seen_[i] ? said[i] : view::Verdict::none));
+  }
   if (!recorder_.current().empty()) all.push_back(to_written(recorder_.current(), view::Verdict::none));
   if (lesson().tablet) {
     const auto& paths = lesson().tablet->paths();
@@ -463,19 +343,9 @@ void MemoryStage::show_writing() {
       if (over || hinted)
         all.push_back(model_line(paths[static_cast<std::size_t>(n)], fit, over ? kModelOver : kModelHint));
     }
-    if (compare_->isVisibleTo(compare_->parentWidget()))
-      compare_->show_writing(strokes_, said, lesson().tablet);
+    compare_->show_writing(strokes_, said, lesson().tablet);
   }
   controller().set_writing(std::move(all));
-}
-
-void MemoryStage::refresh_actions() {
-  const bool any = !strokes_.empty();
-  actions().undo_stroke->setEnabled(is_entered() && any);
-  actions().done->setEnabled(is_entered() && state_ == State::writing);
-  actions().compare_over->setEnabled(is_entered() && any);
-  actions().compare_beside->setEnabled(is_entered() && any);
-  actions().play->setEnabled(is_entered() && any && actions().compare_beside->isChecked());
 }
 
 }  // namespace nazori::ui

@@ -7,22 +7,23 @@
 
 #include "characters/character_stage.h"
 #include "characters/model_fit.h"
+#include "characters/writing_groove.h"
 #include "pen_recorder.h"
-#include "worker.h"
 
 class QSettings;
 
 namespace nazori::ui {
 
 class CompareView;
+class WritingPanel;
 
 /// Writing freely, judged stroke by stroke or at the end. Nothing that was written goes away unless the
 /// learner takes it back: a wrong stroke is marked and explained, and writing goes on.
 class MemoryStage final : public CharacterStage {
   Q_OBJECT
  public:
-  /// @param compare  shows writing and model side by side when asked.
-  MemoryStage(Desk& desk, CharacterActions& actions, CompareView* compare);
+  /// @param panel  stands beside the tablet: strictness, comparison, what was found.
+  MemoryStage(Desk& desk, CharacterActions& actions, WritingPanel* panel);
   ~MemoryStage() override;
 
   [[nodiscard]] QList<QAction*> own_actions() const override;
@@ -52,6 +53,8 @@ class MemoryStage final : public CharacterStage {
  private:
   enum class State : std::uint8_t { writing, judged, given_up };
 
+  void connect_judging();
+  void connect_comparing();
   void start_over();
   void take_samples(std::span<const haptics::ServoSample> samples);
   void ask(bool finished);
@@ -67,15 +70,18 @@ class MemoryStage final : public CharacterStage {
   void set_state(State state);
   [[nodiscard]] bool shows_groove() const;
   void put_groove();
-  void carve_written();
+  [[nodiscard]] std::vector<int> right_strokes() const;
   void show_writing();
   void refresh_actions();
-  [[nodiscard]] double strictness() const;
+  void set_strictness(double strictness);
+  void set_playing(bool playing);
 
+  WritingPanel* panel_;
   CompareView* compare_;
   PenRecorder recorder_;
   std::vector<HandStroke> strokes_;
   writing::Grade grade_;     ///< the newest; its strokes may lag behind
+  PenReport pen_;            ///< of the writing judged last as a whole
   std::vector<bool> seen_;   ///< strokes whose verdict the learner may see
   std::vector<int> hinted_;  ///< strokes of the model that are shown
   std::uint64_t live_ticket_ = 0;
@@ -84,8 +90,8 @@ class MemoryStage final : public CharacterStage {
   State state_ = State::writing;
   int hints_ = 0;
   bool missed_ = false;  ///< the last stroke was refused and goes when another is written
-  std::vector<int> carved_;  ///< strokes whose grooves have appeared
-  Worker carver_{QStringLiteral("carver")};
+  double replayed_s_ = -1;  ///< moment of the replay; below 0: all is shown
+  WritingGroove groove_;
 };
 
 }  // namespace nazori::ui

@@ -21,4 +21,8 @@ enum class Language : std::uint8_t { english, japanese };
 /// One fault (or piece of advice) of `grade` as a sentence.
 [[nodiscard]] std::string explain(const Fault& fault, const Grade& grade, Language language);
 
+/// What the score is made of, one sentence for each part in the order of ScoreParts; the points in them add
+/// up to the score. "Order: 13 of 15 points, for strokes written at their turn."
+[[nodiscard]] std::vector<std::string> explain_score(const Grade& grade, Language language);
+
 }  // namespace nazori::writing

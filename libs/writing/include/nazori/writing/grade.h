@@ -75,6 +75,13 @@ struct ScoreParts {
   double place = 1;      ///< likeness of places
 };
 
+/// Points of the parts of a score; 100 together.
+inline constexpr int kPointsForStrokes = 30;
+inline constexpr int kPointsForOrder = 15;
+inline constexpr int kPointsForDirection = 15;
+inline constexpr int kPointsForShape = 25;
+inline constexpr int kPointsForPlace = 15;
+
 /// What is said about a piece of writing.
 struct Grade {
   bool accepted = false;
@@ -84,7 +91,7 @@ struct Grade {
   std::optional<kanji::AlternativeOrder> alternative;  ///< the listed order that was used, if not the first
   std::string variant;  ///< the form of the model that fitted; empty: the main one
   ScoreParts parts;
-  int score = 0;  ///< 0..100: 30 strokes, 15 order, 15 direction, 25 shape, 15 place
+  int score = 0;  ///< 0..100: the parts by their points
 };
 
 /// How to judge.

@@ -28,9 +28,11 @@ struct PenMotion {
   double pause_before_s = 0;       ///< since the end of the stroke before; 0 for the first
   double mean_speed = 0;           ///< path by duration
   int speed_peaks = 0;             ///< 1 or 2 for a fluent stroke, more for a hesitant one; 0 without times
+  double speed_at_end = 0;         ///< when the pen was lifted, by the mean speed; 0 without times
   std::vector<Pause> pauses;       ///< rests of 0.15 s or more
   std::optional<double> pressure;  ///< mean, 0..1
   std::optional<double> pressure_at_end;  ///< over the last tenth of the path
+  double pressure_range = 0;              ///< greatest less least, 0 without pressures
   PenLift lift = PenLift::unknown;
 };
 
