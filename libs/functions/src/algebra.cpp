@@ -134,6 +134,15 @@ bool is_total(const Expression& e) {
 
 namespace {
 
+Expression replaced(const Expression& e, const Expression& from, const std::string& from_text,
+                    const Expression& to) {
+  if (e->kind == from->kind && to_text(e) == from_text) return to;
+  if (e->arguments.empty()) return e;
+  Node n = *e;
+  for (Expression& a : n.arguments) a = replaced(a, from, from_text, to);
+  return std::make_shared<const Node>(std::move(n));
+}
+
 /// The first |a|, min or max in the tree, or null.
 Expression first_choice(const Expression& e) {
   if (e->kind == NodeKind::function &&
@@ -143,15 +152,6 @@ Expression first_choice(const Expression& e) {
     if (Expression found = first_choice(a)) return found;
   }
   return nullptr;
-}
-
-Expression replaced(const Expression& e, const Expression& from, const std::string& from_text,
-                    const Expression& to) {
-  if (e->kind == from->kind && to_text(e) == from_text) return to;
-  if (e->arguments.empty()) return e;
-  Node n = *e;
-  for (Expression& a : n.arguments) a = replaced(a, from, from_text, to);
-  return std::make_shared<const Node>(std::move(n));
 }
 
 void split(const Case& c, int left, std::vector<Case>& out, bool& failed) {
@@ -183,6 +183,10 @@ void split(const Case& c, int left, std::vector<Case>& out, bool& failed) {
 }
 
 }  // namespace
+
+Expression replaced(const Expression& e, const Expression& from, const Expression& to) {
+  return replaced(e, from, to_text(from), to);
+}
 
 std::vector<Case> cases_of(const Expression& e) {
   std::vector<Case> all;

@@ -63,6 +63,9 @@ struct Fraction {
 /// Whether the expression is defined and continuous everywhere by its looks alone.
 [[nodiscard]] bool is_total(const Expression& e);
 
+/// The tree with every part that is written as `from` replaced.
+[[nodiscard]] Expression replaced(const Expression& e, const Expression& from, const Expression& to);
+
 /// A way to take every |a|, min and max: the expression it leaves, and what must not be negative for it.
 struct Case {
   Expression expression;

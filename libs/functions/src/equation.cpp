@@ -58,7 +58,7 @@ class Solver {
         }
         if (!slope) return false;
         const Expression solved = solved_for(factor, v, *slope);
-        Expression value = guarded(solved, substitute(parts_.whole, v, solved));
+        Expression value = guarded(solved, substitute(whole_where_zero(factor), v, solved));
         for (const Expression& condition : c.not_negative) {
           const Expression root = call(Function::sqrt, {substitute(condition, v, solved)});
           value = binary(NodeKind::add, value, binary(NodeKind::multiply, number(0), root));
@@ -72,6 +72,11 @@ class Solver {
     }
     parts_.arcs = std::move(arcs);
     return true;
+  }
+
+  /// What must be defined where `factor` is zero: rounding would leave sqrt(factor) undefined on one side.
+  [[nodiscard]] Expression whole_where_zero(const Expression& factor) const {
+    return replaced(parts_.whole, factor, number(0));
   }
 
   static Expression solved_for(const Expression& factor, Variable v, double c) {
@@ -113,7 +118,7 @@ class Solver {
   /// The factor is c*v + rest: v = -rest/c.
   void add_solved(const Expression& factor, Variable v, double c) {
     const Expression solved = solved_for(factor, v, c);
-    const Expression value = guarded(solved, substitute(parts_.whole, v, solved));
+    const Expression value = guarded(solved, substitute(whole_where_zero(factor), v, solved));
     if (v == Variable::y) {
       add_arc(variable(Variable::x), value, Variable::x);
     } else {
@@ -129,7 +134,7 @@ class Solver {
   void add_plane(const Expression& factor) {
     PlaneEquation e;
     e.function = factor;
-    e.whole = parts_.whole;
+    e.whole = whole_where_zero(factor);
     e.areas = parts_.areas;
     parts_.equations.push_back(std::move(e));
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "nazori/functions/tape.h"
+#include "strength.h"
 
 namespace nazori::functions {
 namespace {
@@ -20,24 +21,6 @@ constexpr std::array<std::string_view, 42> kFunctionNames{
     "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh", "atanh", "exp",  "ln",    "log",
     "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",  "floor", "ceil", "round", "trunc",
     "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",   "atan2", "hypot"};
-
-/// How tightly a tree holds together as text.
-int strength(const Node& n) {
-  switch (n.kind) {
-    case NodeKind::add:
-    case NodeKind::subtract:
-      return 1;
-    case NodeKind::multiply:
-    case NodeKind::divide:
-      return 2;
-    case NodeKind::negate:
-      return 3;
-    case NodeKind::power:
-      return 4;
-    default:
-      return n.kind == NodeKind::number && n.value < 0 ? 3 : 5;
-  }
-}
 
 std::string wrapped(const Expression& e, int least) {
   std::string text = to_text(e);
@@ -59,7 +42,6 @@ std::optional<std::int64_t> product(std::int64_t a, std::int64_t b) {
   return r;
 }
 
-/// A typed decimal as the fraction that was meant.
 /// The shortest digits that give the number back, never as 1e24: that would be read as 1*e*24.
 std::string decimal(double v) {
   std::string text = fmt::format("{}", v);
@@ -76,6 +58,7 @@ std::string decimal(double v) {
   return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
 }
 
+/// A typed decimal as the fraction that was meant.
 std::optional<Rational> from_decimal(double v) {
   if (!std::isfinite(v) || std::abs(v) > 1e12) return std::nullopt;
   std::int64_t scale = 1;
@@ -177,6 +160,23 @@ Expression reduced_call(Function f, const std::vector<Expression>& a) {
 }
 
 }  // namespace
+
+int strength(const Node& n) {
+  switch (n.kind) {
+    case NodeKind::add:
+    case NodeKind::subtract:
+      return 1;
+    case NodeKind::multiply:
+    case NodeKind::divide:
+      return 2;
+    case NodeKind::negate:
+      return 3;
+    case NodeKind::power:
+      return 4;
+    default:
+      return n.kind == NodeKind::number && n.value < 0 ? 3 : 5;
+  }
+}
 
 Expression number(double value, bool exact) {
   Node n;

@@ -8,7 +8,6 @@ namespace {
 
 // Deeper nesting would let a hostile text overrun the stack.
 constexpr int kMostDepth = 200;
-constexpr const char* kOperand = "expected a number, a variable, a function or \"(\"";
 
 /// Counts nesting while it lives.
 class Nesting {
@@ -77,13 +76,11 @@ tl::expected<std::vector<Relation>, SyntaxError> Parser::run() {
     if (!one) return tl::unexpected(std::move(one.error()));
     relations.push_back(std::move(*one));
     if (!is(TokenKind::semicolon) && !is(TokenKind::end)) {
-      if (is(TokenKind::close)) return unexpected_token("expected an operator, \";\" or the end");
-      return unexpected_token("expected an operator, \"=\", \";\" or the end");
+      return refuse(SyntaxFault::does_not_fit, now().text);
     }
   }
   if (relations.empty()) {
-    return tl::unexpected(
-        SyntaxError{now().column, "there is no expression", "expected something like y = sin(x)"});
+    return refuse(SyntaxFault::no_expression);
   }
   return relations;
 }
@@ -104,19 +101,21 @@ bool Parser::starts_operand() const {
   }
 }
 
-tl::unexpected<SyntaxError> Parser::missing_operand() const {
-  std::string message = is(TokenKind::end) || is(TokenKind::semicolon)
-                            ? "the text ends where an operand must follow"
-                            : "\"" + now().text + "\" stands where an operand must be";
-  if (at_ > 0 && tokens_[at_ - 1].kind != TokenKind::semicolon)
-    message = "an operand is missing after \"" + tokens_[at_ - 1].text + "\"";
-  return tl::unexpected(SyntaxError{now().column, std::move(message), kOperand});
+tl::unexpected<SyntaxError> Parser::refuse(SyntaxFault fault, std::string subject) const {
+  return tl::unexpected(SyntaxError{now().column, fault, std::move(subject)});
 }
 
-tl::unexpected<SyntaxError> Parser::unexpected_token(std::string expected) const {
-  const std::string what =
-      is(TokenKind::end) ? "the text ends too early" : "\"" + now().text + "\" does not fit here";
-  return tl::unexpected(SyntaxError{now().column, what, std::move(expected)});
+tl::unexpected<SyntaxError> Parser::missing_operand() const {
+  if (at_ > 0 && tokens_[at_ - 1].kind != TokenKind::semicolon)
+    return refuse(SyntaxFault::operand_missing, tokens_[at_ - 1].text);
+  return refuse(SyntaxFault::not_an_operand, now().text);
+}
+
+tl::unexpected<SyntaxError> Parser::not_closed(const Token& open) const {
+  SyntaxError error{now().column, SyntaxFault::bracket_open, open.text};
+  error.closing = closing(open.bracket);
+  error.number = open.column;
+  return tl::unexpected(std::move(error));
 }
 
 // "y(x) = ..." says the same as "y = ...".
@@ -155,9 +154,7 @@ tl::expected<Relation, SyntaxError> Parser::relation() {
 
 Parser::Parsed Parser::sum() {
   const Nesting nesting(depth_);
-  if (depth_ > kMostDepth)
-    return tl::unexpected(
-        SyntaxError{now().column, "parentheses are nested too deep", "expected a simpler expression"});
+  if (depth_ > kMostDepth) return refuse(SyntaxFault::nested_too_deep);
   Parsed left = product();
   while (left && (is(TokenKind::plus) || is(TokenKind::minus))) {
     const NodeKind kind = is(TokenKind::plus) ? NodeKind::add : NodeKind::subtract;
@@ -179,7 +176,7 @@ Parser::Parsed Parser::product() {
     } else if (!starts_operand()) {
       break;
     } else if (is(TokenKind::number) && at_ > 0 && tokens_[at_ - 1].kind == TokenKind::number) {
-      return unexpected_token("expected an operator between two numbers");
+      return refuse(SyntaxFault::no_operator, now().text);
     }
     Parsed right = signed_operand();
     if (!right) return right;
@@ -191,9 +188,7 @@ Parser::Parsed Parser::product() {
 Parser::Parsed Parser::signed_operand() {
   if (!is(TokenKind::plus) && !is(TokenKind::minus)) return raised();
   const Nesting nesting(depth_);
-  if (depth_ > kMostDepth)
-    return tl::unexpected(
-        SyntaxError{now().column, "there are too many signs", "expected a simpler expression"});
+  if (depth_ > kMostDepth) return refuse(SyntaxFault::nested_too_deep);
   const bool negative = is(TokenKind::minus);
   ++at_;
   Parsed inner = signed_operand();
@@ -213,9 +208,7 @@ Parser::Parsed Parser::raised() {
 /// What stands after ^: signs bind looser than a further power, 2^-x^2 = 2^(-(x^2)).
 Parser::Parsed Parser::exponent() {
   const Nesting nesting(depth_);
-  if (depth_ > kMostDepth)
-    return tl::unexpected(
-        SyntaxError{now().column, "powers are nested too deep", "expected a simpler expression"});
+  if (depth_ > kMostDepth) return refuse(SyntaxFault::nested_too_deep);
   if (is(TokenKind::plus) || is(TokenKind::minus)) {
     const bool negative = is(TokenKind::minus);
     ++at_;
@@ -260,9 +253,7 @@ Parser::Parsed Parser::operand() {
     case TokenKind::root: {
       ++at_;
       const Nesting nesting(depth_);
-      if (depth_ > kMostDepth)
-        return tl::unexpected(
-            SyntaxError{now().column, "roots are nested too deep", "expected a simpler expression"});
+      if (depth_ > kMostDepth) return refuse(SyntaxFault::nested_too_deep);
       Parsed inner = raised();
       if (!inner) return inner;
       if (token.degree == 2) return call(Function::sqrt, {std::move(*inner)});
@@ -277,16 +268,16 @@ Parser::Parsed Parser::operand() {
 Parser::Parsed Parser::bars() {
   const int column = now().column;
   const Nesting nesting(depth_);
-  if (depth_ > kMostDepth)
-    return tl::unexpected(SyntaxError{column, "bars are nested too deep", "expected a simpler expression"});
+  if (depth_ > kMostDepth) return refuse(SyntaxFault::nested_too_deep);
   ++at_;
   ++open_bars_;
   Parsed inner = sum();
   --open_bars_;
   if (!inner) return inner;
   if (!is(TokenKind::bar)) {
-    return tl::unexpected(SyntaxError{
-        now().column, "the bar of column " + std::to_string(column) + " is not closed", "expected \"|\""});
+    SyntaxError error{now().column, SyntaxFault::bar_open};
+    error.number = column;
+    return tl::unexpected(std::move(error));
   }
   ++at_;
   return call(Function::abs, {std::move(*inner)});
@@ -300,9 +291,7 @@ Parser::Parsed Parser::group() {
   open_bars_ = bars_outside;
   if (!inner) return inner;
   if (!is(TokenKind::close) || !closes(open.bracket, now().bracket)) {
-    return tl::unexpected(SyntaxError{
-        now().column, "the \"" + open.text + "\" of column " + std::to_string(open.column) + " is not closed",
-        std::string("expected \"") + closing(open.bracket) + "\""});
+    return not_closed(open);
   }
   ++at_;
   return inner;
@@ -322,9 +311,7 @@ tl::expected<std::vector<Expression>, SyntaxError> Parser::argument_list() {
   }
   open_bars_ = bars_outside;
   if (!is(TokenKind::close) || !closes(open.bracket, now().bracket)) {
-    return tl::unexpected(SyntaxError{
-        now().column, "the \"" + open.text + "\" of column " + std::to_string(open.column) + " is not closed",
-        std::string("expected \"") + closing(open.bracket) + "\""});
+    return not_closed(open);
   }
   ++at_;
   return arguments;
@@ -333,9 +320,7 @@ tl::expected<std::vector<Expression>, SyntaxError> Parser::argument_list() {
 /// The product after a function name without parentheses; the next function begins a new factor.
 Parser::Parsed Parser::bare_argument() {
   const Nesting nesting(depth_);
-  if (depth_ > kMostDepth)
-    return tl::unexpected(
-        SyntaxError{now().column, "functions are nested too deep", "expected a simpler expression"});
+  if (depth_ > kMostDepth) return refuse(SyntaxFault::nested_too_deep);
   if (is(TokenKind::minus) || is(TokenKind::plus)) {
     const bool negative = is(TokenKind::minus);
     ++at_;
@@ -346,7 +331,7 @@ Parser::Parsed Parser::bare_argument() {
   Parsed left = raised();
   while (left && starts_operand() && !is(TokenKind::function)) {
     if (is(TokenKind::number) && tokens_[at_ - 1].kind == TokenKind::number)
-      return unexpected_token("expected an operator between two numbers");
+      return refuse(SyntaxFault::no_operator, now().text);
     Parsed right = raised();
     if (!right) return right;
     left = binary(NodeKind::multiply, std::move(*left), std::move(*right));
@@ -382,8 +367,7 @@ Parser::Parsed Parser::function_call() {
     return finish_call(name, std::move(*arguments), base, power);
   }
   if (!starts_operand() && !is(TokenKind::minus) && !is(TokenKind::plus) && !(is(TokenKind::bar))) {
-    return tl::unexpected(SyntaxError{now().column, "the argument of \"" + name.text + "\" is missing",
-                                      "expected \"(\" or an operand"});
+    return refuse(SyntaxFault::argument_missing, name.text);
   }
   Parsed argument = bare_argument();
   if (!argument) return argument;
@@ -395,13 +379,10 @@ Parser::Parsed Parser::finish_call(const Token& name, std::vector<Expression> ar
   const int wanted = arity(name.function);
   const int given = static_cast<int>(arguments.size());
   if ((wanted > 0 && given != wanted) || (wanted < 0 && given < -wanted)) {
-    const std::string count = wanted == 1   ? "one argument"
-                              : wanted == 2 ? "two arguments"
-                                            : "two arguments or more";
-    return tl::unexpected(SyntaxError{
-        name.column,
-        "\"" + name.text + "\" is given " + std::to_string(given) + (given == 1 ? " argument" : " arguments"),
-        "expected " + count});
+    SyntaxError error{name.column, SyntaxFault::argument_count, name.text};
+    error.number = given;
+    error.wanted = wanted;
+    return tl::unexpected(std::move(error));
   }
   Expression e;
   if (base) {

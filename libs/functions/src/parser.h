@@ -29,7 +29,9 @@ class Parser {
   [[nodiscard]] bool is(TokenKind kind) const { return now().kind == kind; }
   [[nodiscard]] bool starts_operand() const;
   [[nodiscard]] tl::unexpected<SyntaxError> missing_operand() const;
-  [[nodiscard]] tl::unexpected<SyntaxError> unexpected_token(std::string expected) const;
+  [[nodiscard]] tl::unexpected<SyntaxError> not_closed(const Token& open) const;
+  /// At the token that is looked at.
+  [[nodiscard]] tl::unexpected<SyntaxError> refuse(SyntaxFault fault, std::string subject = {}) const;
   void skip_definition_head();
 
   tl::expected<Relation, SyntaxError> relation();

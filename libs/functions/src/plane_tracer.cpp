@@ -15,6 +15,8 @@ namespace {
 constexpr double kShiftU = 0.00137391;
 constexpr double kShiftV = 0.00213173;
 constexpr int kProgressLevel = 4;
+// More strips than this cost more than halving the box.
+constexpr double kMostStrips = 16;
 
 int sign_of(double v) { return std::isnan(v) ? 0 : v < 0 ? -1 : 1; }
 
@@ -171,35 +173,60 @@ void PlaneTracer::visit(const Square& s, int level) {
   settle_leaf(s, f.is_continuous());
 }
 
-/// Where the function rises or falls along one axis the zero set is a graph over the other: four corners tell
-/// all once it is straight within the tolerance.
+/// Where the function rises or falls along one axis the zero set is a graph over the other. The box is cut
+/// into strips across that other axis, so narrow that the graph is straight within the tolerance in each; the
+/// corners of a strip then tell all.
 bool PlaneTracer::draw_graph(const Square& s, const Interval& slope_u, const Interval& slope_v, bool finest) {
   const bool over_u = !slope_v.contains(0);
   const bool over_v = !slope_u.contains(0);
   if (!over_u && !over_v) return false;
+  bool strips_in_u = over_u;
+  std::size_t strips = 1;
   if (!finest) {
     double stray = std::numeric_limits<double>::infinity();
-    for (const auto& [graph, along, across] :
-         {std::tuple{over_u, slope_u, slope_v}, std::tuple{over_v, slope_v, slope_u}}) {
+    for (const auto& [graph, in_u, along, across] :
+         {std::tuple{over_u, true, slope_u, slope_v}, std::tuple{over_v, false, slope_v, slope_u}}) {
       if (!graph) continue;
       const Interval steepness = along / across;
-      if (steepness.is_bounded()) stray = std::min(stray, s.side / 4 * steepness.width());
+      if (!steepness.is_bounded() || !(s.side / 4 * steepness.width() < stray)) continue;
+      stray = s.side / 4 * steepness.width();
+      strips_in_u = in_u;
     }
-    if (stray > tolerance_) return false;
+    if (!(stray <= kMostStrips * tolerance_)) return false;
+    strips = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(stray / tolerance_)));
   }
-  const std::array<Point, 4> corners{Point{s.u, s.v}, Point{s.u + s.side, s.v},
-                                     Point{s.u + s.side, s.v + s.side}, Point{s.u, s.v + s.side}};
-  std::array<double, 4> f{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    f[i] = value(corners[i]);
-    if (!std::isfinite(f[i])) return false;
+  struct Border {
+    Point low, high;
+    double f_low, f_high;
+  };
+  std::vector<Border> borders(strips + 1);
+  for (std::size_t i = 0; i <= strips; ++i) {
+    const double at = i == strips ? s.side : s.side * static_cast<double>(i) / static_cast<double>(strips);
+    Border& b = borders[i];
+    b.low = strips_in_u ? Point{s.u + at, s.v} : Point{s.u, s.v + at};
+    b.high = strips_in_u ? Point{s.u + at, s.v + s.side} : Point{s.u + s.side, s.v + at};
+    b.f_low = value(b.low);
+    b.f_high = value(b.high);
+    if (!std::isfinite(b.f_low) || !std::isfinite(b.f_high)) return false;
   }
-  std::vector<Point> roots;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t j = (i + 1) % 4;
-    if (sign_of(f[i]) != sign_of(f[j])) add_root(corners[i], corners[j], f[i], f[j], true, roots);
+  const auto add_side = [this](Point p, Point q, double fp, double fq, std::vector<Point>& roots) {
+    if (sign_of(fp) != sign_of(fq)) add_root(p, q, fp, fq, true, roots);
+  };
+  std::vector<Point> first;
+  std::vector<Point> second;
+  add_side(borders[0].low, borders[0].high, borders[0].f_low, borders[0].f_high, first);
+  for (std::size_t i = 0; i < strips; ++i) {
+    const Border& a = borders[i];
+    const Border& b = borders[i + 1];
+    second.clear();
+    add_side(b.low, b.high, b.f_low, b.f_high, second);
+    std::vector<Point> roots = first;
+    roots.insert(roots.end(), second.begin(), second.end());
+    add_side(a.low, b.low, a.f_low, b.f_low, roots);
+    add_side(a.high, b.high, a.f_high, b.f_high, roots);
+    if (roots.size() == 2) out_->segments.push_back({roots[0], roots[1]});
+    std::swap(first, second);
   }
-  if (roots.size() == 2) out_->segments.push_back({roots[0], roots[1]});
   return true;
 }
 

@@ -71,6 +71,17 @@ bool touches_window(const Branch& branch) {
   return false;
 }
 
+/// Nothing but what belongs to one statement.
+void keep_alone(Tracing& tracing, int statement) {
+  const auto other = [statement](const auto& part) { return part.statement != statement; };
+  std::erase_if(tracing.branches, other);
+  std::erase_if(tracing.bars, other);
+  std::erase_if(tracing.dots, other);
+  std::erase_if(tracing.fills, other);
+  std::erase_if(tracing.events, other);
+  tracing.dense = !tracing.bars.empty();
+}
+
 }  // namespace
 
 base::Result<void> check(const PlateSettings& settings) {
@@ -174,6 +185,7 @@ base::Result<Picture> draw(const Plot& plot, const Window& window, const PlateSe
   auto tracing = trace(plot, window, trace_settings, progress);
   if (!tracing) return tl::unexpected(std::move(tracing.error()));
   picture.tracing = std::move(*tracing);
+  if (settings.alone >= 0) keep_alone(picture.tracing, settings.alone);
   auto plate = carve(picture.tracing, settings);
   if (!plate) return tl::unexpected(std::move(plate.error()));
   picture.plate = std::move(*plate);

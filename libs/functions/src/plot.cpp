@@ -16,8 +16,8 @@ bool is_variable(const Expression& e, Variable v) {
   return e->kind == NodeKind::variable && e->variable == v;
 }
 
-tl::unexpected<SyntaxError> refuse(const Relation& r, std::string message, std::string expected) {
-  return tl::unexpected(SyntaxError{r.column, std::move(message), std::move(expected)});
+tl::unexpected<SyntaxError> refuse(const Relation& r, SyntaxFault fault, std::string subject = {}) {
+  return tl::unexpected(SyntaxError{r.column, fault, std::move(subject)});
 }
 
 bool is_equation(const Relation& r) {
@@ -47,13 +47,12 @@ class Reader {
     }
     for (const Statement& s : plot_.statements) {
       if (s.kind == StatementKind::surface && plot_.statements.size() > 1) {
-        return tl::unexpected(SyntaxError{s.column, "a surface z = f(x, y) stands alone",
-                                          "expected one statement where one is a surface"});
+        return tl::unexpected(SyntaxError{s.column, SyntaxFault::surface_not_alone});
       }
     }
     if (plot_.statements.size() > kMostStatements) {
-      return tl::unexpected(SyntaxError{plot_.statements[kMostStatements].column,
-                                        "there are more than 32 expressions", "expected fewer"});
+      return tl::unexpected(
+          SyntaxError{plot_.statements[kMostStatements].column, SyntaxFault::too_many_statements});
     }
     return std::move(plot_);
   }
@@ -79,9 +78,7 @@ class Reader {
     const double low = constant_value(s.from);
     const double high = constant_value(s.to);
     if (!std::isfinite(low) || !std::isfinite(high) || !(low <= high)) {
-      return tl::unexpected(SyntaxError{range->column,
-                                        "the range of the parameter is empty or without bounds",
-                                        "expected a smaller number before a larger one"});
+      return refuse(*range, SyntaxFault::range_empty);
     }
     return {};
   }
@@ -90,14 +87,13 @@ class Reader {
   tl::expected<std::size_t, SyntaxError> read(std::span<const Relation> rest) {
     const Relation& r = rest[0];
     if (is_range(r)) {
-      return refuse(r, "a range belongs after the curve it is for",
-                    "expected x = ...; y = ...; range, or r = ...; range");
+      return refuse(r, SyntaxFault::range_misplaced);
     }
     if (const auto used = parametric(rest); !used || *used > 0) return used;
     std::set<Variable> all;
     for (const Expression& e : r.terms) all.merge(variables_of(e));
     if (all.contains(Variable::t)) {
-      return refuse(r, "t needs x and y to be given together", "expected x = f(t); y = g(t); a <= t <= b");
+      return refuse(r, SyntaxFault::parameter_alone);
     }
     if (all.contains(Variable::theta) || all.contains(Variable::r)) return polar(rest, all);
     if (all.contains(Variable::z)) return surface(r);
@@ -133,18 +129,16 @@ class Reader {
     const Relation& r = rest[0];
     for (const Variable v : all) {
       if (v != Variable::r && v != Variable::theta) {
-        return refuse(r, "r and theta cannot be mixed with " + std::string(name_of(v)),
-                      "expected only r and theta, or only x and y");
+        return refuse(r, SyntaxFault::polar_mixed, std::string(name_of(v)));
       }
     }
     const bool bare = r.comparisons.empty();
     if (!bare && !is_equation(r)) {
-      return refuse(r, "inequalities in r and theta cannot be drawn", "expected r = f(theta)");
+      return refuse(r, SyntaxFault::polar_inequality);
     }
     Statement* s = nullptr;
     if (bare) {
-      if (depends_on(r.terms[0], Variable::r))
-        return refuse(r, "there is nothing to be equal to", "expected r = f(theta)");
+      if (depends_on(r.terms[0], Variable::r)) return refuse(r, SyntaxFault::nothing_equal);
       s = &add(StatementKind::polar, r, {r.terms[0]});
     } else if (is_variable(r.terms[0], Variable::r) && !depends_on(r.terms[1], Variable::r)) {
       s = &add(StatementKind::polar, r, {r.terms[1]});
@@ -170,7 +164,7 @@ class Reader {
         }
       }
     }
-    return refuse(r, "z can only stand alone on one side", "expected z = f(x, y)");
+    return refuse(r, SyntaxFault::height_misplaced);
   }
 
   tl::expected<std::size_t, SyntaxError> plane(const Relation& r, const std::set<Variable>& all) {
@@ -214,10 +208,6 @@ std::string range_text(const Statement& s, Variable v) {
 }
 
 }  // namespace
-
-base::Error SyntaxError::to_error() const {
-  return {base::Errc::parse, message, "column " + std::to_string(column), expected};
-}
 
 tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options) {
   const auto tokens = tokenize(text, options);

@@ -95,8 +95,14 @@ std::string summary(const Plot& plot, const Tracing& tracing, const std::vector<
     }
     if (tracing.dense) text += english ? ", a dense band" : "、密な帯";
     if (!tracing.complete) text += english ? ", not finished yet" : "、まだ途中です";
-    if (tracing.undecided_share() > 0.001)
+    if (tracing.undecided_share() > 0.001) {
       text += english ? ", part of the picture could not be decided" : "、一部は判定できませんでした";
+      if (!tracing.undecided_places.empty()) {
+        const PlatePoint at = tracing.undecided_places.front();
+        const std::string place = place_in_words(tracing.window.x(at.u), tracing.window.y(at.v), language);
+        text += english ? ", first near " + place : "（" + place + " の近くなど）";
+      }
+    }
   }
   return text + (english ? "." : "。");
 }

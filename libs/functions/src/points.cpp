@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "algebra.h"
+#include "arc_probe.h"
 #include "arcs.h"
+#include "newton.h"
 #include "polyline_crossings.h"
 #include "roots.h"
 
@@ -18,28 +20,6 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Two points of interest of one kind nearer than this part of the plate are one.
 constexpr double kSame = 1e-6;
-
-/// Values and slopes of an arc.
-class ArcProbe {
- public:
-  explicit ArcProbe(const Arc& arc)
-      : tape_(Tape::compile(std::array{improved(arc.x), improved(arc.y)}, std::array{arc.parameter})),
-        registers_(tape_.size()) {}
-
-  struct Values {
-    double x, y, slope_x, slope_y;
-  };
-  Values at(double t) {
-    tape_.evaluate<Dual<double, 1>>(std::array{Dual<double, 1>(t, 0)}, registers_);
-    const auto& x = registers_[tape_.output(0)];
-    const auto& y = registers_[tape_.output(1)];
-    return {x.value, y.value, x.slopes[0], y.slopes[0]};
-  }
-
- private:
-  Tape tape_;
-  std::vector<Dual<double, 1>> registers_;
-};
 
 class PointFinder {
  public:
@@ -99,49 +79,6 @@ class PointFinder {
     found_.push_back({kind, statement_, other, x + 0.0, y + 0.0, parameter + 0.0, {}, {}});
   }
 
-  /// The argument in (low, high) where `f` changes sign.
-  template <class F>
-  static double bisect(double low, double high, const F& f) {
-    const bool negative = f(low) < 0;
-    for (int i = 0; i < 100; ++i) {
-      const double middle = low + (high - low) / 2;
-      if (middle <= low || middle >= high) break;
-      const double v = f(middle);
-      if (v == 0) return middle;
-      ((v < 0) == negative ? low : high) = middle;
-    }
-    const double a = std::abs(f(low));
-    const double b = std::abs(f(high));
-    return a <= b ? low : high;
-  }
-
-  /// Calls found(t, rising) wherever `f` changes sign along a branch.
-  template <class F, class Found>
-  static void sign_changes(const std::vector<CurvePoint>& points, const F& f, const Found& found) {
-    double last = 0;
-    double last_at = 0;
-    bool has_last = false;
-    int zeros = 0;
-    for (const CurvePoint& p : points) {
-      const double v = f(p.parameter);
-      if (std::isnan(v)) {
-        has_last = false;
-        continue;
-      }
-      if (v == 0) {
-        ++zeros;
-        continue;
-      }
-      // A run of zeros is a flat piece, not a place.
-      if (has_last && (v < 0) != (last < 0) && zeros <= 1 && p.parameter > last_at)
-        found(bisect(last_at, p.parameter, f), v > 0);
-      last = v;
-      last_at = p.parameter;
-      has_last = true;
-      zeros = 0;
-    }
-  }
-
   void walk(const Arc& arc) {
     ArcProbe probe(arc);
     const StatementKind kind = plot_.statements[static_cast<std::size_t>(statement_)].kind;
@@ -177,16 +114,6 @@ class PointFinder {
       const auto v = probe.at(0);
       if (window_.x0 <= 0 && window_.x1 >= 0 && std::isfinite(v.y)) add(PointKind::y_intercept, 0, v.y, 0);
     }
-  }
-
-  static double near_value(ArcProbe& probe, double t) {
-    const double h = 1e-9 * std::max(1.0, std::abs(t));
-    return (probe.at(t - h).y + probe.at(t + h).y) / 2;
-  }
-
-  static bool is_least(ArcProbe& probe, double t) {
-    const double h = 1e-5 * std::max(1.0, std::abs(t));
-    return probe.at(t - h).y > probe.at(t).y;
   }
 
   /// Where the slope itself turns: by differences of slopes, on branches that are no mere straight line.
@@ -328,27 +255,6 @@ class PointFinder {
     }
   }
 
-  /// Newton's method for f = g = 0; the start where it does not converge nearby. Points are (x, y) here.
-  static PlatePoint refined(const Expression& f, const Expression& g, PlatePoint start) {
-    const Tape tape = Tape::compile(std::array{f, g}, std::array{Variable::x, Variable::y});
-    using D = Dual<double, 2>;
-    std::vector<D> registers(tape.size());
-    PlatePoint p = start;
-    for (int i = 0; i < 30; ++i) {
-      tape.evaluate<D>(std::array{D(p.u, 0), D(p.v, 1)}, registers);
-      const D& a = registers[tape.output(0)];
-      const D& b = registers[tape.output(1)];
-      const double det = a.slopes[0] * b.slopes[1] - a.slopes[1] * b.slopes[0];
-      const double du = (a.value * b.slopes[1] - b.value * a.slopes[1]) / det;
-      const double dv = (b.value * a.slopes[0] - a.value * b.slopes[0]) / det;
-      if (!std::isfinite(du + dv)) return start;
-      p.u -= du;
-      p.v -= dv;
-      if (std::hypot(du, dv) < 1e-15 * (1 + std::hypot(p.u, p.v))) break;
-    }
-    return std::hypot(p.u - start.u, p.v - start.v) < 0.05 * (1 + std::hypot(start.u, start.v)) ? p : start;
-  }
-
   void self_crossings() {
     for (std::size_t i = 0; i < plot_.statements.size(); ++i) {
       const StatementKind kind = plot_.statements[i].kind;
@@ -357,30 +263,13 @@ class PointFinder {
       const auto arc = arc_of(plot_.statements[i], window_, 0);
       if (!arc) continue;
       ArcProbe probe(*arc);
-      for (const Meeting& m : crossings_of(tracing_, statement_, statement_)) self_crossing(probe, m);
+      for (const Meeting& m : crossings_of(tracing_, statement_, statement_)) {
+        const double t = same_place(probe, m.first, m.second);
+        const auto v = probe.at(t);
+        const bool near = std::hypot(window_.u(v.x) - m.at.u, window_.v(v.y) - m.at.v) < 1e-3;
+        add(PointKind::self_crossing, near ? v.x : window_.x(m.at.u), near ? v.y : window_.y(m.at.v), t);
+      }
     }
-  }
-
-  /// Newton's method for the two parameters at which the arc is in the same place.
-  void self_crossing(ArcProbe& probe, const Meeting& m) {
-    double s = m.first;
-    double t = m.second;
-    for (int k = 0; k < 30; ++k) {
-      const auto a = probe.at(s);
-      const auto b = probe.at(t);
-      const double det = b.slope_x * a.slope_y - a.slope_x * b.slope_y;
-      const double dx = b.x - a.x;
-      const double dy = b.y - a.y;
-      const double ds = (b.slope_x * dy - b.slope_y * dx) / det;
-      const double dt = (a.slope_x * dy - a.slope_y * dx) / det;
-      if (!std::isfinite(ds + dt)) break;
-      s += ds;
-      t += dt;
-      if (std::abs(ds) + std::abs(dt) < 1e-15 * (1 + std::abs(s) + std::abs(t))) break;
-    }
-    const auto v = probe.at(s);
-    const bool near = std::hypot(window_.u(v.x) - m.at.u, window_.v(v.y) - m.at.v) < 1e-3;
-    add(PointKind::self_crossing, near ? v.x : window_.x(m.at.u), near ? v.y : window_.y(m.at.v), s);
   }
 
   const Plot& plot_;

@@ -105,8 +105,12 @@ class Sweeper {
         synthesizer_(settings, tracing.window) {}
 
   Sound run() {
+    bool first = true;
     for (std::size_t i = 0; i < plot_.statements.size(); ++i) {
-      if (i > 0) synthesizer_.silence(kGapSeconds);
+      // Of a curve that is not shown, or nowhere in the window, there is nothing to hear.
+      if (!is_shown(static_cast<int>(i))) continue;
+      if (!first) synthesizer_.silence(kGapSeconds);
+      first = false;
       const Statement& s = plot_.statements[i];
       if (s.kind == StatementKind::explicit_y) {
         across(s, static_cast<int>(i));
@@ -142,6 +146,13 @@ class Sweeper {
                                                          settings_.sample_rate),
                         p.kind, 2 * u - 1);
     }
+  }
+
+  [[nodiscard]] bool is_shown(int statement) const {
+    const auto owned = [statement](const auto& part) { return part.statement == statement; };
+    return std::any_of(tracing_.branches.begin(), tracing_.branches.end(), owned) ||
+           std::any_of(tracing_.bars.begin(), tracing_.bars.end(), owned) ||
+           std::any_of(tracing_.dots.begin(), tracing_.dots.end(), owned);
   }
 
   [[nodiscard]] bool is_dense(double u, int statement) const {

@@ -95,17 +95,33 @@ class SurfaceSampler {
            has_pole(u, v + h, h, depth + 1) || has_pole(u + h, v + h, h, depth + 1);
   }
 
-  /// The middle of the cell is undefined: what its other parts say.
+  /// The middle of the cell is undefined: the height at the place of the cell nearest to it where there is
+  /// one, so that the edge of a dome comes down to where it ends.
   void supersample(double u, double v, double h, Sample& s) {
-    double sum = 0;
-    int count = 0;
-    for (int i = 0; i < 16; ++i) {
-      const double z = value(u + h * (i % 4 + 0.5) / 4, v + h * (i / 4 + 0.5) / 4);
-      if (!std::isfinite(z)) continue;
-      sum += z;
-      ++count;
+    constexpr int kSteps = 4;
+    const double middle_u = u + h / 2;
+    const double middle_v = v + h / 2;
+    double nearest = std::numeric_limits<double>::infinity();
+    PlatePoint at;
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps; ++j) {
+        const PlatePoint p{u + h * i / kSteps, v + h * j / kSteps};
+        const double off = std::hypot(p.u - middle_u, p.v - middle_v);
+        if (off >= nearest || !std::isfinite(value(p.u, p.v))) continue;
+        nearest = off;
+        at = p;
+      }
     }
-    if (count > 0) s.value = sum / count;
+    if (!std::isfinite(nearest)) return;
+    double outside = 0;
+    double inside = 1;
+    for (int i = 0; i < 40; ++i) {
+      const double share = (outside + inside) / 2;
+      const bool defined =
+          std::isfinite(value(middle_u + share * (at.u - middle_u), middle_v + share * (at.v - middle_v)));
+      (defined ? inside : outside) = share;
+    }
+    s.value = value(middle_u + inside * (at.u - middle_u), middle_v + inside * (at.v - middle_v));
   }
 
   Tape tape_;

@@ -176,9 +176,8 @@ class Tokenizer {
         break;
     }
     if (comparison()) return {};
-    return SyntaxError{static_cast<int>(at_) + 1,
-                       "the character \"" + base::encode_utf8(shown_[at_]) + "\" has no meaning here",
-                       "expected a number, a variable, a function or an operator"};
+    return SyntaxError{static_cast<int>(at_) + 1, SyntaxFault::unknown_character,
+                       base::encode_utf8(shown_[at_])};
   }
 
   void bracket(TokenKind kind, char32_t c) {
@@ -214,8 +213,7 @@ class Tokenizer {
         decimals += fraction ? 1 : 0;
       } else if (c == U'.' || (c == U',' && is_digit(peek(length + 1)) && !separates(length))) {
         if (fraction) {
-          return SyntaxError{static_cast<int>(at_ + length) + 1, "a number has two decimal signs",
-                             "expected a digit or an operator"};
+          return SyntaxError{static_cast<int>(at_ + length) + 1, SyntaxFault::two_decimal_signs};
         }
         fraction = true;
         digits += '.';
@@ -227,9 +225,7 @@ class Tokenizer {
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || !std::isfinite(value)) {
-      return SyntaxError{static_cast<int>(at_) + 1,
-                         "the number \"" + digits.substr(0, 40) + "\" is too large",
-                         "expected a number up to 1.7e308"};
+      return SyntaxError{static_cast<int>(at_) + 1, SyntaxFault::number_too_large, digits.substr(0, 40)};
     }
     Token& token = push(TokenKind::number, length);
     token.value = value;
@@ -260,8 +256,7 @@ class Tokenizer {
       value = value * 10 + static_cast<double>(digit);
     }
     if (digits == 0) {
-      return SyntaxError{static_cast<int>(at_ + length) + 1, "a raised digit is missing",
-                         "expected one of ⁰ to ⁹"};
+      return SyntaxError{static_cast<int>(at_ + length) + 1, SyntaxFault::raised_digit_missing};
     }
     push(TokenKind::superscript, length).value = negative ? -value : value;
     return {};
@@ -316,9 +311,7 @@ class Tokenizer {
       const std::string word = base::encode_utf8(std::u32string_view(shown_).substr(at_, length));
       const bool calls = peek(length) == U'(';
       return SyntaxError{static_cast<int>(at_) + 1,
-                         (calls ? "unknown function \"" : "unknown name \"") + word + "\"",
-                         calls ? "expected a function such as sin, ln, sqrt, floor or gamma"
-                               : "expected x, y, t, r, theta, pi, e or a function"};
+                         calls ? SyntaxFault::unknown_function : SyntaxFault::unknown_name, word};
     }
     for (const std::size_t n : cuts) name(n);
     return {};
@@ -385,11 +378,10 @@ class Tokenizer {
 
 tl::expected<std::vector<Token>, SyntaxError> tokenize(std::string_view text, const ParseOptions& options) {
   if (text.size() > kMostBytes) {
-    return tl::unexpected(
-        SyntaxError{1, "the text is longer than 10000 bytes", "expected a shorter expression"});
+    return tl::unexpected(SyntaxError{1, SyntaxFault::too_long});
   }
   auto points = base::decode_utf8(text);
-  if (!points) return tl::unexpected(SyntaxError{1, "the text is not valid UTF-8", "expected UTF-8"});
+  if (!points) return tl::unexpected(SyntaxError{1, SyntaxFault::not_utf8});
   return Tokenizer(std::move(*points), options).run();
 }
 

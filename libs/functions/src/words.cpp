@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "nazori/functions/plot.h"
+#include "strength.h"
 
 namespace nazori::functions {
 namespace {
@@ -64,24 +65,6 @@ std::string number_text(double v, Language language) {
   return fmt::format("{}", v);
 }
 
-/// How tightly a spoken expression holds together: what is looser inside something tighter needs a fence.
-int strength(const Node& n) {
-  switch (n.kind) {
-    case NodeKind::add:
-    case NodeKind::subtract:
-      return 1;
-    case NodeKind::multiply:
-    case NodeKind::divide:
-      return 2;
-    case NodeKind::negate:
-      return 3;
-    case NodeKind::power:
-      return 4;
-    default:
-      return 5;
-  }
-}
-
 class Speaker {
  public:
   explicit Speaker(Language language) : english_(language == Language::english), language_(language) {}
@@ -127,10 +110,12 @@ class Speaker {
   std::string power(const std::vector<Expression>& a) const {
     const Node& n = *a[1];
     const bool plain = n.kind == NodeKind::number;
-    if (!english_) return fenced(a[0], 5) + " の " + (strength(n) == 5 ? say(a[1]) : fenced(a[1], 5)) + " 乗";
+    // "x to the power of minus 2" cannot be heard in two ways.
+    const bool whole = plain || (n.kind == NodeKind::negate && n.arguments[0]->kind == NodeKind::number);
+    if (!english_) return fenced(a[0], 5) + " の " + fenced(a[1], whole ? 0 : 5) + " 乗";
     if (plain && n.value == 2) return fenced(a[0], 5) + " squared";
     if (plain && n.value == 3) return fenced(a[0], 5) + " cubed";
-    return fenced(a[0], 5) + " to the power of " + fenced(a[1], 4);
+    return fenced(a[0], 5) + " to the power of " + fenced(a[1], whole ? 0 : 4);
   }
 
   std::string function(const Node& n) const {

@@ -35,6 +35,11 @@ struct CurveFacts {
 /// Everything in which the picture disagrees with the facts, one line each; empty where it agrees.
 [[nodiscard]] std::vector<std::string> disagreements(const CurveFacts& facts, int size, double half_width);
 
+/// Full width of a groove at half depth across (nu, nv) over the nominal one: a raised cosine is half as deep
+/// at half its half width. Between samples heights are taken as bilinear.
+[[nodiscard]] double relative_width(const Plate& plate, double u, double v, double nu, double nv,
+                                    double half_width);
+
 /// Connected parts of what is carved, corners count as connected.
 [[nodiscard]] int pieces_of(const Plate& plate);
 

@@ -10,8 +10,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   namespace f = nazori::functions;
   const auto plot = f::parse({reinterpret_cast<const char*>(data), size});
   if (!plot) {
-    if (plot.error().column < 1 || plot.error().message.empty() || plot.error().expected.empty())
-      std::abort();
+    for (const auto language : {f::Language::english, f::Language::japanese}) {
+      const auto words = f::in_words(plot.error(), language);
+      if (plot.error().column < 1 || words.message.empty() || words.expected.empty()) std::abort();
+    }
     return 0;
   }
   (void)f::in_words(*plot, f::Language::english);

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "nazori/functions/plot.h"
 #include "nazori/functions/tape.h"
@@ -57,7 +59,7 @@ TEST(Parser, ReadsWhatPeopleType) {
   };
   for (const Reading& r : readings) {
     const auto plot = parse(r.typed);
-    ASSERT_TRUE(plot) << r.typed << ": " << plot.error().message;
+    ASSERT_TRUE(plot) << r.typed << ": " << plot.error().to_error().what;
     EXPECT_EQ(canonical(*plot), r.canonical) << r.typed;
   }
 }
@@ -70,7 +72,7 @@ TEST(Parser, ReadsItsOwnCanonicalTextBack) {
     const auto plot = parse(typed);
     ASSERT_TRUE(plot) << typed;
     const auto again = parse(canonical(*plot));
-    ASSERT_TRUE(again) << canonical(*plot) << ": " << again.error().message;
+    ASSERT_TRUE(again) << canonical(*plot) << ": " << again.error().to_error().what;
     EXPECT_EQ(canonical(*again), canonical(*plot));
   }
 }
@@ -125,9 +127,40 @@ TEST(Parser, NamesTheColumnAndWhatWasExpected) {
     const auto plot = parse(m.typed);
     ASSERT_FALSE(plot) << m.typed;
     EXPECT_EQ(plot.error().column, m.column) << m.typed;
-    EXPECT_THAT(plot.error().message, HasSubstr(m.message));
-    EXPECT_THAT(plot.error().expected, HasSubstr("expected"));
+    const SyntaxWords words = in_words(plot.error(), Language::english);
+    EXPECT_THAT(words.message, HasSubstr(m.message));
+    EXPECT_THAT(words.expected, HasSubstr("expected"));
   }
+}
+
+TEST(Parser, TellsEveryMistakeInJapaneseToo) {
+  const std::pair<std::string, std::string> mistakes[] = {
+      {"y = 2 +", "「+」の後に数や文字がありません"},      {"y = foo(x)", "「foo」という関数はありません"},
+      {"y = (x+1", "5 文字目の「(」が閉じていません"},     {"y = mod(x)", "「mod」の引数が 1 個です"},
+      {"r = x theta", "r と theta は x と混ぜられません"},
+  };
+  for (const auto& [typed, message] : mistakes) {
+    const auto plot = parse(typed);
+    ASSERT_FALSE(plot) << typed;
+    EXPECT_EQ(in_words(plot.error(), Language::japanese).message, message);
+  }
+  // Not one of the kinds is without words of its own.
+  std::set<std::string> told;
+  for (int fault = 0; fault <= static_cast<int>(SyntaxFault::height_misplaced); ++fault) {
+    const SyntaxWords words = in_words({1, static_cast<SyntaxFault>(fault), "x"}, Language::japanese);
+    EXPECT_FALSE(words.message.empty()) << fault;
+    EXPECT_TRUE(told.insert(words.message + words.expected).second) << fault;
+  }
+}
+
+TEST(Parser, ANegativeNumberThatIsRaisedIsHeardAsOne) {
+  // Made by superscripts: its own sign must not be taken for that of the power.
+  const auto power = binary(NodeKind::power, number(-2), number(4));
+  EXPECT_EQ(in_words(power, Language::english), "the quantity minus 2 end to the power of 4");
+  EXPECT_EQ(to_text(power), "(-2)^4");
+  const auto plot = parse("y = x⁻²");
+  ASSERT_TRUE(plot);
+  EXPECT_EQ(in_words(*plot, Language::english), "y equals x to the power of minus 2");
 }
 
 TEST(Parser, ADeepNestIsAnErrorAndNotTheEndOfTheStack) {

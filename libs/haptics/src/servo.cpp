@@ -32,6 +32,14 @@ constexpr double kGuide = 0.2;
 constexpr double kMostGuide_n_m = 250;
 constexpr double kCarryDamping_n_s_m = 1.5;
 
+/// Zones that fit the surface and know no zone without a coefficient.
+bool usable(const FrictionZones& zones, int size) {
+  const auto samples = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+  return zones.size == size && zones.zone.size() == samples &&
+         std::all_of(zones.zone.begin(), zones.zone.end(),
+                     [&](std::uint8_t zone) { return zone <= zones.added.size(); });
+}
+
 bool same_lesson(const HapticScene& a, const HapticScene& b) {
   return a.guiding.mode == b.guiding.mode && a.guiding.stroke == b.guiding.stroke &&
          a.guiding.attempt == b.guiding.attempt && a.guiding.seed == b.guiding.seed &&
@@ -43,7 +51,7 @@ bool same_lesson(const HapticScene& a, const HapticScene& b) {
 
 ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDescription& device,
                        std::uint64_t number, const ServoScene* before)
-    : scene(std::move(from)), generation(number), lesson(number) {
+    : scene(std::move(from)), generation(number), frictions(1), lesson(number) {
   if (!scene) return;
   const Material& material = scene->material;
   const Snapping& snapping = scene->snapping;
@@ -51,8 +59,17 @@ ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDesc
   const DeviceLimits& limits = device.limits;
   if (scene->surface && scene->shape.width_m > 0 && scene->shape.depth_m > 0)
     surface = TabletSurface(*scene->surface, scene->shape);
-  friction.hold = coefficient(material.static_friction);
-  friction.slide = std::min(coefficient(material.dynamic_friction), friction.hold);
+  const auto with = [&material](double added) {
+    const double hold = coefficient(material.static_friction + added);
+    return Friction{hold, std::min(coefficient(material.dynamic_friction + added), hold)};
+  };
+  frictions[0] = with(0);
+  if (scene->friction_zones && surface.exists() && usable(*scene->friction_zones, scene->surface->size())) {
+    zones = scene->friction_zones.get();
+    for (const double added : zones->added) frictions.push_back(with(std::max(0.0, added)));
+    half_m = scene->shape.width_m / 2;
+    zones_per_m = (zones->size - 1) / scene->shape.width_m;
+  }
   popthrough_n = fraction(material.popthrough) * limits.max_force_n;
   roughness = fraction(material.roughness);
   texture = roughness > 0 ? material.texture : Texture::none;

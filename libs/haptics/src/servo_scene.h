@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "disturbance.h"
 #include "guidance.h"
@@ -25,7 +27,8 @@ struct ServoScene {
   std::shared_ptr<const HapticScene> scene;
   std::uint64_t generation;
   TabletSurface surface;
-  Friction friction;
+  /// Of each zone of the surface, the first of the material alone.
+  std::vector<Friction> frictions;
   double stiffness_n_m = 0;
   double damping_n_s_m = 0;
   double popthrough_n = 0;  ///< 0: off
@@ -38,6 +41,21 @@ struct ServoScene {
   GuidancePlan plan;  ///< empty while guidance is off
   Guidance::Settings guide;
   Disturbance disturbance;
+
+  /// At a place of the surface; beyond its edge the material's.
+  [[nodiscard]] const Friction& friction_at(const Vec3& p) const noexcept {
+    if (zones == nullptr) return frictions[0];
+    const double column = std::floor((p.x + half_m) * zones_per_m + 0.5);
+    const double row = std::floor((half_m - p.y) * zones_per_m + 0.5);
+    const int size = zones->size;
+    if (!(column >= 0 && row >= 0 && column < size && row < size)) return frictions[0];
+    const std::size_t i =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column);
+    return frictions[zones->zone[i]];
+  }
+  const FrictionZones* zones = nullptr;  ///< of `scene`; null: the material's friction everywhere
+  double half_m = 0;
+  double zones_per_m = 0;
 };
 
 }  // namespace nazori::haptics

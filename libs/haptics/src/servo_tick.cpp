@@ -222,7 +222,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
       contact.free_at(device_m);
       snap.forget();
     } else {
-      contact.update(scene->surface, device_m, scene->friction);
+      contact.update(scene->surface, device_m, scene->friction_at(contact.proxy_m()));
       if (pushed_through) {
         if (contact.touching())
           contact.free_at(device_m);

@@ -126,9 +126,13 @@ base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_lines(
 }
 
 base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_height_map(
-    surface::HeightMap map, std::vector<StrokeLine> lines, const geometry::TabletShape& shape) {
+    surface::HeightMap map, std::vector<StrokeLine> lines, const geometry::TabletShape& shape,
+    std::shared_ptr<const haptics::FrictionZones> friction) {
   if (auto ok = check_shape(shape); !ok) return tl::unexpected(std::move(ok.error()));
   if (auto ok = check_lines(lines); !ok) return tl::unexpected(std::move(ok.error()));
+  if (friction && friction->size != map.size())
+    return base::fail(base::Errc::bad_argument, "the zones of friction are not as many as the samples",
+                      "friction", "give one for each sample");
   auto surface = surface::SmoothSurface::create(map);
   if (!surface) return tl::unexpected(std::move(surface.error()));
 
@@ -143,6 +147,7 @@ base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_height_map(
   tablet->map_ = std::move(map);
   tablet->lines_ = std::move(lines);
   tablet->shape_ = shape;
+  tablet->friction_ = std::move(friction);
   tablet->surface_ = std::move(*surface);
   return tablet;
 }
@@ -154,6 +159,7 @@ std::shared_ptr<const haptics::HapticScene> CarvedTablet::scene(const haptics::M
   scene->surface = surface_;
   scene->shape = shape_;
   scene->material = material;
+  scene->friction_zones = friction_;
   scene->strokes = paths_;
   scene->snapping = snapping;
   scene->guiding = guiding;

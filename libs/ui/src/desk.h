@@ -43,6 +43,8 @@ class Desk final : public QObject {
 
   /// One sentence in the feedback line, also to the screen reader.
   void say(Feedback kind, const QString& sentence);
+  /// As say(), for an answer to a key: it is spoken also where the line says so already.
+  void answer(Feedback kind, const QString& sentence) { emit answered(kind, sentence); }
   /// As say(), for what happened by itself: while the window is just opening it waits for the first words of
   /// the workplace, which would hide it.
   void tell(Feedback kind, const QString& sentence);
@@ -66,6 +68,7 @@ class Desk final : public QObject {
 
  signals:
   void said(nazori::ui::Feedback kind, QString sentence);
+  void answered(nazori::ui::Feedback kind, QString sentence);
   void save_wanted();
   void focus_wanted();
   void drawers_done();

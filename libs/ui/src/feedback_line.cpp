@@ -35,6 +35,18 @@ void FeedbackLine::say(Feedback kind, const QString& sentence) {
   draw_sign();
   if (text_->text() == sentence) return;
   text_->setText(sentence);
+  speak(sentence);
+}
+
+void FeedbackLine::answer(Feedback kind, const QString& sentence) {
+  if (text_->text() != sentence) return say(kind, sentence);
+  kind_ = kind;
+  draw_sign();
+  // A screen reader passes over a name that is as it was: a space that cannot be heard makes it another.
+  speak(text_->accessibleName() == sentence ? sentence + QChar(QChar::Nbsp) : sentence);
+}
+
+void FeedbackLine::speak(const QString& sentence) {
   text_->setAccessibleName(sentence);
   setAccessibleDescription(sentence);
   QAccessibleEvent spoken(text_, QAccessible::NameChanged);

@@ -22,6 +22,8 @@ class FeedbackLine final : public QFrame {
  public:
   explicit FeedbackLine(QWidget* parent = nullptr);
   void say(Feedback kind, const QString& sentence);
+  /// As say(), but spoken also where it is what stands here already.
+  void answer(Feedback kind, const QString& sentence);
   [[nodiscard]] QString sentence() const;
   [[nodiscard]] Feedback kind() const { return kind_; }
 
@@ -30,6 +32,7 @@ class FeedbackLine final : public QFrame {
 
  private:
   void draw_sign();
+  void speak(const QString& sentence);
 
   QLabel* sign_;
   QLabel* text_;

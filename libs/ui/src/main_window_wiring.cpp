@@ -119,6 +119,7 @@ void MainWindow::Inside::connect_actions() {
 
 void MainWindow::Inside::connect_desk() {
   QObject::connect(&desk, &Desk::said, feedback, &FeedbackLine::say);
+  QObject::connect(&desk, &Desk::answered, feedback, &FeedbackLine::answer);
   QObject::connect(&desk, &Desk::save_wanted, &window, [this] { save_later(); });
   QObject::connect(&desk, &Desk::focus_wanted, &window, [this] { focus_tablet(); });
   QObject::connect(&desk, &Desk::drawers_done, panes, &Panes::close_drawers);

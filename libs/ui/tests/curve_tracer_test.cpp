@@ -56,6 +56,21 @@ TEST(TracingByKey, AStepIsAHundredthOfTheWindowAlongTheCurve) {
   EXPECT_NEAR(tracer.place()->x, x, 1e-6);
 }
 
+TEST(TracingByKey, InAnotherWindowTheHandIsExactlyWhereItWas) {
+  auto tracer = tracer_of("y = x^2 - 1", {-6, 6, -4, 4});
+  ASSERT_NE(tracer.next_point(Way::on), nullptr);
+  const double x = tracer.place()->x;
+  const double y = tracer.place()->y;
+  tracer.set_drawing(draw("y = x^2 - 1", {-4, 2, -1, 1}));
+  ASSERT_TRUE(tracer.place());
+  EXPECT_EQ(tracer.place()->x, x);
+  EXPECT_EQ(tracer.place()->y, y);
+  // Another curve is another matter: the hand comes to lie on it.
+  tracer.set_drawing(draw("y = x^2 - 0.999", {-4, 2, -1, 1}));
+  ASSERT_TRUE(tracer.place());
+  EXPECT_NEAR(tracer.place()->y, tracer.place()->x * tracer.place()->x - 0.999, 1e-9);
+}
+
 TEST(TracingByKey, TheCoordinatesAreThoseOfTheExpressionNotOfTheDrawnLine) {
   auto tracer = tracer_of("y = sin x", {-5, 5, -5, 5});
   for (int i = 0; i < 40; ++i) {

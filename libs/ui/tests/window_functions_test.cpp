@@ -10,6 +10,7 @@
 #include <QScrollBar>
 #include <QSettings>
 #include <QSlider>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <cmath>
 
@@ -219,7 +220,7 @@ TEST_F(FunctionsWindow, ZoomIsAboutThePointAndDrawsAnew) {
   press(Qt::Key_Z, Qt::ShiftModifier);
   press(Qt::Key_Right, Qt::ShiftModifier);
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_NEAR(shown().asked.window.x0, -3, 1e-3);
+  EXPECT_NEAR(shown().asked.window.x0, -3, 1e-12);
   press(Qt::Key_W);
   ASSERT_TRUE(wait_for_drawing());
   EXPECT_EQ(shown().asked.window, (functions::Window{-6, 6, -4, 4}));
@@ -403,14 +404,134 @@ TEST_F(FunctionsWindow, NoKeyIsGivenTwiceAndEveryFieldHasAName) {
     }
 }
 
+/// What a screen reader is told while this lives: names that have changed, and alerts.
+QStringList spoken;
+void hear(QAccessibleEvent* event) {
+  if (event->type() != QAccessible::NameChanged) return;
+  if (auto* accessible = event->accessibleInterface()) spoken.append(accessible->text(QAccessible::Name));
+}
+
+TEST_F(FunctionsWindow, APlaceThatIsAskedForAgainIsSpokenAgain) {
+  type(QStringLiteral("y = x"));
+  to_tablet();
+  press(Qt::Key_Right);
+  spoken.clear();
+  const auto before = QAccessible::installUpdateHandler(hear);
+  for (int i = 0; i < 3; ++i) press(Qt::Key_C);
+  QAccessible::installUpdateHandler(before);
+  ASSERT_EQ(spoken.size(), 2) << "the first is what the step itself has said";
+  EXPECT_NE(spoken[0], spoken[1]) << "a name that stays the same is passed over";
+  for (const auto& words : spoken) EXPECT_EQ(words.trimmed(), feedback());
+}
+
+TEST_F(FunctionsWindow, OneCurveCanBeFeltAndHeardAlone) {
+  type(QStringLiteral("y = 1; y = -1"));
+  to_tablet();
+  press(Qt::Key_O, Qt::ShiftModifier);
+  ASSERT_TRUE(wait_for_drawing());
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Curve 1 alone: y equals 1"))) << feedback().toStdString();
+  EXPECT_EQ(shown().tablet->lines().size(), 1U);
+  press(Qt::Key_O, Qt::ShiftModifier);
+  ASSERT_TRUE(wait_for_drawing());
+  ASSERT_EQ(shown().tablet->lines().size(), 1U);
+  for (const auto& point : shown().tablet->paths()[0].points) EXPECT_LT(point.y, 0);
+  EXPECT_TRUE(shown().summary.find("y equals minus 1: 1 piece") == 0) << shown().summary;
+  press(Qt::Key_O);
+  ASSERT_TRUE(wait_for_drawing());
+  EXPECT_EQ(shown().tablet->lines().size(), 2U);
+  EXPECT_EQ(feedback(), QStringLiteral("All curves are shown."));
+}
+
+TEST_F(FunctionsWindow, EachCurveHasAFrictionOfItsOwn) {
+  type(QStringLiteral("y = 1; y = -1"));
+  const auto& zones = shown().tablet->friction();
+  ASSERT_NE(zones, nullptr);
+  const int n = zones->size;
+  const auto at = [&](double y) {
+    const auto row = static_cast<std::size_t>((4 - y) / 8 * n);
+    return static_cast<int>(zones->zone[row * static_cast<std::size_t>(n) + static_cast<std::size_t>(n / 3)]);
+  };
+  EXPECT_EQ(at(1), 1);
+  EXPECT_EQ(at(-1), 2);
+  EXPECT_EQ(at(2.5), 0);
+  ASSERT_EQ(zones->added.size(), 2U);
+  EXPECT_GT(std::abs(zones->added[0] - zones->added[1]), 0.1);
+  const auto scene = shown().tablet->scene({}, {});
+  EXPECT_EQ(scene->friction_zones, zones);
+}
+
+TEST_F(FunctionsWindow, TheToneOfZeroIsPlayedWhereItIsInTheWindow) {
+  type(QStringLiteral("y = x"));
+  to_tablet();
+  press(Qt::Key_Y);
+  EXPECT_EQ(feedback(), QStringLiteral("This is the tone of y = 0."));
+  window(-1, 1, 2, 4);
+  to_tablet();
+  press(Qt::Key_Y);
+  EXPECT_EQ(feedback(), QStringLiteral("y = 0 lies outside the window."));
+}
+
+TEST_F(FunctionsWindow, ASurfaceHasARangeOfHeights) {
+  EXPECT_FALSE(find("window_z0")->isVisible());
+  type(QStringLiteral("z = x"));
+  EXPECT_TRUE(find("window_z0")->isVisible());
+  for (const auto& [name, value] : {std::pair{"window_z0", "-12"}, std::pair{"window_z1", "12"}}) {
+    auto* border = find<QLineEdit>(name);
+    border->setFocus();
+    border->selectAll();
+    QTest::keyClicks(border, QString::fromLatin1(value));
+    QTest::keyClick(border, Qt::Key_Return);
+  }
+  ASSERT_TRUE(wait_for_drawing());
+  // x = 6 at the right border is three quarters of the way from -12 to 12.
+  const auto& heights = shown().picture.plate.heights;
+  EXPECT_NEAR(heights.at(heights.size() - 1, heights.size() / 2), 0.75, 2e-3);
+}
+
+TEST_F(FunctionsWindow, MistakesAreToldInTheLanguageOfTheWindow) {
+  install_language(QStringLiteral("ja"));
+  type(QStringLiteral("y = x"));
+  QTest::keyClicks(find<ExpressionLine>("expression"), QStringLiteral(" +"));
+  const QString said = text("expression_error");
+  install_language(QStringLiteral("en"));
+  EXPECT_TRUE(said.contains(QStringLiteral("「+」の後に数や文字がありません"))) << said.toStdString();
+  EXPECT_FALSE(said.contains(QStringLiteral("expected"))) << said.toStdString();
+}
+
+TEST_F(FunctionsWindow, CoordinatesAreReadWithoutWideningAnything) {
+  type(QStringLiteral("y = tan(x); y = sin x"));
+  auto* table = find<QTableWidget>("points_table");
+  for (const int steps : {0, 8}) {
+    for (int i = 0; i < steps; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(table->horizontalScrollBar()->maximum(), 0);
+    // What is drawn of a row: kind and coordinates, in columns or under each other, never cut off.
+    const QModelIndex first = table->model()->index(0, 0);
+    const bool stacked = table->isColumnHidden(1);
+    for (int column = 0; column < (stacked ? 1 : 3); ++column) {
+      const QModelIndex index = first.siblingAtColumn(column);
+      QStyleOptionViewItem option;
+      option.font = table->font();
+      option.fontMetrics = QFontMetrics(table->font());
+      option.features = QStyleOptionViewItem::WrapText;
+      option.rect = table->visualRect(index);
+      const QSize wanted = table->itemDelegate()->sizeHint(option, index);
+      EXPECT_LE(wanted.width(), table->columnWidth(column)) << column << " at " << steps;
+      EXPECT_LE(wanted.height(), table->rowHeight(0)) << column << " at " << steps;
+      if (stacked) EXPECT_GE(wanted.height(), 2 * option.fontMetrics.height());
+    }
+  }
+}
+
 TEST_F(FunctionsWindow, NothingIsWiderThanItsPanelInTheLargestText) {
   for (int i = 0; i < 8; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
   QCoreApplication::processEvents();
   auto* panel = find<QScrollArea>("plot_panel");
+  EXPECT_EQ(panel->horizontalScrollBar()->maximum(), 0);
   for (auto* widget : panel->findChildren<QWidget*>()) {
     if (!widget->isVisible()) continue;
     const int right = widget->mapTo(panel, QPoint(widget->width(), 0)).x();
-    EXPECT_LE(right, panel->width() + panel->horizontalScrollBar()->maximum())
+    EXPECT_LE(right, panel->viewport()->width())
         << widget->metaObject()->className() << ' ' << widget->objectName().toStdString();
     if (const auto* box = qobject_cast<QCheckBox*>(widget)) {
       EXPECT_GE(box->width(), box->sizeHint().width()) << box->text().toStdString();

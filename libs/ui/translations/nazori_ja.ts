@@ -1708,6 +1708,30 @@ Columns and rows:</source>
         <source>S&amp;ound</source>
         <translation>音(&amp;O)</translation>
     </message>
+    <message>
+        <source>&amp;Only this curve</source>
+        <translation>この曲線だけ(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Carve and play one curve without the others</source>
+        <translation>ほかの曲線を除いて一本だけを彫り、鳴らします</translation>
+    </message>
+    <message>
+        <source>Next cur&amp;ve alone</source>
+        <translation>次の曲線だけ(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Carve and play the next curve without the others, after the last one all</source>
+        <translation>次の曲線だけを彫り、鳴らします。最後の次はすべてです</translation>
+    </message>
+    <message>
+        <source>&amp;Tone of y = 0</source>
+        <translation>y = 0 の音(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Play the tone of y = 0, to compare with</source>
+        <translation>比べるための y = 0 の音を鳴らします</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::FunctionsWorkplace</name>
@@ -1872,6 +1896,30 @@ Columns and rows:</source>
     <message>
         <source>plot</source>
         <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>“%1” is no range of heights. The range is as it was.</source>
+        <translation>「%1」は高さの範囲ではありません。範囲は前のままです。</translation>
+    </message>
+    <message>
+        <source>There is only one curve.</source>
+        <translation>曲線は一本だけです。</translation>
+    </message>
+    <message>
+        <source>All curves are shown.</source>
+        <translation>すべての曲線を表示しています。</translation>
+    </message>
+    <message>
+        <source>Curve %1 alone: %2.</source>
+        <translation>曲線 %1 だけ: %2。</translation>
+    </message>
+    <message>
+        <source>y = 0 lies outside the window.</source>
+        <translation>y = 0 は範囲の外です。</translation>
+    </message>
+    <message>
+        <source>This is the tone of y = 0.</source>
+        <translation>これが y = 0 の音です。</translation>
     </message>
 </context>
 <context>
@@ -3069,6 +3117,18 @@ Columns and rows:</source>
     <message>
         <source>Column %1: %2; %3.</source>
         <translation>%1 文字目: %2; %3。</translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation>z の下限</translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation>z の上限</translation>
+    </message>
+    <message>
+        <source>Of a surface; empty: as its values are</source>
+        <translation>曲面の高さ。空欄なら値に合わせます</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,9 @@ using functions::StatementKind;
 using functions::Variable;
 using Slope = functions::Dual<double, 1>;
 
+/// Of the plate: lines are drawn to within a sixteenth of a cell.
+constexpr double kSamePlace = 1e-3;
+
 double distance(PlatePoint a, PlatePoint b) { return std::hypot(a.u - b.u, a.v - b.v); }
 
 /// The parameter at a place on a piece of a branch.
@@ -71,17 +74,29 @@ std::optional<Position> position_of(const functions::Statement& s, double parame
 }  // namespace
 
 void CurveTracer::set_drawing(SharedDrawing drawing) {
+  const bool same = drawing_ && drawing &&
+                    functions::canonical(drawing_->asked.plot) == functions::canonical(drawing->asked.plot);
   drawing_ = std::move(drawing);
   point_ = -1;
   if (!place_) return;
-  const double x = place_->x;
-  const double y = place_->y;
+  const TracePlace before = *place_;
+  const double x = before.x;
+  const double y = before.y;
   place_.reset();
   if (!drawing_) return;
   const auto& window = tracing().window;
   const PlatePoint was{window.u(x), window.v(y)};
   if (was.u < 0 || was.u > 1 || was.v < 0 || was.v > 1) return;
-  if (auto near = nearest(was); near && distance(near->at, was) < 0.2) place_ = near;
+  const auto near = nearest(was);
+  if (!near || !(distance(near->at, was) < 0.2)) return;
+  place_ = near;
+  // The same curve in another window: not even a hair beside where the hand was, or zooming in and out again
+  // would end elsewhere.
+  if (!same || !(distance(near->at, was) < kSamePlace)) return;
+  place_->at = was;
+  place_->x = x;
+  place_->y = y;
+  place_->statement = before.statement;
 }
 
 std::optional<TracePlace> CurveTracer::nearest(PlatePoint hand) const {

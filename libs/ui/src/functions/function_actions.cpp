@@ -61,6 +61,11 @@ FunctionActions::FunctionActions(QWidget* window) : ActionSet(window) {
   curve_back =
       make("curve_back", tr("Piece before alone"), tr("Hold the stylus to the piece before alone"), key(","));
   all_curves = make("all_curves", tr("All pieces"), tr("Hold the stylus to any piece"), key("0"));
+  alone = make("curve_alone", tr("&Only this curve"), tr("Carve and play one curve without the others"),
+               key("O"), true);
+  next_alone =
+      make("curve_next_alone", tr("Next cur&ve alone"),
+           tr("Carve and play the next curve without the others, after the last one all"), key("Shift+O"));
   snap = make("plot_snap", tr("Snap"), tr("Curves hold the stylus"), key("F"), true);
   clear_ink = make("plot_clear_ink", tr("Clear the ink"), tr("Wipe the tablet clean"), key("Del"));
 
@@ -72,6 +77,9 @@ FunctionActions::FunctionActions(QWidget* window) : ActionSet(window) {
   quieter = make("sound_quieter", tr("&Quieter"), tr("Less volume"), key("Shift+V"));
   mute = make("sound_mute", tr("&Mute"), tr("No sound at all"), key("M"), true);
 
+  reference =
+      make("sound_reference", tr("&Tone of y = 0"), tr("Play the tone of y = 0, to compare with"), key("Y"));
+
   draw(hear, Icon::sound);
   draw(snap, Icon::snap);
   draw(clear_ink, Icon::erase);
@@ -82,11 +90,12 @@ FunctionActions::FunctionActions(QWidget* window) : ActionSet(window) {
   add_group(tr("&Plot"),
             {expression, points, nullptr, zoom_in, zoom_out, pan_left, pan_right, pan_up, pan_down,
              reset_window, nullptr, export_raw, export_png, export_print, export_sound});
-  add_group(tr("T&race"),
-            {step_on,     step_back,  tick_on,  tick_back,   to_start,   to_end,  branch_on, branch_back,
-             point_on,    point_back, nullptr,  coordinates, slope,      summary, nullptr,   beacon,
-             next_beacon, nullptr,    curve_on, curve_back,  all_curves, snap,    clear_ink});
-  add_group(tr("S&ound"), {hear, stop, nullptr, faster, slower, nullptr, louder, quieter, mute});
+  add_group(
+      tr("T&race"),
+      {step_on,    step_back,  tick_on,     tick_back, to_start,   to_end,  branch_on, branch_back, point_on,
+       point_back, nullptr,    coordinates, slope,     summary,    nullptr, beacon,    next_beacon, nullptr,
+       curve_on,   curve_back, all_curves,  alone,     next_alone, snap,    clear_ink});
+  add_group(tr("S&ound"), {hear, stop, reference, nullptr, faster, slower, nullptr, louder, quieter, mute});
 }
 
 QAction* FunctionActions::make_on_tablet(const char* name, const QString& text, const QString& tip,

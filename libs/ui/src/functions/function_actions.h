@@ -15,8 +15,8 @@ class FunctionActions final : public ActionSet {
   QAction *export_raw, *export_png, *export_print, *export_sound;
   QAction *step_on, *step_back, *tick_on, *tick_back, *to_start, *to_end, *branch_on, *branch_back;
   QAction *point_on, *point_back, *coordinates, *slope, *summary, *beacon, *next_beacon;
-  QAction *curve_on, *curve_back, *all_curves, *snap, *clear_ink;
-  QAction *hear, *stop, *faster, *slower, *louder, *quieter, *mute;
+  QAction *curve_on, *curve_back, *all_curves, *alone, *next_alone, *snap, *clear_ink;
+  QAction *hear, *stop, *faster, *slower, *louder, *quieter, *mute, *reference;
 
   /// The action whose key works only while the keyboard is on the tablet (arrows, Home, End, Tab, Esc);
   /// nullptr: none has this key.

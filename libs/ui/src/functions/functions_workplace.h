@@ -59,7 +59,8 @@ class FunctionsWorkplace final : public Workplace {
   void load(const QSettings& settings);
   void connect_panels();
   void connect_trace();
-  void connect_window_and_sound();
+  void connect_window();
+  void connect_sound();
   void connect_work();
 
   void read_expression();
@@ -80,12 +81,20 @@ class FunctionsWorkplace final : public Workplace {
   void show_step(CurveTracer::Step step);
   void go_to_point(const functions::PointOfInterest* point);
   void follow_stylus();
+  void sound_touched(functions::PlatePoint hand);
   void hear();
+  /// The tone of y = 0, to compare with.
+  void play_reference();
   void change_speed(int by);
   void set_volume(int percent);
   void set_muted(bool muted);
   void show_piece();
+  [[nodiscard]] bool has_curve() const;
+  /// One statement without the others; -1: all.
+  void show_alone(int statement);
 
+  static constexpr int kSlowest = 1;
+  static constexpr int kFastest = 10;
   struct TabletSwitches {
     bool strokes, numbers, arrows, snapping;
   };

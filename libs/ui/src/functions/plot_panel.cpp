@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
+#include <QResizeEvent>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
@@ -26,6 +27,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 16;
+constexpr int kBeside_em = 13;  ///< room for a name beside its field
 constexpr double kTabletSide_mm = geometry::TabletShape{}.width_m * 1000;
 
 struct Example {
@@ -99,7 +101,7 @@ PlotPanel::PlotPanel(QWidget* parent)
       mute_(new QCheckBox(tr("No soun&d"), content_)) {
   setObjectName(QStringLiteral("plot_panel"));
   setAccessibleName(tr("Expression and window"));
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWidgetResizable(true);
   setFocusPolicy(Qt::NoFocus);
   content_->setObjectName(QStringLiteral("plot_content"));
@@ -148,9 +150,8 @@ PlotPanel::PlotPanel(QWidget* parent)
 
   column->addSpacing(8);
   column->addWidget(heading(tr("Window"), content_));
-  auto* form = new QFormLayout;
-  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  form->setSpacing(6);
+  window_form_ = new QFormLayout;
+  window_form_->setSpacing(6);
   const QString names[] = {tr("x from"), tr("x to"), tr("y from"), tr("y to")};
   const char* ids[] = {"window_x0", "window_x1", "window_y0", "window_y1"};
   for (std::size_t i = 0; i < borders_.size(); ++i) {
@@ -158,9 +159,19 @@ PlotPanel::PlotPanel(QWidget* parent)
     borders_[i]->setObjectName(QString::fromLatin1(ids[i]));
     borders_[i]->setAccessibleName(names[i]);
     connect(borders_[i], &QLineEdit::editingFinished, this, &PlotPanel::take_window);
-    form->addRow(names[i], borders_[i]);
+    window_form_->addRow(names[i], borders_[i]);
   }
-  column->addLayout(form);
+  const QString height_names[] = {tr("z from"), tr("z to")};
+  const char* height_ids[] = {"window_z0", "window_z1"};
+  for (std::size_t i = 0; i < heights_.size(); ++i) {
+    heights_[i] = new QLineEdit(content_);
+    heights_[i]->setObjectName(QString::fromLatin1(height_ids[i]));
+    heights_[i]->setAccessibleName(height_names[i]);
+    heights_[i]->setToolTip(tr("Of a surface; empty: as its values are"));
+    connect(heights_[i], &QLineEdit::editingFinished, this, &PlotPanel::take_heights);
+    window_form_->addRow(height_names[i], heights_[i]);
+  }
+  column->addLayout(window_form_);
 
   column->addSpacing(8);
   column->addWidget(heading(tr("On the plate"), content_));
@@ -172,9 +183,8 @@ PlotPanel::PlotPanel(QWidget* parent)
     connect(layer, &QCheckBox::clicked, this, &PlotPanel::take_plate);
     column->addWidget(layer);
   }
-  auto* plate_form = new QFormLayout;
-  plate_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  plate_form->setSpacing(6);
+  plate_form_ = new QFormLayout;
+  plate_form_->setSpacing(6);
   width_->setObjectName(QStringLiteral("groove_width"));
   width_->setAccessibleName(tr("Width of the grooves in millimetres"));
   width_->findChild<QLineEdit*>()->setAccessibleName(width_->accessibleName());
@@ -185,13 +195,15 @@ PlotPanel::PlotPanel(QWidget* parent)
   width_->setKeyboardTracking(false);
   width_->setLocale(QLocale::system());
   connect(width_, &QDoubleSpinBox::valueChanged, this, &PlotPanel::take_plate);
-  plate_form->addRow(tr("Groo&ves"), width_);
+  plate_form_->addRow(tr("Groo&ves"), width_);
   size_->setObjectName(QStringLiteral("plate_size"));
   size_->setAccessibleName(tr("Samples a side"));
   for (const int side : {128, 256, 512, 1024, 2048}) size_->addItem(tr("%1 × %1").arg(side), side);
   connect(size_, &QComboBox::activated, this, &PlotPanel::take_plate);
-  plate_form->addRow(tr("Sam&ples"), size_);
-  column->addLayout(plate_form);
+  size_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  size_->setMinimumContentsLength(4);
+  plate_form_->addRow(tr("Sam&ples"), size_);
+  column->addLayout(plate_form_);
 
   column->addSpacing(8);
   auto* sound = heading(tr("Vol&ume"), content_);
@@ -211,6 +223,32 @@ PlotPanel::PlotPanel(QWidget* parent)
   viewport()->setAutoFillBackground(false);
   content_->setAutoFillBackground(false);
   connect(line_, &QLineEdit::textChanged, this, &PlotPanel::expression_typed);
+  show_surface(false);
+}
+
+void PlotPanel::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  fit();
+}
+
+void PlotPanel::changeEvent(QEvent* event) {
+  QScrollArea::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fit();
+}
+
+void PlotPanel::fit() {
+  // Large text in a narrow panel: the names above their fields instead of beside them.
+  const int em = QFontInfo(font()).pixelSize();
+  const bool narrow = viewport()->width() - 2 * kMargin < kBeside_em * em;
+  for (auto* form : {window_form_, plate_form_})
+    form->setRowWrapPolicy(narrow ? QFormLayout::WrapAllRows : QFormLayout::DontWrapRows);
+}
+
+void PlotPanel::show_surface(bool surface) {
+  for (auto* border : heights_) {
+    border->setVisible(surface);
+    window_form_->labelForField(border)->setVisible(surface);
+  }
 }
 
 void PlotPanel::show_words(const QString& words) {
@@ -226,8 +264,9 @@ void PlotPanel::show_words(const QString& words) {
 
 void PlotPanel::show_error(const functions::SyntaxError& error) {
   line_->mark_error(error.column);
+  const auto words = functions::in_words(error, plot_language());
   const QString text =
-      tr("Column %1: %2; %3.").arg(error.column).arg(localised(error.message), localised(error.expected));
+      tr("Column %1: %2; %3.").arg(error.column).arg(localised(words.message), localised(words.expected));
   error_->setText(text);
   line_->setAccessibleDescription(text);
   QAccessibleEvent changed(line_, QAccessible::DescriptionChanged);
@@ -269,8 +308,35 @@ void PlotPanel::take_window() {
   if (!(typed == window_)) emit window_typed(typed);
 }
 
+void PlotPanel::take_heights() {
+  std::array<double, 2> typed{};
+  int given = 0;
+  bool modified = false;
+  for (std::size_t i = 0; i < heights_.size(); ++i) {
+    modified = modified || heights_[i]->isModified();
+    heights_[i]->setModified(false);
+    const QString text = heights_[i]->text().trimmed();
+    if (text.isEmpty()) continue;
+    ++given;
+    typed[i] = number_of(text);
+  }
+  // One alone is a range that is still being typed.
+  if (!modified || given == 1) return;
+  plate_.heights.reset();
+  if (given == 2) {
+    if (!(typed[0] < typed[1]) || !std::isfinite(typed[1] - typed[0])) {
+      emit heights_refused(heights_[0]->text() + QStringLiteral("; ") + heights_[1]->text());
+      return;
+    }
+    plate_.heights = functions::HeightRange{typed[0], typed[1]};
+  }
+  emit plate_changed(plate_);
+}
+
 void PlotPanel::show_plate(const functions::PlateSettings& plate) {
   plate_ = plate;
+  heights_[0]->setText(plate.heights ? number_text(plate.heights->low, 10) : QString());
+  heights_[1]->setText(plate.heights ? number_text(plate.heights->high, 10) : QString());
   const QSignalBlocker quiet(width_);
   axes_->setChecked(plate.layers.axes);
   ticks_->setChecked(plate.layers.ticks);

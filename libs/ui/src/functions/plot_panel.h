@@ -10,6 +10,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -34,6 +35,8 @@ class PlotPanel final : public QScrollArea {
   void show_window(const functions::Window& window);
   void show_plate(const functions::PlateSettings& plate);
   void show_volume(int percent, bool muted);
+  /// Whether what is typed is a surface, which has a range of heights.
+  void show_surface(bool surface);
   /// 0 to 1; below 0: nothing is being drawn.
   void show_progress(double done);
   /// The colours are others now.
@@ -45,12 +48,20 @@ class PlotPanel final : public QScrollArea {
   void window_typed(nazori::functions::Window window);
   /// A border that is no number. @param text  what stands there.
   void window_refused(QString text);
+  /// Heights that are no range. @param text  what stands there.
+  void heights_refused(QString text);
   void plate_changed(nazori::functions::PlateSettings plate);
   void volume_changed(int percent);
   void mute_changed(bool muted);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
+  void fit();
   void take_window();
+  void take_heights();
   void take_plate();
 
   QWidget* content_;
@@ -61,7 +72,10 @@ class PlotPanel final : public QScrollArea {
   QLabel* error_;
   QProgressBar* progress_;
   QComboBox* examples_;
+  QFormLayout* window_form_ = nullptr;
+  QFormLayout* plate_form_ = nullptr;
   std::array<QLineEdit*, 4> borders_{};  ///< x0, x1, y0, y1
+  std::array<QLineEdit*, 2> heights_{};  ///< z0, z1
   QCheckBox* axes_;
   QCheckBox* ticks_;
   QCheckBox* grid_;

@@ -45,8 +45,10 @@ QString number_text(double value, int digits) {
   return localised(QString::number(value, 'g', digits).toStdString());
 }
 
+QString no_coordinate() { return QStringLiteral("–"); }
+
 QString coordinate_text(double value, const std::string& exact_name) {
-  if (std::isnan(value)) return QStringLiteral("–");
+  if (std::isnan(value)) return no_coordinate();
   const QString number = number_text(std::abs(value) < 1e-12 ? 0 : value, 4);
   static const QRegularExpression whole(QStringLiteral("^-?\\d+$"));
   QString name = to_text(exact_name);

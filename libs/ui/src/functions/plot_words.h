@@ -19,6 +19,9 @@ namespace nazori::ui {
 /// A coordinate for the eye: "π/2 ≈ 1.571", the number alone where no exact name is known.
 [[nodiscard]] QString coordinate_text(double value, const std::string& exact_name);
 
+/// What stands where a coordinate does not exist.
+[[nodiscard]] QString no_coordinate();
+
 /// For the ear: "x = 1.5; y = minus 2".
 [[nodiscard]] QString place_words(const TracePlace& place);
 [[nodiscard]] QString point_words(const functions::PointOfInterest& point);

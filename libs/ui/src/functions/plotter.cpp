@@ -13,6 +13,29 @@ namespace {
 /// More pieces than anyone can feel one by one only slow the servo down; the longest are kept.
 constexpr std::size_t kMostLines = 300;
 constexpr int kProgressStep_ms = 50;
+constexpr double kUndefinedFriction = 0.6;
+
+/// Each curve has a friction of its own; of a surface, what is undefined.
+std::shared_ptr<const haptics::FrictionZones> friction_of(const functions::Plot& plot,
+                                                          const functions::Plate& plate) {
+  auto zones = std::make_shared<haptics::FrictionZones>();
+  zones->size = plate.heights.size();
+  zones->zone = plate.statement;
+  if (plot.is_surface()) {
+    for (std::size_t i = 0; i < zones->zone.size(); ++i) zones->zone[i] = plate.mask[i] != 0 ? 0 : 1;
+    zones->added = {kUndefinedFriction};
+    return zones;
+  }
+  for (std::size_t i = 0; i < plot.statements.size(); ++i)
+    zones->added.push_back(functions::feel_of(static_cast<int>(i)).friction);
+  return zones;
+}
+
+/// What is told of one statement alone: of its points those that no other statement has a part in.
+functions::Plot told_plot(const PlotRequest& request) {
+  if (request.plate.alone < 0) return request.plot;
+  return {{request.plot.statements[static_cast<std::size_t>(request.plate.alone)]}};
+}
 
 base::Result<std::shared_ptr<Drawing>> finish(const PlotRequest& request, functions::Picture&& picture,
                                               bool final) {
@@ -37,13 +60,19 @@ base::Result<std::shared_ptr<Drawing>> finish(const PlotRequest& request, functi
     lines.push_back(std::move(line));
     drawing->statements.push_back(curve.statement);
   }
-  auto carved = tablet::CarvedTablet::from_height_map(plate.heights, std::move(lines), shape);
+  auto carved = tablet::CarvedTablet::from_height_map(plate.heights, std::move(lines), shape,
+                                                      friction_of(request.plot, plate));
   if (!carved) return tl::unexpected(std::move(carved.error()));
   drawing->tablet = std::move(*carved);
   if (final) {
     const auto& tracing = drawing->picture.tracing;
     drawing->points = functions::points_of_interest(request.plot, tracing);
-    drawing->summary = functions::summary(request.plot, tracing, drawing->points, request.language);
+    if (const int alone = request.plate.alone; alone >= 0) {
+      std::erase_if(drawing->points, [alone](const functions::PointOfInterest& p) {
+        return p.statement != alone || p.other >= 0;
+      });
+    }
+    drawing->summary = functions::summary(told_plot(request), tracing, drawing->points, request.language);
   }
   return drawing;
 }

@@ -3,8 +3,14 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QResizeEvent>
+#include <QScrollBar>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
 
 #include "functions/plot_words.h"
 
@@ -12,6 +18,28 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 16;
+
+/// In a narrow table the coordinates stand under the kind: nothing has to be widened to be read.
+class StackedCell final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void set_stacked(bool stacked) { stacked_ = stacked; }
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (!stacked_ || index.column() != 0) return;
+    for (int column = 1; column < index.model()->columnCount(); ++column) {
+      const QString value = index.siblingAtColumn(column).data().toString();
+      if (value != no_coordinate())
+        option->text += QStringLiteral("\n%1 = %2")
+                            .arg(index.model()->headerData(column, Qt::Horizontal).toString(), value);
+    }
+  }
+
+ private:
+  bool stacked_ = false;
+};
 
 QTableWidgetItem* cell(const QString& text, const QString& words) {
   auto* item = new QTableWidgetItem(text);
@@ -48,9 +76,13 @@ PointsPanel::PointsPanel(QWidget* parent)
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->setShowGrid(false);
   table_->verticalHeader()->hide();
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table_->setWordWrap(true);
+  cells_ = new StackedCell(table_);
+  table_->setItemDelegate(cells_);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
+  table_->viewport()->installEventFilter(this);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   connect(table_, &QTableWidget::cellClicked, this, &PointsPanel::point_chosen);
   connect(table_, &QTableWidget::cellActivated, this, &PointsPanel::point_chosen);
@@ -84,6 +116,42 @@ void PointsPanel::show_drawing(const SharedDrawing& drawing) {
   }
   table_->setVisible(count > 0);
   empty_->setVisible(count == 0);
+  fit();
+}
+
+void PointsPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fit();
+}
+
+bool PointsPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_->viewport() && event->type() == QEvent::Resize) fit();
+  return QWidget::eventFilter(watched, event);
+}
+
+void PointsPanel::fit() {
+  if (fitting_) return;
+  fitting_ = true;
+  auto& cells = static_cast<StackedCell&>(*cells_);
+  cells.set_stacked(false);
+  int wanted = 0;
+  std::array<int, 3> widths{};
+  for (int column = 0; column < table_->columnCount(); ++column) {
+    auto& width = widths[static_cast<std::size_t>(column)];
+    width = std::max(static_cast<QAbstractItemView*>(table_)->sizeHintForColumn(column),
+                     table_->horizontalHeader()->sectionSizeHint(column));
+    wanted += width;
+  }
+  const int room = table_->viewport()->width();
+  const bool stacked = wanted > room;
+  cells.set_stacked(stacked);
+  for (int column = 0; column < table_->columnCount(); ++column) {
+    table_->setColumnHidden(column, stacked && column > 0);
+    table_->setColumnWidth(column, stacked ? room : widths[static_cast<std::size_t>(column)]);
+  }
+  table_->horizontalHeader()->setVisible(!stacked);
+  table_->resizeRowsToContents();
+  fitting_ = false;
 }
 
 void PointsPanel::set_current(int row) { table_->setCurrentCell(row, 0); }

@@ -5,6 +5,7 @@
 
 #include "functions/plotter.h"
 
+class QAbstractItemDelegate;
 class QLabel;
 class QTableWidget;
 
@@ -24,11 +25,20 @@ class PointsPanel final : public QWidget {
   /// A row was clicked or entered.
   void point_chosen(int row);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  /// Coordinates beside the kind where there is room, else under it.
+  void fit();
+
   QLabel* summary_;
   QLabel* caption_;
   QTableWidget* table_;
   QLabel* empty_;
+  QAbstractItemDelegate* cells_ = nullptr;
+  bool fitting_ = false;
 };
 
 }  // namespace nazori::ui

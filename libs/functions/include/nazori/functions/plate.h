@@ -31,6 +31,8 @@ struct PlateSettings {
   double half_width = 0.0125;  ///< of a groove, as a part of the plate's side: 0.001 to 0.2
   Layers layers;
   std::optional<HeightRange> heights;  ///< of a surface; without it the range its values take
+  /// Index of the one statement that is shown, so that a curve can be felt and heard alone; -1: all.
+  int alone = -1;
 };
 
 /// A plot carved into a square plate.

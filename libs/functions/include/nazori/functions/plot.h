@@ -7,6 +7,7 @@
 
 #include "nazori/base/result.h"
 #include "nazori/functions/expression.h"
+#include "nazori/functions/syntax_error.h"
 
 namespace nazori::functions {
 
@@ -42,16 +43,6 @@ struct Plot {
   }
 };
 
-/// Why a text cannot be read.
-struct SyntaxError {
-  int column = 1;  ///< of the place at fault: counted in characters from 1, past the end for a text cut short
-  std::string message;   ///< "an operand is missing after \"+\""
-  std::string expected;  ///< "expected a number, a variable, a function or \"(\""
-
-  /// As an Error of code parse whose `where` is "column 8".
-  [[nodiscard]] base::Error to_error() const;
-};
-
 struct ParseOptions {
   /// A comma between two digits is a decimal comma even among the arguments of min, max, mod, ... (these are
   /// then separated by "; " or ", " with a space). Elsewhere it always is.
@@ -68,8 +59,6 @@ struct ParseOptions {
 /// The plot as unambiguous text that parse() reads back: "y = (1/2)*x".
 [[nodiscard]] std::string canonical(const Plot& plot);
 [[nodiscard]] std::string canonical(const Statement& statement);
-
-enum class Language : std::uint8_t { english, japanese };
 
 /// The plot read aloud: "y equals 1 over 2, times x". Groups that the ear could not tell are named "the
 /// quantity ... end".

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nazori/geometry/frames.h"
+#include "nazori/haptics/friction_zones.h"
 #include "nazori/haptics/haptic_device.h"
 #include "nazori/surface/smooth_surface.h"
 
@@ -77,6 +78,8 @@ struct HapticScene {
   std::shared_ptr<const surface::SmoothSurface> surface;  ///< may be null: nothing to touch
   geometry::TabletShape shape;
   Material material;
+  /// May be null: the material's friction everywhere. Zones of another size than the surface are not felt.
+  std::shared_ptr<const FrictionZones> friction_zones;
   std::vector<StrokePath> strokes;
   Snapping snapping;
   Guiding guiding;

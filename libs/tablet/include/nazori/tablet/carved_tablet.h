@@ -28,9 +28,11 @@ class CarvedTablet {
       const geometry::TabletShape& shape = {});
 
   /// A relief that exists, with strokes that may be none; the strokes' depth is read from the relief.
-  /// @return Errc::bad_argument for an empty map.
+  /// @param friction  of parts of it, of as many samples as the map; null: that of the material everywhere.
+  /// @return Errc::bad_argument for an empty map, and for zones of another size.
   [[nodiscard]] static base::Result<std::shared_ptr<const CarvedTablet>> from_height_map(
-      surface::HeightMap map, std::vector<kanji::StrokeLine> lines, const geometry::TabletShape& shape = {});
+      surface::HeightMap map, std::vector<kanji::StrokeLine> lines, const geometry::TabletShape& shape = {},
+      std::shared_ptr<const haptics::FrictionZones> friction = nullptr);
 
   [[nodiscard]] const surface::HeightMap& height_map() const { return map_; }
   [[nodiscard]] const std::vector<kanji::StrokeLine>& lines() const { return lines_; }
@@ -38,6 +40,9 @@ class CarvedTablet {
   [[nodiscard]] const std::shared_ptr<const surface::SmoothSurface>& surface() const { return surface_; }
   /// Centre lines in metres, z at the bottom of the groove: the kick and the taper rise as they are carved.
   [[nodiscard]] const std::vector<haptics::StrokePath>& paths() const { return paths_; }
+
+  /// Null: that of the material everywhere.
+  [[nodiscard]] const std::shared_ptr<const haptics::FrictionZones>& friction() const { return friction_; }
 
   /// The scene for the servo with this tablet.
   [[nodiscard]] std::shared_ptr<const haptics::HapticScene> scene(const haptics::Material& material,
@@ -51,6 +56,7 @@ class CarvedTablet {
   geometry::TabletShape shape_;
   std::shared_ptr<const surface::SmoothSurface> surface_;
   std::vector<haptics::StrokePath> paths_;
+  std::shared_ptr<const haptics::FrictionZones> friction_;
 };
 
 }  // namespace nazori::tablet

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "algebra.h"
+#include "arcs.h"
+#include "nazori/functions/tape.h"
+#include "nazori/functions/tracing.h"
+
+namespace nazori::functions {
+
+/// Values and slopes of an arc.
+class ArcProbe {
+ public:
+  explicit ArcProbe(const Arc& arc)
+      : tape_(Tape::compile(std::array{improved(arc.x), improved(arc.y)}, std::array{arc.parameter})),
+        registers_(tape_.size()) {}
+
+  struct Values {
+    double x, y, slope_x, slope_y;
+  };
+  Values at(double t) {
+    tape_.evaluate<Dual<double, 1>>(std::array{Dual<double, 1>(t, 0)}, registers_);
+    const auto& x = registers_[tape_.output(0)];
+    const auto& y = registers_[tape_.output(1)];
+    return {x.value, y.value, x.slopes[0], y.slopes[0]};
+  }
+
+ private:
+  Tape tape_;
+  std::vector<Dual<double, 1>> registers_;
+};
+
+/// y beside a place where it is not finite itself.
+inline double near_value(ArcProbe& probe, double t) {
+  const double h = 1e-9 * std::max(1.0, std::abs(t));
+  return (probe.at(t - h).y + probe.at(t + h).y) / 2;
+}
+
+/// Whether a level place is a minimum.
+inline bool is_least(ArcProbe& probe, double t) {
+  const double h = 1e-5 * std::max(1.0, std::abs(t));
+  return probe.at(t - h).y > probe.at(t).y;
+}
+
+/// The argument in (low, high) where `f` changes sign.
+template <class F>
+double bisect(double low, double high, const F& f) {
+  const bool negative = f(low) < 0;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = low + (high - low) / 2;
+    if (middle <= low || middle >= high) break;
+    const double v = f(middle);
+    if (v == 0) return middle;
+    ((v < 0) == negative ? low : high) = middle;
+  }
+  const double a = std::abs(f(low));
+  const double b = std::abs(f(high));
+  return a <= b ? low : high;
+}
+
+/// Calls found(t, rising) wherever `f` changes sign along a branch.
+template <class F, class Found>
+void sign_changes(const std::vector<CurvePoint>& points, const F& f, const Found& found) {
+  double last = 0;
+  double last_at = 0;
+  bool has_last = false;
+  int zeros = 0;
+  for (const CurvePoint& p : points) {
+    const double v = f(p.parameter);
+    if (std::isnan(v)) {
+      has_last = false;
+      continue;
+    }
+    if (v == 0) {
+      ++zeros;
+      continue;
+    }
+    // A run of zeros is a flat piece, not a place.
+    if (has_last && (v < 0) != (last < 0) && zeros <= 1 && p.parameter > last_at)
+      found(bisect(last_at, p.parameter, f), v > 0);
+    last = v;
+    last_at = p.parameter;
+    has_last = true;
+    zeros = 0;
+  }
+}
+
+}  // namespace nazori::functions
