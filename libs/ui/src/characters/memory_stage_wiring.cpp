@@ -155,7 +155,7 @@ void MemoryStage::set_strictness(double strictness) {
 void MemoryStage::refresh_actions() {
   const bool any = !strokes_.empty();
   actions().undo_stroke->setEnabled(is_entered() && any);
-  actions().done->setEnabled(is_entered());
+  actions().done->setEnabled(is_entered() && state_ == State::writing);
   actions().compare_over->setEnabled(is_entered() && any);
   actions().compare_beside->setEnabled(is_entered() && any);
   actions().play->setEnabled(is_entered() && any);
