@@ -113,7 +113,7 @@ tl::unexpected<SyntaxError> Parser::missing_operand() const {
 
 tl::unexpected<SyntaxError> Parser::not_closed(const Token& open) const {
   SyntaxError error{now().column, SyntaxFault::bracket_open, open.text};
-  error.closing = closing(open.bracket);
+  error.closing = std::string(closing(open.bracket));
   error.number = open.column;
   return tl::unexpected(std::move(error));
 }
