@@ -51,6 +51,7 @@ StudySettingsDialog::StudySettingsDialog(Learner& learner, const Preferences& pr
   setWindowTitle(tr("Study settings"));
   tabs_->setObjectName(QStringLiteral("study_settings_tabs"));
   tabs_->setUsesScrollButtons(true);
+  tabs_->setDocumentMode(true);
   make_amount();
   make_lists();
   make_schedule();
@@ -127,7 +128,8 @@ QWidget* StudySettingsDialog::make_amount() {
   workload_ = sentence("study_workload", page);
   form->addRow(workload_);
   new_ = add_spin(page, tr("&New characters a day, at most"), "study_new", 0, 1000, before_.new_per_day);
-  reviews_ = add_spin(page, tr("&Reviews a day, at most"), "study_reviews", 1, 10'000, before_.reviews_per_day);
+  reviews_ =
+      add_spin(page, tr("&Reviews a day, at most"), "study_reviews", 1, 10'000, before_.reviews_per_day);
   day_starts_ =
       add_spin(page, tr("A study &day begins at (hour)"), "study_day_starts", 0, 12, before_.day_starts_at);
   zone_ = new QComboBox(page);
@@ -249,7 +251,8 @@ QWidget* StudySettingsDialog::make_window(const Preferences& preferences) {
   one_hand_->setAccessibleName(tr("Keys for one hand"));
   one_hand_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   one_hand_->addItem(tr("none"), static_cast<int>(OneHand::none));
-  one_hand_->addItem(tr("left hand: 1 2 3 4, E goes on, W hint, X takes back"), static_cast<int>(OneHand::left));
+  one_hand_->addItem(tr("left hand: 1 2 3 4, E goes on, W hint, X takes back"),
+                     static_cast<int>(OneHand::left));
   one_hand_->addItem(tr("right hand: 7 8 9 0, K goes on, U hint, Backspace takes back"),
                      static_cast<int>(OneHand::right));
   one_hand_->setCurrentIndex(one_hand_->findData(static_cast<int>(preferences.one_hand)));
@@ -296,12 +299,13 @@ void StudySettingsDialog::show_workload() {
     return;
   }
   const QLocale locale;
-  workload_->setText(tr("With %1 new a day about %2 reviews and %3 minutes a day; after a year about %4 characters "
-                        "known. Higher retention means more reviews.")
-                         .arg(locale.toString(std::min(new_->value(), 100)),
-                              locale.toString(std::lround(workload->reviews_per_day)),
-                              locale.toString(std::lround(workload->minutes_per_day)),
-                              locale.toString(std::lround(workload->known))));
+  workload_->setText(
+      tr("With %1 new a day about %2 reviews and %3 minutes a day; after a year about %4 characters "
+         "known. Higher retention means more reviews.")
+          .arg(locale.toString(std::min(new_->value(), 100)),
+               locale.toString(std::lround(workload->reviews_per_day)),
+               locale.toString(std::lround(workload->minutes_per_day)),
+               locale.toString(std::lround(workload->known))));
 }
 
 QString StudySettingsDialog::name_of_list(const QString& id) const {
@@ -332,7 +336,8 @@ void StudySettingsDialog::show_lists() {
   QStringList there;
   for (const auto& ready : study::ready_lists()) there.append(to_text(ready.id));
   for (const auto& own : learner_.store().lists()) there.append(QStringLiteral("list:") + to_text(own.name));
-  for (const auto& [tag, members] : learner_.store().tags()) there.append(QStringLiteral("tag:") + to_text(tag));
+  for (const auto& [tag, members] : learner_.store().tags())
+    there.append(QStringLiteral("tag:") + to_text(tag));
   for (const auto& id : there)
     if (!all.contains(id)) all.append(id);
   lists_->clear();
@@ -352,7 +357,8 @@ void StudySettingsDialog::show_choice() {
   if (learner_.lists() == nullptr) return;
   const auto order = learner_.lists()->in_learning_order(settings(), learner_.store());
   const auto& cards = learner_.store().cards();
-  const auto met = std::count_if(order.begin(), order.end(), [&](char32_t one) { return cards.contains(one); });
+  const auto met =
+      std::count_if(order.begin(), order.end(), [&](char32_t one) { return cards.contains(one); });
   const QLocale locale;
   choice_->setText(order.empty() ? tr("No list is chosen: nothing new will come.")
                                  : tr("%1 characters are chosen, %2 of them met already.")
@@ -408,8 +414,8 @@ void StudySettingsDialog::move_list(int by) {
   lists_->setCurrentRow(to);
 }
 
-void StudySettingsDialog::for_list(
-    const std::function<base::Result<void>(std::span<const char32_t>)>& what, const QString& done) {
+void StudySettingsDialog::for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what,
+                                   const QString& done) {
   if (learner_.lists() == nullptr) return;
   const auto members = learner_.lists()->members(current_list().toStdString(), learner_.store());
   if (!members || members->empty()) {
@@ -437,9 +443,9 @@ void StudySettingsDialog::import_weights() {
   bool fine = false;
   QStringList all;
   for (const double weight : weights_) all.append(QString::number(weight));
-  const QString text = QInputDialog::getMultiLineText(
-      this, tr("FSRS weights"), tr("21, 19 or 17 numbers, as Anki shows them:"), all.join(QStringLiteral(", ")),
-      &fine);
+  const QString text = QInputDialog::getMultiLineText(this, tr("FSRS weights"),
+                                                      tr("21, 19 or 17 numbers, as Anki shows them:"),
+                                                      all.join(QStringLiteral(", ")), &fine);
   if (!fine) return;
   const auto weights = study::parse_weights(text.toStdString());
   if (!weights) {

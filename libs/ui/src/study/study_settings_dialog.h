@@ -46,7 +46,8 @@ class StudySettingsDialog final : public QDialog {
   void move_list(int by);
   void import_weights();
   /// Does something with every character of the list that has the keyboard.
-  void for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what, const QString& done);
+  void for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what,
+                const QString& done);
   [[nodiscard]] QString current_list() const;
   [[nodiscard]] QString name_of_list(const QString& id) const;
 
