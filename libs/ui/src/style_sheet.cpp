@@ -64,6 +64,7 @@ QPushButton:disabled { color: @faint; }
 QPushButton:default { border-color: @indigo; }
 
 QPushButton[role="primary"] { background: @vermilion; color: @surface; border-color: @vermilion; padding: 7px 16px; }
+QPushButton[role="rating"] { padding: 3px 6px; }
 QPushButton[role="primary"]:hover { background: @vermilion_hover; }
 QPushButton[role="primary"]:focus { border-color: @ink; }
 QPushButton[role="primary"]:disabled { background: @hover; color: @faint; border-color: @line; }

@@ -90,8 +90,8 @@ HomePage::HomePage(Learner& learner, const StudySession& session, QWidget* paren
   column->addWidget(trouble_);
   column->addWidget(again_, 0, Qt::AlignLeft);
   column->addWidget(summary_);
-  column->addLayout(grid_);
   column->addWidget(start_);
+  column->addLayout(grid_);
   column->addWidget(advice_);
   column->addWidget(leeches_);
   column->addWidget(leech_button_, 0, Qt::AlignLeft);
@@ -220,10 +220,11 @@ void HomePage::refresh() {
                                : tr("days in a row; one day off a week is forgiven"));
 
   const bool running = session_.is_running();
-  const bool can_start = running || (!plan->now.empty() && learner_.can_write());
-  start_->setVisible(can_start);
+  can_start_ = running || (!plan->now.empty() && learner_.can_write());
+  start_->setVisible(can_start_);
   start_->setText(running ? tr("Go on with the session")
-                          : tr("Start: %n characters", nullptr, static_cast<int>(plan->now.size())));
+                          : tr("Start: %n characters, %1", nullptr, static_cast<int>(plan->now.size()))
+                                .arg(StudyWords::about(plan->estimate)));
   start_->setToolTip(tr("Enter or the space bar starts"));
   set_text(advice_, advice(*plan));
   const int leeches = static_cast<int>(plan->leeches.size());
@@ -233,7 +234,7 @@ void HomePage::refresh() {
                                .arg(in_a_row(plan->leeches)));
   leech_button_->setVisible(leeches > 0 && !running && learner_.can_write());
   QWidget* first = start_;
-  if (!can_start) first = learner_.can_write() ? static_cast<QWidget*>(settings_) : again_;
+  if (!can_start_) first = learner_.can_write() ? static_cast<QWidget*>(settings_) : again_;
   const bool had_focus = hasFocus() || (focusProxy() != nullptr && focusProxy()->hasFocus());
   setFocusProxy(first);
   if (had_focus) first->setFocus(Qt::OtherFocusReason);
