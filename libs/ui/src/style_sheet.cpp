@@ -64,6 +64,7 @@ QPushButton:disabled { color: @faint; }
 QPushButton:default { border-color: @indigo; }
 
 QPushButton[role="primary"] { background: @vermilion; color: @surface; border-color: @vermilion; padding: 7px 16px; }
+QPushButton[role="rating"] { padding: 3px 6px; }
 QPushButton[role="primary"]:hover { background: @vermilion_hover; }
 QPushButton[role="primary"]:focus { border-color: @ink; }
 QPushButton[role="primary"]:disabled { background: @hover; color: @faint; border-color: @line; }
@@ -72,6 +73,23 @@ QFrame[role="card"] QLabel { border: none; background: transparent; }
 QLabel[role="card"] { padding: 12px 16px; }
 QLabel[role="trouble"] { background: @surface; border: 2px solid @vermilion; border-radius: 10px; padding: 12px 16px; }
 QFrame#session_bar { background: @paper; border: none; border-top: 1px solid @line; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { subcontrol-origin: padding; width: 24px; border: none;
+  background: transparent; }
+QAbstractSpinBox::up-button { subcontrol-position: top right; }
+QAbstractSpinBox::down-button { subcontrol-position: bottom right; }
+QAbstractSpinBox::up-button:hover, QAbstractSpinBox::down-button:hover { background: @hover; }
+QAbstractSpinBox::up-arrow { image: url(:/nazori/up-@mode.png); width: 10px; height: 6px; }
+QAbstractSpinBox::down-arrow { image: url(:/nazori/down-@mode.png); width: 10px; height: 6px; }
+QTabWidget::pane { border: none; border-top: 1px solid @line; background: @paper; }
+QTabBar::tab { background: transparent; color: @muted; border: 2px solid transparent; border-radius: 7px;
+  padding: 5px 12px; margin: 0 2px 5px 0; }
+QTabBar::tab:hover { background: @hover; }
+QTabBar::tab:selected { background: @tint; color: @indigo; }
+QTabBar::tab:focus { border-color: @indigo; }
+QListWidget#study_lists { background: @surface; border: 2px solid @line; border-radius: 8px; outline: none; padding: 4px; }
+QListWidget#study_lists:focus { border-color: @indigo; }
+QListWidget#study_lists::item { color: @ink; padding: 3px; border-radius: 6px; }
+QListWidget#study_lists::item:selected { background: @tint; color: @ink; }
 QProgressBar { background: @line; border: none; border-radius: 3px; }
 QProgressBar::chunk { background: @indigo; border-radius: 3px; }
 
@@ -129,8 +147,8 @@ QScrollBar::handle:horizontal { background: @line; border-radius: 4px; min-width
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 
-QTextBrowser, QTreeView, QTableView { background: @surface; color: @ink; border: 1px solid @line; border-radius: 8px; }
-QTextBrowser:focus, QTreeView:focus, QTableView:focus { border: 2px solid @indigo; }
+QTextBrowser, QPlainTextEdit, QTreeView, QTableView { background: @surface; color: @ink; border: 1px solid @line; border-radius: 8px; }
+QTextBrowser:focus, QPlainTextEdit:focus, QTreeView:focus, QTableView:focus { border: 2px solid @indigo; }
 QHeaderView::section { background: @paper; color: @muted; border: none; padding: 4px 8px; }
 )");
   const std::pair<const char*, QColor> names[] = {

@@ -2146,12 +2146,6 @@ Columns and rows:</source>
         <source>Go on with the session</source>
         <translation>学習を続ける</translation>
     </message>
-    <message numerus="yes">
-        <source>Start: %n characters</source>
-        <translation>
-            <numerusform>始める：%n 字</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Enter or the space bar starts</source>
         <translation>Enter またはスペースキーで始まります</translation>
@@ -2179,6 +2173,12 @@ Columns and rows:</source>
     <message>
         <source>Time: %1</source>
         <translation>時間：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Start: %n characters, %1</source>
+        <translation>
+            <numerusform>始める：%n 字、%1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3704,20 +3704,12 @@ Columns and rows:</source>
         <translation>前に書いたもの</translation>
     </message>
     <message>
-        <source>Another lesson: this one is forgotten often</source>
-        <translation>別の練習：よく忘れる文字</translation>
-    </message>
-    <message>
         <source>Once more today</source>
         <translation>今日もう一度</translation>
     </message>
     <message>
         <source>Review</source>
         <translation>復習</translation>
-    </message>
-    <message>
-        <source>New character</source>
-        <translation>新しい文字</translation>
     </message>
     <message>
         <source>Not yet written from memory.</source>
@@ -3750,14 +3742,6 @@ Columns and rows:</source>
         <translation>部分：%1</translation>
     </message>
     <message>
-        <source>Take back</source>
-        <translation>取り消す</translation>
-    </message>
-    <message>
-        <source>Tomorrow</source>
-        <translation>明日へ</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>休止</translation>
     </message>
@@ -3768,6 +3752,22 @@ Columns and rows:</source>
     <message>
         <source>End</source>
         <translation>終える</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>取り消す</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>明日へ</translation>
+    </message>
+    <message>
+        <source>Another lesson: often forgotten</source>
+        <translation>別の練習：よく忘れる文字</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新しい文字</translation>
     </message>
 </context>
 <context>
@@ -4632,6 +4632,22 @@ Columns and rows:</source>
         <translation>
             <numerusform>約 %n 分</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>%1 d</source>
+        <translation>%1 日</translation>
+    </message>
+    <message>
+        <source>%1 mo</source>
+        <translation>%1 か月</translation>
+    </message>
+    <message>
+        <source>%1 y</source>
+        <translation>%1 年</translation>
     </message>
 </context>
 <context>

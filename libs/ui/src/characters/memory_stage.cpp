@@ -198,7 +198,8 @@ void MemoryStage::tell_last_stroke() {
     }
   if (static_cast<std::size_t>(last) < grade_.strokes.size() &&
       !grade_.strokes[static_cast<std::size_t>(last)].ok) {
-    tell_miss(tr("That is no stroke of this character. Ctrl+Z takes it back."), true);
+    tell_miss(tr("That is no stroke of this character. Ctrl+Z takes it back."),
+              !grade_.strokes[static_cast<std::size_t>(last)].matched);
     return;
   }
   for (const auto& advice : grade_.advice)

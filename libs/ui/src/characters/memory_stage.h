@@ -89,7 +89,7 @@ class MemoryStage final : public CharacterStage {
   bool tell_ = false;  ///< the answer to come is about a stroke just written
   State state_ = State::writing;
   int hints_ = 0;
-  bool missed_ = false;  ///< the last stroke was refused and goes when another is written
+  bool missed_ = false;     ///< the last stroke was refused and goes when another is written
   double replayed_s_ = -1;  ///< moment of the replay; below 0: all is shown
   WritingGroove groove_;
 };

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "kanji_text.h"
 #include "palette.h"
@@ -19,6 +20,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMostMeanings = 4;
+constexpr int kWide_em = 36;
 constexpr int kMostReadings = 2;
 
 QString meanings_of(const kanji::DictionaryEntry& entry) {
@@ -35,7 +37,8 @@ QString readings_of(const kanji::DictionaryEntry& entry) {
   QStringList kun;
   for (const auto& one : entry.kun_readings) {
     const auto reading = split_kun(one);
-    if (!reading.as_suffix && !reading.as_prefix && kun.size() < kMostReadings) kun.append(kun_plain(reading));
+    if (!reading.as_suffix && !reading.as_prefix && kun.size() < kMostReadings)
+      kun.append(kun_plain(reading));
   }
   return (all + kun).join(QStringLiteral("、"));
 }
@@ -81,7 +84,9 @@ SessionBar::SessionBar(const StudySession& session, const SessionActions& action
   head->setSpacing(12);
   head->addWidget(progress_);
   head->addWidget(line_, 1);
-  auto* middle = new QHBoxLayout;
+  task_ = new QWidget(this);
+  auto* middle = new QHBoxLayout(task_);
+  middle->setContentsMargins(0, 0, 0, 0);
   middle->setSpacing(12);
   middle->addWidget(question_, 1);
   middle->addWidget(next_, 0, Qt::AlignVCenter);
@@ -89,7 +94,8 @@ SessionBar::SessionBar(const StudySession& session, const SessionActions& action
   column->setContentsMargins(16, 8, 16, 8);
   column->setSpacing(6);
   column->addLayout(head);
-  column->addLayout(middle);
+  // The ratings stand where the question stood: the tablet must not move under the pen.
+  column->addWidget(task_);
   column->addWidget(ratings_);
   fit();
 }
@@ -115,7 +121,9 @@ QString SessionBar::question(const CharacterSheet& sheet) const {
   }
   const QString meanings = meanings_of(character.entry);
   const QString readings = readings_of(character.entry);
-  QString asked = session_.asks_from_memory() ? QString() : in_hand(to_text(character.code_point)) + QStringLiteral(" &nbsp;");
+  QString asked = session_.asks_from_memory()
+                      ? QString()
+                      : in_hand(to_text(character.code_point)) + QStringLiteral(" &nbsp;");
   if (!meanings.isEmpty()) asked += QStringLiteral("<b>%1</b> &nbsp;").arg(meanings.toHtmlEscaped());
   if (!readings.isEmpty()) asked += in_hand(readings);
   if (meanings.isEmpty() && readings.isEmpty()) {
@@ -136,10 +144,8 @@ void SessionBar::show_state(const std::shared_ptr<const CharacterSheet>& sheet) 
   setVisible(session_.is_running());
   if (!session_.is_running()) return;
   const int at = std::min(session_.done() + 1, session_.total());
-  progress_->setText(tr("%1 of %2 · %3 left")
-                         .arg(at)
-                         .arg(session_.total())
-                         .arg(StudyWords::about(session_.time_left())));
+  progress_->setText(
+      tr("%1 of %2 · %3 left").arg(at).arg(session_.total()).arg(StudyWords::about(session_.time_left())));
   line_->setRange(0, std::max(session_.total(), 1));
   line_->setValue(session_.done());
   const bool ours = sheet && sheet->character.code_point == session_.character();
@@ -154,16 +160,21 @@ void SessionBar::show_state(const std::shared_ptr<const CharacterSheet>& sheet) 
 void SessionBar::show_ratings() {
   const bool judged = session_.state() == StudySession::State::judged && !session_.is_away();
   ratings_->setVisible(judged);
+  task_->setVisible(!judged);
   if (!judged) return;
   const auto now = learner_.store().now();
   const auto today = learner_.store().today();
   for (std::size_t i = 0; i < rating_.size(); ++i) {
     const auto rating = study::kRatings[i];
-    const QString when = StudyWords::comes_again(session_.after(rating), now, today);
+    const auto after = session_.after(rating);
+    const QString when = StudyWords::comes_again(after, now, today);
     const bool proposed = rating == session_.proposed();
-    rating_[i]->setText(QStringLiteral("%1  %2%3\n%4")
-                            .arg(i + 1)
-                            .arg(StudyWords::rating(rating), proposed ? QStringLiteral("  ⏎") : QString(), when));
+    const QString sign = proposed ? QStringLiteral(" ⏎") : QString();
+    rating_[i]->setText(
+        narrow_ ? QStringLiteral("%1 %2%3 · %4")
+                      .arg(i + 1)
+                      .arg(StudyWords::rating(rating), sign, StudyWords::comes_again_short(after, now, today))
+                : QStringLiteral("%1  %2 %3\n%4").arg(i + 1).arg(StudyWords::rating(rating), sign, when));
     rating_[i]->setAccessibleName(proposed ? tr("%1: %2, proposed").arg(StudyWords::rating(rating), when)
                                            : tr("%1: %2").arg(StudyWords::rating(rating), when));
     rating_[i]->setProperty("role", proposed ? QStringLiteral("primary") : QStringLiteral("rating"));
@@ -183,12 +194,19 @@ void SessionBar::show_next() {
 }
 
 void SessionBar::fit() {
-  // Four in a row where they fit, else two and two.
+  // Four in a row with two lines each where they fit, else two and two with one line.
   const int em = QFontInfo(font()).pixelSize();
-  const int columns = width() > em * 32 ? 4 : 2;
+  const bool narrow = width() < em * kWide_em;
+  const int columns = narrow ? 2 : 4;
   for (std::size_t i = 0; i < rating_.size(); ++i)
     grid_->addWidget(rating_[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
   line_->setFixedHeight(std::max(6, em / 3));
+  const int line = QFontMetrics(font()).lineSpacing();
+  const int button = narrow ? line + em / 2 : 2 * line + em;
+  for (auto* one : rating_) one->setFixedHeight(button);
+  // As high as the ratings, which stand here later.
+  task_->setMinimumHeight(narrow ? 2 * button + grid_->spacing() : button);
+  if (std::exchange(narrow_, narrow) != narrow) show_ratings();
 }
 
 void SessionBar::changeEvent(QEvent* event) {
