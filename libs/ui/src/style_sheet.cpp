@@ -72,6 +72,12 @@ QFrame[role="card"] QLabel { border: none; background: transparent; }
 QLabel[role="card"] { padding: 12px 16px; }
 QLabel[role="trouble"] { background: @surface; border: 2px solid @vermilion; border-radius: 10px; padding: 12px 16px; }
 QFrame#session_bar { background: @paper; border: none; border-top: 1px solid @line; }
+QListWidget#learners_list { background: @surface; color: @ink; border: 2px solid @line; border-radius: 8px; outline: none; padding: 4px; }
+QListWidget#learners_list:focus { border-color: @indigo; }
+QListWidget#learners_list::item { color: @ink; padding: 4px 6px; border: 2px solid transparent; border-radius: 6px; }
+QListWidget#learners_list::item:selected { background: @tint; color: @ink; border-color: @indigo; }
+QTableView::item { padding: 2px 8px; }
+QTableView::item:selected { background: @tint; color: @ink; }
 QProgressBar { background: @line; border: none; border-radius: 3px; }
 QProgressBar::chunk { background: @indigo; border-radius: 3px; }
 
