@@ -72,10 +72,23 @@ QFrame[role="card"] QLabel { border: none; background: transparent; }
 QLabel[role="card"] { padding: 12px 16px; }
 QLabel[role="trouble"] { background: @surface; border: 2px solid @vermilion; border-radius: 10px; padding: 12px 16px; }
 QFrame#session_bar { background: @paper; border: none; border-top: 1px solid @line; }
-QListWidget#learners_list { background: @surface; color: @ink; border: 2px solid @line; border-radius: 8px; outline: none; padding: 4px; }
-QListWidget#learners_list:focus { border-color: @indigo; }
-QListWidget#learners_list::item { color: @ink; padding: 4px 6px; border: 2px solid transparent; border-radius: 6px; }
-QListWidget#learners_list::item:selected { background: @tint; color: @ink; border-color: @indigo; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { subcontrol-origin: padding; width: 24px; border: none;
+  background: transparent; }
+QAbstractSpinBox::up-button { subcontrol-position: top right; }
+QAbstractSpinBox::down-button { subcontrol-position: bottom right; }
+QAbstractSpinBox::up-button:hover, QAbstractSpinBox::down-button:hover { background: @hover; }
+QAbstractSpinBox::up-arrow { image: url(:/nazori/up-@mode.png); width: 10px; height: 6px; }
+QAbstractSpinBox::down-arrow { image: url(:/nazori/down-@mode.png); width: 10px; height: 6px; }
+QTabWidget::pane { border: none; border-top: 1px solid @line; background: @paper; }
+QTabBar::tab { background: transparent; color: @muted; border: 2px solid transparent; border-radius: 7px;
+  padding: 5px 12px; margin: 0 2px 5px 0; }
+QTabBar::tab:hover { background: @hover; }
+QTabBar::tab:selected { background: @tint; color: @indigo; }
+QTabBar::tab:focus { border-color: @indigo; }
+QListWidget#study_lists, QListWidget#learners_list { background: @surface; border: 2px solid @line; border-radius: 8px; outline: none; padding: 4px; }
+QListWidget#study_lists:focus, QListWidget#learners_list:focus { border-color: @indigo; }
+QListWidget#study_lists::item, QListWidget#learners_list::item { color: @ink; padding: 3px; border-radius: 6px; }
+QListWidget#study_lists::item:selected, QListWidget#learners_list::item:selected { background: @tint; color: @ink; }
 QTableView::item { padding: 2px 8px; }
 QTableView::item:selected { background: @tint; color: @ink; }
 QProgressBar { background: @line; border: none; border-radius: 3px; }
@@ -99,8 +112,6 @@ QFrame[separator="true"] { background: @line; border: none; max-height: 1px; min
 QWidget#library_panel, QWidget#information_panel, QWidget#seat_panel, QWidget#feel_panel,
 QWidget#session_panel, QWidget#home_page { background: @paper; }
 QWidget#progress_page, QWidget#progress_content { background: @paper; }
-QFrame[role="card"] { background: @surface; border: 1px solid @line; border-radius: 10px; }
-QFrame[role="card"] QLabel { border: none; }
 QLabel[role="card_title"] { color: @ink; font-weight: bold; }
 QFrame[role="card"] QToolButton { color: @ink; background: @surface; border: 2px solid @line; border-radius: 7px; padding: 2px 8px; }
 QFrame[role="card"] QToolButton:hover { background: @hover; }
@@ -110,8 +121,7 @@ QFrame[role="card"] QGraphicsView { background: transparent; border: 2px solid t
 QFrame[role="card"] QGraphicsView:focus { border-color: @indigo; }
 QFrame[role="card"] QListView { background: transparent; border: 2px solid @line; border-radius: 8px; outline: none; }
 QFrame[role="card"] QListView:focus { border-color: @indigo; }
-QProgressBar { background: @surface; border: 1px solid @line; border-radius: 4px; max-height: 8px; }
-QProgressBar::chunk { background: @indigo; border-radius: 3px; }
+QProgressBar#progress_work { max-height: 8px; }
 QLabel[role="muted"] { color: @muted; }
 QLabel[role="heading"] { color: @muted; }
 
@@ -133,8 +143,8 @@ QScrollBar::handle:horizontal { background: @line; border-radius: 4px; min-width
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 
-QTextBrowser, QTreeView, QTableView { background: @surface; color: @ink; border: 1px solid @line; border-radius: 8px; }
-QTextBrowser:focus, QTreeView:focus, QTableView:focus { border: 2px solid @indigo; }
+QTextBrowser, QPlainTextEdit, QTreeView, QTableView { background: @surface; color: @ink; border: 1px solid @line; border-radius: 8px; }
+QTextBrowser:focus, QPlainTextEdit:focus, QTreeView:focus, QTableView:focus { border: 2px solid @indigo; }
 QHeaderView::section { background: @paper; color: @muted; border: none; padding: 4px 8px; }
 )");
   const std::pair<const char*, QColor> names[] = {

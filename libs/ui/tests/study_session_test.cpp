@@ -60,7 +60,11 @@ class Session : public testing::Test {
     writing::Grade made;
     made.accepted = accepted;
     made.score = accepted ? 85 : 30;
-    if (!accepted) made.faults.push_back({writing::FaultKind::missing, 0});
+    if (!accepted) {
+      writing::Fault missing;
+      missing.kind = writing::FaultKind::missing;
+      made.faults.push_back(missing);
+    }
     return made;
   }
   void write(bool accepted) {

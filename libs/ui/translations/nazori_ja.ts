@@ -3681,6 +3681,26 @@ Columns and rows:</source>
         <source>Its parts: %1.</source>
         <translation>部分：%1</translation>
     </message>
+    <message>
+        <source>Take back</source>
+        <translation>取り消す</translation>
+    </message>
+    <message>
+        <source>Tomorrow</source>
+        <translation>明日へ</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>休止</translation>
+    </message>
+    <message>
+        <source>Anew</source>
+        <translation>初めから</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>終える</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::StatusLine</name>

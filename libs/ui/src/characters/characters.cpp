@@ -131,9 +131,10 @@ QString Characters::tablet_description() const {
 
 void Characters::enter() {
   entered_ = true;
-  enter_stage(stage_);
+  const auto& session = desk().session();
+  enter_stage(session.is_running() && !session.is_away() ? stage_for(session.stage()) : stage_);
   show_session();
-  if (!tablet_ && path_.empty()) choose(desk().preferences().kanji, true);
+  if (!tablet_ && path_.empty() && !desk().session().is_running()) choose(desk().preferences().kanji, true);
 }
 
 void Characters::leave() {

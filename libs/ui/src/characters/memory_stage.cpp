@@ -109,7 +109,12 @@ QList<Tool> MemoryStage::tools() const {
 }
 
 bool MemoryStage::hides_character() const {
-  return is_entered() && state_ == State::writing && !actions().groove_shown->isChecked();
+  return is_entered() && state_ == State::writing && !shows_groove();
+}
+
+bool MemoryStage::shows_groove() const {
+  // What a lesson asks for from memory is not shown, whatever the learner chose for free writing.
+  return actions().groove_shown->isChecked() && !is_taught();
 }
 
 void MemoryStage::load(const QSettings& settings) {
@@ -181,7 +186,7 @@ void MemoryStage::start_over() {
 
 void MemoryStage::put_groove() {
   if (!is_entered() || !lesson().tablet) return;
-  if (actions().groove_shown->isChecked()) {
+  if (shows_groove()) {
     controller().set_tablet(without_strokes(lesson().tablet));
   } else {
     controller().set_tablet(blank_tablet());
@@ -320,7 +325,8 @@ void MemoryStage::tell_last_stroke() {
     }
   if (static_cast<std::size_t>(last) < grade_.strokes.size() &&
       !grade_.strokes[static_cast<std::size_t>(last)].ok) {
-    tell_miss(tr("That is no stroke of this character. Ctrl+Z takes it back."), true);
+    tell_miss(tr("That is no stroke of this character. Ctrl+Z takes it back."),
+              !grade_.strokes[static_cast<std::size_t>(last)].matched);
     return;
   }
   for (const auto& advice : grade_.advice)

@@ -65,6 +65,7 @@ class MemoryStage final : public CharacterStage {
   void give_up();
   void invite();
   void set_state(State state);
+  [[nodiscard]] bool shows_groove() const;
   void put_groove();
   void carve_written();
   void show_writing();
@@ -82,7 +83,7 @@ class MemoryStage final : public CharacterStage {
   bool tell_ = false;  ///< the answer to come is about a stroke just written
   State state_ = State::writing;
   int hints_ = 0;
-  bool missed_ = false;  ///< the last stroke was refused and goes when another is written
+  bool missed_ = false;      ///< the last stroke was refused and goes when another is written
   std::vector<int> carved_;  ///< strokes whose grooves have appeared
   Worker carver_{QStringLiteral("carver")};
 };

@@ -44,9 +44,8 @@ Home::Home(Desk& desk)
     this->desk().focus_tablet();
   });
   connect(&desk.learner(), &Learner::changed, this, &Home::refresh);
-  connect(&desk.session(), &StudySession::ended, this, [this] {
-    page_->show_summary(this->desk().session().summary());
-  });
+  connect(&desk.session(), &StudySession::ended, this,
+          [this] { page_->show_summary(this->desk().session().summary()); });
   connect(&look_, &QTimer::timeout, this, &Home::refresh);
 }
 
@@ -58,9 +57,7 @@ QString Home::purpose() const { return tr("What is due today, and how to begin")
 Icon Home::drawing() const { return Icon::home; }
 QWidget* Home::page() const { return page_; }
 
-QList<Tool> Home::tools() const {
-  return {{actions_->start, true}, {}, {actions_->undo, true}};
-}
+QList<Tool> Home::tools() const { return {{actions_->start, true}, {}, {actions_->undo, true}}; }
 
 void Home::enter() {
   entered_ = true;

@@ -101,11 +101,7 @@ HomePage::HomePage(Learner& learner, const StudySession& session, QWidget* paren
   others->addWidget(free_writing_);
   others->addStretch(1);
   column->addLayout(others);
-  auto* row = new QHBoxLayout(content_);
-  row->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-  row->addStretch(1);
-  row->addLayout(column, 100);
-  row->addStretch(1);
+  content_->setLayout(column);
   setWidget(content_);
   viewport()->setAutoFillBackground(false);
   content_->setAutoFillBackground(false);
@@ -161,21 +157,24 @@ QString HomePage::after_the_work(const study::DayPlan& plan) const {
     return !one.second.paused && !one.second.leech && one.second.due_day == plan.day + days(1);
   });
   if (plan.held_back > 0)
-    return tr("Done for today: your limit is reached. %n reviews wait for tomorrow.", nullptr, plan.held_back);
+    return tr("Done for today: your limit is reached. %n reviews wait for tomorrow.", nullptr,
+              plan.held_back);
   if (store.cards().empty())
     return tr("There is nothing to learn yet. Choose lists and new characters a day in the study settings.");
-  return tomorrow > 0 ? tr("Done for today. Tomorrow %n reviews are due.", nullptr, static_cast<int>(tomorrow))
-                      : tr("Done for today. Nothing is due tomorrow; new characters come when the settings "
-                           "let them.");
+  return tomorrow > 0
+             ? tr("Done for today. Tomorrow %n reviews are due.", nullptr, static_cast<int>(tomorrow))
+             : tr("Done for today. Nothing is due tomorrow; new characters come when the settings "
+                  "let them.");
 }
 
 QString HomePage::advice(const study::DayPlan& plan) const {
   if (plan.now.empty()) return after_the_work(plan);
   QStringList said;
   if (plan.gentle) {
-    said.append(tr("%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.",
-                   nullptr, plan.gentle->overdue)
-                    .arg(plan.gentle->per_day));
+    said.append(
+        tr("%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.",
+           nullptr, plan.gentle->overdue)
+            .arg(plan.gentle->per_day));
     said.append(tr("With %n days like this all is caught up (%1). Until then nothing new is added.", nullptr,
                    plan.gentle->days)
                     .arg(StudyWords::day(plan.gentle->last_day)));
@@ -183,8 +182,9 @@ QString HomePage::advice(const study::DayPlan& plan) const {
     said.append(tr("%n more reviews wait for another day: that is your limit.", nullptr, plan.held_back));
   }
   if (learner_.store().cards().empty())
-    said.append(tr("Each new character is first watched, then traced, then written with help that fades, then "
-                   "from memory. It comes back just before it would be forgotten."));
+    said.append(
+        tr("Each new character is first watched, then traced, then written with help that fades, then "
+           "from memory. It comes back just before it would be forgotten."));
   std::vector<char32_t> news;
   for (const auto& task : plan.now)
     if (task.kind == study::TaskKind::fresh) news.push_back(task.character);
@@ -208,16 +208,16 @@ void HomePage::refresh() {
   const int news = plan->count(study::TaskKind::fresh);
   const int reviews = static_cast<int>(plan->now.size()) - news;
   show_tile(due, locale.toString(reviews), tr("due now"));
-  show_tile(fresh, locale.toString(news), plan->new_done > 0 ? tr("new, after %1 today").arg(plan->new_done)
-                                                             : tr("new today"));
+  show_tile(fresh, locale.toString(news),
+            plan->new_done > 0 ? tr("new, after %1 today").arg(plan->new_done) : tr("new today"));
   const auto whole = std::chrono::ceil<std::chrono::minutes>(plan->estimate).count();
   show_tile(minutes, plan->now.empty() ? locale.toString(0) : locale.toString(static_cast<qlonglong>(whole)),
             tr("minutes, about", nullptr, static_cast<int>(whole)));
   const auto run = streak_now();
   show_tile(streak, locale.toString(run.days),
-            run.days == 0        ? tr("days in a row")
-            : run.day_off_used   ? tr("days in a row; this week's day off is used")
-                                 : tr("days in a row; one day off a week is forgiven"));
+            run.days == 0      ? tr("days in a row")
+            : run.day_off_used ? tr("days in a row; this week's day off is used")
+                               : tr("days in a row; one day off a week is forgiven"));
 
   const bool running = session_.is_running();
   const bool can_start = running || (!plan->now.empty() && learner_.can_write());
@@ -227,9 +227,10 @@ void HomePage::refresh() {
   start_->setToolTip(tr("Enter or the space bar starts"));
   set_text(advice_, advice(*plan));
   const int leeches = static_cast<int>(plan->leeches.size());
-  set_text(leeches_, leeches == 0 ? QString()
-                                  : tr("%n characters are forgotten often and set apart: %1", nullptr, leeches)
-                                        .arg(in_a_row(plan->leeches)));
+  set_text(leeches_, leeches == 0
+                         ? QString()
+                         : tr("%n characters are forgotten often and set apart: %1", nullptr, leeches)
+                               .arg(in_a_row(plan->leeches)));
   leech_button_->setVisible(leeches > 0 && !running && learner_.can_write());
   QWidget* first = start_;
   if (!can_start) first = learner_.can_write() ? static_cast<QWidget*>(settings_) : again_;
@@ -245,12 +246,14 @@ void HomePage::show_summary(const SessionSummary& summary) {
     QStringList counts;
     for (std::size_t i = 0; i < study::kRatings.size(); ++i)
       if (summary.ratings[i] > 0)
-        counts.append(QStringLiteral("%1 %2").arg(StudyWords::rating(study::kRatings[i])).arg(summary.ratings[i]));
+        counts.append(
+            QStringLiteral("%1 %2").arg(StudyWords::rating(study::kRatings[i])).arg(summary.ratings[i]));
     said.append(counts.join(QStringLiteral(" · ")));
   }
   if (!summary.met.empty()) said.append(tr("Met first: %1").arg(in_a_row(summary.met)));
   if (!summary.again.empty()) said.append(tr("To see again soon: %1").arg(in_a_row(summary.again)));
-  if (summary.reviews + summary.practices > 0) said.append(tr("Time: %1").arg(StudyWords::about(summary.time)));
+  if (summary.reviews + summary.practices > 0)
+    said.append(tr("Time: %1").arg(StudyWords::about(summary.time)));
   set_text(summary_, said.join(QLatin1Char('\n')));
 }
 
@@ -265,8 +268,9 @@ void HomePage::fit() {
   QFont button = font();
   button.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.25);
   start_->setFont(button);
-  content_->setMaximumWidth(QWIDGETSIZE_MAX);
   const int room = std::min(viewport()->width() - 2 * kMargin, em * kWidest_em);
+  const int beside = std::max(kMargin, (viewport()->width() - room) / 2);
+  content_->layout()->setContentsMargins(beside, kMargin, beside, kMargin);
   const int columns = room >= em * 40 ? 4 : room >= em * 20 ? 2 : 1;
   for (std::size_t i = 0; i < tiles_.size(); ++i)
     grid_->addWidget(tiles_[i].frame, static_cast<int>(i) / columns, static_cast<int>(i) % columns);

@@ -50,17 +50,18 @@ NewListDialog::NewListDialog(Learner& learner, QWidget* parent)
 }
 
 void NewListDialog::read_file() {
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Read a list"), {}, tr("Texts (*.txt *.csv *.tsv);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(this, tr("Read a list"), {},
+                                                    tr("Texts (*.txt *.csv *.tsv);;All files (*)"));
   if (path.isEmpty()) return;
   const auto bytes = base::read_file(path.toStdString(), kLargestFile);
   if (!bytes) {
     trouble_->setText(reason(bytes.error()));
     return;
   }
-  text_->setPlainText(QString::fromUtf8(reinterpret_cast<const char*>(bytes->data()),
-                                        static_cast<qsizetype>(bytes->size())));
-  if (name_->text().isEmpty()) name_->setText(path.section(QLatin1Char('/'), -1).section(QLatin1Char('.'), 0, 0));
+  text_->setPlainText(
+      QString::fromUtf8(reinterpret_cast<const char*>(bytes->data()), static_cast<qsizetype>(bytes->size())));
+  if (name_->text().isEmpty())
+    name_->setText(path.section(QLatin1Char('/'), -1).section(QLatin1Char('.'), 0, 0));
 }
 
 void NewListDialog::take() {
@@ -74,9 +75,10 @@ void NewListDialog::take() {
   };
   auto characters = study::parse_list(text_->toPlainText().toStdString(), known);
   if (!characters) {
-    trouble_->setText(characters.error().where.empty()
-                          ? reason(characters.error())
-                          : QStringLiteral("%1: %2").arg(to_text(characters.error().where), reason(characters.error())));
+    trouble_->setText(
+        characters.error().where.empty()
+            ? reason(characters.error())
+            : QStringLiteral("%1: %2").arg(to_text(characters.error().where), reason(characters.error())));
     return;
   }
   list_ = {name, *std::move(characters)};

@@ -53,10 +53,14 @@ void SessionActions::set_one_hand(OneHand hand, QAction* hint, QAction* undo_str
     const char* right;
   };
   const Keys added[] = {
-      {rate[0], "1", "7"},         {rate[1], "2", "8"},
-      {rate[2], "3", "9"},         {rate[3], "4", "0"},
-      {go_on, "E", "K"},           {done, "E", "K"},
-      {hint, "W", "U"},            {undo_stroke, "X", "Backspace"},
+      {rate[0], "1", "7"},
+      {rate[1], "2", "8"},
+      {rate[2], "3", "9"},
+      {rate[3], "4", "0"},
+      {go_on, "E", "K"},
+      {done, "E", "K"},
+      {hint, "W", "U"},
+      {undo_stroke, "X", "Backspace"},
       {undo, "Shift+X", "Shift+Backspace"},
   };
   for (const auto& [action, left, right] : added) {

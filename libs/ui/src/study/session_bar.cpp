@@ -19,7 +19,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMostMeanings = 4;
-constexpr int kMostReadings = 3;
+constexpr int kMostReadings = 2;
 
 QString meanings_of(const kanji::DictionaryEntry& entry) {
   QStringList all;
@@ -33,8 +33,11 @@ QString readings_of(const kanji::DictionaryEntry& entry) {
   for (const auto& on : entry.on_readings)
     if (all.size() < kMostReadings) all.append(to_text(on));
   QStringList kun;
-  for (const auto& one : entry.kun_readings)
-    if (kun.size() < kMostReadings) kun.append(kun_plain(split_kun(one)));
+  for (const auto& one : entry.kun_readings) {
+    const auto reading = split_kun(one);
+    if (!reading.as_suffix && !reading.as_prefix && kun.size() < kMostReadings)
+      kun.append(kun_plain(reading));
+  }
   return (all + kun).join(QStringLiteral("、"));
 }
 
@@ -79,7 +82,9 @@ SessionBar::SessionBar(const StudySession& session, const SessionActions& action
   head->setSpacing(12);
   head->addWidget(progress_);
   head->addWidget(line_, 1);
-  auto* middle = new QHBoxLayout;
+  task_ = new QWidget(this);
+  auto* middle = new QHBoxLayout(task_);
+  middle->setContentsMargins(0, 0, 0, 0);
   middle->setSpacing(12);
   middle->addWidget(question_, 1);
   middle->addWidget(next_, 0, Qt::AlignVCenter);
@@ -87,7 +92,8 @@ SessionBar::SessionBar(const StudySession& session, const SessionActions& action
   column->setContentsMargins(16, 8, 16, 8);
   column->setSpacing(6);
   column->addLayout(head);
-  column->addLayout(middle);
+  // The ratings stand where the question stood: the tablet must not move under the pen.
+  column->addWidget(task_);
   column->addWidget(ratings_);
   fit();
 }
@@ -113,7 +119,9 @@ QString SessionBar::question(const CharacterSheet& sheet) const {
   }
   const QString meanings = meanings_of(character.entry);
   const QString readings = readings_of(character.entry);
-  QString asked = session_.asks_from_memory() ? QString() : in_hand(to_text(character.code_point)) + QStringLiteral(" &nbsp;");
+  QString asked = session_.asks_from_memory()
+                      ? QString()
+                      : in_hand(to_text(character.code_point)) + QStringLiteral(" &nbsp;");
   if (!meanings.isEmpty()) asked += QStringLiteral("<b>%1</b> &nbsp;").arg(meanings.toHtmlEscaped());
   if (!readings.isEmpty()) asked += in_hand(readings);
   if (meanings.isEmpty() && readings.isEmpty()) {
@@ -134,10 +142,8 @@ void SessionBar::show_state(const std::shared_ptr<const CharacterSheet>& sheet) 
   setVisible(session_.is_running());
   if (!session_.is_running()) return;
   const int at = std::min(session_.done() + 1, session_.total());
-  progress_->setText(tr("%1 of %2 · %3 left")
-                         .arg(at)
-                         .arg(session_.total())
-                         .arg(StudyWords::about(session_.time_left())));
+  progress_->setText(
+      tr("%1 of %2 · %3 left").arg(at).arg(session_.total()).arg(StudyWords::about(session_.time_left())));
   line_->setRange(0, std::max(session_.total(), 1));
   line_->setValue(session_.done());
   const bool ours = sheet && sheet->character.code_point == session_.character();
@@ -152,6 +158,7 @@ void SessionBar::show_state(const std::shared_ptr<const CharacterSheet>& sheet) 
 void SessionBar::show_ratings() {
   const bool judged = session_.state() == StudySession::State::judged && !session_.is_away();
   ratings_->setVisible(judged);
+  task_->setVisible(!judged);
   if (!judged) return;
   const auto now = learner_.store().now();
   const auto today = learner_.store().today();
@@ -159,9 +166,10 @@ void SessionBar::show_ratings() {
     const auto rating = study::kRatings[i];
     const QString when = StudyWords::comes_again(session_.after(rating), now, today);
     const bool proposed = rating == session_.proposed();
-    rating_[i]->setText(QStringLiteral("%1  %2%3\n%4")
-                            .arg(i + 1)
-                            .arg(StudyWords::rating(rating), proposed ? QStringLiteral("  ⏎") : QString(), when));
+    rating_[i]->setText(
+        QStringLiteral("%1  %2%3\n%4")
+            .arg(i + 1)
+            .arg(StudyWords::rating(rating), proposed ? QStringLiteral("  ⏎") : QString(), when));
     rating_[i]->setAccessibleName(proposed ? tr("%1: %2, proposed").arg(StudyWords::rating(rating), when)
                                            : tr("%1: %2").arg(StudyWords::rating(rating), when));
     rating_[i]->setProperty("role", proposed ? QStringLiteral("primary") : QStringLiteral("rating"));
@@ -187,6 +195,10 @@ void SessionBar::fit() {
   for (std::size_t i = 0; i < rating_.size(); ++i)
     grid_->addWidget(rating_[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
   line_->setFixedHeight(std::max(6, em / 3));
+  // As high as a row of ratings: two lines, and what surrounds them.
+  const int row = 2 * QFontMetrics(font()).lineSpacing() + em * 3 / 2;
+  task_->setMinimumHeight(row);
+  for (auto* button : rating_) button->setMinimumHeight(row);
 }
 
 void SessionBar::changeEvent(QEvent* event) {

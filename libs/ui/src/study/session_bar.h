@@ -19,7 +19,8 @@ namespace nazori::ui {
 class SessionBar final : public QFrame {
   Q_OBJECT
  public:
-  SessionBar(const StudySession& session, const SessionActions& actions, const Learner& learner, QWidget* parent);
+  SessionBar(const StudySession& session, const SessionActions& actions, const Learner& learner,
+             QWidget* parent);
 
   /// Shows where the session is. @param sheet  of the session's character; null while it is on its way.
   void show_state(const std::shared_ptr<const CharacterSheet>& sheet);
@@ -39,6 +40,7 @@ class SessionBar final : public QFrame {
   const Learner& learner_;
   QLabel* progress_;
   QProgressBar* line_;
+  QWidget* task_;  ///< question and next step
   QLabel* question_;
   QPushButton* next_;
   QWidget* ratings_;

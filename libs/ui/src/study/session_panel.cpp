@@ -48,18 +48,26 @@ SessionPanel::SessionPanel(const StudySession& session, const SessionActions& ac
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   column->setSpacing(10);
-  for (QWidget* one : {static_cast<QWidget*>(kind_), static_cast<QWidget*>(steps_),
-                       static_cast<QWidget*>(history_), static_cast<QWidget*>(faults_),
-                       static_cast<QWidget*>(parts_), static_cast<QWidget*>(ink_heading_),
-                       static_cast<QWidget*>(gallery_)})
+  for (QWidget* one :
+       {static_cast<QWidget*>(kind_), static_cast<QWidget*>(steps_), static_cast<QWidget*>(history_),
+        static_cast<QWidget*>(faults_), static_cast<QWidget*>(parts_), static_cast<QWidget*>(ink_heading_),
+        static_cast<QWidget*>(gallery_)})
     column->addWidget(one);
   column->addStretch(1);
-  for (auto* action : {actions.undo, actions.postpone, actions.pause, actions.reset, actions.end}) {
-    auto* button = new QPushButton(action->iconText(), content);
+  // Few words: the panel is narrow, and the menu has the whole ones.
+  const std::pair<QAction*, QString> buttons[] = {{actions.undo, tr("Take back")},
+                                                  {actions.postpone, tr("Tomorrow")},
+                                                  {actions.pause, tr("Pause")},
+                                                  {actions.reset, tr("Anew")},
+                                                  {actions.end, tr("End")}};
+  for (const auto& [action, words] : buttons) {
+    auto* button = new QPushButton(words, content);
+    button->setAccessibleName(action->iconText());
     button->setObjectName(QStringLiteral("button_") + action->objectName());
     button->setToolTip(action->toolTip());
     connect(button, &QPushButton::clicked, action, &QAction::trigger);
-    connect(action, &QAction::changed, button, [button, action] { button->setEnabled(action->isEnabled()); });
+    connect(action, &QAction::changed, button,
+            [button, at = action] { button->setEnabled(at->isEnabled()); });
     column->addWidget(button);
   }
   setWidget(content);
@@ -149,8 +157,9 @@ void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet
   QStringList parts;
   if (!secret && sheet && sheet->character.code_point == session_.character())
     for (const auto& part : sheet->parts)
-      parts.append(part.meaning.empty() ? to_text(part.element)
-                                        : QStringLiteral("%1 %2").arg(to_text(part.element), to_text(part.meaning)));
+      parts.append(part.meaning.empty()
+                       ? to_text(part.element)
+                       : QStringLiteral("%1 %2").arg(to_text(part.element), to_text(part.meaning)));
   parts_->setVisible(session_.is_leech_lesson() && !parts.isEmpty());
   parts_->setText(tr("Its parts: %1.").arg(parts.join(QStringLiteral(" + "))));
   show_ink();

@@ -35,7 +35,8 @@ bool StudySession::start(bool leeches) {
   }
   const auto plan = learner_.plan();
   if (!plan) {
-    emit said(Feedback::wrong, tr("What is due cannot be told: %1.").arg(to_text(base::to_line(plan.error()))));
+    emit said(Feedback::wrong,
+              tr("What is due cannot be told: %1.").arg(to_text(base::to_line(plan.error()))));
     return false;
   }
   if (leeches ? plan->leeches.empty() : plan->now.empty()) {
@@ -128,6 +129,7 @@ double StudySession::help() const { return store().card(task_.character).help; }
 void StudySession::take_sheet(const std::shared_ptr<const CharacterSheet>& sheet) {
   if (!is_running()) return;
   away_ = !sheet || sheet->character.code_point != task_.character;
+  if (away_ && state_ == State::judged) final_ = true;
   if (!away_) {
     sheet_ = sheet;
     choose_word();
@@ -145,7 +147,8 @@ void StudySession::choose_word() {
   for (const auto& word : sheet_->words) {
     const QString text = to_text(word.text);
     // A word of this character alone, or one that has it twice, asks for too little or too much.
-    if (!word.common || word.glosses.empty() || text.size() < own.size() + 1 || text.count(own) != 1) continue;
+    if (!word.common || word.glosses.empty() || text.size() < own.size() + 1 || text.count(own) != 1)
+      continue;
     word_ = word;
     return;
   }
@@ -234,7 +237,8 @@ void StudySession::judge(study::WritingResult result, const std::vector<HandStro
   result.hints = hints_;
   result.misses = misses_;
   result.shown_strokes = shown_;
-  if (peeked_) result.shown_strokes = std::max<int>(1, sheet_ ? static_cast<int>(sheet_->character.strokes.size()) : 1);
+  if (peeked_)
+    result.shown_strokes = std::max<int>(1, sheet_ ? static_cast<int>(sheet_->character.strokes.size()) : 1);
   result.duration = last_stroke_.count() > 0 ? last_stroke_ : elapsed();
   result_ = std::move(result);
   ink_ = to_study_ink(strokes);
@@ -265,7 +269,9 @@ void StudySession::take_back_judgement() {
   emit changed();
 }
 
-study::Card StudySession::after(study::Rating rating) const { return store().preview(task_.character, rating); }
+study::Card StudySession::after(study::Rating rating) const {
+  return store().preview(task_.character, rating);
+}
 
 void StudySession::rate(study::Rating rating) {
   if (state_ != State::judged) return;
@@ -275,10 +281,12 @@ void StudySession::rate(study::Rating rating) {
   const QString next = StudyWords::comes_again(card, store().now(), store().today());
   if (card.leech)
     emit said(Feedback::advice,
-              tr("%1 is forgotten often. It is set apart: Home offers another lesson for it.").arg(to_text(task_.character)));
+              tr("%1 is forgotten often. It is set apart: Home offers another lesson for it.")
+                  .arg(to_text(task_.character)));
   else
-    emit said(Feedback::good,
-              tr("Kept: %1 is “%2” and comes %3.").arg(to_text(task_.character), StudyWords::rating(rating), next));
+    emit said(
+        Feedback::good,
+        tr("Kept: %1 is “%2” and comes %3.").arg(to_text(task_.character), StudyWords::rating(rating), next));
   if (card.next_stage != Stage::memory && !card.leech) {
     // Where it failed it is practised now, with the help that the error asks for.
     stage_ = card.next_stage;
@@ -367,7 +375,7 @@ void StudySession::undo() {
     const auto card = store().card(back);
     if (back != task_.character && done_ > 0) --done_;
     study::StudyTask task;
-    task.kind = card.memory.phase == study::Phase::fresh ? study::TaskKind::fresh
+    task.kind = card.memory.phase == study::Phase::fresh    ? study::TaskKind::fresh
                 : card.memory.phase == study::Phase::review ? study::TaskKind::review
                                                             : study::TaskKind::step;
     task.character = back;
@@ -400,7 +408,8 @@ void StudySession::pause() {
 
 void StudySession::reset() {
   if (!is_running()) return;
-  put_aside(store().reset(std::span(&task_.character, 1)), tr("%1 is new again.").arg(to_text(task_.character)));
+  put_aside(store().reset(std::span(&task_.character, 1)),
+            tr("%1 is new again.").arg(to_text(task_.character)));
 }
 
 }  // namespace nazori::ui

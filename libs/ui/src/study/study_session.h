@@ -18,11 +18,11 @@ namespace nazori::ui {
 
 /// What a session came to.
 struct SessionSummary {
-  int reviews = 0;                  ///< from memory
-  std::array<int, 4> ratings{};     ///< again, hard, good, easy
-  int practices = 0;                ///< in other stages
-  std::vector<char32_t> met;        ///< characters met first
-  std::vector<char32_t> again;      ///< those that were forgotten
+  int reviews = 0;               ///< from memory
+  std::array<int, 4> ratings{};  ///< again, hard, good, easy
+  int practices = 0;             ///< in other stages
+  std::vector<char32_t> met;     ///< characters met first
+  std::vector<char32_t> again;   ///< those that were forgotten
   std::chrono::milliseconds time{0};
 };
 
@@ -122,8 +122,8 @@ class StudySession final : public QObject {
   void begin_stage(study::Stage stage);
   void measure(const study::DayPlan& plan);
   void choose_word();
-  bool keep(study::Stage stage, study::Rating rating, study::Rating proposed, const study::WritingResult& result,
-            const study::Ink& ink);
+  bool keep(study::Stage stage, study::Rating rating, study::Rating proposed,
+            const study::WritingResult& result, const study::Ink& ink);
   void judge(study::WritingResult result, const std::vector<HandStroke>& strokes);
   [[nodiscard]] std::chrono::milliseconds elapsed() const;
   [[nodiscard]] study::LearnerStore& store() const { return learner_.store(); }
@@ -137,9 +137,9 @@ class StudySession final : public QObject {
   bool leech_lesson_ = false;
   std::vector<char32_t> leeches_;  ///< still to do
   bool away_ = false;
-  bool reviewed_ = false;          ///< the present task was written from memory
-  bool peeked_ = false;            ///< the learner looked before writing from memory
-  bool final_ = false;             ///< the judgement stays whatever is written still
+  bool reviewed_ = false;  ///< the present task was written from memory
+  bool peeked_ = false;    ///< the learner looked before writing from memory
+  bool final_ = false;     ///< the judgement stays whatever is written still
   bool asks_by_words_ = true;
   std::shared_ptr<const CharacterSheet> sheet_;
   std::optional<kanji::Word> word_;

@@ -53,6 +53,7 @@ StudySettingsDialog::StudySettingsDialog(Learner& learner, const Preferences& pr
   setWindowTitle(tr("Study settings"));
   tabs_->setObjectName(QStringLiteral("study_settings_tabs"));
   tabs_->setUsesScrollButtons(true);
+  tabs_->setDocumentMode(true);
   make_amount();
   make_lists();
   make_schedule();

@@ -50,13 +50,14 @@ QString StudyWords::stage(study::Stage stage) {
 
 QString StudyWords::comes_again(const study::Card& card, study::Time now, study::Day today) {
   if (card.memory.phase != study::Phase::review) {
-    const auto left = std::chrono::ceil<minutes>(card.memory.due - now);
+    const auto left = std::chrono::round<minutes>(card.memory.due - now);
     return tr("in %n minutes", nullptr, std::max(1, static_cast<int>(left.count())));
   }
   const int days = card.due_day ? static_cast<int>((*card.due_day - today).count()) : 0;
   if (days <= 1) return tr("tomorrow");
   if (days < kDaysInWords) return tr("in %n days", nullptr, days);
-  if (days < kDaysInYear) return tr("in %n months", nullptr, static_cast<int>(std::lround(days / kDaysInMonth)));
+  if (days < kDaysInYear)
+    return tr("in %n months", nullptr, static_cast<int>(std::lround(days / kDaysInMonth)));
   return tr("in %1 years").arg(QLocale().toString(days / kDaysInYear, 'f', 1));
 }
 
@@ -67,8 +68,9 @@ QString StudyWords::about(std::chrono::milliseconds time) {
 
 QString StudyWords::day(study::Day day) {
   const QLocale locale;
-  return locale.toString(date_of(day), locale.language() == QLocale::Japanese ? QStringLiteral("M月d日（ddd）")
-                                                                              : QStringLiteral("dddd d MMMM"));
+  return locale.toString(date_of(day), locale.language() == QLocale::Japanese
+                                           ? QStringLiteral("M月d日（ddd）")
+                                           : QStringLiteral("dddd d MMMM"));
 }
 
 QString StudyWords::short_day(study::Day day) {
