@@ -99,6 +99,10 @@ void draw(QPainter& p, Icon which, const QColor& colour) {
       line({{x, 5}, {x, 19}});
       break;
     }
+    case Icon::copy:
+      p.drawRoundedRect(QRectF(8.5, 8.5, 11, 11), 1.8, 1.8);
+      line({{5.5, 15.5}, {4.5, 15.5}, {4.5, 4.5}, {15.5, 4.5}, {15.5, 5.5}});
+      break;
     case Icon::progress:
       line({{4, 4}, {4, 20}, {20, 20}});
       p.drawRect(QRectF(6.8, 13.5, 2.6, 6));

@@ -86,10 +86,12 @@ QTabBar::tab { background: transparent; color: @muted; border: 2px solid transpa
 QTabBar::tab:hover { background: @hover; }
 QTabBar::tab:selected { background: @tint; color: @indigo; }
 QTabBar::tab:focus { border-color: @indigo; }
-QListWidget#study_lists { background: @surface; border: 2px solid @line; border-radius: 8px; outline: none; padding: 4px; }
-QListWidget#study_lists:focus { border-color: @indigo; }
-QListWidget#study_lists::item { color: @ink; padding: 3px; border-radius: 6px; }
-QListWidget#study_lists::item:selected { background: @tint; color: @ink; }
+QListWidget#study_lists, QListWidget#learners_list { background: @surface; border: 2px solid @line; border-radius: 8px; outline: none; padding: 4px; }
+QListWidget#study_lists:focus, QListWidget#learners_list:focus { border-color: @indigo; }
+QListWidget#study_lists::item, QListWidget#learners_list::item { color: @ink; padding: 3px; border-radius: 6px; }
+QListWidget#study_lists::item:selected, QListWidget#learners_list::item:selected { background: @tint; color: @ink; }
+QTableView::item { padding: 2px 8px; }
+QTableView::item:selected { background: @tint; color: @ink; }
 QProgressBar { background: @line; border: none; border-radius: 3px; }
 QProgressBar::chunk { background: @indigo; border-radius: 3px; }
 
@@ -111,8 +113,6 @@ QFrame[separator="true"] { background: @line; border: none; max-height: 1px; min
 QWidget#library_panel, QWidget#information_panel, QWidget#seat_panel, QWidget#feel_panel,
 QWidget#session_panel, QWidget#home_page { background: @paper; }
 QWidget#progress_page, QWidget#progress_content { background: @paper; }
-QFrame[role="card"] { background: @surface; border: 1px solid @line; border-radius: 10px; }
-QFrame[role="card"] QLabel { border: none; }
 QLabel[role="card_title"] { color: @ink; font-weight: bold; }
 QFrame[role="card"] QToolButton { color: @ink; background: @surface; border: 2px solid @line; border-radius: 7px; padding: 2px 8px; }
 QFrame[role="card"] QToolButton:hover { background: @hover; }
@@ -122,8 +122,7 @@ QFrame[role="card"] QGraphicsView { background: transparent; border: 2px solid t
 QFrame[role="card"] QGraphicsView:focus { border-color: @indigo; }
 QFrame[role="card"] QListView { background: transparent; border: 2px solid @line; border-radius: 8px; outline: none; }
 QFrame[role="card"] QListView:focus { border-color: @indigo; }
-QProgressBar { background: @surface; border: 1px solid @line; border-radius: 4px; max-height: 8px; }
-QProgressBar::chunk { background: @indigo; border-radius: 3px; }
+QProgressBar#progress_work { max-height: 8px; }
 QWidget#writing_panel, QWidget#writing_content { background: @paper; }
 QLabel[role="muted"] { color: @muted; }
 QLabel[role="title"] { font-weight: 600; }

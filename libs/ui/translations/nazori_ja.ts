@@ -39,6 +39,14 @@
         <source>Sources of the kanji database</source>
         <translation>漢字データベースの出典</translation>
     </message>
+    <message>
+        <source>Charts: Qt Charts %1</source>
+        <translation>グラフ：Qt Charts %1</translation>
+    </message>
+    <message>
+        <source>GPL 3, and so is the built program as a whole</source>
+        <translation>GPL 3。組み立てたプログラム全体も GPL 3 になります</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::Actions</name>
@@ -903,6 +911,10 @@
     <message>
         <source>Copy the numbers of %1</source>
         <translation>%1の数字をコピー</translation>
+    </message>
+    <message>
+        <source>Left and right read it row by row.</source>
+        <translation>左右のキーで一行ずつ読みます。</translation>
     </message>
 </context>
 <context>
@@ -4203,14 +4215,6 @@ Columns and rows:</source>
     <message>
         <source>Smoothness</source>
         <translation>なめらかさ</translation>
-    </message>
-    <message>
-        <source>Speed (character widths a second)</source>
-        <translation>速さ（毎秒の字幅）</translation>
-    </message>
-    <message>
-        <source>Smoothness (nearer to 0 is smoother)</source>
-        <translation>なめらかさ（0 に近いほどなめらか）</translation>
     </message>
     <message>
         <source>Speed %1 at first, %2 now, in character widths a second. Smoothness %3 at first, %4 now; nearer to 0 is smoother.</source>

@@ -49,6 +49,7 @@ BackupsDialog::BackupsDialog(Learner& learner, QWidget* parent)
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   words_->setObjectName(QStringLiteral("backups_words"));
   words_->setWordWrap(true);
   words_->setTextFormat(Qt::PlainText);

@@ -21,9 +21,8 @@ LearnerActions::LearnerActions(QWidget* window) : ActionSet(window) {
            tr("Write cards with stroke order, readings, meanings and words (.apkg)"), key("Ctrl+Shift+K"));
   import_json = make("import_json", tr("&Import…"), tr("Read what was exported (JSON), also elsewhere"),
                      key("Ctrl+Shift+I"));
-  groups_ = {
-      {tr("&Learner"),
-       {learners, nullptr, back_up, restore, nullptr, export_json, export_csv, export_anki, import_json}}};
+  add_group(tr("&Learner"), {learners, nullptr, back_up, restore, nullptr, export_json, export_csv,
+                             export_anki, import_json});
 }
 
 }  // namespace nazori::ui

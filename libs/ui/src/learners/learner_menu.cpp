@@ -45,7 +45,7 @@ void LearnerMenu::back_up() {
   auto& learner = desk_.learner();
   const auto made = study::make_backup(learner.store(), learner.file());
   if (made)
-    desk_.say(Feedback::good, tr("Backed up as %1.").arg(to_text(made->string())));
+    desk_.say(Feedback::good, tr("Backed up as %1.").arg(to_text(made->filename().string())));
   else if (made.error().code == base::Errc::not_found)
     desk_.say(Feedback::advice, tr("Nothing is studied yet: there is nothing to back up."));
   else

@@ -30,6 +30,7 @@ struct ChartSeries {
   Form form = Form::line;
   Axis axis = Axis::left;
   QList<double> values;
+  QString unit = {};  ///< behind the numbers of its axis, as printf takes it: " %%"
 };
 
 /// Everything a chart shows, as data. Its rows follow each other in time.

@@ -140,8 +140,7 @@ void ChartCard::fill_table() {
 
 void ChartCard::read_row(int row) {
   const QString words = chart_.numbers.row_text(row);
-  // A line is kept free, so that nothing jumps when the first row is read.
-  reading_->setText(words.isEmpty() ? QStringLiteral(" ") : words);
+  reading_->setText(words.isEmpty() ? tr("Left and right read it row by row.") : words);
   reading_->setVisible(day_chart_ != nullptr && !chart_.places.isEmpty() && !numbers_->isChecked());
   if (words.isEmpty()) return;
   drawing_->setAccessibleDescription(words);

@@ -56,10 +56,11 @@ void DayChart::draw() {
   auto* drawn = new QChart;
   const Colours& c = current_colours();
   drawn->setBackgroundVisible(false);
-  drawn->setMargins(QMargins(0, 0, 0, 0));
+  drawn->setMargins(QMargins(4, 6, 4, 4));
   drawn->layout()->setContentsMargins(0, 0, 0, 0);
   drawn->legend()->setVisible(chart_.series.size() > 1);
   drawn->legend()->setAlignment(Qt::AlignBottom);
+  drawn->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
   drawn->legend()->setFont(font());
   drawn->legend()->setLabelColor(c.ink);
   days_ = new QCategoryAxis;
@@ -81,7 +82,7 @@ void DayChart::draw() {
     const bool whole = series.form == ChartSeries::Form::bars;
     double low = std::min(0.0, *least < 0 ? -nice_over(-*least, false) : 0.0);
     double high = *most <= 0 && low < 0 ? 0.0 : nice_over(*most, whole);
-    if (axis != nullptr && series.axis == ChartSeries::Axis::left && chart_.left_range) {
+    if (series.axis == ChartSeries::Axis::left && chart_.left_range) {
       low = chart_.left_range->first;
       high = chart_.left_range->second;
     }
@@ -89,9 +90,11 @@ void DayChart::draw() {
     const double span = high - low;
     axis->setTickCount(whole && span < 4 ? static_cast<int>(span) + 1 : 5);
     const double step = span / (axis->tickCount() - 1);
-    axis->setLabelFormat(std::abs(step - std::round(step)) < 1e-9             ? QStringLiteral("%.0f")
-                         : std::abs(10 * step - std::round(10 * step)) < 1e-9 ? QStringLiteral("%.1f")
-                                                                              : QStringLiteral("%.2f"));
+    const auto divides = [step](double by) { return std::abs(by * step - std::round(by * step)) < 1e-9; };
+    const QString number = divides(1)    ? QStringLiteral("%.0f")
+                           : divides(10) ? QStringLiteral("%.1f")
+                                         : QStringLiteral("%.2f");
+    axis->setLabelFormat(number + series.unit);
     axis->setLabelsFont(font());
     axis->setLabelsColor(c.muted);
     axis->setLinePenColor(c.line);

@@ -55,6 +55,8 @@ QString Progress::title() const { return tr("Progress of %1").arg(desk().learner
 QWidget* Progress::page() const { return page_; }
 ActionSet* Progress::actions() const { return actions_; }
 
+QList<Tool> Progress::tools() const { return {{actions_->numbers, true}, {actions_->copy, true}}; }
+
 void Progress::connect_actions() {
   const std::pair<QAction*, const char*> places[] = {
       {actions_->forecast, "forecast"},     {actions_->retention, "retention"},

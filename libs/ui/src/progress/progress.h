@@ -24,6 +24,7 @@ class Progress final : public Workplace {
   [[nodiscard]] QString title() const override;
   [[nodiscard]] QWidget* page() const override;
   [[nodiscard]] ActionSet* actions() const override;
+  [[nodiscard]] QList<Tool> tools() const override;
 
   void enter() override;
   void leave() override;

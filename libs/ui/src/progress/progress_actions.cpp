@@ -21,6 +21,8 @@ ProgressActions::ProgressActions(QWidget* window) : ActionSet(window) {
               key("Ctrl+C"));
   longer = make("progress_longer", tr("&Longer time"), tr("Show a longer time"), key("L"));
   shorter = make("progress_shorter", tr("Shorter &time"), tr("Show a shorter time"), key("K"));
+  draw(numbers, Icon::numbers);
+  draw(copy, Icon::copy);
   add_group(tr("&Progress"), {forecast, retention, activity, motion, characters, hard_strokes, nullptr,
                               numbers, copy, nullptr, longer, shorter});
 }

@@ -210,14 +210,22 @@ ChartCard* ProgressPage::card_at_hand() const { return at_hand_; }
 void ProgressPage::go_to(const QString& id) {
   at_hand_ = card(id);
   at_hand_->focus_content();
-  scroll_->ensureWidgetVisible(at_hand_, 0, kMargin);
+  scroll_to(at_hand_);
+}
+
+void ProgressPage::scroll_to(ChartCard* card) {
+  // With the first row the figures above it are to be seen, too.
+  if (cards_.indexOf(card) < columns_)
+    scroll_->ensureVisible(0, 0);
+  else
+    scroll_->ensureWidgetVisible(card, 0, kMargin);
 }
 
 void ProgressPage::note_focus(QWidget* now) {
   for (auto* card : cards_) {
     if (now == nullptr || !card->isAncestorOf(now)) continue;
     at_hand_ = card;
-    scroll_->ensureWidgetVisible(card, 0, kMargin);
+    scroll_to(card);
   }
 }
 

@@ -62,6 +62,7 @@ class ProgressPage final : public QWidget {
   void show_charts();
   void show_characters();
   void note_focus(QWidget* now);
+  void scroll_to(ChartCard* card);
 
   Learner& learner_;
   SharedStatistics statistics_;

@@ -235,6 +235,7 @@ Chart StudyCharts::retention(const study::Statistics& statistics, Day first) {
         {date(row.day), QLocale().toString(one.reviews), percent(one.actual()), percent(one.predicted)});
   }
   all.predicted = chances / all.reviews;
+  actual.unit = predicted.unit = QStringLiteral(" %%");
   chart.series = {actual, predicted};
   chart.left_range = {std::floor(least * 10) * 10, 100};
   chart.summary = tr("Reviews after a day or more: %1. Recalled %2, predicted %3.")
@@ -254,10 +255,8 @@ Chart StudyCharts::motion(const study::Statistics& statistics, Day first) {
   const auto rows = study::motion_by(period, statistics, first);
   if (rows.empty()) return chart;
   place_rows(chart, rows, period);
-  ChartSeries speed{
-      tr("Speed (character widths a second)"), ChartSeries::Form::line, ChartSeries::Axis::left, {}};
-  ChartSeries smooth{
-      tr("Smoothness (nearer to 0 is smoother)"), ChartSeries::Form::line, ChartSeries::Axis::right, {}};
+  ChartSeries speed{tr("Speed"), ChartSeries::Form::line, ChartSeries::Axis::left, {}};
+  ChartSeries smooth{tr("Smoothness"), ChartSeries::Form::line, ChartSeries::Axis::right, {}};
   for (const auto& row : rows) {
     const double widths = row.speed / geometry::kGlyphSide;
     speed.values.append(widths);

@@ -10,7 +10,7 @@ namespace nazori::ui {
 
 ListChoice::ListChoice(QWidget* parent) : QComboBox(parent) {
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  setMinimumContentsLength(12);
+  setMinimumContentsLength(20);
   addItem(tr("Met so far"), QString());
 }
 

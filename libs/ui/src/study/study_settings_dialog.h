@@ -3,6 +3,7 @@
 
 #include <QDialog>
 
+#include "nazori/study/pace.h"
 #include "preferences.h"
 #include "study/learner.h"
 
