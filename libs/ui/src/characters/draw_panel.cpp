@@ -3,7 +3,6 @@
 
 #include <QEvent>
 #include <QFontInfo>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
@@ -13,6 +12,7 @@
 
 #include "characters/drawing_pad.h"
 #include "error_text.h"
+#include "flow_layout.h"
 #include "kanji_text.h"
 
 namespace nazori::ui {
@@ -49,11 +49,10 @@ DrawPanel::DrawPanel(Desk& desk, QWidget* parent)
     connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
     return made;
   };
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
+  // In a narrow panel, or with large letters, they stand in several rows.
+  auto* row = new FlowLayout(6, 6);
   row->addWidget(button(tr("Undo"), "draw_undo", [this] { pad_->undo(); }));
   row->addWidget(button(tr("Clear"), "draw_clear", [this] { pad_->clear(); }));
-  row->addStretch(1);
   row->addWidget(button(tr("Close"), "draw_close", [this] { emit closed(); }));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 12, 6, 12);
