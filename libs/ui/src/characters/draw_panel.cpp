@@ -207,9 +207,17 @@ void DrawPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) fit();
 }
 
+void DrawPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
+}
+
 void DrawPanel::fit() {
-  const int side = QFontInfo(font()).pixelSize() * 3;
-  candidates_->setGridSize({side, side});
+  const int em = QFontInfo(font()).pixelSize();
+  candidates_->setGridSize({em * 3, em * 3});
+  // The candidates need the room more.
+  constexpr int kRoomForWords = 26;
+  words_->setVisible(height() >= kRoomForWords * em);
 }
 
 }  // namespace nazori::ui
