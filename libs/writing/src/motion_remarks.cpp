@@ -155,15 +155,12 @@ std::vector<std::string> explain(std::span<const MotionRemark> remarks, Language
 std::string explain_pace(std::span<const PenMotion> motions, std::span<const MotionRemark> remarks,
                          Language language) {
   double duration_s = 0;
-  int timed = 0;
-  for (const auto& m : motions) {
-    duration_s += m.duration_s + m.pause_before_s;
-    if (m.speed_peaks > 0) ++timed;
-  }
-  if (timed == 0 || !(duration_s > 0)) return {};
+  for (const auto& m : motions) duration_s += m.duration_s + m.pause_before_s;
+  if (!(duration_s > 0)) return {};
+  const auto all = static_cast<int>(motions.size());
   const auto halting = std::count_if(remarks.begin(), remarks.end(), is_of_flow);
   return fmt::format(fmt::runtime(text(Text::pace, language)), fmt::format("{:.1f}", duration_s),
-                     timed - static_cast<int>(halting), timed);
+                     all - static_cast<int>(halting), all);
 }
 
 }  // namespace nazori::writing
