@@ -139,10 +139,9 @@ bool is_timed(const writing::Ink& ink) {
 std::vector<std::string> motion_sentences(std::span<const writing::PenMotion> motions,
                                           std::span<const writing::MotionRemark> remarks,
                                           writing::Language language) {
-  std::vector<std::string> sentences;
+  auto sentences = writing::explain(remarks, language);
   if (auto pace = writing::explain_pace(motions, remarks, language); !pace.empty())
-    sentences.push_back(std::move(pace));
-  for (const auto& remark : remarks) sentences.push_back(writing::explain(remark, language));
+    sentences.insert(sentences.begin(), std::move(pace));
   return sentences;
 }
 

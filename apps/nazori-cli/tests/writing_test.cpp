@@ -48,6 +48,18 @@ TEST(GradeVerb, AnswersEachLineAndHandsTheIdBack) {
     EXPECT_TRUE(a.lines[0]["parts"].contains(part)) << part;
 }
 
+TEST(GradeVerb, ExplainsTheScoreAndWhereItIsTimedThePen) {
+  const auto a =
+      ask("grade --explain ja",
+          kBar + "\n" + R"({"char":"一","strokes":[[[0.1,0.5],[0.5,0.5],[0.9,0.5]]],"times":[[0,400,600]]})" +
+              "\n");
+  ASSERT_EQ(a.lines.size(), 2U);
+  EXPECT_EQ(a.lines[0]["score_explanation"][1], "書き順：15点中15点（順番どおりか）。");
+  EXPECT_FALSE(a.lines[0].contains("motion_explanation"));
+  EXPECT_EQ(a.lines[1]["motion_explanation"][0], "0.6秒で書きました。1画のうち1画が滑らかでした。");
+  EXPECT_EQ(a.lines[1]["motion_explanation"][1], "1画目は、とめます。ペンを止めてから離しましょう。");
+}
+
 TEST(GradeVerb, NamesTheLineOfBadInputAndAnswersTheRest) {
   std::string many = R"({"char":"一","strokes":[[)";
   for (int i = 0; i < 100'000; ++i) many += (i == 0 ? "[0." : ",[0.") + std::to_string(100'000 + i) + ",0.5]";
@@ -108,7 +120,7 @@ TEST(GradeVerb, RefusesAStrictnessThatIsNone) {
 
 TEST(GradeVerb, TellsHowThePenMovedWhereItIsTimed) {
   const auto a = ask("grade", R"({"char":"一","strokes":[[[0.1,0.5],[0.5,0.5],[0.9,0.5]]],)"
-                              R"("times":[[0,300,600]],"pressures":[[0.5,0.6,0.2]]})"
+                              R"("times":[[0,400,600]],"pressures":[[0.5,0.6,0.2]]})"
                               "\n");
   ASSERT_EQ(a.lines.size(), 1U);
   EXPECT_DOUBLE_EQ(a.lines[0]["motion"][0]["duration_s"], 0.6);

@@ -3,8 +3,10 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractSlider>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QLineEdit>
 
 namespace nazori::ui {
 namespace {
@@ -15,10 +17,17 @@ bool walks(int key) {
 
 bool takes(int key) { return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter; }
 
+bool slides(int key) {
+  return walks(key) || key == Qt::Key_PageUp || key == Qt::Key_PageDown || key == Qt::Key_Home ||
+         key == Qt::Key_End;
+}
+
 bool works_with(const QObject* widget, int key) {
   if (qobject_cast<const QAbstractItemView*>(widget) != nullptr ||
       qobject_cast<const QComboBox*>(widget) != nullptr)
     return walks(key) || takes(key);
+  if (qobject_cast<const QAbstractSlider*>(widget) != nullptr) return slides(key);
+  if (qobject_cast<const QLineEdit*>(widget) != nullptr) return key == Qt::Key_Return || key == Qt::Key_Enter;
   return qobject_cast<const QAbstractButton*>(widget) != nullptr && key == Qt::Key_Space;
 }
 

@@ -17,7 +17,8 @@ QString translations(const char* name) {
 
 /// Every place holder of the source must be in the translation, and no other.
 QStringList place_holders(const QString& text) {
-  static const QRegularExpression holder(QStringLiteral("%(\\d|n)"));
+  // As QString::arg() reads them: "%1100" is number 11.
+  static const QRegularExpression holder(QStringLiteral("%(\\d{1,2}|n)"));
   QStringList found;
   for (auto match = holder.globalMatch(text); match.hasNext();) found.append(match.next().captured());
   found.removeDuplicates();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <QLineEdit>
 #include <QListWidget>
 #include <QSettings>
 #include <QSlider>
@@ -140,6 +141,19 @@ TEST_F(Stages, ComparingShowsTheModelOverTheWritingAndBothBesideEachOther) {
   EXPECT_EQ(compare->points_shown(), all);
 }
 
+TEST_F(Stages, AnotherCharacterIsNotGivenAwayByTheComparisonOfTheLast) {
+  show(U'十');
+  press(Qt::Key_F8);
+  write(model(U'十')[0]);
+  ASSERT_TRUE(says("is right"));
+  press(Qt::Key_O);
+  press(Qt::Key_B);
+  show(U'休');
+  EXPECT_FALSE(find("compare_view")->isVisible());
+  EXPECT_FALSE(action("compare_beside")->isChecked());
+  EXPECT_TRUE(seen_verdicts().empty());
+}
+
 TEST_F(Stages, TheWritingIsReplayedOnTheTabletAtItsOwnSpeed) {
   show(U'十');
   press(Qt::Key_F8);
@@ -178,6 +192,26 @@ TEST_F(Stages, StrictnessIsASliderThatKeysMoveToo) {
   slider->setFocus(Qt::TabFocusReason);
   QTest::keyClick(slider, Qt::Key_Home);
   EXPECT_TRUE(action("lenient")->isChecked());
+}
+
+TEST_F(Stages, EnterInTheSearchBoxChoosesAndIsNoVerdict) {
+  press(Qt::Key_F8);
+  auto* search = find<QLineEdit>("search");
+  search->setFocus();
+  QTest::keyClicks(search, QStringLiteral("mizu"));
+  QTest::qWait(300);
+  press(Qt::Key_Return);
+  EXPECT_TRUE(says("みず")) << feedback().toStdString();
+}
+
+TEST_F(Stages, PageDownOnTheSliderMovesItAndKeepsTheCharacter) {
+  show(U'十');
+  press(Qt::Key_F8);
+  auto* slider = find<QSlider>("strictness");
+  slider->setFocus(Qt::TabFocusReason);
+  const int before = slider->value();
+  press(Qt::Key_PageUp);
+  EXPECT_EQ(slider->value(), before + slider->pageStep());
 }
 
 TEST_F(Stages, TheReportTellsThePartsOfTheScoreAndHowThePenMoved) {

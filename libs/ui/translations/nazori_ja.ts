@@ -2906,7 +2906,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>%1 %2 of 100 points.</source>
-        <translation>%1100 点中 %2 点です。</translation>
+        <translation>%1 %2 点（100 点満点）です。</translation>
     </message>
     <message>
         <source>%1 Ctrl+Z takes back a stroke, O shows the model.</source>

@@ -62,44 +62,42 @@ Sentence sentence(Text which) {
     case Text::kick_needless:
       return {"Stroke {0} stops without a kick.", "{0}画目の最後は、はねずにとめます。"};
     case Text::paused:
-      return {"You paused for {1} seconds within stroke {0}: try to write it in one go.",
-              "{0}画目の途中で{1}秒止まりました。一気に書いてみましょう。"};
+      return {"You paused within {0}, for up to {1} seconds: try to write on without stopping.",
+              "{0}の途中で止まりました（最長{1}秒）。一気に書いてみましょう。"};
     case Text::hesitant:
-      return {"Stroke {0} was made of {1} short moves: try to let it flow.",
-              "{0}画目は{1}回に分かれた動きでした。流れるように書いてみましょう。"};
+      return {"You wrote {0} in many short moves: try to let the pen flow.",
+              "{0}は細かく区切れていました。流れるように書いてみましょう。"};
     case Text::not_stopped:
-      return {"Stroke {0} stops: hold the pen still before you lift it.",
-              "{0}画目は、とめます。ペンを止めてから離しましょう。"};
+      return {"Stop at the end of {0}: hold the pen still before you lift it.",
+              "{0}は、とめます。ペンを止めてから離しましょう。"};
     case Text::not_swept:
-      return {"Stroke {0} is swept out: lift the pen while it still moves.",
-              "{0}画目は、はらいます。動かしながらペンを離しましょう。"};
+      return {"Sweep out {0}: lift the pen while it still moves.",
+              "{0}は、はらいます。動かしながらペンを離しましょう。"};
     case Text::kick_held:
-      return {"The kick of stroke {0} is quick: lift the pen while it still moves.",
-              "{0}画目のはねは、動かしながらペンを離しましょう。"};
+      return {"Flick out of the kick of {0}: lift the pen while it still moves.",
+              "{0}のはねは、動かしながらペンを離しましょう。"};
     case Text::heavy_end:
-      return {"Stroke {0} thins out: press less and less towards its end.",
-              "{0}画目は、終わりに向かって力を抜きましょう。"};
+      return {"Let {0} thin out: press less and less towards the end.",
+              "{0}は、終わりに向かって力を抜きましょう。"};
     case Text::light_end:
-      return {"Stroke {0} ends firmly: keep the pressure until it stops.",
-              "{0}画目は、最後まで力を入れてとめましょう。"};
+      return {"Keep the pressure to the very end of {0}.", "{0}は、最後まで力を入れてとめましょう。"};
     case Text::pace:
       return {"Written in {0} seconds; {1} of {2} strokes flowed.",
               "{0}秒で書きました。{2}画のうち{1}画が滑らかでした。"};
     case Text::points_for_strokes:
-      return {"Strokes: {0} of {1} points, for those that are there, once, and of the right kind.",
-              "画：{1}点満点中{0}点。必要な画が過不足なくあるかを見ます。"};
+      return {"Strokes: {0} of {1} points, for each being there, once.",
+              "画：{1}点中{0}点（過不足なく書けたか）。"};
     case Text::points_for_order:
-      return {"Order: {0} of {1} points, for strokes written at their turn.",
-              "書き順：{1}点満点中{0}点。正しい順に書けたかを見ます。"};
+      return {"Order: {0} of {1} points, for each at its turn.", "書き順：{1}点中{0}点（順番どおりか）。"};
     case Text::points_for_direction:
-      return {"Direction: {0} of {1} points, for strokes written from their beginning.",
-              "方向：{1}点満点中{0}点。書き始めから書き終わりへ書けたかを見ます。"};
+      return {"Direction: {0} of {1} points, for each from its beginning.",
+              "方向：{1}点中{0}点（書き始めは正しいか）。"};
     case Text::points_for_shape:
-      return {"Shape and size: {0} of {1} points, for strokes as long and as bent as the model's.",
-              "形と大きさ：{1}点満点中{0}点。長さや曲がり方が手本に近いかを見ます。"};
+      return {"Shape and size: {0} of {1} points, for being like the model.",
+              "形と大きさ：{1}点中{0}点（手本に近いか）。"};
     case Text::points_for_place:
-      return {"Place: {0} of {1} points, for strokes where the others lead one to expect them.",
-              "位置：{1}点満点中{0}点。ほかの画との釣り合いを見ます。"};
+      return {"Place: {0} of {1} points, for lying well among the others.",
+              "位置：{1}点中{0}点（釣り合いはよいか）。"};
   }
   return {};
 }

@@ -2,6 +2,7 @@
 #include "nazori/writing/motion_remarks.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +94,13 @@ Text text_of(MotionRemarkKind kind) {
   return Text::paused;
 }
 
+/// "stroke 2", "strokes 1, 5 and 6"; "1・5・6画目".
+std::string names_of(std::span<const int> strokes, Language language) {
+  if (language == Language::japanese) return fmt::format("{}画目", fmt::join(strokes, "・"));
+  if (strokes.size() == 1) return fmt::format("stroke {}", strokes.front());
+  return fmt::format("strokes {} and {}", fmt::join(strokes.first(strokes.size() - 1), ", "), strokes.back());
+}
+
 bool is_of_flow(const MotionRemark& remark) {
   return remark.kind == MotionRemarkKind::paused || remark.kind == MotionRemarkKind::hesitant;
 }
@@ -125,24 +133,34 @@ std::vector<MotionRemark> motion_remarks(std::span<const PenMotion> motions, con
   return remarks;
 }
 
-std::string explain(const MotionRemark& remark, Language language) {
-  const std::string amount = remark.kind == MotionRemarkKind::hesitant ? fmt::format("{:.0f}", remark.amount)
-                                                                       : fmt::format("{:.1f}", remark.amount);
-  return fmt::format(fmt::runtime(text(text_of(remark.kind), language)), remark.model + 1, amount);
+std::vector<std::string> explain(std::span<const MotionRemark> remarks, Language language) {
+  std::vector<std::string> sentences;
+  std::vector<MotionRemarkKind> said;
+  for (const auto& first : remarks) {
+    if (std::find(said.begin(), said.end(), first.kind) != said.end()) continue;
+    said.push_back(first.kind);
+    std::vector<int> strokes;
+    double most = 0;
+    for (const auto& remark : remarks) {
+      if (remark.kind != first.kind) continue;
+      strokes.push_back(remark.model + 1);
+      most = std::max(most, remark.amount);
+    }
+    sentences.push_back(fmt::format(fmt::runtime(text(text_of(first.kind), language)),
+                                    names_of(strokes, language), fmt::format("{:.1f}", most)));
+  }
+  return sentences;
 }
 
 std::string explain_pace(std::span<const PenMotion> motions, std::span<const MotionRemark> remarks,
                          Language language) {
   double duration_s = 0;
-  int timed = 0;
-  for (const auto& m : motions) {
-    duration_s += m.duration_s + m.pause_before_s;
-    if (m.speed_peaks > 0) ++timed;
-  }
-  if (timed == 0 || !(duration_s > 0)) return {};
+  for (const auto& m : motions) duration_s += m.duration_s + m.pause_before_s;
+  if (!(duration_s > 0)) return {};
+  const auto all = static_cast<int>(motions.size());
   const auto halting = std::count_if(remarks.begin(), remarks.end(), is_of_flow);
   return fmt::format(fmt::runtime(text(Text::pace, language)), fmt::format("{:.1f}", duration_s),
-                     timed - static_cast<int>(halting), timed);
+                     all - static_cast<int>(halting), all);
 }
 
 }  // namespace nazori::writing

@@ -80,7 +80,7 @@ TEST(Explanation, ThePartsOfTheScoreAddUpToIt) {
     EXPECT_EQ(most, 100);
   }
   EXPECT_EQ(explain_score(graded(trace(rest()), model_of(rest())), Language::japanese)[1],
-            "書き順：15点満点中15点。正しい順に書けたかを見ます。");
+            "書き順：15点中15点（順番どおりか）。");
 }
 
 TEST(Explanation, EveryKindOfFaultIsASentenceInEveryLanguage) {

@@ -95,7 +95,8 @@ TEST(MotionRemarks, ARestWithinAStrokeIsAPauseThatIsNotOneAtItsEnd) {
   EXPECT_EQ(t.remarks[0].kind, MotionRemarkKind::paused);
   EXPECT_EQ(t.remarks[0].stroke, 2);
   EXPECT_NEAR(t.remarks[0].amount, 0.63, 0.15);
-  EXPECT_THAT(explain(t.remarks[0], Language::english), testing::StartsWith("You paused for 0."));
+  EXPECT_THAT(explain(t.remarks, Language::english),
+              testing::ElementsAre(testing::StartsWith("You paused within stroke 3, for up to 0.")));
   EXPECT_THAT(explain_pace(t.motions, t.remarks, Language::english),
               testing::EndsWith(" 5 of 6 strokes flowed."));
 }
@@ -117,9 +118,11 @@ TEST(MotionRemarks, EachEndingIsAskedForInItsOwnWay) {
   ink.strokes[1] = timed(trace(rest()).strokes[1], 1, 0.7, sweeps);
   const auto t = told(ink);
   ASSERT_EQ(t.remarks.size(), 2U);
-  EXPECT_EQ(explain(t.remarks[0], Language::english),
-            "Stroke 1 is swept out: lift the pen while it still moves.");
-  EXPECT_EQ(explain(t.remarks[1], Language::japanese), "2画目は、とめます。ペンを止めてから離しましょう。");
+  EXPECT_THAT(explain(t.remarks, Language::english),
+              testing::ElementsAre("Sweep out stroke 1: lift the pen while it still moves.",
+                                   "Stop at the end of stroke 2: hold the pen still before you lift it."));
+  EXPECT_EQ(explain(t.remarks, Language::japanese).back(),
+            "2画目は、とめます。ペンを止めてから離しましょう。");
 }
 
 TEST(MotionRemarks, PressureThatDoesNotFadeInASweepIsTold) {
@@ -143,11 +146,23 @@ TEST(MotionRemarks, WhatIsNotTimedIsNotSpokenOf) {
   EXPECT_EQ(explain_pace(t.motions, t.remarks, Language::english), "");
 }
 
+TEST(MotionRemarks, TheSameRemarkOnSeveralStrokesIsOneSentence) {
+  auto ink = written_with_endings();
+  for (const std::size_t k : {0U, 4U, 5U})
+    ink.strokes[k] = timed(trace(rest()).strokes[k], static_cast<double>(k), 0.7, stops);
+  const auto t = told(ink);
+  EXPECT_EQ(t.remarks.size(), 3U);
+  EXPECT_THAT(explain(t.remarks, Language::english),
+              testing::ElementsAre("Sweep out strokes 1, 5 and 6: lift the pen while it still moves."));
+  EXPECT_THAT(explain(t.remarks, Language::japanese),
+              testing::ElementsAre("1・5・6画目は、はらいます。動かしながらペンを離しましょう。"));
+}
+
 TEST(MotionRemarks, EveryRemarkIsASentenceInEveryLanguage) {
   for (int kind = 0; kind <= static_cast<int>(MotionRemarkKind::light_end); ++kind) {
-    const MotionRemark remark{static_cast<MotionRemarkKind>(kind), 1, 2, 0.8};
-    const auto english = explain(remark, Language::english);
-    const auto japanese = explain(remark, Language::japanese);
+    const std::vector remarks{MotionRemark{static_cast<MotionRemarkKind>(kind), 1, 2, 0.8}};
+    const auto english = explain(remarks, Language::english).front();
+    const auto japanese = explain(remarks, Language::japanese).front();
     EXPECT_THAT(english, testing::AllOf(testing::EndsWith("."), testing::HasSubstr("3"))) << english;
     EXPECT_THAT(japanese, testing::AllOf(testing::EndsWith("。"), testing::HasSubstr("3"))) << japanese;
     EXPECT_EQ((english + japanese).find('{'), std::string::npos) << english;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kFrame_ms = 16;
 constexpr int kGap = 10;
-constexpr int kMargin = 12;
+constexpr int kMargin = 2;
 constexpr double kTabletWidth_m = 0.1;
 
 QPointF place(geometry::TabletPoint p, const QRectF& box) {
@@ -111,6 +111,11 @@ int CompareView::points_shown() const {
 QSize CompareView::sizeHint() const {
   const int side = std::min(QFontInfo(font()).pixelSize() * 9, 200);
   return {2 * side + kGap + 2 * kMargin, side + 2 * kMargin + QFontMetrics(font()).height()};
+}
+
+QSize CompareView::minimumSizeHint() const {
+  // Narrower, both are drawn smaller.
+  return {sizeHint().width() / 2, sizeHint().height()};
 }
 
 void CompareView::paintEvent(QPaintEvent* /*event*/) {

@@ -32,7 +32,7 @@ class CompareView final : public QWidget {
   [[nodiscard]] int points_shown() const;
 
   [[nodiscard]] QSize sizeHint() const override;
-  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  signals:
   /// Of the replay [s]; below 0: it is over, all is shown.

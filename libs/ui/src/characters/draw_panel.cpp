@@ -3,7 +3,6 @@
 
 #include <QEvent>
 #include <QFontInfo>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
@@ -13,6 +12,7 @@
 
 #include "characters/drawing_pad.h"
 #include "error_text.h"
+#include "flow_layout.h"
 #include "kanji_text.h"
 
 namespace nazori::ui {
@@ -49,11 +49,10 @@ DrawPanel::DrawPanel(Desk& desk, QWidget* parent)
     connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
     return made;
   };
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
+  // In a narrow panel, or with large letters, they stand in several rows.
+  auto* row = new FlowLayout(6, 6);
   row->addWidget(button(tr("Undo"), "draw_undo", [this] { pad_->undo(); }));
   row->addWidget(button(tr("Clear"), "draw_clear", [this] { pad_->clear(); }));
-  row->addStretch(1);
   row->addWidget(button(tr("Close"), "draw_close", [this] { emit closed(); }));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 12, 6, 12);
@@ -208,9 +207,17 @@ void DrawPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) fit();
 }
 
+void DrawPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
+}
+
 void DrawPanel::fit() {
-  const int side = QFontInfo(font()).pixelSize() * 3;
-  candidates_->setGridSize({side, side});
+  const int em = QFontInfo(font()).pixelSize();
+  candidates_->setGridSize({em * 3, em * 3});
+  // The candidates need the room more.
+  constexpr int kRoomForWords = 26;
+  words_->setVisible(height() >= kRoomForWords * em);
 }
 
 }  // namespace nazori::ui

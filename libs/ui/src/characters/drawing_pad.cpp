@@ -112,8 +112,11 @@ void DrawingPad::paintEvent(QPaintEvent* /*event*/) {
   painter.drawLine(QPointF(8, side / 2), QPointF(side - 8, side / 2));
   if (ink_.strokes.empty()) {
     painter.setPen(c.muted);
-    painter.drawText(box.adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Draw the character here"));
+    const QRectF room = box.adjusted(16, 16, -16, -16);
+    const int how = Qt::AlignCenter | Qt::TextWordWrap;
+    const QString words = tr("Draw the character here");
+    // Large letters in a narrow panel: rather none than cut ones; the feedback line says it too.
+    if (room.contains(painter.boundingRect(room, how, words))) painter.drawText(room, how, words);
   }
   for (const auto& stroke : ink_.strokes)
     for (std::size_t i = 1; i < stroke.points.size(); ++i) {

@@ -38,8 +38,6 @@ bool MemoryStage::shows_groove() const {
 void MemoryStage::begin() {
   controller().set_guides(TabletGuides{});
   controller().set_judged(true);
-  actions().compare_over->setChecked(false);
-  panel_->set_compare_shown(actions().compare_beside->isChecked());
   panel_->show();
   start_over();
   invite();
@@ -49,8 +47,6 @@ void MemoryStage::end() {
   live_ticket_ = whole_ticket_ = 0;
   set_playing(false);
   panel_->hide();
-  panel_->set_compare_shown(false);
-  actions().compare_beside->setChecked(false);
   groove_.leave();
   strokes_.clear();
   controller().set_writing({});
@@ -59,6 +55,10 @@ void MemoryStage::end() {
 
 void MemoryStage::start_over() {
   set_playing(false);
+  // What is to be written from memory is not shown beside the empty tablet.
+  actions().compare_over->setChecked(false);
+  actions().compare_beside->setChecked(false);
+  panel_->set_compare_shown(false);
   strokes_.clear();
   seen_.clear();
   hinted_.clear();
@@ -254,16 +254,17 @@ void MemoryStage::finish() {
     sentences.append(to_text(sentence));
   }
   const QString between = writing_language() == writing::Language::japanese ? QString() : QStringLiteral(" ");
-  // Of how the pen moved one thing is said, and only where nothing else is wrong.
-  const bool spare = grade_.accepted && grade_.advice.empty() && !pen_.remarks.empty();
-  if (spare) sentences.append(to_text(writing::explain(pen_.remarks.front(), writing_language())));
   const QString said = sentences.join(between);
   panel_->report().show_grade(grade_, pen_);
-  if (grade_.accepted)
-    desk().say(grade_.advice.empty() && !spare ? Feedback::good : Feedback::advice,
-               tr("%1 %2 of 100 points.").arg(said).arg(grade_.score));
-  else
+  if (grade_.accepted) {
+    QString words = tr("%1 %2 of 100 points.").arg(said).arg(grade_.score);
+    // Of how the pen moved one thing is said, and only where nothing else could be better.
+    const bool spare = grade_.advice.empty() && !pen_.remarks.empty();
+    if (spare) words += between + to_text(writing::explain(pen_.remarks, writing_language()).front());
+    desk().say(grade_.advice.empty() && !spare ? Feedback::good : Feedback::advice, words);
+  } else {
     desk().say(Feedback::wrong, tr("%1 Ctrl+Z takes back a stroke, O shows the model.").arg(said));
+  }
   refresh_actions();
   emit judged(grade_);
 }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/strictness_slider.h"
 
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QResizeEvent>
 #include <QSlider>
+#include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+
+#include "flow_layout.h"
 
 namespace nazori::ui {
 
@@ -20,24 +25,28 @@ StrictnessSlider::StrictnessSlider(QWidget* parent)
   slider_->setTickPosition(QSlider::TicksBelow);
   slider_->setToolTip(tr("How strictly writing is judged (Ctrl+[ and Ctrl+])"));
   words_->setObjectName(QStringLiteral("strictness_words"));
-  words_->setWordWrap(true);
-  words_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setVerticalSpacing(0);
-  grid->addWidget(name, 0, 0);
-  grid->addWidget(words_, 0, 1, 1, 2);
-  grid->addWidget(slider_, 1, 0, 1, 3);
-  const auto mark = [&](const QString& text, int column, Qt::Alignment side) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* row = new FlowLayout(12, 0);
+  row->addWidget(name);
+  row->addWidget(words_);
+  column->addLayout(row);
+  column->addWidget(slider_);
+  auto* scale = new QHBoxLayout;
+  scale->setSpacing(4);
+  const auto mark = [&](const QString& text, Qt::Alignment side) {
     auto* label = new QLabel(text, this);
     label->setProperty("role", QStringLiteral("muted"));
     label->setAlignment(side | Qt::AlignTop);
-    grid->addWidget(label, 2, column);
-    grid->setColumnStretch(column, 1);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    scale->addWidget(label, 1);
+    marks_.append(label);
   };
-  mark(tr("lenient"), 0, Qt::AlignLeft);
-  mark(tr("normal"), 1, Qt::AlignHCenter);
-  mark(tr("strict"), 2, Qt::AlignRight);
+  mark(tr("lenient"), Qt::AlignLeft);
+  mark(tr("normal"), Qt::AlignHCenter);
+  mark(tr("strict"), Qt::AlignRight);
+  column->addLayout(scale);
   connect(slider_, &QSlider::valueChanged, this, [this] {
     show_words();
     if (!silent_) emit moved(strictness());
@@ -62,6 +71,15 @@ QString StrictnessSlider::words() const {
   if (value == kSteps) return tr("strictly");
   if (value == kSteps / 2) return tr("as a teacher does");
   return value < kSteps / 2 ? tr("rather leniently") : tr("rather strictly");
+}
+
+void StrictnessSlider::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  // Where large letters leave no room for them, the words above tell as much.
+  const bool fit = std::all_of(marks_.begin(), marks_.end(), [this](const QLabel* mark) {
+    return mark->sizeHint().width() <= width() / static_cast<int>(marks_.size());
+  });
+  for (auto* mark : marks_) mark->setVisible(fit);
 }
 
 void StrictnessSlider::show_words() {

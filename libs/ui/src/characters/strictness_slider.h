@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QList>
 #include <QWidget>
 
 class QLabel;
@@ -27,11 +28,15 @@ class StrictnessSlider final : public QWidget {
   /// By hand; not by set_strictness().
   void moved(double strictness);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void show_words();
 
   QSlider* slider_;
   QLabel* words_;
+  QList<QLabel*> marks_;
   bool silent_ = false;
 };
 

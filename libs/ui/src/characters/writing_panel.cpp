@@ -15,6 +15,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kLeastLines = 7;
+constexpr int kMostPerCent = 62;  // of the height of the side
 constexpr int kUsualWidth = 280;
 
 }  // namespace
@@ -51,7 +52,9 @@ void WritingPanel::set_report_shown(bool shown) { report_->setVisible(shown); }
 
 QSize WritingPanel::sizeHint() const {
   const int width = viewport()->width() > 0 ? viewport()->width() : kUsualWidth;
-  return {kUsualWidth, content_->layout()->totalHeightForWidth(width) + 2 * frameWidth()};
+  const int wanted = content_->layout()->totalHeightForWidth(width) + 2 * frameWidth();
+  const int most = parentWidget() != nullptr ? parentWidget()->height() * kMostPerCent / 100 : wanted;
+  return {kUsualWidth, std::min(wanted, std::max(most, QFontInfo(font()).pixelSize() * kLeastLines))};
 }
 
 QSize WritingPanel::minimumSizeHint() const {

@@ -27,8 +27,8 @@ WritingReport::WritingReport(QWidget* parent) : QWidget(parent) {
   column->setSpacing(6);
   points_ = add_label("report_points", "title");
   faults_ = add_label("report_faults", "");
-  pen_ = add_label("report_pen", "");
   parts_ = add_label("report_parts", "muted");
+  pen_ = add_label("report_pen", "");
 }
 
 QLabel* WritingReport::add_label(const char* name, const char* role) {
@@ -48,10 +48,9 @@ void WritingReport::show_grade(const writing::Grade& grade, const PenReport& pen
                                   : tr("Not yet: %1 of 100 points").arg(grade.score));
   faults_->setText(lines(writing::explain(grade, language)));
   parts_->setText(lines(writing::explain_score(grade, language)));
-  std::vector<std::string> motion;
+  auto motion = writing::explain(pen.remarks, language);
   if (auto pace = writing::explain_pace(pen.motions, pen.remarks, language); !pace.empty())
-    motion.push_back(std::move(pace));
-  for (const auto& remark : pen.remarks) motion.push_back(writing::explain(remark, language));
+    motion.insert(motion.begin(), std::move(pace));
   pen_->setText(lines(motion));
   pen_->setVisible(!motion.empty());
 }

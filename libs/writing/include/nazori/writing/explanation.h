@@ -22,7 +22,7 @@ enum class Language : std::uint8_t { english, japanese };
 [[nodiscard]] std::string explain(const Fault& fault, const Grade& grade, Language language);
 
 /// What the score is made of, one sentence for each part in the order of ScoreParts; the points in them add
-/// up to the score. "Order: 13 of 15 points, for strokes written at their turn."
+/// up to the score. "Order: 13 of 15 points, for each at its turn."
 [[nodiscard]] std::vector<std::string> explain_score(const Grade& grade, Language language);
 
 }  // namespace nazori::writing

@@ -42,8 +42,9 @@ struct MotionRemark {
 [[nodiscard]] std::vector<MotionRemark> motion_remarks(std::span<const PenMotion> motions, const Grade& grade,
                                                        const Model& model);
 
-/// The remark as a sentence; strokes have the model's numbers, from 1.
-[[nodiscard]] std::string explain(const MotionRemark& remark, Language language);
+/// One sentence for each kind of remark that is among them, with the strokes it is about; they have the
+/// model's numbers, from 1. "Sweep out strokes 1, 5 and 6: lift the pen while it still moves."
+[[nodiscard]] std::vector<std::string> explain(std::span<const MotionRemark> remarks, Language language);
 
 /// How all of it was written, as a sentence: "Written in 5.2 seconds; 5 of 6 strokes flowed." Empty where
 /// nothing was timed.
