@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "nazori/functions/tape.h"
 #include "simplest_between.h"
@@ -13,6 +14,10 @@ namespace nazori::functions {
 namespace {
 
 constexpr int kMostBoxes = 60'000;
+// A piece this narrow, as a part of the range, in which so many boxes settle nothing is taken as one place:
+// around a zero of third or higher order everything is smaller than rounding.
+constexpr double kClusterWidth = 1e-6;
+constexpr int kMostBoxesOfCluster = 400;
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 class RootFinder {
@@ -23,6 +28,7 @@ class RootFinder {
   Roots run(double low, double high) {
     range_ = high - low;
     visit(low, high);
+    judge_clusters();
     std::sort(found_.roots.begin(), found_.roots.end(),
               [](const Root& a, const Root& b) { return a.at < b.at; });
     // One zero on the border of two pieces shows up in both, a touching one in all boxes that rounding
@@ -57,7 +63,70 @@ class RootFinder {
     return duals_[tape_.output(0)];
   }
 
+  struct Cluster {
+    double low, high;
+  };
+
+  void visit_narrow(double low, double high) {
+    const auto before = found_;
+    in_cluster_ = true;
+    boxes_of_cluster_ = 0;
+    visit(low, high);
+    in_cluster_ = false;
+    if (boxes_of_cluster_ <= kMostBoxesOfCluster) return;
+    found_ = before;
+    clusters_.push_back({low, high});
+  }
+
+  void judge_clusters() {
+    for (std::size_t i = 0; i < clusters_.size();) {
+      Cluster c = clusters_[i++];
+      for (; i < clusters_.size() && clusters_[i].low - c.high < kClusterWidth * range_; ++i)
+        c.high = clusters_[i].high;
+      const double margin = kClusterWidth * range_;
+      const bool crosses = value(c.low - margin) * value(c.high + margin) < 0;
+      const double x = roundest_zero(crosses ? flattest(c.low, c.high) : touching(c.low, c.high).at, margin);
+      if (is_zero_at(x)) {
+        found_.roots.push_back({x, crosses});
+      } else {
+        ++found_.undecided;
+      }
+    }
+  }
+
+  bool is_zero_at(double x) {
+    const double around = 2 * kEps * std::abs(x);
+    const Interval f = enclose(x - around, x + around).value;
+    return f.is_continuous() && f.contains(0);
+  }
+
+  /// Where the slope is least: of a zero of odd order known to some eight digits only.
+  double flattest(double low, double high) {
+    constexpr double kGolden = 0.6180339887498949;
+    for (int i = 0; i < 60; ++i) {
+      const double a = high - kGolden * (high - low);
+      const double b = low + kGolden * (high - low);
+      (std::abs(slope(a)) < std::abs(slope(b)) ? high : low) =
+          std::abs(slope(a)) < std::abs(slope(b)) ? b : a;
+    }
+    return low + (high - low) / 2;
+  }
+
+  /// The roundest number or multiple of pi nearby that cannot be told from a zero; `x` where there is none.
+  double roundest_zero(double x, double reach) {
+    for (const double unit : {1.0, std::numbers::pi}) {
+      const double round = unit * simplest_between((x - reach) / unit, (x + reach) / unit);
+      if (is_zero_at(round)) return round;
+    }
+    return x;
+  }
+
   void visit(double low, double high) {
+    if (in_cluster_) {
+      if (++boxes_of_cluster_ > kMostBoxesOfCluster) return;
+    } else if (high - low <= kClusterWidth * range_) {
+      return visit_narrow(low, high);
+    }
     if (++boxes_ > kMostBoxes) {
       if (boxes_ == kMostBoxes + 1) ++found_.undecided;
       return;
@@ -74,9 +143,8 @@ class RootFinder {
     }
     if (high - low <= std::max(1e-13 * range_, 8 * kEps * std::max(std::abs(low), std::abs(high)))) {
       // A touching zero cannot be proven, only not be told from zero.
-      const double x = low + (high - low) / 2;
-      if (f.value.is_continuous() &&
-          enclose(x - 2 * kEps * std::abs(x), x + 2 * kEps * std::abs(x)).value.contains(0)) {
+      const double x = roundest_zero(low + (high - low) / 2, high - low);
+      if (is_zero_at(x)) {
         const double before = value(low - 1e-7 * range_);
         const double after = value(high + 1e-7 * range_);
         found_.roots.push_back({x, before * after < 0});
@@ -155,6 +223,9 @@ class RootFinder {
   Roots found_;
   double range_ = 1;
   int boxes_ = 0;
+  bool in_cluster_ = false;
+  int boxes_of_cluster_ = 0;
+  std::vector<Cluster> clusters_;
 };
 
 }  // namespace

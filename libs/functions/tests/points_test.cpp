@@ -74,6 +74,22 @@ TEST(Points, ACrossingIsNotATouch) {
   EXPECT_EQ(found_in("x^2+y^2=1; x^2-y^2=0.5", {-2, 2, -2, 2}).of(PointKind::crossing).size(), 4U);
 }
 
+TEST(Points, CurvesThatLieCloseWhereTheyCrossCrossThereExactly) {
+  // tan x - sin x is about x^3/2 near 0: smaller than rounding all around.
+  const auto crossings = found_in("y = tan(x); y = sin(x)", {-6, 6, -4, 4}).of(PointKind::crossing);
+  ASSERT_EQ(crossings.size(), 3U);
+  EXPECT_EQ(crossings[0].x_name, "-pi");
+  EXPECT_EQ(crossings[1].x_name, "0");
+  EXPECT_EQ(crossings[1].y_name, "0");
+  EXPECT_EQ(crossings[2].x_name, "pi");
+  const auto fifth = found_in("y = (x - 0.3)^5; y = 0", {-2, 2, -2, 2}).of(PointKind::crossing);
+  ASSERT_EQ(fifth.size(), 1U);
+  EXPECT_EQ(fifth[0].x, 0.3);
+  const auto fourth = found_in("y = x - sin(x)^4; y = x", {-2, 2, -2, 2}).of(PointKind::touching);
+  ASSERT_EQ(fourth.size(), 1U);
+  EXPECT_EQ(fourth[0].x, 0);
+}
+
 TEST(Points, TheSelfCrossingOfTheFoliumIsAtTheOrigin) {
   const auto p = found_in("x^3 + y^3 = 3xy", {-3, 3, -3, 3}).of(PointKind::self_crossing);
   ASSERT_EQ(p.size(), 1U);

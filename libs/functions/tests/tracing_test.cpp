@@ -200,5 +200,22 @@ TEST(SurfacePlate, CutsPolesHealsHolesAndLeavesTheUndefinedOut) {
   EXPECT_FALSE(is_carved(dome, 2.5, 0));
 }
 
+// A root that is zero nowhere but on the border of its own domain.
+TEST(Tracing, TheZerosOfARootAreThoseOfWhatStandsUnderIt) {
+  for (const char* text : {"sqrt(x^2+y^2-1) = 0", "sqrt(1-x^2-y^2) = 0", "x sqrt(x^2+y^2-1) = 0"}) {
+    const auto plot = parse(text);
+    ASSERT_TRUE(plot) << text;
+    PlateSettings settings;
+    settings.size = 256;
+    settings.layers = Layers::none();
+    const auto picture = draw(*plot, {-2, 2, -2, 2}, settings);
+    ASSERT_TRUE(picture) << text;
+    for (const double angle : {0.0, 1.0, 2.5, 4.0})
+      EXPECT_TRUE(is_carved(*picture, std::cos(angle), std::sin(angle))) << text << ' ' << angle;
+    EXPECT_FALSE(is_carved(*picture, 0.4, 0.3)) << text;
+    EXPECT_FALSE(is_carved(*picture, 1.3, 0.3)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace nazori::functions

@@ -56,6 +56,15 @@ TEST(TracingByKey, AStepIsAHundredthOfTheWindowAlongTheCurve) {
   EXPECT_NEAR(tracer.place()->x, x, 1e-6);
 }
 
+TEST(TracingByKey, TheSlopeOfAMinimumIsNothingElseThanZero) {
+  auto tracer = tracer_of("y = x^2 - 2", {-6, 6, -4, 4});
+  const auto* point = tracer.next_point(Way::on);
+  while (point != nullptr && point->kind != functions::PointKind::minimum) point = tracer.next_point(Way::on);
+  ASSERT_NE(point, nullptr);
+  ASSERT_TRUE(tracer.slope());
+  EXPECT_EQ(*tracer.slope(), 0);
+}
+
 TEST(TracingByKey, InAnotherWindowTheHandIsExactlyWhereItWas) {
   auto tracer = tracer_of("y = x^2 - 1", {-6, 6, -4, 4});
   ASSERT_NE(tracer.next_point(Way::on), nullptr);

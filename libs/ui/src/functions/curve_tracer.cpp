@@ -350,8 +350,11 @@ std::optional<double> CurveTracer::slope() const {
   double dx = 0;
   double dy = 0;
   const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(branch.statement)];
-  const auto exact = branch.has_parameter ? position_of(statement, parameter_at(branch, *place_->on))
-                                          : std::optional<Position>();
+  // On a tick or a point of interest the place is known better than from the drawn line.
+  const double parameter = statement.kind == StatementKind::explicit_y   ? place_->x
+                           : statement.kind == StatementKind::explicit_x ? place_->y
+                                                                         : parameter_at(branch, *place_->on);
+  const auto exact = branch.has_parameter ? position_of(statement, parameter) : std::optional<Position>();
   if (exact && std::isfinite(exact->x.slopes[0]) && std::isfinite(exact->y.slopes[0])) {
     dx = exact->x.slopes[0];
     dy = exact->y.slopes[0];

@@ -110,6 +110,7 @@ void FunctionsWorkplace::load(const QSettings& settings) {
   line->set_history(settings.value(QStringLiteral("history")).toStringList());
   line->setText(
       settings.value(QStringLiteral("expression"), QStringLiteral("y = tan(x); y = sin x")).toString());
+  line->setCursorPosition(0);
   panel_->show_window(window_);
   panel_->show_plate(plate_);
   panel_->show_volume(sound_->volume(), sound_->muted());

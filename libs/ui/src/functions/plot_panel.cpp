@@ -27,7 +27,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 16;
-constexpr int kBeside_em = 13;  ///< room for a name beside its field
+constexpr int kBeside_em = 9;  ///< room for a name beside its field
 constexpr double kTabletSide_mm = geometry::TabletShape{}.width_m * 1000;
 
 struct Example {
@@ -56,6 +56,7 @@ const Example kExamples[] = {
 QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setProperty("role", QStringLiteral("heading"));
+  label->setWordWrap(true);
   return label;
 }
 
@@ -222,6 +223,10 @@ PlotPanel::PlotPanel(QWidget* parent)
   setWidget(content_);
   viewport()->setAutoFillBackground(false);
   content_->setAutoFillBackground(false);
+  // Fields give way before the panel gets wider than its place.
+  for (QWidget* field : {static_cast<QWidget*>(line_), static_cast<QWidget*>(examples_),
+                         static_cast<QWidget*>(width_), static_cast<QWidget*>(size_)})
+    field->setMinimumWidth(1);
   connect(line_, &QLineEdit::textChanged, this, &PlotPanel::expression_typed);
   show_surface(false);
 }
@@ -240,6 +245,8 @@ void PlotPanel::fit() {
   // Large text in a narrow panel: the names above their fields instead of beside them.
   const int em = QFontInfo(font()).pixelSize();
   const bool narrow = viewport()->width() - 2 * kMargin < kBeside_em * em;
+  const int margin = narrow ? kMargin / 2 : kMargin;
+  content_->layout()->setContentsMargins(margin, kMargin, margin, kMargin);
   for (auto* form : {window_form_, plate_form_})
     form->setRowWrapPolicy(narrow ? QFormLayout::WrapAllRows : QFormLayout::DontWrapRows);
 }

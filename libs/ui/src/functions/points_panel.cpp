@@ -32,8 +32,9 @@ class StackedCell final : public QStyledItemDelegate {
     for (int column = 1; column < index.model()->columnCount(); ++column) {
       const QString value = index.siblingAtColumn(column).data().toString();
       if (value != no_coordinate())
-        option->text += QStringLiteral("\n%1 = %2")
-                            .arg(index.model()->headerData(column, Qt::Horizontal).toString(), value);
+        option->text += QChar(QChar::LineSeparator) +
+                        QStringLiteral("%1 = %2").arg(
+                            index.model()->headerData(column, Qt::Horizontal).toString(), value);
     }
   }
 
