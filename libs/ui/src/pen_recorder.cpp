@@ -32,6 +32,8 @@ bool PenRecorder::is_on_its_way(geometry::TabletPoint at) {
 }
 
 PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
+  // A tick that came too late drops the touch, which says nothing of the hand.
+  if (haptics::has(sample.events, haptics::ServoEvent::fault)) return Event::none;
   if (!sample.touching) {
     const bool ended = touching_ && !dropped_;
     touching_ = false;

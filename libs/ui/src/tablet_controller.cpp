@@ -182,6 +182,8 @@ void TabletController::pump() {
     const bool traced = !guides_ || guides_->traced;
     for (const auto& sample : taken) {
       if (!traced) break;
+      // A tick that came too late drops the touch, which says nothing of the hand.
+      if (haptics::has(sample.events, haptics::ServoEvent::fault)) continue;
       const auto step = ink_.follow(sample.proxy_m, sample.touching, current_);
       inked = inked || step.inked;
       if (step.event != InkEvent::none) emit stroke_event(step.event, step.stroke);

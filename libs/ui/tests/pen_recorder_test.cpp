@@ -62,6 +62,18 @@ TEST(PenRecorder, HowLongThePenRestedBeforeTheLiftIsKept) {
       << "rest draws nothing";
 }
 
+TEST(PenRecorder, ATickThatComesTooLateDoesNotCutAStrokeInTwo) {
+  PenRecorder recorder;
+  for (int i = 0; i <= 10; ++i) recorder.follow(sample(i * 0.01, i * 0.001, 0.006));
+  ServoSample late = sample(0.2, 0.011, 0.006, false);
+  late.events = static_cast<std::uint16_t>(nazori::haptics::ServoEvent::fault);
+  EXPECT_EQ(recorder.follow(late), Event::none);
+  for (int i = 11; i <= 20; ++i)
+    EXPECT_EQ(recorder.follow(sample(0.1 + i * 0.01, i * 0.001, 0.006)), Event::grew);
+  EXPECT_EQ(recorder.follow(sample(0.4, 0.02, 0, false)), Event::ended);
+  EXPECT_DOUBLE_EQ(recorder.take().front().at.x, 0);
+}
+
 TEST(PenRecorder, AStrokeUntilAMomentEndsWhereThePenWas) {
   const nazori::ui::HandStroke stroke{{{0, 0}, 1, 0.2}, {{0.01, 0}, 2, 0.4}, {{0.01, 0.02}, 3, 0.4}};
   EXPECT_TRUE(nazori::ui::until(stroke, 0.5).empty());
