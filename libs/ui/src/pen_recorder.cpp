@@ -2,12 +2,14 @@
 #include "pen_recorder.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nazori::ui {
 namespace {
 
 constexpr double kThinnest_m = 0.0004;
 constexpr double kWidest_m = 0.0020;
+constexpr double kLaidFlat = 0.6;  // of its width more, of a brush on its side
 constexpr double kArrived_m = 0.0008;
 constexpr double kTurnedAway_m = 0.0002;
 
@@ -55,7 +57,7 @@ PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
     current_.back().pressure = std::max(current_.back().pressure, pressure);
     return Event::none;
   }
-  current_.push_back({at, sample.time_s, pressure});
+  current_.push_back({at, sample.time_s, pressure, lean_rad_});
   return Event::grew;
 }
 
@@ -79,15 +81,16 @@ writing::Ink to_ink(const std::vector<HandStroke>& strokes, const geometry::Tabl
   return ink;
 }
 
-double ink_half_width_m(double pressure) {
-  return kThinnest_m + (kWidest_m - kThinnest_m) * std::clamp(pressure, 0.0, 1.0);
+double ink_half_width_m(const HandPoint& point) {
+  const double upright_m = kThinnest_m + (kWidest_m - kThinnest_m) * std::clamp(point.pressure, 0.0, 1.0);
+  return upright_m * (1 + kLaidFlat * std::sin(point.lean_rad));
 }
 
 view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict) {
   view::WrittenStroke written;
   written.verdict = verdict;
   written.points.reserve(stroke.size());
-  for (const auto& point : stroke) written.points.push_back({point.at, ink_half_width_m(point.pressure)});
+  for (const auto& point : stroke) written.points.push_back({point.at, ink_half_width_m(point)});
   return written;
 }
 
