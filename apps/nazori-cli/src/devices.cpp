@@ -133,7 +133,12 @@ int test(Console& console, devices::DeviceCatalogue& catalogue, const DevicesSet
     if (!progress.show(std::min(done, 1.0), "testing " + description.name)) break;
   }
   progress.clear();
-  const haptics::DeviceStatus status = device.status();
+  haptics::DeviceStatus status = device.status();
+  // A computer that stood still just now has not lost its device.
+  for (int i = 0; i < 100 && status.trouble == haptics::DeviceTrouble::stalled; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    status = device.status();
+  }
   device.stop();
   const devices::TrialResult result = trial.result();
   const devices::RealTimeReadiness machine = devices::real_time_readiness();

@@ -199,6 +199,7 @@ class Session final : public haptics::ServoCallback {
     done_.store(sample.time_s / plan_.duration_s(), std::memory_order_relaxed);
     return force;
   }
+  [[nodiscard]] std::uint16_t events() const noexcept override { return servo_.events(); }
 
   [[nodiscard]] devices::SimulatedDevice& device() { return device_; }
   [[nodiscard]] haptics::Servo& servo() { return servo_; }

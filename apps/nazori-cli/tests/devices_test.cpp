@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
+#include "standins/inverse_standin.h"
 
 namespace nazori::cli::test {
 namespace {
@@ -42,6 +43,24 @@ TEST(Devices, TheListIsJsonToo) {
   EXPECT_EQ(json[4]["devices"][0]["id"], "pointer");
 }
 
+/// What `--test` must tell of any device with force.
+void expect_trial(const Json& json) {
+  EXPECT_GT(json["ticks"].get<int>(), 0);
+  EXPECT_GT(json["rate_hz"].get<double>(), 0);
+  EXPECT_GT(json["max_force_n"].get<double>(), 0);
+  ASSERT_EQ(json["lateness"].size(), 8U);
+  EXPECT_TRUE(json["lateness"][7]["up_to_s"].is_null());
+  // Of each period between two ticks it is told how late it was.
+  int periods = 0;
+  for (const Json& bin : json["lateness"]) periods += bin["ticks"].get<int>();
+  EXPECT_EQ(periods, json["ticks"].get<int>() - 1);
+  EXPECT_TRUE(json["rest_noise_m"].is_null() || json["rest_noise_m"] == 0) << "the stand-in's hand is still";
+  EXPECT_GT(json["round_trip_delay_s"].get<double>(), 0);
+  EXPECT_TRUE(json["trouble"].is_null() || json["trouble"].is_string());
+  EXPECT_TRUE(json["machine"]["kernel_preempts"].is_boolean());
+  EXPECT_TRUE(json["machine"]["advice"].is_array());
+}
+
 TEST(Devices, AStandInForATouchIsFoundAndTestedEndToEnd) {
   const std::vector<std::string> touch = with("NAZORI_LIBHD=" NAZORI_STANDINS "/libHD.so");
   EXPECT_THAT(nazori_cli({"devices"}, touch).out, HasSubstr("Stand-in Touch (serial 0042)"));
@@ -49,11 +68,34 @@ TEST(Devices, AStandInForATouchIsFoundAndTestedEndToEnd) {
   ASSERT_EQ(run.code, 0) << run.err;
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json["id"], "openhaptics");  // the best one, unasked
-  EXPECT_GT(json["ticks"].get<int>(), 0);
-  EXPECT_GT(json["rate_hz"].get<double>(), 0);
-  EXPECT_EQ(json["lateness"].size(), 8U);
-  EXPECT_TRUE(json["trouble"].is_null() || json["trouble"].is_string());
-  EXPECT_TRUE(json["machine"]["kernel_preempts"].is_boolean());
+  expect_trial(json);
+}
+
+TEST(Devices, AStandInForAnOmegaIsFoundAndTestedEndToEnd) {
+  const std::vector<std::string> omega = with("NAZORI_LIBDHD=" NAZORI_STANDINS "/libdhd.so");
+  EXPECT_THAT(nazori_cli({"devices"}, omega).out, HasSubstr("omega.3"));
+  const Outcome run = nazori_cli({"devices", "--test", "0.5", "--json"}, omega);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json["id"], "forcedimension:0");
+  expect_trial(json);
+}
+
+TEST(Devices, AStandInForAnInverseServiceIsFoundAndTestedEndToEnd) {
+  const devices::standin::InverseService service;
+  const std::vector<std::string> inverse = with("NAZORI_INVERSE_PORT=" + std::to_string(service.port()));
+  // A machine that stands still for a second lets the service look dead: it is asked again.
+  Outcome run;
+  for (int i = 0; i < 10; ++i) {
+    run = nazori_cli({"devices", "--test", "0.5", "--json", "--device", "inverse3"}, inverse);
+    if (run.code == 0) break;
+  }
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json["id"], "inverse3:049D");
+  EXPECT_LE(json["max_force_n"].get<double>(), 2.0);
+  expect_trial(json);
+  EXPECT_EQ(service.malformed, 0);
 }
 
 TEST(Devices, ASimulationCanBeTestedByName) {
@@ -68,6 +110,11 @@ TEST(Devices, ADeviceThatIsNotThereIsOneLineAndTheAnswerNo) {
                   {"gramophone", "simulated:touch"});
   expect_one_line(nazori_cli({"devices", "--test", "1", "--device", "openhaptics"}, kBare), 1,
                   {"/nowhere/libHD.so", "docs/devices.md"});
+}
+
+TEST(Devices, TheManualShowsTheHelpAsItIsPrinted) {
+  const auto bytes = bytes_of(NAZORI_DOCS "/command-line.md");
+  EXPECT_THAT(std::string(bytes.begin(), bytes.end()), HasSubstr(nazori_cli({"devices", "--help"}).out));
 }
 
 TEST(Devices, WrongUseIsRefused) {

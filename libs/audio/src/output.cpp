@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <mutex>
+
+#include "nazori/base/sdl_lock.h"
 
 namespace nazori::audio {
 namespace {
@@ -32,10 +35,11 @@ base::Result<std::unique_ptr<Output>> Output::open(Source& source, const OutputS
   if (settings.frames < 64 || settings.frames > 8'192 || !power_of_two)
     return base::fail(base::Errc::bad_argument, "the number of frames is out of range", "frames",
                       "a power of two from 64 to 8192");
+  std::unique_ptr<Output> output(new Output);
+  const std::lock_guard one(base::sdl_lock());
   // SDL would take Ctrl+C from whoever runs the program in a terminal.
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   SDL_SetHint(SDL_HINT_APP_NAME, "Nazori");
-  std::unique_ptr<Output> output(new Output);
   if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) return no_sound(SDL_GetError());
   output->started_ = true;
   SDL_AudioSpec wanted{};
@@ -55,8 +59,10 @@ base::Result<std::unique_ptr<Output>> Output::open(Source& source, const OutputS
 }
 
 Output::~Output() {
+  if (!started_) return;
+  const std::lock_guard one(base::sdl_lock());
   if (device_ != 0) SDL_CloseAudioDevice(device_);
-  if (started_) SDL_QuitSubSystem(SDL_INIT_AUDIO);
+  SDL_QuitSubSystem(SDL_INIT_AUDIO);
 }
 
 }  // namespace nazori::audio

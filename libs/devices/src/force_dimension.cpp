@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -21,6 +22,7 @@ namespace {
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
 using haptics::Vec3;
+using Clock = std::chrono::steady_clock;
 
 constexpr const char* kName = "Force Dimension";
 constexpr int kMostBadTicks = 20;  // in a row; force is zero from the first
@@ -150,6 +152,7 @@ class ForceDimensionDevice final : public haptics::HapticDevice {
   void tick() noexcept {
     const dhd::Functions& dhd = port_->dhd;
     if (bad_ticks_ >= kMostBadTicks) return;  // lost
+    const auto begin = Clock::now();
     // x towards the operator, y to the right, z up.
     double out = NAN, right = NAN, up = NAN;
     bool fine = dhd.get_position(&out, &right, &up, port_->id) >= 0;
@@ -159,6 +162,7 @@ class ForceDimensionDevice final : public haptics::HapticDevice {
     fine = dhd.set_force(force.z, force.x, force.y, port_->id) >= 0 && fine;
     if (fine) {
       bad_ticks_ = 0;
+      link_.note_delay_s(std::chrono::duration<double>(Clock::now() - begin).count());
       return;
     }
     (void)dhd.set_force(0, 0, 0, port_->id);

@@ -141,7 +141,7 @@ void InverseDevice::connect() {
   session_begun_ = false;
   doubted_since_ = {};
   // The inventory comes unasked; it is read as the first answer of the loop.
-  pause(DeviceTrouble::service_gone);
+  pause(last_trouble_);
 }
 
 void InverseDevice::send(const Vec3& service_n) {

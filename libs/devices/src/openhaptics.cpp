@@ -235,6 +235,7 @@ unsigned int OpenHapticsDevice::tick() noexcept {
     return hd::kDone;
   }
 
+  const Clock::time_point begin = Clock::now();
   const Reading now = read();
   const bool fine = calibrated(now.docked);
   bool goes_on = book(hd::take_errors(hd));
@@ -261,6 +262,7 @@ unsigned int OpenHapticsDevice::tick() noexcept {
   }
   hd.set_doubles(hd::kForce, force_n);
   hd.end_frame(port_->handle);
+  link_.note_delay_s(std::chrono::duration<double>(Clock::now() - begin).count());
   if (goes_on && !book(hd::take_errors(hd))) {
     goes_on = false;
     link_.pause(DeviceState::lost, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);

@@ -79,6 +79,7 @@ class StickDevice final : public haptics::HapticDevice {
     commands_.back() = {};
     commands_.publish();
     events_ = 0;
+    delay_s_ = 0;
     halfway_ = at_ = target(pose.reading);
     over_ = false;
     servo_ = &servo;
@@ -124,6 +125,7 @@ class StickDevice final : public haptics::HapticDevice {
   struct Command {
     Wish wish;
     Clock::time_point at;
+    Clock::time_point pose_at;  ///< of the reading that it answers
   };
 
   /// Device frame. Thread: servo, and the interface's while nothing ticks.
@@ -142,6 +144,7 @@ class StickDevice final : public haptics::HapticDevice {
     const auto now = Clock::now();
     Command command;
     command.at = now;
+    command.pose_at = pose.at;
     if (!pose.reading.attached || pose.refuses) {
       over_ = true;
       link_.pause(DeviceState::lost,
@@ -153,6 +156,7 @@ class StickDevice final : public haptics::HapticDevice {
       constexpr double kPass = kPeriod_s / (kPeriod_s + kHand_s);
       halfway_ += (target(pose.reading) - halfway_) * kPass;
       at_ += (halfway_ - at_) * kPass;
+      link_.set_delay_s(delay_s_.load(std::memory_order_relaxed));
       const Vec3 force = link_.feel(at_, pose.reading.buttons);
       events_.fetch_or(servo_->events(), std::memory_order_relaxed);
       const double full_n = listed_.abilities.force() ? limits_.max_force_n : kRumbleFull_n;
@@ -184,6 +188,13 @@ class StickDevice final : public haptics::HapticDevice {
       const bool live = pose.reading.attached && !pose.refuses && now - command.at < kSilent;
       if (!live) command.wish = {};
       refusals = feel(command.wish, now) ? 0 : refusals + 1;
+      if (live) {
+        const double took_s = seconds(Clock::now()) - seconds(command.pose_at);
+        const double before_s = delay_s_.load(std::memory_order_relaxed);
+        constexpr double kDelayFilter = 0.05;
+        delay_s_.store(before_s + (took_s - before_s) * (before_s > 0 ? kDelayFilter : 1.0),
+                       std::memory_order_relaxed);
+      }
       if (!pose.reading.attached || pose.refuses) break;
       std::this_thread::sleep_for(kTalk);
     }
@@ -198,6 +209,7 @@ class StickDevice final : public haptics::HapticDevice {
   haptics::LatestValue<Pose> poses_{Pose{}};
   haptics::LatestValue<Command> commands_{Command{}};
   std::atomic<std::uint32_t> events_{0};
+  std::atomic<double> delay_s_{0};       ///< from a reading to the effect that answers it; smoothed
   std::optional<ForceEffects> effects_;  // talk_'s
   // Servo thread.
   haptics::ServoCallback* servo_ = nullptr;

@@ -2,12 +2,15 @@
 #include "sdl_port.h"
 
 #include <SDL2/SDL.h>
+#include <SDL2/SDL_thread.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <mutex>
 #include <utility>
+
+#include "nazori/base/sdl_lock.h"
 
 namespace nazori::devices::sdl {
 namespace {
@@ -27,14 +30,24 @@ tl::unexpected<base::Error> refused(std::string what) {
                     "unplug it and plug it in again");
 }
 
+/// What SDL keeps for a thread that is not its own (the words of its last error) goes with this.
+struct Visit {
+  Visit() = default;
+  ~Visit() { SDL_TLSCleanup(); }
+  Visit(const Visit&) = delete;
+  Visit& operator=(const Visit&) = delete;
+};
+
 /// SDL's joystick and haptic systems, on while it lives. SDL's haptics have no lock of their own, hence this.
 struct System {
   ~System() {
+    const std::lock_guard one(base::sdl_lock());
     if (haptics) SDL_QuitSubSystem(SDL_INIT_HAPTIC);
     if (begun) SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
   }
   base::Result<void> begin() {
     if (begun) return {};
+    const std::lock_guard one(base::sdl_lock());
     // SDL would take Ctrl+C from whoever runs the program in a terminal.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
@@ -64,6 +77,7 @@ class SystemController final : public Controller {
         haptic_(std::move(haptic)),
         hand_(hand) {}
   ~SystemController() override {
+    const Visit visit;
     const std::lock_guard one(system_->lock);
     haptic_.reset();
     pad_.reset();
@@ -155,6 +169,7 @@ struct ListHeld {
 class SystemPort final : public Port {
  public:
   [[nodiscard]] base::Result<std::vector<Listed>> list() override {
+    const Visit visit;
     const std::lock_guard one(system_->lock);
     if (auto begun = system_->begin(); !begun) return tl::unexpected(begun.error());
     SDL_JoystickUpdate();
@@ -180,6 +195,7 @@ class SystemPort final : public Port {
 
   [[nodiscard]] base::Result<std::unique_ptr<Controller>> open(const Listed& device,
                                                                WritingHand hand) override {
+    const Visit visit;
     const std::lock_guard one(system_->lock);
     if (auto begun = system_->begin(); !begun) return tl::unexpected(begun.error());
     const ListHeld held;

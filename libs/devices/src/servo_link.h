@@ -39,6 +39,11 @@ class ServoLink {
 
   /// From pose to force, as measured. Thread: servo.
   void set_delay_s(double delay_s) noexcept { delay_s_ = delay_s; }
+  /// The same, of one tick; smoothed. Thread: servo.
+  void note_delay_s(double delay_s) noexcept {
+    constexpr double kFilter = 0.05;
+    delay_s_ += (delay_s - delay_s_) * (delay_s_ > 0 ? kFilter : 1.0);
+  }
 
   /// Thread: interface. Reports DeviceTrouble::stalled where no tick has come for half a second.
   [[nodiscard]] haptics::DeviceStatus status() const;

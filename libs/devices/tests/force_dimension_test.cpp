@@ -76,6 +76,7 @@ TEST_F(ForceDimension, AKnownPlaneIsFeltInTheMakersFrame) {
   EXPECT_NEAR(plane.x_m, 0.010, 1e-12);
   EXPECT_NEAR(plane.y_m, 0.020, 1e-12);
   EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 5U; }));
+  EXPECT_TRUE(comes_true([&] { return device.device->status().delay_s > 0; }));
   device.device->stop();
   EXPECT_EQ(force(), 0);
   EXPECT_FALSE(stage->force_on);

@@ -137,6 +137,7 @@ TEST_F(OpenHaptics, ButtonsAndRateAreSeenWithoutWaiting) {
   ASSERT_TRUE(device.device->start(plane));
   stage->buttons = 3;
   EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 3U; }));
+  EXPECT_TRUE(comes_true([&] { return device.device->status().delay_s > 0; }));
   EXPECT_EQ(plane.buttons, 3U);
   const haptics::DeviceStatus runs =
       test::comes_to(*device.device, DeviceState::running, DeviceTrouble::none);

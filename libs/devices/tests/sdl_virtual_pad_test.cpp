@@ -3,60 +3,24 @@
 #include <SDL2/SDL.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <csignal>
 
 #include "felt_plane.h"
+#include "nazori/devices/device_trial.h"
 #include "nazori/devices/game_controllers.h"
+#include "standins/virtual_pad.h"
 
 namespace nazori::devices {
 namespace {
 
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
+using standin::VirtualPad;
 using test::comes_true;
 using test::FeltPlane;
 using test::Vec3;
-
-/// A virtual pad, plugged in while it lives.
-class VirtualPad {
- public:
-  VirtualPad() {
-    SDL_VirtualJoystickDesc desc{};
-    desc.version = SDL_VIRTUAL_JOYSTICK_DESC_VERSION;
-    desc.type = SDL_JOYSTICK_TYPE_GAMECONTROLLER;
-    desc.naxes = SDL_CONTROLLER_AXIS_MAX;
-    desc.nbuttons = SDL_CONTROLLER_BUTTON_MAX;
-    desc.name = "Nazori's virtual pad";
-    desc.userdata = this;
-    desc.Rumble = [](void* self, Uint16 slow, Uint16 fast) {
-      static_cast<VirtualPad*>(self)->low = slow;
-      static_cast<VirtualPad*>(self)->high = fast;
-      return 0;
-    };
-    index_ = SDL_JoystickAttachVirtualEx(&desc);
-    EXPECT_GE(index_, 0) << SDL_GetError();
-    joystick_ = SDL_JoystickOpen(index_);
-    EXPECT_NE(joystick_, nullptr) << SDL_GetError();
-    // A trigger's axis rests at its lower end.
-    axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -32768);
-    axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, -32768);
-  }
-  ~VirtualPad() {
-    SDL_JoystickDetachVirtual(index_);
-    SDL_JoystickClose(joystick_);
-  }
-  VirtualPad(const VirtualPad&) = delete;
-  VirtualPad& operator=(const VirtualPad&) = delete;
-  void axis(int which, Sint16 value) const { SDL_JoystickSetVirtualAxis(joystick_, which, value); }
-  void button(int which, bool down) const { SDL_JoystickSetVirtualButton(joystick_, which, down ? 1 : 0); }
-
-  std::atomic<int> low{0}, high{0};
-
- private:
-  int index_ = -1;
-  SDL_Joystick* joystick_ = nullptr;
-};
 
 class VirtualGamepad : public testing::Test {
  protected:
@@ -114,6 +78,34 @@ TEST_F(VirtualGamepad, RumblesWhileAWallPushesAndStopsWithTheDevice) {
   EXPECT_EQ(pad.high, 0);
   device.device->stop();
   EXPECT_EQ(pad.low, 0);
+}
+
+TEST_F(VirtualGamepad, ATrialTellsItsRateLatenessNoiseAndRoundTrip) {
+  const VirtualPad pad;
+  OpenedDevice device = opened();
+  DeviceTrial trial(device.device->describe().rate_hz);
+  struct Counted final : haptics::ServoCallback {
+    explicit Counted(DeviceTrial& of) : trial(of) {}
+    Vec3 tick(const haptics::DeviceSample& sample) noexcept override {
+      const Vec3 force = trial.tick(sample);
+      ++ticks;
+      return force;
+    }
+    DeviceTrial& trial;
+    std::atomic<int> ticks{0};
+  } counted(trial);
+  ASSERT_TRUE(device.device->start(counted));
+  EXPECT_TRUE(comes_true([&] { return device.device->status().delay_s > 0; }));
+  EXPECT_TRUE(comes_true([&] { return counted.ticks > 4 * DeviceTrial::kRestTicks; }));
+  device.device->stop();
+  const TrialResult found = trial.result();
+  EXPECT_GT(found.ticks, 0U);
+  EXPECT_GT(found.rate_hz, 0);
+  std::uint64_t periods = 0;
+  for (const auto ticks : found.lateness) periods += ticks;
+  EXPECT_EQ(periods, found.ticks - 1);
+  EXPECT_GE(found.rest_noise_m, 0);
+  EXPECT_LT(found.rest_noise_m, 1e-9) << "nobody moves the stick";
 }
 
 TEST_F(VirtualGamepad, UnpluggedItIsLostAndPluggedInItIsFoundAgain) {

@@ -182,6 +182,7 @@ class WatchedServo final : public haptics::ServoCallback {
     witness_.ticks.store(n + 1, std::memory_order_release);
     return force;
   }
+  [[nodiscard]] std::uint16_t events() const noexcept override { return servo_.events(); }
 
  private:
   haptics::Servo& servo_;

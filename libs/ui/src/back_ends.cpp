@@ -3,27 +3,24 @@
 
 #include <QSettings>
 
-#include "nazori/devices/force_dimension.h"
-#include "nazori/devices/openhaptics.h"
+#include "nazori/devices/every_back_end.h"
 
 namespace nazori::ui {
 
 Stylus::BackEnds registered_back_ends(const QString& settings_file) {
   const QSettings settings(settings_file, QSettings::IniFormat);
-  const auto text = [&](const char* key) {
-    return settings.value(QLatin1String(key)).toString().toStdString();
+  auto where = devices::BackEndSettings::from_environment();
+  // What the environment says is meant for this one time.
+  const auto take = [&](std::string& value, const char* key) {
+    if (value.empty()) value = settings.value(QLatin1String(key)).toString().toStdString();
   };
-  devices::OpenHapticsSettings openhaptics;
-  openhaptics.library = text("device/openhaptics_library");
-  openhaptics.device_name = text("device/openhaptics_device");
-  devices::ForceDimensionSettings force_dimension;
-  force_dimension.library = text("device/forcedimension_library");
-  Stylus::BackEnds all;
-  all.push_back(devices::openhaptics_back_end(std::move(openhaptics)));
-  all.push_back(devices::force_dimension_back_end(std::move(force_dimension)));
-  all.push_back(devices::pointer_back_end());
-  all.push_back(devices::simulated_back_end());
-  return all;
+  take(where.openhaptics.library, "device/openhaptics_library");
+  take(where.openhaptics.device_name, "device/openhaptics_device");
+  take(where.force_dimension.library, "device/forcedimension_library");
+  const int port = settings.value(QLatin1String("device/inverse_port")).toInt();
+  if (port > 0 && port <= 65'535 && !qEnvironmentVariableIsSet("NAZORI_INVERSE_PORT"))
+    where.inverse_service.port = static_cast<std::uint16_t>(port);
+  return devices::every_back_end(where);
 }
 
 }  // namespace nazori::ui

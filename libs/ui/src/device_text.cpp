@@ -16,6 +16,7 @@ struct Words {
 
 QString device_name(std::string_view name) {
   if (name == "Mouse, pen or finger" || name == "Mouse or pen") return Words::tr("Mouse, pen or finger");
+  if (name == "Joysticks, wheels and gamepads") return Words::tr("Joysticks, wheels and gamepads");
   if (name == "Simulations") return Words::tr("Simulations");
   return to_text(name);
 }

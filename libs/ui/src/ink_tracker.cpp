@@ -31,8 +31,18 @@ void InkTracker::set_strokes(std::span<const haptics::StrokePath> strokes) {
 
 void InkTracker::clear() {
   progress_.assign(lines_.size(), 0.0);
+  inked_.clear();
   active_ = 0;
   was_touching_ = false;
+}
+
+int InkTracker::undo() {
+  if (inked_.empty()) return 0;
+  const int stroke = inked_.back();
+  inked_.pop_back();
+  progress_[static_cast<std::size_t>(stroke - 1)] = 0;
+  active_ = 0;
+  return stroke;
 }
 
 bool InkTracker::is_finished(int stroke) const {
@@ -120,6 +130,7 @@ InkTracker::Step InkTracker::advance(TabletPoint at) {
     active_ = 0;
     return {};
   }
+  if (reached_m > front_m && progress == 0) inked_.push_back(active_);
   const double end_m = std::min(0.0015, line.length_m * 0.1);
   if (line.length_m - reached_m <= end_m) {
     const int stroke = active_;

@@ -35,6 +35,8 @@ class InkTracker {
   /// Takes new strokes, all without ink.
   void set_strokes(std::span<const haptics::StrokePath> strokes);
   void clear();
+  /// Takes the ink off the stroke that took ink up last. @return that stroke, 0 where there is no ink.
+  int undo();
 
   /// One sample of the stylus. @param only  0: any stroke may be written, n: only stroke n.
   Step follow(const haptics::Vec3& proxy_m, bool touching, int only);
@@ -56,6 +58,7 @@ class InkTracker {
 
   std::vector<Line> lines_;
   std::vector<double> progress_;
+  std::vector<int> inked_;     ///< strokes with ink, from 1, in the order they took it up
   int active_ = 0;             ///< stroke under the stylus, from 1
   bool was_touching_ = false;  ///< advice is given only as the stylus comes down
 };

@@ -2,12 +2,14 @@
 #include "pen_recorder.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nazori::ui {
 namespace {
 
 constexpr double kThinnest_m = 0.0004;
 constexpr double kWidest_m = 0.0020;
+constexpr double kLaidFlat = 0.6;  // of its width more, of a brush on its side
 constexpr double kArrived_m = 0.0008;
 constexpr double kTurnedAway_m = 0.0002;
 
@@ -43,7 +45,7 @@ PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
     if (!ended) return Event::none;
     // How long the pen rested before it was lifted tells a stop from a sweep.
     if (!current_.empty() && last_.time_s > current_.back().time_s)
-      current_.push_back({current_.back().at, last_.time_s, last_.pressure});
+      current_.push_back({current_.back().at, last_.time_s, last_.pressure, last_.lean_rad});
     ended_ = std::move(current_);
     current_.clear();
     if (length_m(ended_) >= kSlip_m) return Event::ended;
@@ -55,13 +57,13 @@ PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
   const geometry::TabletPoint at{sample.proxy_m.x, sample.proxy_m.y};
   if (current_.empty() && is_on_its_way(at)) return Event::none;
   const double pressure = std::clamp((sample.proxy_m.z - sample.device_m.z) / full_press_m_, 0.0, 1.0);
-  last_ = {at, sample.time_s, pressure};
+  last_ = {at, sample.time_s, pressure, lean_rad_};
   if (!current_.empty() && geometry::distance(current_.back().at, at) < kStep_m) {
     // The pen rests: the width there is that of the firmest press.
     current_.back().pressure = std::max(current_.back().pressure, pressure);
     return Event::none;
   }
-  current_.push_back({at, sample.time_s, pressure});
+  current_.push_back(last_);
   return Event::grew;
 }
 
@@ -96,14 +98,16 @@ HandStroke until(const HandStroke& stroke, double time_s) {
     const auto& last = part.back();
     const double share = (time_s - last.time_s) / (point.time_s - last.time_s);
     part.push_back({last.at + (point.at - last.at) * share, time_s,
-                    last.pressure + (point.pressure - last.pressure) * share});
+                    last.pressure + (point.pressure - last.pressure) * share,
+                    last.lean_rad + (point.lean_rad - last.lean_rad) * share});
     break;
   }
   return part;
 }
 
-double ink_half_width_m(double pressure) {
-  return kThinnest_m + (kWidest_m - kThinnest_m) * std::clamp(pressure, 0.0, 1.0);
+double ink_half_width_m(const HandPoint& point) {
+  const double upright_m = kThinnest_m + (kWidest_m - kThinnest_m) * std::clamp(point.pressure, 0.0, 1.0);
+  return upright_m * (1 + kLaidFlat * std::sin(point.lean_rad));
 }
 
 view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict) {
@@ -113,7 +117,7 @@ view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict) 
   for (const auto& point : stroke)
     // The pen at rest draws nothing.
     if (written.points.empty() || written.points.back().at != point.at)
-      written.points.push_back({point.at, ink_half_width_m(point.pressure)});
+      written.points.push_back({point.at, ink_half_width_m(point)});
   return written;
 }
 

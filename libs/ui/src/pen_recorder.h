@@ -18,6 +18,7 @@ struct HandPoint {
   geometry::TabletPoint at;  ///< [m]
   double time_s = 0;         ///< of the servo's clock
   double pressure = 0;       ///< 0..1
+  double lean_rad = 0;       ///< of the pen from upright; 0 where that is not known
 };
 using HandStroke = std::vector<HandPoint>;
 
@@ -43,6 +44,9 @@ class PenRecorder {
   /// glides over on its way is not written.
   void press_at(geometry::TabletPoint at) { pressed_at_ = at; }
 
+  /// How the pen is held from now on. @param lean_rad  from upright.
+  void lean(double lean_rad) { lean_rad_ = lean_rad; }
+
   Event follow(const haptics::ServoSample& sample);
   /// The stroke being written; empty while the pen is up.
   [[nodiscard]] const HandStroke& current() const { return current_; }
@@ -55,6 +59,7 @@ class PenRecorder {
   static constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
   double full_press_m_;
+  double lean_rad_ = 0;
   HandStroke current_;
   HandPoint last_;  ///< of the touch at hand, whether it moved or not
   HandStroke ended_;
@@ -72,10 +77,10 @@ class PenRecorder {
 /// What of a stroke was written by a moment of its clock; the last piece is cut where the pen was.
 [[nodiscard]] HandStroke until(const HandStroke& stroke, double time_s);
 
-/// Ink for the eye: pressure is width.
+/// Ink for the eye: pressure and lean are width.
 [[nodiscard]] view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict);
 
-/// Half of the width that ink of this pressure has [m].
-[[nodiscard]] double ink_half_width_m(double pressure);
+/// Half of the width of a point's ink [m]: more for a firmer press, and for a brush that lies flatter.
+[[nodiscard]] double ink_half_width_m(const HandPoint& point);
 
 }  // namespace nazori::ui

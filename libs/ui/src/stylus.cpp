@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stylus.h"
 
+#include <QElapsedTimer>
 #include <algorithm>
 #include <utility>
 
@@ -11,13 +12,22 @@ namespace {
 
 constexpr int kLook_ms = 100;
 constexpr int kSeek_ms = 3000;
-// Looking for devices may hold up the window: it may do so for at most this share of the time.
-constexpr int kSeekShare = 50;
-constexpr int kLongestSeek_ms = 120'000;
+// A device that takes long to refuse is asked less often: looking takes at most this share of the time.
+constexpr int kSeekShare = 20;
+constexpr int kLongestSeek_ms = 60'000;
+constexpr int kStrokeEnd_ms = 200;
+// A computer that slept or stood still wakes the window first: so many looks in a row before a servo counts
+// as dead.
+constexpr int kStalledLooks = 5;
 const std::string kPointer = "pointer";
 
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
+
+/// The window says itself what is wrong.
+QString what_to_do(const base::Error& error) {
+  return to_text(error.remedy.empty() ? base::to_line(error) : error.remedy);
+}
 
 }  // namespace
 
@@ -71,69 +81,90 @@ haptics::DeviceDescription Stylus::own_description() const {
 }
 
 void Stylus::set_devices(BackEnds back_ends, const geometry::TabletShape& shape, Remembered remembered) {
-  catalogue_ = std::make_unique<devices::DeviceCatalogue>(std::move(back_ends));
-  shape_ = shape;
+  search_ = std::make_unique<DeviceSearch>(std::move(back_ends), shape);
   remembered_ = std::move(remembered);
 }
 
-std::vector<devices::BackEndFindings> Stylus::find() {
-  return catalogue_ ? catalogue_->find() : std::vector<devices::BackEndFindings>{};
+DeviceSettings Stylus::remembered(const std::string& id) const {
+  return remembered_ ? remembered_().value(to_text(id)) : DeviceSettings{};
 }
 
-devices::OpenRequest Stylus::request_for(const std::string& id) const {
-  const DeviceSettings settings = remembered_ ? remembered_(id) : DeviceSettings{};
-  return {shape_, settings.posture, settings.calibration};
+void Stylus::find() {
+  if (search_) search_->find([this](const auto& findings) { emit found(findings); });
 }
 
 void Stylus::choose(const std::string& id) {
   chosen_ = id;
-  lost_.clear();
-  seek_timer_.stop();
+  sought_.clear();
   close_device();
-  if (!catalogue_ || id == kPointer) return;
-  if ((id.empty() || !open(id, true)) && !open_best(id)) lost_ = id;
-  seek_later();
+  if (search_ && id != kPointer) {
+    ask({id, true, {}}, true);
+  } else {
+    if (search_) search_->cancel();
+    searching_ = false;
+    emit searched();
+  }
 }
 
 void Stylus::reopen() {
   if (!device_) return;
   const std::string id = device_->opened.id;
   close_device();
-  if (!open(id, true)) lost_ = id;
-  seek_later();
+  ask({id, true, {}}, true);
+  reopening_ = id;
 }
 
-bool Stylus::open_best(const std::string& but_not) {
-  std::vector<devices::FoundDevice> found;
-  for (auto& findings : catalogue_->find())
-    for (auto& device : findings.devices)
-      if (device.automatic && device.has_force && device.id != but_not) found.push_back(std::move(device));
-  return std::any_of(found.begin(), found.end(),
-                     [this](const auto& device) { return open(device.id, false); });
-}
-
-/// @param told  why it could not be opened.
-bool Stylus::open(const std::string& id, bool told) {
-  auto opened = catalogue_->open(id, request_for(id));
-  // A name that is not an id was asked for: what is remembered belongs to the id.
-  if (opened && opened->id != id) {
-    const std::string found = opened->id;
-    opened->device.reset();
-    opened = catalogue_->open(found, request_for(found));
-  }
-  const auto refuse = [&](DeviceTrouble trouble, const base::Error& error) {
-    if (told) emit device_refused(to_text(id), trouble, to_text(base::to_line(error)));
-    return false;
-  };
-  if (!opened) return refuse(opened.error().trouble, opened.error().error);
-  if (opened->id == kPointer) return true;
-  auto seat = std::make_unique<Seat>();
-  seat->opened = std::move(*opened);
-  if (const auto started = start(*seat); !started) return refuse(DeviceTrouble::init_failed, started.error());
-  device_ = std::move(seat);
-  lost_.clear();
+/// @param told  why what was asked for could not be opened, and that the search is over.
+void Stylus::ask(DeviceWish wish, bool told) {
+  searching_ = true;
   seek_timer_.stop();
+  QElapsedTimer taken;
+  taken.start();
+  const DeviceWish asked = wish;
+  search_->open(std::move(wish), remembered_ ? remembered_() : DeviceSearch::Remembered{},
+                [this, asked, told, taken](DeviceFind found) {
+                  searching_ = false;
+                  reopening_.clear();
+                  take(std::move(found), asked, told);
+                  if (searching_) return;
+                  seek_later(taken.elapsed());
+                  if (told) emit searched();
+                });
+}
+
+void Stylus::take(DeviceFind found, const DeviceWish& wish, bool told) {
+  if (!wish.id.empty()) sought_ = found.refused ? wish.id : "";
+  if (found.refused && told)
+    emit device_refused(to_text(wish.id), found.refused->trouble, what_to_do(found.refused->error));
+  if (!found.opened || found.opened->id == kPointer) return;
+  // Nobody is interrupted in the middle of a stroke.
+  if (is_writing()) {
+    waiting_ = std::move(found.opened);
+    return;
+  }
+  const std::string id = found.opened->id;
+  if (seat(std::move(*found.opened), told) || !wish.or_best) return;
+  // It opens and does not start: the next one.
+  DeviceWish next{{}, true, wish.but_not};
+  next.but_not.push_back(id);
+  ask(std::move(next), told);
+}
+
+bool Stylus::seat(devices::OpenedDevice opened, bool told) {
+  auto seat = std::make_unique<Seat>();
+  seat->opened = std::move(opened);
+  if (const auto started = start(*seat); !started) {
+    if (sought_.empty()) sought_ = seat->opened.id;
+    if (told)
+      emit device_refused(to_text(seat->opened.id), DeviceTrouble::init_failed, what_to_do(started.error()));
+    search_->close(std::move(seat->opened));
+    return false;
+  }
+  close_device();
+  device_ = std::move(seat);
+  if (sought_ == device_->opened.id) sought_.clear();
   trouble_ = DeviceTrouble::none;
+  stalled_looks_ = 0;
   look_timer_.start();
   if (device_->opened.device->status().state == DeviceState::running) {
     give_tablet_to(*device_);
@@ -149,7 +180,7 @@ base::Result<void> Stylus::start(Seat& seat) const {
   auto& device = *seat.opened.device;
   seat.description = device.describe();
   auto& limits = seat.description.limits;
-  limits = limited(limits, remembered_ ? remembered_(seat.opened.id) : DeviceSettings{});
+  limits = limited(limits, remembered(seat.opened.id));
   for (double* limit : {&limits.max_force_n, &limits.continuous_force_n, &limits.max_stiffness_n_m})
     *limit *= strength_;
   seat.servo = std::make_unique<haptics::Servo>(seat.description);
@@ -175,11 +206,14 @@ void Stylus::set_strength(double strength) {
 
 void Stylus::close_device() {
   look_timer_.stop();
+  seek_timer_.stop();
+  reopening_.clear();
+  if (waiting_) search_->close(std::move(*std::exchange(waiting_, std::nullopt)));
   if (!device_) return;
   // No force first, then the tablet to the pointer.
   device_->opened.device->stop();
   give_tablet_to(pointer_seat_);
-  device_.reset();
+  search_->close(std::move(std::exchange(device_, nullptr)->opened));
 }
 
 void Stylus::give_tablet_to(Seat& seat) {
@@ -188,6 +222,7 @@ void Stylus::give_tablet_to(Seat& seat) {
   if (is_pointer()) pointer_.stop();
   active_ = &seat;
   buttons_ = ~0U;  // what is down already was not pressed for this
+  pressed_ = false;
   seat.servo->set_scene(scene_);
   if (is_pointer()) (void)pointer_.start(*seat.servo);  // it ran before: its thread can be made
   emit changed();
@@ -196,6 +231,8 @@ void Stylus::give_tablet_to(Seat& seat) {
 void Stylus::look() {
   if (!device_) return;
   const auto status = device_->opened.device->status();
+  stalled_looks_ = status.trouble == DeviceTrouble::stalled ? stalled_looks_ + 1 : 0;
+  if (stalled_looks_ > 0 && stalled_looks_ < kStalledLooks) return;
   const QString name = to_text(device_->description.name);
   switch (status.state) {
     case DeviceState::running:
@@ -219,29 +256,29 @@ void Stylus::look() {
 
 void Stylus::lose(DeviceTrouble trouble, const QString& message) {
   const QString name = to_text(device_->description.name);
-  lost_ = device_->opened.id;
+  const std::string id = device_->opened.id;
+  if (sought_.empty()) sought_ = id;
   close_device();
   emit device_lost(name, trouble, message);
-  seek_later();
+  ask({{}, true, {id}}, true);
 }
 
-void Stylus::seek_later() {
-  if (!device_ && chosen_ != kPointer && catalogue_) seek_timer_.start(kSeek_ms);
+bool Stylus::is_writing() { return is_pointer() ? pressed_ : latest().touching; }
+
+void Stylus::seek_later(qint64 took_ms) {
+  if (waiting_)
+    seek_timer_.start(kStrokeEnd_ms);
+  else if (search_ && chosen_ != kPointer && (!device_ || !sought_.empty()))
+    seek_timer_.start(static_cast<int>(std::clamp<qint64>(took_ms * kSeekShare, kSeek_ms, kLongestSeek_ms)));
 }
 
 void Stylus::seek() {
-  if (device_ || chosen_ == kPointer) return;
-  // Nobody is interrupted in the middle of a stroke.
-  if (pressed_) {
-    seek_timer_.start(kSeek_ms / 10);
-    return;
+  if (waiting_) {
+    if (!is_writing()) (void)seat(std::move(*std::exchange(waiting_, std::nullopt)), false);
+    return seek_later();
   }
-  QElapsedTimer taken;
-  taken.start();
-  const bool found = lost_.empty() ? open_best({}) : open(lost_, false) || open_best(lost_);
-  if (found && device_) return;
-  const auto pause_ms = taken.elapsed() * kSeekShare;
-  seek_timer_.start(static_cast<int>(std::clamp<qint64>(pause_ms, kSeek_ms, kLongestSeek_ms)));
+  // While the next best has the tablet, only the better one is looked for.
+  if (!device_ || !sought_.empty()) ask({sought_, !device_, {}}, false);
 }
 
 }  // namespace nazori::ui

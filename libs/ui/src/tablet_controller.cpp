@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <utility>
 
 #include "nazori/devices/simulated_device.h"
@@ -101,6 +102,10 @@ void TabletController::clear_ink() {
   emit picture_changed();
 }
 
+void TabletController::undo_ink() {
+  if (ink_.undo() != 0) emit picture_changed();
+}
+
 void TabletController::hand_over_scene() {
   if (!tablet_) {
     stylus_.set_scene(nullptr);
@@ -149,6 +154,18 @@ void TabletController::lift_stylus() {
   pointer_.in_range = false;
   pointer_.depth_m = 0;
   send();
+}
+
+void TabletController::lean_stylus(std::optional<QPointF> tilt_deg) {
+  const auto slope = [](double degrees) {
+    constexpr double kMost = 75;  // drivers that tell more mean a pen that lies
+    return std::tan(std::clamp(std::isfinite(degrees) ? degrees : 0, -kMost, kMost) * std::numbers::pi / 180);
+  };
+  // Many drivers of pens without tilt tell zeros.
+  if (tilt_deg && tilt_deg->isNull() && axis_ == haptics::Vec3(0)) return;
+  axis_ = tilt_deg ? glm::normalize(haptics::Vec3(slope(tilt_deg->x()), -slope(tilt_deg->y()), 1))
+                   : haptics::Vec3(0);
+  lean_rad_ = tilt_deg ? std::acos(std::clamp(axis_.z, 0.0, 1.0)) : 0;
 }
 
 void TabletController::push_stylus(double notches) {
@@ -213,7 +230,8 @@ view::Overlay TabletController::overlay() {
   if (stylus_in_range()) {
     const auto& now = stylus_.latest();
     shown_s_ = now.begun_s;
-    overlay.cursor = view::Cursor{now.proxy_m, now.device_m, now.touching};
+    overlay.cursor = view::Cursor{now.proxy_m, now.device_m, now.touching,
+                                  stylus_.is_pointer() ? axis_ : haptics::Vec3(0)};
   }
   return overlay;
 }

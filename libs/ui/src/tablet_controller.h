@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointF>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -80,6 +81,8 @@ class TabletController final : public QObject {
   void set_demonstration(std::optional<Demonstration> demonstration);
 
   void clear_ink();
+  /// Takes the ink off the stroke that took it up last.
+  void undo_ink();
   [[nodiscard]] const InkTracker& ink() const { return ink_; }
 
   /// The stylus over the tablet. @param pressure  0..1 of a pen; nothing for a mouse, whose depth the wheel
@@ -88,6 +91,11 @@ class TabletController final : public QObject {
   void move_stylus(geometry::TabletPoint at, bool pressed, std::optional<double> pressure = {},
                    std::optional<double> event_s = {});
   void lift_stylus();
+  /// How a pen is held from now on: its tilt to the right and towards the learner, in degrees from upright,
+  /// as Qt tells it; nothing for what has none.
+  void lean_stylus(std::optional<QPointF> tilt_deg);
+  /// How far the pen leans from upright [rad], 0 where that is not known.
+  [[nodiscard]] double lean_rad() const { return lean_rad_; }
   /// Lets a mouse go slower up a slope and faster down.
   void set_slope_help(bool on);
   [[nodiscard]] bool slope_help() const { return slope_help_; }
@@ -148,6 +156,8 @@ class TabletController final : public QObject {
   SlopeGain slope_gain_;
   bool slope_help_ = false;
   bool judged_ = false;
+  haptics::Vec3 axis_{0};  ///< of the pen, from its tip to the hand; zero: not known
+  double lean_rad_ = 0;
   haptics::Vec3 seen_m_{0};  ///< device, when its moving was last told
   devices::PointerState pointer_;
   double shown_s_ = 0;      ///< begun_s of the sample in the last overlay, 0 none

@@ -20,6 +20,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "nazori/view/point_under.h"
+
 namespace nazori::ui {
 namespace {
 
@@ -165,8 +167,9 @@ void TabletWindow::paintGL() {
 void TabletWindow::resizeGL(int /*width*/, int /*height*/) { request_frame(); }
 
 std::optional<geometry::TabletPoint> TabletWindow::point_under(QPointF position) const {
-  if (!view_) return std::nullopt;
-  return view_->pick({position.x(), position.y()}, width(), height());
+  const auto& carved = controller_->tablet();
+  return view::point_under(camera_, style_, carved ? carved->shape() : geometry::TabletShape{},
+                           {position.x(), position.y()}, width(), height());
 }
 
 void TabletWindow::set_camera(const view::Camera& camera) {
@@ -242,6 +245,7 @@ void TabletWindow::point_stylus(QPointF position, bool pressed, std::optional<do
 }
 
 void TabletWindow::mousePressEvent(QMouseEvent* event) {
+  controller_->lean_stylus({});
   if (drag_ != Drag::none) return;
   const QPointF at = event->position();
   if (event->button() == Qt::LeftButton) {
@@ -274,6 +278,8 @@ void TabletWindow::mouseReleaseEvent(QMouseEvent* event) {
 void TabletWindow::tabletEvent(QTabletEvent* event) {
   since_pen_.start();
   const QPointF at = event->position();
+  if (event->pointingDevice()->hasCapability(QInputDevice::Capability::XTilt))
+    controller_->lean_stylus(QPointF(event->xTilt(), event->yTilt()));
   if (event->type() == QEvent::TabletPress) {
     // The barrel button turns the tablet, as the right mouse button does.
     if (event->button() == Qt::RightButton)
@@ -308,9 +314,9 @@ void TabletWindow::touchEvent(QTouchEvent* event) {
   }
   int down = 0;
   for (const auto& point : points) down += point.state() != QEventPoint::Released ? 1 : 0;
-  const QPointF first = points.front().position();
+  const QPointF first = points.front().scenePosition();
   if (down >= 2 && points.size() >= 2) {
-    const QPointF second = points[1].position();
+    const QPointF second = points[1].scenePosition();
     const QPointF middle = (first + second) / 2;
     const double apart = QLineF(first, second).length();
     if (fingers_ == 1) controller_->lift_stylus();
@@ -324,6 +330,7 @@ void TabletWindow::touchEvent(QTouchEvent* event) {
     pinch_apart_ = apart;
     return;
   }
+  controller_->lean_stylus({});
   // After two fingers the last one does not write: it is on its way up.
   if (fingers_ == 2) {
     if (down == 0) fingers_ = 0;

@@ -112,6 +112,19 @@ TEST(InkTracker, AHoveringStylusLeavesNoInk) {
   EXPECT_EQ(ink.progress()[0], 0.0);
 }
 
+TEST(InkTracker, UndoTakesTheInkOffTheStrokeThatTookItUpLast) {
+  auto ink = cross();
+  draw(ink, {0, 0.03, 0}, {0, -0.03, 0}, 2);
+  draw(ink, {-0.03, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(ink.undo(), 1);
+  EXPECT_EQ(ink.progress(), (std::vector<double>{0, 1}));
+  draw(ink, {-0.03, 0, 0}, {0.03, 0, 0});
+  EXPECT_EQ(ink.undo(), 1) << "written anew, it is the last again";
+  EXPECT_EQ(ink.undo(), 2);
+  EXPECT_EQ(ink.undo(), 0);
+  EXPECT_EQ(ink.progress(), (std::vector<double>{0, 0}));
+}
+
 TEST(InkTracker, ClearingTakesAllInkAway) {
   auto ink = cross();
   draw(ink, {-0.03, 0, 0}, {0.03, 0, 0});

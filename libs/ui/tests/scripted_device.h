@@ -22,6 +22,7 @@ struct Script {
   std::atomic<double> force_n{0};       ///< as of the last tick
   std::atomic<double> most_force_n{0};  ///< of all ticks
   std::atomic<double> most_step_n{0};   ///< between two ticks that the device ran
+  std::atomic<std::uint64_t> ticks{0};
   std::atomic<int> opened{0};
   std::atomic<double> asked_tilt_rad{-1};
   std::atomic<bool> asked_calibrated{false};
@@ -47,6 +48,7 @@ class ScriptedDevice final : public haptics::HapticDevice {
       script_->most_step_n = std::max(script_->most_step_n.load(), std::abs(size_n - script_->force_n));
       script_->most_force_n = std::max(script_->most_force_n.load(), size_n);
       script_->force_n = size_n;
+      ++script_->ticks;
     });
   }
   void stop() noexcept override {

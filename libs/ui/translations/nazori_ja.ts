@@ -1030,6 +1030,14 @@
         <translation>%1 で文字板に触れています。</translation>
     </message>
     <message>
+        <source>%1 Until then %2 has the tablet.</source>
+        <translation>%1それまでは %2 で文字板に触れています。</translation>
+    </message>
+    <message>
+        <source>The tablet stands as you set it.</source>
+        <translation>文字板を設定どおりの向きにしました。</translation>
+    </message>
+    <message>
         <source>%1 Until then mouse and pen write.</source>
         <translation>%1それまではマウスとペンで書けます。</translation>
     </message>
@@ -1071,6 +1079,10 @@
     <message>
         <source>Mouse, pen or finger</source>
         <translation>マウス・ペン・指</translation>
+    </message>
+    <message>
+        <source>Joysticks, wheels and gamepads</source>
+        <translation>ジョイスティック・ハンドル・ゲームパッド</translation>
     </message>
     <message>
         <source>Simulations</source>
@@ -3423,6 +3435,10 @@ Columns and rows:</source>
 </context>
 <context>
     <name>nazori::ui::SeatPanel</name>
+    <message>
+        <source>Looking for devices …</source>
+        <translation>装置を探しています…</translation>
+    </message>
     <message>
         <source>The tip is there</source>
         <translation>ペン先を置いた</translation>

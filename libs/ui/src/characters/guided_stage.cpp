@@ -37,6 +37,12 @@ GuidedStage::GuidedStage(Desk& desk, CharacterActions& actions) : CharacterStage
   connect(&controller(), &TabletController::stroke_event, this, [this](InkEvent event, int stroke) {
     if (is_entered()) take(event, stroke);
   });
+  connect(&controller(), &TabletController::eraser_used, this, [this] {
+    if (!is_entered()) return;
+    controller().undo_ink();
+    if (!written_.empty()) written_.pop_back();
+    controller().set_writing(written_);
+  });
   connect(&controller(), &TabletController::pressed, this,
           [this](geometry::TabletPoint at) { recorder_.press_at(at); });
   connect(&controller(), &TabletController::sampled, this,
@@ -150,6 +156,7 @@ void GuidedStage::take(InkEvent event, int stroke) {
 }
 
 void GuidedStage::take_samples(std::span<const haptics::ServoSample> samples) {
+  recorder_.lean(controller().lean_rad());
   bool changed = false;
   for (const auto& sample : samples) {
     const auto event = recorder_.follow(sample);

@@ -119,6 +119,7 @@ void MemoryStage::set_state(State state) {
 }
 
 void MemoryStage::take_samples(std::span<const haptics::ServoSample> samples) {
+  recorder_.lean(controller().lean_rad());
   bool grew = false;
   for (const auto& sample : samples) {
     const auto event = recorder_.follow(sample);

@@ -44,6 +44,9 @@ TraceStage::TraceStage(Desk& desk, CharacterActions& actions)
     tablet.clear_ink();
     tell(StrokeTeller::invitation(tablet));
   });
+  connect(&tablet, &TabletController::eraser_used, this, [this, &tablet] {
+    if (is_entered()) tablet.undo_ink();
+  });
   connect(&tablet, &TabletController::state_changed, this, [this, &tablet] {
     if (!is_entered()) return;
     Preferences& preferences = this->desk().preferences();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/device_place.h"
 
-#include <QGuiApplication>
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
@@ -49,11 +48,8 @@ DevicePlace::DevicePlace(Desk& desk)
   connect_actions();
   connect_panels();
   connect_stylus();
-  // Once the window is there: looking for devices may take a moment.
-  QTimer::singleShot(0, this, [this] {
-    stylus_.choose(memory_.chosen.toStdString());
-    refresh();
-  });
+  // Once the window is there.
+  QTimer::singleShot(0, this, [this] { stylus_.choose(memory_.chosen.toStdString()); });
 }
 
 DevicePlace::~DevicePlace() = default;
@@ -88,6 +84,13 @@ void DevicePlace::enter() {
   set_strength(kTrialStep);
   look_again();
   feel_panel_->watch(true);
+  const auto status = stylus_.status();
+  if (stylus_.opened() != nullptr && stylus_.is_pointer() && status.trouble != haptics::DeviceTrouble::none) {
+    const QString name = device_name(stylus_.own_description().name);
+    desk().say(Feedback::advice,
+               tr("%1 Until then mouse and pen write.").arg(trouble_text(status.trouble, name)));
+    return;
+  }
   desk().say(
       Feedback::hint,
       stylus_.opened() != nullptr
@@ -117,9 +120,7 @@ void DevicePlace::connect_actions() {
   connect(actions_->calibrate, &QAction::triggered, this, [this] { calibrate(); });
   connect(actions_->fit, &QAction::triggered, this, [this] {
     settings().calibration.reset();
-    stylus_.reopen();
-    desk().save_later();
-    desk().say(Feedback::good, tr("The tablet is as large as the stylus can reach."));
+    reopen(tr("The tablet is as large as the stylus can reach."));
   });
 }
 
@@ -130,9 +131,13 @@ void DevicePlace::connect_panels() {
     of_device.posture = posture;
     // Corners were shown for another posture.
     of_device.calibration.reset();
-    stylus_.reopen();
-    desk().save_later();
+    posture_timer_.start();
   });
+  // A slider on its way does not open the device at each step.
+  posture_timer_.setSingleShot(true);
+  posture_timer_.setInterval(kPostureRest_ms);
+  connect(&posture_timer_, &QTimer::timeout, this,
+          [this] { reopen(tr("The tablet stands as you set it.")); });
   connect(seat_panel_, &SeatPanel::buttons_changed, this, [this](ButtonDoes first, ButtonDoes second) {
     settings().buttons = {first, second};
     desk().save_later();
@@ -153,49 +158,73 @@ void DevicePlace::connect_panels() {
 }
 
 void DevicePlace::connect_stylus() {
-  stylus_.set_devices(desk().take_back_ends(), {},
-                      [this](const std::string& id) { return memory_.devices.value(to_text(id)); });
+  stylus_.set_devices(desk().take_back_ends(), {}, [this] { return memory_.devices; });
+  connect(&stylus_, &Stylus::found, this, &DevicePlace::show_findings);
+  connect(&stylus_, &Stylus::searched, this, [this] {
+    if (untold_) desk().tell(Feedback::advice, tr("%1 Until then mouse and pen write.").arg(trouble_));
+    untold_ = false;
+    trouble_.clear();
+    fitted_.clear();
+    refresh();
+  });
   connect(&stylus_, &Stylus::changed, this, [this] { show_device(); });
   // Not in the middle of taking samples: what a button does may open the device anew.
   connect(
       &stylus_, &Stylus::button_pressed, this, [this](int number) { press_button(number); },
       Qt::QueuedConnection);
   connect(&stylus_, &Stylus::device_taken, this, [this](const QString& name, bool again) {
-    QTimer::singleShot(0, this, &DevicePlace::refresh);
-    desk().tell(Feedback::good,
-                again
-                    ? tr("%1 goes on. What was written is still there.").arg(device_name(name.toStdString()))
-                    : tr("%1 has the tablet.").arg(device_name(name.toStdString())));
+    const QString device = device_name(name.toStdString());
+    untold_ = false;
+    if (again) trouble_.clear();
+    if (!fitted_.isEmpty())
+      desk().tell(Feedback::good, fitted_);
+    else if (again)
+      desk().tell(Feedback::good, tr("%1 goes on. What was written is still there.").arg(device));
+    else if (trouble_.isEmpty())
+      desk().tell(Feedback::good, tr("%1 has the tablet.").arg(device));
+    else
+      desk().tell(Feedback::advice, tr("%1 Until then %2 has the tablet.").arg(trouble_, device));
+    if (!stylus_.is_searching()) refresh();
   });
   const auto trouble = [this](const QString& name, haptics::DeviceTrouble what, const QString&) {
-    desk().tell(
-        Feedback::advice,
-        tr("%1 Until then mouse and pen write.").arg(trouble_text(what, device_name(name.toStdString()))));
+    trouble_ = trouble_text(what, device_name(name.toStdString()));
+    desk().tell(Feedback::advice, tr("%1 Until then mouse and pen write.").arg(trouble_));
   };
   connect(&stylus_, &Stylus::device_paused, this, trouble);
   connect(&stylus_, &Stylus::device_lost, this, trouble);
-  connect(&stylus_, &Stylus::device_lost, this, &DevicePlace::refresh, Qt::QueuedConnection);
   connect(&stylus_, &Stylus::device_refused, this,
           [this](const QString& id, haptics::DeviceTrouble what, const QString& message) {
-            desk().tell(Feedback::advice, trouble_text(what, device_name(id.toStdString()), message));
+            fitted_.clear();
+            trouble_ = trouble_text(what, device_name(id.toStdString()), message);
+            untold_ = true;  // what takes its place belongs into the same sentence
           });
 }
 
 void DevicePlace::choose(const QString& id) {
   memory_.chosen = id;
   desk().save_later();
-  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
   stylus_.choose(id.toStdString());
-  look_again();
-  QGuiApplication::restoreOverrideCursor();
+  if (stylus_.is_searching()) seat_panel_->show_searching();
+}
+
+void DevicePlace::reopen(const QString& sentence) {
+  desk().save_later();
+  if (stylus_.opened() == nullptr) return;
+  stylus_.reopen();
+  fitted_ = sentence;
 }
 
 void DevicePlace::look_again() {
+  seat_panel_->show_searching();
+  stylus_.find();
+  show_device();
+}
+
+void DevicePlace::show_findings(const std::vector<devices::BackEndFindings>& findings) {
   const auto* opened = stylus_.opened();
-  seat_panel_->show_findings(stylus_.find(), memory_.chosen,
+  seat_panel_->show_findings(findings, memory_.chosen,
                              opened != nullptr ? to_text(opened->id) : QStringLiteral("pointer"),
                              device_name(stylus_.own_description().name));
-  show_device();
 }
 
 void DevicePlace::refresh() {
@@ -206,6 +235,8 @@ void DevicePlace::refresh() {
 }
 
 void DevicePlace::show_device() {
+  // What is turned at must not vanish under the hand while the device is opened anew.
+  if (!stylus_.reopening().empty()) return;
   const auto* opened = stylus_.opened();
   const auto own = stylus_.own_description();
   const QString id = opened != nullptr ? to_text(opened->id) : QStringLiteral("pointer");
@@ -225,7 +256,9 @@ void DevicePlace::set_strength(double strength) {
 
 DeviceSettings& DevicePlace::settings() {
   const auto* opened = stylus_.opened();
-  return memory_.devices[opened != nullptr ? to_text(opened->id) : QStringLiteral("pointer")];
+  if (opened != nullptr) return memory_.devices[to_text(opened->id)];
+  const std::string& reopening = stylus_.reopening();
+  return memory_.devices[reopening.empty() ? QStringLiteral("pointer") : to_text(reopening)];
 }
 
 void DevicePlace::calibrate() {
@@ -267,9 +300,8 @@ void DevicePlace::take_corner() {
   }
   of_device.calibration = *fitted;
   of_device.posture = fitted->posture;
-  stylus_.reopen();
-  end_calibration(tr("The tablet stands where you showed it."), Feedback::good);
-  desk().save_later();
+  end_calibration({}, Feedback::hint);
+  reopen(tr("The tablet stands where you showed it."));
 }
 
 void DevicePlace::end_calibration(const QString& sentence, Feedback kind) {

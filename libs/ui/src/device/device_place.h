@@ -22,6 +22,8 @@ class DevicePlace final : public Workplace {
  public:
   /// A trial begins with this share of the device's limits, and each request adds as much.
   static constexpr double kTrialStep = 0.1;
+  /// So long a slider of the posture rests before the device is opened anew with it.
+  static constexpr int kPostureRest_ms = 400;
 
   explicit DevicePlace(Desk& desk);
   ~DevicePlace() override;
@@ -44,7 +46,10 @@ class DevicePlace final : public Workplace {
   void connect_panels();
   void connect_stylus();
   void choose(const QString& id);
+  /// The device is opened anew with what is remembered of it now. @param sentence  said once it is.
+  void reopen(const QString& sentence);
   void look_again();
+  void show_findings(const std::vector<devices::BackEndFindings>& findings);
   void refresh();
   void show_device();
   void set_strength(double strength);
@@ -61,6 +66,10 @@ class DevicePlace final : public Workplace {
   SeatPanel* seat_panel_;
   FeelPanel* feel_panel_;
   std::shared_ptr<const tablet::CarvedTablet> trial_tablet_;
+  QTimer posture_timer_;
+  QString trouble_;      ///< why the device that was asked for does not have the tablet
+  bool untold_ = false;  ///< and it was not said yet
+  QString fitted_;       ///< to be said once the device is open anew
   bool entered_ = false;
   int corner_ = -1;  ///< the next to be shown, -1: no calibration
   std::array<haptics::Vec3, 3> corners_m_{};

@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -14,18 +13,21 @@
 
 #include "device/device_actions.h"
 #include "device/number_slider.h"
+#include "flow_layout.h"
 #include "stylus.h"
 
 namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 16;
+constexpr int kGap = 8;
 constexpr int kLook_ms = 100;
 
 void set_role(QWidget* widget, const char* role) { widget->setProperty("role", QString::fromLatin1(role)); }
 
 QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
+  label->setWordWrap(true);
   set_role(label, "heading");
   return label;
 }
@@ -46,6 +48,7 @@ FeelPanel::FeelPanel(Stylus& stylus, const DeviceActions& actions, QWidget* pare
   column->addWidget(heading(tr("Now"), content_));
   auto* form = new QFormLayout;
   form->setVerticalSpacing(3);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   const std::array<std::pair<const char*, QString>, line_count> names{{
       {"live_pose", tr("Tip")},
       {"live_buttons", tr("Buttons")},
@@ -59,6 +62,7 @@ FeelPanel::FeelPanel(Stylus& stylus, const DeviceActions& actions, QWidget* pare
     lines_[i] = new QLabel(content_);
     lines_[i]->setObjectName(QString::fromLatin1(names[i].first));
     lines_[i]->setAccessibleName(names[i].second);
+    lines_[i]->setWordWrap(true);
     lines_[i]->setTextInteractionFlags(Qt::TextSelectableByMouse);
     form->addRow(names[i].second, lines_[i]);
   }
@@ -72,7 +76,7 @@ FeelPanel::FeelPanel(Stylus& stylus, const DeviceActions& actions, QWidget* pare
   strength_->setObjectName(QStringLiteral("strength"));
   strength_->setWordWrap(true);
   trial->addWidget(strength_);
-  auto* row = new QHBoxLayout;
+  auto* row = new FlowLayout(kGap, kGap);
   for (QAction* action : {actions.weaker, actions.stronger}) {
     auto* button = new QPushButton(without_mnemonic(action->text()), trial_);
     button->setObjectName(QStringLiteral("button_") + action->objectName());
@@ -99,6 +103,8 @@ FeelPanel::FeelPanel(Stylus& stylus, const DeviceActions& actions, QWidget* pare
   texture_ = new QComboBox(content_);
   texture_->setObjectName(QStringLiteral("material_texture"));
   texture_->setAccessibleName(tr("Texture"));
+  texture_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  texture_->setMinimumContentsLength(4);
   auto* texture_name = new QLabel(tr("Texture"), content_);
   texture_name->setBuddy(texture_);
   column->addWidget(texture_name);

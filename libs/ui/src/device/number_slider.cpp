@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/number_slider.h"
 
-#include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSlider>
+#include <QVBoxLayout>
 #include <cmath>
 
+#include "flow_layout.h"
+
 namespace nazori::ui {
+namespace {
+
+constexpr int kGap = 8;
+
+}  // namespace
 
 NumberSlider::NumberSlider(const QString& name, const QString& object, double low, double high, double step,
                            const QString& unit, int decimals, QWidget* parent)
@@ -20,17 +27,19 @@ NumberSlider::NumberSlider(const QString& name, const QString& object, double lo
       decimals_(decimals) {
   auto* label = new QLabel(name, this);
   label->setBuddy(slider_);
+  label->setWordWrap(true);
   slider_->setObjectName(object);
   slider_->setAccessibleName(name);
   words_->setObjectName(object + QStringLiteral("_value"));
-  words_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setVerticalSpacing(0);
-  grid->addWidget(label, 0, 0);
-  grid->addWidget(words_, 0, 1);
-  grid->addWidget(slider_, 1, 0, 1, 2);
-  grid->setColumnStretch(0, 1);
+  // Side by side where there is room; one below the other with large text.
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* line = new FlowLayout(kGap, 0);
+  line->addWidget(label);
+  line->addWidget(words_);
+  column->addLayout(line);
+  column->addWidget(slider_);
   set_range(low, high);
   connect(slider_, &QSlider::valueChanged, this, [this] {
     show_value();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/seat_panel.h"
 
+#include <QAction>
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QLabel>
@@ -11,6 +12,7 @@
 #include <numbers>
 #include <utility>
 
+#include "device/button_lines.h"
 #include "device/device_actions.h"
 #include "device/number_slider.h"
 #include "device_text.h"
@@ -24,26 +26,10 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 void set_role(QWidget* widget, const char* role) { widget->setProperty("role", QString::fromLatin1(role)); }
 
-QPushButton* button_for(QAction* action, QWidget* parent) {
-  auto* button = new QPushButton(without_mnemonic(action->text()), parent);
-  button->setObjectName(QStringLiteral("button_") + action->objectName());
-  button->setToolTip(action->toolTip());
-  QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
-  return button;
-}
-
-/// A radio button does not break its lines by itself.
-QString in_lines(const QString& text) {
-  constexpr qsizetype kLongest = 20;
-  QString lines;
-  qsizetype length = 0;
-  for (const auto& word : text.split(QLatin1Char(' '))) {
-    const bool fits = length + word.size() < kLongest;
-    if (!lines.isEmpty()) lines += fits ? QLatin1Char(' ') : QLatin1Char('\n');
-    length = fits ? length + word.size() + 1 : word.size();
-    lines += word;
-  }
-  return lines;
+/// A box is as narrow as its panel, not as wide as its longest entry.
+void make_narrow(QComboBox* box) {
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(4);
 }
 
 void empty(QLayout* layout) {
@@ -61,12 +47,14 @@ void empty(QLayout* layout) {
 SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
     : QScrollArea(parent),
       content_(new QWidget(this)),
+      lines_(new ButtonLines(this, kMargin)),
       column_(new QVBoxLayout(content_)),
       choices_(new QVBoxLayout),
       group_(new QButtonGroup(this)),
+      searching_(new QLabel(tr("Looking for devices …"), content_)),
       fit_text_(new QLabel(content_)),
       step_(new QLabel(content_)),
-      corner_(new QPushButton(tr("The tip is there"), content_)),
+      corner_(new QPushButton(content_)),
       hand_(new QComboBox(content_)) {
   setObjectName(QStringLiteral("seat_panel"));
   setAccessibleName(tr("Devices and how they stand"));
@@ -79,7 +67,12 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
   column_->addWidget(heading(tr("Device")));
   choices_->setSpacing(4);
   column_->addLayout(choices_);
-  column_->addWidget(button_for(actions.look_again, content_));
+  searching_->setObjectName(QStringLiteral("searching"));
+  searching_->setWordWrap(true);
+  set_role(searching_, "muted");
+  searching_->hide();
+  column_->addWidget(searching_);
+  column_->addWidget(button_for(actions.look_again));
 
   auto* fit_heading = heading(tr("Fit to the tablet"));
   column_->addWidget(fit_heading);
@@ -89,6 +82,7 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
   column_->addWidget(fit_text_);
   hand_->setObjectName(QStringLiteral("writing_hand"));
   hand_->setAccessibleName(tr("Writing hand"));
+  make_narrow(hand_);
   hand_->addItems({tr("Right hand writes"), tr("Left hand writes")});
   column_->addWidget(hand_);
   tilt_ = new NumberSlider(tr("Tilt of the tablet"), QStringLiteral("tilt"), 0, 90, 5,
@@ -97,12 +91,13 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
                           content_);
   column_->addWidget(tilt_);
   column_->addWidget(yaw_);
-  auto* by_corners = button_for(actions.calibrate, content_);
-  auto* by_itself = button_for(actions.fit, content_);
+  auto* by_corners = button_for(actions.calibrate);
+  auto* by_itself = button_for(actions.fit);
   column_->addWidget(by_corners);
   step_->setObjectName(QStringLiteral("calibration_step"));
   step_->setWordWrap(true);
   corner_->setObjectName(QStringLiteral("corner"));
+  lines_->add(corner_, tr("The tip is there"));
   connect(corner_, &QPushButton::clicked, this, &SeatPanel::corner_shown);
   column_->addWidget(step_);
   column_->addWidget(corner_);
@@ -115,12 +110,12 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     const QString name = i == 0 ? tr("First button") : tr("Second button");
     auto* label = new QLabel(name, content_);
+    label->setWordWrap(true);
     buttons_[i] = new QComboBox(content_);
     buttons_[i]->setObjectName(QStringLiteral("stylus_button_%1").arg(i + 1));
     buttons_[i]->setAccessibleName(name);
     buttons_[i]->addItems(does);
-    buttons_[i]->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    buttons_[i]->setMinimumContentsLength(6);
+    make_narrow(buttons_[i]);
     label->setBuddy(buttons_[i]);
     column_->addWidget(label);
     column_->addWidget(buttons_[i]);
@@ -171,14 +166,26 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
   show_step({});
 }
 
+QPushButton* SeatPanel::button_for(QAction* action) {
+  auto* button = new QPushButton(content_);
+  button->setObjectName(QStringLiteral("button_") + action->objectName());
+  button->setToolTip(action->toolTip());
+  button->setAccessibleName(without_mnemonic(action->text()));
+  lines_->add(button, without_mnemonic(action->text()));
+  connect(button, &QPushButton::clicked, action, &QAction::trigger);
+  return button;
+}
+
 QLabel* SeatPanel::heading(const QString& text) {
   auto* label = new QLabel(text, content_);
+  label->setWordWrap(true);
   set_role(label, "heading");
   return label;
 }
 
 void SeatPanel::add_choice(const QString& id, const QString& text, bool checked) {
-  auto* choice = new QRadioButton(in_lines(text), content_);
+  auto* choice = new QRadioButton(content_);
+  lines_->add(choice, text);
   choice->setAccessibleName(text);
   choice->setObjectName(QStringLiteral("device_%1").arg(id.isEmpty() ? QStringLiteral("best") : id));
   choice->setProperty("device", id);
@@ -187,9 +194,12 @@ void SeatPanel::add_choice(const QString& id, const QString& text, bool checked)
   choices_->addWidget(choice);
 }
 
+void SeatPanel::show_searching() { searching_->show(); }
+
 void SeatPanel::show_findings(const std::vector<devices::BackEndFindings>& findings, const QString& chosen,
                               const QString& in_use, const QString& in_use_name) {
   const bool had_focus = focusWidget() != nullptr && qobject_cast<QRadioButton*>(focusWidget()) != nullptr;
+  searching_->hide();
   for (auto* old : group_->buttons()) group_->removeButton(old);
   empty(choices_);
   add_choice({}, tr("The best there is"), chosen.isEmpty());
@@ -197,9 +207,11 @@ void SeatPanel::show_findings(const std::vector<devices::BackEndFindings>& findi
   bool in_use_listed = false;
   QList<QWidget*> reasons;
   for (const auto& back_end : findings) {
+    bool ours = false;
     for (const auto& device : back_end.devices) {
       const QString id = to_text(device.id);
       QString text = device_name(device.name);
+      ours = ours || id == in_use;
       in_use_listed = in_use_listed || id == in_use;
       if (id == in_use) text = tr("%1 – in use").arg(text);
       add_choice(id, text, id == chosen);
@@ -207,9 +219,7 @@ void SeatPanel::show_findings(const std::vector<devices::BackEndFindings>& findi
     }
     if (!back_end.problem) continue;
     // What is open here cannot be looked for at the same time.
-    if (back_end.problem->trouble == haptics::DeviceTrouble::in_use &&
-        in_use.startsWith(to_text(back_end.back_end).remove(QLatin1Char(' ')), Qt::CaseInsensitive))
-      continue;
+    if (back_end.problem->trouble == haptics::DeviceTrouble::in_use && ours) continue;
     auto* reason = new QLabel(trouble_text(back_end.problem->trouble, device_name(back_end.back_end),
                                            to_text(back_end.problem->error.remedy)),
                               content_);

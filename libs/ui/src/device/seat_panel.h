@@ -8,6 +8,7 @@
 #include "device_settings.h"
 #include "nazori/devices/back_end.h"
 
+class QAction;
 class QButtonGroup;
 class QComboBox;
 class QLabel;
@@ -17,6 +18,7 @@ class QVBoxLayout;
 
 namespace nazori::ui {
 
+class ButtonLines;
 class DeviceActions;
 class NumberSlider;
 
@@ -26,6 +28,8 @@ class SeatPanel final : public QScrollArea {
  public:
   SeatPanel(const DeviceActions& actions, QWidget* parent);
 
+  /// Devices are being looked for, until show_findings().
+  void show_searching();
   /// @param chosen  id; empty: the best. @param in_use  id of what is open, "pointer" for none; with its
   /// name.
   void show_findings(const std::vector<devices::BackEndFindings>& findings, const QString& chosen,
@@ -44,12 +48,15 @@ class SeatPanel final : public QScrollArea {
 
  private:
   QLabel* heading(const QString& text);
+  QPushButton* button_for(QAction* action);
   void add_choice(const QString& id, const QString& text, bool checked);
 
   QWidget* content_;
+  ButtonLines* lines_;
   QVBoxLayout* column_;
   QVBoxLayout* choices_;
   QButtonGroup* group_;
+  QLabel* searching_;
   QLabel* fit_text_;
   QLabel* step_;
   QPushButton* corner_;

@@ -61,7 +61,9 @@ struct OpenedDevice {
 };
 
 /// One way to reach devices: a maker's library, a service, an interface of the system.
-/// Thread rules: one thread (the interface) calls it. find() and open() may take up to some seconds.
+/// Thread rules: one thread at a time calls it and destroys what it opened (the window has one for that);
+/// meanwhile another may start, stop and ask the devices that are open. find() and open() may take up to some
+/// seconds.
 class BackEnd {
  public:
   virtual ~BackEnd() = default;

@@ -17,8 +17,7 @@ struct BestDevice {
 };
 
 /// Every way to a haptic device in one list, best first: lists what is there and why the rest is not, opens
-/// by name, and falls back to the next best. Remembers nothing between calls. Thread rules: one thread (the
-/// interface).
+/// by name, and falls back to the next best. Remembers nothing between calls. Thread rules: those of BackEnd.
 class DeviceCatalogue {
  public:
   /// @param back_ends  best first.

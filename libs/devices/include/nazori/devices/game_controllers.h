@@ -15,9 +15,9 @@ namespace nazori::devices {
 /// is written wrongly. Only a joystick with force along two axes is chosen by itself.
 ///
 /// SDL is begun at the first find() or open() and ended with the last device and the back end; it takes no
-/// signal handlers and needs no window. Every SDL call is made under one lock, by the interface thread or by
-/// the thread that a running device has for it, never by the servo thread. Devices that come and go are seen
-/// by the next find().
+/// signal handlers and needs no window. Every SDL call is made under one lock, by whoever calls the back end
+/// or its devices, or by the thread that a running device has for it; never by the servo thread. Devices that
+/// come and go are seen by the next find().
 [[nodiscard]] std::unique_ptr<BackEnd> game_controllers_back_end();
 
 }  // namespace nazori::devices
