@@ -24,6 +24,12 @@ class StackedCell final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
   void set_stacked(bool stacked) { stacked_ = stacked; }
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    // A gap, so that the lines of one point are seen to belong together.
+    if (stacked_) size.rheight() += option.fontMetrics.height() / 2;
+    return size;
+  }
 
  protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
