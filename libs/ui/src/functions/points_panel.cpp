@@ -157,6 +157,10 @@ void PointsPanel::fit() {
     table_->setColumnWidth(column, stacked ? room : widths[static_cast<std::size_t>(column)]);
   }
   table_->horizontalHeader()->setVisible(!stacked);
+  // The sentence also stands below the tablet and is told by key: in large text it must not crowd out the
+  // table.
+  const int sentence = summary_->heightForWidth(width() - 2 * kMargin);
+  summary_->setVisible(table_->rowCount() == 0 || sentence <= height() * 2 / 5);
   table_->resizeRowsToContents();
   fitting_ = false;
 }
