@@ -56,13 +56,24 @@ TEST(TracingByKey, AStepIsAHundredthOfTheWindowAlongTheCurve) {
   EXPECT_NEAR(tracer.place()->x, x, 1e-6);
 }
 
+TEST(TracingByKey, TheEndOfACurveIsWhereItLeavesTheWindow) {
+  auto tracer = tracer_of("y = x", {-6, 6, -4, 4});
+  tracer.step(Way::on);
+  tracer.go_to_end(Way::on);
+  EXPECT_NEAR(tracer.place()->y, 4, 1e-6);
+  EXPECT_EQ(tracer.step(Way::on), Step::end);
+  EXPECT_NEAR(tracer.place()->y, 4, 1e-6);
+  tracer.go_to_end(Way::back);
+  EXPECT_NEAR(tracer.place()->x, -4, 1e-6);
+}
+
 TEST(TracingByKey, TheSlopeOfAMinimumIsNothingElseThanZero) {
   auto tracer = tracer_of("y = x^2 - 2", {-6, 6, -4, 4});
   const auto* point = tracer.next_point(Way::on);
   while (point != nullptr && point->kind != functions::PointKind::minimum) point = tracer.next_point(Way::on);
   ASSERT_NE(point, nullptr);
   ASSERT_TRUE(tracer.slope());
-  EXPECT_EQ(*tracer.slope(), 0);
+  EXPECT_NEAR(*tracer.slope(), 0, 1e-12);
 }
 
 TEST(TracingByKey, InAnotherWindowTheHandIsExactlyWhereItWas) {

@@ -1945,6 +1945,10 @@ Columns and rows:</source>
         <source>This is the tone of y = 0.</source>
         <translation>これが y = 0 の音です。</translation>
     </message>
+    <message>
+        <source>A surface has no lines to print.</source>
+        <translation>曲面には印刷する線がありません。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::GuidedStage</name>
@@ -3123,10 +3127,6 @@ Columns and rows:</source>
         <translation>一辺のサンプル数</translation>
     </message>
     <message>
-        <source>%1 × %1</source>
-        <translation>%1 × %1</translation>
-    </message>
-    <message>
         <source>Sam&amp;ples</source>
         <translation>細かさ(&amp;P)</translation>
     </message>
@@ -3399,10 +3399,6 @@ Columns and rows:</source>
     <message>
         <source>Stroke order, .str as in 2005</source>
         <translation>筆順（2005年と同じ .str）</translation>
-    </message>
-    <message>
-        <source>%1 × %1</source>
-        <translation>%1 × %1</translation>
     </message>
     <message>
         <source>%1 × %1, as in 2005</source>

@@ -24,6 +24,23 @@ using Slope = functions::Dual<double, 1>;
 /// Of the plate: lines are drawn to within a sixteenth of a cell.
 constexpr double kSamePlace = 1e-3;
 
+/// Curves are followed a little beyond the window, so that grooves are whole at its edge; a hand is not.
+bool is_in_window(PlatePoint p) {
+  constexpr double kHair = 1e-9;
+  return p.u >= -kHair && p.u <= 1 + kHair && p.v >= -kHair && p.v <= 1 + kHair;
+}
+
+/// The place farthest from `from` on the way of `length` along the curve that is still in the window.
+CurvePlace last_in_window(const functions::Tracing& tracing, const CurvePlace& from, double length) {
+  double inside = 0;
+  double outside = length;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (inside + outside) / 2;
+    (is_in_window(functions::step_along(tracing, from, middle).at) ? inside : outside) = middle;
+  }
+  return functions::step_along(tracing, from, inside);
+}
+
 double distance(PlatePoint a, PlatePoint b) { return std::hypot(a.u - b.u, a.v - b.v); }
 
 /// The parameter at a place on a piece of a branch.
@@ -173,6 +190,14 @@ CurvePlace CurveTracer::end_of(std::size_t branch, bool last) const {
   } else {
     place.at = {b.points.front().u, b.points.front().v};
   }
+  if (b.closed || is_in_window(place.at)) return place;
+  const double back = last ? -kStep : kStep;
+  CurvePlace before = place;
+  for (int i = 0; i < 100; ++i) {
+    const CurvePlace next = functions::step_along(tracing(), before, back);
+    if (is_in_window(next.at)) return last_in_window(tracing(), next, -back);
+    before = next;
+  }
   return place;
 }
 
@@ -205,7 +230,8 @@ CurveTracer::Step CurveTracer::step(Way way) {
   if (!begin()) return Step::end;
   if (!had) return Step::done;
   const double sign = (way == Way::on) != runs_left(place_->on->branch) ? 1 : -1;
-  const auto next = functions::step_along(tracing(), *place_->on, sign * kStep);
+  auto next = functions::step_along(tracing(), *place_->on, sign * kStep);
+  if (!is_in_window(next.at)) next = last_in_window(tracing(), *place_->on, sign * kStep);
   if (distance(next.at, place_->at) < 1e-9) return pass_end(way);
   place_ = described(next);
   return Step::done;
@@ -232,14 +258,17 @@ CurveTracer::Step CurveTracer::step_to_tick(Way way) {
     if (after > before ? line <= after : (after < before && line >= after)) {
       const double share = (line - before) / (after - before);
       const CurvePlace there = functions::step_along(tracing(), at, sign * kFine * share);
-      if (distance(there.at, place_->at) > kFine / 10) {
+      if (distance(there.at, place_->at) > kFine / 10 && is_in_window(there.at)) {
         place_ = described(there);
         stand_on_tick(line * tick);
         return Step::done;
       }
     }
-    at = next;
-    moved = true;
+    const bool leaves = !is_in_window(next.at);
+    const CurvePlace reached = leaves ? last_in_window(tracing(), at, sign * kFine) : next;
+    moved = moved || distance(reached.at, at.at) > kNear;
+    at = reached;
+    if (leaves) break;
   }
   if (!moved) return pass_end(way);
   place_ = described(at);

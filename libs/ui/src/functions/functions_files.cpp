@@ -76,6 +76,11 @@ void FunctionsWorkplace::ask_and_write(PlotFile kind) {
     desk().say(Feedback::advice, tr("There is no plot to save yet."));
     return;
   }
+  if (drawing_->asked.plot.is_surface() && (kind == PlotFile::print || kind == PlotFile::sound)) {
+    desk().answer(Feedback::advice, kind == PlotFile::print ? tr("A surface has no lines to print.")
+                                                            : tr("A surface has no curve to play."));
+    return;
+  }
   QString folder = desk().preferences().folder;
   if (folder.isEmpty()) folder = QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
   const QString suffix = PlotExport::suffix(kind);

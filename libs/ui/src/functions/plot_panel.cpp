@@ -27,7 +27,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 16;
-constexpr int kBeside_em = 9;  ///< room for a name beside its field
+constexpr int kBeside_em = 11;  ///< room for a name beside its field
 constexpr double kTabletSide_mm = geometry::TabletShape{}.width_m * 1000;
 
 struct Example {
@@ -199,7 +199,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   plate_form_->addRow(tr("Groo&ves"), width_);
   size_->setObjectName(QStringLiteral("plate_size"));
   size_->setAccessibleName(tr("Samples a side"));
-  for (const int side : {128, 256, 512, 1024, 2048}) size_->addItem(tr("%1 × %1").arg(side), side);
+  for (const int side : {128, 256, 512, 1024, 2048}) size_->addItem(QString::number(side), side);
   connect(size_, &QComboBox::activated, this, &PlotPanel::take_plate);
   size_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   size_->setMinimumContentsLength(4);

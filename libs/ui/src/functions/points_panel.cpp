@@ -24,6 +24,12 @@ class StackedCell final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
   void set_stacked(bool stacked) { stacked_ = stacked; }
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    // A gap, so that the lines of one point are seen to belong together.
+    if (stacked_) size.rheight() += option.fontMetrics.height() / 2;
+    return size;
+  }
 
  protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
@@ -151,6 +157,10 @@ void PointsPanel::fit() {
     table_->setColumnWidth(column, stacked ? room : widths[static_cast<std::size_t>(column)]);
   }
   table_->horizontalHeader()->setVisible(!stacked);
+  // The sentence also stands below the tablet and is told by key: in large text it must not crowd out the
+  // table.
+  const int sentence = summary_->heightForWidth(width() - 2 * kMargin);
+  summary_->setVisible(table_->rowCount() == 0 || sentence <= height() * 2 / 5);
   table_->resizeRowsToContents();
   fitting_ = false;
 }
