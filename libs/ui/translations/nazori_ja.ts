@@ -2388,6 +2388,10 @@ Columns and rows:</source>
         <source>Stroke %1 is shown in blue. Write it there and go on.</source>
         <translation>%1画目を青で示しました。そこに書いて続けてください。</translation>
     </message>
+    <message>
+        <source>%1 H gives a hint, Enter is done.</source>
+        <translation>%1H でヒント、Enter で終わりです。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::NewListDialog</name>

@@ -210,7 +210,8 @@ void HomePage::refresh() {
   show_tile(due, locale.toString(reviews), tr("due now"));
   show_tile(fresh, locale.toString(news),
             plan->new_done > 0 ? tr("new, after %1 today").arg(plan->new_done) : tr("new today"));
-  const auto whole = std::chrono::ceil<std::chrono::minutes>(plan->estimate).count();
+  const auto whole =
+      std::max<std::int64_t>(1, std::chrono::round<std::chrono::minutes>(plan->estimate).count());
   show_tile(minutes, plan->now.empty() ? locale.toString(0) : locale.toString(static_cast<qlonglong>(whole)),
             tr("minutes, about", nullptr, static_cast<int>(whole)));
   const auto run = streak_now();
