@@ -108,6 +108,7 @@ QWidget#draw_panel { background: @paper; }
 
 QScrollArea { background: transparent; border: none; }
 QScrollArea:focus { border: 2px solid @indigo; }
+QScrollArea#home_page:focus { border: none; }
 QWidget#information_content { background: transparent; }
 QFrame[separator="true"] { background: @line; border: none; max-height: 1px; min-height: 1px; }
 QWidget#library_panel, QWidget#information_panel, QWidget#seat_panel, QWidget#feel_panel,

@@ -2106,10 +2106,6 @@ Columns and rows:</source>
             <numerusform>今日は終わりです。明日は %n 件の復習があります。</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Done for today. Nothing is due tomorrow; new characters come when the settings let them.</source>
-        <translation>今日は終わりです。明日の復習はありません。新しい文字は設定に従って出ます。</translation>
-    </message>
     <message numerus="yes">
         <source>%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.</source>
         <translation>
@@ -2207,6 +2203,14 @@ Columns and rows:</source>
         <translation>
             <numerusform>始める：%n 字、%1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Done for today. Tomorrow new characters come, and no reviews.</source>
+        <translation>今日は終わりです。明日は新しい文字だけで、復習はありません。</translation>
+    </message>
+    <message>
+        <source>Done for today. Nothing is due tomorrow.</source>
+        <translation>今日は終わりです。明日の分はありません。</translation>
     </message>
 </context>
 <context>
@@ -2391,10 +2395,6 @@ Columns and rows:</source>
         <translation>今日のバックアップを作れませんでした：%1。学習はできます。</translation>
     </message>
     <message>
-        <source>%1 studies in another window of Nazori. Close it there; until then nothing is kept here.</source>
-        <translation>%1 は別の Nazori の窓で学習中です。そちらを閉じてください。それまでここでは何も保存されません。</translation>
-    </message>
-    <message>
         <source>The store of %1 was written by a newer Nazori or another program: %2. Nothing was changed, and nothing is kept.</source>
         <translation>%1 の記録は新しい版の Nazori か別のプログラムのものです：%2。何も変えていません。何も保存されません。</translation>
     </message>
@@ -2409,6 +2409,14 @@ Columns and rows:</source>
     <message>
         <source>It could not be kept: %1.</source>
         <translation>保存できませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>“%1” is open here now: everything is kept.</source>
+        <translation>「%1」をここで開きました。すべて保存されます。</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window of Nazori. Close it there; until then nothing is kept here.</source>
+        <translation>「%1」は別の Nazori の窓で開いています。そちらを閉じてください。それまでここでは何も保存されません。</translation>
     </message>
 </context>
 <context>
@@ -2957,6 +2965,10 @@ Columns and rows:</source>
     <message>
         <source>Stroke %1 is shown in blue. Write it there and go on.</source>
         <translation>%1画目を青で示しました。そこに書いて続けてください。</translation>
+    </message>
+    <message>
+        <source>%1 H gives a hint, Enter is done.</source>
+        <translation>%1H でヒント、Enter で終わりです。</translation>
     </message>
 </context>
 <context>
@@ -4314,6 +4326,10 @@ Columns and rows:</source>
     <message>
         <source>%1 is new again.</source>
         <translation>%1 は新しい文字に戻りました。</translation>
+    </message>
+    <message>
+        <source>That was all for now. Everything is kept.</source>
+        <translation>今の分はこれで終わりです。すべて保存されています。</translation>
     </message>
 </context>
 <context>

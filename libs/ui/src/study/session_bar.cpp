@@ -102,7 +102,7 @@ SessionBar::SessionBar(const StudySession& session, const SessionActions& action
 
 QString SessionBar::question(const CharacterSheet& sheet) const {
   const auto& character = sheet.character;
-  const double large = QFontInfo(font()).pointSizeF() * 1.35;
+  const double large = QFontInfo(font()).pointSizeF() * 1.25;
   const QString muted = current_colours().muted.name();
   const auto in_hand = [&](const QString& text) {
     return QStringLiteral("<span style=\"font-family:'Klee One'; font-size:%1pt\">%2</span>")

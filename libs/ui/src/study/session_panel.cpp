@@ -146,7 +146,8 @@ void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet
   QStringList steps;
   for (const auto stage : study::kStages) {
     const bool here = stage == session_.stage();
-    steps.append(here ? QStringLiteral("▸ ") + StudyWords::stage(stage) : StudyWords::stage(stage));
+    const QString step = here ? QStringLiteral("▸ ") + StudyWords::stage(stage) : StudyWords::stage(stage);
+    steps.append(QString(step).replace(QLatin1Char(' '), QChar::Nbsp));
   }
   steps_->setText(steps.join(QStringLiteral("  ")));
   history_->setText(history());
