@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 42> kFunctionNames{
 
 std::string wrapped(const Expression& e, int least) {
   std::string text = to_text(e);
-  return strength(*e) < least ? "(" + text + ")" : text;
+  return strength(*e) < least ? fmt::format("({})", text) : text;
 }
 
 std::optional<Rational> lowest(std::int64_t p, std::int64_t q) {
@@ -266,7 +266,7 @@ std::string to_text(const Expression& e) {
     case NodeKind::variable:
       return std::string(name_of(n.variable));
     case NodeKind::negate:
-      return "-" + wrapped(n.arguments[0], 3);
+      return fmt::format("-{}", wrapped(n.arguments[0], 3));
     case NodeKind::add:
       return wrapped(n.arguments[0], 1) + " + " + wrapped(n.arguments[1], 2);
     case NodeKind::subtract:
@@ -281,12 +281,12 @@ std::string to_text(const Expression& e) {
     case NodeKind::power: {
       const bool plain = strength(*n.arguments[1]) >= 5;
       return wrapped(n.arguments[0], 5) + "^" +
-             (plain ? to_text(n.arguments[1]) : "(" + to_text(n.arguments[1]) + ")");
+             (plain ? to_text(n.arguments[1]) : fmt::format("({})", to_text(n.arguments[1])));
     }
     case NodeKind::function:
       break;
   }
-  if (n.function == Function::abs) return "|" + to_text(n.arguments[0]) + "|";
+  if (n.function == Function::abs) return fmt::format("|{}|", to_text(n.arguments[0]));
   if (n.function == Function::factorial) return wrapped(n.arguments[0], 5) + "!";
   std::string text(name_of(n.function));
   text += "(";

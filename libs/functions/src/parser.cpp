@@ -112,10 +112,8 @@ tl::unexpected<SyntaxError> Parser::missing_operand() const {
 }
 
 tl::unexpected<SyntaxError> Parser::not_closed(const Token& open) const {
-  SyntaxError error{now().column, SyntaxFault::bracket_open, open.text};
-  error.closing = std::string(closing(open.bracket));
-  error.number = open.column;
-  return tl::unexpected(std::move(error));
+  return tl::unexpected(
+      SyntaxError{now().column, SyntaxFault::bracket_open, open.text, closing(open.bracket), open.column, 0});
 }
 
 // "y(x) = ..." says the same as "y = ...".
