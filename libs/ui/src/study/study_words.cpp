@@ -90,7 +90,7 @@ QString StudyWords::day(study::Day day) {
 
 QString StudyWords::short_day(study::Day day) {
   const QLocale locale;
-  return locale.toString(date_of(day), locale.language() == QLocale::Japanese ? QStringLiteral("yyyy年M月d日")
+  return locale.toString(date_of(day), locale.language() == QLocale::Japanese ? QStringLiteral("yyyy/M/d")
                                                                               : QStringLiteral("d MMM yyyy"));
 }
 
