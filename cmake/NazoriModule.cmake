@@ -1,3 +1,10 @@
+# Sanitized tests are not optimised themselves, only what they test: that halves the time they take to compile.
+function(nazori_test_program target)
+  if(NAZORI_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
+
 # nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [BENCHES ...]
 #               [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
@@ -28,6 +35,7 @@ function(nazori_module name)
     target_link_libraries(${target}_tests PRIVATE ${target} nazori_compiler ${m_TEST_DEPENDS} GTest::gtest GTest::gmock
                                                   GTest::gtest_main)
     target_compile_definitions(${target}_tests PRIVATE NAZORI_FIXTURES="${CMAKE_CURRENT_SOURCE_DIR}/tests/fixtures")
+    nazori_test_program(${target}_tests)
     set(properties TIMEOUT 300 ENVIRONMENT "NAZORI_DATA=${NAZORI_TEST_DATA}\;QT_QPA_PLATFORM=offscreen")
     if(m_NEEDS_DATABASE)
       list(APPEND properties FIXTURES_REQUIRED kanji_database)

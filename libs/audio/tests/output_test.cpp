@@ -57,9 +57,16 @@ TEST(Output, WhatTheSourceGivesReachesTheCardWithinItsRange) {
   wait_for(level.asked, 4096);
   output->reset();
   std::ifstream in(file, std::ios::binary);
+  const std::vector<float> silence(2);
+  const std::vector<float> wanted{0.25F, -1.0F};
   std::vector<float> frame(2);
-  ASSERT_TRUE(in.read(reinterpret_cast<char*>(frame.data()), 2 * sizeof(float)));
-  EXPECT_EQ(frame, (std::vector<float>{0.25F, -1.0F}));
+  std::size_t heard = 0;
+  while (in.read(reinterpret_cast<char*>(frame.data()), 2 * sizeof(float))) {
+    if (heard == 0 && frame == silence) continue;  // the card runs a little before the source is asked
+    ASSERT_EQ(frame, wanted) << "frame " << heard;
+    ++heard;
+  }
+  EXPECT_GE(heard, 3072U) << "the last buffers may be on their way";
   in.close();
   std::filesystem::remove(file);
 }

@@ -35,15 +35,19 @@ base::Result<FsrsWeights> weights_from(std::span<const double> numbers) {
   }
   FsrsWeights weights{};
   std::copy(numbers.begin(), numbers.end(), weights.begin());
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    weights[i] = std::clamp(weights[i], kRanges[i].lowest, kRanges[i].highest);
-  }
+  const auto bring_into_range = [&weights](std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      weights[i] = std::clamp(weights[i], kRanges[i].lowest, kRanges[i].highest);
+    }
+  };
+  bring_into_range(numbers.size());
   if (numbers.size() == 17) {
     weights[4] = weights[5] * 2 + weights[4];
     weights[5] = std::log(weights[5] * 3 + 1) / 3;
     weights[6] += 0.5;
   }
   if (numbers.size() < 21) weights[20] = kDecayBeforeFsrs6;
+  bring_into_range(numbers.size());  // what was converted may have left it
   return weights;
 }
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace nazori::study {
@@ -131,6 +132,16 @@ TEST(FsrsWeights, OfOlderVersionsGetTheirDecay) {
   ASSERT_TRUE(weights);
   EXPECT_EQ((*weights)[20], 0.5);
   EXPECT_EQ((*weights)[18], 0.6621);
+}
+
+TEST(FsrsWeights, BroughtToTheNewFormStayWithinTheirRange) {
+  const auto weights = weights_from(std::array{0.4, 0.9, 2.3, 10.9, 4.93, 0.94, 3.9, 0.01, 1.49, 0.14, 0.94,
+                                               2.18, 0.05, 0.34, 1.26, 0.29, 2.61});
+  ASSERT_TRUE(weights);
+  EXPECT_NEAR((*weights)[4], 6.81, 1e-12);
+  EXPECT_NEAR((*weights)[5], std::log(3.82) / 3, 1e-12);
+  EXPECT_EQ((*weights)[6], 4.0) << "3.9 + 0.5 is more than the optimiser allows";
+  EXPECT_EQ(*weights_from(*weights), *weights);
 }
 
 TEST(FsrsWeights, ThatAreNoneAreRefusedWithTheReason) {

@@ -64,6 +64,7 @@ QPushButton:disabled { color: @faint; }
 QPushButton:default { border-color: @indigo; }
 
 QPushButton[role="primary"] { background: @vermilion; color: @surface; border-color: @vermilion; padding: 7px 16px; }
+QPushButton[role="rating"] { padding: 3px 6px; }
 QPushButton[role="primary"]:hover { background: @vermilion_hover; }
 QPushButton[role="primary"]:focus { border-color: @ink; }
 QPushButton[role="primary"]:disabled { background: @hover; color: @faint; border-color: @line; }
@@ -107,6 +108,7 @@ QWidget#draw_panel { background: @paper; }
 
 QScrollArea { background: transparent; border: none; }
 QScrollArea:focus { border: 2px solid @indigo; }
+QScrollArea#home_page:focus { border: none; }
 QWidget#information_content { background: transparent; }
 QFrame[separator="true"] { background: @line; border: none; max-height: 1px; min-height: 1px; }
 QWidget#library_panel, QWidget#information_panel, QWidget#seat_panel, QWidget#feel_panel,

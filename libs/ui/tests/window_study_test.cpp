@@ -329,6 +329,29 @@ TEST_F(Study, GivingUpIsAgainAndLeadsToGuidedWritingWithHelp) {
   EXPECT_EQ(store().card(U'一').memory.lapses, 1);
 }
 
+TEST_F(Study, AStrokeRefusedThreeTimesIsShownAndTheLessonGoesOn) {
+  start();
+  while (session().stage() != study::Stage::memory) {
+    do_stage();
+    ASSERT_FALSE(HasFatalFailure());
+    go_on();
+  }
+  ASSERT_TRUE(is_on_desk());
+  auto* memory = the_characters->findChild<MemoryStage*>();
+  HandStroke down;
+  for (int i = 0; i <= 40; ++i) down.push_back({{0.01, 0.03 - i * 0.0015}, i * 0.01, 0.5});
+  for (int miss = 1; miss <= 3; ++miss) {
+    the_desk->say(Feedback::hint, {});
+    memory->add_stroke(down);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !feedback().isEmpty(); }, 20000));
+    EXPECT_EQ(memory->strokes().size(), miss < 3 ? 1U : 0U) << "the refused one made room";
+    EXPECT_EQ(feedback().contains(QStringLiteral("H shows where")), miss == 2) << feedback().toStdString();
+  }
+  EXPECT_TRUE(feedback().contains(QStringLiteral("Stroke 1 is shown in blue"))) << feedback().toStdString();
+  write_from_memory(true);
+  EXPECT_EQ(session().proposed(), Rating::again) << "it had to be shown";
+}
+
 TEST_F(Study, GoingElsewhereKeepsTheSessionAndEnterComesBack) {
   start();
   ASSERT_TRUE(is_on_desk());

@@ -63,13 +63,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Start: %n characters</source>
-        <translation>
-            <numerusform>Start: %n character</numerusform>
-            <numerusform>Start: %n characters</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n characters are forgotten often and set apart: %1</source>
         <translation>
             <numerusform>%n character is forgotten often and set apart: %1</numerusform>
@@ -81,6 +74,13 @@
         <translation>
             <numerusform>Done: %n written from memory.</numerusform>
             <numerusform>Done: %n written from memory.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Start: %n characters, %1</source>
+        <translation>
+            <numerusform>Start: %n character, %1</numerusform>
+            <numerusform>Start: %n characters, %1</numerusform>
         </translation>
     </message>
 </context>

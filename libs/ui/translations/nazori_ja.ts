@@ -2030,10 +2030,6 @@ Columns and rows:</source>
             <numerusform>今日は終わりです。明日は %n 件の復習があります。</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Done for today. Nothing is due tomorrow; new characters come when the settings let them.</source>
-        <translation>今日は終わりです。明日の復習はありません。新しい文字は設定に従って出ます。</translation>
-    </message>
     <message numerus="yes">
         <source>%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.</source>
         <translation>
@@ -2098,12 +2094,6 @@ Columns and rows:</source>
         <source>Go on with the session</source>
         <translation>学習を続ける</translation>
     </message>
-    <message numerus="yes">
-        <source>Start: %n characters</source>
-        <translation>
-            <numerusform>始める：%n 字</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Enter or the space bar starts</source>
         <translation>Enter またはスペースキーで始まります</translation>
@@ -2131,6 +2121,20 @@ Columns and rows:</source>
     <message>
         <source>Time: %1</source>
         <translation>時間：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Start: %n characters, %1</source>
+        <translation>
+            <numerusform>始める：%n 字、%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done for today. Tomorrow new characters come, and no reviews.</source>
+        <translation>今日は終わりです。明日は新しい文字だけで、復習はありません。</translation>
+    </message>
+    <message>
+        <source>Done for today. Nothing is due tomorrow.</source>
+        <translation>今日は終わりです。明日の分はありません。</translation>
     </message>
 </context>
 <context>
@@ -2315,10 +2319,6 @@ Columns and rows:</source>
         <translation>今日のバックアップを作れませんでした：%1。学習はできます。</translation>
     </message>
     <message>
-        <source>%1 studies in another window of Nazori. Close it there; until then nothing is kept here.</source>
-        <translation>%1 は別の Nazori の窓で学習中です。そちらを閉じてください。それまでここでは何も保存されません。</translation>
-    </message>
-    <message>
         <source>The store of %1 was written by a newer Nazori or another program: %2. Nothing was changed, and nothing is kept.</source>
         <translation>%1 の記録は新しい版の Nazori か別のプログラムのものです：%2。何も変えていません。何も保存されません。</translation>
     </message>
@@ -2333,6 +2333,14 @@ Columns and rows:</source>
     <message>
         <source>It could not be kept: %1.</source>
         <translation>保存できませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>“%1” is open here now: everything is kept.</source>
+        <translation>「%1」をここで開きました。すべて保存されます。</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window of Nazori. Close it there; until then nothing is kept here.</source>
+        <translation>「%1」は別の Nazori の窓で開いています。そちらを閉じてください。それまでここでは何も保存されません。</translation>
     </message>
 </context>
 <context>
@@ -2877,6 +2885,10 @@ Columns and rows:</source>
     <message>
         <source>Stroke %1 is shown in blue. Write it there and go on.</source>
         <translation>%1画目を青で示しました。そこに書いて続けてください。</translation>
+    </message>
+    <message>
+        <source>%1 H gives a hint, Enter is done.</source>
+        <translation>%1H でヒント、Enter で終わりです。</translation>
     </message>
 </context>
 <context>
@@ -3640,20 +3652,12 @@ Columns and rows:</source>
         <translation>前に書いたもの</translation>
     </message>
     <message>
-        <source>Another lesson: this one is forgotten often</source>
-        <translation>別の練習：よく忘れる文字</translation>
-    </message>
-    <message>
         <source>Once more today</source>
         <translation>今日もう一度</translation>
     </message>
     <message>
         <source>Review</source>
         <translation>復習</translation>
-    </message>
-    <message>
-        <source>New character</source>
-        <translation>新しい文字</translation>
     </message>
     <message>
         <source>Not yet written from memory.</source>
@@ -3686,14 +3690,6 @@ Columns and rows:</source>
         <translation>部分：%1</translation>
     </message>
     <message>
-        <source>Take back</source>
-        <translation>取り消す</translation>
-    </message>
-    <message>
-        <source>Tomorrow</source>
-        <translation>明日へ</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>休止</translation>
     </message>
@@ -3704,6 +3700,22 @@ Columns and rows:</source>
     <message>
         <source>End</source>
         <translation>終える</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>取り消す</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>明日へ</translation>
+    </message>
+    <message>
+        <source>Another lesson: often forgotten</source>
+        <translation>別の練習：よく忘れる文字</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新しい文字</translation>
     </message>
 </context>
 <context>
@@ -4227,6 +4239,10 @@ Columns and rows:</source>
         <source>%1 is new again.</source>
         <translation>%1 は新しい文字に戻りました。</translation>
     </message>
+    <message>
+        <source>That was all for now. Everything is kept.</source>
+        <translation>今の分はこれで終わりです。すべて保存されています。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::StudySettingsDialog</name>
@@ -4560,6 +4576,22 @@ Columns and rows:</source>
         <translation>
             <numerusform>約 %n 分</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>%1 d</source>
+        <translation>%1 日</translation>
+    </message>
+    <message>
+        <source>%1 mo</source>
+        <translation>%1 か月</translation>
+    </message>
+    <message>
+        <source>%1 y</source>
+        <translation>%1 年</translation>
     </message>
 </context>
 <context>

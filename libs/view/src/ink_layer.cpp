@@ -129,7 +129,7 @@ InkLayer::Change InkLayer::update(std::span<const double> ink, int current_strok
     change.everywhere = wanted[i] < drawn_[i];
   if (change.everywhere) drawn_.assign(wanted.size(), 0.0);
 
-  const bool had_ink = has_ink_ && drawn_valid_;
+  const bool had_ink = has_ink_;  // of the strokes before, too: it is in the texture still
   drawn_current_ = current_stroke;
   drawn_valid_ = true;
   has_ink_ = std::any_of(wanted.begin(), wanted.end(), [](double share) { return share > 0; });

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "disc_shader.h"
 #include "gl_upload.h"
 
 namespace nazori::view {
@@ -110,17 +111,6 @@ void main() {
 )glsl";
 
 /// A number: disc, ring and figures, always facing the learner, at a whole pixel so that figures stay sharp.
-constexpr const char* kDiscVertex = R"glsl(
-uniform vec2 viewport;
-uniform vec3 disc;      // middle in pixels, y up; radius
-out vec2 place;
-void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
-  place = corner * (disc.z + 2.0);
-  gl_Position = vec4((disc.xy + place) / viewport * 2.0 - 1.0, 0.0, 1.0);
-}
-)glsl";
-
 constexpr const char* kDiscFragment = R"glsl(
 in vec2 place;
 uniform vec3 disc;

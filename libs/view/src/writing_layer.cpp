@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "disc_shader.h"
 #include "gl_upload.h"
 #include "palette.h"
 
@@ -57,17 +58,6 @@ void main() {
 )glsl";
 
 /// A disc that faces the learner, with a tick, a cross or an exclamation mark.
-constexpr const char* kSignVertex = R"glsl(
-uniform vec2 viewport;
-uniform vec3 disc;      // middle in pixels, y up; radius
-out vec2 place;
-void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
-  place = corner * (disc.z + 2.0);
-  gl_Position = vec4((disc.xy + place) / viewport * 2.0 - 1.0, 0.0, 1.0);
-}
-)glsl";
-
 constexpr const char* kSignFragment = R"glsl(
 in vec2 place;
 uniform vec3 disc;
@@ -132,7 +122,7 @@ WritingLayer::WritingLayer(ShaderProgram ink, ShaderProgram sign)
 base::Result<WritingLayer> WritingLayer::create() {
   auto ink = ShaderProgram::compile("writing", kInkVertex, kInkFragment);
   if (!ink) return tl::unexpected(ink.error());
-  auto sign = ShaderProgram::compile("sign", kSignVertex, kSignFragment);
+  auto sign = ShaderProgram::compile("sign", kDiscVertex, kSignFragment);
   if (!sign) return tl::unexpected(sign.error());
   return WritingLayer(std::move(*ink), std::move(*sign));
 }

@@ -118,6 +118,31 @@ TEST(Ink, InkStaysInTheGroove) {
   }
 }
 
+TEST(Ink, OfTheCharacterBeforeNothingIsLeft) {
+  const auto before = std::vector{straight({30, 15}, {30, 95}), straight({80, 15}, {80, 95})};
+  const auto after = std::vector{straight({15, 54}, {95, 54})};
+  Overlay overlay;
+  const std::array<double, 2> full{1, 1};
+  const std::array<double, 1> none{0};
+  const std::array<double, 1> one{1};
+  Studio studio(500, 500);
+  studio.view->set_height_map(carved(before));
+  studio.view->set_strokes(before);
+  overlay.ink = full;
+  (void)studio.shoot(overlay);
+  studio.view->set_height_map(carved(after));
+  studio.view->set_strokes(after);
+  overlay.ink = none;
+  (void)studio.shoot(overlay);
+  overlay.ink = one;
+  const Picture picture = studio.shoot(overlay);
+
+  Studio fresh(500, 500);
+  fresh.view->set_height_map(carved(after));
+  fresh.view->set_strokes(after);
+  EXPECT_EQ(changed_pixels(fresh.shoot(overlay), picture, 6), 0);
+}
+
 TEST(Ink, TheCurrentStrokeIsVermilionAndFinishedStrokesAreNot) {
   const auto lines = std::vector{straight({20, 30}, {90, 30}), straight({20, 80}, {90, 80})};
   Studio studio(500, 500);

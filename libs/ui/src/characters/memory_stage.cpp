@@ -237,8 +237,11 @@ void MemoryStage::invite() {
                             .filter(QRegularExpression(QStringLiteral(".")))
                             .join(QStringLiteral(", "));
   const QString what = tr("Write the character of %n strokes.", nullptr, stroke_count());
-  desk().say(Feedback::hint,
-             asked.isEmpty() ? what : tr("%1: %2 H gives a hint, Enter is done.").arg(asked, what));
+  // In a lesson the question stands under the tablet already.
+  desk().say(Feedback::hint, is_taught() ? tr("%1 H gives a hint, Enter is done.").arg(what)
+                             : asked.isEmpty()
+                                 ? what
+                                 : tr("%1: %2 H gives a hint, Enter is done.").arg(asked, what));
 }
 
 void MemoryStage::set_state(State state) {

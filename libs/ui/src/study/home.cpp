@@ -63,8 +63,7 @@ void Home::enter() {
   entered_ = true;
   refresh();
   look_.start(kLook_ms);
-  const auto plan = desk().learner().plan();
-  if (desk().learner().can_write() && plan && !plan->now.empty())
+  if (page_->can_start())
     desk().say(Feedback::hint, tr("Enter starts. Everything is kept as soon as it is rated."));
   // After the window's own connections are made.
   QTimer::singleShot(0, &desk(), &Desk::note_opened);

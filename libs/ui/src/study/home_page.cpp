@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/home_page.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QFontInfo>
 #include <QFrame>
@@ -90,8 +91,8 @@ HomePage::HomePage(Learner& learner, const StudySession& session, QWidget* paren
   column->addWidget(trouble_);
   column->addWidget(again_, 0, Qt::AlignLeft);
   column->addWidget(summary_);
-  column->addLayout(grid_);
   column->addWidget(start_);
+  column->addLayout(grid_);
   column->addWidget(advice_);
   column->addWidget(leeches_);
   column->addWidget(leech_button_, 0, Qt::AlignLeft);
@@ -161,10 +162,11 @@ QString HomePage::after_the_work(const study::DayPlan& plan) const {
               plan.held_back);
   if (store.cards().empty())
     return tr("There is nothing to learn yet. Choose lists and new characters a day in the study settings.");
-  return tomorrow > 0
-             ? tr("Done for today. Tomorrow %n reviews are due.", nullptr, static_cast<int>(tomorrow))
-             : tr("Done for today. Nothing is due tomorrow; new characters come when the settings "
-                  "let them.");
+  if (tomorrow > 0)
+    return tr("Done for today. Tomorrow %n reviews are due.", nullptr, static_cast<int>(tomorrow));
+  return store.settings().new_per_day > 0
+             ? tr("Done for today. Tomorrow new characters come, and no reviews.")
+             : tr("Done for today. Nothing is due tomorrow.");
 }
 
 QString HomePage::advice(const study::DayPlan& plan) const {
@@ -193,6 +195,8 @@ QString HomePage::advice(const study::DayPlan& plan) const {
 }
 
 void HomePage::refresh() {
+  QWidget* keyboard = QApplication::focusWidget();
+  if (keyboard != nullptr && !isAncestorOf(keyboard)) keyboard = nullptr;
   const auto& store = learner_.store();
   const QString day = StudyWords::day(store.today());
   day_->setText(learner_.profile() == Preferences().profile ? day
@@ -210,7 +214,8 @@ void HomePage::refresh() {
   show_tile(due, locale.toString(reviews), tr("due now"));
   show_tile(fresh, locale.toString(news),
             plan->new_done > 0 ? tr("new, after %1 today").arg(plan->new_done) : tr("new today"));
-  const auto whole = std::chrono::ceil<std::chrono::minutes>(plan->estimate).count();
+  const auto whole =
+      std::max<std::int64_t>(1, std::chrono::round<std::chrono::minutes>(plan->estimate).count());
   show_tile(minutes, plan->now.empty() ? locale.toString(0) : locale.toString(static_cast<qlonglong>(whole)),
             tr("minutes, about", nullptr, static_cast<int>(whole)));
   const auto run = streak_now();
@@ -220,10 +225,11 @@ void HomePage::refresh() {
                                : tr("days in a row; one day off a week is forgiven"));
 
   const bool running = session_.is_running();
-  const bool can_start = running || (!plan->now.empty() && learner_.can_write());
-  start_->setVisible(can_start);
+  can_start_ = running || (!plan->now.empty() && learner_.can_write());
+  start_->setVisible(can_start_);
   start_->setText(running ? tr("Go on with the session")
-                          : tr("Start: %n characters", nullptr, static_cast<int>(plan->now.size())));
+                          : tr("Start: %n characters, %1", nullptr, static_cast<int>(plan->now.size()))
+                                .arg(StudyWords::about(plan->estimate)));
   start_->setToolTip(tr("Enter or the space bar starts"));
   set_text(advice_, advice(*plan));
   const int leeches = static_cast<int>(plan->leeches.size());
@@ -233,10 +239,11 @@ void HomePage::refresh() {
                                .arg(in_a_row(plan->leeches)));
   leech_button_->setVisible(leeches > 0 && !running && learner_.can_write());
   QWidget* first = start_;
-  if (!can_start) first = learner_.can_write() ? static_cast<QWidget*>(settings_) : again_;
-  const bool had_focus = hasFocus() || (focusProxy() != nullptr && focusProxy()->hasFocus());
+  if (!can_start_) first = learner_.can_write() ? static_cast<QWidget*>(settings_) : again_;
+  // What had the keyboard may be gone, or no more what is to be done first.
+  const bool moves = keyboard == focusProxy() || (keyboard != nullptr && !keyboard->isVisible());
   setFocusProxy(first);
-  if (had_focus) first->setFocus(Qt::OtherFocusReason);
+  if (keyboard != nullptr && moves) first->setFocus(Qt::OtherFocusReason);
 }
 
 void HomePage::show_summary(const SessionSummary& summary) {

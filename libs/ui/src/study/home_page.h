@@ -23,6 +23,8 @@ class HomePage final : public QScrollArea {
 
   /// Looks at the day anew.
   void refresh();
+  /// As of then: there is something to begin or to go on with.
+  [[nodiscard]] bool can_start() const { return can_start_; }
   /// What the last session came to stands on top until the next begins.
   void show_summary(const SessionSummary& summary);
 
@@ -54,6 +56,7 @@ class HomePage final : public QScrollArea {
 
   Learner& learner_;
   const StudySession& session_;
+  bool can_start_ = false;
   QWidget* content_;
   QLabel* day_;
   QLabel* trouble_;

@@ -15,8 +15,8 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kGap = 8;
-constexpr int kFew = 2;        ///< pieces in a row at least
-constexpr int kLines = 2;      ///< of words below each
+constexpr int kFew = 2;  ///< pieces in a row at least
+constexpr int kWordsFlags = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
 constexpr double kPen = 0.03;  ///< width of the ink, of the side
 
 void paint_piece(QPainter& painter, const study::Ink& ink, const QRectF& box) {
@@ -65,14 +65,22 @@ int InkGallery::columns(int width) const {
   return std::max(kFew, width / std::max(1, QFontInfo(font()).pixelSize() * 7));
 }
 
-int InkGallery::words_height() const { return QFontMetrics(font()).height() * kLines + 2; }
+int InkGallery::words_height(int side) const {
+  int highest = 0;
+  for (const auto& piece : pieces_)
+    highest =
+        std::max(highest, QFontMetrics(font())
+                              .boundingRect(QRect(0, 0, side, QWIDGETSIZE_MAX), kWordsFlags, piece.words)
+                              .height());
+  return highest + 2;
+}
 
 int InkGallery::heightForWidth(int width) const {
   if (pieces_.empty()) return 0;
   const int across = columns(width);
   const int side = (width - kGap * (across - 1)) / across;
   const int rows = (static_cast<int>(pieces_.size()) + across - 1) / across;
-  return rows * (side + words_height() + kGap);
+  return rows * (side + words_height(side) + kGap);
 }
 
 QSize InkGallery::sizeHint() const {
@@ -84,15 +92,15 @@ void InkGallery::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const int across = columns(width());
-  const double side = (width() - kGap * (across - 1.0)) / across;
+  const int side = (width() - kGap * (across - 1)) / across;
+  const int words = words_height(side);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const int row = static_cast<int>(i) / across;
     const int column = static_cast<int>(i) % across;
-    const QRectF box(column * (side + kGap), row * (side + words_height() + kGap), side, side);
+    const QRectF box(column * (side + kGap), row * (side + words + kGap), side, side);
     paint_piece(painter, pieces_[i].ink, box.adjusted(0.5, 0.5, -0.5, -0.5));
     painter.setPen(current_colours().muted);
-    painter.drawText(QRectF(box.left(), box.bottom() + 2, side, words_height()),
-                     Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, pieces_[i].words);
+    painter.drawText(QRectF(box.left(), box.bottom() + 2, side, words), kWordsFlags, pieces_[i].words);
   }
 }
 

@@ -53,7 +53,10 @@ bool Learner::switch_profile(const QString& name) {
 }
 
 bool Learner::open_again() {
+  const bool was_told = !trouble_.isEmpty();
   const bool fine = open();
+  if (fine && was_told)
+    emit said(Feedback::good, tr("“%1” is open here now: everything is kept.").arg(profile_));
   emit profile_changed();
   emit changed();
   return fine;
@@ -95,7 +98,7 @@ bool Learner::open() {
 
 QString Learner::sentence_about(const base::Error& error, bool in_use) const {
   if (in_use)
-    return tr("%1 studies in another window of Nazori. Close it there; until then nothing is kept here.")
+    return tr("“%1” is open in another window of Nazori. Close it there; until then nothing is kept here.")
         .arg(profile_);
   switch (error.code) {
     case base::Errc::schema:

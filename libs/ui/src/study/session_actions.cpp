@@ -7,7 +7,8 @@ SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
   const auto key = [](const char* text) { return QStringList{QString::fromLatin1(text)}; };
   start = make("study_start", tr("&Study what is due"), tr("Begin with what is due now"), key("Ctrl+Return"));
   go_on = make("study_go_on", tr("&Go on"), tr("To the next stage, or with the proposed rating"),
-               {QStringLiteral("Return"), QStringLiteral("Enter")});
+               key("Shift+Return"));
+  go_on->setEnabled(false);
   rate = {make("rate_again", tr("&Again"), tr("Forgotten: it comes again soon"), key("1")),
           make("rate_hard", tr("&Hard"), tr("Known with effort"), key("2")),
           make("rate_good", tr("Goo&d"), tr("Known"), key("3")),
@@ -37,9 +38,9 @@ SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
 void SessionActions::show_state(const StudySession& session, bool can_write) {
   const bool running = session.is_running();
   const auto state = session.state();
-  // Return is the tablet's while something is being written.
   go_on->setEnabled(running && (session.is_away() || state == StudySession::State::offered ||
                                 state == StudySession::State::judged));
+  give_keys();
   for (auto* one : rate) one->setEnabled(state == StudySession::State::judged && !session.is_away());
   start->setEnabled(!running && can_write);
   end->setEnabled(running);
@@ -57,7 +58,6 @@ void SessionActions::set_one_hand(OneHand hand, QAction* hint, QAction* undo_str
       {rate[1], "2", "8"},
       {rate[2], "3", "9"},
       {rate[3], "4", "0"},
-      {go_on, "E", "K"},
       {done, "E", "K"},
       {hint, "W", "U"},
       {undo_stroke, "X", "Backspace"},
@@ -71,6 +71,16 @@ void SessionActions::set_one_hand(OneHand hand, QAction* hint, QAction* undo_str
     if (hand != OneHand::none && !keys.contains(more)) keys.append(more);
     action->setShortcuts(keys);
   }
+  done_ = done;
+  give_keys();
+}
+
+void SessionActions::give_keys() {
+  // Return judges while something is written; when that is over it goes on.
+  if (done_ == nullptr) return;
+  QList<QKeySequence> keys{QKeySequence(Qt::ShiftModifier | Qt::Key_Return)};
+  if (go_on->isEnabled()) keys.append(done_->shortcuts());
+  if (keys != go_on->shortcuts()) go_on->setShortcuts(keys);
 }
 
 }  // namespace nazori::ui

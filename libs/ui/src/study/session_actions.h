@@ -22,10 +22,14 @@ class SessionActions final : public ActionSet {
 
   /// Which of them mean something now.
   void show_state(const StudySession& session, bool can_write);
-  /// Adds keys that one hand reaches while the other writes, also to `hint`, `undo_stroke` and `done`.
+  /// Return, and what else `done` has, is `go_on`'s while there is something to go on to. Adds keys that one
+  /// hand reaches while the other writes, also to `hint`, `undo_stroke` and `done`.
   void set_one_hand(OneHand hand, QAction* hint, QAction* undo_stroke, QAction* done);
 
  private:
+  void give_keys();
+
+  QAction* done_ = nullptr;
   QHash<QAction*, QList<QKeySequence>> own_keys_;  ///< before one hand's were added
 };
 

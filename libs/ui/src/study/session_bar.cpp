@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "kanji_text.h"
 #include "palette.h"
@@ -19,6 +20,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMostMeanings = 4;
+constexpr int kWide_em = 36;
 constexpr int kMostReadings = 2;
 
 QString meanings_of(const kanji::DictionaryEntry& entry) {
@@ -100,7 +102,7 @@ SessionBar::SessionBar(const StudySession& session, const SessionActions& action
 
 QString SessionBar::question(const CharacterSheet& sheet) const {
   const auto& character = sheet.character;
-  const double large = QFontInfo(font()).pointSizeF() * 1.35;
+  const double large = QFontInfo(font()).pointSizeF() * 1.25;
   const QString muted = current_colours().muted.name();
   const auto in_hand = [&](const QString& text) {
     return QStringLiteral("<span style=\"font-family:'Klee One'; font-size:%1pt\">%2</span>")
@@ -164,12 +166,15 @@ void SessionBar::show_ratings() {
   const auto today = learner_.store().today();
   for (std::size_t i = 0; i < rating_.size(); ++i) {
     const auto rating = study::kRatings[i];
-    const QString when = StudyWords::comes_again(session_.after(rating), now, today);
+    const auto after = session_.after(rating);
+    const QString when = StudyWords::comes_again(after, now, today);
     const bool proposed = rating == session_.proposed();
+    const QString sign = proposed ? QStringLiteral(" ⏎") : QString();
     rating_[i]->setText(
-        QStringLiteral("%1  %2%3\n%4")
-            .arg(i + 1)
-            .arg(StudyWords::rating(rating), proposed ? QStringLiteral("  ⏎") : QString(), when));
+        narrow_ ? QStringLiteral("%1 %2%3 · %4")
+                      .arg(i + 1)
+                      .arg(StudyWords::rating(rating), sign, StudyWords::comes_again_short(after, now, today))
+                : QStringLiteral("%1  %2 %3\n%4").arg(i + 1).arg(StudyWords::rating(rating), sign, when));
     rating_[i]->setAccessibleName(proposed ? tr("%1: %2, proposed").arg(StudyWords::rating(rating), when)
                                            : tr("%1: %2").arg(StudyWords::rating(rating), when));
     rating_[i]->setProperty("role", proposed ? QStringLiteral("primary") : QStringLiteral("rating"));
@@ -189,16 +194,19 @@ void SessionBar::show_next() {
 }
 
 void SessionBar::fit() {
-  // Four in a row where they fit, else two and two.
+  // Four in a row with two lines each where they fit, else two and two with one line.
   const int em = QFontInfo(font()).pixelSize();
-  const int columns = width() > em * 32 ? 4 : 2;
+  const bool narrow = width() < em * kWide_em;
+  const int columns = narrow ? 2 : 4;
   for (std::size_t i = 0; i < rating_.size(); ++i)
     grid_->addWidget(rating_[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
   line_->setFixedHeight(std::max(6, em / 3));
-  // As high as a row of ratings: two lines, and what surrounds them.
-  const int row = 2 * QFontMetrics(font()).lineSpacing() + em * 3 / 2;
-  task_->setMinimumHeight(row);
-  for (auto* button : rating_) button->setMinimumHeight(row);
+  const int line = QFontMetrics(font()).lineSpacing();
+  const int button = narrow ? line + em / 2 : 2 * line + em;
+  for (auto* one : rating_) one->setFixedHeight(button);
+  // As high as the ratings, which stand here later.
+  task_->setMinimumHeight(narrow ? 2 * button + grid_->spacing() : button);
+  if (std::exchange(narrow_, narrow) != narrow) show_ratings();
 }
 
 void SessionBar::changeEvent(QEvent* event) {

@@ -46,6 +46,7 @@ class SessionBar final : public QFrame {
   QWidget* ratings_;
   QGridLayout* grid_;
   std::array<QPushButton*, 4> rating_;
+  bool narrow_ = false;
 };
 
 }  // namespace nazori::ui

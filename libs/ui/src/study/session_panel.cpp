@@ -13,7 +13,7 @@
 namespace nazori::ui {
 namespace {
 
-constexpr int kMargin = 16;
+constexpr int kMargin = 12;
 constexpr int kMostEarlier = 5;
 constexpr int kMostHardStrokes = 3;
 
@@ -55,14 +55,15 @@ SessionPanel::SessionPanel(const StudySession& session, const SessionActions& ac
     column->addWidget(one);
   column->addStretch(1);
   // Few words: the panel is narrow, and the menu has the whole ones.
-  const std::pair<QAction*, QString> buttons[] = {{actions.undo, tr("Take back")},
-                                                  {actions.postpone, tr("Tomorrow")},
+  const std::pair<QAction*, QString> buttons[] = {{actions.undo, tr("Undo")},
+                                                  {actions.postpone, tr("Later")},
                                                   {actions.pause, tr("Pause")},
                                                   {actions.reset, tr("Anew")},
                                                   {actions.end, tr("End")}};
   for (const auto& [action, words] : buttons) {
     auto* button = new QPushButton(words, content);
     button->setAccessibleName(action->iconText());
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     button->setObjectName(QStringLiteral("button_") + action->objectName());
     button->setToolTip(action->toolTip());
     connect(button, &QPushButton::clicked, action, &QAction::trigger);
@@ -76,14 +77,14 @@ SessionPanel::SessionPanel(const StudySession& session, const SessionActions& ac
 }
 
 QString SessionPanel::why() const {
-  if (session_.is_leech_lesson()) return tr("Another lesson: this one is forgotten often");
+  if (session_.is_leech_lesson()) return tr("Another lesson: often forgotten");
   switch (session_.task().kind) {
     case study::TaskKind::step:
       return tr("Once more today");
     case study::TaskKind::review:
       return tr("Review");
     case study::TaskKind::fresh:
-      return tr("New character");
+      return tr("New");
   }
   return {};
 }
@@ -139,14 +140,14 @@ void SessionPanel::show_ink() {
 void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet) {
   if (!session_.is_running()) return;
   QFont large = font();
-  large.setPointSizeF(large.pointSizeF() * 1.15);
   large.setWeight(QFont::DemiBold);
   kind_->setFont(large);
   kind_->setText(why());
   QStringList steps;
   for (const auto stage : study::kStages) {
     const bool here = stage == session_.stage();
-    steps.append(here ? QStringLiteral("▸ ") + StudyWords::stage(stage) : StudyWords::stage(stage));
+    const QString step = here ? QStringLiteral("▸ ") + StudyWords::stage(stage) : StudyWords::stage(stage);
+    steps.append(QString(step).replace(QLatin1Char(' '), QChar::Nbsp));
   }
   steps_->setText(steps.join(QStringLiteral("  ")));
   history_->setText(history());

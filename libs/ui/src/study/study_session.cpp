@@ -61,7 +61,10 @@ void StudySession::end(bool done) {
   away_ = false;
   emit changed();
   emit ended();
-  if (!done) emit said(Feedback::hint, tr("The session has ended. Everything that was rated is kept."));
+  if (done)
+    emit said(Feedback::good, tr("That was all for now. Everything is kept."));
+  else
+    emit said(Feedback::hint, tr("The session has ended. Everything that was rated is kept."));
 }
 
 void StudySession::measure(const study::DayPlan& plan) {

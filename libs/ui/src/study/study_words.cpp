@@ -16,6 +16,14 @@ constexpr int kDaysInWords = 60;
 constexpr double kDaysInMonth = 30.44;
 constexpr double kDaysInYear = 365.25;
 
+int minutes_until(const study::Card& card, study::Time now) {
+  return std::max(1, static_cast<int>(std::chrono::round<minutes>(card.memory.due - now).count()));
+}
+
+int days_until(const study::Card& card, study::Day today) {
+  return card.due_day ? static_cast<int>((*card.due_day - today).count()) : 0;
+}
+
 QDate date_of(study::Day day) { return QDate(1970, 1, 1).addDays(day.time_since_epoch().count()); }
 
 }  // namespace
@@ -49,16 +57,23 @@ QString StudyWords::stage(study::Stage stage) {
 }
 
 QString StudyWords::comes_again(const study::Card& card, study::Time now, study::Day today) {
-  if (card.memory.phase != study::Phase::review) {
-    const auto left = std::chrono::round<minutes>(card.memory.due - now);
-    return tr("in %n minutes", nullptr, std::max(1, static_cast<int>(left.count())));
-  }
-  const int days = card.due_day ? static_cast<int>((*card.due_day - today).count()) : 0;
+  if (card.memory.phase != study::Phase::review)
+    return tr("in %n minutes", nullptr, minutes_until(card, now));
+  const int days = days_until(card, today);
   if (days <= 1) return tr("tomorrow");
   if (days < kDaysInWords) return tr("in %n days", nullptr, days);
   if (days < kDaysInYear)
     return tr("in %n months", nullptr, static_cast<int>(std::lround(days / kDaysInMonth)));
   return tr("in %1 years").arg(QLocale().toString(days / kDaysInYear, 'f', 1));
+}
+
+QString StudyWords::comes_again_short(const study::Card& card, study::Time now, study::Day today) {
+  const QLocale locale;
+  if (card.memory.phase != study::Phase::review) return tr("%1 min").arg(minutes_until(card, now));
+  const int days = std::max(1, days_until(card, today));
+  if (days < kDaysInWords) return tr("%1 d").arg(days);
+  if (days < kDaysInYear) return tr("%1 mo").arg(std::lround(days / kDaysInMonth));
+  return tr("%1 y").arg(locale.toString(days / kDaysInYear, 'f', 1));
 }
 
 QString StudyWords::about(std::chrono::milliseconds time) {
@@ -75,7 +90,7 @@ QString StudyWords::day(study::Day day) {
 
 QString StudyWords::short_day(study::Day day) {
   const QLocale locale;
-  return locale.toString(date_of(day), locale.language() == QLocale::Japanese ? QStringLiteral("yyyy年M月d日")
+  return locale.toString(date_of(day), locale.language() == QLocale::Japanese ? QStringLiteral("yyyy/M/d")
                                                                               : QStringLiteral("d MMM yyyy"));
 }
 
