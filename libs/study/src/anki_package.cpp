@@ -27,6 +27,8 @@ constexpr std::int64_t kFirstNote = 1'763'700'100'000;
 constexpr std::int64_t kFirstCard = 1'763'702'000'000;
 constexpr char kBetweenFields = 0x1F;
 constexpr int kMostWords = 20;
+constexpr char32_t kFirstKatakana = 0x30A0;
+constexpr char32_t kLastKatakana = 0x30FF;
 
 constexpr const char* kTables = R"sql(
 CREATE TABLE col(id integer primary key, crt integer not null, mod integer not null, scm integer not null,
@@ -201,16 +203,22 @@ std::string picture_name(char32_t character) {
   return fmt::format("nazori-{:05x}.svg", static_cast<unsigned>(character));
 }
 
-/// Kana that no syllable alone stands for: nullptr where `hiragana` is none of them.
+/// Kana that romaji cannot type: nullptr where `hiragana` is none of them.
 const char* special_sound(std::string_view hiragana) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 8> kSpecial{{{"っ", "small tsu"},
-                                                                              {"ゃ", "small ya"},
-                                                                              {"ゅ", "small yu"},
-                                                                              {"ょ", "small yo"},
-                                                                              {"ゎ", "small wa"},
-                                                                              {"ゕ", "small ka"},
-                                                                              {"ゖ", "small ke"},
-                                                                              {"ゔ", "vu"}}};
+  constexpr std::array<std::pair<std::string_view, const char*>, 13> kSpecial{
+      {{"っ", "small tsu"},
+       {"ゃ", "small ya"},
+       {"ゅ", "small yu"},
+       {"ょ", "small yo"},
+       {"ゎ", "small wa"},
+       {"ゕ", "small ka"},
+       {"ゖ", "small ke"},
+       {"ゔ", "vu"},
+       {"ヷ", "va"},
+       {"ヸ", "vi"},
+       {"ヹ", "ve"},
+       {"ヺ", "vo"},
+       {"ー", "the mark of a long sound"}}};
   for (const auto& [kana, name] : kSpecial) {
     if (kana == hiragana) return name;
   }
@@ -223,7 +231,7 @@ std::string sound_of(char32_t kana) {
   const std::string hiragana = kanji::to_hiragana(own);
   constexpr std::array<const char*, 6> kIrregular{"shi", "chi", "tsu", "fu", "ji", "n"};
   const auto name = [&](const std::string& romaji) {
-    return romaji + (own == hiragana ? " (hiragana)" : " (katakana)");
+    return romaji + (kana >= kFirstKatakana && kana <= kLastKatakana ? " (katakana)" : " (hiragana)");
   };
   const auto spells = [&](const std::string& romaji) {
     const std::vector<std::string> kana_of_it = kanji::romaji_to_hiragana(romaji);
@@ -257,7 +265,10 @@ std::string fields_of(const kanji::Character& character, std::span<const kanji::
                               for_html(word.reading), for_html(gloss));
   }
   const std::string sign = base::encode_utf8(character.code_point);
-  const std::string meaning = meanings.empty() ? sound_of(character.code_point) : joined(meanings, ", ");
+  std::string meaning = meanings.empty() ? sound_of(character.code_point) : joined(meanings, ", ");
+  // A card that asks nothing is one that Anki offers to delete.
+  if (meaning.empty() && entry.on_readings.empty() && entry.kun_readings.empty())
+    meaning = fmt::format("U+{:04X}", static_cast<unsigned>(character.code_point));
   return fmt::format("{1}{0}{2}{0}{3}{0}{4}{0}{5}{0}<img src=\"{6}\">", kBetweenFields, for_html(sign),
                      meaning, joined(entry.on_readings, "、"), joined(entry.kun_readings, "、"), word_lines,
                      picture_name(character.code_point));

@@ -218,6 +218,8 @@ TEST(AnkiPackage, AsksSomethingOfEveryKanaAndKanji) {
               HasSubstr("small yo (hiragana)"));
   EXPECT_THAT(db.execAndGet("SELECT flds FROM notes WHERE sfld = 'ァ'").getString(),
               HasSubstr("small a (katakana)"));
+  EXPECT_THAT(db.execAndGet("SELECT flds FROM notes WHERE sfld = 'ヴ'").getString(),
+              HasSubstr("vu (katakana)"));
 }
 
 TEST(AnkiPackage, RefusesWhatCannotBe) {

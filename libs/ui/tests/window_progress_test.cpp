@@ -248,8 +248,10 @@ TEST_F(ProgressTest, EverythingFitsAtTheLargestText) {
         << label->objectName().toStdString();
     EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->objectName().toStdString();
   }
-  for (const auto* button : scroll->findChildren<QToolButton*>())
-    if (button->isVisible()) EXPECT_GE(button->width(), button->minimumSizeHint().width());
+  for (const auto* button : scroll->findChildren<QToolButton*>()) {
+    if (!button->isVisible()) continue;
+    EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->objectName().toStdString();
+  }
 }
 
 TEST_F(ProgressTest, EveryChartHasWordsForAScreenReader) {

@@ -448,6 +448,10 @@
         <source>The backup is in place. What stood there is kept.</source>
         <translation>バックアップに戻しました。前の記録は残してあります。</translation>
     </message>
+    <message>
+        <source>Of %1</source>
+        <translation>%1 のもの</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::CharacterActions</name>

@@ -19,11 +19,16 @@
 namespace nazori::ui {
 namespace {
 
+constexpr std::string_view kDaily = "daily-";
+
 enum Column { kKind, kLast, kWritings, kCharacters, kColumns };
 
 QString kind_of(const study::Backup& backup) {
   const std::string name = backup.file.filename().string();
-  if (backup.automatic) return BackupsDialog::tr("Daily");
+  if (backup.automatic) {
+    const auto day = study::parse_day(backup.file.stem().string().substr(kDaily.size()));
+    return day ? BackupsDialog::tr("Of %1").arg(StudyCharts::date(*day)) : BackupsDialog::tr("Daily");
+  }
   if (name.starts_with("own-")) return BackupsDialog::tr("Made by you");
   if (name.starts_with("before-restore-")) return BackupsDialog::tr("What a restored one replaced");
   return BackupsDialog::tr("Before a newer version");

@@ -135,7 +135,12 @@ void ChartCard::fill_table() {
       table_->setItem(row, column, cell);
     }
   }
-  table_->resizeColumnsToContents();
+  fit_table();
+}
+
+void ChartCard::fit_table() {
+  // Thousands of rows are measured only when they are to be seen.
+  if (numbers_->isChecked()) table_->resizeColumnsToContents();
 }
 
 void ChartCard::read_row(int row) {
@@ -157,6 +162,7 @@ void ChartCard::set_shows_numbers(bool numbers) {
   }
   if (stack_->currentWidget() == empty_) return;
   const bool had_focus = stack_->currentWidget()->hasFocus();
+  fit_table();
   stack_->setCurrentWidget(numbers ? static_cast<QWidget*>(table_) : drawing_);
   reading_->setVisible(day_chart_ != nullptr && !numbers);
   if (had_focus) focus_content();
@@ -172,7 +178,7 @@ void ChartCard::take_appearance() {
   const QFontMetrics metrics(font());
   stack_->setMinimumHeight(metrics.lineSpacing() * kLinesHigh);
   table_->verticalHeader()->setDefaultSectionSize(metrics.lineSpacing() + 8);
-  table_->resizeColumnsToContents();
+  fit_table();
   if (day_chart_ != nullptr) {
     day_chart_->setFont(font());
     day_chart_->take_appearance();

@@ -42,6 +42,7 @@ class ChartCard : public QFrame {
  private:
   void build(const QString& id, QWidget* drawing);
   void fill_table();
+  void fit_table();
   void read_row(int row);
 
   Chart chart_;

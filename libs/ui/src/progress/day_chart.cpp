@@ -146,7 +146,7 @@ void DayChart::add_bars(QChart& chart, const ChartSeries& series) {
 
 void DayChart::add_line(QChart& chart, const ChartSeries& series, bool second) {
   const Colours& c = current_colours();
-  const QColor colour = second ? c.indigo : c.vermilion;
+  const QColor colour = second ? c.indigo : c.ink;
   auto* line = new QLineSeries;
   line->setName(series.name);
   for (qsizetype row = 0; row < series.values.size(); ++row)

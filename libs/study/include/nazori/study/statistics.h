@@ -121,7 +121,7 @@ struct Statistics {
   std::chrono::milliseconds time{0};
 };
 
-/// Goes once through the whole log (docs/benchmarks.md: how long that takes).
+/// Goes once through the whole log.
 /// @return Errc::cancelled where `progress` says so.
 [[nodiscard]] base::Result<Statistics> statistics_of(const LearnerStore& learner,
                                                      const base::Progress& progress = {});
