@@ -132,15 +132,15 @@ TEST_F(Workplaces, TheSameKeyDoesWhatTheWorkplaceInTheWindowMeans) {
 }
 
 TEST_F(Workplaces, MenusAndToolsAreThoseOfTheWorkplace) {
-  EXPECT_EQ(menus(), (QStringList{"File", "Character", "Strokes", "Practice", "Study", "Tablet", "View", "Go",
-                                  "Help"}));
+  EXPECT_EQ(menus(), (QStringList{"File", "Learner", "Character", "Strokes", "Practice", "Study", "Tablet",
+                                  "View", "Go", "Help"}));
   press(Qt::Key_2, Qt::AltModifier);
-  EXPECT_EQ(menus(), (QStringList{"File", "Sundial", "Tablet", "View", "Go", "Help"}));
+  EXPECT_EQ(menus(), (QStringList{"File", "Learner", "Sundial", "Tablet", "View", "Go", "Help"}));
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   EXPECT_NE(find<QToolButton>("tool_sundial_turn"), nullptr);
   EXPECT_EQ(find<QToolButton>("tool_snap"), nullptr);
   press(Qt::Key_3, Qt::AltModifier);
-  EXPECT_EQ(menus(), (QStringList{"File", "View", "Go", "Help"}));
+  EXPECT_EQ(menus(), (QStringList{"File", "Learner", "View", "Go", "Help"}));
   EXPECT_FALSE(action("left_panel")->isVisible());
 }
 

@@ -83,8 +83,7 @@ void StrengthDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   const bool open = strength == study::Strength::unseen || strength == study::Strength::paused;
-  painter->setPen(
-      QPen(here ? c.ink : c.line, here ? 3 : 1, open && !here ? Qt::DashLine : Qt::SolidLine));
+  painter->setPen(QPen(here ? c.ink : c.line, here ? 3 : 1, open && !here ? Qt::DashLine : Qt::SolidLine));
   painter->setBrush(look.fill);
   painter->drawRoundedRect(tile, 5, 5);
   painter->setPen(look.text);
