@@ -18,11 +18,7 @@ std::unique_ptr<Workplace> make(Desk& desk) {
 
 std::vector<MakeWorkplace> registered_workplaces() {
   return {
-      make<Home>,
-      make<Characters>,
-      make<Progress>,
-      make<FunctionsWorkplace>,
-      make<DevicePlace>,
+      make<Home>, make<Characters>, make<Progress>, make<FunctionsWorkplace>, make<DevicePlace>,
   };
 }
 
