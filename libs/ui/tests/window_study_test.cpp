@@ -71,15 +71,7 @@ class Study : public WindowTest {
 
   void open_home() {
     window_.reset();
-    MainWindow::Setup setup;
-    setup.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
-    setup.settings_file = folder_.filePath(QStringLiteral("nazori.ini"));
-    setup.learners = folder_.filePath(QStringLiteral("learners")).toStdString();
-    setup.clock = clock_;
-    setup.draws_tablet = false;
-    setup.workplaces = workplaces_;
-    setup.back_ends = back_ends_;
-    window_ = std::make_unique<MainWindow>(setup, appearance_);
+    window_ = std::make_unique<MainWindow>(setup(), appearance_);
     QSignalSpy opened(window_.get(), &MainWindow::opened);
     QObject::connect(window_.get(), &MainWindow::character_shown, [this](char32_t c) { on_desk_ = c; });
     window_->show();
@@ -408,18 +400,12 @@ TEST_F(Study, ASecondWindowIsToldAndChangesNothing) {
   start();
   learn();
   press(Qt::Key_4);
-  MainWindow::Setup setup;
-  setup.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
-  setup.settings_file = folder_.filePath(QStringLiteral("second.ini"));
-  setup.learners = folder_.filePath(QStringLiteral("learners")).toStdString();
-  setup.clock = clock_;
-  setup.draws_tablet = false;
-  setup.workplaces = workplaces_;
-  setup.back_ends = back_ends_;
+  MainWindow::Setup second_setup = setup();
+  second_setup.settings_file = folder_.filePath(QStringLiteral("second.ini"));
   Desk* const first_desk = the_desk;
   Characters* const first_characters = the_characters;
   {
-    MainWindow second(setup, appearance_);
+    MainWindow second(second_setup, appearance_);
     second.show();
     QTest::qWait(50);
     const auto* trouble = second.findChild<QLabel*>(QStringLiteral("home_trouble"));

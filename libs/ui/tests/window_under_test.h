@@ -27,19 +27,25 @@ class WindowTest : public testing::Test {
     open_window();
   }
 
+  /// Of a window without OpenGL, with settings and learners in a folder of the test.
+  [[nodiscard]] MainWindow::Setup setup() const {
+    MainWindow::Setup made;
+    made.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
+    made.settings_file = folder_.filePath(QStringLiteral("nazori.ini"));
+    made.learners = folder_.filePath(QStringLiteral("learners")).toStdString();
+    made.clock = clock_;
+    made.draws_tablet = false;
+    made.workplaces = workplaces_;
+    made.back_ends = back_ends_;
+    return made;
+  }
+
   void open_window(char32_t character = 0, QSize size = {1280, 800}) {
     window_.reset();
     begin_with_characters();
-    MainWindow::Setup setup;
-    setup.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
-    setup.settings_file = folder_.filePath(QStringLiteral("nazori.ini"));
-    setup.learners = folder_.filePath(QStringLiteral("learners")).toStdString();
-    setup.clock = clock_;
-    setup.character = character;
-    setup.draws_tablet = false;
-    setup.workplaces = workplaces_;
-    setup.back_ends = back_ends_;
-    window_ = std::make_unique<MainWindow>(setup, appearance_);
+    MainWindow::Setup first = setup();
+    first.character = character;
+    window_ = std::make_unique<MainWindow>(first, appearance_);
     QSignalSpy shown(window_.get(), &MainWindow::character_shown);
     window_->show();
     window_->activateWindow();

@@ -160,12 +160,7 @@ TEST_F(Workplaces, TheLastOneIsThereAgainAfterARestart) {
   press(Qt::Key_3, Qt::AltModifier);
   window_->close();
   window_.reset();
-  MainWindow::Setup setup;
-  setup.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
-  setup.settings_file = folder_.filePath(QStringLiteral("nazori.ini"));
-  setup.draws_tablet = false;
-  setup.workplaces = workplaces_;
-  window_ = std::make_unique<MainWindow>(setup, appearance_);
+  window_ = std::make_unique<MainWindow>(setup(), appearance_);
   window_->show();
   EXPECT_TRUE(find("almanac_page")->isVisible());
   EXPECT_TRUE(action("go_almanac")->isChecked());
