@@ -42,8 +42,8 @@ QString in_lines(const QString& text, const QFontMetrics& metrics, int width_px)
 }
 
 ButtonLines::ButtonLines(QScrollArea* area, int margin_px)
-    : QObject(area), area_(area), margin_px_(margin_px) {
-  area_->viewport()->installEventFilter(this);
+    : QObject(area), viewport_(area->viewport()), margin_px_(margin_px) {
+  viewport_->installEventFilter(this);
 }
 
 void ButtonLines::add(QAbstractButton* button, const QString& text) {
@@ -54,7 +54,7 @@ void ButtonLines::add(QAbstractButton* button, const QString& text) {
 }
 
 bool ButtonLines::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == area_->viewport()) {
+  if (watched == viewport_) {
     if (event->type() == QEvent::Resize)
       for (auto* button : texts_.keys()) break_lines(button);
   } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange ||
@@ -65,6 +65,7 @@ bool ButtonLines::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ButtonLines::break_lines(QAbstractButton* button) const {
+  if (!viewport_) return;
   constexpr int kAnyWidth = 1000;
   constexpr int kSlack_px = 6;  // styles measure a little otherwise
   QStyleOptionButton option;
@@ -74,7 +75,7 @@ void ButtonLines::break_lines(QAbstractButton* button) const {
       qobject_cast<QPushButton*>(button) != nullptr ? QStyle::CT_PushButton : QStyle::CT_RadioButton;
   const QFontMetrics metrics = button->fontMetrics();
   const QSize whole = button->style()->sizeFromContents(kind, &option, {kAnyWidth, metrics.height()}, button);
-  const int room = area_->viewport()->width() - 2 * margin_px_ - (whole.width() - kAnyWidth) - kSlack_px;
+  const int room = viewport_->width() - 2 * margin_px_ - (whole.width() - kAnyWidth) - kSlack_px;
   const QString text = in_lines(texts_.value(button), metrics, std::max(room, 1));
   if (button->text() != text) button->setText(text);
 }

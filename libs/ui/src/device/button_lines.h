@@ -3,7 +3,9 @@
 
 #include <QHash>
 #include <QObject>
+#include <QPointer>
 #include <QString>
+#include <QWidget>
 
 class QAbstractButton;
 class QFontMetrics;
@@ -27,7 +29,7 @@ class ButtonLines final : public QObject {
  private:
   void break_lines(QAbstractButton* button) const;
 
-  QScrollArea* area_;
+  QPointer<QWidget> viewport_;  ///< its panel may be on its way out already
   int margin_px_;
   QHash<QAbstractButton*, QString> texts_;
 };
