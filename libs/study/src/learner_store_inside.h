@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -67,6 +68,12 @@ struct LearnerStore::Inside {
   [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character);
   /// Follows one character through its entries.
   [[nodiscard]] CardHistory history_of(char32_t character);
+  /// What a review would lead to, where intervals may vary with the interval that it would be given.
+  struct Outlook {
+    Card card;
+    std::optional<int> interval_days;  ///< for the log: where it is moved within its range
+  };
+  [[nodiscard]] Outlook outlook(char32_t character, Rating rating);
   /// Works out one character anew and keeps it in the table; the map is the caller's.
   [[nodiscard]] std::optional<Card> refresh_row(char32_t character);
   /// Runs `work`, which throws SQLite::Exception, and turns that into an error.

@@ -30,6 +30,28 @@ CardHistory LearnerStore::Inside::history_of(char32_t character) {
   return history;
 }
 
+LearnerStore::Inside::Outlook LearnerStore::Inside::outlook(char32_t character, Rating rating) {
+  const CardHistory before = history_of(character);
+  LogEntry entry;
+  entry.at = clock();
+  entry.day = calendar.day_of(entry.at);
+  entry.character = character;
+  entry.writing.rating = rating;
+  entry.writing.result.accepted = rating != Rating::again;
+  CardHistory as_scheduled = before;
+  as_scheduled.apply(entry, settings());
+  const std::optional<Day>& last = before.card().last_day;
+  const int elapsed = last ? std::max(0, static_cast<int>((entry.day - *last).count())) : 0;
+  if (const auto fsrs = Fsrs::create(settings().fsrs)) {
+    entry.interval_days =
+        choose_interval(*fsrs, settings(), cards, character, as_scheduled.card().memory, elapsed, entry.day);
+  }
+  if (!entry.interval_days) return {as_scheduled.card(), std::nullopt};
+  CardHistory as_moved = before;
+  as_moved.apply(entry, settings());
+  return {as_moved.card(), entry.interval_days};
+}
+
 std::optional<Card> LearnerStore::Inside::refresh_row(char32_t character) {
   const CardHistory history = history_of(character);
   if (history.met()) {
@@ -83,15 +105,11 @@ base::Result<Card> LearnerStore::add_writing(char32_t character, int strokes, co
   entry.writing = writing;
   entry.strokes = strokes;
   if (writing.stage == Stage::memory) {
-    const Card before = card(character);
-    const Card after = preview(character, writing.rating);
-    const auto fsrs = Fsrs::create(settings().fsrs);
-    const int elapsed =
-        before.last_day ? std::max(0, static_cast<int>((today() - *before.last_day).count())) : 0;
-    if (fsrs) {
-      entry.interval_days =
-          choose_interval(*fsrs, settings(), cards(), character, after.memory, elapsed, today());
-    }
+    auto interval = inside_->guarded([&]() -> base::Result<std::optional<int>> {
+      return inside_->outlook(character, writing.rating).interval_days;
+    });
+    if (!interval) return tl::unexpected(std::move(interval.error()));
+    entry.interval_days = *interval;
   }
   if (auto done = inside_->act(std::span(&character, 1), entry, &ink); !done) {
     return tl::unexpected(std::move(done.error()));
@@ -109,15 +127,7 @@ base::Result<void> LearnerStore::act(std::span<const char32_t> characters, Entry
 
 Card LearnerStore::preview(char32_t character, Rating rating) const {
   try {
-    CardHistory history = inside_->history_of(character);
-    LogEntry entry;
-    entry.at = now();
-    entry.day = today();
-    entry.character = character;
-    entry.writing.rating = rating;
-    entry.writing.result.accepted = rating != Rating::again;
-    history.apply(entry, settings());
-    return history.card();
+    return inside_->outlook(character, rating).card;
   } catch (const SQLite::Exception&) {
     return card(character);
   }

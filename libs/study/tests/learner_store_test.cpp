@@ -305,6 +305,35 @@ TEST(LearnerStore, APreviewIsWhatTheReviewThenGives) {
   }
 }
 
+TEST(LearnerStore, WhereIntervalsVaryAPreviewTellsTheDayThatIsKept) {
+  for (const bool balance : {false, true}) {
+    MovedClock clock("2026-01-01T09:00:00Z");
+    LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+    Settings settings = store.settings();
+    (balance ? settings.load_balance : settings.fuzz) = true;
+    ASSERT_TRUE(store.change_settings(settings));
+    for (char32_t c = U'一'; c < U'一' + 12; ++c) (void)must(store.add_writing(c, 4, review(Rating::easy)));
+    clock.advance(days(8));
+    int moved = 0;
+    const Fsrs fsrs = must(Fsrs::create(settings.fsrs));
+    for (char32_t c = U'一'; c < U'一' + 12; ++c) {
+      for (const Rating rating : kRatings) {
+        const Card before = store.card(c);
+        const Card seen = store.preview(c, rating);
+        EXPECT_EQ(store.card(c), before) << "a preview keeps nothing";
+        const Card kept = must(store.add_writing(c, 4, review(rating)));
+        EXPECT_EQ(seen.due_day, kept.due_day)
+            << static_cast<int>(rating) << (balance ? " balanced" : " fuzz");
+        EXPECT_EQ(seen.memory, kept.memory);
+        if (kept.due_day && kept.memory.scheduled_days != fsrs.interval_days(kept.memory.stability)) ++moved;
+        // What was easy stays, so that there is a load to balance.
+        if (rating != Rating::easy) (void)must(store.undo());
+      }
+    }
+    EXPECT_GT(moved, 3) << "else nothing was tried";
+  }
+}
+
 TEST(LearnerStore, LoadIsBalancedWithinTheRange) {
   MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));

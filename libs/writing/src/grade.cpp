@@ -289,6 +289,14 @@ base::Result<Prepared> prepare(const Ink& ink, const GradeOptions& options) {
   return p;
 }
 
+/// Whether the stroke is one of the model's, if perhaps out of turn, backwards or with another ending.
+bool is_a_stroke_of_its_own(int stroke, const Grade& whole) {
+  return std::none_of(whole.faults.begin(), whole.faults.end(), [stroke](const Fault& f) {
+    return f.stroke == stroke && f.kind != FaultKind::missing && f.kind != FaultKind::order &&
+           f.kind != FaultKind::reversed && f.kind != FaultKind::ending;
+  });
+}
+
 /// What is said of strokes judged one by one once all of them are known: the whole tells better what a stroke
 /// that was not right is (two in one, say), and only it what is missing.
 std::vector<Fault> at_the_end(std::vector<Fault> live, const Grade& whole) {
@@ -327,7 +335,11 @@ base::Result<Grade> grade_live(const Ink& ink, const Model& model, const GradeOp
   std::vector<Fault> faults;
   for (std::size_t n = 1; n <= drawn.size(); ++n) {
     auto now = grade_shapes(drawn.first(n), p->box, model.inside(), beginning, {});
-    last.strokes[n - 1] = now.strokes.back();
+    auto& verdict = last.strokes[n - 1];
+    const auto in_the_whole = verdict.matched;
+    verdict = now.strokes.back();
+    // Which stroke a first bar is shows only when the others are there.
+    if (in_the_whole && is_a_stroke_of_its_own(static_cast<int>(n) - 1, last)) verdict.matched = in_the_whole;
     const int stroke = static_cast<int>(n) - 1;
     for (auto& f : now.faults) {
       if (f.stroke != stroke && f.second != stroke) continue;

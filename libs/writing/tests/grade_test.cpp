@@ -338,6 +338,19 @@ TEST(GradeLive, AfterALaterStrokeDrawnFirstTheOthersAreStillKnown) {
   EXPECT_FALSE(live->accepted);
 }
 
+TEST(GradeLive, WhichStrokeAFirstBarIsShowsOnceTheOthersAreThere) {
+  auto ink = trace(three());
+  ink.box.reset();
+  std::swap(ink.strokes[0], ink.strokes[1]);
+  for (const bool unfinished : {false, true}) {
+    const auto live = grade_live(ink, model_of(three()), {kNormal, unfinished});
+    ASSERT_TRUE(live);
+    std::vector<int> matched;
+    for (const auto& s : live->strokes) matched.push_back(s.matched.value_or(-1));
+    EXPECT_THAT(matched, ElementsAre(1, 0, 2));
+  }
+}
+
 TEST(GradeLive, TheBeginningIsNotBlamedForWhatFollows) {
   auto ink = trace(rest());
   ink.strokes.resize(3);

@@ -94,7 +94,8 @@ class LearnerStore {
   /// @return the card as it is now.
   [[nodiscard]] base::Result<Card> add_writing(char32_t character, int strokes, const Writing& writing,
                                                const Ink& ink = {});
-  /// The card as it would be after a review with `rating` now; for "good: in 4 days" on a button.
+  /// The card as it would be after a review with `rating` now, fuzz and load balance included; for
+  /// "good: in 4 days" on a button.
   [[nodiscard]] Card preview(char32_t character, Rating rating) const;
   /// Takes back the last action that is still in force, but no change of settings. nullopt: there is none.
   [[nodiscard]] base::Result<std::optional<Undone>> undo();

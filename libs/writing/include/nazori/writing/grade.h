@@ -124,7 +124,8 @@ inline constexpr std::size_t kMaxInkStrokes = 100;
                                         std::span<const Model> lookalikes = {});
 
 /// Judges stroke by stroke: the verdict on each stroke is the one that was given when it ended, and does not
-/// change by what follows. Faults that only the end shows (missing strokes) come at the end.
+/// change by what follows; only which stroke of the model it is (`matched`) is what all strokes so far show.
+/// Faults that only the end shows (missing strokes) come at the end.
 [[nodiscard]] base::Result<Grade> grade_live(const Ink& ink, const Model& model,
                                              const GradeOptions& options = {},
                                              std::span<const Model> lookalikes = {});
