@@ -147,6 +147,17 @@ TEST(TracingByKey, AnotherCurveIsEnteredStraightAboveOrBelow) {
   EXPECT_FALSE(alone.change_branch(Way::on));
 }
 
+TEST(TracingByKey, AnotherBranchIsEnteredInsideTheWindow) {
+  auto tracer = tracer_of("y = tan(x); y = sin x", {-6, 6, -4, 4});
+  tracer.step(Way::on);
+  tracer.go_to_end(Way::on);
+  for (int i = 0; i < 12; ++i) {
+    ASSERT_TRUE(tracer.change_branch(i < 6 ? Way::on : Way::back));
+    EXPECT_LE(std::abs(tracer.place()->y), 4 + 1e-6) << i;
+    EXPECT_LE(std::abs(tracer.place()->x), 6 + 1e-6) << i;
+  }
+}
+
 TEST(TracingByKey, PointsOfInterestComeInTurnAndRoundAgain) {
   auto tracer = tracer_of("y = x^2 - 1", {-3, 3, -3, 3});
   std::vector<functions::PointKind> kinds;

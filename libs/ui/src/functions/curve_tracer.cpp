@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "nazori/functions/dual.h"
 #include "nazori/functions/tape.h"
@@ -39,6 +41,24 @@ CurvePlace last_in_window(const functions::Tracing& tracing, const CurvePlace& f
     (is_in_window(functions::step_along(tracing, from, middle).at) ? inside : outside) = middle;
   }
   return functions::step_along(tracing, from, inside);
+}
+
+/// The part of the straight piece from p to q that lies in the window, as shares of its length.
+std::optional<std::pair<double, double>> part_in_window(PlatePoint p, PlatePoint q) {
+  double first = 0;
+  double last = 1;
+  for (const auto& [from, to] : {std::pair{p.u, q.u}, std::pair{p.v, q.v}}) {
+    if (from == to) {
+      if (from < 0 || from > 1) return std::nullopt;
+      continue;
+    }
+    const double at_0 = (0 - from) / (to - from);
+    const double at_1 = (1 - from) / (to - from);
+    first = std::max(first, std::min(at_0, at_1));
+    last = std::min(last, std::max(at_0, at_1));
+  }
+  if (!(first <= last)) return std::nullopt;
+  return std::pair{first, last};
 }
 
 double distance(PlatePoint a, PlatePoint b) { return std::hypot(a.u - b.u, a.v - b.v); }
@@ -305,8 +325,10 @@ bool CurveTracer::change_branch(Way way) {
   for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
     const auto& p = branch.points[i];
     const auto& q = branch.points[i + 1];
+    const auto part = part_in_window({p.u, p.v}, {q.u, q.v});
+    if (!part) continue;
     const double du = q.u - p.u;
-    const double share = du != 0 ? std::clamp((place_->at.u - p.u) / du, 0.0, 1.0) : 0.0;
+    const double share = std::clamp(du != 0 ? (place_->at.u - p.u) / du : 0.0, part->first, part->second);
     const PlatePoint at{p.u + share * du, p.v + share * (q.v - p.v)};
     const double off = std::abs(at.u - place_->at.u) * 1000 + std::abs(at.v - place_->at.v);
     if (off < best_off) {
@@ -315,7 +337,7 @@ bool CurveTracer::change_branch(Way way) {
     }
   }
   if (!best) return false;
-  best->at.u = std::clamp(best->at.u, 0.0, 1.0);
+  best->at = {std::clamp(best->at.u, 0.0, 1.0), std::clamp(best->at.v, 0.0, 1.0)};
   place_ = described(*best);
   return true;
 }

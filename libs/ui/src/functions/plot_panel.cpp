@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "functions/expression_line.h"
 #include "functions/plot_words.h"
@@ -228,6 +229,14 @@ PlotPanel::PlotPanel(QWidget* parent)
                          static_cast<QWidget*>(width_), static_cast<QWidget*>(size_)})
     field->setMinimumWidth(1);
   connect(line_, &QLineEdit::textChanged, this, &PlotPanel::expression_typed);
+  // From top to bottom, not in the order of making.
+  QWidget* before = line_;
+  for (QWidget* next : std::initializer_list<QWidget*>{examples_, borders_[0], borders_[1], borders_[2],
+                                                       borders_[3], heights_[0], heights_[1], axes_, ticks_,
+                                                       grid_, rim_, width_, size_, volume_, mute_}) {
+    setTabOrder(before, next);
+    before = next;
+  }
   show_surface(false);
 }
 

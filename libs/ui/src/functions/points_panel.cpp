@@ -18,6 +18,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 16;
+constexpr int kPadding = 8;  // QTableView::item in the style sheet
 
 /// In a narrow table the coordinates stand under the kind: nothing has to be widened to be read.
 class StackedCell final : public QStyledItemDelegate {
@@ -25,9 +26,13 @@ class StackedCell final : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
   void set_stacked(bool stacked) { stacked_ = stacked; }
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    if (!stacked_) return QStyledItemDelegate::sizeHint(option, index);
+    // The style sheet moves the text of a chosen row inwards and does not reckon with it where text wraps.
+    QStyleOptionViewItem narrower = option;
+    narrower.rect.adjust(0, 0, -2 * kPadding, 0);
+    QSize size = QStyledItemDelegate::sizeHint(narrower, index);
     // A gap, so that the lines of one point are seen to belong together.
-    if (stacked_) size.rheight() += option.fontMetrics.height() / 2;
+    size.rheight() += option.fontMetrics.height() / 2;
     return size;
   }
 
