@@ -90,6 +90,19 @@ TEST_F(Stages, StrokesInTheWrongOrderAreNamedAtTheEnd) {
   EXPECT_NE(std::find(verdicts.begin(), verdicts.end(), view::Verdict::wrong), verdicts.end());
 }
 
+TEST_F(Stages, JudgedOnlyAtTheEndIsJudgedWhenTheLearnerSaysSo) {
+  show(U'十');
+  press(Qt::Key_F8);
+  action("judge_each")->trigger();
+  for (const auto& stroke : model(U'十')) write(stroke);
+  EXPECT_TRUE(says("2 strokes are written")) << feedback().toStdString();
+  QTest::qWait(300);
+  EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::none, view::Verdict::none}))
+      << "all is right, but nobody asked yet";
+  press(Qt::Key_Return);
+  EXPECT_TRUE(says("points")) << feedback().toStdString();
+}
+
 TEST_F(Stages, AHintShowsOneStrokeASecondAllAndGivingUpEverything) {
   show(U'休');
   press(Qt::Key_F8);

@@ -60,6 +60,12 @@ double allowance(double roughness, std::size_t count) {
   return std::clamp(0.64 + 3 * mean, 0.5, 1.5);
 }
 
+int points_of(const ScoreParts& p) {
+  return static_cast<int>(std::lround(kPointsForStrokes * p.strokes + kPointsForOrder * p.order +
+                                      kPointsForDirection * p.direction + kPointsForShape * p.shape +
+                                      kPointsForPlace * p.place));
+}
+
 /// Judges against one form.
 class Judge {
  public:
@@ -229,9 +235,7 @@ class Judge {
     p.direction = std::clamp((found - backwards) / count, 0.0, 1.0);
     p.shape = std::clamp((found - 0.7 * shape_sum_) / count, 0.0, 1.0);
     p.place = std::clamp((found - 0.7 * place_sum_) / count, 0.0, 1.0);
-    grade_.score = static_cast<int>(std::lround(kPointsForStrokes * p.strokes + kPointsForOrder * p.order +
-                                                kPointsForDirection * p.direction +
-                                                kPointsForShape * p.shape + kPointsForPlace * p.place));
+    grade_.score = points_of(p);
   }
 
   std::span<const Shape> drawn_;
@@ -269,6 +273,8 @@ Grade grade_shapes(std::span<const Shape> drawn, const std::optional<Affine>& bo
       Fault fault{FaultKind::other, mistaken->stroke, {}, {mistaken->stroke}};
       fault.character = mistaken->character;
       best.faults.push_back(std::move(fault));
+      best.parts.strokes = 0;  // however well they were written, they are not this character's
+      best.score = points_of(best.parts);
     }
   }
   return best;

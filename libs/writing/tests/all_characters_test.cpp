@@ -270,6 +270,11 @@ TEST(Lookalikes, WritingOneIsNotAcceptedForTheOther) {
         ASSERT_TRUE(g);
         EXPECT_EQ(g->accepted, asked == written)
             << base::encode_utf8(written) << " for " << base::encode_utf8(asked);
+        const bool named = std::any_of(g->faults.begin(), g->faults.end(),
+                                       [](const Fault& f) { return f.kind == FaultKind::other; });
+        if (named) {
+          EXPECT_LE(g->score, 70) << "the strokes of another character earn nothing";
+        }
       }
 }
 

@@ -179,7 +179,8 @@ void MemoryStage::take_grade(std::uint64_t ticket, const writing::Grade& grade) 
   show_writing();
   if (!tell_) return;
   tell_ = false;
-  const bool complete = static_cast<int>(strokes_.size()) == stroke_count() && grade.faults.empty() &&
+  const bool complete = actions().judge_each->isChecked() &&
+                        static_cast<int>(strokes_.size()) == stroke_count() && grade.faults.empty() &&
                         missing_strokes(grade, stroke_count()).empty();
   if (complete)
     ask(true);
