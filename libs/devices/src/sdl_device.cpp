@@ -190,9 +190,7 @@ class StickDevice final : public haptics::HapticDevice {
       refusals = feel(command.wish, now) ? 0 : refusals + 1;
       if (live) {
         const double took_s = seconds(Clock::now()) - seconds(command.pose_at);
-        const double before_s = delay_s_.load(std::memory_order_relaxed);
-        constexpr double kDelayFilter = 0.05;
-        delay_s_.store(before_s + (took_s - before_s) * (before_s > 0 ? kDelayFilter : 1.0),
+        delay_s_.store(smoothed_delay_s(delay_s_.load(std::memory_order_relaxed), took_s),
                        std::memory_order_relaxed);
       }
       if (!pose.reading.attached || pose.refuses) break;

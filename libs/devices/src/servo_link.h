@@ -12,6 +12,13 @@
 
 namespace nazori::devices {
 
+/// A measured delay [s], smoothed over some twenty measurements.
+/// @param before_s  what it was; 0: this is the first.
+[[nodiscard]] constexpr double smoothed_delay_s(double before_s, double measured_s) noexcept {
+  constexpr double kFilter = 0.05;
+  return before_s > 0 ? before_s + (measured_s - before_s) * kFilter : measured_s;
+}
+
 /// What every back end does around the servo's tick: turns the pose into the tablet frame and the force back,
 /// lets no force out that is not finite or over the device's peak, gives none while the device is paused or
 /// lost, and tells the interface how it stands.
@@ -40,10 +47,7 @@ class ServoLink {
   /// From pose to force, as measured. Thread: servo.
   void set_delay_s(double delay_s) noexcept { delay_s_ = delay_s; }
   /// The same, of one tick; smoothed. Thread: servo.
-  void note_delay_s(double delay_s) noexcept {
-    constexpr double kFilter = 0.05;
-    delay_s_ += (delay_s - delay_s_) * (delay_s_ > 0 ? kFilter : 1.0);
-  }
+  void note_delay_s(double delay_s) noexcept { delay_s_ = smoothed_delay_s(delay_s_, delay_s); }
 
   /// Thread: interface. Reports DeviceTrouble::stalled where no tick has come for half a second.
   [[nodiscard]] haptics::DeviceStatus status() const;
