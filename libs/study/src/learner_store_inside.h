@@ -68,6 +68,8 @@ struct LearnerStore::Inside {
   [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character);
   /// Follows one character through its entries.
   [[nodiscard]] CardHistory history_of(char32_t character);
+  /// The entry of an action that is about to happen, with the time of now.
+  [[nodiscard]] LogEntry next_entry(EntryKind kind) const;
   /// What a review would lead to, where intervals may vary with the interval that it would be given.
   struct Outlook {
     Card card;

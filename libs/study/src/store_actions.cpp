@@ -52,6 +52,16 @@ LearnerStore::Inside::Outlook LearnerStore::Inside::outlook(char32_t character, 
   return {as_moved.card(), entry.interval_days};
 }
 
+LogEntry LearnerStore::Inside::next_entry(EntryKind kind) const {
+  LogEntry entry;
+  entry.id = last_id + 1;
+  entry.action = entry.id;
+  entry.at = clock();
+  entry.day = calendar.day_of(entry.at);
+  entry.kind = kind;
+  return entry;
+}
+
 std::optional<Card> LearnerStore::Inside::refresh_row(char32_t character) {
   const CardHistory history = history_of(character);
   if (history.met()) {
@@ -150,12 +160,7 @@ base::Result<std::optional<Undone>> LearnerStore::undo() {
       undone.characters.push_back(static_cast<char32_t>(about.getColumn(0).getInt64()));
     about.reset();
 
-    LogEntry entry;
-    entry.id = in.last_id + 1;
-    entry.action = entry.id;
-    entry.at = now();
-    entry.day = today();
-    entry.kind = EntryKind::undo;
+    LogEntry entry = in.next_entry(EntryKind::undo);
     entry.undoes = action;
     Cards changed = in.cards;
     in.undone.insert(action);
@@ -185,12 +190,7 @@ base::Result<void> LearnerStore::change_settings(const Settings& settings) {
   if (settings == this->settings()) return {};
   return inside_->guarded([&]() -> base::Result<void> {
     Inside& in = *inside_;
-    LogEntry entry;
-    entry.id = in.last_id + 1;
-    entry.action = entry.id;
-    entry.at = now();
-    entry.day = today();
-    entry.kind = EntryKind::settings;
+    LogEntry entry = in.next_entry(EntryKind::settings);
     entry.settings = to_json(settings);
     Cards changed = in.cards;
     const bool all_change = changes_memory(in.settings(), settings);
