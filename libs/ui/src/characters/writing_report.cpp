@@ -6,6 +6,7 @@
 
 #include "kanji_text.h"
 #include "nazori/writing/explanation.h"
+#include "sentence_label.h"
 #include "writing_language.h"
 
 namespace nazori::ui {
@@ -32,12 +33,8 @@ WritingReport::WritingReport(QWidget* parent) : QWidget(parent) {
 }
 
 QLabel* WritingReport::add_label(const char* name, const char* role) {
-  auto* label = new QLabel(this);
-  label->setObjectName(QString::fromLatin1(name));
+  auto* label = sentence_label(name, this);
   label->setProperty("role", QString::fromLatin1(role));
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   layout()->addWidget(label);
   return label;
 }

@@ -23,6 +23,7 @@
 #include "icons.h"
 #include "kanji_text.h"
 #include "palette.h"
+#include "sentence_label.h"
 
 namespace nazori::ui {
 namespace {
@@ -61,15 +62,6 @@ QLabel* heading(const QString& text, QWidget* parent) {
   return label;
 }
 
-QLabel* wrapped(const char* name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QString::fromLatin1(name));
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 /// A number as it may be typed anywhere: "-2pi", "1/3", "1,5".
 double number_of(const QString& text) {
   const auto plot = functions::parse(text.toStdString(), {uses_decimal_comma()});
@@ -87,10 +79,10 @@ PlotPanel::PlotPanel(QWidget* parent)
     : QScrollArea(parent),
       content_(new QWidget(this)),
       line_(new ExpressionLine(content_)),
-      words_(wrapped("expression_words", content_)),
+      words_(sentence_label("expression_words", content_)),
       error_row_(new QWidget(content_)),
       error_sign_(new QLabel(error_row_)),
-      error_(wrapped("expression_error", error_row_)),
+      error_(sentence_label("expression_error", error_row_)),
       progress_(new QProgressBar(content_)),
       examples_(new QComboBox(content_)),
       axes_(new QCheckBox(tr("&Axes"), content_)),

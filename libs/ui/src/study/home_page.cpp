@@ -17,6 +17,7 @@
 
 #include "kanji_text.h"
 #include "preferences.h"
+#include "sentence_label.h"
 #include "study/study_words.h"
 
 namespace nazori::ui {
@@ -34,15 +35,6 @@ QString in_a_row(const std::vector<char32_t>& characters) {
   return characters.size() > kMostShown ? text + QStringLiteral("…") : text;
 }
 
-QLabel* sentence(const char* name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QString::fromLatin1(name));
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 }  // namespace
 
 HomePage::HomePage(Learner& learner, const StudySession& session, QWidget* parent)
@@ -54,13 +46,13 @@ HomePage::HomePage(Learner& learner, const StudySession& session, QWidget* paren
   setFrameShape(QFrame::NoFrame);
   content_->setObjectName(QStringLiteral("information_content"));
 
-  day_ = sentence("home_day", content_);
-  trouble_ = sentence("home_trouble", content_);
+  day_ = sentence_label("home_day", content_);
+  trouble_ = sentence_label("home_trouble", content_);
   trouble_->setProperty("role", QStringLiteral("trouble"));
-  summary_ = sentence("home_summary", content_);
+  summary_ = sentence_label("home_summary", content_);
   summary_->setProperty("role", QStringLiteral("card"));
-  advice_ = sentence("home_advice", content_);
-  leeches_ = sentence("home_leeches", content_);
+  advice_ = sentence_label("home_advice", content_);
+  leeches_ = sentence_label("home_leeches", content_);
   const auto button = [this](const char* name, const QString& text) {
     auto* made = new QPushButton(text, content_);
     made->setObjectName(QString::fromLatin1(name));
