@@ -94,6 +94,17 @@ class Study : public WindowTest {
     ASSERT_TRUE(session().is_running());
   }
 
+  /// A character is learnt today and lies on the desk as a review eight days later.
+  void learn_and_come_back() {
+    start();
+    learn();
+    press(Qt::Key_4);
+    now_ += std::chrono::days(8);
+    open_home();
+    start();
+    ASSERT_TRUE(is_on_desk());
+  }
+
   bool is_on_desk() {
     return QTest::qWaitFor([&] { return on_desk_ == session().character(); }, 20000);
   }
@@ -286,13 +297,8 @@ TEST_F(Study, AWordWithTheCharacterLeftOutAsksInPlace) {
 }
 
 TEST_F(Study, EarlierWritingStandsBesideTodaysOnceItIsJudged) {
-  start();
-  learn();
-  press(Qt::Key_4);
-  now_ += std::chrono::days(8);
-  open_home();
-  start();
-  ASSERT_TRUE(is_on_desk());
+  learn_and_come_back();
+  ASSERT_FALSE(HasFatalFailure());
   auto* gallery = find<InkGallery>("ink_gallery");
   EXPECT_FALSE(gallery->isVisible()) << "it would show the character";
   write_from_memory(true);
@@ -303,13 +309,8 @@ TEST_F(Study, EarlierWritingStandsBesideTodaysOnceItIsJudged) {
 }
 
 TEST_F(Study, GivingUpIsAgainAndLeadsToGuidedWritingWithHelp) {
-  start();
-  learn();
-  press(Qt::Key_4);
-  now_ += std::chrono::days(8);
-  open_home();
-  start();
-  ASSERT_TRUE(is_on_desk());
+  learn_and_come_back();
+  ASSERT_FALSE(HasFatalFailure());
   write_from_memory(false);
   EXPECT_EQ(session().proposed(), Rating::again);
   go_on();
