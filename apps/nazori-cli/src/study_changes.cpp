@@ -38,7 +38,7 @@ int change(Console& console, const ChangeSettings& settings, const char* word, C
     console.print(to_text(cards));
   } else {
     console.print(
-        fmt::format("{}: {} character{}\n", word, characters->size(), characters->size() == 1 ? "" : "s"));
+        fmt::format("{}: {}\n", word, counted(static_cast<std::int64_t>(characters->size()), "character")));
   }
   return kDone;
 }
@@ -51,7 +51,8 @@ int list_leeches(Console& console, const StudyOptions& options) {
   for (const auto& [character, card] : learner->cards()) {
     if (!card.leech) continue;
     json.push_back(card_json(card, *learner));
-    lines += fmt::format("{}  forgotten {} times\n", base::encode_utf8(character), card.memory.lapses);
+    lines +=
+        fmt::format("{}  forgotten {}\n", base::encode_utf8(character), counted(card.memory.lapses, "time"));
   }
   console.print(options.json ? to_text(json) : lines);
   return json.empty() ? kNo : kDone;

@@ -79,9 +79,10 @@ int due(Console& console, const StudyOptions& options) {
         fmt::format("later today {}, the next in {} min\n", plan->later_today.size(), wait.count()));
   }
   if (plan->gentle) {
-    console.print(fmt::format("{} wait; {} a day catches up by {} ({} days), nothing new until then\n",
-                              plan->gentle->overdue, plan->gentle->per_day,
-                              study::to_text(plan->gentle->last_day), plan->gentle->days));
+    console.print(fmt::format(
+        "{} wait; {} today and as the days allow, all is caught up by {} ({}), nothing new until then\n",
+        plan->gentle->overdue, plan->gentle->per_day, study::to_text(plan->gentle->last_day),
+        counted(plan->gentle->days, "day")));
   }
   if (!plan->leeches.empty()) {
     console.print(

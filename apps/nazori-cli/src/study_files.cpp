@@ -80,25 +80,22 @@ int export_learner(Console& console, const FileSettings& settings) {
 int import_learner(Console& console, const FileSettings& settings) {
   const auto bytes = base::read_file(settings.file, kMostImportBytes);
   if (!bytes) return console.refuse(bytes.error());
-  const auto clock = study_clock(settings.options);
-  if (!clock) return console.refuse(clock.error());
   ProgressDisplay progress(ProgressDisplay::Plain::silent);
-  // Tried in memory first, so that a file that is refused leaves not even an empty profile.
-  auto trial = study::LearnerStore::in_memory(*clock);
-  auto done = trial ? study::import_json(*trial, as_text(*bytes)) : tl::unexpected(trial.error());
-  if (!done) {
-    done.error().where = settings.file + ": " + done.error().where;
-    return console.fail(done.error());
+  // Read whole first, so that a file that is refused leaves not even an empty profile.
+  auto contents = study::read_json(as_text(*bytes));
+  if (!contents) {
+    contents.error().where = settings.file + ": " + contents.error().where;
+    return console.fail(contents.error());
   }
   auto learner = open_learner(settings.options, Access::write);
   if (!learner) return console.refuse(learner.error());
-  done = study::import_json(*learner, as_text(*bytes), progress.callback());
+  const auto done = learner->fill(*contents, progress.callback());
   progress.clear();
   if (!done) return console.fail(done.error());
-  console.print(
-      settings.options.json
-          ? to_text({{"entries", learner->last_entry()}, {"characters", learner->cards().size()}})
-          : fmt::format("{} entries, {} characters\n", learner->last_entry(), learner->cards().size()));
+  console.print(settings.options.json
+                    ? to_text({{"entries", learner->last_entry()}, {"characters", learner->cards().size()}})
+                    : fmt::format("{}, {}\n", counted(learner->last_entry(), "entry", "entries"),
+                                  counted(static_cast<std::int64_t>(learner->cards().size()), "character")));
   return kDone;
 }
 
@@ -140,8 +137,9 @@ int restore(Console& console, const FileSettings& settings) {
                       {"writings", inside ? Json(inside->writings) : Json()},
                       {"characters", inside ? Json(inside->characters) : Json()},
                       {"last_day", inside && inside->last_day ? Json(last) : Json()}});
-      lines += inside ? fmt::format("{}  {} writings of {} characters, last on {}\n", one.file.string(),
-                                    inside->writings, inside->characters, last)
+      lines += inside ? fmt::format("{}  {} of {}, last on {}\n", one.file.string(),
+                                    counted(inside->writings, "writing"),
+                                    counted(inside->characters, "character"), last)
                       : fmt::format("{}  cannot be used: {}\n", one.file.string(), inside.error().what);
     }
     console.print(settings.options.json ? to_text(json) : lines);
@@ -172,7 +170,8 @@ int restore(Console& console, const FileSettings& settings) {
 }
 
 int rebuild(Console& console, const FileSettings& settings) {
-  auto learner = open_learner(settings.options, Access::write);
+  if (const auto code = refuse_missing(console, settings.options)) return *code;
+  auto learner = open_learner(settings.options, Access::rebuild);
   if (!learner) return console.refuse(learner.error());
   ProgressDisplay progress(ProgressDisplay::Plain::silent);
   const auto report = learner->rebuild(progress.callback());
@@ -181,9 +180,11 @@ int rebuild(Console& console, const FileSettings& settings) {
   console.print(settings.options.json
                     ? to_text({{"entries", report->entries},
                                {"characters", report->cards},
+                               {"studied", report->studied},
                                {"differences", report->differences}})
-                    : fmt::format("{} entries, {} characters, {} differed from what was kept\n",
-                                  report->entries, report->cards, report->differences));
+                    : fmt::format("{}, {} ({} of them studied), {} differed from what was kept\n",
+                                  counted(report->entries, "entry", "entries"),
+                                  counted(report->cards, "character"), report->studied, report->differences));
   return kDone;
 }
 
@@ -203,6 +204,18 @@ int replay(Console& console, const FileSettings& settings) {
   }
   const auto found = study::compare_with_own_numbers(as_text(*bytes), *replayed);
   if (!found) return console.refuse(found.error());
+  if (settings.options.json) {
+    console.print(to_text({{"steps", found->steps},
+                           {"stability", found->stability},
+                           {"difficulty", found->difficulty},
+                           {"retrievability", found->retrievability},
+                           {"scheduled_days", found->scheduled_days},
+                           {"due_s", found->due_s},
+                           {"states", found->states},
+                           {"first", found->first.empty() ? Json() : Json(found->first)}}));
+    if (found->first.empty()) return kDone;
+    return console.deny({base::Errc::schema, "differs at the 8th decimal or in more", found->first, ""});
+  }
   console.print(
       fmt::format("{} steps; largest differences: stability {}, difficulty {}, retrievability {}, interval "
                   "{} days, due {} s; {} other states\n",
@@ -215,9 +228,9 @@ int replay(Console& console, const FileSettings& settings) {
 using Run = int (*)(Console&, const FileSettings&);
 
 CLI::App* add(CLI::App& study, Action& chosen, const char* name, const char* description, const char* footer,
-              const std::shared_ptr<FileSettings>& settings, Run run, bool learner = true) {
+              const std::shared_ptr<FileSettings>& settings, Run run) {
   CLI::App* verb = add_study_verb(study, name, description, footer);
-  if (learner) add_learner_options(*verb, settings->options);
+  add_learner_options(*verb, settings->options);
   verb->callback([settings, &chosen, run] {
     chosen = [settings, run](Console& console) { return run(console, *settings); };
   });
@@ -273,8 +286,9 @@ void add_study_files(CLI::App& study, Action& chosen) {
   settings = std::make_shared<FileSettings>();
   verb = add(study, chosen, "replay", "Schedule histories of reviews anew with FSRS-6",
              "Prints the same form with its own numbers; with --check only how far they differ, and exit\n"
-             "code 1 where they do.\n\nExample:\n  nazori-cli study replay histories.json --check",
-             settings, replay, false);
+             "code 1 where they do. It is the same for every learner.\n\nExample:\n  nazori-cli study replay "
+             "histories.json --check",
+             settings, replay);
   verb->add_option("file", settings->file, "Histories in JSON (docs/file-formats.md)")
       ->required()
       ->type_name("FILE");

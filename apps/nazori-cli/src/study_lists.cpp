@@ -54,7 +54,8 @@ int import_list(Console& console, const ListsSettings& settings) {
     return console.refuse(saved.error());
   }
   console.print(settings.options.json ? to_text({{"list", "list:" + settings.name}, {"characters", count}})
-                                      : fmt::format("list:{}  {} characters\n", settings.name, count));
+                                      : fmt::format("list:{}  {}\n", settings.name,
+                                                    counted(static_cast<std::int64_t>(count), "character")));
   return kDone;
 }
 
@@ -113,7 +114,9 @@ int tag(Console& console, const TagSettings& settings) {
     if (auto done = session->learner().set_tags(one, settings.tags); !done)
       return console.refuse(done.error());
   }
-  if (!settings.options.json) console.print(fmt::format("tagged: {} characters\n", characters->size()));
+  if (!settings.options.json)
+    console.print(
+        fmt::format("tagged: {}\n", counted(static_cast<std::int64_t>(characters->size()), "character")));
   return kDone;
 }
 

@@ -63,6 +63,7 @@ int review(Console& console, const ReviewSettings& settings) {
         {base::Errc::bad_argument, "is not one character", settings.character, "give one at a time"});
   }
   const char32_t character = characters->front();
+  const int strokes = session->lists().facts(character)->strokes;
   study::Writing writing;
   writing.stage = *study::stage_named(settings.stage);
   study::WritingResult& result = writing.result;
@@ -71,6 +72,12 @@ int review(Console& console, const ReviewSettings& settings) {
   for (const std::string& text : settings.faults) {
     const auto fault = parse_fault(text);
     if (!fault) return console.refuse(fault.error());
+    // What was one stroke too many is counted among the written ones, all else among those of the character.
+    if (fault->kind != study::FaultKind::extra && fault->stroke >= strokes) {
+      return console.refuse({base::Errc::bad_argument,
+                             fmt::format("{} has {}", settings.character, counted(strokes, "stroke")), text,
+                             fmt::format("give a stroke from 1 to {}", strokes)});
+    }
     result.faults.push_back(*fault);
   }
   result.hints = settings.hints;
@@ -82,7 +89,7 @@ int review(Console& console, const ReviewSettings& settings) {
   writing.proposed = study::proposed_rating(result, learner.usual_writing(character));
   writing.rating = settings.rating.empty() ? writing.proposed : *study::rating_named(settings.rating);
 
-  const auto card = learner.add_writing(character, session->lists().facts(character)->strokes, writing);
+  const auto card = learner.add_writing(character, strokes, writing);
   if (!card) return console.refuse(card.error());
   if (settings.options.json) {
     Json json = card_json(*card, learner);
@@ -103,6 +110,7 @@ int review(Console& console, const ReviewSettings& settings) {
 }
 
 int undo(Console& console, const UndoSettings& settings) {
+  if (const auto code = refuse_missing(console, settings.options)) return *code;
   auto learner = open_learner(settings.options, study::Access::write);
   if (!learner) return console.refuse(learner.error());
   Json undone = Json::array();

@@ -63,6 +63,14 @@ base::Result<LearnerStore> open_learner(const StudyOptions& options, study::Acce
   return LearnerStore::open(*path, access, *std::move(clock));
 }
 
+std::optional<int> refuse_missing(Console& console, const StudyOptions& options) {
+  const auto path = learner_path(options);
+  if (!path) return console.refuse(path.error());
+  std::error_code error;
+  if (std::filesystem::exists(*path, error)) return std::nullopt;
+  return console.deny({base::Errc::not_found, "nothing studied yet", path->string(), ""});
+}
+
 StudySession::StudySession(LearnerStore learner, kanji::KanjiDatabase database)
     : learner_(std::move(learner)),
       database_(std::make_unique<kanji::KanjiDatabase>(std::move(database))),
@@ -109,11 +117,16 @@ base::Result<std::vector<char32_t>> StudySession::characters(const std::vector<s
   return characters;
 }
 
+std::string counted(std::int64_t count, std::string_view one, std::string_view several) {
+  if (count == 1) return fmt::format("1 {}", one);
+  return several.empty() ? fmt::format("{} {}s", count, one) : fmt::format("{} {}", count, several);
+}
+
 std::string wait_text(const study::Card& card, study::Time now, study::Day today) {
   if (card.due_day) {
     const auto days = (*card.due_day - today).count();
     if (days <= 0) return "today";
-    return days == 1 ? "in 1 day" : fmt::format("in {} days", days);
+    return "in " + counted(days, "day");
   }
   const auto minutes = std::chrono::ceil<std::chrono::minutes>(card.memory.due - now).count();
   return minutes <= 0 ? "now" : fmt::format("in {} min", minutes);

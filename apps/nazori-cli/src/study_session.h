@@ -42,6 +42,10 @@ void add_learner_options(CLI::App& verb, StudyOptions& options);
 [[nodiscard]] base::Result<study::LearnerStore> open_learner(const StudyOptions& options,
                                                              study::Access access);
 
+/// For what makes sense only where something was done: a name that was mistyped shall not become a learner.
+/// @return the exit code where the learner has no file.
+[[nodiscard]] std::optional<int> refuse_missing(Console& console, const StudyOptions& options);
+
 /// A learner with the kanji database, for what needs both.
 class StudySession {
  public:
@@ -61,6 +65,8 @@ class StudySession {
   std::unique_ptr<study::CharacterLists> lists_;
 };
 
+/// "1 character", "3 characters", "2 entries". @param several  where it is not `one` with an s.
+[[nodiscard]] std::string counted(std::int64_t count, std::string_view one, std::string_view several = {});
 /// "in 10 min", "in 4 days", for people.
 [[nodiscard]] std::string wait_text(const study::Card& card, study::Time now, study::Day today);
 /// "6 min", "1 h 20 min".

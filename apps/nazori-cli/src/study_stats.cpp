@@ -95,8 +95,8 @@ std::string statistics_text(const Statistics& statistics) {
     return std::chrono::round<std::chrono::minutes>(time).count();
   };
   std::string text =
-      fmt::format("reviews     {} in {} min\nstreak      {} days (longest {}){}\n", statistics.reviews,
-                  minutes(statistics.time), statistics.streak.days, statistics.streak.longest,
+      fmt::format("reviews     {} in {} min\nstreak      {} (longest {}){}\n", statistics.reviews,
+                  minutes(statistics.time), counted(statistics.streak.days, "day"), statistics.streak.longest,
                   statistics.streak.today_done ? "" : ", today is open");
   if (statistics.retention.reviews > 0) {
     text += fmt::format("retention   {:.1f} % of {} reviews (predicted {:.1f} %)\n",
@@ -109,8 +109,8 @@ std::string statistics_text(const Statistics& statistics) {
   for (const auto& day : statistics.forecast) text += fmt::format(" {}", day.reviews);
   text += "\n";
   for (const auto& one : statistics.hard_strokes) {
-    text += fmt::format("hard        {} stroke {}: {} of {} writings", base::encode_utf8(one.character),
-                        one.stroke + 1, one.faults, one.writings);
+    text += fmt::format("hard        {} stroke {}: {} of {}", base::encode_utf8(one.character),
+                        one.stroke + 1, one.faults, counted(one.writings, "writing"));
     for (const auto& [kind, count] : one.kinds) text += fmt::format(", {} {}", study::name_of(kind), count);
     text += "\n";
   }

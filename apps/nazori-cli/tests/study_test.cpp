@@ -108,7 +108,12 @@ TEST_F(Study, BadQuestionsAreRefusedAndChangeNothing) {
   expect_one_line(study({"settings", "colour=red"}), 2, {"colour=red"});
   expect_one_line(study({"due"}, "yesterday"), 2, {"yesterday"});
   expect_one_line(study({"due", "--profile", "a/b"}), 2, {"a/b"});
+  expect_one_line(study({"review", "休", "--fault", "wrong:7"}), 2, {"wrong:7", "休 has 6 strokes"});
   EXPECT_EQ(answer({"stats"})["reviews"], 0);
+  // A name that was mistyped does not become a learner.
+  EXPECT_EQ(study({"undo", "--profile", "Mray"}).code, 1);
+  EXPECT_EQ(study({"rebuild", "--profile", "Mray"}).code, 1);
+  EXPECT_EQ(json::parse(study({"profiles", "--json"}).out), json::array({"learner"}));
 }
 
 TEST_F(Study, ReplayPrintsTheFormItReads) {
@@ -122,6 +127,8 @@ TEST_F(Study, ReplayPrintsTheFormItReads) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(json::parse(run.out)["cases"][0]["steps"][0]["stability"], 8.2956);
   EXPECT_EQ(nazori_cli({"study", "replay", file, "--check"}).code, 0);
+  EXPECT_EQ(study({"replay", file, "--profile", "Mari", "--json"}).out, run.out);
+  EXPECT_EQ(answer({"replay", file, "--check"})["steps"], 1);
   write(file, "{\"cases\": [\n{\"request_retention\": 2, \"steps\": []}]}");
   expect_one_line(nazori_cli({"study", "replay", file}), 2, {"line 2", "request_retention"});
 }

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/Backup.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sqlite3.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,6 +23,7 @@ using base::Errc;
 
 constexpr std::string_view kDaily = "daily-";
 constexpr std::string_view kExtension = ".db";
+constexpr int kPagesAtOnce = 1'024;
 
 bool is_daily(const fs::path& file) {
   const std::string name = file.filename().string();
@@ -49,6 +51,40 @@ std::string stamp(Time time) {
   return text;
 }
 
+/// A file that is not there yet: "own-20261121T134206Z.db".
+fs::path free_file(const fs::path& folder, std::string_view kind, Time time) {
+  const std::string name = fmt::format("{}-{}", kind, stamp(time));
+  fs::path file = folder / (name + std::string(kExtension));
+  std::error_code error;
+  for (int copy = 2; fs::exists(file, error); ++copy)
+    file = folder / fmt::format("{}-{}{}", name, copy, kExtension);
+  return file;
+}
+
+/// Brings what the write-ahead log holds into its file, where both are sound.
+void take_in_log(const fs::path& database) {
+  try {
+    SQLite::Database db(database.string(), SQLite::OPEN_READWRITE);
+    db.exec("PRAGMA wal_checkpoint(TRUNCATE)");
+  } catch (const SQLite::Exception&) {
+    // A damaged file is kept with its log as they are.
+  }
+}
+
+/// Keeps what stands at `learner` as `kept`, too. It stays there, so that there is a file at any moment; only
+/// where the file system has no links it is gone for one.
+bool keep_as(const fs::path& learner, const fs::path& kept) {
+  take_in_log(learner);
+  std::error_code error;
+  for (const char* part : {"-wal", "-shm"}) {
+    const fs::path from = learner.string() + part;
+    if (fs::exists(from, error)) fs::rename(from, kept.string() + part, error);
+  }
+  fs::create_hard_link(learner, kept, error);
+  if (error) fs::rename(learner, kept, error);
+  return !error;
+}
+
 }  // namespace
 
 fs::path backup_folder(const fs::path& learner) { return learner.parent_path() / "backups"; }
@@ -73,7 +109,8 @@ std::vector<Backup> backups_of(const fs::path& learner) {
   return backups;
 }
 
-base::Result<void> copy_database(SQLite::Database& database, const fs::path& file) {
+base::Result<void> copy_database(SQLite::Database& database, const fs::path& file,
+                                 const base::Progress& progress) {
   const fs::path beside = file.string() + ".part";
   std::error_code error;
   fs::remove(beside, error);
@@ -81,7 +118,14 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
     try {
       SQLite::Database target(beside.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
       SQLite::Backup backup(target, database);
-      (void)backup.executeStep();
+      for (int step = SQLITE_OK; step != SQLITE_DONE;) {
+        step = backup.executeStep(kPagesAtOnce);
+        if (step == SQLITE_BUSY || step == SQLITE_LOCKED)
+          return base::fail(Errc::io, "cannot be copied: it is in use", file.string(), "try again");
+        const double all = std::max(1, backup.getTotalPageCount());
+        if (progress && !progress(1 - backup.getRemainingPageCount() / all, "copy"))
+          return base::fail(Errc::cancelled, "stopped", file.string());
+      }
       // A copy of a WAL file is one too; a backup shall be a single file.
       (void)target.execAndGet("PRAGMA journal_mode = DELETE");
     } catch (const SQLite::Exception& trouble) {
@@ -126,17 +170,15 @@ base::Result<void> keep_backup_before_migration(SQLite::Database& database, cons
   return copy_database(database, folder / fmt::format("before-version-{}{}", version + 1, kExtension));
 }
 
-base::Result<fs::path> make_backup(const LearnerStore& learner, const fs::path& file) {
+base::Result<fs::path> make_backup(const LearnerStore& learner, const fs::path& file,
+                                   const base::Progress& progress) {
   if (learner.last_entry() == 0) return base::fail(Errc::not_found, "nothing studied yet", file.string());
   const fs::path folder = backup_folder(file);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return base::fail(Errc::io, "cannot be made: " + error.message(), folder.string());
-  const std::string name = "own-" + stamp(learner.now());
-  fs::path backup = folder / (name + std::string(kExtension));
-  for (int copy = 2; fs::exists(backup, error); ++copy)
-    backup = folder / fmt::format("{}-{}{}", name, copy, kExtension);
-  if (auto done = learner.copy_to(backup); !done) return tl::unexpected(std::move(done.error()));
+  fs::path backup = free_file(folder, "own", learner.now());
+  if (auto done = learner.copy_to(backup, progress); !done) return tl::unexpected(std::move(done.error()));
   return backup;
 }
 
@@ -159,7 +201,8 @@ base::Result<BackupContents> look_into(const fs::path& backup) {
   return contents;
 }
 
-base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& learner, const Clock& clock) {
+base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& learner, const Clock& clock,
+                                      const base::Progress& progress) {
   std::error_code error;
   if (!fs::is_regular_file(backup, error)) {
     return base::fail(Errc::not_found, "there is no such backup", backup.string(),
@@ -178,28 +221,27 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
     // Read as a learner's file would be, so that what is put in place can be opened.
     auto source = LearnerStore::open(backup, Access::read, clock);
     if (!source) return tl::unexpected(std::move(source.error()));
-    if (auto copied = source->copy_to(beside); !copied) return tl::unexpected(std::move(copied.error()));
+    if (auto copied = source->copy_to(beside, progress); !copied)
+      return tl::unexpected(std::move(copied.error()));
   }
   fs::path kept;
   if (fs::exists(learner, error)) {
     const fs::path folder = backup_folder(learner);
     fs::create_directories(folder, error);
-    kept = folder / ("before-restore-" + stamp(clock()) + std::string(kExtension));
-    // The write-ahead log goes with its file: it may hold what the file does not yet.
-    for (const char* part : {"-wal", "-shm"}) {
-      const fs::path from = learner.string() + part;
-      std::error_code missing;
-      if (fs::exists(from, missing)) fs::rename(from, kept.string() + part, error);
-    }
-    fs::rename(learner, kept, error);
-    if (error) {
+    kept = free_file(folder, "before-restore", clock());
+    if (!keep_as(learner, kept)) {
       fs::remove(beside, error);
       return base::fail(Errc::io, "cannot be moved aside", learner.string(),
                         "check the permissions of the folder");
     }
   }
   fs::rename(beside, learner, error);
-  if (error) return base::fail(Errc::io, "cannot be written: " + error.message(), learner.string());
+  if (error) {
+    std::error_code ignored;
+    if (!fs::exists(learner, ignored)) fs::rename(kept, learner, ignored);
+    fs::remove(beside, ignored);
+    return base::fail(Errc::io, "cannot be written: " + error.message(), learner.string());
+  }
   return kept;
 }
 

@@ -5,13 +5,15 @@
 
 #include <filesystem>
 
+#include "nazori/base/progress.h"
 #include "nazori/base/result.h"
 #include "nazori/study/time.h"
 
 namespace nazori::study {
 
-/// Copies a database into a file, by way of a file beside it. Throws SQLite::Exception.
-[[nodiscard]] base::Result<void> copy_database(SQLite::Database& database, const std::filesystem::path& file);
+/// Copies a database into a file, by way of a file beside it.
+[[nodiscard]] base::Result<void> copy_database(SQLite::Database& database, const std::filesystem::path& file,
+                                               const base::Progress& progress = {});
 
 /// Makes today's backup if there is none, and lets the oldest daily ones go.
 [[nodiscard]] base::Result<void> keep_daily_backup(SQLite::Database& database,

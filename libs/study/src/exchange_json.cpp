@@ -131,9 +131,9 @@ void read_writing(JsonReader::Object& object, LearnerStore::Contents::Entry& one
   if (object.has("interval_days"))
     entry.interval_days = static_cast<int>(object.whole("interval_days", 1, 36'600));
   if (object.has("ink")) {
-    const auto ink = from_base64(object.text("ink", kLongestInk));
-    if (!ink || !unpack_ink(*ink)) object.refuse("ink", "is no ink that can be read");
-    one.ink = ink.value_or(std::vector<std::uint8_t>());
+    auto ink = from_base64(object.text("ink", kLongestInk));
+    if (!ink) object.refuse("ink", "is no ink that can be read");
+    one.ink = std::move(ink).value_or(std::vector<std::uint8_t>());
   }
 }
 
@@ -224,7 +224,7 @@ base::Result<std::string> export_json(const LearnerStore& learner, const base::P
   return text;
 }
 
-base::Result<void> import_json(LearnerStore& learner, std::string_view json, const base::Progress& progress) {
+base::Result<LearnerStore::Contents> read_json(std::string_view json) {
   const auto document = parse_json(json);
   if (!document) return tl::unexpected(document.error());
   JsonReader reader(json);
@@ -249,16 +249,20 @@ base::Result<void> import_json(LearnerStore& learner, std::string_view json, con
     contents.tags[std::move(name)] = read_characters(object, "characters");
   });
   if (!reader.ok()) return tl::unexpected(reader.error());
-  auto filled = learner.fill(contents, progress);
-  if (!filled && filled.error().where.starts_with("entry ")) {
-    const std::string index = filled.error().where.substr(6);
-    for (std::size_t i = 0; i < contents.entries.size(); ++i) {
-      if (std::to_string(contents.entries[i].entry.id) != index) continue;
-      reader.refuse("/entries/" + std::to_string(i), filled.error().what, filled.error().remedy);
-      return tl::unexpected(reader.error());
-    }
+  const auto fine = LearnerStore::check_contents(contents);
+  if (fine) return contents;
+  for (std::size_t i = 0; i < contents.entries.size(); ++i) {
+    if (fine.error().where != fmt::format("entry {}", contents.entries[i].entry.id)) continue;
+    reader.refuse("/entries/" + std::to_string(i), fine.error().what, fine.error().remedy);
+    return tl::unexpected(reader.error());
   }
-  return filled;
+  return tl::unexpected(fine.error());
+}
+
+base::Result<void> import_json(LearnerStore& learner, std::string_view json, const base::Progress& progress) {
+  const auto contents = read_json(json);
+  if (!contents) return tl::unexpected(contents.error());
+  return learner.fill(*contents, progress);
 }
 
 }  // namespace nazori::study

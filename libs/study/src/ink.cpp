@@ -165,12 +165,19 @@ base::Result<Ink> unpack_ink(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return Ink{};
   if (bytes.front() != kVersion || bytes.size() > kMostBytes) return not_ink();
   const std::span<const std::uint8_t> packed = bytes.subspan(1);
-  // DEFLATE holds at most about 1032 bytes in one.
-  Bytes plain(std::min(kMostBytes, packed.size() * 1040 + 64));
-  uLongf size = static_cast<uLongf>(plain.size());
-  uLong used = static_cast<uLong>(packed.size());
-  if (uncompress2(plain.data(), &size, packed.data(), &used) != Z_OK || used != packed.size())
-    return not_ink();
+  // Room for what ink usually holds; DEFLATE can hold a thousand times as much.
+  Bytes plain;
+  uLongf size = 0;
+  uLong used = 0;
+  int status = Z_BUF_ERROR;
+  for (std::size_t room = packed.size() * 8 + 64; status == Z_BUF_ERROR && plain.size() < kMostBytes;
+       room *= 8) {
+    plain.resize(std::min(kMostBytes, room));
+    size = static_cast<uLongf>(plain.size());
+    used = static_cast<uLong>(packed.size());
+    status = uncompress2(plain.data(), &size, packed.data(), &used);
+  }
+  if (status != Z_OK || used != packed.size()) return not_ink();
   return read_strokes(std::span(plain).first(size));
 }
 

@@ -57,6 +57,7 @@ struct LearnerStore::Inside {
   std::unordered_set<std::int64_t> undone;
   Cards cards;
   std::int64_t last_id = 0;
+  bool rebuilds = false;  ///< opened to be rebuilt
   std::optional<base::Error> backup_trouble;
 
   /// Reads timeline, undone actions, cards. @return Errc::parse for what cannot be.
@@ -96,8 +97,17 @@ struct LearnerStore::Inside {
 extern const char* const kLogColumns;
 /// @return nullopt for a row that no program of this version writes.
 [[nodiscard]] std::optional<LearnerStore::LoggedEntry> read_entry(SQLite::Statement& row);
-void insert_entry(SQLite::Database& db, const LogEntry& entry, const std::optional<PenMotion>& motion);
-void insert_ink(SQLite::Database& db, std::int64_t entry, std::span<const std::uint8_t> packed);
+/// Adds entries to the log; its statements are made once for all of them.
+class LogWriter {
+ public:
+  explicit LogWriter(SQLite::Database& db);
+  void add(const LogEntry& entry, const std::optional<PenMotion>& motion = std::nullopt,
+           std::span<const std::uint8_t> packed_ink = {});
+
+ private:
+  SQLite::Statement entry_;
+  SQLite::Statement ink_;
+};
 [[nodiscard]] std::optional<Cards> read_cards(SQLite::Database& db);
 void put_list(SQLite::Database& db, const CustomList& list);
 void put_tag(SQLite::Database& db, char32_t character, const std::string& tag);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -55,49 +56,67 @@ std::vector<double> speed_profile(const InkStroke& stroke) {
   return speed;
 }
 
-/// One turn in as many parts as there are samples in a period of the frequency step: every angle that the
-/// spectrum asks for is one of them.
+constexpr std::size_t kSteps = static_cast<std::size_t>(kCutOffHz / kFrequencyStepHz + 0.5) + 1;
+/// Filled up, so that they go through the processor side by side.
+constexpr std::size_t kLanes = (kSteps + 7) / 8 * 8;
+using Lanes = std::array<double, kLanes>;
+
+/// The waves of all frequencies at one sample.
+struct Waves {
+  Lanes real{};
+  Lanes imaginary{};
+};
+
+/// One turn in as many parts as there are samples in a period of the frequency step: after so many samples
+/// every wave begins anew.
 constexpr std::size_t kParts = 1000;
 static_assert(kFrequencyStepHz * kSampleS * kParts > 0.999999 &&
               kFrequencyStepHz * kSampleS * kParts < 1.000001);
 
-const std::vector<std::complex<double>>& turn() {
-  static const std::vector<std::complex<double>> parts = [] {
-    std::vector<std::complex<double>> all;
-    for (std::size_t i = 0; i < kParts; ++i)
-      all.push_back(std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(i) / kParts));
-    return all;
+const std::vector<Waves>& waves() {
+  static const std::vector<Waves> all = [] {
+    std::vector<Waves> made(kParts);
+    for (std::size_t sample = 0; sample < kParts; ++sample) {
+      for (std::size_t step = 0; step < kSteps; ++step) {
+        const auto part = static_cast<double>(sample * step % kParts);
+        const auto wave = std::polar(1.0, -2 * std::numbers::pi * part / kParts);
+        made[sample].real[step] = wave.real();
+        made[sample].imaginary[step] = wave.imag();
+      }
+    }
+    return made;
   }();
-  return parts;
+  return all;
 }
 
 /// Amplitudes of the spectrum from 0 Hz to the cut-off, the first being 1.
-std::vector<double> amplitudes(const std::vector<double>& speed) {
-  std::vector<double> spectrum;
-  const auto& parts = turn();
-  const auto steps = static_cast<std::size_t>(std::lround(kCutOffHz / kFrequencyStepHz));
-  for (std::size_t step = 0; step <= steps; ++step) {
-    std::complex<double> sum;
-    std::size_t part = 0;
-    for (const double sample : speed) {
-      sum += sample * parts[part];
-      part += step;
-      if (part >= kParts) part -= kParts;
+std::array<double, kSteps> amplitudes(const std::vector<double>& speed) {
+  Lanes real{};
+  Lanes imaginary{};
+  for (std::size_t i = 0; i < speed.size(); ++i) {
+    const Waves& wave = waves()[i % kParts];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      real[lane] += speed[i] * wave.real[lane];
+      imaginary[lane] += speed[i] * wave.imaginary[lane];
     }
-    spectrum.push_back(std::abs(sum));
   }
+  std::array<double, kSteps> spectrum{};
+  for (std::size_t step = 0; step < kSteps; ++step)
+    spectrum[step] = std::sqrt(real[step] * real[step] + imaginary[step] * imaginary[step]);
   const double first = spectrum.front();
   for (double& one : spectrum) one = first > 0 ? one / first : 0;
   return spectrum;
 }
 
 double spectral_arc_length(const std::vector<double>& speed) {
-  const std::vector<double> spectrum = amplitudes(speed);
+  const auto spectrum = amplitudes(speed);
   std::size_t last = spectrum.size() - 1;
   while (last > 1 && spectrum[last] < kAmplitudeLimit) --last;
   double arc = 0;
   for (std::size_t i = 1; i <= last; ++i) {
-    arc += std::hypot(1.0 / static_cast<double>(last), spectrum[i] - spectrum[i - 1]);
+    const double along = 1.0 / static_cast<double>(last);
+    const double up = spectrum[i] - spectrum[i - 1];
+    arc += std::sqrt(along * along + up * up);
   }
   return -arc;
 }

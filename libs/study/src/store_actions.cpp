@@ -90,12 +90,12 @@ base::Result<void> LearnerStore::Inside::act(std::span<const char32_t> character
   return guarded([&]() -> base::Result<void> {
     std::vector<Card> changed;
     SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+    LogWriter log(db);
     std::int64_t id = last_id;
     for (const char32_t character : characters) {
       entry.id = ++id;
       entry.character = character;
-      insert_entry(db, entry, motion);
-      insert_ink(db, entry.id, packed);
+      log.add(entry, motion, packed);
       if (auto card = refresh_row(character)) changed.push_back(*card);
     }
     transaction.commit();
@@ -166,7 +166,7 @@ base::Result<std::optional<Undone>> LearnerStore::undo() {
     in.undone.insert(action);
     try {
       SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
-      insert_entry(in.db, entry, std::nullopt);
+      LogWriter(in.db).add(entry);
       for (const char32_t character : undone.characters) {
         if (const auto card = in.refresh_row(character)) {
           changed[character] = *card;
@@ -197,7 +197,7 @@ base::Result<void> LearnerStore::change_settings(const Settings& settings) {
     in.timeline.emplace_back(entry.id, settings);
     try {
       SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
-      insert_entry(in.db, entry, std::nullopt);
+      LogWriter(in.db).add(entry);
       if (all_change) {
         for (auto& [character, card] : changed) {
           if (const auto anew = in.refresh_row(character)) card = *anew;

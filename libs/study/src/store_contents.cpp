@@ -36,16 +36,16 @@ class WholeHistory {
 bool names_a_character(EntryKind kind) { return kind != EntryKind::undo && kind != EntryKind::settings; }
 
 /// Whether entries make a log: numbered in order, each with what its kind needs.
-base::Result<void> check_entries(std::span<const LearnerStore::Contents::Entry> entries) {
-  std::int64_t last_id = 0;
-  std::int64_t last_action = 0;
-  std::unordered_set<std::int64_t> actions;
-  for (const auto& [entry, ink] : entries) {
+class LogCheck {
+ public:
+  /// @param ink  of the entry, where it could be read.
+  base::Result<void> next(const LearnerStore::Contents::Entry& one, const base::Result<Ink>& ink) {
+    const LogEntry& entry = one.entry;
     const auto refuse = [&id = entry.id](const char* what) -> base::Result<void> {
       return base::fail(Errc::bad_argument, what, fmt::format("entry {}", id));
     };
-    if (entry.id != last_id + 1) return refuse("is out of order: entries are numbered 1, 2, 3, ...");
-    if (entry.action != entry.id && entry.action != last_action) return refuse("belongs to no action");
+    if (entry.id != last_id_ + 1) return refuse("is out of order: entries are numbered 1, 2, 3, ...");
+    if (entry.action != entry.id && entry.action != last_action_) return refuse("belongs to no action");
     if ((entry.character != 0) != names_a_character(entry.kind)) {
       return refuse(entry.character == 0 ? "names no character" : "names a character where none belongs");
     }
@@ -53,12 +53,12 @@ base::Result<void> check_entries(std::span<const LearnerStore::Contents::Entry> 
       if (auto fine = check_writing(entry.character, entry.strokes, entry.writing); !fine) {
         return refuse(fine.error().what.c_str());
       }
-      if (!unpack_ink(ink)) return refuse("has ink that cannot be read");
-    } else if (!ink.empty()) {
+      if (!ink) return refuse("has ink that cannot be read");
+    } else if (!one.ink.empty()) {
       return refuse("has ink but is no writing");
     }
     if ((entry.kind == EntryKind::undo) != entry.undoes.has_value() ||
-        (entry.undoes && !actions.contains(*entry.undoes))) {
+        (entry.undoes && !actions_.contains(*entry.undoes))) {
       return refuse("undoes no action");
     }
     if ((entry.kind == EntryKind::postpone) != entry.until.has_value())
@@ -66,9 +66,24 @@ base::Result<void> check_entries(std::span<const LearnerStore::Contents::Entry> 
     if (entry.kind == EntryKind::settings && !parse_settings(entry.settings)) {
       return refuse("has settings that cannot be read");
     }
-    if (names_a_character(entry.kind)) actions.insert(entry.action);
-    last_id = entry.id;
-    last_action = entry.action;
+    if (names_a_character(entry.kind)) actions_.insert(entry.action);
+    last_id_ = entry.id;
+    last_action_ = entry.action;
+    return {};
+  }
+
+ private:
+  std::int64_t last_id_ = 0;
+  std::int64_t last_action_ = 0;
+  std::unordered_set<std::int64_t> actions_;
+};
+
+base::Result<void> check_names(const LearnerStore::Contents& contents) {
+  for (const CustomList& list : contents.lists) {
+    if (!can_be_name(list.name)) return base::fail(Errc::bad_argument, "is no name of a list", list.name);
+  }
+  for (const auto& [tag, characters] : contents.tags) {
+    if (!can_be_name(tag)) return base::fail(Errc::bad_argument, "is no tag", tag);
   }
   return {};
 }
@@ -97,6 +112,7 @@ base::Result<RebuildReport> LearnerStore::rebuild(const base::Progress& progress
 
   Cards cards = whole.cards();
   for (const auto& [character, card] : cards) {
+    if (card.introduced) ++report.studied;
     const auto kept = in.cards.find(character);
     if (kept == in.cards.end() || !(kept->second == card)) ++report.differences;
   }
@@ -114,8 +130,9 @@ base::Result<RebuildReport> LearnerStore::rebuild(const base::Progress& progress
   });
 }
 
-base::Result<void> LearnerStore::copy_to(const std::filesystem::path& file) const {
-  return copy_database(inside_->db, file);
+base::Result<void> LearnerStore::copy_to(const std::filesystem::path& file,
+                                         const base::Progress& progress) const {
+  return copy_database(inside_->db, file, progress);
 }
 
 base::Result<LearnerStore::Contents> LearnerStore::contents() const {
@@ -140,29 +157,33 @@ base::Result<LearnerStore::Contents> LearnerStore::contents() const {
   });
 }
 
+base::Result<void> LearnerStore::check_contents(const Contents& contents) {
+  LogCheck check;
+  for (const Contents::Entry& one : contents.entries) {
+    if (auto fine = check.next(one, unpack_ink(one.ink)); !fine) return fine;
+  }
+  return check_names(contents);
+}
+
 base::Result<void> LearnerStore::fill(const Contents& contents, const base::Progress& progress) {
   Inside& in = *inside_;
   if (in.last_id > 0 || !lists().empty() || !tags().empty()) {
     return base::fail(Errc::bad_argument, "is not empty", in.name, "take a new profile for what is imported");
   }
-  if (auto fine = check_entries(contents.entries); !fine) return fine;
-  for (const CustomList& list : contents.lists) {
-    if (!can_be_name(list.name)) return base::fail(Errc::bad_argument, "is no name of a list", list.name);
-  }
-  for (const auto& [tag, characters] : contents.tags) {
-    if (!can_be_name(tag)) return base::fail(Errc::bad_argument, "is no tag", tag);
-  }
+  if (auto fine = check_names(contents); !fine) return fine;
   const auto inserted = in.guarded([&]() -> base::Result<void> {
     SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
-    for (const auto& [entry, ink] : contents.entries) {
-      if (entry.id % kEntriesBetweenProgress == 0 && progress &&
-          !progress(0.8 * static_cast<double>(entry.id) / static_cast<double>(contents.entries.size()),
+    LogWriter log(in.db);
+    LogCheck check;
+    for (const Contents::Entry& one : contents.entries) {
+      if (one.entry.id % kEntriesBetweenProgress == 0 && progress &&
+          !progress(0.9 * static_cast<double>(one.entry.id) / static_cast<double>(contents.entries.size()),
                     "import")) {
         return base::fail(Errc::cancelled, "stopped", in.name);
       }
-      const auto strokes = unpack_ink(ink);
-      insert_entry(in.db, entry, strokes ? motion_of(*strokes) : std::nullopt);
-      insert_ink(in.db, entry.id, ink);
+      const auto ink = unpack_ink(one.ink);
+      if (auto fine = check.next(one, ink); !fine) return fine;
+      log.add(one.entry, motion_of(*ink), one.ink);
     }
     for (const CustomList& list : contents.lists) put_list(in.db, list);
     for (const auto& [tag, characters] : contents.tags) {

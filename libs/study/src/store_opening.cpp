@@ -33,22 +33,23 @@ base::Result<void> check_beginning(const fs::path& path) {
                     "nothing was changed; take a backup: nazori-cli study restore");
 }
 
-/// How to name the file to SQLite so that reading it leaves its folder alone.
-std::string read_only_uri(const fs::path& path) {
+/// Whether the file has a write-ahead log with something in it.
+bool has_log(const fs::path& path) {
+  std::error_code error;
+  const auto bytes = fs::file_size(path.string() + "-wal", error);
+  return !error && bytes > 0;
+}
+
+/// How to name the file to SQLite so that reading it leaves its folder alone. @param immutable  nobody
+/// writes.
+std::string read_only_uri(const fs::path& path, bool immutable) {
   std::string uri = "file:";
   for (const char c : fs::absolute(path).string()) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                        c == '/' || c == '-' || c == '_' || c == '.';
     uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
-  uri += "?mode=ro";
-  // Without write permission WAL files cannot be made; a file that was closed well has none to read.
-  std::error_code ignored;
-  if (::access(path.parent_path().empty() ? "." : path.parent_path().c_str(), W_OK) != 0 &&
-      !fs::exists(path.string() + "-wal", ignored)) {
-    uri += "&immutable=1";
-  }
-  return uri;
+  return uri + (immutable ? "?mode=ro&immutable=1" : "?mode=ro");
 }
 
 void keep_wal_as_it_is(SQLite::Database& db, bool keep) {
@@ -89,8 +90,8 @@ base::Result<void> LearnerStore::Inside::load() {
   while (undos.executeStep()) undone.insert(undos.getColumn(0).getInt64());
   last_id = db.execAndGet("SELECT coalesce(max(id), 0) FROM log").getInt64();
   auto read = read_cards(db);
-  if (!read) return damaged("a card that cannot be");
-  cards = *std::move(read);
+  if (!read && !rebuilds) return damaged("a card that cannot be");
+  cards = std::move(read).value_or(Cards());
   take_calendar();
   return {};
 }
@@ -118,9 +119,10 @@ base::Result<LearnerStore> LearnerStore::in_memory(Clock clock) {
 base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access access, Clock clock) {
   std::error_code error;
   const bool there = fs::exists(path, error);
-  if (!there && access == Access::read) return in_memory(std::move(clock));
+  const bool writes = access != Access::read;
+  if (!there && !writes) return in_memory(std::move(clock));
   FileLock lock;
-  if (access == Access::write) {
+  if (writes) {
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
     if (error) {
       return base::fail(Errc::io, "cannot be made: " + error.message(), path.parent_path().string(),
@@ -137,42 +139,50 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
   if (there) {
     if (auto fine = check_beginning(path); !fine) return tl::unexpected(std::move(fine.error()));
   }
-  try {
-    const bool writes = access == Access::write;
-    SQLite::Database db(
-        writes ? path.string() : read_only_uri(path),
-        writes ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY | SQLite::OPEN_URI,
-        kBusyMs);
-    keep_wal_as_it_is(db, true);
-    const auto version = check_store(db, path.string());
-    if (!version) return tl::unexpected(version.error());
-    if (!writes && *version == 0) return in_memory(std::move(clock));
-    if (!writes && *version < kLearnerVersion) {
-      return base::fail(Errc::schema, "was written by an older Nazori", path.string(),
-                        "open it for writing once, which brings it up to date");
-    }
-    auto inside = std::make_unique<Inside>(std::move(db), path.string(), std::move(clock));
-    inside->lock = std::move(lock);
-    if (writes) {
-      keep_wal_as_it_is(inside->db, false);
-      if (*version > 0 && *version < kLearnerVersion) {
-        auto kept = keep_backup_before_migration(inside->db, path, *version);
-        if (!kept) return tl::unexpected(std::move(kept.error()));
+  const auto attempt = [&](bool immutable) -> base::Result<LearnerStore> {
+    try {
+      SQLite::Database db(
+          writes ? path.string() : read_only_uri(path, immutable),
+          writes ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY | SQLite::OPEN_URI,
+          kBusyMs);
+      keep_wal_as_it_is(db, true);
+      const auto version = check_store(db, path.string());
+      if (!version) return tl::unexpected(version.error());
+      if (!writes && *version == 0) return in_memory(clock);
+      if (!writes && *version < kLearnerVersion) {
+        return base::fail(Errc::schema, "was written by an older Nazori", path.string(),
+                          "open it for writing once, which brings it up to date");
       }
-      if (*version < kLearnerVersion) migrate_store(inside->db, *version, inside->clock());
-      inside->db.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
-    }
-    if (auto fine = inside->load(); !fine) return tl::unexpected(std::move(fine.error()));
-    if (writes && inside->last_id > 0) {
-      const Day day = inside->calendar.day_of(inside->clock());
-      if (auto kept = keep_daily_backup(inside->db, path, day); !kept) {
-        inside->backup_trouble = std::move(kept.error());
+      auto inside = std::make_unique<Inside>(std::move(db), path.string(), clock);
+      inside->lock = std::move(lock);
+      inside->rebuilds = access == Access::rebuild;
+      if (writes) {
+        keep_wal_as_it_is(inside->db, false);
+        if (*version > 0 && *version < kLearnerVersion) {
+          auto kept = keep_backup_before_migration(inside->db, path, *version);
+          if (!kept) return tl::unexpected(std::move(kept.error()));
+        }
+        if (*version < kLearnerVersion) migrate_store(inside->db, *version, inside->clock());
+        inside->db.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
       }
+      if (auto fine = inside->load(); !fine) return tl::unexpected(std::move(fine.error()));
+      if (writes && inside->last_id > 0) {
+        const Day day = inside->calendar.day_of(inside->clock());
+        if (auto kept = keep_daily_backup(inside->db, path, day); !kept) {
+          inside->backup_trouble = std::move(kept.error());
+        }
+      }
+      return LearnerStore(std::move(inside));
+    } catch (const SQLite::Exception& trouble) {
+      return tl::unexpected(error_of(trouble, path.string()));
     }
-    return LearnerStore(std::move(inside));
-  } catch (const SQLite::Exception& trouble) {
-    return tl::unexpected(error_of(trouble, path.string()));
-  }
+  };
+  // Without write permission the files beside a log cannot be made; a file that was closed well has none.
+  const bool closed = ::access(path.parent_path().empty() ? "." : path.parent_path().c_str(), W_OK) != 0;
+  auto opened = attempt(!writes && closed && !fs::exists(path.string() + "-wal", error));
+  // Nor where there is no room for them.
+  if (!opened && !writes && opened.error().code == Errc::io && !has_log(path)) opened = attempt(true);
+  return opened;
 }
 
 }  // namespace nazori::study

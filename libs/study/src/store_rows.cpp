@@ -178,9 +178,15 @@ std::optional<LearnerStore::LoggedEntry> read_entry(SQLite::Statement& statement
   return logged;
 }
 
-void insert_entry(SQLite::Database& db, const LogEntry& entry, const std::optional<PenMotion>& motion) {
-  SQLite::Statement insert(db, "INSERT INTO log VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-  Binder bind(insert);
+LogWriter::LogWriter(SQLite::Database& db)
+    : entry_(db, "INSERT INTO log VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
+      ink_(db, "INSERT INTO ink VALUES(?, ?)") {}
+
+void LogWriter::add(const LogEntry& entry, const std::optional<PenMotion>& motion,
+                    std::span<const std::uint8_t> packed_ink) {
+  entry_.reset();
+  entry_.clearBindings();
+  Binder bind(entry_);
   bind << entry.id << entry.action << entry.at << entry.day << static_cast<int>(entry.kind)
        << (entry.character == 0 ? std::nullopt : std::optional(entry.character));
   if (entry.kind == EntryKind::writing) {
@@ -196,15 +202,12 @@ void insert_entry(SQLite::Database& db, const LogEntry& entry, const std::option
   bind << (motion ? std::optional(motion->speed) : std::nullopt)
        << (motion ? std::optional(motion->smoothness) : std::nullopt) << entry.undoes << entry.until
        << (entry.kind == EntryKind::settings ? std::optional(entry.settings) : std::nullopt);
-  insert.exec();
-}
-
-void insert_ink(SQLite::Database& db, std::int64_t entry, std::span<const std::uint8_t> packed) {
-  if (packed.empty()) return;
-  SQLite::Statement insert(db, "INSERT INTO ink VALUES(?, ?)");
-  insert.bind(1, entry);
-  insert.bind(2, packed.data(), static_cast<int>(packed.size()));
-  insert.exec();
+  entry_.exec();
+  if (packed_ink.empty()) return;
+  ink_.reset();
+  ink_.bind(1, entry.id);
+  ink_.bind(2, packed_ink.data(), static_cast<int>(packed_ink.size()));
+  ink_.exec();
 }
 
 std::optional<Cards> read_cards(SQLite::Database& db) {

@@ -117,9 +117,13 @@ void migrate_store(SQLite::Database& database, int version, Time now) {
 
 base::Error error_of(const SQLite::Exception& trouble, const std::string& name) {
   using base::Errc;
+  const base::Error full{Errc::io, "the disk is full", name,
+                         "make room; what was acknowledged before is safe"};
+  // The index of the write-ahead log is written past the error that says so.
+  if (trouble.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE) return full;
   switch (trouble.getErrorCode()) {
     case SQLITE_FULL:
-      return {Errc::io, "the disk is full", name, "make room; what was acknowledged before is safe"};
+      return full;
     case SQLITE_READONLY:
       return {Errc::io, "may not be written", name, "check the permissions of the file and its folder"};
     case SQLITE_CANTOPEN:

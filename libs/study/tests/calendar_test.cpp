@@ -42,11 +42,22 @@ TEST(Calendar, DaysOnWhichTheClocksChangeAreShorterOrLonger) {
 }
 
 TEST(Calendar, EveryMomentLiesInTheDayItsDayBegins) {
-  for (const char* zone : {"Europe/Berlin", "America/Sao_Paulo", "Australia/Lord_Howe", "Pacific/Apia"}) {
+  // Times when clocks are changed: by an hour at night or at midnight, by half an hour, by a whole day.
+  struct Change {
+    const char* zone;
+    const char* around;
+  };
+  for (const auto& [zone, around] :
+       {Change{"Europe/Berlin", "2026-03-29T00:00Z"}, Change{"Europe/Berlin", "2026-10-25T00:00Z"},
+        Change{"America/Sao_Paulo", "2018-02-18T00:00Z"}, Change{"America/Sao_Paulo", "2018-11-04T00:00Z"},
+        Change{"Australia/Lord_Howe", "2026-04-05T00:00Z"},
+        Change{"Australia/Lord_Howe", "2026-10-04T00:00Z"}, Change{"Asia/Tokyo", "2026-03-29T00:00Z"},
+        Change{"Pacific/Apia", "2011-12-30T00:00Z"}}) {
     for (const int hour : {0, 2, 4}) {
       const auto calendar = Calendar::create(zone, hour);
       ASSERT_TRUE(calendar) << zone;
-      for (Time t = at("2011-12-25T00:00Z"); t < at("2012-01-05T00:00Z"); t += std::chrono::minutes(37)) {
+      for (Time t = at(around) - std::chrono::hours(96); t < at(around) + std::chrono::hours(96);
+           t += std::chrono::minutes(7)) {
         const Day own = calendar->day_of(t);
         EXPECT_LE(calendar->begin_of(own), t) << zone << " " << to_text(t);
         EXPECT_GT(calendar->begin_of(own + std::chrono::days(1)), t) << zone << " " << to_text(t);

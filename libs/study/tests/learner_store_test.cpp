@@ -261,6 +261,76 @@ TEST(LearnerStore, RebuildingMendsCardsThatWereChanged) {
   EXPECT_EQ(store.cards(), before);
 }
 
+TEST(LearnerStore, RebuildingMendsCardsThatCannotBeRead) {
+  const TemporaryFolder folder;
+  MovedClock clock("2026-01-01T09:00:00Z");
+  Cards before;
+  {
+    LearnerStore store = open(folder / "learner.db", clock);
+    study_at_random(store, clock, 6, 60);
+    before = store.cards();
+  }
+  {
+    SQLite::Database db((folder / "learner.db").string(), SQLite::OPEN_READWRITE);
+    db.exec("UPDATE card SET phase = 9");
+  }
+  for (const Access access : {Access::read, Access::write}) {
+    const auto refused = LearnerStore::open(folder / "learner.db", access, clock.clock());
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(base::to_line(refused.error()), HasSubstr("study rebuild"));
+  }
+  {
+    LearnerStore store = must(LearnerStore::open(folder / "learner.db", Access::rebuild, clock.clock()));
+    const RebuildReport report = must(store.rebuild());
+    EXPECT_EQ(report.differences, report.cards);
+    EXPECT_EQ(store.cards(), before);
+  }
+  EXPECT_EQ(open(folder / "learner.db", clock).cards(), before);
+}
+
+TEST(LearnerStore, RebuildingTellsWhoIsStudiedFromWhoIsOnlyPaused) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  for (char32_t c = U'一'; c < U'一' + 6; ++c) (void)must(store.add_writing(c, 4, review(Rating::good)));
+  ASSERT_TRUE(store.pause(std::array{kRest}));
+  (void)must(store.add_writing(kTree, 4, review(Rating::good)));
+  (void)must(store.undo());
+  const RebuildReport report = must(store.rebuild());
+  EXPECT_EQ(report.cards, 7);
+  EXPECT_EQ(report.studied, 6);
+  EXPECT_EQ(report.differences, 0);
+}
+
+TEST(LearnerStore, ChangedClocksAndJourneysMoveNoDueDay) {
+  // Moments at which the clocks change: Berlin forward and back, Sao Paulo back and forward at midnight.
+  struct Change {
+    const char* zone;
+    const char* evening_before;  // UTC
+  };
+  for (const Change change :
+       {Change{"Europe/Berlin", "2026-03-28T20:00:00Z"}, Change{"Europe/Berlin", "2026-10-24T20:00:00Z"},
+        Change{"America/Sao_Paulo", "2018-02-17T22:00:00Z"},
+        Change{"America/Sao_Paulo", "2018-11-03T22:00:00Z"}, Change{"Asia/Tokyo", "2026-03-28T11:00:00Z"}}) {
+    MovedClock clock(change.evening_before);
+    LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+    use_zone(store, change.zone);
+    const Day evening = store.today();
+    const Card card = must(store.add_writing(kRest, 6, review(Rating::easy)));
+    ASSERT_TRUE(card.due_day) << change.zone;
+    EXPECT_EQ(*card.due_day, evening + days(card.memory.scheduled_days)) << change.zone;
+    // Whatever the clocks did, days are counted by the calendar: due when that day begins, not before.
+    const Time due = store.calendar().begin_of(*card.due_day);
+    clock.set(to_text(due - std::chrono::minutes(1)).c_str());
+    EXPECT_EQ(store.today() + days(1), *card.due_day) << change.zone;
+    clock.set(to_text(due).c_str());
+    EXPECT_EQ(store.today(), *card.due_day) << change.zone;
+    // Elsewhere the day of the log stays, and rebuilding changes nothing.
+    use_zone(store, "Pacific/Auckland");
+    EXPECT_EQ(store.card(kRest).due_day, card.due_day) << change.zone;
+    EXPECT_EQ(must(store.rebuild()).differences, 0) << change.zone;
+  }
+}
+
 TEST(LearnerStore, TheLogCanOnlyBeAddedTo) {
   const TemporaryFolder folder;
   MovedClock clock("2026-01-01T09:00:00Z");

@@ -157,6 +157,25 @@ TEST(StoreSafety, AFileThatMayNotGrowLosesNothing) {
   EXPECT_EQ(must(store.rebuild()).differences, 0);
 }
 
+TEST(StoreSafety, WhereNothingMayGrowALearnerCanBeReadAndIsToldWhyNotMore) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  (void)must(must(LearnerStore::open(file, Access::write)).add_writing(kRest, 6, review(Rating::good)));
+  const int code = in_child([&] {
+    // Stands for a disk without a free block: not even the index of a write-ahead log can be made.
+    const rlimit limit{100, 100};
+    (void)std::signal(SIGXFSZ, SIG_IGN);
+    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return 1;
+    const auto store = LearnerStore::open(file, Access::read);
+    if (!store || store->last_entry() != 1) return 2;
+    const auto written = LearnerStore::open(file, Access::write);
+    if (written || written.error().code != Errc::io) return 3;
+    return base::to_line(written.error()).find("disk is full") != std::string::npos ? 0 : 4;
+  });
+  EXPECT_EQ(code, 0);
+  EXPECT_EQ(must(LearnerStore::open(file, Access::write)).last_entry(), 1);
+}
+
 TEST(StoreSafety, AFolderThatMayNotBeWrittenIsNamed) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "closed");
@@ -276,6 +295,85 @@ TEST(StoreSafety, AFileThatIsNoBackupIsNotRestored) {
   EXPECT_EQ(restore_backup(folder / "letter.db", file).error().code, Errc::parse);
   EXPECT_EQ(restore_backup(folder / "none.db", file).error().code, Errc::not_found);
   EXPECT_EQ(bytes_of(file), before);
+}
+
+TEST(StoreSafety, WhoIsKilledWhileRestoringHasTheOldFileOrTheBackup) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  {
+    LearnerStore store = must(LearnerStore::open(file, Access::write));
+    (void)must(store.add_writing(kRest, 6, review(Rating::good), some_ink()));
+    ASSERT_TRUE(store.copy_to(folder / "one.db"));
+    (void)must(store.add_writing(kRest, 6, review(Rating::good), some_ink()));
+    ASSERT_TRUE(store.copy_to(folder / "two.db"));
+  }
+  std::mt19937 random(20261122);
+  std::array<int, 3> had{};  // by the number of entries
+  for (int round = 0; round < 100; ++round) {
+    std::array<int, 2> channel{};
+    ASSERT_EQ(::pipe(channel.data()), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::close(channel[0]);
+      for (int i = 0;; ++i) {
+        if (!restore_backup(folder / (i % 2 == 0 ? "one.db" : "two.db"), file)) ::_exit(1);
+        if (::write(channel[1], "x", 1) != 1) ::_exit(2);
+      }
+    }
+    ::close(channel[1]);
+    // Killed a moment after some restoring was done, or in the first one.
+    char done = 0;
+    for (auto wanted = random() % 3; wanted > 0 && ::read(channel[0], &done, 1) == 1;) --wanted;
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 20'000));
+    ASSERT_EQ(::kill(child, SIGKILL), 0);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ::close(channel[0]);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "restoring ended by itself: " << WEXITSTATUS(status);
+    ASSERT_TRUE(fs::exists(file)) << "round " << round;
+    const auto store = LearnerStore::open(file, Access::write);
+    ASSERT_TRUE(store) << "round " << round << ": " << base::to_line(store.error());
+    ASSERT_TRUE(store->last_entry() == 1 || store->last_entry() == 2) << store->last_entry();
+    ++had[static_cast<std::size_t>(store->last_entry())];
+    fs::remove_all(backup_folder(file));
+  }
+  EXPECT_GT(had[1], 0);
+  EXPECT_GT(had[2], 0);
+}
+
+TEST(StoreSafety, WhatARestoredBackupReplacedIsKeptEachTime) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  const MovedClock clock("2026-01-01T09:00:00Z");  // stands still
+  {
+    LearnerStore store = must(LearnerStore::open(file, Access::write, clock.clock()));
+    (void)must(store.add_writing(kRest, 6, review(Rating::good)));
+    ASSERT_TRUE(store.copy_to(folder / "one.db"));
+    (void)must(store.add_writing(kRest, 6, review(Rating::good)));
+  }
+  const fs::path first = must(restore_backup(folder / "one.db", file, clock.clock()));
+  const fs::path second = must(restore_backup(first, file, clock.clock()));
+  EXPECT_NE(first, second);
+  EXPECT_EQ(must(LearnerStore::open(first, Access::read)).last_entry(), 2);
+  EXPECT_EQ(must(LearnerStore::open(second, Access::read)).last_entry(), 1);
+  EXPECT_EQ(must(LearnerStore::open(file, Access::read)).last_entry(), 2);
+}
+
+TEST(StoreSafety, WhatIsStillInTheWriteAheadLogIsKeptByARestore) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  ASSERT_TRUE(must(LearnerStore::in_memory()).copy_to(folder / "none.db"));
+  ASSERT_EQ(in_child([&] {
+              auto store = LearnerStore::open(file, Access::write);
+              if (!store || !store->add_writing(kRest, 6, review(Rating::good), some_ink())) return 1;
+              ::_exit(0);  // without closing the file
+            }),
+            0);
+  ASSERT_GT(fs::file_size(file.string() + "-wal"), 0U);
+  const fs::path kept = must(restore_backup(folder / "none.db", file));
+  EXPECT_EQ(must(LearnerStore::open(file, Access::write)).last_entry(), 0);
+  fs::remove(kept.string() + "-wal");
+  EXPECT_EQ(must(LearnerStore::open(kept, Access::read)).last_entry(), 1) << "in the one file";
 }
 
 TEST(StoreSafety, AFileOfVersionOneIsRead) {

@@ -33,7 +33,7 @@ void InkTracker::clear() {
   progress_.assign(lines_.size(), 0.0);
   inked_.clear();
   active_ = 0;
-  was_touching_ = false;
+  // Who wrote the last stroke still rests at its end: that is no coming down.
 }
 
 int InkTracker::undo() {

@@ -29,7 +29,10 @@ TabletController::TabletController(QObject* parent) : QObject(parent), mouse_dep
   pump_timer_.setTimerType(Qt::CoarseTimer);
   connect(&pump_timer_, &QTimer::timeout, this, &TabletController::pump);
   connect(&stylus_, &Stylus::leaving, this, &TabletController::pump);
-  connect(&stylus_, &Stylus::changed, this, [this] { send(); });
+  connect(&stylus_, &Stylus::changed, this, [this] {
+    if (guides_ && guides_->leading) hand_over_scene();
+    send();
+  });
 }
 
 TabletController::~TabletController() = default;
@@ -46,6 +49,8 @@ void TabletController::set_tablet(std::shared_ptr<const tablet::CarvedTablet> ca
   pump();
   tablet_ = std::move(carved);
   current_ = 0;
+  led_from_ = 1;
+  ++led_times_;
   ink_.set_strokes(tablet_ ? std::span<const haptics::StrokePath>(tablet_->paths())
                            : std::span<const haptics::StrokePath>());
   hand_over_scene();
@@ -66,6 +71,8 @@ void TabletController::change(T& value, T to, bool felt) {
 }
 
 void TabletController::set_current_stroke(int stroke) {
+  const int open = ink_.next_stroke();
+  led_from_ = stroke > 0 ? stroke : open > 0 ? open : stroke_count() + 1;
   change(current_, std::clamp(stroke, 0, stroke_count()), true);
 }
 
@@ -99,11 +106,21 @@ void TabletController::set_demonstration(std::optional<Demonstration> demonstrat
 
 void TabletController::clear_ink() {
   ink_.clear();
+  lead_from(1);
   emit picture_changed();
 }
 
 void TabletController::undo_ink() {
-  if (ink_.undo() != 0) emit picture_changed();
+  const int stroke = ink_.undo();
+  if (stroke == 0) return;
+  lead_from(ink_.next_stroke());
+  emit picture_changed();
+}
+
+void TabletController::lead_from(int stroke) {
+  led_from_ = stroke;
+  ++led_times_;
+  if (guides_ && guides_->leading) hand_over_scene();
 }
 
 void TabletController::hand_over_scene() {
@@ -115,7 +132,14 @@ void TabletController::hand_over_scene() {
   snap.enabled = snapping_in_effect();
   snap.stroke = current_;
   if (guides_) snap.stiffness *= std::clamp(guides_->snapping_strength, 0.0, 1.0);
-  stylus_.set_scene(tablet_->scene(material_, snap));
+  haptics::Guiding guiding;
+  if (guides_ && guides_->leading && can_lead()) {
+    guiding.mode = haptics::GuidingMode::lead;
+    guiding.strength = std::clamp(guides_->snapping_strength, 0.0, 1.0);
+    guiding.stroke = led_from_;
+    guiding.attempt = led_times_;
+  }
+  stylus_.set_scene(tablet_->scene(material_, snap, guiding));
 }
 
 void TabletController::set_slope_help(bool on) { change(slope_help_, on, false); }

@@ -25,7 +25,8 @@ struct TabletGuides {
   bool numbers = false;
   double lines_opacity = 1;
   bool snapping = false;
-  double snapping_strength = 1;  ///< of the usual pull, 0..1
+  double snapping_strength = 1;  ///< of the usual pull, and of leading, 0..1
+  bool leading = false;          ///< a device with force takes the hand along, in place of snapping
   bool traced = false;           ///< ink follows the stylus along the strokes
 };
 
@@ -76,6 +77,8 @@ class TabletController final : public QObject {
   void set_style(view::Style style);
 
   void set_guides(const std::optional<TabletGuides>& guides);
+  /// Whether the device that has the tablet can take the hand along.
+  [[nodiscard]] bool can_lead() const { return stylus_.describe().has_force; }
   /// Flat ink on the tablet, drawn as given.
   void set_writing(std::vector<view::WrittenStroke> writing);
   /// Shown in place of the learner's ink, and of the stylus while the brush moves or the stylus is away.
@@ -142,6 +145,7 @@ class TabletController final : public QObject {
 
  private:
   void hand_over_scene();
+  void lead_from(int stroke);
   void send(std::optional<double> event_s = {});
   template <class T>
   void change(T& value, T to, bool felt);
@@ -149,6 +153,8 @@ class TabletController final : public QObject {
   std::shared_ptr<const tablet::CarvedTablet> tablet_;
   InkTracker ink_;
   int current_ = 0;
+  int led_from_ = 1;  ///< first stroke to be led along
+  std::uint32_t led_times_ = 0;
   bool strokes_visible_ = true;
   bool numbers_visible_ = true;
   bool arrows_visible_ = true;

@@ -125,6 +125,17 @@ TEST(InkTracker, UndoTakesTheInkOffTheStrokeThatTookItUpLast) {
   EXPECT_EQ(ink.progress(), (std::vector<double>{0, 0}));
 }
 
+TEST(InkTracker, WhoRestsAtTheEndOfTheLastStrokeWhileItIsClearedHasNotBegunThere) {
+  InkTracker ink;
+  ink.set_strokes(std::vector{StrokePath{{Vec3(-0.03, 0, -0.01), Vec3(0.03, 0, -0.01)}}});
+  for (int i = 0; i <= 600; ++i) (void)ink.follow(Vec3(-0.03 + i * 0.0001, 0, 0), true, 0);
+  ASSERT_EQ(ink.next_stroke(), 0);
+  ink.clear();
+  EXPECT_EQ(ink.follow(Vec3(0.03, 0, 0), true, 0).event, InkEvent::none);
+  (void)ink.follow(Vec3(0.03, 0, 0), false, 0);
+  EXPECT_EQ(ink.follow(Vec3(0.03, 0, 0), true, 0).event, InkEvent::from_the_end) << "now it has";
+}
+
 TEST(InkTracker, ClearingTakesAllInkAway) {
   auto ink = cross();
   draw(ink, {-0.03, 0, 0}, {0.03, 0, 0});

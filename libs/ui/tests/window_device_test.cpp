@@ -6,10 +6,13 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QSlider>
+#include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "characters/characters.h"
 #include "desk.h"
 #include "device/device_place.h"
+#include "hand_under_test.h"
 #include "scripted_device.h"
 #include "window_under_test.h"
 
@@ -262,6 +265,59 @@ TEST_F(Device, ASimulationIsLedByTheMouse) {
   controller().move_stylus({0.045, 0.045}, true);
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return controller().latest().touching && controller().latest().force_n.z > 0.1; }));
+}
+
+TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
+  back_ends_ = [] {
+    std::vector<std::unique_ptr<devices::BackEnd>> all;
+    all.push_back(devices::pointer_back_end());
+    all.push_back(devices::simulated_back_end());
+    return all;
+  };
+  open_window();
+  show(U'一');
+  const auto line = test::model(U'一').front();
+  auto& tablet = controller();
+  double strongest_n = 0;
+  std::uint64_t samples = 0;
+  QObject::connect(&tablet, &TabletController::sampled, window_.get(),
+                   [&](std::span<const haptics::ServoSample> taken) {
+                     samples += taken.size();
+                     for (const auto& one : taken)
+                       strongest_n = std::max(strongest_n, glm::length(one.force_n));
+                   });
+  /// The most that is felt of the simulation while the hand rests in the air, away from the stroke.
+  const auto felt = [&](std::uint64_t ticks) {
+    tablet.stylus().choose("simulated:touch");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !tablet.stylus().is_pointer(); }, 20'000));
+    tablet.move_stylus({0.03, -0.03}, false);
+    tablet.pump();
+    strongest_n = 0;
+    samples = 0;
+    tablet.clear_ink();  // it begins anew
+    EXPECT_TRUE(QTest::qWaitFor([&] { return samples > ticks; }, 60'000));
+    tablet.stylus().choose("pointer");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return tablet.stylus().is_pointer(); }, 20'000));
+    return strongest_n;
+  };
+  press(Qt::Key_F7);
+  EXPECT_LT(felt(300), 0.01) << "the stroke holds, nothing leads";
+  action("lead_hand")->trigger();
+  EXPECT_TRUE(feedback().contains(QStringLiteral("Only a device with force leads the hand")))
+      << feedback().toStdString();
+  EXPECT_TRUE(tablet.snapping_in_effect()) << "where nothing can lead";
+  // At most the cap of 0.8 N times the help that is left.
+  double before_n = 1;
+  for (const double help : {1.0, 0.6, 0.3}) {
+    const double now_n = felt(1'000);
+    EXPECT_GT(now_n, 0.05 * help);
+    EXPECT_LE(now_n, 0.8 * help + 1e-6);
+    EXPECT_LT(now_n, before_n);
+    before_n = now_n;
+    test::write(tablet, line);
+    ASSERT_TRUE(feedback().startsWith(QStringLiteral("Without a slip"))) << feedback().toStdString();
+  }
+  EXPECT_EQ(felt(300), 0) << "and at last unaided";
 }
 
 TEST_F(Device, WhatIsOnItsPageHasNamesForTheScreenReader) {

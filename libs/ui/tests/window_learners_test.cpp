@@ -131,9 +131,11 @@ TEST_F(LearnersTest, WhoIsRemovedAfterAQuestionIsKeptAside) {
 TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
   write(U'一');
   action("back_up")->trigger();
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Backed up as"))) << feedback().toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Backed up as")); }, 20'000))
+      << feedback().toStdString();
   write(U'二');
-  BackupsDialog dialog(learner(), window_.get());
+  LearnerExchange exchange(learner(), window_.get());
+  BackupsDialog dialog(learner(), exchange, window_.get());
   auto* table = part<QTableWidget>(dialog, "backups_table");
   ASSERT_EQ(table->rowCount(), 1);
   ASSERT_TRUE(QTest::qWaitFor([&] { return table->item(0, 2)->text() == QStringLiteral("1"); }, 20'000));
@@ -142,6 +144,11 @@ TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
   answer(part<QPushButton>(dialog, "backup_restore"), nullptr);
   EXPECT_TRUE(learner().store().cards().contains(U'二'));
   answer(part<QPushButton>(dialog, "backup_restore"), "backup_yes");
+  // The window does not wait for it, and meanwhile says why nothing is kept.
+  EXPECT_TRUE(exchange.is_busy());
+  EXPECT_FALSE(learner().can_write());
+  EXPECT_FALSE(learner().trouble().isEmpty());
+  wait_for(exchange);
   EXPECT_TRUE(learner().can_write());
   EXPECT_TRUE(learner().store().cards().contains(U'一'));
   EXPECT_FALSE(learner().store().cards().contains(U'二'));
@@ -155,6 +162,26 @@ TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
       20'000));
 }
 
+TEST_F(LearnersTest, AWindowClosedWhileABackupIsPutInPlaceLeavesAWholeStore) {
+  write(U'一');
+  const auto backup = study::make_backup(learner().store(), learner().file());
+  ASSERT_TRUE(backup);
+  write(U'二');
+  const auto file = learner().file();
+  for (int round = 0; round < 20; ++round) {
+    {
+      LearnerExchange exchange(learner(), window_.get());
+      exchange.restore(*backup);
+      QTest::qWait(round / 4);
+    }
+    const auto store = study::LearnerStore::open(file, study::Access::write);
+    ASSERT_TRUE(store) << base::to_line(store.error());
+    // What stood there, or the backup; nothing else.
+    EXPECT_EQ(store->last_entry(), store->cards().contains(U'二') ? 2 : 1);
+    EXPECT_TRUE(store->cards().contains(U'一'));
+  }
+}
+
 TEST_F(LearnersTest, ABackupThatCannotBeUsedCannotBeChosen) {
   write(U'一');
   std::filesystem::create_directories(study::backup_folder(learner().file()));
@@ -163,7 +190,8 @@ TEST_F(LearnersTest, ABackupThatCannotBeUsedCannotBeChosen) {
   ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
   broken.write("no database at all");
   broken.close();
-  BackupsDialog dialog(learner(), window_.get());
+  LearnerExchange exchange(learner(), window_.get());
+  BackupsDialog dialog(learner(), exchange, window_.get());
   auto* table = part<QTableWidget>(dialog, "backups_table");
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return table->item(0, 1)->text() == QStringLiteral("cannot be used"); }, 20'000));

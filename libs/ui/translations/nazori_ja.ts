@@ -417,14 +417,6 @@
         <translation>%1、最後の日 %2、書いた回数 %3、文字 %4</translation>
     </message>
     <message>
-        <source>Backed up as %1.</source>
-        <translation>%1 としてバックアップしました。</translation>
-    </message>
-    <message>
-        <source>No backup was made: %1.</source>
-        <translation>バックアップできませんでした：%1。</translation>
-    </message>
-    <message>
         <source>Restore from a backup</source>
         <translation>バックアップから戻す</translation>
     </message>
@@ -439,14 +431,6 @@
     <message>
         <source>&amp;Put it in place</source>
         <translation>これに戻す(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The backup was not put in place: %1. Everything is as it was.</source>
-        <translation>バックアップに戻せませんでした：%1。すべて元のままです。</translation>
-    </message>
-    <message>
-        <source>The backup is in place. What stood there is kept.</source>
-        <translation>バックアップに戻しました。前の記録は残してあります。</translation>
     </message>
     <message>
         <source>Of %1</source>
@@ -790,6 +774,14 @@
     <message>
         <source>&amp;Practice</source>
         <translation>練習(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Lead the hand</source>
+        <translation>手を導く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>A device with force takes the hand along; else strokes hold it</source>
+        <translation>力覚デバイスが手を導く。ほかでは画が引き寄せる</translation>
     </message>
 </context>
 <context>
@@ -1996,6 +1988,18 @@ Columns and rows:</source>
         <source>Without a slip.</source>
         <translation>間違いなく書けました。</translation>
     </message>
+    <message>
+        <source>Let the stylus take the hand along; hold back, and it gives way.</source>
+        <translation>ペンが手を導くのに任せましょう。逆らうと力をゆるめます。</translation>
+    </message>
+    <message>
+        <source>%1 Only a device with force leads the hand; here strokes hold it.</source>
+        <translation>%1 手を導けるのは力覚デバイスだけです。ここでは画が引き寄せます。</translation>
+    </message>
+    <message>
+        <source>The stylus gives way. Go on a little by yourself, and it leads again.</source>
+        <translation>ペンが力をゆるめました。少し自分で進むと、また導きます。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::HardStrokesCard</name>
@@ -2432,6 +2436,14 @@ Columns and rows:</source>
         <source>“%1” is open in another window of Nazori. Close it there; until then nothing is kept here.</source>
         <translation>「%1」は別の Nazori の窓で開いています。そちらを閉じてください。それまでここでは何も保存されません。</translation>
     </message>
+    <message>
+        <source>the disk is full. Make room; what was kept before is safe</source>
+        <translation>ディスクがいっぱいです。空きを作ってください。前に保存したものは無事です</translation>
+    </message>
+    <message>
+        <source>%1 may not be written. Check the permissions of the folder</source>
+        <translation>%1 に書き込めません。フォルダーの権限を確かめてください</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::LearnerActions</name>
@@ -2530,21 +2542,41 @@ Columns and rows:</source>
         <source>Imported for %1: characters %2. %1 studies now.</source>
         <translation>%1 に読み込みました。文字 %2。いまの学習者は %1 です。</translation>
     </message>
-</context>
-<context>
-    <name>nazori::ui::LearnerMenu</name>
     <message>
-        <source>Backed up as %1.</source>
-        <translation>%1 としてバックアップしました。</translation>
+        <source>Something is being put in the place of what %1 has done. Nothing is kept until it is there.</source>
+        <translation>%1 の記録を置き換えています。終わるまで、書いたものは保存されません。</translation>
     </message>
     <message>
         <source>Nothing is studied yet: there is nothing to back up.</source>
         <translation>まだ何も学習していないので、バックアップするものがありません。</translation>
     </message>
     <message>
+        <source>Making a backup…</source>
+        <translation>バックアップ中…</translation>
+    </message>
+    <message>
+        <source>Backed up as %1.</source>
+        <translation>%1 としてバックアップしました。</translation>
+    </message>
+    <message>
         <source>No backup was made: %1.</source>
         <translation>バックアップできませんでした：%1。</translation>
     </message>
+    <message>
+        <source>Putting the backup in place…</source>
+        <translation>バックアップから元に戻しています…</translation>
+    </message>
+    <message>
+        <source>The backup is in place. What stood there is kept.</source>
+        <translation>バックアップに戻しました。前の記録は残してあります。</translation>
+    </message>
+    <message>
+        <source>The backup was not put in place: %1. Everything is as it was.</source>
+        <translation>バックアップに戻せませんでした：%1。すべて元のままです。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::LearnerMenu</name>
     <message>
         <source>Everything of a learner (*.json)</source>
         <translation>学習者のすべて (*.json)</translation>

@@ -53,6 +53,9 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
                    {QStringLiteral("Ctrl+Alt+G")}, true);
   by_starts = make("by_starts", tr("Only the &starts"), tr("Numbers say where strokes start"),
                    {QStringLiteral("Ctrl+Alt+P")}, true);
+  lead_hand = make("lead_hand", tr("&Lead the hand"),
+                   tr("A device with force takes the hand along; else strokes hold it"),
+                   {QStringLiteral("Ctrl+Alt+D")}, true);
 
   undo_stroke = make("undo_stroke", tr("&Undo the stroke"), tr("Take back the last stroke"),
                      {QStringLiteral("Ctrl+Z"), QStringLiteral("Backspace")});
@@ -114,6 +117,7 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   draw(draw_to_find, Icon::pen);
   draw(by_groove, Icon::strokes);
   draw(by_starts, Icon::numbers);
+  draw(lead_hand, Icon::guided);
 
   add_group(tr("&Character"),
             {find, draw_to_find, nullptr, next_character, previous_character, nullptr, back, forward});
@@ -121,11 +125,11 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
                              snap, nullptr, clear_ink});
   add_group(
       tr("&Practice"),
-      {watch,          trace,       guided,     memory,        nullptr,      play,           step_back,
-       step_on,        slower,      faster,     loop,          nullptr,      by_groove,      by_starts,
-       nullptr,        undo_stroke, done,       hint,          give_up,      nullptr,        compare_over,
-       compare_beside, nullptr,     judge_each, groove_hidden, groove_shown, groove_appears, nullptr,
-       more_lenient,   more_strict, lenient,    normal,        strict});
+      {watch,        trace,          guided,      memory,     nullptr,       play,         step_back,
+       step_on,      slower,         faster,      loop,       nullptr,       by_groove,    by_starts,
+       lead_hand,    nullptr,        undo_stroke, done,       hint,          give_up,      nullptr,
+       compare_over, compare_beside, nullptr,     judge_each, groove_hidden, groove_shown, groove_appears,
+       nullptr,      more_lenient,   more_strict, lenient,    normal,        strict});
 }
 
 }  // namespace nazori::ui

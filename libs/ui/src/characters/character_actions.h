@@ -17,7 +17,7 @@ class CharacterActions final : public ActionSet {
   QAction* draw_to_find;
   QAction *watch, *trace, *guided, *memory;
   QAction *play, *step_back, *step_on, *slower, *faster, *loop;
-  QAction *by_groove, *by_starts;
+  QAction *by_groove, *by_starts, *lead_hand;
   QAction *undo_stroke, *done, *hint, *give_up, *judge_each;
   QAction *groove_hidden, *groove_shown, *groove_appears;
   QAction *more_lenient, *more_strict, *lenient, *normal, *strict;

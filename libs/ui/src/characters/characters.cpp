@@ -76,6 +76,7 @@ Characters::Characters(Desk& desk)
   QSettings settings(desk.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
   memory_->load(settings);
+  guided_->load(settings);
   const QString last = settings.value(QStringLiteral("stage")).toString();
   stage_ = trace;
   for (const auto& entry : stages_) {
@@ -181,6 +182,7 @@ void Characters::save(QSettings& settings) const {
   for (const auto& entry : stages_)
     if (entry.stage == stage_) settings.setValue(QStringLiteral("stage"), entry.id);
   memory_->save(settings);
+  guided_->save(settings);
 }
 
 void Characters::open_drawing(bool open) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/guided_stage.h"
 
+#include <QSettings>
 #include <algorithm>
 #include <array>
 
@@ -29,6 +30,10 @@ GuidedStage::GuidedStage(Desk& desk, CharacterActions& actions) : CharacterStage
       lay_out();
       invite();
     });
+  connect(actions.lead_hand, &QAction::triggered, this, [this] {
+    controller().set_guides(guides());
+    invite();
+  });
   connect(actions.clear_ink, &QAction::triggered, this, [this] {
     if (!is_entered()) return;
     clear();
@@ -47,16 +52,27 @@ GuidedStage::GuidedStage(Desk& desk, CharacterActions& actions) : CharacterStage
           [this](geometry::TabletPoint at) { recorder_.press_at(at); });
   connect(&controller(), &TabletController::sampled, this,
           [this](std::span<const haptics::ServoSample> samples) {
-            if (is_entered() && this->actions().by_starts->isChecked()) take_samples(samples);
+            if (!is_entered()) return;
+            if (this->actions().by_starts->isChecked()) take_samples(samples);
+            note_giving_way(samples);
           });
 }
 
 QList<QAction*> GuidedStage::own_actions() const {
-  return {actions().by_groove, actions().by_starts, actions().clear_ink};
+  return {actions().by_groove, actions().by_starts, actions().lead_hand, actions().clear_ink};
 }
 
 QList<Tool> GuidedStage::tools() const {
-  return {{actions().by_groove, true}, {actions().by_starts, true}, {}, {actions().clear_ink}};
+  return {{actions().by_groove, true}, {actions().by_starts, true}, {}, {actions().lead_hand, true}, {},
+          {actions().clear_ink}};
+}
+
+void GuidedStage::load(const QSettings& settings) {
+  actions().lead_hand->setChecked(settings.value(QStringLiteral("lead_hand"), false).toBool());
+}
+
+void GuidedStage::save(QSettings& settings) const {
+  settings.setValue(QStringLiteral("lead_hand"), actions().lead_hand->isChecked());
 }
 
 void GuidedStage::begin() {
@@ -82,7 +98,8 @@ TabletGuides GuidedStage::guides() const {
     guides.strokes = guides.arrows = guides.numbers = true;
     guides.lines_opacity = 1;
   }
-  guides.snapping = guides.snapping_strength > 0;
+  guides.leading = actions().lead_hand->isChecked() && help > 0;
+  guides.snapping = help > 0;
   guides.traced = true;
   return guides;
 }
@@ -110,11 +127,16 @@ void GuidedStage::clear() {
   written_.clear();
   controller().set_writing({});
   slipped_ = false;
+  told_giving_way_ = false;
 }
 
 void GuidedStage::invite() {
   QString sentence =
       actions().by_starts->isChecked() ? tr("Write each stroke from its number.") : tr("Follow the groove.");
+  if (actions().lead_hand->isChecked())
+    sentence = controller().can_lead()
+                   ? tr("Let the stylus take the hand along; hold back, and it gives way.")
+                   : tr("%1 Only a device with force leads the hand; here strokes hold it.").arg(sentence);
   if (successes_ > 0) sentence = tr("%1 Without a slip so far: %2.").arg(sentence).arg(successes_);
   desk().say(Feedback::hint, sentence);
 }
@@ -153,6 +175,14 @@ void GuidedStage::take(InkEvent event, int stroke) {
   }
   const auto sentence = StrokeTeller::about(event, stroke, controller());
   desk().say(sentence.kind, sentence.text);
+}
+
+void GuidedStage::note_giving_way(std::span<const haptics::ServoSample> samples) {
+  for (const auto& sample : samples) {
+    if (told_giving_way_ || !haptics::has(sample.events, haptics::ServoEvent::resisted)) continue;
+    told_giving_way_ = true;
+    desk().say(Feedback::hint, tr("The stylus gives way. Go on a little by yourself, and it leads again."));
+  }
 }
 
 void GuidedStage::take_samples(std::span<const haptics::ServoSample> samples) {

@@ -8,16 +8,22 @@
 #include "ink_tracker.h"
 #include "pen_recorder.h"
 
+class QSettings;
+
 namespace nazori::ui {
 
-/// Tracing with less and less help: only the groove, or only where strokes start. Strokes hold the stylus and
-/// lines are still faintly there; both fade each time the character was traced without a slip.
+/// Tracing with less and less help: only the groove, or only where strokes start. Strokes hold the stylus, or
+/// a device with force leads the hand along them, and lines are still faintly there; both fade each time the
+/// character was traced without a slip.
 class GuidedStage final : public CharacterStage {
   Q_OBJECT
  public:
   GuidedStage(Desk& desk, CharacterActions& actions);
   [[nodiscard]] QList<QAction*> own_actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
+  /// Whether the hand is led is kept.
+  void load(const QSettings& settings);
+  void save(QSettings& settings) const;
   /// How often this character was traced without a slip since it came to the desk.
   [[nodiscard]] int successes() const { return successes_; }
   /// How much help there is, 0..1, where a course of lessons decides it; nothing: by successes().
@@ -34,6 +40,7 @@ class GuidedStage final : public CharacterStage {
   void clear();
   void invite();
   void take(InkEvent event, int stroke);
+  void note_giving_way(std::span<const haptics::ServoSample> samples);
   void take_samples(std::span<const haptics::ServoSample> samples);
 
   PenRecorder recorder_;
@@ -43,6 +50,7 @@ class GuidedStage final : public CharacterStage {
   std::optional<double> help_;
   int shown_alone_ = 0;  ///< stroke that is shown after too many misses
   bool slipped_ = false;
+  bool told_giving_way_ = false;  ///< once for each time the character is gone through
 };
 
 }  // namespace nazori::ui

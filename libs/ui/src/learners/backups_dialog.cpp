@@ -12,7 +12,6 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "error_text.h"
 #include "kanji_text.h"
 #include "progress/study_charts.h"
 
@@ -36,9 +35,10 @@ QString kind_of(const study::Backup& backup) {
 
 }  // namespace
 
-BackupsDialog::BackupsDialog(Learner& learner, QWidget* parent)
+BackupsDialog::BackupsDialog(Learner& learner, LearnerExchange& exchange, QWidget* parent)
     : QDialog(parent),
       learner_(learner),
+      exchange_(exchange),
       table_(new QTableWidget(0, kColumns, this)),
       words_(new QLabel(this)) {
   setObjectName(QStringLiteral("backups_dialog"));
@@ -66,7 +66,11 @@ BackupsDialog::BackupsDialog(Learner& learner, QWidget* parent)
   restore_->setAutoDefault(false);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(now, &QPushButton::clicked, this, &BackupsDialog::back_up);
+  connect(now, &QPushButton::clicked, &exchange_, &LearnerExchange::back_up);
+  connect(&exchange_, &LearnerExchange::said, this, [this](Feedback, const QString& sentence) {
+    refresh();
+    show_words(sentence);
+  });
   connect(restore_, &QPushButton::clicked, this, &BackupsDialog::restore);
   connect(table_, &QTableWidget::cellActivated, this, &BackupsDialog::restore);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
@@ -142,13 +146,6 @@ void BackupsDialog::show_contents(int row, const base::Result<study::BackupConte
   if (table_->currentRow() == row) restore_->setEnabled(sound_[static_cast<std::size_t>(row)]);
 }
 
-void BackupsDialog::back_up() {
-  const auto made = study::make_backup(learner_.store(), learner_.file());
-  refresh();
-  show_words(made ? tr("Backed up as %1.").arg(to_text(made->filename().string()))
-                  : tr("No backup was made: %1.").arg(reason(made.error())));
-}
-
 void BackupsDialog::restore() {
   const int row = table_->currentRow();
   if (row < 0 || row >= static_cast<int>(backups_.size()) || !sound_[static_cast<std::size_t>(row)]) return;
@@ -165,20 +162,7 @@ void BackupsDialog::restore() {
   question.setDefaultButton(QMessageBox::Cancel);
   question.exec();
   if (question.clickedButton() != yes) return;
-  base::Result<std::filesystem::path> kept;
-  const study::Time now = learner_.store().now();
-  learner_.while_closed([&] {
-    kept = study::restore_backup(backup.file, learner_.file(), [now] { return now; });
-    return QString();
-  });
-  refresh();
-  if (!kept) {
-    show_words(tr("The backup was not put in place: %1. Everything is as it was.").arg(reason(kept.error())));
-    return;
-  }
-  const QString done = tr("The backup is in place. What stood there is kept.");
-  show_words(done);
-  emit said(Feedback::good, done);
+  exchange_.restore(backup.file);
 }
 
 }  // namespace nazori::ui

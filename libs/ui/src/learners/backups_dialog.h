@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <vector>
 
+#include "learners/learner_exchange.h"
 #include "nazori/study/backups.h"
 #include "study/learner.h"
 #include "worker.h"
@@ -15,23 +16,20 @@ class QTableWidget;
 namespace nazori::ui {
 
 /// The backups of the present learner, each with its day and what it holds; one can be put in place of the
-/// store. They are read on a thread of their own.
+/// store, and one made. They are read on a thread of their own.
 class BackupsDialog final : public QDialog {
   Q_OBJECT
  public:
-  BackupsDialog(Learner& learner, QWidget* parent);
-
- signals:
-  void said(nazori::ui::Feedback kind, QString sentence);
+  BackupsDialog(Learner& learner, LearnerExchange& exchange, QWidget* parent);
 
  private:
   void refresh();
   void show_contents(int row, const base::Result<study::BackupContents>& contents);
-  void back_up();
   void restore();
   void show_words(const QString& sentence);
 
   Learner& learner_;
+  LearnerExchange& exchange_;
   QTableWidget* table_;
   QLabel* words_;
   QPushButton* restore_;

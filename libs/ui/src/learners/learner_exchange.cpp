@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learners/learner_exchange.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
@@ -75,7 +76,9 @@ bool LearnerExchange::begin(const QString& words) {
   }
   busy_ = true;
   wanted_ = true;
-  dialog_ = new QProgressDialog(words, tr("Stop"), 0, 100, window_);
+  // Above a dialog that is open, which would hold its input up otherwise.
+  QWidget* above = QApplication::activeModalWidget();
+  dialog_ = new QProgressDialog(words, tr("Stop"), 0, 100, above != nullptr ? above : window_);
   dialog_->setObjectName(QStringLiteral("exchange_progress"));
   dialog_->setWindowModality(Qt::WindowModal);
   dialog_->setMinimumDuration(kPatience_ms);
@@ -146,36 +149,93 @@ void LearnerExchange::read(const QString& path) {
       made.characters = static_cast<int>(store->cards().size());
       return made;
     }();
-    worker_.answer([this, path, read = std::move(read)] { put_in_place(path, read); });
+    worker_.answer([this, path, read = std::move(read)] {
+      if (read) return put_in_place(path, *read);
+      end();
+      tell_failure(path, read.error());
+    });
   });
 }
 
-void LearnerExchange::put_in_place(const QString& path, const base::Result<Read>& read) {
-  if (!read) {
-    end();
-    tell_failure(path, read.error());
-    return;
-  }
+void LearnerExchange::put_in_place(const QString& path, const Read& read) {
   const bool is_empty = learner_.can_write() && learner_.store().last_entry() == 0 &&
                         learner_.store().lists().empty() && learner_.store().tags().empty();
   const QString name =
       is_empty ? learner_.profile() : free_name(learner_.folder(), QFileInfo(path).completeBaseName());
-  const study::Time now = learner_.store().now();
-  base::Result<fs::path> done;
-  learner_.while_closed([&]() -> QString {
-    const auto file = study::learner_file(learner_.folder(), name.toStdString());
-    done =
-        file ? study::restore_backup(read->file, *file, [now] { return now; }) : tl::unexpected(file.error());
-    return done ? name : QString();
+  replace(read.file, name, [this, path, name, read](const base::Result<fs::path>& done) {
+    if (done)
+      emit said(Feedback::good, tr("Imported for %1: characters %2. %1 studies now.")
+                                    .arg(name, QLocale().toString(read.characters)));
+    else
+      tell_failure(path, done.error());
   });
-  end();
-  if (!done) {
-    tell_failure(path, done.error());
+}
+
+void LearnerExchange::replace(const fs::path& store, const QString& profile,
+                              std::function<void(const base::Result<fs::path>&)> done) {
+  const study::Time now = learner_.store().now();
+  learner_.let_go(
+      tr("Something is being put in the place of what %1 has done. Nothing is kept until it is there.")
+          .arg(learner_.profile()));
+  worker_.post([this, store, profile, now, folder = learner_.folder(), done = std::move(done)] {
+    auto put = [&]() -> base::Result<fs::path> {
+      const auto file = study::learner_file(folder, profile.toStdString());
+      if (!file) return tl::unexpected(file.error());
+      return study::restore_backup(
+          store, *file, [now] { return now; }, progress());
+    }();
+    worker_.answer([this, profile, done, put = std::move(put)] {
+      if (put && profile != learner_.profile())
+        (void)learner_.switch_profile(profile);
+      else
+        (void)learner_.open_again();
+      end();
+      done(put);
+    });
+  });
+}
+
+void LearnerExchange::back_up() {
+  if (learner_.store().last_entry() == 0) {
+    // A store that cannot be read is not an empty one.
+    if (learner_.trouble().isEmpty())
+      emit said(Feedback::advice, tr("Nothing is studied yet: there is nothing to back up."));
+    else
+      emit said(Feedback::wrong, learner_.trouble());
     return;
   }
-  emit said(
-      Feedback::good,
-      tr("Imported for %1: characters %2. %1 studies now.").arg(name, QLocale().toString(read->characters)));
+  if (!begin(tr("Making a backup…"))) return;
+  const study::Time now = learner_.store().now();
+  worker_.post([this, now, file = learner_.file()] {
+    auto made = [&]() -> base::Result<fs::path> {
+      const auto store = LearnerStore::open(file, Access::read, [now] { return now; });
+      if (!store) return tl::unexpected(store.error());
+      return study::make_backup(*store, file, progress());
+    }();
+    worker_.answer([this, made = std::move(made)] {
+      end();
+      if (made)
+        emit said(Feedback::good, tr("Backed up as %1.").arg(to_text(made->filename().string())));
+      else if (made.error().code == base::Errc::cancelled)
+        emit said(Feedback::hint, tr("Stopped. Everything is as it was."));
+      else
+        emit said(Feedback::wrong, tr("No backup was made: %1.").arg(reason(made.error())));
+    });
+  });
+}
+
+void LearnerExchange::restore(const fs::path& backup) {
+  if (!begin(tr("Putting the backup in place…"))) return;
+  replace(backup, learner_.profile(), [this](const base::Result<fs::path>& done) {
+    if (done)
+      emit said(Feedback::good, tr("The backup is in place. What stood there is kept."));
+    else if (done.error().code == base::Errc::cancelled)
+      emit said(Feedback::hint, tr("Stopped. Everything is as it was."));
+    else
+      emit said(
+          Feedback::wrong,
+          tr("The backup was not put in place: %1. Everything is as it was.").arg(reason(done.error())));
+  });
 }
 
 }  // namespace nazori::ui

@@ -23,9 +23,9 @@ struct AnkiChoice {
   int words = 4;
 };
 
-/// Everything of a learner to a file and back, on a thread of its own, with how far it is and a way to stop.
-/// Files are written whole or not at all; what is imported is tried apart first. Says in one sentence how it
-/// went. Thread: interface.
+/// Everything of a learner to a file and back, backups too, on a thread of its own, with how far it is and a
+/// way to stop. Files are written whole or not at all, also where the window is closed meanwhile; what is
+/// imported is tried apart first. Says in one sentence how it went. Thread: interface.
 class LearnerExchange final : public QObject {
   Q_OBJECT
  public:
@@ -39,6 +39,11 @@ class LearnerExchange final : public QObject {
   /// Reads an export: into the present learner where nothing is studied yet, else into a new one named after
   /// the file, who studies then.
   void read(const QString& path);
+  /// Makes a backup of the present learner besides the daily ones.
+  void back_up();
+  /// Puts a backup in the place of the present learner's file; what stood there is kept. Until that is done
+  /// the learner has no store.
+  void restore(const std::filesystem::path& backup);
   [[nodiscard]] bool is_busy() const { return busy_; }
   void stop() { wanted_ = false; }
 
@@ -56,7 +61,11 @@ class LearnerExchange final : public QObject {
   bool begin(const QString& words);
   void end();
   [[nodiscard]] base::Progress progress();
-  void put_in_place(const QString& path, const base::Result<Read>& read);
+  void put_in_place(const QString& path, const Read& read);
+  /// Puts a store in the place of a profile's file, then opens that profile. @param done  told of what became
+  /// of it, when it is open.
+  void replace(const std::filesystem::path& store, const QString& profile,
+               std::function<void(const base::Result<std::filesystem::path>&)> done);
   void tell_failure(const QString& path, const base::Error& error);
 
   Learner& learner_;

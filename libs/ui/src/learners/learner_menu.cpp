@@ -6,13 +6,10 @@
 #include <QStandardPaths>
 
 #include "desk.h"
-#include "error_text.h"
-#include "kanji_text.h"
 #include "learners/anki_dialog.h"
 #include "learners/backups_dialog.h"
 #include "learners/learner_actions.h"
 #include "learners/learners_dialog.h"
-#include "nazori/study/backups.h"
 
 namespace nazori::ui {
 
@@ -25,7 +22,7 @@ LearnerMenu::LearnerMenu(Desk& desk)
     connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
   };
   on(actions_->learners, [this] { show_learners(); });
-  on(actions_->back_up, [this] { back_up(); });
+  on(actions_->back_up, [this] { exchange_->back_up(); });
   on(actions_->restore, [this] { show_backups(); });
   on(actions_->export_json, [this] { ask_and_write(LearnerExchange::Kind::json); });
   on(actions_->export_csv, [this] { ask_and_write(LearnerExchange::Kind::csv); });
@@ -41,20 +38,8 @@ void LearnerMenu::show_learners() {
   desk_.focus_tablet();
 }
 
-void LearnerMenu::back_up() {
-  auto& learner = desk_.learner();
-  const auto made = study::make_backup(learner.store(), learner.file());
-  if (made)
-    desk_.say(Feedback::good, tr("Backed up as %1.").arg(to_text(made->filename().string())));
-  else if (made.error().code == base::Errc::not_found)
-    desk_.say(Feedback::advice, tr("Nothing is studied yet: there is nothing to back up."));
-  else
-    desk_.say(Feedback::wrong, tr("No backup was made: %1.").arg(reason(made.error())));
-}
-
 void LearnerMenu::show_backups() {
-  BackupsDialog dialog(desk_.learner(), &desk_.window());
-  connect(&dialog, &BackupsDialog::said, &desk_, &Desk::say);
+  BackupsDialog dialog(desk_.learner(), *exchange_, &desk_.window());
   dialog.exec();
   desk_.focus_tablet();
 }
@@ -85,7 +70,9 @@ void LearnerMenu::ask_and_write(LearnerExchange::Kind kind) {
     choice = dialog.choice();
   }
   if (store.last_entry() == 0 && kind != LearnerExchange::Kind::anki) {
-    desk_.say(Feedback::advice, tr("Nothing is studied yet: there is nothing to export."));
+    const QString& trouble = desk_.learner().trouble();
+    desk_.say(trouble.isEmpty() ? Feedback::advice : Feedback::wrong,
+              trouble.isEmpty() ? tr("Nothing is studied yet: there is nothing to export.") : trouble);
     return;
   }
   QString path = QFileDialog::getSaveFileName(

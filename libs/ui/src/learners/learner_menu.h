@@ -21,7 +21,6 @@ class LearnerMenu final : public QObject {
 
  private:
   void show_learners();
-  void back_up();
   void show_backups();
   void ask_and_write(LearnerExchange::Kind kind);
   void ask_and_read();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/learner.h"
 
+#include <QFileInfo>
+#include <QStorageInfo>
 #include <cassert>
 #include <utility>
 
@@ -12,6 +14,25 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kLookAtTheDay_ms = 60'000;
+/// With less than this not even the index of a write-ahead log can be made.
+constexpr qint64 kLeastRoom = 64 * 1024;
+
+/// Why a store could not be written, in the learner's language where the cause can be seen.
+QString cause_of(const base::Error& error, const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::path folder = file.parent_path();
+  while (folder.has_relative_path() && !std::filesystem::exists(folder, ignored))
+    folder = folder.parent_path();
+  const QString name = to_text(folder.string());
+  const QStorageInfo disk(name);
+  if (disk.isValid() && disk.bytesAvailable() < kLeastRoom)
+    return Learner::tr("the disk is full. Make room; what was kept before is safe");
+  const bool file_refuses =
+      std::filesystem::exists(file, ignored) && !QFileInfo(to_text(file.string())).isWritable();
+  if (file_refuses || !QFileInfo(name).isWritable())
+    return Learner::tr("%1 may not be written. Check the permissions of the folder").arg(name);
+  return reason(error);
+}
 
 }  // namespace
 
@@ -62,17 +83,27 @@ bool Learner::open_again() {
   return fine;
 }
 
-void Learner::while_closed(const std::function<QString()>& work) {
+void Learner::close() {
   store_.emplace(*study::LearnerStore::in_memory(clock_));
   can_write_ = false;
+}
+
+void Learner::let_go(const QString& sentence) {
+  close();
+  trouble_ = sentence;
+  day_ = store_->today();
+  emit profile_changed();
+  emit changed();
+}
+
+void Learner::while_closed(const std::function<QString()>& work) {
+  close();
   if (const QString next = work(); !next.isEmpty()) profile_ = next;
   open_again();
 }
 
 bool Learner::open() {
-  // The file is let go before it is opened: it may be the same one.
-  store_.emplace(*study::LearnerStore::in_memory(clock_));
-  can_write_ = false;
+  close();  // before it is opened: it may be the same one
   trouble_.clear();
   order_.reset();
   const auto path =
@@ -109,12 +140,13 @@ QString Learner::sentence_about(const base::Error& error, bool in_use) const {
       return tr("The store of %1 is damaged: %2. Nothing was changed. A backup can be put in its place.")
           .arg(profile_, to_text(error.where));
     default:
-      return tr("The store of %1 cannot be written: %2. Nothing is kept.").arg(profile_, reason(error));
+      return tr("The store of %1 cannot be written: %2. Nothing is kept.")
+          .arg(profile_, cause_of(error, file()));
   }
 }
 
 void Learner::tell_failure(const base::Error& error) {
-  emit said(Feedback::wrong, tr("It could not be kept: %1.").arg(reason(error)));
+  emit said(Feedback::wrong, tr("It could not be kept: %1.").arg(cause_of(error, file())));
 }
 
 base::Result<study::DayPlan> Learner::plan() {

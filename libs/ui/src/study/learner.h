@@ -38,9 +38,12 @@ class Learner final : public QObject {
   bool switch_profile(const QString& name);
   /// Opens the same profile once more: after another window was closed, for the backup of a new day.
   bool open_again();
-  /// Lets go of the file while `work` is done (a backup put in place, a profile renamed), then opens the
-  /// profile that it returns; empty: the same again.
+  /// Lets go of the file while `work` is done (a profile renamed), then opens the profile that it returns;
+  /// empty: the same again.
   void while_closed(const std::function<QString()>& work);
+  /// Lets go of the file, for another thread to put one in its place; `sentence` becomes trouble() until the
+  /// profile, or another one, is opened again.
+  void let_go(const QString& sentence);
 
   [[nodiscard]] const QString& profile() const { return profile_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
@@ -86,6 +89,7 @@ class Learner final : public QObject {
 
  private:
   bool open();
+  void close();
   void tell_failure(const base::Error& error);
   [[nodiscard]] QString sentence_about(const base::Error& error, bool in_use) const;
   void look_at_the_day();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "nazori/base/progress.h"
 #include "nazori/base/result.h"
 #include "nazori/study/time.h"
 
@@ -32,9 +33,10 @@ struct Backup {
 class LearnerStore;
 
 /// Makes a backup besides the daily ones. @param file  the learner's own, which has the backups beside it.
-/// @return the backup; Errc::not_found where nothing is studied yet; Errc::io.
+/// @return the backup; Errc::not_found where nothing is studied yet; Errc::io; Errc::cancelled.
 [[nodiscard]] base::Result<std::filesystem::path> make_backup(const LearnerStore& learner,
-                                                              const std::filesystem::path& file);
+                                                              const std::filesystem::path& file,
+                                                              const base::Progress& progress = {});
 
 /// What can be found in a backup.
 struct BackupContents {
@@ -51,11 +53,13 @@ struct BackupContents {
 
 /// Puts a backup in the place of a learner.db, which may be damaged or missing. The backup is read whole
 /// first; what stood there is kept beside the backups as "before-restore-...", so this too can be taken back.
+/// Killed at any moment it leaves a whole learner.db: what stood there, or the backup.
 /// @return the file that holds what stood there, empty where nothing did; Errc::not_found, Errc::schema,
-/// Errc::parse for a backup that cannot be used, Errc::io also where the learner's file is in use. Nothing is
-/// changed then.
+/// Errc::parse for a backup that cannot be used, Errc::io also where the learner's file is in use,
+/// Errc::cancelled. Nothing is changed then.
 [[nodiscard]] base::Result<std::filesystem::path> restore_backup(const std::filesystem::path& backup,
                                                                  const std::filesystem::path& learner,
-                                                                 const Clock& clock = system_now);
+                                                                 const Clock& clock = system_now,
+                                                                 const base::Progress& progress = {});
 
 }  // namespace nazori::study

@@ -19,9 +19,13 @@ namespace nazori::study {
 [[nodiscard]] base::Result<std::string> export_json(const LearnerStore& learner,
                                                     const base::Progress& progress = {});
 
+/// Reads such a text and checks all of it, so that it can fill an empty learner.
+/// @return Errc::parse with line and reason; Errc::schema for another format or a newer version.
+[[nodiscard]] base::Result<LearnerStore::Contents> read_json(std::string_view json);
+
 /// Fills an empty learner from such a text.
-/// @return Errc::parse with line and reason; Errc::schema for another format or a newer version;
-/// Errc::bad_argument where the learner is not empty; Errc::cancelled. Nothing is changed then.
+/// @return as read_json(); Errc::bad_argument where the learner is not empty; Errc::cancelled. Nothing is
+/// changed then.
 [[nodiscard]] base::Result<void> import_json(LearnerStore& learner, std::string_view json,
                                              const base::Progress& progress = {});
 

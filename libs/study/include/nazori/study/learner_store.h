@@ -35,7 +35,8 @@ using Cards = std::map<char32_t, Card>;
 /// What rebuilding found.
 struct RebuildReport {
   int entries = 0;      ///< in the log
-  int cards = 0;        ///< that follow from it
+  int cards = 0;        ///< that follow from it: every character an action was about and was not undone
+  int studied = 0;      ///< of these: written or watched, and not made new again since
   int differences = 0;  ///< cards that were kept otherwise than they follow from the log
 };
 
@@ -46,7 +47,11 @@ struct Undone {
 };
 
 /// Whether the file may be written.
-enum class Access : std::uint8_t { read, write };
+enum class Access : std::uint8_t {
+  read,
+  write,
+  rebuild,  ///< as write, but cards that cannot be read are taken for none: rebuild() makes them anew
+};
 
 /// One learner's store learner.db: an append-only log of everything the learner did, and what follows from
 /// it. SQLite in WAL mode with synchronous=FULL: what add_writing() has acknowledged is on disk, whatever
@@ -152,7 +157,8 @@ class LearnerStore {
   /// Works out every card anew from the log and puts it in the place of what was kept.
   [[nodiscard]] base::Result<RebuildReport> rebuild(const base::Progress& progress = {});
   /// Copies the whole store into a file, beside which it is written first.
-  [[nodiscard]] base::Result<void> copy_to(const std::filesystem::path& file) const;
+  [[nodiscard]] base::Result<void> copy_to(const std::filesystem::path& file,
+                                           const base::Progress& progress = {}) const;
 
   /// Everything of a learner, for export and import.
   struct Contents {
@@ -165,8 +171,11 @@ class LearnerStore {
     std::map<std::string, std::vector<char32_t>> tags;
   };
   [[nodiscard]] base::Result<Contents> contents() const;
-  /// Fills an empty store. @return Errc::bad_argument where it is not empty or the entries do not fit
-  /// together (with the entry in Error::where); nothing is changed then.
+  /// Whether contents can fill an empty store. @return Errc::bad_argument where the entries do not fit
+  /// together, with the entry in Error::where ("entry 3").
+  [[nodiscard]] static base::Result<void> check_contents(const Contents& contents);
+  /// Fills an empty store. @return Errc::bad_argument where it is not empty, or as check_contents() says;
+  /// nothing is changed then.
   [[nodiscard]] base::Result<void> fill(const Contents& contents, const base::Progress& progress = {});
 
  private:
