@@ -83,8 +83,8 @@ TEST_F(ForceDimension, AKnownPlaneIsFeltInTheMakersFrame) {
 }
 
 TEST_F(ForceDimension, EachAxisOfForceGoesTheWayOfItsAxisOfMotion) {
-  OpenedDevice device = opened();
   test::Push push({1, 2, 3});  // right, up, towards the operator
+  OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(push));
   EXPECT_TRUE(
       comes_true([&] { return stage->force_x_n == 3 && stage->force_y_n == 1 && stage->force_z_n == 2; }));

@@ -52,8 +52,8 @@ TEST(PointerDevice, HasNoForceAndSaysSo) {
 }
 
 TEST(PointerDevice, IsAbsentUntilThePointerIsOverTheTablet) {
-  PointerDevice device;
   Recorder recorder;
+  PointerDevice device;
   ASSERT_TRUE(device.start(recorder));
   EXPECT_TRUE(recorder.wait_for([](const DeviceSample& s) { return !s.present; }));
   device.move({0.01, 0.02, 0, false, true});
@@ -69,8 +69,8 @@ TEST(PointerDevice, IsAbsentUntilThePointerIsOverTheTablet) {
 }
 
 TEST(PointerDevice, EveryPartOfAFastStrokeThatCameAtOnceIsPlayed) {
-  PointerDevice device;
   Recorder recorder;
+  PointerDevice device;
   ASSERT_TRUE(device.start(recorder));
   device.move({0, 0, 0.004, true, true}, 10.0);
   ASSERT_TRUE(recorder.wait_for([](const DeviceSample& s) { return s.present; }));
@@ -94,8 +94,8 @@ TEST(PointerDevice, EveryPartOfAFastStrokeThatCameAtOnceIsPlayed) {
 }
 
 TEST(PointerDevice, AClockThatJumpsBackHoldsNothingUp) {
-  PointerDevice device;
   Recorder recorder;
+  PointerDevice device;
   ASSERT_TRUE(device.start(recorder));
   device.move({0.001, 0, 0, false, true}, 5000);
   device.move({0.002, 0, 0, false, true}, 5000.01);
@@ -106,8 +106,8 @@ TEST(PointerDevice, AClockThatJumpsBackHoldsNothingUp) {
 }
 
 TEST(PointerDevice, PressingMovesTheTipDownWithoutAJump) {
-  PointerDevice device;
   Recorder recorder;
+  PointerDevice device;
   ASSERT_TRUE(device.start(recorder));
   device.move({0, 0, 0, false, true});
   ASSERT_TRUE(recorder.wait_for([](const DeviceSample& s) { return s.present; }));
@@ -126,8 +126,8 @@ TEST(PointerDevice, PressingMovesTheTipDownWithoutAJump) {
 }
 
 TEST(PointerDevice, IgnoresPositionsThatAreNotNumbers) {
-  PointerDevice device;
   Recorder recorder;
+  PointerDevice device;
   ASSERT_TRUE(device.start(recorder));
   device.move({0.01, 0.01, 0, false, true});
   ASSERT_TRUE(recorder.wait_for([](const DeviceSample& s) { return s.present; }));
