@@ -172,9 +172,12 @@ void DayChart::label_days() {
   for (const QString& name : chart_.row_names) widest = std::max(widest, metrics.horizontalAdvance(name));
   const double room = std::max(1.0, width() - 6 * widest / kRoomBetweenLabels);
   const int most = std::max(2, static_cast<int>(room / (widest * kRoomBetweenLabels)));
-  const auto rows = chart_.row_names.size();
-  const auto step = std::max<qsizetype>(1, (rows + most - 1) / most);
-  for (qsizetype row = 0; row < rows; row += step) {
+  // Rows need not lie evenly: days without study may be left out.
+  const double apart = (chart_.places.back() + 1) / most;
+  double next = chart_.places.front();
+  for (qsizetype row = 0; row < chart_.row_names.size(); ++row) {
+    if (chart_.places[row] < next) continue;
+    next = chart_.places[row] + apart;
     // Rows of equal names (the same day in two years) would be one label.
     QString name = chart_.row_names[row];
     while (days_->categoriesLabels().contains(name)) name += QChar(0x200B);
