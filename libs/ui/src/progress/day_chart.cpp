@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "progress/day_chart.h"
 
+#include <QBarLegendMarker>
 #include <QBarSeries>
 #include <QBarSet>
 #include <QCategoryAxis>
@@ -117,6 +118,13 @@ void DayChart::draw() {
       all[i]->attachAxis(axis);
     }
   }
+  // The sign of bars is drawn without their colour otherwise, and is not seen on dark paper.
+  for (auto* marker : drawn->legend()->markers())
+    if (qobject_cast<QBarLegendMarker*>(marker) != nullptr) {
+      marker->setShape(QLegend::MarkerShapeRectangle);
+      marker->setBrush(blend(c.surface, c.indigo, 0.55));
+      marker->setPen(c.indigo);
+    }
   // Attaching bars spreads the axis over them; it is ours to say.
   days_->setRange(-0.5, last + 0.5);
   auto* old = chart();
