@@ -59,16 +59,17 @@ void ToolBar::enter(const Workplace& workplace) {
     if (const auto* button = widgetForAction(action); button != nullptr && button->hasFocus())
       focused = action;
   clear();
-  words_.clear();
+  words_ = {{}};
   addAction(actions_.left_panel);
   if (workplace.left().widget != nullptr) addSeparator();
   for (const auto& tool : workplace.tools()) {
     if (tool.action == nullptr) {
+      words_.append(QList<QAction*>());
       addSeparator();
       continue;
     }
     addAction(tool.action);
-    if (tool.words) words_.append(tool.action);
+    if (tool.words) words_.back().append(tool.action);
   }
   if (workplace.page() == nullptr) {
     addAction(actions_.reset_view);
@@ -113,15 +114,17 @@ void ToolBar::fit() {
 }
 
 void ToolBar::fit_words() {
-  // Where the words do not fit the drawings alone stay, and their tool tips.
-  const auto show = [this](Qt::ToolButtonStyle style) {
-    for (auto* action : words_)
+  // Where the words do not fit, the drawings and their tool tips stay: those of the last group first, for the
+  // first one is the same in every stage of a lesson.
+  const auto show = [this](const QList<QAction*>& group, Qt::ToolButtonStyle style) {
+    for (auto* action : group)
       if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action)))
         button->setToolButtonStyle(style);
+    layout()->invalidate();
   };
-  show(Qt::ToolButtonTextBesideIcon);
-  layout()->invalidate();
-  if (layout()->sizeHint().width() > width()) show(Qt::ToolButtonIconOnly);
+  for (const auto& group : words_) show(group, Qt::ToolButtonTextBesideIcon);
+  for (auto group = words_.crbegin(); group != words_.crend(); ++group)
+    if (layout()->sizeHint().width() > width()) show(*group, Qt::ToolButtonIconOnly);
 }
 
 void ToolBar::resizeEvent(QResizeEvent* event) {

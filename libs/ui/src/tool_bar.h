@@ -33,7 +33,7 @@ class ToolBar final : public QToolBar {
 
   const Actions& actions_;
   QList<QAction*> looks_;
-  QList<QAction*> words_;  ///< whose buttons show words where there is room
+  QList<QList<QAction*>> words_;  ///< whose buttons show words where there is room
   QToolButton* style_;
   QAction* style_place_;
   QAction* gap_;

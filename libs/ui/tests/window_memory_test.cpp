@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QComboBox>
 #include <QLineEdit>
+#include <QToolButton>
 
 #include "window_under_test.h"
 
@@ -74,6 +75,37 @@ TEST_F(Memory, BelowAThousandPixelsThePanelsAreDrawersOneAtATime) {
   QTest::qWait(30);
   EXPECT_TRUE(find("library_panel")->isVisible());
   EXPECT_TRUE(find("information_panel")->isVisible());
+}
+
+TEST_F(Memory, TheStatusLineShowsAnEntryWholeOrNotAtAll) {
+  for (const int width : {1280, 900, 640}) {
+    window_->resize(width, 700);
+    QTest::qWait(30);
+    int shown = 0;
+    for (const char* name : {"device", "depth", "rate", "missed", "timing"}) {
+      const auto* label = find<QLabel>(name);
+      if (!label->isVisible()) continue;
+      ++shown;
+      EXPECT_GE(label->width(), label->sizeHint().width()) << name << " at " << width;
+    }
+    EXPECT_GE(shown, 1) << width;
+  }
+}
+
+TEST_F(Memory, TheStagesAreTheLastToLoseTheirWords) {
+  for (const char* stage : {"watch", "trace", "guided", "memory"}) {
+    action(stage)->trigger();
+    for (const int width : {1600, 1280, 1100, 900}) {
+      window_->resize(width, 800);
+      QTest::qWait(30);
+      const auto has_words = [this](const char* tool) {
+        const auto* button = find<QToolButton>(tool);
+        return button != nullptr && button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon;
+      };
+      for (const char* own : {"tool_play", "tool_arrows", "tool_by_groove", "tool_hint"})
+        EXPECT_TRUE(!has_words(own) || has_words("tool_watch")) << own << " at " << width;
+    }
+  }
 }
 
 TEST_F(Memory, WhatCanBePressedHasANameForTheScreenReader) {

@@ -2209,6 +2209,10 @@ Columns and rows:</source>
         <translation>初めての文字：%1</translation>
     </message>
     <message>
+        <source>Had another lesson: %1</source>
+        <translation>別の練習をした文字：%1</translation>
+    </message>
+    <message>
         <source>To see again soon: %1</source>
         <translation>まもなくもう一度：%1</translation>
     </message>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "progress/day_chart.h"
 
+#include <QBarLegendMarker>
 #include <QBarSeries>
 #include <QBarSet>
 #include <QCategoryAxis>
@@ -117,6 +118,13 @@ void DayChart::draw() {
       all[i]->attachAxis(axis);
     }
   }
+  // The sign of bars is drawn without their colour otherwise, and is not seen on dark paper.
+  for (auto* marker : drawn->legend()->markers())
+    if (qobject_cast<QBarLegendMarker*>(marker) != nullptr) {
+      marker->setShape(QLegend::MarkerShapeRectangle);
+      marker->setBrush(blend(c.surface, c.indigo, 0.55));
+      marker->setPen(c.indigo);
+    }
   // Attaching bars spreads the axis over them; it is ours to say.
   days_->setRange(-0.5, last + 0.5);
   auto* old = chart();
@@ -172,9 +180,12 @@ void DayChart::label_days() {
   for (const QString& name : chart_.row_names) widest = std::max(widest, metrics.horizontalAdvance(name));
   const double room = std::max(1.0, width() - 6 * widest / kRoomBetweenLabels);
   const int most = std::max(2, static_cast<int>(room / (widest * kRoomBetweenLabels)));
-  const auto rows = chart_.row_names.size();
-  const auto step = std::max<qsizetype>(1, (rows + most - 1) / most);
-  for (qsizetype row = 0; row < rows; row += step) {
+  // Rows need not lie evenly: days without study may be left out.
+  const double apart = (chart_.places.back() + 1) / most;
+  double next = chart_.places.front();
+  for (qsizetype row = 0; row < chart_.row_names.size(); ++row) {
+    if (chart_.places[row] < next) continue;
+    next = chart_.places[row] + apart;
     // Rows of equal names (the same day in two years) would be one label.
     QString name = chart_.row_names[row];
     while (days_->categoriesLabels().contains(name)) name += QChar(0x200B);

@@ -261,6 +261,7 @@ void HomePage::show_summary(const SessionSummary& summary) {
     said.append(counts.join(QStringLiteral(" · ")));
   }
   if (!summary.met.empty()) said.append(tr("Met first: %1").arg(in_a_row(summary.met)));
+  if (!summary.lessons.empty()) said.append(tr("Had another lesson: %1").arg(in_a_row(summary.lessons)));
   if (!summary.again.empty()) said.append(tr("To see again soon: %1").arg(in_a_row(summary.again)));
   if (summary.reviews + summary.practices > 0)
     said.append(tr("Time: %1").arg(StudyWords::about(summary.time)));

@@ -5,6 +5,7 @@
 #include <QFontInfo>
 #include <QPainter>
 #include <QPainterPath>
+#include <QRegularExpression>
 #include <algorithm>
 #include <utility>
 
@@ -65,13 +66,23 @@ int InkGallery::columns(int width) const {
   return std::max(kFew, width / std::max(1, QFontInfo(font()).pixelSize() * 7));
 }
 
+int InkGallery::words_flags(int side) const {
+  // A date is not cut: where it is wider than its piece, it goes on in the next line.
+  static const QRegularExpression between_words(QStringLiteral("\\s"));
+  const QFontMetrics metrics(font());
+  for (const auto& piece : pieces_)
+    for (const auto& word : piece.words.split(between_words))
+      if (metrics.horizontalAdvance(word) > side) return kWordsFlags | Qt::TextWrapAnywhere;
+  return kWordsFlags;
+}
+
 int InkGallery::words_height(int side) const {
   int highest = 0;
+  const int flags = words_flags(side);
   for (const auto& piece : pieces_)
-    highest =
-        std::max(highest, QFontMetrics(font())
-                              .boundingRect(QRect(0, 0, side, QWIDGETSIZE_MAX), kWordsFlags, piece.words)
-                              .height());
+    highest = std::max(
+        highest,
+        QFontMetrics(font()).boundingRect(QRect(0, 0, side, QWIDGETSIZE_MAX), flags, piece.words).height());
   return highest + 2;
 }
 
@@ -94,13 +105,14 @@ void InkGallery::paintEvent(QPaintEvent* /*event*/) {
   const int across = columns(width());
   const int side = (width() - kGap * (across - 1)) / across;
   const int words = words_height(side);
+  const int flags = words_flags(side);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const int row = static_cast<int>(i) / across;
     const int column = static_cast<int>(i) % across;
     const QRectF box(column * (side + kGap), row * (side + words + kGap), side, side);
     paint_piece(painter, pieces_[i].ink, box.adjusted(0.5, 0.5, -0.5, -0.5));
     painter.setPen(current_colours().muted);
-    painter.drawText(QRectF(box.left(), box.bottom() + 2, side, words), kWordsFlags, pieces_[i].words);
+    painter.drawText(QRectF(box.left(), box.bottom() + 2, side, words), flags, pieces_[i].words);
   }
 }
 

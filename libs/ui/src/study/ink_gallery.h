@@ -33,6 +33,7 @@ class InkGallery final : public QWidget {
 
  private:
   [[nodiscard]] int columns(int width) const;
+  [[nodiscard]] int words_flags(int side) const;
   [[nodiscard]] int words_height(int side) const;
 
   std::vector<Piece> pieces_;

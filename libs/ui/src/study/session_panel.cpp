@@ -14,7 +14,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 12;
-constexpr int kMostEarlier = 5;
+constexpr int kMostEarlier = 3;
 constexpr int kMostHardStrokes = 3;
 
 QLabel* label(const char* name, const char* role, QWidget* parent) {

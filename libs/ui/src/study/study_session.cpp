@@ -320,7 +320,10 @@ void StudySession::go_on() {
       return;
     case State::offered:
       if (is_over()) {
-        if (leech_lesson_ && !learner_.take(store().leech_met(std::span(&task_.character, 1)))) return;
+        if (leech_lesson_) {
+          if (!learner_.take(store().leech_met(std::span(&task_.character, 1)))) return;
+          summary_.lessons.push_back(task_.character);
+        }
         finish_task();
         return;
       }

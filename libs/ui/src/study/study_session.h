@@ -18,11 +18,12 @@ namespace nazori::ui {
 
 /// What a session came to.
 struct SessionSummary {
-  int reviews = 0;               ///< from memory
-  std::array<int, 4> ratings{};  ///< again, hard, good, easy
-  int practices = 0;             ///< in other stages
-  std::vector<char32_t> met;     ///< characters met first
-  std::vector<char32_t> again;   ///< those that were forgotten
+  int reviews = 0;                ///< from memory
+  std::array<int, 4> ratings{};   ///< again, hard, good, easy
+  int practices = 0;              ///< in other stages
+  std::vector<char32_t> met;      ///< characters met first
+  std::vector<char32_t> again;    ///< those that were forgotten
+  std::vector<char32_t> lessons;  ///< leeches that had their other lesson
   std::chrono::milliseconds time{0};
 };
 
