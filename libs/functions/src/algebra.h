@@ -60,6 +60,9 @@ struct Fraction {
 /// divided out, (x^2-1)/(x-1) = x + 1 + 0/(x-1) and e^x/(1+e^x) = 1 - 1/(1+e^x); the domain stays.
 [[nodiscard]] Expression improved(const Expression& e);
 
+/// The tree with sqrt(u^2) written as |u|, and sqrt(u^4) as |u|^2: what was squared has no sign left to lose.
+[[nodiscard]] Expression without_even_roots(const Expression& e);
+
 /// Whether the expression is defined and continuous everywhere by its looks alone.
 [[nodiscard]] bool is_total(const Expression& e);
 

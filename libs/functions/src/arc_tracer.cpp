@@ -109,6 +109,7 @@ ArcTracer::PointBox ArcTracer::enclose_point(double t) {
 bool ArcTracer::is_reliable(const Sample& s) {
   if (!s.exists() || !is_inside(s)) return true;
   const PointBox box = enclose_point(s.t);
+  if (box.u.is_empty() || box.v.is_empty()) return false;
   return std::max(box.u.width(), box.v.width()) <= 4 * tolerance_;
 }
 

@@ -152,7 +152,7 @@ EquationParts take_apart(const Expression& left, const Expression& right, const 
   const Expression whole = is_zero(right)  ? left
                            : is_zero(left) ? right
                                            : binary(NodeKind::subtract, left, right);
-  return Solver(reduced(whole), low, high).run();
+  return Solver(without_even_roots(reduced(whole)), low, high).run();
 }
 
 }  // namespace nazori::functions

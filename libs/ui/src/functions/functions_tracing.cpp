@@ -18,6 +18,12 @@ namespace {
 constexpr double kSlide_m = 2.5e-3;  ///< farther than a step: lifted on the way
 constexpr int kLift_ms = 30;
 
+/// The tablet's window still gets keys until the window system has followed the keyboard to another widget.
+bool belongs_elsewhere(const QObject* watched, const QWidget* keyboard) {
+  return qobject_cast<const QWidget*>(watched) == nullptr && keyboard != nullptr &&
+         keyboard->objectName() != QLatin1String("tablet");
+}
+
 bool is_tablet(const QObject* object) {
   return object->objectName() == QLatin1String("tablet") ||
          object->objectName() == QLatin1String("tablet_window");
@@ -211,6 +217,9 @@ bool FunctionsWorkplace::eventFilter(QObject* watched, QEvent* event) {
     return Workplace::eventFilter(watched, event);
   if (QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr)
     return false;
+  if (QWidget* keyboard = desk().window().focusWidget();
+      is_tablet(watched) && belongs_elsewhere(watched, keyboard))
+    return QCoreApplication::sendEvent(keyboard, event);
   auto* key = static_cast<QKeyEvent*>(event);
   const bool stops = key->key() == Qt::Key_Escape;
   // Esc stops what sounds or is being drawn wherever the keyboard is; else it is the window's.
