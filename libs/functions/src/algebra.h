@@ -37,6 +37,9 @@ class Polynomial {
   };
   /// The same for c*v^n + (something without v).
   [[nodiscard]] std::optional<LonePower> lone_power(Variable v) const;
+  /// The sum of two terms or more whose square this is but for a factor, where it can be found without
+  /// rounding: x - y for 2x^2 - 4xy + 2y^2. Null otherwise.
+  [[nodiscard]] Expression square_root() const;
 
  private:
   using Monomial = std::map<std::string, int>;

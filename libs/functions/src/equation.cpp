@@ -91,6 +91,10 @@ class Solver {
         if (*value == 0) parts_.areas.push_back({});
         return;
       }
+      if (const Expression root = p->square_root()) {
+        for (const Expression& part : zero_factors(root)) add(part);
+        return;
+      }
       if (!p->depends_on(Variable::y))
         return add_lines(substitute(factor, Variable::y, number(0)), Variable::x);
       if (!p->depends_on(Variable::x))
