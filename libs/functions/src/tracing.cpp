@@ -12,6 +12,7 @@
 #include "arc_tracer.h"
 #include "equation.h"
 #include "plane_tracer.h"
+#include "polar_region.h"
 #include "region_tracer.h"
 
 namespace nazori::functions {
@@ -248,35 +249,6 @@ class PlotTracer {
     out_.events.push_back({kind, statement_, 0, out_.window.x(p.u), out_.window.y(p.v), kNaN, kNaN});
   }
 
-  /// Of a region in r and theta, r < 1 + cos(theta): the same in x and y, where r is not negative and theta
-  /// is the angle from 0 to 2 pi, or from -pi to pi where the range given begins below zero.
-  static Expression in_the_plane(const Expression& e, bool from_zero) {
-    const Expression x = variable(Variable::x);
-    const Expression y = variable(Variable::y);
-    const Expression theta = variable(Variable::theta);
-    const Expression r = call(Function::sqrt, {binary(NodeKind::add, binary(NodeKind::power, x, number(2)),
-                                                      binary(NodeKind::power, y, number(2)))});
-    const Expression angle = from_zero ? binary(NodeKind::add, call(Function::atan2, {negate(y), negate(x)}),
-                                                constant(Constant::pi))
-                                       : call(Function::atan2, {y, x});
-    Expression p = substitute(e, Variable::r, r);
-    p = replaced(p, call(Function::cos, {theta}), binary(NodeKind::divide, x, r));
-    p = replaced(p, call(Function::sin, {theta}), binary(NodeKind::divide, y, r));
-    return substitute(p, Variable::theta, angle);
-  }
-
-  static bool goes_from_zero(const Statement& s) { return !s.from || !(constant_value(s.from) < 0); }
-
-  static Statement in_the_plane(const Statement& s) {
-    const auto is_polar = [](const Expression& e) {
-      return depends_on(e, Variable::r) || depends_on(e, Variable::theta);
-    };
-    if (std::none_of(s.terms.begin(), s.terms.end(), is_polar)) return s;
-    Statement plane = s;
-    for (Expression& e : plane.terms) e = in_the_plane(e, goes_from_zero(s));
-    return plane;
-  }
-
   bool draw_region(const Statement& typed) {
     const Statement s = in_the_plane(typed);
     std::vector<Condition> conditions;
@@ -289,11 +261,7 @@ class PlotTracer {
       // An equality inside a chain: both ways.
       if (c == Comparison::equal) conditions.push_back({negate(difference), false});
     }
-    if (s.range_given) {
-      const Expression angle = in_the_plane(variable(Variable::theta), goes_from_zero(s));
-      conditions.push_back({binary(NodeKind::subtract, angle, s.from), false});
-      conditions.push_back({binary(NodeKind::subtract, s.to, angle), false});
-    }
+    for (Expression& bound : angle_bounds(typed)) conditions.push_back({std::move(bound), false});
     if (!RegionTracer(conditions, nullptr, statement_, settings_, out_, progress_).run()) return false;
     const std::size_t first_event = out_.events.size();
     for (std::size_t i = 0; i < s.comparisons.size(); ++i) {
