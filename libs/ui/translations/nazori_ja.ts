@@ -1836,6 +1836,10 @@ Columns and rows:</source>
         <translation>描画を止めました。見えているものが全部とは限りません。</translation>
     </message>
     <message>
+        <source>Nothing can be heard on this computer.</source>
+        <translation>このコンピューターでは音を出せません。</translation>
+    </message>
+    <message>
         <source>Volume %1</source>
         <translation>音量 %1</translation>
     </message>

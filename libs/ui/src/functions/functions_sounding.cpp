@@ -118,7 +118,13 @@ void FunctionsWorkplace::play_reference() {
     desk().answer(Feedback::hint, tr("The sound is off. M turns it on."));
     return;
   }
+  if (sound_->is_refused()) {
+    desk().answer(Feedback::advice, tr("Nothing can be heard on this computer."));
+    return;
+  }
   sound_->touch_briefly(functions::cue_at({0.5, v}, window_, 1));
+  // Refused just now, the sentence that says so stands there already.
+  if (sound_->is_refused()) return;
   desk().answer(Feedback::hint, tr("This is the tone of y = 0."));
 }
 
@@ -138,6 +144,10 @@ void FunctionsWorkplace::hear() {
   }
   if (sound_->muted()) {
     desk().answer(Feedback::hint, tr("The sound is off. M turns it on."));
+    return;
+  }
+  if (sound_->is_refused()) {
+    desk().answer(Feedback::advice, tr("Nothing can be heard on this computer."));
     return;
   }
   const auto& asked = drawing_->asked;

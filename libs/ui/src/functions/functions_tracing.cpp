@@ -75,11 +75,13 @@ void FunctionsWorkplace::connect_trace() {
   });
   on(actions_->beacon, [this] {
     tracer_.drop_beacon();
-    desk().answer(
-        Feedback::good,
-        tracer_.place()
-            ? tr("Beacon %1 is here: %2.").arg(tracer_.beacon_count()).arg(place_words(*tracer_.place()))
-            : tr("Go to a place on a curve first, with the arrow keys."));
+    desk().answer(Feedback::good,
+                  tracer_.place()
+                      ? tr("Beacon %1 is here: %2.")
+                            .arg(tracer_.beacon_count())
+                            .arg(tracer_.point_here() != nullptr ? point_words(*tracer_.point_here())
+                                                                 : place_words(*tracer_.place()))
+                      : tr("Go to a place on a curve first, with the arrow keys."));
   });
   on(actions_->next_beacon, [this] {
     if (const int number = tracer_.go_to_next_beacon(); number > 0)
