@@ -86,6 +86,25 @@ Expression touching_sine(const Expression& e) {
   return call(Function::sin, {binary(at_one ? NodeKind::subtract : NodeKind::add, half, eighth)});
 }
 
+/// Where u - floor(u) or u - c floor(u/c), which is mod(u, c), is zero: at the whole multiples of c, where it
+/// jumps. A sine crosses zero there. Null for all else.
+Expression sine_of_multiples(const Expression& e) {
+  if (e->kind != NodeKind::subtract) return nullptr;
+  const Expression& u = e->arguments[0];
+  const Expression& multiple = e->arguments[1];
+  const bool scaled = multiple->kind == NodeKind::multiply;
+  const Expression& step = scaled ? multiple->arguments[1] : multiple;
+  if (step->kind != NodeKind::function || step->function != Function::floor) return nullptr;
+  const Expression c = scaled ? multiple->arguments[0] : number(1);
+  const auto length = rational_value(c);
+  if (!length || length->p == 0) return nullptr;
+  const auto rest =
+      Polynomial::of(binary(NodeKind::subtract, u, binary(NodeKind::multiply, c, step->arguments[0])));
+  if (!rest || !rest->is_zero()) return nullptr;
+  return call(Function::sin,
+              {binary(NodeKind::divide, binary(NodeKind::multiply, constant(Constant::pi), u), c)});
+}
+
 }  // namespace
 
 std::vector<Expression> zero_factors(const Expression& e) {
@@ -120,6 +139,7 @@ std::vector<Expression> zero_factors(const Expression& e) {
     case NodeKind::add:
     case NodeKind::subtract:
       if (Expression sine = touching_sine(e)) return {sine};
+      if (Expression sine = sine_of_multiples(e)) return {sine};
       return {e};
     default:
       return {e};
