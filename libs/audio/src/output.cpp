@@ -21,7 +21,7 @@ void ask(void* source, std::uint8_t* bytes, int length) noexcept {
 }
 
 tl::unexpected<base::Error> no_sound(const std::string& why) {
-  return base::fail(base::Errc::device, "there is no sound: " + why, "sound card",
+  return base::fail(base::Errc::device, why, "sound card",
                     "plug in or switch on loudspeakers or headphones; all else works without");
 }
 

@@ -65,6 +65,48 @@ Fraction over_common_denominator(const Expression& e) {
   return {e, nullptr};
 }
 
+namespace {
+
+/// Where 1 - cos u, 1 + cos u, 1 - sin u or 1 + sin u (or the negative of one of them) is zero, which is
+/// where it touches zero: a sine that changes its sign there. Null for all else.
+Expression touching_sine(const Expression& e) {
+  if (e->kind != NodeKind::add && e->kind != NodeKind::subtract) return nullptr;
+  const auto& a = e->arguments;
+  const bool number_first = is_number(a[0], 1) || is_number(a[0], -1);
+  if (!number_first && !is_number(a[1], 1) && !is_number(a[1], -1)) return nullptr;
+  const Expression& wave = a[number_first ? 1 : 0];
+  if (wave->kind != NodeKind::function) return nullptr;
+  if (wave->function != Function::sin && wave->function != Function::cos) return nullptr;
+  // At which value of the wave the sum is zero.
+  const double one = a[number_first ? 0 : 1]->value;
+  const bool at_one = (e->kind == NodeKind::subtract) == (one == 1);
+  const Expression half = binary(NodeKind::divide, wave->arguments[0], number(2));
+  if (wave->function == Function::cos) return call(at_one ? Function::sin : Function::cos, {half});
+  const Expression eighth = binary(NodeKind::divide, constant(Constant::pi), number(4));
+  return call(Function::sin, {binary(at_one ? NodeKind::subtract : NodeKind::add, half, eighth)});
+}
+
+/// Where u - floor(u) or u - c floor(u/c), which is mod(u, c), is zero: at the whole multiples of c, where it
+/// jumps. A sine crosses zero there. Null for all else.
+Expression sine_of_multiples(const Expression& e) {
+  if (e->kind != NodeKind::subtract) return nullptr;
+  const Expression& u = e->arguments[0];
+  const Expression& multiple = e->arguments[1];
+  const bool scaled = multiple->kind == NodeKind::multiply;
+  const Expression& step = scaled ? multiple->arguments[1] : multiple;
+  if (step->kind != NodeKind::function || step->function != Function::floor) return nullptr;
+  const Expression c = scaled ? multiple->arguments[0] : number(1);
+  const auto length = rational_value(c);
+  if (!length || length->p == 0) return nullptr;
+  const auto rest =
+      Polynomial::of(binary(NodeKind::subtract, u, binary(NodeKind::multiply, c, step->arguments[0])));
+  if (!rest || !rest->is_zero()) return nullptr;
+  return call(Function::sin,
+              {binary(NodeKind::divide, binary(NodeKind::multiply, constant(Constant::pi), u), c)});
+}
+
+}  // namespace
+
 std::vector<Expression> zero_factors(const Expression& e) {
   const auto& a = e->arguments;
   switch (e->kind) {
@@ -91,7 +133,13 @@ std::vector<Expression> zero_factors(const Expression& e) {
       return {e};
     }
     case NodeKind::function:
-      if (e->function == Function::sqrt || e->function == Function::abs) return zero_factors(a[0]);
+      if (e->function == Function::sqrt || e->function == Function::abs || e->function == Function::sign)
+        return zero_factors(a[0]);
+      return {e};
+    case NodeKind::add:
+    case NodeKind::subtract:
+      if (Expression sine = touching_sine(e)) return {sine};
+      if (Expression sine = sine_of_multiples(e)) return {sine};
       return {e};
     default:
       return {e};
@@ -194,6 +242,22 @@ std::vector<Case> cases_of(const Expression& e) {
   split({e, {}}, 4, all, failed);
   if (failed) return {{e, {}}};
   return all;
+}
+
+Expression without_even_roots(const Expression& e) {
+  if (e->arguments.empty()) return e;
+  Node n = *e;
+  for (Expression& a : n.arguments) a = without_even_roots(a);
+  const bool root = (n.kind == NodeKind::function && n.function == Function::sqrt) ||
+                    (n.kind == NodeKind::power && is_number(n.arguments[1], 0.5)) ||
+                    (n.kind == NodeKind::power && to_text(n.arguments[1]) == "1/2");
+  const Expression& square = n.arguments[0];
+  const auto power =
+      root && square->kind == NodeKind::power ? rational_value(square->arguments[1]) : std::nullopt;
+  if (!power || power->q != 1 || power->p <= 0 || power->p % 2 != 0)
+    return std::make_shared<const Node>(std::move(n));
+  const Expression size = call(Function::abs, {square->arguments[0]});
+  return power->p == 2 ? size : binary(NodeKind::power, size, number(static_cast<double>(power->p) / 2));
 }
 
 std::size_t node_count(const Expression& e) {

@@ -37,6 +37,9 @@ class Polynomial {
   };
   /// The same for c*v^n + (something without v).
   [[nodiscard]] std::optional<LonePower> lone_power(Variable v) const;
+  /// The sum of two terms or more whose square this is but for a factor, where it can be found without
+  /// rounding: x - y for 2x^2 - 4xy + 2y^2. Null otherwise.
+  [[nodiscard]] Expression square_root() const;
 
  private:
   using Monomial = std::map<std::string, int>;
@@ -59,6 +62,9 @@ struct Fraction {
 /// The same function in a form that intervals enclose more tightly: quotients of polynomials of one atom are
 /// divided out, (x^2-1)/(x-1) = x + 1 + 0/(x-1) and e^x/(1+e^x) = 1 - 1/(1+e^x); the domain stays.
 [[nodiscard]] Expression improved(const Expression& e);
+
+/// The tree with sqrt(u^2) written as |u|, and sqrt(u^4) as |u|^2: what was squared has no sign left to lose.
+[[nodiscard]] Expression without_even_roots(const Expression& e);
 
 /// Whether the expression is defined and continuous everywhere by its looks alone.
 [[nodiscard]] bool is_total(const Expression& e);

@@ -17,7 +17,8 @@ class ArcProbe {
  public:
   explicit ArcProbe(const Arc& arc)
       : tape_(Tape::compile(std::array{improved(arc.x), improved(arc.y)}, std::array{arc.parameter})),
-        registers_(tape_.size()) {}
+        registers_(tape_.size()),
+        enclosures_(tape_.size()) {}
 
   struct Values {
     double x, y, slope_x, slope_y;
@@ -29,10 +30,23 @@ class ArcProbe {
     return {x.value, y.value, x.slopes[0], y.slopes[0]};
   }
 
+  /// Between which numbers the slope of y surely is.
+  Interval slope_y(double t) {
+    using D = Dual<Interval, 1>;
+    tape_.evaluate<D>(std::array{D(Interval(t), 0)}, enclosures_);
+    return enclosures_[tape_.output(1)].slopes[0];
+  }
+
  private:
   Tape tape_;
   std::vector<Dual<double, 1>> registers_;
+  std::vector<Dual<Interval, 1>> enclosures_;
 };
+
+/// The value, or 0 where rounding alone may have given it its sign.
+inline double beyond_rounding(double value, const Interval& enclosure) {
+  return !enclosure.is_empty() && enclosure.is_bounded() && enclosure.contains(0) ? 0.0 : value;
+}
 
 /// y beside a place where it is not finite itself.
 inline double near_value(ArcProbe& probe, double t) {

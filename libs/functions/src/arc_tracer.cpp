@@ -87,7 +87,7 @@ ArcTracer::Box ArcTracer::enclose_with(double from, double to,
 
 ArcTracer::Box ArcTracer::enclose(double from, double to) {
   Box box = enclose_with<double>(from, to, duals_);
-  if (tape_.can_overflow() && has(box.cause(), Cause::overflow) && !is_outside(box))
+  if (tape_.can_overflow() && has(box.cause(), Cause::overflow) && !is_outside(box.u, box.v))
     box = enclose_with<long double>(from, to, long_duals_);
   return box;
 }
@@ -106,10 +106,13 @@ ArcTracer::PointBox ArcTracer::enclose_point(double t) {
 }
 
 /// Whether rounding leaves the sample where it is drawn: near removable gaps, (1 - cos x)/x^2, it does not.
+/// Outside the window it need only surely be outside.
 bool ArcTracer::is_reliable(const Sample& s) {
-  if (!s.exists() || !is_inside(s)) return true;
+  if (!s.exists()) return true;
   const PointBox box = enclose_point(s.t);
-  return std::max(box.u.width(), box.v.width()) <= 4 * tolerance_;
+  if (box.u.is_empty() || box.v.is_empty()) return false;
+  if (std::max(box.u.width(), box.v.width()) <= 4 * tolerance_) return true;
+  return !is_inside(s) && is_outside(box.u, box.v);
 }
 
 bool ArcTracer::run() {
@@ -155,9 +158,9 @@ bool ArcTracer::is_inside(const Sample& s) const {
   return s.u >= -m && s.u <= 1 + m && s.v >= -m && s.v <= 1 + m;
 }
 
-bool ArcTracer::is_outside(const Box& box) const {
+bool ArcTracer::is_outside(const Interval& u, const Interval& v) const {
   const double m = settings_.margin;
-  return box.u.lower > 1 + m || box.u.upper < -m || box.v.lower > 1 + m || box.v.upper < -m;
+  return u.lower > 1 + m || u.upper < -m || v.lower > 1 + m || v.upper < -m;
 }
 
 bool ArcTracer::is_near(const Sample& a, const Sample& b, double distance) const {
@@ -185,7 +188,7 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
   }
   const bool bounded = box.u.is_bounded() && box.v.is_bounded();
   // Only y = f(x) and x = g(y) are asked for their poles; elsewhere what is outside is done with.
-  if (is_outside(box) && (box.is_continuous() || bounded || arc_.ends_are_real)) {
+  if (is_outside(box.u, box.v) && (box.is_continuous() || bounded || arc_.ends_are_real)) {
     end_branch();
     return;
   }

@@ -57,7 +57,7 @@ class ArcTracer {
   template <class R>
   [[nodiscard]] Box enclose_with(double from, double to, std::vector<Dual<BasicInterval<R>, 1>>& registers);
   void visit(const Sample& a, const Sample& b, int depth);
-  [[nodiscard]] bool is_outside(const Box& box) const;
+  [[nodiscard]] bool is_outside(const Interval& u, const Interval& v) const;
   [[nodiscard]] bool is_straight(const Sample& a, const Sample& b, const Box& box) const;
   bool settle_invisible(const Sample& a, const Sample& b, const Box& box);
   bool draw_narrow(const Sample& a, const Sample& b, const Box& box, bool may_split);

@@ -91,6 +91,10 @@ class Solver {
         if (*value == 0) parts_.areas.push_back({});
         return;
       }
+      if (const Expression root = p->square_root()) {
+        for (const Expression& part : zero_factors(root)) add(part);
+        return;
+      }
       if (!p->depends_on(Variable::y))
         return add_lines(substitute(factor, Variable::y, number(0)), Variable::x);
       if (!p->depends_on(Variable::x))
@@ -152,7 +156,7 @@ EquationParts take_apart(const Expression& left, const Expression& right, const 
   const Expression whole = is_zero(right)  ? left
                            : is_zero(left) ? right
                                            : binary(NodeKind::subtract, left, right);
-  return Solver(reduced(whole), low, high).run();
+  return Solver(without_even_roots(reduced(whole)), low, high).run();
 }
 
 }  // namespace nazori::functions

@@ -25,6 +25,21 @@ class Parser {
  private:
   using Parsed = tl::expected<Expression, SyntaxError>;
 
+  // Deeper nesting would let a hostile text overrun the stack.
+  static constexpr int kMostDepth = 200;
+
+  /// Counts nesting while it lives.
+  class Nesting {
+   public:
+    explicit Nesting(int& depth) : depth_(depth) { ++depth_; }
+    Nesting(const Nesting&) = delete;
+    Nesting& operator=(const Nesting&) = delete;
+    ~Nesting() { --depth_; }
+
+   private:
+    int& depth_;
+  };
+
   [[nodiscard]] const Token& now() const { return tokens_[at_]; }
   [[nodiscard]] bool is(TokenKind kind) const { return now().kind == kind; }
   [[nodiscard]] bool starts_operand() const;
@@ -33,6 +48,8 @@ class Parser {
   /// At the token that is looked at.
   [[nodiscard]] tl::unexpected<SyntaxError> refuse(SyntaxFault fault, std::string subject = {}) const;
   void skip_definition_head();
+  /// Takes the bracket that closes `open`.
+  tl::expected<void, SyntaxError> close(const Token& open);
 
   tl::expected<Relation, SyntaxError> relation();
   Parsed sum();

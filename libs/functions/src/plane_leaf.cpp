@@ -266,15 +266,28 @@ bool PlaneTracer::find_hidden(const Square& s, bool continuous) {
   return true;
 }
 
-/// The point of the box, or just beside it, whose coordinates have the fewest decimals.
-PlaneTracer::Point PlaneTracer::roundest_in(const Square& s) const {
+/// Of the points of the box, or just beside it, the x and y that have the fewest decimals.
+std::array<double, 2> PlaneTracer::roundest_in(const Square& s) const {
   const auto round = [&](double c, std::size_t axis) {
     const double hair = 8 * std::numeric_limits<double>::epsilon();
     const double a = equation_.low[axis] + (c - hair) * range_[axis];
     const double b = equation_.low[axis] + (c + s.side + hair) * range_[axis];
-    return (simplest_between(a, b) - equation_.low[axis]) / range_[axis];
+    return simplest_between(a, b);
   };
   return {round(s.u, 0), round(s.v, 1)};
+}
+
+/// Zero at these very numbers, also in a corner of the domain, where nothing is continuous all around:
+/// sqrt(x) + sqrt(y) = 0.
+bool PlaneTracer::is_exactly_zero(const std::array<double, 2>& at) {
+  const std::array point{Interval(at[0]), Interval(at[1])};
+  function_.evaluate<Interval>(point, intervals_);
+  const Interval f = intervals_[function_.output(0)];
+  if (f.is_empty() || f.lower != 0 || f.upper != 0 || f.decoration < Decoration::defined) return false;
+  if (!has_whole_) return true;
+  whole_.evaluate<Interval>(point, intervals_);
+  const Interval w = intervals_[whole_.output(0)];
+  return !w.is_empty() && w.decoration >= Decoration::defined;
 }
 
 /// Halves the box while zero cannot be excluded. @return true where the box is settled: nothing is left, or
@@ -319,7 +332,10 @@ bool PlaneTracer::look_closer(const Square& s) {
     } else if (is_zero_at(p)) {
       out_->dots.push_back(p);
       found = true;
-    } else if (const Point round = roundest_in(b); is_zero_at(round)) {
+    } else {
+      const auto xy = roundest_in(b);
+      const Point round{(xy[0] - equation_.low[0]) / range_[0], (xy[1] - equation_.low[1]) / range_[1]};
+      if (!is_zero_at(round) && !is_exactly_zero(xy)) continue;
       out_->dots.push_back(round);
       found = true;
     }

@@ -73,7 +73,8 @@ class PlaneTracer {
   bool find_critical(const Square& s, Point& at);
   bool find_hidden(const Square& s, bool continuous);
   bool look_closer(const Square& s);
-  [[nodiscard]] Point roundest_in(const Square& s) const;
+  [[nodiscard]] std::array<double, 2> roundest_in(const Square& s) const;
+  [[nodiscard]] bool is_exactly_zero(const std::array<double, 2>& at);
 
   PlaneEquation equation_;
   int cells_;

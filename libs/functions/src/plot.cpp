@@ -133,11 +133,11 @@ class Reader {
       }
     }
     const bool bare = r.comparisons.empty();
-    if (!bare && !is_equation(r)) {
-      return refuse(r, SyntaxFault::polar_inequality);
-    }
     Statement* s = nullptr;
-    if (bare) {
+    if (!bare && !is_equation(r)) {
+      s = &add(StatementKind::inequality, r, r.terms);
+      s->comparisons = r.comparisons;
+    } else if (bare) {
       if (depends_on(r.terms[0], Variable::r)) return refuse(r, SyntaxFault::nothing_equal);
       s = &add(StatementKind::polar, r, {r.terms[0]});
     } else if (is_variable(r.terms[0], Variable::r) && !depends_on(r.terms[1], Variable::r)) {
@@ -237,7 +237,9 @@ std::string canonical(const Statement& s) {
   std::string text = to_text(s.terms[0]);
   for (std::size_t i = 1; i < s.terms.size(); ++i)
     text += sign_of(s.comparisons[i - 1]) + to_text(s.terms[i]);
-  return s.kind == StatementKind::polar_implicit ? text + range_text(s, Variable::theta) : text;
+  const bool ranged =
+      s.kind == StatementKind::polar_implicit || (s.kind == StatementKind::inequality && s.range_given);
+  return ranged ? text + range_text(s, Variable::theta) : text;
 }
 
 std::string canonical(const Plot& plot) {

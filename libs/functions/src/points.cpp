@@ -94,7 +94,7 @@ class PointFinder {
       }
       if (kind != StatementKind::explicit_x) {
         sign_changes(
-            b.points, [&](double t) { return probe.at(t).slope_y; },
+            b.points, [&](double t) { return beyond_rounding(probe.at(t).slope_y, probe.slope_y(t)); },
             [&](double t, bool rising) {
               const auto v = probe.at(t);
               const bool least = kind == StatementKind::explicit_y ? rising : is_least(probe, t);
@@ -123,7 +123,7 @@ class PointFinder {
     const auto bend = [&](double t) {
       const double d = probe.at(t + h).slope_y - probe.at(t - h).slope_y;
       // Differences of rounding errors are no bend.
-      return std::abs(d) < 1e-14 * (std::abs(probe.at(t).slope_y) + 1e-300) ? 0.0 : d;
+      return beyond_rounding(d, probe.slope_y(t + h) - probe.slope_y(t - h));
     };
     sign_changes(b.points, bend, [&](double t, bool) {
       const auto v = probe.at(t);

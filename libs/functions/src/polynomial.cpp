@@ -25,8 +25,69 @@ class PolynomialBuilder {
     return p;
   }
 
- private:
   using Terms = std::map<Polynomial::Monomial, double>;
+
+  /// Term by term from the highest on, as a square root is taken by hand.
+  static std::optional<Terms> square_root(const Terms& square) {
+    if (square.size() < 3) return std::nullopt;
+    // The highest term with the factor 1: 2x^2 - 4xy + 2y^2 is a square as good as any.
+    const double scale = highest(square)->second;
+    Terms rest = square;
+    for (auto& [monomial, factor] : rest) {
+      const double q = factor / scale;
+      if (std::fma(q, scale, -factor) != 0) return std::nullopt;
+      factor = q;
+    }
+    Polynomial::Monomial m = highest(rest)->first;
+    for (auto& [atom, power] : m) {
+      if (power % 2 != 0) return std::nullopt;
+      power /= 2;
+    }
+    Terms root;
+    double c = 1;
+    for (std::size_t i = 0; i < square.size(); ++i) {
+      // (root + c m)^2 = root^2 + (2 root + c m) c m
+      Terms twice = root;
+      for (auto& [monomial, factor] : twice) factor *= 2;
+      if (!add_to(twice, m, c)) return std::nullopt;
+      const auto more = product(twice, {{m, c}});
+      if (!more || !add_to(root, m, c)) return std::nullopt;
+      for (const auto& [monomial, factor] : *more) {
+        if (!add_to(rest, monomial, -factor)) return std::nullopt;
+      }
+      if (rest.empty()) return root;
+      const auto next = highest(rest);
+      m = next->first;
+      for (const auto& [atom, power] : highest(root)->first) {
+        int& left = m[atom];
+        left -= power;
+        if (left < 0) return std::nullopt;
+        if (left == 0) m.erase(atom);
+      }
+      c = next->second / 2;
+      if (root.contains(m)) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// The term that comes first by the powers of the atoms in the order of their names.
+  static Terms::const_iterator highest(const Terms& terms) {
+    const auto power_of = [](const Polynomial::Monomial& m, const std::string& atom) {
+      const auto found = m.find(atom);
+      return found == m.end() ? 0 : found->second;
+    };
+    return std::max_element(terms.begin(), terms.end(), [&](const auto& a, const auto& b) {
+      auto atoms = a.first;
+      atoms.insert(b.first.begin(), b.first.end());
+      for (const auto& [atom, power] : atoms) {
+        const int pa = power_of(a.first, atom);
+        const int pb = power_of(b.first, atom);
+        if (pa != pb) return pa < pb;
+      }
+      return false;
+    });
+  }
 
   static bool add_to(Terms& terms, const Polynomial::Monomial& m, double c) {
     double& sum = terms[m];
@@ -157,6 +218,22 @@ std::optional<double> Polynomial::constant() const {
   if (terms_.empty()) return 0.0;
   if (terms_.size() == 1 && terms_.begin()->first.empty()) return terms_.begin()->second;
   return std::nullopt;
+}
+
+Expression Polynomial::square_root() const {
+  const auto root = PolynomialBuilder::square_root(terms_);
+  if (!root) return nullptr;
+  Expression sum;
+  for (const auto& [m, c] : *root) {
+    Expression term = m.empty() || c != 1 ? number(c) : nullptr;
+    for (const auto& [atom, power] : m) {
+      Expression e = atoms_.at(atom);
+      if (power != 1) e = binary(NodeKind::power, e, number(power));
+      term = term ? binary(NodeKind::multiply, term, e) : e;
+    }
+    sum = sum ? binary(NodeKind::add, sum, term) : term;
+  }
+  return sum;
 }
 
 bool Polynomial::depends_on(Variable v) const {

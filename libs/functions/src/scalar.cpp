@@ -12,6 +12,7 @@ constexpr R kNaN = std::numeric_limits<R>::quiet_NaN();
 
 template <class R>
 R whole_power(R base, int n) {
+  if (std::isnan(base)) return base;  // pow(NaN, 0) is 1
   return std::pow(base, static_cast<R>(n));
 }
 
@@ -35,6 +36,7 @@ R rational_power(R base, int p, int q) {
 
 template <class R>
 R real_power(R base, R exponent) {
+  if (std::isnan(base) || std::isnan(exponent)) return kNaN<R>;  // pow(1, NaN) is 1
   if (base == 0 && exponent <= 0) return kNaN<R>;
   if (base < 0 && exponent != std::floor(exponent)) return kNaN<R>;
   return std::pow(base, exponent);

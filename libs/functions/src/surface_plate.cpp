@@ -17,6 +17,8 @@ constexpr std::array<Variable, 2> kPlane{Variable::x, Variable::y};
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // A box that may contain a pole is halved this often before the pole is believed.
 constexpr int kPoleDepth = 24;
+// And no more boxes than this are looked at in one cell: along a whole line of them there is no end.
+constexpr int kMostPoleBoxes = 2000;
 // A gap is closed where the means of opposite values around it differ by less than this part of the range.
 constexpr double kHealed = 0.02;
 // And where they differ by more than this it is a step, whatever their means say.
@@ -55,9 +57,31 @@ class SurfaceSampler {
     if (!suspect) return s;
     const Interval f = enclose(u, v, h);
     if (f.is_empty()) return {kNaN, true};
-    if (has(f.cause, Cause::pole) && f.decoration == Decoration::partial) s.torn = has_pole(u, v, h, 0);
+    if (has(f.cause, Cause::pole) && f.decoration == Decoration::partial) {
+      pole_boxes_ = 0;
+      s.torn = has_pole(u, v, h, 0);
+    }
     if (std::isnan(s.value)) supersample(u, v, h, s);
     return s;
+  }
+
+  /// The highest or lowest value of the cell on a grid of 4 x 4, its border included, or the one in the
+  /// middle where the surface is not proven continuous over the cell.
+  double extreme(int row, int column, bool highest, double middle) {
+    constexpr int kSteps = 4;
+    const double h = 1.0 / size_;
+    const double u = column * h;
+    const double v = 1 - (row + 1) * h;
+    const Interval f = enclose(u, v, h);
+    if (!f.is_continuous() || !f.is_bounded()) return middle;
+    double most = middle;
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps; ++j) {
+        const double z = value(u + h * i / kSteps, v + h * j / kSteps);
+        if (std::isfinite(z)) most = highest ? std::max(most, z) : std::min(most, z);
+      }
+    }
+    return most;
   }
 
  private:
@@ -89,7 +113,7 @@ class SurfaceSampler {
   bool has_pole(double u, double v, double side, int depth) {
     const Interval f = enclose(u, v, side);
     if (f.is_empty() || !(has(f.cause, Cause::pole) && f.decoration == Decoration::partial)) return false;
-    if (depth == kPoleDepth) return true;
+    if (depth == kPoleDepth || ++pole_boxes_ > kMostPoleBoxes) return true;
     const double h = side / 2;
     return has_pole(u, v, h, depth + 1) || has_pole(u + h, v, h, depth + 1) ||
            has_pole(u, v + h, h, depth + 1) || has_pole(u + h, v + h, h, depth + 1);
@@ -127,11 +151,61 @@ class SurfaceSampler {
   Tape tape_;
   Window window_;
   int size_;
+  int pole_boxes_ = 0;
   std::vector<double> values_;
   std::vector<Interval> intervals_;
 };
 
-HeightRange range_of(const std::vector<SurfaceSampler::Sample>& samples) {
+using Samples = std::vector<SurfaceSampler::Sample>;
+
+/// Calls of(sample) for the whole ones among the eight around. @return whether all of them say yes.
+template <class F>
+bool all_around(const Samples& samples, int n, int row, int column, const F& of) {
+  for (int r = std::max(0, row - 1); r <= std::min(n - 1, row + 1); ++r) {
+    for (int c = std::max(0, column - 1); c <= std::min(n - 1, column + 1); ++c) {
+      if (r == row && c == column) continue;
+      const auto& s =
+          samples[static_cast<std::size_t>(r) * static_cast<std::size_t>(n) + static_cast<std::size_t>(c)];
+      if (!s.torn && !std::isnan(s.value) && !of(s.value)) return false;
+    }
+  }
+  return true;
+}
+
+/// A peak or a pit has its height though it lies beside the middle of its cell: |x| + |y| comes down to 0.
+void keep_peaks(SurfaceSampler& sampler, Samples& samples, int n) {
+  std::vector<std::pair<std::size_t, double>> better;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double z = samples[i].value;
+    if (samples[i].torn || !std::isfinite(z)) continue;
+    const int row = static_cast<int>(i) / n;
+    const int column = static_cast<int>(i) % n;
+    const bool peak = all_around(samples, n, row, column, [z](double other) { return other <= z; });
+    const bool pit = all_around(samples, n, row, column, [z](double other) { return other >= z; });
+    if (peak != pit) better.emplace_back(i, sampler.extreme(row, column, peak, z));
+  }
+  for (const auto& [i, z] : better) samples[i].value = z;
+}
+
+/// Where the surface is cut at an end of its range, the plateau has every cell that reaches this end: what is
+/// felt as its edge is not half a cell too far in.
+void widen_plateaus(SurfaceSampler& sampler, Samples& samples, int n, const HeightRange& range) {
+  std::vector<std::pair<std::size_t, double>> better;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double z = samples[i].value;
+    if (samples[i].torn || !(z > range.low && z < range.high)) continue;
+    const int row = static_cast<int>(i) / n;
+    const int column = static_cast<int>(i) % n;
+    const bool high = !all_around(samples, n, row, column, [&](double other) { return other < range.high; });
+    const bool low = !all_around(samples, n, row, column, [&](double other) { return other > range.low; });
+    if (high == low) continue;
+    const double most = sampler.extreme(row, column, high, z);
+    if (high ? most >= range.high : most <= range.low) better.emplace_back(i, most);
+  }
+  for (const auto& [i, z] : better) samples[i].value = z;
+}
+
+HeightRange range_of(const Samples& samples) {
   std::vector<double> values;
   for (const auto& s : samples) {
     if (std::isfinite(s.value) && !s.torn) values.push_back(s.value);
@@ -165,7 +239,7 @@ base::Result<Plate> carve_surface(const Statement& surface, const Window& window
   work.begin_part(0, 1, "surface");
   const int n = settings.size;
   SurfaceSampler sampler(surface.terms[0], window, n);
-  std::vector<SurfaceSampler::Sample> samples;
+  Samples samples;
   samples.reserve(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
   std::vector<bool> suspect(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), false);
   sampler.find_tears(suspect);
@@ -176,8 +250,10 @@ base::Result<Plate> carve_surface(const Statement& surface, const Window& window
       samples.push_back(sampler.sample(row, column, suspect[samples.size()]));
     }
   }
+  keep_peaks(sampler, samples, n);
   Plate plate;
   plate.range = settings.heights ? *settings.heights : range_of(samples);
+  widen_plateaus(sampler, samples, n, plate.range);
   const double span = plate.range.high - plate.range.low;
   plate.heights = std::move(*map);
   plate.mask.assign(samples.size(), 0);

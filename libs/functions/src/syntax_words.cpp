@@ -67,8 +67,6 @@ SyntaxWords english(const SyntaxError& e) {
       return {"t needs x and y to be given together", "expected x = f(t); y = g(t); a <= t <= b"};
     case SyntaxFault::polar_mixed:
       return {"r and theta cannot be mixed with " + e.subject, "expected only r and theta, or only x and y"};
-    case SyntaxFault::polar_inequality:
-      return {"inequalities in r and theta cannot be drawn", "expected r = f(theta)"};
     case SyntaxFault::nothing_equal:
       return {"there is nothing to be equal to", "expected r = f(theta)"};
     case SyntaxFault::height_misplaced:
@@ -132,8 +130,6 @@ SyntaxWords japanese(const SyntaxError& e) {
     case SyntaxFault::polar_mixed:
       return {"r と theta は " + e.subject + " と混ぜられません",
               "r と theta だけ、または x と y だけにしてください"};
-    case SyntaxFault::polar_inequality:
-      return {"r と theta の不等式は描けません", "「r = f(theta)」にしてください"};
     case SyntaxFault::nothing_equal:
       return {"等号の相手がありません", "「r = f(theta)」にしてください"};
     case SyntaxFault::height_misplaced:

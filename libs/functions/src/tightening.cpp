@@ -136,6 +136,25 @@ Expression gamma_ratio(const Expression& top, const Expression& bottom) {
   return binary(NodeKind::add, r, binary(NodeKind::multiply, number(0), call(Function::gamma, {lower})));
 }
 
+/// Whether it is a power of a number that is positive, so never zero.
+bool is_positive_power(const Expression& e) {
+  if (is_exponential(e)) return true;
+  if (e->kind != NodeKind::power || variables_of(e->arguments[1]).empty()) return false;
+  const auto base = rational_value(e->arguments[0]);
+  return base && base->p > 0;
+}
+
+/// a^u a^v = a^(u+v) and a^u / a^v = a^(u-v) for one positive number a.
+Expression exponents_joined(NodeKind kind, const Expression& left, const Expression& right) {
+  if (!is_positive_power(left) || !is_positive_power(right)) return nullptr;
+  if (to_text(left->arguments[0]) != to_text(right->arguments[0])) return nullptr;
+  const Expression sum = improved(binary(kind == NodeKind::multiply ? NodeKind::add : NodeKind::subtract,
+                                         left->arguments[1], right->arguments[1]));
+  // Where nothing is left of the exponent its domain still is.
+  if (variables_of(sum).empty() && !is_total(left->arguments[1])) return nullptr;
+  return binary(NodeKind::power, left->arguments[0], sum);
+}
+
 /// a^u b^u = (ab)^u and a^u / b^u = (a/b)^u for positive numbers a and b.
 Expression powers_joined(NodeKind kind, const Expression& left, const Expression& right) {
   if (left->kind != NodeKind::power || right->kind != NodeKind::power) return nullptr;
@@ -154,6 +173,48 @@ Expression powers_joined(NodeKind kind, const Expression& left, const Expression
   return binary(NodeKind::power, joined, left->arguments[1]);
 }
 
+/// a^u / (a^u + b^u + ...) = 1 / (1 + (b/a)^u + ...): both sides vanish or overflow, their quotient does not.
+Expression power_over_sum(const Expression& power, const Expression& sum) {
+  if (!is_positive_power(power)) return nullptr;
+  const auto over = [&power](const auto& self, const Expression& e) -> Expression {
+    if (e->kind == NodeKind::add || e->kind == NodeKind::subtract) {
+      const Expression a = self(self, e->arguments[0]);
+      const Expression b = a ? self(self, e->arguments[1]) : nullptr;
+      return b ? binary(e->kind, a, b) : nullptr;
+    }
+    if (to_text(e) == to_text(power)) return number(1);
+    if (Expression joined = powers_joined(NodeKind::divide, e, power)) return joined;
+    return exponents_joined(NodeKind::divide, e, power);
+  };
+  if ((sum->kind != NodeKind::add && sum->kind != NodeKind::subtract) || !is_total(power->arguments[1]))
+    return nullptr;
+  const Expression quotient = over(over, sum);
+  return quotient ? binary(NodeKind::divide, number(1), quotient) : nullptr;
+}
+
+/// sqrt(q^2 + c) + q = c/(sqrt(q^2 + c) + |q|) + 2 max(0, q), and the same for -q: of two large numbers that
+/// nearly cancel rounding leaves nothing, and enclosures even less.
+Expression rationalised(const Node& n) {
+  if (n.kind != NodeKind::add && n.kind != NodeKind::subtract) return nullptr;
+  const bool root_first = is_call(n.arguments[0], Function::sqrt);
+  const Expression& root = n.arguments[root_first ? 0 : 1];
+  if (!is_call(root, Function::sqrt)) return nullptr;
+  const Expression& other = n.arguments[root_first ? 1 : 0];
+  if (!is_total(other) || variables_of(other).empty()) return nullptr;
+  const auto rest = Polynomial::of(
+      binary(NodeKind::subtract, root->arguments[0], binary(NodeKind::power, other, number(2))));
+  const auto c = rest ? rest->constant() : std::nullopt;
+  if (!c || *c == 0) return nullptr;
+  const bool minus = n.kind == NodeKind::subtract;
+  // q - sqrt is minus (sqrt - q).
+  const Expression q = minus ? negate(other) : other;
+  const Expression sum =
+      binary(NodeKind::add,
+             binary(NodeKind::divide, number(*c), binary(NodeKind::add, root, call(Function::abs, {other}))),
+             binary(NodeKind::multiply, number(2), call(Function::max, {number(0), q})));
+  return minus && !root_first ? negate(sum) : sum;
+}
+
 }  // namespace
 
 Expression improved(const Expression& e) {
@@ -162,15 +223,18 @@ Expression improved(const Expression& e) {
   if (n.kind == NodeKind::add || n.kind == NodeKind::subtract) {
     if (Expression better = collected(std::make_shared<const Node>(n))) return better;
   }
+  if (Expression better = rationalised(n)) return better;
   for (Expression& a : n.arguments) a = improved(a);
   if (n.kind == NodeKind::divide) {
     if (Expression better = divided(n.arguments[0], n.arguments[1])) return better;
     if (Expression better = divided(with_exponentials(n.arguments[0]), with_exponentials(n.arguments[1])))
       return better;
     if (Expression better = gamma_ratio(n.arguments[0], n.arguments[1])) return better;
+    if (Expression better = power_over_sum(n.arguments[0], n.arguments[1])) return better;
   }
   if (n.kind == NodeKind::divide || n.kind == NodeKind::multiply) {
     if (Expression better = powers_joined(n.kind, n.arguments[0], n.arguments[1])) return better;
+    if (Expression better = exponents_joined(n.kind, n.arguments[0], n.arguments[1])) return better;
   }
   if (Expression better = inverse_undone(n)) return better;
   return std::make_shared<const Node>(std::move(n));

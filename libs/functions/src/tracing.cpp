@@ -12,6 +12,7 @@
 #include "arc_tracer.h"
 #include "equation.h"
 #include "plane_tracer.h"
+#include "polar_region.h"
 #include "region_tracer.h"
 
 namespace nazori::functions {
@@ -248,7 +249,8 @@ class PlotTracer {
     out_.events.push_back({kind, statement_, 0, out_.window.x(p.u), out_.window.y(p.v), kNaN, kNaN});
   }
 
-  bool draw_region(const Statement& s) {
+  bool draw_region(const Statement& typed) {
+    const Statement s = in_the_plane(typed);
     std::vector<Condition> conditions;
     for (std::size_t i = 0; i < s.comparisons.size(); ++i) {
       const Comparison c = s.comparisons[i];
@@ -259,6 +261,7 @@ class PlotTracer {
       // An equality inside a chain: both ways.
       if (c == Comparison::equal) conditions.push_back({negate(difference), false});
     }
+    for (Expression& bound : angle_bounds(typed)) conditions.push_back({std::move(bound), false});
     if (!RegionTracer(conditions, nullptr, statement_, settings_, out_, progress_).run()) return false;
     const std::size_t first_event = out_.events.size();
     for (std::size_t i = 0; i < s.comparisons.size(); ++i) {

@@ -203,7 +203,9 @@ std::string in_words(const Statement& s, Language language) {
   std::string text = in_words(s.terms[0], language);
   for (std::size_t i = 1; i < s.terms.size(); ++i)
     text += comparison(s.comparisons[i - 1], language) + in_words(s.terms[i], language);
-  return s.kind == StatementKind::polar_implicit ? text + range(english ? "theta" : "シータ") : text;
+  const bool ranged =
+      s.kind == StatementKind::polar_implicit || (s.kind == StatementKind::inequality && s.range_given);
+  return ranged ? text + range(english ? "theta" : "シータ") : text;
 }
 
 std::string in_words(const Plot& plot, Language language) {

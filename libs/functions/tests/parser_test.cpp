@@ -181,5 +181,16 @@ TEST(Parser, EchoesTheReadingInWords) {
   EXPECT_EQ(in_words(*other, Language::english), "y equals 1 over the quantity 2 times x end");
 }
 
+TEST(Parser, ReadsRegionsInRAndThetaWithTheirRange) {
+  const auto plot = parse("1 < r <= 2; 0 <= theta <= pi/2");
+  ASSERT_TRUE(plot);
+  ASSERT_EQ(plot->statements.size(), 1U);
+  EXPECT_EQ(plot->statements[0].kind, StatementKind::inequality);
+  EXPECT_EQ(canonical(*plot), "1 < r <= 2; 0 <= theta <= pi/2");
+  const auto again = parse(canonical(*plot));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(canonical(*again), canonical(*plot));
+}
+
 }  // namespace
 }  // namespace nazori::functions

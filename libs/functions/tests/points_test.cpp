@@ -185,5 +185,29 @@ TEST(Sound, BelowZeroHasNoiseInItAndTheSidesAreApart) {
   EXPECT_EQ(cue_at({1, 2.0}, w, 0).loudness, 0.0);
 }
 
+TEST(Points, WhatRoundingMakesOfALevelCurveIsNoExtremumAndNoInflection) {
+  // Falls from 1 to 0 without a turn; at -3000 both sides of the quotient are below every double.
+  const Found fall = found_in("y = 2^x/(2^x+3^x)", {-3000, 3000, -0.5, 1.5});
+  EXPECT_TRUE(fall.of(PointKind::maximum).empty());
+  EXPECT_TRUE(fall.of(PointKind::minimum).empty());
+  EXPECT_EQ(fall.of(PointKind::inflection).size(), 1U);
+  // Rises on the left and falls on the right of its hole at (0, e).
+  const Found hill = found_in("y = (1+x^2)^(1/x^2)", {-4, 4, -1, 4});
+  EXPECT_TRUE(hill.of(PointKind::minimum).empty());
+  EXPECT_LE(hill.of(PointKind::maximum).size(), 1U);
+  EXPECT_TRUE(hill.of(PointKind::isolated).empty());
+  const auto hole = hill.of(PointKind::hole);
+  ASSERT_EQ(hole.size(), 1U);
+  EXPECT_EQ(hole[0].x, 0);
+  EXPECT_NEAR(hole[0].y, std::numbers::e, 1e-4);
+}
+
+TEST(Points, AFlatMinimumIsStillFound) {
+  const auto least = found_in("y = (x-1)^10", {-1, 3, -1, 3}).of(PointKind::minimum);
+  ASSERT_EQ(least.size(), 1U);
+  EXPECT_NEAR(least[0].x, 1, 1e-9);
+  EXPECT_EQ(found_in("y = sin(50x)", {-1, 1, -2, 2}).of(PointKind::maximum).size(), 16U);
+}
+
 }  // namespace
 }  // namespace nazori::functions

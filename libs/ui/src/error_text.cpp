@@ -39,4 +39,11 @@ QString reason(const base::Error& error) {
   return detail.isEmpty() ? kind(error.code) : QStringLiteral("%1 (%2)").arg(kind(error.code), detail);
 }
 
+QString no_sound(const base::Error& error) {
+  return words(QT_TRANSLATE_NOOP("nazori::ui::reason",
+                                 "Nothing can be heard: no sound card answers (%1). Plug in or switch on "
+                                 "loudspeakers or headphones; everything else works."))
+      .arg(to_text(error.what));
+}
+
 }  // namespace nazori::ui

@@ -11,4 +11,7 @@ namespace nazori::ui {
 /// they are worth having.
 [[nodiscard]] QString reason(const base::Error& error);
 
+/// The sentence for a computer on which nothing can be heard, with what to do about it.
+[[nodiscard]] QString no_sound(const base::Error& error);
+
 }  // namespace nazori::ui

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "focus_frame.h"
 
-#include <QFocusEvent>
+#include <QApplication>
+#include <QEvent>
 #include <QPainter>
 #include <QVBoxLayout>
 
@@ -19,25 +20,36 @@ FocusFrame::FocusFrame(QWidget* inner, QWidget* parent) : QFrame(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kRing_px, kRing_px, kRing_px, kRing_px);
   column->addWidget(inner);
-  inner->installEventFilter(this);
+  qApp->installEventFilter(this);
+  connect(qApp, &QApplication::focusChanged, this, [this, inner](QWidget* /*before*/, QWidget* now) {
+    // None: the focus went on into the window inside, or to another program.
+    if (now == nullptr) return;
+    inside_ = now == inner;
+    update();
+  });
 }
 
 bool FocusFrame::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::FocusIn) {
-    const auto reason = static_cast<QFocusEvent*>(event)->reason();
-    ring_ = reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason;
-    update();
-  } else if (event->type() == QEvent::FocusOut) {
-    // The focus goes on into the window inside; the ring stays until another widget takes it.
-    const auto reason = static_cast<QFocusEvent*>(event)->reason();
-    if (reason != Qt::ActiveWindowFocusReason && reason != Qt::OtherFocusReason) ring_ = false;
-    update();
+  const bool before = shows_ring();
+  switch (event->type()) {
+    case QEvent::ShortcutOverride:  // a shortcut never becomes a key press
+    case QEvent::KeyPress:
+      by_key_ = true;
+      break;
+    case QEvent::MouseButtonPress:
+    case QEvent::TabletPress:
+    case QEvent::TouchBegin:
+      by_key_ = false;
+      break;
+    default:
+      break;
   }
+  if (shows_ring() != before) update();
   return QFrame::eventFilter(watched, event);
 }
 
 void FocusFrame::paintEvent(QPaintEvent* /*event*/) {
-  if (!ring_) return;
+  if (!shows_ring()) return;
   QPainter painter(this);
   painter.setPen(QPen(current_colours().indigo, 2 * kRing_px));
   painter.drawRect(rect());

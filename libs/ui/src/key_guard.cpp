@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSlider>
+#include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -34,7 +35,8 @@ bool works_with(const QObject* widget, int key) {
 }  // namespace
 
 bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
+  // A list or menu that has popped up takes its keys in its own way, and shortcuts are off while it is there.
+  if (event->type() == QEvent::ShortcutOverride && QApplication::activePopupWidget() == nullptr) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const auto modifiers = key->modifiers() & ~Qt::KeypadModifier;
     if (modifiers == Qt::NoModifier && works_with(watched, key->key())) {

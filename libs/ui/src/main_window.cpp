@@ -64,9 +64,10 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
     show_character(setup.character);
   } else {
     const auto& all = inside_->workplaces;
-    const QString first = preferences.begin_at_home && all.front()->id() == QLatin1String("home")
-                              ? all.front()->id()
-                              : preferences.workplace;
+    QString first = setup.workplace;
+    if (first.isEmpty())
+      first = preferences.begin_at_home && all.front()->id() == QLatin1String("home") ? all.front()->id()
+                                                                                      : preferences.workplace;
     const auto last =
         std::find_if(all.begin(), all.end(), [&](const auto& place) { return place->id() == first; });
     inside_->enter(last == all.end() ? *all.front() : **last);
@@ -202,7 +203,10 @@ void MainWindow::Inside::build(const Setup& setup) {
       stage->addWidget(holder);
     }
     auto* entry = actions->add_workplace(place);
-    QObject::connect(entry, &QAction::triggered, &window, [this, &place] { enter(place); });
+    QObject::connect(entry, &QAction::triggered, &window, [this, &place] {
+      enter(place);
+      focus_tablet();  // also where the workplace was there already: the way back from its lists
+    });
     QObject::connect(&place, &Workplace::wants_to_be_entered, &window, [this, &place] { enter(place); });
     QObject::connect(&place, &Workplace::title_changed, &window, [this] { show_title(); });
     QObject::connect(&place, &Workplace::tools_changed, &window, [this, &place] {

@@ -186,9 +186,8 @@ void MainWindow::Inside::connect_recording() {
 void MainWindow::Inside::connect_sound() {
   auto& preferences = desk.preferences();
   auto& controller = desk.controller();
-  QObject::connect(&sound, &StrokeSound::failed, &window, [this](const base::Error& error) {
-    desk.tell(Feedback::advice, MainWindow::tr("No sound: %1. Everything else works.").arg(reason(error)));
-  });
+  QObject::connect(&sound, &StrokeSound::failed, &window,
+                   [this](const base::Error& error) { desk.tell(Feedback::advice, no_sound(error)); });
   QObject::connect(&controller.stylus(), &Stylus::sampled, &sound,
                    [this, &controller](std::span<const haptics::ServoSample> samples) {
                      const auto& tablet = controller.tablet();

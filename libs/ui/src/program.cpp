@@ -41,10 +41,14 @@ void Program::open_window() {
   window_.reset();
   window_ = std::make_unique<MainWindow>(setup_, *appearance_);
   setup_.character = 0;
+  setup_.workplace.clear();
   connect(
       window_.get(), &MainWindow::language_chosen, this,
       [this] {
-        install_language(Preferences::load(setup_.settings_file).language);
+        // In the other language the learner is where he was.
+        const auto preferences = Preferences::load(setup_.settings_file);
+        install_language(preferences.language);
+        setup_.workplace = preferences.workplace;
         open_window();
       },
       Qt::QueuedConnection);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <QAbstractItemView>
 #include <QAccessible>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -535,6 +537,49 @@ TEST_F(FunctionsWindow, NothingIsWiderThanItsPanelInTheLargestText) {
       EXPECT_GE(box->width(), box->sizeHint().width()) << box->text().toStdString();
     }
   }
+}
+
+TEST_F(FunctionsWindow, ReturnInTheListOfExamplesChoosesOne) {
+  auto* examples = find<QComboBox>("examples");
+  examples->setFocus();
+  examples->showPopup();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activePopupWidget() != nullptr; }));
+  QTest::keyClick(examples->view(), Qt::Key_Home);
+  for (int i = 0; i < 4; ++i) QTest::keyClick(examples->view(), Qt::Key_Down);
+  QTest::keyClick(examples->view(), Qt::Key_Return);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return find<QLineEdit>("expression")->text() == QLatin1String("y = 1/x"); }));
+  EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+}
+
+TEST_F(FunctionsWindow, TheListOfExamplesNamesOnlyWhatStandsInTheLine) {
+  auto* examples = find<QComboBox>("examples");
+  auto* line = find<QLineEdit>("expression");
+  line->setText(QStringLiteral("y = floor(x)"));
+  EXPECT_EQ(examples->currentText(), QStringLiteral("y = floor(x)"));
+  line->setText(QStringLiteral("y = floor(x) + 1"));
+  EXPECT_EQ(examples->currentIndex(), 0);
+}
+
+TEST_F(FunctionsWindow, APointWithoutAnExactNameIsSaidToBeAboutThere) {
+  type(QStringLiteral("y = x^3 - 2x + 1"));
+  for (int i = 0; i < 8; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
+  QCoreApplication::processEvents();
+  auto* table = find<QTableWidget>("points_table");
+  ASSERT_TRUE(table->isColumnHidden(1));
+  QStringList shown;
+  for (int row = 0; row < table->rowCount(); ++row) {
+    QStyleOptionViewItem option;
+    struct Open : QStyledItemDelegate {
+      using QStyledItemDelegate::initStyleOption;
+    };
+    (static_cast<const QStyledItemDelegate*>(table->itemDelegate())->*(&Open::initStyleOption))(
+        &option, table->model()->index(row, 0));
+    shown.append(option.text);
+  }
+  const QString all = shown.join(QLatin1Char('|'));
+  EXPECT_TRUE(all.contains(QStringLiteral("y ≈ 2.089"))) << all.toStdString();
+  EXPECT_FALSE(all.contains(QStringLiteral("= ≈"))) << all.toStdString();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QMenuBar>
 #include <QToolBar>
 
+#include "focus_frame.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -100,6 +101,23 @@ TEST_F(Keys, TheTextGrowsFrom12To28PointsAndNoFurther) {
   EXPECT_EQ(QApplication::font().pointSize(), 28);
   for (int i = 0; i < 20; ++i) press(Qt::Key_Minus, Qt::ControlModifier);
   EXPECT_EQ(QApplication::font().pointSize(), 12);
+}
+
+TEST_F(Keys, WhoComesToTheTabletByKeySeesItsRingAndWhoClicksDoesNot) {
+  auto* frame = find<FocusFrame>("tablet_frame");
+  ASSERT_NE(frame, nullptr);
+  find<QLineEdit>("search")->setFocus();
+  EXPECT_FALSE(frame->shows_ring());
+  // Not with Tab: with a key of the window, which then gives the keyboard to the tablet.
+  press(Qt::Key_Period);
+  find("tablet")->setFocus(Qt::OtherFocusReason);
+  EXPECT_TRUE(frame->shows_ring());
+  QTest::mouseClick(frame, Qt::LeftButton);
+  EXPECT_FALSE(frame->shows_ring());
+  QTest::keyClick(find("tablet"), Qt::Key_Shift);
+  EXPECT_TRUE(frame->shows_ring());
+  find<QLineEdit>("search")->setFocus();
+  EXPECT_FALSE(frame->shows_ring());
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPointer>
 #include <QToolButton>
 
+#include "nazori/ui/program.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -112,6 +114,24 @@ TEST_F(Memory, WhatCanBePressedHasANameForTheScreenReader) {
   for (const char* name :
        {"search", "lists", "character_grid", "tablet", "information_panel", "feedback_line"})
     EXPECT_FALSE(find(name)->accessibleName().isEmpty()) << name;
+}
+
+TEST_F(Memory, AWindowInAnotherLanguageBeginsWhereTheLearnerWas) {
+  window_.reset();
+  MainWindow::Setup elsewhere = setup();
+  QSettings(elsewhere.settings_file, QSettings::IniFormat)
+      .setValue(QStringLiteral("study/begin_at_home"), true);
+  Program program(elsewhere);
+  program.show();
+  program.window()->go_to(QStringLiteral("functions"));
+  const QString before = program.window()->windowTitle();
+  EXPECT_TRUE(before.contains(QLatin1Char('='))) << before.toStdString();
+  const QPointer<MainWindow> old(program.window());
+  program.window()->findChild<QAction*>(QStringLiteral("language_japanese"))->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return old.isNull(); }));
+  EXPECT_EQ(program.window()->windowTitle(), before);
+  EXPECT_TRUE(program.window()->findChild<QAction*>(QStringLiteral("language_japanese"))->isChecked());
+  install_language(QStringLiteral("en"));
 }
 
 }  // namespace

@@ -1828,12 +1828,16 @@ Columns and rows:</source>
         <translation>曲線はペンを放します。</translation>
     </message>
     <message>
-        <source>Volume %1</source>
-        <translation>音量 %1</translation>
+        <source>The drawing was stopped. What is shown need not be all of it.</source>
+        <translation>描画を止めました。見えているものが全部とは限りません。</translation>
     </message>
     <message>
-        <source>Nothing can be heard: %1.</source>
-        <translation>音を出せません: %1。</translation>
+        <source>Nothing can be heard on this computer.</source>
+        <translation>このコンピューターでは音を出せません。</translation>
+    </message>
+    <message>
+        <source>Volume %1</source>
+        <translation>音量 %1</translation>
     </message>
     <message>
         <source>This cannot be drawn: %1. The plate is as it was.</source>
@@ -2882,10 +2886,6 @@ Columns and rows:</source>
         <translation>計算機とともに途切れた記録があります。最後の一秒が欠けているかもしれません：%1。</translation>
     </message>
     <message>
-        <source>No sound: %1. Everything else works.</source>
-        <translation>音が出ません：%1。ほかはすべて使えます。</translation>
-    </message>
-    <message>
         <source>Loudness %1 %.</source>
         <translation>音の大きさ %1 %。</translation>
     </message>
@@ -3141,7 +3141,7 @@ Columns and rows:</source>
         <translation>例</translation>
     </message>
     <message>
-        <source>Choose an example</source>
+        <source>Examples…</source>
         <translation>例を選ぶ</translation>
     </message>
     <message>
@@ -4873,6 +4873,10 @@ Columns and rows:</source>
     <message>
         <source>it does not exist</source>
         <translation>存在しません</translation>
+    </message>
+    <message>
+        <source>Nothing can be heard: no sound card answers (%1). Plug in or switch on loudspeakers or headphones; everything else works.</source>
+        <translation>音を出せません。使えるサウンドカードがありません（%1）。スピーカーかヘッドホンをつなぐか、電源を入れてください。ほかはすべて使えます。</translation>
     </message>
     <message>
         <source>the graphics or the device refused</source>

@@ -34,6 +34,8 @@ class FunctionSound final : public QObject {
   /// Every sound.
   void stop();
   [[nodiscard]] bool is_playing() const;
+  /// The computer has refused to play: there is nothing to be heard before the next start.
+  [[nodiscard]] bool is_refused() const { return refused_; }
 
  signals:
   void unavailable(nazori::base::Error error);

@@ -26,7 +26,9 @@ void FunctionsWorkplace::connect_sound() {
   on(actions_->stop, [this] {
     export_->forget_sound();
     sound_->stop();
+    if (!plotter_->is_busy()) return;
     plotter_->stop();
+    desk().answer(Feedback::advice, tr("The drawing was stopped. What is shown need not be all of it."));
   });
   on(actions_->faster, [this] { change_speed(+1); });
   on(actions_->slower, [this] { change_speed(-1); });
@@ -40,9 +42,8 @@ void FunctionsWorkplace::connect_sound() {
   });
   on(actions_->mute, [this](bool muted) { set_muted(muted); });
   on(actions_->reference, [this] { play_reference(); });
-  connect(sound_, &FunctionSound::unavailable, this, [this](const base::Error& error) {
-    desk().say(Feedback::advice, tr("Nothing can be heard: %1.").arg(reason(error)));
-  });
+  connect(sound_, &FunctionSound::unavailable, this,
+          [this](const base::Error& error) { desk().say(Feedback::advice, no_sound(error)); });
   connect(&touch_timer_, &QTimer::timeout, this, &FunctionsWorkplace::follow_stylus);
 }
 
@@ -117,7 +118,13 @@ void FunctionsWorkplace::play_reference() {
     desk().answer(Feedback::hint, tr("The sound is off. M turns it on."));
     return;
   }
+  if (sound_->is_refused()) {
+    desk().answer(Feedback::advice, tr("Nothing can be heard on this computer."));
+    return;
+  }
   sound_->touch_briefly(functions::cue_at({0.5, v}, window_, 1));
+  // Refused just now, the sentence that says so stands there already.
+  if (sound_->is_refused()) return;
   desk().answer(Feedback::hint, tr("This is the tone of y = 0."));
 }
 
@@ -137,6 +144,10 @@ void FunctionsWorkplace::hear() {
   }
   if (sound_->muted()) {
     desk().answer(Feedback::hint, tr("The sound is off. M turns it on."));
+    return;
+  }
+  if (sound_->is_refused()) {
+    desk().answer(Feedback::advice, tr("Nothing can be heard on this computer."));
     return;
   }
   const auto& asked = drawing_->asked;

@@ -18,6 +18,12 @@ namespace {
 constexpr double kSlide_m = 2.5e-3;  ///< farther than a step: lifted on the way
 constexpr int kLift_ms = 30;
 
+/// The tablet's window still gets keys until the window system has followed the keyboard to another widget.
+bool belongs_elsewhere(const QObject* watched, const QWidget* keyboard) {
+  return qobject_cast<const QWidget*>(watched) == nullptr && keyboard != nullptr &&
+         keyboard->objectName() != QLatin1String("tablet");
+}
+
 bool is_tablet(const QObject* object) {
   return object->objectName() == QLatin1String("tablet") ||
          object->objectName() == QLatin1String("tablet_window");
@@ -69,11 +75,13 @@ void FunctionsWorkplace::connect_trace() {
   });
   on(actions_->beacon, [this] {
     tracer_.drop_beacon();
-    desk().answer(
-        Feedback::good,
-        tracer_.place()
-            ? tr("Beacon %1 is here: %2.").arg(tracer_.beacon_count()).arg(place_words(*tracer_.place()))
-            : tr("Go to a place on a curve first, with the arrow keys."));
+    desk().answer(Feedback::good,
+                  tracer_.place()
+                      ? tr("Beacon %1 is here: %2.")
+                            .arg(tracer_.beacon_count())
+                            .arg(tracer_.point_here() != nullptr ? point_words(*tracer_.point_here())
+                                                                 : place_words(*tracer_.place()))
+                      : tr("Go to a place on a curve first, with the arrow keys."));
   });
   on(actions_->next_beacon, [this] {
     if (const int number = tracer_.go_to_next_beacon(); number > 0)
@@ -211,6 +219,9 @@ bool FunctionsWorkplace::eventFilter(QObject* watched, QEvent* event) {
     return Workplace::eventFilter(watched, event);
   if (QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr)
     return false;
+  if (QWidget* keyboard = desk().window().focusWidget();
+      is_tablet(watched) && belongs_elsewhere(watched, keyboard))
+    return QCoreApplication::sendEvent(keyboard, event);
   auto* key = static_cast<QKeyEvent*>(event);
   const bool stops = key->key() == Qt::Key_Escape;
   // Esc stops what sounds or is being drawn wherever the keyboard is; else it is the window's.

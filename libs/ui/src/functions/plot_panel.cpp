@@ -123,7 +123,7 @@ PlotPanel::PlotPanel(QWidget* parent)
 
   examples_->setObjectName(QStringLiteral("examples"));
   examples_->setAccessibleName(tr("Examples"));
-  examples_->addItem(tr("Choose an example"));
+  examples_->addItem(tr("Examples…"));
   for (const auto& example : kExamples) examples_->addItem(QString::fromUtf8(example.expression));
   examples_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   examples_->setMinimumContentsLength(8);
@@ -220,7 +220,12 @@ PlotPanel::PlotPanel(QWidget* parent)
   for (QWidget* field : {static_cast<QWidget*>(line_), static_cast<QWidget*>(examples_),
                          static_cast<QWidget*>(width_), static_cast<QWidget*>(size_)})
     field->setMinimumWidth(1);
-  connect(line_, &QLineEdit::textChanged, this, &PlotPanel::expression_typed);
+  connect(line_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    // The list names the example that stands in the line, and none where something else stands there.
+    examples_->setCurrentIndex(
+        std::max(0, examples_->findText(text, Qt::MatchExactly | Qt::MatchCaseSensitive)));
+    emit expression_typed(text);
+  });
   // From top to bottom, not in the order of making.
   QWidget* before = line_;
   for (QWidget* next : std::initializer_list<QWidget*>{examples_, borders_[0], borders_[1], borders_[2],

@@ -43,9 +43,10 @@ class StackedCell final : public QStyledItemDelegate {
     for (int column = 1; column < index.model()->columnCount(); ++column) {
       const QString value = index.siblingAtColumn(column).data().toString();
       if (value != no_coordinate())
-        option->text += QChar(QChar::LineSeparator) +
-                        QStringLiteral("%1 = %2").arg(
-                            index.model()->headerData(column, Qt::Horizontal).toString(), value);
+        option->text +=
+            QChar(QChar::LineSeparator) +
+            (value.startsWith(QStringLiteral("≈")) ? QStringLiteral("%1 %2") : QStringLiteral("%1 = %2"))
+                .arg(index.model()->headerData(column, Qt::Horizontal).toString(), value);
     }
   }
 
@@ -77,6 +78,7 @@ PointsPanel::PointsPanel(QWidget* parent)
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   caption_->setProperty("role", QStringLiteral("heading"));
   caption_->setBuddy(table_);
+  caption_->setWordWrap(true);
   empty_->setProperty("role", QStringLiteral("muted"));
   empty_->setWordWrap(true);
   table_->setObjectName(QStringLiteral("points_table"));

@@ -40,6 +40,8 @@ template <class R>
 struct Rounding {
   static constexpr R kInf = std::numeric_limits<R>::infinity();
   static constexpr R kMax = std::numeric_limits<R>::max();
+  /// What is nearer to zero than this may be what underflow left of a number of the next wider type.
+  static constexpr R kVanishing = std::is_same_v<R, double> ? R(1e-290) : R(0);
 
   static R down(R v) {
     if constexpr (std::is_same_v<R, double>) {
@@ -213,7 +215,9 @@ BasicInterval<R> operator/(const BasicInterval<R>& a, const BasicInterval<R>& b)
   using I = BasicInterval<R>;
   if (a.is_empty() || b.is_empty()) return I::empty(a.cause | b.cause);
   if (b.contains(0)) {
-    const Cause why = a.cause | b.cause | Cause::pole;
+    Cause why = a.cause | b.cause | Cause::pole;
+    // So near to zero that it may only have vanished in this type: 2^x/(2^x + 3^x).
+    if (std::max(-b.lower, b.upper) <= Q::kVanishing) why = why | Cause::overflow;
     if (b.is_point()) return I::empty(why);
     if (a.is_point() && a.lower == 0) return {0, 0, Decoration::partial, why};
     R low = -Q::kInf;

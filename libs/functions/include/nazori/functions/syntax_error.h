@@ -37,7 +37,6 @@ enum class SyntaxFault : std::uint8_t {
   range_misplaced,   ///< not after the curve that it is for
   parameter_alone,   ///< t without both x and y
   polar_mixed,       ///< r and theta with the variable subject
-  polar_inequality,  ///< in r and theta
   nothing_equal,     ///< an expression in r and theta without "="
   height_misplaced,  ///< z that does not stand alone on one side
 };

@@ -28,6 +28,7 @@ class MainWindow final : public QMainWindow {
     std::filesystem::path database;  ///< kanji.db
     QString settings_file;           ///< INI; empty: nazori/nazori.ini in the XDG config home
     char32_t character = 0;          ///< to open with; 0: the last one
+    QString workplace;               ///< id of where to begin; empty: as the settings say
     std::filesystem::path learners;  ///< folder of the profiles; empty: study::profiles_folder()
     study::Clock clock;              ///< for all that is study; empty: the computer's
     bool draws_tablet = true;        ///< false: no OpenGL (tests, machines without it)
