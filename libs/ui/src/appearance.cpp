@@ -8,7 +8,11 @@
 #include <QDBusPendingReply>
 #include <QFileInfo>
 #include <QFont>
+#include <QPainter>
 #include <QProxyStyle>
+#include <QSlider>
+#include <QStyleOptionSlider>
+#include <algorithm>
 
 #include "palette.h"
 #include "style_sheet.h"
@@ -22,7 +26,7 @@ constexpr auto kPortalSettings = "org.freedesktop.portal.Settings";
 constexpr auto kAppearance = "org.freedesktop.appearance";
 constexpr auto kColourScheme = "color-scheme";
 
-/// Fusion without pictures on the buttons of dialogs.
+/// Fusion without pictures on the buttons of dialogs, and with ticks that are seen on dark paper too.
 class CalmStyle final : public QProxyStyle {
  public:
   CalmStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -30,6 +34,40 @@ class CalmStyle final : public QProxyStyle {
                 QStyleHintReturn* data) const override {
     return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0
                                                        : QProxyStyle::styleHint(hint, option, widget, data);
+  }
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                          const QWidget* widget) const override {
+    const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+    if (control != CC_Slider || slider == nullptr || slider->orientation != Qt::Horizontal ||
+        !slider->subControls.testFlag(SC_SliderTickmarks)) {
+      QProxyStyle::drawComplexControl(control, option, painter, widget);
+      return;
+    }
+    QStyleOptionSlider plain = *slider;
+    plain.subControls.setFlag(SC_SliderTickmarks, false);
+    QProxyStyle::drawComplexControl(control, &plain, painter, widget);
+    draw_ticks(*slider, *painter, widget);
+  }
+
+ private:
+  /// Fusion takes a darker shade of the paper, which on dark paper is none.
+  void draw_ticks(const QStyleOptionSlider& slider, QPainter& painter, const QWidget* widget) const {
+    const QRect groove = subControlRect(CC_Slider, &slider, SC_SliderGroove, widget);
+    const int handle = pixelMetric(PM_SliderLength, &slider, widget);
+    const int span = groove.width() - handle;
+    const int interval = std::max(1, slider.tickInterval > 0 ? slider.tickInterval : slider.pageStep);
+    const int height = std::max(3, pixelMetric(PM_SliderTickmarkOffset, &slider, widget));
+    const bool above = (slider.tickPosition & QSlider::TicksAbove) != 0;
+    const bool below = (slider.tickPosition & QSlider::TicksBelow) != 0;
+    painter.save();
+    painter.setPen(slider.palette.color(QPalette::PlaceholderText));
+    for (int value = slider.minimum; value <= slider.maximum; value += interval) {
+      const int x = groove.left() + handle / 2 +
+                    sliderPositionFromValue(slider.minimum, slider.maximum, value, span, slider.upsideDown);
+      if (above) painter.drawLine(x, slider.rect.top(), x, slider.rect.top() + height);
+      if (below) painter.drawLine(x, slider.rect.bottom() - height, x, slider.rect.bottom());
+    }
+    painter.restore();
   }
 };
 

@@ -6,11 +6,17 @@
 #include <QFontInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QResizeEvent>
 
 #include "icons.h"
 #include "palette.h"
 
 namespace nazori::ui {
+namespace {
+
+constexpr int kRoomForTwo_em = 32;
+
+}  // namespace
 
 FeedbackLine::FeedbackLine(QWidget* parent)
     : QFrame(parent), sign_(new QLabel(this)), text_(new QLabel(this)) {
@@ -60,6 +66,20 @@ QString FeedbackLine::sentence() const { return text_->text(); }
 void FeedbackLine::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) draw_sign();
+  if (event->type() == QEvent::FontChange) fit();
+}
+
+void FeedbackLine::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fit();
+}
+
+void FeedbackLine::fit() {
+  // Room for two lines, even where one is enough: what lies above must not move under the pen. In a low
+  // window with large letters the room is needed more elsewhere.
+  const bool roomy = window()->height() >= kRoomForTwo_em * QFontInfo(font()).pixelSize();
+  const int height = (roomy ? 2 : 1) * text_->fontMetrics().lineSpacing();
+  if (text_->minimumHeight() != height) text_->setMinimumHeight(height);
 }
 
 void FeedbackLine::draw_sign() {

@@ -29,8 +29,10 @@ class FeedbackLine final : public QFrame {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void fit();
   void draw_sign();
   void speak(const QString& sentence);
 

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLocale>
+#include <QResizeEvent>
 #include <cmath>
 
 #include "device_text.h"
@@ -15,6 +16,8 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kLook_ms = 1000;
+constexpr int kMargin = 8;
+constexpr int kGap = 8;
 
 }  // namespace
 
@@ -41,7 +44,10 @@ StatusLine::StatusLine(TabletController& controller, const SessionRecording& rec
       "How long a moment of feeling takes to compute on average, how late one came at most since the start, "
       "and how old the drawn stylus was at most in the last second"));
   missed_->setToolTip(tr("Moments of feeling that came too late or not at all, since the start"));
-  for (auto* label : {record_, depth_, device_, rate_, timing_, missed_}) addPermanentWidget(label);
+  for (auto* label : {record_, depth_, device_, rate_, timing_, missed_}) {
+    label->setMinimumWidth(1);  // else it would hold the window as wide as all of them
+    addPermanentWidget(label);
+  }
   since_.start();
   show_device();
   show_recording();
@@ -63,8 +69,10 @@ void StatusLine::show_device() {
 }
 
 void StatusLine::show_recording() {
-  record_->setVisible(recording_.is_on());
-  if (!recording_.is_on()) return;
+  if (!recording_.is_on()) {
+    fit();
+    return;
+  }
   const auto status = recording_.status();
   const double seconds = static_cast<double>(status.samples) / controller_.stylus().describe().rate_hz;
   const QString file = QFileInfo(recording_.path()).fileName();
@@ -74,19 +82,45 @@ void StatusLine::show_recording() {
           ? words
           : tr("%1, %2 lost").arg(words, QLocale().toString(static_cast<qulonglong>(status.lost))));
   record_->setToolTip(tr("The session is being recorded to %1").arg(recording_.path()));
+  fit();
 }
 
 void StatusLine::show_depth(double depth_m) {
   const QString text =
       depth_m > 0 ? tr("depth %1 mm").arg(QLocale().toString(depth_m * 1000, 'f', 1)) : QString();
-  if (depth_->text() != text) depth_->setText(text);
+  if (depth_->text() == text) return;
+  depth_->setText(text);
+  fit();
 }
 
 void StatusLine::changeEvent(QEvent* event) {
   QStatusBar::changeEvent(event);
   // Its height comes from its labels, whose text grows only after its own.
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-    QTimer::singleShot(0, this, [this] { reformat(); });
+    QTimer::singleShot(0, this, [this] {
+      reformat();
+      fit();
+    });
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+  QStatusBar::resizeEvent(event);
+  fit();
+}
+
+void StatusLine::fit() {
+  // Those that find no room are left out whole, the least important first; the place "Device" has them all.
+  int room = contentsRect().width() - kMargin;
+  bool full = false;
+  for (auto* label : {record_, device_, depth_, rate_, missed_, timing_}) {
+    if (label->text().isEmpty() || (label == record_ && !recording_.is_on())) {
+      label->hide();
+      continue;
+    }
+    room -= label->sizeHint().width() + kGap;
+    full = full || room < 0;
+    label->setVisible(!full || label == device_);
+  }
 }
 
 void StatusLine::look() {
@@ -110,6 +144,7 @@ void StatusLine::look() {
   timing_->setText(times);
   const auto missed = timing.missed_ticks + timing.dropped_samples;
   missed_->setText(tr("%1 missed").arg(QLocale().toString(static_cast<qulonglong>(missed))));
+  fit();
 }
 
 }  // namespace nazori::ui

@@ -24,8 +24,10 @@ class StatusLine final : public QStatusBar {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void fit();
   void look();
   void show_device();
   void show_recording();

@@ -251,7 +251,7 @@ view::Overlay TabletController::overlay() {
   overlay.writing = writing_;
   if (demonstration_) overlay.cursor = demonstration_->brush;
   shown_s_ = 0;
-  if (stylus_in_range()) {
+  if (draws_stylus()) {
     const auto& now = stylus_.latest();
     shown_s_ = now.begun_s;
     overlay.cursor = view::Cursor{now.proxy_m, now.device_m, now.touching,

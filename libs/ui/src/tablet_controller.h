@@ -34,6 +34,7 @@ struct TabletGuides {
 struct Demonstration {
   std::vector<double> ink;  ///< of each stroke the share that is written
   view::Cursor brush;
+  bool moving = false;  ///< the brush is drawn even where a stylus is near
 };
 
 /// What the tablet is doing: the carved tablet itself, which strokes are shown, whether they hold the stylus,
@@ -80,7 +81,7 @@ class TabletController final : public QObject {
   [[nodiscard]] bool can_lead() const { return stylus_.describe().has_force; }
   /// Flat ink on the tablet, drawn as given.
   void set_writing(std::vector<view::WrittenStroke> writing);
-  /// Shown in place of the learner's ink, and of the stylus while that is away.
+  /// Shown in place of the learner's ink, and of the stylus while the brush moves or the stylus is away.
   void set_demonstration(std::optional<Demonstration> demonstration);
 
   void clear_ink();
@@ -124,6 +125,10 @@ class TabletController final : public QObject {
   [[nodiscard]] double take_drawn_age_s();
   /// The stylus is over the tablet.
   [[nodiscard]] bool stylus_in_range() const { return !stylus_.is_pointer() || pointer_.in_range; }
+  /// Whether the picture has the learner's own stylus.
+  [[nodiscard]] bool draws_stylus() const {
+    return stylus_in_range() && !(demonstration_ && demonstration_->moving);
+  }
 
  signals:
   void tablet_changed();

@@ -80,6 +80,8 @@ void ToolBar::enter(const Workplace& workplace) {
   name_buttons();
   fit();
   refresh();
+  // Else the next picture, which may come long before the next layout, shows them where they are made.
+  layout()->activate();
   // New buttons are shown with the next layout; before, they cannot have the keyboard.
   if (auto* button = focused != nullptr ? widgetForAction(focused) : nullptr)
     QTimer::singleShot(0, button, [button] { button->setFocus(Qt::TabFocusReason); });

@@ -49,6 +49,26 @@ TEST(TabletController, WithoutStrokesSteppingStaysAtAll) {
   EXPECT_EQ(controller.current_stroke(), 0);
 }
 
+TEST(TabletController, ABrushThatWritesByItselfIsSeenThoughAStylusIsNear) {
+  TabletController controller;
+  controller.set_tablet(three());
+  ASSERT_TRUE(controller.start());
+  controller.move_stylus(TabletPoint{0, 0}, false);
+  ASSERT_TRUE(controller.stylus_in_range());
+  nazori::ui::Demonstration demonstration;
+  demonstration.brush.proxy_m = {0.01, 0.02, 0};
+  demonstration.moving = true;
+  controller.set_demonstration(demonstration);
+  EXPECT_FALSE(controller.draws_stylus());
+  ASSERT_TRUE(controller.overlay().cursor);
+  EXPECT_EQ(controller.overlay().cursor->proxy_m, demonstration.brush.proxy_m);
+  // At rest the learner may feel the groove, and sees where.
+  demonstration.moving = false;
+  controller.set_demonstration(demonstration);
+  EXPECT_TRUE(controller.draws_stylus());
+  EXPECT_NE(controller.overlay().cursor->proxy_m, demonstration.brush.proxy_m);
+}
+
 TEST(TabletController, ADrawnStylusIsAsOldAsTheMomentOfFeelingItShows) {
   TabletController controller;
   controller.set_tablet(three());

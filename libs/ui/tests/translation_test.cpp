@@ -18,7 +18,7 @@ QString translations(const char* name) {
 /// Every place holder of the source must be in the translation, and no other.
 QStringList place_holders(const QString& text) {
   // As QString::arg() reads them: "%1100" is number 11.
-  static const QRegularExpression holder(QStringLiteral("%(\\d{1,2}|n)"));
+  static const QRegularExpression holder(QStringLiteral("%(\\d{1,2}|L?n)"));
   QStringList found;
   for (auto match = holder.globalMatch(text); match.hasNext();) found.append(match.next().captured());
   found.removeDuplicates();
@@ -65,6 +65,34 @@ TEST(EnglishTexts, KnowOneFromMany) {
   };
   EXPECT_EQ(strokes(1), QStringLiteral("1 stroke"));
   EXPECT_EQ(strokes(6), QStringLiteral("6 strokes"));
+  const auto streak = [](int n) {
+    return QCoreApplication::translate("nazori::ui::HomePage", "days in a row", nullptr, n);
+  };
+  EXPECT_EQ(streak(0), QStringLiteral("days in a row"));
+  EXPECT_EQ(streak(1), QStringLiteral("day in a row"));
+  EXPECT_EQ(streak(7), QStringLiteral("days in a row"));
+}
+
+TEST(EnglishTexts, HaveBothFormsOfEveryCountedOne) {
+  QFile file(translations("nazori_en.ts"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  QXmlStreamReader xml(&file);
+  int forms = 0;
+  QString source;
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+    if (xml.name() == QLatin1String("source")) {
+      source = xml.readElementText();
+    } else if (xml.name() == QLatin1String("translation")) {
+      EXPECT_FALSE(xml.attributes().hasAttribute(QStringLiteral("type")))
+          << source.toStdString() << " is unfinished";
+    } else if (xml.name() == QLatin1String("numerusform")) {
+      ++forms;
+      EXPECT_FALSE(xml.readElementText().trimmed().isEmpty()) << source.toStdString();
+    }
+  }
+  EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+  EXPECT_GT(forms, 60);
 }
 
 }  // namespace

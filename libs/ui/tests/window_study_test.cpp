@@ -397,6 +397,66 @@ TEST_F(Study, UndoFromHomeTakesBackReviewsOfOtherDaysToo) {
   EXPECT_EQ(store().card(U'一').next_stage, study::Stage::memory);
 }
 
+TEST_F(Study, WhatIsTakenBackIsNoLongerInTheSummary) {
+  start();
+  learn();
+  press(Qt::Key_4);
+  ASSERT_TRUE(find("home_summary")->isVisible());
+  EXPECT_EQ(text("home_streak"), QStringLiteral("1"));
+  press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(find("home_summary")->isVisible());
+}
+
+TEST_F(Study, WhatWasKeptLastStandsAboveTheButtonThatTakesItBack) {
+  start();
+  EXPECT_FALSE(find("session_note")->isVisible());
+  learn();
+  press(Qt::Key_3);
+  ASSERT_TRUE(session().is_running());
+  on_desk_ = 0;
+  ASSERT_TRUE(is_on_desk());
+  EXPECT_FALSE(feedback().contains(QStringLiteral("Kept"))) << "the next task has words of its own";
+  EXPECT_TRUE(text("session_note").contains(QStringLiteral("“Good” and comes in 10 minutes")))
+      << text("session_note").toStdString();
+  EXPECT_TRUE(find("session_note")->isVisible());
+  press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(text("session_note").contains(QStringLiteral("Taken back")))
+      << text("session_note").toStdString();
+}
+
+TEST_F(Study, AnAcceptedWritingThatTookHintsSaysWhyLessIsProposed) {
+  learn_and_come_back();
+  ASSERT_FALSE(HasFatalFailure());
+  press(Qt::Key_H);
+  press(Qt::Key_H);
+  EXPECT_FALSE(find("session_help")->isVisible());
+  write_from_memory(true);
+  EXPECT_EQ(session().proposed(), Rating::again);
+  EXPECT_TRUE(find("session_help")->isVisible());
+  EXPECT_EQ(text("session_help"), QStringLiteral("“Again” is proposed: 2 hints."));
+}
+
+TEST_F(Study, TheTabletKeepsItsPlaceWhateverIsSaidUnderIt) {
+  start();
+  ASSERT_TRUE(is_on_desk());
+  const auto tablet = [this] {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    QCoreApplication::processEvents();
+    return find("tablet")->geometry();
+  };
+  the_desk->say(Feedback::hint, QStringLiteral("Short."));
+  const QRect before = tablet();
+  the_desk->say(Feedback::hint,
+                QStringLiteral("A sentence as long as those that explain two faults of a writing "
+                               "at once, which takes a second line in a window like this."));
+  ASSERT_GT(find<QLabel>("feedback_text")->heightForWidth(find("feedback_text")->width()),
+            find("feedback_text")->fontMetrics().lineSpacing() * 3 / 2);
+  EXPECT_EQ(tablet(), before);
+  learn();
+  EXPECT_TRUE(find("button_rate_good")->isVisible());
+  EXPECT_EQ(tablet(), before);
+}
+
 TEST_F(Study, ASecondWindowIsToldAndChangesNothing) {
   start();
   learn();
@@ -443,7 +503,7 @@ TEST_F(Study, AfterAMonthAwayThereIsAPlanAndNoWall) {
   EXPECT_TRUE(text("home_advice").contains(QStringLiteral("4 days")));
 }
 
-TEST_F(Study, AWeekThroughTheWindowLosesNothingThatWasRatedWhateverEndsIt) {
+TEST_F(Study, AWeekThroughTheWindowAndAMonthAwayLoseNothingThatWasRatedWhateverEndsThem) {
   int rated = 0;
   std::map<char32_t, int> seen;
   for (int day = 0; day < 7; ++day) {
@@ -490,6 +550,41 @@ TEST_F(Study, AWeekThroughTheWindowLosesNothingThatWasRatedWhateverEndsIt) {
   const auto rebuilt = store().rebuild();
   ASSERT_TRUE(rebuilt);
   EXPECT_EQ(rebuilt->differences, 0);
+
+  // Six weeks later, for a learner of four reviews a day: half of them on the first day back.
+  auto settings = store().settings();
+  settings.reviews_per_day = 4;
+  settings.new_per_day = 2;
+  ASSERT_TRUE(store().change_settings(settings));
+  now_ = *study::parse_time("2026-04-20T10:00Z");
+  open_home();
+  EXPECT_EQ(text("home_due"), QStringLiteral("2"));
+  EXPECT_EQ(text("home_new"), QStringLiteral("0"));
+  EXPECT_EQ(text("home_streak"), QStringLiteral("0"));
+  // Of seven two, three and then the last two.
+  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("7 reviews have piled up. No hurry: today 2")))
+      << text("home_advice").toStdString();
+  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("With 3 days like this")))
+      << text("home_advice").toStdString();
+  on_desk_ = 0;
+  start();
+  for (int review = 0; review < 2; ++review) {
+    ASSERT_TRUE(session().is_running());
+    ASSERT_TRUE(is_on_desk());
+    EXPECT_EQ(session().task().kind, study::TaskKind::review);
+    QTest::qWait(50);
+    write_from_memory(true);
+    ASSERT_FALSE(HasFatalFailure());
+    ++rated;
+    on_desk_ = 0;
+    press(Qt::Key_Return);
+  }
+  EXPECT_FALSE(session().is_running());
+  EXPECT_TRUE(text("home_summary").contains(QStringLiteral("2 written from memory")));
+  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("your limit is reached")))
+      << text("home_advice").toStdString();
+  EXPECT_EQ(reviews_in_log(), rated);
+
   // Every one of them can be taken back, to the first.
   int taken_back = 0;
   while (reviews_in_log() > 0 && taken_back < 500) {

@@ -83,6 +83,27 @@
             <numerusform>Start: %n characters, %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>days in a row</source>
+        <translation>
+            <numerusform>day in a row</numerusform>
+            <numerusform>days in a row</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>days in a row; this week&apos;s day off is used</source>
+        <translation>
+            <numerusform>day in a row; this week&apos;s day off is used</numerusform>
+            <numerusform>days in a row; this week&apos;s day off is used</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>days in a row; one day off a week is forgiven</source>
+        <translation>
+            <numerusform>day in a row; one day off a week is forgiven</numerusform>
+            <numerusform>days in a row; one day off a week is forgiven</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::InformationPanel</name>
@@ -175,6 +196,27 @@
             <numerusform>Stroke %1 went wrong %n times.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n strokes shown</source>
+        <translation>
+            <numerusform>%n stroke shown</numerusform>
+            <numerusform>%n strokes shown</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hints</source>
+        <translation>
+            <numerusform>%n hint</numerusform>
+            <numerusform>%n hints</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n misses</source>
+        <translation>
+            <numerusform>%n miss</numerusform>
+            <numerusform>%n misses</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::StrokeCounter</name>
@@ -193,6 +235,51 @@
         <translation>
             <numerusform>The one stroke is written. Delete clears the tablet.</numerusform>
             <numerusform>All %n strokes are written. Delete clears the tablet.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StudySettingsDialog</name>
+    <message numerus="yes">
+        <source>%n characters are postponed.</source>
+        <translation>
+            <numerusform>%n character is postponed.</numerusform>
+            <numerusform>%n characters are postponed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters are paused.</source>
+        <translation>
+            <numerusform>%n character is paused.</numerusform>
+            <numerusform>%n characters are paused.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters come again.</source>
+        <translation>
+            <numerusform>%n character comes again.</numerusform>
+            <numerusform>%n characters come again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters are new again.</source>
+        <translation>
+            <numerusform>%n character is new again.</numerusform>
+            <numerusform>%n characters are new again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With %1 new a day about %2 reviews and %n minutes a day; after a year about %3 characters known. Higher retention means more reviews.</source>
+        <translation>
+            <numerusform>With %1 new a day about %2 reviews and %n minute a day; after a year about %3 characters known. Higher retention means more reviews.</numerusform>
+            <numerusform>With %1 new a day about %2 reviews and %n minutes a day; after a year about %3 characters known. Higher retention means more reviews.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln characters are chosen, %1 of them met already.</source>
+        <translation>
+            <numerusform>%Ln character is chosen, %1 met already.</numerusform>
+            <numerusform>%Ln characters are chosen, %1 of them met already.</numerusform>
         </translation>
     </message>
 </context>

@@ -846,6 +846,10 @@
         <source>%1 is new again. Ctrl+Shift+Z takes it back.</source>
         <translation>%1 は新しい文字に戻りました。Ctrl+Shift+Z で取り消せます。</translation>
     </message>
+    <message>
+        <source>Closed. What lies on the tablet stays.</source>
+        <translation>閉じました。文字板はそのままです。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::CharactersCard</name>
@@ -2162,17 +2166,23 @@ Columns and rows:</source>
             <numerusform>分ほど</numerusform>
         </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>days in a row</source>
-        <translation>日続けて</translation>
+        <translation>
+            <numerusform>日続けて</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>days in a row; this week&apos;s day off is used</source>
-        <translation>日続けて（今週の休みは使いました）</translation>
+        <translation>
+            <numerusform>日続けて（今週の休みは使いました）</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>days in a row; one day off a week is forgiven</source>
-        <translation>日続けて（週に一日は休んでも続きます）</translation>
+        <translation>
+            <numerusform>日続けて（週に一日は休んでも続きます）</numerusform>
+        </translation>
     </message>
     <message>
         <source>Go on with the session</source>
@@ -3813,6 +3823,28 @@ Columns and rows:</source>
         <source>Its parts: %1.</source>
         <translation>部分：%1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n strokes shown</source>
+        <translation>
+            <numerusform>見せた画 %n 画</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hints</source>
+        <translation>
+            <numerusform>ヒント %n 回</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n misses</source>
+        <translation>
+            <numerusform>やり直し %n 回</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%1” is proposed: %2.</source>
+        <translation>「%1」をすすめます: %2。</translation>
+    </message>
     <message>
         <source>Pause</source>
         <translation>休止</translation>
@@ -4482,33 +4514,41 @@ Columns and rows:</source>
         <source>Days</source>
         <translation>日数</translation>
     </message>
-    <message>
-        <source>%1 characters are postponed.</source>
-        <translation>%1 字を延ばしました。</translation>
+    <message numerus="yes">
+        <source>%n characters are postponed.</source>
+        <translation>
+            <numerusform>%n 字を延ばしました。</numerusform>
+        </translation>
     </message>
     <message>
         <source>Pause all</source>
         <translation>すべて休止</translation>
     </message>
-    <message>
-        <source>%1 characters are paused.</source>
-        <translation>%1 字を休止しました。</translation>
+    <message numerus="yes">
+        <source>%n characters are paused.</source>
+        <translation>
+            <numerusform>%n 字を休止しました。</numerusform>
+        </translation>
     </message>
     <message>
         <source>Resume all</source>
         <translation>すべて再開</translation>
     </message>
-    <message>
-        <source>%1 characters come again.</source>
-        <translation>%1 字がまた出ます。</translation>
+    <message numerus="yes">
+        <source>%n characters come again.</source>
+        <translation>
+            <numerusform>%n 字がまた出ます。</numerusform>
+        </translation>
     </message>
     <message>
         <source>Begin all anew</source>
         <translation>すべて初めから</translation>
     </message>
-    <message>
-        <source>%1 characters are new again.</source>
-        <translation>%1 字が新しい文字に戻りました。</translation>
+    <message numerus="yes">
+        <source>%n characters are new again.</source>
+        <translation>
+            <numerusform>%n 字が新しい文字に戻りました。</numerusform>
+        </translation>
     </message>
     <message>
         <source>How</source>
@@ -4578,17 +4618,21 @@ Columns and rows:</source>
         <source>&amp;Keys for one hand</source>
         <translation>片手のキー(&amp;K)</translation>
     </message>
-    <message>
-        <source>With %1 new a day about %2 reviews and %3 minutes a day; after a year about %4 characters known. Higher retention means more reviews.</source>
-        <translation>一日に新しい文字 %1 字なら、一日およそ復習 %2 件、%3 分。一年後にはおよそ %4 字を覚えています。定着率を高くすると復習が増えます。</translation>
+    <message numerus="yes">
+        <source>With %1 new a day about %2 reviews and %n minutes a day; after a year about %3 characters known. Higher retention means more reviews.</source>
+        <translation>
+            <numerusform>一日に新しい文字 %1 字なら、一日およそ復習 %2 件、%n 分。一年後にはおよそ %3 字を覚えています。定着率を高くすると復習が増えます。</numerusform>
+        </translation>
     </message>
     <message>
         <source>No list is chosen: nothing new will come.</source>
         <translation>リストが選ばれていません。新しい文字は出ません。</translation>
     </message>
-    <message>
-        <source>%1 characters are chosen, %2 of them met already.</source>
-        <translation>%1 字が選ばれ、そのうち %2 字はもう学び始めました。</translation>
+    <message numerus="yes">
+        <source>%Ln characters are chosen, %1 of them met already.</source>
+        <translation>
+            <numerusform>%Ln 字が選ばれ、そのうち %1 字はもう学び始めました。</numerusform>
+        </translation>
     </message>
     <message>
         <source>Only lists of your own can be removed.</source>

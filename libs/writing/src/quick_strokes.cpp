@@ -61,7 +61,7 @@ QuickDrawing quick_drawing(std::span<const ThreePoints> strokes) {
 
 namespace {
 
-/// Sums over the points of strokes of a model.
+/// Sums over the points of strokes.
 struct Sums {
   float x = 0, y = 0, squares = 0;
 
@@ -72,6 +72,9 @@ struct Sums {
       squares += sign * (s.x[k] * s.x[k] + s.y[k] * s.y[k]);
     }
   }
+  [[nodiscard]] float spread(float count) const {
+    return std::sqrt(std::max(squares / count - x / count * (x / count) - y / count * (y / count), 1e-12F));
+  }
 };
 
 float product(const ThreePoints& a, const ThreePoints& b) {
@@ -80,43 +83,51 @@ float product(const ThreePoints& a, const ThreePoints& b) {
   return sum;
 }
 
-/// Both of mean square 1: |d - m|^2 = 2 - 2 dm; d is centred, so m need not be.
-float distance(float both, const Sums& model, std::size_t strokes) {
+/// Both brought to mean square 1 about their centres, |d - m|^2 = 2 - 2 dm. `both` sums the products.
+float distance(float both, const Sums& drawn, const Sums& model, std::size_t strokes) {
   const auto count = static_cast<float>(3 * strokes);
-  const float x = model.x / count;
-  const float y = model.y / count;
-  const float spread = std::sqrt(std::max(model.squares / count - x * x - y * y, 1e-12F));
-  return std::max(0.0F, 2 - 2 * both / (count * spread));
+  const float centred = both - (drawn.x * model.x + drawn.y * model.y) / count;
+  return std::max(0.0F, 2 - 2 * centred / (count * drawn.spread(count) * model.spread(count)));
+}
+
+/// `longer` has one stroke more than `shorter`: the one is left out with which they are nearest.
+float distance_but_one(std::span<const ThreePoints> shorter, std::span<const ThreePoints> longer) {
+  const std::size_t n = shorter.size();
+  // First the gap is at 0, then it moves up stroke by stroke.
+  Sums whole, all;
+  float both = 0;
+  for (const auto& s : shorter) whole.add(s);
+  for (const auto& s : longer) all.add(s);
+  for (std::size_t i = 0; i < n; ++i) both += product(shorter[i], longer[i + 1]);
+  float least = 4;
+  for (std::size_t gap = 0; gap <= n; ++gap) {
+    auto others = all;
+    others.add(longer[gap], -1);
+    least = std::min(least, distance(both, whole, others, n));
+    if (gap < n) both += product(shorter[gap], longer[gap]) - product(shorter[gap], longer[gap + 1]);
+  }
+  return least;
 }
 
 }  // namespace
 
 float distance_in_order(const QuickDrawing& drawn, std::span<const ThreePoints> model) {
-  Sums sums;
+  Sums whole, sums;
   float both = 0;
   for (std::size_t i = 0; i < drawn.strokes.size(); ++i) {
+    whole.add(drawn.strokes[i]);
     sums.add(model[i]);
     both += product(drawn.strokes[i], model[i]);
   }
-  return distance(both, sums, drawn.strokes.size());
+  return distance(both, whole, sums, drawn.strokes.size());
 }
 
 float distance_with_a_gap(const QuickDrawing& drawn, std::span<const ThreePoints> model) {
-  const std::size_t n = drawn.strokes.size();
-  // First the gap is at 0, then it moves up stroke by stroke.
-  Sums all;
-  float both = 0;
-  for (std::size_t i = 0; i <= n; ++i) all.add(model[i]);
-  for (std::size_t i = 0; i < n; ++i) both += product(drawn.strokes[i], model[i + 1]);
-  float least = 4;
-  for (std::size_t gap = 0; gap <= n; ++gap) {
-    auto others = all;
-    others.add(model[gap], -1);
-    least = std::min(least, distance(both, others, n));
-    if (gap < n)
-      both += product(drawn.strokes[gap], model[gap]) - product(drawn.strokes[gap], model[gap + 1]);
-  }
-  return least;
+  return distance_but_one(drawn.strokes, model);
+}
+
+float distance_with_one_too_many(const QuickDrawing& drawn, std::span<const ThreePoints> model) {
+  return distance_but_one(model, drawn.strokes);
 }
 
 }  // namespace nazori::writing

@@ -31,4 +31,7 @@ struct QuickDrawing {
 /// nearest.
 [[nodiscard]] float distance_with_a_gap(const QuickDrawing& drawn, std::span<const ThreePoints> model);
 
+/// The same where the model has one stroke less, but not none.
+[[nodiscard]] float distance_with_one_too_many(const QuickDrawing& drawn, std::span<const ThreePoints> model);
+
 }  // namespace nazori::writing

@@ -124,7 +124,7 @@ std::vector<std::size_t> smallest(const std::vector<float>& scores, std::size_t 
 }
 
 /// Characters worth a closer look: by their picture, and by three points of each stroke in order, also with
-/// one of them not drawn; those that look likest first.
+/// one of them not drawn or one too many; those that look likest first.
 std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& drawn, bool unfinished) {
   // The picture of a beginning is not that of the whole.
   const std::size_t most_by_picture = unfinished ? 18 : 26;
@@ -132,10 +132,12 @@ std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& 
   constexpr float kNever = std::numeric_limits<float>::max();
   constexpr float kPerStroke = 0.01F;
   constexpr std::size_t kWithAGap = 8;
+  constexpr std::size_t kOneTooMany = 4;
   const auto n = drawn.shapes.size();
   std::vector<float> by_picture(inside.characters.size(), kNever);
   std::vector<float> by_order(inside.characters.size(), kNever);
   std::vector<float> with_a_gap(inside.characters.size(), kNever);
+  std::vector<float> one_too_many(inside.characters.size(), kNever);
   for (std::size_t i = 0; i < inside.characters.size(); ++i) {
     const auto& known = inside.characters[i];
     const auto m = known.strokes;
@@ -144,16 +146,16 @@ std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& 
       const float apart = static_cast<float>(m > n ? m - n : n - m);
       by_picture[i] = kPerStroke * apart - likeness(drawn.picture, inside.pictures[i]);
     }
-    if (!unfinished && m == n + 1)
-      with_a_gap[i] =
-          distance_with_a_gap(drawn.points, std::span(inside.points).subspan(known.first_stroke, m));
+    const auto points = std::span(inside.points).subspan(known.first_stroke, m);
+    if (!unfinished && m == n + 1) with_a_gap[i] = distance_with_a_gap(drawn.points, points);
+    if (!unfinished && m + 1 == n) one_too_many[i] = distance_with_one_too_many(drawn.points, points);
     if (m == n || (unfinished && m > n))
-      by_order[i] = distance_in_order(drawn.points, std::span(inside.points).subspan(known.first_stroke, m)) +
-                    (m == n ? 0.0F : 0.01F);
+      by_order[i] = distance_in_order(drawn.points, points) + (m == n ? 0.0F : 0.01F);
   }
   auto result = smallest(by_picture, most_by_picture);
   for (const auto i : smallest(by_order, most_by_order)) result.push_back(i);
   for (const auto i : smallest(with_a_gap, kWithAGap)) result.push_back(i);
+  for (const auto i : smallest(one_too_many, kOneTooMany)) result.push_back(i);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   std::stable_sort(result.begin(), result.end(),

@@ -196,6 +196,12 @@ void Characters::open_drawing(bool open) {
     desk().focus_tablet();
 }
 
+void Characters::close_drawing() {
+  open_drawing(false);
+  // What was said of the drawing holds no more.
+  desk().say(Feedback::hint, tr("Closed. What lies on the tablet stays."));
+}
+
 void Characters::take_appearance() {
   information_panel_->refresh();
   session_actions_->draw_icons();
@@ -237,7 +243,12 @@ void Characters::connect_actions() {
   });
   on(actions_->back, [this] { travel(-1); });
   on(actions_->forward, [this] { travel(+1); });
-  on(actions_->draw_to_find, [this](bool open) { open_drawing(open); });
+  on(actions_->draw_to_find, [this](bool open) {
+    if (open)
+      open_drawing(true);
+    else
+      close_drawing();
+  });
 }
 
 void Characters::connect_work() {
@@ -270,7 +281,7 @@ void Characters::connect_work() {
   });
   connect(information_panel_, &InformationPanel::character_chosen, this,
           [this](char32_t code_point) { choose(code_point, true); });
-  connect(draw_panel_, &DrawPanel::closed, this, [this] { open_drawing(false); });
+  connect(draw_panel_, &DrawPanel::closed, this, &Characters::close_drawing);
   connect(draw_panel_, &DrawPanel::character_chosen, this, [this](char32_t code_point) {
     open_drawing(false);
     choose(code_point, true);

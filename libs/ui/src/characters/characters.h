@@ -68,6 +68,7 @@ class Characters final : public Workplace {
   void begin_lesson();
   void show_hiding();
   void open_drawing(bool open);
+  void close_drawing();
   void connect_session();
   void connect_study_actions();
   void show_session();

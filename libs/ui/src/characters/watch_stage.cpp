@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/watch_stage.h"
 
+#include <QFontInfo>
+#include <QFontMetrics>
 #include <QLabel>
 #include <QLocale>
 #include <QWidgetAction>
@@ -22,6 +24,7 @@ WatchStage::WatchStage(Desk& desk, CharacterActions& actions)
     : CharacterStage(desk, actions), place_label_(new QLabel) {
   place_label_->setObjectName(QStringLiteral("watch_label"));
   place_label_->setAlignment(Qt::AlignCenter);
+  show_place();
   auto* place = new QWidgetAction(this);
   place->setDefaultWidget(place_label_);
   place_ = place;
@@ -145,6 +148,7 @@ void WatchStage::show_moment(double time_s) {
   demonstration.brush.proxy_m = pose.tip_m;
   demonstration.brush.device_m = pose.tip_m;
   demonstration.brush.touching = pose.writing;
+  demonstration.moving = timer_.isActive();
   controller().set_demonstration(std::move(demonstration));
   if (pose.writing && pose.stroke != told_) tell_stroke(pose.stroke);
   show_place();
@@ -164,14 +168,17 @@ void WatchStage::tell_stroke(int stroke) {
 
 void WatchStage::show_place() {
   const int count = player_.stroke_count();
-  const QString text = count == 0 ? tr("no strokes")
-                                  : tr("%1 of %2 · × %3")
-                                        .arg(player_.at(time_s_).stroke)
-                                        .arg(count)
-                                        .arg(QLocale().toString(speed_, 'g', 2));
+  const auto words = [&](int stroke) {
+    return tr("%1 of %2 · × %3").arg(stroke).arg(count).arg(QLocale().toString(speed_, 'g', 2));
+  };
+  const QString text = count == 0 ? tr("no strokes") : words(player_.at(time_s_).stroke);
   if (place_label_->text() == text) return;
   place_label_->setText(text);
-  place_label_->setMinimumWidth(std::max(place_label_->minimumWidth(), place_label_->sizeHint().width()));
+  // As wide as with its longest words, so that the buttons beside it keep their places.
+  const QFontMetrics metrics(place_label_->font());
+  place_label_->setMinimumWidth(
+      std::max({place_label_->minimumWidth(), place_label_->sizeHint().width(),
+                metrics.horizontalAdvance(words(count)) + QFontInfo(place_label_->font()).pixelSize()}));
 }
 
 }  // namespace nazori::ui

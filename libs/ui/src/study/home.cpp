@@ -33,7 +33,10 @@ Home::Home(Desk& desk)
       page_(new HomePage(desk.learner(), desk.session(), &desk.window())) {
   connect(actions_->start, &QAction::triggered, this, [this] { start(false); });
   connect(actions_->leeches, &QAction::triggered, this, [this] { start(true); });
-  connect(actions_->undo, &QAction::triggered, this, [this] { this->desk().session().undo(); });
+  connect(actions_->undo, &QAction::triggered, this, [this] {
+    this->desk().session().undo();
+    page_->show_summary({});  // what it counts is no longer so
+  });
   connect(page_, &HomePage::start_wanted, actions_->start, &QAction::trigger);
   connect(page_, &HomePage::leeches_wanted, actions_->leeches, &QAction::trigger);
   connect(page_, &HomePage::settings_wanted, actions_->settings, &QAction::trigger);

@@ -11,6 +11,8 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QResizeEvent>
+#include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <set>
@@ -146,8 +148,12 @@ QString HomePage::after_the_work(const study::DayPlan& plan) const {
     return tr("Done for now. %n characters come once more, the first at %1.", nullptr,
               static_cast<int>(plan.later_today.size()))
         .arg(StudyWords::minute(plan.later_today.front().due, store.calendar()));
+  const study::Day next_day = plan.day + days(1);
   const auto tomorrow = std::count_if(store.cards().begin(), store.cards().end(), [&](const auto& one) {
-    return !one.second.paused && !one.second.leech && one.second.due_day == plan.day + days(1);
+    const study::Card& card = one.second;
+    if (card.paused || card.leech || card.postponed_until > next_day) return false;
+    if (card.postponed_until != next_day) return card.due_day == next_day;
+    return card.memory.reps > 0 && card.due_day.value_or(next_day) <= next_day;
   });
   if (plan.held_back > 0)
     return tr("Done for today: your limit is reached. %n reviews wait for tomorrow.", nullptr,
@@ -206,15 +212,14 @@ void HomePage::refresh() {
   show_tile(due, locale.toString(reviews), tr("due now"));
   show_tile(fresh, locale.toString(news),
             plan->new_done > 0 ? tr("new, after %1 today").arg(plan->new_done) : tr("new today"));
-  const auto whole =
-      std::max<std::int64_t>(1, std::chrono::round<std::chrono::minutes>(plan->estimate).count());
-  show_tile(minutes, plan->now.empty() ? locale.toString(0) : locale.toString(static_cast<qlonglong>(whole)),
-            tr("minutes, about", nullptr, static_cast<int>(whole)));
+  const auto rounded = std::chrono::round<std::chrono::minutes>(plan->estimate).count();
+  const int whole = plan->now.empty() ? 0 : std::max(1, static_cast<int>(rounded));
+  show_tile(minutes, locale.toString(whole), tr("minutes, about", nullptr, whole));
   const auto run = streak_now();
   show_tile(streak, locale.toString(run.days),
-            run.days == 0      ? tr("days in a row")
-            : run.day_off_used ? tr("days in a row; this week's day off is used")
-                               : tr("days in a row; one day off a week is forgiven"));
+            run.days == 0      ? tr("days in a row", nullptr, 0)
+            : run.day_off_used ? tr("days in a row; this week's day off is used", nullptr, run.days)
+                               : tr("days in a row; one day off a week is forgiven", nullptr, run.days));
 
   const bool running = session_.is_running();
   can_start_ = running || (!plan->now.empty() && learner_.can_write());
@@ -235,7 +240,13 @@ void HomePage::refresh() {
   // What had the keyboard may be gone, or no more what is to be done first.
   const bool moves = keyboard == focusProxy() || (keyboard != nullptr && !keyboard->isVisible());
   setFocusProxy(first);
-  if (keyboard != nullptr && moves) first->setFocus(Qt::OtherFocusReason);
+  if (keyboard == nullptr || !moves) return;
+  first->setFocus(Qt::OtherFocusReason);
+  // From the top again, once what is shown now has its places.
+  QTimer::singleShot(0, this, [this] {
+    verticalScrollBar()->setValue(0);
+    if (auto* at = focusProxy()) ensureWidgetVisible(at);
+  });
 }
 
 void HomePage::show_summary(const SessionSummary& summary) {
@@ -271,8 +282,10 @@ void HomePage::fit() {
   const int beside = std::max(kMargin, (viewport()->width() - room) / 2);
   content_->layout()->setContentsMargins(beside, kMargin, beside, kMargin);
   const int columns = room >= em * 40 ? 4 : room >= em * 20 ? 2 : 1;
-  for (std::size_t i = 0; i < tiles_.size(); ++i)
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
     grid_->addWidget(tiles_[i].frame, static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+    grid_->setColumnStretch(static_cast<int>(i), static_cast<int>(i) < columns ? 1 : 0);
+  }
 }
 
 void HomePage::changeEvent(QEvent* event) {

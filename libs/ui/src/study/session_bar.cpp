@@ -22,6 +22,7 @@ namespace {
 constexpr int kMostMeanings = 4;
 constexpr int kWide_em = 36;
 constexpr int kMostReadings = 2;
+constexpr double kLarge = 1.25;  ///< of the size of other letters: what is asked for
 
 QString meanings_of(const kanji::DictionaryEntry& entry) {
   QStringList all;
@@ -102,7 +103,7 @@ SessionBar::SessionBar(const StudySession& session, const SessionActions& action
 
 QString SessionBar::question(const CharacterSheet& sheet) const {
   const auto& character = sheet.character;
-  const double large = QFontInfo(font()).pointSizeF() * 1.25;
+  const double large = QFontInfo(font()).pointSizeF() * kLarge;
   const QString muted = current_colours().muted.name();
   const auto in_hand = [&](const QString& text) {
     return QStringLiteral("<span style=\"font-family:'Klee One'; font-size:%1pt\">%2</span>")
@@ -204,8 +205,10 @@ void SessionBar::fit() {
   const int line = QFontMetrics(font()).lineSpacing();
   const int button = narrow ? line + em / 2 : 2 * line + em;
   for (auto* one : rating_) one->setFixedHeight(button);
-  // As high as the ratings, which stand here later.
-  task_->setMinimumHeight(narrow ? 2 * button + grid_->spacing() : button);
+  // As high as each other, and as a question of two lines: the tablet must not move.
+  const int question = 2 * QFontMetrics(textbook_font(QFontInfo(font()).pointSizeF() * kLarge)).lineSpacing();
+  const int height = std::max(question, narrow ? 2 * button + grid_->spacing() : button);
+  for (auto* one : {task_, ratings_}) one->setMinimumHeight(height);
   if (std::exchange(narrow_, narrow) != narrow) show_ratings();
 }
 

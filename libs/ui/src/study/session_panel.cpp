@@ -42,6 +42,8 @@ SessionPanel::SessionPanel(const StudySession& session, const SessionActions& ac
   history_ = label("session_history", nullptr, content);
   faults_ = label("session_faults", nullptr, content);
   parts_ = label("session_parts", nullptr, content);
+  help_ = label("session_help", nullptr, content);
+  note_ = label("session_note", "muted", content);
   ink_heading_ = label("session_ink_heading", "heading", content);
   ink_heading_->setText(tr("Earlier writing"));
   gallery_ = new InkGallery(content);
@@ -50,10 +52,12 @@ SessionPanel::SessionPanel(const StudySession& session, const SessionActions& ac
   column->setSpacing(10);
   for (QWidget* one :
        {static_cast<QWidget*>(kind_), static_cast<QWidget*>(steps_), static_cast<QWidget*>(history_),
-        static_cast<QWidget*>(faults_), static_cast<QWidget*>(parts_), static_cast<QWidget*>(ink_heading_),
-        static_cast<QWidget*>(gallery_)})
+        static_cast<QWidget*>(faults_), static_cast<QWidget*>(parts_), static_cast<QWidget*>(help_),
+        static_cast<QWidget*>(ink_heading_), static_cast<QWidget*>(gallery_)})
     column->addWidget(one);
   column->addStretch(1);
+  // Right above what takes it back.
+  column->addWidget(note_);
   // Few words: the panel is narrow, and the menu has the whole ones.
   const std::pair<QAction*, QString> buttons[] = {{actions.undo, tr("Undo")},
                                                   {actions.postpone, tr("Later")},
@@ -115,6 +119,19 @@ QString SessionPanel::hard_strokes() const {
   return lines.join(QLatin1Char('\n'));
 }
 
+QString SessionPanel::help_used() const {
+  if (session_.state() != StudySession::State::judged || session_.is_away()) return {};
+  const auto& result = session_.result();
+  if (!result.accepted) return {};
+  QStringList used;
+  if (result.shown_strokes > 0) used.append(tr("%n strokes shown", nullptr, result.shown_strokes));
+  if (result.hints > 0) used.append(tr("%n hints", nullptr, result.hints));
+  if (result.misses > 0) used.append(tr("%n misses", nullptr, result.misses));
+  if (used.isEmpty()) return {};
+  return tr("“%1” is proposed: %2.")
+      .arg(StudyWords::rating(session_.proposed()), used.join(QStringLiteral(", ")));
+}
+
 void SessionPanel::show_ink() {
   std::vector<InkGallery::Piece> pieces;
   if (session_.state() == StudySession::State::judged && !session_.is_away()) {
@@ -151,6 +168,11 @@ void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet
   }
   steps_->setText(steps.join(QStringLiteral("  ")));
   history_->setText(history());
+  const QString help = help_used();
+  help_->setText(help);
+  help_->setVisible(!help.isEmpty());
+  note_->setText(session_.note());
+  note_->setVisible(!session_.note().isEmpty());
   const bool secret = session_.asks_from_memory();
   const QString hard = secret ? QString() : hard_strokes();
   faults_->setText(hard);

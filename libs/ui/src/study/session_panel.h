@@ -26,6 +26,8 @@ class SessionPanel final : public QScrollArea {
   [[nodiscard]] QString why() const;
   [[nodiscard]] QString history() const;
   [[nodiscard]] QString hard_strokes() const;
+  /// Why a writing that was accepted is worth less than it looks.
+  [[nodiscard]] QString help_used() const;
   void show_ink();
 
   const StudySession& session_;
@@ -35,6 +37,8 @@ class SessionPanel final : public QScrollArea {
   QLabel* history_;
   QLabel* faults_;
   QLabel* parts_;
+  QLabel* help_;
+  QLabel* note_;
   QLabel* ink_heading_;
   InkGallery* gallery_;
 };

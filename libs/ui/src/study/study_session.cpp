@@ -46,6 +46,7 @@ bool StudySession::start(bool leeches) {
   leech_lesson_ = leeches;
   leeches_ = leeches ? plan->leeches : std::vector<char32_t>();
   done_ = 0;
+  note_.clear();
   summary_ = {};
   state_ = State::doing;
   next_task();
@@ -211,9 +212,8 @@ bool StudySession::keep(Stage stage, study::Rating rating, study::Rating propose
   if (stage == Stage::memory) {
     ++summary_.reviews;
     ++summary_.ratings[static_cast<std::size_t>(rating) - 1];
-    if (rating == study::Rating::again &&
-        std::find(summary_.again.begin(), summary_.again.end(), task_.character) == summary_.again.end())
-      summary_.again.push_back(task_.character);
+    std::erase(summary_.again, task_.character);
+    if (rating == study::Rating::again) summary_.again.push_back(task_.character);
   } else {
     ++summary_.practices;
   }
@@ -283,11 +283,10 @@ void StudySession::rate(study::Rating rating) {
   const auto card = store().card(task_.character);
   const QString next = StudyWords::comes_again(card, store().now(), store().today());
   if (card.leech)
-    emit said(Feedback::advice,
-              tr("%1 is forgotten often. It is set apart: Home offers another lesson for it.")
-                  .arg(to_text(task_.character)));
+    tell(Feedback::advice, tr("%1 is forgotten often. It is set apart: Home offers another lesson for it.")
+                               .arg(to_text(task_.character)));
   else
-    emit said(
+    tell(
         Feedback::good,
         tr("Kept: %1 is “%2” and comes %3.").arg(to_text(task_.character), StudyWords::rating(rating), next));
   if (card.next_stage != Stage::memory && !card.leech) {
@@ -371,7 +370,7 @@ void StudySession::undo() {
       sentence = tr("Taken back: %1.");
       break;
   }
-  emit said(Feedback::hint, sentence.arg(about));
+  tell(Feedback::hint, sentence.arg(about));
   if (!is_running()) return;
   if ((*undone)->kind != study::EntryKind::leech_met && (*undone)->characters.size() == 1) {
     const char32_t back = (*undone)->characters.front();
@@ -390,9 +389,14 @@ void StudySession::undo() {
   }
 }
 
+void StudySession::tell(Feedback kind, const QString& sentence) {
+  note_ = sentence;
+  emit said(kind, sentence);
+}
+
 void StudySession::put_aside(const base::Result<void>& done, const QString& sentence) {
   if (!learner_.take(done)) return;
-  emit said(Feedback::hint, tr("%1 Ctrl+Shift+Z takes it back.").arg(sentence));
+  tell(Feedback::hint, tr("%1 Ctrl+Shift+Z takes it back.").arg(sentence));
   if (leech_lesson_) std::erase(leeches_, task_.character);
   next_task();
 }

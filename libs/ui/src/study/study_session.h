@@ -74,8 +74,12 @@ class StudySession final : public QObject {
   [[nodiscard]] const kanji::Word* word() const { return word_ ? &*word_ : nullptr; }
   void set_asks_by_words(bool on) { asks_by_words_ = on; }
 
+  /// What was kept or taken back last, as a sentence; empty: nothing yet in this session.
+  [[nodiscard]] const QString& note() const { return note_; }
+
   // When judged.
   [[nodiscard]] study::Rating proposed() const { return proposed_; }
+  [[nodiscard]] const study::WritingResult& result() const { return result_; }
   /// The card as it would be after a rating.
   [[nodiscard]] study::Card after(study::Rating rating) const;
   [[nodiscard]] const study::Ink& ink() const { return ink_; }
@@ -129,6 +133,8 @@ class StudySession final : public QObject {
   [[nodiscard]] study::LearnerStore& store() const { return learner_.store(); }
   /// Takes the present character out of the day by an action of the store.
   void put_aside(const base::Result<void>& done, const QString& sentence);
+  /// Says it, and keeps it for who looks later: the next task has words of its own at once.
+  void tell(Feedback kind, const QString& sentence);
 
   Learner& learner_;
   State state_ = State::idle;
@@ -155,6 +161,7 @@ class StudySession final : public QObject {
   study::Rating proposed_ = study::Rating::good;
   study::Ink ink_;
 
+  QString note_;
   int done_ = 0;
   int left_ = 0;
   std::chrono::milliseconds time_left_{0};

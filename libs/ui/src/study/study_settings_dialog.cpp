@@ -191,19 +191,19 @@ QWidget* StudySettingsDialog::make_lists() {
     if (!fine) return;
     const auto until = learner_.store().today() + std::chrono::days(days);
     for_list([&](std::span<const char32_t> all) { return learner_.store().postpone(all, until); },
-             tr("%1 characters are postponed."));
+             [](int n) { return tr("%n characters are postponed.", nullptr, n); });
   });
   button("list_pause", tr("Pause all"), [this] {
     for_list([this](std::span<const char32_t> all) { return learner_.store().pause(all); },
-             tr("%1 characters are paused."));
+             [](int n) { return tr("%n characters are paused.", nullptr, n); });
   });
   button("list_resume", tr("Resume all"), [this] {
     for_list([this](std::span<const char32_t> all) { return learner_.store().resume(all); },
-             tr("%1 characters come again."));
+             [](int n) { return tr("%n characters come again.", nullptr, n); });
   });
   button("list_reset", tr("Begin all anew"), [this] {
     for_list([this](std::span<const char32_t> all) { return learner_.store().reset(all); },
-             tr("%1 characters are new again."));
+             [](int n) { return tr("%n characters are new again.", nullptr, n); });
   });
   form->addRow(buttons);
   connect(lists_, &QListWidget::itemChanged, this, &StudySettingsDialog::show_choice);
@@ -302,11 +302,11 @@ void StudySettingsDialog::show_workload() {
   }
   const QLocale locale;
   workload_->setText(
-      tr("With %1 new a day about %2 reviews and %3 minutes a day; after a year about %4 characters "
-         "known. Higher retention means more reviews.")
+      tr("With %1 new a day about %2 reviews and %n minutes a day; after a year about %3 characters "
+         "known. Higher retention means more reviews.",
+         nullptr, static_cast<int>(std::lround(workload->minutes_per_day)))
           .arg(locale.toString(std::min(new_->value(), 100)),
                locale.toString(std::lround(workload->reviews_per_day)),
-               locale.toString(std::lround(workload->minutes_per_day)),
                locale.toString(std::lround(workload->known))));
 }
 
@@ -351,9 +351,9 @@ void StudySettingsDialog::show_choice() {
       std::count_if(order.begin(), order.end(), [&](char32_t one) { return cards.contains(one); });
   const QLocale locale;
   choice_->setText(order.empty() ? tr("No list is chosen: nothing new will come.")
-                                 : tr("%1 characters are chosen, %2 of them met already.")
-                                       .arg(locale.toString(static_cast<qulonglong>(order.size())),
-                                            locale.toString(static_cast<qlonglong>(met))));
+                                 : tr("%Ln characters are chosen, %1 of them met already.", nullptr,
+                                      static_cast<int>(order.size()))
+                                       .arg(locale.toString(static_cast<qlonglong>(met))));
 }
 
 QString StudySettingsDialog::current_list() const {
@@ -405,7 +405,7 @@ void StudySettingsDialog::move_list(int by) {
 }
 
 void StudySettingsDialog::for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what,
-                                   const QString& done) {
+                                   const std::function<QString(int)>& done) {
   if (learner_.lists() == nullptr) return;
   const auto members = learner_.lists()->members(current_list().toStdString(), learner_.store());
   if (!members || members->empty()) {
@@ -417,7 +417,7 @@ void StudySettingsDialog::for_list(const std::function<base::Result<void>(std::s
     choice_->setText(reason(result.error()));
     return;
   }
-  choice_->setText(done.arg(QLocale().toString(static_cast<qulonglong>(members->size()))) + QLatin1Char(' ') +
+  choice_->setText(done(static_cast<int>(members->size())) + QLatin1Char(' ') +
                    tr("Ctrl+Shift+Z takes it back."));
 }
 

@@ -48,7 +48,7 @@ class StudySettingsDialog final : public QDialog {
   void import_weights();
   /// Does something with every character of the list that has the keyboard.
   void for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what,
-                const QString& done);
+                const std::function<QString(int)>& done);
   [[nodiscard]] QString current_list() const;
 
   Learner& learner_;
