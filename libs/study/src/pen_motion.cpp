@@ -56,7 +56,9 @@ std::vector<double> speed_profile(const InkStroke& stroke) {
   return speed;
 }
 
-constexpr std::size_t kSteps = static_cast<std::size_t>(kCutOffHz / kFrequencyStepHz + 0.5) + 1;
+constexpr std::size_t kSteps = 101;  // 0 Hz to the cut-off
+static_assert((kSteps - 1) * kFrequencyStepHz > kCutOffHz - 1e-6 &&
+              (kSteps - 1) * kFrequencyStepHz < kCutOffHz + 1e-6);
 /// Filled up, so that they go through the processor side by side.
 constexpr std::size_t kLanes = (kSteps + 7) / 8 * 8;
 using Lanes = std::array<double, kLanes>;

@@ -92,11 +92,12 @@ TEST(StoreSafety, NoAcknowledgedReviewIsLostWhenTheProgramIsKilled) {
     ASSERT_TRUE(store) << "round " << round << ": " << base::to_line(store.error());
     ASSERT_GE(store->last_entry(), acknowledged) << "round " << round;
     ASSERT_LE(store->last_entry(), acknowledged + 2) << "round " << round;
-    if (round % 10 == 0) {
-      const auto report = store->rebuild();
-      ASSERT_TRUE(report) << base::to_line(report.error());
-      ASSERT_EQ(report->differences, 0) << "round " << round;
-    }
+    // What belongs to one action is there whole or not at all, indexes too.
+    const auto report = store->rebuild();
+    ASSERT_TRUE(report) << base::to_line(report.error());
+    ASSERT_EQ(report->differences, 0) << "round " << round;
+    SQLite::Database db(file.string(), SQLite::OPEN_READONLY);
+    ASSERT_EQ(db.execAndGet("PRAGMA integrity_check(1)").getString(), "ok") << "round " << round;
     acknowledged = store->last_entry();
   }
   EXPECT_GT(with_reviews, 100);
@@ -339,6 +340,28 @@ TEST(StoreSafety, WhoIsKilledWhileRestoringHasTheOldFileOrTheBackup) {
   }
   EXPECT_GT(had[1], 0);
   EXPECT_GT(had[2], 0);
+}
+
+TEST(StoreSafety, ThereIsAFileAtEveryMomentOfARestore) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  {
+    LearnerStore store = must(LearnerStore::open(file, Access::write));
+    (void)must(store.add_writing(kRest, 6, review(Rating::good)));
+    ASSERT_TRUE(store.copy_to(folder / "one.db"));
+  }
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (int i = 0; i < 100; ++i)
+      if (!restore_backup(folder / "one.db", file)) ::_exit(1);
+    ::_exit(0);
+  }
+  std::int64_t missing = 0;
+  int status = 0;
+  while (::waitpid(child, &status, WNOHANG) == 0)
+    for (int look = 0; look < 100; ++look) missing += ::access(file.c_str(), F_OK) == 0 ? 0 : 1;
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  EXPECT_EQ(missing, 0);
 }
 
 TEST(StoreSafety, WhatARestoredBackupReplacedIsKeptEachTime) {

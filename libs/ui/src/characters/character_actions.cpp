@@ -117,7 +117,7 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   draw(draw_to_find, Icon::pen);
   draw(by_groove, Icon::strokes);
   draw(by_starts, Icon::numbers);
-  draw(lead_hand, Icon::guided);
+  draw(lead_hand, Icon::device);
 
   add_group(tr("&Character"),
             {find, draw_to_find, nullptr, next_character, previous_character, nullptr, back, forward});

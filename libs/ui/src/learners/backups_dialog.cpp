@@ -89,7 +89,7 @@ BackupsDialog::BackupsDialog(Learner& learner, LearnerExchange& exchange, QWidge
   column->addWidget(words_);
   column->addWidget(buttons);
   const int em = fontMetrics().height();
-  resize(em * 32, em * 20);
+  resize(em * 38, em * 20);
   refresh();
 }
 

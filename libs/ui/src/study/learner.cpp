@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLookAtTheDay_ms = 60'000;
 /// With less than this not even the index of a write-ahead log can be made.
-constexpr qint64 kLeastRoom = 64 * 1024;
+constexpr qint64 kLeastRoom = 65'536;
 
 /// Why a store could not be written, in the learner's language where the cause can be seen.
 QString cause_of(const base::Error& error, const std::filesystem::path& file) {
