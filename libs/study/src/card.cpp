@@ -47,8 +47,8 @@ void CardHistory::review(const LogEntry& entry, const Settings& settings) {
   }
   card_.last_day = entry.day;
   card_.postponed_until.reset();
-  if (card_.leech_at == 0) card_.leech_at = settings.leech_lapses;
-  if (rating == Rating::again && card_.memory.lapses >= card_.leech_at) card_.leech = true;
+  const int leech_at = card_.leech_at > 0 ? card_.leech_at : settings.leech_lapses;
+  if (rating == Rating::again && card_.memory.lapses >= leech_at) card_.leech = true;
 }
 
 void CardHistory::write(const LogEntry& entry, const Settings& settings) {

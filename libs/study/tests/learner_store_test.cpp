@@ -169,6 +169,25 @@ TEST(LearnerStore, WhatIsForgottenTooOftenIsSetApartUntilItsLessonIsDone) {
   EXPECT_EQ(store.card(kRest).next_stage, Stage::guided);
 }
 
+TEST(LearnerStore, ALowerNumberOfLapsesSetsApartWhatWasKnownBefore) {
+  MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
+  const auto forget = [&] {
+    (void)must(store.add_writing(kRest, 6, review(Rating::easy)));
+    clock.advance(days(20));
+    (void)must(store.add_writing(kRest, 6, review(Rating::again)));
+    clock.advance(days(1));
+  };
+  forget();
+  Settings settings = store.settings();
+  settings.leech_lapses = 2;
+  ASSERT_TRUE(store.change_settings(settings));
+  EXPECT_FALSE(store.card(kRest).leech);
+  forget();
+  EXPECT_TRUE(store.card(kRest).leech);
+  EXPECT_EQ(must(store.rebuild()).differences, 0);
+}
+
 TEST(LearnerStore, NewWeightsChangeTheMemoryButNotTheDay) {
   MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));

@@ -68,7 +68,7 @@ struct Card {
   std::optional<Day> postponed_until;  ///< not before this day
   bool paused = false;
   bool leech = false;               ///< set apart: forgotten too often
-  int leech_at = 0;                 ///< lapses at which it is set apart (again)
+  int leech_at = 0;                 ///< lapses at which it is set apart again; 0: those of the settings
   int practices = 0;                ///< writings in other stages than `memory`
   Stage next_stage = Stage::watch;  ///< what the lesson proposes
   double help = 1;                  ///< help of the next guided writing
