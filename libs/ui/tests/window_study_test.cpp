@@ -564,7 +564,7 @@ TEST_F(Study, AWeekThroughTheWindowAndAMonthAwayLoseNothingThatWasRatedWhateverE
   // Of seven two, three and then the last two.
   EXPECT_TRUE(text("home_advice").contains(QStringLiteral("7 reviews have piled up. No hurry: today 2")))
       << text("home_advice").toStdString();
-  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("With 3 days like this")))
+  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("Catching up takes 3 days")))
       << text("home_advice").toStdString();
   on_desk_ = 0;
   start();

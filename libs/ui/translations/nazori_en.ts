@@ -42,10 +42,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>With %n days like this all is caught up (%1). Until then nothing new is added.</source>
+        <source>Catching up takes %n days; the last is %1. Until then nothing new is added.</source>
         <translation>
-            <numerusform>With this day all is caught up (%1). Until then nothing new is added.</numerusform>
-            <numerusform>With %n days like this all is caught up (%1). Until then nothing new is added.</numerusform>
+            <numerusform>Catching up takes %n day (%1). Until then nothing new is added.</numerusform>
+            <numerusform>Catching up takes %n days; the last is %1. Until then nothing new is added.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

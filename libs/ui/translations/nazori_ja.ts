@@ -2129,9 +2129,9 @@ Columns and rows:</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>With %n days like this all is caught up (%1). Until then nothing new is added.</source>
+        <source>Catching up takes %n days; the last is %1. Until then nothing new is added.</source>
         <translation>
-            <numerusform>この調子で %n 日で追いつきます（%1）。それまで新しい文字は加わりません。</numerusform>
+            <numerusform>%n 日かかり、%1に追いつきます。それまで新しい文字は加わりません。</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -175,7 +175,7 @@ QString HomePage::advice(const study::DayPlan& plan) const {
         tr("%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.",
            nullptr, plan.gentle->overdue)
             .arg(plan.gentle->per_day));
-    said.append(tr("With %n days like this all is caught up (%1). Until then nothing new is added.", nullptr,
+    said.append(tr("Catching up takes %n days; the last is %1. Until then nothing new is added.", nullptr,
                    plan.gentle->days)
                     .arg(StudyWords::day(plan.gentle->last_day)));
   } else if (plan.held_back > 0) {
