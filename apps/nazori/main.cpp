@@ -14,10 +14,18 @@ namespace {
 constexpr int kExitBadUsage = 2;
 constexpr int kExitFailed = 1;
 
+bool has_display() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   nazori::ui::Program::prepare();
+  // Help is for those without a display too, where Qt would abort.
+  const QString unseen = has_display() ? QString() : QStringLiteral("offscreen");
+  if (!unseen.isEmpty()) qputenv("QT_QPA_PLATFORM", unseen.toUtf8());
   QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("Nazori"));
   QApplication::setDesktopFileName(QStringLiteral("nazori"));
@@ -42,6 +50,13 @@ int main(int argc, char** argv) {
       QStringLiteral("Character to open with, or files: a plot, a height map, a stroke order."),
       QStringLiteral("[character | file...]"));
   parser.process(application);
+  if (!unseen.isEmpty() && QApplication::platformName() == unseen) {
+    std::fputs(
+        "nazori: there is no display (DISPLAY and WAYLAND_DISPLAY are not set); without one there is "
+        "nazori-cli\n",
+        stderr);
+    return kExitFailed;
+  }
 
   nazori::ui::MainWindow::Setup setup;
   const auto arguments = parser.positionalArguments();
