@@ -105,6 +105,7 @@ std::vector<Backup> backups_of(const fs::path& learner) {
     return a.time != b.time ? a.time > b.time : a.backup.file.filename() > b.backup.file.filename();
   });
   std::vector<Backup> backups;
+  backups.reserve(found.size());
   for (Dated& one : found) backups.push_back(std::move(one.backup));
   return backups;
 }

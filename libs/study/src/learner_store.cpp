@@ -74,7 +74,7 @@ UsualWriting LearnerStore::usual_writing(char32_t character) const {
 base::Result<void> LearnerStore::for_each_entry(bool in_force_only,
                                                 const std::function<bool(const LoggedEntry&)>& take) const {
   return inside_->guarded([&]() -> base::Result<void> {
-    SQLite::Statement rows(inside_->db, fmt::format("SELECT {} FROM log ORDER BY id", kLogColumns));
+    SQLite::Statement rows(inside_->db, fmt::format("SELECT {} FROM log ORDER BY id", log_columns));
     while (rows.executeStep()) {
       const auto entry = read_entry(rows);
       if (!entry) {

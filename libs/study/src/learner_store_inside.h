@@ -93,8 +93,8 @@ struct LearnerStore::Inside {
 };
 
 // Rows. All throw SQLite::Exception.
-/// The columns of the log as read_entry() wants them: SELECT kLogColumns FROM log.
-extern const char* const kLogColumns;
+/// The columns of the log as read_entry() wants them: SELECT log_columns FROM log.
+extern const char* const log_columns;
 /// @return nullopt for a row that no program of this version writes.
 [[nodiscard]] std::optional<LearnerStore::LoggedEntry> read_entry(SQLite::Statement& row);
 /// Adds entries to the log; its statements are made once for all of them.

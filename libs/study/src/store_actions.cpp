@@ -9,7 +9,7 @@
 namespace nazori::study {
 
 std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(char32_t character) {
-  SQLite::Statement rows(db, fmt::format("SELECT {} FROM log WHERE character = ? ORDER BY id", kLogColumns));
+  SQLite::Statement rows(db, fmt::format("SELECT {} FROM log WHERE character = ? ORDER BY id", log_columns));
   rows.bind(1, static_cast<std::int64_t>(character));
   std::vector<LoggedEntry> entries;
   while (rows.executeStep()) {

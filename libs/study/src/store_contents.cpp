@@ -171,7 +171,7 @@ base::Result<void> LearnerStore::fill(const Contents& contents, const base::Prog
     return base::fail(Errc::bad_argument, "is not empty", in.name, "take a new profile for what is imported");
   }
   if (auto fine = check_names(contents); !fine) return fine;
-  const auto inserted = in.guarded([&]() -> base::Result<void> {
+  auto inserted = in.guarded([&]() -> base::Result<void> {
     SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
     LogWriter log(in.db);
     LogCheck check;

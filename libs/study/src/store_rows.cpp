@@ -141,7 +141,7 @@ void read_writing(RowReader& row, LogEntry& entry) {
 
 }  // namespace
 
-const char* const kLogColumns =
+const char* const log_columns =
     "id, action, at_ms, day, kind, character, stage, rating, proposed, accepted, score, faults, hints, "
     "misses, "
     "shown_strokes, help, duration_ms, strokes, interval_days, speed, smoothness, undoes, until_day, "
