@@ -273,6 +273,17 @@ TEST_F(StandIn, AServiceThatTalksNonsenseIsSaidOnItsPageAndHoldsNothingUp) {
   EXPECT_TRUE(stylus().is_pointer());
 }
 
+TEST_F(StandIn, TheTroubleOfADeviceIsSaidAgainWhereItsPageIsEntered) {
+  InverseService service;
+  service.answer = InverseService::Answer::garbage;
+  where_.inverse_service.port = service.port();
+  open_window();
+  ASSERT_TRUE(says("What Inverse3 049D sends cannot be understood")) << feedback().toStdString();
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_TRUE(feedback().contains(QStringLiteral("What Inverse3 049D sends cannot be understood")))
+      << feedback().toStdString();
+}
+
 TEST_F(StandIn, TheChosenDeviceThatIsAbsentIsSaidTheNextBestServesAndItComesWhenPluggedIn) {
   dhd_->devices = 1;
   dhd_->name = "FALCON";

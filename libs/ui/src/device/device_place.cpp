@@ -81,10 +81,11 @@ void DevicePlace::enter() {
   entered_ = true;
   if (!trial_tablet_) trial_tablet_ = wall_and_groove({});
   desk().controller().set_tablet(trial_tablet_);
+  // With another strength it starts anew, and knows nothing of its trouble for a moment.
+  const auto status = stylus_.status();
   set_strength(kTrialStep);
   look_again();
   feel_panel_->watch(true);
-  const auto status = stylus_.status();
   if (stylus_.opened() != nullptr && stylus_.is_pointer() && status.trouble != haptics::DeviceTrouble::none) {
     const QString name = device_name(stylus_.own_description().name);
     desk().say(Feedback::advice,
