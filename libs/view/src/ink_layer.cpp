@@ -49,6 +49,7 @@ flat in vec2 radius;
 uniform sampler2D heights;
 uniform vec3 face;
 uniform float soft;
+uniform float plateau;
 uniform vec2 which;   // sumi or vermilion
 out vec4 colour;
 void main() {
@@ -60,7 +61,7 @@ void main() {
   float inside = clamp((reach - distance) / soft + 0.5, 0.0, 1.0);
   vec2 square = vec2(place.x, -place.y) * face.x + 0.5;
   float height = texture(heights, square * face.y + face.z).r;
-  float groove = 1.0 - smoothstep(0.90, 0.975, height);
+  float groove = 1.0 - smoothstep(0.90, 0.975, height / plateau);
   float wet = inside * groove;
   colour = vec4(which * wet, 0.0, 1.0);
 }
@@ -86,6 +87,7 @@ base::Result<InkLayer> InkLayer::create() {
 void InkLayer::set_strokes(const StrokeGeometry& strokes, const geometry::TabletShape& shape,
                            DrawStatistics& statistics) {
   shapes_ = strokes.ink;
+  plateau_ = strokes.plateau;
   ranges_ = strokes.ink_ranges;
   shape_ = shape;
   drawn_valid_ = false;
@@ -149,6 +151,7 @@ InkLayer::Change InkLayer::update(std::span<const double> ink, int current_strok
   brush_.use();
   brush_.set("face", glm::vec3(1 / shape_.width_m, face_from_square.x, face_from_square.y));
   brush_.set("soft", static_cast<float>(shape_.width_m / kTextureSize * 1.5));
+  brush_.set("plateau", plateau_);
   brush_.set("heights", 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, heights);

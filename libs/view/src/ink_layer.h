@@ -45,6 +45,7 @@ class InkLayer {
   Texture texture_;
   Framebuffer framebuffer_;
   std::vector<InkPiece> shapes_;
+  float plateau_ = 1;
   std::vector<InkRange> ranges_;
   geometry::TabletShape shape_;
   std::vector<double> drawn_;

@@ -29,7 +29,7 @@ constexpr double kClassicSpread = 30 * kDegree;
 constexpr double kInkStep = 1.0;  ///< glyph units
 constexpr double kWidthStep = 0.2;
 constexpr double kWidestGroove = 20.0;
-constexpr float kPlateauHeight = 0.985F;
+constexpr float kLip = 0.985F;        ///< of the plateau's height
 constexpr double kPlainRadius = 2.5;  ///< of ink where nothing is carved
 
 GlyphLine without_repeats(std::span<const GlyphPoint> line) {
@@ -80,14 +80,28 @@ float height_at(const Relief& relief, GlyphPoint p) {
          (relief.at(i, j + 1) * (1 - u) + relief.at(i + 1, j + 1) * u) * v;
 }
 
+/// The height that most of the upper half of the relief has: under ridges, as of axes, the plateau is lower
+/// than 1.
+float plateau_of(const Relief& relief) {
+  constexpr std::size_t kSteps = 1024;
+  std::vector<std::size_t> counts(kSteps, 0);
+  for (const float height : relief.heights) {
+    if (height >= 0.5F)
+      ++counts[std::min(static_cast<std::size_t>((height - 0.5F) * 2 * kSteps), kSteps - 1)];
+  }
+  const auto most = std::max_element(counts.begin(), counts.end());
+  if (*most == 0) return 1;
+  return 0.5F + 0.5F * static_cast<float>(most - counts.begin() + 1) / static_cast<float>(kSteps);
+}
+
 /// From the centre line to the nearer lip of the groove; the farther one may belong to a crossing stroke.
-double groove_half_width(const Relief& relief, GlyphPoint centre, GlyphPoint direction) {
+double groove_half_width(const Relief& relief, float lip, GlyphPoint centre, GlyphPoint direction) {
   if (relief.size < 2) return kPlainRadius;
   const GlyphPoint across{-direction.y, direction.x};
   double nearer = kWidestGroove;
   for (const double side : {-1.0, 1.0}) {
     double r = 0;
-    while (r < nearer && height_at(relief, centre + across * (side * r)) < kPlateauHeight) r += kWidthStep;
+    while (r < nearer && height_at(relief, centre + across * (side * r)) < lip) r += kWidthStep;
     nearer = std::min(nearer, r);
   }
   return nearer;
@@ -100,7 +114,7 @@ double median(std::vector<double> values) {
 }
 
 /// Half widths at evenly spaced points, without the bulges that crossing grooves make.
-std::vector<double> ink_radii(const Relief& relief, std::span<const GlyphPoint> points) {
+std::vector<double> ink_radii(const Relief& relief, float lip, std::span<const GlyphPoint> points) {
   std::vector<double> raw;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t before = i > 0 ? i - 1 : 0;
@@ -108,7 +122,7 @@ std::vector<double> ink_radii(const Relief& relief, std::span<const GlyphPoint> 
     GlyphPoint along = points[after] - points[before];
     const double size = geometry::length(along);
     along = size > 0 ? along * (1 / size) : GlyphPoint{1, 0};
-    raw.push_back(groove_half_width(relief, points[i], along));
+    raw.push_back(groove_half_width(relief, lip, points[i], along));
   }
   // Where grooves cross, the lip is that of the other one: such widths give way to those before and after.
   const double widest = median(raw) * 1.06;
@@ -135,7 +149,7 @@ void append_ink(StrokeGeometry& geometry, const GlyphLine& line, const Relief& r
   const GlyphLine points = line.size() < 2 ? GlyphLine{line.front(), line.front()}
                                            : geometry::resample(std::span<const GlyphPoint>(line),
                                                                 std::max<std::size_t>(count, 2));
-  const auto radii = ink_radii(relief, points);
+  const auto radii = ink_radii(relief, kLip * geometry.plateau, points);
   const double metres = shape.width_m / geometry::kGlyphSide;
   InkRange range{geometry.ink.size(), points.size() - 1, length * metres};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -251,6 +265,7 @@ std::vector<std::size_t> run_ends(std::span<const GlyphPoint> points) {
 StrokeGeometry make_stroke_geometry(std::span<const kanji::StrokeLine> strokes, const Relief& relief,
                                     const geometry::TabletShape& shape) {
   StrokeGeometry geometry;
+  geometry.plateau = plateau_of(relief);
   std::vector<GlyphLine> lines;
   for (const kanji::StrokeLine& stroke : strokes) {
     GlyphLine line = without_repeats(stroke.points);

@@ -54,6 +54,7 @@ struct StrokeGeometry {
   std::vector<InkPiece> ink;
   std::vector<InkRange> ink_ranges;   ///< one per stroke
   std::vector<NumberAnchor> anchors;  ///< one per stroke
+  float plateau = 1;                  ///< height of the face from which grooves go down
 };
 
 /// Indices of the points of `line` at which a run in one direction ends: corners (a turn of more than 35

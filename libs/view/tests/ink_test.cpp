@@ -118,6 +118,32 @@ TEST(Ink, InkStaysInTheGroove) {
   }
 }
 
+/// A plot's plateau lies lower than 1: its axes and its rim are ridges.
+TEST(Ink, InkStaysInTheGrooveWhereThePlateauIsLower) {
+  constexpr float kPlateau = 0.9F;
+  const auto lines = std::vector{straight({20, 54}, {90, 54})};
+  auto map = carved(lines);
+  for (int row = 0; row < map.size(); ++row)
+    for (int column = 0; column < map.size(); ++column) map.set(column, row, map.at(column, row) * kPlateau);
+  Studio studio(500, 500);
+  studio.view->set_height_map(map);
+  studio.view->set_strokes(lines);
+  Overlay overlay;
+  const Picture bare = studio.shoot(overlay);
+  const std::array<double, 1> ink{0.8};
+  overlay.ink = ink;
+  const Picture inked = studio.shoot(overlay);
+  const auto change = [&](geometry::GlyphPoint p, double z_m) {
+    const glm::dvec2 at = seen(studio, p, z_m);
+    return difference(pixel(bare, at), pixel(inked, at));
+  };
+  EXPECT_GT(change({50, 54}, -0.010), 100);
+  for (const double beside : {10.0, 14.0, 18.0}) {
+    EXPECT_LT(change({50, 54 - beside}, -0.002), 12) << beside;
+    EXPECT_LT(change({50, 54 + beside}, -0.002), 12) << beside;
+  }
+}
+
 TEST(Ink, OfTheCharacterBeforeNothingIsLeft) {
   const auto before = std::vector{straight({30, 15}, {30, 95}), straight({80, 15}, {80, 95})};
   const auto after = std::vector{straight({15, 54}, {95, 54})};
