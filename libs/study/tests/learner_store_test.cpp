@@ -149,19 +149,22 @@ TEST(LearnerStore, AnActionOnManyCharactersIsTakenBackAtOnce) {
   EXPECT_EQ(store.cards(), before);
 }
 
+/// Known for three weeks, and forgotten.
+void forget(LearnerStore& store, MovedClock& clock) {
+  (void)must(store.add_writing(kRest, 6, review(Rating::easy)));
+  EXPECT_FALSE(store.card(kRest).leech);
+  clock.advance(days(20));
+  (void)must(store.add_writing(kRest, 6, review(Rating::again)));
+  clock.advance(days(1));
+}
+
 TEST(LearnerStore, WhatIsForgottenTooOftenIsSetApartUntilItsLessonIsDone) {
   MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
   Settings settings = store.settings();
   settings.leech_lapses = 3;
   ASSERT_TRUE(store.change_settings(settings));
-  for (int lapse = 0; lapse < 3; ++lapse) {
-    (void)must(store.add_writing(kRest, 6, review(Rating::easy)));
-    EXPECT_FALSE(store.card(kRest).leech);
-    clock.advance(days(20));
-    (void)must(store.add_writing(kRest, 6, review(Rating::again)));
-    clock.advance(days(1));
-  }
+  for (int lapse = 0; lapse < 3; ++lapse) forget(store, clock);
   EXPECT_TRUE(store.card(kRest).leech);
   ASSERT_TRUE(store.leech_met(std::span(&kRest, 1)));
   EXPECT_FALSE(store.card(kRest).leech);
@@ -172,18 +175,12 @@ TEST(LearnerStore, WhatIsForgottenTooOftenIsSetApartUntilItsLessonIsDone) {
 TEST(LearnerStore, ALowerNumberOfLapsesSetsApartWhatWasKnownBefore) {
   MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
-  const auto forget = [&] {
-    (void)must(store.add_writing(kRest, 6, review(Rating::easy)));
-    clock.advance(days(20));
-    (void)must(store.add_writing(kRest, 6, review(Rating::again)));
-    clock.advance(days(1));
-  };
-  forget();
+  forget(store, clock);
   Settings settings = store.settings();
   settings.leech_lapses = 2;
   ASSERT_TRUE(store.change_settings(settings));
   EXPECT_FALSE(store.card(kRest).leech);
-  forget();
+  forget(store, clock);
   EXPECT_TRUE(store.card(kRest).leech);
   EXPECT_EQ(must(store.rebuild()).differences, 0);
 }

@@ -45,6 +45,15 @@ class Device : public WindowTest {
     WindowTest::SetUp();
     ASSERT_TRUE(QTest::qWaitFor([&] { return text("device") == QStringLiteral("Scripted arm"); }));
   }
+  void open_window_with_simulations() {
+    back_ends_ = [] {
+      std::vector<std::unique_ptr<devices::BackEnd>> all;
+      all.push_back(devices::pointer_back_end());
+      all.push_back(devices::simulated_back_end());
+      return all;
+    };
+    open_window();
+  }
   TabletController& controller() { return desk_under_test->controller(); }
   Stylus& stylus() { return controller().stylus(); }
   bool says(const QString& part) {
@@ -249,13 +258,7 @@ TEST_F(Device, ThePageSaysWhyADeviceIsNotThere) {
 }
 
 TEST_F(Device, ASimulationIsLedByTheMouse) {
-  back_ends_ = [] {
-    std::vector<std::unique_ptr<devices::BackEnd>> all;
-    all.push_back(devices::pointer_back_end());
-    all.push_back(devices::simulated_back_end());
-    return all;
-  };
-  open_window();
+  open_window_with_simulations();
   press(Qt::Key_2, Qt::AltModifier);
   EXPECT_TRUE(stylus().is_pointer()) << "nobody asked for a simulation";
   ASSERT_TRUE(QTest::qWaitFor([&] { return find<QRadioButton>("device_simulated:touch") != nullptr; }));
@@ -268,13 +271,7 @@ TEST_F(Device, ASimulationIsLedByTheMouse) {
 }
 
 TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
-  back_ends_ = [] {
-    std::vector<std::unique_ptr<devices::BackEnd>> all;
-    all.push_back(devices::pointer_back_end());
-    all.push_back(devices::simulated_back_end());
-    return all;
-  };
-  open_window();
+  open_window_with_simulations();
   show(U'一');
   const auto line = test::model(U'一').front();
   auto& tablet = controller();
