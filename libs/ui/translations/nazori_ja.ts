@@ -1832,6 +1832,10 @@ Columns and rows:</source>
         <translation>描画を止めました。見えているものが全部とは限りません。</translation>
     </message>
     <message>
+        <source>The curve is still being drawn.</source>
+        <translation>曲線を描いているところです。</translation>
+    </message>
+    <message>
         <source>Nothing can be heard on this computer.</source>
         <translation>このコンピューターでは音を出せません。</translation>
     </message>
@@ -3226,6 +3230,10 @@ Columns and rows:</source>
     <message>
         <source>There are none in this window.</source>
         <translation>この範囲にはありません。</translation>
+    </message>
+    <message>
+        <source>The drawing was stopped before points of interest were looked for.</source>
+        <translation>注目点を調べる前に描画を止めました。</translation>
     </message>
     <message>
         <source>About the plot</source>

@@ -10,6 +10,7 @@
 #include "functions/functions_workplace.h"
 #include "functions/plot_panel.h"
 #include "functions/plot_words.h"
+#include "functions/points_panel.h"
 
 namespace nazori::ui {
 namespace {
@@ -28,6 +29,11 @@ void FunctionsWorkplace::connect_sound() {
     sound_->stop();
     if (!plotter_->is_busy()) return;
     plotter_->stop();
+    // The first picture, which has no points, is what tracing and table are of then.
+    if (drawing_ && !drawing_->final) {
+      tracer_.set_drawing(drawing_);
+      points_->show_drawing(drawing_);
+    }
     desk().answer(Feedback::advice, tr("The drawing was stopped. What is shown need not be all of it."));
   });
   on(actions_->faster, [this] { change_speed(+1); });

@@ -70,8 +70,8 @@ void FunctionsWorkplace::connect_trace() {
   });
   on(actions_->summary, [this] {
     if (drawing_)
-      desk().answer(Feedback::hint, QStringLiteral("%1 %2.").arg(localised(drawing_->summary),
-                                                                 window_words(drawing_->asked.window)));
+      desk().answer(Feedback::hint,
+                    QStringLiteral("%1 %2.").arg(what_is_shown(), window_words(drawing_->asked.window)));
   });
   on(actions_->beacon, [this] {
     tracer_.drop_beacon();
@@ -117,6 +117,12 @@ void FunctionsWorkplace::connect_trace() {
     desk().answer(Feedback::hint, hold ? tr("Curves hold the stylus.") : tr("Curves let the stylus go."));
   });
   on(actions_->clear_ink, [&controller] { controller.clear_ink(); });
+}
+
+QString FunctionsWorkplace::what_is_shown() const {
+  if (drawing_->final) return localised(drawing_->summary);
+  return plotter_->is_busy() ? tr("The curve is still being drawn.")
+                             : tr("The drawing was stopped. What is shown need not be all of it.");
 }
 
 bool FunctionsWorkplace::has_curve() const { return drawing_ && !drawing_->picture.tracing.branches.empty(); }

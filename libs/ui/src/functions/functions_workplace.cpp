@@ -154,7 +154,7 @@ void FunctionsWorkplace::enter() {
   if (!drawing_)
     read_expression();
   else
-    desk().say(Feedback::hint, localised(drawing_->summary));
+    desk().say(Feedback::hint, what_is_shown());
 }
 
 void FunctionsWorkplace::leave() {

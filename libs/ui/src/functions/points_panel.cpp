@@ -3,6 +3,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QPainter>
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QStyledItemDelegate>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "functions/plot_words.h"
 
@@ -18,7 +20,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 16;
-constexpr int kPadding = 8;  // QTableView::item in the style sheet
+constexpr int kPadding = 4;
 
 /// In a narrow table the coordinates stand under the kind: nothing has to be widened to be read.
 class StackedCell final : public QStyledItemDelegate {
@@ -27,13 +29,28 @@ class StackedCell final : public QStyledItemDelegate {
   void set_stacked(bool stacked) { stacked_ = stacked; }
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     if (!stacked_) return QStyledItemDelegate::sizeHint(option, index);
-    // The style sheet moves the text of a chosen row inwards and does not reckon with it where text wraps.
-    QStyleOptionViewItem narrower = option;
-    narrower.rect.adjust(0, 0, -2 * kPadding, 0);
-    QSize size = QStyledItemDelegate::sizeHint(narrower, index);
+    QStyleOptionViewItem filled = option;
+    initStyleOption(&filled, index);
+    const QSize text =
+        QFontMetrics(filled.font).boundingRect(room_for_text(filled), kText, filled.text).size();
     // A gap, so that the lines of one point are seen to belong together.
-    size.rheight() += option.fontMetrics.height() / 2;
-    return size;
+    return {text.width() + 2 * kPadding, text.height() + QFontMetrics(filled.font).height() / 2};
+  }
+
+  // The style sheet moves the text of a chosen row inwards: lines would break there that do not break
+  // elsewhere.
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    if (!stacked_) return QStyledItemDelegate::paint(painter, option, index);
+    QStyleOptionViewItem filled = option;
+    initStyleOption(&filled, index);
+    const QString text = std::exchange(filled.text, QString());
+    filled.widget->style()->drawControl(QStyle::CE_ItemViewItem, &filled, painter, filled.widget);
+    painter->save();
+    painter->setFont(filled.font);
+    painter->setPen(filled.widget->palette().color(QPalette::Text));
+    painter->drawText(room_for_text(filled).translated(0, QFontMetrics(filled.font).height() / 4), kText,
+                      text);
+    painter->restore();
   }
 
  protected:
@@ -44,13 +61,20 @@ class StackedCell final : public QStyledItemDelegate {
       const QString value = index.siblingAtColumn(column).data().toString();
       if (value != no_coordinate())
         option->text +=
-            QChar(QChar::LineSeparator) +
+            QLatin1Char('\n') +
             (value.startsWith(QStringLiteral("≈")) ? QStringLiteral("%1 %2") : QStringLiteral("%1 = %2"))
                 .arg(index.model()->headerData(column, Qt::Horizontal).toString(), value);
     }
   }
 
  private:
+  static constexpr int kText = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+  static QRect room_for_text(const QStyleOptionViewItem& option) {
+    // As high as it needs: rows are made to fit.
+    return {option.rect.left() + kPadding, option.rect.top(), option.rect.width() - 2 * kPadding,
+            QWIDGETSIZE_MAX};
+  }
+
   bool stacked_ = false;
 };
 
@@ -111,7 +135,10 @@ PointsPanel::PointsPanel(QWidget* parent)
 }
 
 void PointsPanel::show_drawing(const SharedDrawing& drawing) {
-  summary_->setText(drawing ? localised(drawing->summary) : QString());
+  const bool stopped = drawing && !drawing->final;
+  summary_->setText(!drawing  ? QString()
+                    : stopped ? tr("The drawing was stopped before points of interest were looked for.")
+                              : localised(drawing->summary));
   const auto count = drawing ? static_cast<int>(drawing->points.size()) : 0;
   table_->clearContents();
   table_->setRowCount(count);
@@ -129,7 +156,7 @@ void PointsPanel::show_drawing(const SharedDrawing& drawing) {
     table_->setItem(row, 2, cell(coordinate_text(point.y, point.y_name), words));
   }
   table_->setVisible(count > 0);
-  empty_->setVisible(count == 0);
+  empty_->setVisible(count == 0 && !stopped);
   fit();
 }
 
