@@ -131,7 +131,9 @@ Affine fit(std::span<const FitPair> pairs, double expected_scale) {
 Affine fit_by_moments(std::span<const Shape> drawn, std::span<const Shape> model) {
   const auto d = ink_of(drawn);
   const auto m = ink_of(model);
-  const double s = d.spread > 0 && m.spread > 0 ? m.spread / d.spread : 1.0;
+  // A point spreads by what rounding leaves of it; no ink is that small.
+  constexpr double kOnePoint = 1e-12;
+  const double s = d.spread > kOnePoint && m.spread > 0 ? m.spread / d.spread : 1.0;
   return {s, 0, m.x - s * d.x, 0, s, m.y - s * d.y};
 }
 

@@ -296,6 +296,20 @@ TEST(GradeLive, AtTheEndTwoStrokesInOneAreCalledThat) {
   for (const std::size_t k : {0U, 1U, 2U, 4U}) EXPECT_TRUE(live->strokes[k].ok) << k;
 }
 
+TEST(GradeLive, AFirstStrokeOfOnePointNextToZeroIsJudgedInFiniteNumbers) {
+  auto ink = trace(soil());
+  ink.strokes.resize(2);
+  ink.strokes[0] = InkStroke{{{1.3108082146925777e-39, 1.7345692780951883e-40}}, {}, {}};
+  ink.box.reset();
+  const auto live = grade_live(ink, model_of(soil()));
+  ASSERT_TRUE(live);
+  for (const auto& s : live->strokes) {
+    for (const double number : {s.offset_x, s.offset_y, s.size, s.angle_rad, s.shape, s.deviation})
+      EXPECT_TRUE(std::isfinite(number));
+  }
+  EXPECT_FALSE(live->strokes[0].ok);
+}
+
 TEST(GradeLive, AStrokeDrawnTooEarlyIsToldOnce) {
   auto ink = trace(rest());
   std::rotate(ink.strokes.begin(), ink.strokes.begin() + 4, ink.strokes.begin() + 5);
