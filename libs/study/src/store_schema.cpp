@@ -117,8 +117,7 @@ void migrate_store(SQLite::Database& database, int version, Time now) {
 
 base::Error error_of(const SQLite::Exception& trouble, const std::string& name) {
   using base::Errc;
-  base::Error full{Errc::io, "the disk is full", name,
-                         "make room; what was acknowledged before is safe"};
+  base::Error full{Errc::io, "the disk is full", name, "make room; what was acknowledged before is safe"};
   // The index of the write-ahead log is written past the error that says so.
   if (trouble.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE) return full;
   switch (trouble.getErrorCode()) {
