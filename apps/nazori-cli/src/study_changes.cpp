@@ -37,8 +37,7 @@ int change(Console& console, const ChangeSettings& settings, const char* word, C
     }
     console.print(to_text(cards));
   } else {
-    console.print(
-        fmt::format("{}: {}\n", word, counted(static_cast<std::int64_t>(characters->size()), "character")));
+    console.print(fmt::format("{}: {}\n", word, counted(characters->size(), "character")));
   }
   return kDone;
 }

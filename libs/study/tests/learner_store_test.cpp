@@ -256,15 +256,17 @@ TEST(LearnerStore, EveryStateFollowsFromTheLog) {
   }
 }
 
+/// The cards of a file in which sixty actions were written and which is closed again.
+Cards kept_after_study(const std::filesystem::path& file, MovedClock& clock, unsigned seed) {
+  LearnerStore store = open(file, clock);
+  study_at_random(store, clock, seed, 60);
+  return store.cards();
+}
+
 TEST(LearnerStore, RebuildingMendsCardsThatWereChanged) {
   const TemporaryFolder folder;
   MovedClock clock("2026-01-01T09:00:00Z");
-  Cards before;
-  {
-    LearnerStore store = open(folder / "learner.db", clock);
-    study_at_random(store, clock, 4, 60);
-    before = store.cards();
-  }
+  const Cards before = kept_after_study(folder / "learner.db", clock, 4);
   {
     SQLite::Database db((folder / "learner.db").string(), SQLite::OPEN_READWRITE);
     db.exec(
@@ -280,12 +282,7 @@ TEST(LearnerStore, RebuildingMendsCardsThatWereChanged) {
 TEST(LearnerStore, RebuildingMendsCardsThatCannotBeRead) {
   const TemporaryFolder folder;
   MovedClock clock("2026-01-01T09:00:00Z");
-  Cards before;
-  {
-    LearnerStore store = open(folder / "learner.db", clock);
-    study_at_random(store, clock, 6, 60);
-    before = store.cards();
-  }
+  const Cards before = kept_after_study(folder / "learner.db", clock, 6);
   {
     SQLite::Database db((folder / "learner.db").string(), SQLite::OPEN_READWRITE);
     db.exec("UPDATE card SET phase = 9");
