@@ -120,18 +120,19 @@ void FunctionsWorkplace::play_reference() {
     desk().answer(Feedback::hint, tr("y = 0 lies outside the window."));
     return;
   }
-  if (sound_->muted()) {
-    desk().answer(Feedback::hint, tr("The sound is off. M turns it on."));
-    return;
-  }
-  if (sound_->is_refused()) {
-    desk().answer(Feedback::advice, tr("Nothing can be heard on this computer."));
-    return;
-  }
+  if (!can_be_heard()) return;
   sound_->touch_briefly(functions::cue_at({0.5, v}, window_, 1));
   // Refused just now, the sentence that says so stands there already.
   if (sound_->is_refused()) return;
   desk().answer(Feedback::hint, tr("This is the tone of y = 0."));
+}
+
+bool FunctionsWorkplace::can_be_heard() const {
+  if (sound_->muted())
+    desk().answer(Feedback::hint, tr("The sound is off. M turns it on."));
+  else if (sound_->is_refused())
+    desk().answer(Feedback::advice, tr("Nothing can be heard on this computer."));
+  return !sound_->muted() && !sound_->is_refused();
 }
 
 functions::SoundSettings FunctionsWorkplace::sound_settings() const {
@@ -148,14 +149,7 @@ void FunctionsWorkplace::hear() {
     desk().answer(Feedback::hint, tr("A surface has no curve to play."));
     return;
   }
-  if (sound_->muted()) {
-    desk().answer(Feedback::hint, tr("The sound is off. M turns it on."));
-    return;
-  }
-  if (sound_->is_refused()) {
-    desk().answer(Feedback::advice, tr("Nothing can be heard on this computer."));
-    return;
-  }
+  if (!can_be_heard()) return;
   const auto& asked = drawing_->asked;
   desk().answer(
       Feedback::hint,

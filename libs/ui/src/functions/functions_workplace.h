@@ -90,6 +90,8 @@ class FunctionsWorkplace final : public Workplace {
   void set_muted(bool muted);
   void show_piece();
   [[nodiscard]] bool has_curve() const;
+  /// Says why not, where nothing can be heard.
+  [[nodiscard]] bool can_be_heard() const;
   /// The summary, or why there is none. Only while something is shown.
   [[nodiscard]] QString what_is_shown() const;
   /// One statement without the others; -1: all.

@@ -105,12 +105,15 @@ base::Progress LearnerExchange::progress() {
   };
 }
 
-void LearnerExchange::tell_failure(const QString& path, const base::Error& error) {
+void LearnerExchange::tell_failure(const base::Error& error, const QString& sentence) {
   if (error.code == base::Errc::cancelled)
     emit said(Feedback::hint, tr("Stopped. Everything is as it was."));
   else
-    emit said(Feedback::wrong,
-              tr("%1: %2. Everything is as it was.").arg(QFileInfo(path).fileName(), reason(error)));
+    emit said(Feedback::wrong, sentence);
+}
+
+void LearnerExchange::tell_failure(const QString& path, const base::Error& error) {
+  tell_failure(error, tr("%1: %2. Everything is as it was.").arg(QFileInfo(path).fileName(), reason(error)));
 }
 
 void LearnerExchange::write(Kind kind, const QString& path, const AnkiChoice& choice) {
@@ -216,10 +219,8 @@ void LearnerExchange::back_up() {
       end();
       if (made)
         emit said(Feedback::good, tr("Backed up as %1.").arg(to_text(made->filename().string())));
-      else if (made.error().code == base::Errc::cancelled)
-        emit said(Feedback::hint, tr("Stopped. Everything is as it was."));
       else
-        emit said(Feedback::wrong, tr("No backup was made: %1.").arg(reason(made.error())));
+        tell_failure(made.error(), tr("No backup was made: %1.").arg(reason(made.error())));
     });
   });
 }
@@ -229,11 +230,9 @@ void LearnerExchange::restore(const fs::path& backup) {
   replace(backup, learner_.profile(), [this](const base::Result<fs::path>& done) {
     if (done)
       emit said(Feedback::good, tr("The backup is in place. What stood there is kept."));
-    else if (done.error().code == base::Errc::cancelled)
-      emit said(Feedback::hint, tr("Stopped. Everything is as it was."));
     else
-      emit said(
-          Feedback::wrong,
+      tell_failure(
+          done.error(),
           tr("The backup was not put in place: %1. Everything is as it was.").arg(reason(done.error())));
   });
 }

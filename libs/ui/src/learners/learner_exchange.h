@@ -66,6 +66,8 @@ class LearnerExchange final : public QObject {
   /// of it, when it is open.
   void replace(const std::filesystem::path& store, const QString& profile,
                std::function<void(const base::Result<std::filesystem::path>&)> done);
+  /// Says the sentence, or that it was stopped where the learner did that.
+  void tell_failure(const base::Error& error, const QString& sentence);
   void tell_failure(const QString& path, const base::Error& error);
 
   Learner& learner_;
