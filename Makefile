@@ -37,7 +37,7 @@ demo: database
 	@NAZORI_DATA=$(DATA) $(RELEASE)/bin/nazori-cli demo $(CHARACTER) --output nazori-demo.png
 
 test: packages-test database
-	@tools/build release
+	@tools/build release-tests
 	@ctest --preset release
 
 check: packages-check database
