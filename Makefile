@@ -13,8 +13,8 @@ CHARACTER ?= 休
 help:
 	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
 	@echo "make test    install what is missing, build, and run every test"
-	@echo "make check   what CI adds: formatting, sanitizers, fuzzing"
-	@echo "make lint    static analysis of every source file (clang-tidy; half an hour on two cores)"
+	@echo "make check   what CI adds: formatting, static analysis of what changed, sanitizers, fuzzing"
+	@echo "make lint    static analysis of every source file (clang-tidy; half an hour on two cores the first time)"
 	@echo "make bench   build and run the benchmarks of every module"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
 	@echo "make format  format the sources"
@@ -44,7 +44,8 @@ check: packages-check database
 	@tools/check
 
 lint: packages-check database
-	@tools/run-clang-tidy
+	@tools/build release-tests
+	@tools/lint --all
 
 bench: packages-check database
 	@tools/build bench

@@ -5,16 +5,73 @@ function(nazori_test_program target)
   endif()
 endfunction()
 
-# nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [BENCHES ...]
-#               [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
+# What starts a thread, or has one started.
+set(NAZORI_THREAD_WORDS "std::j?thread|std::async|pthread_create|RtThread|asio::|SDL_OpenAudioDevice|QThread")
+
+# nazori_threaded_tests(RESULT TESTS ... THREADED ... SOURCES ...)
+#
+# The test files that the thread sanitizer is worth building for: THREADED, which is ALL or a list of files, and what is
+# no test itself (fixtures). Stops where a file that starts threads was forgotten.
+function(nazori_threaded_tests result)
+  cmake_parse_arguments(t "" "" "TESTS;THREADED;SOURCES" ${ARGN})
+  if("ALL" IN_LIST t_THREADED)
+    set(${result} ${t_TESTS} PARENT_SCOPE)
+    return()
+  endif()
+  set(forgotten "")
+  set(kept "")
+  foreach(file ${t_SOURCES} ${t_TESTS})
+    set(words "")
+    if(NOT IS_ABSOLUTE "${file}" AND EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
+      file(STRINGS "${file}" words REGEX "${NAZORI_THREAD_WORDS}" LIMIT_COUNT 1)
+    endif()
+    if(words AND NOT file IN_LIST t_THREADED)
+      list(APPEND forgotten "${file}")
+    endif()
+  endforeach()
+  if(forgotten)
+    message(FATAL_ERROR "these files start threads, so the thread sanitizer must see their tests: ${forgotten}; "
+                        "name the tests behind THREADED_TESTS in ${CMAKE_CURRENT_SOURCE_DIR}/CMakeLists.txt (ALL: every test)")
+  endif()
+  if(t_THREADED)
+    foreach(file ${t_TESTS})
+      if(file IN_LIST t_THREADED OR NOT file MATCHES "_test\\.cpp$")
+        list(APPEND kept "${file}")
+      endif()
+    endforeach()
+  endif()
+  set(${result} ${kept} PARENT_SCOPE)
+endfunction()
+
+# nazori_test_paths(TARGET NAME PATH [NAME PATH]...): defines those of cmake/tests/test_paths.h that the program names.
+function(nazori_test_paths target)
+  set(definitions "")
+  list(LENGTH ARGN count)
+  math(EXPR last "${count} - 1")
+  foreach(i RANGE 0 ${last} 2)
+    list(GET ARGN ${i} name)
+    math(EXPR j "${i} + 1")
+    list(GET ARGN ${j} path)
+    string(APPEND definitions "const char* const ${name} = \"${path}\";\n")
+  endforeach()
+  set(file "${CMAKE_CURRENT_BINARY_DIR}/${target}_paths.cpp")
+  file(GENERATE OUTPUT "${file}" CONTENT
+       "#include \"test_paths.h\"\n\nnamespace nazori::test_paths {\n${definitions}}  // namespace nazori::test_paths\n")
+  target_sources(${target} PRIVATE "${file}")
+  target_include_directories(${target} PRIVATE "${CMAKE_SOURCE_DIR}/cmake/tests")
+endfunction()
+
+# nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH ...] [THREADED_TESTS ALL|...]
+#               [BENCHES ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
 # One room of the house: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench
 # file as part of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are seen by those who include the
-# public headers, PRIVATE_DEPENDS are not. Tests may use tests/fixtures through the macro NAZORI_FIXTURES; with NEEDS_DATABASE
+# public headers, PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE
 # they run after kanji.db has been built and find its folder in the environment variable NAZORI_DATA.
+# The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot race.
 function(nazori_module name)
   cmake_parse_arguments(m "NEEDS_DATABASE" ""
-    "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
+    "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
   if(m_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "nazori_module(${name}): unknown ${m_UNPARSED_ARGUMENTS}")
   endif()
@@ -30,11 +87,14 @@ function(nazori_module name)
   endif()
   add_library(nazori::${name} ALIAS ${target})
 
+  if(NAZORI_SANITIZE STREQUAL "thread")
+    nazori_threaded_tests(m_TESTS TESTS ${m_TESTS} THREADED ${m_THREADED_TESTS} SOURCES ${m_SOURCES})
+  endif()
   if(NAZORI_BUILD_TESTS AND m_TESTS)
     add_executable(${target}_tests ${m_TESTS})
     target_link_libraries(${target}_tests PRIVATE ${target} nazori_compiler ${m_TEST_DEPENDS} GTest::gtest GTest::gmock
                                                   GTest::gtest_main)
-    target_compile_definitions(${target}_tests PRIVATE NAZORI_FIXTURES="${CMAKE_CURRENT_SOURCE_DIR}/tests/fixtures")
+    nazori_test_paths(${target}_tests kFixtures "${CMAKE_CURRENT_SOURCE_DIR}/tests/fixtures" ${m_TEST_PATHS})
     nazori_test_program(${target}_tests)
     set(properties TIMEOUT 300 ENVIRONMENT "NAZORI_DATA=${NAZORI_TEST_DATA}\;QT_QPA_PLATFORM=offscreen")
     if(m_NEEDS_DATABASE)

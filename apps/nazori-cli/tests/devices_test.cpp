@@ -6,6 +6,7 @@
 
 #include "program.h"
 #include "standins/inverse_standin.h"
+#include "test_paths.h"
 
 namespace nazori::cli::test {
 namespace {
@@ -62,7 +63,8 @@ void expect_trial(const Json& json) {
 }
 
 TEST(Devices, AStandInForATouchIsFoundAndTestedEndToEnd) {
-  const std::vector<std::string> touch = with("NAZORI_LIBHD=" NAZORI_STANDINS "/libHD.so");
+  const std::vector<std::string> touch =
+      with(std::string("NAZORI_LIBHD=") + test_paths::kStandins + "/libHD.so");
   EXPECT_THAT(nazori_cli({"devices"}, touch).out, HasSubstr("Stand-in Touch (serial 0042)"));
   const Outcome run = nazori_cli({"devices", "--test", "0.5", "--json"}, touch);
   ASSERT_EQ(run.code, 0) << run.err;
@@ -72,7 +74,8 @@ TEST(Devices, AStandInForATouchIsFoundAndTestedEndToEnd) {
 }
 
 TEST(Devices, AStandInForAnOmegaIsFoundAndTestedEndToEnd) {
-  const std::vector<std::string> omega = with("NAZORI_LIBDHD=" NAZORI_STANDINS "/libdhd.so");
+  const std::vector<std::string> omega =
+      with(std::string("NAZORI_LIBDHD=") + test_paths::kStandins + "/libdhd.so");
   EXPECT_THAT(nazori_cli({"devices"}, omega).out, HasSubstr("omega.3"));
   const Outcome run = nazori_cli({"devices", "--test", "0.5", "--json"}, omega);
   ASSERT_EQ(run.code, 0) << run.err;
@@ -113,7 +116,7 @@ TEST(Devices, ADeviceThatIsNotThereIsOneLineAndTheAnswerNo) {
 }
 
 TEST(Devices, TheManualShowsTheHelpAsItIsPrinted) {
-  const auto bytes = bytes_of(NAZORI_DOCS "/command-line.md");
+  const auto bytes = bytes_of(std::string(test_paths::kDocs) + "/command-line.md");
   EXPECT_THAT(std::string(bytes.begin(), bytes.end()), HasSubstr(nazori_cli({"devices", "--help"}).out));
 }
 

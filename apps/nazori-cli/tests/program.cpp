@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "test_paths.h"
+
 namespace nazori::cli::test {
 namespace {
 
@@ -65,13 +67,13 @@ Outcome execute(const std::vector<std::string>& command, const std::vector<std::
 
 Outcome nazori_cli(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
                    const fs::path& folder) {
-  std::vector<std::string> command{NAZORI_CLI};
+  std::vector<std::string> command{test_paths::kCommandLine};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return execute(command, environment, folder);
 }
 
 Outcome shell(const std::string& script) {
-  return execute({"/bin/sh", "-c", script}, {std::string("NAZORI=") + NAZORI_CLI}, ".");
+  return execute({"/bin/sh", "-c", script}, {std::string("NAZORI=") + test_paths::kCommandLine}, ".");
 }
 
 TemporaryFolder::TemporaryFolder() {

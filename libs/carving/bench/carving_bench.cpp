@@ -11,12 +11,13 @@
 #include "nazori/carving/carve.h"
 #include "nazori/geometry/svg_path.h"
 #include "nazori/kanji/kanji_database.h"
+#include "test_paths.h"
 
 namespace nazori::carving {
 namespace {
 
 std::vector<kanji::StrokeLine> fixture(const std::string& character) {
-  std::ifstream file(std::string(NAZORI_FIXTURES) + "/kanjivg.tsv");
+  std::ifstream file(std::string(test_paths::kFixtures) + "/kanjivg.tsv");
   std::vector<kanji::StrokeLine> strokes;
   for (std::string line; std::getline(file, line);) {
     std::istringstream fields(line);

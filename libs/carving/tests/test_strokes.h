@@ -16,6 +16,7 @@
 #include "nazori/carving/carve.h"
 #include "nazori/geometry/frames.h"
 #include "nazori/geometry/svg_path.h"
+#include "test_paths.h"
 
 namespace nazori::carving::test {
 
@@ -65,7 +66,7 @@ inline double height_at(const surface::HeightMap& map, GlyphPoint p) {
 
 /// The strokes of a character of the fixture as KanjiVG draws them.
 inline std::vector<StrokeLine> kanjivg(const std::string& character) {
-  std::ifstream file(std::string(NAZORI_FIXTURES) + "/kanjivg.tsv");
+  std::ifstream file(std::string(test_paths::kFixtures) + "/kanjivg.tsv");
   std::vector<StrokeLine> strokes;
   for (std::string line; std::getline(file, line);) {
     std::istringstream fields(line);

@@ -9,6 +9,7 @@
 
 #include "felt_plane.h"
 #include "standins/dhd_standin.h"
+#include "test_paths.h"
 
 namespace nazori::devices {
 namespace {
@@ -19,13 +20,13 @@ using test::comes_true;
 using test::FeltPlane;
 using test::Vec3;
 
-constexpr const char* kLibrary = NAZORI_STANDINS "/libdhd.so";
+const std::string kLibrary = std::string(test_paths::kStandins) + "/libdhd.so";
 
 class ForceDimension : public testing::Test {
  protected:
   ForceDimension() : stage(stage_of(kLibrary)) {}
-  static standin::DhdStage* stage_of(const char* path) {
-    void* library = dlopen(path, RTLD_NOW | RTLD_GLOBAL);
+  static standin::DhdStage* stage_of(const std::string& path) {
+    void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
     EXPECT_NE(library, nullptr) << dlerror();
     reinterpret_cast<void (*)()>(dlsym(library, "nazori_standin_dhd_reset"))();
     return reinterpret_cast<standin::DhdStageFunction>(dlsym(library, "nazori_standin_dhd"))();
@@ -195,16 +196,17 @@ TEST_F(ForceDimension, EveryFailureToOpenSaysInOneLineWhatToDo) {
   EXPECT_EQ(force_dimension_back_end({"/nowhere/libdhd.so", 1000})->find().problem->trouble,
             DeviceTrouble::library_missing);
   // Another library under that name.
-  const auto other = force_dimension_back_end({NAZORI_STANDINS "/libHD.so", 1000})->find();
+  const auto other =
+      force_dimension_back_end({std::string(test_paths::kStandins) + "/libHD.so", 1000})->find();
   EXPECT_EQ(other.problem->trouble, DeviceTrouble::symbol_missing);
   EXPECT_NE(base::to_line(other.problem->error).find("dhdGetDeviceCount"), std::string::npos);
 }
 
 TEST_F(ForceDimension, AnOlderLibraryWithoutTheButtonMaskStillWorks) {
-  standin::DhdStage* const old = stage_of(NAZORI_STANDINS "/incomplete/libdhd.so");
+  standin::DhdStage* const old = stage_of(std::string(test_paths::kStandins) + "/incomplete/libdhd.so");
   FeltPlane plane;
-  auto device =
-      force_dimension_back_end({NAZORI_STANDINS "/incomplete/libdhd.so", 1000})->open("forcedimension", {});
+  auto device = force_dimension_back_end({std::string(test_paths::kStandins) + "/incomplete/libdhd.so", 1000})
+                    ->open("forcedimension", {});
   ASSERT_TRUE(device);
   old->buttons = 1;
   ASSERT_TRUE(device->device->start(plane));

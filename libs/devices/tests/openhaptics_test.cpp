@@ -12,6 +12,7 @@
 #include "felt_plane.h"
 #include "nazori/devices/device_catalogue.h"
 #include "standins/hd_standin.h"
+#include "test_paths.h"
 
 namespace nazori::devices {
 namespace {
@@ -22,12 +23,12 @@ using test::comes_true;
 using test::FeltPlane;
 using test::Vec3;
 
-constexpr const char* kLibrary = NAZORI_STANDINS "/libHD.so";
+const std::string kLibrary = std::string(test_paths::kStandins) + "/libHD.so";
 
 class OpenHaptics : public testing::Test {
  protected:
   OpenHaptics() {
-    void* library = dlopen(kLibrary, RTLD_NOW | RTLD_GLOBAL);
+    void* library = dlopen(kLibrary.c_str(), RTLD_NOW | RTLD_GLOBAL);
     EXPECT_NE(library, nullptr) << dlerror();
     stage = reinterpret_cast<standin::HdStageFunction>(dlsym(library, "nazori_standin_hd"))();
     reinterpret_cast<void (*)()>(dlsym(library, "nazori_standin_hd_reset"))();
@@ -391,7 +392,7 @@ TEST_F(OpenHaptics, AMissingLibraryIsNamedWithAllTheNamesThatWereTried) {
 
 TEST_F(OpenHaptics, ALibraryThatLacksAFunctionIsRefusedByTheNameOfTheFunction) {
   OpenHapticsSettings incomplete;
-  incomplete.library = NAZORI_STANDINS "/incomplete/libHD.so";
+  incomplete.library = std::string(test_paths::kStandins) + "/incomplete/libHD.so";
   const auto refused = openhaptics_back_end(incomplete)->open("openhaptics", {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().trouble, DeviceTrouble::symbol_missing);
@@ -400,7 +401,7 @@ TEST_F(OpenHaptics, ALibraryThatLacksAFunctionIsRefusedByTheNameOfTheFunction) {
 
 TEST_F(OpenHaptics, AFileThatIsNoLibraryIsSaidInTheLoadersWords) {
   OpenHapticsSettings text;
-  text.library = NAZORI_STANDINS "/not-a-library.so";
+  text.library = std::string(test_paths::kStandins) + "/not-a-library.so";
   const auto refused = openhaptics_back_end(text)->open("openhaptics", {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().trouble, DeviceTrouble::library_missing);

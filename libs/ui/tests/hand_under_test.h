@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QTest>
+#include <cmath>
 #include <vector>
 
 #include "nazori/geometry/frames.h"
@@ -30,7 +31,13 @@ inline void write(TabletController& controller, const Points& line) {
     controller.move_stylus(geometry::glyph_to_tablet(p, {}), down);
   };
   put(line.front(), false);
-  QTest::qWait(60);
+  const auto above = geometry::glyph_to_tablet(line.front(), {});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        const auto& at = controller.latest().device_m;
+        return std::hypot(at.x - above.x, at.y - above.y) < 1e-3 && !controller.latest().touching;
+      },
+      5000));
   put(line.front(), true);
   ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().touching; }, 5000));
   const double length = geometry::arc_length<geometry::GlyphFrame>(line);
@@ -39,7 +46,7 @@ inline void write(TabletController& controller, const Points& line) {
     QTest::qWait(3);
   }
   put(line.back(), true);
-  QTest::qWait(60);
+  QTest::qWait(60);  // the hand rests at the end of a stroke that stops: part of the writing, not of the test
   put(line.back(), false);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.latest().touching; }, 5000));
   controller.pump();

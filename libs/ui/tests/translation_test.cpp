@@ -9,11 +9,12 @@
 #include <functional>
 
 #include "language.h"
+#include "test_paths.h"
 
 namespace {
 
 QString translations(const char* name) {
-  return QStringLiteral(NAZORI_TRANSLATIONS "/") + QLatin1String(name);
+  return QLatin1String(nazori::test_paths::kTranslations) + QLatin1Char('/') + QLatin1String(name);
 }
 
 /// Every place holder of the source must be in the translation, and no other.

@@ -237,10 +237,9 @@ TEST_F(Device, ChoiceAndMaterialAreRemembered) {
   press(Qt::Key_1, Qt::AltModifier);
   window_->close();
   open_window();
-  QTest::qWait(100);
-  EXPECT_TRUE(stylus().is_pointer()) << "the mouse was chosen, though the arm is there";
   press(Qt::Key_2, Qt::AltModifier);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return find<QRadioButton>("device_pointer") != nullptr; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find("device_scripted:arm") != nullptr; }));
+  EXPECT_TRUE(stylus().is_pointer()) << "the mouse was chosen, though the arm is there";
   EXPECT_TRUE(find<QRadioButton>("device_pointer")->isChecked());
   EXPECT_EQ(find<QSlider>("material_stiffness")->value(), 8);
   EXPECT_EQ(find<QComboBox>("material_texture")->currentIndex(), 2);
@@ -340,8 +339,7 @@ TEST_F(Device, ItsPageHoldsInANarrowWindowWithTheLargestTextInBothLanguages) {
     for (const int presses : {0, 16}) {
       for (int i = 0; i < presses; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
       for (const int width : {1000, 1280, 1600}) {
-        window_->resize(width, 800);
-        QTest::qWait(50);
+        resize(width, 800);
         for (const char* name : {"seat_panel", "feel_panel"}) {
           const auto* area = find<QScrollArea>(name);
           const QWidget* content = area->widget();

@@ -56,15 +56,13 @@ TEST_F(Memory, AnotherLanguageIsSavedAndAskedFor) {
 
 TEST_F(Memory, TheTabletKeepsHalfOfTheWidthAtEverySize) {
   for (const int width : {1000, 1100, 1280, 1600, 1920}) {
-    window_->resize(width, 800);
-    QTest::qWait(30);
+    resize(width, 800);
     EXPECT_GE(find("tablet")->width(), width / 2 - 1) << width;
   }
 }
 
 TEST_F(Memory, BelowAThousandPixelsThePanelsAreDrawersOneAtATime) {
-  window_->resize(900, 700);
-  QTest::qWait(30);
+  resize(900, 700);
   EXPECT_FALSE(find("library_panel")->isVisible());
   EXPECT_FALSE(find("information_panel")->isVisible());
   action("left_panel")->trigger();
@@ -73,16 +71,14 @@ TEST_F(Memory, BelowAThousandPixelsThePanelsAreDrawersOneAtATime) {
   EXPECT_FALSE(find("library_panel")->isVisible());
   EXPECT_TRUE(find("information_panel")->isVisible());
   EXPECT_GE(find("tablet")->width(), 449);
-  window_->resize(1280, 800);
-  QTest::qWait(30);
+  resize(1280, 800);
   EXPECT_TRUE(find("library_panel")->isVisible());
   EXPECT_TRUE(find("information_panel")->isVisible());
 }
 
 TEST_F(Memory, TheStatusLineShowsAnEntryWholeOrNotAtAll) {
   for (const int width : {1280, 900, 640}) {
-    window_->resize(width, 700);
-    QTest::qWait(30);
+    resize(width, 700);
     int shown = 0;
     for (const char* name : {"device", "depth", "rate", "missed", "timing"}) {
       const auto* label = find<QLabel>(name);
@@ -98,8 +94,7 @@ TEST_F(Memory, TheStagesAreTheLastToLoseTheirWords) {
   for (const char* stage : {"watch", "trace", "guided", "memory"}) {
     action(stage)->trigger();
     for (const int width : {1600, 1280, 1100, 900}) {
-      window_->resize(width, 800);
-      QTest::qWait(30);
+      resize(width, 800);
       const auto has_words = [this](const char* tool) {
         const auto* button = find<QToolButton>(tool);
         return button != nullptr && button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon;

@@ -56,6 +56,15 @@ class Recording : public WindowTest {
     });
     action("record")->trigger();
   }
+
+  /// Waits until the servo has given `count` more samples.
+  bool samples_come(std::size_t count) {
+    std::size_t seen = 0;
+    QObject context;
+    QObject::connect(&desk_under_test->controller().stylus(), &Stylus::sampled, &context,
+                     [&seen](std::span<const haptics::ServoSample> some) { seen += some.size(); });
+    return QTest::qWaitFor([&] { return seen >= count; }, 10000);
+  }
 };
 
 TEST_F(Recording, HoldsEveryMomentThatTheServoSaw) {
@@ -100,7 +109,7 @@ TEST_F(Recording, HoldsEveryMomentThatTheServoSaw) {
 TEST_F(Recording, AsATableHasOneRowAMoment) {
   const QString path = folder_.filePath(QStringLiteral("session.csv"));
   record_to(path);
-  QTest::qWait(200);
+  ASSERT_TRUE(samples_come(150));
   action("record")->trigger();
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << feedback().toStdString();
@@ -112,9 +121,9 @@ TEST_F(Recording, AsATableHasOneRowAMoment) {
 TEST_F(Recording, GoesOnInAFileOfItsOwnWhereAnotherDeviceTakesTheTablet) {
   const QString path = folder_.filePath(QStringLiteral("session.nzr"));
   record_to(path);
-  QTest::qWait(100);
+  ASSERT_TRUE(samples_come(50));
   desk_under_test->controller().stylus().choose("simulated:touch");
-  QTest::qWait(100);
+  ASSERT_TRUE(samples_come(50));
   action("record")->trigger();
   const auto second =
       recording::RecordingReader::open(folder_.filePath(QStringLiteral("session-2.nzr")).toStdString());

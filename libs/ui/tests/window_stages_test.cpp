@@ -83,7 +83,7 @@ TEST_F(Stages, StrokesInTheWrongOrderAreNamedAtTheEnd) {
   EXPECT_TRUE(says("1 stroke is written")) << feedback().toStdString();
   EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::none})) << "not judged before the end";
   write(strokes[0]);
-  QTest::qWait(200);
+  EXPECT_TRUE(says("2 strokes are written")) << feedback().toStdString();
   press(Qt::Key_Return);
   EXPECT_TRUE(says("before")) << feedback().toStdString();
   const auto verdicts = seen_verdicts();
@@ -212,7 +212,7 @@ TEST_F(Stages, EnterInTheSearchBoxChoosesAndIsNoVerdict) {
   auto* search = find<QLineEdit>("search");
   search->setFocus();
   QTest::keyClicks(search, QStringLiteral("mizu"));
-  QTest::qWait(300);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("list_count").contains(QStringLiteral("found")); }, 5000));
   press(Qt::Key_Return);
   EXPECT_TRUE(says("みず")) << feedback().toStdString();
 }

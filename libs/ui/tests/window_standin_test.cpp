@@ -20,6 +20,7 @@
 #include "standins/hd_standin.h"
 #include "standins/inverse_standin.h"
 #include "standins/virtual_pad.h"
+#include "test_paths.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -47,9 +48,9 @@ class StandIn : public WindowTest {
     dhd_ = stage<devices::standin::DhdStage>("libdhd.so", "nazori_standin_dhd");
     hd_->plugged = false;
     dhd_->devices = 0;
-    where_.openhaptics.library = NAZORI_STANDINS "/libHD.so";
+    where_.openhaptics.library = std::string(test_paths::kStandins) + "/libHD.so";
     where_.openhaptics.device_folder = "/nowhere";
-    where_.force_dimension.library = NAZORI_STANDINS "/libdhd.so";
+    where_.force_dimension.library = std::string(test_paths::kStandins) + "/libdhd.so";
     where_.inverse_service.port = 1;         // nobody listens there
     where_.inverse_service.delay_s = 0.020;  // so that no force depends on how busy the machine is
     where_.inverse_service.give_up_s = 3600;
@@ -69,7 +70,8 @@ class StandIn : public WindowTest {
 
   template <class Stage>
   static Stage* stage(const char* library, const std::string& function) {
-    void* handle = dlopen((std::string(NAZORI_STANDINS) + "/" + library).c_str(), RTLD_NOW | RTLD_GLOBAL);
+    void* handle =
+        dlopen((std::string(test_paths::kStandins) + "/" + library).c_str(), RTLD_NOW | RTLD_GLOBAL);
     EXPECT_NE(handle, nullptr) << dlerror();
     reinterpret_cast<void (*)()>(dlsym(handle, (function + "_reset").c_str()))();
     return reinterpret_cast<Stage* (*)()>(dlsym(handle, function.c_str()))();
@@ -258,8 +260,8 @@ TEST_F(StandIn, AServiceThatTalksNonsenseIsSaidOnItsPageAndHoldsNothingUp) {
   InverseService service;
   service.answer = InverseService::Answer::garbage;
   where_.inverse_service.port = service.port();
-  where_.openhaptics.library = NAZORI_STANDINS "/incomplete/libHD.so";
-  where_.force_dimension.library = NAZORI_STANDINS "/not-a-library.so";
+  where_.openhaptics.library = std::string(test_paths::kStandins) + "/incomplete/libHD.so";
+  where_.force_dimension.library = std::string(test_paths::kStandins) + "/not-a-library.so";
   open_window();
   press(Qt::Key_2, Qt::AltModifier);
   ASSERT_TRUE(comes([&] { return texts("reason").size() == 2; })) << texts("reason").join('\n').toStdString();

@@ -70,6 +70,17 @@ class WindowTest : public testing::Test {
     ASSERT_TRUE(shown.wait(20000)) << feedback().toStdString();
   }
 
+  /// Gives the window another size and lays its contents out for it.
+  void resize(int width, int height) {
+    window_->resize(width, height);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->size() == QSize(width, height); }));
+    // A layout may ask for another pass, once for each level of nesting.
+    for (int pass = 0; pass < 5; ++pass) {
+      QCoreApplication::sendPostedEvents();
+      QCoreApplication::processEvents();
+    }
+  }
+
   template <class T = QWidget>
   T* find(const char* name) {
     return window_->findChild<T*>(QString::fromLatin1(name));

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "test_paths.h"
 #include "view_fixtures.h"
 
 namespace nazori::view {
@@ -67,7 +68,7 @@ TEST_P(Golden, LooksAsItDidWhenAPersonLookedAtIt) {
   const Picture actual = studio.shoot(overlay);
 
   const std::string file = std::string(scene.name) + ".png";
-  const auto golden_path = std::filesystem::path(NAZORI_FIXTURES).parent_path() / "goldens" / file;
+  const auto golden_path = std::filesystem::path(test_paths::kFixtures).parent_path() / "goldens" / file;
   if (std::getenv("NAZORI_WRITE_GOLDENS") != nullptr) {  // NOLINT(concurrency-mt-unsafe): no thread sets it
     ASSERT_TRUE(save_png(actual, golden_path).has_value());
   }
