@@ -44,7 +44,7 @@ check: packages-check database
 	@tools/check
 
 lint: packages-check database
-	@tools/build release-tests
+	@tools/build asan
 	@tools/lint --all
 
 bench: packages-check database

@@ -61,7 +61,7 @@ function(nazori_test_paths target)
   target_include_directories(${target} PRIVATE "${CMAKE_SOURCE_DIR}/cmake/tests")
 endfunction()
 
-# nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH ...] [THREADED_TESTS ALL|...]
+# nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>]
 #               [BENCHES ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
 # One room of the house: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench
@@ -71,7 +71,7 @@ endfunction()
 # The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot race.
 function(nazori_module name)
   cmake_parse_arguments(m "NEEDS_DATABASE" ""
-    "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
+    "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
   if(m_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "nazori_module(${name}): unknown ${m_UNPARSED_ARGUMENTS}")
   endif()
@@ -96,6 +96,7 @@ function(nazori_module name)
                                                   GTest::gtest_main)
     nazori_test_paths(${target}_tests kFixtures "${CMAKE_CURRENT_SOURCE_DIR}/tests/fixtures" ${m_TEST_PATHS})
     nazori_test_program(${target}_tests)
+    nazori_precompiled_headers(${target}_tests <gtest/gtest.h> <gmock/gmock.h> ${m_TEST_HEADERS})
     set(properties TIMEOUT 300 ENVIRONMENT "NAZORI_DATA=${NAZORI_TEST_DATA}\;QT_QPA_PLATFORM=offscreen")
     if(m_NEEDS_DATABASE)
       list(APPEND properties FIXTURES_REQUIRED kanji_database)

@@ -369,7 +369,6 @@ TEST_F(Study, TheEndTellsWhatWasDoneAndWhatComes) {
   ASSERT_TRUE(session().is_running());
   on_desk_ = 0;
   ASSERT_TRUE(is_on_desk());
-  QTest::qWait(200);
   write_from_memory(true);
   press(Qt::Key_3);
   EXPECT_FALSE(session().is_running());
@@ -468,9 +467,8 @@ TEST_F(Study, ASecondWindowIsToldAndChangesNothing) {
   {
     MainWindow second(second_setup, appearance_);
     second.show();
-    QTest::qWait(50);
     const auto* trouble = second.findChild<QLabel*>(QStringLiteral("home_trouble"));
-    EXPECT_TRUE(trouble->isVisible());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return trouble->isVisible(); }));
     EXPECT_TRUE(trouble->text().contains(QStringLiteral("another window"))) << trouble->text().toStdString();
     EXPECT_FALSE(second.findChild<QPushButton*>(QStringLiteral("home_start"))->isVisible());
     EXPECT_TRUE(second.findChild<QPushButton*>(QStringLiteral("home_try_again"))->isVisible());
@@ -518,7 +516,6 @@ TEST_F(Study, AWeekThroughTheWindowAndAMonthAwayLoseNothingThatWasRatedWhateverE
       ASSERT_TRUE(is_on_desk());
       const char32_t character = session().character();
       if (session().stage() == study::Stage::memory) {
-        QTest::qWait(50);
         // On the fourth day one is forgotten.
         write_from_memory(!(day == 3 && steps == 1));
         ASSERT_FALSE(HasFatalFailure());
@@ -572,7 +569,6 @@ TEST_F(Study, AWeekThroughTheWindowAndAMonthAwayLoseNothingThatWasRatedWhateverE
     ASSERT_TRUE(session().is_running());
     ASSERT_TRUE(is_on_desk());
     EXPECT_EQ(session().task().kind, study::TaskKind::review);
-    QTest::qWait(50);
     write_from_memory(true);
     ASSERT_FALSE(HasFatalFailure());
     ++rated;
