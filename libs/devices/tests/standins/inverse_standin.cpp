@@ -43,7 +43,7 @@ struct InverseService::Inside {
   }
 
   void serve() {
-    std::vector<std::thread> sessions;
+    std::vector<std::thread> answering;
     while (!ends) {
       pollfd one{acceptor.native_handle(), POLLIN, 0};
       if (poll(&one, 1, 5) <= 0) continue;
@@ -52,9 +52,9 @@ struct InverseService::Inside {
       acceptor.accept(socket, failed);
       if (failed) continue;
       socket.set_option(tcp::no_delay(true), failed);
-      sessions.emplace_back([this, s = std::move(socket)]() mutable { answer(std::move(s)); });
+      answering.emplace_back([this, s = std::move(socket)]() mutable { answer(std::move(s)); });
     }
-    for (std::thread& session : sessions) session.join();
+    for (std::thread& session : answering) session.join();
   }
 
   void answer(tcp::socket socket) {
