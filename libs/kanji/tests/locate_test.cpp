@@ -47,6 +47,8 @@ class Locate : public testing::Test {
     std::ofstream(folder_ / folder / "kanji.db") << "x";
     return folder_ / folder / "kanji.db";
   }
+  /// What a program is told that lies in none of the other folders.
+  [[nodiscard]] base::Result<fs::path> locate() const { return locate_for(folder_ / "apart" / "nazori"); }
   /// Makes a build folder of CMake for the sources src of the test, and returns the program in it.
   [[nodiscard]] fs::path build_in(const fs::path& folder, const std::string& project = "nazori") const {
     fs::create_directories(folder_ / folder / "bin");
@@ -60,7 +62,7 @@ class Locate : public testing::Test {
 };
 
 TEST_F(Locate, SaysHowToBuildOneWhereThereIsNone) {
-  const auto found = KanjiDatabase::locate();
+  const auto found = locate();
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, base::Errc::not_found);
   EXPECT_NE(found.error().remedy.find("database build"), std::string::npos);
@@ -70,26 +72,26 @@ TEST_F(Locate, TheFolderNamedByTheUserComesFirst) {
   const fs::path named = put("named");
   const fs::path home = put("share/nazori");
   point("XDG_DATA_HOME", (folder_ / "share").string());
-  EXPECT_EQ(KanjiDatabase::locate(), home);
+  EXPECT_EQ(locate(), home);
   point("NAZORI_DATA", (folder_ / "named").string());
-  EXPECT_EQ(KanjiDatabase::locate(), named);
+  EXPECT_EQ(locate(), named);
 }
 
 TEST_F(Locate, LooksThroughTheDataFoldersInTheirOrder) {
   const fs::path second = put("b/nazori");
   point("XDG_DATA_DIRS", (folder_ / "a").string() + "::" + (folder_ / "b").string());
-  EXPECT_EQ(KanjiDatabase::locate(), second);
+  EXPECT_EQ(locate(), second);
   const fs::path first = put("a/nazori");
-  EXPECT_EQ(KanjiDatabase::locate(), first);
+  EXPECT_EQ(locate(), first);
 }
 
 TEST_F(Locate, UsesTheHomeFolderWhereNoDataFolderIsSet) {
   const fs::path own = put("home/.local/share/nazori");
   point("XDG_DATA_HOME", "");
   point("HOME", (folder_ / "home").string());
-  EXPECT_EQ(KanjiDatabase::locate(), own);
+  EXPECT_EQ(locate(), own);
   point("XDG_DATA_HOME", "relative/is/ignored");
-  EXPECT_EQ(KanjiDatabase::locate(), own);
+  EXPECT_EQ(locate(), own);
 }
 
 TEST_F(Locate, AProgramInItsBuildTreeFindsTheDatabaseOfMakeRun) {
@@ -115,6 +117,13 @@ TEST_F(Locate, AnInstalledProgramFindsWhatWasInstalledWithIt) {
   const fs::path database = put("opt/nazori/share/nazori");
   EXPECT_EQ(locate_for(folder_ / "opt/nazori/bin/nazori"), database);
   EXPECT_FALSE(locate_for(folder_ / "opt/nazori/tools/nazori"));
+}
+
+TEST_F(Locate, TheRunningProgramIsTheOneThatIsAsked) {
+  const fs::path database = put("named");
+  point("NAZORI_DATA", (folder_ / "named").string());
+  EXPECT_EQ(KanjiDatabase::locate(), database);
+  EXPECT_EQ(KanjiDatabase::place_to_build(), database);
 }
 
 TEST_F(Locate, TheNearestPlaceComesFirst) {
