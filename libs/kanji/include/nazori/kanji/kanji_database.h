@@ -78,10 +78,15 @@ class KanjiDatabase {
   /// @return Errc::not_found for a missing file, Errc::schema for a file that is no kanji.db of this version.
   [[nodiscard]] static base::Result<KanjiDatabase> open(const std::filesystem::path& path);
 
-  /// Where kanji.db is looked for, in order: the folder in NAZORI_DATA, the folder of the running program,
-  /// then nazori/kanji.db in XDG_DATA_HOME and each of XDG_DATA_DIRS. The first that exists, or
-  /// Errc::not_found whose remedy says how to build one.
+  /// Where kanji.db is looked for, in order: the folder in NAZORI_DATA; the folder of the running program;
+  /// for a program that runs where it was built, build/data (base::BuildTree::data); nazori/ in XDG_DATA_HOME
+  /// and in each of XDG_DATA_DIRS; for a program in PREFIX/bin, PREFIX/share/nazori. The first that exists,
+  /// or Errc::not_found whose remedy says how to build one.
   [[nodiscard]] static base::Result<std::filesystem::path> locate();
+
+  /// Where a new kanji.db is written when no file was named: to the folder in NAZORI_DATA, else build/data of
+  /// the program's build tree, else nazori/ in XDG_DATA_HOME. Errc::not_found where none of these is known.
+  [[nodiscard]] static base::Result<std::filesystem::path> place_to_build();
 
   KanjiDatabase(KanjiDatabase&&) noexcept;
   KanjiDatabase& operator=(KanjiDatabase&&) noexcept;
