@@ -8,7 +8,7 @@ DATA := build/data
 RELEASE := build/release
 CHARACTER ?= 休
 
-.PHONY: help run test check lint bench demo program database packages-run packages-test packages-check format clean
+.PHONY: help run test check lint bench demo program database package packages-run packages-test packages-check packages-package format clean
 
 help:
 	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
@@ -17,10 +17,11 @@ help:
 	@echo "make lint    static analysis of every source file (clang-tidy; half an hour on two cores)"
 	@echo "make bench   build and run the benchmarks of every module"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
+	@echo "make package install what is missing, and build the Debian packages of the last commit in build/package/"
 	@echo "make format  format the sources"
 	@echo "make clean   remove build/ (the downloaded data stay in the cache)"
 
-packages-run packages-test packages-check: packages-%:
+packages-run packages-test packages-check packages-package: packages-%:
 	@[ "$(NAZORI_SYSTEM_PACKAGES)" = no ] || tools/install-packages $*
 
 program: packages-run
@@ -49,6 +50,9 @@ lint: packages-check database
 bench: packages-check database
 	@tools/build bench
 	@tools/run-benches
+
+package: packages-package
+	@tools/make-package
 
 format: packages-check
 	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
