@@ -4,6 +4,7 @@
 #include <sstream>
 #include <vector>
 
+#include "command_table.h"
 #include "text_layout.h"
 
 namespace nazori::cli {
@@ -22,18 +23,6 @@ std::string entry(const std::string& name, const std::string& description) {
   return text + flow(words, " ", kNameWidth, kWidth) + "\n";
 }
 
-/// "-o, --output"; the name as it is for an argument without dashes.
-std::string names_of(const CLI::Option* option, bool is_positional) {
-  if (is_positional) {
-    const bool several = option->get_expected_max() >= CLI::detail::expected_max_vector_size;
-    return option->get_name(true, false) + (several ? "..." : "");
-  }
-  std::string names;
-  for (const std::string& letter : option->get_snames()) names += (names.empty() ? "-" : ", -") + letter;
-  for (const std::string& word : option->get_lnames()) names += (names.empty() ? "--" : ", --") + word;
-  return names;
-}
-
 }  // namespace
 
 HelpText::HelpText() {
@@ -50,24 +39,9 @@ std::string HelpText::make_help(const CLI::App* app, std::string name, CLI::AppF
 }
 
 std::string HelpText::make_option(const CLI::Option* option, bool is_positional) const {
-  // CLI11 gives what an option takes and its range in one: "N:2..8192".
-  std::string takes = option->get_type_size() != 0 ? option->get_type_name() : "";
-  std::string range;
-  if (const std::size_t colon = takes.find(':'); colon != std::string::npos) {
-    range = takes.substr(colon + 1);
-    takes.erase(colon);
-  }
-  std::string name = names_of(option, is_positional);
-  if (!is_positional && !takes.empty()) name += " " + takes;
-
-  std::vector<std::string> notes;
-  if (range.find("..") != std::string::npos) notes.push_back(range);
-  if (!option->get_default_str().empty()) notes.push_back("default: " + option->get_default_str());
-  if (option->get_required() && !is_positional) notes.emplace_back("required");
-  std::string description = option->get_description();
-  for (std::size_t i = 0; i < notes.size(); ++i) description += (i == 0 ? " (" : "; ") + notes[i];
-  if (!notes.empty()) description += ")";
-  return entry(name, description);
+  const OptionEntry told = describe(*option);
+  const std::string value = is_positional || told.value.empty() ? "" : " " + told.value;
+  return entry(joined_names(told) + value, description_with_notes(told));
 }
 
 std::string HelpText::make_subcommand(const CLI::App* verb) const {

@@ -91,6 +91,8 @@ int main(int argc, char** argv) {
   nazori::cli::add_grade(app, chosen);
   nazori::cli::add_recognise(app, chosen);
   nazori::cli::add_study(app, chosen);
+  nazori::cli::add_completion(app, chosen);
+  nazori::cli::add_manual(app, chosen);
 
   nazori::cli::Console console;
   const int code = read_and_run(app, chosen, console, argc, argv);

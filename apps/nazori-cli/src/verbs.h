@@ -26,5 +26,7 @@ void add_recognise(CLI::App& app, Action& chosen);
 void add_devices(CLI::App& app, Action& chosen);
 void add_study(CLI::App& app, Action& chosen);
 void add_database(CLI::App& app, Action& chosen);
+void add_completion(CLI::App& app, Action& chosen);
+void add_manual(CLI::App& app, Action& chosen);
 
 }  // namespace nazori::cli

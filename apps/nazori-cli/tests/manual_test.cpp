@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// The manual page: whole, readable by man, and the same wherever it is made.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "completion_script.h"
+#include "help_pages.h"
+#include "manual_page.h"
+#include "odd_command_line.h"
+#include "program.h"
+
+namespace nazori::cli::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
+using testing::UnorderedElementsAreArray;
+
+std::string page() {
+  const Outcome run = nazori_cli({"manual"}, {"SOURCE_DATE_EPOCH="});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.err, "");
+  return run.out;
+}
+
+/// The lines from `heading` to the next heading.
+std::string section(const std::string& text, const std::string& heading) {
+  std::istringstream lines(text);
+  std::string found;
+  bool within = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(".SH ") || line.starts_with(".SS ")) within = line == heading;
+    if (within) found += line + "\n";
+  }
+  return found;
+}
+
+/// Every option in bold at the start of an entry, without escapes.
+std::vector<std::string> options_in(const std::string& text) {
+  std::vector<std::string> options;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string start = "\\fB\\-";
+    for (std::size_t at = line.find(start); at != std::string::npos; at = line.find(start, at + 1)) {
+      std::string name = line.substr(at + 3, line.find("\\fR", at) - at - 3);
+      std::erase(name, '\\');
+      options.push_back(name);
+    }
+  }
+  return options;
+}
+
+/// What man says of a page, and the page as it shows it, in one wide line a paragraph.
+Outcome shown_by_man(const std::string& text, const std::string& options) {
+  const TemporaryFolder folder;
+  write(folder / "page.1", text);
+  return shell("MANWIDTH=200 LC_ALL=C.UTF-8 man " + options + " -l " + shell_quoted(folder / "page.1"));
+}
+
+bool man_is_there() { return shell("command -v man && command -v groff").code == 0; }
+
+TEST(Manual, HasTheSectionsOfAManualPage) {
+  std::vector<std::string> headings;
+  std::istringstream lines(page());
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(".SH ")) headings.push_back(line.substr(4));
+  }
+  EXPECT_THAT(headings, testing::ElementsAre("NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "VERBS",
+                                             "ENVIRONMENT", "FILES", "EXIT STATUS", "EXAMPLES", "SEE ALSO"));
+}
+
+TEST(Manual, EveryVerbAndOptionOfHelpHasItsEntryAndNoOther) {
+  const std::string text = page();
+  for (const HelpPage& help : help_pages()) {
+    const std::string heading =
+        help.verb.empty() ? ".SH OPTIONS" : ".SS " + roff_escaped("nazori-cli " + help.path());
+    const std::string entries = section(text, heading);
+    ASSERT_NE(entries, "") << heading;
+    std::vector<std::string> options = help.options;
+    // Told once, for the program.
+    if (!help.verb.empty()) std::erase_if(options, [](const auto& o) { return o == "-h" || o == "--help"; });
+    EXPECT_THAT(options_in(entries), UnorderedElementsAreArray(options)) << heading;
+    for (const std::string& argument : help.arguments) {
+      EXPECT_THAT(entries, HasSubstr("\n\\fI" + roff_escaped(argument) + "\\fR\n")) << heading;
+    }
+  }
+}
+
+TEST(Manual, NamesTheEnvironmentAndShowsExamples) {
+  const std::string environment = section(page(), ".SH ENVIRONMENT");
+  for (const char* name : {"NAZORI_DATA", "NAZORI_LEARNERS", "NAZORI_NOW", "XDG_DATA_HOME", "XDG_DATA_DIRS",
+                           "XDG_CACHE_HOME", "SOURCE_DATE_EPOCH"}) {
+    EXPECT_THAT(environment, HasSubstr(name));
+  }
+  EXPECT_THAT(section(page(), ".SH EXAMPLES"),
+              HasSubstr(roff_escaped("nazori-cli carve 休 --size 128 --output 休.raw --strokes 休.str")));
+}
+
+TEST(Manual, BearsTheDateOfItsSourcesOrNone) {
+  const Outcome dated = nazori_cli({"manual"}, {"SOURCE_DATE_EPOCH=1767225600"});
+  EXPECT_THAT(dated.out, HasSubstr("\n.TH NAZORI\\-CLI 1 \"2026\\-01\\-01\" "));
+  EXPECT_THAT(page(), HasSubstr("\n.TH NAZORI\\-CLI 1 \"\" "));
+  EXPECT_EQ(page(), page());
+  for (const char* bad : {"today", "1767225600.5", "-1", "999999999999999"}) {
+    expect_one_line(nazori_cli({"manual"}, {std::string("SOURCE_DATE_EPOCH=") + bad}), 2,
+                    {"SOURCE_DATE_EPOCH", bad, "1970"});
+  }
+}
+
+TEST(Manual, ManReadsItWithoutAWarning) {
+  if (!man_is_there()) GTEST_SKIP() << "man is not installed";
+  const Outcome run = shown_by_man(page(), "--warnings -E UTF-8 -Tutf8 -Z");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr("x T utf8"));
+}
+
+TEST(Manual, NothingOfADescriptionIsARequest) {
+  const OddCommandLine odd;
+  const std::string text = manual_page(command_table(odd.app), "1", "");
+  std::istringstream lines(text);
+  const std::vector<std::string> requests{".TH", ".SH", ".SS", ".TP", ".PP", ".EX",  ".EE",
+                                          ".B",  ".BR", ".I",  ".IR", ".RI", ".\\\""};
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('.')) EXPECT_THAT(requests, testing::Contains(line.substr(0, line.find(' '))));
+    EXPECT_THAT(line, Not(testing::StartsWith("'")));
+  }
+  if (!man_is_there()) GTEST_SKIP() << "man is not installed";
+  const Outcome run = shown_by_man(text, "--warnings -Tutf8 --no-hyphenation --no-justification");
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr(kOddDescription + " (required)"));
+}
+
+TEST(Manual, EscapesWhatRoffReads) {
+  EXPECT_EQ(roff_escaped(".a"), "\\&.a");
+  EXPECT_EQ(roff_escaped("a.b\\c-d'e\"f\ng"), "a.b\\(rsc\\-d\\(aqe\\(dqf g");
+}
+
+}  // namespace
+}  // namespace nazori::cli::test
