@@ -43,7 +43,7 @@ void Characters::connect_session() {
   });
   for (const auto& entry : stages_)
     connect(entry.stage, &CharacterStage::finished, this,
-            [this, &session, name = entry.name](const study::WritingResult& result) {
+            [&session, name = entry.name](const study::WritingResult& result) {
               session.take_practice(name, result);
             });
   connect(memory_, &MemoryStage::judged, this, [this, &session](const writing::Grade& grade) {

@@ -57,7 +57,7 @@ TraceStage::TraceStage(Desk& desk, CharacterActions& actions)
     show_state();
     this->desk().save_later();
   });
-  connect(&tablet, &TabletController::stroke_event, this, [this, &tablet](InkEvent event, int stroke) {
+  connect(&tablet, &TabletController::stroke_event, this, [this](InkEvent event, int stroke) {
     if (is_entered()) take(event, stroke);
   });
 }
