@@ -125,11 +125,13 @@ TEST(Manual, NothingOfADescriptionIsARequest) {
   const std::vector<std::string> requests{".TH", ".SH", ".SS", ".TP", ".PP", ".EX",  ".EE",
                                           ".B",  ".BR", ".I",  ".IR", ".RI", ".\\\""};
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('.')) EXPECT_THAT(requests, testing::Contains(line.substr(0, line.find(' '))));
+    if (line.starts_with('.')) {
+      EXPECT_THAT(requests, testing::Contains(line.substr(0, line.find(' '))));
+    }
     EXPECT_THAT(line, Not(testing::StartsWith("'")));
   }
   if (!man_is_there()) GTEST_SKIP() << "man is not installed";
-  const Outcome run = shown_by_man(text, "--warnings -Tutf8 --no-hyphenation --no-justification");
+  const Outcome run = shown_by_man(text, "--warnings --no-hyphenation --no-justification");
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr(kOddDescription + " (required)"));
 }

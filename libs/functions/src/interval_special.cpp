@@ -119,8 +119,11 @@ BasicInterval<R> power(const BasicInterval<R>& base, const BasicInterval<R>& exp
   if (base.is_empty() || exponent.is_empty()) return I::empty(base.cause | exponent.cause);
   // (-1)^floor(x): whole powers exist for every base.
   if (base.lower < 0 && exponent.is_point() && exponent.lower == std::floor(exponent.lower) &&
-      std::abs(exponent.lower) < R(1e6))
-    return detail::with_proof_of(power_integer(base, static_cast<int>(exponent.lower)), exponent);
+      std::abs(exponent.lower) < R(1e6)) {
+    const auto whole = detail::with_proof_of(power_integer(base, static_cast<int>(exponent.lower)), exponent);
+    // Of a computed exponent 0^0 is undefined, as in real_power(); only x^0 that is written so is 1 at 0.
+    return exponent.lower > 0 || base.upper < 0 ? whole : whole.weakened(Decoration::partial, Cause::domain);
+  }
   if (base.upper < 0) {
     // A step of the exponent between two whole numbers: either power.
     if (exponent.decoration == Decoration::defined && exponent.is_bounded() &&
