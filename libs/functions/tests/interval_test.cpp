@@ -313,6 +313,14 @@ TEST(Interval, ProvesContinuityOnlyWhereThereIsNoPoleOrJump) {
   EXPECT_TRUE(has(exp(Interval(700, 800)).cause, Cause::overflow));
 }
 
+TEST(Interval, ZeroToAComputedPowerOfZeroIsUndefinedAndToAPositiveOneIsNot) {
+  const Interval around_zero(-1, 1);
+  EXPECT_EQ(power(around_zero, Interval(0, 0)).decoration, Decoration::partial);
+  EXPECT_EQ(power(Interval(-2, 0), Interval(0, 0)).decoration, Decoration::partial);
+  EXPECT_GE(power(around_zero, Interval(2, 2)).decoration, Decoration::defined);
+  EXPECT_GE(power(Interval(-2, -1), Interval(0, 0)).decoration, Decoration::defined);
+}
+
 TEST(Interval, RoundsToTheOutsideByNoMoreThanALastPlace) {
   const Interval third = Interval(1) / Interval(3);
   EXPECT_LT(third.lower, third.upper);
