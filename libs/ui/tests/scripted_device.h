@@ -21,7 +21,7 @@ struct Script {
   std::atomic<bool> plugged_in{true};
   std::atomic<double> force_n{0};       ///< as of the last tick
   std::atomic<double> most_force_n{0};  ///< of all ticks
-  std::atomic<double> most_step_n{0};   ///< between two ticks that the device ran
+  std::atomic<double> most_step_n{0};   ///< largest change of force in a millisecond; a tick may come late
   std::atomic<std::uint64_t> ticks{0};
   std::atomic<int> opened{0};
   std::atomic<double> asked_tilt_rad{-1};
@@ -45,7 +45,10 @@ class ScriptedDevice final : public haptics::HapticDevice {
                                          running};
       const haptics::Vec3 force = servo.tick(sample);
       const double size_n = std::sqrt(force.x * force.x + force.y * force.y + force.z * force.z);
-      script_->most_step_n = std::max(script_->most_step_n.load(), std::abs(size_n - script_->force_n));
+      const double late_ms = std::max(1.0, (now_s - last_s_) * 1000);
+      last_s_ = now_s;
+      script_->most_step_n =
+          std::max(script_->most_step_n.load(), std::abs(size_n - script_->force_n) / late_ms);
       script_->most_force_n = std::max(script_->most_force_n.load(), size_n);
       script_->force_n = size_n;
       ++script_->ticks;
@@ -61,6 +64,7 @@ class ScriptedDevice final : public haptics::HapticDevice {
 
  private:
   std::shared_ptr<Script> script_;
+  double last_s_ = 0;  // of the tick before; the clock thread's
   devices::RtThread clock_;
 };
 
