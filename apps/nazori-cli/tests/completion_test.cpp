@@ -68,7 +68,7 @@ class Completion {
   /// The same in fish, each offer with its description after a tab.
   std::vector<Words> in_fish(const std::vector<std::string>& lines) {
     std::string driver = "source ./script\n";
-    for (const std::string& line : lines) driver += "complete -C 'nazori-cli " + line + "'; echo =====\n";
+    for (const std::string& line : lines) driver += "complete -C 'nazori-cli " + line + "'; echo '====='\n";
     return run("fish", driver, lines.size());
   }
 
@@ -81,7 +81,7 @@ class Completion {
     for (const Words& verb : verbs) {
       driver += "_nazori-cli";
       for (const std::string& word : verb) driver += "-" + word;
-      driver += "; echo =====\n";
+      driver += "; echo '====='\n";
     }
     return run("zsh", driver, verbs.size());
   }
@@ -230,7 +230,9 @@ TEST(FishCompletion, OffersEveryVerbAndOptionOfHelpAndNoOther) {
     EXPECT_THAT(options, UnorderedElementsAreArray(page.options)) << page.path();
     Words verbs;
     for (const std::string& offer : offers[at++]) verbs.push_back(offer.substr(0, offer.find('\t')));
-    if (!page.verbs.empty()) EXPECT_THAT(verbs, UnorderedElementsAreArray(page.verbs)) << page.path();
+    if (!page.verbs.empty()) {
+      EXPECT_THAT(verbs, UnorderedElementsAreArray(page.verbs)) << page.path();
+    }
   }
 }
 
