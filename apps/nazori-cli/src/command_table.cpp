@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_table.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 
@@ -26,8 +27,8 @@ std::vector<std::string> checks_of(const CLI::Option& option) {
 /// The words of "{a,b}" (IsMember) or of "value in {a->1,b->2} OR {1,2}" (CheckedTransformer); none for other
 /// checks.
 std::vector<std::string> words_of_set(std::string_view check) {
-  if (constexpr std::string_view kTransformed = "value in "; check.starts_with(kTransformed))
-    check.remove_prefix(kTransformed.size());
+  constexpr std::string_view kTransformer = "value in ";
+  if (check.starts_with(kTransformer)) check.remove_prefix(kTransformer.size());
   if (!check.starts_with('{') || check.find('}') == std::string_view::npos) return {};
   std::string_view rest = check.substr(1, check.find('}') - 1);
   std::vector<std::string> words;
