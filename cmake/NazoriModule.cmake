@@ -13,7 +13,8 @@ set(NAZORI_THREAD_WORDS "std::j?thread|std::async|pthread_create|RtThread|asio::
 # nazori_threaded_tests(RESULT TESTS ... THREADED ... SOURCES ...)
 #
 # The test files that the thread sanitizer is worth building for: THREADED, which is ALL or a list of files, and what is
-# no test itself (fixtures). Stops where a file that starts threads was forgotten.
+# no test itself (fixtures). A source that starts threads is named there too, with the tests that reach it. Stops where a
+# file that starts threads was forgotten.
 function(nazori_threaded_tests result)
   cmake_parse_arguments(t "" "" "TESTS;THREADED;SOURCES" ${ARGN})
   if("ALL" IN_LIST t_THREADED)
