@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <boost/lockfree/spsc_queue.hpp>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "nazori/haptics/latest_value.h"
 
@@ -63,7 +65,8 @@ struct PointerDevice::Inside {
   double step_s = kPeriod_s;  // that the events went on in this tick
   Vec3 halfway{0, 0, kHover_m}, at{0, 0, kHover_m};
   bool present = false;
-  RtThread clock;  // last: it stops before the rest goes
+  std::optional<std::chrono::steady_clock::time_point> begun;  // interface: the first start
+  RtThread clock;                                              // last: it stops before the rest goes
 };
 
 PointerState PointerDevice::Inside::play() noexcept {
@@ -130,7 +133,12 @@ base::Result<void> PointerDevice::start(haptics::ServoCallback& servo) {
   Inside& in = *inside_;
   // What came while nobody felt it is past; where the pointer is now holds.
   in.timed = false;
-  return in.clock.start(kPeriod_s, [&in, &servo](double now_s) { in.tick(now_s, servo); });
+  // After a rest the time of the samples goes on, so that strokes before and after it keep their distance.
+  const auto now = std::chrono::steady_clock::now();
+  if (!in.begun) in.begun = now;
+  const double rested_s = std::chrono::duration<double>(now - *in.begun).count();
+  return in.clock.start(kPeriod_s,
+                        [&in, &servo, rested_s](double now_s) { in.tick(rested_s + now_s, servo); });
 }
 
 void PointerDevice::stop() noexcept { inside_->clock.stop(); }

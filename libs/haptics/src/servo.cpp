@@ -136,6 +136,11 @@ void Servo::set_scene(std::shared_ptr<const HapticScene> scene) {
   std::erase_if(in.kept, [used](const auto& s) { return s->generation < used; });
 }
 
+void Servo::begin_run() noexcept {
+  inside_->started = false;
+  inside_->velocity = Vec3(0);
+}
+
 const ServoSample& Servo::latest() noexcept { return inside_->newest.latest(); }
 
 std::size_t Servo::take_samples(std::span<ServoSample> out) noexcept {

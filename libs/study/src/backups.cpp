@@ -142,14 +142,15 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
   return copied;
 }
 
-base::Result<void> keep_daily_backup(SQLite::Database& database, const fs::path& learner, Day day) {
+base::Result<void> keep_daily_backup(SQLite::Database& database, const fs::path& learner, Day day,
+                                     const base::Progress& progress) {
   const fs::path folder = backup_folder(learner);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return base::fail(Errc::io, "cannot be made: " + error.message(), folder.string());
   const fs::path file = folder / fmt::format("{}{}{}", kDaily, to_text(day), kExtension);
   if (fs::exists(file, error)) return {};
-  if (auto made = copy_database(database, file); !made) return made;
+  if (auto made = copy_database(database, file, progress); !made) return made;
   std::vector<fs::path> daily;
   for (const Backup& backup : backups_of(learner)) {
     if (backup.automatic) daily.push_back(backup.file);

@@ -17,7 +17,8 @@ namespace nazori::study {
 
 /// Makes today's backup if there is none, and lets the oldest daily ones go.
 [[nodiscard]] base::Result<void> keep_daily_backup(SQLite::Database& database,
-                                                   const std::filesystem::path& learner, Day day);
+                                                   const std::filesystem::path& learner, Day day,
+                                                   const base::Progress& progress = {});
 /// Makes a backup of a file that is about to get a newer layout.
 [[nodiscard]] base::Result<void> keep_backup_before_migration(SQLite::Database& database,
                                                               const std::filesystem::path& learner,

@@ -19,31 +19,31 @@ using std::chrono::minutes;
 constexpr minutes kAhead{20};
 constexpr std::array<double, kDaysOfReturn> kShareOfReturn{0.5, 0.75, 0.9};
 
-/// What the log says of the days before and of today.
+/// What is known of the days before and of today.
 struct Past {
   std::set<char32_t> reviewed_today;
-  std::set<Day> days;  ///< with a review
-  PaceSum pace;
+  std::vector<Day> days;  ///< with a review, oldest first
+  Pace pace;
 };
 
 base::Result<Past> read_past(const LearnerStore& learner, Day today) {
+  const auto studied = learner.study_days();
+  if (!studied) return tl::unexpected(studied.error());
+  const auto reviewed = learner.reviewed_on(today);
+  if (!reviewed) return tl::unexpected(reviewed.error());
+  const auto pace = pace_of(learner);
+  if (!pace) return tl::unexpected(pace.error());
   Past past;
-  auto read = learner.for_each_entry(true, [&](const LearnerStore::LoggedEntry& logged) {
-    const LogEntry& entry = logged.entry;
-    past.pace.take(entry);
-    if (entry.kind != EntryKind::writing || entry.writing.stage != Stage::memory) return true;
-    past.days.insert(entry.day);
-    if (entry.day == today) past.reviewed_today.insert(entry.character);
-    return true;
-  });
-  if (!read) return tl::unexpected(std::move(read.error()));
+  past.reviewed_today.insert(reviewed->begin(), reviewed->end());
+  for (const StudyDay& day : *studied)
+    if (day.reviews > 0) past.days.push_back(day.day);
+  past.pace = *pace;
   return past;
 }
 
 /// Which day since the return today is, from 0; kDaysOfReturn and more where the limit is full.
-int day_of_return(const std::set<Day>& studied, Day today) {
-  if (studied.empty()) return kDaysOfReturn;
-  std::vector<Day> all(studied.begin(), studied.end());
+int day_of_return(std::vector<Day> all, Day today) {
+  if (all.empty()) return kDaysOfReturn;
   if (all.back() < today) all.push_back(today);
   int since = 0;
   for (std::size_t i = all.size() - 1; i > 0; --i, ++since) {
@@ -202,8 +202,7 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
       plan.later_today.erase(plan.later_today.begin());
     }
   }
-  const Pace pace = past->pace.pace();
-  for (const StudyTask& task : plan.now) plan.estimate += time_for(task, pace);
+  for (const StudyTask& task : plan.now) plan.estimate += time_for(task, past->pace);
   return plan;
 }
 

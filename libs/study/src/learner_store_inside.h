@@ -67,8 +67,8 @@ struct LearnerStore::Inside {
 
   /// Writings and other entries of one character that are in force.
   [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character);
-  /// Follows one character through its entries.
-  [[nodiscard]] CardHistory history_of(char32_t character);
+  /// Follows one character through its entries in force.
+  [[nodiscard]] CardHistory history_of(char32_t character, std::span<const LoggedEntry> entries) const;
   /// The entry of an action that is about to happen, with the time of now.
   [[nodiscard]] LogEntry next_entry(EntryKind kind) const;
   /// What a review would lead to, where intervals may vary with the interval that it would be given.
@@ -77,7 +77,8 @@ struct LearnerStore::Inside {
     std::optional<int> interval_days;  ///< for the log: where it is moved within its range
   };
   [[nodiscard]] Outlook outlook(char32_t character, Rating rating);
-  /// Works out one character anew and keeps it in the table; the map is the caller's.
+  /// Works out the card and the study days of one character again and keeps them in their tables; the map is
+  /// the caller's.
   [[nodiscard]] std::optional<Card> refresh_row(char32_t character);
   /// Runs `work`, which throws SQLite::Exception, and turns that into an error.
   template <class Work>

@@ -34,7 +34,6 @@ class Summing {
     const LogEntry& entry = logged.entry;
     if (entry.kind == EntryKind::settings) change_settings(entry);
     if (entry.kind == EntryKind::settings || entry.kind == EntryKind::undo) return;
-    pace_.take(entry);
     CardHistory& history =
         histories_.try_emplace(entry.character, CardHistory(entry.character)).first->second;
     const Card before = history.card();
@@ -50,7 +49,6 @@ class Summing {
       statistics.reviews += activity.reviews;
       statistics.time += activity.time;
     }
-    statistics.pace = pace_.pace();
     for (const auto& [day, retention] : retention_days_)
       statistics.retention_days.push_back({day, finished(retention)});
     statistics.retention = finished(all_);
@@ -142,7 +140,6 @@ class Summing {
   Settings settings_;
   Fsrs fsrs_;
   Day today_;
-  PaceSum pace_;
   std::map<Day, Retention> retention_days_;
   std::map<char32_t, CardHistory> histories_;
   std::map<Day, DayActivity> activity_;
@@ -223,6 +220,9 @@ base::Result<Statistics> statistics_of(const LearnerStore& learner, const base::
   if (cancelled) return base::fail(base::Errc::cancelled, "stopped");
   if (!read) return tl::unexpected(std::move(read.error()));
   sums.finish(statistics);
+  auto pace = pace_of(learner);
+  if (!pace) return tl::unexpected(std::move(pace.error()));
+  statistics.pace = *pace;
   for (int day = 0; day < kForecastDays; ++day)
     statistics.forecast.push_back({statistics.today + days(day), 0});
   for (const auto& [character, card] : learner.cards()) {

@@ -5,6 +5,7 @@
 
 #include "interval_choice.h"
 #include "learner_store_inside.h"
+#include "store_days.h"
 
 namespace nazori::study {
 
@@ -19,10 +20,10 @@ std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(char32_t
   return entries;
 }
 
-CardHistory LearnerStore::Inside::history_of(char32_t character) {
+CardHistory LearnerStore::Inside::history_of(char32_t character, std::span<const LoggedEntry> entries) const {
   CardHistory history(character);
   SettingsInForce in_force(timeline);
-  for (const LoggedEntry& logged : entries_of(character)) {
+  for (const LoggedEntry& logged : entries) {
     const Settings& settings_then = in_force.at(logged.entry.id, history);
     history.apply(logged.entry, settings_then);
   }
@@ -31,7 +32,7 @@ CardHistory LearnerStore::Inside::history_of(char32_t character) {
 }
 
 LearnerStore::Inside::Outlook LearnerStore::Inside::outlook(char32_t character, Rating rating) {
-  const CardHistory before = history_of(character);
+  const CardHistory before = history_of(character, entries_of(character));
   LogEntry entry;
   entry.at = clock();
   entry.day = calendar.day_of(entry.at);
@@ -63,7 +64,11 @@ LogEntry LearnerStore::Inside::next_entry(EntryKind kind) const {
 }
 
 std::optional<Card> LearnerStore::Inside::refresh_row(char32_t character) {
-  const CardHistory history = history_of(character);
+  const std::vector<LoggedEntry> entries = entries_of(character);
+  CharacterDays days;
+  for (const LoggedEntry& logged : entries) days.take(logged.entry);
+  put_character_days(db, character, days.days());
+  const CardHistory history = history_of(character, entries);
   if (history.met()) {
     put_card(db, history.card());
     return history.card();
@@ -146,13 +151,16 @@ Card LearnerStore::preview(char32_t character, Rating rating) const {
 base::Result<std::optional<Undone>> LearnerStore::undo() {
   return inside_->guarded([&]() -> base::Result<std::optional<Undone>> {
     Inside& in = *inside_;
-    SQLite::Statement last(in.db,
-                           "SELECT action, kind FROM log WHERE kind NOT IN (1, 2) AND action NOT IN "
-                           "(SELECT undoes FROM log WHERE undoes IS NOT NULL) ORDER BY id DESC LIMIT 1");
-    if (!last.executeStep()) return std::optional<Undone>();
-    const std::int64_t action = last.getColumn(0).getInt64();
+    SQLite::Statement last(in.db, "SELECT action, kind FROM log ORDER BY id DESC");
+    std::int64_t action = 0;
     Undone undone;
-    undone.kind = static_cast<EntryKind>(last.getColumn(1).getInt());
+    while (action == 0 && last.executeStep()) {
+      undone.kind = static_cast<EntryKind>(last.getColumn(1).getInt());
+      const bool may_be_undone = undone.kind != EntryKind::undo && undone.kind != EntryKind::settings;
+      const std::int64_t candidate = last.getColumn(0).getInt64();
+      if (may_be_undone && !in.undone.contains(candidate)) action = candidate;
+    }
+    if (action == 0) return std::optional<Undone>();
     last.reset();
     SQLite::Statement about(in.db, "SELECT DISTINCT character FROM log WHERE action = ? ORDER BY character");
     about.bind(1, action);

@@ -5,6 +5,7 @@
 
 #include "daily_backup.h"
 #include "learner_store_inside.h"
+#include "store_days.h"
 
 namespace nazori::study {
 namespace {
@@ -124,6 +125,7 @@ base::Result<RebuildReport> LearnerStore::rebuild(const base::Progress& progress
     SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
     in.db.exec("DELETE FROM card");
     for (const auto& [character, card] : cards) put_card(in.db, card);
+    rebuild_days(in.db);
     transaction.commit();
     in.cards = std::move(cards);
     return report;
@@ -200,6 +202,7 @@ base::Result<void> LearnerStore::fill(const Contents& contents, const base::Prog
     in_force.finish(whole);
     in.cards = whole.cards();
     for (const auto& [character, card] : in.cards) put_card(in.db, card);
+    rebuild_days(in.db);
     transaction.commit();
     return {};
   });

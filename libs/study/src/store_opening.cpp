@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <SQLiteCpp/Backup.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
 
@@ -9,6 +10,7 @@
 
 #include "daily_backup.h"
 #include "learner_store_inside.h"
+#include "nazori/study/backups.h"
 
 namespace nazori::study {
 namespace {
@@ -52,6 +54,15 @@ std::string read_only_uri(const fs::path& path, bool immutable) {
   return uri + (immutable ? "?mode=ro&immutable=1" : "?mode=ro");
 }
 
+/// A copy of an older file, brought up to date in a temporary file that SQLite removes. The older one stays
+/// as it is.
+SQLite::Database newer_copy(SQLite::Database& older, int version, Time now) {
+  SQLite::Database copy("", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Backup(copy, older).executeStep(-1);
+  migrate_store(copy, version, now);
+  return copy;
+}
+
 void keep_wal_as_it_is(SQLite::Database& db, bool keep) {
   (void)sqlite3_db_config(db.getHandle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, keep ? 1 : 0, nullptr);
 }
@@ -80,7 +91,9 @@ base::Result<void> LearnerStore::Inside::load() {
   };
   timeline.assign(1, {0, Settings{}});
   undone.clear();
-  SQLite::Statement rows(db, "SELECT id, settings FROM log WHERE settings IS NOT NULL ORDER BY id");
+  SQLite::Statement rows(db,
+                         "SELECT id, settings FROM log INDEXED BY log_of_settings WHERE settings IS NOT NULL "
+                         "ORDER BY id");
   while (rows.executeStep()) {
     auto settings = parse_settings(rows.getColumn(1).getString());
     if (!settings) return damaged("settings that cannot be read");
@@ -116,7 +129,8 @@ base::Result<LearnerStore> LearnerStore::in_memory(Clock clock) {
   }
 }
 
-base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access access, Clock clock) {
+base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access access, Clock clock,
+                                              Upkeep upkeep) {
   std::error_code error;
   const bool there = fs::exists(path, error);
   const bool writes = access != Access::read;
@@ -148,11 +162,11 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
       keep_wal_as_it_is(db, true);
       const auto version = check_store(db, path.string());
       if (!version) return tl::unexpected(version.error());
-      if (!writes && *version == 0) return in_memory(clock);
-      if (!writes && *version < kLearnerVersion) {
-        return base::fail(Errc::schema, "was written by an older Nazori", path.string(),
-                          "open it for writing once, which brings it up to date");
+      if (upkeep == Upkeep::now) {
+        if (auto sound = check_pages(db, path.string()); !sound) return tl::unexpected(sound.error());
       }
+      if (!writes && *version == 0) return in_memory(clock);
+      if (!writes && *version < kLearnerVersion) db = newer_copy(db, *version, clock());
       auto inside = std::make_unique<Inside>(std::move(db), path.string(), clock);
       inside->lock = std::move(lock);
       inside->rebuilds = access == Access::rebuild;
@@ -166,7 +180,7 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
         inside->db.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
       }
       if (auto fine = inside->load(); !fine) return tl::unexpected(std::move(fine.error()));
-      if (writes && inside->last_id > 0) {
+      if (writes && upkeep == Upkeep::now && inside->last_id > 0) {
         const Day day = inside->calendar.day_of(inside->clock());
         if (auto kept = keep_daily_backup(inside->db, path, day); !kept) {
           inside->backup_trouble = std::move(kept.error());
@@ -183,6 +197,28 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
   // Nor where there is no room for them.
   if (!opened && !writes && opened.error().code == Errc::io && !has_log(path)) opened = attempt(true);
   return opened;
+}
+
+base::Result<UpkeepReport> keep_up(const fs::path& learner, Day day, const base::Progress& progress) {
+  try {
+    SQLite::Database db(read_only_uri(learner, false), SQLite::OPEN_READONLY | SQLite::OPEN_URI, kBusyMs);
+    keep_wal_as_it_is(db, true);
+    if (const auto version = check_store(db, learner.string()); !version)
+      return tl::unexpected(version.error());
+    // One reading transaction for both, so that what is copied is what was checked, whatever is written.
+    SQLite::Transaction reading(db);
+    if (auto sound = check_pages(db, learner.string(), progress); !sound)
+      return tl::unexpected(sound.error());
+    UpkeepReport report;
+    if (db.execAndGet("SELECT coalesce(max(id), 0) FROM log").getInt64() == 0) return report;
+    if (auto kept = keep_daily_backup(db, learner, day, progress); !kept) {
+      if (kept.error().code == Errc::cancelled) return tl::unexpected(std::move(kept.error()));
+      report.backup_trouble = std::move(kept.error());
+    }
+    return report;
+  } catch (const SQLite::Exception& trouble) {
+    return tl::unexpected(error_of(trouble, learner.string()));
+  }
 }
 
 }  // namespace nazori::study

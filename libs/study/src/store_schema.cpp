@@ -7,6 +7,8 @@
 #include <array>
 #include <string>
 
+#include "store_days.h"
+
 namespace nazori::study {
 namespace {
 
@@ -77,7 +79,37 @@ CREATE TABLE list(name TEXT PRIMARY KEY);
 CREATE TABLE list_member(list TEXT, position INTEGER, character INTEGER NOT NULL,
   PRIMARY KEY(list, position)) WITHOUT ROWID;
 CREATE TABLE tag(character INTEGER, tag TEXT, PRIMARY KEY(character, tag)) WITHOUT ROWID;
+)sql",
+                                                               R"sql(
+CREATE INDEX log_of_action ON log(action);
+CREATE INDEX log_of_undo ON log(undoes) WHERE undoes IS NOT NULL;
+CREATE INDEX log_of_settings ON log(kind) WHERE settings IS NOT NULL;
+
+-- What follows from the log, too: all writings of a character on one study day.
+CREATE TABLE character_day(
+  character INTEGER NOT NULL,      -- code point
+  number INTEGER NOT NULL,         -- of its study days, from 0
+  day INTEGER NOT NULL,            -- study day, in days since 1970-01-01
+  outcome INTEGER,                 -- DayOutcome
+  time_ms INTEGER NOT NULL,        -- of all writings
+  writings INTEGER NOT NULL,
+  reviews INTEGER NOT NULL,        -- of these from memory
+  PRIMARY KEY(character, number)) WITHOUT ROWID;
+CREATE INDEX character_day_of_day ON character_day(day);
+CREATE INDEX character_day_of_outcome ON character_day(outcome, day DESC, character, number)
+  WHERE time_ms > 0;
+
+-- The sums of each study day: writings, reviews, and the character days of each outcome that took any time.
+CREATE TABLE study_day(
+  day INTEGER PRIMARY KEY,
+  writings INTEGER NOT NULL,
+  reviews INTEGER NOT NULL,
+  recalled INTEGER NOT NULL,
+  failed INTEGER NOT NULL,
+  introduced INTEGER NOT NULL);
 )sql"};
+
+constexpr int kDaysSince = 2;  ///< the version that brought character_day and study_day
 
 }  // namespace
 
@@ -96,15 +128,37 @@ base::Result<int> check_store(SQLite::Database& database, const std::string& nam
                     version, kLearnerVersion),
         name, "nothing was changed; install the newer Nazori");
   }
-  const std::string verdict = database.execAndGet("PRAGMA quick_check(1)").getString();
-  if (verdict != "ok") return base::fail(base::Errc::parse, "is damaged: " + verdict, name, kRestore);
   return version;
+}
+
+base::Result<void> check_pages(SQLite::Database& database, const std::string& name,
+                               const base::Progress& progress) {
+  constexpr int kStepsBetweenLooks = 10'000;
+  const auto look = [](void* asked) {
+    return (*static_cast<const base::Progress*>(asked))(0, "check") ? 0 : 1;
+  };
+  base::Progress asked = progress;
+  if (progress) sqlite3_progress_handler(database.getHandle(), kStepsBetweenLooks, look, &asked);
+  const auto verdict = [&]() -> base::Result<std::string> {
+    try {
+      return database.execAndGet("PRAGMA quick_check(1)").getString();
+    } catch (const SQLite::Exception& trouble) {
+      if (trouble.getErrorCode() == SQLITE_INTERRUPT)
+        return base::fail(base::Errc::cancelled, "stopped", name);
+      return tl::unexpected(error_of(trouble, name));
+    }
+  }();
+  sqlite3_progress_handler(database.getHandle(), 0, nullptr, nullptr);
+  if (!verdict) return tl::unexpected(verdict.error());
+  if (*verdict != "ok") return base::fail(base::Errc::parse, "is damaged: " + *verdict, name, kRestore);
+  return {};
 }
 
 void migrate_store(SQLite::Database& database, int version, Time now) {
   SQLite::Transaction transaction(database);
   for (int step = version; step < kLearnerVersion; ++step) {
     database.exec(kMigrations[static_cast<std::size_t>(step)]);
+    if (step + 1 == kDaysSince) rebuild_days(database);
     SQLite::Statement insert(database, "INSERT INTO schema_version VALUES(?, ?)");
     insert.bind(1, step + 1);
     insert.bind(2, static_cast<std::int64_t>(now.time_since_epoch().count()));

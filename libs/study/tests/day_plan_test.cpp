@@ -145,6 +145,15 @@ TEST(DayPlan, AfterAMonthAwayAGentlePlanWaitsNotAWall) {
   EXPECT_LE(std::abs((learner.store.today() - last).count()), 2) << studied;
 }
 
+TEST(DayPlan, PracticeDuringTheAbsenceIsNoReview) {
+  Learner learner = away(30);
+  Writing practice = review(Rating::good);
+  practice.stage = Stage::trace;
+  (void)must(learner.store.add_writing(U'龍', 16, practice));
+  learner.clock.advance(days(1));
+  EXPECT_EQ(learner.plan().count(TaskKind::review), 20) << "still the first day back";
+}
+
 TEST(DayPlan, ADayMissedIsNoReturn) {
   Learner learner = away(2);
   EXPECT_EQ(learner.plan().count(TaskKind::review),

@@ -57,6 +57,12 @@ T must(base::Result<T> result) {
 /// Settings with a zone that does not depend on the computer.
 void use_zone(LearnerStore& store, const char* zone);
 
+/// Studies for some weeks with every kind of action; the same seed, the same weeks.
+void study_at_random(LearnerStore& store, MovedClock& clock, unsigned seed, int actions);
+
+/// A log of a learner who writes 30 characters from memory on every day, over and over.
+LearnerStore::Contents long_history(int entries);
+
 std::string bytes_of(const std::filesystem::path& path);
 
 }  // namespace nazori::study::test

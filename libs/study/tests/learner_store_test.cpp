@@ -21,6 +21,7 @@ using test::MovedClock;
 using test::must;
 using test::review;
 using test::some_ink;
+using test::study_at_random;
 using test::TemporaryFolder;
 using test::use_zone;
 using testing::ElementsAre;
@@ -198,49 +199,6 @@ TEST(LearnerStore, NewWeightsChangeTheMemoryButNotTheDay) {
   EXPECT_EQ(after.due_day, before.due_day);
   EXPECT_GT(after.memory.stability, before.memory.stability);
   EXPECT_EQ(must(store.rebuild()).differences, 0);
-}
-
-/// Studies for some weeks with every kind of action; the same seed, the same weeks.
-void study_at_random(LearnerStore& store, MovedClock& clock, unsigned seed, int actions) {
-  std::mt19937 random(seed);
-  constexpr std::u32string_view kCharacters = U"一二三四五六七八九十百千休木林森";
-  for (int i = 0; i < actions; ++i) {
-    const char32_t one = kCharacters[random() % kCharacters.size()];
-    const std::array some{one, kCharacters[random() % kCharacters.size()]};
-    clock.advance(minutes(random() % 2000));
-    switch (random() % 20) {
-      case 0:
-        (void)must(store.undo());
-        break;
-      case 1:
-        ASSERT_TRUE(store.pause(some));
-        break;
-      case 2:
-        ASSERT_TRUE(store.resume(some));
-        break;
-      case 3:
-        ASSERT_TRUE(store.postpone(some, store.today() + days(random() % 5)));
-        break;
-      case 4:
-        ASSERT_TRUE(store.reset(std::span(&one, 1)));
-        break;
-      case 5: {
-        Settings settings = store.settings();
-        settings.fsrs.desired_retention = 0.8 + 0.01 * static_cast<double>(random() % 17);
-        settings.fsrs.weights[2] = 2 + 0.1 * static_cast<double>(random() % 9);
-        settings.fuzz = random() % 2 == 0;
-        settings.load_balance = random() % 2 == 0;
-        ASSERT_TRUE(store.change_settings(settings));
-        break;
-      }
-      default: {
-        Writing writing = review(kRatings[random() % 4]);
-        writing.stage = kStages[random() % 8 < 2 ? random() % 3 : 3];
-        (void)must(store.add_writing(one, 5, writing,
-                                     random() % 3 == 0 ? some_ink(static_cast<int>(random() % 9)) : Ink{}));
-      }
-    }
-  }
 }
 
 TEST(LearnerStore, EveryStateFollowsFromTheLog) {

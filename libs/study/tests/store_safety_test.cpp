@@ -137,7 +137,7 @@ TEST(StoreSafety, AFileThatMayNotGrowLosesNothing) {
     auto store = LearnerStore::open(file, Access::write);
     if (!store) return 1;
     // Stands for a disk that fills up: writes beyond this size fail.
-    const rlimit limit{160'000, 160'000};
+    const rlimit limit{240'000, 240'000};
     (void)std::signal(SIGXFSZ, SIG_IGN);
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return 2;
     std::int64_t acknowledged = 0;

@@ -63,6 +63,7 @@ base::Result<void> SessionRecording::begin(const QString& path) {
   auto recorder = recording::SessionRecorder::start(stylus_.servo(), to_path(path), session_);
   if (!recorder) return tl::unexpected(std::move(recorder.error()));
   recorder_ = std::move(*recorder);
+  stylus_.set_awake(true);
   watch_.start();
   path_ = path;
   written_.append(path);
@@ -73,6 +74,7 @@ base::Result<void> SessionRecording::begin(const QString& path) {
 base::Result<void> SessionRecording::close() {
   auto finished = recorder_->finish();
   recorder_.reset();
+  stylus_.set_awake(false);
   if (!finished) return tl::unexpected(std::move(finished.error()));
   forget(path_);
   return {};

@@ -127,7 +127,9 @@ void StatusLine::look() {
   show_recording();
   const auto timing = controller_.stylus().timing();
   const double seconds = static_cast<double>(since_.restart()) / 1000;
-  if (ticks_ > 0 && seconds > 0.2) {
+  if (controller_.stylus().is_resting()) {
+    rate_->setText(tr("at rest"));
+  } else if (ticks_ > 0 && seconds > 0.2) {
     // To tens: the last digit is only the stopwatch.
     const double rate_hz = std::round(static_cast<double>(timing.ticks - ticks_) / seconds / 10) * 10;
     rate_->setText(tr("%1 times a second").arg(QLocale().toString(rate_hz, 'f', 0)));

@@ -11,6 +11,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kLook_ms = 100;
+constexpr int kRest_ms = 1000;
 constexpr int kSeek_ms = 3000;
 // A device that takes long to refuse is asked less often: looking takes at most this share of the time.
 constexpr int kSeekShare = 20;
@@ -39,6 +40,9 @@ Stylus::Stylus(QObject* parent) : QObject(parent) {
   connect(&look_timer_, &QTimer::timeout, this, &Stylus::look);
   seek_timer_.setSingleShot(true);
   connect(&seek_timer_, &QTimer::timeout, this, &Stylus::seek);
+  rest_timer_.setSingleShot(true);
+  rest_timer_.setInterval(kRest_ms);
+  connect(&rest_timer_, &QTimer::timeout, this, &Stylus::rest);
 }
 
 Stylus::~Stylus() {
@@ -46,10 +50,43 @@ Stylus::~Stylus() {
   pointer_.stop();
 }
 
-base::Result<void> Stylus::start() { return is_pointer() ? pointer_.start(servo()) : base::Result<void>(); }
+base::Result<void> Stylus::start() { return is_pointer() ? start_pointer() : base::Result<void>(); }
+
+base::Result<void> Stylus::start_pointer() {
+  resting_ = false;
+  rest_timer_.start();
+  pointer_seat_.servo->begin_run();
+  return pointer_.start(*pointer_seat_.servo);
+}
+
+void Stylus::move(const devices::PointerState& state, std::optional<double> event_s) {
+  if (is_resting()) (void)start_pointer();  // it ran before: its thread can be made
+  if (is_pointer()) rest_timer_.start();
+  moved_ = state;
+  if (event_s)
+    pointer_.move(state, *event_s);
+  else
+    pointer_.move(state);
+}
+
+void Stylus::set_awake(bool awake) {
+  awake_ = awake;
+  if (awake && is_resting()) (void)start_pointer();
+  if (!awake) rest_timer_.start();
+}
+
+void Stylus::rest() {
+  if (!is_pointer() || resting_ || awake_) return;
+  // A pressed pointer feels and is felt even where it stays.
+  if (moved_.pressed) return rest_timer_.start();
+  pointer_.stop();
+  resting_ = true;
+}
 
 void Stylus::set_scene(std::shared_ptr<const haptics::HapticScene> scene) {
   scene_ = std::move(scene);
+  // The servo takes a scene over, and gives the one before back, only while it ticks.
+  if (is_resting()) (void)start_pointer();
   active_->servo->set_scene(scene_);
   // A paused device goes on by itself: what it feels then must be this.
   if (device_ && is_pointer()) device_->servo->set_scene(scene_);
@@ -219,12 +256,15 @@ void Stylus::close_device() {
 void Stylus::give_tablet_to(Seat& seat) {
   if (active_ == &seat) return;
   emit leaving();
-  if (is_pointer()) pointer_.stop();
+  if (is_pointer()) {
+    rest_timer_.stop();
+    pointer_.stop();
+  }
   active_ = &seat;
   buttons_ = ~0U;  // what is down already was not pressed for this
   pressed_ = false;
   seat.servo->set_scene(scene_);
-  if (is_pointer()) (void)pointer_.start(*seat.servo);  // it ran before: its thread can be made
+  if (is_pointer()) (void)start_pointer();  // it ran before: its thread can be made
   emit changed();
 }
 

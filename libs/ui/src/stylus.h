@@ -39,12 +39,12 @@ class Stylus final : public QObject {
   /// Starts the pointer.
   [[nodiscard]] base::Result<void> start();
   /// @param event_s  when it happened, on the clock of the window system; nothing: now.
-  void move(const devices::PointerState& state, std::optional<double> event_s = {}) {
-    if (event_s)
-      pointer_.move(state, *event_s);
-    else
-      pointer_.move(state);
-  }
+  void move(const devices::PointerState& state, std::optional<double> event_s = {});
+  /// Keeps the servo of the pointer ticking while nothing moves, too: for a recording without gaps.
+  void set_awake(bool awake);
+  /// The pointer has the tablet and nothing has moved for a second, so its servo stands still. The next move
+  /// starts it again.
+  [[nodiscard]] bool is_resting() const { return is_pointer() && resting_; }
   void set_scene(std::shared_ptr<const haptics::HapticScene> scene);
 
   // Of what has the tablet now.
@@ -121,6 +121,8 @@ class Stylus final : public QObject {
   [[nodiscard]] base::Result<void> start(Seat& seat) const;
   [[nodiscard]] DeviceSettings remembered(const std::string& id) const;
   [[nodiscard]] bool is_writing();
+  void rest();
+  [[nodiscard]] base::Result<void> start_pointer();
   void look();
   void lose(haptics::DeviceTrouble trouble, const QString& message);
   void seek();
@@ -137,6 +139,10 @@ class Stylus final : public QObject {
   int stalled_looks_ = 0;  ///< in a row
   QTimer look_timer_;
   QTimer seek_timer_;
+  QTimer rest_timer_;
+  bool resting_ = false;
+  devices::PointerState moved_;  ///< the newest of move()
+  bool awake_ = false;
   double strength_ = 1;
   std::uint32_t buttons_ = 0;
   bool pressed_ = false;

@@ -253,7 +253,8 @@ view::Overlay TabletController::overlay() {
   shown_s_ = 0;
   if (draws_stylus()) {
     const auto& now = stylus_.latest();
-    shown_s_ = now.begun_s;
+    // A resting stylus shows nothing new, so its sample has no age.
+    shown_s_ = stylus_.is_resting() ? 0 : now.begun_s;
     overlay.cursor = view::Cursor{now.proxy_m, now.device_m, now.touching,
                                   stylus_.is_pointer() ? axis_ : haptics::Vec3(0)};
   }

@@ -1237,6 +1237,10 @@
 <context>
     <name>nazori::ui::FeelPanel</name>
     <message>
+        <source>at rest</source>
+        <translation>待機中</translation>
+    </message>
+    <message>
         <source>What the stylus feels</source>
         <translation>ペン先の手ごたえ</translation>
     </message>
@@ -3888,6 +3892,10 @@ Columns and rows:</source>
 </context>
 <context>
     <name>nazori::ui::StatusLine</name>
+    <message>
+        <source>at rest</source>
+        <translation>待機中</translation>
+    </message>
     <message>
         <source>How often a second the stylus is felt</source>
         <translation>ペン先の感触を1秒に計算する回数</translation>

@@ -145,7 +145,8 @@ void FeelPanel::look() {
   show(buttons, down.isEmpty() ? tr("none") : down.join(QStringLiteral(", ")));
   show(force, tr("%1 N").arg(locale.toString(glm::length(now.force_n), 'f', 2)));
   const double rate_hz = status.rate_hz > 0 ? status.rate_hz : stylus_.describe().rate_hz;
-  show(rate, tr("%1 times a second").arg(locale.toString(rate_hz, 'f', 0)));
+  show(rate,
+       stylus_.is_resting() ? tr("at rest") : tr("%1 times a second").arg(locale.toString(rate_hz, 'f', 0)));
   show(lateness, tr("%1 ms").arg(locale.toString(timing.max_lateness_s * 1e3, 'f', 1)));
   show(missed, locale.toString(static_cast<qulonglong>(timing.missed_ticks)));
   show(delay, tr("%1 ms").arg(locale.toString(status.delay_s * 1e3, 'f', 1)));

@@ -15,7 +15,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <set>
+#include <vector>
 
 #include "kanji_text.h"
 #include "preferences.h"
@@ -134,12 +134,10 @@ void HomePage::set_text(QLabel* label, const QString& text) {
 }
 
 study::Streak HomePage::streak_now() const {
-  std::set<study::Day> all;
-  (void)learner_.store().for_each_entry(true, [&](const study::LearnerStore::LoggedEntry& logged) {
-    if (logged.entry.kind == study::EntryKind::writing) all.insert(logged.entry.day);
-    return true;
-  });
-  return study::streak_of({all.begin(), all.end()}, learner_.store().today());
+  std::vector<study::Day> all;
+  if (const auto days = learner_.store().study_days())
+    for (const study::StudyDay& day : *days) all.push_back(day.day);
+  return study::streak_of(all, learner_.store().today());
 }
 
 QString HomePage::after_the_work(const study::DayPlan& plan) const {

@@ -52,6 +52,8 @@ Learner::Learner(Place place, QObject* parent)
   store_.emplace(*study::LearnerStore::in_memory(clock_));
   connect(&day_timer_, &QTimer::timeout, this, &Learner::look_at_the_day);
   day_timer_.start(kLookAtTheDay_ms);
+  connect(&upkeep_, &StoreUpkeep::done, this, &Learner::take_upkeep);
+  connect(&upkeep_, &StoreUpkeep::failed, this, &Learner::take_damage);
 }
 
 Learner::~Learner() = default;
@@ -84,6 +86,7 @@ bool Learner::open_again() {
 }
 
 void Learner::close() {
+  upkeep_.stop();
   store_.emplace(*study::LearnerStore::in_memory(clock_));
   can_write_ = false;
 }
@@ -111,15 +114,14 @@ bool Learner::open() {
   if (!path) {
     trouble_ = folder_.empty() ? tr("No folder for learners is known: set NAZORI_LEARNERS. Nothing is kept.")
                                : reason(path.error());
-  } else if (auto opened = study::LearnerStore::open(*path, study::Access::write, clock_)) {
+  } else if (auto opened =
+                 study::LearnerStore::open(*path, study::Access::write, clock_, study::Upkeep::later)) {
     store_.emplace(*std::move(opened));
     can_write_ = true;
-    if (const auto& backup = store_->backup_trouble())
-      emit said(Feedback::advice,
-                tr("Today's backup could not be made: %1. Studying works.").arg(reason(*backup)));
+    upkeep_.request(*path, store_->today());
   } else {
     trouble_ = sentence_about(opened.error(), study::LearnerStore::in_use(*path));
-    if (auto readable = study::LearnerStore::open(*path, study::Access::read, clock_))
+    if (auto readable = study::LearnerStore::open(*path, study::Access::read, clock_, study::Upkeep::later))
       store_.emplace(*std::move(readable));
   }
   day_ = store_->today();
@@ -165,10 +167,22 @@ void Learner::note_lists() {
 
 void Learner::look_at_the_day() {
   if (store_->today() == day_) return;
-  // Opened anew, so that a window which is never closed has its daily backups, too.
-  if (can_write_) open();
   day_ = store_->today();
+  // A window that is never closed has its daily backups, too.
+  if (can_write_) upkeep_.request(file(), day_);
   emit changed();
+}
+
+void Learner::take_upkeep(const study::UpkeepReport& report) {
+  if (report.backup_trouble)
+    emit said(
+        Feedback::advice,
+        tr("Today's backup could not be made: %1. Studying works.").arg(reason(*report.backup_trouble)));
+}
+
+void Learner::take_damage(const base::Error& error) {
+  let_go(sentence_about(error, false));
+  emit said(Feedback::wrong, trouble_);
 }
 
 }  // namespace nazori::ui

@@ -14,6 +14,7 @@
 #include "nazori/study/character_lists.h"
 #include "nazori/study/day_plan.h"
 #include "nazori/study/learner_store.h"
+#include "study/store_upkeep.h"
 
 namespace nazori::ui {
 
@@ -36,7 +37,7 @@ class Learner final : public QObject {
   /// Opens a profile; one that is not there yet is a new learner. Emits profile_changed() in any case.
   /// @return whether it can be written. A name that can be none changes nothing.
   bool switch_profile(const QString& name);
-  /// Opens the same profile once more: after another window was closed, for the backup of a new day.
+  /// Opens the same profile once more, after another window was closed.
   bool open_again();
   /// Lets go of the file while `work` is done (a profile renamed), then opens the profile that it returns;
   /// empty: the same again.
@@ -74,8 +75,10 @@ class Learner final : public QObject {
   /// kanji.db, for another thread to open.
   [[nodiscard]] const std::filesystem::path& database_file() const { return database_file_; }
   [[nodiscard]] const kanji::KanjiDatabase* database() const { return database_ ? &*database_ : nullptr; }
-  /// What today holds. Some milliseconds, the first time some tenths of a second.
+  /// What today holds. A few milliseconds, however long the history is.
   [[nodiscard]] base::Result<study::DayPlan> plan();
+  /// Whether the file is still being checked and backed up behind the window.
+  [[nodiscard]] bool keeps_up() const { return upkeep_.is_busy(); }
   /// Lists or tags have changed: what is learnt next is worked out anew, and changed() follows.
   void note_lists();
 
@@ -93,6 +96,8 @@ class Learner final : public QObject {
   void tell_failure(const base::Error& error);
   [[nodiscard]] QString sentence_about(const base::Error& error, bool in_use) const;
   void look_at_the_day();
+  void take_upkeep(const study::UpkeepReport& report);
+  void take_damage(const base::Error& error);
 
   std::filesystem::path folder_;
   std::filesystem::path database_file_;
@@ -107,6 +112,7 @@ class Learner final : public QObject {
   study::Settings ordered_by_;
   study::Day day_{};
   QTimer day_timer_;
+  StoreUpkeep upkeep_;
 };
 
 }  // namespace nazori::ui

@@ -84,6 +84,10 @@ class Servo final : public ServoCallback {
   /// is lifted out. Thread: one (interface). Wait-free for the servo; frees scenes that the servo has left.
   void set_scene(std::shared_ptr<const HapticScene> scene);
 
+  /// Before the first tick after a rest: the time since the last tick was no lateness, and nothing is felt of
+  /// it. Thread: interface, while nothing ticks.
+  void begin_run() noexcept;
+
   /// Newest sample. Thread: one reader (interface). Wait-free.
   [[nodiscard]] const ServoSample& latest() noexcept;
 

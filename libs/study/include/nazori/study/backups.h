@@ -32,6 +32,19 @@ struct Backup {
 
 class LearnerStore;
 
+/// What keep_up() found besides a sound file.
+struct UpkeepReport {
+  std::optional<base::Error> backup_trouble;  ///< why today's backup could not be made
+};
+
+/// Checks the whole learner.db and makes today's backup where there is none yet, through a connection of its
+/// own: a store on another thread, or in another program, may write meanwhile. A second per 500 MB and more.
+/// @param day  the learner's study day.
+/// @return Errc::parse where the file is damaged; Errc::schema, Errc::io as LearnerStore::open() says;
+/// Errc::cancelled.
+[[nodiscard]] base::Result<UpkeepReport> keep_up(const std::filesystem::path& learner, Day day,
+                                                 const base::Progress& progress = {});
+
 /// Makes a backup besides the daily ones. @param file  the learner's own, which has the backups beside it.
 /// @return the backup; Errc::not_found where nothing is studied yet; Errc::io; Errc::cancelled.
 [[nodiscard]] base::Result<std::filesystem::path> make_backup(const LearnerStore& learner,

@@ -18,6 +18,7 @@
 #include "nazori/study/card.h"
 #include "nazori/study/ink.h"
 #include "nazori/study/settings.h"
+#include "nazori/study/study_days.h"
 
 namespace nazori::study {
 
@@ -53,6 +54,12 @@ enum class Access : std::uint8_t {
   rebuild,  ///< as write, but cards that cannot be read are taken for none: rebuild() makes them anew
 };
 
+/// When the whole file is checked and today's backup is made. Both read the whole file.
+enum class Upkeep : std::uint8_t {
+  now,    ///< before the store is open
+  later,  ///< by keep_up() (backups.h), on another thread
+};
+
 /// One learner's store learner.db: an append-only log of everything the learner did, and what follows from
 /// it. SQLite in WAL mode with synchronous=FULL: what add_writing() has acknowledged is on disk, whatever
 /// happens next. One store writes at a time; others may read. docs/study.md, docs/file-formats.md.
@@ -67,11 +74,12 @@ class LearnerStore {
   /// To write: makes file and folder where there are none; takes the lock beside it, which holds until the
   /// store is gone, however the program ends; brings a file of an older version to this one, after a backup;
   /// keeps one backup a day (backups.h).
-  /// To read: the file is not changed; a learner who has no file yet is an empty one.
+  /// To read: the file is not changed; a learner who has no file yet is an empty one, and an older file is
+  /// read through a temporary copy of this version.
   /// @return Errc::schema for a file that is no learner.db or was written by a newer Nazori; Errc::parse for
   /// a damaged one; Errc::io as above. Nothing is changed then.
   [[nodiscard]] static base::Result<LearnerStore> open(const std::filesystem::path& path, Access access,
-                                                       Clock clock = system_now);
+                                                       Clock clock = system_now, Upkeep upkeep = Upkeep::now);
   /// A store that is gone with the object.
   [[nodiscard]] static base::Result<LearnerStore> in_memory(Clock clock = system_now);
   /// Whether a store that writes holds the file now. For the message after open() failed.
@@ -133,6 +141,13 @@ class LearnerStore {
   /// false to stop.
   [[nodiscard]] base::Result<void> for_each_entry(bool in_force_only,
                                                   const std::function<bool(const LoggedEntry&)>& take) const;
+  // Sums of the log, kept with every entry: they cost the same with a short and a long history.
+  /// Days with a writing in force, oldest first.
+  [[nodiscard]] base::Result<std::vector<StudyDay>> study_days() const;
+  /// Characters that were written from memory on a day, ascending.
+  [[nodiscard]] base::Result<std::vector<char32_t>> reviewed_on(Day day) const;
+  /// What the newest character days of an outcome took. @param most  of them; days counts all.
+  [[nodiscard]] base::Result<OutcomeTimes> newest_times(DayOutcome outcome, int most) const;
   /// The writings of one character that are in force, oldest first.
   [[nodiscard]] base::Result<std::vector<LoggedEntry>> writings_of(char32_t character) const;
   /// The ink of an entry; empty where none was kept.

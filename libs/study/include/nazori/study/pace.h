@@ -2,10 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <map>
-#include <optional>
-#include <utility>
-#include <vector>
 
 #include "nazori/study/learner_store.h"
 
@@ -28,29 +24,8 @@ struct Pace {
 /// So many days make a number of the learner's own.
 inline constexpr int kPaceNeeds = 10;
 
-/// Finds the pace in the log.
-class PaceSum {
- public:
-  /// Entries in the order of the log, without those that were undone.
-  void take(const LogEntry& entry);
-  [[nodiscard]] Pace pace() const;
-
- private:
-  enum class Outcome : std::uint8_t { recalled, failed, introduced };
-  struct CharacterDay {
-    Day day{};
-    std::chrono::milliseconds time{0};
-    std::optional<Outcome> outcome;
-  };
-  using Times = std::vector<std::pair<Day, std::chrono::milliseconds>>;
-  [[nodiscard]] static const Times& of(const std::map<Outcome, Times>& all, Outcome outcome);
-  static void close(const CharacterDay& day, std::map<Outcome, Times>& into);
-
-  std::map<char32_t, CharacterDay> open_;  ///< the last day of each character
-  std::map<Outcome, Times> closed_;
-};
-
-/// @return as LearnerStore::for_each_entry() says.
+/// The pace of a learner, from the sums that the store keeps of each study day.
+/// @return Errc::io, Errc::parse as every function of the store.
 [[nodiscard]] base::Result<Pace> pace_of(const LearnerStore& learner);
 
 }  // namespace nazori::study

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/study/study_days.h"
+
+namespace nazori::study {
+
+void CharacterDays::take(const LogEntry& entry) {
+  if (entry.kind == EntryKind::reset) {
+    is_new_ = true;
+    return;
+  }
+  if (entry.kind != EntryKind::writing) return;
+  if (is_new_) {
+    days_.push_back({entry.day, DayOutcome::introduced});
+  } else if (days_.back().day != entry.day) {
+    days_.push_back({entry.day, std::nullopt});
+  }
+  is_new_ = false;
+  CharacterDay& today = days_.back();
+  today.time += entry.writing.result.duration;
+  ++today.writings;
+  if (entry.writing.stage != Stage::memory) return;
+  ++today.reviews;
+  if (!today.outcome)
+    today.outcome = entry.writing.rating == Rating::again ? DayOutcome::failed : DayOutcome::recalled;
+}
+
+}  // namespace nazori::study
