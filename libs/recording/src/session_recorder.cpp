@@ -54,6 +54,7 @@ struct SessionRecorder::Inside {
   std::condition_variable wake, drained;
   bool stopping = false, hurry = false;  // under mutex
   base::Error error;                     // under mutex
+  bool exported = false;                 // the .csv is written from the .nzr
   std::thread thread;
 };
 
@@ -119,7 +120,11 @@ base::Result<std::unique_ptr<SessionRecorder>> SessionRecorder::start(haptics::S
   return std::unique_ptr<SessionRecorder>(new SessionRecorder(std::move(inside)));
 }
 
-SessionRecorder::~SessionRecorder() { (void)finish(); }
+SessionRecorder::~SessionRecorder() {
+  if (inside_->thread.joinable()) (void)finish();
+}
+
+const fs::path& SessionRecorder::raw_path() const { return inside_->output.path(); }
 
 RecorderStatus SessionRecorder::status() const {
   const Inside& in = *inside_;
@@ -149,7 +154,7 @@ void SessionRecorder::wait_for_room() {
   }
 }
 
-base::Result<RecorderStatus> SessionRecorder::finish() {
+base::Result<RecorderStatus> SessionRecorder::close() {
   Inside& in = *inside_;
   if (in.thread.joinable()) {
     in.servo.set_recording(nullptr);
@@ -166,19 +171,25 @@ base::Result<RecorderStatus> SessionRecorder::finish() {
       if (!closed) in.error = std::move(closed.error());
     }
     in.shared.remove();
-    if (in.error.what.empty() && in.output.path() != in.path) {
-      auto exported = export_csv(in.output.path(), in.path, {});
-      if (exported) {
-        std::error_code ignored;
-        fs::remove(in.output.path(), ignored);
-      } else {
-        in.error = std::move(exported.error());
-      }
-    }
   }
   RecorderStatus ended = status();
   if (!ended.error.what.empty()) return tl::unexpected(std::move(ended.error));
   return ended;
+}
+
+base::Result<RecorderStatus> SessionRecorder::finish() {
+  Inside& in = *inside_;
+  auto closed = close();
+  if (!closed || in.output.path() == in.path || std::exchange(in.exported, true)) return closed;
+  auto exported = export_csv(in.output.path(), in.path, {});
+  if (!exported) {
+    const std::lock_guard lock(in.mutex);
+    in.error = exported.error();
+    return tl::unexpected(std::move(exported.error()));
+  }
+  std::error_code ignored;
+  fs::remove(in.output.path(), ignored);
+  return closed;
 }
 
 base::Result<Recovery> recover(const fs::path& path) {

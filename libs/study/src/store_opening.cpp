@@ -162,17 +162,19 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
       keep_wal_as_it_is(db, true);
       const auto version = check_store(db, path.string());
       if (!version) return tl::unexpected(version.error());
-      if (upkeep == Upkeep::now) {
+      // A damaged file is never brought up to date.
+      const bool older = *version > 0 && *version < kLearnerVersion;
+      if (upkeep == Upkeep::now || older) {
         if (auto sound = check_pages(db, path.string()); !sound) return tl::unexpected(sound.error());
       }
       if (!writes && *version == 0) return in_memory(clock);
-      if (!writes && *version < kLearnerVersion) db = newer_copy(db, *version, clock());
+      if (!writes && older) db = newer_copy(db, *version, clock());
       auto inside = std::make_unique<Inside>(std::move(db), path.string(), clock);
       inside->lock = std::move(lock);
       inside->rebuilds = access == Access::rebuild;
       if (writes) {
         keep_wal_as_it_is(inside->db, false);
-        if (*version > 0 && *version < kLearnerVersion) {
+        if (older) {
           auto kept = keep_backup_before_migration(inside->db, path, *version);
           if (!kept) return tl::unexpected(std::move(kept.error()));
         }

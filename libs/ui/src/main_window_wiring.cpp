@@ -173,14 +173,21 @@ void MainWindow::Inside::connect_recording() {
                      desk.tell(Feedback::wrong,
                                MainWindow::tr("The recording %1 has ended: %2.").arg(path, reason(error)));
                    });
-  const auto recovered = recording.recover();
-  if (!recovered.files.isEmpty())
-    desk.tell(Feedback::good, MainWindow::tr("A recording had broken off. It is complete now: %1.")
-                                  .arg(recovered.files.join(QStringLiteral(", "))));
-  if (!recovered.broken.isEmpty())
-    desk.tell(Feedback::advice,
+  QObject::connect(&recording, &SessionRecording::exported, &window, [this](const QString& path) {
+    desk.tell(Feedback::good, MainWindow::tr("Recorded: %1.").arg(path));
+  });
+  QObject::connect(
+      &recording, &SessionRecording::recovered, &window, [this](const SessionRecording::Recovered& found) {
+        if (!found.files.isEmpty())
+          desk.tell(Feedback::good, MainWindow::tr("A recording had broken off. It is complete now: %1.")
+                                        .arg(found.files.join(QStringLiteral(", "))));
+        if (!found.broken.isEmpty())
+          desk.tell(
+              Feedback::advice,
               MainWindow::tr("A recording had broken off with the computer. It may lack its last second: %1.")
-                  .arg(recovered.broken.join(QStringLiteral(", "))));
+                  .arg(found.broken.join(QStringLiteral(", "))));
+      });
+  recording.recover();
 }
 
 void MainWindow::Inside::connect_sound() {
@@ -223,7 +230,11 @@ void MainWindow::Inside::record(bool on) {
   auto& recording = desk.recording();
   if (!on) {
     const auto written = recording.finish();
-    if (written)
+    if (written && recording.is_exporting())
+      desk.say(
+          Feedback::hint,
+          MainWindow::tr("The recording has ended. Writing %1.").arg(written->join(QStringLiteral(", "))));
+    else if (written)
       desk.say(Feedback::good, MainWindow::tr("Recorded: %1.").arg(written->join(QStringLiteral(", "))));
     else
       desk.say(Feedback::wrong,

@@ -18,6 +18,9 @@ std::filesystem::path to_path(const QString& text) { return {text.toStdString()}
 
 bool is_csv(const QString& path) { return path.endsWith(QLatin1String(".csv")); }
 
+/// What is recorded into: a table is written from it when it is finished.
+QString raw_of(const QString& path) { return is_csv(path) ? path + QStringLiteral(".nzr") : path; }
+
 /// "session.nzr" is followed by "session-2.nzr".
 QString numbered(const QString& path, qsizetype number) {
   const QFileInfo info(path);
@@ -44,6 +47,7 @@ SessionRecording::SessionRecording(Stylus& stylus, QString settings_file, QObjec
 }
 
 SessionRecording::~SessionRecording() {
+  leaving_ = true;
   if (recorder_) (void)close();
 }
 
@@ -72,12 +76,39 @@ base::Result<void> SessionRecording::begin(const QString& path) {
 }
 
 base::Result<void> SessionRecording::close() {
-  auto finished = recorder_->finish();
+  auto finished = recorder_->close();
   recorder_.reset();
   stylus_.set_awake(false);
   if (!finished) return tl::unexpected(std::move(finished.error()));
-  forget(path_);
+  if (is_csv(path_))
+    export_table(path_);
+  else
+    forget(path_);
   return {};
+}
+
+void SessionRecording::export_table(const QString& path) {
+  ++exports_;
+  worker_.post([this, path] {
+    int told_percent = -1;
+    const auto progress = [&](double done, std::string_view) {
+      if (const int percent = static_cast<int>(100 * done); std::exchange(told_percent, percent) != percent)
+        worker_.answer([this, path, done] { emit export_came_along(path, done); });
+      return !leaving_;
+    };
+    auto result = recording::export_csv(to_path(raw_of(path)), to_path(path), progress);
+    worker_.answer([this, path, result = std::move(result)] {
+      --exports_;
+      if (result) {
+        QFile::remove(raw_of(path));
+        forget(path);
+        emit exported(path);
+      } else {
+        emit failed(path, result.error());  // the next start tries again
+      }
+      emit changed();
+    });
+  });
 }
 
 void SessionRecording::move_on() {
@@ -120,26 +151,23 @@ void SessionRecording::forget(const QString& path) const {
     settings.setValue(kKey, files);
 }
 
-SessionRecording::Recovered SessionRecording::recover() {
-  Recovered found;
+void SessionRecording::recover() {
   const QStringList files = QSettings(settings_file_, QSettings::IniFormat).value(kKey).toStringList();
   for (const auto& path : files) {
-    const QString raw = is_csv(path) ? path + QStringLiteral(".nzr") : path;
-    const auto result = recording::recover(to_path(raw));
-    // Another window is recording into it.
-    if (result && *result == recording::Recovery::in_progress) continue;
-    forget(path);
-    if (!result) continue;  // moved or removed since: nothing to say
-    if (is_csv(path)) {
-      if (const auto exported = recording::export_csv(to_path(raw), to_path(path), {}); !exported) {
-        emit failed(path, exported.error());
-        continue;
-      }
-      QFile::remove(raw);
-    }
-    (*result == recording::Recovery::nothing_left ? found.broken : found.files).append(path);
+    worker_.post([this, path] {
+      if (leaving_) return;
+      const auto result = recording::recover(to_path(raw_of(path)));
+      worker_.answer([this, path, result] {
+        // Another window is recording into it.
+        if (result && *result == recording::Recovery::in_progress) return;
+        if (!result || !is_csv(path)) forget(path);
+        if (!result) return;  // moved or removed since: nothing to say
+        emit recovered(*result == recording::Recovery::nothing_left ? Recovered{{}, {path}}
+                                                                    : Recovered{{path}, {}});
+        if (is_csv(path)) export_table(path);
+      });
+    });
   }
-  return found;
 }
 
 }  // namespace nazori::ui

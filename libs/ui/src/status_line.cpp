@@ -57,6 +57,13 @@ StatusLine::StatusLine(TabletController& controller, const SessionRecording& rec
     look();
   });
   connect(&recording_, &SessionRecording::changed, this, &StatusLine::show_recording);
+  connect(&recording_, &SessionRecording::export_came_along, this, [this](const QString& path, double done) {
+    if (recording_.is_on()) return;
+    record_->setText(
+        tr("Writing %1: %2 %").arg(QFileInfo(path).fileName(), QLocale().toString(100 * done, 'f', 0)));
+    record_->setToolTip(path);
+    fit();
+  });
   connect(&timer_, &QTimer::timeout, this, &StatusLine::look);
   timer_.start(kLook_ms);
   look();
@@ -113,7 +120,7 @@ void StatusLine::fit() {
   int room = contentsRect().width() - kMargin;
   bool full = false;
   for (auto* label : {record_, device_, depth_, rate_, missed_, timing_}) {
-    if (label->text().isEmpty() || (label == record_ && !recording_.is_on())) {
+    if (label->text().isEmpty() || (label == record_ && !recording_.is_on() && !recording_.is_exporting())) {
       label->hide();
       continue;
     }

@@ -116,6 +116,8 @@ TEST_F(Recording, AsATableHasOneRowAMoment) {
   record_to(path);
   ASSERT_TRUE(samples_come(150));
   action("record")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Recorded: ")); }, 60'000))
+      << feedback().toStdString();
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << feedback().toStdString();
   EXPECT_EQ(file.readLine().toStdString(), recording::kSampleCsvHeader);

@@ -2850,6 +2850,10 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::MainWindow</name>
     <message>
+        <source>The recording has ended. Writing %1.</source>
+        <translation>記録を終えました。%1 を書き出しています。</translation>
+    </message>
+    <message>
         <source>The tablet cannot be drawn here: OpenGL 3.3 is missing. The package libgl1-mesa-dri draws it on any computer. Lists and information work.</source>
         <translation>OpenGL 3.3 がないため、ここでは文字板を描けません。libgl1-mesa-dri パッケージがあればどの計算機でも描けます。一覧と字の情報は使えます。</translation>
     </message>
@@ -3892,6 +3896,10 @@ Columns and rows:</source>
 </context>
 <context>
     <name>nazori::ui::StatusLine</name>
+    <message>
+        <source>Writing %1: %2 %</source>
+        <translation>%1 を書き出し中：%2 %</translation>
+    </message>
     <message>
         <source>at rest</source>
         <translation>待機中</translation>

@@ -77,6 +77,8 @@ class Learner final : public QObject {
   [[nodiscard]] const kanji::KanjiDatabase* database() const { return database_ ? &*database_ : nullptr; }
   /// What today holds. A few milliseconds, however long the history is.
   [[nodiscard]] base::Result<study::DayPlan> plan();
+  /// Notices a new study day; asked every minute.
+  void look_at_the_day();
   /// Whether the file is still being checked and backed up behind the window.
   [[nodiscard]] bool keeps_up() const { return upkeep_.is_busy(); }
   /// Lists or tags have changed: what is learnt next is worked out anew, and changed() follows.
@@ -95,7 +97,6 @@ class Learner final : public QObject {
   void close();
   void tell_failure(const base::Error& error);
   [[nodiscard]] QString sentence_about(const base::Error& error, bool in_use) const;
-  void look_at_the_day();
   void take_upkeep(const study::UpkeepReport& report);
   void take_damage(const base::Error& error);
 

@@ -39,7 +39,7 @@ class SessionRecorder {
   [[nodiscard]] static base::Result<std::unique_ptr<SessionRecorder>> start(haptics::Servo& servo,
                                                                             const std::filesystem::path& path,
                                                                             Session session);
-  /// As finish().
+  /// As finish(), but after close() nothing more.
   ~SessionRecorder();
   SessionRecorder(const SessionRecorder&) = delete;
   SessionRecorder& operator=(const SessionRecorder&) = delete;
@@ -49,8 +49,13 @@ class SessionRecorder {
   /// calling thread; a live one must not wait.
   void wait_for_room();
 
-  /// Takes the ring away from the servo, writes what is left and closes the file.
+  /// The ".nzr" that is recorded into; for a ".csv" the one beside it.
+  [[nodiscard]] const std::filesystem::path& raw_path() const;
+  /// Takes the ring away from the servo, writes what is left and closes raw_path(). A few milliseconds.
   /// @return how it ended; Errc::io when the file could not be written whole.
+  [[nodiscard]] base::Result<RecorderStatus> close();
+  /// As close(), and a ".csv" is exported from its ".nzr", which is then removed: half a second for each
+  /// million ticks and more.
   [[nodiscard]] base::Result<RecorderStatus> finish();
 
  private:
