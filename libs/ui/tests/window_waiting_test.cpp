@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// The window never waits: not for a history of ten years, a new day, or a long recording.
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <fstream>
+
+#include "characters/characters.h"
+#include "desk.h"
+#include "nazori/haptics/servo.h"
+#include "nazori/recording/session_recorder.h"
+#include "nazori/study/backups.h"
+#include "nazori/study/character_lists.h"
+#include "progress/progress.h"
+#include "study/home.h"
+#include "watchdog.h"
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+using test::Watchdog;
+
+constexpr double kLongest_ms = 50;
+
+Desk* the_desk = nullptr;
+
+std::unique_ptr<Workplace> make_home(Desk& desk) {
+  the_desk = &desk;
+  return std::make_unique<Home>(desk);
+}
+std::unique_ptr<Workplace> make_characters(Desk& desk) { return std::make_unique<Characters>(desk); }
+std::unique_ptr<Workplace> make_progress(Desk& desk) { return std::make_unique<Progress>(desk); }
+
+/// A heavy learner's ten years: 300,000 writings, 80 a day. The first thousand characters were written once
+/// and are due for long.
+study::LearnerStore::Contents ten_years(std::span<const char32_t> characters, study::Time end) {
+  constexpr int kEntries = 300'000;
+  constexpr int kEachDay = 80;
+  const auto begin = end - std::chrono::days(kEntries / kEachDay);
+  study::LearnerStore::Contents contents;
+  for (int i = 0; i < kEntries; ++i) {
+    study::LearnerStore::Contents::Entry one;
+    one.entry.id = one.entry.action = i + 1;
+    one.entry.at = begin + std::chrono::days(i / kEachDay) + std::chrono::seconds(20 * (i % kEachDay));
+    one.entry.day = std::chrono::floor<std::chrono::days>(one.entry.at);
+    const bool is_first = i < 1'000;
+    one.entry.character = characters[static_cast<std::size_t>(is_first ? 1'000 + i : i % 1'000)];
+    one.entry.strokes = 5;
+    one.entry.writing.rating = one.entry.writing.proposed =
+        is_first ? study::Rating::easy : study::Rating::good;
+    one.entry.writing.result.accepted = true;
+    one.entry.writing.result.score = 90;
+    one.entry.writing.result.duration = std::chrono::seconds(9);
+    contents.entries.push_back(std::move(one));
+  }
+  return contents;
+}
+
+class Waiting : public WindowTest {
+ protected:
+  Waiting() {
+    workplaces_ = {make_home, make_characters, make_progress};
+    clock_ = [this] { return now_; };
+  }
+  void SetUp() override { install_language(QStringLiteral("en")); }
+
+  void open_home() {
+    window_ = std::make_unique<MainWindow>(setup(), appearance_);
+    QSignalSpy opened(window_.get(), &MainWindow::opened);
+    QObject::connect(window_.get(), &MainWindow::character_shown, [this](char32_t c) { on_desk_ = c; });
+    window_->show();
+    window_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
+    ASSERT_TRUE(opened.count() > 0 || opened.wait(20000));
+    the_desk->session().set_asks_by_words(false);
+  }
+
+  [[nodiscard]] std::filesystem::path learner_file() const {
+    return std::filesystem::path(folder_.filePath(QStringLiteral("learners")).toStdString()) / "learner" /
+           "learner.db";
+  }
+
+  /// In the order of learning.
+  [[nodiscard]] std::vector<char32_t> characters(const study::LearnerStore& store) const {
+    const auto database = kanji::KanjiDatabase::open(setup().database);
+    if (!database) throw std::runtime_error("no kanji database");
+    study::CharacterLists lists(*database);
+    return lists.in_learning_order(store.settings(), store);
+  }
+
+  bool keeps_up_to_date() {
+    return QTest::qWaitFor([] { return !the_desk->learner().keeps_up(); }, 120'000);
+  }
+
+  char32_t on_desk_ = 0;
+  study::Time now_ = *study::parse_time("2036-03-01T09:00:00Z");
+};
+
+TEST_F(Waiting, NoEventIsLongWithAHistoryOfTenYears) {
+  {
+    auto store = study::LearnerStore::open(learner_file(), study::Access::write, clock_);
+    ASSERT_TRUE(store);
+    ASSERT_TRUE(store->fill(ten_years(characters(*store), now_)));
+    std::filesystem::remove_all(study::backup_folder(learner_file()));
+  }
+  open_home();
+  ASSERT_TRUE(keeps_up_to_date()) << "the check and the backup behind the window";
+  EXPECT_EQ(study::backups_of(learner_file()).size(), 1U);
+
+  const Watchdog opening;
+  bool opened = false;
+  QTimer::singleShot(0, qApp, [&] { opened = the_desk->learner().open_again(); });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return opened; }));
+  EXPECT_LT(opening.longest_ms(), kLongest_ms) << "opening: " << opening.longest().toStdString();
+  ASSERT_TRUE(keeps_up_to_date());
+
+  const Watchdog watchdog;
+  ASSERT_TRUE(find<QPushButton>("home_start")->isVisible());
+  QTest::keyClick(find<QPushButton>("home_start"), Qt::Key_Return);
+  ASSERT_TRUE(the_desk->session().is_running());
+  QCoreApplication::processEvents();
+  EXPECT_LT(watchdog.longest_ms(), kLongest_ms) << "starting: " << watchdog.longest().toStdString();
+
+  const Watchdog steps;
+  const auto entries = [] { return the_desk->learner().store().last_entry(); };
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return on_desk_ == the_desk->session().character(); }, 20'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Write the")); }, 20'000));
+    const std::int64_t before = entries();
+    press(Qt::Key_G);
+    ASSERT_TRUE(
+        QTest::qWaitFor([] { return the_desk->session().state() == StudySession::State::judged; }, 20'000))
+        << feedback().toStdString();
+    press(Qt::Key_3);
+    EXPECT_EQ(entries(), before + 1);
+    press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(entries(), before + 2);
+  }
+  EXPECT_LT(steps.longest_ms(), kLongest_ms) << "a step and undo: " << steps.longest().toStdString();
+
+  const Watchdog home;
+  press(Qt::Key_1, Qt::AltModifier);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find("home_page")->isVisible(); }));
+  EXPECT_LT(home.longest_ms(), kLongest_ms) << "Home: " << home.longest().toStdString();
+
+  const Watchdog midnight;
+  now_ += std::chrono::days(1);
+  the_desk->learner().look_at_the_day();
+  ASSERT_TRUE(keeps_up_to_date());
+  EXPECT_EQ(study::backups_of(learner_file()).size(), 2U) << "of the new day";
+  EXPECT_LT(midnight.longest_ms(), kLongest_ms) << "a new day: " << midnight.longest().toStdString();
+}
+
+TEST_F(Waiting, ADamagedFileIsFoundBehindTheWindowAndNothingMoreIsWritten) {
+  {
+    auto store = study::LearnerStore::open(learner_file(), study::Access::write, clock_);
+    ASSERT_TRUE(store);
+    auto some = ten_years(characters(*store), now_);
+    some.entries.resize(3'000);
+    ASSERT_TRUE(store->fill(some));
+    std::filesystem::remove_all(study::backup_folder(learner_file()));
+  }
+  {
+    std::fstream bytes(learner_file(), std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekp(static_cast<std::streamoff>(std::filesystem::file_size(learner_file()) / 2));
+    bytes << std::string(8'192, '\xee');
+  }
+  open_home();
+  ASSERT_TRUE(QTest::qWaitFor([] { return !the_desk->learner().can_write(); }, 60'000));
+  EXPECT_TRUE(the_desk->learner().trouble().contains(QStringLiteral("damaged")))
+      << the_desk->learner().trouble().toStdString();
+  EXPECT_TRUE(study::backups_of(learner_file()).empty()) << "a damaged file is not backed up";
+}
+
+TEST_F(Waiting, ABrokenRecordingIsCompletedAndItsTableWrittenBehindTheWindow) {
+  const QString table = folder_.filePath(QStringLiteral("long.csv"));
+  const QString raw = table + QStringLiteral(".nzr");
+  // Ten minutes of ticks: their table alone takes several times the longest event.
+  constexpr std::uint64_t kTicks = 600'000;
+  {
+    haptics::Servo servo(haptics::DeviceDescription{});
+    auto recorder = recording::SessionRecorder::start(servo, raw.toStdString(), {});
+    ASSERT_TRUE(recorder);
+    for (std::uint64_t i = 0; i < kTicks; ++i) {
+      (void)servo.tick({0.001 * static_cast<double>(i), {0, 0, 0.01}, 0, true});
+      (*recorder)->wait_for_room();
+    }
+    ASSERT_TRUE((*recorder)->finish());
+  }
+  {
+    QSettings settings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat);
+    settings.setValue(QStringLiteral("recording/unfinished"), QStringList{table});
+  }
+  const Watchdog watchdog;
+  open_home();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Recorded: ")); }, 120'000))
+      << feedback().toStdString();
+  std::ifstream rows(table.toStdString());
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(rows), {}, '\n'),
+            static_cast<std::ptrdiff_t>(kTicks) + 1);
+  EXPECT_FALSE(QFile::exists(raw));
+  EXPECT_LT(watchdog.longest_ms(), kLongest_ms) << watchdog.longest().toStdString();
+}
+
+}  // namespace
+}  // namespace nazori::ui
