@@ -85,6 +85,62 @@ TEST(TabletController, ADrawnStylusIsAsOldAsTheMomentOfFeelingItShows) {
   EXPECT_EQ(controller.take_drawn_age_s(), 0);
 }
 
+bool rests(TabletController& controller) {
+  return QTest::qWaitFor([&] { return controller.stylus().is_resting(); }, 20'000);
+}
+
+TEST(TabletController, TheServoStandsStillWhileNothingMovesAndGoesOnWithTheNextMove) {
+  TabletController controller;
+  controller.set_tablet(three());
+  ASSERT_TRUE(controller.start());
+  controller.move_stylus(TabletPoint{0, 0}, false);
+  ASSERT_TRUE(rests(controller));
+  controller.pump();
+  const auto before = controller.stylus().timing();
+  const double then_s = controller.latest().time_s;
+  QTest::qSleep(50);
+  EXPECT_EQ(controller.stylus().timing().ticks, before.ticks);
+  controller.move_stylus(TabletPoint{0.01, 0}, true);
+  EXPECT_FALSE(controller.stylus().is_resting());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().touching; }, 20'000));
+  EXPECT_GE(controller.latest().time_s, then_s + 0.05) << "time goes on over the rest";
+  EXPECT_LT(controller.stylus().timing().missed_ticks, before.missed_ticks + 1'000)
+      << "a rest misses no tick";
+}
+
+TEST(TabletController, APressedStylusKeepsTheServoAwake) {
+  TabletController controller;
+  controller.set_tablet(three());
+  ASSERT_TRUE(controller.start());
+  controller.move_stylus(TabletPoint{0, 0}, true);
+  // Twice as long as a rest takes to begin.
+  const auto ticks = controller.stylus().timing().ticks;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.stylus().timing().ticks > ticks + 2'000; }, 60'000));
+  EXPECT_FALSE(controller.stylus().is_resting());
+}
+
+TEST(TabletController, ANewTabletReachesARestingServoSoThatOldOnesAreLetGo) {
+  TabletController controller;
+  controller.set_tablet(three());
+  ASSERT_TRUE(controller.start());
+  ASSERT_TRUE(rests(controller));
+  controller.set_tablet(three());
+  EXPECT_FALSE(controller.stylus().is_resting());
+  EXPECT_TRUE(rests(controller));
+}
+
+TEST(TabletController, ARecordingKeepsTheServoAwake) {
+  TabletController controller;
+  controller.set_tablet(three());
+  ASSERT_TRUE(controller.start());
+  ASSERT_TRUE(rests(controller));
+  controller.stylus().set_awake(true);
+  const auto ticks = controller.stylus().timing().ticks;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.stylus().timing().ticks > ticks + 2'000; }, 60'000));
+  controller.stylus().set_awake(false);
+  EXPECT_TRUE(rests(controller));
+}
+
 TEST(TabletController, ANewTabletBeginsWithAllStrokesAndNoInk) {
   TabletController controller;
   controller.set_tablet(three());

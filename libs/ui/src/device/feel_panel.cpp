@@ -22,6 +22,7 @@ namespace {
 constexpr int kMargin = 16;
 constexpr int kGap = 8;
 constexpr int kLook_ms = 100;
+constexpr int kLookAtRest_ms = 500;
 
 void set_role(QWidget* widget, const char* role) { widget->setProperty("role", QString::fromLatin1(role)); }
 
@@ -130,6 +131,7 @@ void FeelPanel::watch(bool on) {
 }
 
 void FeelPanel::look() {
+  timer_.setInterval(stylus_.is_resting() ? kLookAtRest_ms : kLook_ms);
   const QLocale locale;
   const auto& now = stylus_.latest();
   const auto status = stylus_.status();
