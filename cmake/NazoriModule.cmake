@@ -99,6 +99,8 @@ function(nazori_module name)
   add_library(nazori::${name} ALIAS ${target})
 
   if(NAZORI_SANITIZE STREQUAL "thread")
+    # Built where a test needs it.
+    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
     nazori_threaded_tests(m_TESTS TESTS ${m_TESTS} THREADED ${m_THREADED_TESTS} SOURCES ${m_SOURCES})
   endif()
   if(NAZORI_BUILD_TESTS AND m_TESTS)

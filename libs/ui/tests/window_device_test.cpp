@@ -282,8 +282,10 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
                      for (const auto& one : taken)
                        strongest_n = std::max(strongest_n, glm::length(one.force_n));
                    });
-  /// The most that is felt of the simulation while the hand rests in the air, away from the stroke.
-  const auto felt = [&](std::uint64_t ticks) {
+  /// The most that is felt of the simulation in so many ticks and until `least_n` is reached, while the hand
+  /// rests in the air, away from the stroke. A busy machine loses ticks, so ticks alone do not say how far
+  /// the force has risen.
+  const auto felt = [&](std::uint64_t ticks, double least_n) {
     tablet.stylus().choose("simulated:touch");
     EXPECT_TRUE(QTest::qWaitFor([&] { return !tablet.stylus().is_pointer(); }, 20'000));
     tablet.move_stylus({0.03, -0.03}, false);
@@ -291,13 +293,14 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
     strongest_n = 0;
     samples = 0;
     tablet.clear_ink();  // it begins anew
-    EXPECT_TRUE(QTest::qWaitFor([&] { return samples > ticks; }, 60'000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return samples > ticks && strongest_n >= least_n; }, 60'000))
+        << strongest_n << " N";
     tablet.stylus().choose("pointer");
     EXPECT_TRUE(QTest::qWaitFor([&] { return tablet.stylus().is_pointer(); }, 20'000));
     return strongest_n;
   };
   press(Qt::Key_F7);
-  EXPECT_LT(felt(300), 0.01) << "the stroke holds, nothing leads";
+  EXPECT_LT(felt(300, 0), 0.01) << "the stroke holds, nothing leads";
   action("lead_hand")->trigger();
   EXPECT_TRUE(feedback().contains(QStringLiteral("Only a device with force leads the hand")))
       << feedback().toStdString();
@@ -305,15 +308,14 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
   // At most the cap of 0.8 N times the help that is left.
   double before_n = 1;
   for (const double help : {1.0, 0.6, 0.3}) {
-    const double now_n = felt(1'000);
-    EXPECT_GT(now_n, 0.05 * help);
+    const double now_n = felt(1'000, 0.4 * help);
     EXPECT_LE(now_n, 0.8 * help + 1e-6);
     EXPECT_LT(now_n, before_n);
     before_n = now_n;
     test::write(tablet, line);
     ASSERT_TRUE(feedback().startsWith(QStringLiteral("Without a slip"))) << feedback().toStdString();
   }
-  EXPECT_EQ(felt(300), 0) << "and at last unaided";
+  EXPECT_EQ(felt(300, 0), 0) << "and at last unaided";
 }
 
 TEST_F(Device, WhatIsOnItsPageHasNamesForTheScreenReader) {
@@ -336,10 +338,9 @@ TEST_F(Device, ItsPageHoldsInANarrowWindowWithTheLargestTextInBothLanguages) {
     press(Qt::Key_2, Qt::AltModifier);
     ASSERT_TRUE(QTest::qWaitFor([&] { return find("device_scripted:arm") != nullptr; }));
     action("calibrate")->trigger();  // with all that can be there
-    for (const int presses : {0, 16}) {
-      for (int i = 0; i < presses; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
+    for (const int text_pt : {Preferences::kMinText_pt, Preferences::kMaxText_pt}) {
       for (const int width : {1000, 1280, 1600}) {
-        resize(width, 800);
+        set_text_size(text_pt, width, 800);
         for (const char* name : {"seat_panel", "feel_panel"}) {
           const auto* area = find<QScrollArea>(name);
           const QWidget* content = area->widget();
@@ -357,7 +358,6 @@ TEST_F(Device, ItsPageHoldsInANarrowWindowWithTheLargestTextInBothLanguages) {
         }
       }
     }
-    for (int i = 0; i < 16; ++i) press(Qt::Key_Minus, Qt::ControlModifier);
   }
   install_language(QStringLiteral("en"));
 }

@@ -497,9 +497,8 @@ TEST_F(FunctionsWindow, MistakesAreToldInTheLanguageOfTheWindow) {
 TEST_F(FunctionsWindow, CoordinatesAreReadWithoutWideningAnything) {
   type(QStringLiteral("y = tan(x); y = sin x"));
   auto* table = find<QTableWidget>("points_table");
-  for (const int steps : {0, 8}) {
-    for (int i = 0; i < steps; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
-    QCoreApplication::processEvents();
+  for (const int text_pt : {Preferences::kMinText_pt, Preferences::kMaxText_pt}) {
+    set_text_size(text_pt, 1280 + text_pt, 800);
     EXPECT_EQ(table->horizontalScrollBar()->maximum(), 0);
     // What is drawn of a row: kind and coordinates, in columns or under each other, never cut off.
     const QModelIndex first = table->model()->index(0, 0);
@@ -512,8 +511,8 @@ TEST_F(FunctionsWindow, CoordinatesAreReadWithoutWideningAnything) {
       option.features = QStyleOptionViewItem::WrapText;
       option.rect = table->visualRect(index);
       const QSize wanted = table->itemDelegate()->sizeHint(option, index);
-      EXPECT_LE(wanted.width(), table->columnWidth(column)) << column << " at " << steps;
-      EXPECT_LE(wanted.height(), table->rowHeight(0)) << column << " at " << steps;
+      EXPECT_LE(wanted.width(), table->columnWidth(column)) << column << " at " << text_pt;
+      EXPECT_LE(wanted.height(), table->rowHeight(0)) << column << " at " << text_pt;
       if (stacked) {
         EXPECT_GE(wanted.height(), 2 * option.fontMetrics.height());
       }
@@ -522,8 +521,7 @@ TEST_F(FunctionsWindow, CoordinatesAreReadWithoutWideningAnything) {
 }
 
 TEST_F(FunctionsWindow, NothingIsWiderThanItsPanelInTheLargestText) {
-  for (int i = 0; i < 8; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
-  QCoreApplication::processEvents();
+  set_text_size(Preferences::kMaxText_pt, 1281, 800);
   auto* panel = find<QScrollArea>("plot_panel");
   EXPECT_EQ(panel->horizontalScrollBar()->maximum(), 0);
   for (auto* widget : panel->findChildren<QWidget*>()) {
@@ -563,8 +561,7 @@ TEST_F(FunctionsWindow, TheListOfExamplesNamesOnlyWhatStandsInTheLine) {
 
 TEST_F(FunctionsWindow, APointWithoutAnExactNameIsSaidToBeAboutThere) {
   type(QStringLiteral("y = x^3 - 2x + 1"));
-  for (int i = 0; i < 8; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
-  QCoreApplication::processEvents();
+  set_text_size(Preferences::kMaxText_pt, 1281, 800);
   auto* table = find<QTableWidget>("points_table");
   ASSERT_TRUE(table->isColumnHidden(1));
   QStringList shown;

@@ -237,9 +237,7 @@ TEST_F(ProgressTest, LongerAndShorterTimesAreChosenByKeyAndRemembered) {
 TEST_F(ProgressTest, EverythingFitsAtTheLargestText) {
   study_for_weeks();
   go_to_progress();
-  for (int i = 0; i < 8; ++i) action("text_larger")->trigger();
-  window_->resize(1280, 800);
-  QCoreApplication::processEvents();
+  set_text_size(Preferences::kMaxText_pt, 1281, 800);
   const auto* scroll = find<QScrollArea>("progress_scroll");
   EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width());
   for (const auto* label : window_->findChildren<QLabel*>()) {

@@ -15,6 +15,7 @@
 #include "language.h"
 #include "nazori/devices/device_catalogue.h"
 #include "nazori/ui/main_window.h"
+#include "preferences.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -79,6 +80,13 @@ class WindowTest : public testing::Test {
       QCoreApplication::sendPostedEvents();
       QCoreApplication::processEvents();
     }
+  }
+
+  /// As the preference does, but in one step instead of one for each press of a key: each lays the window
+  /// out.
+  void set_text_size(int text_pt, int width, int height) {
+    appearance_.apply(ThemeChoice::desktop, text_pt);
+    resize(width, height);
   }
 
   template <class T = QWidget>
