@@ -376,6 +376,71 @@ TEST(LearnerStore, TheContentsFillAnotherStoreExactly) {
   EXPECT_THAT(again.error().what, HasSubstr("not empty"));
 }
 
+/// Every enumerator that has a name, whatever the header lists.
+template <class Enum>
+std::vector<Enum> all_of() {
+  std::vector<Enum> all;
+  for (int number = 0; number <= UINT8_MAX; ++number)
+    if (!name_of(static_cast<Enum>(number)).empty()) all.push_back(static_cast<Enum>(number));
+  return all;
+}
+
+TEST(LearnerStore, EveryStageRatingAndFaultThereIsComesBack) {
+  const TemporaryFolder folder;
+  const MovedClock clock("2026-01-01T09:00:00Z");
+  std::vector<Writing> written;
+  {
+    LearnerStore store = open(folder / "learner.db", clock);
+    for (const Stage stage : all_of<Stage>()) {
+      for (const Rating rating : all_of<Rating>()) {
+        Writing& writing = written.emplace_back(review(rating));
+        writing.stage = stage;
+        writing.result.faults.clear();
+        for (const FaultKind kind : all_of<FaultKind>()) writing.result.faults.push_back({kind, 1});
+        (void)must(store.add_writing(kRest, 6, writing));
+      }
+    }
+  }
+  ASSERT_EQ(written.size(), kStages.size() * kRatings.size()) << "the lists in the headers are whole";
+  std::vector<Writing> read;
+  for (const auto& one : must(open(folder / "learner.db", clock).writings_of(kRest)))
+    read.push_back(one.entry.writing);
+  EXPECT_EQ(read, written);
+}
+
+TEST(LearnerStore, ANumberThatIsNoStageRatingKindOrPhaseIsDamage) {
+  const MovedClock clock("2026-01-01T09:00:00Z");
+  const auto number_after = [](const auto& all) { return static_cast<int>(all.back()) + 1; };
+  const std::array<std::pair<std::string, int>, 5> columns{{{"kind", number_after(all_of<EntryKind>())},
+                                                            {"stage", number_after(all_of<Stage>())},
+                                                            {"rating", number_after(all_of<Rating>())},
+                                                            {"rating", 0},
+                                                            {"proposed", 300}}};
+  for (const auto& [column, number] : columns) {
+    const TemporaryFolder folder;
+    (void)must(open(folder / "learner.db", clock).add_writing(kRest, 6, review(Rating::good)));
+    {
+      SQLite::Database db((folder / "learner.db").string(), SQLite::OPEN_READWRITE);
+      db.exec("DROP TRIGGER log_is_not_changed");
+      db.exec("UPDATE log SET " + column + " = " + std::to_string(number));
+    }
+    const auto read =
+        open(folder / "learner.db", clock).for_each_entry(false, [](const auto&) { return true; });
+    ASSERT_FALSE(read) << column;
+    EXPECT_EQ(read.error().code, base::Errc::parse) << column;
+  }
+  for (const auto& [column, number] : {std::pair("phase", number_after(all_of<Phase>())),
+                                       std::pair("next_stage", number_after(all_of<Stage>()))}) {
+    const TemporaryFolder folder;
+    (void)must(open(folder / "learner.db", clock).add_writing(kRest, 6, review(Rating::good)));
+    SQLite::Database((folder / "learner.db").string(), SQLite::OPEN_READWRITE)
+        .exec(std::string("UPDATE card SET ") + column + " = " + std::to_string(number));
+    const auto opened = LearnerStore::open(folder / "learner.db", Access::write, clock.clock());
+    ASSERT_FALSE(opened) << column;
+    EXPECT_EQ(opened.error().code, base::Errc::parse) << column;
+  }
+}
+
 TEST(LearnerStore, APreviewIsWhatTheReviewThenGives) {
   MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
