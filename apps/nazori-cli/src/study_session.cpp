@@ -85,7 +85,9 @@ base::Result<StudySession> StudySession::open(const StudyOptions& options, study
 }
 
 base::Result<study::DayPlan> StudySession::plan() {
-  return study::plan_day(learner_, lists_->in_learning_order(learner_.settings(), learner_));
+  const auto order = lists_->in_learning_order(learner_.settings(), learner_);
+  if (!order) return tl::unexpected(order.error());
+  return study::plan_day(learner_, *order);
 }
 
 base::Result<std::vector<char32_t>> StudySession::characters(const std::vector<std::string>& arguments) {

@@ -270,6 +270,8 @@ void put_card(SQLite::Database& db, const Card& card) {
   put.exec();
 }
 
+bool names_a_character(EntryKind kind) { return kind != EntryKind::undo && kind != EntryKind::settings; }
+
 base::Result<void> check_writing(char32_t character, int strokes, const Writing& writing) {
   const auto refuse = [](const char* what, const char* where) -> base::Result<void> {
     return base::fail(base::Errc::bad_argument, what, where);

@@ -248,10 +248,14 @@ TEST(CharacterLists, HoldWhatTheDatabaseSays) {
   EXPECT_EQ(count("old-jlpt-4"), 103U);
   EXPECT_EQ(count("old-jlpt-3"), 181U);
   EXPECT_FALSE(lists.members("grade-7", learner.store));
-  const auto order = lists.in_learning_order(learner.store.settings(), learner.store);
+  const auto order = must(lists.in_learning_order(learner.store.settings(), learner.store));
   EXPECT_EQ(order.size(), 2136U);
   EXPECT_EQ(lists.facts(order[79])->grade, 1);
   EXPECT_EQ(lists.facts(order[80])->grade, 2);
+  // A list that was removed is passed over.
+  Settings settings = learner.store.settings();
+  settings.new_lists = {"list:gone", "grade-1", "tag:gone"};
+  EXPECT_EQ(must(lists.in_learning_order(settings, learner.store)).size(), 80U);
 }
 
 TEST(ListText, IsReadWithItsNotes) {

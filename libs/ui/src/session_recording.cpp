@@ -49,7 +49,10 @@ SessionRecording::~SessionRecording() {
 
 base::Result<void> SessionRecording::start(const QString& path, const QString& character,
                                            const geometry::TabletShape& shape) {
-  (void)finish();
+  if (recorder_) {
+    const QString before = path_;
+    if (const auto ended = finish(); !ended) emit failed(before, ended.error());
+  }
   session_.character = character.toStdString();
   session_.shape = shape;
   first_path_ = path;
@@ -127,7 +130,11 @@ SessionRecording::Recovered SessionRecording::recover() {
     // Another window is recording into it.
     if (result && *result == recording::Recovery::in_progress) continue;
     forget(path);
-    if (!result) continue;  // moved or removed since: nothing to say
+    if (!result) {
+      // Moved or removed since: nothing to say.
+      if (result.error().code != base::Errc::not_found) emit failed(path, result.error());
+      continue;
+    }
     if (is_csv(path)) {
       if (const auto exported = recording::export_csv(to_path(raw), to_path(path), {}); !exported) {
         emit failed(path, exported.error());

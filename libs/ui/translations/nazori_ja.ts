@@ -854,6 +854,10 @@
 <context>
     <name>nazori::ui::CharactersCard</name>
     <message>
+        <source>The list cannot be read: %1</source>
+        <translation>リストを読めません：%1</translation>
+    </message>
+    <message>
         <source>Which characters</source>
         <translation>どの文字</translation>
     </message>
@@ -2413,6 +2417,10 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::Learner</name>
     <message>
+        <source>The study data cannot be read: %1.</source>
+        <translation>学習データを読めません：%1。</translation>
+    </message>
+    <message>
         <source>“%1” cannot be the name of a learner: up to 60 bytes, no “/”, and no dot at its beginning.</source>
         <translation>「%1」は学習者の名前にできません。60 バイトまでで、「/」を含まず、点で始まらないものにしてください。</translation>
     </message>
@@ -2806,6 +2814,10 @@ Columns and rows:</source>
 </context>
 <context>
     <name>nazori::ui::ListChoice</name>
+    <message>
+        <source>Your lists and tags cannot be read: %1</source>
+        <translation>自分のリストとタグを読めません：%1</translation>
+    </message>
     <message>
         <source>Met so far</source>
         <translation>これまでに学んだ文字</translation>
@@ -4414,6 +4426,10 @@ Columns and rows:</source>
 </context>
 <context>
     <name>nazori::ui::StudySettingsDialog</name>
+    <message>
+        <source>Your lists and tags cannot be read: %1</source>
+        <translation>自分のリストとタグを読めません：%1</translation>
+    </message>
     <message>
         <source>The study settings hold from now on.</source>
         <translation>学習の設定はこれから有効です。</translation>

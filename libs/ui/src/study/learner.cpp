@@ -149,10 +149,18 @@ void Learner::tell_failure(const base::Error& error) {
   emit said(Feedback::wrong, tr("It could not be kept: %1.").arg(cause_of(error, file())));
 }
 
+void Learner::announce_unread(const base::Error& error) {
+  emit said(Feedback::wrong, tr("The study data cannot be read: %1.").arg(reason(error)));
+}
+
 base::Result<study::DayPlan> Learner::plan() {
   const auto& settings = store_->settings();
   if (!order_ || ordered_by_.new_order != settings.new_order || ordered_by_.new_lists != settings.new_lists) {
-    order_ = lists_ ? lists_->in_learning_order(settings, *store_) : std::vector<char32_t>();
+    order_.reset();
+    auto order = lists_ ? lists_->in_learning_order(settings, *store_)
+                        : base::Result<std::vector<char32_t>>(std::vector<char32_t>());
+    if (!order) return tl::unexpected(std::move(order.error()));
+    order_ = *std::move(order);
     ordered_by_ = settings;
   }
   return study::plan_day(*store_, *order_);

@@ -69,6 +69,9 @@ class Learner final : public QObject {
     return true;
   }
 
+  /// Says that something of the store could not be read.
+  void announce_unread(const base::Error& error);
+
   /// Characters and lists of the kanji database; nullptr where that cannot be read.
   [[nodiscard]] study::CharacterLists* lists() { return lists_.get(); }
   /// kanji.db, for another thread to open.
