@@ -186,6 +186,23 @@ TEST_F(LearnersTest, AWindowClosedWhileABackupIsPutInPlaceLeavesAWholeStore) {
   }
 }
 
+TEST_F(LearnersTest, ABackupThatFailedStaysSaidUntilOneIsMade) {
+  write(U'一');
+  const auto backups = study::backup_folder(learner().file());
+  std::filesystem::remove_all(backups);
+  QFile in_the_way(QString::fromStdString(backups.string()));
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  in_the_way.close();
+  ASSERT_TRUE(learner().open_again());
+  EXPECT_TRUE(learner().backup_trouble().startsWith(QStringLiteral("Today's backup could not be made")));
+  write(U'二');
+  EXPECT_FALSE(learner().backup_trouble().isEmpty());
+  EXPECT_TRUE(learner().trouble().isEmpty()) << "studying works";
+  ASSERT_TRUE(in_the_way.remove());
+  ASSERT_TRUE(learner().open_again());
+  EXPECT_TRUE(learner().backup_trouble().isEmpty());
+}
+
 TEST_F(LearnersTest, TagsThatCannotBeReadAreNotReplacedByNone) {
   write(U'一');
   const std::vector<std::string> tags{"exam"};

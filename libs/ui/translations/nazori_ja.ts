@@ -405,8 +405,8 @@
         <translation>バックアップはまだありません。学習した日ごとに、なぞりを開いたとき自動で一つ作られます。</translation>
     </message>
     <message>
-        <source>One is made by itself on each day of study; seven are kept. What is replaced is kept too.</source>
-        <translation>学習した日ごとに自動で一つ作られ、七つまで残ります。置き換えられたものも残ります。</translation>
+        <source>One is made by itself on each day of study; seven are kept. Of what a backup replaced, the last three are kept.</source>
+        <translation>学習した日ごとに自動で一つ作られ、七つまで残ります。復元で置き換えられたものは最新の三つが残ります。</translation>
     </message>
     <message>
         <source>cannot be used</source>

@@ -105,6 +105,7 @@ void Learner::while_closed(const std::function<QString()>& work) {
 bool Learner::open() {
   close();  // before it is opened: it may be the same one
   trouble_.clear();
+  backup_trouble_.clear();
   order_.reset();
   const auto path =
       folder_.empty() ? study::learner_file("", "") : study::learner_file(folder_, profile_.toStdString());
@@ -114,9 +115,10 @@ bool Learner::open() {
   } else if (auto opened = study::LearnerStore::open(*path, study::Access::write, clock_)) {
     store_.emplace(*std::move(opened));
     can_write_ = true;
-    if (const auto& backup = store_->backup_trouble())
-      emit said(Feedback::advice,
-                tr("Today's backup could not be made: %1. Studying works.").arg(reason(*backup)));
+    if (const auto& backup = store_->backup_trouble()) {
+      backup_trouble_ = tr("Today's backup could not be made: %1. Studying works.").arg(reason(*backup));
+      emit said(Feedback::advice, backup_trouble_);
+    }
   } else {
     trouble_ = sentence_about(opened.error(), study::LearnerStore::in_use(*path));
     if (auto readable = study::LearnerStore::open(*path, study::Access::read, clock_))

@@ -50,6 +50,7 @@ struct Undone {
 enum class Access : std::uint8_t {
   read,
   write,
+  backup,   ///< as read, of a file that nobody writes: nothing is left beside it
   rebuild,  ///< as write, but cards that cannot be read are taken for none: rebuild() makes them anew
 };
 
