@@ -69,8 +69,8 @@ void remove_database(const fs::path& file) {
   for (const char* part : {"", "-journal", "-wal", "-shm"}) fs::remove(file.string() + part, gone_already);
 }
 
-/// Removes the copies that a program which was killed meanwhile has left. Only the holder of the learner's
-/// lock makes daily ones.
+/// Removes the daily copies that a program which was killed meanwhile has left: only the holder of the
+/// learner's lock makes them.
 void remove_unfinished(const fs::path& learner) {
   std::error_code error;
   std::vector<fs::path> unfinished;
@@ -80,9 +80,9 @@ void remove_unfinished(const fs::path& learner) {
       unfinished.push_back(entry.path());
   }
   for (const fs::path& file : unfinished) fs::remove(file, error);
-  remove_database(learner.string() + ".restored");
-  remove_database(fmt::format("{}.restored{}", learner.string(), kPart));
 }
+
+fs::path restored_beside(const fs::path& learner) { return learner.string() + ".restored"; }
 
 struct DatedBackup {
   Backup backup;
@@ -196,6 +196,12 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
   return copied;
 }
 
+void clear_unfinished_restore(const fs::path& learner) {
+  const fs::path beside = restored_beside(learner);
+  remove_database(beside);
+  remove_database(fmt::format("{}{}", beside.string(), kPart));
+}
+
 base::Result<void> keep_daily_backup(SQLite::Database& database, const fs::path& learner, Day day) {
   const fs::path folder = backup_folder(learner);
   std::error_code error;
@@ -263,8 +269,8 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
     return base::fail(Errc::io, "is open in another Nazori", learner.string(), "close it there first");
   if (!lock) return tl::unexpected(lock.error());
 
-  const fs::path beside = learner.string() + ".restored";
-  remove_database(beside);
+  clear_unfinished_restore(learner);
+  const fs::path beside = restored_beside(learner);
   {
     // Read as a learner's file would be, so that what is put in place can be opened.
     auto source = LearnerStore::open(backup, Access::backup, clock);

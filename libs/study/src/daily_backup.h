@@ -18,6 +18,8 @@ namespace nazori::study {
 /// Makes today's backup if there is none, and lets the oldest daily ones go.
 [[nodiscard]] base::Result<void> keep_daily_backup(SQLite::Database& database,
                                                    const std::filesystem::path& learner, Day day);
+/// Removes what a restore that was killed has left. Only for the holder of the learner's lock.
+void clear_unfinished_restore(const std::filesystem::path& learner);
 /// Makes a backup of a file that is about to get a newer layout.
 [[nodiscard]] base::Result<void> keep_backup_before_migration(SQLite::Database& database,
                                                               const std::filesystem::path& learner,

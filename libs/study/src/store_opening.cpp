@@ -140,6 +140,7 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
     }
     if (!own) return tl::unexpected(std::move(own.error()));
     lock = *std::move(own);
+    clear_unfinished_restore(path);
   }
   if (there) {
     if (auto fine = check_beginning(path); !fine) return tl::unexpected(std::move(fine.error()));
