@@ -164,6 +164,7 @@ tl::expected<std::vector<kanji::Character>, int> characters_with_strokes(
   const auto opened = open_database(database);
   if (!opened) return tl::unexpected(console.refuse(opened.error()));
   FoundCharacters characters = find_characters(*opened, *names);
+  if (opened->trouble()) return tl::unexpected(console.refuse(*opened->trouble()));
   if (!characters.missing.empty()) return tl::unexpected(console.deny(not_found(characters.missing)));
   std::vector<CharacterName> bare;
   for (const kanji::Character& character : characters.found) {

@@ -174,6 +174,7 @@ int run(Console& console, const InfoSettings& settings) {
     first = false;
   }
   if (settings.json) console.print(to_text(document));
+  if (database->trouble()) return console.refuse(*database->trouble());
   return characters.missing.empty() ? kDone : console.deny(not_found(characters.missing));
 }
 

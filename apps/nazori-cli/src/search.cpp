@@ -86,6 +86,7 @@ int run(Console& console, const SearchSettings& settings) {
   }
 
   const std::vector<kanji::Summary> found = database->search(query);
+  if (database->trouble()) return console.refuse(*database->trouble());
   if (settings.json) {
     Json document = Json::array();
     for (const kanji::Summary& one : found) document.push_back(to_json(one));

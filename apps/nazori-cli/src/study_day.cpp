@@ -105,7 +105,9 @@ int next(Console& console, const StudyOptions& options) {
   Json ratings = Json::object();
   std::string line;
   for (const study::Rating rating : study::kRatings) {
-    const study::Card after = learner.preview(task.character, rating);
+    const auto preview = learner.preview(task.character, rating);
+    if (!preview) return console.refuse(preview.error());
+    const study::Card& after = *preview;
     const std::string wait = wait_text(after, learner.now(), learner.today());
     ratings[std::string(study::name_of(rating))] = {
         {"due", study::to_text(after.memory.due)},

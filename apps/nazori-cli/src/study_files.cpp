@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using study::Access;
 
-constexpr std::size_t kMostImportBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostReplayBytes = std::size_t{1} << 30;
+constexpr double kChecking = 0.3;  // of an import
 
 struct FileSettings {
   StudyOptions options;
@@ -54,44 +55,56 @@ base::Result<std::vector<std::uint8_t>> anki(const FileSettings& settings, const
                              session->learner().now(), progress);
 }
 
+base::Result<void> write_learner(const FileSettings& settings, const fs::path& file,
+                                 const base::Progress& progress) {
+  if (has_extension(file, ".apkg")) {
+    const auto bytes = anki(settings, progress);
+    return bytes ? base::write_file(file, *bytes) : tl::unexpected(bytes.error());
+  }
+  const auto learner = open_learner(settings.options, Access::read);
+  if (!learner) return tl::unexpected(learner.error());
+  auto output = base::OutputFile::create(file);
+  if (!output) return tl::unexpected(std::move(output.error()));
+  const auto append = [&output](std::string_view piece) { return output->append(piece); };
+  auto written = has_extension(file, ".csv") ? study::export_csv(*learner, append, progress)
+                                             : study::export_json(*learner, append, progress);
+  return written ? output->commit() : written;
+}
+
 int export_learner(Console& console, const FileSettings& settings) {
   const auto file = output_file({"--output", settings.output, {".json", ".csv", ".apkg"}});
   if (!file) return console.refuse(file.error());
   ProgressDisplay progress(ProgressDisplay::Plain::silent);
-  base::Result<void> written;
-  if (has_extension(*file, ".apkg")) {
-    const auto bytes = anki(settings, progress.callback());
-    if (!bytes) return console.fail(bytes.error());
-    written = base::write_file(*file, *bytes);
-  } else {
-    const auto learner = open_learner(settings.options, Access::read);
-    if (!learner) return console.refuse(learner.error());
-    const auto text = has_extension(*file, ".csv") ? study::export_csv(*learner)
-                                                   : study::export_json(*learner, progress.callback());
-    if (!text) return console.fail(text.error());
-    written = base::write_file(*file, *text);
-  }
+  // What it wrote in part is gone when it returns: fail() may end the program.
+  const auto written = write_learner(settings, *file, progress.callback());
   progress.clear();
-  if (!written) return console.refuse(written.error());
+  if (!written) return console.fail(written.error());
   console.print(settings.options.json ? to_text({{"file", file->string()}}) : file->string() + "\n");
   return kDone;
 }
 
 int import_learner(Console& console, const FileSettings& settings) {
-  const auto bytes = base::read_file(settings.file, kMostImportBytes);
-  if (!bytes) return console.refuse(bytes.error());
+  const auto to_check = study::file_source(settings.file);
+  if (!to_check) return console.refuse(to_check.error());
   ProgressDisplay progress(ProgressDisplay::Plain::silent);
-  // Read whole first, so that a file that is refused leaves not even an empty profile.
-  auto contents = study::read_json(as_text(*bytes));
-  if (!contents) {
-    contents.error().where = settings.file + ": " + contents.error().where;
-    return console.fail(contents.error());
+  // Checked whole first, so that a file that is refused leaves not even an empty profile.
+  auto checked = study::check_json(*to_check, base::part_of(progress.callback(), 0, kChecking));
+  if (!checked) {
+    base::Error& error = checked.error();
+    if (error.code == base::Errc::parse || error.code == base::Errc::schema)
+      error.where = settings.file + ": " + error.where;
+    return console.fail(error);
   }
+  const auto source = study::file_source(settings.file);
+  if (!source) return console.refuse(source.error());
   auto learner = open_learner(settings.options, Access::write);
   if (!learner) return console.refuse(learner.error());
-  const auto done = learner->fill(*contents, progress.callback());
+  const auto done = study::import_json(*learner, *source, base::part_of(progress.callback(), kChecking, 1));
   progress.clear();
-  if (!done) return console.fail(done.error());
+  if (!done) {
+    learner = tl::unexpected(done.error());  // closes it: fail() may end the program
+    return console.fail(done.error());
+  }
   console.print(settings.options.json
                     ? to_text({{"entries", learner->last_entry()}, {"characters", learner->cards().size()}})
                     : fmt::format("{}, {}\n", counted(learner->last_entry(), "entry", "entries"),
@@ -189,7 +202,7 @@ int rebuild(Console& console, const FileSettings& settings) {
 }
 
 int replay(Console& console, const FileSettings& settings) {
-  const auto bytes = base::read_file(settings.file, kMostImportBytes);
+  const auto bytes = base::read_file(settings.file, kMostReplayBytes);
   if (!bytes) return console.refuse(bytes.error());
   ProgressDisplay progress(ProgressDisplay::Plain::silent);
   auto replayed = study::replay_histories(as_text(*bytes), progress.callback());

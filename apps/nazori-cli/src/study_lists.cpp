@@ -64,6 +64,7 @@ int show_lists(Console& console, const ListsSettings& settings) {
   if (!session) return console.refuse(session.error());
   if (!settings.id.empty()) {
     const auto members = session->lists().members(settings.id, session->learner());
+    if (!members && members.error().code != base::Errc::not_found) return console.refuse(members.error());
     if (!members) return console.deny(members.error());
     std::vector<std::string> characters;
     for (const char32_t one : *members) characters.push_back(base::encode_utf8(one));
@@ -73,19 +74,24 @@ int show_lists(Console& console, const ListsSettings& settings) {
   }
   Json json = Json::array();
   std::string lines;
-  const auto add = [&](const std::string& id, const std::string& name) {
-    const auto members = session->lists().members(id, session->learner());
+  const auto add = [&](const std::string& id, const std::string& name, const std::vector<char32_t>& members) {
     int met = 0;
-    for (const char32_t one : members.value_or(std::vector<char32_t>())) {
-      met += session->learner().card(one).introduced ? 1 : 0;
-    }
-    const std::size_t count = members ? members->size() : 0;
+    for (const char32_t one : members) met += session->learner().card(one).introduced ? 1 : 0;
+    const std::size_t count = members.size();
     json.push_back({{"list", id}, {"name", name}, {"characters", count}, {"met", met}});
     lines += pad(id, 24) + fmt::format("{:5} characters, {:4} met  {}\n", count, met, name);
   };
-  for (const study::ReadyList& list : study::ready_lists()) add(list.id, list.name);
-  for (const study::CustomList& list : session->learner().lists()) add("list:" + list.name, list.name);
-  for (const auto& [tag, characters] : session->learner().tags()) add("tag:" + tag, tag);
+  for (const study::ReadyList& list : study::ready_lists()) {
+    const auto members = session->lists().members(list.id, session->learner());
+    if (!members) return console.refuse(members.error());
+    add(list.id, list.name, *members);
+  }
+  const auto own = session->learner().lists();
+  if (!own) return console.refuse(own.error());
+  for (const study::CustomList& list : *own) add("list:" + list.name, list.name, list.characters);
+  const auto tags = session->learner().tags();
+  if (!tags) return console.refuse(tags.error());
+  for (const auto& [tag, characters] : *tags) add("tag:" + tag, tag, characters);
   console.print(settings.options.json ? to_text(json) : lines);
   return kDone;
 }

@@ -86,7 +86,9 @@ int review(Console& console, const ReviewSettings& settings) {
   result.help = settings.help;
   result.duration = std::chrono::milliseconds(static_cast<std::int64_t>(settings.seconds * 1000));
   study::LearnerStore& learner = session->learner();
-  writing.proposed = study::proposed_rating(result, learner.usual_writing(character));
+  const auto usual = learner.usual_writing(character);
+  if (!usual) return console.refuse(usual.error());
+  writing.proposed = study::proposed_rating(result, *usual);
   writing.rating = settings.rating.empty() ? writing.proposed : *study::rating_named(settings.rating);
 
   const auto card = learner.add_writing(character, strokes, writing);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "nazori/base/utf8.h"
@@ -60,7 +61,13 @@ base::Result<LearnerStore> open_learner(const StudyOptions& options, study::Acce
   if (!path) return tl::unexpected(path.error());
   auto clock = study_clock(options);
   if (!clock) return tl::unexpected(std::move(clock.error()));
-  return LearnerStore::open(*path, access, *std::move(clock));
+  auto learner = LearnerStore::open(*path, access, *std::move(clock));
+  if (learner && learner->backup_trouble()) {
+    base::Error trouble = *learner->backup_trouble();
+    trouble.what = "today's backup could not be made: " + trouble.what;
+    (void)std::fputs(("nazori-cli study: " + base::to_line(trouble) + "\n").c_str(), stderr);
+  }
+  return learner;
 }
 
 std::optional<int> refuse_missing(Console& console, const StudyOptions& options) {
@@ -85,7 +92,9 @@ base::Result<StudySession> StudySession::open(const StudyOptions& options, study
 }
 
 base::Result<study::DayPlan> StudySession::plan() {
-  return study::plan_day(learner_, lists_->in_learning_order(learner_.settings(), learner_));
+  const auto order = lists_->in_learning_order(learner_.settings(), learner_);
+  if (!order) return tl::unexpected(order.error());
+  return study::plan_day(learner_, *order);
 }
 
 base::Result<std::vector<char32_t>> StudySession::characters(const std::vector<std::string>& arguments) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -85,6 +86,17 @@ TEST_F(Study, BackupsAreMadeDailyAndRestored) {
   EXPECT_EQ(study({"restore"}).code, 0);
   EXPECT_EQ(answer({"stats"})["reviews"], 1);
   expect_one_line(study({"restore", folder_ / "none.db"}), 2, {"no such backup"});
+}
+
+TEST_F(Study, ABackupThatFailsIsSaidAndTheReviewIsKept) {
+  (void)answer({"review", "休", "--rating", "good"});
+  write(folder_ / "learners/learner/backups", "a file where the folder belongs");
+  const Outcome run = study({"review", "木", "--rating", "good"}, "2026-01-02T09:00:00Z");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, HasSubstr("today's backup could not be made"));
+  EXPECT_THAT(run.err, HasSubstr("backups"));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+  EXPECT_EQ(answer({"stats"})["reviews"], 2);
 }
 
 TEST_F(Study, ListsAreImportedAndChosen) {

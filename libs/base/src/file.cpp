@@ -15,21 +15,6 @@ namespace fs = std::filesystem;
 
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
 
-/// Owns a file descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  [[nodiscard]] int get() const { return fd_; }
-
- private:
-  int fd_;
-};
-
 /// Writes everything; 0 or the error number.
 int write_all(int fd, std::span<const std::uint8_t> bytes) {
   std::size_t written = 0;
@@ -44,31 +29,53 @@ int write_all(int fd, std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> read_file(const fs::path& path, std::size_t max_bytes) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.get() < 0) {
+Result<InputFile> InputFile::open(const fs::path& path) {
+  // Not to wait for the writer of a pipe: it is refused below.
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (fd < 0) {
     return fail(errno == ENOENT ? Errc::not_found : Errc::io, "cannot be read: " + reason(errno),
                 path.string());
   }
+  InputFile file(path.string(), fd, 0);
   struct stat status {};
-  if (::fstat(file.get(), &status) != 0) return fail(Errc::io, reason(errno), path.string());
+  if (::fstat(fd, &status) != 0) return fail(Errc::io, reason(errno), path.string());
   if (S_ISDIR(status.st_mode)) return fail(Errc::io, "is a folder, not a file", path.string());
   if (!S_ISREG(status.st_mode)) return fail(Errc::io, "is not a regular file", path.string());
-  const auto size = static_cast<std::size_t>(status.st_size);
-  if (size > max_bytes) {
-    return fail(
-        Errc::io,
-        "has " + std::to_string(size) + " bytes, at most " + std::to_string(max_bytes) + " are allowed",
-        path.string());
+  file.size_ = static_cast<std::uintmax_t>(status.st_size);
+  return file;
+}
+
+InputFile::InputFile(InputFile&& other) noexcept
+    : name_(std::move(other.name_)), fd_(std::exchange(other.fd_, -1)), size_(other.size_) {}
+
+InputFile::~InputFile() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+Result<std::size_t> InputFile::read(std::span<std::uint8_t> room) {
+  for (;;) {
+    const ssize_t count = ::read(fd_, room.data(), room.size());
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (errno != EINTR) return fail(Errc::io, "cannot be read: " + reason(errno), name_);
   }
-  std::vector<std::uint8_t> bytes(size);
+}
+
+Result<std::vector<std::uint8_t>> read_file(const fs::path& path, std::size_t max_bytes) {
+  auto file = InputFile::open(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  if (file->size() > max_bytes) {
+    return fail(Errc::io,
+                "has " + std::to_string(file->size()) + " bytes, at most " + std::to_string(max_bytes) +
+                    " are allowed",
+                path.string());
+  }
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(file->size()));
   std::size_t have = 0;
-  while (have < size) {
-    const ssize_t n = ::read(file.get(), bytes.data() + have, size - have);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return fail(Errc::io, "cannot be read: " + reason(errno), path.string());
-    if (n == 0) break;
-    have += static_cast<std::size_t>(n);
+  while (have < bytes.size()) {
+    const auto count = file->read(std::span(bytes).subspan(have));
+    if (!count) return tl::unexpected(count.error());
+    if (*count == 0) break;
+    have += *count;
   }
   bytes.resize(have);
   return bytes;

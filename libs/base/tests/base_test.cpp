@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
@@ -11,6 +13,7 @@
 #include "nazori/base/assignment.h"
 #include "nazori/base/file.h"
 #include "nazori/base/nesting.h"
+#include "nazori/base/progress.h"
 #include "nazori/base/result.h"
 #include "nazori/base/utf8.h"
 
@@ -91,6 +94,51 @@ TEST(CheapestAssignment, CostsNoMoreThanAnyOther) {
     std::sort(found.begin(), found.end());
     EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "a column is used twice";
   }
+}
+
+TEST_F(Files, AreReadPieceByPiece) {
+  const fs::path file = folder_ / "numbers";
+  std::string bytes(100'000, ' ');
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>('a' + i % 26);
+  ASSERT_TRUE(write_file(file, std::string_view(bytes)));
+  auto input = InputFile::open(file);
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->size(), bytes.size());
+  InputFile moved(std::move(*input));
+  std::string read;
+  std::array<std::uint8_t, 333> room{};
+  for (auto count = moved.read(room); count && *count > 0; count = moved.read(room)) {
+    ASSERT_LE(*count, room.size());
+    read.append(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(*count));
+  }
+  EXPECT_EQ(read, bytes);
+  EXPECT_EQ(moved.read(room), 0U) << "the end stays the end";
+}
+
+TEST_F(Files, OnlyRegularOnesAreReadPieceByPiece) {
+  EXPECT_EQ(InputFile::open(folder_ / "none").error().code, Errc::not_found);
+  EXPECT_EQ(InputFile::open(folder_).error().code, Errc::io);
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(InputFile::open(folder_ / "pipe").error().code, Errc::io) << "and does not wait for a writer";
+}
+
+TEST(ProgressOfAPart, IsToldAsAPartOfTheWhole) {
+  std::vector<double> told;
+  const Progress part = part_of(
+      [&](double done, std::string_view step) {
+        EXPECT_EQ(step, "copy");
+        told.push_back(done);
+        return told.size() < 3;
+      },
+      0.2, 0.6);
+  EXPECT_TRUE(part(0, "copy"));
+  EXPECT_TRUE(part(0.5, "copy"));
+  EXPECT_FALSE(part(1, "copy"));
+  ASSERT_EQ(told.size(), 3U);
+  EXPECT_DOUBLE_EQ(told[0], 0.2);
+  EXPECT_DOUBLE_EQ(told[1], 0.4);
+  EXPECT_DOUBLE_EQ(told[2], 0.6);
+  EXPECT_FALSE(part_of({}, 0, 1)) << "nobody to tell";
 }
 
 TEST_F(Files, ReadBackWhatWasWritten) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/functions/tracing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -380,10 +382,12 @@ base::Result<void> Window::check() const {
 base::Result<Tracing> trace(const Plot& plot, const Window& window, const TraceSettings& settings,
                             const base::Progress& progress) {
   if (auto good = window.check(); !good) return tl::unexpected(std::move(good.error()));
-  if (settings.resolution < 32 || settings.resolution > 8192 ||
+  if (settings.resolution < TraceSettings::kFewestCells || settings.resolution > TraceSettings::kMostCells ||
       !(settings.margin >= 0 && settings.margin <= 1)) {
     return base::fail(base::Errc::bad_argument, "the resolution or the margin of the tracing is out of range",
-                      "settings", "give 32 to 8192 cells and a margin of 0 to 1");
+                      "settings",
+                      fmt::format("give {} to {} cells and a margin of 0 to 1", TraceSettings::kFewestCells,
+                                  TraceSettings::kMostCells));
   }
   Tracing out;
   out.window = window;

@@ -32,9 +32,12 @@ std::vector<int> read_numbers(std::string_view text) {
   return out;
 }
 
+[[noreturn]] void throw_damage(const char* what) { throw SQLite::Exception(what, SQLITE_CORRUPT); }
+
 StrokeEnding ending_of(int value) {
-  return value >= 0 && value <= static_cast<int>(StrokeEnding::either) ? static_cast<StrokeEnding>(value)
-                                                                       : StrokeEnding::stop;
+  if (value < 0 || value > static_cast<int>(StrokeEnding::either))
+    throw_damage("a stroke ends in no known way");
+  return static_cast<StrokeEnding>(value);
 }
 
 Stroke read_stroke(Rewound& row) {
@@ -45,11 +48,9 @@ Stroke read_stroke(Rewound& row) {
   const auto x = row->getColumn(3);
   const auto y = row->getColumn(4);
   if (!x.isNull() && !y.isNull()) stroke.line.number_position = {x.getDouble(), y.getDouble()};
-  if (const auto path = geometry::parse_svg_path(stroke.path)) {
-    stroke.line.points = geometry::flatten(*path, kFlattenTolerance);
-  } else {
-    stroke.line.points = {{}};
-  }
+  const auto path = geometry::parse_svg_path(stroke.path);
+  if (!path) throw_damage("a stroke is no path");
+  stroke.line.points = geometry::flatten(*path, kFlattenTolerance);
   return stroke;
 }
 
@@ -91,8 +92,9 @@ Component assemble(std::vector<std::pair<int, Component>> rows) {
 
 }  // namespace
 
-KanjiDatabase::Inside::Inside(SQLite::Database opened)
+KanjiDatabase::Inside::Inside(SQLite::Database opened, std::string file)
     : db(std::move(opened)),
+      name(std::move(file)),
       character(db,
                 "SELECT strokes, grade, frequency, old_jlpt, radical FROM character WHERE code_point = ?"),
       form(db, "SELECT id FROM form WHERE code_point = ? AND variant = ?"),
@@ -124,6 +126,11 @@ KanjiDatabase::Inside::Inside(SQLite::Database opened)
   load_roster();
 }
 
+void KanjiDatabase::Inside::note_trouble(const char* what) {
+  if (trouble) return;
+  trouble = base::Error{base::Errc::io, std::string("cannot be read: ") + what, name, kRebuild};
+}
+
 void KanjiDatabase::Inside::load_roster() {
   const int characters = db.execAndGet("SELECT count(*) FROM character").getInt();
   roster_.resize(static_cast<std::size_t>(characters));
@@ -131,7 +138,7 @@ void KanjiDatabase::Inside::load_roster() {
   Rewound row(all_characters);
   while (row->executeStep()) {
     const int place = row.number(0);
-    if (place < 0 || place >= characters) throw SQLite::Exception("places have gaps", SQLITE_CORRUPT);
+    if (place < 0 || place >= characters) throw_damage("places have gaps");
     RosterEntry& entry = roster_[static_cast<std::size_t>(place)];
     entry.code_point = static_cast<char32_t>(row.number(1));
     entry.kind = static_cast<CharacterKind>(row.number(2));
@@ -184,7 +191,7 @@ base::Result<KanjiDatabase> KanjiDatabase::open(const std::filesystem::path& pat
                             std::to_string(kSchemaVersion),
                         path.string(), kRebuild);
     }
-    return KanjiDatabase(std::make_unique<Inside>(std::move(db)));
+    return KanjiDatabase(std::make_unique<Inside>(std::move(db), path.string()));
   } catch (const SQLite::Exception& e) {
     const bool refused = e.getErrorCode() == SQLITE_CANTOPEN || e.getErrorCode() == SQLITE_IOERR;
     return base::fail(refused ? base::Errc::io : base::Errc::schema,
@@ -193,8 +200,10 @@ base::Result<KanjiDatabase> KanjiDatabase::open(const std::filesystem::path& pat
   }
 }
 
+const std::optional<base::Error>& KanjiDatabase::trouble() const { return inside_->trouble; }
+
 std::optional<Character> KanjiDatabase::find(char32_t code_point, std::string_view variant) const {
-  return answer_or<std::optional<Character>>(std::nullopt, [&]() -> std::optional<Character> {
+  return inside_->answer_or<std::optional<Character>>(std::nullopt, [&]() -> std::optional<Character> {
     const auto key = static_cast<std::int64_t>(code_point);
     Character out;
     out.code_point = code_point;
@@ -286,7 +295,7 @@ std::vector<Summary> KanjiDatabase::list(List which) const {
     }
     return false;
   };
-  return answer_or<std::vector<Summary>>({}, [&] {
+  return inside_->answer_or<std::vector<Summary>>({}, [&] {
     std::vector<Summary> out;
     const auto& roster = inside_->roster();
     for (std::size_t place = 0; place < roster.size(); ++place) {
@@ -297,7 +306,7 @@ std::vector<Summary> KanjiDatabase::list(List which) const {
 }
 
 std::vector<Word> KanjiDatabase::words(char32_t code_point, int limit) const {
-  return answer_or<std::vector<Word>>({}, [&] {
+  return inside_->answer_or<std::vector<Word>>({}, [&] {
     std::vector<Word> out;
     Rewound row(inside_->words);
     row->bind(1, static_cast<std::int64_t>(code_point));
@@ -331,7 +340,7 @@ std::vector<Word> KanjiDatabase::words(char32_t code_point, int limit) const {
 }
 
 std::vector<Summary> KanjiDatabase::containing(std::string_view element, int limit) const {
-  return answer_or<std::vector<Summary>>({}, [&] {
+  return inside_->answer_or<std::vector<Summary>>({}, [&] {
     std::vector<Summary> out;
     Rewound row(inside_->elements);
     row->bind(1, std::string(element));
@@ -345,7 +354,7 @@ std::vector<Summary> KanjiDatabase::containing(std::string_view element, int lim
 }
 
 std::optional<Radical> KanjiDatabase::radical(int number) const {
-  return answer_or<std::optional<Radical>>(std::nullopt, [&]() -> std::optional<Radical> {
+  return inside_->answer_or<std::optional<Radical>>(std::nullopt, [&]() -> std::optional<Radical> {
     Rewound row(inside_->radical);
     row->bind(1, number);
     if (!row->executeStep()) return std::nullopt;
@@ -361,7 +370,7 @@ std::optional<Radical> KanjiDatabase::radical(int number) const {
 }
 
 std::vector<Source> KanjiDatabase::sources() const {
-  return answer_or<std::vector<Source>>({}, [&] {
+  return inside_->answer_or<std::vector<Source>>({}, [&] {
     std::vector<Source> out;
     Rewound row(inside_->sources);
     while (row->executeStep()) out.push_back({row.text(0), row.text(1), row.text(2), row.text(3)});
@@ -370,7 +379,7 @@ std::vector<Source> KanjiDatabase::sources() const {
 }
 
 void KanjiDatabase::for_each_stroke(const std::function<void(const StrokePath&)>& take) const {
-  answer_or(0, [&] {
+  inside_->answer_or(0, [&] {
     SQLite::Statement row(inside_->db,
                           "SELECT f.code_point, c.place, s.path FROM form f JOIN character c ON c.code_point "
                           "= f.code_point JOIN stroke s ON s.form = f.id WHERE f.variant = '' ORDER BY f.id, "

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "nazori/kanji/kanji_database.h"
@@ -48,7 +49,19 @@ class Rewound {
 };
 
 struct KanjiDatabase::Inside {
-  explicit Inside(SQLite::Database opened);
+  Inside(SQLite::Database opened, std::string file);
+
+  /// Runs `work`; a failing database gives `otherwise` and is remembered as trouble.
+  template <class Answer, class Work>
+  Answer answer_or(Answer otherwise, Work work) {
+    try {
+      return work();
+    } catch (const SQLite::Exception& e) {
+      note_trouble(e.what());
+      return otherwise;
+    }
+  }
+  void note_trouble(const char* what);
 
   [[nodiscard]] const std::vector<RosterEntry>& roster() const { return roster_; }
   /// Place of a character, or nullopt.
@@ -56,6 +69,8 @@ struct KanjiDatabase::Inside {
   [[nodiscard]] Summary summary(std::size_t place) const;
 
   SQLite::Database db;
+  std::string name;
+  std::optional<base::Error> trouble;  ///< the first since it was opened
   SQLite::Statement character, form, variants, strokes, components, orders;
   SQLite::Statement stroke_counts, readings, meanings, codes;
   SQLite::Statement all_characters, words, elements;
@@ -67,15 +82,5 @@ struct KanjiDatabase::Inside {
   std::vector<RosterEntry> roster_;
   std::unordered_map<char32_t, std::size_t> places_;
 };
-
-/// Runs `work`; a failing database gives `otherwise`.
-template <class Answer, class Work>
-Answer answer_or(Answer otherwise, Work work) {
-  try {
-    return work();
-  } catch (const SQLite::Exception&) {
-    return otherwise;
-  }
-}
 
 }  // namespace nazori::kanji

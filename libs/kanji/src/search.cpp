@@ -110,7 +110,7 @@ void offer_meanings(SQLite::Statement& keys, std::string_view phrase, Fits& fits
 }  // namespace
 
 std::vector<Summary> KanjiDatabase::search(const Query& query) const {
-  return answer_or<std::vector<Summary>>({}, [&]() -> std::vector<Summary> {
+  return inside_->answer_or<std::vector<Summary>>({}, [&]() -> std::vector<Summary> {
     const auto decoded = base::decode_utf8(query.text);
     if (!decoded || query.limit < 1) return {};
     const std::u32string typed = trimmed(*decoded);

@@ -2,6 +2,7 @@
 // On the real kanji.db, built from the published sources.
 #include "nazori/kanji/kanji_database.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -510,8 +512,55 @@ TEST_F(BadFiles, ADatabaseCutOffIsRefusedOrAnswersNothing) {
   const auto opened = KanjiDatabase::open(copy);
   if (opened) {
     EXPECT_FALSE(opened->find(U'龠') && !opened->words(U'龠', 1).empty());
+    EXPECT_TRUE(opened->trouble());
   } else {
     EXPECT_EQ(opened.error().code, base::Errc::schema);
+  }
+}
+
+TEST_F(BadFiles, ADatabaseThatIsDamagedAfterItWasOpenedSaysSo) {
+  const char* const data = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe)
+  const fs::path copy = folder_ / "kanji.db";
+  const auto fresh_copy = [&] {
+    fs::copy_file(fs::path(data == nullptr ? "." : data) / "kanji.db", copy,
+                  fs::copy_options::overwrite_existing);
+    auto opened = KanjiDatabase::open(copy);
+    EXPECT_TRUE(opened);
+    return *std::move(opened);
+  };
+  using Ask = std::function<void(const KanjiDatabase&, char32_t)>;
+  const std::vector<Ask> asked{
+      [](const KanjiDatabase& db, char32_t c) { (void)db.find(c); },
+      [](const KanjiDatabase& db, char32_t c) { (void)db.words(c, 3); },
+      [](const KanjiDatabase& db, char32_t) { db.for_each_stroke([](const StrokePath&) {}); }};
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const KanjiDatabase database = fresh_copy();
+    asked[i](database, U'休');
+    EXPECT_FALSE(database.trouble()) << i;
+    fs::resize_file(copy, 8'192);
+    // What SQLite still holds in memory needs no reading, so others are asked for.
+    for (const Summary& one : database.list(List::secondary))
+      if (!database.trouble()) asked[i](database, one.code_point);
+    ASSERT_TRUE(database.trouble()) << i;
+    EXPECT_EQ(database.trouble()->code, base::Errc::io);
+    EXPECT_EQ(database.trouble()->where, copy.string());
+  }
+}
+
+TEST_F(BadFiles, AStrokeThatIsNoneIsNotTakenForAPoint) {
+  const char* const data = std::getenv("NAZORI_DATA");  // NOLINT(concurrency-mt-unsafe)
+  const fs::path copy = folder_ / "kanji.db";
+  for (const char* damage : {"path = 'no path'", "ending = 9", "ending = -1"}) {
+    fs::copy_file(fs::path(data == nullptr ? "." : data) / "kanji.db", copy,
+                  fs::copy_options::overwrite_existing);
+    SQLite::Database(copy.string(), SQLite::OPEN_READWRITE)
+        .exec(std::string("UPDATE stroke SET ") + damage +
+              " WHERE number = 2 AND form = (SELECT id FROM form WHERE code_point = 20241 AND variant = '')");
+    const auto opened = KanjiDatabase::open(copy);
+    ASSERT_TRUE(opened);
+    EXPECT_FALSE(opened->find(U'休')) << damage;
+    EXPECT_TRUE(opened->trouble()) << damage;
+    EXPECT_TRUE(opened->find(U'木')) << damage;
   }
 }
 

@@ -383,6 +383,7 @@ base::Result<Bytes> anki_package(const kanji::KanjiDatabase& database, std::span
       media[name] = std::to_string(position++);
     }
     transaction.commit();
+    if (database.trouble()) return tl::unexpected(*database.trouble());
     if (position == 0) return base::fail(Errc::not_found, "none of the characters is drawn", "characters");
     Json names = Json::object();
     for (const auto& [name, number] : media.items()) names[number.get<std::string>()] = name;

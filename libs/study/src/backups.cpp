@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 using base::Errc;
 
 constexpr std::string_view kDaily = "daily-";
+constexpr std::string_view kReplaced = "before-restore";
+constexpr std::string_view kPart = ".part";
 constexpr std::string_view kExtension = ".db";
 constexpr int kPagesAtOnce = 1'024;
 
@@ -61,6 +63,67 @@ fs::path free_file(const fs::path& folder, std::string_view kind, Time time) {
   return file;
 }
 
+/// Removes a database and what SQLite keeps beside one.
+void remove_database(const fs::path& file) {
+  std::error_code gone_already;
+  for (const char* part : {"", "-journal", "-wal", "-shm"}) fs::remove(file.string() + part, gone_already);
+}
+
+/// Removes the daily copies that a program which was killed meanwhile has left: only the holder of the
+/// learner's lock makes them.
+void remove_unfinished(const fs::path& learner) {
+  std::error_code error;
+  std::vector<fs::path> unfinished;
+  for (const auto& entry : fs::directory_iterator(backup_folder(learner), error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(kDaily) && name.find(fmt::format("{}{}", kExtension, kPart)) != std::string::npos)
+      unfinished.push_back(entry.path());
+  }
+  for (const fs::path& file : unfinished) fs::remove(file, error);
+}
+
+fs::path restored_beside(const fs::path& learner) { return learner.string() + ".restored"; }
+
+struct DatedBackup {
+  Backup backup;
+  fs::file_time_type time;
+};
+
+/// The newest first.
+std::vector<DatedBackup> dated_backups(const fs::path& learner) {
+  std::vector<DatedBackup> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(backup_folder(learner), error)) {
+    if (!entry.is_regular_file(error) || entry.path().extension() != kExtension) continue;
+    found.push_back(
+        {{entry.path(), entry.file_size(error), is_daily(entry.path())}, entry.last_write_time(error)});
+  }
+  std::sort(found.begin(), found.end(), [](const DatedBackup& a, const DatedBackup& b) {
+    return a.time != b.time ? a.time > b.time : a.backup.file.filename() > b.backup.file.filename();
+  });
+  return found;
+}
+
+/// Lets the oldest of one kind go until `most` are left; never those in `kept`, the first of which was made
+/// just now. Goes by the time of the files: their names follow a clock that may have been set back.
+template <class IsOfKind>
+void let_oldest_go(const fs::path& learner, int most, const std::vector<fs::path>& kept,
+                   IsOfKind is_of_kind) {
+  std::error_code error;
+  const fs::file_time_type now = fs::last_write_time(kept.front(), error);
+  if (error) return;
+  std::vector<DatedBackup> all = dated_backups(learner);
+  std::erase_if(all, [&](const DatedBackup& one) { return !is_of_kind(one.backup.file); });
+  // What seems to come from the future was made before the clock was set back.
+  std::stable_partition(all.begin(), all.end(), [now](const DatedBackup& one) { return one.time <= now; });
+  auto left = static_cast<std::ptrdiff_t>(all.size());
+  for (auto one = all.rbegin(); one != all.rend() && left > most; ++one) {
+    if (std::find(kept.begin(), kept.end(), one->backup.file) != kept.end()) continue;
+    remove_database(one->backup.file);
+    --left;
+  }
+}
+
 /// Brings what the write-ahead log holds into its file, where both are sound.
 void take_in_log(const fs::path& database) {
   try {
@@ -76,10 +139,16 @@ void take_in_log(const fs::path& database) {
 bool keep_as(const fs::path& learner, const fs::path& kept) {
   take_in_log(learner);
   std::error_code error;
-  for (const char* part : {"-wal", "-shm"}) {
-    const fs::path from = learner.string() + part;
-    if (fs::exists(from, error)) fs::rename(from, kept.string() + part, error);
+  // A log that could not be taken in goes with its file; its index can always be made from it.
+  const fs::path log = learner.string() + "-wal";
+  if (fs::exists(log, error)) {
+    if (fs::file_size(log, error) > 0) {
+      fs::rename(log, kept.string() + "-wal", error);
+    } else {
+      fs::remove(log, error);
+    }
   }
+  fs::remove(learner.string() + "-shm", error);
   fs::create_hard_link(learner, kept, error);
   if (error) fs::rename(learner, kept, error);
   return !error;
@@ -90,31 +159,16 @@ bool keep_as(const fs::path& learner, const fs::path& kept) {
 fs::path backup_folder(const fs::path& learner) { return learner.parent_path() / "backups"; }
 
 std::vector<Backup> backups_of(const fs::path& learner) {
-  struct Dated {
-    Backup backup;
-    fs::file_time_type time;
-  };
-  std::vector<Dated> found;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(backup_folder(learner), error)) {
-    if (!entry.is_regular_file(error) || entry.path().extension() != kExtension) continue;
-    found.push_back(
-        {{entry.path(), entry.file_size(error), is_daily(entry.path())}, entry.last_write_time(error)});
-  }
-  std::sort(found.begin(), found.end(), [](const Dated& a, const Dated& b) {
-    return a.time != b.time ? a.time > b.time : a.backup.file.filename() > b.backup.file.filename();
-  });
   std::vector<Backup> backups;
-  backups.reserve(found.size());
-  for (Dated& one : found) backups.push_back(std::move(one.backup));
+  for (DatedBackup& one : dated_backups(learner)) backups.push_back(std::move(one.backup));
   return backups;
 }
 
 base::Result<void> copy_database(SQLite::Database& database, const fs::path& file,
                                  const base::Progress& progress) {
-  const fs::path beside = file.string() + ".part";
+  const fs::path beside = fmt::format("{}{}", file.string(), kPart);
   std::error_code error;
-  fs::remove(beside, error);
+  remove_database(beside);
   auto copied = [&]() -> base::Result<void> {
     try {
       SQLite::Database target(beside.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
@@ -138,8 +192,14 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
     fs::rename(beside, file, error);
     if (error) copied = base::fail(Errc::io, "cannot be written: " + error.message(), file.string());
   }
-  if (!copied) fs::remove(beside, error);
+  if (!copied) remove_database(beside);
   return copied;
+}
+
+void clear_unfinished_restore(const fs::path& learner) {
+  const fs::path beside = restored_beside(learner);
+  remove_database(beside);
+  remove_database(fmt::format("{}{}", beside.string(), kPart));
 }
 
 base::Result<void> keep_daily_backup(SQLite::Database& database, const fs::path& learner, Day day,
@@ -150,16 +210,9 @@ base::Result<void> keep_daily_backup(SQLite::Database& database, const fs::path&
   if (error) return base::fail(Errc::io, "cannot be made: " + error.message(), folder.string());
   const fs::path file = folder / fmt::format("{}{}{}", kDaily, to_text(day), kExtension);
   if (fs::exists(file, error)) return {};
+  remove_unfinished(learner);
   if (auto made = copy_database(database, file, progress); !made) return made;
-  std::vector<fs::path> daily;
-  for (const Backup& backup : backups_of(learner)) {
-    if (backup.automatic) daily.push_back(backup.file);
-  }
-  std::sort(daily.begin(), daily.end());
-  while (daily.size() > static_cast<std::size_t>(kBackupsKept)) {
-    fs::remove(daily.front(), error);
-    daily.erase(daily.begin());
-  }
+  let_oldest_go(learner, kBackupsKept, {file}, is_daily);
   return {};
 }
 
@@ -188,7 +241,7 @@ base::Result<BackupContents> look_into(const fs::path& backup) {
   std::error_code error;
   if (!fs::is_regular_file(backup, error))
     return base::fail(Errc::not_found, "there is no such backup", backup.string());
-  const auto learner = LearnerStore::open(backup, Access::read);
+  const auto learner = LearnerStore::open(backup, Access::backup);
   if (!learner) return tl::unexpected(learner.error());
   BackupContents contents;
   auto read = learner->for_each_entry(true, [&](const LearnerStore::LoggedEntry& logged) {
@@ -217,11 +270,11 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
     return base::fail(Errc::io, "is open in another Nazori", learner.string(), "close it there first");
   if (!lock) return tl::unexpected(lock.error());
 
-  const fs::path beside = learner.string() + ".restored";
-  fs::remove(beside, error);
+  clear_unfinished_restore(learner);
+  const fs::path beside = restored_beside(learner);
   {
     // Read as a learner's file would be, so that what is put in place can be opened.
-    auto source = LearnerStore::open(backup, Access::read, clock);
+    auto source = LearnerStore::open(backup, Access::backup, clock);
     if (!source) return tl::unexpected(std::move(source.error()));
     if (auto copied = source->copy_to(beside, progress); !copied)
       return tl::unexpected(std::move(copied.error()));
@@ -230,7 +283,7 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
   if (fs::exists(learner, error)) {
     const fs::path folder = backup_folder(learner);
     fs::create_directories(folder, error);
-    kept = free_file(folder, "before-restore", clock());
+    kept = free_file(folder, kReplaced, clock());
     if (!keep_as(learner, kept)) {
       fs::remove(beside, error);
       return base::fail(Errc::io, "cannot be moved aside", learner.string(),
@@ -243,6 +296,10 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
     if (!fs::exists(learner, ignored)) fs::rename(kept, learner, ignored);
     fs::remove(beside, ignored);
     return base::fail(Errc::io, "cannot be written: " + error.message(), learner.string());
+  }
+  if (!kept.empty()) {
+    let_oldest_go(learner, kReplacedKept, {kept, backup},
+                  [](const fs::path& one) { return one.filename().string().starts_with(kReplaced); });
   }
   return kept;
 }

@@ -2,14 +2,12 @@
 #include "nazori/study/card.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+
+#include "named_values.h"
 
 namespace nazori::study {
 namespace {
-
-constexpr std::array<std::string_view, 8> kKindNames{"writing", "undo",   "settings", "postpone",
-                                                     "pause",   "resume", "reset",    "leech_met"};
 
 /// Settings of the log are checked before they are written, so they always make a scheduler.
 Fsrs scheduler_of(const Settings& settings) {
@@ -20,13 +18,29 @@ Fsrs scheduler_of(const Settings& settings) {
 
 }  // namespace
 
-std::string_view name_of(EntryKind kind) { return kKindNames[static_cast<std::size_t>(kind)]; }
-
-std::optional<EntryKind> entry_kind_named(std::string_view name) {
-  const auto found = std::find(kKindNames.begin(), kKindNames.end(), name);
-  if (found == kKindNames.end()) return std::nullopt;
-  return static_cast<EntryKind>(found - kKindNames.begin());
+std::string_view name_of(EntryKind kind) {
+  switch (kind) {
+    case EntryKind::writing:
+      return "writing";
+    case EntryKind::undo:
+      return "undo";
+    case EntryKind::settings:
+      return "settings";
+    case EntryKind::postpone:
+      return "postpone";
+    case EntryKind::pause:
+      return "pause";
+    case EntryKind::resume:
+      return "resume";
+    case EntryKind::reset:
+      return "reset";
+    case EntryKind::leech_met:
+      return "leech_met";
+  }
+  return {};
 }
+
+std::optional<EntryKind> entry_kind_named(std::string_view name) { return value_named<EntryKind>(name); }
 
 void CardHistory::review(const LogEntry& entry, const Settings& settings) {
   const Fsrs fsrs = scheduler_of(settings);

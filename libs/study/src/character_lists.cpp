@@ -136,14 +136,16 @@ const std::vector<char32_t>& CharacterLists::ready(std::string_view id) {
 base::Result<std::vector<char32_t>> CharacterLists::members(std::string_view id,
                                                             const LearnerStore& learner) {
   if (id.starts_with(kOwn)) {
-    const std::vector<CustomList> lists = learner.lists();
-    for (const CustomList& list : lists) {
+    const auto lists = learner.lists();
+    if (!lists) return tl::unexpected(lists.error());
+    for (const CustomList& list : *lists) {
       if (list.name == id.substr(kOwn.size())) return list.characters;
     }
   } else if (id.starts_with(kTag)) {
     const auto tags = learner.tags();
-    const auto found = tags.find(std::string(id.substr(kTag.size())));
-    if (found != tags.end()) return found->second;
+    if (!tags) return tl::unexpected(tags.error());
+    const auto found = tags->find(std::string(id.substr(kTag.size())));
+    if (found != tags->end()) return found->second;
   } else {
     const std::span<const ReadyList> lists = ready_lists();
     if (std::any_of(lists.begin(), lists.end(), [&](const ReadyList& one) { return one.id == id; })) {
@@ -190,8 +192,8 @@ std::vector<char32_t> sort_for_learning(std::vector<char32_t> characters, NewOrd
   return characters;
 }
 
-std::vector<char32_t> CharacterLists::in_learning_order(const Settings& settings,
-                                                        const LearnerStore& learner) {
+base::Result<std::vector<char32_t>> CharacterLists::in_learning_order(const Settings& settings,
+                                                                      const LearnerStore& learner) {
   std::vector<char32_t> all;
   std::set<char32_t> known;
   // The ready lists of grades are in the default order already: no need to read every character for it.
@@ -199,14 +201,17 @@ std::vector<char32_t> CharacterLists::in_learning_order(const Settings& settings
   for (const std::string& id : settings.new_lists) {
     ready_order = ready_order && (id.starts_with("grade-") || id == "secondary");
     const auto list = members(id, learner);
-    if (!list) continue;
+    if (!list && list.error().code != Errc::not_found) return tl::unexpected(list.error());
+    if (!list) continue;  // a list that was removed is still chosen
     for (const char32_t character : *list) {
       if (known.insert(character).second) all.push_back(character);
     }
   }
   if (ready_order && std::is_sorted(settings.new_lists.begin(), settings.new_lists.end())) return all;
-  return sort_for_learning(std::move(all), settings.new_order,
-                           [this](char32_t character) { return facts(character); });
+  auto sorted = sort_for_learning(std::move(all), settings.new_order,
+                                  [this](char32_t character) { return facts(character); });
+  if (database_->trouble()) return tl::unexpected(*database_->trouble());
+  return sorted;
 }
 
 base::Result<std::vector<char32_t>> parse_list(std::string_view text,

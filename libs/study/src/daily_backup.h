@@ -19,6 +19,8 @@ namespace nazori::study {
 [[nodiscard]] base::Result<void> keep_daily_backup(SQLite::Database& database,
                                                    const std::filesystem::path& learner, Day day,
                                                    const base::Progress& progress = {});
+/// Removes what a restore that was killed has left. Only for the holder of the learner's lock.
+void clear_unfinished_restore(const std::filesystem::path& learner);
 /// Makes a backup of a file that is about to get a newer layout.
 [[nodiscard]] base::Result<void> keep_backup_before_migration(SQLite::Database& database,
                                                               const std::filesystem::path& learner,

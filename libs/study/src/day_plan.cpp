@@ -116,6 +116,7 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
 
   DayPlan plan;
   plan.day = today;
+  const Time begin_of_day = learner.calendar().begin_of(today);
   std::vector<StudyTask> steps;
   std::vector<StudyTask> reviews;
   std::vector<StudyTask> begun;
@@ -139,7 +140,13 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
         break;
       case Phase::learning:
       case Phase::relearning:
-        steps.push_back({TaskKind::step, character, card.next_stage, card.memory.due, chance});
+        // A step that was left unfinished on an earlier day waits like any review that is overdue.
+        if (card.memory.due < begin_of_day) {
+          reviews.push_back({TaskKind::step, character, card.next_stage, card.memory.due, chance});
+          ++overdue;
+        } else {
+          steps.push_back({TaskKind::step, character, card.next_stage, card.memory.due, chance});
+        }
         break;
       case Phase::review:
         if (card.due_day && *card.due_day <= today) {
@@ -167,6 +174,10 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
     plan.gentle = spread(due, room, settings.reviews_per_day, learner.cards(), today, return_day);
   }
   if (due > room) reviews.resize(static_cast<std::size_t>(room));
+  const auto left_over = std::stable_partition(
+      reviews.begin(), reviews.end(), [](const StudyTask& task) { return task.kind == TaskKind::step; });
+  steps.insert(steps.end(), reviews.begin(), left_over);
+  reviews.erase(reviews.begin(), left_over);
 
   std::sort(steps.begin(), steps.end(), [](const StudyTask& a, const StudyTask& b) {
     return std::tuple(a.due, a.character) < std::tuple(b.due, b.character);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "named_values.h"
+
 namespace nazori::study {
 namespace {
 
@@ -282,7 +284,7 @@ std::string_view name_of(Rating rating) {
     case Rating::easy:
       return "easy";
   }
-  return "again";
+  return {};
 }
 
 std::string_view name_of(Phase phase) {
@@ -296,21 +298,11 @@ std::string_view name_of(Phase phase) {
     case Phase::relearning:
       return "relearning";
   }
-  return "new";
+  return {};
 }
 
-std::optional<Rating> rating_named(std::string_view name) {
-  for (const Rating one : kRatings) {
-    if (name_of(one) == name) return one;
-  }
-  return std::nullopt;
-}
+std::optional<Rating> rating_named(std::string_view name) { return value_named<Rating>(name); }
 
-std::optional<Phase> phase_named(std::string_view name) {
-  for (const Phase one : {Phase::fresh, Phase::learning, Phase::review, Phase::relearning}) {
-    if (name_of(one) == name) return one;
-  }
-  return std::nullopt;
-}
+std::optional<Phase> phase_named(std::string_view name) { return value_named<Phase>(name); }
 
 }  // namespace nazori::study

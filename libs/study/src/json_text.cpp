@@ -14,8 +14,6 @@
 namespace nazori::study {
 namespace {
 
-constexpr int kDeepest = 64;  // no text of ours is nested deeper
-
 /// Walks over a text and counts its lines as it is read.
 class CountingIterator {
  public:
@@ -128,15 +126,20 @@ int line_at(std::string_view text, std::size_t byte) {
 
 }  // namespace
 
+std::string reason_of(const nlohmann::detail::exception& error) {
+  std::string what = error.what();
+  // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ...": keep the reason.
+  if (const std::size_t colon = what.find(": "); colon != std::string::npos) what.erase(0, colon + 2);
+  return what;
+}
+
 base::Result<Json> parse_json(std::string_view text) {
   if (base::is_nested_deeper(text, kDeepest))
     return base::fail(base::Errc::parse, "is nested too deeply", "the JSON text");
   try {
     return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& error) {
-    std::string what = error.what();
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ...": keep the reason.
-    if (const std::size_t colon = what.find(": "); colon != std::string::npos) what.erase(0, colon + 2);
+    const std::string what = reason_of(error);
     const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
     return base::fail(base::Errc::parse, "is not JSON: " + what, fmt::format("line {}", line_at(text, byte)));
   } catch (const Json::out_of_range& error) {
@@ -161,8 +164,8 @@ void JsonReader::refuse(const std::string& pointer, std::string what, std::strin
     place.erase(place.rfind('/'));
     line = line_of(text_, place);
   }
-  std::string where = line ? fmt::format("line {}", *line) : std::string("line 1");
-  if (!pointer.empty()) where += ", " + pointer.substr(1);
+  std::string where = fmt::format("line {}", first_line_ - 1 + line.value_or(1));
+  if (const std::string whole = part_ + pointer; !whole.empty()) where += ", " + whole.substr(1);
   error_ = base::Error{base::Errc::parse, std::move(what), std::move(where), std::move(remedy)};
 }
 

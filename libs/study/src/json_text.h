@@ -6,12 +6,18 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "nazori/base/result.h"
 
 namespace nazori::study {
 
 using Json = nlohmann::ordered_json;
+
+inline constexpr int kDeepest = 64;  ///< no text of ours is nested deeper
+
+/// What the parser says is wrong, without the place where it says that.
+[[nodiscard]] std::string reason_of(const nlohmann::detail::exception& error);
 
 /// Parses a whole JSON text. @return Errc::parse with the line in Error::where ("line 3").
 [[nodiscard]] base::Result<Json> parse_json(std::string_view text);
@@ -25,6 +31,9 @@ using Json = nlohmann::ordered_json;
 class JsonReader {
  public:
   explicit JsonReader(std::string_view text) : text_(text) {}
+  /// Reads a part of a longer text. @param pointer  to the part ("/entries/3"); @param first_line  its first.
+  JsonReader(std::string_view part, std::string pointer, int first_line)
+      : text_(part), part_(std::move(pointer)), first_line_(first_line) {}
 
   /// The members of one object of the text.
   class Object {
@@ -69,6 +78,8 @@ class JsonReader {
 
  private:
   std::string_view text_;
+  std::string part_;
+  int first_line_ = 1;
   std::optional<base::Error> error_;
 };
 

@@ -12,6 +12,15 @@ namespace {
 
 constexpr int kUsualOf = 10;
 
+tl::unexpected<base::Error> damaged_entry(std::int64_t id, const std::string& file) {
+  return base::fail(base::Errc::parse, fmt::format("is damaged: entry {} cannot be", id), file,
+                    "take a backup: nazori-cli study restore");
+}
+
+std::span<const std::uint8_t> bytes_of(const SQLite::Column& column) {
+  return {static_cast<const std::uint8_t*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
+}
+
 }  // namespace
 
 LearnerStore::LearnerStore(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
@@ -48,27 +57,24 @@ base::Result<Ink> LearnerStore::ink_of(std::int64_t entry) const {
     SQLite::Statement row(inside_->db, "SELECT packed FROM ink WHERE entry = ?");
     row.bind(1, entry);
     if (!row.executeStep()) return Ink{};
-    const auto column = row.getColumn(0);
-    return unpack_ink(
-        {static_cast<const std::uint8_t*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())});
+    return unpack_ink(bytes_of(row.getColumn(0)));
   });
 }
 
-UsualWriting LearnerStore::usual_writing(char32_t character) const {
+base::Result<UsualWriting> LearnerStore::usual_writing(char32_t character) const {
   const auto writings = writings_of(character);
+  if (!writings) return tl::unexpected(writings.error());
   std::vector<std::chrono::milliseconds> durations;
-  if (writings) {
-    for (auto one = writings->rbegin(); one != writings->rend() && durations.size() < kUsualOf; ++one) {
-      const Writing& writing = one->entry.writing;
-      if (writing.stage == Stage::memory && writing.result.accepted && writing.result.duration.count() > 0) {
-        durations.push_back(writing.result.duration);
-      }
+  for (auto one = writings->rbegin(); one != writings->rend() && durations.size() < kUsualOf; ++one) {
+    const Writing& writing = one->entry.writing;
+    if (writing.stage == Stage::memory && writing.result.accepted && writing.result.duration.count() > 0) {
+      durations.push_back(writing.result.duration);
     }
   }
-  if (durations.empty()) return {};
+  if (durations.empty()) return UsualWriting{};
   const auto middle = durations.begin() + static_cast<std::ptrdiff_t>(durations.size() / 2);
   std::nth_element(durations.begin(), middle, durations.end());
-  return {*middle, static_cast<int>(durations.size())};
+  return UsualWriting{*middle, static_cast<int>(durations.size())};
 }
 
 base::Result<void> LearnerStore::for_each_entry(bool in_force_only,
@@ -77,13 +83,26 @@ base::Result<void> LearnerStore::for_each_entry(bool in_force_only,
     SQLite::Statement rows(inside_->db, fmt::format("SELECT {} FROM log ORDER BY id", log_columns));
     while (rows.executeStep()) {
       const auto entry = read_entry(rows);
-      if (!entry) {
-        return base::fail(base::Errc::parse,
-                          fmt::format("is damaged: entry {} cannot be", rows.getColumn(0).getInt64()),
-                          inside_->name, "take a backup: nazori-cli study restore");
-      }
+      if (!entry) return damaged_entry(rows.getColumn(0).getInt64(), inside_->name);
       if (in_force_only && inside_->undone.contains(entry->entry.action)) continue;
       if (!take(*entry)) break;
+    }
+    return {};
+  });
+}
+
+base::Result<void> LearnerStore::for_each_with_ink(
+    const std::function<bool(const LoggedEntry&, std::span<const std::uint8_t> ink)>& take) const {
+  return inside_->guarded([&]() -> base::Result<void> {
+    SQLite::Statement rows(
+        inside_->db,
+        fmt::format("SELECT {}, (SELECT packed FROM ink WHERE entry = log.id) FROM log ORDER BY id",
+                    log_columns));
+    const int ink = rows.getColumnCount() - 1;
+    while (rows.executeStep()) {
+      const auto entry = read_entry(rows);
+      if (!entry) return damaged_entry(rows.getColumn(0).getInt64(), inside_->name);
+      if (!take(*entry, bytes_of(rows.getColumn(ink)))) break;
     }
     return {};
   });

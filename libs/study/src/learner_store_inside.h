@@ -65,7 +65,8 @@ struct LearnerStore::Inside {
   [[nodiscard]] const Settings& settings() const { return timeline.back().second; }
   void take_calendar();
 
-  /// Writings and other entries of one character that are in force.
+  /// Writings and other entries of one character that are in force. Throws SQLite::Exception, also for a row
+  /// that cannot be: a card must not be worked out without it.
   [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character);
   /// Follows one character through its entries in force.
   [[nodiscard]] CardHistory history_of(char32_t character, std::span<const LoggedEntry> entries) const;
@@ -113,6 +114,8 @@ class LogWriter {
 void put_list(SQLite::Database& db, const CustomList& list);
 void put_tag(SQLite::Database& db, char32_t character, const std::string& tag);
 void put_card(SQLite::Database& db, const Card& card);
+/// Whether entries of a kind are about a character.
+[[nodiscard]] bool names_a_character(EntryKind kind);
 /// Errc::bad_argument where a writing is not one that may be logged.
 [[nodiscard]] base::Result<void> check_writing(char32_t character, int strokes, const Writing& writing);
 

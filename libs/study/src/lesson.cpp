@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "named_values.h"
+
 namespace nazori::study {
 namespace {
 
@@ -24,15 +26,10 @@ std::string_view name_of(Stage stage) {
     case Stage::memory:
       return "memory";
   }
-  return "watch";
+  return {};
 }
 
-std::optional<Stage> stage_named(std::string_view name) {
-  for (const Stage one : kStages) {
-    if (name_of(one) == name) return one;
-  }
-  return std::nullopt;
-}
+std::optional<Stage> stage_named(std::string_view name) { return value_named<Stage>(name); }
 
 double faded_help(double help, double error, const LessonRules& rules) {
   return std::clamp(rules.help_retained * help + rules.help_per_error * std::clamp(error, 0.0, 1.0), 0.0,

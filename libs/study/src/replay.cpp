@@ -23,7 +23,8 @@ int full_days(Time from, Time to) {
 void read_step(JsonReader::Object& object, std::vector<ReplayStep>& steps) {
   const std::string at = object.text("at", 40);
   ReplayStep step;
-  step.rating = static_cast<Rating>(object.whole("rating", 1, 4));
+  step.rating = static_cast<Rating>(
+      object.whole("rating", static_cast<int>(kRatings.front()), static_cast<int>(kRatings.back())));
   if (auto time = parse_time(at)) {
     step.at = *time;
     if (!steps.empty() && step.at < steps.back().at) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "named_values.h"
 #include "nazori/study/calendar.h"
 #include "settings_json.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 using std::chrono::minutes;
 
-constexpr std::array<std::string_view, 5> kOrderNames{"grade", "frequency", "strokes", "components", "own"};
 constexpr std::size_t kMostLists = 100;
 
 base::Result<void> check_number(const char* name, double value, double lowest, double highest) {
@@ -87,13 +87,23 @@ base::Result<void> check_rules(const Settings& settings) {
 
 }  // namespace
 
-std::string_view name_of(NewOrder order) { return kOrderNames[static_cast<std::size_t>(order)]; }
-
-std::optional<NewOrder> new_order_named(std::string_view name) {
-  const auto found = std::find(kOrderNames.begin(), kOrderNames.end(), name);
-  if (found == kOrderNames.end()) return std::nullopt;
-  return static_cast<NewOrder>(found - kOrderNames.begin());
+std::string_view name_of(NewOrder order) {
+  switch (order) {
+    case NewOrder::grade:
+      return "grade";
+    case NewOrder::frequency:
+      return "frequency";
+    case NewOrder::strokes:
+      return "strokes";
+    case NewOrder::components:
+      return "components";
+    case NewOrder::own:
+      return "own";
+  }
+  return {};
 }
+
+std::optional<NewOrder> new_order_named(std::string_view name) { return value_named<NewOrder>(name); }
 
 base::Result<void> check(const Settings& settings) {
   if (auto calendar = Calendar::create(settings.time_zone, settings.day_starts_at); !calendar) {

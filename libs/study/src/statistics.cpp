@@ -2,7 +2,6 @@
 #include "nazori/study/statistics.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <tuple>
 
@@ -153,9 +152,21 @@ class Summing {
 }  // namespace
 
 std::string_view name_of(Strength strength) {
-  constexpr std::array<std::string_view, 6> kNames{"unseen", "learning", "young",
-                                                   "mature", "leech",    "paused"};
-  return kNames[static_cast<std::size_t>(strength)];
+  switch (strength) {
+    case Strength::unseen:
+      return "unseen";
+    case Strength::learning:
+      return "learning";
+    case Strength::young:
+      return "young";
+    case Strength::mature:
+      return "mature";
+    case Strength::leech:
+      return "leech";
+    case Strength::paused:
+      return "paused";
+  }
+  return {};
 }
 
 Strength strength_of(const Card& card) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 
@@ -15,7 +16,11 @@ std::vector<LearnerStore::LoggedEntry> LearnerStore::Inside::entries_of(char32_t
   std::vector<LoggedEntry> entries;
   while (rows.executeStep()) {
     auto entry = read_entry(rows);
-    if (entry && !undone.contains(entry->entry.action)) entries.push_back(*std::move(entry));
+    if (!entry) {
+      throw SQLite::Exception(fmt::format("entry {} cannot be", rows.getColumn(0).getInt64()),
+                              SQLITE_CORRUPT);
+    }
+    if (!undone.contains(entry->entry.action)) entries.push_back(*std::move(entry));
   }
   return entries;
 }
@@ -140,12 +145,8 @@ base::Result<void> LearnerStore::act(std::span<const char32_t> characters, Entry
   return inside_->act(characters, entry, nullptr);
 }
 
-Card LearnerStore::preview(char32_t character, Rating rating) const {
-  try {
-    return inside_->outlook(character, rating).card;
-  } catch (const SQLite::Exception&) {
-    return card(character);
-  }
+base::Result<Card> LearnerStore::preview(char32_t character, Rating rating) const {
+  return inside_->guarded([&]() -> base::Result<Card> { return inside_->outlook(character, rating).card; });
 }
 
 base::Result<std::optional<Undone>> LearnerStore::undo() {

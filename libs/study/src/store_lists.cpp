@@ -52,24 +52,20 @@ void put_tag(SQLite::Database& db, char32_t character, const std::string& tag) {
   put.exec();
 }
 
-std::vector<CustomList> LearnerStore::lists() const {
-  std::vector<CustomList> lists;
-  try {
-    SQLite::Statement names(inside_->db, "SELECT name FROM list ORDER BY name");
-    while (names.executeStep()) lists.push_back({names.getColumn(0).getString(), {}});
-    SQLite::Statement members(inside_->db,
-                              "SELECT character FROM list_member WHERE list = ? ORDER BY position");
-    for (CustomList& list : lists) {
-      members.bind(1, list.name);
-      while (members.executeStep()) {
-        list.characters.push_back(static_cast<char32_t>(members.getColumn(0).getInt64()));
-      }
-      members.reset();
+base::Result<std::vector<CustomList>> LearnerStore::lists() const {
+  return inside_->guarded([&]() -> base::Result<std::vector<CustomList>> {
+    SQLite::Statement rows(inside_->db,
+                           "SELECT name, character FROM list LEFT JOIN list_member ON list = name "
+                           "ORDER BY name, position");
+    std::vector<CustomList> lists;
+    while (rows.executeStep()) {
+      const std::string name = rows.getColumn(0).getString();
+      if (lists.empty() || lists.back().name != name) lists.push_back({name, {}});
+      const auto character = rows.getColumn(1);
+      if (!character.isNull()) lists.back().characters.push_back(static_cast<char32_t>(character.getInt64()));
     }
-  } catch (const SQLite::Exception&) {
-    lists.clear();
-  }
-  return lists;
+    return lists;
+  });
 }
 
 base::Result<void> LearnerStore::save_list(const CustomList& list) {
@@ -97,29 +93,25 @@ base::Result<void> LearnerStore::remove_list(std::string_view name) {
   });
 }
 
-std::vector<std::string> LearnerStore::tags_of(char32_t character) const {
-  std::vector<std::string> tags;
-  try {
+base::Result<std::vector<std::string>> LearnerStore::tags_of(char32_t character) const {
+  return inside_->guarded([&]() -> base::Result<std::vector<std::string>> {
+    std::vector<std::string> tags;
     SQLite::Statement rows(inside_->db, "SELECT tag FROM tag WHERE character = ? ORDER BY tag");
     rows.bind(1, static_cast<std::int64_t>(character));
     while (rows.executeStep()) tags.push_back(rows.getColumn(0).getString());
-  } catch (const SQLite::Exception&) {
-    tags.clear();
-  }
-  return tags;
+    return tags;
+  });
 }
 
-std::map<std::string, std::vector<char32_t>> LearnerStore::tags() const {
-  std::map<std::string, std::vector<char32_t>> tags;
-  try {
+base::Result<std::map<std::string, std::vector<char32_t>>> LearnerStore::tags() const {
+  return inside_->guarded([&]() -> base::Result<std::map<std::string, std::vector<char32_t>>> {
+    std::map<std::string, std::vector<char32_t>> tags;
     SQLite::Statement rows(inside_->db, "SELECT tag, character FROM tag ORDER BY tag, character");
     while (rows.executeStep()) {
       tags[rows.getColumn(0).getString()].push_back(static_cast<char32_t>(rows.getColumn(1).getInt64()));
     }
-  } catch (const SQLite::Exception&) {
-    tags.clear();
-  }
-  return tags;
+    return tags;
+  });
 }
 
 base::Result<void> LearnerStore::set_tags(char32_t character, std::span<const std::string> tags) {

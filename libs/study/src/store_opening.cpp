@@ -133,7 +133,12 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
                                               Upkeep upkeep) {
   std::error_code error;
   const bool there = fs::exists(path, error);
-  const bool writes = access != Access::read;
+  // What cannot be looked at is not an empty learner.
+  if (error) {
+    return base::fail(Errc::io, "cannot be read: " + error.message(), path.string(),
+                      "check the permissions of the folder");
+  }
+  const bool writes = access == Access::write || access == Access::rebuild;
   if (!there && !writes) return in_memory(std::move(clock));
   FileLock lock;
   if (writes) {
@@ -149,6 +154,7 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
     }
     if (!own) return tl::unexpected(std::move(own.error()));
     lock = *std::move(own);
+    clear_unfinished_restore(path);
   }
   if (there) {
     if (auto fine = check_beginning(path); !fine) return tl::unexpected(std::move(fine.error()));
@@ -195,7 +201,8 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
   };
   // Without write permission the files beside a log cannot be made; a file that was closed well has none.
   const bool closed = ::access(path.parent_path().empty() ? "." : path.parent_path().c_str(), W_OK) != 0;
-  auto opened = attempt(!writes && closed && !fs::exists(path.string() + "-wal", error));
+  const bool still = access == Access::backup && !has_log(path) && !in_use(path);
+  auto opened = attempt(still || (!writes && closed && !fs::exists(path.string() + "-wal", error)));
   // Nor where there is no room for them.
   if (!opened && !writes && opened.error().code == Errc::io && !has_log(path)) opened = attempt(true);
   return opened;

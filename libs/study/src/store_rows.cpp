@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "learner_store_inside.h"
+#include "named_values.h"
 
 namespace nazori::study {
 namespace {
@@ -62,6 +63,13 @@ class RowReader {
     return ok_ ? value : lowest;
   }
   int integer(int lowest, int highest) { return static_cast<int>(whole(lowest, highest)); }
+  /// An enumerator that is known here.
+  template <class Enum>
+  Enum one_of() {
+    const auto value = value_of<Enum>(whole(0, UINT8_MAX));
+    ok_ = ok_ && value.has_value();
+    return value.value_or(Enum{});
+  }
   std::optional<std::int64_t> optional(std::int64_t lowest, std::int64_t highest) {
     if (row_.getColumn(at_).isNull()) {
       ++at_;
@@ -120,9 +128,9 @@ std::optional<std::vector<StrokeFault>> read_faults(std::string_view text) {
 void read_writing(RowReader& row, LogEntry& entry) {
   Writing& writing = entry.writing;
   WritingResult& result = writing.result;
-  writing.stage = static_cast<Stage>(row.integer(0, 3));
-  writing.rating = static_cast<Rating>(row.integer(1, 4));
-  writing.proposed = static_cast<Rating>(row.integer(1, 4));
+  writing.stage = row.one_of<Stage>();
+  writing.rating = row.one_of<Rating>();
+  writing.proposed = row.one_of<Rating>();
   result.accepted = row.integer(0, 1) == 1;
   result.score = row.integer(0, 100);
   if (auto faults = read_faults(row.text())) {
@@ -157,7 +165,7 @@ std::optional<LearnerStore::LoggedEntry> read_entry(SQLite::Statement& statement
   entry.action = row.whole(1, entry.id);
   entry.at = row.time();
   entry.day = row.day();
-  entry.kind = static_cast<EntryKind>(row.integer(0, 7));
+  entry.kind = row.one_of<EntryKind>();
   entry.character = static_cast<char32_t>(row.optional(1, 0x10FFFF).value_or(0));
   if (entry.kind == EntryKind::writing) {
     read_writing(row, entry);
@@ -222,7 +230,7 @@ std::optional<Cards> read_cards(SQLite::Database& db) {
     Card card;
     Memory& memory = card.memory;
     card.character = static_cast<char32_t>(row.whole(1, 0x10FFFF));
-    memory.phase = static_cast<Phase>(row.integer(0, 3));
+    memory.phase = row.one_of<Phase>();
     memory.stability = row.real();
     memory.difficulty = row.real();
     memory.step = row.integer(0, 1'000);
@@ -243,7 +251,7 @@ std::optional<Cards> read_cards(SQLite::Database& db) {
     card.leech = row.integer(0, 1) == 1;
     card.leech_at = row.integer(0, INT32_MAX);
     card.practices = row.integer(0, INT32_MAX);
-    card.next_stage = static_cast<Stage>(row.integer(0, 3));
+    card.next_stage = row.one_of<Stage>();
     card.help = row.real();
     if (!row.ok()) return std::nullopt;
     cards.emplace(card.character, card);
@@ -261,6 +269,8 @@ void put_card(SQLite::Database& db, const Card& card) {
               << static_cast<int>(card.next_stage) << card.help;
   put.exec();
 }
+
+bool names_a_character(EntryKind kind) { return kind != EntryKind::undo && kind != EntryKind::settings; }
 
 base::Result<void> check_writing(char32_t character, int strokes, const Writing& writing) {
   const auto refuse = [](const char* what, const char* where) -> base::Result<void> {

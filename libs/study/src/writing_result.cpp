@@ -2,33 +2,35 @@
 #include "nazori/study/writing_result.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
+
+#include "named_values.h"
 
 namespace nazori::study {
-namespace {
-
-constexpr std::array<std::pair<FaultKind, std::string_view>, 9> kFaultNames{
-    {{FaultKind::order, "order"},
-     {FaultKind::reversed, "reversed"},
-     {FaultKind::missing, "missing"},
-     {FaultKind::extra, "extra"},
-     {FaultKind::joined, "joined"},
-     {FaultKind::split, "split"},
-     {FaultKind::wrong, "wrong"},
-     {FaultKind::other, "other"},
-     {FaultKind::ending, "ending"}}};
-
-}  // namespace
-
-std::string_view name_of(FaultKind kind) { return kFaultNames[static_cast<std::size_t>(kind)].second; }
-
-std::optional<FaultKind> fault_named(std::string_view name) {
-  for (const auto& [kind, own] : kFaultNames) {
-    if (own == name) return kind;
+std::string_view name_of(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::order:
+      return "order";
+    case FaultKind::reversed:
+      return "reversed";
+    case FaultKind::missing:
+      return "missing";
+    case FaultKind::extra:
+      return "extra";
+    case FaultKind::joined:
+      return "joined";
+    case FaultKind::split:
+      return "split";
+    case FaultKind::wrong:
+      return "wrong";
+    case FaultKind::other:
+      return "other";
+    case FaultKind::ending:
+      return "ending";
   }
-  return std::nullopt;
+  return {};
 }
+
+std::optional<FaultKind> fault_named(std::string_view name) { return value_named<FaultKind>(name); }
 
 Rating proposed_rating(const WritingResult& result, const UsualWriting& usual, const RatingRule& rule) {
   if (!result.accepted || result.shown_strokes > 0 || result.hints > rule.most_hints ||

@@ -6,6 +6,7 @@
 
 #include "learner_fixture.h"
 #include "nazori/study/character_lists.h"
+#include "nazori/study/pace.h"
 #include "nazori/study/profiles.h"
 #include "nazori/study/statistics.h"
 
@@ -154,6 +155,79 @@ TEST(DayPlan, PracticeDuringTheAbsenceIsNoReview) {
   EXPECT_EQ(learner.plan().count(TaskKind::review), 20) << "still the first day back";
 }
 
+TEST(DayPlan, UnfinishedStepsOfEarlierDaysObeyTheLimit) {
+  Learner learner;
+  learner.settings([](Settings& s) {
+    s.new_per_day = 60;
+    s.reviews_per_day = 25;
+  });
+  // Sixty characters, all left in their learning steps.
+  for (char32_t c = U'亜'; c < U'亜' + 60; ++c) learner.write(c, Rating::again);
+  learner.clock.advance(minutes(2));
+  EXPECT_EQ(learner.plan().count(TaskKind::step), 60) << "today's own work always comes";
+  EXPECT_EQ(learner.plan().held_back, 0);
+
+  learner.clock.advance(days(3));
+  DayPlan plan = learner.plan();
+  EXPECT_EQ(plan.count(TaskKind::step), 25);
+  EXPECT_EQ(plan.held_back, 35);
+  EXPECT_EQ(plan.count(TaskKind::fresh), 0);
+  ASSERT_TRUE(plan.gentle);
+  EXPECT_EQ(plan.gentle->overdue, 60);
+  EXPECT_EQ(plan.gentle->per_day, 25);
+  EXPECT_EQ(plan.gentle->days, 3);
+  EXPECT_EQ(plan.estimate, 25 * Pace().recalled);
+
+  // What is done today counts; a step that follows from it comes all the same.
+  learner.write(plan.now[0].character, Rating::good);
+  learner.write(plan.now[1].character, Rating::easy);
+  plan = learner.plan();
+  EXPECT_EQ(plan.reviews_done, 2);
+  EXPECT_EQ(plan.count(TaskKind::step), 23);
+  EXPECT_EQ(plan.later_today.size(), 1U);
+  learner.clock.advance(minutes(11));
+  EXPECT_EQ(learner.plan().count(TaskKind::step), 24);
+  EXPECT_EQ(learner.plan().held_back, 35);
+}
+
+TEST(DayPlan, UnfinishedStepsAndReviewsShareTheLimitTheBestKnownFirst) {
+  Learner learner;
+  learner.settings([](Settings& s) {
+    s.new_per_day = 0;
+    s.reviews_per_day = 6;
+  });
+  for (char32_t c = U'亜'; c < U'亜' + 5; ++c) learner.write(c, Rating::easy);
+  for (char32_t c = U'亜' + 5; c < U'亜' + 10; ++c) learner.write(c, Rating::again);
+  learner.clock.advance(days(8));
+  // Seven days without a review halve the limit.
+  DayPlan plan = learner.plan();
+  EXPECT_EQ(plan.now.size(), 3U);
+  EXPECT_EQ(plan.held_back, 7);
+  EXPECT_EQ(plan.count(TaskKind::review), 3) << "they are known better";
+  learner.settings([](Settings& s) { s.reviews_per_day = 14; });
+  plan = learner.plan();
+  ASSERT_EQ(plan.now.size(), 7U);
+  EXPECT_EQ(plan.count(TaskKind::review), 5);
+  EXPECT_EQ(plan.now[0].kind, TaskKind::step) << "steps stand before reviews";
+  EXPECT_EQ(plan.now[2].kind, TaskKind::review);
+}
+
+TEST(DayPlan, AStepThatFallsDueAfterMidnightIsOfToday) {
+  Learner learner;
+  learner.settings([](Settings& s) {
+    s.new_per_day = 0;
+    s.reviews_per_day = 1;
+  });
+  learner.clock.set("2026-01-02T03:59:30Z");  // the study day begins at 04:00
+  for (const char32_t c : {U'一', U'二', U'三'}) learner.write(c, Rating::again);
+  learner.clock.set("2026-01-02T04:05:00Z");
+  EXPECT_EQ(learner.plan().count(TaskKind::step), 3);
+  EXPECT_EQ(learner.plan().held_back, 0);
+  learner.clock.set("2026-01-03T04:00:00Z");
+  EXPECT_EQ(learner.plan().count(TaskKind::step), 1);
+  EXPECT_EQ(learner.plan().held_back, 2);
+}
+
 TEST(DayPlan, ADayMissedIsNoReturn) {
   Learner learner = away(2);
   EXPECT_EQ(learner.plan().count(TaskKind::review),
@@ -257,10 +331,14 @@ TEST(CharacterLists, HoldWhatTheDatabaseSays) {
   EXPECT_EQ(count("old-jlpt-4"), 103U);
   EXPECT_EQ(count("old-jlpt-3"), 181U);
   EXPECT_FALSE(lists.members("grade-7", learner.store));
-  const auto order = lists.in_learning_order(learner.store.settings(), learner.store);
+  const auto order = must(lists.in_learning_order(learner.store.settings(), learner.store));
   EXPECT_EQ(order.size(), 2136U);
   EXPECT_EQ(lists.facts(order[79])->grade, 1);
   EXPECT_EQ(lists.facts(order[80])->grade, 2);
+  // A list that was removed is passed over.
+  Settings settings = learner.store.settings();
+  settings.new_lists = {"list:gone", "grade-1", "tag:gone"};
+  EXPECT_EQ(must(lists.in_learning_order(settings, learner.store)).size(), 80U);
 }
 
 TEST(ListText, IsReadWithItsNotes) {

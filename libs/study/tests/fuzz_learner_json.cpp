@@ -11,11 +11,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto clock = [] { return Time{}; };
   auto learner = LearnerStore::in_memory(clock);
-  if (!learner || !import_json(*learner, text)) return 0;
+  if (!learner || !import_json(*learner, text_source(text))) return 0;
   // What was read is written in the one spelling, which comes back exactly.
   const auto written = export_json(*learner);
   auto again = LearnerStore::in_memory(clock);
-  if (!written || !again || !import_json(*again, *written) || export_json(*again) != written) std::abort();
+  if (!written || !again || !import_json(*again, text_source(*written)) || export_json(*again) != written)
+    std::abort();
   const auto report = again->rebuild();
   if (!report || report->differences != 0) std::abort();
   return 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learner_fixture.h"
 
+#include "nazori/study/store_filling.h"
+
 #include <stdlib.h>
 #include <array>
 #include <cmath>
@@ -97,23 +99,23 @@ void study_at_random(LearnerStore& store, MovedClock& clock, unsigned seed, int 
   }
 }
 
-LearnerStore::Contents long_history(int entries) {
-  constexpr int kEachDay = 30;
-  constexpr int kCharacters = 2'000;
-  constexpr Time kBegin = Time(std::chrono::days(16'000)) + std::chrono::hours(9);
-  LearnerStore::Contents contents;
-  contents.entries.reserve(static_cast<std::size_t>(entries));
-  for (int i = 0; i < entries; ++i) {
-    LearnerStore::Contents::Entry one;
-    one.entry.id = one.entry.action = i + 1;
-    one.entry.at = kBegin + std::chrono::days(i / kEachDay) + std::chrono::seconds(30 * (i % kEachDay));
-    one.entry.day = std::chrono::floor<std::chrono::days>(one.entry.at);
-    one.entry.character = U'一' + static_cast<char32_t>(i % std::min(kCharacters, entries / 3 + 1));
-    one.entry.strokes = 8;
-    one.entry.writing = review(i % 7 == 0 ? Rating::again : Rating::good);
-    contents.entries.push_back(std::move(one));
-  }
-  return contents;
+LearnerStore::Source long_history(int entries) {
+  return [entries](LearnerStore::Filling& filling) -> base::Result<void> {
+    constexpr int kEachDay = 30;
+    constexpr int kCharacters = 2'000;
+    constexpr Time kBegin = Time(std::chrono::days(16'000)) + std::chrono::hours(9);
+    for (int i = 0; i < entries; ++i) {
+      LogEntry entry;
+      entry.id = entry.action = i + 1;
+      entry.at = kBegin + std::chrono::days(i / kEachDay) + std::chrono::seconds(30 * (i % kEachDay));
+      entry.day = std::chrono::floor<std::chrono::days>(entry.at);
+      entry.character = U'一' + static_cast<char32_t>(i % std::min(kCharacters, entries / 3 + 1));
+      entry.strokes = 8;
+      entry.writing = review(i % 7 == 0 ? Rating::again : Rating::good);
+      if (auto added = filling.add(entry, {}); !added) return added;
+    }
+    return {};
+  };
 }
 
 std::string bytes_of(const std::filesystem::path& path) {

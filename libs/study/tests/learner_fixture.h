@@ -61,7 +61,7 @@ void use_zone(LearnerStore& store, const char* zone);
 void study_at_random(LearnerStore& store, MovedClock& clock, unsigned seed, int actions);
 
 /// A log of a learner who writes 30 characters from memory on every day, over and over.
-LearnerStore::Contents long_history(int entries);
+LearnerStore::Source long_history(int entries);
 
 std::string bytes_of(const std::filesystem::path& path);
 

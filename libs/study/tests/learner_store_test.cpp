@@ -9,6 +9,7 @@
 #include <random>
 
 #include "learner_fixture.h"
+#include "nazori/study/exchange.h"
 
 namespace nazori::study {
 namespace {
@@ -314,7 +315,7 @@ TEST(LearnerStore, TheLogCanOnlyBeAddedTo) {
   EXPECT_THROW(db.exec("DELETE FROM log"), SQLite::Exception);
 }
 
-TEST(LearnerStore, TheContentsFillAnotherStoreExactly) {
+TEST(LearnerStore, AnExportFillsAnotherStoreExactly) {
   MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
   study_at_random(store, clock, 5, 200);
@@ -322,16 +323,83 @@ TEST(LearnerStore, TheContentsFillAnotherStoreExactly) {
   const std::vector<std::string> tags{"hard", "school"};
   ASSERT_TRUE(store.set_tags(kRest, tags));
   LearnerStore other = must(LearnerStore::in_memory(clock.clock()));
-  const auto filled = other.fill(must(store.contents()));
+  const std::string text = must(export_json(store));
+  const auto filled = import_json(other, text_source(text));
   ASSERT_TRUE(filled) << base::to_line(filled.error());
   EXPECT_EQ(other.cards(), store.cards());
   EXPECT_EQ(other.settings(), store.settings());
-  EXPECT_EQ(other.lists(), store.lists());
-  EXPECT_EQ(other.tags_of(kRest), tags);
+  EXPECT_EQ(must(other.lists()), must(store.lists()));
+  EXPECT_EQ(must(other.tags_of(kRest)), tags);
+  EXPECT_EQ(must(other.tags()), must(store.tags()));
   EXPECT_EQ(must(other.rebuild()).differences, 0);
-  const auto again = other.fill(must(store.contents()));
+  const auto again = import_json(other, text_source(text));
   EXPECT_FALSE(again);
   EXPECT_THAT(again.error().what, HasSubstr("not empty"));
+}
+
+/// Every enumerator that has a name, whatever the header lists.
+template <class Enum>
+std::vector<Enum> all_of() {
+  std::vector<Enum> all;
+  for (int number = 0; number <= UINT8_MAX; ++number)
+    if (!name_of(static_cast<Enum>(number)).empty()) all.push_back(static_cast<Enum>(number));
+  return all;
+}
+
+TEST(LearnerStore, EveryStageRatingAndFaultThereIsComesBack) {
+  const TemporaryFolder folder;
+  const MovedClock clock("2026-01-01T09:00:00Z");
+  std::vector<Writing> written;
+  {
+    LearnerStore store = open(folder / "learner.db", clock);
+    for (const Stage stage : all_of<Stage>()) {
+      for (const Rating rating : all_of<Rating>()) {
+        Writing& writing = written.emplace_back(review(rating));
+        writing.stage = stage;
+        writing.result.faults.clear();
+        for (const FaultKind kind : all_of<FaultKind>()) writing.result.faults.push_back({kind, 1});
+        (void)must(store.add_writing(kRest, 6, writing));
+      }
+    }
+  }
+  ASSERT_EQ(written.size(), kStages.size() * kRatings.size()) << "the lists in the headers are whole";
+  std::vector<Writing> read;
+  for (const auto& one : must(open(folder / "learner.db", clock).writings_of(kRest)))
+    read.push_back(one.entry.writing);
+  EXPECT_EQ(read, written);
+}
+
+TEST(LearnerStore, ANumberThatIsNoStageRatingKindOrPhaseIsDamage) {
+  const MovedClock clock("2026-01-01T09:00:00Z");
+  const auto number_after = [](const auto& all) { return static_cast<int>(all.back()) + 1; };
+  const std::array<std::pair<std::string, int>, 5> columns{{{"kind", number_after(all_of<EntryKind>())},
+                                                            {"stage", number_after(all_of<Stage>())},
+                                                            {"rating", number_after(all_of<Rating>())},
+                                                            {"rating", 0},
+                                                            {"proposed", 300}}};
+  for (const auto& [column, number] : columns) {
+    const TemporaryFolder folder;
+    (void)must(open(folder / "learner.db", clock).add_writing(kRest, 6, review(Rating::good)));
+    {
+      SQLite::Database db((folder / "learner.db").string(), SQLite::OPEN_READWRITE);
+      db.exec("DROP TRIGGER log_is_not_changed");
+      db.exec("UPDATE log SET " + column + " = " + std::to_string(number));
+    }
+    const auto read =
+        open(folder / "learner.db", clock).for_each_entry(false, [](const auto&) { return true; });
+    ASSERT_FALSE(read) << column;
+    EXPECT_EQ(read.error().code, base::Errc::parse) << column;
+  }
+  for (const auto& [column, number] : {std::pair("phase", number_after(all_of<Phase>())),
+                                       std::pair("next_stage", number_after(all_of<Stage>()))}) {
+    const TemporaryFolder folder;
+    (void)must(open(folder / "learner.db", clock).add_writing(kRest, 6, review(Rating::good)));
+    SQLite::Database((folder / "learner.db").string(), SQLite::OPEN_READWRITE)
+        .exec(std::string("UPDATE card SET ") + column + " = " + std::to_string(number));
+    const auto opened = LearnerStore::open(folder / "learner.db", Access::write, clock.clock());
+    ASSERT_FALSE(opened) << column;
+    EXPECT_EQ(opened.error().code, base::Errc::parse) << column;
+  }
 }
 
 TEST(LearnerStore, APreviewIsWhatTheReviewThenGives) {
@@ -340,7 +408,7 @@ TEST(LearnerStore, APreviewIsWhatTheReviewThenGives) {
   (void)must(store.add_writing(kRest, 6, review(Rating::easy)));
   clock.advance(days(8));
   for (const Rating rating : kRatings) {
-    const Card seen = store.preview(kRest, rating);
+    const Card seen = must(store.preview(kRest, rating));
     EXPECT_EQ(must(store.add_writing(kRest, 6, review(rating))).memory, seen.memory);
     (void)must(store.undo());
   }
@@ -360,7 +428,7 @@ TEST(LearnerStore, WhereIntervalsVaryAPreviewTellsTheDayThatIsKept) {
     for (char32_t c = U'一'; c < U'一' + 12; ++c) {
       for (const Rating rating : kRatings) {
         const Card before = store.card(c);
-        const Card seen = store.preview(c, rating);
+        const Card seen = must(store.preview(c, rating));
         EXPECT_EQ(store.card(c), before) << "a preview keeps nothing";
         const Card kept = must(store.add_writing(c, 4, review(rating)));
         EXPECT_EQ(seen.due_day, kept.due_day)
@@ -395,12 +463,51 @@ TEST(LearnerStore, ListsAndTagsAreKept) {
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
   ASSERT_TRUE(store.save_list({"b", {kTree, kRest, kTree}}));
   ASSERT_TRUE(store.save_list({"a", {kRest}}));
-  EXPECT_THAT(store.lists(), ElementsAre(CustomList{"a", {kRest}}, CustomList{"b", {kTree, kRest}}));
+  EXPECT_THAT(must(store.lists()), ElementsAre(CustomList{"a", {kRest}}, CustomList{"b", {kTree, kRest}}));
   ASSERT_TRUE(store.remove_list("a"));
   EXPECT_EQ(store.remove_list("a").error().code, base::Errc::not_found);
   EXPECT_FALSE(store.save_list({"", {kRest}}));
   EXPECT_FALSE(store.save_list({"two\nlines", {kRest}}));
   EXPECT_FALSE(store.save_list({"\xFF", {kRest}}));
+}
+
+TEST(LearnerStore, WhatCannotBeReadIsAnErrorNotNothing) {
+  for (const char* table : {"log", "list", "list_member", "tag"}) {
+    const TemporaryFolder folder;
+    const MovedClock clock("2026-01-01T09:00:00Z");
+    LearnerStore store = open(folder / "learner.db", clock);
+    (void)must(store.add_writing(kRest, 6, review(Rating::good)));
+    SQLite::Database((folder / "learner.db").string(), SQLite::OPEN_READWRITE, 1'000)
+        .exec(std::string("ALTER TABLE ") + table + " RENAME TO gone");
+    const bool log = table == std::string("log");
+    const bool tag = table == std::string("tag");
+    EXPECT_EQ(store.preview(kRest, Rating::good).has_value(), !log) << table;
+    EXPECT_EQ(store.usual_writing(kRest).has_value(), !log) << table;
+    EXPECT_EQ(store.lists().has_value(), log || tag) << table;
+    EXPECT_EQ(store.tags().has_value(), !tag) << table;
+    EXPECT_EQ(store.tags_of(kRest).has_value(), !tag) << table;
+  }
+}
+
+TEST(LearnerStore, ACardIsNotWorkedOutWithoutAnEntryThatIsDamaged) {
+  const TemporaryFolder folder;
+  const MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = open(folder / "learner.db", clock);
+  (void)must(store.add_writing(kRest, 6, review(Rating::good)));
+  (void)must(store.add_writing(kTree, 4, review(Rating::good)));
+  const Cards before = store.cards();
+  {
+    SQLite::Database db((folder / "learner.db").string(), SQLite::OPEN_READWRITE, 1'000);
+    db.exec("DROP TRIGGER log_is_not_changed; UPDATE log SET score = 999 WHERE id = 1");
+  }
+  EXPECT_EQ(store.preview(kRest, Rating::good).error().code, base::Errc::parse);
+  const auto added = store.add_writing(kRest, 6, review(Rating::good));
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().code, base::Errc::parse);
+  EXPECT_THAT(base::to_line(added.error()), HasSubstr("entry 1"));
+  EXPECT_EQ(store.writings_of(kRest).error().code, base::Errc::parse);
+  EXPECT_EQ(store.cards(), before);
+  EXPECT_TRUE(store.add_writing(kTree, 4, review(Rating::good))) << "others can be studied";
 }
 
 TEST(LearnerStore, WhatIsNoWritingIsRefused) {

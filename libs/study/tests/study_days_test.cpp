@@ -12,6 +12,7 @@
 
 #include "learner_fixture.h"
 #include "nazori/study/day_plan.h"
+#include "nazori/study/exchange.h"
 #include "nazori/study/pace.h"
 #include "nazori/study/statistics.h"
 #include "test_paths.h"
@@ -148,7 +149,8 @@ TEST(StudyDays, AreThereAfterAnImport) {
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
   study_at_random(store, clock, 7, 300);
   LearnerStore other = must(LearnerStore::in_memory(clock.clock()));
-  ASSERT_TRUE(other.fill(must(store.contents())));
+  const std::string json = must(export_json(store));
+  ASSERT_TRUE(import_json(other, text_source(json)));
   expect_sums_of_the_log(other);
   EXPECT_EQ(must(other.study_days()), must(store.study_days()));
 }

@@ -67,10 +67,16 @@ Library::Library(std::filesystem::path path, QObject* parent)
 
 Library::~Library() = default;
 
+void Library::tell_trouble(const kanji::KanjiDatabase& database) {
+  if (!database.trouble() || std::exchange(told_trouble_, true)) return;
+  worker_.answer([this, error = *database.trouble()] { emit failed(error); });
+}
+
 void Library::request_list(kanji::List which) {
   worker_.post([this, which, ticket = ++newest_list_, database = database_] {
     if (ticket != newest_list_ || !*database) return;
     auto characters = std::make_shared<const std::vector<kanji::Summary>>((*database)->list(which));
+    tell_trouble(**database);
     worker_.answer([this, which, ticket, characters] {
       if (ticket == newest_list_) emit listed(which, characters);
     });
@@ -83,6 +89,7 @@ void Library::request_search(const QString& text) {
     kanji::Query query;
     query.text = text.toStdString();
     auto characters = std::make_shared<const std::vector<kanji::Summary>>((*database)->search(query));
+    tell_trouble(**database);
     worker_.answer([this, text, ticket, characters] {
       if (ticket == newest_search_) emit found(text, characters);
     });
@@ -93,6 +100,7 @@ void Library::request_sheet(char32_t code_point) {
   worker_.post([this, code_point, ticket = ++newest_sheet_, database = database_] {
     if (ticket != newest_sheet_ || !*database) return;
     auto character = (*database)->find(code_point);
+    tell_trouble(**database);
     if (!character || character->strokes.empty()) {
       worker_.answer([this, code_point, ticket] {
         if (ticket == newest_sheet_) emit sheet_missing(code_point);
@@ -103,6 +111,7 @@ void Library::request_sheet(char32_t code_point) {
     sheet->parts = parts_of(**database, *character);
     if (character->entry.radical) sheet->radical = (*database)->radical(*character->entry.radical);
     sheet->words = (*database)->words(code_point, kMaxWords);
+    tell_trouble(**database);
     sheet->character = std::move(*character);
     worker_.answer([this, ticket, sheet = std::shared_ptr<const CharacterSheet>(sheet)] {
       if (ticket == newest_sheet_) emit sheet_ready(sheet);

@@ -51,13 +51,17 @@ class Library final : public QObject {
 
  signals:
   void opened(std::vector<nazori::kanji::Source> sources);
-  void failed(nazori::base::Error error);
+  void failed(nazori::base::Error error);  ///< it cannot be opened, or not all of it can be read
   void listed(nazori::kanji::List which, nazori::ui::Summaries characters);
   void found(QString text, nazori::ui::Summaries characters);
   void sheet_ready(std::shared_ptr<const nazori::ui::CharacterSheet> sheet);
   void sheet_missing(char32_t code_point);
 
  private:
+  /// On the worker: says once that the database is damaged, so that nothing found is not taken for the
+  /// answer.
+  void tell_trouble(const kanji::KanjiDatabase& database);
+  bool told_trouble_ = false;                                      // touched by the worker only
   std::shared_ptr<std::optional<kanji::KanjiDatabase>> database_;  // touched by the worker only
   std::atomic<std::uint64_t> newest_list_{0};
   std::atomic<std::uint64_t> newest_search_{0};

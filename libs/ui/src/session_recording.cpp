@@ -53,7 +53,10 @@ SessionRecording::~SessionRecording() {
 
 base::Result<void> SessionRecording::start(const QString& path, const QString& character,
                                            const geometry::TabletShape& shape) {
-  (void)finish();
+  if (recorder_) {
+    const QString before = path_;
+    if (const auto ended = finish(); !ended) emit failed(before, ended.error());
+  }
   session_.character = character.toStdString();
   session_.shape = shape;
   first_path_ = path;
@@ -161,7 +164,11 @@ void SessionRecording::recover() {
         // Another window is recording into it.
         if (result && *result == recording::Recovery::in_progress) return;
         if (!result || !is_csv(path)) forget(path);
-        if (!result) return;  // moved or removed since: nothing to say
+        if (!result) {
+          // Moved or removed since: nothing to say.
+          if (result.error().code != base::Errc::not_found) emit failed(path, result.error());
+          return;
+        }
         emit recovered(*result == recording::Recovery::nothing_left ? Recovered{{}, {path}}
                                                                     : Recovered{{path}, {}});
         if (is_csv(path)) export_table(path);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <QApplication>
 #include <QFile>
 #include <QLineEdit>
@@ -18,6 +20,8 @@
 #include "nazori/study/backups.h"
 #include "nazori/study/exchange.h"
 #include "nazori/study/profiles.h"
+#include "study/list_choice.h"
+#include "study/study_dialogs.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -180,6 +184,60 @@ TEST_F(LearnersTest, AWindowClosedWhileABackupIsPutInPlaceLeavesAWholeStore) {
     EXPECT_EQ(store->last_entry(), store->cards().contains(U'二') ? 2 : 1);
     EXPECT_TRUE(store->cards().contains(U'一'));
   }
+}
+
+TEST_F(LearnersTest, ABackupThatFailedStaysSaidUntilOneIsMade) {
+  write(U'一');
+  const auto backups = study::backup_folder(learner().file());
+  std::filesystem::remove_all(backups);
+  QFile in_the_way(QString::fromStdString(backups.string()));
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  in_the_way.close();
+  ASSERT_TRUE(learner().open_again());
+  EXPECT_TRUE(learner().backup_trouble().startsWith(QStringLiteral("Today's backup could not be made")));
+  write(U'二');
+  EXPECT_FALSE(learner().backup_trouble().isEmpty());
+  EXPECT_TRUE(learner().trouble().isEmpty()) << "studying works";
+  ASSERT_TRUE(in_the_way.remove());
+  ASSERT_TRUE(learner().open_again());
+  EXPECT_TRUE(learner().backup_trouble().isEmpty());
+}
+
+TEST_F(LearnersTest, TagsThatCannotBeReadAreNotReplacedByNone) {
+  write(U'一');
+  const std::vector<std::string> tags{"exam"};
+  ASSERT_TRUE(learner().take(learner().store().set_tags(U'一', tags)));
+  const auto rename = [&](const char* from, const char* to) {
+    SQLite::Database(learner().file().string(), SQLite::OPEN_READWRITE, 1'000)
+        .exec(std::string("ALTER TABLE ") + from + " RENAME TO " + to);
+  };
+  rename("tag", "gone");
+  // Whatever is asked would be answered with what it shows.
+  QTimer::singleShot(0, window_.get(), [] {
+    if (auto* asked = qobject_cast<QDialog*>(QApplication::activeModalWidget())) asked->accept();
+  });
+  ask_tags(*the_desk, U'一');
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("The study data cannot be read")))
+      << feedback().toStdString();
+  rename("gone", "tag");
+  EXPECT_EQ(*learner().store().tags_of(U'一'), tags);
+}
+
+TEST_F(LearnersTest, ListsThatCannotBeReadAreSaidWhereOneIsChosen) {
+  write(U'一');
+  ListChoice choice;
+  choice.fill(learner().store());
+  const int before = choice.count();
+  SQLite::Database(learner().file().string(), SQLite::OPEN_READWRITE, 1'000)
+      .exec("ALTER TABLE list RENAME TO gone");
+  choice.fill(learner().store());
+  ASSERT_EQ(choice.count(), before + 1);
+  EXPECT_TRUE(choice.itemText(before).startsWith(QStringLiteral("Your lists and tags cannot be read")));
+  choice.setCurrentIndex(before);
+  EXPECT_FALSE(choice.model()->flags(choice.model()->index(before, 0)).testFlag(Qt::ItemIsEnabled));
+  // An export of a list that cannot be read is no export of all that was met.
+  EXPECT_FALSE(ListChoice::members(QStringLiteral("list:trees"), learner().lists(), learner().store()));
+  EXPECT_EQ(ListChoice::members({}, learner().lists(), learner().store())->size(), 1U);
 }
 
 TEST_F(LearnersTest, ABackupThatCannotBeUsedCannotBeChosen) {

@@ -479,6 +479,23 @@ TEST_F(Study, ASecondWindowIsToldAndChangesNothing) {
   EXPECT_TRUE(the_desk->learner().can_write());
 }
 
+TEST_F(Study, ABackupThatFailedStaysSaidAtHome) {
+  window_.reset();
+  const auto backups = learner_file().parent_path() / "backups";
+  std::filesystem::remove_all(backups);
+  std::filesystem::copy_file(learner_file(), backups);
+  open_home();
+  EXPECT_TRUE(text("home_trouble").startsWith(QStringLiteral("Today's backup could not be made")));
+  EXPECT_TRUE(find("home_trouble")->isVisible());
+  EXPECT_TRUE(find<QPushButton>("home_start")->isVisible()) << "studying works";
+  emit the_desk->learner().changed();
+  EXPECT_TRUE(find("home_trouble")->isVisible());
+  window_.reset();
+  std::filesystem::remove(backups);
+  open_home();
+  EXPECT_FALSE(find("home_trouble")->isVisible());
+}
+
 TEST_F(Study, AfterAMonthAwayThereIsAPlanAndNoWall) {
   start();
   learn();

@@ -11,6 +11,7 @@
 #include "nazori/recording/session_recorder.h"
 #include "nazori/study/backups.h"
 #include "nazori/study/character_lists.h"
+#include "nazori/study/store_filling.h"
 #include "progress/progress.h"
 #include "study/home.h"
 #include "watchdog.h"
@@ -34,27 +35,27 @@ std::unique_ptr<Workplace> make_progress(Desk& desk) { return std::make_unique<P
 
 /// A heavy learner's ten years: 300,000 writings, 80 a day. The first thousand characters were written once
 /// and are due for long.
-study::LearnerStore::Contents ten_years(std::span<const char32_t> characters, study::Time end) {
-  constexpr int kEntries = 300'000;
-  constexpr int kEachDay = 80;
-  const auto begin = end - std::chrono::days(kEntries / kEachDay);
-  study::LearnerStore::Contents contents;
-  for (int i = 0; i < kEntries; ++i) {
-    study::LearnerStore::Contents::Entry one;
-    one.entry.id = one.entry.action = i + 1;
-    one.entry.at = begin + std::chrono::days(i / kEachDay) + std::chrono::seconds(20 * (i % kEachDay));
-    one.entry.day = std::chrono::floor<std::chrono::days>(one.entry.at);
-    const bool is_first = i < 1'000;
-    one.entry.character = characters[static_cast<std::size_t>(is_first ? 1'000 + i : i % 1'000)];
-    one.entry.strokes = 5;
-    one.entry.writing.rating = one.entry.writing.proposed =
-        is_first ? study::Rating::easy : study::Rating::good;
-    one.entry.writing.result.accepted = true;
-    one.entry.writing.result.score = 90;
-    one.entry.writing.result.duration = std::chrono::seconds(9);
-    contents.entries.push_back(std::move(one));
-  }
-  return contents;
+study::LearnerStore::Source ten_years(const std::vector<char32_t>& characters, study::Time end,
+                                      int entries = 300'000) {
+  return [=](study::LearnerStore::Filling& filling) -> base::Result<void> {
+    constexpr int kEachDay = 80;
+    const auto begin = end - std::chrono::days(entries / kEachDay);
+    for (int i = 0; i < entries; ++i) {
+      study::LogEntry entry;
+      entry.id = entry.action = i + 1;
+      entry.at = begin + std::chrono::days(i / kEachDay) + std::chrono::seconds(20 * (i % kEachDay));
+      entry.day = std::chrono::floor<std::chrono::days>(entry.at);
+      const bool is_first = i < 1'000;
+      entry.character = characters[static_cast<std::size_t>(is_first ? 1'000 + i : i % 1'000)];
+      entry.strokes = 5;
+      entry.writing.rating = entry.writing.proposed = is_first ? study::Rating::easy : study::Rating::good;
+      entry.writing.result.accepted = true;
+      entry.writing.result.score = 90;
+      entry.writing.result.duration = std::chrono::seconds(9);
+      if (auto added = filling.add(entry, {}); !added) return added;
+    }
+    return {};
+  };
 }
 
 class Waiting : public WindowTest {
@@ -156,9 +157,7 @@ TEST_F(Waiting, ADamagedFileIsFoundBehindTheWindowAndNothingMoreIsWritten) {
   {
     auto store = study::LearnerStore::open(learner_file(), study::Access::write, clock_);
     ASSERT_TRUE(store);
-    auto some = ten_years(characters(*store), now_);
-    some.entries.resize(3'000);
-    ASSERT_TRUE(store->fill(some));
+    ASSERT_TRUE(store->fill(ten_years(characters(*store), now_, 3'000)));
     std::filesystem::remove_all(study::backup_folder(learner_file()));
   }
   {

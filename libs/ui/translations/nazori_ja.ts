@@ -405,8 +405,8 @@
         <translation>バックアップはまだありません。学習した日ごとに、なぞりを開いたとき自動で一つ作られます。</translation>
     </message>
     <message>
-        <source>One is made by itself on each day of study; seven are kept. What is replaced is kept too.</source>
-        <translation>学習した日ごとに自動で一つ作られ、七つまで残ります。置き換えられたものも残ります。</translation>
+        <source>One is made by itself on each day of study; seven are kept. Of what a backup replaced, the last three are kept.</source>
+        <translation>学習した日ごとに自動で一つ作られ、七つまで残ります。復元で置き換えられたものは最新の三つが残ります。</translation>
     </message>
     <message>
         <source>cannot be used</source>
@@ -853,6 +853,10 @@
 </context>
 <context>
     <name>nazori::ui::CharactersCard</name>
+    <message>
+        <source>The list cannot be read: %1</source>
+        <translation>リストを読めません：%1</translation>
+    </message>
     <message>
         <source>Which characters</source>
         <translation>どの文字</translation>
@@ -2417,6 +2421,10 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::Learner</name>
     <message>
+        <source>The study data cannot be read: %1.</source>
+        <translation>学習データを読めません：%1。</translation>
+    </message>
+    <message>
         <source>“%1” cannot be the name of a learner: up to 60 bytes, no “/”, and no dot at its beginning.</source>
         <translation>「%1」は学習者の名前にできません。60 バイトまでで、「/」を含まず、点で始まらないものにしてください。</translation>
     </message>
@@ -2810,6 +2818,10 @@ Columns and rows:</source>
 </context>
 <context>
     <name>nazori::ui::ListChoice</name>
+    <message>
+        <source>Your lists and tags cannot be read: %1</source>
+        <translation>自分のリストとタグを読めません：%1</translation>
+    </message>
     <message>
         <source>Met so far</source>
         <translation>これまでに学んだ文字</translation>
@@ -4430,6 +4442,10 @@ Columns and rows:</source>
 </context>
 <context>
     <name>nazori::ui::StudySettingsDialog</name>
+    <message>
+        <source>Your lists and tags cannot be read: %1</source>
+        <translation>自分のリストとタグを読めません：%1</translation>
+    </message>
     <message>
         <source>The study settings hold from now on.</source>
         <translation>学習の設定はこれから有効です。</translation>

@@ -11,6 +11,7 @@ namespace nazori::writing {
 base::Result<const ModelLibrary::Entry*> ModelLibrary::find(char32_t character) {
   if (const auto known = entries_.find(character); known != entries_.end()) return &known->second;
   const auto main = database_->find(character);
+  if (!main && database_->trouble()) return tl::unexpected(*database_->trouble());
   if (!main || main->strokes.empty())
     return base::fail(base::Errc::not_found, "There are no strokes of this character in the database.",
                       base::encode_utf8(character), "ask for a character that is drawn");

@@ -9,6 +9,7 @@
 
 #include "alignment.h"
 #include "lookalike_contrast.h"
+#include "nazori/base/utf8.h"
 #include "nazori/geometry/svg_path.h"
 #include "nazori/writing/grade.h"
 #include "quick_strokes.h"
@@ -236,8 +237,10 @@ Recogniser::~Recogniser() = default;
 base::Result<Recogniser> Recogniser::make(const kanji::KanjiDatabase& database) {
   auto inside = std::make_unique<RecogniserInside>();
   char32_t current = 0;
+  char32_t damaged = 0;
   database.for_each_stroke([&](const kanji::StrokePath& stroke) {
     const auto path = geometry::parse_svg_path(stroke.path);
+    if (!path) damaged = stroke.code_point;
     if (!path) return;
     if (inside->characters.empty() || stroke.code_point != current)
       inside->begin_character(stroke.code_point, stroke.place);
@@ -245,6 +248,10 @@ base::Result<Recogniser> Recogniser::make(const kanji::KanjiDatabase& database) 
     add_path(*inside, *path);
   });
   inside->finish();
+  if (database.trouble()) return tl::unexpected(*database.trouble());
+  if (damaged != 0)
+    return base::fail(base::Errc::schema, "A stroke of this character is no path.",
+                      base::encode_utf8(damaged), "build it again: nazori-cli database build");
   if (inside->characters.empty())
     return base::fail(base::Errc::not_found, "The database has no drawn characters.", {},
                       "build it again: nazori-cli database build");

@@ -111,7 +111,8 @@ void BackupsDialog::refresh() {
   show_words(
       backups_.empty()
           ? tr("There is no backup yet. One is made by itself on each day of study, when Nazori opens.")
-          : tr("One is made by itself on each day of study; seven are kept. What is replaced is kept too."));
+          : tr("One is made by itself on each day of study; seven are kept. Of what a backup replaced, the "
+               "last three are kept."));
   const std::uint64_t reading = ++reading_;
   for (std::size_t i = 0; i < backups_.size(); ++i) {
     worker_.post([this, file = backups_[i].file, row = static_cast<int>(i), reading] {

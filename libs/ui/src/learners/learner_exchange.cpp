@@ -25,7 +25,6 @@ namespace fs = std::filesystem;
 using study::Access;
 using study::LearnerStore;
 
-constexpr std::size_t kMostImportBytes = std::size_t{1} << 30;
 constexpr int kPatience_ms = 500;
 
 base::Result<void> write_learner(LearnerExchange::Kind kind, const fs::path& learner,
@@ -38,16 +37,21 @@ base::Result<void> write_learner(LearnerExchange::Kind kind, const fs::path& lea
     const auto kanji = kanji::KanjiDatabase::open(database);
     if (!kanji) return tl::unexpected(kanji.error());
     study::CharacterLists lists(*kanji);
-    const auto bytes = study::anki_package(*kanji, ListChoice::members(choice.list, &lists, *store),
-                                           {choice.deck.toStdString(), choice.words}, store->now(), progress);
+    const auto members = ListChoice::members(choice.list, &lists, *store);
+    if (!members) return tl::unexpected(members.error());
+    const auto bytes = study::anki_package(*kanji, *members, {choice.deck.toStdString(), choice.words},
+                                           store->now(), progress);
     if (!bytes) return tl::unexpected(bytes.error());
     return base::write_file(path, *bytes);
   }
-  const auto text =
-      kind == LearnerExchange::Kind::csv ? study::export_csv(*store) : study::export_json(*store, progress);
-  if (!text) return tl::unexpected(text.error());
+  auto file = base::OutputFile::create(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  const auto append = [&file](std::string_view piece) { return file->append(piece); };
+  auto written = kind == LearnerExchange::Kind::csv ? study::export_csv(*store, append, progress)
+                                                    : study::export_json(*store, append, progress);
+  if (!written) return written;
   if (!progress(1, "write")) return base::fail(base::Errc::cancelled, "stopped");
-  return base::write_file(path, *text);
+  return file->commit();
 }
 
 /// A name that no learner has yet.
@@ -137,16 +141,15 @@ void LearnerExchange::read(const QString& path) {
   const study::Time now = learner_.store().now();
   worker_.post([this, path, now] {
     auto read = [&]() -> base::Result<Read> {
-      const auto bytes = base::read_file(path.toStdString(), kMostImportBytes);
-      if (!bytes) return tl::unexpected(bytes.error());
+      const auto source = study::file_source(path.toStdString());
+      if (!source) return tl::unexpected(source.error());
       Read made{std::make_shared<QTemporaryDir>(), {}, 0};
       if (!made.folder->isValid())
         return base::fail(base::Errc::io, "no folder for the import can be made", "temporary folder");
       made.file = fs::path(made.folder->path().toStdString()) / "learner.db";
       auto store = LearnerStore::open(made.file, Access::write, [now] { return now; });
       if (!store) return tl::unexpected(store.error());
-      const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-      if (auto done = study::import_json(*store, text, progress()); !done)
+      if (auto done = study::import_json(*store, *source, progress()); !done)
         return tl::unexpected(done.error());
       if (!wanted_) return base::fail(base::Errc::cancelled, "stopped");
       made.characters = static_cast<int>(store->cards().size());
@@ -161,8 +164,10 @@ void LearnerExchange::read(const QString& path) {
 }
 
 void LearnerExchange::put_in_place(const QString& path, const Read& read) {
-  const bool is_empty = learner_.can_write() && learner_.store().last_entry() == 0 &&
-                        learner_.store().lists().empty() && learner_.store().tags().empty();
+  const auto lists = learner_.store().lists();
+  const auto tags = learner_.store().tags();
+  const bool is_empty = learner_.can_write() && learner_.store().last_entry() == 0 && lists &&
+                        lists->empty() && tags && tags->empty();
   const QString name =
       is_empty ? learner_.profile() : free_name(learner_.folder(), QFileInfo(path).completeBaseName());
   replace(read.file, name, [this, path, name, read](const base::Result<fs::path>& done) {

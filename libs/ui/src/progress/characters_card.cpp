@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 
+#include "error_text.h"
 #include "kanji_text.h"
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
@@ -63,10 +64,13 @@ void CharactersCard::show_characters(const study::Statistics& statistics, study:
   std::map<char32_t, study::CharacterState> met;
   for (const auto& state : statistics.characters) met.emplace(state.character, state);
   std::vector<study::CharacterState> states;
+  QString trouble;
   if (list_->list().isEmpty()) {
     states = statistics.characters;
+  } else if (const auto members = ListChoice::members(wanted_, lists, store); !members) {
+    trouble = tr("The list cannot be read: %1").arg(reason(members.error()));
   } else {
-    for (const char32_t character : ListChoice::members(wanted_, lists, store)) {
+    for (const char32_t character : *members) {
       const auto found = met.find(character);
       states.push_back(found != met.end() ? found->second
                                           : study::CharacterState{character, study::Strength::unseen, 0});
@@ -75,7 +79,9 @@ void CharactersCard::show_characters(const study::Statistics& statistics, study:
   Chart chart;
   chart.id = QStringLiteral("characters");
   chart.title = tr("Every character");
-  chart.empty = tr("Characters you have met stand here, each with how firmly you know it.");
+  chart.empty = trouble.isEmpty()
+                    ? tr("Characters you have met stand here, each with how firmly you know it.")
+                    : trouble;
   chart.numbers.head = {tr("Character"), tr("Strength"), tr("Chance to recall it now")};
   std::map<study::Strength, int> counts;
   for (const auto& state : states) {

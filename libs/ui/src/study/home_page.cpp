@@ -197,7 +197,7 @@ void HomePage::refresh() {
   const QString day = StudyWords::day(store.today());
   day_->setText(learner_.profile() == Preferences().profile ? day
                                                             : tr("%1 · %2").arg(day, learner_.profile()));
-  set_text(trouble_, learner_.trouble());
+  set_text(trouble_, learner_.trouble().isEmpty() ? learner_.backup_trouble() : learner_.trouble());
   again_->setVisible(!learner_.can_write());
   const auto plan = learner_.plan();
   if (!plan) {

@@ -108,6 +108,7 @@ void Learner::while_closed(const std::function<QString()>& work) {
 bool Learner::open() {
   close();  // before it is opened: it may be the same one
   trouble_.clear();
+  backup_trouble_.clear();
   order_.reset();
   const auto path =
       folder_.empty() ? study::learner_file("", "") : study::learner_file(folder_, profile_.toStdString());
@@ -151,10 +152,18 @@ void Learner::tell_failure(const base::Error& error) {
   emit said(Feedback::wrong, tr("It could not be kept: %1.").arg(cause_of(error, file())));
 }
 
+void Learner::announce_unread(const base::Error& error) {
+  emit said(Feedback::wrong, tr("The study data cannot be read: %1.").arg(reason(error)));
+}
+
 base::Result<study::DayPlan> Learner::plan() {
   const auto& settings = store_->settings();
   if (!order_ || ordered_by_.new_order != settings.new_order || ordered_by_.new_lists != settings.new_lists) {
-    order_ = lists_ ? lists_->in_learning_order(settings, *store_) : std::vector<char32_t>();
+    order_.reset();
+    auto order = lists_ ? lists_->in_learning_order(settings, *store_)
+                        : base::Result<std::vector<char32_t>>(std::vector<char32_t>());
+    if (!order) return tl::unexpected(std::move(order.error()));
+    order_ = *std::move(order);
     ordered_by_ = settings;
   }
   return study::plan_day(*store_, *order_);
@@ -174,10 +183,13 @@ void Learner::look_at_the_day() {
 }
 
 void Learner::take_upkeep(const study::UpkeepReport& report) {
-  if (report.backup_trouble)
-    emit said(
-        Feedback::advice,
-        tr("Today's backup could not be made: %1. Studying works.").arg(reason(*report.backup_trouble)));
+  backup_trouble_.clear();
+  if (report.backup_trouble) {
+    backup_trouble_ =
+        tr("Today's backup could not be made: %1. Studying works.").arg(reason(*report.backup_trouble));
+    emit said(Feedback::advice, backup_trouble_);
+  }
+  emit changed();
 }
 
 void Learner::take_damage(const base::Error& error) {

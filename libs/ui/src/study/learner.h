@@ -70,6 +70,11 @@ class Learner final : public QObject {
     return true;
   }
 
+  /// Why today's backup could not be made, in one sentence; empty where it was.
+  [[nodiscard]] const QString& backup_trouble() const { return backup_trouble_; }
+  /// Says that something of the store could not be read.
+  void announce_unread(const base::Error& error);
+
   /// Characters and lists of the kanji database; nullptr where that cannot be read.
   [[nodiscard]] study::CharacterLists* lists() { return lists_.get(); }
   /// kanji.db, for another thread to open.
@@ -109,6 +114,7 @@ class Learner final : public QObject {
   std::optional<study::LearnerStore> store_;
   bool can_write_ = false;
   QString trouble_;
+  QString backup_trouble_;
   std::optional<std::vector<char32_t>> order_;  ///< of learning, while its settings hold
   study::Settings ordered_by_;
   study::Day day_{};

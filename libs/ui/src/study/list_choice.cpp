@@ -2,8 +2,10 @@
 #include "study/list_choice.h"
 
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <algorithm>
 
+#include "error_text.h"
 #include "kanji_text.h"
 
 namespace nazori::ui {
@@ -33,17 +35,30 @@ void ListChoice::fill(const study::LearnerStore& store) {
   addItem(tr("Met so far"), QString());
   const auto add = [this](const QString& id) { addItem(name_of(id), id); };
   for (const study::ReadyList& ready : study::ready_lists()) add(to_text(ready.id));
-  for (const study::CustomList& own : store.lists()) add(QStringLiteral("list:") + to_text(own.name));
-  for (const auto& [tag, characters] : store.tags()) add(QStringLiteral("tag:") + to_text(tag));
+  const auto own_lists = store.lists();
+  const auto tags = store.tags();
+  if (own_lists)
+    for (const study::CustomList& own : *own_lists) add(QStringLiteral("list:") + to_text(own.name));
+  if (tags)
+    for (const auto& [tag, characters] : *tags) add(QStringLiteral("tag:") + to_text(tag));
+  if (!own_lists || !tags) {
+    addItem(tr("Your lists and tags cannot be read: %1")
+                .arg(reason(own_lists ? tags.error() : own_lists.error())));
+    if (auto* items = qobject_cast<QStandardItemModel*>(model())) items->item(count() - 1)->setEnabled(false);
+  }
   set_list(before);
 }
 
 void ListChoice::set_list(const QString& id) { setCurrentIndex(std::max(0, findData(id))); }
 
-std::vector<char32_t> ListChoice::members(const QString& id, study::CharacterLists* lists,
-                                          const study::LearnerStore& store) {
-  if (lists != nullptr && !id.isEmpty())
-    if (auto members = lists->members(id.toStdString(), store)) return *std::move(members);
+base::Result<std::vector<char32_t>> ListChoice::members(const QString& id, study::CharacterLists* lists,
+                                                        const study::LearnerStore& store) {
+  if (!id.isEmpty()) {
+    if (lists == nullptr)
+      return base::fail(base::Errc::not_found, "there is no kanji database to take it from",
+                        id.toStdString());
+    return lists->members(id.toStdString(), store);
+  }
   std::vector<char32_t> met;
   for (const auto& [character, card] : store.cards()) met.push_back(character);
   return met;

@@ -168,13 +168,14 @@ void SessionBar::show_ratings() {
   for (std::size_t i = 0; i < rating_.size(); ++i) {
     const auto rating = study::kRatings[i];
     const auto after = session_.after(rating);
-    const QString when = StudyWords::comes_again(after, now, today);
+    // A day that cannot be told is left out; rating then says why it fails.
+    const QString when = after ? StudyWords::comes_again(*after, now, today) : QStringLiteral("–");
+    const QString short_when =
+        after ? StudyWords::comes_again_short(*after, now, today) : QStringLiteral("–");
     const bool proposed = rating == session_.proposed();
     const QString sign = proposed ? QStringLiteral(" ⏎") : QString();
     rating_[i]->setText(
-        narrow_ ? QStringLiteral("%1 %2%3 · %4")
-                      .arg(i + 1)
-                      .arg(StudyWords::rating(rating), sign, StudyWords::comes_again_short(after, now, today))
+        narrow_ ? QStringLiteral("%1 %2%3 · %4").arg(i + 1).arg(StudyWords::rating(rating), sign, short_when)
                 : QStringLiteral("%1  %2 %3\n%4").arg(i + 1).arg(StudyWords::rating(rating), sign, when));
     rating_[i]->setAccessibleName(proposed ? tr("%1: %2, proposed").arg(StudyWords::rating(rating), when)
                                            : tr("%1: %2").arg(StudyWords::rating(rating), when));

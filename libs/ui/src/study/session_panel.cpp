@@ -28,7 +28,7 @@ QLabel* label(const char* name, const char* role, QWidget* parent) {
 
 }  // namespace
 
-SessionPanel::SessionPanel(const StudySession& session, const SessionActions& actions, const Learner& learner,
+SessionPanel::SessionPanel(const StudySession& session, const SessionActions& actions, Learner& learner,
                            QWidget* parent)
     : QScrollArea(parent), session_(session), learner_(learner) {
   setObjectName(QStringLiteral("session_panel"));
@@ -103,7 +103,10 @@ QString SessionPanel::history() const {
 
 QString SessionPanel::hard_strokes() const {
   const auto writings = learner_.store().writings_of(session_.character());
-  if (!writings) return {};
+  if (!writings) {
+    learner_.announce_unread(writings.error());
+    return {};
+  }
   std::map<int, int> wrong;
   for (const auto& one : *writings)
     for (const auto& fault : one.entry.writing.result.faults)
@@ -137,12 +140,18 @@ void SessionPanel::show_ink() {
   if (session_.state() == StudySession::State::judged && !session_.is_away()) {
     if (!session_.ink().strokes.empty()) pieces.push_back({session_.ink(), tr("now")});
     const auto& store = learner_.store();
-    if (const auto writings = store.writings_of(session_.character())) {
+    const auto writings = store.writings_of(session_.character());
+    if (!writings) {
+      learner_.announce_unread(writings.error());
+    } else {
       int earlier = 0;
       for (auto one = writings->rbegin(); one != writings->rend() && earlier < kMostEarlier; ++one) {
         if (!one->has_ink || one->entry.writing.stage != study::Stage::memory) continue;
         const auto ink = store.ink_of(one->entry.id);
-        if (!ink) continue;
+        if (!ink) {
+          learner_.announce_unread(ink.error());
+          continue;
+        }
         ++earlier;
         pieces.push_back({*ink, QStringLiteral("%1\n%2").arg(StudyWords::short_day(one->entry.day),
                                                              StudyWords::rating(one->entry.writing.rating))});

@@ -17,8 +17,7 @@ class InkGallery;
 class SessionPanel final : public QScrollArea {
   Q_OBJECT
  public:
-  SessionPanel(const StudySession& session, const SessionActions& actions, const Learner& learner,
-               QWidget* parent);
+  SessionPanel(const StudySession& session, const SessionActions& actions, Learner& learner, QWidget* parent);
 
   void show_state(const std::shared_ptr<const CharacterSheet>& sheet);
 
@@ -31,7 +30,7 @@ class SessionPanel final : public QScrollArea {
   void show_ink();
 
   const StudySession& session_;
-  const Learner& learner_;
+  Learner& learner_;
   QLabel* kind_;
   QLabel* steps_;
   QLabel* history_;

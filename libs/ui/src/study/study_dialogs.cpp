@@ -27,8 +27,11 @@ void ask_study_settings(Desk& desk) {
 
 void ask_tags(Desk& desk, char32_t character) {
   auto& learner = desk.learner();
+  const auto own = learner.store().tags_of(character);
+  // An empty line would look as if there were none, and would replace those there are.
+  if (!own) return learner.announce_unread(own.error());
   QStringList before;
-  for (const auto& tag : learner.store().tags_of(character)) before.append(to_text(tag));
+  for (const auto& tag : *own) before.append(to_text(tag));
   bool fine = false;
   const QString text = QInputDialog::getText(
       &desk.window(), QCoreApplication::translate("nazori::ui::StudySettingsDialog", "Tags"),

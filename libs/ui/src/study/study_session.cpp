@@ -245,7 +245,9 @@ void StudySession::judge(study::WritingResult result, const std::vector<HandStro
   result.duration = last_stroke_.count() > 0 ? last_stroke_ : elapsed();
   result_ = std::move(result);
   ink_ = to_study_ink(strokes);
-  proposed_ = study::proposed_rating(result_, store().usual_writing(task_.character));
+  const auto usual = store().usual_writing(task_.character);
+  if (!usual) learner_.announce_unread(usual.error());
+  proposed_ = study::proposed_rating(result_, usual.value_or(study::UsualWriting{}));
   state_ = State::judged;
   emit changed();
 }
@@ -272,7 +274,7 @@ void StudySession::take_back_judgement() {
   emit changed();
 }
 
-study::Card StudySession::after(study::Rating rating) const {
+base::Result<study::Card> StudySession::after(study::Rating rating) const {
   return store().preview(task_.character, rating);
 }
 

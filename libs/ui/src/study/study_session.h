@@ -82,7 +82,7 @@ class StudySession final : public QObject {
   [[nodiscard]] study::Rating proposed() const { return proposed_; }
   [[nodiscard]] const study::WritingResult& result() const { return result_; }
   /// The card as it would be after a rating.
-  [[nodiscard]] study::Card after(study::Rating rating) const;
+  [[nodiscard]] base::Result<study::Card> after(study::Rating rating) const;
   [[nodiscard]] const study::Ink& ink() const { return ink_; }
 
   // What happens on the tablet. Ignored unless it is about the session's character.

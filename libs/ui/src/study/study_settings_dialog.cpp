@@ -325,9 +325,14 @@ void StudySettingsDialog::show_lists() {
   QStringList all = chosen;
   QStringList there;
   for (const auto& ready : study::ready_lists()) there.append(to_text(ready.id));
-  for (const auto& own : learner_.store().lists()) there.append(QStringLiteral("list:") + to_text(own.name));
-  for (const auto& [tag, members] : learner_.store().tags())
-    there.append(QStringLiteral("tag:") + to_text(tag));
+  const auto own_lists = learner_.store().lists();
+  const auto tags = learner_.store().tags();
+  if (own_lists)
+    for (const auto& own : *own_lists) there.append(QStringLiteral("list:") + to_text(own.name));
+  if (tags)
+    for (const auto& [tag, members] : *tags) there.append(QStringLiteral("tag:") + to_text(tag));
+  // What is chosen and cannot be read now stays chosen.
+  if (!own_lists || !tags) there.append(chosen);
   for (const auto& id : there)
     if (!all.contains(id)) all.append(id);
   lists_->clear();
@@ -341,11 +346,19 @@ void StudySettingsDialog::show_lists() {
   }
   if (lists_->currentRow() < 0) lists_->setCurrentRow(0);
   show_choice();
+  if (!own_lists || !tags)
+    choice_->setText(tr("Your lists and tags cannot be read: %1")
+                         .arg(reason(own_lists ? tags.error() : own_lists.error())));
 }
 
 void StudySettingsDialog::show_choice() {
   if (learner_.lists() == nullptr) return;
-  const auto order = learner_.lists()->in_learning_order(settings(), learner_.store());
+  const auto ordered = learner_.lists()->in_learning_order(settings(), learner_.store());
+  if (!ordered) {
+    choice_->setText(tr("Your lists and tags cannot be read: %1").arg(reason(ordered.error())));
+    return;
+  }
+  const auto& order = *ordered;
   const auto& cards = learner_.store().cards();
   const auto met =
       std::count_if(order.begin(), order.end(), [&](char32_t one) { return cards.contains(one); });
@@ -409,7 +422,9 @@ void StudySettingsDialog::for_list(const std::function<base::Result<void>(std::s
   if (learner_.lists() == nullptr) return;
   const auto members = learner_.lists()->members(current_list().toStdString(), learner_.store());
   if (!members || members->empty()) {
-    choice_->setText(tr("There is nothing in this list."));
+    choice_->setText(members || members.error().code == base::Errc::not_found
+                         ? tr("There is nothing in this list.")
+                         : tr("Your lists and tags cannot be read: %1").arg(reason(members.error())));
     return;
   }
   const auto result = what(*members);

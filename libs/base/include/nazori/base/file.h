@@ -14,6 +14,27 @@
 
 namespace nazori::base {
 
+/// A regular file that is read piece by piece, from its beginning. Thread rules: one thread.
+class InputFile {
+ public:
+  /// @return Errc::not_found for a missing file, Errc::io for a folder or a device.
+  [[nodiscard]] static Result<InputFile> open(const std::filesystem::path& path);
+  InputFile(InputFile&& other) noexcept;
+  InputFile& operator=(InputFile&&) = delete;
+  ~InputFile();
+
+  /// Bytes it had when it was opened.
+  [[nodiscard]] std::uintmax_t size() const { return size_; }
+  /// Puts the next bytes at the beginning of `room`. @return how many; 0 at the end. Errc::io.
+  [[nodiscard]] Result<std::size_t> read(std::span<std::uint8_t> room);
+
+ private:
+  InputFile(std::string name, int fd, std::uintmax_t size) : name_(std::move(name)), fd_(fd), size_(size) {}
+  std::string name_;
+  int fd_;
+  std::uintmax_t size_;
+};
+
 /// The whole content of a regular file.
 /// @param max_bytes  a larger file is refused before anything is read.
 /// @return Errc::not_found for a missing file, Errc::io for a folder, a device or a file over the limit.

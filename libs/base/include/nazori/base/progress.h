@@ -11,4 +11,12 @@ namespace nazori::base {
 /// with Errc::cancelled and leaves everything as it was.
 using Progress = std::function<bool(double done, std::string_view step)>;
 
+/// The progress of one part of a work, which is told as `from` to `to` of the whole. Empty where `whole` is.
+[[nodiscard]] inline Progress part_of(const Progress& whole, double from, double to) {
+  if (!whole) return {};
+  return [whole, from, to](double done, std::string_view step) {
+    return whole(from + (to - from) * done, step);
+  };
+}
+
 }  // namespace nazori::base

@@ -63,7 +63,7 @@ struct BrushMark {
 ///         than 10 boxes away.
 /// @cost time in proportion to the area of the grooves; memory at most twice the map.
 /// Thread-safe: yes. Not for the servo thread.
-/// @source profile: own design, docs/architecture.md.
+/// @source profile: own design; brush_at() tells it.
 [[nodiscard]] base::Result<surface::HeightMap> carve(std::span<const kanji::StrokeLine> strokes, int size,
                                                      const Brush& brush = {});
 

@@ -117,8 +117,10 @@ struct Tracing {
 };
 
 struct TraceSettings {
+  static constexpr int kFewestCells = 32;
+  static constexpr int kMostCells = 8192;
   /// Cells a side that the picture will have: decides tolerances, the grid of implicit curves and what counts
-  /// as dense. 32 to 4096.
+  /// as dense. kFewestCells to kMostCells.
   int resolution = 512;
   /// How far outside the window curves are followed, in plate units, so that grooves are whole at the edge.
   double margin = 0.02;

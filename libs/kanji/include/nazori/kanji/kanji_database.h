@@ -71,8 +71,8 @@ struct StrokePath {
 };
 
 /// The kanji database kanji.db, opened read only.
-/// Thread-safe: no; each thread opens its own. Not for the servo thread. A database that is damaged after
-/// open() answers as if it had nothing; `nazori-cli database check` tells.
+/// Thread-safe: no; each thread opens its own. Not for the servo thread. Where a row cannot be read the
+/// function answers as if there were none, and trouble() says why.
 class KanjiDatabase {
  public:
   /// @return Errc::not_found for a missing file, Errc::schema for a file that is no kanji.db of this version.
@@ -91,6 +91,10 @@ class KanjiDatabase {
   KanjiDatabase(KanjiDatabase&&) noexcept;
   KanjiDatabase& operator=(KanjiDatabase&&) noexcept;
   ~KanjiDatabase();
+
+  /// The first thing that could not be read since open(); empty where all could. Ask it before "there is
+  /// none" is taken for the answer.
+  [[nodiscard]] const std::optional<base::Error>& trouble() const;
 
   /// One character whole; `variant` is a suffix, empty for the main form. nullopt where it is not in the
   /// database.

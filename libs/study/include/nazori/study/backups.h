@@ -14,6 +14,8 @@ namespace nazori::study {
 
 /// Automatic backups kept: one a study day, the newest ones.
 inline constexpr int kBackupsKept = 7;
+/// Files kept that a restored backup has replaced, the newest ones: each is as large as the learner's.
+inline constexpr int kReplacedKept = 3;
 
 /// A backup of a learner.db.
 struct Backup {
@@ -61,11 +63,12 @@ struct BackupContents {
   friend bool operator==(const BackupContents&, const BackupContents&) = default;
 };
 
-/// Reads a backup whole. @return as LearnerStore::open() says of a file to read.
+/// Reads a backup whole and leaves nothing beside it. @return as LearnerStore::open() says of a file to read.
 [[nodiscard]] base::Result<BackupContents> look_into(const std::filesystem::path& backup);
 
 /// Puts a backup in the place of a learner.db, which may be damaged or missing. The backup is read whole
-/// first; what stood there is kept beside the backups as "before-restore-...", so this too can be taken back.
+/// first; what stood there is kept beside the backups as "before-restore-...", so this too can be taken back;
+/// the oldest of those go, but for kReplacedKept.
 /// Killed at any moment it leaves a whole learner.db: what stood there, or the backup.
 /// @return the file that holds what stood there, empty where nothing did; Errc::not_found, Errc::schema,
 /// Errc::parse for a backup that cannot be used, Errc::io also where the learner's file is in use,

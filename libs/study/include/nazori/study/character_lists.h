@@ -43,16 +43,16 @@ class CharacterLists {
 
   /// The members of a list, in its own order: "grade-1", "list:NAME" for a list of the learner's own,
   /// "tag:NAME" for what carries a tag.
-  /// @return Errc::not_found.
+  /// @return Errc::not_found; else as LearnerStore::lists() says.
   [[nodiscard]] base::Result<std::vector<char32_t>> members(std::string_view id, const LearnerStore& learner);
 
   /// Facts of a character; nullptr where the database does not draw it. Valid as long as this.
   [[nodiscard]] const CharacterFacts* facts(char32_t character);
 
   /// Every character of the chosen lists once, in the order they are to be learnt. Lists that are not there
-  /// are passed over.
-  [[nodiscard]] std::vector<char32_t> in_learning_order(const Settings& settings,
-                                                        const LearnerStore& learner);
+  /// are passed over. @return as LearnerStore::lists() says.
+  [[nodiscard]] base::Result<std::vector<char32_t>> in_learning_order(const Settings& settings,
+                                                                      const LearnerStore& learner);
 
  private:
   [[nodiscard]] const std::vector<char32_t>& ready(std::string_view id);

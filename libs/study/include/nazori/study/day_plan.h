@@ -31,7 +31,7 @@ struct StudyTask {
 /// How a backlog is worked off: what is still best known first, so many a day, with nothing new until it is
 /// done.
 struct GentlePlan {
-  int overdue = 0;  ///< reviews that have piled up
+  int overdue = 0;  ///< reviews and unfinished steps that have piled up
   int per_day = 0;  ///< reviews asked for today
   int days = 0;     ///< study days until all is caught up, today included
   Day last_day{};   ///< the last of them
@@ -45,9 +45,9 @@ struct DayPlan {
   std::vector<StudyTask> now;          ///< to be done now, first things first
   std::vector<StudyTask> later_today;  ///< steps that fall due later today, the next one first
   std::vector<char32_t> leeches;       ///< set apart; their lesson is offered, never forced
-  int reviews_done = 0;                ///< characters reviewed today that had been learnt before
+  int reviews_done = 0;                ///< characters reviewed today that had been met before
   int new_done = 0;                    ///< characters met first today
-  int held_back = 0;                   ///< reviews due that the day's limit keeps for another day
+  int held_back = 0;                   ///< of what is due, what the day's limit keeps for another day
   std::optional<GentlePlan> gentle;
   std::chrono::milliseconds estimate{0};  ///< time for all of `now`
 
@@ -61,8 +61,9 @@ inline constexpr int kDaysOfReturn = 3;
 /// Plans the present day of a learner.
 ///
 /// Steps of minutes come first, as they fall due (up to 20 minutes early when nothing else is left), then
-/// reviews, then new characters. Reviews are at most `reviews_per_day`, those done today counted; when more
-/// are due, the best known come first: of what can be kept, most is kept. After `kDaysAway` days without a
+/// reviews, then new characters. Reviews, with the steps that earlier days left unfinished, are at most
+/// `reviews_per_day`, those done today counted; steps of today's own work always come. When more are due, the
+/// best known come first: of what can be kept, most is kept. After `kDaysAway` days without a
 /// review the limit is 50 %, 75 % and 90 % on the first three days back. While reviews are held back nothing
 /// new is added. Paused, postponed and set apart characters do not come.
 /// @param learning_order  all characters the learner wants, in order: CharacterLists::in_learning_order().

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,22 +16,45 @@
 
 namespace nazori::study {
 
+/// Takes a text piece by piece, for a log of many years is not held in memory whole. What it fails with ends
+/// the work.
+using TextSink = std::function<base::Result<void>(std::string_view piece)>;
+
+/// Where a text comes from, piece by piece.
+struct TextSource {
+  /// Puts the next bytes at the beginning of `room` and returns how many; 0 at the end.
+  std::function<base::Result<std::size_t>(std::span<char> room)> read;
+  std::uintmax_t bytes = 0;  ///< of the whole text, for the progress; 0 where that is not known
+};
+/// A text in memory, which must live as long as the source.
+[[nodiscard]] TextSource text_source(std::string_view text);
+/// A file, from its beginning. @return Errc::not_found, Errc::io as base::InputFile::open() says.
+[[nodiscard]] base::Result<TextSource> file_source(const std::filesystem::path& path);
+
 /// Everything of a learner as JSON (docs/file-formats.md): the whole log with its ink, lists and tags. What
-/// is imported elsewhere is exported alike, byte for byte.
-[[nodiscard]] base::Result<std::string> export_json(const LearnerStore& learner,
-                                                    const base::Progress& progress = {});
+/// is imported elsewhere is exported alike, byte for byte. Memory does not grow with the log.
+/// @return as LearnerStore::for_each_entry() says; what `sink` fails with; Errc::cancelled.
+[[nodiscard]] base::Result<void> export_json(const LearnerStore& learner, const TextSink& sink,
+                                             const base::Progress& progress = {});
+/// The same as one text, for learners that are known to be small.
+[[nodiscard]] base::Result<std::string> export_json(const LearnerStore& learner);
 
-/// Reads such a text and checks all of it, so that it can fill an empty learner.
-/// @return Errc::parse with line and reason; Errc::schema for another format or a newer version.
-[[nodiscard]] base::Result<LearnerStore::Contents> read_json(std::string_view json);
+/// Reads such a text and checks all of it: whether it can fill an empty learner. Memory does not grow with
+/// the text.
+/// @return Errc::parse with line and reason; Errc::schema for another format or a newer version; what the
+/// source fails with; Errc::cancelled.
+[[nodiscard]] base::Result<void> check_json(const TextSource& json, const base::Progress& progress = {});
 
-/// Fills an empty learner from such a text.
-/// @return as read_json(); Errc::bad_argument where the learner is not empty; Errc::cancelled. Nothing is
-/// changed then.
-[[nodiscard]] base::Result<void> import_json(LearnerStore& learner, std::string_view json,
+/// Fills an empty learner from such a text, as one action: all of it or nothing.
+/// @return as check_json(); Errc::bad_argument where the learner is not empty. Nothing is changed then.
+[[nodiscard]] base::Result<void> import_json(LearnerStore& learner, const TextSource& json,
                                              const base::Progress& progress = {});
 
 /// Every writing as a table: RFC 4180, UTF-8, a header line. Those that were undone are marked.
+/// @return as export_json().
+[[nodiscard]] base::Result<void> export_csv(const LearnerStore& learner, const TextSink& sink,
+                                            const base::Progress& progress = {});
+/// The same as one text, for learners that are known to be small.
 [[nodiscard]] base::Result<std::string> export_csv(const LearnerStore& learner);
 
 /// What goes on a card for Anki.

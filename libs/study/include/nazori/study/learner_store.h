@@ -51,6 +51,7 @@ struct Undone {
 enum class Access : std::uint8_t {
   read,
   write,
+  backup,   ///< as read, of a file that nobody writes: nothing is left beside it
   rebuild,  ///< as write, but cards that cannot be read are taken for none: rebuild() makes them anew
 };
 
@@ -109,7 +110,7 @@ class LearnerStore {
                                                const Ink& ink = {});
   /// The card as it would be after a review with `rating` now, fuzz and load balance included; for
   /// "good: in 4 days" on a button.
-  [[nodiscard]] Card preview(char32_t character, Rating rating) const;
+  [[nodiscard]] base::Result<Card> preview(char32_t character, Rating rating) const;
   /// Takes back the last action that is still in force, but no change of settings. nullopt: there is none.
   [[nodiscard]] base::Result<std::optional<Undone>> undo();
   [[nodiscard]] base::Result<void> postpone(std::span<const char32_t> characters, Day until) {
@@ -141,6 +142,10 @@ class LearnerStore {
   /// false to stop.
   [[nodiscard]] base::Result<void> for_each_entry(bool in_force_only,
                                                   const std::function<bool(const LoggedEntry&)>& take) const;
+  /// As for_each_entry() of all entries, each with its packed ink; empty where none was kept. The bytes are
+  /// gone after the call.
+  [[nodiscard]] base::Result<void> for_each_with_ink(
+      const std::function<bool(const LoggedEntry&, std::span<const std::uint8_t> ink)>& take) const;
   // Sums of the log, kept with every entry: they cost the same with a short and a long history.
   /// Days with a writing in force, oldest first.
   [[nodiscard]] base::Result<std::vector<StudyDay>> study_days() const;
@@ -153,17 +158,18 @@ class LearnerStore {
   /// The ink of an entry; empty where none was kept.
   [[nodiscard]] base::Result<Ink> ink_of(std::int64_t entry) const;
   /// Duration of the last ten accepted writings from memory.
-  [[nodiscard]] UsualWriting usual_writing(char32_t character) const;
+  [[nodiscard]] base::Result<UsualWriting> usual_writing(char32_t character) const;
   [[nodiscard]] std::int64_t last_entry() const;  ///< id of the last entry, 0 for an empty log
 
   // Lists and tags. These are notes, not study: they are not in the log.
-  [[nodiscard]] std::vector<CustomList> lists() const;
+  [[nodiscard]] base::Result<std::vector<CustomList>> lists() const;  ///< by name
   /// Adds a list, or replaces the one of this name. @return Errc::bad_argument for a name that cannot be one.
   [[nodiscard]] base::Result<void> save_list(const CustomList& list);
   /// @return Errc::not_found
   [[nodiscard]] base::Result<void> remove_list(std::string_view name);
-  [[nodiscard]] std::vector<std::string> tags_of(char32_t character) const;  ///< sorted
-  [[nodiscard]] std::map<std::string, std::vector<char32_t>> tags() const;   ///< all, each sorted
+  [[nodiscard]] base::Result<std::vector<std::string>> tags_of(char32_t character) const;  ///< sorted
+  /// All of them, each with its characters, sorted.
+  [[nodiscard]] base::Result<std::map<std::string, std::vector<char32_t>>> tags() const;
   /// Replaces a character's tags. @return Errc::bad_argument for a text that can be no tag (as names of
   /// lists).
   [[nodiscard]] base::Result<void> set_tags(char32_t character, std::span<const std::string> tags);
@@ -175,29 +181,28 @@ class LearnerStore {
   [[nodiscard]] base::Result<void> copy_to(const std::filesystem::path& file,
                                            const base::Progress& progress = {}) const;
 
-  /// Everything of a learner, for export and import.
-  struct Contents {
-    struct Entry {
-      LogEntry entry;
-      std::vector<std::uint8_t> ink;  ///< packed
-    };
-    std::vector<Entry> entries;
-    std::vector<CustomList> lists;
-    std::map<std::string, std::vector<char32_t>> tags;
-  };
-  [[nodiscard]] base::Result<Contents> contents() const;
-  /// Whether contents can fill an empty store. @return Errc::bad_argument where the entries do not fit
-  /// together, with the entry in Error::where ("entry 3").
-  [[nodiscard]] static base::Result<void> check_contents(const Contents& contents);
-  /// Fills an empty store. @return Errc::bad_argument where it is not empty, or as check_contents() says;
-  /// nothing is changed then.
-  [[nodiscard]] base::Result<void> fill(const Contents& contents, const base::Progress& progress = {});
+  /// Takes everything of a learner, piece by piece; made by fill() and check_contents() only.
+  class Filling;
+  /// Hands everything of a learner to a Filling; what it fails with ends the filling.
+  using Source = std::function<base::Result<void>(Filling& filling)>;
+  /// Whether what `source` brings can fill an empty store. @return Errc::bad_argument where it does not fit
+  /// together, or what `source` fails with.
+  [[nodiscard]] static base::Result<void> check_contents(const Source& source);
+  /// Fills an empty store. @param progress  of what follows after `source`. @return Errc::bad_argument where
+  /// it is not empty, or as check_contents() says; Errc::cancelled. Nothing is changed then.
+  [[nodiscard]] base::Result<void> fill(const Source& source, const base::Progress& progress = {});
 
  private:
   struct Inside;
   explicit LearnerStore(std::unique_ptr<Inside> inside);
   [[nodiscard]] base::Result<void> act(std::span<const char32_t> characters, EntryKind kind,
                                        std::optional<Day> until = std::nullopt);
+  /// Every card as it follows from the log. `entries` counts them.
+  struct Followed {
+    Cards cards;
+    int entries = 0;
+  };
+  [[nodiscard]] base::Result<Followed> follow_log(const base::Progress& progress) const;
   std::unique_ptr<Inside> inside_;
 };
 

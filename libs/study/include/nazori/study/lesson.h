@@ -19,7 +19,7 @@ enum class Stage : std::uint8_t {
 };
 inline constexpr std::array kStages{Stage::watch, Stage::trace, Stage::guided, Stage::memory};
 
-/// "watch", "trace", "guided", "memory".
+/// "watch", "trace", "guided", "memory"; empty for a number that is no stage, as with every name_of() here.
 [[nodiscard]] std::string_view name_of(Stage stage);
 [[nodiscard]] std::optional<Stage> stage_named(std::string_view name);
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nazori::study {
+
+[[nodiscard]] std::string to_base64(std::span<const std::uint8_t> bytes);
+/// nullopt for what to_base64() never writes, so that what was read is written alike.
+[[nodiscard]] std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text);
+
+}  // namespace nazori::study

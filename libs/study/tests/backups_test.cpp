@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/study/backups.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+
+#include "learner_fixture.h"
+
+namespace nazori::study {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::days;
+using test::bytes_of;
+using test::MovedClock;
+using test::must;
+using test::review;
+using test::some_ink;
+using test::TemporaryFolder;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr char32_t kRest = U'休';
+
+void study(const fs::path& file, const MovedClock& clock) {
+  LearnerStore store = must(LearnerStore::open(file, Access::write, clock.clock()));
+  EXPECT_FALSE(store.backup_trouble());
+  (void)must(store.add_writing(kRest, 6, review(Rating::good), some_ink()));
+}
+
+/// Names of all files there, sorted.
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> dailies(const fs::path& file) {
+  std::vector<std::string> names = names_in(backup_folder(file));
+  std::erase_if(names, [](const std::string& name) { return !name.starts_with("daily-"); });
+  return names;
+}
+
+/// Gives the files of a folder times an hour apart, in the order of their names, the last an hour ago.
+void age(const fs::path& folder) {
+  const auto names = names_in(folder);
+  auto time = fs::file_time_type::clock::now();
+  for (auto name = names.rbegin(); name != names.rend(); ++name)
+    fs::last_write_time(folder / *name, time -= std::chrono::hours(1));
+}
+
+TEST(Backups, AClockThatWasSetBackDoesNotCostTheNewBackup) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  MovedClock clock("2030-06-01T09:00:00Z");
+  for (int day = 0; day < 9; ++day, clock.advance(days(1))) study(file, clock);
+  age(backup_folder(file));
+  ASSERT_EQ(dailies(file).size(), 7U);
+  ASSERT_EQ(dailies(file).front(), "daily-2030-06-03.db");
+  clock.set("2026-01-01T09:00:00Z");
+  study(file, clock);
+  EXPECT_THAT(dailies(file), Contains("daily-2026-01-01.db"));
+  EXPECT_EQ(dailies(file).size(), 7U);
+  // And it is not copied again at each opening.
+  const fs::path made = backup_folder(file) / "daily-2026-01-01.db";
+  const auto time = fs::last_write_time(made);
+  const std::string bytes = bytes_of(made);
+  study(file, clock);
+  EXPECT_EQ(fs::last_write_time(made), time);
+  EXPECT_EQ(bytes_of(made), bytes);
+  // Day after day the oldest by time goes, until only the new ones are left.
+  for (int day = 0; day < 6; ++day) {
+    clock.advance(days(1));
+    study(file, clock);
+  }
+  EXPECT_THAT(dailies(file), ElementsAre("daily-2026-01-01.db", "daily-2026-01-02.db", "daily-2026-01-03.db",
+                                         "daily-2026-01-04.db", "daily-2026-01-05.db", "daily-2026-01-06.db",
+                                         "daily-2026-01-07.db"));
+}
+
+TEST(Backups, WhatWasMadeByAClockThatWasAheadIsOlderThanWhatIsMadeNow) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  MovedClock clock("2030-06-01T09:00:00Z");
+  for (int day = 0; day < 9; ++day, clock.advance(days(1))) study(file, clock);
+  // The clock of the whole computer was four years ahead: the files' times too.
+  for (const std::string& name : dailies(file)) {
+    const fs::path one = backup_folder(file) / name;
+    fs::last_write_time(one, fs::last_write_time(one) + days(1'400));
+  }
+  clock.set("2026-01-01T09:00:00Z");
+  for (int day = 0; day < 3; ++day, clock.advance(days(1))) study(file, clock);
+  EXPECT_THAT(dailies(file), ElementsAre("daily-2026-01-01.db", "daily-2026-01-02.db", "daily-2026-01-03.db",
+                                         "daily-2030-06-06.db", "daily-2030-06-07.db", "daily-2030-06-08.db",
+                                         "daily-2030-06-09.db"));
+}
+
+TEST(Backups, OneThatFailsIsSaidAndLeavesNothing) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  const MovedClock clock("2026-01-01T09:00:00Z");
+  {
+    LearnerStore store = must(LearnerStore::open(file, Access::write, clock.clock()));
+    for (int i = 0; i < 200; ++i) (void)must(store.add_writing(kRest, 6, review(Rating::good), some_ink(i)));
+  }
+  fs::remove_all(backup_folder(file));
+  ASSERT_GT(fs::file_size(file), 80'000U);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // Stands for a disk with room for the index of a write-ahead log, but not for a copy.
+    const rlimit limit{50'000, 50'000};
+    (void)std::signal(SIGXFSZ, SIG_IGN);
+    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(1);
+    const auto store = LearnerStore::open(file, Access::write, clock.clock());
+    if (!store) ::_exit(2);
+    if (!store->backup_trouble()) ::_exit(3);
+    ::_exit(store->backup_trouble()->where.find("daily-2026-01-01.db") != std::string::npos ? 0 : 4);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_THAT(names_in(backup_folder(file)), IsEmpty());
+  study(file, clock);
+  EXPECT_THAT(names_in(backup_folder(file)), ElementsAre("daily-2026-01-01.db")) << "it is made later";
+}
+
+TEST(Backups, WhatAProgramThatWasKilledLeftIsClearedAway) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  MovedClock clock("2026-01-01T09:00:00Z");
+  study(file, clock);
+  fs::create_directories(backup_folder(file));
+  for (const char* name : {"daily-2025-12-24.db.part", "daily-2025-12-24.db.part-journal", "letter.part",
+                           "own-20260101T080000Z.db.part"})
+    std::ofstream(backup_folder(file) / name) << "half";
+  for (const char* name : {"learner.db.restored", "learner.db.restored.part", "learner.db.restored.part-wal"})
+    std::ofstream(folder / name) << "half";
+  study(file, clock);
+  // Another program may be making one of the learner's own at this moment.
+  EXPECT_THAT(names_in(backup_folder(file)),
+              ElementsAre("daily-2026-01-01.db", "letter.part", "own-20260101T080000Z.db.part"));
+  EXPECT_THAT(names_in(folder / ""), ElementsAre("backups", "learner.db", "learner.db.lock"));
+}
+
+TEST(Backups, LookingIntoOneLeavesNothingBesideIt) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  const MovedClock clock("2026-01-01T09:00:00Z");
+  study(file, clock);
+  const fs::path own = must(make_backup(must(LearnerStore::open(file, Access::read)), file));
+  study(file, clock);
+  const fs::path kept = must(restore_backup(own, file, clock.clock()));
+  fs::remove_all(backup_folder(file) / "daily-2026-01-01.db");
+  const auto before = names_in(backup_folder(file));
+  ASSERT_EQ(before.size(), 2U);
+  for (const Backup& one : backups_of(file)) EXPECT_TRUE(look_into(one.file)) << one.file;
+  EXPECT_EQ(must(look_into(kept)).writings, 2);
+  EXPECT_EQ(names_in(backup_folder(file)), before);
+  (void)must(restore_backup(kept, file, clock.clock()));
+  EXPECT_EQ(must(look_into(file)).writings, 2);
+  EXPECT_THAT(names_in(backup_folder(file)),
+              testing::Each(testing::AnyOf(testing::StartsWith("own-"), testing::EndsWith("Z.db"),
+                                           testing::EndsWith("-2.db"))));
+}
+
+TEST(Backups, ALearnerWhoStudiesIsLookedIntoAsHeIsNow) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  LearnerStore store = must(LearnerStore::open(file, Access::write));
+  for (int i = 1; i < 4; ++i) {
+    (void)must(store.add_writing(kRest, 6, review(Rating::good)));
+    EXPECT_EQ(must(look_into(file)).writings, i);
+  }
+}
+
+TEST(Backups, OfWhatWasReplacedTheNewestAreKept) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  MovedClock clock("2026-01-01T09:00:00Z");
+  study(file, clock);
+  ASSERT_TRUE(must(LearnerStore::open(file, Access::read)).copy_to(folder / "one.db"));
+  std::vector<std::string> kept;
+  for (int i = 0; i < 6; ++i, clock.advance(std::chrono::hours(1))) {
+    kept.push_back(must(restore_backup(folder / "one.db", file, clock.clock())).filename().string());
+    // A log beside it goes with it.
+    std::ofstream(backup_folder(file) / (kept.back() + "-wal")) << "";
+    age(backup_folder(file));
+  }
+  kept.erase(kept.begin(), kept.end() - kReplacedKept);
+  std::vector<std::string> expected;
+  for (const std::string& name : kept) {
+    expected.push_back(name);
+    expected.push_back(name + "-wal");
+  }
+  EXPECT_EQ(names_in(backup_folder(file)), expected);
+}
+
+TEST(Backups, WhatIsRestoredIsNotLetGoWithTheOldest) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  MovedClock clock("2026-01-01T09:00:00Z");
+  study(file, clock);
+  ASSERT_TRUE(must(LearnerStore::open(file, Access::read)).copy_to(folder / "one.db"));
+  const fs::path first = must(restore_backup(folder / "one.db", file, clock.clock()));
+  for (int i = 0; i < 5; ++i) {
+    clock.advance(std::chrono::hours(1));
+    age(backup_folder(file));
+    (void)must(restore_backup(first, file, clock.clock()));
+    EXPECT_TRUE(fs::exists(first)) << i;
+  }
+  EXPECT_EQ(names_in(backup_folder(file)).size(), static_cast<std::size_t>(kReplacedKept));
+}
+
+}  // namespace
+}  // namespace nazori::study
