@@ -64,6 +64,16 @@ function(nazori_test_paths target)
   target_include_directories(${target} PRIVATE "${CMAKE_SOURCE_DIR}/cmake/tests")
 endfunction()
 
+# nazori_rt_calls(NAME ROOTS): a test that reads from the objects of room NAME what the functions ROOTS can reach; see
+# cmake/tests/check_rt_calls.sh. ROOTS and what they call are to be compiled with -ffunction-sections.
+function(nazori_rt_calls name roots)
+  if(NAZORI_BUILD_TESTS AND NOT NAZORI_SANITIZE)
+    add_test(NAME ${name}.rt_calls
+      COMMAND "${CMAKE_SOURCE_DIR}/cmake/tests/check_rt_calls.sh" ${CMAKE_OBJDUMP} "${roots}" $<TARGET_OBJECTS:nazori_${name}>
+      COMMAND_EXPAND_LISTS)
+  endif()
+endfunction()
+
 # nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>]
 #               [BENCHES ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #

@@ -3,22 +3,14 @@
 
 #include <SDL.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <mutex>
 
+#include "asking.h"
 #include "nazori/base/sdl_lock.h"
 
 namespace nazori::audio {
 namespace {
-
-void ask(void* source, std::uint8_t* bytes, int length) noexcept {
-  const std::span<float> stereo(reinterpret_cast<float*>(bytes),
-                                static_cast<std::size_t>(length) / sizeof(float));
-  std::fill(stereo.begin(), stereo.end(), 0.0F);
-  static_cast<Source*>(source)->add_to(stereo);
-  for (float& sample : stereo) sample = std::clamp(sample, -1.0F, 1.0F);
-}
 
 tl::unexpected<base::Error> no_sound(const std::string& why) {
   return base::fail(base::Errc::device, why, "sound card",

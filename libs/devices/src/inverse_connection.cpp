@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inverse_connection.h"
 
+#include <algorithm>
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -21,17 +22,24 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Runs what was started until `done`. @return false where `end` came first.
-bool run_until(asio::io_context& io, const bool& done, Clock::time_point end) {
+/// Runs what was started until `done`. @return false where `end` or a wish to stop came first.
+bool run_until(asio::io_context& io, const bool& done, Clock::time_point end,
+               const std::stop_token& stop = {}) {
+  constexpr auto kLook = milliseconds(20);
+  // What is ready is taken also where there is no time to wait.
+  if (io.stopped()) io.restart();
+  while (!done && io.poll_one() > 0) {
+  }
   while (!done) {
     if (io.stopped()) io.restart();
-    if (io.run_one_until(end) == 0 && Clock::now() >= end) return done;
+    const auto next = stop.stop_possible() ? std::min(end, Clock::now() + kLook) : end;
+    if (io.run_one_until(next) == 0 && (Clock::now() >= end || stop.stop_requested())) return done;
   }
   return true;
 }
 
 error_code connect(asio::io_context& io, beast::tcp_stream& stream, const std::string& host,
-                   std::uint16_t port, Clock::time_point end) {
+                   std::uint16_t port, Clock::time_point end, const std::stop_token& stop = {}) {
   error_code result;
   // Addresses only: a name would be looked up, and that cannot be told when to stop.
   const auto address = asio::ip::make_address(host == "localhost" ? "127.0.0.1" : host, result);
@@ -41,7 +49,7 @@ error_code connect(asio::io_context& io, beast::tcp_stream& stream, const std::s
     result = e;
     done = true;
   });
-  if (!run_until(io, done, end)) {
+  if (!run_until(io, done, end, stop)) {
     stream.close();
     run_until(io, done, Clock::now() + milliseconds(100));
     return asio::error::timed_out;
@@ -72,12 +80,12 @@ Connection::~Connection() {
 }
 
 base::Result<std::unique_ptr<Connection>> Connection::open(const std::string& host, std::uint16_t port,
-                                                           milliseconds wait) {
+                                                           milliseconds wait, const std::stop_token& stop) {
   const auto end = Clock::now() + wait;
   std::unique_ptr<Connection> made(new Connection());
   Inside& in = *made->inside_;
   const std::string where = host + ":" + std::to_string(port);
-  error_code failed = connect(in.io, beast::get_lowest_layer(in.socket), host, port, end);
+  error_code failed = connect(in.io, beast::get_lowest_layer(in.socket), host, port, end, stop);
   if (failed) return base::fail(base::Errc::device, failed.message(), where);
   in.socket.read_message_max(kMostBytes);
   bool done = false;
@@ -85,7 +93,7 @@ base::Result<std::unique_ptr<Connection>> Connection::open(const std::string& ho
     failed = e;
     done = true;
   });
-  if (!run_until(in.io, done, end)) {
+  if (!run_until(in.io, done, end, stop)) {
     beast::get_lowest_layer(in.socket).close();
     run_until(in.io, done, Clock::now() + milliseconds(100));
     return base::fail(base::Errc::device, "no handshake in time", where);
@@ -95,12 +103,12 @@ base::Result<std::unique_ptr<Connection>> Connection::open(const std::string& ho
   return made;
 }
 
-bool Connection::send(const std::string& message, milliseconds wait) {
+bool Connection::send(std::string_view message, milliseconds wait) {
   Inside& in = *inside_;
   if (in.gone) return false;
   bool done = false;
   error_code failed;
-  in.socket.async_write(asio::buffer(message), [&](error_code e, std::size_t) {
+  in.socket.async_write(asio::buffer(message.data(), message.size()), [&](error_code e, std::size_t) {
     failed = e;
     done = true;
   });
@@ -134,9 +142,20 @@ Received Connection::receive(std::string& message, milliseconds wait) {
                ? Received::too_large
                : Received::closed;
   }
-  message = beast::buffers_to_string(in.buffer.data());
+  const auto bytes = in.buffer.cdata();  // one piece: it is a flat buffer
+  message.assign(static_cast<const char*>(bytes.data()), bytes.size());
   in.buffer.consume(in.buffer.size());
   return Received::message;
+}
+
+Received Connection::receive_newest(std::string& message, milliseconds wait) {
+  constexpr int kMost = 64;
+  Received received = receive(message, wait);
+  for (int i = 0; i < kMost && received == Received::message; ++i) {
+    received = receive(message, milliseconds(0));
+    if (received == Received::nothing_yet) return Received::message;
+  }
+  return received;
 }
 
 std::optional<std::string> http_get(const std::string& host, std::uint16_t port, const std::string& path,

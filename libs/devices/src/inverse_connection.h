@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -21,16 +22,21 @@ class Connection {
   /// Longer messages are refused and end the connection.
   static constexpr std::size_t kMostBytes = 1 << 20;
 
+  /// @param stop  gives up within some 20 ms when it is requested.
   [[nodiscard]] static base::Result<std::unique_ptr<Connection>> open(const std::string& host,
                                                                       std::uint16_t port,
-                                                                      std::chrono::milliseconds wait);
+                                                                      std::chrono::milliseconds wait,
+                                                                      const std::stop_token& stop = {});
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
   /// @return false where the connection is gone.
-  [[nodiscard]] bool send(const std::string& message, std::chrono::milliseconds wait);
+  [[nodiscard]] bool send(std::string_view message, std::chrono::milliseconds wait);
+  /// @param message  keeps its memory from call to call.
   [[nodiscard]] Received receive(std::string& message, std::chrono::milliseconds wait);
+  /// Waits for a message, then passes over those that others have come behind: `message` is the newest.
+  [[nodiscard]] Received receive_newest(std::string& message, std::chrono::milliseconds wait);
 
  private:
   Connection();

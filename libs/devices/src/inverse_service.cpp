@@ -2,235 +2,51 @@
 #include "nazori/devices/inverse_service.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
+#include <vector>
 
-#include "inverse_connection.h"
-#include "inverse_messages.h"
-#include "nazori/devices/rt_thread.h"
+#include "inverse_device.h"
 #include "nazori/devices/simulated_device.h"
-#include "servo_link.h"
 
 namespace nazori::devices {
 namespace {
 
-using haptics::DeviceState;
 using haptics::DeviceTrouble;
 using haptics::Vec3;
+using inverse::ArmAddress;
+using inverse::ArmState;
+using inverse::ArmType;
 using inverse::Connection;
-using inverse::ForceKey;
+using inverse::Dialect;
 using inverse::Received;
-using Clock = std::chrono::steady_clock;
-using std::chrono::milliseconds;
+using Clock = inverse::Clock;
 
 constexpr const char* kName = "Inverse Service";
-constexpr double kPeriod_s = 0.001;
-constexpr double kReach_m = 0.10;  // radius of the ball that targets are held in
-constexpr auto kConnectWait = milliseconds(500);
-constexpr auto kAnswerWait = milliseconds(20);
-constexpr auto kSendWait = milliseconds(50);
-constexpr auto kSilence = milliseconds(1000);  // after which the connection counts as dead
-constexpr auto kFirstRetry = milliseconds(500);
-constexpr auto kLongestRetry = milliseconds(10'000);
-constexpr double kTooSlow_s = 0.020;
-constexpr double kKeyDoubt_s = 0.2;  // of force commanded and none reported
-constexpr double kKeyDoubt_n = 0.05;
-constexpr int kMostBadMessages = 20;  // in a row
 constexpr int kDelayProbes = 15;
 
-/// The service: x right, y forward, z up. Ours: x right, y up, z towards the learner.
-Vec3 to_device_frame(const Vec3& v) noexcept { return {v.x, v.z, -v.y}; }
-Vec3 to_service_frame(const Vec3& v) noexcept { return {v.x, -v.z, v.y}; }
+/// Middle of what an Inverse3 with its arm on the right reaches, from the middle of its mounting plate: the
+/// place that the maker's own examples begin at.
+constexpr Vec3 kCentre_m{0.0186, -0.153, 0.151};
 
-/// What the delay of a loop leaves of the stiffness that a shorter delay allowed: b > K (T / 2 + delay).
-double softened(double planned_delay_s, double delay_s) noexcept {
-  return std::min(1.0, (kPeriod_s / 2 + planned_delay_s) / (kPeriod_s / 2 + delay_s));
-}
+ArmType type_of(const ArmState& arm) { return arm.type.value_or(ArmType::inverse3); }
 
-class InverseDevice final : public haptics::HapticDevice {
- public:
-  InverseDevice(InverseServiceSettings settings, std::string device_id, ForceKey key,
-                const haptics::DeviceLimits& limits, const WorkspaceMapping& mapping)
-      : settings_(std::move(settings)),
-        device_id_(std::move(device_id)),
-        name_("Inverse3 " + device_id_),
-        limits_(limits),
-        link_(name_, mapping, limits),
-        key_(key) {}
-  ~InverseDevice() override { stop(); }
+/// Radius of the ball that the maker's tutorials hold targets in.
+double reach_m(ArmType type) { return type == ArmType::minverse ? 0.04 : 0.10; }
 
-  [[nodiscard]] haptics::DeviceDescription describe() const override {
-    return {name_, 1 / kPeriod_s, true, link_.mapping().to_tablet(limits_)};
-  }
-  [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override {
-    if (clock_.status().running)
-      return base::fail(base::Errc::device, "the device is running already", name_);
-    connection_.reset();
-    lost_ = key_changed_ = false;
-    retry_ = kFirstRetry;
-    next_try_ = last_good_ = Clock::now();
-    delay_s_ = limits_.delay_s;
-    link_.start(servo);
-    auto started = clock_.start(kPeriod_s, [this](double) { tick(); });
-    if (!started) link_.stop();
-    return started;
-  }
-  void stop() noexcept override {
-    if (!clock_.status().running) return;
-    clock_.stop();
-    // The force goes with the session; said once more for a service that is slow to notice.
-    if (connection_) (void)connection_->send(inverse::tick_message(device_id_, key_, Vec3(0)), kSendWait);
-    connection_.reset();
-    link_.stop();
-  }
-  [[nodiscard]] haptics::DeviceStatus status() const override { return link_.status(); }
-
- private:
-  void tick();
-  void connect();
-  void exchange(const inverse::ServiceState& state);
-  void send(const Vec3& service_n);
-  void disconnect(DeviceTrouble why);
-  void pause(DeviceTrouble why, std::uint32_t buttons = 0);
-  /// Whether the arm does as it is told; tries the other spelling once where not.
-  bool obeys(const inverse::ArmState& arm);
-
-  const InverseServiceSettings settings_;
-  const std::string device_id_, name_;
-  const haptics::DeviceLimits limits_;
-  ServoLink link_;
-  // Servo thread.
-  std::unique_ptr<Connection> connection_;
-  ForceKey key_;
-  bool key_changed_ = false, lost_ = false, session_begun_ = false;
-  DeviceTrouble last_trouble_ = DeviceTrouble::service_gone;
-  Clock::duration retry_ = kFirstRetry;
-  Clock::time_point next_try_, last_good_, sent_at_, heard_at_, doubted_since_;
-  Vec3 commanded_n_{0, 0, 0};
-  double delay_s_ = 0;
-  int bad_messages_ = 0;
-  std::string message_;
-  RtThread clock_;  // last: it stops before the rest goes
-};
-
-void InverseDevice::pause(DeviceTrouble why, std::uint32_t buttons) {
-  commanded_n_ = Vec3(0);
-  last_trouble_ = why;
-  const auto without = std::chrono::duration<double>(Clock::now() - last_good_).count();
-  const bool goes_on_alone = why == DeviceTrouble::not_calibrated || why == DeviceTrouble::not_ready;
-  lost_ = !goes_on_alone && without > settings_.give_up_s;
-  link_.pause(lost_ ? DeviceState::lost : DeviceState::paused, why, 0, buttons);
-  if (lost_) connection_.reset();
-}
-
-void InverseDevice::disconnect(DeviceTrouble why) {
-  connection_.reset();
-  next_try_ = Clock::now() + retry_;
-  retry_ = std::min<Clock::duration>(2 * retry_, kLongestRetry);
-  pause(why);
-}
-
-void InverseDevice::connect() {
-  auto opened = Connection::open(settings_.host, settings_.port, kConnectWait);
-  if (!opened) return disconnect(DeviceTrouble::service_gone);
-  connection_ = std::move(*opened);
-  heard_at_ = sent_at_ = Clock::now();
-  bad_messages_ = 0;
-  session_begun_ = false;
-  doubted_since_ = {};
-  // The inventory comes unasked; it is read as the first answer of the loop.
-  pause(last_trouble_);
-}
-
-void InverseDevice::send(const Vec3& service_n) {
-  commanded_n_ = service_n;
-  sent_at_ = Clock::now();
-  if (!connection_->send(inverse::tick_message(device_id_, key_, service_n), kSendWait))
-    disconnect(DeviceTrouble::service_gone);
-}
-
-bool InverseDevice::obeys(const inverse::ArmState& arm) {
-  const bool pushes = !arm.force_n || glm::length(*arm.force_n) > 0;
-  if (pushes || key_changed_ || glm::length(commanded_n_) < kKeyDoubt_n) {
-    doubted_since_ = {};
-    return true;
-  }
-  const auto now = Clock::now();
-  if (doubted_since_ == Clock::time_point{}) doubted_since_ = now;
-  if (std::chrono::duration<double>(now - doubted_since_).count() < kKeyDoubt_s) return true;
-  key_changed_ = true;
-  key_ = key_ == ForceKey::vector ? ForceKey::values : ForceKey::vector;
-  return false;
-}
-
-void InverseDevice::exchange(const inverse::ServiceState& state) {
-  const auto arm = std::find_if(state.arms.begin(), state.arms.end(),
-                                [&](const inverse::ArmState& a) { return a.device_id == device_id_; });
-  Vec3 force(0);
-  if (arm == state.arms.end()) {
-    pause(DeviceTrouble::communication_lost, state.buttons);
-    if (lost_) return;
-  } else if (arm->calibrated == false) {
-    pause(DeviceTrouble::not_calibrated, state.buttons);
-  } else if (arm->ready == false) {
-    pause(DeviceTrouble::not_ready, state.buttons);
-  } else if (!arm->position_m) {
-    pause(DeviceTrouble::bad_message, state.buttons);
-    if (lost_) return;
-  } else if (delay_s_ > kTooSlow_s) {
-    pause(DeviceTrouble::too_slow, state.buttons);
-    if (lost_) return;
-  } else if (!obeys(*arm)) {
-    pause(DeviceTrouble::not_ready, state.buttons);  // the servo lets go, and comes back with a ramp
-  } else {
-    last_good_ = Clock::now();
-    retry_ = kFirstRetry;
-    link_.set_delay_s(delay_s_);
-    force = softened(limits_.delay_s, delay_s_) *
-            to_service_frame(link_.feel(to_device_frame(*arm->position_m), state.buttons));
-  }
-  send(force);
-}
-
-void InverseDevice::tick() {
-  if (lost_) return;
-  if (!connection_) {
-    if (Clock::now() < next_try_) return pause(last_trouble_);
-    return connect();
-  }
-  switch (connection_->receive(message_, kAnswerWait)) {
-    case Received::closed:
-      return disconnect(DeviceTrouble::service_gone);
-    case Received::too_large:
-      return disconnect(DeviceTrouble::bad_message);
-    case Received::nothing_yet:
-      if (Clock::now() - heard_at_ > kSilence) return disconnect(DeviceTrouble::too_slow);
-      // Commands last one tick: the arm has gone limp by now.
-      return pause(DeviceTrouble::too_slow);
-    case Received::message:
-      break;
-  }
-  const auto now = Clock::now();
-  const double round_trip_s = std::chrono::duration<double>(now - sent_at_).count();
-  constexpr double kDelayFilter = 0.05;
-  delay_s_ += kDelayFilter * (round_trip_s - delay_s_);
-  heard_at_ = now;
-  const auto state = inverse::parse_state(message_);
-  if (!state) {
-    if (++bad_messages_ > kMostBadMessages) return disconnect(DeviceTrouble::bad_message);
-    pause(DeviceTrouble::bad_message);
-    if (!lost_) send(Vec3(0));  // no message, no next state
-    return;
-  }
-  bad_messages_ = 0;
-  if (session_begun_) return exchange(*state);
-  // The inventory, which comes unasked.
-  session_begun_ = true;
-  sent_at_ = Clock::now();
-  if (!connection_->send(inverse::first_message(device_id_, key_, settings_.force_gate_gain), kSendWait))
-    disconnect(DeviceTrouble::service_gone);
+std::string name_of(const ArmState& arm) {
+  const auto words = [&] {
+    switch (type_of(arm)) {
+      case ArmType::inverse3x:
+        return "Inverse3x ";
+      case ArmType::minverse:
+        return "Minverse ";
+      case ArmType::inverse3:
+        break;
+    }
+    return "Inverse3 ";
+  };
+  return words() + std::string(arm.device_id.view());
 }
 
 class InverseBackEnd final : public BackEnd {
@@ -239,14 +55,16 @@ class InverseBackEnd final : public BackEnd {
   [[nodiscard]] std::string_view id() const override { return "inverse3"; }
 
   [[nodiscard]] BackEndFindings find() override {
-    BackEndFindings found{"Haply Inverse3 (Inverse Service)", {}, std::nullopt};
+    BackEndFindings found{"Haply Inverse3, Inverse3x and Minverse (Inverse Service)", {}, std::nullopt};
     const auto session = connect();
     if (!session) {
       found.problem = session.error();
       return found;
     }
-    for (const inverse::ArmState& arm : session->inventory.arms)
-      found.devices.push_back({"inverse3:" + arm.device_id, "Inverse3 " + arm.device_id, true, true});
+    for (std::size_t i = 0; i < session->inventory.arm_count; ++i) {
+      const ArmState& arm = session->inventory.arms[i];
+      found.devices.push_back({id_of(arm), name_of(arm), true, true});
+    }
     if (found.devices.empty()) found.problem = absent("").value();
     return found;
   }
@@ -256,30 +74,31 @@ class InverseBackEnd final : public BackEnd {
     auto session = connect();
     if (!session) return tl::unexpected(session.error());
     const std::size_t colon = device.find(':');
-    const std::string_view wanted = colon == std::string_view::npos ? "" : device.substr(colon + 1);
-    const auto& arms = session->inventory.arms;
-    const auto arm = std::find_if(arms.begin(), arms.end(), [&](const inverse::ArmState& a) {
-      return wanted.empty() || a.device_id == wanted;
-    });
-    if (arm == arms.end()) return absent(device);
+    const ArmState* const arm =
+        session->inventory.find(colon == std::string_view::npos ? "" : device.substr(colon + 1));
+    if (arm == nullptr) return absent(device);
 
-    ForceKey key = ForceKey::vector;
-    if (const auto version = inverse::http_get(settings_.host, settings_.port, "/version", kConnectWait))
-      key = inverse::key_for_version(*version).value_or(key);
+    ArmAddress address{std::string(arm->device_id.view()), dialect(*arm), {}};
+    if (!address.dialect.knows_presets) {
+      if (type_of(*arm) == ArmType::minverse)
+        return no_device(DeviceTrouble::bad_calibration, "this service does not tell where its tablet lies",
+                         name_of(*arm), "update haply-inverse-service to 3.5 or later");
+      address.centre_m = kCentre_m;
+      if (arm->left_handed) address.centre_m.x = -address.centre_m.x;
+    }
     haptics::DeviceLimits limits = SimulatedHardware::inverse3().limits;
     limits.max_force_n = std::min(std::max(settings_.force_cap_n, 0.1), 10.0);
     limits.continuous_force_n = std::min(limits.continuous_force_n, limits.max_force_n);
-    limits.delay_s = settings_.delay_s ? std::clamp(*settings_.delay_s, 0.0, kTooSlow_s)
-                                       : measure_delay(*session->connection, arm->device_id, key);
+    limits.delay_s = settings_.delay_s ? std::clamp(*settings_.delay_s, 0.0, inverse::kTooSlow_s)
+                                       : measure_delay(*session->connection, address);
 
-    const double half = kReach_m / std::sqrt(3.0);
+    const double half = reach_m(type_of(*arm)) / std::sqrt(3.0);
     const DeviceWorkspace workspace{{-half, -half, -half}, {half, half, half}};
     const WorkspaceCalibration fit =
         request.calibration.value_or(fit_workspace(workspace, request.shape, request.posture));
     const auto mapping = WorkspaceMapping::create(fit);
     if (!mapping) return tl::unexpected(DeviceProblem{DeviceTrouble::bad_calibration, mapping.error()});
-    return OpenedDevice{"inverse3:" + arm->device_id,
-                        std::make_unique<InverseDevice>(settings_, arm->device_id, key, limits, *mapping),
+    return OpenedDevice{id_of(*arm), inverse::arm_device(settings_, address, name_of(*arm), limits, *mapping),
                         fit, workspace};
   }
 
@@ -289,40 +108,54 @@ class InverseBackEnd final : public BackEnd {
     inverse::ServiceState inventory;
   };
 
+  static std::string id_of(const ArmState& arm) { return "inverse3:" + std::string(arm.device_id.view()); }
   [[nodiscard]] std::string where() const { return settings_.host + ":" + std::to_string(settings_.port); }
   static tl::unexpected<DeviceProblem> absent(std::string_view device) {
     return no_device(DeviceTrouble::device_absent, "the service sees no such arm",
                      device.empty() ? kName : std::string(device),
-                     "plug the Inverse3 in, switch its power on and wait for its light");
+                     "plug the arm in, switch its power on and wait for its light");
   }
   [[nodiscard]] DeviceResult<Session> connect() const {
-    auto connection = Connection::open(settings_.host, settings_.port, kConnectWait);
+    auto connection = Connection::open(settings_.host, settings_.port, inverse::kConnectWait);
     if (!connection)
       return no_device(DeviceTrouble::service_missing,
                        "no service answers on " + where() + ": " + connection.error().what, kName,
                        "install and start haply-inverse-service, see docs/devices.md, Inverse3");
     std::string message;
-    const Received received = (*connection)->receive(message, kSilence);
-    const auto inventory = received == Received::message ? inverse::parse_state(message) : std::nullopt;
-    if (!inventory)
+    Session session{std::move(*connection), {}};
+    if (session.connection->receive(message, inverse::kSilence) != Received::message ||
+        !inverse::read_state(message, session.inventory))
       return no_device(DeviceTrouble::bad_message, "what answers on " + where() + " sends no list of devices",
                        kName, "update haply-inverse-service to 3.1 or later, or set its port");
-    return Session{std::move(*connection), *inventory};
+    return session;
   }
-  /// From pose to force: the usual round trip, doubled, for a busy machine. At least a period.
-  static double measure_delay(Connection& connection, const std::string& device_id, ForceKey key) {
+  /// By the version; where the service does not tell it, by what stands in the inventory.
+  [[nodiscard]] Dialect dialect(const ArmState& arm) const {
+    const auto version = inverse::http_get(settings_.host, settings_.port, "/version", inverse::kConnectWait);
+    const Dialect recent, old{inverse::ForceKey::values, false};
+    return version ? inverse::dialect_for_version(*version).value_or(arm.has_preset ? recent : old)
+                   : (arm.has_preset ? recent : old);
+  }
+  /// From pose to force: the usual round trip, doubled, for a busy machine, and a period until the servo and
+  /// the thread that talks with the service have met.
+  static double measure_delay(Connection& connection, const ArmAddress& arm) {
     std::vector<double> round_trips;
-    std::string message = inverse::first_message(device_id, key, std::nullopt);
+    inverse::TickMessage tick(arm.device_id, arm.dialect.key);
+    std::string answer;
+    std::string message = inverse::first_message(arm.device_id, arm.dialect, std::nullopt);
     for (int i = 0; i < kDelayProbes; ++i) {
+      (void)connection.receive_newest(answer, std::chrono::milliseconds(0));  // not what is asked for now
       const auto sent = Clock::now();
-      if (!connection.send(message, kSendWait) || connection.receive(message, kSilence) != Received::message)
+      if (!connection.send(message, inverse::kSendWait) ||
+          connection.receive(answer, inverse::kSilence) != Received::message)
         break;
       round_trips.push_back(std::chrono::duration<double>(Clock::now() - sent).count());
-      message = inverse::tick_message(device_id, key, Vec3(0));
+      message = tick.write(Vec3(0));
     }
-    if (round_trips.empty()) return kTooSlow_s;
-    std::nth_element(round_trips.begin(), round_trips.begin() + round_trips.size() / 2, round_trips.end());
-    return std::clamp(2 * round_trips[round_trips.size() / 2], kPeriod_s, kTooSlow_s);
+    if (round_trips.empty()) return inverse::kTooSlow_s;
+    const auto middle = round_trips.begin() + static_cast<std::ptrdiff_t>(round_trips.size() / 2);
+    std::nth_element(round_trips.begin(), middle, round_trips.end());
+    return std::min(2 * *middle + inverse::kPeriod_s, inverse::kTooSlow_s);
   }
 
   InverseServiceSettings settings_;

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/devices/rt_thread.h"
 
-#include <pthread.h>
-#include <sched.h>
-
 #include <atomic>
 #include <cerrno>
 #include <cmath>
 #include <ctime>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "real_time.h"
+
 namespace nazori::devices {
 namespace {
 
-// Above ordinary threads, below the kernel's own (50) and audio servers.
-constexpr int kPriority = 40;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
 std::int64_t now_ns() noexcept {
@@ -40,12 +38,15 @@ struct RtThread::Inside {
   Tick tick;
   std::int64_t period_ns = 0;
   bool real_time = false;
-  std::atomic<bool> stopping{false};
+  std::optional<MemoryLock> memory;  // while it runs
+  std::atomic<bool> stopping{false}, stack_locked{false};
   std::atomic<std::uint64_t> ticks{0}, missed{0};
   std::atomic<std::int64_t> max_lateness_ns{0};
 };
 
 void RtThread::Inside::run() noexcept {
+  const ReadyStack stack;
+  stack_locked.store(stack.is_locked(), std::memory_order_relaxed);
   const std::int64_t start_ns = now_ns();
   std::int64_t due_ns = start_ns;
   while (!stopping.load(std::memory_order_acquire)) {
@@ -79,13 +80,15 @@ base::Result<void> RtThread::start(double period_s, Tick tick) {
   in.stopping = false;
   in.ticks = in.missed = 0;
   in.max_lateness_ns = 0;
+  in.stack_locked = false;
+  in.memory.emplace();
   try {
     in.thread = std::thread([&in] { in.run(); });
   } catch (const std::system_error& e) {
+    in.memory.reset();
     return base::fail(base::Errc::device, std::string("no thread for the servo: ") + e.what());
   }
-  const sched_param priority{kPriority};
-  in.real_time = pthread_setschedparam(in.thread.native_handle(), SCHED_FIFO, &priority) == 0;
+  in.real_time = make_real_time(in.thread.native_handle(), kServoPriority);
   return {};
 }
 
@@ -93,6 +96,7 @@ void RtThread::stop() noexcept {
   if (!inside_->thread.joinable()) return;
   inside_->stopping.store(true, std::memory_order_release);
   inside_->thread.join();
+  inside_->memory.reset();
 }
 
 ClockStatus RtThread::status() const {
@@ -100,6 +104,7 @@ ClockStatus RtThread::status() const {
   ClockStatus s;
   s.running = in.thread.joinable();
   s.real_time = s.running && in.real_time;
+  s.stack_locked = s.running && in.stack_locked.load(std::memory_order_relaxed);
   if (s.running && !in.real_time)
     s.message = "The servo runs without real-time priority (the system's rtprio limit does not allow it).";
   s.ticks = in.ticks.load(std::memory_order_relaxed);

@@ -51,7 +51,7 @@ class SdlBackEnd final : public BackEnd {
     }
     for (const Named& one : named(*listed)) {
       const Abilities& can = one.device.abilities;
-      found.devices.push_back({one.id, one.device.name, can.force(), can.force() && can.force_axes >= 2});
+      found.devices.push_back({one.id, one.device.name, can.force(), can.force() && can.force_axes() >= 2});
       if (is_open(one.device)) found.problem = in_use(one.device).value();
     }
     if (found.devices.empty()) found.problem = absent(kName).value();

@@ -49,7 +49,7 @@ base::Result<ForceEffects> ForceEffects::create(Controller& controller, const Ab
 }
 
 ForceEffects::ForceEffects(Controller& controller, const Abilities& abilities)
-    : controller_(&controller), planar_(abilities.force_axes >= 2) {
+    : controller_(&controller), planar_(abilities.force_axes() >= 2) {
   if ((abilities.effects & SDL_HAPTIC_CONSTANT) != 0) {
     SDL_HapticEffect e{};
     e.type = SDL_HAPTIC_CONSTANT;

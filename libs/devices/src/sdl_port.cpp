@@ -228,12 +228,13 @@ class SystemPort final : public Port {
     a.pad = SDL_IsGameController(index) == SDL_TRUE;
     const Joystick joystick(SDL_JoystickOpen(index));
     if (!joystick) return a;
+    a.wheel = SDL_JoystickGetType(joystick.get()) == SDL_JOYSTICK_TYPE_WHEEL;
     a.rumble = SDL_JoystickHasRumble(joystick.get()) == SDL_TRUE;
     if (!system_->haptics || SDL_JoystickIsHaptic(joystick.get()) != 1) return a;
     const Haptic haptic(SDL_HapticOpenFromJoystick(joystick.get()));
     if (!haptic) return a;
     a.effects = SDL_HapticQuery(haptic.get());
-    a.force_axes = std::max(0, SDL_HapticNumAxes(haptic.get()));
+    a.haptic_axes = std::max(0, SDL_HapticNumAxes(haptic.get()));
     return a;
   }
 

@@ -18,13 +18,16 @@ namespace nazori::devices::sdl {
 /// What a joystick, wheel or pad can do.
 struct Abilities {
   unsigned effects = 0;  ///< SDL_HAPTIC_CONSTANT, SDL_HAPTIC_SPRING ...
-  int force_axes = 0;
+  int haptic_axes = 0;   ///< as SDL_HapticNumAxes; on Linux always 2
   bool rumble = false;
-  bool pad = false;  ///< SDL knows its layout as a gamepad's
+  bool pad = false;    ///< SDL knows its layout as a gamepad's
+  bool wheel = false;  ///< by SDL_JoystickGetType
 
+  /// Axes that a force can push along. A wheel has one motor, whatever SDL counts.
+  [[nodiscard]] int force_axes() const noexcept { return wheel && haptic_axes > 1 ? 1 : haptic_axes; }
   /// Forces of a direction, not only shaking.
   [[nodiscard]] bool force() const noexcept {
-    return (effects & (SDL_HAPTIC_CONSTANT | SDL_HAPTIC_SPRING)) != 0 && force_axes > 0;
+    return (effects & (SDL_HAPTIC_CONSTANT | SDL_HAPTIC_SPRING)) != 0 && force_axes() > 0;
   }
 };
 

@@ -10,11 +10,12 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nazori::devices::inverse;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  (void)key_for_version(text);
-  if (const auto state = parse_state(text)) {
-    for (const ArmState& arm : state->arms) {
-      if (arm.position_m && !std::isfinite(arm.position_m->x + arm.position_m->y + arm.position_m->z))
-        std::abort();
+  (void)dialect_for_version(text);
+  ServiceState state;
+  if (read_state(text, state)) {
+    for (std::size_t i = 0; i < state.arm_count; ++i) {
+      const auto& position = state.arms[i].position_m;
+      if (position && !std::isfinite(position->x + position->y + position->z)) std::abort();
     }
   }
   return 0;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -110,7 +111,7 @@ TEST_F(Inverse3, TheForceIsHeldToTheCap) {
 
 TEST_F(Inverse3, AnOldServiceIsSpokenToInTheOldSpelling) {
   service->version = "3.1.0";
-  service->takes_vector = false;
+  service->takes_vector = service->knows_presets = false;
   FeltPlane plane;
   OpenedDevice device = opened();
   press();
@@ -126,6 +127,121 @@ TEST_F(Inverse3, AServiceThatPassesOverOneSpellingIsSpokenToInTheOther) {
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return force() > 0.3; }));
   EXPECT_GT(plane.absent, 0);  // the servo began again, with its ramp
+}
+
+TEST_F(Inverse3, BeforePresetsTheTabletLiesInTheMiddleOfTheReachAllTheSame) {
+  service->knows_presets = service->takes_vector = false;
+  for (const char* version : {"3.4.9", static_cast<const char*>(nullptr)}) {
+    for (const bool left : {false, true}) {
+      service->version = version;
+      service->left_handed = left;
+      service->x_m = 0.01;
+      service->z_m = 0.02;
+      press();
+      FeltPlane plane;
+      OpenedDevice device = opened();
+      ASSERT_TRUE(device.device->start(plane));
+      EXPECT_TRUE(comes_true([&] { return std::abs(service->force_y_n + 0.6) < 1e-9; }))
+          << service->force_y_n;
+      EXPECT_NEAR(plane.x_m, 0.01, 1e-12) << left;
+      EXPECT_NEAR(plane.y_m, 0.02, 1e-12);
+      device.device->stop();
+    }
+  }
+  EXPECT_EQ(service->malformed, 0);
+}
+
+TEST_F(Inverse3, AServiceThatDoesNotTellItsVersionShowsByItsInventoryThatItKnowsPresets) {
+  service->version = nullptr;
+  press();
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return std::abs(service->force_y_n + 0.6) < 1e-9; })) << service->force_y_n;
+}
+
+TEST_F(Inverse3, AMinverseReachesLessAndIsNotPlacedByGuessing) {
+  const double wide_m = opened().workspace.high_m.x;
+  EXPECT_NEAR(wide_m, 0.1 / std::sqrt(3.0), 1e-12);
+  service->type = "inverse3x";
+  EXPECT_EQ(opened().workspace.high_m.x, wide_m);
+  EXPECT_EQ(opened().device->describe().name, "Inverse3x 049D");
+  service->type = "minverse";
+  EXPECT_NEAR(opened().workspace.high_m.x, 0.04 / std::sqrt(3.0), 1e-12);
+  EXPECT_EQ(inverse_service_back_end(settings())->find().devices.at(0).name, "Minverse 049D");
+  service->version = "3.4.0";
+  service->knows_presets = false;
+  EXPECT_TRUE(comes_true([&] {
+    const auto device = inverse_service_back_end(settings())->open("inverse3", {});
+    return !device && device.error().trouble == DeviceTrouble::bad_calibration &&
+           device.error().error.remedy == "update haply-inverse-service to 3.5 or later";
+  }));
+}
+
+TEST_F(Inverse3, TheNewestPositionIsFeltAlsoWhereTheServiceSendsTwoStatesForACommand) {
+  service->states_for_a_message = 2;
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(plane));
+  const int at_start = service->messages;
+  ASSERT_TRUE(comes_true([&] { return service->messages > at_start + 1000 && plane.present > 0; }));
+  // Who reads one message a tick is a thousand of them behind by now.
+  service->x_m = 0.03;
+  const int moved_at = service->messages;
+  ASSERT_TRUE(comes_true([&] { return std::abs(plane.x_m - 0.03) < 1e-9; }));
+  EXPECT_LT(service->messages - moved_at, 500);
+}
+
+TEST_F(Inverse3, TheLastThatItIsToldIsNoForce) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return service->last_command_n > 0.1; }));
+  device.device->stop();
+  EXPECT_TRUE(comes_true([&] { return service->last_command_n == 0; }));
+}
+
+/// Pushes, and stands still in a tick as long as the test wants.
+class StuckServo final : public haptics::ServoCallback {
+ public:
+  Vec3 tick(const haptics::DeviceSample&) noexcept override {
+    stuck.wait(true);
+    return {0, 0, 1};
+  }
+  std::atomic<bool> stuck{false};
+};
+
+TEST_F(Inverse3, AServoThatStandsStillDoesNotGoOnPushing) {
+  StuckServo servo;
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(servo));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  servo.stuck = true;
+  EXPECT_TRUE(comes_true([&] { return force() == 0; }));
+  const int before = service->messages;
+  EXPECT_TRUE(comes_true([&] { return service->messages > before + 3; })) << "the session stays";
+  servo.stuck = false;
+  servo.stuck.notify_all();
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+}
+
+TEST_F(Inverse3, TheServosThreadNeverWaitsForTheService) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  service->delay_ms = 200;
+  const haptics::DeviceStatus slow =
+      test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::too_slow);
+  EXPECT_GT(slow.rate_hz, 0);
+  // While one answer is waited for, the servo ticks on.
+  FeltPlane ticks;
+  device.device->stop();
+  ASSERT_TRUE(device.device->start(ticks));
+  const int begun = service->messages;
+  EXPECT_TRUE(comes_true([&] { return service->messages > begun + 4; }));
+  EXPECT_GT(ticks.ticks, 20 * (service->messages - begun)) << "one tick a message is a servo that waits";
+  service->delay_ms = 0;
 }
 
 TEST_F(Inverse3, AnUncalibratedOrUnreadyArmGetsNoForceAndGoesOnWhenItIs) {

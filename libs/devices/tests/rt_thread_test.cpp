@@ -2,10 +2,21 @@
 #include "nazori/devices/rt_thread.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <string>
 #include <thread>
+
+#include "system_calls.h"
 
 namespace nazori::devices {
 namespace {
@@ -58,6 +69,73 @@ TEST(RtThread, CountsThePeriodsThatASlowTickSwallowed) {
   while (calls < 3) std::this_thread::sleep_for(milliseconds(1));
   thread.stop();
   EXPECT_GE(thread.status().missed, 28U);
+}
+
+/// What the kernel says of the memory at an address: the flags of /proc/self/smaps, "lo" for locked.
+std::string flags_of_memory_at(std::uintptr_t address) {
+  std::ifstream maps("/proc/self/smaps");
+  std::string line;
+  bool inside = false;
+  while (std::getline(maps, line)) {
+    unsigned long begin = 0, end = 0;
+    if (std::sscanf(line.c_str(), "%lx-%lx ", &begin, &end) == 2) inside = address >= begin && address < end;
+    if (inside && line.rfind("VmFlags:", 0) == 0) return line;
+  }
+  return {};
+}
+
+TEST(RtThread, ItsStackIsThereBeforeTheFirstTickAndStaysInMemory) {
+  RtThread thread;
+  std::atomic<std::uintptr_t> here{0};
+  std::atomic<int> missing{-1};
+  constexpr int kPages = 24;  // less than what is made ready, for what lies between
+  ASSERT_TRUE(thread.start(0.001, [&](double) {
+    if (here != 0) return;
+    const char local = 0;
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    const auto top = reinterpret_cast<std::uintptr_t>(&local) / page * page;
+    std::array<unsigned char, kPages> resident{};
+    int absent = 0;
+    // Below what the tick uses itself.
+    if (mincore(reinterpret_cast<void*>(top - kPages * page), kPages * page, resident.data()) != 0)
+      absent = kPages;
+    for (const unsigned char one : resident) absent += (one & 1U) == 0 ? 1 : 0;
+    missing = absent;
+    here = top;
+  }));
+  while (here == 0) std::this_thread::sleep_for(milliseconds(1));
+  EXPECT_EQ(missing, 0) << "pages of the stack that a tick would have to wait for";
+  const ClockStatus status = thread.status();
+  const std::string flags = flags_of_memory_at(here);
+  thread.stop();
+  EXPECT_FALSE(thread.status().stack_locked);
+  rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_MEMLOCK, &limit), 0);
+  if (nazori::test::kSanitized) GTEST_SKIP() << "a sanitizer locks nothing";
+  if (limit.rlim_cur < 1024 * 1024 && geteuid() != 0) GTEST_SKIP() << "no memory may be locked here";
+  EXPECT_TRUE(status.stack_locked);
+  EXPECT_NE(flags.find(" lo"), std::string::npos) << flags;
+}
+
+TEST(RtThread, WhereEverythingMayBeLockedTheProgramIsWhileAServoRunsAndNotAfterwards) {
+  if (nazori::test::kSanitized) GTEST_SKIP() << "a sanitizer locks nothing";
+  rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_MEMLOCK, &limit), 0);
+  if (limit.rlim_cur != RLIM_INFINITY && geteuid() != 0) GTEST_SKIP() << "not everything may be locked here";
+  const auto heap = std::make_unique<std::array<char, 1 << 20>>();
+  const auto locked = [&] {
+    return flags_of_memory_at(reinterpret_cast<std::uintptr_t>(heap->data() + 4096)).find(" lo") !=
+           std::string::npos;
+  };
+  ASSERT_FALSE(locked());
+  RtThread one, other;
+  ASSERT_TRUE(one.start(0.001, [](double) {}));
+  if (!locked()) GTEST_SKIP() << "the system does not let this user lock everything";
+  ASSERT_TRUE(other.start(0.001, [](double) {}));
+  one.stop();
+  EXPECT_TRUE(locked()) << "the other runs";
+  other.stop();
+  EXPECT_FALSE(locked());
 }
 
 TEST(RtThread, RefusesAbsurdPeriodsAndASecondStart) {

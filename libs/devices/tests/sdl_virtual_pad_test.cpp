@@ -6,10 +6,12 @@
 #include <atomic>
 #include <cmath>
 #include <csignal>
+#include <optional>
 
 #include "felt_plane.h"
 #include "nazori/devices/device_trial.h"
 #include "nazori/devices/game_controllers.h"
+#include "sdl_port.h"
 #include "standins/virtual_pad.h"
 
 namespace nazori::devices {
@@ -132,6 +134,26 @@ TEST_F(VirtualGamepad, SdlTakesNoSignals) {
   struct sigaction action {};
   ASSERT_EQ(sigaction(SIGINT, nullptr, &action), 0);
   EXPECT_EQ(action.sa_handler, SIG_DFL);
+}
+
+TEST_F(VirtualGamepad, AWheelIsToldByItsType) {
+  const auto listed = [](SDL_JoystickType type) {
+    const int index = SDL_JoystickAttachVirtual(type, 2, 1, 0);
+    EXPECT_GE(index, 0) << SDL_GetError();
+    const SDL_JoystickID instance = SDL_JoystickGetDeviceInstanceID(index);
+    std::optional<bool> is_wheel;
+    const auto all = sdl::system_port()->list();
+    EXPECT_TRUE(all);
+    for (const sdl::Listed& device : *all) {
+      if (device.instance == instance) is_wheel = device.abilities.wheel;
+    }
+    for (int i = 0; i < SDL_NumJoysticks(); ++i) {
+      if (SDL_JoystickGetDeviceInstanceID(i) == instance) SDL_JoystickDetachVirtual(i);
+    }
+    return is_wheel;
+  };
+  EXPECT_EQ(listed(SDL_JOYSTICK_TYPE_WHEEL), true);
+  EXPECT_EQ(listed(SDL_JOYSTICK_TYPE_FLIGHT_STICK), false);
 }
 
 TEST_F(VirtualGamepad, ADeviceOutlivesItsBackEnd) {

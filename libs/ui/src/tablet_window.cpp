@@ -280,19 +280,25 @@ void TabletWindow::tabletEvent(QTabletEvent* event) {
   const QPointF at = event->position();
   if (event->pointingDevice()->hasCapability(QInputDevice::Capability::XTilt))
     controller_->lean_stylus(QPointF(event->xTilt(), event->yTilt()));
+  // Qt's left button is the tip. The buttons on the barrel do what those of a mouse do, while the tip is up:
+  // one that is pressed in the middle of a stroke is an accident of the hand.
+  const bool is_tip = event->button() == Qt::LeftButton;
   if (event->type() == QEvent::TabletPress) {
-    // The barrel button turns the tablet, as the right mouse button does.
-    if (event->button() == Qt::RightButton)
-      begin_drag(Drag::orbit, at);
-    else if (event->pointerType() == QPointingDevice::PointerType::Eraser)
+    if (!is_tip && !pen_down_ && drag_ == Drag::none) {
+      if (event->button() == Qt::RightButton) begin_drag(Drag::orbit, at);
+      if (event->button() == Qt::MiddleButton) begin_drag(Drag::pan, at);
+    } else if (is_tip && event->pointerType() == QPointingDevice::PointerType::Eraser) {
       emit controller_->eraser_used();
-    else
+    } else if (is_tip && drag_ == Drag::none) {
       pen_down_ = true;
+    }
   } else if (event->type() == QEvent::TabletRelease) {
-    pen_down_ = false;
-    drag_ = Drag::none;
+    if (is_tip) pen_down_ = false;
+    if ((drag_ == Drag::orbit && event->button() == Qt::RightButton) ||
+        (drag_ == Drag::pan && event->button() == Qt::MiddleButton))
+      drag_ = Drag::none;
   }
-  if (drag_ == Drag::orbit)
+  if (drag_ == Drag::orbit || drag_ == Drag::pan)
     drag_camera(at);
   else
     point_stylus(at, pen_down_, event->pressure(), event->timestamp());

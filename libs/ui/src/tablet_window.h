@@ -21,7 +21,8 @@ namespace nazori::ui {
 ///
 /// A finger writes too, two of them move and zoom; while a pen is near, fingers and palm are nothing.
 /// Left button or pen tip: stylus down, wheel or pressure: depth. Right button: turn and tilt. Middle button,
-/// or right with Shift: move. Wheel: nearer and farther. Home: as at the start.
+/// or right with Shift: move. Wheel: nearer and farther. Home: as at the start. The buttons on a pen's barrel
+/// do the same while its tip is up.
 class TabletWindow final : public QOpenGLWindow {
   Q_OBJECT
  public:

@@ -136,6 +136,41 @@ TEST_F(PenAndFingers, TheOtherEndOfThePenTakesBackAndWritesNothing) {
   EXPECT_EQ(erased.count(), 1) << "once for each touch";
 }
 
+TEST_F(PenAndFingers, AButtonOnTheBarrelDoesNotEndTheStroke) {
+  for (const auto button : {Qt::RightButton, Qt::MiddleButton}) {
+    pen(QEvent::TabletPress, middle_, 0.5);
+    pen(QEvent::TabletPress, middle_ + QPointF(10, 0), 0.5, {}, nullptr, button);
+    EXPECT_TRUE(controller_.is_pressed()) << button;
+    pen(QEvent::TabletMove, middle_ + QPointF(20, 0), 0.5);
+    EXPECT_TRUE(controller_.is_pressed()) << button;
+    pen(QEvent::TabletRelease, middle_ + QPointF(30, 0), 0.5, {}, nullptr, button);
+    EXPECT_TRUE(controller_.is_pressed()) << "the tip is still down";
+    pen(QEvent::TabletMove, middle_ + QPointF(40, 0), 0.5);
+    EXPECT_TRUE(controller_.is_pressed()) << button;
+    pen(QEvent::TabletRelease, middle_ + QPointF(50, 0), 0);
+    EXPECT_FALSE(controller_.is_pressed()) << button;
+  }
+}
+
+TEST_F(PenAndFingers, AButtonInHoverWritesNothing) {
+  for (const auto button : {Qt::RightButton, Qt::MiddleButton}) {
+    pen(QEvent::TabletMove, middle_, 0);
+    pen(QEvent::TabletPress, middle_, 0, {}, nullptr, button);
+    pen(QEvent::TabletMove, middle_ + QPointF(5, 0), 0);
+    EXPECT_FALSE(controller_.is_pressed()) << button;
+    // The tip comes down while the button turns or moves the tablet: that is no writing.
+    pen(QEvent::TabletPress, middle_, 0.5);
+    EXPECT_FALSE(controller_.is_pressed()) << button;
+    pen(QEvent::TabletRelease, middle_, 0.5, {}, nullptr, button);
+    pen(QEvent::TabletMove, middle_, 0.5);
+    EXPECT_FALSE(controller_.is_pressed()) << "a stroke does not begin in the air";
+    pen(QEvent::TabletRelease, middle_, 0);
+    pen(QEvent::TabletPress, middle_, 0.5);
+    EXPECT_TRUE(controller_.is_pressed()) << button;
+    pen(QEvent::TabletRelease, middle_, 0);
+  }
+}
+
 TEST_F(PenAndFingers, EveryMoveOfAFastPenReachesTheServoInItsOwnTime) {
   // Ten moves in one go, as when the window was busy: 20 ms apart, 40 px each.
   const QPointF from = middle_ - QPointF(100, 0);

@@ -8,6 +8,7 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <vector>
@@ -66,8 +67,8 @@ struct InverseService::Inside {
     if (failed) return;
     if (!websocket::is_upgrade(request)) {
       http::response<http::string_body> response{http::status::ok, 11};
-      if (request.target() == "/version")
-        response.body() = Json{{"ok", true}, {"data", {{"git_tag", stage.version.load()}}}}.dump();
+      if (const char* version = stage.version; version != nullptr && request.target() == "/version")
+        response.body() = Json{{"ok", true}, {"data", {{"git_tag", version}}}}.dump();
       else
         response.result(http::status::not_found);
       response.prepare_payload();
@@ -79,17 +80,18 @@ struct InverseService::Inside {
     if (failed) return;
     const int number = ++stage.sessions;
     stream.text(true);
-    say(stream, state(number, true));
+    bool centred = false;
+    say(stream, state(number, true, centred));
     for (bool first = true; readable(stream.next_layer().native_handle()); first = false) {
       beast::flat_buffer message;
       stream.read(message, failed);
       if (failed) break;
-      take(beast::buffers_to_string(message.data()), first);
+      take(beast::buffers_to_string(message.data()), first, centred);
       ++stage.messages;
       if (stage.delay_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds(stage.delay_ms));
       switch (stage.answer) {
         case Answer::state:
-          say(stream, state(number, false));
+          for (int i = stage.states_for_a_message; i > 0; --i) say(stream, state(number, false, centred));
           break;
         case Answer::garbage:
           say(stream, "{\"inverse3\": [}}\x01");
@@ -119,11 +121,15 @@ struct InverseService::Inside {
     stage.force_z_n = z;
   }
 
-  std::string state(int session, bool inventory) {
+  std::string state(int session, bool inventory, bool centred) {
     const auto vector = [](double x, double y, double z) { return Json{{"x", x}, {"y", y}, {"z", z}}; };
     Json json{{"session_id", session}, {"inverse3", Json::array()}};
     if (stage.plugged) {
-      Json now{{"cursor_position", vector(stage.x_m, stage.y_m, stage.z_m)},
+      const double side = stage.left_handed ? -1 : 1;
+      const double from_base = centred ? 0 : 1;
+      Json now{{"cursor_position",
+                vector(stage.x_m + from_base * side * kCentre_m[0], stage.y_m + from_base * kCentre_m[1],
+                       stage.z_m + from_base * kCentre_m[2])},
                {"cursor_velocity", vector(0, 0, 0)},
                {"control_mode", "force"}};
       if (stage.reports_force)
@@ -131,7 +137,10 @@ struct InverseService::Inside {
       Json arm{{"device_id", "049D"},
                {"state", now},
                {"status", {{"calibrated", stage.calibrated.load()}, {"ready", stage.ready.load()}}}};
-      if (inventory) arm["config"] = {{"handedness", "right"}};
+      if (inventory) {
+        arm["config"] = {{"handedness", stage.left_handed ? "left" : "right"}, {"type", stage.type.load()}};
+        if (stage.knows_presets) arm["config"]["preset"] = "defaults";
+      }
       json["inverse3"].push_back(arm);
     }
     json["wireless_verse_grip"] = Json::array(
@@ -141,7 +150,7 @@ struct InverseService::Inside {
   }
 
   /// Obeys a message, or counts it where the documentation does not allow it.
-  void take(const std::string& text, bool first) {
+  void take(const std::string& text, bool first, bool& centred) {
     const Json json = Json::parse(text, nullptr, false);
     const bool good = json.is_object() && json.contains("inverse3") && json["inverse3"].is_array() &&
                       json["inverse3"].size() == 1 && json["inverse3"][0].value("device_id", "") == "049D" &&
@@ -150,12 +159,16 @@ struct InverseService::Inside {
     const Json command = good ? json["inverse3"][0]["commands"].value("set_cursor_force", Json()) : Json();
     const char* const key = stage.takes_vector ? "vector" : "values";
     const char* const other = stage.takes_vector ? "values" : "vector";
+    const bool has_preset = good && first && json["inverse3"][0]["configure"].contains("preset");
+    if (has_preset && stage.knows_presets) centred = true;
+    if (has_preset && !stage.knows_presets) ++stage.malformed;
     if (!good || !command.is_object() || !(command.contains(key) || command.contains(other))) {
       ++stage.malformed;
       return;
     }
     if (!command.contains(key)) return push(0, 0, 0);  // passed over, in silence
     push(command[key].value("x", 0.0), command[key].value("y", 0.0), command[key].value("z", 0.0));
+    stage.last_command_n = std::hypot(stage.force_x_n, stage.force_y_n, stage.force_z_n);
   }
 
   InverseService& stage;

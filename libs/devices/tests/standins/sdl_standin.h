@@ -142,8 +142,9 @@ struct StickPort final : sdl::Port {
 };
 
 inline constexpr sdl::Abilities kForceStick{SDL_HAPTIC_CONSTANT | SDL_HAPTIC_SPRING | SDL_HAPTIC_DAMPER, 2,
-                                            false, false};
-inline constexpr sdl::Abilities kWheel{SDL_HAPTIC_CONSTANT, 1, false, false};
-inline constexpr sdl::Abilities kPad{SDL_HAPTIC_LEFTRIGHT, 0, true, true};
+                                            false, false, false};
+/// As on Linux, where SDL counts two axes of every device with force feedback.
+inline constexpr sdl::Abilities kWheel{SDL_HAPTIC_CONSTANT, 2, false, false, true};
+inline constexpr sdl::Abilities kPad{SDL_HAPTIC_LEFTRIGHT, 0, true, true, false};
 
 }  // namespace nazori::devices::standin

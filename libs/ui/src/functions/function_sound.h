@@ -41,14 +41,14 @@ class FunctionSound final : public QObject {
   void unavailable(nazori::base::Error error);
 
  private:
-  class Mixer;
+  class Heard;
   [[nodiscard]] bool ready();
 
   int volume_ = 50;
   bool muted_ = false;
   bool refused_ = false;
   QTimer brief_;
-  std::unique_ptr<Mixer> mixer_;
+  std::unique_ptr<Heard> heard_;
   std::unique_ptr<audio::Output> output_;  // last: goes before what it asks
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/study_dialogs.h"
 
+#include <QCoreApplication>
 #include <QInputDialog>
 #include <QRegularExpression>
 

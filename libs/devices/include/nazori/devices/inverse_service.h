@@ -20,9 +20,11 @@ struct InverseServiceSettings {
   double give_up_s = 15;                  ///< without service or device, until the device counts as lost
 };
 
-/// Haply's Inverse3 through the Inverse Service: WebSocket and JSON, one state for each message sent. The
-/// delay is measured when it is opened and is part of the device's limits; a service that becomes slower is
-/// answered with less force. Connects again by itself. Ids: "inverse3:049D".
+/// Haply's Inverse3, Inverse3x and Minverse through the Inverse Service: WebSocket and JSON, a state for each
+/// message sent. The delay is measured when it is opened and is part of the device's limits; a service that
+/// becomes slower is answered with less force. A thread of its own speaks with the service; the servo never
+/// waits for it. Connects again by itself. The origin is the middle of the reach, whatever version the
+/// service has. Ids: "inverse3:049D".
 [[nodiscard]] std::unique_ptr<BackEnd> inverse_service_back_end(InverseServiceSettings settings);
 
 }  // namespace nazori::devices

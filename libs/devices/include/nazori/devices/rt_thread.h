@@ -13,8 +13,9 @@ namespace nazori::devices {
 /// How a clock thread keeps time.
 struct ClockStatus {
   bool running = false;
-  bool real_time = false;  ///< scheduled before all ordinary threads
-  std::string message;     ///< one sentence for people when it is not real-time, else empty
+  bool real_time = false;     ///< scheduled before all ordinary threads
+  bool stack_locked = false;  ///< its stack is in memory and stays there
+  std::string message;        ///< one sentence for people when it is not real-time, else empty
   std::uint64_t ticks = 0;
   std::uint64_t missed = 0;   ///< periods that passed without a tick
   double max_lateness_s = 0;  ///< latest wake-up after its due time
@@ -22,7 +23,9 @@ struct ClockStatus {
 
 /// The one clock thread for devices that have none: calls a function at a fixed rate against absolute times
 /// of the monotonic clock, so lateness does not add up. Scheduled SCHED_FIFO where the system allows it. A
-/// period that has passed is counted and left out, never made up for in a burst.
+/// period that has passed is counted and left out, never made up for in a burst. Before the first call the
+/// thread's stack is in memory; while it runs, the program's memory is not paged out where the system's
+/// memlock limit allows that (docs/devices.md, Keeping time).
 /// Thread rules: all members by one thread (the interface); the function runs on the clock thread.
 class RtThread {
  public:

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include "inverse_connection.h"
+#include "inverse_messages.h"
+#include "inverse_servo.h"
+#include "nazori/devices/inverse_service.h"
+
+namespace nazori::devices::inverse {
+
+constexpr auto kConnectWait = std::chrono::milliseconds(500);
+constexpr auto kSendWait = std::chrono::milliseconds(50);
+/// After so long without a message the connection counts as dead.
+constexpr auto kSilence = std::chrono::milliseconds(1000);
+
+/// The service: x right, y forward, z up. Devices: x right, y up, z towards the learner.
+inline haptics::Vec3 to_device_frame(const haptics::Vec3& v) noexcept { return {v.x, v.z, -v.y}; }
+inline haptics::Vec3 to_service_frame(const haptics::Vec3& v) noexcept { return {v.x, -v.z, v.y}; }
+
+/// Which arm, and how its service is spoken to.
+struct ArmAddress {
+  std::string device_id;
+  Dialect dialect;
+  haptics::Vec3 centre_m{0, 0, 0};  ///< middle of what it reaches, in the frame that the service uses
+};
+
+/// All that speaks with the service: a thread of its own that connects, reads the newest state of the arm and
+/// sends the servo's newest force, once for each tick of the servo. Connects again by itself until the arm
+/// was away for too long. Forces are sent only while a servo ticks and the arm is well.
+class ArmLink {
+ public:
+  ArmLink(InverseServiceSettings settings, ArmAddress arm, ArmServo& servo);
+  ~ArmLink();
+  ArmLink(const ArmLink&) = delete;
+  ArmLink& operator=(const ArmLink&) = delete;
+
+  /// Thread: interface. Before the servo's clock starts.
+  [[nodiscard]] base::Result<void> start();
+  /// After the servo's clock has stopped. The last message is of no force; then the session ends, and with it
+  /// whatever force there was.
+  void stop() noexcept;
+  [[nodiscard]] bool is_running() const noexcept { return thread_.joinable(); }
+
+ private:
+  void run(const std::stop_token& stop) noexcept;
+  void talk(const std::stop_token& stop);
+  void connect(const std::stop_token& stop);
+  void turn();
+  /// Reads the newest message. @return what keeps the arm from being felt.
+  haptics::DeviceTrouble read();
+  void publish(haptics::DeviceTrouble trouble, const ArmState* arm);
+  /// The servo's answer to the pose that was published last; none where the servo stands still.
+  [[nodiscard]] haptics::Vec3 await_force();
+  void send(const haptics::Vec3& service_n);
+  void disconnect(haptics::DeviceTrouble why);
+  /// Whether the arm does as it is told; tries the other spelling once where not.
+  bool obeys(const ArmState& arm);
+
+  const InverseServiceSettings settings_;
+  ArmAddress arm_;
+  ArmServo& servo_;
+  // Its own thread.
+  std::unique_ptr<Connection> connection_;
+  TickMessage tick_message_;
+  std::string message_;
+  ServiceState state_;
+  haptics::DeviceTrouble trouble_ = haptics::DeviceTrouble::service_gone;  // published last
+  bool key_changed_ = false, lost_ = false, session_begun_ = false;
+  Clock::duration retry_{};
+  Clock::time_point next_try_, last_good_, asked_at_, heard_at_, doubted_since_;
+  haptics::Vec3 commanded_n_{0, 0, 0};
+  std::uint64_t poses_ = 0;
+  double delay_s_ = 0;
+  int bad_messages_ = 0;
+  std::jthread thread_;  // last: it ends before the rest goes
+};
+
+}  // namespace nazori::devices::inverse

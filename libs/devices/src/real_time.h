@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pthread.h>
+
+#include <cstddef>
+
+/// What a thread of the servo asks of the system before its first tick.
+namespace nazori::devices {
+
+/// Above ordinary threads, below the kernel's own (50) and audio servers.
+constexpr int kServoPriority = 40;
+
+/// So much of the stack of a servo thread is there before its first tick.
+constexpr std::size_t kServoStack = 128 * 1024;
+
+/// Has a thread scheduled SCHED_FIFO. @return false where the system's rtprio limit does not allow it.
+bool make_real_time(pthread_t thread, int priority) noexcept;
+
+/// Writes to kServoStack of the calling thread's stack, so that no tick waits for memory, and keeps that part
+/// from being paged out while it lives. Thread: the one whose stack it is.
+class ReadyStack {
+ public:
+  ReadyStack() noexcept;
+  ~ReadyStack();
+  ReadyStack(const ReadyStack&) = delete;
+  ReadyStack& operator=(const ReadyStack&) = delete;
+  /// False where the system's memlock limit does not allow it.
+  [[nodiscard]] bool is_locked() const noexcept { return begin_ != nullptr; }
+
+ private:
+  void* begin_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/// While one of these lives, what the program has in memory is not paged out: where the system allows a
+/// program to lock as much as it likes. A smaller limit would make it run out of memory later, so it is left
+/// alone then. Any thread.
+class MemoryLock {
+ public:
+  MemoryLock() noexcept;
+  ~MemoryLock();
+  MemoryLock(const MemoryLock&) = delete;
+  MemoryLock& operator=(const MemoryLock&) = delete;
+};
+
+}  // namespace nazori::devices
