@@ -199,7 +199,9 @@ void ArmLink::turn() {
     case Received::nothing_yet:
       if (Clock::now() - heard_at_ > kSilence) return disconnect(DeviceTrouble::too_slow);
       // Commands last one tick: the arm has gone limp by now.
-      return publish(DeviceTrouble::too_slow, nullptr);
+      publish(DeviceTrouble::too_slow, nullptr);
+      (void)await_force();
+      return;
     case Received::message:
       break;
   }
@@ -209,7 +211,7 @@ void ArmLink::turn() {
     state_.buttons = 0;
     if (++bad_messages_ > kMostBadMessages) return disconnect(DeviceTrouble::bad_message);
     publish(DeviceTrouble::bad_message, nullptr);
-    std::this_thread::sleep_until(asked_at + kPeriod);
+    (void)await_force();
     return send(Vec3(0));  // no message, no next state
   }
   bad_messages_ = 0;
@@ -220,11 +222,10 @@ void ArmLink::turn() {
       disconnect(DeviceTrouble::service_gone);
     return;
   }
-  Vec3 force_n(0);
-  if (read() == DeviceTrouble::none)
-    force_n = await_force();
-  else
-    std::this_thread::sleep_until(asked_at + kPeriod);
+  // The servo must have seen trouble of a single turn too: it lets go, and comes back with a ramp.
+  const DeviceTrouble trouble = read();
+  const Vec3 answer_n = await_force();
+  const Vec3 force_n = trouble == DeviceTrouble::none ? answer_n : Vec3(0);
   delay_s_ = smoothed_delay_s(delay_s_, seconds(Clock::now() - asked_at));
   send(force_n);
 }

@@ -76,8 +76,10 @@ void run_tick() {
   if (const unsigned int code = stage.every_error; code != 0) push(code);
   if (initialised && !stage.plugged) push(0x0302, -19);
   error_this_tick = errors.size() > errors_before;
-  std::stable_sort(callbacks.begin(), callbacks.end(),
-                   [](const Scheduled& a, const Scheduled& b) { return a.priority > b.priority; });
+  // Sorting asks for memory, which would be counted as the callback's.
+  const auto goes_first = [](const Scheduled& a, const Scheduled& b) { return a.priority > b.priority; };
+  if (!std::is_sorted(callbacks.begin(), callbacks.end(), goes_first))
+    std::stable_sort(callbacks.begin(), callbacks.end(), goes_first);
   for (std::size_t i = 0; i < callbacks.size(); ++i) {
     if (!callbacks[i].done && callbacks[i].callback(callbacks[i].user) == 0) callbacks[i].done = true;
   }

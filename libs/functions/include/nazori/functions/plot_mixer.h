@@ -15,8 +15,8 @@ namespace nazori::functions {
 /// All that is heard of a plot: the tone under the hand with the signs of points of interest, and over it a
 /// sound that is played once.
 ///
-/// add_to() is for the audio thread and does not allocate, lock, throw or call the system; all else is for one
-/// other thread (the interface). Neither waits for the other: a sound that was replaced is freed by the
+/// add_to() is for the audio thread and does not allocate, lock, throw or call the system; all else is for
+/// one other thread (the interface). Neither waits for the other: a sound that was replaced is freed by the
 /// interface once the audio thread has left it.
 class PlotMixer {
  public:
