@@ -4,8 +4,45 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 
 namespace nazori::ui {
+namespace {
+
+/// How high a menu may be below the bar; 0: no limit, for so little room helps nobody.
+int room_below(const QMenuBar& bar, const QMenu& menu) {
+  constexpr int kFew = 6;
+  const auto* screen = bar.screen();
+  if (screen == nullptr) return 0;
+  const int room = screen->availableGeometry().bottom() - bar.mapToGlobal(QPoint(0, bar.height())).y();
+  return room >= kFew * 2 * menu.fontMetrics().lineSpacing() ? room : 0;
+}
+
+/// Entries for which there is no room go into a menu of their own at the end.
+void fill(QMenu& menu, const QList<QAction*>& actions, int room, const QString& rest) {
+  menu.clear();
+  for (auto* old : menu.findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly)) delete old;
+  for (auto* action : actions)
+    if (action != nullptr)
+      menu.addAction(action);
+    else
+      menu.addSeparator();
+  if (room == 0 || menu.sizeHint().height() <= room) return;
+  auto* more = menu.addMenu(rest);
+  while (menu.sizeHint().height() > room && menu.actions().size() > 2) {
+    auto* last = menu.actions().at(menu.actions().size() - 2);
+    if (!last->isSeparator()) {
+      menu.removeAction(last);
+      more->insertAction(more->actions().value(0), last);
+      continue;
+    }
+    delete last;  // a line is its menu's own
+    if (!more->actions().isEmpty()) more->insertSeparator(more->actions().constFirst());
+  }
+  if (more->actions().constFirst()->isSeparator()) delete more->actions().constFirst();
+}
+
+}  // namespace
 
 Actions::Actions(QWidget* window) : ActionSet(window), one_workplace_(new QActionGroup(this)) {
   open = make("open", tr("&Open…"), tr("Open a height map (RAW, PNG) or a stroke order (.str)"),
@@ -152,11 +189,11 @@ void Actions::enter(const Workplace& workplace, QMenuBar* bar) {
   for (auto* old : bar->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly)) delete old;
   for (const auto& group : groups_with(workplace)) {
     auto* menu = bar->addMenu(group.title);
-    for (auto* action : group.actions)
-      if (action != nullptr)
-        menu->addAction(action);
-      else
-        menu->addSeparator();
+    fill(*menu, group.actions, 0, {});
+    // On top of the bar a long menu would hide the way to the others.
+    QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, bar, entries = group.actions] {
+      fill(*menu, entries, room_below(*bar, *menu), tr("More"));
+    });
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "nazori/geometry/polyline.h"
 
@@ -10,6 +11,11 @@ namespace nazori::ui {
 namespace {
 
 constexpr double kDone = 1.0;
+constexpr double kNearlyDone = 0.999;
+constexpr double kAtEnd_m = 0.0015;   ///< so near its end a stroke is finished without a lift
+constexpr double kAtEndShare = 0.1;   ///< and no more than this share of its length
+constexpr double kNoTouch_m = 0.002;  ///< less ink than this is no stroke that was left
+constexpr double kPassing_m = 0.008;  ///< nor is this where the stylus only came by
 
 using geometry::TabletFrame;
 using geometry::TabletPoint;
@@ -32,16 +38,19 @@ void InkTracker::set_strokes(std::span<const haptics::StrokePath> strokes) {
 void InkTracker::clear() {
   progress_.assign(lines_.size(), 0.0);
   inked_.clear();
-  active_ = 0;
-  // Who wrote the last stroke still rests at its end: that is no coming down.
+  left_open_.clear();
+  followed_.clear();
+  lost_ = {};
+  // The stylus may still rest at the end of the last stroke: that does not start a new one.
 }
 
 int InkTracker::undo() {
   if (inked_.empty()) return 0;
   const int stroke = inked_.back();
-  inked_.pop_back();
-  progress_[static_cast<std::size_t>(stroke - 1)] = 0;
-  active_ = 0;
+  set_ink(stroke, 0);
+  std::erase(left_open_, stroke);
+  followed_.clear();
+  lost_ = {};
   return stroke;
 }
 
@@ -55,64 +64,59 @@ int InkTracker::next_stroke() const {
   return open == progress_.end() ? 0 : static_cast<int>(open - progress_.begin()) + 1;
 }
 
+double InkTracker::inked_m(int stroke) const {
+  return progress_[static_cast<std::size_t>(stroke - 1)] * line_of(stroke).length_m;
+}
+
+void InkTracker::set_ink(int stroke, double front_m) {
+  double& progress = progress_[static_cast<std::size_t>(stroke - 1)];
+  if (progress == 0 && front_m > 0) inked_.push_back(stroke);
+  progress = line_of(stroke).length_m > 0 ? std::min(front_m / line_of(stroke).length_m, kDone) : 0;
+  if (progress == 0) std::erase(inked_, stroke);
+}
+
 InkTracker::Step InkTracker::follow(const haptics::Vec3& proxy_m, bool touching, int only) {
-  if (!touching) {
-    active_ = 0;
-    was_touching_ = false;
-    return {};
-  }
+  if (!touching) return std::exchange(was_touching_, false) ? lift() : Step{};
   const bool coming_down = !was_touching_;
   was_touching_ = true;
-  const TabletPoint at{proxy_m.x, proxy_m.y};
-  if (active_ != 0 && only != 0 && active_ != only) active_ = 0;
-  return active_ == 0 ? take_up(at, only, coming_down) : advance(at);
+  at_ = {proxy_m.x, proxy_m.y};
+  std::erase_if(followed_, [only](const Candidate& c) { return only != 0 && c.stroke != only; });
+  return followed_.empty() ? take_up(at_, only, coming_down) : advance(at_, only);
 }
 
 InkTracker::Step InkTracker::take_up(TabletPoint at, int only, bool coming_down) {
-  int best = 0;
-  double best_m = kReach_m;
   const int next = next_stroke();
+  std::vector<std::pair<double, Candidate>> near;
   for (int n = 1; n <= static_cast<int>(lines_.size()); ++n) {
-    if ((only != 0 && n != only) || is_finished(n)) continue;
-    const auto& line = lines_[static_cast<std::size_t>(n - 1)];
-    if (line.points.empty()) continue;
-    const double front_m = progress_[static_cast<std::size_t>(n - 1)] * line.length_m;
-    const double away_m = geometry::distance(geometry::point_at<TabletFrame>(line.points, front_m), at);
-    // Where several begin close together the one whose turn it is wins.
-    if (away_m <= kReach_m && n == next) {
-      active_ = n;
-      return {coming_down ? InkEvent::began : InkEvent::none, n};
-    }
-    if (away_m < best_m) {
-      best_m = away_m;
-      best = n;
-    }
+    if ((only != 0 && n != only) || is_finished(n) || line_of(n).points.empty()) continue;
+    const double front_m = inked_m(n);
+    const double away_m = geometry::distance(geometry::point_at<TabletFrame>(line_of(n).points, front_m), at);
+    // Where several begin close together the one whose turn it is comes first.
+    if (away_m <= kReach_m) near.push_back({n == next ? 0.0 : away_m, {n, front_m, front_m, coming_down}});
   }
-  if (best != 0) {
-    active_ = best;
-    const bool early = only == 0 && next != 0 && best > next && coming_down;
-    return {early ? InkEvent::too_early : coming_down ? InkEvent::began : InkEvent::none, best};
+  std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [away_m, candidate] : near) followed_.push_back(candidate);
+  if (!followed_.empty()) {
+    const int stroke = followed_.front().stroke;
+    const bool early = only == 0 && next != 0 && stroke > next;
+    return {!coming_down ? InkEvent::none : early ? InkEvent::too_early : InkEvent::began, stroke};
   }
-  if (coming_down) {
-    const int candidate = only != 0 ? only : next;
-    if (candidate != 0 && static_cast<std::size_t>(candidate) <= lines_.size() && !is_finished(candidate)) {
-      const auto& line = lines_[static_cast<std::size_t>(candidate - 1)];
-      if (!line.points.empty() && progress_[static_cast<std::size_t>(candidate - 1)] == 0.0 &&
-          line.length_m > 2 * kReach_m && geometry::distance(line.points.back(), at) < kReach_m) {
-        return {InkEvent::from_the_end, candidate};
-      }
-    }
-  }
+  const int candidate = only != 0 ? only : next;
+  if (!coming_down || candidate == 0 || static_cast<std::size_t>(candidate) > lines_.size() ||
+      is_finished(candidate))
+    return {};
+  const auto& line = line_of(candidate);
+  if (!line.points.empty() && inked_m(candidate) == 0.0 && line.length_m > 2 * kReach_m &&
+      geometry::distance(line.points.back(), at) < kReach_m)
+    return {InkEvent::from_the_end, candidate};
   return {};
 }
 
-InkTracker::Step InkTracker::advance(TabletPoint at) {
-  const auto index = static_cast<std::size_t>(active_ - 1);
-  const auto& line = lines_[index];
-  double& progress = progress_[index];
-  const double front_m = progress * line.length_m;
+/// @return whether the stylus is still near the stroke.
+bool InkTracker::follow_on(Candidate& candidate, TabletPoint at) const {
+  const auto& line = line_of(candidate.stroke);
   // Only the piece just ahead is looked at: a line that comes back near itself must not be jumped.
-  double reached_m = front_m;
+  const double front_m = candidate.front_m;
   double nearest_m = kReach_m;
   constexpr double kStep_m = 0.00025;
   const double last_m = std::min(front_m + kReach_m, line.length_m);
@@ -122,25 +126,99 @@ InkTracker::Step InkTracker::advance(TabletPoint at) {
     const double away_m = geometry::distance(geometry::point_at<TabletFrame>(line.points, clamped_m), at);
     if (away_m < nearest_m) {
       nearest_m = away_m;
-      reached_m = clamped_m;
+      candidate.front_m = clamped_m;
     }
   }
-  if (nearest_m >= kReach_m &&
-      geometry::distance(geometry::point_at<TabletFrame>(line.points, front_m), at) > 2 * kReach_m) {
-    active_ = 0;
-    return {};
+  return nearest_m < kReach_m ||
+         geometry::distance(geometry::point_at<TabletFrame>(line.points, front_m), at) <= 2 * kReach_m;
+}
+
+InkTracker::Step InkTracker::advance(TabletPoint at, int only) {
+  const Candidate shown = followed_.front();
+  std::erase_if(followed_, [&](Candidate& c) { return !follow_on(c, at); });
+  Step step;
+  if (followed_.empty()) {
+    lost_ = shown;
+    return step;
   }
-  if (reached_m > front_m && progress == 0) inked_.push_back(active_);
-  const double end_m = std::min(0.0015, line.length_m * 0.1);
-  if (line.length_m - reached_m <= end_m) {
-    const int stroke = active_;
-    progress = kDone;
-    active_ = 0;
-    return {InkEvent::finished, stroke, true};
+  if (followed_.front().stroke != shown.stroke) {
+    // The hand has gone another way than along the stroke that took the ink: it was not meant.
+    set_ink(shown.stroke, shown.before_m);
+    std::stable_sort(followed_.begin(), followed_.end(), [](const Candidate& a, const Candidate& b) {
+      return a.front_m - a.before_m > b.front_m - b.before_m;
+    });
+    const int next = next_stroke();
+    const int stroke = followed_.front().stroke;
+    if (only == 0 && next != 0 && stroke > next) step = {InkEvent::too_early, stroke};
+    step.inked = true;
   }
-  if (reached_m <= front_m) return {};
-  progress = reached_m / line.length_m;
-  return {InkEvent::none, active_, true};
+  const auto& now = followed_.front();
+  const auto& line = line_of(now.stroke);
+  // While it may be another stroke that is written, the lift decides.
+  if (followed_.size() == 1 && line.length_m - now.front_m <= std::min(kAtEnd_m, line.length_m * kAtEndShare))
+    return finish(now.stroke);
+  if (now.front_m > inked_m(now.stroke)) {
+    set_ink(now.stroke, std::min(now.front_m, line.length_m * kNearlyDone));
+    step.stroke = now.stroke;
+    step.inked = true;
+  }
+  return step;
+}
+
+InkTracker::Step InkTracker::finish(int stroke) {
+  set_ink(stroke, line_of(stroke).length_m);
+  progress_[static_cast<std::size_t>(stroke - 1)] = kDone;
+  std::erase(left_open_, stroke);
+  followed_.clear();
+  lost_ = {};
+  return {InkEvent::finished, stroke, true};
+}
+
+bool InkTracker::may_end(const Candidate& candidate) const {
+  const auto& line = line_of(candidate.stroke);
+  return line.length_m - candidate.front_m <= std::min(kLeft_m, line.length_m * kLeftShare);
+}
+
+InkTracker::Step InkTracker::lift() {
+  const Candidate shown = followed_.empty() ? lost_ : followed_.front();
+  const auto others = std::exchange(followed_, {});
+  lost_ = {};
+  if (shown.stroke == 0 || is_finished(shown.stroke)) return {};
+  if (others.size() <= 1 && may_end(shown)) return finish(shown.stroke);
+  // Of those that begin there, the one that ends where the stylus was lifted.
+  const auto from_end_m = [this](const Candidate& c) {
+    return geometry::distance(line_of(c.stroke).points.back(), at_);
+  };
+  const Candidate* ended = nullptr;
+  for (const auto& one : others)
+    if (may_end(one) && from_end_m(one) <= kReach_m &&
+        (ended == nullptr || from_end_m(one) < from_end_m(*ended)))
+      ended = &one;
+  if (ended != nullptr) {
+    if (ended->stroke != shown.stroke) set_ink(shown.stroke, shown.before_m);
+    return finish(ended->stroke);
+  }
+  if (!shown.is_meant && shown.front_m - shown.before_m < kPassing_m) {
+    set_ink(shown.stroke, shown.before_m);
+    return {InkEvent::none, shown.stroke, true};
+  }
+  if (inked_m(shown.stroke) < kNoTouch_m) return {};
+  const auto place = std::lower_bound(left_open_.begin(), left_open_.end(), shown.stroke);
+  if (place == left_open_.end() || *place != shown.stroke) left_open_.insert(place, shown.stroke);
+  return {InkEvent::left_open, shown.stroke};
+}
+
+geometry::Polyline<TabletFrame> InkTracker::missing_bit(int stroke) const {
+  geometry::Polyline<TabletFrame> bit;
+  if (stroke < 1 || static_cast<std::size_t>(stroke) > lines_.size() || is_finished(stroke)) return bit;
+  constexpr double kStep_m = 0.001;
+  const auto& line = line_of(stroke);
+  const double left_m = line.length_m - inked_m(stroke);
+  const int steps = std::max(1, static_cast<int>(std::ceil(left_m / kStep_m)));
+  for (int step = 0; step <= steps; ++step)
+    bit.push_back(
+        geometry::point_at<TabletFrame>(line.points, line.length_m - left_m * (steps - step) / steps));
+  return bit;
 }
 
 }  // namespace nazori::ui

@@ -17,14 +17,23 @@ enum class InkEvent : std::uint8_t {
   finished,      ///< its end was reached
   too_early,     ///< a stroke was taken up while an earlier one is still to write
   from_the_end,  ///< the stylus came down at the far end of an unwritten stroke
+  left_open,     ///< the stylus left a stroke before its end
 };
 
 /// Ink follows the stylus along the strokes: only forwards, only from a stroke's start or from where its ink
 /// ends, and only while the stylus stays near the line. So crossing a groove leaves no stain on it.
+///
+/// A hand that traces with care lifts a little before the end as often as after it, and a stylus with
+/// friction lags behind the hand. So a stroke is finished as the stylus comes very near its end, or is lifted
+/// near it.
 class InkTracker {
  public:
   /// How far beside the line still counts as on it, and how far ahead of the ink the stylus may be [m].
   static constexpr double kReach_m = 0.0055;
+  /// Of a stroke so much may be left when the stylus is lifted [m], and no more than this share of its
+  /// length.
+  static constexpr double kLeft_m = 0.005;
+  static constexpr double kLeftShare = 0.25;
 
   struct Step {
     InkEvent event = InkEvent::none;
@@ -46,20 +55,42 @@ class InkTracker {
   /// The first stroke that is not finished; 0 when all are.
   [[nodiscard]] int next_stroke() const;
   [[nodiscard]] bool is_finished(int stroke) const;
+  /// Strokes that were left before their end, from 1 in their order.
+  [[nodiscard]] const std::vector<int>& left_open() const { return left_open_; }
+  /// What of a stroke has no ink yet, from where its ink ends.
+  [[nodiscard]] geometry::Polyline<geometry::TabletFrame> missing_bit(int stroke) const;
 
  private:
   struct Line {
     geometry::Polyline<geometry::TabletFrame> points;
     double length_m = 0;
   };
+  /// A stroke that the stylus may be following in this touch.
+  struct Candidate {
+    int stroke = 0;         ///< from 1
+    double before_m = 0;    ///< its ink as the stylus came there
+    double front_m = 0;     ///< how far its ink would be now
+    bool is_meant = false;  ///< the stylus came down there, and did not only pass
+  };
 
   Step take_up(geometry::TabletPoint at, int only, bool coming_down);
-  Step advance(geometry::TabletPoint at);
+  Step advance(geometry::TabletPoint at, int only);
+  Step lift();
+  Step finish(int stroke);
+  bool follow_on(Candidate& candidate, geometry::TabletPoint at) const;
+  void set_ink(int stroke, double front_m);
+  [[nodiscard]] const Line& line_of(int stroke) const { return lines_[static_cast<std::size_t>(stroke - 1)]; }
+  [[nodiscard]] double inked_m(int stroke) const;
+  [[nodiscard]] bool may_end(const Candidate& candidate) const;
 
   std::vector<Line> lines_;
   std::vector<double> progress_;
-  std::vector<int> inked_;     ///< strokes with ink, from 1, in the order they took it up
-  int active_ = 0;             ///< stroke under the stylus, from 1
+  std::vector<int> inked_;      ///< strokes with ink, from 1, in the order they took it up
+  std::vector<int> left_open_;  ///< of those, ascending
+  /// Where strokes begin close together the hand shows only later which it follows: the first takes ink.
+  std::vector<Candidate> followed_;
+  Candidate lost_;             ///< last stroke that took ink in this touch; the stylus has gone astray since
+  geometry::TabletPoint at_;   ///< of the newest touch
   bool was_touching_ = false;  ///< advice is given only as the stylus comes down
 };
 

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -21,12 +22,14 @@
 #include "back_ends.h"
 #include "feedback_line.h"
 #include "focus_frame.h"
+#include "kanji_text.h"
 #include "key_guard.h"
 #include "learners/learner_actions.h"
 #include "learners/learner_menu.h"
 #include "main_window_inside.h"
 #include "panes.h"
 #include "status_line.h"
+#include "study/study_words.h"
 #include "tablet_window.h"
 #include "tool_bar.h"
 #include "workplace_rail.h"
@@ -36,6 +39,7 @@ namespace {
 
 constexpr QSize kFirstSize(1280, 800);
 constexpr QSize kLeastSize(560, 420);
+constexpr QSize kFrame(16, 48);  ///< of window managers, before they tell their own
 
 QStringList local_files(const QMimeData* data) {
   QStringList paths;
@@ -77,7 +81,7 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
 
   if (preferences.geometry.isEmpty() || !restoreGeometry(preferences.geometry)) {
     const QSize room = QGuiApplication::primaryScreen()->availableSize();
-    resize(kFirstSize.boundedTo(room));
+    resize(kFirstSize.boundedTo(room - kFrame).expandedTo(kLeastSize.boundedTo(room)));
   }
   if (preferences.pane_widths.size() == 2)
     inside_->panes->wish(preferences.pane_widths[0], preferences.pane_widths[1]);
@@ -105,6 +109,10 @@ void MainWindow::open_files(const QStringList& paths) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!inside_->may_close()) {
+    event->ignore();
+    return;
+  }
   inside_->save_preferences();
   QMainWindow::closeEvent(event);
 }
@@ -335,6 +343,29 @@ void MainWindow::Inside::set_full_screen(bool on) {
 
 void MainWindow::Inside::focus_tablet() {
   (current->page() != nullptr ? current->page() : tablet_place)->setFocus(Qt::OtherFocusReason);
+}
+
+bool MainWindow::Inside::may_close() {
+  auto& session = desk.session();
+  if (session.state() != StudySession::State::judged) return true;
+  QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"),
+                  MainWindow::tr("Your writing of %1 is not rated yet.").arg(to_text(session.character())),
+                  QMessageBox::NoButton, &window);
+  box.setObjectName(QStringLiteral("unrated_box"));
+  box.setInformativeText(MainWindow::tr("Without a rating it is not saved."));
+  auto* rate =
+      box.addButton(MainWindow::tr("Rate as “%1” and quit").arg(StudyWords::rating(session.proposed())),
+                    QMessageBox::AcceptRole);
+  auto* quit = box.addButton(MainWindow::tr("Quit without rating"), QMessageBox::DestructiveRole);
+  auto* stay = box.addButton(MainWindow::tr("Go back"), QMessageBox::RejectRole);
+  box.setDefaultButton(stay);
+  box.setEscapeButton(stay);
+  box.exec();
+  if (box.clickedButton() == quit) return true;
+  if (box.clickedButton() != rate) return false;
+  session.rate(session.proposed());
+  // What could not be saved says so and stays.
+  return session.state() != StudySession::State::judged;
 }
 
 void MainWindow::Inside::save_later() { save_timer.start(); }

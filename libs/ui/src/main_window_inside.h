@@ -47,6 +47,8 @@ struct MainWindow::Inside {
   void set_full_screen(bool on);
   void focus_tablet();
   void leave_tablet(bool forwards);
+  /// Asks where a writing would be lost.
+  [[nodiscard]] bool may_close();
   void save_later();
   void save_preferences();
 

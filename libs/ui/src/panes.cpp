@@ -11,6 +11,8 @@ constexpr int kLeftMin_px = 180;
 constexpr int kLeftMax_px = 320;
 constexpr int kRightMin_px = 240;
 constexpr int kRightMax_px = 400;
+constexpr int kLeftLeast_em = 11;
+constexpr int kRightLeast_em = 15;
 constexpr double kLeftShare = 0.22;
 constexpr double kRightShare = 0.28;
 
@@ -112,8 +114,10 @@ void Panes::fit(int window_width, int text_pt) {
   const int right_most = limit(kRightShare, kRightMax_px + larger * 11, kRightMin_px);
   left_->setMaximumWidth(left_most);
   right_->setMaximumWidth(right_most);
-  const int left = std::min(left_wish_, left_most);
-  const int right = std::min(right_wish_, right_most);
+  // Words need some width, whatever was wished for with smaller ones.
+  const int em = text_pt * 4 / 3;
+  const int left = std::min(std::max(left_wish_, kLeftLeast_em * em), left_most);
+  const int right = std::min(std::max(right_wish_, kRightLeast_em * em), right_most);
   const int middle = std::max(window_width - left - right, 0);
   setSizes(mirrored_ ? QList<int>{right, middle, left} : QList<int>{left, middle, right});
 }

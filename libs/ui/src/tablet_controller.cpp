@@ -20,6 +20,8 @@ constexpr double kUsualDepth = 1.15;  ///< below the deepest groove: a click tou
 constexpr double kDeepest = 1.5;
 constexpr double kNotch = 0.05;
 constexpr double kSeen_m = 2e-6;  ///< smaller moves of a device change no pixel
+constexpr double kBitHalfWidth_m = 0.0012;
+constexpr double kBitOpacity = 0.9;
 
 }  // namespace
 
@@ -53,6 +55,7 @@ void TabletController::set_tablet(std::shared_ptr<const tablet::CarvedTablet> ca
   ++led_times_;
   ink_.set_strokes(tablet_ ? std::span<const haptics::StrokePath>(tablet_->paths())
                            : std::span<const haptics::StrokePath>());
+  lay_out_writing();
   hand_over_scene();
   emit tablet_changed();
   emit state_changed();
@@ -90,13 +93,27 @@ void TabletController::set_style(view::Style style) { change(style_, style, fals
 
 void TabletController::set_guides(const std::optional<TabletGuides>& guides) {
   guides_ = guides;
+  lay_out_writing();
   hand_over_scene();
   emit picture_changed();
 }
 
 void TabletController::set_writing(std::vector<view::WrittenStroke> writing) {
   writing_ = std::move(writing);
+  lay_out_writing();
   emit picture_changed();
+}
+
+void TabletController::lay_out_writing() {
+  drawn_writing_ = writing_;
+  if (guides_ && !guides_->traced) return;
+  for (const int stroke : ink_.left_open()) {
+    view::WrittenStroke bit;
+    bit.verdict = view::Verdict::shown;
+    bit.opacity = kBitOpacity;
+    for (const auto& point : ink_.missing_bit(stroke)) bit.points.push_back({point, kBitHalfWidth_m});
+    drawn_writing_.push_back(std::move(bit));
+  }
 }
 
 void TabletController::set_demonstration(std::optional<Demonstration> demonstration) {
@@ -106,6 +123,7 @@ void TabletController::set_demonstration(std::optional<Demonstration> demonstrat
 
 void TabletController::clear_ink() {
   ink_.clear();
+  lay_out_writing();
   lead_from(1);
   emit picture_changed();
 }
@@ -113,6 +131,7 @@ void TabletController::clear_ink() {
 void TabletController::undo_ink() {
   const int stroke = ink_.undo();
   if (stroke == 0) return;
+  lay_out_writing();
   lead_from(ink_.next_stroke());
   emit picture_changed();
 }
@@ -216,6 +235,7 @@ void TabletController::send(std::optional<double> event_s) {
 void TabletController::pump() {
   std::array<haptics::ServoSample, 256> samples;
   bool inked = false;
+  const bool had_bits = !ink_.left_open().empty();
   for (;;) {
     const auto count = stylus_.take_samples(samples);
     const auto taken = std::span<const haptics::ServoSample>(samples).first(count);
@@ -226,11 +246,12 @@ void TabletController::pump() {
       // A tick that came too late drops the touch, which says nothing of the hand.
       if (haptics::has(sample.events, haptics::ServoEvent::fault)) continue;
       const auto step = ink_.follow(sample.proxy_m, sample.touching, current_);
-      inked = inked || step.inked;
+      inked = inked || step.inked || step.event == InkEvent::left_open;
       if (step.event != InkEvent::none) emit stroke_event(step.event, step.stroke);
     }
     if (count < samples.size()) break;
   }
+  if (inked && (had_bits || !ink_.left_open().empty())) lay_out_writing();
   bool moved = false;
   if (!stylus_.is_pointer()) {
     const haptics::Vec3& at = stylus_.latest().device_m;
@@ -248,7 +269,7 @@ view::Overlay TabletController::overlay() {
   overlay.lines_opacity = guides_ ? guides_->lines_opacity : 1.0;
   overlay.current_stroke = current_;
   overlay.ink = demonstration_ ? demonstration_->ink : ink_.progress();
-  overlay.writing = writing_;
+  overlay.writing = drawn_writing_;
   if (demonstration_) overlay.cursor = demonstration_->brush;
   shown_s_ = 0;
   if (draws_stylus()) {

@@ -112,7 +112,8 @@ class TabletController final : public QObject {
   [[nodiscard]] bool is_pressed() const { return pointer_.pressed; }
   [[nodiscard]] double depth_m() const { return pointer_.depth_m; }
 
-  /// Takes what the servo has seen since the last call: ink flows, signals follow.
+  /// Takes what the servo has seen since the last call: ink flows, signals follow. What is missing of a
+  /// stroke that was left before its end is shown.
   void pump();
   [[nodiscard]] const haptics::ServoSample& latest() { return stylus_.latest(); }
   [[nodiscard]] Stylus& stylus() { return stylus_; }
@@ -147,6 +148,7 @@ class TabletController final : public QObject {
   void hand_over_scene();
   void lead_from(int stroke);
   void send(std::optional<double> event_s = {});
+  void lay_out_writing();
   template <class T>
   void change(T& value, T to, bool felt);
 
@@ -163,6 +165,7 @@ class TabletController final : public QObject {
   std::optional<TabletGuides> guides_;
   std::optional<Demonstration> demonstration_;
   std::vector<view::WrittenStroke> writing_;
+  std::vector<view::WrittenStroke> drawn_writing_;  ///< that, and what is missing of strokes left open
   haptics::Material material_;
   SlopeGain slope_gain_;
   bool slope_help_ = false;

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "hand_under_test.h"
+#include "nazori/geometry/polyline.h"
+
 namespace {
 
 using nazori::haptics::StrokePath;
@@ -142,6 +145,234 @@ TEST(InkTracker, ClearingTakesAllInkAway) {
   ink.clear();
   EXPECT_EQ(ink.progress(), (std::vector<double>{0, 0}));
   EXPECT_EQ(ink.next_stroke(), 1);
+}
+
+/// Draws a bent line with a sample each 0.2 mm and lifts. @return all events but none.
+std::vector<InkTracker::Step> draw_along(InkTracker& ink, const std::vector<Vec3>& line) {
+  std::vector<InkTracker::Step> told;
+  const auto take = [&told](const InkTracker::Step& step) {
+    if (step.event != InkEvent::none) told.push_back(step);
+  };
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const Vec3 way = line[k + 1] - line[k];
+    const int samples = std::max(1, static_cast<int>(std::hypot(way.x, way.y) / 0.0002));
+    for (int i = 0; i <= samples; ++i)
+      take(ink.follow(line[k] + way * (static_cast<double>(i) / samples), true, 0));
+  }
+  take(ink.follow(line.back(), false, 0));
+  return told;
+}
+
+TEST(InkTracker, LiftedALittleBeforeTheEndAStrokeIsFinished) {
+  auto ink = cross();
+  const auto told = draw_along(ink, {{-0.03, 0, 0}, {0.0255, 0, 0}});
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[1].event, InkEvent::finished);
+  EXPECT_EQ(told[1].stroke, 1);
+  EXPECT_EQ(ink.progress()[0], 1.0);
+}
+
+TEST(InkTracker, LiftedEarlierAStrokeIsLeftOpenAndShowsWhatIsMissing) {
+  auto ink = cross();
+  const auto told = draw_along(ink, {{-0.03, 0, 0}, {0.0235, 0, 0}});
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[1].event, InkEvent::left_open);
+  EXPECT_EQ(told[1].stroke, 1);
+  EXPECT_FALSE(ink.is_finished(1));
+  EXPECT_EQ(ink.left_open(), std::vector{1});
+  const auto bit = ink.missing_bit(1);
+  ASSERT_GE(bit.size(), 2U);
+  EXPECT_NEAR(bit.front().x, 0.0235, 1e-3);
+  EXPECT_NEAR(bit.back().x, 0.03, 1e-9);
+  draw_along(ink, {{0.0235, 0, 0}, {0.03, 0, 0}});
+  EXPECT_TRUE(ink.is_finished(1));
+  EXPECT_TRUE(ink.left_open().empty());
+  EXPECT_TRUE(ink.missing_bit(1).empty());
+}
+
+TEST(InkTracker, OfAShortStrokeNoMoreThanAQuarterMayBeLeft) {
+  InkTracker ink;
+  ink.set_strokes(std::vector{StrokePath{{Vec3(0, 0, -0.01), Vec3(0.012, 0, -0.01)}}});
+  draw_along(ink, {{0, 0, 0}, {0.0085, 0, 0}});
+  EXPECT_FALSE(ink.is_finished(1));
+  EXPECT_EQ(ink.left_open(), std::vector{1});
+  draw_along(ink, {{0.0085, 0, 0}, {0.0095, 0, 0}});
+  EXPECT_TRUE(ink.is_finished(1));
+}
+
+TEST(InkTracker, AStrokeThatWasOnlyTouchedIsNotCalledLeft) {
+  auto ink = cross();
+  const auto told = draw_along(ink, {{-0.03, 0, 0}, {-0.0285, 0, 0}});
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].event, InkEvent::began);
+  EXPECT_TRUE(ink.left_open().empty());
+}
+
+TEST(InkTracker, UndoAndClearForgetWhatWasLeftOpen) {
+  auto ink = cross();
+  draw_along(ink, {{-0.03, 0, 0}, {0, 0, 0}});
+  EXPECT_EQ(ink.undo(), 1);
+  EXPECT_TRUE(ink.left_open().empty());
+  draw_along(ink, {{-0.03, 0, 0}, {0, 0, 0}});
+  ink.clear();
+  EXPECT_TRUE(ink.left_open().empty());
+}
+
+/// From one point: first a stroke to the right, then one downwards, each 40 mm long.
+InkTracker corner() {
+  const StrokePath level{{Vec3(0, 0, -0.01), Vec3(0.04, 0, -0.01)}};
+  const StrokePath upright{{Vec3(0, 0, -0.01), Vec3(0, -0.04, -0.01)}};
+  InkTracker ink;
+  ink.set_strokes(std::vector{level, upright});
+  return ink;
+}
+
+TEST(InkTracker, WhereTwoStrokesBeginTogetherTheHandShowsWhichItFollows) {
+  auto ink = corner();
+  const auto told = draw_along(ink, {{0, 0, 0}, {0, -0.04, 0}});
+  EXPECT_EQ(ink.progress(), (std::vector<double>{0, 1})) << "the first takes back the ink it was given";
+  ASSERT_EQ(told.size(), 3U);
+  EXPECT_EQ(told[1].event, InkEvent::too_early) << "told as soon as it shows";
+  EXPECT_EQ(told[1].stroke, 2);
+  EXPECT_EQ(told[2].event, InkEvent::finished);
+  EXPECT_EQ(told[2].stroke, 2);
+  EXPECT_EQ(ink.undo(), 2) << "the first has no ink to be taken off";
+  EXPECT_EQ(ink.undo(), 0);
+}
+
+TEST(InkTracker, ABitLeftOpenDoesNotSwallowTheStrokeThatBeginsBesideIt) {
+  // The first stroke ends where the second begins.
+  const StrokePath level{{Vec3(-0.04, 0, -0.01), Vec3(0, 0, -0.01)}};
+  const StrokePath upright{{Vec3(0, 0, -0.01), Vec3(0, -0.04, -0.01)}};
+  InkTracker ink;
+  ink.set_strokes(std::vector{level, upright});
+  draw_along(ink, {{-0.04, 0, 0}, {-0.0055, 0, 0}});
+  ASSERT_EQ(ink.left_open(), std::vector{1});
+  const double before = ink.progress()[0];
+  draw_along(ink, {{-0.0006, -0.001, 0}, {0, -0.04, 0}});
+  EXPECT_TRUE(ink.is_finished(2));
+  EXPECT_DOUBLE_EQ(ink.progress()[0], before) << "nor is it finished by it";
+  EXPECT_EQ(ink.left_open(), std::vector{1});
+}
+
+TEST(InkTracker, OfTwoShortStrokesFromOnePointTheOneIsFinishedThatEndsAtTheLift) {
+  for (const bool level_is_written : {true, false}) {
+    InkTracker ink;
+    ink.set_strokes(std::vector{StrokePath{{Vec3(0, 0, -0.01), Vec3(0.01, 0, -0.01)}},
+                                StrokePath{{Vec3(0, 0, -0.01), Vec3(0.005, -0.009, -0.01)}}});
+    draw_along(ink, {{0, 0, 0}, level_is_written ? Vec3(0.01, 0, 0) : Vec3(0.005, -0.009, 0)});
+    EXPECT_EQ(ink.is_finished(1), level_is_written);
+    EXPECT_EQ(ink.is_finished(2), !level_is_written);
+    EXPECT_EQ(ink.progress()[level_is_written ? 1 : 0], 0.0);
+  }
+}
+
+TEST(InkTracker, GoingOnALittlePastTheEndLeavesNoInkOnTheNextStroke) {
+  const StrokePath level{{Vec3(-0.04, 0, -0.01), Vec3(0, 0, -0.01)}};
+  const StrokePath further{{Vec3(0, 0, -0.01), Vec3(0.04, 0.002, -0.01)}};
+  InkTracker ink;
+  ink.set_strokes(std::vector{level, further});
+  const auto told = draw_along(ink, {{-0.04, 0, 0}, {0.003, 0, 0}});
+  EXPECT_EQ(ink.progress(), (std::vector<double>{1, 0}));
+  EXPECT_EQ(told.back().event, InkEvent::finished) << "nothing is said of the next";
+  draw_along(ink, {{0, 0, 0}, {0.04, 0.002, 0}});
+  EXPECT_EQ(ink.next_stroke(), 0);
+}
+
+TEST(InkTracker, WrittenInOneGoWithoutALiftTheNextStrokeKeepsItsInk) {
+  const StrokePath level{{Vec3(-0.04, 0, -0.01), Vec3(0, 0, -0.01)}};
+  const StrokePath further{{Vec3(0, 0, -0.01), Vec3(0.04, 0.002, -0.01)}};
+  InkTracker ink;
+  ink.set_strokes(std::vector{level, further});
+  draw_along(ink, {{-0.04, 0, 0}, {0.02, 0, 0}});
+  EXPECT_NEAR(ink.progress()[1], 0.5, 0.03);
+}
+
+TEST(InkTracker, InTurnTheFirstOfTwoThatBeginTogetherIsWrittenWithoutAdvice) {
+  auto ink = corner();
+  const auto told = draw_along(ink, {{0, 0, 0}, {0.04, 0, 0}});
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0].event, InkEvent::began);
+  EXPECT_EQ(told[1].event, InkEvent::finished);
+  EXPECT_EQ(ink.progress(), (std::vector<double>{1, 0}));
+}
+
+/// The same numbers on every machine, -1..1.
+class Shake {
+ public:
+  explicit Shake(std::uint32_t seed) : state_(seed) {}
+  double next() {
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) {
+      state_ = state_ * 1664525U + 1013904223U;
+      sum += static_cast<double>(state_ >> 8U) / (1U << 24U) - 0.5;
+    }
+    return sum / 2;
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
+/// A hand that follows a line with care: it begins and ends a little off, trembles slowly by about half a
+/// millimetre, and what it holds lags behind by half a millimetre of friction.
+std::vector<Vec3> careful(const std::vector<Vec3>& line, Shake& shake) {
+  std::vector<nazori::geometry::TabletPoint> points;
+  for (const auto& p : line) points.push_back({p.x, p.y});
+  using nazori::geometry::TabletFrame;
+  const double length = nazori::geometry::arc_length<TabletFrame>(points);
+  const double off_x = 0.002 * shake.next();
+  const double off_y = 0.002 * shake.next();
+  const double stop = length - 0.001 + 0.003 * shake.next();
+  std::vector<Vec3> out;
+  Vec3 lagging{points.front().x, points.front().y, 0};
+  double x = 0, y = 0, to_x = 0, to_y = 0;
+  constexpr double kStep_m = 0.0002;
+  for (double at = 0; at <= stop; at += kStep_m) {
+    if (static_cast<int>(at / kStep_m) % 20 == 0) {
+      to_x = 0.0016 * shake.next();
+      to_y = 0.0016 * shake.next();
+    }
+    x += 0.08 * (to_x - x);
+    y += 0.08 * (to_y - y);
+    const double fades = std::exp(-at / 0.004);
+    const auto p = nazori::geometry::point_at<TabletFrame>(points, std::min(at, length));
+    const Vec3 hand{p.x + x + fades * off_x, p.y + y + fades * off_y, 0};
+    const double away = std::hypot(hand.x - lagging.x, hand.y - lagging.y);
+    constexpr double kLag_m = 0.0005;
+    if (away > kLag_m) lagging += (hand - lagging) * ((away - kLag_m) / away);
+    out.push_back(lagging);
+  }
+  return out;
+}
+
+TEST(InkTracker, NineteenOfTwentyCarefulTracingsAreTaken) {
+  int tracings = 0;
+  int taken = 0;
+  for (const char32_t character : std::u32string(U"休年人木水火花書国四心必川女子食")) {
+    std::vector<StrokePath> strokes;
+    for (const auto& line : nazori::ui::test::model(character)) {
+      StrokePath path;
+      for (const auto& point : line) {
+        const auto p = nazori::geometry::glyph_to_tablet(point, {});
+        path.points.emplace_back(p.x, p.y, -0.01);
+      }
+      strokes.push_back(path);
+    }
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+      InkTracker ink;
+      ink.set_strokes(strokes);
+      Shake shake(seed * 7919U + static_cast<std::uint32_t>(character));
+      for (const auto& stroke : strokes) {
+        const auto hand = careful(stroke.points, shake);
+        for (const auto& at : hand) (void)ink.follow(at, true, 0);
+        (void)ink.follow(hand.back(), false, 0);
+      }
+      ++tracings;
+      taken += ink.next_stroke() == 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(taken, tracings * 19 / 20) << "of " << tracings;
 }
 
 }  // namespace

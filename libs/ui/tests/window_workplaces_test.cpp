@@ -132,8 +132,8 @@ TEST_F(Workplaces, TheSameKeyDoesWhatTheWorkplaceInTheWindowMeans) {
 }
 
 TEST_F(Workplaces, MenusAndToolsAreThoseOfTheWorkplace) {
-  EXPECT_EQ(menus(), (QStringList{"File", "Learner", "Character", "Strokes", "Practice", "Study", "Tablet",
-                                  "View", "Go", "Help"}));
+  EXPECT_EQ(menus(), (QStringList{"File", "Learner", "Character", "Strokes", "Practice", "Writing", "Study",
+                                  "Tablet", "View", "Go", "Help"}));
   press(Qt::Key_2, Qt::AltModifier);
   EXPECT_EQ(menus(), (QStringList{"File", "Learner", "Sundial", "Tablet", "View", "Go", "Help"}));
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

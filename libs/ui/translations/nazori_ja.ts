@@ -326,6 +326,10 @@
         <source>The stylus of the mouse goes slower up a slope and faster down, as if held in the groove</source>
         <translation>マウスのペン先が上り坂で遅く、下り坂で速くなり、溝に留まるように感じられます</translation>
     </message>
+    <message>
+        <source>More</source>
+        <translation>その他</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::AnkiDialog</name>
@@ -782,6 +786,10 @@
     <message>
         <source>A device with force takes the hand along; else strokes hold it</source>
         <translation>力覚デバイスが手を導く。ほかでは画が引き寄せる</translation>
+    </message>
+    <message>
+        <source>&amp;Writing</source>
+        <translation>書く(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -2941,6 +2949,26 @@ Columns and rows:</source>
         <source>Recording to %1 until %2 is pressed again.</source>
         <translation>もう一度 %2 を押すまで %1 に記録します。</translation>
     </message>
+    <message>
+        <source>Your writing of %1 is not rated yet.</source>
+        <translation>%1 の評価がまだです。</translation>
+    </message>
+    <message>
+        <source>Without a rating it is not saved.</source>
+        <translation>評価しないと保存されません。</translation>
+    </message>
+    <message>
+        <source>Rate as “%1” and quit</source>
+        <translation>「%1」と評価して終了</translation>
+    </message>
+    <message>
+        <source>Quit without rating</source>
+        <translation>評価せずに終了</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>戻る</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::MemoryStage</name>
@@ -3043,6 +3071,10 @@ Columns and rows:</source>
     <message>
         <source>%1 H gives a hint, Enter is done.</source>
         <translation>%1H でヒント、Enter で終わりです。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is right. Stroke %2 is still missing.</source>
+        <translation>%1画目は正しく書けました。%2画目がまだありません。</translation>
     </message>
 </context>
 <context>
@@ -4056,6 +4088,22 @@ Columns and rows:</source>
     <message>
         <source>Stroke %1 of %2. Draw it from its number.</source>
         <translation>%2画のうち%1画目です。番号から書きましょう。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is written, but stroke %2 is not finished: the blue bit is missing.</source>
+        <translation>%1画目を書きましたが、%2画目は途中です。青い部分が残っています。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is written, but stroke %2 comes first. Write it now.</source>
+        <translation>%1画目を書きましたが、先に書くのは%2画目です。次に書いてください。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is not finished: the blue bit is missing. Draw on from there.</source>
+        <translation>%1画目は途中です。青い部分を続けて書いてください。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is not finished: draw the blue bit first.</source>
+        <translation>%1画目は途中です。先に青い部分を書いてください。</translation>
     </message>
 </context>
 <context>

@@ -63,6 +63,8 @@ std::string explain(const Fault& fault, const Grade& grade, Language language) {
   const auto stroke = number(fault.model.empty() ? fault.stroke : fault.model.front());
   switch (fault.kind) {
     case FaultKind::order:
+      if (fault.model.size() == 2 && !fault.second)
+        return fill(Text::comes_first, language, number(fault.model[1]));
       if (fault.model.size() == 2)
         return fill(Text::order, language, number(fault.model[0]), number(fault.model[1]));
       break;

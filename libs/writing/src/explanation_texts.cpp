@@ -20,6 +20,8 @@ Sentence sentence(Text which) {
       return {"Right; this is another accepted form.", "正しく書けました。この字形も認められています。"};
     case Text::order:
       return {"Stroke {0} was drawn before stroke {1}.", "{1}画目より先に{0}画目を書きました。"};
+    case Text::comes_first:
+      return {"Stroke {0} comes first.", "先に{0}画目を書きます。"};
     case Text::starts_top:
       return {"Stroke {0} starts at the top.", "{0}画目は上から書き始めます。"};
     case Text::starts_bottom:

@@ -14,6 +14,7 @@ enum class Text : std::uint8_t {
   right_other_order,
   right_other_form,
   order,
+  comes_first,
   starts_top,
   starts_bottom,
   starts_left,

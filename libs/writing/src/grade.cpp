@@ -159,17 +159,15 @@ class Judge {
 
   void judge_order() {
     const auto turns = strokes_out_of_turn(alignment_.links);
-    if (turns.empty()) return;
+    const auto too_early = passed_over();
+    if (turns.empty() && !too_early) return;
     if (const auto* listed = listed_order()) {
       grade_.alternative = *listed;
       return;
     }
     const bool advice = options_.strictness <= kOrderIsAdvice;
-    for (const auto& turn : turns) {
-      Fault fault{FaultKind::order, turn.drawn, turn.before, {}};
-      for (const int i : {turn.drawn, turn.before})
-        if (const auto m = grade_.strokes[static_cast<std::size_t>(i)].matched) fault.model.push_back(*m);
-      for (const int i : turn.misplaced) {
+    const auto tell = [&](Fault fault, std::span<const int> to_blame) {
+      for (const int i : to_blame) {
         ++out_of_turn_;
         if (!advice) grade_.strokes[static_cast<std::size_t>(i)].ok = false;
       }
@@ -177,7 +175,32 @@ class Judge {
         grade_.advice.push_back(std::move(fault));
       else
         add(std::move(fault));
+    };
+    for (const auto& turn : turns) {
+      Fault fault{FaultKind::order, turn.drawn, turn.before, {}};
+      for (const int i : {turn.drawn, turn.before})
+        if (const auto m = grade_.strokes[static_cast<std::size_t>(i)].matched) fault.model.push_back(*m);
+      tell(std::move(fault), turn.misplaced);
     }
+    if (too_early) tell(*too_early, std::span(&too_early->stroke, 1));
+  }
+
+  /// While the character is being written: the last stroke, if the one right before it in the model is not
+  /// there yet. Only a stroke that is right in all else is told so: of a strange one nobody knows which it
+  /// is.
+  std::optional<Fault> passed_over() const {
+    if (!options_.unfinished || alignment_.links.empty()) return {};
+    const auto& last = alignment_.links.back();
+    if (last.drawn + last.drawn_count != static_cast<int>(drawn_.size()) || !grade_.strokes.back().ok)
+      return {};
+    const auto is_missing = [this](int stroke) {
+      return std::find(alignment_.missing.begin(), alignment_.missing.end(), stroke) !=
+             alignment_.missing.end();
+    };
+    int first = last.model;
+    while (first > 0 && is_missing(first - 1)) --first;
+    if (first == last.model) return {};
+    return Fault{FaultKind::order, last.drawn, {}, {last.model, first}};
   }
 
   /// The listed order that was followed from the first stroke to the last drawn one.
@@ -303,22 +326,50 @@ bool is_a_stroke_of_its_own(int stroke, const Grade& whole) {
   });
 }
 
+bool is_warning_of_the_moment(const Fault& fault) { return fault.kind == FaultKind::order && !fault.second; }
+
+/// A stroke that was told right does not become the one too many because of a stroke written after it: that
+/// is the newest then. @return whether it is.
+bool blame_the_newest(Grade& now, const Grade& told) {
+  const int newest = static_cast<int>(now.strokes.size()) - 1;
+  const auto extra = std::find_if(now.faults.begin(), now.faults.end(), [&](const Fault& f) {
+    return f.kind == FaultKind::extra && f.stroke != newest &&
+           told.strokes[static_cast<std::size_t>(f.stroke)].ok;
+  });
+  const bool is_told = std::any_of(now.faults.begin(), now.faults.end(), [newest](const Fault& f) {
+    return f.stroke == newest || f.second == newest;
+  });
+  if (extra == now.faults.end() || is_told) return false;
+  std::swap(now.strokes[static_cast<std::size_t>(extra->stroke)], now.strokes.back());
+  extra->stroke = newest;
+  return true;
+}
+
 /// What is said of strokes judged one by one once all of them are known: the whole tells better what a stroke
 /// that was not right is (two in one, say), and only it what is missing.
-std::vector<Fault> at_the_end(std::vector<Fault> live, const Grade& whole) {
-  if (whole.accepted) return live;
+void finish_live(Grade& live, const Grade& whole) {
+  // A stroke that was too early either has its exchange in the whole, or what it passed over is missing
+  // there.
+  for (const auto& f : live.faults) {
+    const auto names_it = [&f](const Fault& other) {
+      return other.kind != FaultKind::missing && (other.stroke == f.stroke || other.second == f.stroke);
+    };
+    if (is_warning_of_the_moment(f) && std::none_of(whole.faults.begin(), whole.faults.end(), names_it))
+      live.strokes[static_cast<std::size_t>(f.stroke)].ok = true;
+  }
+  std::erase_if(live.faults, is_warning_of_the_moment);
+  if (whole.accepted) return;
   const auto touch = [](const Fault& a, const Fault& b) {
     const auto both_have = [&b](int stroke) { return b.stroke == stroke || b.second == stroke; };
     return both_have(a.stroke) || (a.second && both_have(*a.second));
   };
-  std::erase_if(live, [&](const Fault& before) {
+  std::erase_if(live.faults, [&](const Fault& before) {
     return std::any_of(whole.faults.begin(), whole.faults.end(),
                        [&](const Fault& f) { return f.kind != FaultKind::missing && touch(before, f); });
   });
-  live.insert(live.end(), whole.faults.begin(), whole.faults.end());
-  std::stable_sort(live.begin(), live.end(),
+  live.faults.insert(live.faults.end(), whole.faults.begin(), whole.faults.end());
+  std::stable_sort(live.faults.begin(), live.faults.end(),
                    [](const Fault& a, const Fault& b) { return a.stroke < b.stroke; });
-  return live;
 }
 
 }  // namespace
@@ -335,32 +386,39 @@ base::Result<Grade> grade_live(const Ink& ink, const Model& model, const GradeOp
   const auto p = prepare(ink, options);
   if (!p) return tl::unexpected(p.error());
   const std::span<const Shape> drawn(p->drawn);
-  auto last = grade_shapes(drawn, p->box, model.inside(), options, lookalikes);
+  const auto whole = grade_shapes(drawn, p->box, model.inside(), options, lookalikes);
+  auto live = whole;
+  live.faults.clear();
   auto beginning = options;
   beginning.unfinished = true;
-  std::vector<Fault> faults;
   for (std::size_t n = 1; n <= drawn.size(); ++n) {
     auto now = grade_shapes(drawn.first(n), p->box, model.inside(), beginning, {});
-    auto& verdict = last.strokes[n - 1];
+    const bool is_extra = blame_the_newest(now, live);
+    const int stroke = static_cast<int>(n) - 1;
+    auto& verdict = live.strokes[n - 1];
     const auto in_the_whole = verdict.matched;
     verdict = now.strokes.back();
     // Which stroke a first bar is shows only when the others are there.
-    if (in_the_whole && is_a_stroke_of_its_own(static_cast<int>(n) - 1, last)) verdict.matched = in_the_whole;
-    const int stroke = static_cast<int>(n) - 1;
+    if (in_the_whole && !is_extra && is_a_stroke_of_its_own(stroke, whole)) verdict.matched = in_the_whole;
+    bool is_blamed = false;
     for (auto& f : now.faults) {
       if (f.stroke != stroke && f.second != stroke) continue;
-      // Once is enough for a stroke drawn too early, however many come after it.
-      const bool said =
-          f.kind == FaultKind::order && std::any_of(faults.begin(), faults.end(), [&f](const Fault& before) {
-            return before.kind == FaultKind::order && before.stroke == f.stroke;
-          });
-      if (!said) faults.push_back(std::move(f));
+      if (is_warning_of_the_moment(f) && verdict.matched != f.model.front()) continue;
+      // Once is enough for a stroke drawn too early, however many come after it; and those that come late
+      // are what it was told to wait for.
+      const bool said = f.kind == FaultKind::order &&
+                        std::any_of(live.faults.begin(), live.faults.end(), [&f](const Fault& before) {
+                          return before.kind == FaultKind::order && before.stroke == f.stroke;
+                        });
+      if (said) continue;
+      is_blamed = true;
+      live.faults.push_back(std::move(f));
     }
+    if (!is_blamed && verdict.matched) verdict.ok = true;
   }
-  if (!options.unfinished) faults = at_the_end(std::move(faults), last);
-  last.faults = std::move(faults);
-  last.accepted = last.faults.empty();
-  return last;
+  if (!options.unfinished) finish_live(live, whole);
+  live.accepted = live.faults.empty();
+  return live;
 }
 
 }  // namespace nazori::writing

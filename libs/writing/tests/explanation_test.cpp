@@ -19,6 +19,16 @@ TEST(Explanation, SaysWhichStrokeWasDrawnBeforeWhich) {
   EXPECT_THAT(explain(g, Language::japanese), ElementsAre("2画目より先に3画目を書きました。"));
 }
 
+TEST(Explanation, NamesTheStrokeToComeFirstByTheNumberOfTheModel) {
+  auto ink = trace(rest());
+  ink.strokes.erase(ink.strokes.begin() + 1, ink.strokes.begin() + 3);
+  ink.strokes.resize(2);
+  const auto live = grade_live(ink, model_of(rest()), {kNormal, true});
+  ASSERT_TRUE(live);
+  EXPECT_THAT(explain(*live, Language::english), ElementsAre("Stroke 2 comes first."));
+  EXPECT_THAT(explain(*live, Language::japanese), ElementsAre("先に2画目を書きます。"));
+}
+
 TEST(Explanation, SaysWhereAStrokeStarts) {
   auto ink = trace(rest());
   ink.strokes[3] = reversed(ink.strokes[3]);

@@ -123,13 +123,11 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
             {find, draw_to_find, nullptr, next_character, previous_character, nullptr, back, forward});
   add_group(tr("&Strokes"), {next_stroke, previous_stroke, all_strokes, nullptr, strokes, numbers, arrows,
                              snap, nullptr, clear_ink});
-  add_group(
-      tr("&Practice"),
-      {watch,        trace,          guided,      memory,     nullptr,       play,         step_back,
-       step_on,      slower,         faster,      loop,       nullptr,       by_groove,    by_starts,
-       lead_hand,    nullptr,        undo_stroke, done,       hint,          give_up,      nullptr,
-       compare_over, compare_beside, nullptr,     judge_each, groove_hidden, groove_shown, groove_appears,
-       nullptr,      more_lenient,   more_strict, lenient,    normal,        strict});
+  add_group(tr("&Practice"), {watch, trace, guided, memory, nullptr, play, step_back, step_on, slower, faster,
+                              loop, nullptr, by_groove, by_starts, lead_hand});
+  add_group(tr("&Writing"), {undo_stroke, done, hint, give_up, nullptr, compare_over, compare_beside, nullptr,
+                             judge_each, groove_hidden, groove_shown, groove_appears, nullptr, more_lenient,
+                             more_strict, lenient, normal, strict});
 }
 
 }  // namespace nazori::ui

@@ -133,7 +133,10 @@ QString Characters::tablet_description() const {
 void Characters::enter() {
   entered_ = true;
   const auto& session = desk().session();
+  // Back from another page: what was written goes on.
+  returns_ = true;
   enter_stage(session.is_running() && !session.is_away() ? stage_for(session.stage()) : stage_);
+  returns_ = false;
   show_session();
   if (!tablet_ && path_.empty() && !desk().session().is_running()) choose(desk().preferences().kanji, true);
 }
@@ -168,6 +171,8 @@ void Characters::begin_lesson() {
   for (const auto& entry : stages_)
     entry.stage->set_on_miss(taught ? [this](int stroke) { return desk().session().note_miss(stroke); }
                                     : CharacterStage::OnMiss());
+  const bool unrated = session.state() == StudySession::State::judged;
+  memory_->set_resumes(returns_ || (taught && unrated), unrated);
   stage_->enter({sheet_, tablet_});
 }
 
@@ -205,6 +210,8 @@ void Characters::close_drawing() {
 void Characters::take_appearance() {
   information_panel_->refresh();
   session_actions_->draw_icons();
+  session_bar_->refresh();
+  session_panel_->refresh();
 }
 
 bool Characters::opens(const QStringList& paths) const {

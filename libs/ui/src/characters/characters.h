@@ -99,6 +99,7 @@ class Characters final : public Workplace {
   CharacterStage* stage_ = nullptr;
 
   bool entered_ = false;
+  bool returns_ = false;  ///< while the page is entered again
   std::shared_ptr<const CharacterSheet>
       sheet_;  ///< of the character on the desk; null: a tablet of one's own
   std::shared_ptr<const CharacterSheet> coming_;  ///< of the one being carved

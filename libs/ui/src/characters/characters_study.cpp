@@ -53,8 +53,11 @@ void Characters::connect_session() {
           [this, &session] { session.take_surrender(memory_->strokes()); });
   connect(memory_, &MemoryStage::taken_back, &session, &StudySession::take_back_judgement);
   connect(memory_, &MemoryStage::stroke_added, &session, &StudySession::note_stroke);
+  connect(memory_, &MemoryStage::writing_changed, this,
+          [this] { session_actions_->set_has_unjudged(memory_->has_unjudged()); });
   connect(memory_, &MemoryStage::hint_given, &session, &StudySession::note_hint);
   connect(&desk().learner(), &Learner::changed, this, &Characters::show_session);
+  connect(&desk().learner(), &Learner::profile_changed, memory_, &MemoryStage::forget);
   connect(&desk(), &Desk::study_settings_changed, this, [this] {
     session_actions_->set_one_hand(desk().preferences().one_hand, actions_->hint, actions_->undo_stroke,
                                    actions_->done);

@@ -101,11 +101,9 @@ void DrawPanel::show_candidates(const std::vector<writing::Candidate>& candidate
                               ? static_cast<char32_t>(candidates_->currentItem()->data(Qt::UserRole).toUInt())
                               : 0;
   candidates_->clear();
-  const QFont font = textbook_font(QFontInfo(this->font()).pointSizeF() * 1.8);
   int row = 0;
   for (const auto& candidate : candidates) {
     auto* item = new QListWidgetItem(to_text(candidate.character), candidates_);
-    item->setFont(font);
     item->setTextAlignment(Qt::AlignCenter);
     item->setData(Qt::UserRole, static_cast<uint>(candidate.character));
     if (candidate.character == before) row = candidates_->count() - 1;
@@ -213,6 +211,8 @@ void DrawPanel::resizeEvent(QResizeEvent* event) {
 }
 
 void DrawPanel::fit() {
+  // The items have the font of their list, whatever size it is given later.
+  candidates_->setFont(textbook_font(QFontInfo(font()).pointSizeF() * 1.8));
   const int em = QFontInfo(font()).pixelSize();
   candidates_->setGridSize({em * 3, em * 3});
   // The candidates need the room more.

@@ -143,7 +143,7 @@ void GuidedStage::invite() {
 
 void GuidedStage::take(InkEvent event, int stroke) {
   const int next = controller().ink().next_stroke();
-  if (event == InkEvent::too_early || event == InkEvent::from_the_end) {
+  if (StrokeTeller::is_miss(event, controller())) {
     slipped_ = true;
     if (reply_to_miss(next - 1) == study::MissReply::show) {
       show_alone(next);

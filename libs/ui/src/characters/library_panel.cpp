@@ -42,8 +42,8 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
   search_->setToolTip(
       tr("Find a character by itself, by a reading in kana or romaji, or by an English meaning (Ctrl+F)"));
   search_->setClearButtonEnabled(true);
-  search_->addAction(icon(Icon::search, current_colours().muted, current_colours().muted),
-                     QLineEdit::LeadingPosition);
+  lens_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
+  draw_lens();
   search_->installEventFilter(this);
 
   const std::pair<kanji::List, QString> lists[] = {{kanji::List::grade_1, tr("Grade 1")},
@@ -218,6 +218,11 @@ bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
 void LibraryPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange) fit_tiles();
+  if (event->type() == QEvent::PaletteChange) draw_lens();
+}
+
+void LibraryPanel::draw_lens() {
+  lens_->setIcon(icon(Icon::search, current_colours().muted, current_colours().muted));
 }
 
 void LibraryPanel::fit_tiles() {

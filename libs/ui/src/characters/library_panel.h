@@ -6,6 +6,7 @@
 #include "characters/character_list_model.h"
 #include "library.h"
 
+class QAction;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -44,12 +45,14 @@ class LibraryPanel final : public QWidget {
   void search(const QString& text);
   void show_characters(const Summaries& characters);
   void fit_tiles();
+  void draw_lens();
   void choose_first();
 
   Library* library_;
   CharacterListModel* model_;
   CharacterTileDelegate* delegate_;
   QLineEdit* search_;
+  QAction* lens_;
   QComboBox* lists_;
   QLabel* count_;
   QListView* grid_;

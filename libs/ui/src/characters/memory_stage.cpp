@@ -39,8 +39,61 @@ void MemoryStage::begin() {
   controller().set_guides(TabletGuides{});
   controller().set_judged(true);
   panel_->show();
+  // What has been rated meanwhile is done with.
+  if (aside_ && aside_->unrated && !unrated_) aside_.reset();
+  put_aside();
+  taught_ = is_taught();
+  character_ = lesson().sheet ? lesson().sheet->character.code_point : 0;
+  if (resumes_ && aside_ && aside_->character == character_) {
+    resume();
+    return;
+  }
+  if (aside_ && aside_->character == character_) aside_.reset();
   start_over();
   invite();
+}
+
+void MemoryStage::put_aside() {
+  const bool is_empty = strokes_.empty() && state_ == State::writing;
+  if (character_ == 0 || is_empty || (aside_ && aside_->unrated)) return;
+  const bool unrated = taught_ && state_ != State::writing;
+  aside_ = {character_, std::move(strokes_), grade_, pen_, seen_, hinted_, hints_, state_, unrated};
+  strokes_.clear();
+}
+
+void MemoryStage::forget() {
+  aside_.reset();
+  if (!is_entered() || (strokes_.empty() && state_ == State::writing)) return;
+  start_over();
+  invite();
+}
+
+void MemoryStage::resume() {
+  Aside back = *std::exchange(aside_, std::nullopt);
+  start_over();
+  strokes_ = std::move(back.strokes);
+  grade_ = std::move(back.grade);
+  pen_ = std::move(back.pen);
+  seen_ = std::move(back.seen);
+  hinted_ = std::move(back.hinted);
+  hints_ = back.hints;
+  set_state(back.state);
+  groove_.carve(right_strokes());
+  show_writing();
+  refresh_actions();
+  switch (state_) {
+    case State::judged:
+      tell_grade();
+      break;
+    case State::given_up:
+      desk().say(Feedback::hint, tr("This is how it is written. Delete clears the tablet to try again."));
+      break;
+    case State::writing:
+      // A stroke that was lifted just before has no verdict yet.
+      ask(false);
+      invite();
+      break;
+  }
 }
 
 void MemoryStage::end() {
@@ -48,9 +101,13 @@ void MemoryStage::end() {
   set_playing(false);
   panel_->hide();
   groove_.leave();
+  put_aside();
+  character_ = 0;
   strokes_.clear();
+  state_ = State::writing;
   controller().set_writing({});
   controller().set_judged(false);
+  emit writing_changed();
 }
 
 void MemoryStage::start_over() {
@@ -190,19 +247,21 @@ void MemoryStage::take_grade(std::uint64_t ticket, const writing::Grade& grade) 
 
 void MemoryStage::tell_last_stroke() {
   const int last = static_cast<int>(strokes_.size()) - 1;
-  const int left = static_cast<int>(missing_strokes(grade_, stroke_count()).size());
   if (!actions().judge_each->isChecked()) {
     desk().say(Feedback::hint, tr("%n strokes are written. Enter judges them.", nullptr, last + 1));
     return;
   }
-  for (const auto& fault : grade_.faults)
-    if (fault.stroke == last && fault.kind != writing::FaultKind::missing) {
-      tell_miss(to_text(writing::explain(fault, grade_, writing_language())),
-                fault.kind != writing::FaultKind::order);
-      return;
-    }
-  if (static_cast<std::size_t>(last) < grade_.strokes.size() &&
-      !grade_.strokes[static_cast<std::size_t>(last)].ok) {
+  const bool is_wrong = static_cast<std::size_t>(last) < grade_.strokes.size() &&
+                        !grade_.strokes[static_cast<std::size_t>(last)].ok;
+  for (const auto& fault : grade_.faults) {
+    // An exchange may show only with its second stroke, where both are alike.
+    const bool is_about_it = fault.stroke == last || (is_wrong && fault.second == last);
+    if (!is_about_it || fault.kind == writing::FaultKind::missing) continue;
+    tell_miss(to_text(writing::explain(fault, grade_, writing_language())),
+              fault.kind != writing::FaultKind::order);
+    return;
+  }
+  if (is_wrong) {
     tell_miss(tr("That is no stroke of this character. Ctrl+Z takes it back."),
               !grade_.strokes[static_cast<std::size_t>(last)].matched);
     return;
@@ -212,8 +271,19 @@ void MemoryStage::tell_last_stroke() {
       desk().say(Feedback::advice, to_text(writing::explain(advice, grade_, writing_language())));
       return;
     }
-  desk().say(Feedback::good, left == 0 ? tr("Stroke %1 is right. Enter is done.").arg(last + 1)
-                                       : tr("Stroke %1 is right. %n to go.", nullptr, left).arg(last + 1));
+  const bool is_known = static_cast<std::size_t>(last) < grade_.strokes.size();
+  const int number =
+      (is_known ? grade_.strokes[static_cast<std::size_t>(last)].matched.value_or(last) : last) + 1;
+  // What was passed over is named as long as it is missing.
+  const auto missing = missing_strokes(grade_, stroke_count());
+  if (!missing.empty() && missing.front() + 1 < number) {
+    desk().say(Feedback::advice,
+               tr("Stroke %1 is right. Stroke %2 is still missing.").arg(number).arg(missing.front() + 1));
+    return;
+  }
+  const int left = static_cast<int>(missing.size());
+  desk().say(Feedback::good, left == 0 ? tr("Stroke %1 is right. Enter is done.").arg(number)
+                                       : tr("Stroke %1 is right. %n to go.", nullptr, left).arg(number));
 }
 
 void MemoryStage::tell_miss(const QString& why, bool can_be_tried_again) {
@@ -253,6 +323,12 @@ void MemoryStage::finish() {
   hinted_ = missing_strokes(grade_, stroke_count());
   set_state(State::judged);
   show_writing();
+  tell_grade();
+  refresh_actions();
+  emit judged(grade_);
+}
+
+void MemoryStage::tell_grade() {
   QStringList sentences;
   for (const auto& sentence : writing::explain(grade_, writing_language())) {
     if (sentences.size() == kMostSentences) break;
@@ -270,8 +346,6 @@ void MemoryStage::finish() {
   } else {
     desk().say(Feedback::wrong, tr("%1 Ctrl+Z takes back a stroke, O shows the model.").arg(said));
   }
-  refresh_actions();
-  emit judged(grade_);
 }
 
 void MemoryStage::undo() {

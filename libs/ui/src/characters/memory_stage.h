@@ -18,7 +18,8 @@ class CompareView;
 class WritingPanel;
 
 /// Writing freely, judged stroke by stroke or at the end. Nothing that was written goes away unless the
-/// learner takes it back: a wrong stroke is marked and explained, and writing goes on.
+/// learner takes it back: a wrong stroke is marked and explained, and writing goes on. A writing is kept
+/// while the learner looks at something else.
 class MemoryStage final : public CharacterStage {
   Q_OBJECT
  public:
@@ -34,6 +35,16 @@ class MemoryStage final : public CharacterStage {
   void save(QSettings& settings) const;
 
   [[nodiscard]] const std::vector<HandStroke>& strokes() const { return strokes_; }
+  /// Whether the next lesson on the character that was written last goes on with that writing, judged or not.
+  /// @param unrated  the session waits for the rating of a writing: it is kept whatever is written meanwhile.
+  void set_resumes(bool resumes, bool unrated) {
+    resumes_ = resumes;
+    unrated_ = unrated;
+  }
+  /// Another learner: nothing that was written is shown to them.
+  void forget();
+  /// Whether something is written that is not judged as a whole.
+  [[nodiscard]] bool has_unjudged() const { return state_ == State::writing && !strokes_.empty(); }
   /// A stroke as if it had just been written.
   void add_stroke(HandStroke stroke);
 
@@ -45,6 +56,8 @@ class MemoryStage final : public CharacterStage {
   void stroke_added();
   void hint_given();
   void given_up();
+  /// has_unjudged() may have changed.
+  void writing_changed();
 
  protected:
   void begin() override;
@@ -63,6 +76,9 @@ class MemoryStage final : public CharacterStage {
   void tell_miss(const QString& why, bool can_be_tried_again);
   void clear_miss();
   void finish();
+  void tell_grade();
+  void put_aside();
+  void resume();
   void undo();
   void give_hint();
   void give_up();
@@ -75,6 +91,19 @@ class MemoryStage final : public CharacterStage {
   void refresh_actions();
   void set_strictness(double strictness);
   void set_playing(bool playing);
+
+  /// A writing whose character left the tablet.
+  struct Aside {
+    char32_t character = 0;
+    std::vector<HandStroke> strokes;
+    writing::Grade grade;
+    PenReport pen;
+    std::vector<bool> seen;
+    std::vector<int> hinted;
+    int hints = 0;
+    State state = State::writing;
+    bool unrated = false;
+  };
 
   WritingPanel* panel_;
   CompareView* compare_;
@@ -89,6 +118,11 @@ class MemoryStage final : public CharacterStage {
   bool tell_ = false;  ///< the answer to come is about a stroke just written
   State state_ = State::writing;
   int hints_ = 0;
+  char32_t character_ = 0;  ///< that is being written
+  std::optional<Aside> aside_;
+  bool resumes_ = false;
+  bool unrated_ = false;
+  bool taught_ = false;     ///< the lesson is one of a session
   bool missed_ = false;     ///< the last stroke was refused and goes when another is written
   double replayed_s_ = -1;  ///< moment of the replay; below 0: all is shown
   WritingGroove groove_;

@@ -159,6 +159,7 @@ void MemoryStage::refresh_actions() {
   actions().compare_over->setEnabled(is_entered() && any);
   actions().compare_beside->setEnabled(is_entered() && any);
   actions().play->setEnabled(is_entered() && any);
+  emit writing_changed();
 }
 
 }  // namespace nazori::ui

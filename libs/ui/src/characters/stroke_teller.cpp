@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/stroke_teller.h"
 
+#include <algorithm>
+
 #include "tablet_controller.h"
 
 namespace nazori::ui {
@@ -11,6 +13,16 @@ StrokeTeller::Sentence StrokeTeller::invitation(const TabletController& controll
   if (!controller.strokes_visible())
     return {Feedback::hint, tr("Press the left button in a groove and follow it. S shows the strokes.")};
   return {Feedback::hint, tr("Hold the left button at number 1 and draw along the groove.")};
+}
+
+bool StrokeTeller::is_left_open(int stroke, const TabletController& controller) {
+  const auto& open = controller.ink().left_open();
+  return std::find(open.begin(), open.end(), stroke) != open.end();
+}
+
+bool StrokeTeller::is_miss(InkEvent event, const TabletController& controller) {
+  return event == InkEvent::from_the_end ||
+         (event == InkEvent::too_early && !is_left_open(controller.ink().next_stroke(), controller));
 }
 
 StrokeTeller::Sentence StrokeTeller::about(InkEvent event, int stroke, const TabletController& controller) {
@@ -27,8 +39,22 @@ StrokeTeller::Sentence StrokeTeller::about(InkEvent event, int stroke, const Tab
       if (controller.current_stroke() != 0)
         return {Feedback::good,
                 tr("Stroke %1 is written. The full stop key (.) shows the next.").arg(stroke)};
+      // No praise while an earlier stroke is open.
+      if (next < stroke)
+        return {
+            Feedback::advice,
+            is_left_open(next, controller)
+                ? tr("Stroke %1 is written, but stroke %2 is not finished: the blue bit is missing.")
+                      .arg(stroke)
+                      .arg(next)
+                : tr("Stroke %1 is written, but stroke %2 comes first. Write it now.").arg(stroke).arg(next)};
       return {Feedback::good, tr("Stroke %1 is written. Stroke %2 is next.").arg(stroke).arg(next)};
+    case InkEvent::left_open:
+      return {Feedback::advice,
+              tr("Stroke %1 is not finished: the blue bit is missing. Draw on from there.").arg(stroke)};
     case InkEvent::too_early:
+      if (is_left_open(next, controller))
+        return {Feedback::advice, tr("Stroke %1 is not finished: draw the blue bit first.").arg(next)};
       return {Feedback::advice, tr("Stroke %1 comes before stroke %2.").arg(next).arg(stroke)};
     case InkEvent::from_the_end:
       return {Feedback::advice,

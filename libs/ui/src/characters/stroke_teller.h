@@ -22,8 +22,13 @@ class StrokeTeller {
 
   [[nodiscard]] static Sentence invitation(const TabletController& controller);
   [[nodiscard]] static Sentence about(InkEvent event, int stroke, const TabletController& controller);
+  /// Whether it is a mistake. Going on where a bit of a stroke begun before is missing is none.
+  [[nodiscard]] static bool is_miss(InkEvent event, const TabletController& controller);
   [[nodiscard]] static Sentence snapping(const TabletController& controller);
   [[nodiscard]] static Sentence stroke_shown(const TabletController& controller);
+
+ private:
+  [[nodiscard]] static bool is_left_open(int stroke, const TabletController& controller);
 };
 
 }  // namespace nazori::ui

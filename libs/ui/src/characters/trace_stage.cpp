@@ -91,7 +91,7 @@ void TraceStage::begin() {
 void TraceStage::take(InkEvent event, int stroke) {
   auto& tablet = controller();
   const int next = tablet.ink().next_stroke();
-  if (event == InkEvent::too_early || event == InkEvent::from_the_end) {
+  if (StrokeTeller::is_miss(event, controller())) {
     if (reply_to_miss(next - 1) == study::MissReply::show) {
       shown_alone_ = next;
       tablet.set_current_stroke(next);

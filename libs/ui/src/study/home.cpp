@@ -49,6 +49,8 @@ Home::Home(Desk& desk)
   connect(&desk.learner(), &Learner::changed, this, &Home::refresh);
   connect(&desk.session(), &StudySession::ended, this,
           [this] { page_->show_summary(this->desk().session().summary()); });
+  // After the session of the learner before has ended, which shows what it came to.
+  connect(&desk.learner(), &Learner::profile_changed, this, [this] { page_->show_summary({}); });
   connect(&look_, &QTimer::timeout, this, &Home::refresh);
 }
 

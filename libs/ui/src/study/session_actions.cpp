@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/session_actions.h"
 
+#include <utility>
+
 namespace nazori::ui {
 
 SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
@@ -72,14 +74,22 @@ void SessionActions::set_one_hand(OneHand hand, QAction* hint, QAction* undo_str
     action->setShortcuts(keys);
   }
   done_ = done;
+  done_keys_ = done->shortcuts();
   give_keys();
+}
+
+void SessionActions::set_has_unjudged(bool has_unjudged) {
+  if (std::exchange(has_unjudged_, has_unjudged) != has_unjudged) give_keys();
 }
 
 void SessionActions::give_keys() {
   // Return judges while something is written; when that is over it goes on.
   if (done_ == nullptr) return;
+  const bool goes_on = go_on->isEnabled() && !has_unjudged_;
   QList<QKeySequence> keys{QKeySequence(Qt::ShiftModifier | Qt::Key_Return)};
-  if (go_on->isEnabled()) keys.append(done_->shortcuts());
+  if (goes_on) keys.append(done_keys_);
+  const auto left = goes_on ? QList<QKeySequence>() : done_keys_;
+  if (left != done_->shortcuts()) done_->setShortcuts(left);
   if (keys != go_on->shortcuts()) go_on->setShortcuts(keys);
 }
 

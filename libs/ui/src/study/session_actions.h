@@ -22,14 +22,19 @@ class SessionActions final : public ActionSet {
 
   /// Which of them mean something now.
   void show_state(const StudySession& session, bool can_write);
-  /// Return, and what else `done` has, is `go_on`'s while there is something to go on to. Adds keys that one
+  /// Return, and what else `done` has, is `go_on`'s while there is something to go on to and nothing is
+  /// written that waits to be judged: two actions with one key would both be dead. Adds keys that one
   /// hand reaches while the other writes, also to `hint`, `undo_stroke` and `done`.
   void set_one_hand(OneHand hand, QAction* hint, QAction* undo_stroke, QAction* done);
+  /// Whether something is written that waits to be judged.
+  void set_has_unjudged(bool has_unjudged);
 
  private:
   void give_keys();
 
   QAction* done_ = nullptr;
+  QList<QKeySequence> done_keys_;
+  bool has_unjudged_ = false;
   QHash<QAction*, QList<QKeySequence>> own_keys_;  ///< before one hand's were added
 };
 

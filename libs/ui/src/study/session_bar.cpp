@@ -142,6 +142,7 @@ QString SessionBar::question(const CharacterSheet& sheet) const {
 }
 
 void SessionBar::show_state(const std::shared_ptr<const CharacterSheet>& sheet) {
+  sheet_ = sheet;
   setVisible(session_.is_running());
   if (!session_.is_running()) return;
   const int at = std::min(session_.done() + 1, session_.total());
@@ -156,6 +157,11 @@ void SessionBar::show_state(const std::shared_ptr<const CharacterSheet>& sheet) 
     question_->setText(ours ? question(*sheet) : QString());
   show_ratings();
   show_next();
+}
+
+void SessionBar::refresh() {
+  fit();
+  if (isVisibleTo(parentWidget())) show_state(std::shared_ptr<const CharacterSheet>(sheet_));
 }
 
 void SessionBar::show_ratings() {

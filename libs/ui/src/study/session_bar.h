@@ -24,6 +24,8 @@ class SessionBar final : public QFrame {
 
   /// Shows where the session is. @param sheet  of the session's character; null while it is on its way.
   void show_state(const std::shared_ptr<const CharacterSheet>& sheet);
+  /// The same again in the colours and the text size of now.
+  void refresh();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -38,6 +40,7 @@ class SessionBar final : public QFrame {
   const StudySession& session_;
   const SessionActions& actions_;
   const Learner& learner_;
+  std::shared_ptr<const CharacterSheet> sheet_;  ///< shown last
   QLabel* progress_;
   QProgressBar* line_;
   QWidget* task_;  ///< question and next step

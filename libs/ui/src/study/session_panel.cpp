@@ -3,9 +3,11 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <map>
 
+#include "flow_layout.h"
 #include "kanji_text.h"
 #include "study/ink_gallery.h"
 #include "study/study_words.h"
@@ -14,6 +16,7 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 12;
+constexpr int kGap = 6;
 constexpr int kMostEarlier = 3;
 constexpr int kMostHardStrokes = 3;
 
@@ -30,12 +33,15 @@ QLabel* label(const char* name, const char* role, QWidget* parent) {
 
 SessionPanel::SessionPanel(const StudySession& session, const SessionActions& actions, Learner& learner,
                            QWidget* parent)
-    : QScrollArea(parent), session_(session), learner_(learner) {
+    : QWidget(parent), session_(session), learner_(learner) {
   setObjectName(QStringLiteral("session_panel"));
   setAccessibleName(tr("The character that is studied"));
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setWidgetResizable(true);
-  auto* content = new QWidget(this);
+  setAttribute(Qt::WA_StyledBackground);
+  auto* words = new QScrollArea(this);
+  words->setObjectName(QStringLiteral("session_words"));
+  words->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  words->setWidgetResizable(true);
+  auto* content = new QWidget(words);
   content->setObjectName(QStringLiteral("information_content"));
   kind_ = label("session_kind", nullptr, content);
   steps_ = label("session_steps", "muted", content);
@@ -43,7 +49,7 @@ SessionPanel::SessionPanel(const StudySession& session, const SessionActions& ac
   faults_ = label("session_faults", nullptr, content);
   parts_ = label("session_parts", nullptr, content);
   help_ = label("session_help", nullptr, content);
-  note_ = label("session_note", "muted", content);
+  note_ = label("session_note", "muted", this);
   ink_heading_ = label("session_ink_heading", "heading", content);
   ink_heading_->setText(tr("Earlier writing"));
   gallery_ = new InkGallery(content);
@@ -56,28 +62,39 @@ SessionPanel::SessionPanel(const StudySession& session, const SessionActions& ac
         static_cast<QWidget*>(ink_heading_), static_cast<QWidget*>(gallery_)})
     column->addWidget(one);
   column->addStretch(1);
-  // Right above what takes it back.
-  column->addWidget(note_);
+  auto* foot = new QWidget(this);
+  foot->setObjectName(QStringLiteral("session_foot"));
+  auto* rows = new FlowLayout(kGap, kGap, foot);
+  rows->setContentsMargins(0, 0, 0, 0);
   // Few words: the panel is narrow, and the menu has the whole ones.
   const std::pair<QAction*, QString> buttons[] = {{actions.undo, tr("Undo")},
                                                   {actions.postpone, tr("Later")},
                                                   {actions.pause, tr("Pause")},
                                                   {actions.reset, tr("Anew")},
                                                   {actions.end, tr("End")}};
-  for (const auto& [action, words] : buttons) {
-    auto* button = new QPushButton(words, content);
+  for (const auto& [action, text] : buttons) {
+    auto* button = new QPushButton(text, foot);
     button->setAccessibleName(action->iconText());
-    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     button->setObjectName(QStringLiteral("button_") + action->objectName());
     button->setToolTip(action->toolTip());
     connect(button, &QPushButton::clicked, action, &QAction::trigger);
     connect(action, &QAction::changed, button,
             [button, at = action] { button->setEnabled(at->isEnabled()); });
-    column->addWidget(button);
+    rows->addWidget(button);
   }
-  setWidget(content);
-  viewport()->setAutoFillBackground(false);
+  words->setWidget(content);
+  words->viewport()->setAutoFillBackground(false);
   content->setAutoFillBackground(false);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, kMargin);
+  whole->addWidget(words, 1);
+  // Right above what takes it back.
+  for (auto* one : {static_cast<QWidget*>(note_), foot}) {
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(kMargin, 0, kMargin, 0);
+    row->addWidget(one);
+    whole->addLayout(row);
+  }
 }
 
 QString SessionPanel::why() const {
@@ -164,6 +181,7 @@ void SessionPanel::show_ink() {
 }
 
 void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet) {
+  sheet_ = sheet;
   if (!session_.is_running()) return;
   QFont large = font();
   large.setWeight(QFont::DemiBold);
@@ -172,8 +190,9 @@ void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet
   QStringList steps;
   for (const auto stage : study::kStages) {
     const bool here = stage == session_.stage();
-    const QString step = here ? QStringLiteral("▸ ") + StudyWords::stage(stage) : StudyWords::stage(stage);
-    steps.append(QString(step).replace(QLatin1Char(' '), QChar::Nbsp));
+    const QString step =
+        here ? QStringLiteral("▸") + QChar(QChar::Nbsp) + StudyWords::stage(stage) : StudyWords::stage(stage);
+    steps.append(step);
   }
   steps_->setText(steps.join(QStringLiteral("  ")));
   history_->setText(history());
@@ -196,5 +215,7 @@ void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet
   parts_->setText(tr("Its parts: %1.").arg(parts.join(QStringLiteral(" + "))));
   show_ink();
 }
+
+void SessionPanel::refresh() { show_state(std::shared_ptr<const CharacterSheet>(sheet_)); }
 
 }  // namespace nazori::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QScrollArea>
+#include <QWidget>
 
 #include "study/session_actions.h"
 
@@ -13,13 +13,15 @@ namespace nazori::ui {
 class InkGallery;
 
 /// Beside the tablet while a session runs: why the character comes, what went wrong with it before, earlier
-/// writing beside today's, and what can be done with it.
-class SessionPanel final : public QScrollArea {
+/// writing beside today's, and what can be done with it. The words may scroll; the buttons are always there.
+class SessionPanel final : public QWidget {
   Q_OBJECT
  public:
   SessionPanel(const StudySession& session, const SessionActions& actions, Learner& learner, QWidget* parent);
 
   void show_state(const std::shared_ptr<const CharacterSheet>& sheet);
+  /// The same again in the colours and the text size of now.
+  void refresh();
 
  private:
   [[nodiscard]] QString why() const;
@@ -31,6 +33,7 @@ class SessionPanel final : public QScrollArea {
 
   const StudySession& session_;
   Learner& learner_;
+  std::shared_ptr<const CharacterSheet> sheet_;  ///< shown last
   QLabel* kind_;
   QLabel* steps_;
   QLabel* history_;

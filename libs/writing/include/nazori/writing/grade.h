@@ -37,10 +37,10 @@ enum class Side : std::uint8_t { top, bottom, left, right };
 /// One thing to say about the writing.
 struct Fault {
   FaultKind kind = FaultKind::wrong;
-  int stroke = 0;  ///< drawn stroke, from 0; missing: stroke of the model
-  std::optional<int>
-      second;  ///< order: the drawn stroke that should have come before it; joined, split: see `model`
-  std::vector<int> model;                                      ///< strokes of the model it is about
+  int stroke = 0;             ///< drawn stroke, from 0; missing: stroke of the model
+  std::optional<int> second;  ///< order: the drawn stroke that should have come before it, none while that is
+                              ///< still to be drawn; joined, split: see `model`
+  std::vector<int> model;     ///< strokes of the model it is about
   Deviation deviation = Deviation::none;                       ///< wrong: what deviates most
   char32_t character = 0;                                      ///< other: what was written
   kanji::StrokeEnding expected = kanji::StrokeEnding::either;  ///< ending: how the model ends
@@ -125,7 +125,10 @@ inline constexpr std::size_t kMaxInkStrokes = 100;
 
 /// Judges stroke by stroke: the verdict on each stroke is the one that was given when it ended, and does not
 /// change by what follows; only which stroke of the model it is (`matched`) is what all strokes so far show.
-/// Faults that only the end shows (missing strokes) come at the end.
+/// A stroke that passes over another is told so at once (`order` without `second`, the stroke to come first
+/// is the last of `model`); the one that comes late then is right. A stroke told right stays so when another
+/// is drawn over it: the newest is the one too many. Faults that only the end shows (missing strokes) come at
+/// the end.
 [[nodiscard]] base::Result<Grade> grade_live(const Ink& ink, const Model& model,
                                              const GradeOptions& options = {},
                                              std::span<const Model> lookalikes = {});
