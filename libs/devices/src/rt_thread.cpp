@@ -12,6 +12,8 @@
 #include <thread>
 #include <utility>
 
+#include "force_guard.h"
+
 namespace nazori::devices {
 namespace {
 
@@ -80,6 +82,7 @@ base::Result<void> RtThread::start(double period_s, Tick tick) {
   in.ticks = in.missed = 0;
   in.max_lateness_ns = 0;
   try {
+    const SignalsBlocked inherited;
     in.thread = std::thread([&in] { in.run(); });
   } catch (const std::system_error& e) {
     return base::fail(base::Errc::device, std::string("no thread for the servo: ") + e.what());
