@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "due_times.h"
 #include "nazori/geometry/polyline.h"
 #include "nazori/recording/session_recorder.h"
 #include "tracing_plan.h"
@@ -145,7 +146,8 @@ class Session final : public haptics::ServoCallback {
       : plan_(tablet.paths(), Habits{}),
         device_(hardware, loose_hand()),
         servo_(device_.describe()),
-        rate_hz_(hardware.rate_hz) {
+        rate_hz_(hardware.rate_hz),
+        due_times_(1 / hardware.rate_hz) {
     device_.place(plan_.at(0).target_m);
     for (const haptics::StrokePath& path : tablet.paths()) {
       Line line;
@@ -189,10 +191,10 @@ class Session final : public haptics::ServoCallback {
     device_.set_target(intent.target_m);
     const auto begin = std::chrono::steady_clock::now();
     const Vec3 force = servo_.tick(sample);
-    tick_times_.add(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    // The clock thread's due times are the whole periods since its start, whatever was missed.
-    const double periods = sample.time_s * rate_hz_;
-    lateness_.add((periods - std::floor(periods)) / rate_hz_);
+    const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    tick_times_.add(took_s);
+    lateness_.add(due_times_.lateness_s(sample.time_s));
+    due_times_.ended(sample.time_s + took_s);
     samples_.add(servo_.latest());
     if (tracing) add(intent.stroke, aim, servo_.latest(), force);
     next_.store(intent.next, std::memory_order_relaxed);
@@ -271,6 +273,7 @@ class Session final : public haptics::ServoCallback {
   devices::SimulatedDevice device_;
   haptics::Servo servo_;
   double rate_hz_;
+  DueTimes due_times_;
   Sight sight_;
   Pull pull_;
   std::vector<Line> lines_;

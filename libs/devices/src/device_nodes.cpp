@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <system_error>
 
 namespace nazori::devices {
@@ -21,6 +22,29 @@ std::string group_name(gid_t id) {
   return std::to_string(id);
 }
 
+/// Nothing where this user sees no such entry.
+std::optional<DeviceNode> node_at(const std::filesystem::path& path) {
+  struct stat info {};
+  if (stat(path.c_str(), &info) != 0) return std::nullopt;
+  return DeviceNode{path, group_name(info.st_gid), (info.st_mode & 0060) == 0060,
+                    access(path.c_str(), R_OK | W_OK) == 0};
+}
+
+bool by_path(const DeviceNode& a, const DeviceNode& b) { return a.path < b.path; }
+
+std::string first_line(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  return line;
+}
+
+/// "2988" from "2988", "00002988" or "88".
+std::string four_digits(std::string hex) {
+  hex.erase(0, std::min(hex.find_first_not_of('0'), hex.size()));
+  return std::string(hex.size() < 4 ? 4 - hex.size() : 0, '0') + hex;
+}
+
 }  // namespace
 
 std::vector<DeviceNode> device_nodes(const std::filesystem::path& folder,
@@ -33,13 +57,51 @@ std::vector<DeviceNode> device_nodes(const std::filesystem::path& folder,
     if (std::none_of(prefixes.begin(), prefixes.end(),
                      [&](std::string_view p) { return name.starts_with(p); }))
       continue;
-    struct stat info {};
-    if (stat(entry->path().c_str(), &info) != 0) continue;
-    nodes.push_back({entry->path(), group_name(info.st_gid), (info.st_mode & 0060) == 0060,
-                     access(entry->path().c_str(), R_OK | W_OK) == 0});
+    if (auto node = node_at(entry->path())) nodes.push_back(std::move(*node));
   }
-  std::sort(nodes.begin(), nodes.end(),
-            [](const DeviceNode& a, const DeviceNode& b) { return a.path < b.path; });
+  std::sort(nodes.begin(), nodes.end(), by_path);
+  return nodes;
+}
+
+std::string usb_vendor(const std::filesystem::path& node, const std::filesystem::path& system_folder) {
+  const std::string name = node.filename().string();
+  for (const char* group : {"hidraw", "tty"}) {
+    std::ifstream in(system_folder / "class" / group / name / "device" / "uevent");
+    for (std::string line; std::getline(in, line);) {
+      // HID_ID=0003:00002988:00000302 of a HID device, PRODUCT=2988/302/100 of an interface.
+      if (line.starts_with("HID_ID=") && line.find(':') != std::string::npos) {
+        const std::size_t begin = line.find(':') + 1;
+        return four_digits(line.substr(begin, line.find(':', begin) - begin));
+      }
+      constexpr std::string_view kProduct = "PRODUCT=";
+      if (line.starts_with(kProduct))
+        return four_digits(line.substr(kProduct.size(), line.find('/') - kProduct.size()));
+    }
+  }
+  return {};
+}
+
+std::vector<DeviceNode> usb_nodes(const std::filesystem::path& device_folder,
+                                  const std::filesystem::path& system_folder,
+                                  const std::vector<std::string_view>& ids) {
+  std::vector<DeviceNode> nodes;
+  std::error_code failed;
+  const std::filesystem::path all = system_folder / "bus" / "usb" / "devices";
+  for (auto entry = std::filesystem::directory_iterator(all, failed);
+       !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed)) {
+    const std::string vendor = first_line(entry->path() / "idVendor");
+    const std::string device = vendor + ":" + first_line(entry->path() / "idProduct");
+    if (vendor.empty() || std::none_of(ids.begin(), ids.end(),
+                                       [&](std::string_view id) { return id == vendor || id == device; }))
+      continue;
+    const auto three_digits = [&](const char* what) {
+      const std::string digits = first_line(entry->path() / what);
+      return std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+    };
+    if (auto node = node_at(device_folder / "bus" / "usb" / three_digits("busnum") / three_digits("devnum")))
+      nodes.push_back(std::move(*node));
+  }
+  std::sort(nodes.begin(), nodes.end(), by_path);
   return nodes;
 }
 

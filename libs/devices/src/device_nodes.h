@@ -21,6 +21,17 @@ struct DeviceNode {
 [[nodiscard]] std::vector<DeviceNode> device_nodes(const std::filesystem::path& folder,
                                                    const std::vector<std::string_view>& prefixes);
 
+/// The vendor number of the USB device behind a node of these classes (hidraw, ttyACM): "2988"; empty where
+/// the system does not tell. @param system_folder  /sys.
+[[nodiscard]] std::string usb_vendor(const std::filesystem::path& node,
+                                     const std::filesystem::path& system_folder);
+
+/// The nodes by which libraries open USB devices directly: /dev/bus/usb/001/004.
+/// @param ids  of vendors or of devices: "1451", "0403:cb48".
+[[nodiscard]] std::vector<DeviceNode> usb_nodes(const std::filesystem::path& device_folder,
+                                                const std::filesystem::path& system_folder,
+                                                const std::vector<std::string_view>& ids);
+
 /// What to do where this user may not open some of them: the group to join, or the udev rule to set. Nothing
 /// where all are open.
 [[nodiscard]] std::optional<std::string> permission_advice(const std::vector<DeviceNode>& nodes);

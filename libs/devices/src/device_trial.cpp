@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/devices/device_trial.h"
 
+#include <linux/capability.h>
 #include <sys/resource.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
 
 namespace nazori::devices {
@@ -61,14 +64,31 @@ RealTimeReadiness real_time_readiness() {
   };
   utsname name{};
   (void)uname(&name);
-  return real_time_readiness(limit(RLIMIT_RTPRIO), limit(RLIMIT_MEMLOCK), name.release, name.version);
+  std::ifstream in("/proc/self/status");
+  const std::string about_process{std::istreambuf_iterator<char>(in), {}};
+  return real_time_readiness(limit(RLIMIT_RTPRIO), limit(RLIMIT_MEMLOCK), name.release, name.version,
+                             effective_capabilities(about_process));
+}
+
+std::uint64_t effective_capabilities(std::string_view proc_status) {
+  constexpr std::string_view kName = "CapEff:";
+  const std::size_t at = proc_status.find(kName);
+  if (at == std::string_view::npos) return 0;
+  std::string_view rest = proc_status.substr(at + kName.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  std::uint64_t bits = 0;
+  (void)std::from_chars(rest.data(), rest.data() + rest.size(), bits, 16);
+  return bits;
 }
 
 RealTimeReadiness real_time_readiness(long priority_limit, long locked_bytes, std::string_view kernel_release,
-                                      std::string_view kernel_version) {
+                                      std::string_view kernel_version, std::uint64_t capabilities) {
   constexpr long kPriority = 40;  // of RtThread
   constexpr long kLocked = 64L << 20;
+  const auto has = [&](unsigned capability) { return (capabilities >> capability & 1U) != 0; };
   RealTimeReadiness r;
+  if (has(CAP_SYS_NICE)) priority_limit = -1;
+  if (has(CAP_IPC_LOCK)) locked_bytes = -1;
   r.priority_limit = priority_limit;
   r.locked_bytes = locked_bytes;
   r.kernel = std::string(kernel_release) + " " + std::string(kernel_version);

@@ -2,7 +2,7 @@
 #include "nazori/devices/force_dimension.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -26,6 +26,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kName = "Force Dimension";
 constexpr int kMostBadTicks = 20;  // in a row; force is zero from the first
+constexpr int kLookTicks = 16;     // between looks at the status
+constexpr int kForceOffLooks = 2;  // in a row, before forces count as off: they need a moment to go on
+constexpr auto kForceRest = std::chrono::milliseconds(500);  // before they are switched on again
 
 DeviceResult<dhd::Functions> load(const std::string& user_path) {
   std::vector<std::string> names{"libdhd.so.3", "libdrd.so.3", "libdhd.so", "libdrd.so"};
@@ -54,6 +57,8 @@ DeviceResult<dhd::Functions> load(const std::string& user_path) {
   library->want(f.max_force, "dhdGetMaxForce");
   library->want(f.set_max_force, "dhdSetMaxForce");
   library->want(f.set_gravity_compensation, "dhdSetGravityCompensation");
+  library->want(f.status, "dhdGetStatus");
+  library->want(f.emulate_button, "dhdEmulateButton");
   return f;
 }
 
@@ -77,7 +82,9 @@ Kind kind_of(const std::string& name, int type) {
     return delta;
   }
   // sigma, lambda and what may come: no stronger than the omega until the library says so.
-  return {SimulatedHardware::omega_3().limits, 0.06};
+  Kind other{SimulatedHardware::omega_3().limits, 0.06};
+  if (says("sigma")) other.limits.max_stiffness_n_m = 4000;
+  return other;
 }
 
 /// Open while it lives.
@@ -125,14 +132,20 @@ class ForceDimensionDevice final : public haptics::HapticDevice {
     const dhd::Functions& dhd = port_->dhd;
     if (dhd.set_gravity_compensation != nullptr) (void)dhd.set_gravity_compensation(1, port_->id);
     if (dhd.set_max_force != nullptr) (void)dhd.set_max_force(port_->limits.max_force_n, port_->id);
+    // An omega.7 or sigma.7 has no button but its gripper; others refuse this.
+    if (dhd.emulate_button != nullptr) (void)dhd.emulate_button(1, port_->id);
+    (void)dhd.set_force(0, 0, 0, port_->id);
+    // A success even where the device is not homed: its status tells that.
     if (dhd.enable_force(1, port_->id) < 0)
       return base::fail(base::Errc::device, "it gives no force: " + last_error(dhd), port_->name,
                         "switch it on and home it: pull all arms of a Falcon out, then push them in");
-    bad_ticks_ = 0;
-    link_.start(servo);
+    bad_ticks_ = ticks_ = looks_without_force_ = 0;
+    trouble_ = DeviceTrouble::none;
+    over_ = false;
+    link_.start(servo, &ForceDimensionDevice::switch_off, this);
     auto started = clock_.start(1 / rate_hz_, [this](double) { tick(); });
     if (!started) {
-      (void)dhd.enable_force(0, port_->id);
+      write_zero();
       link_.stop();
     }
     return started;
@@ -141,34 +154,88 @@ class ForceDimensionDevice final : public haptics::HapticDevice {
   void stop() noexcept override {
     if (!clock_.status().running) return;
     clock_.stop();
-    (void)port_->dhd.set_force(0, 0, 0, port_->id);
-    (void)port_->dhd.enable_force(0, port_->id);
+    write_zero();
     link_.stop();
   }
 
   [[nodiscard]] haptics::DeviceStatus status() const override { return link_.status(); }
 
  private:
+  static void switch_off(void* self) noexcept { static_cast<ForceDimensionDevice*>(self)->write_zero(); }
+  /// No force, and the output off.
+  void write_zero() noexcept {
+    (void)port_->dhd.set_force(0, 0, 0, port_->id);
+    (void)port_->dhd.enable_force(0, port_->id);
+  }
+
   void tick() noexcept {
+    if (over_) return;
+    if (ForceGuard::forces() == Forces::cut) {
+      over_ = true;
+      write_zero();
+      return link_.confirm_off();
+    }
     const dhd::Functions& dhd = port_->dhd;
-    if (bad_ticks_ >= kMostBadTicks) return;  // lost
     const auto begin = Clock::now();
+    look();
     // x towards the operator, y to the right, z up.
     double out = NAN, right = NAN, up = NAN;
     bool fine = dhd.get_position(&out, &right, &up, port_->id) >= 0;
     const std::uint32_t buttons = fine ? pressed() : 0;
     Vec3 force(0);
-    if (fine) force = link_.feel({right, up, out}, buttons);
+    if (fine && trouble_ != DeviceTrouble::none)
+      link_.pause(DeviceState::paused, trouble_, cause_, buttons);
+    else if (fine)
+      force = link_.feel({right, up, out}, buttons);
     fine = dhd.set_force(force.z, force.x, force.y, port_->id) >= 0 && fine;
     if (fine) {
       bad_ticks_ = 0;
       link_.note_delay_s(std::chrono::duration<double>(Clock::now() - begin).count());
+      if (force == Vec3(0)) link_.confirm_zero();
       return;
     }
+    over_ = ++bad_ticks_ >= kMostBadTicks;
+    if (over_)
+      write_zero();
+    else
+      (void)dhd.set_force(0, 0, 0, port_->id);
+    link_.pause(over_ ? DeviceState::lost : DeviceState::paused, DeviceTrouble::communication_lost, 0,
+                buttons);
+    if (over_) link_.confirm_off();
+  }
+
+  /// Reads now and then whether the device is homed and its forces are on. Switching them on is a success in
+  /// the library's eyes even where the device brakes; and it switches them off by itself.
+  void look() noexcept {
+    const dhd::Functions& dhd = port_->dhd;
+    if (dhd.status == nullptr || ticks_++ % kLookTicks != 0) return;
+    std::array<int, dhd::kStatusRoom> status{};
+    if (dhd.status(status.data(), port_->id) < 0) return;  // the position fails, too
+    const Clock::time_point now = Clock::now();
+    if (status[dhd::kReset] != 0) {
+      trouble_ = DeviceTrouble::not_homed;
+      looks_without_force_ = kForceOffLooks;  // it stays off until it is switched on again
+      rest_until_ = now;
+      cause_ = 0;
+      return;
+    }
+    if (status[dhd::kForce] != 0) {
+      trouble_ = DeviceTrouble::none;
+      looks_without_force_ = 0;
+      return;
+    }
+    if (looks_without_force_ == 0) rest_until_ = now + kForceRest;
+    looks_without_force_ = std::min(looks_without_force_ + 1, kForceOffLooks);
+    if (looks_without_force_ < kForceOffLooks) return;
+    trouble_ = DeviceTrouble::forces_off;
+    cause_ = status[dhd::kForceOffCause];
+    const auto cause = static_cast<ForcesOff>(cause_);
+    const bool waits_for_somebody =
+        cause == ForcesOff::button || cause == ForcesOff::grip_switch || cause == ForcesOff::usb;
+    if (waits_for_somebody || now < rest_until_) return;
+    rest_until_ = now + kForceRest;
     (void)dhd.set_force(0, 0, 0, port_->id);
-    ++bad_ticks_;
-    link_.pause(bad_ticks_ < kMostBadTicks ? DeviceState::paused : DeviceState::lost,
-                DeviceTrouble::communication_lost, 0, buttons);
+    (void)dhd.enable_force(1, port_->id);
   }
 
   [[nodiscard]] std::uint32_t pressed() const noexcept {
@@ -180,8 +247,13 @@ class ForceDimensionDevice final : public haptics::HapticDevice {
   std::shared_ptr<Port> port_;
   double rate_hz_;
   ServoLink link_;
-  int bad_ticks_ = 0;  // servo thread
-  RtThread clock_;     // last: it stops before the rest goes
+  // Servo thread.
+  int bad_ticks_ = 0, ticks_ = 0, looks_without_force_ = 0;
+  bool over_ = false;
+  DeviceTrouble trouble_ = DeviceTrouble::none;  // as the status tells
+  std::int32_t cause_ = 0;
+  Clock::time_point rest_until_;
+  RtThread clock_;  // last: it stops before the rest goes
 };
 
 class ForceDimensionBackEnd final : public BackEnd {
@@ -243,16 +315,18 @@ class ForceDimensionBackEnd final : public BackEnd {
   static tl::unexpected<DeviceProblem> in_use(const std::string& name) {
     return no_device(DeviceTrouble::in_use, "this program has it open already", name, "use that one");
   }
-  static tl::unexpected<DeviceProblem> refused(const dhd::Functions& dhd) {
+  [[nodiscard]] tl::unexpected<DeviceProblem> refused(const dhd::Functions& dhd) const {
     switch (dhd.last_error()) {
       case dhd::kErrorNoDevice:
       case 0:
-        if (const auto advice = permission_advice(device_nodes("/dev", {"hidraw"})))
+        // The library opens USB devices directly.
+        if (const auto advice = permission_advice(
+                usb_nodes(settings_.device_folder, settings_.system_folder, {dhd::kVendor, dhd::kFalconUsb})))
           return no_device(DeviceTrouble::no_permission, "no device answers", kName, *advice);
-        return no_device(
-            DeviceTrouble::device_absent, "no device answers", kName,
-            "plug it in, switch it on; if it is on, set the udev rule of docs/devices.md, permissions");
+        return no_device(DeviceTrouble::device_absent, "no device answers", kName,
+                         "plug it in and switch it on");
       case dhd::kErrorBusy:
+      case dhd::kErrorInUse:
         return no_device(DeviceTrouble::in_use, "the device is open already", kName,
                          "close the other program that uses it");
       default:
@@ -260,7 +334,7 @@ class ForceDimensionBackEnd final : public BackEnd {
                          "switch it off and on; for permissions see docs/devices.md");
     }
   }
-  static DeviceResult<std::shared_ptr<Port>> port_of(const dhd::Functions& dhd, int index) {
+  [[nodiscard]] DeviceResult<std::shared_ptr<Port>> port_of(const dhd::Functions& dhd, int index) const {
     const int id = dhd.open(static_cast<char>(index));
     if (id < 0) return refused(dhd);
     return std::make_shared<Port>(dhd, static_cast<char>(id));

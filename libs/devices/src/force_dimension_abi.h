@@ -8,7 +8,15 @@
 namespace nazori::devices::dhd {
 
 inline constexpr int kFalcon = 60;
-inline constexpr int kErrorComm = 2, kErrorBusy = 3, kErrorNoDevice = 5;
+inline constexpr const char* kVendor = "1451";          // USB, of Force Dimension
+inline constexpr const char* kFalconUsb = "0403:cb48";  // of a Novint Falcon
+inline constexpr int kErrorComm = 2, kErrorBusy = 3, kErrorNoDevice = 5, kErrorInUse = 20;
+
+// Entries of dhdGetStatus. Versions differ in how many there are (15 to 17), so there is room for more.
+inline constexpr int kStatusRoom = 32;
+inline constexpr int kReset = 3;           // 1: not homed
+inline constexpr int kForce = 5;           // 1: forces are on
+inline constexpr int kForceOffCause = 14;  // as devices::ForcesOff
 
 /// The functions; those of the second group may be missing.
 struct Functions {
@@ -28,6 +36,8 @@ struct Functions {
   double (*max_force)(char id) = nullptr;
   int (*set_max_force)(double newtons, char id) = nullptr;
   int (*set_gravity_compensation)(int on, char id) = nullptr;
+  int (*status)(int* entries, char id) = nullptr;
+  int (*emulate_button)(unsigned char on, char id) = nullptr;
 };
 
 }  // namespace nazori::devices::dhd

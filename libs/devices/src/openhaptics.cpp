@@ -25,6 +25,7 @@ constexpr int kZeroTicks = 4;          // of zero force before the scheduler sto
 constexpr int kMostBadTicks = 50;      // in a row, before errors of no known kind end it
 constexpr auto kFirstRest = milliseconds(500);
 constexpr auto kLongestRest = milliseconds(8000);
+constexpr auto kFirstTick = milliseconds(250);
 constexpr auto kForgiven = std::chrono::seconds(10);  // without an error, before rests are short again
 
 enum class ErrorKind : std::uint8_t { none, force, end, other };
@@ -64,6 +65,8 @@ DeviceTrouble trouble_of(unsigned int code) noexcept {
       return DeviceTrouble::over_force;
     case hd::communication:
       return DeviceTrouble::communication_lost;
+    case hd::timer:
+      return DeviceTrouble::no_timer;
     default:
       return DeviceTrouble::device_fault;
   }
@@ -89,10 +92,19 @@ class OpenHapticsDevice final : public haptics::HapticDevice {
     bool docked = false, released = false;
   };
   static unsigned int scheduled(void* self) noexcept { return static_cast<OpenHapticsDevice*>(self)->tick(); }
+  /// The servo crashed in a frame of ours.
+  static void switch_off(void* self) noexcept { static_cast<OpenHapticsDevice*>(self)->write_zero(true); }
   unsigned int tick() noexcept;
+  /// The last ticks: zero force each, then the output goes off and no tick follows.
+  unsigned int leave() noexcept;
+  /// Sends zero force in a frame of its own, or in the one that is open. @param for_good  switches the output
+  /// off, too.
+  void write_zero(bool for_good) noexcept;
+  /// Whether ticks come, within kFirstTick.
+  [[nodiscard]] bool ticks_come() const noexcept;
   Reading read() noexcept;
-  /// Whether the device may be felt as far as its calibration goes; calibrates where it can.
-  bool calibrated(bool docked) noexcept;
+  /// What keeps the device from being felt as far as its calibration goes; calibrates where it can.
+  DeviceTrouble calibrate(const Reading& now) noexcept;
   /// Books an error of the library. @return false where the callback must end.
   bool book(const hd::ErrorInfo& error) noexcept;
 
@@ -101,52 +113,77 @@ class OpenHapticsDevice final : public haptics::HapticDevice {
   ServoLink link_;
   hd::SchedulerHandle scheduled_ = 0;
   bool started_ = false;  // interface
-  std::atomic<bool> stopping_{false}, ended_{false};
+  std::atomic<bool> stopping_{false}, ended_{false}, ticked_{false};
   // Servo thread.
   int ticks_ = 0, zero_ticks_ = 0, bad_ticks_ = 0;
+  bool leaving_ = false, in_frame_ = false;
+  std::uint32_t buttons_before_ = 0;
   unsigned int error_ = 0;  // why the force rests
   Clock::time_point rest_until_, last_error_;
   Clock::duration rest_ = kFirstRest;
-  bool inkwell_seen_ = false, switch_seen_ = false, calibrated_ = true;
+  bool inkwell_seen_ = false, switch_seen_ = false;
+  DeviceTrouble calibration_ = DeviceTrouble::none;
 };
 
 base::Result<void> OpenHapticsDevice::start(haptics::ServoCallback& servo) {
   if (started_) return base::fail(base::Errc::device, "the device is running already", port_->name);
   const hd::Functions& hd = port_->hd;
-  const auto refuse = [&](const char* what, const hd::ErrorInfo& error) {
+  const auto refuse = [&](const char* what, unsigned int code) {
+    hd.disable(hd::kForceOutput);
+    (void)hd::take_errors(hd);
+    const base::Error cause = trouble_error(trouble_of(code), "", static_cast<int>(code));
     return tl::unexpected(
-        base::Error{base::Errc::device, what, port_->name,
-                    trouble_error(trouble_of(error.code), "", static_cast<int>(error.code)).what});
+        base::Error{base::Errc::device, what, port_->name, cause.what + "; " + cause.remedy});
   };
   (void)hd::take_errors(hd);
+  // A scheduler that did not start for one of these reasons says nothing the second time.
+  const unsigned int before = hd::latched_error();
   hd.make_current(port_->handle);
   hd.enable(hd::kForceOutput);
-  if (const auto error = hd::take_errors(hd); error.code != 0) return refuse("it gives no force", error);
+  if (const auto error = hd::take_errors(hd); error.code != 0) return refuse("it gives no force", error.code);
   if (hd.set_scheduler_rate != nullptr && rate_hz_ != 1000) {
     hd.set_scheduler_rate(rate_hz_);
     if (hd::take_errors(hd).code != 0) rate_hz_ = 1000;  // refused: the default stays, which is no failure
   }
-  stopping_ = false;
-  ended_ = false;
+  stopping_ = ended_ = ticked_ = false;
   ticks_ = zero_ticks_ = bad_ticks_ = 0;
+  leaving_ = in_frame_ = false;
+  buttons_before_ = ~0U;  // what is down already was not pressed for this
   error_ = 0;
   rest_ = kFirstRest;
   rest_until_ = last_error_ = Clock::time_point{};
-  calibrated_ = true;
-  link_.start(servo);
+  calibration_ = DeviceTrouble::none;
+  link_.start(servo, &OpenHapticsDevice::switch_off, this);
   scheduled_ = hd.schedule_asynchronous(&OpenHapticsDevice::scheduled, this, hd::kFirst);
   if (const auto error = hd::take_errors(hd); error.code != 0) {
     link_.stop();
-    return refuse("its scheduler takes no servo", error);
+    return refuse("its scheduler takes no servo", error.code);
   }
   started_ = true;
-  hd.start_scheduler();
+  {
+    const SignalsBlocked inherited;  // by the scheduler's thread
+    hd.start_scheduler();
+  }
   // Force errors of the first ticks are the servo's business.
-  if (const auto error = hd::take_errors(hd); kind_of(error.code) == ErrorKind::end) {
+  auto error = hd::take_errors(hd);
+  if (kind_of(error.code) != ErrorKind::end && before != 0) {
+    if (ticks_come())
+      hd::forget_latched_error();
+    else
+      error.code = before;
+  }
+  if (kind_of(error.code) == ErrorKind::end) {
     stop();
-    return refuse("its scheduler does not start", error);
+    return refuse("its scheduler does not start", error.code);
   }
   return {};
+}
+
+bool OpenHapticsDevice::ticks_come() const noexcept {
+  const Clock::time_point end = Clock::now() + kFirstTick;
+  while (!ticked_.load(std::memory_order_acquire) && Clock::now() < end)
+    std::this_thread::sleep_for(milliseconds(1));
+  return ticked_.load(std::memory_order_acquire);
 }
 
 void OpenHapticsDevice::stop() noexcept {
@@ -159,8 +196,38 @@ void OpenHapticsDevice::stop() noexcept {
   hd.stop_scheduler();
   hd.unschedule(scheduled_);
   (void)hd::take_errors(hd);
+  // Whatever became of the ticks: with the scheduler stopped this thread may write. The frame of the last
+  // tick would count as the only one allowed.
+  hd.disable(hd::kOneFrameLimit);
+  write_zero(true);
+  hd.enable(hd::kOneFrameLimit);
+  (void)hd::take_errors(hd);
   started_ = false;
   link_.stop();
+}
+
+void OpenHapticsDevice::write_zero(bool for_good) noexcept {
+  const hd::Functions& hd = port_->hd;
+  constexpr double kNothing[3] = {0, 0, 0};
+  if (!in_frame_) {
+    hd.make_current(port_->handle);
+    hd.begin_frame(port_->handle);
+  }
+  hd.set_doubles(hd::kForce, kNothing);
+  hd.end_frame(port_->handle);
+  in_frame_ = false;
+  if (for_good) hd.disable(hd::kForceOutput);
+}
+
+unsigned int OpenHapticsDevice::leave() noexcept {
+  leaving_ = true;
+  const bool last = ++zero_ticks_ >= kZeroTicks;
+  write_zero(last);
+  (void)hd::take_errors(port_->hd);
+  if (!last) return hd::kAgain;
+  link_.confirm_off();
+  ended_.store(true, std::memory_order_release);
+  return hd::kDone;
 }
 
 OpenHapticsDevice::Reading OpenHapticsDevice::read() noexcept {
@@ -178,7 +245,7 @@ OpenHapticsDevice::Reading OpenHapticsDevice::read() noexcept {
     hd::Boolean out = 0;
     hd.get_booleans(hd::kInkwellSwitch, &out);
     if (out != 0) inkwell_seen_ = true;
-    r.docked = out == 0 && (inkwell_seen_ || (port_->calibration_style & hd::kInkwellStyle) != 0);
+    r.docked = out == 0 && (inkwell_seen_ || (port_->calibration_styles & hd::kInkwellStyle) != 0);
   }
   if (port_->reads_safety_switch) {
     hd::Boolean held = 0;
@@ -189,15 +256,32 @@ OpenHapticsDevice::Reading OpenHapticsDevice::read() noexcept {
   return r;
 }
 
-bool OpenHapticsDevice::calibrated(bool docked) noexcept {
+DeviceTrouble OpenHapticsDevice::calibrate(const Reading& now) noexcept {
   const hd::Functions& hd = port_->hd;
-  if (ticks_++ % kCalibrationTicks != 0) return calibrated_;
+  const std::uint32_t pressed = now.buttons & ~buttons_before_;
+  buttons_before_ = now.buttons;
+  const int style = hd::preferred_style(port_->calibration_styles);
+  const bool confirmed = calibration_ == DeviceTrouble::wants_reset_position && pressed != 0;
+  if (ticks_++ % kCalibrationTicks != 0 && !confirmed) return calibration_;
   const unsigned int need = hd.check_calibration();
-  calibrated_ = need != hd::kNeedsUpdate && need != hd::kNeedsManualInput;
-  const bool by_inkwell = (port_->calibration_style & hd::kInkwellStyle) != 0;
-  if (need == hd::kNeedsUpdate && (!by_inkwell || docked))
-    hd.update_calibration(static_cast<unsigned int>(port_->calibration_style));
-  return calibrated_;
+  if (need != hd::kNeedsUpdate && need != hd::kNeedsManualInput) return calibration_ = DeviceTrouble::none;
+  switch (style) {
+    case hd::kInkwellStyle:
+      calibration_ = DeviceTrouble::wants_inkwell;
+      break;
+    case hd::kResetStyle:
+      calibration_ = DeviceTrouble::wants_reset_position;
+      break;
+    default:
+      calibration_ = DeviceTrouble::not_calibrated;
+  }
+  // Encoders that are reset anywhere but at the reset position would be wrong from then on: only the learner
+  // knows when the arm is there.
+  const bool in_place = style == hd::kResetStyle ? confirmed
+                                                 : need == hd::kNeedsUpdate && (style == hd::kAutoStyle ||
+                                                                                (style != 0 && now.docked));
+  if (in_place) hd.update_calibration(static_cast<unsigned int>(style));
+  return calibration_;
 }
 
 bool OpenHapticsDevice::book(const hd::ErrorInfo& error) noexcept {
@@ -224,20 +308,16 @@ bool OpenHapticsDevice::book(const hd::ErrorInfo& error) noexcept {
 
 unsigned int OpenHapticsDevice::tick() noexcept {
   const hd::Functions& hd = port_->hd;
-  constexpr double kNothing[3] = {0, 0, 0};
-  hd.make_current(port_->handle);
-  hd.begin_frame(port_->handle);
-  if (stopping_.load(std::memory_order_acquire)) {
-    hd.set_doubles(hd::kForce, kNothing);
-    hd.end_frame(port_->handle);
-    if (++zero_ticks_ < kZeroTicks) return hd::kAgain;
-    ended_.store(true, std::memory_order_release);
-    return hd::kDone;
-  }
+  ticked_.store(true, std::memory_order_release);
+  if (leaving_ || stopping_.load(std::memory_order_acquire) || ForceGuard::forces() == Forces::cut)
+    return leave();
 
   const Clock::time_point begin = Clock::now();
+  hd.make_current(port_->handle);
+  hd.begin_frame(port_->handle);
+  in_frame_ = true;
   const Reading now = read();
-  const bool fine = calibrated(now.docked);
+  const DeviceTrouble calibration = calibrate(now);
   bool goes_on = book(hd::take_errors(hd));
   const bool resting = Clock::now() < rest_until_;
   double force_n[3] = {0, 0, 0};
@@ -245,8 +325,8 @@ unsigned int OpenHapticsDevice::tick() noexcept {
     link_.pause(DeviceState::lost, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);
   } else if (resting) {
     link_.pause(DeviceState::paused, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);
-  } else if (!fine) {
-    link_.pause(DeviceState::paused, DeviceTrouble::not_calibrated, 0, now.buttons);
+  } else if (calibration != DeviceTrouble::none) {
+    link_.pause(DeviceState::paused, calibration, 0, now.buttons);
   } else if (now.docked) {
     link_.pause(DeviceState::paused, DeviceTrouble::docked, 0, now.buttons);
   } else if (now.released) {
@@ -262,14 +342,16 @@ unsigned int OpenHapticsDevice::tick() noexcept {
   }
   hd.set_doubles(hd::kForce, force_n);
   hd.end_frame(port_->handle);
+  in_frame_ = false;
   link_.note_delay_s(std::chrono::duration<double>(Clock::now() - begin).count());
   if (goes_on && !book(hd::take_errors(hd))) {
     goes_on = false;
     link_.pause(DeviceState::lost, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);
   }
-  if (goes_on) return hd::kAgain;
-  ended_.store(true, std::memory_order_release);
-  return hd::kDone;
+  // The frame that failed may have left an earlier force on the device: the next ones write zeros.
+  leaving_ = !goes_on;
+  if (force_n[0] == 0 && force_n[1] == 0 && force_n[2] == 0) link_.confirm_zero();
+  return hd::kAgain;
 }
 
 class OpenHapticsBackEnd final : public BackEnd {

@@ -37,10 +37,11 @@ inline constexpr Enum kMaxStiffness = 0x2602;                            // doub
 inline constexpr Enum kMaxForce = 0x2603, kMaxContinuousForce = 0x2604;  // double, N
 inline constexpr Enum kMaxDamping = 0x2609;                              // double, N per mm/s
 inline constexpr Enum kForce = 0x2700;                                   // double[3], N
-inline constexpr Enum kForceOutput = 0x4000;                             // capability
+inline constexpr Enum kForceOutput = 0x4000, kOneFrameLimit = 0x4004;    // capabilities
 
 inline constexpr Enum kCalibrated = 0x5000, kNeedsUpdate = 0x5001, kNeedsManualInput = 0x5002;
-inline constexpr int kInkwellStyle = 4;
+// Styles of calibration: a device has one or several, hdUpdateCalibration takes exactly one.
+inline constexpr int kResetStyle = 1, kAutoStyle = 2, kInkwellStyle = 4;
 
 enum : unsigned int {
   bad_handle = 0x0104,
@@ -69,6 +70,7 @@ struct Functions {
   ErrorInfo (*get_error)() = nullptr;
   const char* (*error_string)(unsigned int) = nullptr;
   void (*enable)(Enum) = nullptr;
+  void (*disable)(Enum) = nullptr;
   Boolean (*is_enabled)(Enum) = nullptr;
   void (*get_booleans)(Enum, Boolean*) = nullptr;
   void (*get_integers)(Enum, int*) = nullptr;

@@ -2,12 +2,18 @@
 // Loading libHD.so and opening a device with it.
 #include "openhaptics_port.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <vector>
 
 #include "device_nodes.h"
+#include "force_guard.h"
 #include "shared_library.h"
 
 namespace nazori::devices::hd {
@@ -22,6 +28,39 @@ constexpr const char* kInstall =
 constexpr Handle kLargestHandle = 1024;
 constexpr int kMostErrors = 256;
 
+std::atomic<unsigned int> last_latched{0};
+
+/// The library prints up to twelve lines of advertisement on standard error each time it opens a device. What
+/// another thread prints meanwhile, which takes milliseconds, is lost with them.
+class QuietStandardError {
+ public:
+  QuietStandardError() : kept_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
+    const int nowhere = kept_ >= 0 ? ::open("/dev/null", O_WRONLY | O_CLOEXEC) : -1;
+    if (nowhere < 0) return;
+    (void)std::fflush(stderr);
+    (void)::dup2(nowhere, STDERR_FILENO);
+    (void)::close(nowhere);
+  }
+  ~QuietStandardError() {
+    if (kept_ < 0) return;
+    (void)std::fflush(stderr);
+    (void)::dup2(kept_, STDERR_FILENO);
+    (void)::close(kept_);
+  }
+  QuietStandardError(const QuietStandardError&) = delete;
+  QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+ private:
+  int kept_;
+};
+
+Handle init_quietly(const Functions& hd, const char* name) {
+  const QuietStandardError quiet;
+  // Threads that the library makes here must not run the program's signal handlers.
+  const SignalsBlocked inherited;
+  return hd.init_device(name);
+}
+
 std::string hex(unsigned int code) {
   std::string text;
   constexpr const char* kDigits = "0123456789abcdef";
@@ -29,11 +68,26 @@ std::string hex(unsigned int code) {
   return "0x" + text;
 }
 
+/// The entries of /dev that a PHANTOM or Touch may stand behind. Every keyboard has a hidraw node, so only
+/// those of the maker count.
+std::vector<DeviceNode> own_nodes(const OpenHapticsSettings& settings) {
+  constexpr std::string_view kVendor = "2988";  // 3D Systems, Geomagic
+  auto nodes = device_nodes(settings.device_folder, {"ttyACM", "hidraw", "raw1394"});
+  std::erase_if(nodes, [&](const DeviceNode& node) {
+    const std::string name = node.path.filename().string();
+    if (name.starts_with("raw1394")) return false;
+    const std::string vendor = usb_vendor(node.path, settings.system_folder);
+    return vendor != kVendor && (!vendor.empty() || name.starts_with("hidraw"));
+  });
+  return nodes;
+}
+
 tl::unexpected<DeviceProblem> refused(const Functions& hd, const ErrorInfo& error, const std::string& tried,
                                       const OpenHapticsSettings& settings) {
   const char* words = error.code != 0 ? hd.error_string(error.code) : nullptr;
-  const std::string said =
-      " (" + hex(error.code) + (words != nullptr ? std::string(": ") + words : "") + "; tried " + tried + ")";
+  const std::string code =
+      error.code == 0 ? "" : hex(error.code) + (words != nullptr ? std::string(": ") + words : "") + "; ";
+  const std::string said = " (" + code + "tried " + tried + ")";
   switch (error.code) {
     case already_initiated:
       return no_device(DeviceTrouble::in_use, "the device is open already" + said, kName,
@@ -44,14 +98,21 @@ tl::unexpected<DeviceProblem> refused(const Functions& hd, const ErrorInfo& erro
     case warm_motors:
       return no_device(DeviceTrouble::init_failed, "the device's motors are warm" + said, kName,
                        "wait some minutes");
+    case 0:
     case device_fault:
     case communication:
-    case configuration:
-      if (const auto advice =
-              permission_advice(device_nodes(settings.device_folder, {"ttyACM", "hidraw", "raw1394", "fw"})))
-        return no_device(DeviceTrouble::no_permission, "no device answers" + said, kName, *advice);
-      return no_device(DeviceTrouble::device_absent, "no device answers" + said, kName,
+    case configuration: {
+      const std::string what = "no device answers" +
+                               std::string(error.code == 0 ? ", and the library does not say why" : "") +
+                               said;
+      if (const auto advice = permission_advice(own_nodes(settings)))
+        return no_device(DeviceTrouble::no_permission, what, kName, *advice);
+      return no_device(DeviceTrouble::device_absent, what, kName,
                        "plug it in, switch it on and run the maker's Touch_Setup once");
+    }
+    case timer:
+      return no_device(DeviceTrouble::no_timer, "the library gets no timer from the system" + said, kName,
+                       "close other programs and start this one again");
     default:
       return no_device(DeviceTrouble::init_failed, "the library opens no device" + said, kName,
                        "run the maker's Touch_Diagnostic");
@@ -60,13 +121,27 @@ tl::unexpected<DeviceProblem> refused(const Functions& hd, const ErrorInfo& erro
 
 }  // namespace
 
+std::string remedy_for_missing(std::string_view words, std::string otherwise) {
+  const auto lacks = [&](std::string_view library) { return words.find(library) != std::string_view::npos; };
+  if (lacks("libncurses.so.5")) return "run sudo apt-get install libncurses5";
+  if (lacks("libPhantomManagerLite"))
+    return "install the Touch HID driver of 2023 or 2024 of 3D Systems, which brings it";
+  if (lacks("libPHANToMIO") || lacks("libPhantomIOLib"))
+    return "install the Touch driver of 3D Systems, which brings it";
+  return otherwise;
+}
+
 DeviceResult<Functions> load(const std::string& user_path) {
   std::vector<std::string> names{"libHD.so", "libHD.so.3.4", "libHD.so.3.0", "/usr/lib/libHD.so",
                                  "/usr/lib64/libHD.so"};
   // A path that the user gave is meant: nothing else is taken in its place.
   if (!user_path.empty()) names = {user_path};
-  const auto library = SharedLibrary::load(kName, names, kInstall);
-  if (!library) return tl::unexpected(library.error());
+  auto library = SharedLibrary::load(kName, names, kInstall);
+  if (!library) {
+    base::Error& error = library.error().error;
+    error.remedy = remedy_for_missing(error.what, error.remedy);
+    return tl::unexpected(library.error());
+  }
   Functions hd;
   DeviceResult<void> all;
   const auto need = [&](auto& function, const char* name) {
@@ -80,6 +155,7 @@ DeviceResult<Functions> load(const std::string& user_path) {
   need(hd.get_error, "hdGetError");
   need(hd.error_string, "hdGetErrorString");
   need(hd.enable, "hdEnable");
+  need(hd.disable, "hdDisable");
   need(hd.is_enabled, "hdIsEnabled");
   need(hd.get_booleans, "hdGetBooleanv");
   need(hd.get_integers, "hdGetIntegerv");
@@ -104,9 +180,14 @@ ErrorInfo take_errors(const Functions& hd) noexcept {
     const ErrorInfo error = hd.get_error();
     if (error.code == 0) break;
     oldest = error;
+    if (error.code == communication || error.code == configuration || error.code == timer)
+      last_latched.store(error.code, std::memory_order_relaxed);
   }
   return oldest;
 }
+
+unsigned int latched_error() noexcept { return last_latched.load(std::memory_order_relaxed); }
+void forget_latched_error() noexcept { last_latched.store(0, std::memory_order_relaxed); }
 
 DeviceResult<std::shared_ptr<Port>> Port::open(const Functions& hd, const OpenHapticsSettings& settings,
                                                const std::string& wanted_name) {
@@ -120,7 +201,7 @@ DeviceResult<std::shared_ptr<Port>> Port::open(const Functions& hd, const OpenHa
   ErrorInfo first{0, 0, kNoDevice};
   std::string tried;
   for (const char* name : names) {
-    const Handle handle = hd.init_device(name);
+    const Handle handle = init_quietly(hd, name);
     const ErrorInfo error = take_errors(hd);
     const bool plausible = handle != kNoDevice && (tried.empty() || handle <= kLargestHandle);
     if (plausible && error.code == 0) return std::shared_ptr<Port>(new Port(hd, handle));
@@ -128,6 +209,7 @@ DeviceResult<std::shared_ptr<Port>> Port::open(const Functions& hd, const OpenHa
     tried +=
         (tried.empty() ? "" : ", ") + (name != nullptr ? "'" + std::string(name) + "'" : "the first device");
   }
+  if (first.code == 0) first.code = latched_error();
   return refused(hd, first, tried, settings);
 }
 
@@ -166,8 +248,8 @@ void Port::describe() {
     workspace = {{box[0] * 1e-3, box[1] * 1e-3, box[2] * 1e-3},
                  {box[3] * 1e-3, box[4] * 1e-3, box[5] * 1e-3}};
 
-  hd.get_integers(kCalibrationStyle, &calibration_style);
-  if (take_errors(hd).code != 0) calibration_style = 0;
+  hd.get_integers(kCalibrationStyle, &calibration_styles);
+  if (take_errors(hd).code != 0) calibration_styles = 0;
   Boolean switched = 0;
   hd.get_booleans(kInkwellSwitch, &switched);
   reads_inkwell = take_errors(hd).code == 0;

@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "force_guard.h"
 #include "real_time.h"
 
 namespace nazori::devices {
@@ -83,6 +84,7 @@ base::Result<void> RtThread::start(double period_s, Tick tick) {
   in.stack_locked = false;
   in.memory.emplace();
   try {
+    const SignalsBlocked inherited;
     in.thread = std::thread([&in] { in.run(); });
   } catch (const std::system_error& e) {
     in.memory.reset();

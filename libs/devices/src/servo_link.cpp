@@ -15,12 +15,41 @@ namespace {
 constexpr auto kStalled = std::chrono::milliseconds(500);
 constexpr double kRateFilter = 0.02;
 
+struct Sentence {
+  const char* what;
+  const char* remedy;
+};
+
+/// @param cause  as ForcesOff.
+Sentence forces_off(std::int32_t cause) {
+  switch (static_cast<ForcesOff>(cause)) {
+    case ForcesOff::button:
+      return {"its force button switched its forces off", "press that button again"};
+    case ForcesOff::speed:
+      return {"its forces went off because it moved too fast", "move more slowly; it goes on by itself"};
+    case ForcesOff::watchdog:
+      return {"its forces went off because the program was late",
+              "close other programs; it goes on by itself"};
+    case ForcesOff::software:
+      return {"a program switched its forces off", "close other programs that use it; it goes on by itself"};
+    case ForcesOff::usb:
+      return {"its forces went off because its USB connection broke",
+              "check the cable, then choose it again"};
+    case ForcesOff::grip_switch:
+      return {"its forces are off because nobody holds it", "hold the stylus so that its switch is covered"};
+    case ForcesOff::unknown:
+      break;
+  }
+  return {"its forces are off", "press its force button, or switch it off and on"};
+}
+
 bool finite(const Vec3& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace
 
-void ServoLink::start(haptics::ServoCallback& servo) noexcept {
+void ServoLink::start(haptics::ServoCallback& servo, ForceGuard::Off off, void* device) noexcept {
   servo_ = &servo;
+  guard_.watch(off, device);
   begin_ = last_ = Clock::now();
   period_s_ = delay_s_ = 0;
   Stand stand;
@@ -30,6 +59,7 @@ void ServoLink::start(haptics::ServoCallback& servo) noexcept {
 }
 
 void ServoLink::stop() noexcept {
+  guard_.release();
   servo_ = nullptr;
   const Stand last = stand_.latest();
   Stand stand;
@@ -55,14 +85,23 @@ haptics::DeviceSample ServoLink::sample(std::uint32_t buttons) noexcept {
   return s;
 }
 
+Vec3 ServoLink::ask(const haptics::DeviceSample& sample) noexcept {
+  const ForceGuard::OwnCode own(guard_);
+  return servo_->tick(sample);
+}
+
 Vec3 ServoLink::feel(const Vec3& device_m, std::uint32_t buttons) noexcept {
+  if (ForceGuard::forces() != Forces::allowed) {
+    pause(DeviceState::paused, DeviceTrouble::none, 0, buttons);
+    return Vec3(0);
+  }
   if (!finite(device_m)) {
     pause(DeviceState::paused, DeviceTrouble::bad_message, 0, buttons);
     return Vec3(0);
   }
   haptics::DeviceSample s = sample(buttons);
   s.position_m = last_tablet_m_ = mapping_.to_tablet_m(device_m);
-  Vec3 force = mapping_.to_device_n(servo_->tick(s));
+  Vec3 force = mapping_.to_device_n(ask(s));
   const double size = glm::length(force);
   if (!(size <= limits_.max_force_n))
     force = std::isfinite(size) ? force * (limits_.max_force_n / size) : Vec3(0);
@@ -80,7 +119,7 @@ void ServoLink::pause(DeviceState state, DeviceTrouble trouble, std::int32_t cod
                       std::uint32_t buttons) noexcept {
   haptics::DeviceSample s = sample(buttons);
   s.present = false;
-  (void)servo_->tick(s);
+  (void)ask(s);
   Stand stand;
   stand.state = state;
   stand.trouble = trouble;
@@ -112,11 +151,7 @@ haptics::DeviceStatus ServoLink::status() const {
 }
 
 base::Error trouble_error(DeviceTrouble trouble, const std::string& device, std::int32_t code) {
-  struct Sentence {
-    const char* what;
-    const char* remedy;
-  };
-  const Sentence s = [trouble]() -> Sentence {
+  const Sentence s = [&]() -> Sentence {
     switch (trouble) {
       case DeviceTrouble::none:
         return {"all is well", ""};
@@ -137,12 +172,25 @@ base::Error trouble_error(DeviceTrouble trouble, const std::string& device, std:
       case DeviceTrouble::bad_calibration:
         return {"its calibration is unusable", "calibrate the device again"};
       case DeviceTrouble::docked:
-        return {"the stylus rests in its holder", "take it out to go on"};
+        return {"the stylus rests in its inkwell", "take it out to go on"};
       case DeviceTrouble::safety_switch:
         return {"the safety switch is not held", "hold the stylus so that the switch is pressed"};
       case DeviceTrouble::not_calibrated:
-        return {"it asks to be calibrated",
-                "put the stylus into its holder for a moment, or move every arm to its end"};
+        return {"it is not calibrated",
+                "move the stylus through all of its space, or calibrate it with the maker's program"};
+      case DeviceTrouble::wants_inkwell:
+        return {"it is not calibrated", "put the stylus into its inkwell for a moment"};
+      case DeviceTrouble::wants_reset_position:
+        return {
+            "it is not calibrated",
+            "hold the arm at its reset position, as the maker's manual shows it, and press a button of the "
+            "stylus"};
+      case DeviceTrouble::not_homed:
+        return {
+            "it is not homed, so it brakes and tells no position",
+            "home it: press the button of an omega or delta, pull all arms of a Falcon out and push them in"};
+      case DeviceTrouble::forces_off:
+        return forces_off(code);
       case DeviceTrouble::over_force:
         return {"its guard against too much force acted", "hold the stylus lightly; it goes on by itself"};
       case DeviceTrouble::over_speed:
@@ -158,6 +206,9 @@ base::Error trouble_error(DeviceTrouble trouble, const std::string& device, std:
         return {"the connection was lost", "check cable and power, then choose the device again"};
       case DeviceTrouble::device_fault:
         return {"it reports a fault", "switch it off and on, then choose it again"};
+      case DeviceTrouble::no_timer:
+        return {"its library gets no timer from the system",
+                "close other programs, then choose the device again"};
       case DeviceTrouble::stalled:
         return {"it does not answer any more", "check cable and power, then choose the device again"};
       case DeviceTrouble::service_gone:
@@ -168,6 +219,7 @@ base::Error trouble_error(DeviceTrouble trouble, const std::string& device, std:
     return {"unknown trouble", ""};
   }();
   std::string what = s.what;
+  if (trouble == DeviceTrouble::forces_off) code = 0;  // it has been said in words
   // The makers' codes are written in hexadecimal in their manuals.
   if (code > 0) {
     constexpr const char* kDigits = "0123456789abcdef";

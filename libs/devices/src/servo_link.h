@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "force_guard.h"
 #include "nazori/devices/workspace_mapping.h"
 #include "nazori/haptics/haptic_device.h"
 #include "nazori/haptics/latest_value.h"
@@ -21,7 +22,7 @@ namespace nazori::devices {
 
 /// What every back end does around the servo's tick: turns the pose into the tablet frame and the force back,
 /// lets no force out that is not finite or over the device's peak, gives none while the device is paused or
-/// lost, and tells the interface how it stands.
+/// lost or all forces are cut (ForceGuard), and tells the interface how it stands.
 /// The servo thread's members neither allocate, lock, log, throw nor wait.
 class ServoLink {
  public:
@@ -30,8 +31,10 @@ class ServoLink {
       : name_(std::move(name)), mapping_(mapping), limits_(limits) {}
 
   /// Before the first tick. Thread: interface, while nothing ticks.
-  void start(haptics::ServoCallback& servo) noexcept;
-  /// After the last tick. Thread: interface, while nothing ticks.
+  /// @param off  switches the device's force off, on the servo thread; may be null. @param device  its
+  /// argument.
+  void start(haptics::ServoCallback& servo, ForceGuard::Off off = nullptr, void* device = nullptr) noexcept;
+  /// After the last tick and the last zero force. Thread: interface, while nothing ticks.
   void stop() noexcept;
 
   /// A tick with the stylus in a hand. Thread: servo.
@@ -43,6 +46,11 @@ class ServoLink {
   /// @param code  of the maker, for the sentence; 0 none.
   void pause(haptics::DeviceState state, haptics::DeviceTrouble trouble, std::int32_t code,
              std::uint32_t buttons) noexcept;
+
+  /// Forces are held, and the device was told zero. Thread: servo.
+  void confirm_zero() noexcept { guard_.confirm_zero(); }
+  /// The device was told zero, its output is off, and no force follows. Thread: servo.
+  void confirm_off() noexcept { guard_.confirm_off(); }
 
   /// From pose to force, as measured. Thread: servo.
   void set_delay_s(double delay_s) noexcept { delay_s_ = delay_s; }
@@ -67,6 +75,7 @@ class ServoLink {
   };
   haptics::DeviceSample sample(std::uint32_t buttons) noexcept;
   void publish(Stand stand) noexcept;
+  haptics::Vec3 ask(const haptics::DeviceSample& sample) noexcept;
 
   std::string name_;
   WorkspaceMapping mapping_;
@@ -77,7 +86,12 @@ class ServoLink {
   Clock::time_point begin_, now_, last_;
   haptics::Vec3 last_tablet_m_{0, 0, 0.02};
   double period_s_ = 0, delay_s_ = 0;
+  ForceGuard guard_;
 };
+
+/// Why a device switched its forces off by itself: the code of DeviceTrouble::forces_off.
+/// @source DHD 3.17 dhdc.h, DHD_FORCEOFF_...
+enum class ForcesOff : std::int32_t { unknown, button, speed, watchdog, software, usb, grip_switch };
 
 /// The sentence for a device in trouble: what happened and what to do. @param code  of the maker, 0 none.
 [[nodiscard]] base::Error trouble_error(haptics::DeviceTrouble trouble, const std::string& device,

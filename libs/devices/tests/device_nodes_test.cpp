@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace nazori::devices {
 namespace {
 
@@ -23,6 +26,27 @@ TEST(DeviceNodes, AreTheEntriesOfTheFolderWithThosePrefixes) {
   EXPECT_TRUE(nodes.front().open);
   EXPECT_FALSE(nodes.front().group.empty());
   EXPECT_TRUE(device_nodes("/nowhere/at/all", {"null"}).empty());
+}
+
+TEST(UsbVendor, IsReadFromBothKindsOfDescription) {
+  namespace fs = std::filesystem;
+  const fs::path root = fs::path(testing::TempDir()) / "nazori-usb-vendor";
+  const auto describe = [&](const char* group, const char* name, const char* text) {
+    fs::create_directories(root / "class" / group / name / "device");
+    std::ofstream(root / "class" / group / name / "device" / "uevent") << text;
+  };
+  describe("hidraw", "hidraw3", "DRIVER=hid-generic\nHID_ID=0003:0000046D:0000C31C\nHID_NAME=a:b\n");
+  describe("hidraw", "hidraw4", "HID_ID=0003:00002988:00000302\n");
+  describe("tty", "ttyACM0", "DEVTYPE=usb_interface\nPRODUCT=2988/302/100\n");
+  describe("tty", "ttyACM1", "PRODUCT=403/cb48/900\n");
+  describe("tty", "ttyACM2", "DRIVER=none\n");
+  EXPECT_EQ(usb_vendor("/dev/hidraw3", root), "046D");
+  EXPECT_EQ(usb_vendor("/dev/hidraw4", root), "2988");
+  EXPECT_EQ(usb_vendor("/dev/ttyACM0", root), "2988");
+  EXPECT_EQ(usb_vendor("/dev/ttyACM1", root), "0403");
+  EXPECT_EQ(usb_vendor("/dev/ttyACM2", root), "");
+  EXPECT_EQ(usb_vendor("/dev/hidraw9", root), "");
+  fs::remove_all(root);
 }
 
 }  // namespace

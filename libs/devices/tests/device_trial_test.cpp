@@ -66,5 +66,29 @@ TEST(RealTimeReadiness, SaysForEachLimitWhatToChange) {
   EXPECT_FALSE(real_time_readiness().kernel.empty());
 }
 
+TEST(RealTimeReadiness, AsksForNothingThatRootOrACapabilityGives) {
+  // The numbers of linux/capability.h: 14 locks memory, 23 sets priorities.
+  const auto with = [](std::uint64_t capabilities) {
+    return real_time_readiness(0, 8 << 20, "6.1.0", "#1 SMP PREEMPT", capabilities);
+  };
+  EXPECT_EQ(with(0).advice.size(), 2U);
+  EXPECT_TRUE(with((1ULL << 14) | (1ULL << 23)).advice.empty());
+  EXPECT_TRUE(with(0x1ffffffffffULL).advice.empty());
+  ASSERT_EQ(with(1ULL << 23).advice.size(), 1U);
+  EXPECT_NE(with(1ULL << 23).advice[0].find("memory"), std::string::npos);
+  ASSERT_EQ(with(1ULL << 14).advice.size(), 1U);
+  EXPECT_NE(with(1ULL << 14).advice[0].find("priority"), std::string::npos);
+  EXPECT_EQ(with(1ULL << 23).priority_limit, -1);
+  EXPECT_EQ(with(1ULL << 14).locked_bytes, -1);
+}
+
+TEST(RealTimeReadiness, CapabilitiesAreReadAsTheKernelWritesThem) {
+  EXPECT_EQ(effective_capabilities("Name:\tx\nCapPrm:\tffff\nCapEff:\t0000000000804000\nCapBnd:\t1\n"),
+            (1ULL << 14) | (1ULL << 23));
+  EXPECT_EQ(effective_capabilities("CapEff:\t000001ffffffffff"), 0x1ffffffffffULL);
+  EXPECT_EQ(effective_capabilities("CapEff:"), 0U);
+  EXPECT_EQ(effective_capabilities(""), 0U);
+}
+
 }  // namespace
 }  // namespace nazori::devices

@@ -4,7 +4,13 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <glm/geometric.hpp>
 
 #include "felt_plane.h"
@@ -43,7 +49,13 @@ class ForceDimension : public testing::Test {
   }
 
   standin::DhdStage* stage;
-  std::unique_ptr<BackEnd> back_end = force_dimension_back_end({kLibrary, 1000});
+  static ForceDimensionSettings settings() {
+    ForceDimensionSettings s;
+    s.library = kLibrary;
+    s.system_folder = "/nowhere";
+    return s;
+  }
+  std::unique_ptr<BackEnd> back_end = force_dimension_back_end(settings());
 };
 
 TEST_F(ForceDimension, EveryDeviceIsListedAndClosedAgain) {
@@ -107,6 +119,10 @@ TEST_F(ForceDimension, LimitsAreThoseOfTheKindAndNeverAboveTheDevicesOwn) {
   stage->max_force_n = 7;
   EXPECT_EQ(opened().device->describe().limits.max_force_n, 7);
   stage->max_force_n = 100;
+  stage->name = "sigma.7";
+  OpenRequest as_it_is;
+  as_it_is.calibration.emplace();
+  EXPECT_EQ(back_end->open("forcedimension", as_it_is)->device->describe().limits.max_stiffness_n_m, 4000);
   stage->name = "Novint Falcon";
   EXPECT_EQ(opened().device->describe().limits.max_force_n, 8);
   stage->name = "";
@@ -172,16 +188,131 @@ TEST_F(ForceDimension, PositionsThatAreNotNumbersGiveNoForce) {
   EXPECT_TRUE(comes_true([&] { return force() == 0; }));
 }
 
-TEST_F(ForceDimension, ADeviceThatIsNotHomedRefusesToStartAndSaysHow) {
+TEST_F(ForceDimension, ADeviceThatIsNotHomedPausesSaysHowToHomeItAndGoesOnByItself) {
+  stage->not_homed = true;
   FeltPlane plane;
   OpenedDevice device = opened();
-  stage->not_homed = true;
-  const auto refused = device.device->start(plane);
-  ASSERT_FALSE(refused);
-  EXPECT_NE(base::to_line(refused.error()).find("pull all arms"), std::string::npos);
+  ASSERT_TRUE(device.device->start(plane));  // in the library's eyes a success
+  EXPECT_EQ(test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::not_homed).message,
+            "omega.3: it is not homed, so it brakes and tells no position (home it: press the button of an "
+            "omega or delta, pull all arms of a Falcon out and push them in)");
+  EXPECT_EQ(plane.present, 0);  // the place that it tells is no place
+  EXPECT_EQ(force(), 0);
   stage->not_homed = false;
-  EXPECT_TRUE(device.device->start(plane));
+  stage->force_on = false;  // until somebody switches them on again
+  stage->x_m = -0.003;
+  EXPECT_TRUE(comes_true([&] { return stage->force_on && force() > 0.5; }));
+  EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::running; }));
   EXPECT_FALSE(device.device->start(plane));
+}
+
+TEST_F(ForceDimension, ForcesThatGoOffInMidRunPauseItWithTheCause) {
+  struct Case {
+    int cause;
+    const char* words;
+    bool comes_back;  // by itself, because Nazori switches them on again
+  };
+  for (const Case& c : {Case{1, "press that button again", false}, Case{2, "move more slowly", true},
+                        Case{3, "program was late", true}, Case{4, "a program switched", true},
+                        Case{5, "USB connection", false}, Case{6, "nobody holds it", false},
+                        Case{0, "forces are off", true}, Case{99, "forces are off", true}}) {
+    stage->force_on = false;
+    stage->force_off_cause = 0;
+    stage->x_m = -0.003;
+    FeltPlane plane;
+    OpenedDevice device = opened();
+    ASSERT_TRUE(device.device->start(plane));
+    EXPECT_TRUE(comes_true([&] { return force() > 0.5; })) << c.cause;
+    stage->force_off_cause = c.cause;
+    stage->force_on = false;
+    const int enables = stage->enables;
+    const auto paused = test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::forces_off);
+    EXPECT_NE(paused.message.find(c.words), std::string::npos) << c.cause << ": " << paused.message;
+    EXPECT_EQ(paused.message.find("0x"), std::string::npos);
+    EXPECT_TRUE(comes_true([&] { return force() == 0; }));
+    if (c.comes_back) {
+      EXPECT_TRUE(comes_true([&] { return stage->enables > enables; })) << c.cause;
+      stage->force_off_cause = 0;
+    } else {
+      const std::uint64_t from = stage->reads;
+      EXPECT_TRUE(comes_true([&] { return stage->reads > from + 800; }));  // longer than the rest
+      EXPECT_EQ(stage->enables, enables) << c.cause;
+      stage->force_off_cause = 0;
+      stage->force_on = true;  // the learner did
+    }
+    EXPECT_TRUE(comes_true([&] { return force() > 0.5; })) << c.cause;
+    EXPECT_TRUE(comes_true([&] { return device.device->status().message.empty(); }));
+  }
+}
+
+TEST_F(ForceDimension, ALostDeviceAndAStoppedOneHaveForcesOff) {
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  stage->x_m = -0.003;
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.5; }));
+  stage->bad_reads = 1'000'000;
+  (void)test::comes_to(*device.device, DeviceState::lost, DeviceTrouble::communication_lost);
+  EXPECT_EQ(force(), 0);
+  EXPECT_FALSE(stage->force_on);
+  device.device->stop();
+  EXPECT_EQ(force(), 0);
+  EXPECT_FALSE(stage->force_on);
+}
+
+TEST_F(ForceDimension, AGripperIsAButton) {
+  stage->name = "omega.7";
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(stage->button_emulated);
+}
+
+TEST_F(ForceDimension, OnlyADeviceOfTheMakerCountsAsOneThatMayNotBeOpened) {
+  namespace fs = std::filesystem;
+  const fs::path root = fs::path(testing::TempDir()) / "nazori-usb-nodes";
+  fs::remove_all(root);
+  const auto plug_in = [&](const std::string& port, const char* vendor, const char* product,
+                           const std::string& number) {
+    const fs::path about = root / "sys" / "bus" / "usb" / "devices" / port;
+    fs::create_directories(about);
+    std::ofstream(about / "idVendor") << vendor << "\n";
+    std::ofstream(about / "idProduct") << product << "\n";
+    std::ofstream(about / "busnum") << "3\n";
+    std::ofstream(about / "devnum") << number << "\n";
+    fs::create_directories(root / "dev" / "bus" / "usb" / "003");
+    const fs::path node =
+        root / "dev" / "bus" / "usb" / "003" / std::string(3 - number.size(), '0').append(number);
+    std::ofstream(node) << "";
+    fs::permissions(node, fs::perms::none);
+  };
+  // Root may open everything, so it asks as nobody.
+  const auto ask_as_nobody = [&](const std::string& part) {
+    if (geteuid() == 0 && setuid(65534) != 0) std::_Exit(99);
+    stage->devices = 0;
+    ForceDimensionSettings s;
+    s.library = kLibrary;
+    s.device_folder = root / "dev";
+    s.system_folder = root / "sys";
+    const std::string line = base::to_line(force_dimension_back_end(s)->find().problem->error);
+    std::fputs(line.c_str(), stderr);
+    std::_Exit(line.find(part) != std::string::npos ? 0 : 1);
+  };
+  const auto trouble_as_nobody = [&](const char* part) {
+    EXPECT_EXIT(ask_as_nobody(part), testing::ExitedWithCode(0), part);
+  };
+  plug_in("3-1", "046d", "c31c", "2");  // a keyboard
+  plug_in("3-2", "0403", "6001", "5");  // a serial adapter of the Falcon's chip
+  fs::create_directories(root / "dev");
+  std::ofstream(root / "dev" / "hidraw0") << "";
+  fs::permissions(root / "dev" / "hidraw0", fs::perms::none);
+  trouble_as_nobody("plug it in");
+  plug_in("3-3", "1451", "0402", "17");
+  trouble_as_nobody("bus/usb/003/017: set a udev rule");
+  fs::remove_all(root / "sys" / "bus" / "usb" / "devices" / "3-3");
+  plug_in("3-4", "0403", "cb48", "104");
+  trouble_as_nobody("bus/usb/003/104: set a udev rule");
+  fs::remove_all(root);
 }
 
 TEST_F(ForceDimension, EveryFailureToOpenSaysInOneLineWhatToDo) {
@@ -191,13 +322,19 @@ TEST_F(ForceDimension, EveryFailureToOpenSaysInOneLineWhatToDo) {
   stage->devices = 1;
   stage->open_error = 3;
   EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::in_use);
+  stage->open_error = 20;
+  EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::in_use);
+  EXPECT_NE(base::to_line(back_end->find().problem->error).find("close the other program"),
+            std::string::npos);
   stage->open_error = 2;
   EXPECT_NE(base::to_line(back_end->find().problem->error).find("communication error"), std::string::npos);
-  EXPECT_EQ(force_dimension_back_end({"/nowhere/libdhd.so", 1000})->find().problem->trouble,
-            DeviceTrouble::library_missing);
+  ForceDimensionSettings missing;
+  missing.library = "/nowhere/libdhd.so";
+  EXPECT_EQ(force_dimension_back_end(missing)->find().problem->trouble, DeviceTrouble::library_missing);
   // Another library under that name.
-  const auto other =
-      force_dimension_back_end({std::string(test_paths::kStandins) + "/libHD.so", 1000})->find();
+  ForceDimensionSettings another;
+  another.library = std::string(test_paths::kStandins) + "/libHD.so";
+  const auto other = force_dimension_back_end(another)->find();
   EXPECT_EQ(other.problem->trouble, DeviceTrouble::symbol_missing);
   EXPECT_NE(base::to_line(other.problem->error).find("dhdGetDeviceCount"), std::string::npos);
 }
@@ -205,8 +342,9 @@ TEST_F(ForceDimension, EveryFailureToOpenSaysInOneLineWhatToDo) {
 TEST_F(ForceDimension, AnOlderLibraryWithoutTheButtonMaskStillWorks) {
   standin::DhdStage* const old = stage_of(std::string(test_paths::kStandins) + "/incomplete/libdhd.so");
   FeltPlane plane;
-  auto device = force_dimension_back_end({std::string(test_paths::kStandins) + "/incomplete/libdhd.so", 1000})
-                    ->open("forcedimension", {});
+  ForceDimensionSettings older;
+  older.library = std::string(test_paths::kStandins) + "/incomplete/libdhd.so";
+  auto device = force_dimension_back_end(older)->open("forcedimension", {});
   ASSERT_TRUE(device);
   old->buttons = 1;
   ASSERT_TRUE(device->device->start(plane));

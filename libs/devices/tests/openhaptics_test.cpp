@@ -3,14 +3,20 @@
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "felt_plane.h"
 #include "nazori/devices/device_catalogue.h"
+#include "openhaptics_port.h"
 #include "standins/hd_standin.h"
 #include "test_paths.h"
 
@@ -204,12 +210,64 @@ TEST_F(OpenHaptics, AsksForTheInkwellAndCalibratesThere) {
   FeltPlane plane;
   OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(plane));
-  EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == DeviceTrouble::not_calibrated; }));
+  EXPECT_NE(test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::wants_inkwell)
+                .message.find("into its inkwell"),
+            std::string::npos);
   EXPECT_EQ(stage->calibrations, 0);
   stage->out_of_inkwell = false;
   EXPECT_TRUE(comes_true([&] { return stage->calibrations == 1; }));
   stage->out_of_inkwell = true;
   EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::running; }));
+}
+
+TEST_F(OpenHaptics, CalibratesByOneStyleOfSeveralAutomaticFirst) {
+  // The maker's example: automatic before inkwell before reset. The library takes no mask.
+  for (const auto& [styles, style] :
+       {std::pair{2, 2U}, std::pair{3, 2U}, std::pair{6, 2U}, std::pair{7, 2U}}) {
+    stage->calibration_style = styles;
+    stage->calibration = 0x5001;
+    FeltPlane plane;
+    OpenedDevice device = opened();
+    ASSERT_TRUE(device.device->start(plane));
+    EXPECT_TRUE(comes_true([&] { return stage->calibration == 0x5000U; })) << styles;
+    EXPECT_EQ(stage->calibrated_by, style) << styles;
+    EXPECT_TRUE(comes_true([&] { return plane.present > 3; })) << styles;
+  }
+  for (const int styles : {4, 5}) {
+    stage->calibration_style = styles;
+    stage->calibration = 0x5001;
+    stage->out_of_inkwell = false;
+    FeltPlane plane;
+    OpenedDevice device = opened();
+    ASSERT_TRUE(device.device->start(plane));
+    EXPECT_TRUE(comes_true([&] { return stage->calibration == 0x5000U; })) << styles;
+    EXPECT_EQ(stage->calibrated_by, 4U) << styles;
+    stage->out_of_inkwell = true;
+  }
+}
+
+TEST_F(OpenHaptics, AnArmWithoutInkwellIsCalibratedWhereTheLearnerSaysThatItIsAtItsResetPosition) {
+  for (const unsigned int need : {0x5001U, 0x5002U}) {
+    stage->calibration_style = 1;
+    stage->calibration = need;
+    stage->calibrations = 0;
+    stage->buttons = 1;  // pressed before it was asked for: no answer
+    FeltPlane plane;
+    OpenedDevice device = opened();
+    ASSERT_TRUE(device.device->start(plane));
+    EXPECT_NE(test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::wants_reset_position)
+                  .message.find("press a button"),
+              std::string::npos);
+    const std::uint64_t from = stage->ticks;
+    EXPECT_TRUE(comes_true([&] { return stage->ticks > from + 200; }));  // some looks at the calibration
+    EXPECT_EQ(stage->calibrations, 0);
+    stage->buttons = 0;
+    EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 0; }));
+    stage->buttons = 2;
+    EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::running; }));
+    EXPECT_EQ(stage->calibrated_by, 1U);
+    EXPECT_EQ(stage->calibrations, 1);
+  }
 }
 
 TEST_F(OpenHaptics, ForceErrorsTakeTheForceAwayAtOnceAndItComesBackByItself) {
@@ -284,8 +342,51 @@ TEST_F(OpenHaptics, EverySchedulerErrorEndsIt) {
     ASSERT_TRUE(device.device->start(plane));
     stage->next_error = code;
     EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::lost; })) << code;
+    EXPECT_EQ(device.device->status().trouble,
+              code == 0x0304 ? DeviceTrouble::no_timer : DeviceTrouble::device_fault);
     EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
   }
+}
+
+TEST_F(OpenHaptics, WhateverEndsItTheLastForceWrittenIsZeroAndForcesAreOff) {
+  // The library takes no force away by itself: what was written last stays.
+  for (const unsigned int code : {0x0104U, 0x0300U, 0x0302U, 0x0303U, 0x0304U}) {
+    test::Push push({0, 0, 1});
+    OpenedDevice device = opened();
+    ASSERT_TRUE(device.device->start(push));
+    EXPECT_TRUE(comes_true([&] { return pushes({0, 0, 1}); })) << code;
+    EXPECT_TRUE(stage->output);
+    stage->next_error = code;
+    // At once, not only when somebody stops it.
+    EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)) && !stage->output; })) << code;
+    EXPECT_EQ(stage->force_despite_error_n, 0) << code;
+    device.device->stop();
+    EXPECT_TRUE(pushes(Vec3(0))) << code;
+    EXPECT_FALSE(stage->output) << code;
+  }
+}
+
+TEST_F(OpenHaptics, AStopLeavesNoForceEvenWhereNoTickComesAnyMore) {
+  for (const bool frozen : {false, true}) {
+    test::Push push({0, 0, 1});
+    OpenedDevice device = opened();
+    ASSERT_TRUE(device.device->start(push));
+    EXPECT_TRUE(comes_true([&] { return pushes({0, 0, 1}); }));
+    stage->frozen = frozen;
+    device.device->stop();
+    EXPECT_TRUE(pushes(Vec3(0))) << frozen;
+    EXPECT_FALSE(stage->output) << frozen;
+    stage->frozen = false;
+  }
+}
+
+TEST_F(OpenHaptics, AStartThatIsRefusedLeavesForcesOff) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  stage->start_error = 0x0304;
+  ASSERT_FALSE(device.device->start(push));
+  EXPECT_FALSE(stage->output);
+  EXPECT_TRUE(pushes(Vec3(0)));
 }
 
 TEST_F(OpenHaptics, AServoThatStandsStillIsSaidAndDoesNotHoldUpTheStop) {
@@ -332,7 +433,8 @@ TEST_F(OpenHaptics, EveryFailureToOpenSaysInOneLineWhatToDo) {
     DeviceTrouble trouble;
     const char* words;
   };
-  for (const Case& c : {Case{0x0302, DeviceTrouble::device_absent, "Touch_Setup"},
+  for (const Case& c : {Case{0x0304, DeviceTrouble::no_timer, "close other programs"},
+                        Case{0x0302, DeviceTrouble::device_absent, "Touch_Setup"},
                         Case{0x0303, DeviceTrouble::device_absent, "'Default PHANToM'"},
                         Case{0x0200, DeviceTrouble::init_failed, "wait some minutes"},
                         Case{0x0600, DeviceTrouble::init_failed, "OH_SDK_LICENSE_PATH"},
@@ -346,6 +448,61 @@ TEST_F(OpenHaptics, EveryFailureToOpenSaysInOneLineWhatToDo) {
     EXPECT_EQ(line.find('\n'), std::string::npos);
     EXPECT_EQ(stage->disables, 0);
   }
+}
+
+TEST_F(OpenHaptics, TheSecondLookSaysWhatTheFirstSaidThoughTheLibraryDoesNot) {
+  // It says 0x0302 to 0x0304 once for each cause.
+  for (const auto& [code, words] :
+       {std::pair{0x0302U, "0x0302"}, std::pair{0x0303U, "0x0303"}, std::pair{0x0304U, "0x0304"}}) {
+    stage->init_error = code;
+    const BackEndFindings first = back_end->find();
+    const BackEndFindings second = back_end->find();
+    ASSERT_TRUE(first.problem && second.problem);
+    EXPECT_NE(base::to_line(first.problem->error).find(words), std::string::npos);
+    EXPECT_EQ(base::to_line(second.problem->error), base::to_line(first.problem->error));
+    EXPECT_EQ(second.problem->trouble, first.problem->trouble);
+  }
+}
+
+TEST_F(OpenHaptics, ALibraryThatRefusesWithoutAReasonIsNotSentToTheWrongTool) {
+  {
+    // Whatever an earlier device came to is over once one has run.
+    FeltPlane plane;
+    OpenedDevice device = opened();
+    stage->start_error = 0x0304;
+    EXPECT_FALSE(device.device->start(plane));
+    stage->start_error = 0;
+    ASSERT_TRUE(device.device->start(plane));
+  }
+  stage->init_error = 0x0302;
+  stage->silent = true;
+  const BackEndFindings found = back_end->find();
+  ASSERT_TRUE(found.problem);
+  EXPECT_EQ(found.problem->trouble, DeviceTrouble::device_absent);
+  EXPECT_NE(base::to_line(found.problem->error).find("does not say why (tried"), std::string::npos)
+      << base::to_line(found.problem->error);
+}
+
+TEST_F(OpenHaptics, ASchedulerThatIsRefusedTwiceIsAnErrorTwice) {
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  stage->start_error = 0x0304;
+  ASSERT_FALSE(device.device->start(plane));
+  // The library says nothing this time, and no tick comes.
+  const auto second = device.device->start(plane);
+  ASSERT_FALSE(second);
+  EXPECT_NE(base::to_line(second.error()).find("0x304"), std::string::npos) << base::to_line(second.error());
+  EXPECT_EQ(device.device->status().state, DeviceState::stopped);
+  stage->start_error = 0;
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.present > 3; }));
+}
+
+TEST_F(OpenHaptics, TheMakersBannerIsNotPrinted) {
+  testing::internal::CaptureStderr();
+  (void)back_end->find();
+  std::fputs("ours\n", stderr);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "ours\n");
 }
 
 TEST_F(OpenHaptics, ASchedulerThatDoesNotStartIsAnErrorOfStart) {
@@ -390,6 +547,50 @@ TEST_F(OpenHaptics, AMissingLibraryIsNamedWithAllTheNamesThatWereTried) {
   EXPECT_NE(base::to_line(found.problem->error).find("/nowhere/libHD.so"), std::string::npos);
 }
 
+TEST_F(OpenHaptics, OnlyNodesOfTheMakerCountAsDevicesThatMayNotBeOpened) {
+  namespace fs = std::filesystem;
+  const fs::path root = fs::path(testing::TempDir()) / "nazori-touch-nodes";
+  fs::remove_all(root);
+  const auto node = [&](const std::string& name, const std::string& group, const std::string& about) {
+    fs::create_directories(root / "dev");
+    fs::create_directories(root / "sys" / "class" / group / name / "device");
+    std::ofstream(root / "dev" / name) << "";
+    fs::permissions(root / "dev" / name, fs::perms::none);
+    std::ofstream(root / "sys" / "class" / group / name / "device" / "uevent") << about;
+  };
+  // Root may open everything, so it asks as nobody.
+  const auto line_as_nobody = [&]() -> std::string {
+    int ends[2];
+    EXPECT_EQ(pipe(ends), 0);
+    const pid_t process = fork();
+    if (process == 0) {
+      if (geteuid() == 0 && setuid(65534) != 0) std::_Exit(1);
+      OpenHapticsSettings s = settings();
+      s.device_folder = root / "dev";
+      s.system_folder = root / "sys";
+      stage->init_error = 0x0303;
+      const std::string line = base::to_line(openhaptics_back_end(s)->find().problem->error);
+      (void)!write(ends[1], line.data(), line.size());
+      std::_Exit(0);
+    }
+    close(ends[1]);
+    std::string line(4096, '\0');
+    line.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(ends[0], line.data(), line.size()))));
+    close(ends[0]);
+    waitpid(process, nullptr, 0);
+    return line;
+  };
+  node("hidraw0", "hidraw", "DRIVER=hid-generic\nHID_ID=0003:0000046D:0000C31C\n");  // a keyboard
+  node("ttyACM0", "tty", "DRIVER=cdc_acm\nPRODUCT=2341/43/1\n");
+  EXPECT_NE(line_as_nobody().find("Touch_Setup"), std::string::npos) << line_as_nobody();
+  node("hidraw1", "hidraw", "DRIVER=hid-generic\nHID_ID=0003:00002988:00000302\n");
+  EXPECT_NE(line_as_nobody().find("/dev/hidraw1: set a udev rule"), std::string::npos) << line_as_nobody();
+  fs::remove(root / "dev" / "hidraw1");
+  node("ttyACM1", "tty", "DRIVER=cdc_acm\nPRODUCT=2988/302/100\n");
+  EXPECT_NE(line_as_nobody().find("/dev/ttyACM1"), std::string::npos) << line_as_nobody();
+  fs::remove_all(root);
+}
+
 TEST_F(OpenHaptics, ALibraryThatLacksAFunctionIsRefusedByTheNameOfTheFunction) {
   OpenHapticsSettings incomplete;
   incomplete.library = std::string(test_paths::kStandins) + "/incomplete/libHD.so";
@@ -406,6 +607,20 @@ TEST_F(OpenHaptics, AFileThatIsNoLibraryIsSaidInTheLoadersWords) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().trouble, DeviceTrouble::library_missing);
   EXPECT_NE(base::to_line(refused.error().error).find("does not load"), std::string::npos);
+}
+
+TEST_F(OpenHaptics, ALibraryThatLacksAnotherNamesWhatBringsIt) {
+  // The loader's words, as Debian 12 says them.
+  const auto words = [](const std::string& library) {
+    return "the library is there but does not load: " + library +
+           ": cannot open shared object file: No such file or directory";
+  };
+  EXPECT_NE(hd::remedy_for_missing(words("libncurses.so.5"), "x").find("libncurses5"), std::string::npos);
+  EXPECT_NE(hd::remedy_for_missing(words("libPhantomManagerLite.so"), "x").find("HID driver"),
+            std::string::npos);
+  for (const char* driver : {"libPHANToMIO.so.4", "libPhantomIOLib42.so"})
+    EXPECT_NE(hd::remedy_for_missing(words(driver), "x").find("Touch driver"), std::string::npos);
+  EXPECT_EQ(hd::remedy_for_missing(words("libm.so.6"), "x"), "x");
 }
 
 TEST_F(OpenHaptics, WithoutItTheProgramGoesOnWithTheNextBest) {

@@ -52,11 +52,25 @@ QString trouble_text(haptics::DeviceTrouble trouble, const QString& name, const 
     case bad_calibration:
       return with_detail(Words::tr("%1: how the tablet was fitted cannot be used. Fit it again.").arg(name));
     case docked:
-      return Words::tr("%1 rests in its holder. Take the stylus out to go on.").arg(name);
+      return Words::tr("%1 rests in its inkwell. Take the stylus out to go on.").arg(name);
     case safety_switch:
       return Words::tr("%1 gives no force: its safety switch is not held.").arg(name);
     case not_calibrated:
-      return Words::tr("%1 must find its place: put the stylus into the holder once.").arg(name);
+      return Words::
+          tr("%1 is not calibrated. Move the stylus through all of its space, or use the maker's program.")
+              .arg(name);
+    case wants_inkwell:
+      return Words::tr("%1 is not calibrated. Put the stylus into its inkwell for a moment.").arg(name);
+    case wants_reset_position:
+      return Words::tr(
+                 "%1 is not calibrated. Hold the arm at its reset position and press a button of the stylus.")
+          .arg(name);
+    case not_homed:
+      return Words::
+          tr("%1 is not homed. Press its button; with a Falcon, pull all three arms out and push them in.")
+              .arg(name);
+    case forces_off:
+      return Words::tr("The forces of %1 are off. Press its force button or move more slowly.").arg(name);
     case over_force:
       return Words::tr("%1 guarded itself against too large a force. It goes on by itself.").arg(name);
     case over_speed:
@@ -72,6 +86,8 @@ QString trouble_text(haptics::DeviceTrouble trouble, const QString& name, const 
       return Words::tr("The connection to %1 broke off. Check the cable.").arg(name);
     case device_fault:
       return with_detail(Words::tr("%1 reports a fault. Switch it off and on again.").arg(name));
+    case no_timer:
+      return Words::tr("The library of %1 gets no timer from the system. Close other programs.").arg(name);
     case stalled:
       return Words::tr("%1 does not answer any more. Unplug it and plug it in again.").arg(name);
     case service_gone:

@@ -89,7 +89,7 @@ TEST_F(Device, WhenItIsDockedTheForceIsGoneItIsSaidAndTheMouseWritesUntilItComes
   ASSERT_GT(script_->force_n, 0.5);
   script_->trouble = DeviceTrouble::docked;
   script_->state = DeviceState::paused;
-  ASSERT_TRUE(says(QStringLiteral("rests in its holder. Take the stylus out to go on. Until then mouse")));
+  ASSERT_TRUE(says(QStringLiteral("rests in its inkwell. Take the stylus out to go on. Until then mouse")));
   EXPECT_EQ(script_->force_n, 0);
   EXPECT_TRUE(stylus().is_pointer());
   EXPECT_EQ(text("device"), QStringLiteral("Mouse, pen or finger, without force"));

@@ -1137,7 +1137,7 @@
         <translation>%1：文字板の合わせ方が使えません。もう一度合わせてください。</translation>
     </message>
     <message>
-        <source>%1 rests in its holder. Take the stylus out to go on.</source>
+        <source>%1 rests in its inkwell. Take the stylus out to go on.</source>
         <translation>%1 はペン立てに収まっています。ペンを取ると続きます。</translation>
     </message>
     <message>
@@ -1145,8 +1145,24 @@
         <translation>%1 は力を出していません。安全スイッチが押されていません。</translation>
     </message>
     <message>
-        <source>%1 must find its place: put the stylus into the holder once.</source>
+        <source>%1 is not calibrated. Move the stylus through all of its space, or use the maker&apos;s program.</source>
+        <translation>%1 は位置合わせが要ります。ペンを動かせる範囲いっぱいに動かすか、メーカーのプログラムで合わせてください。</translation>
+    </message>
+    <message>
+        <source>%1 is not calibrated. Put the stylus into its inkwell for a moment.</source>
         <translation>%1 は位置合わせが要ります。ペンを一度ペン立てに戻してください。</translation>
+    </message>
+    <message>
+        <source>%1 is not calibrated. Hold the arm at its reset position and press a button of the stylus.</source>
+        <translation>%1 は位置合わせが要ります。アームをリセット位置に合わせ、ペンのボタンを押してください。</translation>
+    </message>
+    <message>
+        <source>%1 is not homed. Press its button; with a Falcon, pull all three arms out and push them in.</source>
+        <translation>%1 は原点が合っていません。本体のボタンを押してください。Falcon では3本のアームをすべて引き出してから押し込んでください。</translation>
+    </message>
+    <message>
+        <source>The forces of %1 are off. Press its force button or move more slowly.</source>
+        <translation>%1 の力が切れています。力のボタンを押すか、もっとゆっくり動かしてください。</translation>
     </message>
     <message>
         <source>%1 guarded itself against too large a force. It goes on by itself.</source>
@@ -1175,6 +1191,10 @@
     <message>
         <source>%1 reports a fault. Switch it off and on again.</source>
         <translation>%1 が故障を知らせています。電源を入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The library of %1 gets no timer from the system. Close other programs.</source>
+        <translation>%1 のライブラリがシステムのタイマーを使えません。ほかのプログラムを閉じてください。</translation>
     </message>
     <message>
         <source>%1 does not answer any more. Unplug it and plug it in again.</source>

@@ -21,6 +21,24 @@ int fail(int code) {
 }
 bool there(char id) { return id >= 0 && id < stage.devices; }
 
+void switch_forces(bool on) {
+  stage.force_on = on;
+  if (auto* const remains = stage.remains.load(); remains != nullptr) remains->output = on;
+}
+
+void motors(double x, double y, double z) {
+  stage.force_x_n = x;
+  stage.force_y_n = y;
+  stage.force_z_n = z;
+  if (auto* const remains = stage.remains.load(); remains != nullptr) {
+    remains->force_n = std::hypot(x, y, z);
+    ++remains->writes;
+  }
+}
+
+/// A device that is not homed brakes, whatever it was told, and so does one whose forces went off.
+[[maybe_unused]] bool pushes() { return stage.force_on && !stage.not_homed && stage.force_off_cause == 0; }
+
 }  // namespace
 
 EXPORTED DhdStage* nazori_standin_dhd() { return &stage; }
@@ -31,7 +49,9 @@ EXPORTED void nazori_standin_dhd_reset() {
   stage.buttons = 0;
   stage.devices = 1;
   stage.open_error = stage.bad_reads = 0;
-  stage.not_homed = stage.saturated = stage.force_on = stage.gravity_on = false;
+  stage.not_homed = stage.saturated = stage.force_on = stage.gravity_on = stage.button_emulated = false;
+  stage.force_off_cause = stage.enables = 0;
+  stage.remains = nullptr;
   stage.name = "omega.3";
   stage.type = 33;
   stage.max_force_n = -1;
@@ -51,7 +71,6 @@ EXPORTED int dhdOpenID(char index) {
 }
 EXPORTED int dhdClose(char) {
   ++stage.closes;
-  stage.force_on = false;
   return 0;
 }
 EXPORTED int dhdErrorGetLast() { return error; }
@@ -60,9 +79,9 @@ EXPORTED const char* dhdGetSystemName(char id) { return there(id) ? stage.name.l
 EXPORTED int dhdGetSystemType(char id) { return there(id) ? stage.type.load() : -1; }
 EXPORTED int dhdEnableForce(unsigned char on, char id) {
   if (!there(id)) return fail(2);
-  if (on != 0 && stage.not_homed) return fail(2);
-  stage.force_on = on != 0;
-  return 0;
+  if (on != 0) ++stage.enables;
+  switch_forces(on != 0);
+  return 0;  // even where the device is not homed
 }
 EXPORTED int dhdGetPosition(double* x, double* y, double* z, char id) {
   ++stage.reads;
@@ -71,24 +90,38 @@ EXPORTED int dhdGetPosition(double* x, double* y, double* z, char id) {
     --stage.bad_reads;
     return fail(7);
   }
-  *x = stage.x_m;
-  *y = stage.y_m;
-  *z = stage.z_m;
+  // Before it is homed a device tells one place for ever.
+  *x = stage.not_homed ? 0 : stage.x_m.load();
+  *y = stage.not_homed ? 0 : stage.y_m.load();
+  *z = stage.not_homed ? 0 : stage.z_m.load();
   return 1;  // the time guard: a success
 }
 EXPORTED int dhdSetForce(double x, double y, double z, char id) {
   if (!there(id)) {
     stage.force_despite_error_n = std::max(stage.force_despite_error_n.load(), std::hypot(x, y, z));
     // The device's own watchdog drops the force once the cable is out.
-    stage.force_x_n = stage.force_y_n = stage.force_z_n = 0;
+    motors(0, 0, 0);
     return fail(2);
   }
-  stage.force_x_n = stage.force_on ? x : 0;
-  stage.force_y_n = stage.force_on ? y : 0;
-  stage.force_z_n = stage.force_on ? z : 0;
+  motors(x, y, z);
   return stage.saturated ? 2 : 0;
 }
-#ifndef NAZORI_STANDIN_INCOMPLETE
+#ifndef NAZORI_STANDIN_INCOMPLETE  // the variant of an older library
+EXPORTED int dhdGetStatus(int* status, char id) {
+  if (!there(id)) return fail(2);
+  constexpr int kEntries = 17;
+  std::fill_n(status, kEntries, 0);
+  status[0] = status[1] = status[2] = 1;  // power, connected, started
+  status[3] = stage.not_homed ? 1 : 0;
+  status[5] = pushes() ? 1 : 0;
+  status[6] = pushes() ? 0 : 1;
+  status[14] = stage.force_off_cause;
+  return 0;
+}
+EXPORTED int dhdEmulateButton(unsigned char on, char) {
+  stage.button_emulated = on != 0;
+  return 0;
+}
 EXPORTED unsigned int dhdGetButtonMask(char) { return stage.buttons; }
 #endif
 EXPORTED int dhdGetButton(int index, char) {

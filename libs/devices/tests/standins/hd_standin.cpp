@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -41,23 +42,42 @@ struct Scheduled {
 std::recursive_mutex everything;
 std::vector<ErrorInfo> errors;
 std::vector<Scheduled> callbacks;
-std::thread servo;
+// Never destroyed: a program may end while the scheduler runs.
+std::thread& servo = *new std::thread;
 std::atomic<bool> servo_ends;
 unsigned long last_scheduled;
-bool initialised, in_frame, framed_this_tick, error_this_tick;
+bool initialised, in_frame, framed_this_tick, error_this_tick, one_frame_limit;
+bool fails_to_write;  // from the first failed hdEndFrame on
+std::set<unsigned int> latched;
 double wanted[3];
+
+/// The real library latches errors of the connection and the timer: it says each once for each cause.
+bool is_latched(unsigned int code) { return code >= 0x0302 && code <= 0x0304; }
 
 void push(unsigned int code, int internal_code = 0) {
   const std::lock_guard lock(everything);
+  if (is_latched(code) && !latched.insert(code).second) return;
   errors.push_back({code, internal_code, initialised ? kHandle : kNone});
 }
+
+/// hdEndFrame finds these when it writes to the device.
+bool comes_with_the_write(unsigned int code) { return code == 0x0300 || code == 0x0302 || code == 0x0303; }
 
 [[noreturn]] void crash(const char* what) {
   std::fprintf(stderr, "libHD stand-in: %s: the real library crashes here\n", what);
   std::abort();
 }
 
+void remember_output(bool on) {
+  stage.output = on;
+  if (auto* const remains = stage.remains.load(); remains != nullptr) remains->output = on;
+}
+
 void motors(double x, double y, double z) {
+  if (auto* const remains = stage.remains.load(); remains != nullptr) {
+    remains->force_n = std::hypot(x, y, z);
+    ++remains->writes;
+  }
   stage.force_x_n = x;
   stage.force_y_n = y;
   stage.force_z_n = z;
@@ -72,9 +92,10 @@ void run_tick() {
   framed_this_tick = false;
   wanted[0] = wanted[1] = wanted[2] = 0;
   const std::size_t errors_before = errors.size();
-  if (const unsigned int code = stage.next_error.exchange(0); code != 0) push(code);
-  if (const unsigned int code = stage.every_error; code != 0) push(code);
-  if (initialised && !stage.plugged) push(0x0302, -19);
+  if (!comes_with_the_write(stage.next_error)) {
+    if (const unsigned int code = stage.next_error.exchange(0); code != 0) push(code);
+  }
+  if (const unsigned int code = stage.every_error; code != 0 && !comes_with_the_write(code)) push(code);
   error_this_tick = errors.size() > errors_before;
   // Sorting asks for memory, which would be counted as the callback's.
   const auto goes_first = [](const Scheduled& a, const Scheduled& b) { return a.priority > b.priority; };
@@ -83,8 +104,6 @@ void run_tick() {
   for (std::size_t i = 0; i < callbacks.size(); ++i) {
     if (!callbacks[i].done && callbacks[i].callback(callbacks[i].user) == 0) callbacks[i].done = true;
   }
-  // Nobody opened a frame: the maker's device keeps no force from the last one.
-  if (!framed_this_tick) motors(0, 0, 0);
   ++stage.ticks;
 }
 
@@ -107,19 +126,27 @@ EXPORTED void nazori_standin_hd_reset() {
   stage.z_mm = 30;
   stage.buttons = 0;
   stage.plugged = stage.out_of_inkwell = true;
-  stage.safety_held = stage.frozen = stage.dumb = stage.garbage_handle = false;
+  stage.safety_held = stage.frozen = stage.dumb = stage.garbage_handle = stage.silent = false;
   stage.init_error = stage.next_error = stage.every_error = stage.start_error = 0;
   stage.only_name = nullptr;
   stage.calibration = 0x5000;
   stage.calibration_style = 4;
   stage.max_force_n = 3.3;
   stage.force_despite_error_n = 0;
+  stage.force_x_n = stage.force_y_n = stage.force_z_n = 0;
+  stage.remains = nullptr;
   stage.inits = stage.disables = stage.calibrations = 0;
+  stage.calibrated_by = 0;
+  fails_to_write = false;
+  one_frame_limit = true;
+  latched.clear();
   errors.clear();
   callbacks.clear();
 }
 
 EXPORTED unsigned int hdInitDevice(const char* name) {
+  for (int line = 0; line < 12; ++line)
+    std::fprintf(stderr, "libHD stand-in: line %d of the banner that the maker prints at each look\n", line);
   ++stage.inits;
   const char* const only = stage.only_name;
   unsigned int code = stage.init_error;
@@ -128,26 +155,27 @@ EXPORTED unsigned int hdInitDevice(const char* name) {
   if (code == 0 && initialised) code = 0x0301;
   if (code != 0) {
     if (stage.garbage_handle && code != 0x0301) return 40321;  // and no error
-    const std::lock_guard lock(everything);
-    errors.push_back({code, -1, kNone});
+    if (!stage.silent) push(code, -1);
     return kNone;
   }
+  const std::lock_guard lock(everything);
   initialised = true;
-  stage.output = false;
+  fails_to_write = false;
+  latched.clear();
+  remember_output(false);
   return kHandle;
 }
 EXPORTED void hdDisableDevice(unsigned int) {
   ++stage.disables;
   if (stage.running) crash("hdDisableDevice while the scheduler runs");
   initialised = false;
-  motors(0, 0, 0);
 }
 EXPORTED void hdMakeCurrentDevice(unsigned int) {}
 EXPORTED unsigned int hdGetCurrentDevice() { return initialised ? kHandle : kNone; }
 EXPORTED void hdBeginFrame(unsigned int handle) {
   if (!initialised) crash("hdBeginFrame before hdInitDevice");
   if (handle != kHandle) return push(0x0104);
-  if (framed_this_tick && !in_frame) return push(0x0400);
+  if (framed_this_tick && !in_frame && one_frame_limit) return push(0x0400);
   in_frame = framed_this_tick = true;
 }
 EXPORTED void hdEndFrame(unsigned int) {
@@ -155,16 +183,20 @@ EXPORTED void hdEndFrame(unsigned int) {
   in_frame = false;
   const double size_squared = wanted[0] * wanted[0] + wanted[1] * wanted[1] + wanted[2] * wanted[2];
   const double most = stage.max_force_n;
-  if (error_this_tick)
+  if (error_this_tick || fails_to_write)
     stage.force_despite_error_n = std::max(stage.force_despite_error_n.load(), std::sqrt(size_squared));
-  if (!(size_squared <= most * most * (1 + 1e-9))) {
-    push(0x0201);
-    motors(0, 0, 0);
-  } else if (stage.output && stage.plugged) {
-    motors(wanted[0], wanted[1], wanted[2]);
-  } else {
-    motors(0, 0, 0);
+  unsigned int failure = stage.plugged ? 0 : 0x0302;
+  if (comes_with_the_write(stage.next_error)) failure = stage.next_error.exchange(0);
+  if (comes_with_the_write(stage.every_error)) failure = stage.every_error;
+  if (failure != 0 && !fails_to_write) {
+    fails_to_write = true;
+    return push(failure, -19);  // what was there stays
   }
+  if (!(size_squared <= most * most * (1 + 1e-9))) return push(0x0201);
+  if (stage.output)
+    motors(wanted[0], wanted[1], wanted[2]);
+  else
+    motors(0, 0, 0);
 }
 EXPORTED ErrorInfo hdGetError() {
   const std::lock_guard lock(everything);
@@ -189,15 +221,18 @@ EXPORTED const char* hdGetErrorString(unsigned int code) {
 }
 EXPORTED void hdEnable(unsigned int what) {
   if (what == 0x4000)
-    stage.output = true;
+    remember_output(true);
+  else if (what == 0x4004)
+    one_frame_limit = true;
   else if (what < 0x2606 || what > 0x4004)
     push(0x0100);
 }
 EXPORTED void hdDisable(unsigned int what) {
-  if (what == 0x4000) stage.output = false;
+  if (what == 0x4000) remember_output(false);
+  if (what == 0x4004) one_frame_limit = false;
 }
 EXPORTED unsigned char hdIsEnabled(unsigned int what) {
-  return what == 0x4000 ? stage.output.load() : static_cast<unsigned char>(what == 0x4004);
+  return what == 0x4000 ? stage.output.load() : static_cast<unsigned char>(what == 0x4004 && one_frame_limit);
 }
 EXPORTED void hdGetBooleanv(unsigned int what, unsigned char* out) {
   if (what == 0x2001)
@@ -277,8 +312,13 @@ EXPORTED void hdSetFloatv(unsigned int, const float*) { push(0x0100); }
 EXPORTED void hdSetLongv(unsigned int, const long*) { push(0x0100); }
 EXPORTED unsigned int hdCheckCalibration() { return stage.calibration; }
 EXPORTED unsigned int hdCheckCalibrationStyle() { return static_cast<unsigned int>(stage.calibration_style); }
-EXPORTED void hdUpdateCalibration(unsigned int) {
+EXPORTED void hdUpdateCalibration(unsigned int style) {
+  // Exactly one of the styles that the device has, never the whole mask.
+  if ((style != 1 && style != 2 && style != 4) ||
+      (static_cast<unsigned int>(stage.calibration_style) & style) == 0)
+    return push(0x0101);
   ++stage.calibrations;
+  stage.calibrated_by = style;
   stage.calibration = 0x5000;
 }
 EXPORTED void hdUpdateCalibrationMessage(unsigned int) {}
@@ -296,8 +336,6 @@ EXPORTED void hdStopScheduler() {
   servo_ends = true;
   servo.join();
   stage.running = false;
-  framed_this_tick = false;
-  motors(0, 0, 0);
 }
 EXPORTED void hdSetSchedulerRate(unsigned long hz) {
   if (hz != 500 && hz != 1000 && hz != 2000) push(0x0304);

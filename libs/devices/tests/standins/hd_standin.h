@@ -6,6 +6,13 @@
 
 namespace nazori::devices::standin {
 
+/// What stays of a device when the program that used it is gone. In memory that the test shares with it.
+struct Remains {
+  std::atomic<double> force_n;        ///< that was written last
+  std::atomic<bool> output;           ///< whether forces are on
+  std::atomic<std::uint64_t> writes;  ///< of forces, so far
+};
+
 /// The hand, the cable and the faults of the stand-in for libHD.so; and what the device was made to do.
 /// Shared by the test and the library.
 struct HdStage {
@@ -15,23 +22,29 @@ struct HdStage {
   std::atomic<bool> plugged;
   std::atomic<bool> out_of_inkwell;
   std::atomic<bool> safety_held;
-  std::atomic<unsigned int> init_error;   ///< hdInitDevice fails with it
-  std::atomic<unsigned int> next_error;   ///< appears once, in the next tick
-  std::atomic<unsigned int> every_error;  ///< appears in every tick
-  std::atomic<unsigned int> start_error;  ///< hdStartScheduler leaves it
+  std::atomic<unsigned int> init_error;  ///< hdInitDevice fails with it
+  /// Appears once, in the next tick: 0x0300, 0x0302 and 0x0303 out of hdEndFrame, others at its beginning.
+  std::atomic<unsigned int> next_error;
+  std::atomic<unsigned int> every_error;  ///< appears in every tick, likewise
+  std::atomic<unsigned int> start_error;  ///< hdStartScheduler leaves it, and the scheduler does not tick
   std::atomic<bool> frozen;               ///< the scheduler does not tick
   std::atomic<bool> dumb;                 ///< getters of limits answer 0
+  std::atomic<bool> silent;               ///< failed inits leave no error
   std::atomic<bool> garbage_handle;       ///< failed inits return a number instead of "no device"
   std::atomic<const char*> only_name;     ///< init takes only this name; "" is NULL; null: any
   std::atomic<unsigned int> calibration;  ///< 0x5000, 0x5001, 0x5002
   std::atomic<int> calibration_style;
   std::atomic<double> max_force_n;
+  std::atomic<Remains*> remains;  ///< kept up to date where it is not null
   // The library writes.
-  std::atomic<double> force_x_n, force_y_n, force_z_n;  ///< at the motors
-  std::atomic<double> force_despite_error_n;            ///< most that was written in a tick that had an error
-  std::atomic<std::uint64_t> ticks, zero_ticks;         ///< zero_ticks: in a row, without force
+  /// What was written last and stays until something else is: no error, no stop and no end of the device
+  /// makes it zero.
+  std::atomic<double> force_x_n, force_y_n, force_z_n;
+  std::atomic<double> force_despite_error_n;     ///< most that was written after an error was there to read
+  std::atomic<std::uint64_t> ticks, zero_ticks;  ///< zero_ticks: in a row, without force
   std::atomic<int> inits, disables, calibrations;
-  std::atomic<bool> output;  ///< FORCE_OUTPUT
+  std::atomic<unsigned int> calibrated_by;  ///< the style of the last one
+  std::atomic<bool> output;                 ///< FORCE_OUTPUT
   std::atomic<bool> running;
 };
 

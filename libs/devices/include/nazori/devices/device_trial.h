@@ -58,9 +58,13 @@ struct RealTimeReadiness {
 
 /// Of this process.
 [[nodiscard]] RealTimeReadiness real_time_readiness();
-/// Of such a machine. @param kernel_version  what uname -v says.
+/// Of such a machine. @param kernel_version  what uname -v says. @param capabilities  of the process, as
+/// bits: CAP_SYS_NICE and CAP_IPC_LOCK, which root has, lift the limits.
 [[nodiscard]] RealTimeReadiness real_time_readiness(long priority_limit, long locked_bytes,
                                                     std::string_view kernel_release,
-                                                    std::string_view kernel_version);
+                                                    std::string_view kernel_version,
+                                                    std::uint64_t capabilities = 0);
+/// The effective capabilities in the text of /proc/self/status; 0 where it tells none.
+[[nodiscard]] std::uint64_t effective_capabilities(std::string_view proc_status);
 
 }  // namespace nazori::devices

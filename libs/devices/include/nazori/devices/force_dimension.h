@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -10,8 +11,10 @@ namespace nazori::devices {
 
 /// Where to look for Force Dimension's devices and the Novint Falcon.
 struct ForceDimensionSettings {
-  std::string library;    ///< path of libdhd.so or libdrd.so; empty: the usual names
-  double rate_hz = 1000;  ///< of the servo, on a thread of ours
+  std::string library;                           ///< path of libdhd.so or libdrd.so; empty: the usual names
+  double rate_hz = 1000;                         ///< of the servo, on a thread of ours
+  std::filesystem::path device_folder = "/dev";  ///< looked at to tell a missing permission
+  std::filesystem::path system_folder = "/sys";  ///< tells whose device an entry of /dev is
 };
 
 /// Force Dimension's SDK (omega, delta, sigma, and the Novint Falcon) through libdhd.so or libdrd.so, loaded

@@ -27,17 +27,22 @@ enum class DeviceTrouble : std::uint8_t {
   init_failed,      ///< there, but it refuses
   bad_calibration,  ///< the stored fit to the tablet is unusable
   // Paused
-  docked,          ///< the stylus rests in its holder
-  safety_switch,   ///< nobody holds the switch that allows forces
-  not_calibrated,  ///< it asks to be calibrated
-  over_force,      ///< its guard against too large a force or impulse acted
-  over_speed,      ///< its guard against too fast a motion acted
-  warm_motors,     ///< its motors must cool
-  not_ready,       ///< switched off, braked or in use by another session
-  too_slow,        ///< poses come too late to be felt safely
+  docked,                ///< the stylus rests in its inkwell
+  safety_switch,         ///< nobody holds the switch that allows forces
+  not_calibrated,        ///< it asks to be calibrated
+  wants_inkwell,         ///< it calibrates itself once the stylus is in its inkwell
+  wants_reset_position,  ///< it can be calibrated where its arm is held at the reset position
+  not_homed,             ///< it brakes and tells one place until its arms have been to their ends
+  forces_off,            ///< its forces went off; the code says why
+  over_force,            ///< its guard against too large a force or impulse acted
+  over_speed,            ///< its guard against too fast a motion acted
+  warm_motors,           ///< its motors must cool
+  not_ready,             ///< switched off, braked or in use by another session
+  too_slow,              ///< poses come too late to be felt safely
   // Lost
   communication_lost,  ///< cable or radio
   device_fault,        ///< it reports a fault of its own
+  no_timer,            ///< the maker's library gets no timer from the system
   stalled,             ///< its servo does not tick any more
   service_gone,        ///< the maker's background program went away
   bad_message,         ///< what came is not what was agreed
