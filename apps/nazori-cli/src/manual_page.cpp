@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace nazori::cli {
@@ -164,21 +165,28 @@ std::string usage_of(const Command& verb) {
   return usage;
 }
 
+/// The options of a verb under the headings of its help, which lists heading by heading.
+std::string options_text(const Command& verb) {
+  std::vector<std::string> groups;
+  for (const OptionEntry& option : verb.options) {
+    if (std::find(groups.begin(), groups.end(), option.group) == groups.end()) groups.push_back(option.group);
+  }
+  std::string text;
+  for (const std::string& group : groups) {
+    if (group != groups.front()) text += ".PP\n" + filled(group + ":");
+    for (const OptionEntry& option : verb.options) {
+      // Every verb takes --help; OPTIONS says so once.
+      if (option.group == group && option.names.back() != "--help") text += entry_text(option);
+    }
+  }
+  return text;
+}
+
 std::string verb_text(const Command& verb) {
   std::string text = ".SS " + roff_escaped("nazori-cli " + verb.path) + "\n" +
                      filled(verb.description + ".") + ".PP\n.EX\n" + roff_escaped(usage_of(verb)) + "\n.EE\n";
-  std::string group;
   for (const OptionEntry& argument : verb.arguments) text += entry_text(argument);
-  for (const OptionEntry& option : verb.options) {
-    // Every verb takes --help; OPTIONS says so once.
-    if (option.names.back() == "--help") continue;
-    if (group != option.group) {
-      text += group.empty() && option.group == "Options" ? "" : ".PP\n" + filled(option.group + ":");
-      group = option.group;
-    }
-    text += entry_text(option);
-  }
-  return text + paragraphs(parts_of(verb.footer).prose);
+  return text + options_text(verb) + paragraphs(parts_of(verb.footer).prose);
 }
 
 std::string examples_of(const std::vector<const Command*>& commands) {
