@@ -173,6 +173,7 @@ base::Result<RecorderStatus> SessionRecorder::finish() {
         fs::remove(in.output.path(), ignored);
       } else {
         in.error = std::move(exported.error());
+        in.error.remedy = "the recording is kept as " + in.output.path().string();
       }
     }
   }
