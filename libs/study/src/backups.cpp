@@ -12,6 +12,7 @@
 
 #include "daily_backup.h"
 #include "file_lock.h"
+#include "nazori/base/unfinished_file.h"
 #include "nazori/study/learner_store.h"
 #include "store_schema.h"
 
@@ -115,6 +116,7 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
   const fs::path beside = file.string() + ".part";
   std::error_code error;
   fs::remove(beside, error);
+  base::UnfinishedFile unfinished(beside, base::UnfinishedKind::database);
   auto copied = [&]() -> base::Result<void> {
     try {
       SQLite::Database target(beside.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
@@ -138,7 +140,7 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
     fs::rename(beside, file, error);
     if (error) copied = base::fail(Errc::io, "cannot be written: " + error.message(), file.string());
   }
-  if (!copied) fs::remove(beside, error);
+  if (copied) unfinished.finish();
   return copied;
 }
 
@@ -213,11 +215,12 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
   bool taken = false;
   const auto lock = FileLock::take(learner.string() + ".lock", taken);
   if (taken)
-    return base::fail(Errc::io, "is open in another Nazori", learner.string(), "close it there first");
+    return base::fail(Errc::in_use, "is open in another Nazori", learner.string(), "close it there first");
   if (!lock) return tl::unexpected(lock.error());
 
   const fs::path beside = learner.string() + ".restored";
   fs::remove(beside, error);
+  base::UnfinishedFile unfinished(beside, base::UnfinishedKind::database);
   {
     // Read as a learner's file would be, so that what is put in place can be opened.
     auto source = LearnerStore::open(backup, Access::read, clock);
@@ -231,7 +234,6 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
     fs::create_directories(folder, error);
     kept = free_file(folder, "before-restore", clock());
     if (!keep_as(learner, kept)) {
-      fs::remove(beside, error);
       return base::fail(Errc::io, "cannot be moved aside", learner.string(),
                         "check the permissions of the folder");
     }
@@ -240,9 +242,9 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
   if (error) {
     std::error_code ignored;
     if (!fs::exists(learner, ignored)) fs::rename(kept, learner, ignored);
-    fs::remove(beside, ignored);
     return base::fail(Errc::io, "cannot be written: " + error.message(), learner.string());
   }
+  unfinished.finish();
   return kept;
 }
 
