@@ -101,7 +101,7 @@ int run(Console& console, const SearchSettings& settings) {
   } else {
     console.print(table(found));
   }
-  if (all > found.size())
+  if (all > found.size() && !settings.limit)
     console.note(fmt::format("{} of {} characters are shown; --limit {} shows all", found.size(), all, all));
   if (!found.empty()) return kDone;
   return console.deny({base::Errc::not_found, "no character fits",

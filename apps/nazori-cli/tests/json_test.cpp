@@ -106,11 +106,12 @@ TEST(JsonAnswers, OfASearchAreWholeOrSaidToBeCut) {
   const Outcome cut = nazori_cli({"search", "--grade", "2", "--limit", "100", "--json"});
   EXPECT_EQ(cut.code, 0);
   EXPECT_EQ(json::parse(cut.out).size(), 100U);
-  EXPECT_THAT(cut.err, HasSubstr("100 of 160 characters are shown"));
-  EXPECT_THAT(cut.err, HasSubstr("--limit 160"));
+  EXPECT_EQ(cut.err, "") << "who gives a limit knows of it";
   const Outcome words = nazori_cli({"search", "water"});
   EXPECT_EQ(words.code, 0);
-  EXPECT_THAT(nazori_cli({"search", "a"}).err, HasSubstr("100 of "));
+  const std::string said = nazori_cli({"search", "a"}).err;
+  EXPECT_THAT(said, HasSubstr("100 of "));
+  EXPECT_THAT(said, HasSubstr("--limit "));
   EXPECT_EQ(nazori_cli({"search", "a", "--quiet"}).err, "");
   EXPECT_EQ(nazori_cli({"search", "--grade", "1"}).err, "") << "all 80 are shown";
 }
