@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/ui/program.h"
@@ -13,6 +14,22 @@ namespace {
 
 constexpr int kExitBadUsage = 2;
 constexpr int kExitFailed = 1;
+
+/// One line on standard error. @return kExitBadUsage
+int refuse(const QString& what) {
+  std::fprintf(stderr, "nazori: %s\n", what.toUtf8().constData());
+  return kExitBadUsage;
+}
+
+/// Qt aborts where the display does not answer, after some lines of its own; that takes one line and the exit
+/// code of any other bad surroundings.
+void tell_of_no_display(QtMsgType type, const QMessageLogContext& /*context*/, const QString& /*text*/) {
+  if (type != QtFatalMsg) return;
+  std::_Exit(
+      refuse(QStringLiteral("the display does not answer (DISPLAY=%1, WAYLAND_DISPLAY=%2); without one "
+                            "there is nazori-cli")
+                 .arg(qEnvironmentVariable("DISPLAY"), qEnvironmentVariable("WAYLAND_DISPLAY"))));
+}
 
 bool has_display() {
   return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
@@ -26,7 +43,9 @@ int main(int argc, char** argv) {
   // Help is for those without a display too, where Qt would abort.
   const QString unseen = has_display() ? QString() : QStringLiteral("offscreen");
   if (!unseen.isEmpty()) qputenv("QT_QPA_PLATFORM", unseen.toUtf8());
+  const QtMessageHandler before = qInstallMessageHandler(tell_of_no_display);
   QApplication application(argc, argv);
+  qInstallMessageHandler(before);
   QApplication::setApplicationName(QStringLiteral("Nazori"));
   QApplication::setDesktopFileName(QStringLiteral("nazori"));
   QApplication::setApplicationVersion(QStringLiteral(NAZORI_VERSION));
@@ -49,13 +68,20 @@ int main(int argc, char** argv) {
       QStringLiteral("character or files"),
       QStringLiteral("Character to open with, or files: a plot, a height map, a stroke order."),
       QStringLiteral("[character | file...]"));
-  parser.process(application);
+  // What was refused is said here, in one line: QCommandLineParser::process() would exit with 1.
+  if (!parser.parse(QApplication::arguments())) {
+    const QString given = parser.unknownOptionNames().value(0);
+    return refuse(given.isEmpty() ? parser.errorText()
+                                  : QStringLiteral("there is no option '%1' (see nazori --help)")
+                                        .arg((given.size() > 1 ? QStringLiteral("--") : QStringLiteral("-")) +
+                                             given.left(60)));
+  }
+  if (parser.isSet(version)) parser.showVersion();
+  if (parser.isSet(help) || parser.isSet(QStringLiteral("help-all"))) parser.process(application);
   if (!unseen.isEmpty() && QApplication::platformName() == unseen) {
-    std::fputs(
-        "nazori: there is no display (DISPLAY and WAYLAND_DISPLAY are not set); without one there is "
-        "nazori-cli\n",
-        stderr);
-    return kExitFailed;
+    return refuse(
+        QStringLiteral("there is no display (DISPLAY and WAYLAND_DISPLAY are not set); without one "
+                       "there is nazori-cli"));
   }
 
   nazori::ui::MainWindow::Setup setup;
@@ -65,16 +91,14 @@ int main(int argc, char** argv) {
   if (!arguments.isEmpty() && !files) {
     const auto code_points = arguments.front().toUcs4();
     if (arguments.size() > 1 || code_points.size() != 1) {
-      std::fputs("nazori: give one character or files that exist, as in: nazori 休\n", stderr);
-      return kExitBadUsage;
+      return refuse(QStringLiteral("give one character or files that exist, as in: nazori 休"));
     }
     setup.character = static_cast<char32_t>(code_points.front());
   }
   if (parser.isSet(now)) qputenv("NAZORI_NOW", parser.value(now).toUtf8());
   const auto clock = nazori::study::environment_clock();
   if (!clock) {
-    std::fprintf(stderr, "nazori: %s\n", nazori::base::to_line(clock.error()).c_str());
-    return kExitBadUsage;
+    return refuse(QString::fromStdString(nazori::base::to_line(clock.error())));
   }
   setup.clock = *clock;
   const auto database = nazori::kanji::KanjiDatabase::locate();

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "character_json.h"
 #include "characters.h"
+#include "nazori/base/utf8.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/surface/height_map.h"
 #include "options.h"
@@ -27,44 +29,76 @@ struct CarveSettings {
   int size = 128;
   std::optional<int> bits;
   carving::Brush brush;
+  bool json = false;
 };
 
 /// Where one character goes.
 struct Target {
-  std::filesystem::path map;
-  std::filesystem::path strokes;  ///< empty: not asked for
+  OutputPlace map;
+  std::optional<OutputPlace> strokes;
 };
 
 base::Result<std::vector<Target>> targets_of(const CarveSettings& settings,
                                              std::span<const CharacterName> names) {
-  const auto maps = output_files({"--output", settings.output, {".png", ".raw"}}, names);
+  auto maps = output_files({"--output", settings.output, {".png", ".raw"}}, names);
   if (!maps) return tl::unexpected(maps.error());
-  if (settings.bits == 16 && has_extension(maps->front(), ".raw")) {
+  if (settings.bits == 16 && has_extension(maps->front().path(), ".raw")) {
     return base::fail(base::Errc::bad_argument, "a RAW has 8 bits a sample", "--bits 16",
                       "write a .png, or leave --bits out");
   }
   std::vector<Target> targets;
-  for (const auto& map : *maps) targets.push_back({map, {}});
-  if (!settings.strokes.empty()) {
-    const auto files = output_files({"--strokes", settings.strokes, {".str"}}, names);
-    if (!files) return tl::unexpected(files.error());
-    for (std::size_t i = 0; i < targets.size(); ++i) targets[i].strokes = (*files)[i];
+  std::vector<NamedFile> named;
+  for (OutputPlace& map : *maps) {
+    named.push_back({"--output", map.name()});
+    targets.push_back({std::move(map), std::nullopt});
   }
+  if (!settings.strokes.empty()) {
+    auto files = output_files({"--strokes", settings.strokes, {".str"}}, names);
+    if (!files) return tl::unexpected(files.error());
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      named.push_back({"--strokes", (*files)[i].name()});
+      targets[i].strokes = std::move((*files)[i]);
+    }
+  }
+  if (auto fine = check_distinct(named, settings.json); !fine) return tl::unexpected(std::move(fine.error()));
   return targets;
 }
 
-base::Result<void> carve_one(const kanji::Character& character, const Target& target,
+base::Result<void> carve_one(Console& console, const kanji::Character& character, const Target& target,
                              const CarveSettings& settings) {
   const std::vector<kanji::StrokeLine> lines = character.lines();
   const auto map = carving::carve(lines, settings.size, settings.brush);
   if (!map) return tl::unexpected(map.error());
   const auto depth = settings.bits == 8 ? surface::PngDepth::bits_8 : surface::PngDepth::bits_16;
-  auto saved = has_extension(target.map, ".raw") ? surface::save_raw(*map, target.map)
-                                                 : surface::save_png(*map, target.map, depth);
-  if (saved && !target.strokes.empty()) {
-    saved = kanji::StrokeOrder::from_lines(lines, settings.size).save(target.strokes);
+  auto saved = has_extension(target.map.path(), ".raw") ? surface::save_raw(*map, target.map.path())
+                                                        : surface::save_png(*map, target.map.path(), depth);
+  if (saved) saved = target.map.deliver(console);
+  if (saved && target.strokes) {
+    saved = kanji::StrokeOrder::from_lines(lines, settings.size).save(target.strokes->path());
+    if (saved) saved = target.strokes->deliver(console);
   }
   return saved;
+}
+
+Json carved_json(const kanji::Character& character, const Target& target, const CarveSettings& settings) {
+  return {{"character", base::encode_utf8(character.code_point)},
+          {"code_point", code_point_text(character.code_point)},
+          {"variant", character.variant},
+          {"file", target.map.name()},
+          {"size", settings.size},
+          {"strokes_file", target.strokes ? Json(target.strokes->name()) : Json()},
+          {"stroke_count", character.strokes.size()}};
+}
+
+std::string carved_text(const kanji::Character& character, const Target& target,
+                        const CarveSettings& settings) {
+  // Nothing is mixed with a file on standard output.
+  if (target.map.is_console() || (target.strokes && target.strokes->is_console())) return {};
+  const std::string name = name_of(character).text();
+  std::string text = fmt::format("{}  {}  {} x {}\n", name, target.map.name(), settings.size, settings.size);
+  if (target.strokes)
+    text += fmt::format("{}  {}  {} strokes\n", name, target.strokes->name(), character.strokes.size());
+  return text;
 }
 
 int run(Console& console, const CarveSettings& settings) {
@@ -75,20 +109,23 @@ int run(Console& console, const CarveSettings& settings) {
   const auto characters = characters_with_strokes(console, settings.characters, settings.database);
   if (!characters) return characters.error();
 
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  Json document = Json::array();
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   for (std::size_t i = 0; i < characters->size(); ++i) {
     const std::string name = name_of((*characters)[i]).text();
     if (!progress.show(static_cast<double>(i) / static_cast<double>(characters->size()), "carving " + name)) {
-      return console.fail({base::Errc::cancelled, "stopped", name, ""});
+      return console.refuse({base::Errc::cancelled, "stopped", name, ""});
     }
     const Target& target = (*targets)[i];
-    if (auto done = carve_one((*characters)[i], target, settings); !done) return console.fail(done.error());
-    console.print(fmt::format("{}  {}  {} x {}\n", name, target.map.string(), settings.size, settings.size));
-    if (!target.strokes.empty()) {
-      console.print(fmt::format("{}  {}  {} strokes\n", name, target.strokes.string(),
-                                (*characters)[i].strokes.size()));
+    if (auto done = carve_one(console, (*characters)[i], target, settings); !done)
+      return console.refuse(done.error());
+    if (settings.json) {
+      document.push_back(carved_json((*characters)[i], target, settings));
+    } else {
+      console.print(carved_text((*characters)[i], target, settings));
     }
   }
+  if (settings.json) console.print(to_text(document));
   return kDone;
 }
 
@@ -97,14 +134,13 @@ int run(Console& console, const CarveSettings& settings) {
 void add_carve(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<CarveSettings>();
   CLI::App* verb = app.add_subcommand("carve", "Carve characters into height maps");
-  verb->group("Verbs");
   verb->add_option("characters", settings->characters,
                    "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();
   verb->add_option(
           "-o,--output", settings->output,
           "Where to write: .png (greyscale, white the plateau) or .raw (8 bits, no header); for several "
-          "characters a folder or a name with {} for the character")
+          "characters a folder or a name with {} for the character; - is standard output (PNG)")
       ->required()
       ->type_name("FILE");
   verb->add_option("--size", settings->size, "Side of the map in samples")
@@ -116,6 +152,7 @@ void add_carve(CLI::App& app, Action& chosen) {
       ->type_name("N");
   verb->add_option("--strokes", settings->strokes, "Also write the stroke order on the same grid (.str)")
       ->type_name("FILE");
+  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
   add_brush_options(*verb, settings->brush);
   add_database_option(*verb, settings->database);
   verb->footer(

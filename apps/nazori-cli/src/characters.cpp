@@ -158,7 +158,7 @@ base::Error not_found(std::span<const CharacterName> missing) {
 CharacterName name_of(const kanji::Character& character) { return {character.code_point, character.variant}; }
 
 tl::expected<std::vector<kanji::Character>, int> characters_with_strokes(
-    const Console& console, std::span<const std::string> arguments, const std::string& database) {
+    Console& console, std::span<const std::string> arguments, const std::string& database) {
   const auto names = parse_characters(arguments);
   if (!names) return tl::unexpected(console.refuse(names.error()));
   const auto opened = open_database(database);

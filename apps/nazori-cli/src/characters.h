@@ -55,6 +55,6 @@ struct FoundCharacters {
 /// The characters that arguments name, each with strokes to carve.
 /// @return the characters, or the exit code after one line has said what is wrong.
 [[nodiscard]] tl::expected<std::vector<kanji::Character>, int> characters_with_strokes(
-    const Console& console, std::span<const std::string> arguments, const std::string& database);
+    Console& console, std::span<const std::string> arguments, const std::string& database);
 
 }  // namespace nazori::cli

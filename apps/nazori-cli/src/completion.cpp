@@ -22,7 +22,6 @@ int run(Console& console, const CLI::App& app, const std::string& shell) {
 void add_completion(CLI::App& app, Action& chosen) {
   auto shell = std::make_shared<std::string>();
   CLI::App* verb = app.add_subcommand("completion", "Print a script that completes commands in a shell");
-  verb->group("Verbs");
   verb->add_option("shell", *shell, "The shell: bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));

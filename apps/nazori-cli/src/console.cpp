@@ -9,19 +9,27 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <system_error>
 
+#include "stop.h"
 #include "text_layout.h"
 
 namespace nazori::cli {
 namespace {
 
-// The handler may touch nothing else.
-volatile std::sig_atomic_t stop_signal = 0;
+// An argument of 50 kB may be what is wrong.
+constexpr int kWidestPart = 200;
+constexpr int kWidestRemedy = 400;
 
-void remember_signal(int signal) { stop_signal = signal; }
+/// The error as one line that can be shown anywhere.
+std::string shown(const base::Error& error) {
+  base::Error part = error;
+  part.what = shortened(printable(base::to_line({error.code, error.what, "", ""})), kWidestPart);
+  part.where = shortened(printable(base::to_line({error.code, error.where, "", ""})), kWidestPart);
+  part.remedy = shortened(printable(base::to_line({error.code, error.remedy, "", ""})), kWidestRemedy);
+  return base::to_line(part);
+}
 
 int columns_of(int descriptor) {
   winsize size{};
@@ -41,32 +49,42 @@ void to_stderr(std::string_view text) {
 
 }  // namespace
 
-void Console::print(std::string_view text) {
+void Console::send(std::string_view text) {
   if (write_error_ != 0) return;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) write_error_ = errno;
 }
 
-int Console::refuse(const base::Error& error) const {
-  to_stderr(fmt::format("{}: {}\n", name_, printable(base::to_line(error))));
-  return kWrong;
+void Console::print(std::string_view text) {
+  answered_ = true;
+  if (!quiet_) send(text);
 }
 
-int Console::deny(const base::Error& error) const {
+void Console::print_file(std::string_view bytes) { send(bytes); }
+
+bool Console::flush() {
+  if (std::fflush(stdout) != 0 && write_error_ == 0) write_error_ = errno;
+  return write_error_ == 0;
+}
+
+void Console::note(std::string_view text) const {
+  if (!quiet_) to_stderr(fmt::format("{}: {}\n", name_, printable(text)));
+}
+
+int Console::refuse(const base::Error& error) const {
+  // Who stopped the work knows why it did not succeed; the program ends by that signal.
+  if (error.code == base::Errc::cancelled && stop_requested()) return kWrong;
+  to_stderr(fmt::format("{}: {}\n", name_, shown(error)));
+  return error.code == base::Errc::in_use ? kInUse : kWrong;
+}
+
+int Console::deny(const base::Error& error) {
+  if (json_ && !answered_) print("null\n");
   (void)refuse(error);
   return kNo;
 }
 
-int Console::fail(const base::Error& error) const {
-  if (error.code == base::Errc::cancelled && stop_requested()) {
-    const int signal = stop_signal;
-    (void)std::signal(signal, SIG_DFL);
-    (void)std::raise(signal);
-  }
-  return refuse(error);
-}
-
 int Console::finish(int code) {
-  if (std::fflush(stdout) != 0 && write_error_ == 0) write_error_ = errno;
+  (void)flush();
   if (write_error_ == 0 || write_error_ == EPIPE) return code;
   return refuse({base::Errc::io, "cannot be written: " + std::generic_category().message(write_error_),
                  "standard output", ""});
@@ -74,17 +92,9 @@ int Console::finish(int code) {
 
 int text_width() { return std::clamp(columns_of(STDOUT_FILENO), 40, 120); }
 
-void stop_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = remember_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl+C stops at once
-  (void)::sigaction(SIGINT, &action, nullptr);
-  (void)::sigaction(SIGTERM, &action, nullptr);
-}
-
-bool stop_requested() { return stop_signal != 0; }
-
-ProgressDisplay::ProgressDisplay(Plain plain) : terminal_(::isatty(STDERR_FILENO) == 1), plain_(plain) {}
+ProgressDisplay::ProgressDisplay(const Console& console, Plain plain)
+    : terminal_(!console.is_quiet() && ::isatty(STDERR_FILENO) == 1),
+      plain_(console.is_quiet() ? Plain::silent : plain) {}
 
 ProgressDisplay::~ProgressDisplay() { clear(); }
 
@@ -98,6 +108,7 @@ bool ProgressDisplay::show(double done, std::string_view step) {
     if (now - last_drawn_s_ >= 0.1) {
       last_drawn_s_ = now;
       drawn_ = true;
+      note_unfinished_line(true);
       constexpr int kCells = 24;
       const int full = percent * kCells / 100;
       std::string bar;
@@ -115,6 +126,7 @@ bool ProgressDisplay::show(double done, std::string_view step) {
 void ProgressDisplay::clear() {
   if (drawn_) to_stderr("\r\x1b[K");
   drawn_ = false;
+  note_unfinished_line(false);
 }
 
 base::Progress ProgressDisplay::callback() {

@@ -12,6 +12,7 @@
 #include "nazori/ingest/ingest.h"
 #include "nazori/kanji/kanji_database.h"
 #include "options.h"
+#include "output_files.h"
 #include "verbs.h"
 
 namespace nazori::cli {
@@ -27,6 +28,7 @@ struct BuildSettings {
   std::string edict;
   bool any_kanjivg = false;
   bool force = false;
+  bool json = false;
 };
 
 struct CheckSettings {
@@ -60,6 +62,19 @@ base::Result<ingest::Sources> sources_of(const BuildSettings& settings) {
   return sources;
 }
 
+Json counts_json(const ingest::Counts& counts) {
+  return {{"characters", counts.characters},
+          {"drawn_characters", counts.drawn_characters},
+          {"variant_forms", counts.variant_forms},
+          {"strokes", counts.strokes},
+          {"components", counts.components},
+          {"dictionary_entries", counts.dictionary_entries},
+          {"alternative_orders", counts.alternative_orders},
+          {"words", counts.words},
+          {"common_words", counts.common_words},
+          {"radicals", counts.radicals}};
+}
+
 std::string counts_text(const ingest::Counts& counts, std::uintmax_t bytes) {
   return fmt::format("{} characters ({} drawn), {} variant forms, {} strokes, {} words; {:.1f} MiB\n",
                      counts.characters, counts.drawn_characters, counts.variant_forms, counts.strokes,
@@ -75,23 +90,41 @@ int build(Console& console, const BuildSettings& settings) {
     if (!place) return console.refuse(place.error());
     output = *place;
   }
+  if (output == kConsoleFile) {
+    return console.refuse({Errc::bad_argument, "a database cannot go to standard output", "--output",
+                           "give the name of a file"});
+  }
   std::error_code ignored;
   if (fs::is_directory(output, ignored)) output /= "kanji.db";
+  const NamedFile files[] = {{"--kanjivg", sources->kanjivg_tgz.string(), NamedFile::Use::read},
+                             {"--kanjidic", sources->kanjidic2_xml_gz.string(), NamedFile::Use::read},
+                             {"--edict", sources->edict.string(), NamedFile::Use::read},
+                             {"--output", output.string()}};
+  if (auto fine = check_distinct(files, settings.json); !fine) return console.refuse(fine.error());
 
   if (!settings.force) {
     const auto current = is_current(*sources, output);
     if (!current) return console.refuse(current.error());
     if (*current) {
-      console.print(fmt::format("{}  is up to date\n", output.string()));
+      console.print(settings.json ? to_text({{"path", output.string()}, {"built", false}})
+                                  : fmt::format("{}  is up to date\n", output.string()));
       return kDone;
     }
   }
   const auto begin = std::chrono::steady_clock::now();
-  ProgressDisplay progress(ProgressDisplay::Plain::lines);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::lines);
   const auto report = ingest::build_database(*sources, output, progress.callback());
   progress.clear();
-  if (!report) return console.fail(report.error());
+  if (!report) return console.refuse(report.error());
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  if (settings.json) {
+    Json json{
+        {"path", output.string()}, {"built", true}, {"bytes", report->bytes}, {"took_s", spent.count()}};
+    json.update(counts_json(report->counts));
+    json["left_out"] = report->skipped_lines;
+    console.print(to_text(json));
+    return kDone;
+  }
   console.print(fmt::format("{}  built in {:.1f} s: {}", output.string(), spent.count(),
                             counts_text(report->counts, report->bytes)));
   if (!report->skipped_lines.empty()) {
@@ -109,20 +142,10 @@ Json report_json(const fs::path& path, const ingest::CheckReport& report,
                         {"sha256", source.sha256},
                         {"licence", source.licence}});
   }
-  const ingest::Counts& counts = report.counts;
-  return {{"path", path.string()},
-          {"bytes", report.bytes},
-          {"characters", counts.characters},
-          {"drawn_characters", counts.drawn_characters},
-          {"variant_forms", counts.variant_forms},
-          {"strokes", counts.strokes},
-          {"components", counts.components},
-          {"dictionary_entries", counts.dictionary_entries},
-          {"alternative_orders", counts.alternative_orders},
-          {"words", counts.words},
-          {"common_words", counts.common_words},
-          {"radicals", counts.radicals},
-          {"sources", std::move(list)}};
+  Json json{{"path", path.string()}, {"bytes", report.bytes}};
+  json.update(counts_json(report.counts));
+  json["sources"] = std::move(list);
+  return json;
 }
 
 /// The database that was named, or the one that is found.
@@ -150,17 +173,16 @@ int check(Console& console, const CheckSettings& settings) {
   return kDone;
 }
 
-int print_path(Console& console) {
+int print_path(Console& console, bool json) {
   const auto path = kanji::KanjiDatabase::locate();
   if (!path) return console.deny(path.error());
-  console.print(path->string() + "\n");
+  console.print(json ? to_text({{"path", path->string()}}) : path->string() + "\n");
   return kDone;
 }
 
 void add_build(CLI::App& database, Action& chosen) {
   auto settings = std::make_shared<BuildSettings>();
   CLI::App* verb = database.add_subcommand("build", "Build kanji.db from the published sources");
-  verb->group("Verbs");
   verb->add_option("-o,--output", settings->output,
                    "The file to write (default: kanji.db in the folder NAZORI_DATA, else in build/data where "
                    "the program was built, else in nazori/ of XDG_DATA_HOME)")
@@ -176,6 +198,7 @@ void add_build(CLI::App& database, Action& chosen) {
   verb->add_flag("--any-kanjivg", settings->any_kanjivg,
                  "Take a package of KanjiVG with another checksum too");
   verb->add_flag("--force", settings->force, "Build even where the database is up to date");
+  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
   verb->footer(
       "Nothing is done where the database was built from the same sources already.\n"
       "Until the new one is whole, the old one stays in place; it stays for good when a\n"
@@ -189,7 +212,6 @@ void add_build(CLI::App& database, Action& chosen) {
 void add_check(CLI::App& database, Action& chosen) {
   auto settings = std::make_shared<CheckSettings>();
   CLI::App* verb = database.add_subcommand("check", "Read a kanji.db whole and say whether it is sound");
-  verb->group("Verbs");
   verb->add_option("file", settings->path, "The database (default: the one that is found)")
       ->type_name("FILE");
   verb->add_flag("--json", settings->json,
@@ -201,21 +223,22 @@ void add_check(CLI::App& database, Action& chosen) {
 }
 
 void add_path(CLI::App& database, Action& chosen) {
+  auto json = std::make_shared<bool>(false);
   CLI::App* verb = database.add_subcommand("path", "Print where the database is that all verbs read");
-  verb->group("Verbs");
+  verb->add_flag("--json", *json, "Answer in JSON (see docs/command-line.md)");
   verb->footer(
       "Looked for in the folder NAZORI_DATA, beside the program, in build/data where the\n"
       "program was built, in nazori/ of XDG_DATA_HOME and XDG_DATA_DIRS, and for a\n"
       "program in PREFIX/bin in PREFIX/share/nazori. Exit code 1 where there is none.\n\n"
       "Example:\n  nazori-cli database path");
-  verb->callback([&chosen] { chosen = print_path; });
+  verb->callback(
+      [json, &chosen] { chosen = [json](Console& console) { return print_path(console, *json); }; });
 }
 
 }  // namespace
 
 void add_database(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("database", "Build, check or find the kanji database kanji.db");
-  verb->group("Verbs");
   verb->require_subcommand(1);
   verb->footer(
       "Examples:\n  nazori-cli database build\n  nazori-cli database check\n  nazori-cli database path");

@@ -169,17 +169,27 @@ int run(Console& console, const DemoSettings& settings) {
   if (auto size = parse_picture_size(settings.look.size); !size) return console.refuse(size.error());
   const auto paths = output_files({"--output", settings.output, {".png"}}, *names);
   if (!paths) return console.refuse(paths.error());
+  std::vector<NamedFile> named;
+  for (const OutputPlace& path : *paths) named.push_back({"--output", path.name()});
   std::vector<std::filesystem::path> recordings;
   if (!settings.record.empty()) {
-    auto files = output_files({"--record", settings.record, {".nzr", ".csv"}}, *names);
+    if (settings.record == kConsoleFile) {
+      return console.refuse({base::Errc::bad_argument, "a recording cannot go to standard output", "--record",
+                             "give a .nzr or a .csv"});
+    }
+    const auto files = output_files({"--record", settings.record, {".nzr", ".csv"}}, *names);
     if (!files) return console.refuse(files.error());
-    recordings = std::move(*files);
+    for (const OutputPlace& file : *files) {
+      recordings.push_back(file.path());
+      named.push_back({"--record", file.name()});
+    }
   }
+  if (auto fine = check_distinct(named, settings.json); !fine) return console.refuse(fine.error());
   const auto characters = characters_with_strokes(console, settings.characters, settings.database);
   if (!characters) return characters.error();
 
   Json document = Json::array();
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   for (std::size_t i = 0; i < characters->size(); ++i) {
     const kanji::Character& character = (*characters)[i];
     const std::string name = name_of(character).text();
@@ -194,14 +204,17 @@ int run(Console& console, const DemoSettings& settings) {
                 return progress.show((static_cast<double>(i) + done) / all, fmt::format("{} {}", step, name));
               });
     progress.clear();
-    if (!traced) return console.fail(traced.error());
-    if (!settings.json) console.print((i == 0 ? "" : "\n") + describe(name, *traced, settings));
-    if (auto drawn = paint(**tablet, *traced, settings.look, (*paths)[i]); !drawn)
-      return console.fail(drawn.error());
+    if (!traced) return console.refuse(traced.error());
+    const bool tells = !settings.json && !(*paths)[i].is_console();
+    if (tells) console.print((i == 0 ? "" : "\n") + describe(name, *traced, settings));
+    const OutputPlace& picture = (*paths)[i];
+    auto drawn = paint(**tablet, *traced, settings.look, picture.path());
+    if (drawn) drawn = picture.deliver(console);
+    if (!drawn) return console.refuse(drawn.error());
     if (settings.json) {
-      document.push_back(trace_json(character, *traced, settings, (*paths)[i]));
-    } else {
-      console.print(fmt::format("picture {}\n", (*paths)[i].string()));
+      document.push_back(trace_json(character, *traced, settings, picture.path()));
+    } else if (tells) {
+      console.print(fmt::format("picture {}\n", picture.name()));
       if (record) console.print(fmt::format("recording {}\n", record->path.string()));
     }
   }
@@ -215,13 +228,12 @@ void add_demo(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<DemoSettings>();
   CLI::App* verb =
       app.add_subcommand("demo", "Let a simulated hand trace characters and tell how well they hold it");
-  verb->group("Verbs");
   verb->add_option("characters", settings->characters,
                    "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();
   verb->add_option("-o,--output", settings->output,
                    "The .png with the traced tablet; for several characters a folder or a name with {} for "
-                   "the character")
+                   "the character; - is standard output")
       ->capture_default_str()
       ->type_name("FILE");
   add_device_option(*verb, settings->hardware, "The device that is simulated");

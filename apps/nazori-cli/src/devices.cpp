@@ -12,6 +12,7 @@
 #include "nazori/devices/device_trial.h"
 #include "nazori/devices/every_back_end.h"
 #include "options.h"
+#include "stop.h"
 #include "text_layout.h"
 #include "verbs.h"
 
@@ -126,7 +127,7 @@ int test(Console& console, devices::DeviceCatalogue& catalogue, const DevicesSet
   devices::DeviceTrial trial(description.rate_hz);
   if (auto started = device.start(trial); !started) return console.deny(started.error());
   const auto begin = std::chrono::steady_clock::now();
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   for (double done = 0; done < 1;) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     done = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / settings.test_s;
@@ -135,7 +136,7 @@ int test(Console& console, devices::DeviceCatalogue& catalogue, const DevicesSet
   progress.clear();
   haptics::DeviceStatus status = device.status();
   // A computer that stood still just now has not lost its device.
-  for (int i = 0; i < 100 && status.trouble == haptics::DeviceTrouble::stalled; ++i) {
+  for (int i = 0; i < 100 && status.trouble == haptics::DeviceTrouble::stalled && !stop_requested(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     status = device.status();
   }
@@ -161,7 +162,6 @@ void add_devices(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<DevicesSettings>();
   CLI::App* verb =
       app.add_subcommand("devices", "List haptic devices, say why others are not there, and test one");
-  verb->group("Verbs");
   verb->add_option(
           "--test", settings->test_s,
           "Run a device for so long without force: rate, lateness, noise at rest, round trip, and whether "

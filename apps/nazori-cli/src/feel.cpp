@@ -57,7 +57,7 @@ struct Subject {
   Tablet tablet;
 };
 
-tl::expected<Subject, int> subject_of(const Console& console, const FeelSettings& settings) {
+tl::expected<Subject, int> subject_of(Console& console, const FeelSettings& settings) {
   const bool own = !settings.own.height_map.empty() || !settings.own.strokes.empty();
   if (own == !settings.characters.empty()) {
     return tl::unexpected(console.refuse(
@@ -174,15 +174,17 @@ std::string describe(const Felt& felt, const Subject& subject, const FeelSetting
 }
 
 int run(Console& console, const FeelSettings& settings) {
-  const bool to_console = settings.output == "-";
-  if (to_console && settings.json) {
-    return console.refuse({base::Errc::bad_argument, "standard output cannot carry both the samples and JSON",
-                           "--json", "write the samples to a file, or leave --json out"});
-  }
+  // Samples go to standard output as they come, so no file is made for them.
+  const bool to_console = settings.output == kConsoleFile;
   if (!to_console) {
     if (auto path = output_file({"--output", settings.output, {".csv"}}); !path)
       return console.refuse(path.error());
   }
+  const NamedFile files[] = {{"--input", settings.input, NamedFile::Use::read},
+                             {"--height-map", settings.own.height_map, NamedFile::Use::read},
+                             {"--strokes", settings.own.strokes, NamedFile::Use::read},
+                             {"--output", settings.output}};
+  if (auto fine = check_distinct(files, settings.json); !fine) return console.refuse(fine.error());
   const auto subject = subject_of(console, settings);
   if (!subject) return subject.error();
   auto scene = scene_of(*subject, settings);
@@ -196,10 +198,10 @@ int run(Console& console, const FeelSettings& settings) {
   servo.set_scene(std::move(*scene));
   auto output = to_console ? SampleOutput::to_console(console) : SampleOutput::to_file(settings.output);
   if (!output) return console.refuse(output.error());
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   const auto felt = feel(*ticks, servo, *output, progress);
   progress.clear();
-  if (!felt) return console.fail(felt.error());
+  if (!felt) return console.refuse(felt.error());
   if (settings.json) {
     console.print(to_text(felt_json(*felt, *subject, settings, ticks->rate_hz())));
   } else if (!to_console) {
@@ -251,7 +253,6 @@ void add_feel(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<FeelSettings>();
   CLI::App* verb =
       app.add_subcommand("feel", "Replay a recorded hand through the servo and write the forces");
-  verb->group("Verbs");
   verb->add_option("characters", settings->characters, "The character to feel: 休, 正-HzFst or U+4F11");
   verb->add_option("-i,--input", settings->input,
                    "The hand: a .csv with the columns t,x,y,z in seconds and metres, tablet frame; - is "

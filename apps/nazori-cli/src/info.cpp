@@ -184,7 +184,6 @@ void add_info(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<InfoSettings>();
   CLI::App* verb =
       app.add_subcommand("info", "Tell what is known of characters: readings, meanings, strokes, words");
-  verb->group("Verbs");
   verb->add_option("characters", settings->characters,
                    "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();

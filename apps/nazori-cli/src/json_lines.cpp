@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
-#include <cstdio>
 #include <iostream>
 #include <string>
 
@@ -97,9 +95,6 @@ base::Result<writing::Ink> read_ink(const Json& request) {
 
 int answer_lines(Console& console, const Json& refusal,
                  const std::function<base::Result<Json>(const Json& request)>& answer) {
-  // Waiting for a line would outlive a signal that is only remembered; every answer so far has been sent.
-  (void)std::signal(SIGINT, SIG_DFL);
-  (void)std::signal(SIGTERM, SIG_DFL);
   int code = kDone;
   int number = 0;
   std::string line;
@@ -121,7 +116,7 @@ int answer_lines(Console& console, const Json& refusal,
       reply.update(*result);
       console.print(to_one_line(reply));
     }
-    (void)std::fflush(stdout);
+    if (!console.flush()) break;
   }
   return code;
 }

@@ -3,83 +3,30 @@
 #include <csignal>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "console.h"
 #include "help_text.h"
+#include "stop.h"
+#include "usage_error.h"
 #include "verbs.h"
 
 namespace {
 
-/// The innermost verb that has been read, the program itself where there is none.
-const CLI::App& last_verb(const CLI::App& app) {
-  const CLI::App* verb = &app;
-  while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
-  return *verb;
-}
+using nazori::cli::Action;
+using nazori::cli::Console;
 
-/// "nazori-cli carve": the verb whose arguments are being read.
-std::string name_of(const CLI::App& app) {
-  std::string name = "nazori-cli";
-  for (const CLI::App* verb = &app; !verb->get_subcommands().empty();) {
-    verb = verb->get_subcommands().front();
-    name += " " + verb->get_name();
-  }
-  return name;
-}
-
-/// "info, search, carve" where one of several verbs should follow the last one, else nothing.
-std::string verbs_to_choose_from(const CLI::App& app) {
-  std::string names;
-  for (const CLI::App* verb : last_verb(app).get_subcommands([](const CLI::App*) { return true; })) {
-    names += (names.empty() ? "" : ", ") + verb->get_name();
-  }
-  return names;
-}
-
-int read_and_run(CLI::App& app, const nazori::cli::Action& chosen, nazori::cli::Console& console, int argc,
-                 char** argv) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    console.print(app.help());
-    return nazori::cli::kDone;
-  } catch (const CLI::CallForVersion& version) {
-    console.print(std::string(version.what()) + "\n");
-    return nazori::cli::kDone;
-  } catch (const CLI::ParseError& error) {
-    const std::string name = name_of(app);
-    console.set_name(name);
-    std::string what = error.what();
-    if (const std::string verbs = verbs_to_choose_from(app); !verbs.empty()) {
-      const std::vector<std::string> given = last_verb(app).remaining();
-      what = (given.empty() ? std::string("a verb is missing") : "there is no verb '" + given.front() + "'") +
-             ": " + verbs;
+/// What holds for every verb: one heading in the list, and --quiet.
+void finish_table(CLI::App& app, bool& quiet) {
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    verb->group("Verbs");
+    finish_table(*verb, quiet);
+    if (nazori::cli::verbs_below(*verb).empty()) {
+      verb->add_flag("-q,--quiet", quiet, "Print no answer and no progress: the exit code tells");
     }
-    return console.refuse({nazori::base::Errc::bad_argument, what, "", "see " + name + " --help"});
   }
-  console.set_name(name_of(app));
-  return chosen(console);
 }
 
-}  // namespace
-
-// Only a wrong table of options throws here, and any test would show that.
-// NOLINTNEXTLINE(bugprone-exception-escape)
-int main(int argc, char** argv) {
-  // A closed pipe shows as a failed write instead, which Console passes over in silence.
-  (void)std::signal(SIGPIPE, SIG_IGN);
-  nazori::cli::stop_on_signals();
-
-  CLI::App app("Nazori: carved kanji you can see, feel and trace", "nazori-cli");
-  app.set_version_flag("--version", "nazori-cli " NAZORI_VERSION);
-  app.require_subcommand(1);
-  app.formatter(std::make_shared<nazori::cli::HelpText>());
-  app.footer(
-      "Every verb documents itself: nazori-cli carve --help\n"
-      "Exit code: 0 done, 1 the answer is no or not found, 2 bad usage or bad input.");
-
-  nazori::cli::Action chosen;
+void add_verbs(CLI::App& app, Action& chosen) {
   nazori::cli::add_info(app, chosen);
   nazori::cli::add_search(app, chosen);
   nazori::cli::add_carve(app, chosen);
@@ -95,8 +42,60 @@ int main(int argc, char** argv) {
   nazori::cli::add_study(app, chosen);
   nazori::cli::add_completion(app, chosen);
   nazori::cli::add_manual(app, chosen);
+  nazori::cli::add_help(app, chosen);
+}
 
-  nazori::cli::Console console;
-  const int code = read_and_run(app, chosen, console, argc, argv);
-  return console.finish(code);
+bool answers_in_json(const CLI::App& verb) {
+  const CLI::Option* const json = verb.get_option_no_throw("--json");
+  return json != nullptr && json->count() > 0;
+}
+
+int read_and_run(CLI::App& app, const Action& chosen, const bool& quiet, Console& console, int argc,
+                 char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    console.print(app.help());
+    return nazori::cli::kDone;
+  } catch (const CLI::CallForVersion& version) {
+    console.print(std::string(version.what()) + "\n");
+    return nazori::cli::kDone;
+  } catch (const CLI::ParseError& error) {
+    console.set_name(nazori::cli::name_of_verb(app));
+    return console.refuse(nazori::cli::usage_error(app, error));
+  }
+  console.set_name(nazori::cli::name_of_verb(app));
+  if (const auto empty = nazori::cli::empty_value(app)) return console.refuse(*empty);
+  console.set_quiet(quiet);
+  console.set_json(answers_in_json(nazori::cli::last_verb(app)));
+  return chosen(console);
+}
+
+}  // namespace
+
+// Only a wrong table of options throws here, and any test would show that.
+// NOLINTNEXTLINE(bugprone-exception-escape)
+int main(int argc, char** argv) {
+  nazori::cli::watch_for_stop();
+  // A closed pipe shows as a failed write instead, which Console passes over in silence.
+  (void)std::signal(SIGPIPE, SIG_IGN);
+
+  CLI::App app("Nazori: carved kanji you can see, feel and trace", "nazori-cli");
+  app.set_version_flag("--version", "nazori-cli " NAZORI_VERSION);
+  app.require_subcommand(1);
+  app.formatter(std::make_shared<nazori::cli::HelpText>());
+  app.footer(
+      "Every verb documents itself: nazori-cli help carve\n"
+      "Exit code: 0 done, 1 the answer is no or not found, 2 bad usage or bad input,\n"
+      "3 another program has the learner open.");
+
+  Action chosen;
+  bool quiet = false;
+  add_verbs(app, chosen);
+  finish_table(app, quiet);
+
+  Console console;
+  const int code = console.finish(read_and_run(app, chosen, quiet, console, argc, argv));
+  if (nazori::cli::stop_requested()) nazori::cli::end_by_stop_signal();
+  return code;
 }

@@ -43,7 +43,6 @@ int run(Console& console, const CLI::App& app) {
 
 void add_manual(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("manual", "Print the manual page of this program");
-  verb->group("Verbs");
   verb->footer(
       "The page is in roff. Its date is that of SOURCE_DATE_EPOCH, and none where that is not set.\n\n"
       "Example:\n  nazori-cli manual | man -l -");

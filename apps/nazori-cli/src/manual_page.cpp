@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace nazori::cli {
@@ -82,8 +83,16 @@ The answer is no, or nothing was found.
 .B 2
 Bad usage or bad input; one line on standard error says what, where,
 and what would be right.
-.PP
-Ctrl+C ends the program by its signal, after what was begun has been removed.
+.TP
+.B 3
+Another program has the learner open.
+.B \-\-wait
+waits for it.
+.TP
+.BR 130 ", " 143
+Ctrl+C (SIGINT) or SIGTERM stopped the work.
+The program ends by that signal within 0.3 s,
+and no file is left that is not whole.
 )";
 
 /// Running text in lines of at most kWidth bytes where its words allow that; no line starts with a request.
@@ -164,21 +173,32 @@ std::string usage_of(const Command& verb) {
   return usage;
 }
 
+/// Every verb takes --help, and every one that answers --quiet; OPTIONS says so once.
+bool is_told_once(const OptionEntry& option) {
+  return option.names.back() == "--help" || option.names.back() == "--quiet";
+}
+
+/// The options of a verb under the headings of its help, which lists heading by heading.
+std::string options_text(const Command& verb) {
+  std::vector<std::string> groups;
+  for (const OptionEntry& option : verb.options) {
+    if (std::find(groups.begin(), groups.end(), option.group) == groups.end()) groups.push_back(option.group);
+  }
+  std::string text;
+  for (const std::string& group : groups) {
+    if (group != groups.front()) text += ".PP\n" + filled(group + ":");
+    for (const OptionEntry& option : verb.options) {
+      if (option.group == group && !is_told_once(option)) text += entry_text(option);
+    }
+  }
+  return text;
+}
+
 std::string verb_text(const Command& verb) {
   std::string text = ".SS " + roff_escaped("nazori-cli " + verb.path) + "\n" +
                      filled(verb.description + ".") + ".PP\n.EX\n" + roff_escaped(usage_of(verb)) + "\n.EE\n";
-  std::string group;
   for (const OptionEntry& argument : verb.arguments) text += entry_text(argument);
-  for (const OptionEntry& option : verb.options) {
-    // Every verb takes --help; OPTIONS says so once.
-    if (option.names.back() == "--help") continue;
-    if (group != option.group) {
-      text += group.empty() && option.group == "Options" ? "" : ".PP\n" + filled(option.group + ":");
-      group = option.group;
-    }
-    text += entry_text(option);
-  }
-  return text + paragraphs(parts_of(verb.footer).prose);
+  return text + options_text(verb) + paragraphs(parts_of(verb.footer).prose);
 }
 
 std::string examples_of(const std::vector<const Command*>& commands) {
@@ -256,7 +276,10 @@ std::string manual_page(const Command& program, std::string_view version, std::s
               "bytes. An option's value follows in the next word or after an equals sign.");
   text += ".SH OPTIONS\n";
   for (const OptionEntry& option : program.options) text += entry_text(option);
-  text += ".PP\nEvery verb takes\n.BR \\-\\-help .\n.SH VERBS\n";
+  text +=
+      ".PP\nEvery verb takes\n.BR \\-\\-help .\nEvery verb that answers takes\n.BR \\-q \", \" \\-\\-quiet "
+      ":\n"
+      "it then prints no answer and no progress, and the exit status tells.\n.SH VERBS\n";
   for (const Command* command : commands) {
     if (!command->path.empty()) text += verb_text(*command);
   }

@@ -4,21 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <map>
-#include <span>
-
-#include "nazori/base/file.h"
 
 namespace nazori::cli {
 namespace {
 
 using carving::CrossSection;
-
-// 16 bits a sample, none of it compressible, with room for the format's own bytes.
-constexpr std::size_t kMostMapBytes =
-    std::size_t{surface::HeightMap::kMaxSize} * surface::HeightMap::kMaxSize * 2 + (std::size_t{16} << 20);
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
@@ -35,10 +27,9 @@ CLI::Validator within(double lowest, double highest) {
   const std::string range = fmt::format("{}..{}", lowest, highest);
   return {[lowest, highest, range](std::string& text) {
             double value = 0;
-            if (!CLI::detail::lexical_cast(text, value) || !(value >= lowest && value <= highest)) {
-              return fmt::format("{} is not within {}", text, range);
-            }
-            return std::string();
+            if (!CLI::detail::lexical_cast(text, value)) return fmt::format("'{}' is not a number", text);
+            return value >= lowest && value <= highest ? std::string()
+                                                       : fmt::format("{} is not within {}", text, range);
           },
           range};
 }
@@ -112,26 +103,6 @@ bool has_extension(const std::filesystem::path& path, std::string_view extension
   std::string own = path.extension().string();
   std::transform(own.begin(), own.end(), own.begin(), small_letter);
   return own == extension;
-}
-
-base::Result<surface::HeightMap> load_height_map(const std::filesystem::path& path, std::optional<int> size) {
-  auto bytes = base::read_file(path, kMostMapBytes);
-  if (!bytes) return tl::unexpected(std::move(bytes.error()));
-  constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-  const bool png = bytes->size() >= kPngSignature.size() &&
-                   std::equal(kPngSignature.begin(), kPngSignature.end(), bytes->begin());
-  auto map = png ? surface::parse_png(*bytes) : surface::parse_raw(*bytes, size);
-  if (!map) {
-    base::Error error = std::move(map.error());
-    error.where = path.string() + (error.where.empty() ? "" : ": " + error.where);
-    return tl::unexpected(std::move(error));
-  }
-  if (png && size && *size != map->size()) {
-    return base::fail(base::Errc::bad_argument,
-                      fmt::format("is a picture {0} x {0}, not {1} x {1}", map->size(), *size), path.string(),
-                      "leave --map-size out: a PNG says its own size");
-  }
-  return map;
 }
 
 }  // namespace nazori::cli

@@ -3,14 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "nazori/base/result.h"
 #include "nazori/carving/carve.h"
 #include "nazori/devices/simulated_device.h"
-#include "nazori/surface/height_map.h"
 
 namespace nazori::cli {
 
@@ -36,10 +34,5 @@ struct PictureSize {
 
 /// Whether the name of a file ends with `extension` (".png"), in small or capital letters.
 [[nodiscard]] bool has_extension(const std::filesystem::path& path, std::string_view extension);
-
-/// Reads a height map of one's own: a PNG where the file is one, else 8-bit RAW.
-/// @param size  side of a RAW; without it the file's length says.
-[[nodiscard]] base::Result<surface::HeightMap> load_height_map(const std::filesystem::path& path,
-                                                               std::optional<int> size);
 
 }  // namespace nazori::cli

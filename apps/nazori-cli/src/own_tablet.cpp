@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "nazori/kanji/stroke_order.h"
-#include "options.h"
+#include "nazori/surface/height_map_file.h"
 
 namespace nazori::cli {
 namespace {
@@ -18,7 +18,7 @@ base::Result<std::shared_ptr<const tablet::CarvedTablet>> own_tablet(const OwnTa
                                                                      const carving::Brush& brush) {
   std::optional<surface::HeightMap> map;
   if (!files.height_map.empty()) {
-    auto loaded = load_height_map(files.height_map, files.map_size);
+    auto loaded = surface::load_height_map(files.height_map, files.map_size);
     if (!loaded) return tl::unexpected(std::move(loaded.error()));
     map = std::move(*loaded);
   }

@@ -43,19 +43,22 @@ struct PlotSettings {
 };
 
 struct Files {
-  std::optional<std::filesystem::path> output;
-  std::optional<std::filesystem::path> mask;
-  std::optional<std::filesystem::path> print;
-  std::optional<std::filesystem::path> sound;
+  std::optional<OutputPlace> output;
+  std::optional<OutputPlace> mask;
+  std::optional<OutputPlace> print;
+  std::optional<OutputPlace> sound;
 };
 
 base::Result<Files> files_of(const PlotSettings& s) {
   Files files;
-  const auto check = [](std::optional<std::filesystem::path>& to, const std::string& option,
-                        const std::string& text, std::vector<std::string> extensions) -> base::Result<void> {
+  std::vector<NamedFile> named;
+  const auto check = [&named](std::optional<OutputPlace>& to, const std::string& option,
+                              const std::string& text,
+                              std::vector<std::string> extensions) -> base::Result<void> {
     if (text.empty()) return {};
     auto file = output_file({option, text, std::move(extensions)});
     if (!file) return tl::unexpected(std::move(file.error()));
+    named.push_back({option, file->name()});
     to = std::move(*file);
     return {};
   };
@@ -64,6 +67,7 @@ base::Result<Files> files_of(const PlotSettings& s) {
   if (auto r = check(files.mask, "--mask", s.mask, {".png"}); !r) return tl::unexpected(r.error());
   if (auto r = check(files.print, "--print", s.print, {".png"}); !r) return tl::unexpected(r.error());
   if (auto r = check(files.sound, "--sound", s.sound, {".wav"}); !r) return tl::unexpected(r.error());
+  if (auto fine = check_distinct(named, s.json); !fine) return tl::unexpected(std::move(fine.error()));
   return files;
 }
 
@@ -151,9 +155,10 @@ Json to_json(const functions::Plot& plot, const functions::Picture& picture,
 base::Result<void> save(const Files& files, const functions::Picture& picture, const functions::Plot& plot,
                         const std::vector<functions::PointOfInterest>& points) {
   if (files.output) {
-    auto saved = has_extension(*files.output, ".raw")
-                     ? surface::save_raw(picture.plate.heights, *files.output)
-                     : surface::save_png(picture.plate.heights, *files.output, surface::PngDepth::bits_16);
+    auto saved =
+        has_extension(files.output->path(), ".raw")
+            ? surface::save_raw(picture.plate.heights, files.output->path())
+            : surface::save_png(picture.plate.heights, files.output->path(), surface::PngDepth::bits_16);
     if (!saved) return saved;
   }
   if (files.mask) {
@@ -161,19 +166,29 @@ base::Result<void> save(const Files& files, const functions::Picture& picture, c
     if (!mask) return tl::unexpected(mask.error());
     for (std::size_t i = 0; i < picture.plate.mask.size(); ++i)
       mask->samples()[i] = picture.plate.mask[i] != 0 ? 1.0F : 0.0F;
-    if (auto saved = surface::save_png(*mask, *files.mask, surface::PngDepth::bits_8); !saved) return saved;
+    if (auto saved = surface::save_png(*mask, files.mask->path(), surface::PngDepth::bits_8); !saved)
+      return saved;
   }
   if (files.print) {
     const auto print = functions::print_picture(picture.tracing);
     if (!print) return tl::unexpected(print.error());
-    if (auto saved = surface::save_png(*print, *files.print, surface::PngDepth::bits_8); !saved) return saved;
+    if (auto saved = surface::save_png(*print, files.print->path(), surface::PngDepth::bits_8); !saved)
+      return saved;
   }
   if (files.sound) {
     const auto sound = functions::sweep(plot, picture.tracing, points);
     if (!sound) return tl::unexpected(sound.error());
-    return functions::save_wav(*sound, *files.sound);
+    return functions::save_wav(*sound, files.sound->path());
   }
   return {};
+}
+
+/// Whichever of the files goes to standard output.
+const OutputPlace* console_file(const Files& files) {
+  for (const auto* place : {&files.output, &files.mask, &files.print, &files.sound}) {
+    if (*place && (*place)->is_console()) return &**place;
+  }
+  return nullptr;
 }
 
 double ms_since(Clock::time_point start) {
@@ -200,18 +215,22 @@ int run(Console& console, PlotSettings s) {
     return console.refuse(
         {base::Errc::bad_argument, "a surface has no lines to print", "--print", "give a curve"});
 
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   const auto language = s.language == "ja" ? functions::Language::japanese : functions::Language::english;
   Timings timings;
   const auto start = Clock::now();
   const auto picture = functions::draw(*plot, window, s.plate, progress.callback());
   timings.draw_ms = ms_since(start);
   progress.clear();
-  if (!picture) return console.fail(picture.error());
+  if (!picture) return console.refuse(picture.error());
   const auto before = Clock::now();
   const auto points = functions::points_of_interest(*plot, picture->tracing);
   timings.points_ms = ms_since(before);
-  if (auto saved = save(*files, *picture, *plot, points); !saved) return console.fail(saved.error());
+  if (auto saved = save(*files, *picture, *plot, points); !saved) return console.refuse(saved.error());
+  if (const OutputPlace* const file = console_file(*files)) {
+    const auto sent = file->deliver(console);
+    return sent ? kDone : console.refuse(sent.error());
+  }
   if (s.json) {
     console.print(to_text(to_json(*plot, *picture, points, timings, language)));
     return kDone;
@@ -256,8 +275,9 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->capture_default_str()
       ->type_name("on|off");
   verb->add_flag("--grid", s->plate.layers.grid, "Fine ridges at every tick");
-  verb->add_option("-o,--output", s->output,
-                   "The plate: .png (16-bit grey, white the plateau) or .raw (8 bits)")
+  verb->add_option(
+          "-o,--output", s->output,
+          "The plate: .png (16-bit grey, white the plateau) or .raw (8 bits); - is standard output (PNG)")
       ->type_name("FILE");
   verb->add_option("--mask", s->mask, "What is carved or defined, 8-bit grey PNG of 255 and 0")
       ->type_name("FILE");

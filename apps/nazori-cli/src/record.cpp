@@ -34,6 +34,7 @@ struct InfoSettings {
 struct ExportSettings {
   std::string file;
   std::string output;
+  bool json = false;
 };
 
 /// A recording read whole.
@@ -137,27 +138,40 @@ std::string describe(const Told& told, const std::string& file) {
 }
 
 int run_info(Console& console, const InfoSettings& settings) {
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   const auto told = tell(settings.file, progress);
   progress.clear();
-  if (!told) return console.fail(told.error());
+  if (!told) return console.refuse(told.error());
   console.print(settings.json ? to_text(told_json(*told, settings.file)) : describe(*told, settings.file));
   return kDone;
 }
 
 int run_export(Console& console, const ExportSettings& settings) {
-  const auto path = output_file({"--output", settings.output, {".csv"}});
-  if (!path) return console.refuse(path.error());
+  const auto place = output_file({"--output", settings.output, {".csv"}});
+  if (!place) return console.refuse(place.error());
+  const NamedFile files[] = {{"file", settings.file, NamedFile::Use::read}, {"--output", place->name()}};
+  if (auto fine = check_distinct(files, settings.json); !fine) return console.refuse(fine.error());
   if (const auto recovery = recording::recover(settings.file); !recovery)
     return console.refuse(recovery.error());
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
-  const auto end = recording::export_csv(settings.file, *path, progress.callback());
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
+  const auto end = recording::export_csv(settings.file, place->path(), progress.callback());
   progress.clear();
-  if (!end) return console.fail(end.error());
+  if (!end) return console.refuse(end.error());
+  if (place->is_console()) {
+    const auto sent = place->deliver(console);
+    return sent ? kDone : console.refuse(sent.error());
+  }
+  if (settings.json) {
+    console.print(to_text({{"file", place->name()},
+                           {"ticks", end->samples},
+                           {"damaged", end->damaged},
+                           {"finished", end->finished}}));
+    return kDone;
+  }
   std::string note;
   if (end->damaged > 0) note += fmt::format(", {} damaged left out", end->damaged);
   if (!end->finished) note += ", the recording breaks off";
-  console.print(fmt::format("{}  {} ticks{}\n", path->string(), end->samples, note));
+  console.print(fmt::format("{}  {} ticks{}\n", place->name(), end->samples, note));
   return kDone;
 }
 
@@ -165,7 +179,6 @@ int run_export(Console& console, const ExportSettings& settings) {
 
 void add_record(CLI::App& app, Action& chosen) {
   CLI::App* record = app.add_subcommand("record", "Look into recordings of sessions, or turn them into CSV");
-  record->group("Verbs");
   record->require_subcommand(1);
   record->footer(
       "nazori-cli demo --record FILE makes one.\n\nExamples:\n"
@@ -173,7 +186,6 @@ void add_record(CLI::App& app, Action& chosen) {
 
   auto info = std::make_shared<InfoSettings>();
   CLI::App* verb = record->add_subcommand("info", "Tell what a recording holds and whether it is whole");
-  verb->group("Verbs");
   verb->add_option("file", info->file, "The recording, a .nzr")->required();
   verb->add_flag("--json", info->json, "Answer in JSON (see docs/command-line.md)");
   verb->footer(
@@ -183,9 +195,11 @@ void add_record(CLI::App& app, Action& chosen) {
 
   auto to_csv = std::make_shared<ExportSettings>();
   verb = record->add_subcommand("export", "Write a recording as CSV");
-  verb->group("Verbs");
   verb->add_option("file", to_csv->file, "The recording, a .nzr")->required();
-  verb->add_option("-o,--output", to_csv->output, "The .csv to write")->required()->type_name("FILE");
+  verb->add_option("-o,--output", to_csv->output, "The .csv to write; - is standard output")
+      ->required()
+      ->type_name("FILE");
+  verb->add_flag("--json", to_csv->json, "Answer in JSON (see docs/command-line.md)");
   verb->footer("Example:\n  nazori-cli record export session.nzr --output session.csv");
   verb->callback(
       [to_csv, &chosen] { chosen = [to_csv](Console& console) { return run_export(console, *to_csv); }; });

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "character_json.h"
 #include "characters.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/surface/height_map.h"
@@ -33,13 +34,13 @@ struct RenderSettings {
   bool no_numbers = false;
   carving::Brush brush;
   Look look;
+  bool json = false;
 };
 
 constexpr int kCarvedSize = 1024;
 
-base::Result<void> paint(TabletPainter& painter, const tablet::CarvedTablet& tablet,
-                         const RenderSettings& settings, const std::string& name,
-                         const std::filesystem::path& path) {
+base::Result<void> paint(Console& console, TabletPainter& painter, const tablet::CarvedTablet& tablet,
+                         const RenderSettings& settings, const std::string& name, const OutputPlace& place) {
   const int strokes = static_cast<int>(tablet.lines().size());
   if (settings.stroke > strokes) {
     return base::fail(
@@ -51,20 +52,38 @@ base::Result<void> paint(TabletPainter& painter, const tablet::CarvedTablet& tab
   overlay.arrows_visible = !settings.no_arrows;
   overlay.numbers_visible = !settings.no_numbers;
   overlay.current_stroke = settings.stroke;
-  return view::save_png(painter.paint(tablet, overlay), path);
+  auto saved = view::save_png(painter.paint(tablet, overlay), place.path());
+  return saved ? place.deliver(console) : saved;
+}
+
+/// A picture in the answer. @param name  of the character or the file that it shows.
+Json picture_json(const std::string& name, const OutputPlace& place, const RenderSettings& settings) {
+  const auto size = parse_picture_size(settings.look.size).value_or(PictureSize{});
+  return {{"subject", name}, {"file", place.name()}, {"width", size.width}, {"height", size.height}};
+}
+
+std::string picture_text(const std::string& name, const OutputPlace& place, const RenderSettings& settings) {
+  return place.is_console() ? std::string()
+                            : fmt::format("{}  {}  {}\n", name, place.name(), settings.look.size);
 }
 
 int run_own(Console& console, const RenderSettings& settings) {
   const auto path = output_file({"--output", settings.output, {".png"}});
   if (!path) return console.refuse(path.error());
+  const NamedFile files[] = {{"--height-map", settings.height_map, NamedFile::Use::read},
+                             {"--strokes", settings.strokes, NamedFile::Use::read},
+                             {"--output", path->name()}};
+  if (auto fine = check_distinct(files, settings.json); !fine) return console.refuse(fine.error());
   const auto tablet =
       own_tablet({settings.height_map, settings.strokes, settings.map_size}, kCarvedSize, settings.brush);
   if (!tablet) return console.refuse(tablet.error());
   auto painter = TabletPainter::create(settings.look);
   if (!painter) return console.refuse(painter.error());
   const std::string name = settings.strokes.empty() ? settings.height_map : settings.strokes;
-  if (auto done = paint(*painter, **tablet, settings, name, *path); !done) return console.fail(done.error());
-  console.print(fmt::format("{}  {}  {}\n", name, path->string(), settings.look.size));
+  if (auto done = paint(console, *painter, **tablet, settings, name, *path); !done)
+    return console.refuse(done.error());
+  console.print(settings.json ? to_text(Json::array({picture_json(name, *path, settings)}))
+                              : picture_text(name, *path, settings));
   return kDone;
 }
 
@@ -73,24 +92,33 @@ int run_characters(Console& console, const RenderSettings& settings) {
   if (!names) return console.refuse(names.error());
   const auto paths = output_files({"--output", settings.output, {".png"}}, *names);
   if (!paths) return console.refuse(paths.error());
+  std::vector<NamedFile> files;
+  for (const OutputPlace& place : *paths) files.push_back({"--output", place.name()});
+  if (auto fine = check_distinct(files, settings.json); !fine) return console.refuse(fine.error());
   const auto characters = characters_with_strokes(console, settings.characters, settings.database);
   if (!characters) return characters.error();
   auto painter = TabletPainter::create(settings.look);
   if (!painter) return console.refuse(painter.error());
 
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  Json document = Json::array();
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   for (std::size_t i = 0; i < characters->size(); ++i) {
     const std::string name = name_of((*characters)[i]).text();
     if (!progress.show(static_cast<double>(i) / static_cast<double>(characters->size()), "drawing " + name)) {
-      return console.fail({base::Errc::cancelled, "stopped", name, ""});
+      return console.refuse({base::Errc::cancelled, "stopped", name, ""});
     }
     const auto tablet = tablet::CarvedTablet::from_lines(
         (*characters)[i].lines(), settings.map_size.value_or(kCarvedSize), settings.brush);
     if (!tablet) return console.refuse(tablet.error());
-    if (auto done = paint(*painter, **tablet, settings, name, (*paths)[i]); !done)
-      return console.fail(done.error());
-    console.print(fmt::format("{}  {}  {}\n", name, (*paths)[i].string(), settings.look.size));
+    if (auto done = paint(console, *painter, **tablet, settings, name, (*paths)[i]); !done)
+      return console.refuse(done.error());
+    if (settings.json) {
+      document.push_back(picture_json(name, (*paths)[i], settings));
+    } else {
+      console.print(picture_text(name, (*paths)[i], settings));
+    }
   }
+  if (settings.json) console.print(to_text(document));
   return kDone;
 }
 
@@ -113,11 +141,12 @@ int run(Console& console, const RenderSettings& settings) {
 void add_render(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<RenderSettings>();
   CLI::App* verb = app.add_subcommand("render", "Draw pictures of carved tablets; needs no screen");
-  verb->group("Verbs");
   verb->add_option("characters", settings->characters,
                    "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11");
-  verb->add_option("-o,--output", settings->output,
-                   "The .png to write; for several characters a folder or a name with {} for the character")
+  verb->add_option(
+          "-o,--output", settings->output,
+          "The .png to write; for several characters a folder or a name with {} for the character; - is "
+          "standard output")
       ->required()
       ->type_name("FILE");
   verb->add_option("--stroke", settings->stroke, "Only this stroke; 0 for all")
@@ -127,6 +156,7 @@ void add_render(CLI::App& app, Action& chosen) {
   verb->add_flag("--no-strokes", settings->no_strokes, "The bare tablet");
   verb->add_flag("--no-arrows", settings->no_arrows, "Strokes without arrowheads");
   verb->add_flag("--no-numbers", settings->no_numbers, "Strokes without their numbers");
+  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
   const std::string own = "A tablet of one's own, in place of a character";
   verb->add_option("--height-map", settings->height_map, "A height map: 8-bit RAW or greyscale PNG")
       ->type_name("FILE")

@@ -38,7 +38,7 @@ base::Result<void> SampleOutput::send() {
   if (file_) {
     sent = file_->append(text_);
   } else {
-    console_->print(text_);
+    console_->print_file(text_);
   }
   text_.clear();
   return sent;

@@ -24,9 +24,12 @@ struct SearchSettings {
   std::string radical;
   std::optional<int> grade;
   std::optional<int> strokes;
-  int limit = 100;
+  std::optional<int> limit;
   bool json = false;
 };
+
+constexpr int kMost = 100'000;
+constexpr int kShownOfWords = 100;
 
 /// A radical by its number or by any of its forms.
 base::Result<int> find_radical(const kanji::KanjiDatabase& database, const std::string& text) {
@@ -67,7 +70,7 @@ int run(Console& console, const SearchSettings& settings) {
   query.text = fmt::format("{}", fmt::join(settings.words, " "));
   query.grade = settings.grade;
   query.strokes = settings.strokes;
-  query.limit = settings.limit;
+  query.limit = kMost;
   if (!base::decode_utf8(query.text)) {
     return console.refuse({base::Errc::bad_argument, "is not valid UTF-8", "'" + query.text + "'",
                            "search for a character, kana, romaji or English"});
@@ -85,8 +88,13 @@ int run(Console& console, const SearchSettings& settings) {
     query.radical = *radical;
   }
 
-  const std::vector<kanji::Summary> found = database->search(query);
+  std::vector<kanji::Summary> found = database->search(query);
   if (database->trouble()) return console.refuse(*database->trouble());
+  const std::size_t all = found.size();
+  // Of what a word finds the best are enough; a grade or a radical is asked for whole.
+  const bool has_text = query.text.find_first_not_of(' ') != std::string::npos;
+  const int shown = settings.limit.value_or(has_text ? kShownOfWords : kMost);
+  if (all > static_cast<std::size_t>(shown)) found.resize(static_cast<std::size_t>(shown));
   if (settings.json) {
     Json document = Json::array();
     for (const kanji::Summary& one : found) document.push_back(to_json(one));
@@ -94,6 +102,8 @@ int run(Console& console, const SearchSettings& settings) {
   } else {
     console.print(table(found));
   }
+  if (all > found.size() && !settings.limit)
+    console.note(fmt::format("{} of {} characters are shown; --limit {} shows all", found.size(), all, all));
   if (!found.empty()) return kDone;
   return console.deny({base::Errc::not_found, "no character fits",
                        query.text.empty() ? "" : "'" + query.text + "'",
@@ -106,7 +116,6 @@ void add_search(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<SearchSettings>();
   CLI::App* verb =
       app.add_subcommand("search", "Find characters by reading, meaning, grade, strokes or radical");
-  verb->group("Verbs");
   verb->add_option("query", settings->words, "A character, a reading in kana or romaji, or an English word");
   verb->add_option("--grade", settings->grade,
                    "School grade: 1..6, 8 for secondary school, 9 and 10 for names")
@@ -118,9 +127,9 @@ void add_search(CLI::App& app, Action& chosen) {
   verb->add_option("--radical", settings->radical,
                    "Classical radical: its number 1..214 or a form such as 亻")
       ->type_name("N|FORM");
-  verb->add_option("--limit", settings->limit, "At most so many answers")
-      ->check(within(1, 100'000))
-      ->capture_default_str()
+  verb->add_option("--limit", settings->limit,
+                   "At most so many answers (default: 100 where a query is given, else all)")
+      ->check(within(1, kMost))
       ->type_name("N");
   verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
   add_database_option(*verb, settings->database);

@@ -6,6 +6,7 @@
 
 #include "nazori/base/file.h"
 #include "nazori/base/utf8.h"
+#include "options.h"
 #include "study_session.h"
 
 namespace nazori::cli {
@@ -67,11 +68,11 @@ void add_change(CLI::App& study, Action& chosen, const char* name, const char* d
   if (!leech) characters->required();
   if (days) {
     verb->add_option("--days", settings->days, "Not before so many days from today")
-        ->check(CLI::Range(1, 3'650))
+        ->check(within(1, 3'650))
         ->capture_default_str()
         ->type_name("N");
   }
-  add_learner_options(*verb, settings->options);
+  add_writer_options(*verb, settings->options);
   verb->add_option("--database", settings->options.database, "The kanji database to read")->type_name("FILE");
   verb->callback([settings, &chosen, word, apply, leech] {
     chosen = [=](Console& console) {
@@ -182,7 +183,7 @@ void add_study_changes(CLI::App& study, Action& chosen) {
   verb->add_option("changes", asked->changes, "NAME=VALUE");
   verb->add_option("--weights", asked->weights, "Weights of FSRS: 21, 19 or 17 numbers, as Anki shows them")
       ->type_name("FILE");
-  add_learner_options(*verb, asked->options);
+  add_writer_options(*verb, asked->options);
   verb->callback(
       [asked, &chosen] { chosen = [asked](Console& console) { return settings(console, *asked); }; });
 }

@@ -72,28 +72,31 @@ base::Result<void> write_learner(const FileSettings& settings, const fs::path& f
 }
 
 int export_learner(Console& console, const FileSettings& settings) {
-  const auto file = output_file({"--output", settings.output, {".json", ".csv", ".apkg"}});
-  if (!file) return console.refuse(file.error());
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
-  // What it wrote in part is gone when it returns: fail() may end the program.
-  const auto written = write_learner(settings, *file, progress.callback());
+  const auto place = output_file({"--output", settings.output, {".json", ".csv", ".apkg"}});
+  if (!place) return console.refuse(place.error());
+  const NamedFile files[] = {{"--output", place->name()}};
+  if (auto fine = check_distinct(files, settings.options.json); !fine) return console.refuse(fine.error());
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
+  auto written = write_learner(settings, place->path(), progress.callback());
   progress.clear();
-  if (!written) return console.fail(written.error());
-  console.print(settings.options.json ? to_text({{"file", file->string()}}) : file->string() + "\n");
+  if (written) written = place->deliver(console);
+  if (!written) return console.refuse(written.error());
+  if (place->is_console()) return kDone;
+  console.print(settings.options.json ? to_text({{"file", place->name()}}) : place->name() + "\n");
   return kDone;
 }
 
 int import_learner(Console& console, const FileSettings& settings) {
   const auto to_check = study::file_source(settings.file);
   if (!to_check) return console.refuse(to_check.error());
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   // Checked whole first, so that a file that is refused leaves not even an empty profile.
   auto checked = study::check_json(*to_check, base::part_of(progress.callback(), 0, kChecking));
   if (!checked) {
     base::Error& error = checked.error();
     if (error.code == base::Errc::parse || error.code == base::Errc::schema)
       error.where = settings.file + ": " + error.where;
-    return console.fail(error);
+    return console.refuse(error);
   }
   const auto source = study::file_source(settings.file);
   if (!source) return console.refuse(source.error());
@@ -101,10 +104,7 @@ int import_learner(Console& console, const FileSettings& settings) {
   if (!learner) return console.refuse(learner.error());
   const auto done = study::import_json(*learner, *source, base::part_of(progress.callback(), kChecking, 1));
   progress.clear();
-  if (!done) {
-    learner = tl::unexpected(done.error());  // closes it: fail() may end the program
-    return console.fail(done.error());
-  }
+  if (!done) return console.refuse(done.error());
   console.print(settings.options.json
                     ? to_text({{"entries", learner->last_entry()}, {"characters", learner->cards().size()}})
                     : fmt::format("{}, {}\n", counted(learner->last_entry(), "entry", "entries"),
@@ -115,19 +115,28 @@ int import_learner(Console& console, const FileSettings& settings) {
 int backup(Console& console, const FileSettings& settings) {
   const auto path = learner_path(settings.options);
   if (!path) return console.refuse(path.error());
+  if (settings.output == kConsoleFile) {
+    return console.refuse({base::Errc::bad_argument, "a backup cannot go to standard output", "--output",
+                           "give the name of a file; study export writes to standard output"});
+  }
+  const NamedFile files[] = {{"the learner's file", path->string(), NamedFile::Use::read},
+                             {"--output", settings.output}};
+  if (auto fine = check_distinct(files, settings.options.json); !fine) return console.refuse(fine.error());
   const auto learner = open_learner(settings.options, Access::read);
   if (!learner) return console.refuse(learner.error());
   if (learner->last_entry() == 0) {
     return console.deny({base::Errc::not_found, "nothing studied yet", path->string(), ""});
   }
   fs::path file = settings.output;
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   if (file.empty()) {
-    auto made = study::make_backup(*learner, *path);
+    auto made = study::make_backup(*learner, *path, progress.callback());
     if (!made) return console.refuse(made.error());
     file = *std::move(made);
-  } else if (auto done = learner->copy_to(file); !done) {
+  } else if (auto done = learner->copy_to(file, progress.callback()); !done) {
     return console.refuse(done.error());
   }
+  progress.clear();
   console.print(settings.options.json ? to_text({{"file", file.string()}}) : file.string() + "\n");
   return kDone;
 }
@@ -171,7 +180,10 @@ int restore(Console& console, const FileSettings& settings) {
   }
   const auto clock = study_clock(settings.options);
   if (!clock) return console.refuse(clock.error());
-  const auto kept = study::restore_backup(file, *path, *clock);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
+  const auto kept = when_free(
+      settings.options, [&] { return study::restore_backup(file, *path, *clock, progress.callback()); });
+  progress.clear();
   if (!kept) return console.refuse(kept.error());
   if (settings.options.json) {
     console.print(to_text({{"restored", file.string()}, {"kept", kept->string()}}));
@@ -186,10 +198,10 @@ int rebuild(Console& console, const FileSettings& settings) {
   if (const auto code = refuse_missing(console, settings.options)) return *code;
   auto learner = open_learner(settings.options, Access::rebuild);
   if (!learner) return console.refuse(learner.error());
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   const auto report = learner->rebuild(progress.callback());
   progress.clear();
-  if (!report) return console.fail(report.error());
+  if (!report) return console.refuse(report.error());
   console.print(settings.options.json
                     ? to_text({{"entries", report->entries},
                                {"characters", report->cards},
@@ -204,12 +216,12 @@ int rebuild(Console& console, const FileSettings& settings) {
 int replay(Console& console, const FileSettings& settings) {
   const auto bytes = base::read_file(settings.file, kMostReplayBytes);
   if (!bytes) return console.refuse(bytes.error());
-  ProgressDisplay progress(ProgressDisplay::Plain::silent);
+  ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   auto replayed = study::replay_histories(as_text(*bytes), progress.callback());
   progress.clear();
   if (!replayed) {
     replayed.error().where = settings.file + ": " + replayed.error().where;
-    return console.fail(replayed.error());
+    return console.refuse(replayed.error());
   }
   if (!settings.check) {
     console.print(study::to_json(*replayed));
@@ -239,11 +251,17 @@ int replay(Console& console, const FileSettings& settings) {
 }
 
 using Run = int (*)(Console&, const FileSettings&);
+/// Whether a verb changes a learner.
+enum class Writes { no, yes };
 
 CLI::App* add(CLI::App& study, Action& chosen, const char* name, const char* description, const char* footer,
-              const std::shared_ptr<FileSettings>& settings, Run run) {
+              const std::shared_ptr<FileSettings>& settings, Run run, Writes writes = Writes::no) {
   CLI::App* verb = add_study_verb(study, name, description, footer);
-  add_learner_options(*verb, settings->options);
+  if (writes == Writes::yes) {
+    add_writer_options(*verb, settings->options);
+  } else {
+    add_learner_options(*verb, settings->options);
+  }
   verb->callback([settings, &chosen, run] {
     chosen = [settings, run](Console& console) { return run(console, *settings); };
   });
@@ -260,7 +278,9 @@ void add_study_files(CLI::App& study, Action& chosen) {
           "  nazori-cli study export --output reviews.csv\n"
           "  nazori-cli study export --output kanji.apkg --list grade-1 --deck 'Kanji::Grade 1'",
           settings, export_learner);
-  verb->add_option("-o,--output", settings->output, "The file to write")->required()->type_name("FILE");
+  verb->add_option("-o,--output", settings->output, "The file to write; - is standard output (JSON)")
+      ->required()
+      ->type_name("FILE");
   verb->add_option("--list", settings->lists,
                    "For Anki: characters or lists; default is every character that was ever met")
       ->type_name("LIST");
@@ -275,7 +295,8 @@ void add_study_files(CLI::App& study, Action& chosen) {
 
   settings = std::make_shared<FileSettings>();
   verb = add(study, chosen, "import", "Fill an empty profile from an export in JSON",
-             "Example:\n  nazori-cli study import me.json --profile Mari", settings, import_learner);
+             "Example:\n  nazori-cli study import me.json --profile Mari", settings, import_learner,
+             Writes::yes);
   verb->add_option("file", settings->file, "The export")->required()->type_name("FILE");
 
   settings = std::make_shared<FileSettings>();
@@ -288,13 +309,13 @@ void add_study_files(CLI::App& study, Action& chosen) {
   verb = add(study, chosen, "restore", "Put a backup in the place of a learner's file",
              "Without a file the newest daily backup is taken. What stood there is kept.\n\n"
              "Examples:\n  nazori-cli study restore --list\n  nazori-cli study restore",
-             settings, restore);
+             settings, restore, Writes::yes);
   verb->add_option("file", settings->file, "The backup")->type_name("FILE");
   verb->add_flag("--list", settings->list, "Only name the backups there are, newest first");
 
   settings = std::make_shared<FileSettings>();
   add(study, chosen, "rebuild", "Work out every state anew from the log",
-      "Example:\n  nazori-cli study rebuild", settings, rebuild);
+      "Example:\n  nazori-cli study rebuild", settings, rebuild, Writes::yes);
 
   settings = std::make_shared<FileSettings>();
   verb = add(study, chosen, "replay", "Schedule histories of reviews anew with FSRS-6",

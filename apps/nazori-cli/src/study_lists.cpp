@@ -102,7 +102,8 @@ int lists(Console& console, const ListsSettings& settings) {
   auto learner = open_learner(settings.options, study::Access::write);
   if (!learner) return console.refuse(learner.error());
   if (auto removed = learner->remove_list(settings.remove); !removed) return console.deny(removed.error());
-  if (!settings.options.json) console.print(fmt::format("removed list:{}\n", settings.remove));
+  console.print(settings.options.json ? to_text({{"removed", "list:" + settings.remove}})
+                                      : fmt::format("removed list:{}\n", settings.remove));
   return kDone;
 }
 
@@ -113,15 +114,22 @@ int tag(Console& console, const TagSettings& settings) {
   if (!characters) return console.refuse(characters.error());
   for (const std::string& text : settings.tags) {
     if (!study::can_be_name(text)) {
-      return console.refuse({base::Errc::bad_argument, "is no tag", text, "give 1 to 100 bytes of text"});
+      return console.refuse({base::Errc::bad_argument, fmt::format("'{}' cannot be a tag", text), "--with",
+                             "give 1 to 100 bytes of text"});
     }
   }
   for (const char32_t one : *characters) {
     if (auto done = session->learner().set_tags(one, settings.tags); !done)
       return console.refuse(done.error());
   }
-  if (!settings.options.json)
+  if (!settings.options.json) {
     console.print(fmt::format("tagged: {}\n", counted(characters->size(), "character")));
+    return kDone;
+  }
+  Json json = Json::array();
+  for (const char32_t one : *characters)
+    json.push_back({{"character", base::encode_utf8(one)}, {"tags", settings.tags}});
+  console.print(to_text(json));
   return kDone;
 }
 
@@ -129,11 +137,14 @@ int profiles(Console& console, const ProfilesSettings& settings) {
   const auto folder = learners_folder(settings.options);
   if (!folder) return console.refuse(folder.error());
   if (!settings.rename.empty()) {
-    auto done = study::rename_profile(*folder, settings.rename.at(0), settings.rename.at(1));
+    auto done = when_free(settings.options, [&] {
+      return study::rename_profile(*folder, settings.rename.at(0), settings.rename.at(1));
+    });
     if (!done) return console.refuse(done.error());
   }
   if (!settings.remove.empty()) {
-    const auto done = study::remove_profile(*folder, settings.remove);
+    const auto done =
+        when_free(settings.options, [&] { return study::remove_profile(*folder, settings.remove); });
     if (!done) return console.refuse(done.error());
     if (!settings.options.json) console.print(fmt::format("moved to {}\n", done->string()));
   }
@@ -161,7 +172,7 @@ void add_study_lists(CLI::App& study, Action& chosen) {
   verb->add_option("--as", list->name, "Name of the imported list; one of this name is replaced")
       ->type_name("NAME");
   verb->add_option("--remove", list->remove, "Remove this list of one's own")->type_name("NAME");
-  add_learner_options(*verb, list->options);
+  add_writer_options(*verb, list->options);
   verb->add_option("--database", list->options.database, "The kanji database to read")->type_name("FILE");
   verb->callback([list, &chosen] { chosen = [list](Console& console) { return lists(console, *list); }; });
 
@@ -171,7 +182,7 @@ void add_study_lists(CLI::App& study, Action& chosen) {
                         "Example:\n  nazori-cli study tag 休 木 --with trees --with exam");
   verb->add_option("characters", tags->characters, "Characters or lists")->required();
   verb->add_option("--with", tags->tags, "A tag; may be repeated")->type_name("TAG");
-  add_learner_options(*verb, tags->options);
+  add_writer_options(*verb, tags->options);
   verb->add_option("--database", tags->options.database, "The kanji database to read")->type_name("FILE");
   verb->callback([tags, &chosen] { chosen = [tags](Console& console) { return tag(console, *tags); }; });
 
@@ -181,7 +192,7 @@ void add_study_lists(CLI::App& study, Action& chosen) {
                         "deleted.\n\nExample:\n  nazori-cli study profiles --rename learner Mari");
   verb->add_option("--rename", asked->rename, "Old and new name")->expected(2)->type_name("NAME");
   verb->add_option("--remove", asked->remove, "Remove this profile")->type_name("NAME");
-  add_learner_options(*verb, asked->options);
+  add_writer_options(*verb, asked->options);
   verb->callback(
       [asked, &chosen] { chosen = [asked](Console& console) { return profiles(console, *asked); }; });
 }

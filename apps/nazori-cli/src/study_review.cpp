@@ -165,7 +165,7 @@ void add_review(CLI::App& study, Action& chosen) {
       ->check(within(0, 1))
       ->type_name("PART");
   verb->add_option("--seconds", settings->seconds, "Time taken")->check(within(0, 86'400))->type_name("S");
-  add_learner_options(*verb, settings->options);
+  add_writer_options(*verb, settings->options);
   verb->add_option("--database", settings->options.database, "The kanji database to read")->type_name("FILE");
   verb->callback(
       [settings, &chosen] { chosen = [settings](Console& console) { return review(console, *settings); }; });
@@ -181,7 +181,7 @@ void add_undo(CLI::App& study, Action& chosen) {
       ->check(within(1, 100'000))
       ->capture_default_str()
       ->type_name("N");
-  add_learner_options(*verb, settings->options);
+  add_writer_options(*verb, settings->options);
   verb->callback(
       [settings, &chosen] { chosen = [settings](Console& console) { return undo(console, *settings); }; });
 }

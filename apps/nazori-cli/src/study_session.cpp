@@ -9,6 +9,7 @@
 
 #include "nazori/base/utf8.h"
 #include "nazori/study/profiles.h"
+#include "options.h"
 
 namespace nazori::cli {
 
@@ -30,16 +31,32 @@ void add_learner_options(CLI::App& verb, StudyOptions& options) {
   verb.add_flag("--json", options.json, "Answer in JSON (see docs/command-line.md)");
 }
 
+void add_writer_options(CLI::App& verb, StudyOptions& options) {
+  add_learner_options(verb, options);
+  verb.add_option("--wait", options.wait_s,
+                  "Where another program has the learner open, wait so long for it (exit code 3 after that)")
+      ->check(within(0, 86'400))
+      ->capture_default_str()
+      ->type_name("SECONDS")
+      ->group("Learner");
+}
+
 CLI::App* add_study_verb(CLI::App& study, const char* name, const char* description, const char* footer) {
   CLI::App* verb = study.add_subcommand(name, description);
-  verb->group("Verbs");
   verb->footer(footer);
   return verb;
 }
 
 base::Result<std::filesystem::path> learners_folder(const StudyOptions& options) {
-  if (!options.learners.empty()) return std::filesystem::path(options.learners);
-  return study::profiles_folder();
+  const auto folder = options.learners.empty() ? study::profiles_folder()
+                                               : base::Result<std::filesystem::path>(options.learners);
+  std::error_code ignored;
+  if (folder && std::filesystem::exists(*folder, ignored) &&
+      !std::filesystem::is_directory(*folder, ignored)) {
+    return base::fail(base::Errc::bad_argument, "is a file, not a folder", folder->string(),
+                      "give the folder of all learners");
+  }
+  return folder;
 }
 
 base::Result<std::filesystem::path> learner_path(const StudyOptions& options) {
@@ -59,9 +76,9 @@ base::Result<study::Clock> study_clock(const StudyOptions& options) {
 base::Result<LearnerStore> open_learner(const StudyOptions& options, study::Access access) {
   const auto path = learner_path(options);
   if (!path) return tl::unexpected(path.error());
-  auto clock = study_clock(options);
-  if (!clock) return tl::unexpected(std::move(clock.error()));
-  auto learner = LearnerStore::open(*path, access, *std::move(clock));
+  const auto clock = study_clock(options);
+  if (!clock) return tl::unexpected(clock.error());
+  auto learner = when_free(options, [&] { return LearnerStore::open(*path, access, *clock); });
   if (learner && learner->backup_trouble()) {
     base::Error trouble = *learner->backup_trouble();
     trouble.what = "today's backup could not be made: " + trouble.what;
@@ -183,7 +200,6 @@ Json task_json(const study::StudyTask& task) {
 void add_study(CLI::App& app, Action& chosen) {
   CLI::App* verb =
       app.add_subcommand("study", "Learn characters by spaced repetition: due, review, statistics");
-  verb->group("Verbs");
   verb->require_subcommand(1);
   verb->footer(
       "Examples:\n  nazori-cli study due\n  nazori-cli study review 休 --rating good\n"

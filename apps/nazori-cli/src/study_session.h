@@ -2,10 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "character_json.h"
@@ -14,6 +16,7 @@
 #include "nazori/study/character_lists.h"
 #include "nazori/study/day_plan.h"
 #include "nazori/study/learner_store.h"
+#include "stop.h"
 #include "verbs.h"
 
 namespace nazori::cli {
@@ -24,11 +27,14 @@ struct StudyOptions {
   std::string learners;
   std::string now;
   std::string database;
+  double wait_s = 0;  ///< for another program that has the learner open
   bool json = false;
 };
 
 /// --profile, --learners, --now, --json.
 void add_learner_options(CLI::App& verb, StudyOptions& options);
+/// The same and --wait, for what changes a learner.
+void add_writer_options(CLI::App& verb, StudyOptions& options);
 
 /// A new verb of `study`. @param footer  of its help.
 [[nodiscard]] CLI::App* add_study_verb(CLI::App& study, const char* name, const char* description,
@@ -41,6 +47,20 @@ void add_learner_options(CLI::App& verb, StudyOptions& options);
 [[nodiscard]] base::Result<study::Clock> study_clock(const StudyOptions& options);
 [[nodiscard]] base::Result<study::LearnerStore> open_learner(const StudyOptions& options,
                                                              study::Access access);
+
+/// Does `work` again and again until no other program has the learner open, for as long as --wait says.
+/// @param work  returns a base::Result. @return what it returned last; Errc::cancelled.
+template <class Work>
+[[nodiscard]] auto when_free(const StudyOptions& options, Work work) -> decltype(work()) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (;;) {
+    auto done = work();
+    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
+    if (done || done.error().code != base::Errc::in_use || waited.count() >= options.wait_s) return done;
+    if (stop_requested()) return base::fail(base::Errc::cancelled, "stopped", "--wait");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
 
 /// For what makes sense only where something was done: a name that was mistyped shall not become a learner.
 /// @return the exit code where the learner has no file.

@@ -76,6 +76,22 @@ std::string cut(std::string_view text, int width) {
   return out;
 }
 
+std::string shortened(std::string_view text, int width) {
+  // Every column takes a byte, so that a short text is not measured.
+  if (text.size() <= static_cast<std::size_t>(std::max(width, 0)) || display_width(text) <= width)
+    return std::string(text);
+  const int at_end = width / 3;
+  std::size_t end = text.size();
+  for (int used = 0; end > 0;) {
+    std::size_t begin = end - 1;
+    while (begin > 0 && (static_cast<unsigned char>(text[begin]) & 0xC0U) == 0x80U) --begin;
+    used += display_width(text.substr(begin, end - begin));
+    if (used > at_end) break;
+    end = begin;
+  }
+  return cut(text, width - at_end - 1) + "…" + std::string(text.substr(end));
+}
+
 std::string flow(std::span<const std::string> items, std::string_view separator, int indent, int width) {
   std::string out;
   int column = indent;

@@ -17,6 +17,9 @@ namespace nazori::cli {
 /// The beginning of `text` that fits into `width` columns.
 [[nodiscard]] std::string cut(std::string_view text, int width);
 
+/// `text` in at most `width` columns: where it is longer, its beginning and its end with "…" between them.
+[[nodiscard]] std::string shortened(std::string_view text, int width);
+
 /// Items joined by `separator`, in lines of at most `width` columns; lines after the first start with
 /// `indent` spaces. No item is broken; the first line is taken to start at column `indent` already.
 [[nodiscard]] std::string flow(std::span<const std::string> items, std::string_view separator, int indent,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracing.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -9,12 +12,16 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
 #include "due_times.h"
+#include "nazori/base/unfinished_file.h"
 #include "nazori/geometry/polyline.h"
 #include "nazori/recording/session_recorder.h"
+#include "options.h"
 #include "tracing_plan.h"
 
 namespace nazori::cli {
@@ -288,6 +295,55 @@ class Session final : public haptics::ServoCallback {
 
 base::Error stopped() { return {base::Errc::cancelled, "stopped", "demo", ""}; }
 
+/// Records a servo into a file beside the one that was asked for, so that this one appears whole or stays as
+/// it was.
+class RecordingBeside {
+ public:
+  static base::Result<std::unique_ptr<RecordingBeside>> start(haptics::Servo& servo, const Record& record,
+                                                              recording::Session about) {
+    std::unique_ptr<RecordingBeside> beside(new RecordingBeside(record.path));
+    about.character = record.character;
+    auto started = recording::SessionRecorder::start(servo, beside->beside_, std::move(about));
+    if (!started) return tl::unexpected(std::move(started.error()));
+    beside->recorder_ = std::move(*started);
+    return beside;
+  }
+
+  void wait_for_room() { recorder_->wait_for_room(); }
+
+  /// Puts the recording in place. Not called, there is none.
+  base::Result<void> finish(const base::Progress& progress) {
+    auto done = put_in_place(progress);
+    // The file beside is gone soon, and nobody has heard of it.
+    if (!done && done.error().where == beside_.string()) done.error().where = path_.string();
+    return done;
+  }
+
+ private:
+  explicit RecordingBeside(const std::filesystem::path& path)
+      : path_(path),
+        beside_(fmt::format("{}.{}{}", path.string(), ::getpid(), recording::kRecordingExtension)),
+        unfinished_(beside_) {}
+
+  base::Result<void> put_in_place(const base::Progress& progress) {
+    if (auto ended = recorder_->finish(); !ended) return tl::unexpected(std::move(ended.error()));
+    if (!has_extension(path_, recording::kRecordingExtension)) {
+      const auto exported = recording::export_csv(beside_, path_, progress);
+      return exported ? base::Result<void>() : tl::unexpected(exported.error());
+    }
+    std::error_code error;
+    std::filesystem::rename(beside_, path_, error);
+    if (error) return base::fail(base::Errc::io, "cannot be written: " + error.message(), path_.string());
+    unfinished_.finish();
+    return {};
+  }
+
+  std::filesystem::path path_;
+  std::filesystem::path beside_;
+  base::UnfinishedFile unfinished_;  // goes after the recorder, which writes the file to its end
+  std::unique_ptr<recording::SessionRecorder> recorder_;
+};
+
 }  // namespace
 
 base::Result<TabletTrace> trace(const tablet::CarvedTablet& tablet,
@@ -295,13 +351,12 @@ base::Result<TabletTrace> trace(const tablet::CarvedTablet& tablet,
                                 const std::optional<Record>& record, const base::Progress& progress) {
   Session session(tablet, hardware, snapping);
   devices::SimulatedDevice& device = session.device();
-  std::unique_ptr<recording::SessionRecorder> recorder;
+  std::unique_ptr<RecordingBeside> recorder;
   if (record) {
     recording::Session about;
     about.device = device.describe();
     about.shape = tablet.shape();
-    about.character = record->character;
-    auto started = recording::SessionRecorder::start(session.servo(), record->path, std::move(about));
+    auto started = RecordingBeside::start(session.servo(), *record, std::move(about));
     if (!started) return tl::unexpected(std::move(started.error()));
     recorder = std::move(*started);
   }
@@ -327,10 +382,11 @@ base::Result<TabletTrace> trace(const tablet::CarvedTablet& tablet,
     clock = device.clock();
     device.stop();
   }
-  if (recorder) {
-    if (auto ended = recorder->finish(); !ended) return tl::unexpected(std::move(ended.error()));
-  }
   if (!go_on) return tl::unexpected(stopped());
+  if (recorder) {
+    const auto exporting = [&progress](double, std::string_view step) { return progress(1, step); };
+    if (auto ended = recorder->finish(exporting); !ended) return tl::unexpected(std::move(ended.error()));
+  }
   TabletTrace result = session.result();
   result.clock = clock;
   return result;

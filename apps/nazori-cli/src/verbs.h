@@ -28,5 +28,6 @@ void add_study(CLI::App& app, Action& chosen);
 void add_database(CLI::App& app, Action& chosen);
 void add_completion(CLI::App& app, Action& chosen);
 void add_manual(CLI::App& app, Action& chosen);
+void add_help(CLI::App& app, Action& chosen);
 
 }  // namespace nazori::cli

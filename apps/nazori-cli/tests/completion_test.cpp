@@ -127,7 +127,7 @@ TEST(Completion, HelpLeadsToEveryVerb) {
 }
 
 TEST(Completion, AnUnknownShellIsRefused) {
-  expect_one_line(nazori_cli({"completion", "csh"}), 2, {"csh", "bash", "--help"});
+  expect_one_line(nazori_cli({"completion", "csh"}), 2, {"csh", "bash", "did you mean zsh"});
   expect_one_line(nazori_cli({"completion"}), 2, {"shell"});
 }
 

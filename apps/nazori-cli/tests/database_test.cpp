@@ -94,19 +94,6 @@ TEST(DatabaseBuild, ADamagedSourceIsOneLineAndLeavesTheOldDatabase) {
   EXPECT_THAT(folder.names(), ElementsAre("kanji.db"));
 }
 
-TEST(DatabaseBuild, InterruptedItLeavesTheOldDatabaseAndNothingElse) {
-  const TemporaryFolder folder;
-  const std::string output = folder / "kanji.db";
-  write(output, "the old one");
-  const Outcome run =
-      shell("timeout --foreground --preserve-status -s INT 0.7 \"$NAZORI\" database build --force -o '" +
-            output + "'");
-  // 128 + SIGINT: it dies of the signal once it has put everything away.
-  EXPECT_EQ(run.code, 130) << run.err;
-  EXPECT_EQ(bytes_of(output).size(), 11U);
-  EXPECT_THAT(folder.names(), ElementsAre("kanji.db"));
-}
-
 TEST(DatabaseBuild, APlaceThatCannotBeWrittenIsRefused) {
   expect_one_line(nazori_cli({"database", "build", "-o", "/dev/null/kanji.db"}), 2, {"/dev/null"});
 }

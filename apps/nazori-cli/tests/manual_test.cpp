@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "completion_script.h"
@@ -80,12 +81,25 @@ TEST(Manual, EveryVerbAndOptionOfHelpHasItsEntryAndNoOther) {
     ASSERT_NE(entries, "") << heading;
     std::vector<std::string> options = help.options;
     // Told once, for the program.
-    if (!help.verb.empty()) std::erase_if(options, [](const auto& o) { return o == "-h" || o == "--help"; });
+    const std::vector<std::string> told_once{"-h", "--help", "-q", "--quiet"};
+    if (!help.verb.empty()) {
+      std::erase_if(options, [&](const auto& o) {
+        return std::find(told_once.begin(), told_once.end(), o) != told_once.end();
+      });
+    }
     EXPECT_THAT(options_in(entries), UnorderedElementsAreArray(options)) << heading;
     for (const std::string& argument : help.arguments) {
       EXPECT_THAT(entries, HasSubstr("\n\\fI" + roff_escaped(argument) + "\\fR\n")) << heading;
     }
   }
+}
+
+TEST(Manual, TellsOnceWhatEveryVerbTakesAndNamesEveryExitCode) {
+  const std::string text = page();
+  EXPECT_THAT(section(text, ".SH OPTIONS"), HasSubstr("\\-q \", \" \\-\\-quiet"));
+  const std::string codes = section(text, ".SH EXIT STATUS");
+  for (const char* code : {".B 0", ".B 1", ".B 2", ".B 3", ".BR 130 \", \" 143"})
+    EXPECT_THAT(codes, HasSubstr(code));
 }
 
 TEST(Manual, NamesTheEnvironmentAndShowsExamples) {

@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
+#include <utility>
 
 #include "test_paths.h"
 
@@ -25,9 +33,9 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-Outcome execute(const std::vector<std::string>& command, const std::vector<std::string>& environment,
-                const fs::path& folder) {
-  const TemporaryFolder channels;
+/// @param input  what becomes its standard input.
+pid_t start(const std::vector<std::string>& command, const std::vector<std::string>& environment,
+            const fs::path& folder, const TemporaryFolder& channels, int input) {
   const std::string out = channels / "out";
   const std::string err = channels / "err";
   const pid_t child = ::fork();
@@ -46,30 +54,104 @@ Outcome execute(const std::vector<std::string>& command, const std::vector<std::
     std::vector<char*> argv;
     for (const std::string& part : command) argv.push_back(const_cast<char*>(part.c_str()));
     argv.push_back(nullptr);
-    if (::freopen("/dev/null", "r", stdin) == nullptr || ::freopen(out.c_str(), "w", stdout) == nullptr ||
+    if (::dup2(input, STDIN_FILENO) < 0 || ::freopen(out.c_str(), "w", stdout) == nullptr ||
         ::freopen(err.c_str(), "w", stderr) == nullptr || ::chdir(folder.c_str()) != 0) {
       ::_exit(126);
     }
     ::execv(argv.front(), argv.data());
     ::_exit(127);
   }
+  return child;
+}
+
+Outcome outcome_of(pid_t child, const TemporaryFolder& channels) {
   int status = 0;
   if (::waitpid(child, &status, 0) != child)
     throw std::system_error(errno, std::generic_category(), "waitpid");
   Outcome run;
   run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  run.out = text_of(out);
-  run.err = text_of(err);
+  run.out = text_of(channels / "out");
+  run.err = text_of(channels / "err");
   return run;
+}
+
+Outcome execute(const std::vector<std::string>& command, const std::vector<std::string>& environment,
+                const fs::path& folder) {
+  const TemporaryFolder channels;
+  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const pid_t child = start(command, environment, folder, channels, nothing);
+  ::close(nothing);
+  return outcome_of(child, channels);
+}
+
+std::vector<std::string> command_of(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{test_paths::kCommandLine};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return command;
 }
 
 }  // namespace
 
 Outcome nazori_cli(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
                    const fs::path& folder) {
-  std::vector<std::string> command{test_paths::kCommandLine};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  return execute(command, environment, folder);
+  return execute(command_of(arguments), environment, folder);
+}
+
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments,
+                               const std::vector<std::string>& environment)
+    : channels_(std::make_unique<TemporaryFolder>()) {
+  std::array<int, 2> pipe{};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  child_ = start(command_of(arguments), environment, ".", *channels_, pipe[0]);
+  ::close(pipe[0]);
+  input_ = pipe[1];
+}
+
+RunningProgram::~RunningProgram() {
+  ::close(input_);
+  if (child_ < 0) return;
+  (void)::kill(child_, SIGKILL);
+  (void)::waitpid(child_, nullptr, 0);
+}
+
+double RunningProgram::processor_s() const {
+  const std::string text = text_of("/proc/" + std::to_string(child_) + "/stat");
+  // After the name in parentheses; user and system time are the 14th and 15th field.
+  std::istringstream fields(text.substr(std::min(text.size(), text.rfind(')') + 1)));
+  std::string skipped;
+  for (int i = 3; i < 14; ++i) fields >> skipped;
+  double user = 0;
+  double system = 0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+bool RunningProgram::has_open(const std::string& name) const {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator("/proc/" + std::to_string(child_) + "/fd", error)) {
+    if (fs::read_symlink(entry.path(), error).filename() == name) return true;
+  }
+  return false;
+}
+
+std::string RunningProgram::out() const { return text_of(*channels_ / "out"); }
+
+void RunningProgram::write(const std::string& text) const {
+  if (::write(input_, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+    throw std::system_error(errno, std::generic_category(), "write");
+}
+
+void RunningProgram::signal(int number) const { (void)::kill(child_, number); }
+
+Outcome RunningProgram::wait() { return outcome_of(std::exchange(child_, -1), *channels_); }
+
+bool becomes_true(const std::function<bool()>& holds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
 }
 
 Outcome shell(const std::string& script) {

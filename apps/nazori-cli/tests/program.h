@@ -3,10 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace nazori::cli::test {
+
+class TemporaryFolder;
 
 /// What a run of nazori-cli left behind.
 struct Outcome {
@@ -23,6 +27,36 @@ Outcome nazori_cli(const std::vector<std::string>& arguments,
 
 /// The same through the shell; "$NAZORI" in `script` is the program.
 Outcome shell(const std::string& script);
+
+/// nazori-cli while it runs, with a pipe for standard input into which nothing comes but what is written
+/// here. Ended with the object.
+class RunningProgram {
+ public:
+  explicit RunningProgram(const std::vector<std::string>& arguments,
+                          const std::vector<std::string>& environment = {});
+  ~RunningProgram();
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+
+  /// Seconds of processor time that it has used.
+  [[nodiscard]] double processor_s() const;
+  /// Whether it has a file of that name open.
+  [[nodiscard]] bool has_open(const std::string& name) const;
+  /// What it has printed so far.
+  [[nodiscard]] std::string out() const;
+  void write(const std::string& text) const;
+  void signal(int number) const;
+  /// Waits for its end.
+  Outcome wait();
+
+ private:
+  std::unique_ptr<TemporaryFolder> channels_;
+  int child_ = -1;
+  int input_ = -1;
+};
+
+/// Looks again and again until `holds`, for two minutes at most. @return whether it did.
+bool becomes_true(const std::function<bool()>& holds);
 
 /// A folder of its own that is gone with the object.
 class TemporaryFolder {

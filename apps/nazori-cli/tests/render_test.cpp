@@ -2,9 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
+#include <utility>
 
+#include "nazori/kanji/stroke_order.h"
 #include "nazori/view/offscreen.h"
 #include "program.h"
 
@@ -147,6 +151,35 @@ TEST(Render, AnyMistakeIsOneLineAndLeavesNoPicture) {
   bad({"--strokes", files / "minus.str"}, {"minus.str"});
   bad({"--height-map", files / "16384.raw", "--strokes", files / "cut.str"}, {"cut.str"});
   EXPECT_THAT(folder.names(), ElementsAre());
+}
+
+TEST(Render, AFileOfAsManyStrokesAsAreAllowedIsDrawn) {
+  // Looking at every stroke for every stroke, this took a quarter of an hour.
+  constexpr int kGrid = 8192;
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> anywhere(0, kGrid - 1);
+  std::uniform_real_distribution<double> turn(-0.3, 0.3);
+  kanji::StrokeOrder order;
+  for (int stroke = 0; stroke < kanji::StrokeOrder::kMaxStrokes; ++stroke) {
+    double x = anywhere(random);
+    double y = anywhere(random);
+    double way = anywhere(random);
+    kanji::StrokeOrder::Points points;
+    for (int i = 0; i < 1'000; ++i) {
+      points.push_back({static_cast<int>(std::clamp(x, 0.0, kGrid - 1.0)),
+                        static_cast<int>(std::clamp(y, 0.0, kGrid - 1.0))});
+      way += turn(random);
+      x += 9 * std::cos(way);
+      y += 9 * std::sin(way);
+    }
+    order.add_stroke(std::move(points));
+  }
+  const TemporaryFolder folder;
+  ASSERT_TRUE(order.save(folder / "many.str"));
+  const Outcome run = nazori_cli(
+      {"render", "--strokes", folder / "many.str", "--map-size", "8192", "--output", folder / "many.png"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(picture(folder / "many.png").width, 800);
 }
 
 TEST(Render, PlacesThatCannotBeWrittenAreNamedBeforeTheWork) {

@@ -18,7 +18,7 @@ TEST(Usage, HelpNamesEveryVerb) {
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.err, "");
   for (const char* verb : {"info", "search", "carve", "render", "plot", "demo", "feel", "record", "devices",
-                           "study", "database"}) {
+                           "study", "database", "completion", "manual"}) {
     EXPECT_THAT(run.out, HasSubstr(verb));
   }
 }
@@ -44,7 +44,9 @@ TEST(Usage, EveryVerbDocumentsItselfWithAnExample) {
                                                     {"study", "review"},
                                                     {"study", "export"},
                                                     {"study", "restore"},
-                                                    {"study", "replay"}};
+                                                    {"study", "replay"},
+                                                    {"completion"},
+                                                    {"manual"}};
   for (std::vector<std::string> verb : verbs) {
     const std::string name = verb.back();
     verb.emplace_back("--help");

@@ -83,18 +83,25 @@ Result<std::vector<std::uint8_t>> read_file(const fs::path& path, std::size_t ma
 
 Result<OutputFile> OutputFile::create(const fs::path& path) {
   std::string beside = path.string() + ".XXXXXX";
-  const int fd = ::mkostemp(beside.data(), O_CLOEXEC);
-  if (fd < 0) return fail(Errc::io, "cannot be written: " + reason(errno), path.string());
-  return OutputFile(path, std::move(beside), fd);
+  int fd = -1;
+  int error = 0;
+  auto unfinished = UnfinishedFile::made_by([&]() -> fs::path {
+    fd = ::mkostemp(beside.data(), O_CLOEXEC);
+    error = errno;
+    return fd < 0 ? fs::path() : fs::path(beside);
+  });
+  if (fd < 0) return fail(Errc::io, "cannot be written: " + reason(error), path.string());
+  return OutputFile(path, std::move(beside), std::move(unfinished), fd);
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
-    : path_(std::move(other.path_)), beside_(std::move(other.beside_)), fd_(std::exchange(other.fd_, -1)) {}
+    : path_(std::move(other.path_)),
+      beside_(std::move(other.beside_)),
+      unfinished_(std::move(other.unfinished_)),
+      fd_(std::exchange(other.fd_, -1)) {}
 
 OutputFile::~OutputFile() {
-  if (fd_ < 0) return;
-  ::close(fd_);
-  ::unlink(beside_.c_str());
+  if (fd_ >= 0) ::close(fd_);
 }
 
 Result<void> OutputFile::refusal(int error_number) const {
@@ -123,9 +130,9 @@ Result<void> OutputFile::commit() {
   }
   if (::close(std::exchange(fd_, -1)) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(beside_.c_str(), path_.c_str()) != 0) error = errno;
-  if (error == 0) return {};
-  ::unlink(beside_.c_str());
-  return refusal(error);
+  if (error != 0) return refusal(error);
+  unfinished_.finish();
+  return {};
 }
 
 Result<void> write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -14,6 +15,10 @@ namespace nazori::carving {
 namespace {
 
 using base::Errc;
+
+/// Points of all strokes from which on curves are followed no finer than the grid shows. No character has a
+/// tenth of them; a file of strokes may have 65 million.
+constexpr std::size_t kMostSmooth = 50'000;
 
 base::Result<void> check(const Brush& brush) {
   if (!(brush.width >= 0.5 && brush.width <= 40)) {
@@ -54,8 +59,12 @@ base::Result<surface::HeightMap> carve(std::span<const kanji::StrokeLine> stroke
 
   const Brush used = fitted(brush, strokes);
   Relief relief(map->samples(), size, brush.cross_section);
-  for (const kanji::StrokeLine* stroke : stroke_set(strokes))
-    for (const Piece& piece : trace(*stroke, used, size)) relief.cut(piece);
+  const auto set = stroke_set(strokes);
+  std::size_t points = 0;
+  for (const kanji::StrokeLine* stroke : set) points += stroke->points.size();
+  const Detail detail = points > kMostSmooth ? Detail::samples : Detail::smooth;
+  for (const kanji::StrokeLine* stroke : set)
+    for (const Piece& piece : trace(*stroke, used, size, detail)) relief.cut(piece);
 
   const auto depth = static_cast<float>(brush.depth);
   for (float& sample : map->samples())

@@ -41,10 +41,11 @@ double angle_between(GlyphPoint a, GlyphPoint b) {
 
 /// The given points without repetitions, with corners marked and, beside gentle bends between long segments,
 /// a point more on each side so that the curve does not swing out.
-std::vector<Node> knots(const std::vector<GlyphPoint>& given) {
+/// @param least  distance of two points that count as two.
+std::vector<Node> knots(const std::vector<GlyphPoint>& given, double least) {
   std::vector<GlyphPoint> points;
   for (const GlyphPoint p : given)
-    if (points.empty() || geometry::distance(points.back(), p) > kLeastDistance) points.push_back(p);
+    if (points.empty() || geometry::distance(points.back(), p) > least) points.push_back(p);
   std::vector<Node> out;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i == 0 || i + 1 == points.size()) {
@@ -71,7 +72,8 @@ std::vector<Node> knots(const std::vector<GlyphPoint>& given) {
 
 /// Curves through the knots (cubic Hermite, chord tangents), cut so that neighbouring segments turn by about
 /// `max_turn`.
-std::vector<Node> refine(const std::vector<Node>& line, double max_turn) {
+/// @param least_facet  none becomes shorter than that by a cut; 0: as short as it takes.
+std::vector<Node> refine(const std::vector<Node>& line, double max_turn, double least_facet) {
   std::vector<Node> out;
   out.reserve(4 * line.size());
   out.push_back(line.front());
@@ -86,7 +88,8 @@ std::vector<Node> refine(const std::vector<Node>& line, double max_turn) {
     if (!is_smooth(i) && is_smooth(i + 1)) start = along * (2 * geometry::dot(along, end)) - end;
     if (is_smooth(i) && !is_smooth(i + 1)) end = along * (2 * geometry::dot(along, start)) - start;
     const double bend = angle_between(start, along) + angle_between(along, end);
-    const int parts = std::clamp(static_cast<int>(std::ceil(1.3 * bend / max_turn)), 1, 48);
+    int parts = std::clamp(static_cast<int>(std::ceil(1.3 * bend / max_turn)), 1, 48);
+    if (least_facet > 0) parts = std::clamp(static_cast<int>(length / least_facet), 1, parts);
     for (int k = 1; k < parts; ++k) {
       const double t = static_cast<double>(k) / parts;
       const double t2 = t * t;
@@ -205,12 +208,14 @@ double turn_at(std::span<const GlyphPoint> line, std::size_t i, double reach) {
   return angle_between(line[i] - look(-1), look(1) - line[i]);
 }
 
-std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, int size) {
+std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, int size, Detail detail) {
   const double scale = (size - 1) / geometry::kGlyphSide;
-  std::vector<Node> line = knots(stroke.points);
+  const double sample = 1 / scale;
+  const bool coarse = detail == Detail::samples;
+  std::vector<Node> line = knots(stroke.points, coarse ? sample / 2 : kLeastDistance);
   // Fine enough that a facet is as long as two samples, but never visible even on a coarse grid.
   const double max_turn = std::clamp(12.0 / size, 0.012, 0.06);
-  if (line.size() > 1) line = refine(line, max_turn);
+  if (line.size() > 1) line = refine(line, max_turn, coarse ? sample : 0);
   const double length = line.back().s;
   const double hook = hook_length(stroke) * (length > 0 ? 1.0 : 0.0);
   if (brush.endings && length > 0) {

@@ -28,11 +28,18 @@ struct Piece {
   bool round_end = true;
 };
 
+/// How finely a line is followed.
+enum class Detail {
+  smooth,  ///< as smooth as a fingertip can tell
+  samples  ///< no finer than the samples of the grid, for files with more points than the grid can show
+};
+
 /// Makes the smooth line that the brush follows from the points of a stroke: gentle bends become curves
 /// through the points, corners stay, and between corners the direction changes so little from joint to joint
 /// that a fingertip cannot tell it from a curve.
 /// @param size  side of the grid.
-[[nodiscard]] std::vector<Piece> trace(const kanji::StrokeLine& line, const Brush& brush, int size);
+[[nodiscard]] std::vector<Piece> trace(const kanji::StrokeLine& line, const Brush& brush, int size,
+                                       Detail detail = Detail::smooth);
 
 /// Angle [rad] by which a line turns at point `i`, seen over `reach` to both sides; 0 at its ends.
 [[nodiscard]] double turn_at(std::span<const geometry::GlyphPoint> line, std::size_t i, double reach);

@@ -41,6 +41,16 @@ Interval scaled(Interval i, double origin, double scale) {
 
 }  // namespace
 
+double Arc::hair() const {
+  // Twice as far away as breaks are enclosed, so that one at the end itself is not found.
+  return std::max(2 * (to - from) * kBreakPart,
+                  16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(from), std::abs(to)));
+}
+
+bool Arc::is_open_end(double t) const {
+  return (from_is_open && t <= from + 2 * hair()) || (to_is_open && t >= to - 2 * hair());
+}
+
 bool ArcTracer::Sample::exists() const { return std::isfinite(u) && std::isfinite(v); }
 
 ArcTracer::ArcTracer(const Arc& arc, int statement, const TraceSettings& settings, Tracing& out,
@@ -123,13 +133,15 @@ bool ArcTracer::run() {
     if (only.exists() && is_inside(only)) out_.dots.push_back({statement_, {only.u, only.v}});
     return true;
   }
-  Sample a = sample(arc_.from);
+  const double from = arc_.from + (arc_.from_is_open ? arc_.hair() : 0);
+  const double to = arc_.to - (arc_.to_is_open ? arc_.hair() : 0);
+  Sample a = sample(from);
   const Sample first = a;
   for (int i = 0; i < kFirstPieces; ++i) {
     const double share = static_cast<double>(i + 1) / kFirstPieces;
     // Borders bent a little off round numbers, the ends kept.
     const double bent = share + 0.0137 * share * (1 - share);
-    const Sample b = sample(i + 1 == kFirstPieces ? arc_.to : arc_.from + (arc_.to - arc_.from) * bent);
+    const Sample b = sample(i + 1 == kFirstPieces ? to : from + (to - from) * bent);
     if (progress_.report(share - 1.0 / kFirstPieces)) visit(a, b, 0);
     if (progress_.is_stopped()) {
       end_branch();
@@ -146,7 +158,13 @@ bool ArcTracer::run() {
     out_.dots.push_back({statement_, {a.u, a.v}});
   if (arc_.ends_are_real) {
     const bool closed = is_near(first, a, 4 * tolerance_);
-    for (const Sample& end : {first, a}) {
+    // Where the curve goes on to an end that is left out, the end itself is told, not the last place before
+    // it.
+    const auto told = [this](double t, const Sample& last) {
+      const Sample at = sample(t);
+      return is_near(at, last, tolerance_) ? at : Sample{t, last.u, last.v};
+    };
+    for (const Sample& end : {told(arc_.from, first), told(arc_.to, a)}) {
       if (!closed && end.exists() && is_inside(end)) add_event(EventKind::end, end);
     }
   }

@@ -18,6 +18,13 @@ struct Arc {
   double from = 0;
   double to = 1;
   bool ends_are_real = false;  ///< the range belongs to the curve, not to the window
+  bool from_is_open = false;   ///< the end itself does not belong to the curve
+  bool to_is_open = false;
+
+  /// How near an end that does not belong to the curve is approached, as a parameter.
+  [[nodiscard]] double hair() const;
+  /// Whether the parameter is that of such an end, as far as numbers tell.
+  [[nodiscard]] bool is_open_end(double t) const;
 };
 
 /// Follows an arc by bisecting its parameter until intervals prove each piece: outside, straight within the

@@ -10,7 +10,8 @@ std::optional<Arc> arc_of(const Statement& s, const Window& w, double m) {
     case StatementKind::explicit_x:
       return Arc{s.terms[0], variable(Variable::y), Variable::y, w.y(-m), w.y(1 + m), false};
     case StatementKind::parametric:
-      return Arc{s.terms[0], s.terms[1], Variable::t, constant_value(s.from), constant_value(s.to), true};
+      return Arc{s.terms[0],           s.terms[1], Variable::t,    constant_value(s.from),
+                 constant_value(s.to), true,       s.from_is_open, s.to_is_open};
     case StatementKind::polar: {
       const Expression angle = variable(Variable::theta);
       return Arc{binary(NodeKind::multiply, s.terms[0], call(Function::cos, {angle})),
@@ -18,7 +19,9 @@ std::optional<Arc> arc_of(const Statement& s, const Window& w, double m) {
                  Variable::theta,
                  constant_value(s.from),
                  constant_value(s.to),
-                 true};
+                 true,
+                 s.from_is_open,
+                 s.to_is_open};
     }
     default:
       return std::nullopt;

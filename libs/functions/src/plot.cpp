@@ -74,10 +74,13 @@ class Reader {
     const bool mirrored = falls(range->comparisons[0]);
     s.from = range->terms[mirrored ? 2 : 0];
     s.to = range->terms[mirrored ? 0 : 2];
+    s.from_is_open = is_strict(range->comparisons[mirrored ? 1 : 0]);
+    s.to_is_open = is_strict(range->comparisons[mirrored ? 0 : 1]);
     s.range_given = true;
     const double low = constant_value(s.from);
     const double high = constant_value(s.to);
-    if (!std::isfinite(low) || !std::isfinite(high) || !(low <= high)) {
+    const bool has_an_end_out = s.from_is_open || s.to_is_open;
+    if (!std::isfinite(low) || !std::isfinite(high) || !(has_an_end_out ? low < high : low <= high)) {
       return refuse(*range, SyntaxFault::range_empty);
     }
     return {};
@@ -204,7 +207,8 @@ std::string sign_of(Comparison c) {
 }
 
 std::string range_text(const Statement& s, Variable v) {
-  return "; " + to_text(s.from) + " <= " + std::string(name_of(v)) + " <= " + to_text(s.to);
+  return "; " + to_text(s.from) + (s.from_is_open ? " < " : " <= ") + std::string(name_of(v)) +
+         (s.to_is_open ? " < " : " <= ") + to_text(s.to);
 }
 
 }  // namespace

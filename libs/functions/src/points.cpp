@@ -89,6 +89,7 @@ class PointFinder {
           b.points, [&](double t) { return probe.at(t).y; },
           [&](double t, bool) { add(PointKind::zero, probe.at(t).x, 0, t); });
       for (const CurvePoint* end : {&b.points.front(), &b.points.back()}) {
+        if (arc.is_open_end(end->parameter)) continue;
         if (std::abs(probe.at(end->parameter).y) <= flat && kind != StatementKind::explicit_y)
           add(PointKind::zero, probe.at(end->parameter).x, 0, end->parameter);
       }
@@ -250,7 +251,7 @@ class PointFinder {
     ArcProbe probe(arc);
     for (const Root& r : find_roots(top, arc.parameter, arc.from, arc.to).roots) {
       const auto v = probe.at(r.at);
-      if (!std::isfinite(v.x) || !std::isfinite(v.y)) continue;
+      if (!std::isfinite(v.x) || !std::isfinite(v.y) || arc.is_open_end(r.at)) continue;
       add(r.crosses ? PointKind::crossing : PointKind::touching, v.x, v.y, r.at, other);
     }
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nazori/functions/plot.h"
+#include "region_tracer.h"
 
 namespace nazori::functions {
 
@@ -12,7 +13,7 @@ namespace nazori::functions {
 /// zero.
 [[nodiscard]] Statement in_the_plane(const Statement& s);
 
-/// What must not be negative, in x and y, for the angle to lie in the range that was given with the region.
-[[nodiscard]] std::vector<Expression> angle_bounds(const Statement& s);
+/// The conditions, in x and y, for the angle to lie in the range that was given with the region.
+[[nodiscard]] std::vector<Condition> angle_bounds(const Statement& s);
 
 }  // namespace nazori::functions

@@ -58,8 +58,8 @@ class PlotTracer {
       case StatementKind::explicit_x:
         return draw(Arc{s.terms[0], axes[1], Variable::y, low_[1], high_[1], false});
       case StatementKind::parametric:
-        return draw(
-            Arc{s.terms[0], s.terms[1], Variable::t, constant_value(s.from), constant_value(s.to), true});
+        return draw(Arc{s.terms[0], s.terms[1], Variable::t, constant_value(s.from), constant_value(s.to),
+                        true, s.from_is_open, s.to_is_open});
       case StatementKind::polar:
         return draw(polar_arc(s, s.terms[0]));
       case StatementKind::polar_implicit:
@@ -81,7 +81,9 @@ class PlotTracer {
             Variable::theta,
             constant_value(s.from),
             constant_value(s.to),
-            true};
+            true,
+            s.from_is_open,
+            s.to_is_open};
   }
 
   bool draw(const Arc& arc) { return ArcTracer(arc, statement_, settings_, out_, progress_).run(); }
@@ -259,11 +261,11 @@ class PlotTracer {
       const bool falls = c == Comparison::greater || c == Comparison::greater_equal;
       const Expression difference = reduced(falls ? binary(NodeKind::subtract, s.terms[i], s.terms[i + 1])
                                                   : binary(NodeKind::subtract, s.terms[i + 1], s.terms[i]));
-      conditions.push_back({difference, c == Comparison::less || c == Comparison::greater});
+      conditions.push_back({difference, is_strict(c)});
       // An equality inside a chain: both ways.
       if (c == Comparison::equal) conditions.push_back({negate(difference), false});
     }
-    for (Expression& bound : angle_bounds(typed)) conditions.push_back({std::move(bound), false});
+    for (Condition& bound : angle_bounds(typed)) conditions.push_back(std::move(bound));
     if (!RegionTracer(conditions, nullptr, statement_, settings_, out_, progress_).run()) return false;
     const std::size_t first_event = out_.events.size();
     for (std::size_t i = 0; i < s.comparisons.size(); ++i) {
@@ -283,7 +285,7 @@ class PlotTracer {
       for (std::size_t j = 0; j < conditions.size(); ++j) {
         if (j != i) others.push_back({conditions[j].expression, false});
       }
-      const bool strict = s.comparisons[i] == Comparison::less || s.comparisons[i] == Comparison::greater;
+      const bool strict = is_strict(s.comparisons[i]);
       keep_where(others, begin, strict);
       keep_dots_where(others, first_dot, strict);
       if (strict) out_.bars.resize(first_bar);

@@ -182,8 +182,12 @@ std::string in_words(const Statement& s, Language language) {
   const auto range = [&](std::string_view parameter) {
     const std::string from = in_words(s.from, language);
     const std::string to = in_words(s.to, language);
-    return english ? fmt::format(", for {} from {} to {}", parameter, from, to)
-                   : fmt::format("、{} は {} から {} まで", parameter, from, to);
+    std::string text = english ? fmt::format(", for {} from {} to {}", parameter, from, to)
+                               : fmt::format("、{} は {} から {} まで", parameter, from, to);
+    if (s.from_is_open && s.to_is_open) return text + (english ? ", both excluded" : "、両端を除く");
+    if (!s.from_is_open && !s.to_is_open) return text;
+    const std::string& out = s.from_is_open ? from : to;
+    return text + (english ? fmt::format(", {} excluded", out) : fmt::format("、{} を除く", out));
   };
   switch (s.kind) {
     case StatementKind::explicit_y:

@@ -181,6 +181,35 @@ TEST(Parser, EchoesTheReadingInWords) {
   EXPECT_EQ(in_words(*other, Language::english), "y equals 1 over the quantity 2 times x end");
 }
 
+TEST(Parser, KeepsWhichEndsOfARangeAreLeftOut) {
+  struct Case {
+    const char* range;
+    bool from_is_open;
+    bool to_is_open;
+    const char* canonical;
+    const char* english;
+  };
+  for (const Case& c : {Case{"0 <= t <= 3", false, false, "0 <= t <= 3", "for t from 0 to 3"},
+                        Case{"0 <= t < 3", false, true, "0 <= t < 3", "for t from 0 to 3, 3 excluded"},
+                        Case{"0 < t <= 3", true, false, "0 < t <= 3", "for t from 0 to 3, 0 excluded"},
+                        Case{"3 > t >= 0", false, true, "0 <= t < 3", "for t from 0 to 3, 3 excluded"},
+                        Case{"3 >= t > 0", true, false, "0 < t <= 3", "for t from 0 to 3, 0 excluded"},
+                        Case{"0 < t < 3", true, true, "0 < t < 3", "for t from 0 to 3, both excluded"}}) {
+    const auto plot = parse(std::string("x = t; y = t; ") + c.range);
+    ASSERT_TRUE(plot) << c.range;
+    EXPECT_EQ(plot->statements[0].from_is_open, c.from_is_open) << c.range;
+    EXPECT_EQ(plot->statements[0].to_is_open, c.to_is_open) << c.range;
+    EXPECT_EQ(canonical(*plot), std::string("x = t; y = t; ") + c.canonical);
+    const std::string words = in_words(*plot, Language::english);
+    EXPECT_TRUE(words.ends_with(c.english)) << words;
+  }
+  const auto japanese = parse("r = 1; 0 < theta < 3");
+  ASSERT_TRUE(japanese);
+  EXPECT_TRUE(in_words(*japanese, Language::japanese).ends_with("、両端を除く"));
+  EXPECT_TRUE(parse("x = t; y = t; 1 <= t <= 1")) << "a single point";
+  EXPECT_FALSE(parse("x = t; y = t; 1 <= t < 1")) << "no point at all";
+}
+
 TEST(Parser, ReadsRegionsInRAndThetaWithTheirRange) {
   const auto plot = parse("1 < r <= 2; 0 <= theta <= pi/2");
   ASSERT_TRUE(plot);

@@ -61,6 +61,26 @@ TEST(Points, PolesHolesJumpsAndEndsAreToldApart) {
   EXPECT_EQ(ends[1].y_name, "pi/2");
 }
 
+TEST(Points, AnEndThatIsLeftOutIsAnEndButNeitherZeroNorJumpNorCrossing) {
+  const Window window{-1, 5, -4, 4};
+  const Found closed = found_in("x = t; y = t - 3; 0 <= t <= 3", window);
+  EXPECT_EQ(closed.of(PointKind::zero).size(), 1U);
+  const Found open = found_in("x = t; y = t - 3; 0 <= t < 3", window);
+  EXPECT_EQ(open.of(PointKind::zero).size(), 0U);
+  const auto ends = open.of(PointKind::end);
+  ASSERT_EQ(ends.size(), 2U);
+  EXPECT_EQ(ends[1].x_name, "3");
+  EXPECT_EQ(ends[1].y_name, "0");
+
+  EXPECT_EQ(found_in("x = floor(t); y = t; 0 <= t <= 3", window).of(PointKind::jump).size(), 3U);
+  EXPECT_EQ(found_in("x = floor(t); y = t; 0 <= t < 3", window).of(PointKind::jump).size(), 2U);
+
+  EXPECT_EQ(found_in("x = t; y = t; 1 <= t <= 3; y = 3", window).of(PointKind::crossing).size(), 1U);
+  EXPECT_EQ(found_in("x = t; y = t; 1 <= t < 3; y = 3", window).of(PointKind::crossing).size(), 0U);
+  EXPECT_EQ(found_in("x = t; y = t; 1 < t <= 3; y = 1", window).of(PointKind::crossing).size(), 0U);
+  EXPECT_EQ(found_in("x = t; y = t; 1 < t < 3; y = 2", window).of(PointKind::crossing).size(), 1U);
+}
+
 TEST(Points, ACrossingIsNotATouch) {
   const auto crossings = found_in("y = sin(x); y = cos(x)", {-5, 5, -5, 5}).of(PointKind::crossing);
   ASSERT_EQ(crossings.size(), 3U);

@@ -19,6 +19,7 @@
 #include "kanjidic2.h"
 #include "learning_order.h"
 #include "nazori/base/program_folders.h"
+#include "nazori/base/unfinished_file.h"
 #include "nazori/ingest/ingest.h"
 #include "source_files.h"
 #include "stroke_endings.h"
@@ -219,16 +220,15 @@ base::Result<void> write_characters(DatabaseWriter& writer, const KanjiVg& kanji
 class Beside {
  public:
   explicit Beside(const fs::path& output)
-      : path_(output.string() + "." + std::to_string(::getpid()) + ".part") {
-    discard();
+      : path_(output.string() + "." + std::to_string(::getpid()) + ".part"),
+        unfinished_(path_, base::UnfinishedKind::database) {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
   }
-  Beside(const Beside&) = delete;
-  Beside& operator=(const Beside&) = delete;
-  ~Beside() { discard(); }
   [[nodiscard]] const fs::path& path() const { return path_; }
 
   /// Flushes the file to disk and gives it its name.
-  [[nodiscard]] base::Result<void> become(const fs::path& output) const {
+  [[nodiscard]] base::Result<void> become(const fs::path& output) {
     const auto refuse = [&] {
       return base::fail(base::Errc::io, "cannot be written: " + std::generic_category().message(errno),
                         output.string());
@@ -237,15 +237,13 @@ class Beside {
     if (file < 0) return refuse();
     const bool flushed = ::fsync(file) == 0;
     if (::close(file) != 0 || !flushed || ::rename(path_.c_str(), output.c_str()) != 0) return refuse();
+    unfinished_.finish();
     return {};
   }
 
  private:
-  void discard() const {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
   fs::path path_;
+  base::UnfinishedFile unfinished_;
 };
 
 base::Result<void> check_kanjivg_sum(const Sources& sources, const std::string& sum) {
@@ -308,12 +306,13 @@ base::Result<BuildReport> build_database(const Sources& sources, const fs::path&
   if (fs::is_directory(output, failure)) {
     return base::fail(base::Errc::io, "is a folder", output.string(), "name a file");
   }
+  failure.clear();
   if (output.has_parent_path()) fs::create_directories(output.parent_path(), failure);
   if (failure) {
     return base::fail(base::Errc::io, "its folder cannot be made: " + failure.message(), output.string());
   }
   BuildReport report;
-  const Beside beside(output);
+  Beside beside(output);
   try {
     DatabaseWriter writer(beside.path());
     {

@@ -179,6 +179,10 @@ base::Result<KanjiDatabase> KanjiDatabase::open(const std::filesystem::path& pat
   if (std::filesystem::is_directory(status)) {
     return base::fail(base::Errc::schema, "is a folder, not a kanji database", path.string(), kRebuild);
   }
+  // To open a pipe would wait until somebody writes to it.
+  if (!std::filesystem::is_regular_file(status)) {
+    return base::fail(base::Errc::schema, "is not a regular file", path.string(), kRebuild);
+  }
   try {
     SQLite::Database db(path.string(), SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX);
     if (db.execAndGet("PRAGMA application_id").getInt() != kSchemaApplicationId) {

@@ -183,6 +183,7 @@ base::Result<RecorderStatus> SessionRecorder::finish() {
   if (!closed || in.output.path() == in.path || std::exchange(in.exported, true)) return closed;
   auto exported = export_csv(in.output.path(), in.path, {});
   if (!exported) {
+    exported.error().remedy = "the recording is kept as " + in.output.path().string();
     const std::lock_guard lock(in.mutex);
     in.error = exported.error();
     return tl::unexpected(std::move(exported.error()));

@@ -12,6 +12,7 @@
 
 #include "daily_backup.h"
 #include "file_lock.h"
+#include "nazori/base/unfinished_file.h"
 #include "nazori/study/learner_store.h"
 #include "store_schema.h"
 
@@ -169,6 +170,7 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
   const fs::path beside = fmt::format("{}{}", file.string(), kPart);
   std::error_code error;
   remove_database(beside);
+  base::UnfinishedFile unfinished(beside, base::UnfinishedKind::database);
   auto copied = [&]() -> base::Result<void> {
     try {
       SQLite::Database target(beside.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
@@ -192,7 +194,10 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
     fs::rename(beside, file, error);
     if (error) copied = base::fail(Errc::io, "cannot be written: " + error.message(), file.string());
   }
-  if (!copied) remove_database(beside);
+  if (copied)
+    unfinished.finish();
+  else
+    remove_database(beside);
   return copied;
 }
 
@@ -267,11 +272,12 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
   bool taken = false;
   const auto lock = FileLock::take(learner.string() + ".lock", taken);
   if (taken)
-    return base::fail(Errc::io, "is open in another Nazori", learner.string(), "close it there first");
+    return base::fail(Errc::in_use, "is open in another Nazori", learner.string(), "close it there first");
   if (!lock) return tl::unexpected(lock.error());
 
   clear_unfinished_restore(learner);
   const fs::path beside = restored_beside(learner);
+  base::UnfinishedFile unfinished(beside, base::UnfinishedKind::database);
   {
     // Read as a learner's file would be, so that what is put in place can be opened.
     auto source = LearnerStore::open(backup, Access::backup, clock);
@@ -285,7 +291,6 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
     fs::create_directories(folder, error);
     kept = free_file(folder, kReplaced, clock());
     if (!keep_as(learner, kept)) {
-      fs::remove(beside, error);
       return base::fail(Errc::io, "cannot be moved aside", learner.string(),
                         "check the permissions of the folder");
     }
@@ -294,9 +299,9 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
   if (error) {
     std::error_code ignored;
     if (!fs::exists(learner, ignored)) fs::rename(kept, learner, ignored);
-    fs::remove(beside, ignored);
     return base::fail(Errc::io, "cannot be written: " + error.message(), learner.string());
   }
+  unfinished.finish();
   if (!kept.empty()) {
     let_oldest_go(learner, kReplacedKept, {kept, backup},
                   [](const fs::path& one) { return one.filename().string().starts_with(kReplaced); });

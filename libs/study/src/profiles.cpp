@@ -25,7 +25,8 @@ base::Result<fs::path> free_profile(const fs::path& folder, std::string_view pro
     return base::fail(Errc::not_found, "there is no such profile", std::string(profile));
   }
   if (LearnerStore::in_use(*file)) {
-    return base::fail(Errc::io, "is open in another Nazori", std::string(profile), "close it there first");
+    return base::fail(Errc::in_use, "is open in another Nazori", std::string(profile),
+                      "close it there first");
   }
   return file->parent_path();
 }

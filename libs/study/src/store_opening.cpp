@@ -150,7 +150,7 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
     bool taken = false;
     auto own = FileLock::take(lock_of(path), taken);
     if (taken) {
-      return base::fail(Errc::io, "is open in another Nazori", path.string(), "close it there first");
+      return base::fail(Errc::in_use, "is open in another Nazori", path.string(), "close it there first");
     }
     if (!own) return tl::unexpected(std::move(own.error()));
     lock = *std::move(own);

@@ -121,7 +121,7 @@ TEST(StoreSafety, ASecondWindowIsToldAndReadersAreLetIn) {
     (void)must(store.add_writing(kRest, 6, review(Rating::good)));
     const auto second = LearnerStore::open(file, Access::write);
     ASSERT_FALSE(second);
-    EXPECT_EQ(second.error().code, Errc::io);
+    EXPECT_EQ(second.error().code, Errc::in_use);
     EXPECT_THAT(base::to_line(second.error()), HasSubstr("open in another Nazori"));
     EXPECT_TRUE(LearnerStore::in_use(file));
     EXPECT_FALSE(restore_backup(file, file));

@@ -26,6 +26,8 @@ QString kind(base::Errc code) {
       return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "the graphics or the device refused"));
     case base::Errc::cancelled:
       return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it was stopped"));
+    case base::Errc::in_use:
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "another program is using it"));
   }
   return {};
 }

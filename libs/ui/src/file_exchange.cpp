@@ -24,14 +24,14 @@ FileExchange::FileExchange(Workshop* workshop, QWidget* window)
   });
 }
 
-void FileExchange::ask_and_open(const OwnTablet& onto) {
+bool FileExchange::ask_and_open(const OwnTablet& onto) {
   const QStringList paths =
       QFileDialog::getOpenFileNames(window_, tr("Open a height map, a stroke order, or both"), folder_,
                                     tr("Height maps and stroke orders (*.raw *.png *.str);;All files (*)"));
-  if (!paths.isEmpty()) open(paths, onto);
+  return !paths.isEmpty() && open(paths, onto);
 }
 
-void FileExchange::open(const QStringList& paths, const OwnTablet& onto) {
+bool FileExchange::open(const QStringList& paths, const OwnTablet& onto) {
   QString map;
   QString strokes;
   for (const QString& path : paths) {
@@ -46,11 +46,11 @@ void FileExchange::open(const QStringList& paths, const OwnTablet& onto) {
           known ? tr("%1 is one too many: open one height map and one stroke order. The tablet is as it was.")
                       .arg(name)
                 : tr("%1 is neither RAW, PNG nor .str. The tablet is as it was.").arg(name));
-      return;
+      return false;
     }
     place = path;
   }
-  if (map.isEmpty() && strokes.isEmpty()) return;
+  if (map.isEmpty() && strokes.isEmpty()) return false;
   remember_folder_of(map.isEmpty() ? strokes : map);
   int grid = 0;
   if (map.isEmpty() && onto.map_size == 0) {
@@ -58,10 +58,11 @@ void FileExchange::open(const QStringList& paths, const OwnTablet& onto) {
     const auto guess = Workshop::guess_grid(strokes);
     if (guess && !guess->certain) {
       grid = ask_grid(strokes, guess->side);
-      if (grid == 0) return;
+      if (grid == 0) return false;
     }
   }
   workshop_->load(map, strokes, onto, grid);
+  return true;
 }
 
 void FileExchange::remember_folder_of(const QString& path) {

@@ -21,9 +21,11 @@ class FileExchange final : public QObject {
   /// Where file dialogs begin.
   void set_folder(const QString& folder) { folder_ = folder; }
 
-  void ask_and_open(const OwnTablet& onto);
+  /// @return as open().
+  bool ask_and_open(const OwnTablet& onto);
   /// At most one height map (RAW, PNG) and one stroke order (.str) of the list.
-  void open(const QStringList& paths, const OwnTablet& onto);
+  /// @return whether they are being loaded; false where they were refused or nothing was chosen.
+  bool open(const QStringList& paths, const OwnTablet& onto);
   /// @param own  what was loaded; an empty one: the tablet is a carved character. @param name  proposed for
   /// the file.
   void ask_and_save(const Tablet& tablet, const OwnTablet& own, const QString& name);

@@ -8,7 +8,7 @@
 
 #include "nazori/carving/carve.h"
 #include "nazori/kanji/stroke_order.h"
-#include "nazori/surface/height_map.h"
+#include "nazori/surface/height_map_file.h"
 
 namespace nazori::ui {
 namespace {
@@ -17,17 +17,12 @@ constexpr std::size_t kRecent = 6;
 
 std::filesystem::path to_path(const QString& text) { return {text.toStdString()}; }
 
-base::Result<surface::HeightMap> load_map(const QString& path) {
-  return path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive) ? surface::load_png(to_path(path))
-                                                                   : surface::load_raw(to_path(path));
-}
-
 base::Result<OwnTablet> load_own(const QString& map_path, const QString& strokes_path, const OwnTablet& onto,
                                  int grid_size) {
   OwnTablet own;
   std::optional<surface::HeightMap> map;
   if (!map_path.isEmpty()) {
-    auto loaded = load_map(map_path);
+    auto loaded = surface::load_height_map(to_path(map_path));
     if (!loaded) return tl::unexpected(loaded.error());
     map = std::move(*loaded);
     own.name = QFileInfo(map_path).fileName();

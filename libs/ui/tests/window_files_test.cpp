@@ -2,6 +2,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QUrl>
 
@@ -46,6 +47,44 @@ TEST_F(Files, ARawOfPerfectSquareLengthIsOpenedWithoutAsking) {
   EXPECT_TRUE(feedback().contains(QStringLiteral("own.raw is on the desk"))) << feedback().toStdString();
   EXPECT_TRUE(text("facts").contains(QStringLiteral("128 × 128")));
   EXPECT_EQ(text("stroke_label"), QStringLiteral("no strokes"));
+}
+
+TEST_F(Files, GivenAtTheStartAreShownInPlaceOfTheLastCharacter) {
+  // Large, so that the character is ready before the file is.
+  for (const QString& path : {write("own.raw", QByteArray(2048 * 2048, '\x80')), kyuu_2005()}) {
+    window_.reset();
+    window_ = std::make_unique<MainWindow>(setup(), appearance_);
+    window_->show();
+    // As the program does: the last character has been asked for, and not come yet.
+    window_->open_files({path});
+    const QString name = QFileInfo(path).fileName();
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return feedback().startsWith(name + QStringLiteral(" is on the desk")); }, 20000))
+        << feedback().toStdString();
+    EXPECT_TRUE(window_->windowTitle().startsWith(name)) << window_->windowTitle().toStdString();
+  }
+}
+
+TEST_F(Files, ABadFileAtTheStartLeavesTheLastCharacter) {
+  const QString bad = write("bad.raw", QByteArray(16385, 'x'));
+  window_.reset();
+  window_ = std::make_unique<MainWindow>(setup(), appearance_);
+  QSignalSpy shown(window_.get(), &MainWindow::character_shown);
+  window_->show();
+  window_->open_files({bad});
+  EXPECT_TRUE(shown.wait(20000));
+  EXPECT_TRUE(window_->windowTitle().startsWith(QStringLiteral("休")))
+      << window_->windowTitle().toStdString();
+}
+
+TEST_F(Files, APictureIsKnownByWhatItHoldsWhateverItsName) {
+  auto slope = *surface::HeightMap::create(32);
+  slope.set(3, 5, 0.25F);
+  const std::string picture = folder_.filePath(QStringLiteral("picture.raw")).toStdString();
+  ASSERT_TRUE(surface::save_png(slope, picture, surface::PngDepth::bits_8));
+  open({QString::fromStdString(picture)});
+  EXPECT_TRUE(feedback().contains(QStringLiteral("picture.raw is on the desk"))) << feedback().toStdString();
+  EXPECT_TRUE(text("facts").contains(QStringLiteral("32 × 32")));
 }
 
 TEST_F(Files, ABadFileIsExplainedAndTheTabletKept) {

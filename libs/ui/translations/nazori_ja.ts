@@ -4994,6 +4994,10 @@ Columns and rows:</source>
         <source>it was stopped</source>
         <translation>中止されました</translation>
     </message>
+    <message>
+        <source>another program is using it</source>
+        <translation>ほかのプログラムが使用中です</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::StrictnessSlider</name>

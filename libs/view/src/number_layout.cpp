@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace nazori::view {
 namespace {
@@ -15,21 +18,45 @@ constexpr int kRounds = 60;
 constexpr double kPull = 0.08;
 constexpr int kMostRings = 400;
 
-bool fits(std::span<const glm::dvec2> placed, glm::dvec2 place, double apart) {
-  return std::all_of(placed.begin(), placed.end(),
-                     [&](glm::dvec2 other) { return glm::distance(other, place) >= apart; });
-}
+/// Discs that have their place, found by where they are.
+class Placed {
+ public:
+  explicit Placed(double apart) : apart_(apart) {}
+
+  void add(glm::dvec2 place) { cells_[{cell_of(place.x), cell_of(place.y)}].push_back(place); }
+
+  /// Whether a disc there overlaps none.
+  [[nodiscard]] bool fits(glm::dvec2 place) const {
+    for (std::int64_t x = cell_of(place.x) - 1; x <= cell_of(place.x) + 1; ++x) {
+      for (std::int64_t y = cell_of(place.y) - 1; y <= cell_of(place.y) + 1; ++y) {
+        const auto cell = cells_.find({x, y});
+        if (cell == cells_.end()) continue;
+        for (const glm::dvec2 other : cell->second)
+          if (glm::distance(other, place) < apart_) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::int64_t cell_of(double coordinate) const {
+    return static_cast<std::int64_t>(std::floor(coordinate / apart_));
+  }
+
+  double apart_;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<glm::dvec2>> cells_;
+};
 
 /// The free place nearest to the wish, on rings around it.
-glm::dvec2 nearest_free(std::span<const glm::dvec2> placed, glm::dvec2 wish, double apart) {
-  if (fits(placed, wish, apart)) return wish;
+glm::dvec2 nearest_free(const Placed& placed, glm::dvec2 wish, double apart) {
+  if (placed.fits(wish)) return wish;
   for (int ring = 1; ring <= kMostRings; ++ring) {
     const double reach = apart / 6 * ring;
     const int ways = 6 * ring;
     for (int k = 0; k < ways; ++k) {
       const double angle = 2 * std::numbers::pi * k / ways;
       const glm::dvec2 place = wish + glm::dvec2(std::cos(angle), std::sin(angle)) * reach;
-      if (fits(placed, place, apart)) return place;
+      if (placed.fits(place)) return place;
     }
   }
   return wish;
@@ -65,7 +92,11 @@ std::vector<glm::dvec2> lay_out_numbers(std::span<const NumberWish> wishes, doub
   }
   std::vector<glm::dvec2> settled;
   settled.reserve(places.size());
-  for (const glm::dvec2 place : places) settled.push_back(nearest_free(settled, place, 2 * radius));
+  Placed placed(2 * radius);
+  for (const glm::dvec2 place : places) {
+    settled.push_back(nearest_free(placed, place, 2 * radius));
+    placed.add(settled.back());
+  }
   return settled;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "clearance_grid.h"
 #include "nazori/geometry/polyline.h"
 
 namespace nazori::view {
@@ -27,6 +28,8 @@ constexpr double kClassicHead = 5.0 / 127.0;
 constexpr double kClassicSpread = 30 * kDegree;
 
 constexpr double kInkStep = 1.0;  ///< glyph units
+/// Pieces of ink. No character has a hundredth of them; a file of strokes may hold millions of long lines.
+constexpr double kMostInk = 200'000;
 constexpr double kWidthStep = 0.2;
 constexpr double kWidestGroove = 20.0;
 constexpr float kLip = 0.985F;        ///< of the plateau's height
@@ -51,8 +54,19 @@ double angle_between(GlyphPoint a, GlyphPoint b) {
   return std::atan2(std::abs(a.x * b.y - a.y * b.x), geometry::dot(a, b));
 }
 
-GlyphPoint direction_into(std::span<const GlyphPoint> line, double s, double reach) {
-  const GlyphPoint step = geometry::point_at(line, s) - geometry::point_at(line, std::max(s - reach, 0.0));
+/// The point at arc length `s`, held within the line. @param along  arc length at each of its points.
+GlyphPoint point_at(std::span<const GlyphPoint> line, std::span<const double> along, double s) {
+  const auto after = std::upper_bound(along.begin(), along.end(), s);
+  if (after == along.end()) return line.back();
+  if (after == along.begin()) return line.front();
+  const auto i = static_cast<std::size_t>(after - along.begin());
+  const double piece = along[i] - along[i - 1];
+  return line[i - 1] + (line[i] - line[i - 1]) * (piece > 0 ? (s - along[i - 1]) / piece : 0.0);
+}
+
+GlyphPoint direction_into(std::span<const GlyphPoint> line, std::span<const double> along, double s,
+                          double reach) {
+  const GlyphPoint step = point_at(line, along, s) - point_at(line, along, std::max(s - reach, 0.0));
   const double size = geometry::length(step);
   return size > 0 ? step * (1 / size) : GlyphPoint{1, 0};
 }
@@ -127,11 +141,14 @@ std::vector<double> ink_radii(const Relief& relief, float lip, std::span<const G
   // Where grooves cross, the lip is that of the other one: such widths give way to those before and after.
   const double widest = median(raw) * 1.06;
   std::vector<double> radii = raw;
+  std::size_t after = 0;
+  std::size_t before = 0;
   for (std::size_t i = 0; i < raw.size(); ++i) {
-    if (raw[i] <= widest) continue;
-    std::size_t before = i;
-    while (before > 0 && raw[before] > widest) --before;
-    std::size_t after = i;
+    if (raw[i] <= widest) {
+      before = i;
+      continue;
+    }
+    after = std::max(after, i);
     while (after + 1 < raw.size() && raw[after] > widest) ++after;
     const double from = std::min(raw[before], widest);
     const double to = std::min(raw[after], widest);
@@ -142,10 +159,11 @@ std::vector<double> ink_radii(const Relief& relief, float lip, std::span<const G
   return radii;
 }
 
-void append_ink(StrokeGeometry& geometry, const GlyphLine& line, const Relief& relief,
+/// @param step  of the ink along the line, in glyph units.
+void append_ink(StrokeGeometry& geometry, const GlyphLine& line, double step, const Relief& relief,
                 const geometry::TabletShape& shape) {
   const double length = geometry::arc_length(std::span<const GlyphPoint>(line));
-  const auto count = static_cast<std::size_t>(std::ceil(length / kInkStep)) + 1;
+  const auto count = static_cast<std::size_t>(std::ceil(length / step)) + 1;
   const GlyphLine points = line.size() < 2 ? GlyphLine{line.front(), line.front()}
                                            : geometry::resample(std::span<const GlyphPoint>(line),
                                                                 std::max<std::size_t>(count, 2));
@@ -170,7 +188,7 @@ void append_heads(StrokeGeometry& geometry, const GlyphLine& line, float number,
   double run_start = 0;
   for (const std::size_t end : run_ends(line)) {
     const double reach = std::min(kHeadReach, (along[end] - run_start) * 0.8);
-    const GlyphPoint into = direction_into(line, along[end], reach);
+    const GlyphPoint into = direction_into(line, along, along[end], reach);
     const glm::vec2 direction(static_cast<float>(into.x), static_cast<float>(-into.y));
     const glm::vec2 tip = to_metres(line[end], shape);
     geometry.heads.push_back({tip, direction, number});
@@ -184,10 +202,10 @@ void append_heads(StrokeGeometry& geometry, const GlyphLine& line, float number,
 }
 
 /// The side of a stroke's start that keeps a number clear of all strokes, behind the start if possible.
-glm::dvec2 clear_side(std::span<const GlyphLine> lines, std::size_t stroke) {
+glm::dvec2 clear_side(std::span<const GlyphLine> lines, const ClearanceGrid& grid, std::size_t stroke) {
   const GlyphLine& line = lines[stroke];
   const GlyphPoint start = line.front();
-  const GlyphPoint ahead = direction_into(line, 8.0, 8.0);
+  const GlyphPoint ahead = direction_into(line, arc_lengths(line), 8.0, 8.0);
   constexpr int kWays = 24;
   double best_score = -std::numeric_limits<double>::infinity();
   GlyphPoint best{0, -1};
@@ -197,11 +215,7 @@ glm::dvec2 clear_side(std::span<const GlyphLine> lines, std::size_t stroke) {
     double score = -0.35 * geometry::dot(way, ahead) - 0.12 * way.x - 0.06 * way.y;
     for (const double reach : {4.0, 7.0}) {
       const GlyphPoint place = start + way * reach;
-      double clearance = 9;
-      for (const GlyphLine& other : lines) {
-        clearance =
-            std::min(clearance, geometry::nearest_point(std::span<const GlyphPoint>(other), place).distance);
-      }
+      double clearance = grid.at(place, 9);
       for (std::size_t other = 0; other < lines.size(); ++other) {
         if (other != stroke)
           clearance = std::min(clearance, geometry::distance(lines[other].front(), place) - 3);
@@ -238,8 +252,8 @@ std::vector<std::size_t> run_ends(std::span<const GlyphPoint> points) {
     if (before <= 0 || after <= 0) continue;
     const double at_point = angle_between(points[i] - points[i - 1], points[i + 1] - points[i]);
     const double reach = std::min({kCornerReach, along[i], length - along[i]});
-    const GlyphPoint into = points[i] - geometry::point_at(points, along[i] - reach);
-    const GlyphPoint out = geometry::point_at(points, along[i] + reach) - points[i];
+    const GlyphPoint into = points[i] - point_at(points, along, along[i] - reach);
+    const GlyphPoint out = point_at(points, along, along[i] + reach) - points[i];
     const double turn = std::max(angle_between(into, out), at_point);
     const bool straight_bend =
         before >= kStraightPiece && after >= kStraightPiece && at_point >= kStraightTurn;
@@ -267,11 +281,15 @@ StrokeGeometry make_stroke_geometry(std::span<const kanji::StrokeLine> strokes, 
   StrokeGeometry geometry;
   geometry.plateau = plateau_of(relief);
   std::vector<GlyphLine> lines;
+  double length = 0;
   for (const kanji::StrokeLine& stroke : strokes) {
     GlyphLine line = without_repeats(stroke.points);
     if (line.empty()) line.push_back({0, 0});
+    length += geometry::arc_length(std::span<const GlyphPoint>(line));
     lines.push_back(std::move(line));
   }
+  const ClearanceGrid grid(lines);
+  const double ink_step = std::max(kInkStep, length / kMostInk);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const GlyphLine& line = lines[i];
     const auto number = static_cast<float>(i + 1);
@@ -280,8 +298,8 @@ StrokeGeometry make_stroke_geometry(std::span<const kanji::StrokeLine> strokes, 
     if (line.size() == 1)
       geometry.lines.push_back({to_metres(line[0], shape), to_metres(line[0], shape), number});
     append_heads(geometry, line, number, shape);
-    append_ink(geometry, line, relief, shape);
-    geometry.anchors.push_back({geometry::glyph_to_tablet(line.front(), shape), clear_side(lines, i)});
+    append_ink(geometry, line, ink_step, relief, shape);
+    geometry.anchors.push_back({geometry::glyph_to_tablet(line.front(), shape), clear_side(lines, grid, i)});
   }
   return geometry;
 }

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string_view>
+#include <vector>
 
+#include "../src/number_layout.h"
 #include "view_fixtures.h"
 
 namespace nazori::view {
@@ -144,6 +146,18 @@ TEST(StrokeNumbers, NeverHideEachOtherHoweverCrowded) {
           EXPECT_GE(glm::distance(numbers[i].pixel, numbers[j].pixel), 2 * numbers[i].radius - 2)
               << numbers[i].stroke << " and " << numbers[j].stroke;
     }
+  }
+}
+
+TEST(StrokeNumbers, AThousandThatStartInOnePlaceOverlapNowhereAndStayNear) {
+  const std::vector<NumberWish> wishes(1'000, NumberWish{{500, 500}, {0, -1}});
+  constexpr double kRadius = 10;
+  const std::vector<glm::dvec2> places = lay_out_numbers(wishes, kRadius, 3);
+  ASSERT_EQ(places.size(), wishes.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_GE(glm::distance(places[i], places[j]), 2 * kRadius - 1e-9);
+    // Discs of that number fill a circle of 316 pixels; twice as far no disc need be.
+    EXPECT_LT(glm::distance(places[i], wishes[i].start), 2 * 316);
   }
 }
 

@@ -221,9 +221,14 @@ bool Characters::opens(const QStringList& paths) const {
   });
 }
 
-void Characters::open_files(const QStringList& paths) { files_->open(paths, own_); }
+void Characters::open_files(const QStringList& paths) {
+  // A character that was asked for before must not come after the files.
+  if (files_->open(paths, own_)) awaited_ = 0;
+}
 
-void Characters::ask_and_open() { files_->ask_and_open(own_); }
+void Characters::ask_and_open() {
+  if (files_->ask_and_open(own_)) awaited_ = 0;
+}
 
 void Characters::ask_and_save() {
   const QString file_name =
@@ -273,6 +278,10 @@ void Characters::connect_work() {
   connect(&desk().workshop(), &Workshop::carved, this,
           [this](char32_t code_point, const Tablet& tablet) { take_tablet(code_point, tablet); });
   connect(&desk().workshop(), &Workshop::loaded, this, [this](const OwnTablet& loaded) { take_own(loaded); });
+  connect(&desk().workshop(), &Workshop::failed, this, [this] {
+    // Files that could not be opened leave the tablet as it was; there is none yet when the window opens.
+    if (entered_ && !tablet_ && awaited_ == 0) choose(desk().preferences().kanji, true);
+  });
   connect(files_, &FileExchange::say, &desk(), &Desk::say);
   connect(files_, &FileExchange::folder_changed, this, [this](const QString& folder) {
     desk().preferences().folder = folder;
@@ -303,6 +312,7 @@ void Characters::choose(char32_t code_point, bool remember) {
     path_.push_back(code_point);
     step_ = path_.size() - 1;
   }
+  awaited_ = code_point;
   desk().library().request_sheet(code_point);
 }
 
@@ -314,6 +324,7 @@ void Characters::travel(int by) {
 }
 
 void Characters::take_sheet(const std::shared_ptr<const CharacterSheet>& sheet) {
+  if (sheet->character.code_point != awaited_) return;
   coming_ = sheet;
   searching_ = false;
   desk().workshop().carve(sheet->character);

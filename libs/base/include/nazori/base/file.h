@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nazori/base/result.h"
+#include "nazori/base/unfinished_file.h"
 
 namespace nazori::base {
 
@@ -57,12 +58,13 @@ class OutputFile {
   [[nodiscard]] Result<void> commit();
 
  private:
-  OutputFile(std::filesystem::path path, std::string beside, int fd)
-      : path_(std::move(path)), beside_(std::move(beside)), fd_(fd) {}
+  OutputFile(std::filesystem::path path, std::string beside, UnfinishedFile unfinished, int fd)
+      : path_(std::move(path)), beside_(std::move(beside)), unfinished_(std::move(unfinished)), fd_(fd) {}
   [[nodiscard]] Result<void> refusal(int error_number) const;
 
   std::filesystem::path path_;
   std::string beside_;
+  UnfinishedFile unfinished_;
   int fd_;
 };
 

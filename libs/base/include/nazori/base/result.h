@@ -17,6 +17,7 @@ enum class Errc : std::uint8_t {
   not_found,     ///< what was asked for does not exist
   device,        ///< a haptic or graphics device failed
   cancelled,     ///< the user stopped the work
+  in_use,        ///< another program has it open; to wait and try again may help
 };
 
 /// A failure that the caller is expected to handle. The texts are English, for logs and the command line; the

@@ -13,6 +13,11 @@ namespace nazori::functions {
 
 enum class Comparison : std::uint8_t { equal, less, less_equal, greater, greater_equal };
 
+/// "<" or ">", which leave the border out.
+[[nodiscard]] constexpr bool is_strict(Comparison c) {
+  return c == Comparison::less || c == Comparison::greater;
+}
+
 enum class StatementKind : std::uint8_t {
   explicit_y,      ///< y = f(x): terms[0] = f
   explicit_x,      ///< x = g(y): terms[0] = g
@@ -31,6 +36,8 @@ struct Statement {
   std::vector<Comparison> comparisons;  ///< of implicit and inequality: between the terms
   Expression from;                      ///< range of the parameter, of parametric and polar statements
   Expression to;
+  bool from_is_open = false;  ///< 0 < t: the end itself does not belong to the curve
+  bool to_is_open = false;
   bool range_given = false;  ///< false: the customary 0 to 2 pi was put in
   int column = 1;            ///< where it starts in the text
 };

@@ -71,8 +71,8 @@ struct BackupContents {
 /// the oldest of those go, but for kReplacedKept.
 /// Killed at any moment it leaves a whole learner.db: what stood there, or the backup.
 /// @return the file that holds what stood there, empty where nothing did; Errc::not_found, Errc::schema,
-/// Errc::parse for a backup that cannot be used, Errc::io also where the learner's file is in use,
-/// Errc::cancelled. Nothing is changed then.
+/// Errc::parse for a backup that cannot be used, Errc::io, Errc::in_use where another program has the
+/// learner's file open, Errc::cancelled. Nothing is changed then.
 [[nodiscard]] base::Result<std::filesystem::path> restore_backup(const std::filesystem::path& backup,
                                                                  const std::filesystem::path& learner,
                                                                  const Clock& clock = system_now,

@@ -66,7 +66,7 @@ enum class Upkeep : std::uint8_t {
 /// happens next. One store writes at a time; others may read. docs/study.md, docs/file-formats.md.
 ///
 /// Thread-safe: no. Every function that writes takes a few milliseconds (it waits for the disk).
-/// Errors of all functions: Errc::io where the disk is full, the folder read-only or the file in use;
+/// Errors of all functions: Errc::io where the disk is full or the folder read-only; Errc::in_use;
 /// Errc::parse where the file is damaged.
 class LearnerStore {
  public:

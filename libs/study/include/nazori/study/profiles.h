@@ -32,12 +32,12 @@ inline constexpr std::string_view kDefaultProfile = "learner";
 [[nodiscard]] std::vector<std::string> profiles(const std::filesystem::path& folder);
 
 /// Gives a profile another name. @return Errc::not_found; Errc::bad_argument for a name that is taken or can
-/// be none; Errc::io, also where it is in use.
+/// be none; Errc::io; Errc::in_use.
 [[nodiscard]] base::Result<void> rename_profile(const std::filesystem::path& folder, std::string_view from,
                                                 std::string_view to);
 
 /// Moves a profile out of sight, into the folder ".removed"; nothing is deleted.
-/// @return where it is now; Errc::not_found, Errc::io, also where it is in use.
+/// @return where it is now; Errc::not_found; Errc::io; Errc::in_use.
 [[nodiscard]] base::Result<std::filesystem::path> remove_profile(const std::filesystem::path& folder,
                                                                  std::string_view profile);
 

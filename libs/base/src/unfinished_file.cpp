@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/base/unfinished_file.h"
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace nazori::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Entry {
+  fs::path path;
+  UnfinishedKind kind;
+};
+
+struct Register {
+  std::timed_mutex mutex;
+  std::map<std::uint64_t, Entry> entries;
+  std::uint64_t last_id = 0;
+};
+
+/// Never destroyed: a thread may end the program while the objects of main() go.
+Register& all() {
+  static auto& kAll = *new Register;
+  return kAll;
+}
+
+void remove(const Entry& entry) {
+  std::error_code ignored;
+  fs::remove(entry.path, ignored);
+  if (entry.kind != UnfinishedKind::database) return;
+  for (const char* suffix : {"-journal", "-wal", "-shm"}) fs::remove(entry.path.string() + suffix, ignored);
+}
+
+}  // namespace
+
+UnfinishedFile::UnfinishedFile(fs::path path, UnfinishedKind kind) {
+  const std::lock_guard lock(all().mutex);
+  id_ = ++all().last_id;
+  all().entries.emplace(id_, Entry{std::move(path), kind});
+}
+
+UnfinishedFile UnfinishedFile::made_by(const std::function<fs::path()>& make) {
+  UnfinishedFile file;
+  const std::lock_guard lock(all().mutex);
+  fs::path path = make();
+  if (path.empty()) return file;
+  file.id_ = ++all().last_id;
+  all().entries.emplace(file.id_, Entry{std::move(path), UnfinishedKind::plain});
+  return file;
+}
+
+UnfinishedFile::UnfinishedFile(UnfinishedFile&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+
+UnfinishedFile& UnfinishedFile::operator=(UnfinishedFile&& other) noexcept {
+  std::swap(id_, other.id_);
+  return *this;
+}
+
+UnfinishedFile::~UnfinishedFile() {
+  if (id_ == 0) return;
+  const std::lock_guard lock(all().mutex);
+  const auto entry = all().entries.find(id_);
+  remove(entry->second);
+  all().entries.erase(entry);
+}
+
+void UnfinishedFile::finish() noexcept {
+  if (id_ == 0) return;
+  const std::lock_guard lock(all().mutex);
+  all().entries.erase(std::exchange(id_, 0));
+}
+
+std::unique_lock<std::timed_mutex> remove_unfinished_files() {
+  // Making a file may hang, on a network for example. The program has to end nevertheless.
+  constexpr auto kPatience = std::chrono::milliseconds(50);
+  std::unique_lock lock(all().mutex, kPatience);
+  if (!lock.owns_lock()) return lock;
+  for (const auto& [id, entry] : all().entries) remove(entry);
+  return lock;
+}
+
+}  // namespace nazori::base

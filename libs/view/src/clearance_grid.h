@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "nazori/geometry/frames.h"
+#include "nazori/geometry/point.h"
+
+namespace nazori::view {
+
+/// How far places are from all lines, asked again and again. The lines may have millions of pieces: those
+/// near a place are found in a grid over the glyph box and its surroundings.
+class ClearanceGrid {
+ public:
+  explicit ClearanceGrid(std::span<const geometry::Polyline<geometry::GlyphFrame>> lines);
+
+  /// Distance from `place` to the nearest line, at most `most`. Where so many pieces lie in one glyph unit
+  /// that no place in it is clear, the distance to that unit.
+  /// @param most  at most kReach.
+  [[nodiscard]] double at(geometry::GlyphPoint place, double most) const;
+
+  /// Glyph units around the box within which pieces are known.
+  static constexpr double kReach = 20;
+
+ private:
+  struct Piece {
+    geometry::GlyphPoint from;
+    geometry::GlyphPoint to;
+  };
+  /// No place in a glyph unit with so many pieces is clear of them.
+  static constexpr std::size_t kCrowd = 32;
+  struct Cell {
+    std::array<std::uint32_t, kCrowd> pieces;
+    std::size_t count = 0;
+  };
+
+  void add(const Piece& piece);
+  [[nodiscard]] double in_cell(int column, int row, geometry::GlyphPoint place, double least) const;
+  [[nodiscard]] const Cell& cell(int column, int row) const;
+
+  std::vector<Piece> pieces_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace nazori::view
