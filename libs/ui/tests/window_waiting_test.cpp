@@ -87,7 +87,9 @@ class Waiting : public WindowTest {
     const auto database = kanji::KanjiDatabase::open(setup().database);
     if (!database) throw std::runtime_error("no kanji database");
     study::CharacterLists lists(*database);
-    return lists.in_learning_order(store.settings(), store);
+    auto order = lists.in_learning_order(store.settings(), store);
+    if (!order) throw std::runtime_error(base::to_line(order.error()));
+    return *std::move(order);
   }
 
   bool keeps_up_to_date() {
