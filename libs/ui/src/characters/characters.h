@@ -100,8 +100,8 @@ class Characters final : public Workplace {
 
   bool entered_ = false;
   std::shared_ptr<const CharacterSheet>
-      sheet_;  ///< of the character on the desk; null: a tablet of one's own
-  char32_t awaited_ = 0;                          ///< whose sheet was asked for last, 0 for none
+      sheet_;             ///< of the character on the desk; null: a tablet of one's own
+  char32_t awaited_ = 0;  ///< whose sheet was asked for last, 0 for none
   std::shared_ptr<const CharacterSheet> coming_;  ///< of the one being carved
   Tablet tablet_;               ///< what is on the desk here, kept while another workplace has the tablet
   OwnTablet own_;               ///< loaded from files; empty while a character is on the desk
