@@ -295,11 +295,11 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
     tablet.clear_ink();  // it begins anew
     EXPECT_TRUE(QTest::qWaitFor(
         [&] {
-          if (samples > ticks && strongest_n < least_n) {
-            samples = 0;
-            tablet.clear_ink();
-          }
-          return samples > ticks && strongest_n >= least_n;
+          if (samples <= ticks) return false;
+          if (strongest_n >= least_n) return true;
+          samples = 0;
+          tablet.clear_ink();
+          return false;
         },
         60'000))
         << strongest_n << " N";
@@ -317,6 +317,7 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
   double before_n = 1;
   for (const double help : {1.0, 0.6, 0.3}) {
     const double now_n = felt(1'000, 0.4 * help);
+    EXPECT_GT(now_n, 0.05 * help);
     EXPECT_LE(now_n, 0.8 * help + 1e-6);
     EXPECT_LT(now_n, before_n);
     before_n = now_n;
