@@ -33,7 +33,7 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   p.asks_by_words = false;
   p.left_handed = true;
   p.one_hand = nazori::ui::OneHand::right;
-  p.folder = QStringLiteral("/tmp/漢字");
+  p.folder = folder.filePath(QStringLiteral("漢字"));
   ASSERT_TRUE(p.save(file));
   const auto read = Preferences::load(file);
   EXPECT_EQ(read.geometry, p.geometry);

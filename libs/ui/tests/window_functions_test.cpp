@@ -498,7 +498,7 @@ TEST_F(FunctionsWindow, CoordinatesAreReadWithoutWideningAnything) {
   type(QStringLiteral("y = tan(x); y = sin x"));
   auto* table = find<QTableWidget>("points_table");
   for (const int text_pt : {Preferences::kMinText_pt, Preferences::kMaxText_pt}) {
-    set_text_size(text_pt, 1280 + text_pt, 800);
+    set_text_size(text_pt);
     EXPECT_EQ(table->horizontalScrollBar()->maximum(), 0);
     // What is drawn of a row: kind and coordinates, in columns or under each other, never cut off.
     const QModelIndex first = table->model()->index(0, 0);
@@ -521,7 +521,7 @@ TEST_F(FunctionsWindow, CoordinatesAreReadWithoutWideningAnything) {
 }
 
 TEST_F(FunctionsWindow, NothingIsWiderThanItsPanelInTheLargestText) {
-  set_text_size(Preferences::kMaxText_pt, 1281, 800);
+  set_text_size(Preferences::kMaxText_pt);
   auto* panel = find<QScrollArea>("plot_panel");
   EXPECT_EQ(panel->horizontalScrollBar()->maximum(), 0);
   for (auto* widget : panel->findChildren<QWidget*>()) {
@@ -561,7 +561,7 @@ TEST_F(FunctionsWindow, TheListOfExamplesNamesOnlyWhatStandsInTheLine) {
 
 TEST_F(FunctionsWindow, APointWithoutAnExactNameIsSaidToBeAboutThere) {
   type(QStringLiteral("y = x^3 - 2x + 1"));
-  set_text_size(Preferences::kMaxText_pt, 1281, 800);
+  set_text_size(Preferences::kMaxText_pt);
   auto* table = find<QTableWidget>("points_table");
   ASSERT_TRUE(table->isColumnHidden(1));
   QStringList shown;

@@ -237,7 +237,7 @@ TEST_F(ProgressTest, LongerAndShorterTimesAreChosenByKeyAndRemembered) {
 TEST_F(ProgressTest, EverythingFitsAtTheLargestText) {
   study_for_weeks();
   go_to_progress();
-  set_text_size(Preferences::kMaxText_pt, 1281, 800);
+  set_text_size(Preferences::kMaxText_pt);
   const auto* scroll = find<QScrollArea>("progress_scroll");
   EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width());
   for (const auto* label : window_->findChildren<QLabel*>()) {

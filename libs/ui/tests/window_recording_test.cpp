@@ -57,17 +57,13 @@ class Recording : public WindowTest {
     action("record")->trigger();
   }
 
-  /// Waits until the servo has given `count` more samples. The first batch does not count: it holds what had
-  /// queued up before.
+  /// Waits until the servo has given `count` more samples. What had queued up before does not count.
   bool samples_come(std::size_t count) {
+    desk_under_test->controller().pump();
     std::size_t seen = 0;
-    bool first = true;
     QObject context;
     QObject::connect(&desk_under_test->controller().stylus(), &Stylus::sampled, &context,
-                     [&seen, &first](std::span<const haptics::ServoSample> some) {
-                       if (!first) seen += some.size();
-                       first = false;
-                     });
+                     [&seen](std::span<const haptics::ServoSample> some) { seen += some.size(); });
     return QTest::qWaitFor([&] { return seen >= count; }, 10000);
   }
 };

@@ -84,8 +84,10 @@ class WindowTest : public testing::Test {
 
   /// As the preference does, but in one step instead of one for each press of a key: each lays the window
   /// out.
-  void set_text_size(int text_pt, int width, int height) {
+  void set_text_size(int text_pt, int width = 1280, int height = 800) {
     appearance_.apply(ThemeChoice::desktop, text_pt);
+    // The window fits its parts only where its size changes.
+    resize(width + 1, height);
     resize(width, height);
   }
 
