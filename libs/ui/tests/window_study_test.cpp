@@ -18,6 +18,7 @@
 #include "characters/watch_stage.h"
 #include "desk.h"
 #include "hand_under_test.h"
+#include "nazori/study/backups.h"
 #include "study/home.h"
 #include "study/ink_gallery.h"
 #include "study/study_words.h"
@@ -485,6 +486,7 @@ TEST_F(Study, ABackupThatFailedStaysSaidAtHome) {
   std::filesystem::remove_all(backups);
   std::filesystem::copy_file(learner_file(), backups);
   open_home();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return find("home_trouble")->isVisible(); }, 20'000));
   EXPECT_TRUE(text("home_trouble").startsWith(QStringLiteral("Today's backup could not be made")));
   EXPECT_TRUE(find("home_trouble")->isVisible());
   EXPECT_TRUE(find<QPushButton>("home_start")->isVisible()) << "studying works";
@@ -493,6 +495,7 @@ TEST_F(Study, ABackupThatFailedStaysSaidAtHome) {
   window_.reset();
   std::filesystem::remove(backups);
   open_home();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !study::backups_of(learner_file()).empty(); }, 20'000));
   EXPECT_FALSE(find("home_trouble")->isVisible());
 }
 

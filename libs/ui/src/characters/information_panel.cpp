@@ -297,7 +297,7 @@ void InformationPanel::fill_words() {
     label->setText(
         QStringLiteral(
             "<span style=\"font-family:'Klee One'; font-size:%1pt\">%2</span>"
-            "&nbsp;&nbsp;<span style=\"font-family:'Klee One'; font-size:%3pt; color:%4\">%5</span>"
+            "&nbsp; <span style=\"font-family:'Klee One'; font-size:%3pt; color:%4\">%5</span>"
             "<br>%6")
             .arg(size_pt * 1.25)
             .arg(text.toHtmlEscaped())
