@@ -22,17 +22,17 @@ using test::comes_true;
 using test::Push;
 using test::Vec3;
 
-constexpr int kDone = 7;
+constexpr int kAsMeant = 7;
 
 /// @param part  returns true where all was as it should be.
 void expect_in_a_process(const std::function<bool()>& part) {
   const pid_t process = fork();
   ASSERT_GE(process, 0);
-  if (process == 0) std::_Exit(part() ? kDone : 1);
+  if (process == 0) std::_Exit(part() ? kAsMeant : 1);
   int status = 0;
   ASSERT_EQ(waitpid(process, &status, 0), process);
   ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), kDone);
+  EXPECT_EQ(WEXITSTATUS(status), kAsMeant);
 }
 
 TEST(ConfirmedOff, AnInverse3ConfirmsOnceItWasToldZero) {
