@@ -53,7 +53,7 @@ function(nazori_precompiled_headers target)
   # Without this Ninja compiles the sources before the header that they read.
   get_target_property(sources ${target} SOURCES)
   list(APPEND sources "${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp")
-  foreach(number RANGE 9)
+  foreach(number RANGE 19)
     list(APPEND sources "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${number}_cxx.cxx")
   endforeach()
   set_property(SOURCE ${sources} APPEND PROPERTY OBJECT_DEPENDS "${CMAKE_BINARY_DIR}/${header}")

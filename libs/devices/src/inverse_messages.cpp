@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "json_reader.h"
@@ -204,7 +203,7 @@ void ShortText::set(std::string_view text) noexcept {
   for (const char c : text) {
     if (c < 0x20 || c > 0x7e) return;
   }
-  std::memcpy(text_.data(), text.data(), text.size());
+  std::copy(text.begin(), text.end(), text_.begin());
   size_ = text.size();
 }
 

@@ -40,8 +40,9 @@ struct Scheduled {
 
 // The scheduler's thread and the caller's take turns under this, as the maker's critical section does.
 std::recursive_mutex everything;
-std::vector<ErrorInfo> errors;
-std::vector<Scheduled> callbacks;
+// Never destroyed: the servo thread of the real library, too, goes on while the program exits.
+auto& errors = *new std::vector<ErrorInfo>;
+auto& callbacks = *new std::vector<Scheduled>;
 // Never destroyed: a program may end while the scheduler runs.
 std::thread& servo = *new std::thread;
 std::atomic<bool> servo_ends;
