@@ -95,7 +95,8 @@ The program ends by that signal within 0.3 s,
 and no file is left that is not whole.
 )";
 
-/// Running text in lines of at most kLineWidth bytes where its words allow that; no line starts with a request.
+/// Running text in lines of at most kLineWidth bytes where its words allow that; no line starts with a
+/// request.
 std::string filled(std::string_view text) {
   std::istringstream words{std::string(text)};
   std::string lines;
