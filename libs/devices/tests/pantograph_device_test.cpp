@@ -241,6 +241,8 @@ TEST_F(Pantograph2diy, WhatAnEarlierProgramLeftInTheBoardIsSettledFirst) {
   EXPECT_TRUE(comes_true([&] { return board.questions > 0; }));
   Push push({0.5, 0, 0});
   OpenedDevice device = opened();
+  EXPECT_EQ(board.setups, 2) << "the half one, finished by zeros, and the right one";
+  EXPECT_EQ(board.unknown, 0);
   move(0, 0);
   ASSERT_TRUE(device.device->start(push));
   EXPECT_TRUE(comes_true([&] { return pushes(); }));
@@ -265,6 +267,18 @@ TEST_F(Pantograph2diy, WhatIsWrongForAMomentGivesNoForceAndGoesOn) {
     board.fault = Fault::none;
   }
   EXPECT_TRUE(comes_true([&] { return pushes(); }));
+}
+
+TEST_F(Pantograph2diy, AnAnswerTooManyDoesNotMakeAllLaterOnesLate) {
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.present > 0; }));
+  board.fault = Fault::answers_later;
+  EXPECT_TRUE(comes_true([&] { return board.fault == Fault::none; }));
+  const int unread = board.unread, questions = board.questions;
+  EXPECT_TRUE(comes_true([&] { return board.questions > questions + 100; }));
+  EXPECT_LT(board.unread - unread, 50) << "each question finds the answer to the one before";
 }
 
 TEST_F(Pantograph2diy, ABoardThatWasNotSetUpAnswersWithItsIdAloneAndGetsNoForce) {

@@ -8,12 +8,15 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <new>
 
 #include "felt_plane.h"
+#include "force_guard.h"
 #include "nazori/devices/pantograph.h"
 #include "standins/pantograph_board.h"
 
@@ -45,6 +48,7 @@ class PantographEnd : public testing::Test {
   ~PantographEnd() override { munmap(go, sizeof(*go)); }
 
   void begin(const std::function<void(haptics::HapticDevice&, CrashingServo&)>& way_out) {
+    board = std::make_unique<PantographBoard>(false);
     process = fork();
     ASSERT_GE(process, 0);
     if (process == 0) {
@@ -53,7 +57,7 @@ class PantographEnd : public testing::Test {
       (void)setpgid(0, 0);  // so that it can be suspended
       alarm(120);
       PantographSettings settings;
-      settings.port = board.path();
+      settings.port = board->path();
       settings.delay_s = 0.020;
       OpenRequest request;
       request.calibration.emplace();
@@ -65,17 +69,17 @@ class PantographEnd : public testing::Test {
       way_out(*device->device, servo);
       std::_Exit(7);
     }
-    board.run();
+    board->run();
   }
   void expect_pushing() {
-    EXPECT_TRUE(comes_true([&] { return board.torque_n_m[0] != 0 && board.torque_n_m[1] != 0; }));
+    EXPECT_TRUE(comes_true([&] { return board->torque_n_m[0] != 0 && board->torque_n_m[1] != 0; }));
   }
   /// Once the board has read all that was written: nothing of it may push again.
   void expect_limp() {
-    const int idle = board.idle;
-    ASSERT_TRUE(comes_true([&] { return board.idle > idle + 1; }));
-    EXPECT_EQ(board.torque_n_m[0], 0);
-    EXPECT_EQ(board.torque_n_m[1], 0);
+    const int idle = board->idle;
+    ASSERT_TRUE(comes_true([&] { return board->idle > idle + 1; }));
+    EXPECT_EQ(board->torque_n_m[0], 0);
+    EXPECT_EQ(board->torque_n_m[1], 0);
   }
   void end() {
     int status = 0;
@@ -88,7 +92,7 @@ class PantographEnd : public testing::Test {
   }
 
   std::atomic<bool>* go;  // what the process and the test both see
-  PantographBoard board{false};
+  std::unique_ptr<PantographBoard> board;
   pid_t process = -1;
 };
 
@@ -142,6 +146,44 @@ TEST_F(PantographEnd, SuspendedItHoldsItsForceUntilItGoesOn) {
   expect_pushing();
   ASSERT_EQ(kill(process, SIGTERM), 0);
   end();
+}
+
+TEST_F(PantographEnd, TheThreadThatTellsZeroRunsNoSignalHandlers) {
+  begin([&](haptics::HapticDevice&, CrashingServo&) {
+    // Every other thread blocks it: the kernel has only those of the device to give it to.
+    sigset_t all;
+    (void)sigfillset(&all);
+    (void)pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    (void)kill(getpid(), SIGTERM);
+    *go = true;
+    for (;;) pause();
+  });
+  ASSERT_TRUE(comes_true([&] { return go->load(); }));
+  const int questions = board->questions;
+  EXPECT_TRUE(comes_true([&] { return board->questions > questions + 50; }));
+  expect_pushing();
+  ASSERT_EQ(kill(process, SIGKILL), 0);
+  ASSERT_EQ(waitpid(process, nullptr, 0), process);
+}
+
+TEST_F(PantographEnd, WhoCutsTheForcesIsToldThatTheyAreGone) {
+  // Who is not told waits for the longest time, always; a busy machine may take as long now and then.
+  bool told = false;
+  for (int tries = 0; tries < 50 && !told; ++tries) {
+    begin([&](haptics::HapticDevice& device, CrashingServo&) {
+      (void)comes_true([&] { return device.status().delay_s > 0; });
+      const auto begun = std::chrono::steady_clock::now();
+      ForceGuard::cut_all();
+      const auto took = std::chrono::steady_clock::now() - begun;
+      std::_Exit(took < std::chrono::milliseconds(ForceGuard::kMostWait_ms / 2) ? 8 : 9);
+    });
+    int status = 0;
+    ASSERT_EQ(waitpid(process, &status, 0), process);
+    ASSERT_TRUE(WIFEXITED(status));
+    told = WEXITSTATUS(status) == 8;
+    expect_limp();
+  }
+  EXPECT_TRUE(told);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -165,6 +166,7 @@ struct PantographBoard::Inside {
   }
 
   void write_torques() {
+    if (waits_to_be_read()) ++stage.unread;
     const int id = next();
     std::size_t count = 0;
     for (const int owner : motor_of) count += owner == id ? 1U : 0U;
@@ -218,6 +220,7 @@ struct PantographBoard::Inside {
         bytes.insert(bytes.begin(), before.begin(), before.end());
         break;
       case Fault::none:
+      case Fault::answers_later:
       case Fault::forgets:
         break;
     }
@@ -227,6 +230,16 @@ struct PantographBoard::Inside {
       (void)!write(board_side, bytes.data() + at, std::min(piece, bytes.size() - at));
       std::this_thread::yield();
     }
+    Fault later = Fault::answers_later;
+    if (!stage.fault.compare_exchange_strong(later, Fault::none)) return;
+    while (!ends && waits_to_be_read()) std::this_thread::yield();
+    (void)!write(board_side, bytes.data(), bytes.size());
+  }
+
+  /// Whether the program has not read everything yet.
+  bool waits_to_be_read() const {
+    int count = 0;
+    return ioctl(port_side, FIONREAD, &count) == 0 && count > 0;
   }
 
   PantographBoard& stage;

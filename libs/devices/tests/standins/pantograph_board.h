@@ -24,6 +24,7 @@ class PantographBoard {
     wrong_id,       ///< answers as another device
     no_number,      ///< an angle that is not a number
     answers_twice,  ///< an older answer before each
+    answers_later,  ///< once: the answer again, after the program has read it
     forgets,        ///< loses its parameters, as after a loss of power; then goes on
   };
 
@@ -47,6 +48,7 @@ class PantographBoard {
   // The board writes.
   std::array<std::atomic<double>, 2> torque_n_m{0, 0};  ///< as the motors have them, cut off
   std::atomic<int> setups{0}, resets{0}, questions{0}, zeros{0};
+  std::atomic<int> unread{0};      ///< questions that came while an answer lay in the pipe
   std::atomic<int> idle{0};        ///< counts on while nothing is left to be read
   std::atomic<int> unknown{0};     ///< bytes that are no command
   std::atomic<int> incomplete{0};  ///< commands whose rest did not come
