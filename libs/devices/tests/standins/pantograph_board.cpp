@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
-#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -166,7 +165,6 @@ struct PantographBoard::Inside {
   }
 
   void write_torques() {
-    if (waits_to_be_read()) ++stage.unread;
     const int id = next();
     std::size_t count = 0;
     for (const int owner : motor_of) count += owner == id ? 1U : 0U;
@@ -183,6 +181,8 @@ struct PantographBoard::Inside {
       zero = zero && torque == 0;
     }
     if (zero) ++stage.zeros;
+    if (stage.swings) ++(zero == tells_other ? stage.in_time : stage.late);
+    tells_other = stage.swings && !tells_other;
     ++stage.questions;
     if (stage.delay_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds(stage.delay_ms));
     answer(id);
@@ -193,7 +193,8 @@ struct PantographBoard::Inside {
     if (sensor_of == id) add(bytes, static_cast<float>(stage.a2));
     for (std::size_t port = 0; port < 2; ++port) {
       if (encoder_of.at(port) != id) continue;
-      const double way = stage.arm_deg.at(port) - arm_at_setup.at(port);
+      const double arm = tells_other ? stage.other_deg.at(port) : stage.arm_deg.at(port);
+      const double way = arm - arm_at_setup.at(port);
       const double turned = encoder_direction.at(port) == 1 ? way : -way;
       const double steps = steps_at_setup.at(port) + std::trunc(turned * steps_per_turn.at(port) / 360);
       add(bytes, static_cast<float>(360 * steps / steps_per_turn.at(port)));
@@ -232,14 +233,8 @@ struct PantographBoard::Inside {
     }
     Fault later = Fault::answers_later;
     if (!stage.fault.compare_exchange_strong(later, Fault::none)) return;
-    while (!ends && waits_to_be_read()) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::microseconds(300));
     (void)!write(board_side, bytes.data(), bytes.size());
-  }
-
-  /// Whether the program has not read everything yet.
-  bool waits_to_be_read() const {
-    int count = 0;
-    return ioctl(port_side, FIONREAD, &count) == 0 && count > 0;
   }
 
   PantographBoard& stage;
@@ -250,6 +245,7 @@ struct PantographBoard::Inside {
   std::array<int, 2> motor_direction{0, 0}, encoder_direction{0, 0};
   std::array<double, 2> steps_per_turn{1, 1}, steps_at_setup{0, 0}, arm_at_setup{0, 0};
   int sensor_of = 0;
+  bool tells_other = false;
   Bytes before;
   std::atomic<bool> ends{false};
   std::thread thread;

@@ -24,7 +24,7 @@ class PantographBoard {
     wrong_id,       ///< answers as another device
     no_number,      ///< an angle that is not a number
     answers_twice,  ///< an older answer before each
-    answers_later,  ///< once: the answer again, after the program has read it
+    answers_later,  ///< once: the answer again 0.3 ms later
     forgets,        ///< loses its parameters, as after a loss of power; then goes on
   };
 
@@ -41,14 +41,18 @@ class PantographBoard {
 
   // The test writes. Index 0 is port 1, the left arm; 1 is port 2, the right one.
   std::array<std::atomic<double>, 2> arm_deg{12, 168};  ///< of the inner arms; this is rest
-  std::atomic<double> a2{4095};                         ///< level of the analogue input
+  /// Tells other_deg in every second answer; the program is to push at arm_deg and only there.
+  std::atomic<bool> swings{false};
+  std::array<std::atomic<double>, 2> other_deg{12, 168};
+  std::atomic<double> a2{4095};  ///< level of the analogue input
   std::atomic<Fault> fault{Fault::none};
   std::atomic<int> delay_ms{0};
   std::atomic<int> piece{64};  ///< so many bytes of an answer come at a time
   // The board writes.
   std::array<std::atomic<double>, 2> torque_n_m{0, 0};  ///< as the motors have them, cut off
   std::atomic<int> setups{0}, resets{0}, questions{0}, zeros{0};
-  std::atomic<int> unread{0};      ///< questions that came while an answer lay in the pipe
+  std::atomic<int> in_time{0};     ///< where it swings: torques that answer the newest angles
+  std::atomic<int> late{0};        ///< ... and older ones
   std::atomic<int> idle{0};        ///< counts on while nothing is left to be read
   std::atomic<int> unknown{0};     ///< bytes that are no command
   std::atomic<int> incomplete{0};  ///< commands whose rest did not come
