@@ -53,7 +53,22 @@ function(nazori_precompiled_headers target)
   # Without this Ninja compiles the sources before the header that they read.
   get_target_property(sources ${target} SOURCES)
   list(APPEND sources "${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp")
+  foreach(number RANGE 9)
+    list(APPEND sources "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${number}_cxx.cxx")
+  endforeach()
   set_property(SOURCE ${sources} APPEND PROPERTY OBJECT_DEPENDS "${CMAKE_BINARY_DIR}/${header}")
+endfunction()
+
+# nazori_compile_together(TARGET [ALONE <FILE>...])
+#
+# Compiles the sources of a target in groups: where each of them uses the same large templates that is several times as fast.
+# ALONE: files with names of their own that others have too.
+function(nazori_compile_together target)
+  cmake_parse_arguments(u "" "" "ALONE" ${ARGN})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  if(u_ALONE)
+    set_source_files_properties(${u_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
 endfunction()
 
 # A quarter of the time of the usual linker: the sanitized test programs have hundreds of megabytes.
@@ -73,8 +88,11 @@ if(NAZORI_SANITIZE)
   target_compile_options(nazori_compiler INTERFACE -fsanitize=${sanitizers} -fno-omit-frame-pointer
                                                    -fno-sanitize-recover=all)
   target_link_options(nazori_compiler INTERFACE -fsanitize=${sanitizers})
-  # The makers' libraries are called through types of our own, which are the same only to the machine.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    target_compile_options(nazori_compiler INTERFACE -fno-sanitize=function)
+    # The makers' libraries are called through types of our own, which are the same only to the machine.
+    target_compile_options(nazori_compiler INTERFACE -fno-sanitize=function
+                           -fsanitize-ignorelist=${CMAKE_SOURCE_DIR}/cmake/sanitizer-ignorelist.txt)
+    # What the undefined behaviour sanitizer would see of wrong calls inside the standard library, told by its own checks.
+    target_compile_definitions(nazori_compiler INTERFACE _GLIBCXX_ASSERTIONS)
   endif()
 endif()

@@ -75,16 +75,18 @@ function(nazori_rt_calls name roots)
 endfunction()
 
 # nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>]
+#               [TESTS_TOGETHER [TESTS_ALONE ...]]
 #               [BENCHES ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
 # One room of the house: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench
 # file as part of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are seen by those who include the
 # public headers, PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE
 # they run after kanji.db has been built and find its folder in the environment variable NAZORI_DATA.
-# The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot race.
+# The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot race. TESTS_TOGETHER: see
+# nazori_compile_together.
 function(nazori_module name)
-  cmake_parse_arguments(m "NEEDS_DATABASE" ""
-    "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
+  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" ""
+    "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;TESTS_ALONE;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
   if(m_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "nazori_module(${name}): unknown ${m_UNPARSED_ARGUMENTS}")
   endif()
@@ -119,6 +121,9 @@ function(nazori_module name)
                                                   GTest::gtest_main)
     nazori_test_paths(${target}_tests kFixtures "${CMAKE_CURRENT_SOURCE_DIR}/tests/fixtures" ${m_TEST_PATHS})
     nazori_test_program(${target}_tests)
+    if(m_TESTS_TOGETHER)
+      nazori_compile_together(${target}_tests ALONE ${m_TESTS_ALONE})
+    endif()
     # Precompiled headers have a hundred megabytes and more, so only programs of many files have them.
     list(LENGTH m_TESTS test_files)
     if(test_files GREATER_EQUAL 10)

@@ -63,7 +63,7 @@ Command walk(const CLI::App& app, const std::string& path) {
   command.footer = app.get_footer();
   for (const CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
     if (option->get_group().empty()) continue;
-    OptionEntry entry = describe(*option);
+    OptionEntry entry = option_entry(*option);
     (entry.argument.empty() ? command.options : command.arguments).push_back(std::move(entry));
   }
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -80,7 +80,7 @@ void collect(const Command& command, std::vector<const Command*>& all) {
 
 }  // namespace
 
-OptionEntry describe(const CLI::Option& option) {
+OptionEntry option_entry(const CLI::Option& option) {
   OptionEntry entry;
   for (const std::string& letter : option.get_snames()) entry.names.push_back("-" + letter);
   for (const std::string& word : option.get_lnames()) entry.names.push_back("--" + word);

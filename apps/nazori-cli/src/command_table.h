@@ -47,7 +47,7 @@ struct Command {
 };
 
 /// One option or argument of the command line as plain data.
-[[nodiscard]] OptionEntry describe(const CLI::Option& option);
+[[nodiscard]] OptionEntry option_entry(const CLI::Option& option);
 
 /// "-o, --output"; "characters..." for an argument that takes several.
 [[nodiscard]] std::string joined_names(const OptionEntry& entry);

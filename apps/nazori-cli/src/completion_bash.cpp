@@ -90,7 +90,7 @@ std::string list_of(const std::vector<std::string>& words) {
   return list;
 }
 
-std::string_view name_of(Takes takes) {
+std::string_view completion_word(Takes takes) {
   switch (takes) {
     case Takes::nothing:
       return "nothing";
@@ -109,7 +109,7 @@ std::string_view name_of(Takes takes) {
 std::string branch(const std::string& patterns, const OptionEntry& entry) {
   const std::string choices =
       entry.takes == Takes::choice ? fmt::format(" choices=({})", list_of(entry.choices)) : "";
-  return fmt::format("    {}) takes={} values={}{} ;;\n", patterns, name_of(entry.takes), entry.values,
+  return fmt::format("    {}) takes={} values={}{} ;;\n", patterns, completion_word(entry.takes), entry.values,
                      choices);
 }
 

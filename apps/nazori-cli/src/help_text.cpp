@@ -39,7 +39,7 @@ std::string HelpText::make_help(const CLI::App* app, std::string name, CLI::AppF
 }
 
 std::string HelpText::make_option(const CLI::Option* option, bool is_positional) const {
-  const OptionEntry told = describe(*option);
+  const OptionEntry told = option_entry(*option);
   const std::string value = is_positional || told.value.empty() ? "" : " " + told.value;
   return entry(joined_names(told) + value, description_with_notes(told));
 }

@@ -9,7 +9,7 @@
 namespace nazori::cli {
 namespace {
 
-constexpr std::size_t kWidth = 78;
+constexpr std::size_t kLineWidth = 78;
 
 constexpr std::string_view kEnvironment = R"(.SH ENVIRONMENT
 .TP
@@ -99,7 +99,7 @@ The program ends by that signal within 0.3 s,
 and no file is left that is not whole.
 )";
 
-/// Running text in lines of at most kWidth bytes where its words allow that; no line starts with a request.
+/// Running text in lines of at most kLineWidth bytes where its words allow that; no line starts with a request.
 std::string filled(std::string_view text) {
   std::istringstream words{std::string(text)};
   std::string lines;
@@ -107,7 +107,7 @@ std::string filled(std::string_view text) {
   for (std::string word; words >> word;) {
     const std::string shown = roff_escaped(word);
     const std::size_t length = shown.size();
-    if (width > 0 && width + 1 + length > kWidth) {
+    if (width > 0 && width + 1 + length > kLineWidth) {
       lines += "\n";
       width = 0;
     }

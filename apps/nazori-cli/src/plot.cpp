@@ -121,7 +121,7 @@ struct Timings {
   double points_ms = 0;
 };
 
-Json to_json(const functions::Plot& plot, const functions::Picture& picture,
+Json plot_json(const functions::Plot& plot, const functions::Picture& picture,
              const std::vector<functions::PointOfInterest>& points, const Timings& timings,
              functions::Language language) {
   Json statements = Json::array();
@@ -232,7 +232,7 @@ int run(Console& console, PlotSettings s) {
     return sent ? kDone : console.refuse(sent.error());
   }
   if (s.json) {
-    console.print(to_text(to_json(*plot, *picture, points, timings, language)));
+    console.print(to_text(plot_json(*plot, *picture, points, timings, language)));
     return kDone;
   }
   console.print(functions::canonical(*plot) + "\n" +

@@ -26,7 +26,7 @@ using recording::RecordingReader;
 using recording::Recovery;
 using recording::SampleStatistics;
 
-struct InfoSettings {
+struct RecordInfoSettings {
   std::string file;
   bool json = false;
 };
@@ -137,7 +137,7 @@ std::string describe(const Told& told, const std::string& file) {
       told.late_ticks == 1 ? "" : "s", 1e3 * lateness_s(told), told.end.lost, told.end.damaged);
 }
 
-int run_info(Console& console, const InfoSettings& settings) {
+int run_info(Console& console, const RecordInfoSettings& settings) {
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   const auto told = tell(settings.file, progress);
   progress.clear();
@@ -184,7 +184,7 @@ void add_record(CLI::App& app, Action& chosen) {
       "nazori-cli demo --record FILE makes one.\n\nExamples:\n"
       "  nazori-cli record info session.nzr\n  nazori-cli record export session.nzr --output session.csv");
 
-  auto info = std::make_shared<InfoSettings>();
+  auto info = std::make_shared<RecordInfoSettings>();
   CLI::App* verb = record->add_subcommand("info", "Tell what a recording holds and whether it is whole");
   verb->add_option("file", info->file, "The recording, a .nzr")->required();
   verb->add_flag("--json", info->json, "Answer in JSON (see docs/command-line.md)");

@@ -37,7 +37,7 @@ struct RenderSettings {
   bool json = false;
 };
 
-constexpr int kCarvedSize = 1024;
+constexpr int kPictureSize = 1024;
 
 base::Result<void> paint(Console& console, TabletPainter& painter, const tablet::CarvedTablet& tablet,
                          const RenderSettings& settings, const std::string& name, const OutputPlace& place) {
@@ -75,7 +75,7 @@ int run_own(Console& console, const RenderSettings& settings) {
                              {"--output", path->name()}};
   if (auto fine = check_distinct(files, settings.json); !fine) return console.refuse(fine.error());
   const auto tablet =
-      own_tablet({settings.height_map, settings.strokes, settings.map_size}, kCarvedSize, settings.brush);
+      own_tablet({settings.height_map, settings.strokes, settings.map_size}, kPictureSize, settings.brush);
   if (!tablet) return console.refuse(tablet.error());
   auto painter = TabletPainter::create(settings.look);
   if (!painter) return console.refuse(painter.error());
@@ -108,7 +108,7 @@ int run_characters(Console& console, const RenderSettings& settings) {
       return console.refuse({base::Errc::cancelled, "stopped", name, ""});
     }
     const auto tablet = tablet::CarvedTablet::from_lines(
-        (*characters)[i].lines(), settings.map_size.value_or(kCarvedSize), settings.brush);
+        (*characters)[i].lines(), settings.map_size.value_or(kPictureSize), settings.brush);
     if (!tablet) return console.refuse(tablet.error());
     if (auto done = paint(console, *painter, **tablet, settings, name, (*paths)[i]); !done)
       return console.refuse(done.error());

@@ -26,7 +26,7 @@ std::vector<const CLI::Option*> all_options(const CLI::App& app) {
 
 /// "--size N"; "characters" for an argument.
 std::string name_with_value(const CLI::Option& option) {
-  const OptionEntry entry = describe(option);
+  const OptionEntry entry = option_entry(option);
   if (entry.names.empty()) return entry.argument;
   return entry.names.back() + (entry.value.empty() ? "" : " " + entry.value);
 }
@@ -99,7 +99,7 @@ const CLI::Option* option_in(const CLI::App& app, std::string_view text) {
 Error missing(const CLI::App& app) {
   for (const CLI::Option* option : all_options(last_verb(app))) {
     if (!option->get_required() || option->count() > 0) continue;
-    const OptionEntry entry = describe(*option);
+    const OptionEntry entry = option_entry(*option);
     const std::string name =
         entry.names.empty() ? "the argument '" + entry.argument + "'" : name_with_value(*option);
     return {Errc::bad_argument, name + " is missing", "", see_help(app)};
@@ -122,7 +122,7 @@ Error no_choice(const CLI::Option& option, const OptionEntry& entry, const CLI::
 }
 
 Error wrong_count(const CLI::Option& option, const CLI::App& app) {
-  const OptionEntry entry = describe(option);
+  const OptionEntry entry = option_entry(option);
   const std::string name = entry.names.empty() ? entry.argument : entry.names.back();
   const int expected = option.get_expected_max();
   const std::size_t given = option.results().size();
@@ -140,7 +140,7 @@ Error wrong_count(const CLI::Option& option, const CLI::App& app) {
 }
 
 Error wrong_value(const CLI::Option& option, const CLI::App& app) {
-  const OptionEntry entry = describe(option);
+  const OptionEntry entry = option_entry(option);
   const std::string name = entry.names.empty() ? entry.argument : entry.names.back();
   if (entry.value.empty() && entry.argument.empty())
     return {Errc::bad_argument, "takes no value", name, "leave out what follows the equals sign"};
@@ -162,7 +162,7 @@ Error rewritten(const CLI::App& app, const CLI::ParseError& error) {
                                                                            : wrong_count(*option, app);
   }
   if (is(error, CLI::ExitCodes::ConversionError)) return wrong_value(*option, app);
-  const OptionEntry entry = describe(*option);
+  const OptionEntry entry = option_entry(*option);
   if (!entry.choices.empty()) return no_choice(*option, entry, app);
   // The checks of this program say "5 is not within 2..8" after the name.
   const std::string what = text.substr(std::min(text.size(), option->get_name().size() + 2));
@@ -223,7 +223,7 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
 
 std::optional<Error> empty_value(const CLI::App& app) {
   for (const CLI::Option* option : all_options(last_verb(app))) {
-    const OptionEntry entry = describe(*option);
+    const OptionEntry entry = option_entry(*option);
     if (entry.names.empty() || entry.value.empty()) continue;
     for (const std::string& given : option->results()) {
       if (!given.empty()) continue;

@@ -10,7 +10,7 @@
 namespace nazori::cli::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -28,13 +28,13 @@ TEST(DatabaseCheck, TheTestsDatabaseIsSoundAndNamesItsSources) {
   const Outcome run = nazori_cli({"database", "check"});
   EXPECT_EQ(run.code, 0) << run.err;
   for (const char* part : {"sound", "KanjiVG", "KANJIDIC2", "EDICT"}) EXPECT_THAT(run.out, HasSubstr(part));
-  const json report = json::parse(nazori_cli({"database", "check", "--json"}).out);
+  const Json report = Json::parse(nazori_cli({"database", "check", "--json"}).out);
   // The published sources: 6,702 main files of KanjiVG, 13,108 entries of KANJIDIC2, 214 classical radicals.
   EXPECT_EQ(report["drawn_characters"], 6702);
   EXPECT_EQ(report["dictionary_entries"], 13108);
   EXPECT_EQ(report["radicals"], 214);
   EXPECT_GE(report["sources"].size(), 3U);
-  for (const json& source : report["sources"]) {
+  for (const Json& source : report["sources"]) {
     EXPECT_EQ(source["sha256"].get<std::string>().size(), 64U);
     EXPECT_NE(source["licence"], "");
   }

@@ -9,7 +9,7 @@
 namespace nazori::cli::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -19,17 +19,17 @@ Outcome demo(std::vector<std::string> arguments, const std::string& picture) {
   return nazori_cli(arguments);
 }
 
-json strokes_of(const Outcome& run) {
+Json strokes_of(const Outcome& run) {
   EXPECT_EQ(run.code, 0) << run.err;
-  return json::parse(run.out).at(0).at("strokes");
+  return Json::parse(run.out).at(0).at("strokes");
 }
 
 TEST(Demo, TheGrooveHoldsTheTipNearerToTheLineThanTheHandAims) {
   const TemporaryFolder folder;
-  const json strokes = strokes_of(demo({"休", "--json"}, folder / "a.png"));
+  const Json strokes = strokes_of(demo({"休", "--json"}, folder / "a.png"));
   ASSERT_EQ(strokes.size(), 6U);
   int held = 0;
-  for (const json& stroke : strokes) {
+  for (const Json& stroke : strokes) {
     EXPECT_GT(stroke["contact_share"], 0.85) << stroke;
     EXPECT_GT(stroke["traced_share"], 0.9) << stroke;
     EXPECT_GT(stroke["mean_depth_m"], 0.004) << stroke;
@@ -51,7 +51,7 @@ TEST(Demo, TheGrooveHoldsTheTipNearerToTheLineThanTheHandAims) {
 
 TEST(Demo, SnappingKeepsTheTipOnTheStroke) {
   const TemporaryFolder folder;
-  for (const json& stroke : strokes_of(demo({"休", "--snap", "--json"}, folder / "a.png"))) {
+  for (const Json& stroke : strokes_of(demo({"休", "--snap", "--json"}, folder / "a.png"))) {
     EXPECT_GT(stroke["snapped_share"], 0.95) << stroke;
     EXPECT_LT(stroke["tip_max_m"], 0.0002) << stroke;
     EXPECT_LE(stroke["peak_force_n"], 3.3) << stroke;
@@ -62,7 +62,7 @@ TEST(Demo, EveryDeviceHoldsTheHandWithinItsOwnForce) {
   const TemporaryFolder folder;
   for (const auto& [name, newtons] : std::vector<std::pair<std::string, double>>{
            {"touch", 3.3}, {"touch-x", 7.9}, {"falcon", 8}, {"omega3", 12}, {"inverse3", 2}}) {
-    const json strokes = strokes_of(demo({"一", "--device", name, "--json"}, folder / "a.png"));
+    const Json strokes = strokes_of(demo({"一", "--device", name, "--json"}, folder / "a.png"));
     ASSERT_EQ(strokes.size(), 1U);
     EXPECT_LE(strokes[0]["peak_force_n"], newtons) << name;
     EXPECT_LT(strokes[0]["tip_rms_m"], strokes[0]["aim_rms_m"]) << name;
@@ -72,7 +72,7 @@ TEST(Demo, EveryDeviceHoldsTheHandWithinItsOwnForce) {
 
 TEST(Demo, LengthsAreThoseOfTheCharacter) {
   const TemporaryFolder folder;
-  const json strokes = strokes_of(demo({"一", "--json"}, folder / "a.png"));
+  const Json strokes = strokes_of(demo({"一", "--json"}, folder / "a.png"));
   ASSERT_EQ(strokes.size(), 1U);
   // KanjiVG 4e00: from (11, 54.25) to (97.63, 52.66), hardly bent, on 109 units to 100 mm.
   EXPECT_NEAR(strokes[0]["length_m"], 0.0797, 0.002);
@@ -109,7 +109,7 @@ TEST(Demo, OnTheClockThreadItHoldsAsWellAndTellsTheTime) {
   const TemporaryFolder folder;
   const Outcome run = demo({"一", "--real-time", "--json"}, folder / "a.png");
   EXPECT_EQ(run.code, 0) << run.err;
-  const json answer = json::parse(run.out).at(0);
+  const Json answer = Json::parse(run.out).at(0);
   EXPECT_GT(answer["timing"]["ticks"], 1000);
   EXPECT_GT(answer["strokes"][0]["traced_share"], 0.9);
 }

@@ -13,7 +13,7 @@
 namespace nazori::cli::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -116,7 +116,7 @@ TEST_F(Feel, APlateAnswersWithStiffnessTimesDepth) {
 TEST_F(Feel, TheSummaryIsThatOfTheRows) {
   const Outcome run = feel_plate({"--json", "--stiffness", "0.4"});
   ASSERT_EQ(run.code, 0) << run.err;
-  const json got = json::parse(run.out);
+  const Json got = Json::parse(run.out);
   EXPECT_EQ(got["ticks"], 2001);
   EXPECT_EQ(got["rate_hz"], 1000);
   EXPECT_NEAR(got["duration_s"], 2.0, 1e-9);
@@ -167,7 +167,7 @@ TEST_F(Feel, SnappingCatchesTheHandAboveAStroke) {
   const Outcome run = nazori_cli({"feel", "一", "--input", folder_ / "hand.csv", "--output",
                                   folder_ / "out.csv", "--mode", "snap", "--device", "touch", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
-  const json got = json::parse(run.out);
+  const Json got = Json::parse(run.out);
   EXPECT_THAT(got["device"].get<std::string>(), HasSubstr("Touch"));
   EXPECT_GE(got["events"]["capture"], 1);
   EXPECT_GT(got["stroke_share"], 0.1);

@@ -12,32 +12,32 @@
 namespace nazori::cli::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using Texts = std::vector<std::string>;
 
-json answer_of(const Outcome& run) {
+Json answer_of(const Outcome& run) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  return json::parse(run.out);
+  return Json::parse(run.out);
 }
 
 /// The 休 of issue 2 and of KANJIDIC2, KanjiVG and EDICT themselves.
 class InfoOfRest : public testing::Test {
  protected:
-  const json rest = answer_of(nazori_cli({"info", "休", "--json"})).at(0);
+  const Json rest = answer_of(nazori_cli({"info", "休", "--json"})).at(0);
 };
 
 TEST_F(InfoOfRest, HasSixStrokesWithTheirTypesAndEndings) {
   EXPECT_EQ(rest["character"], "休");
   EXPECT_EQ(rest["code_point"], "U+4F11");
   EXPECT_EQ(rest["stroke_count"], 6);
-  EXPECT_EQ(rest["dictionary_stroke_counts"], json({6}));
+  EXPECT_EQ(rest["dictionary_stroke_counts"], Json({6}));
   Texts types;
   Texts endings;
-  for (const json& stroke : rest["strokes"]) {
+  for (const Json& stroke : rest["strokes"]) {
     EXPECT_EQ(stroke["number"], static_cast<int>(types.size()) + 1);
     EXPECT_THAT(stroke["path"].get<std::string>(), testing::StartsWith("M"));
     EXPECT_EQ(stroke["number_position"].size(), 2U);
@@ -57,10 +57,10 @@ TEST_F(InfoOfRest, HasTheDictionarysReadingsMeaningsAndCodes) {
   EXPECT_EQ(rest["grade"], 1);
   EXPECT_EQ(rest["frequency"], 642);
   EXPECT_EQ(rest["old_jlpt_level"], 4);
-  const json& codes = rest["codes"];
+  const Json& codes = rest["codes"];
   const auto has = [&codes](const std::string& system, const std::string& value) {
     return std::any_of(codes.begin(), codes.end(),
-                       [&](const json& code) { return code["system"] == system && code["value"] == value; });
+                       [&](const Json& code) { return code["system"] == system && code["value"] == value; });
   };
   EXPECT_TRUE(has("skip", "1-2-4"));
   EXPECT_TRUE(has("four_corner", "2429.0"));
@@ -75,25 +75,25 @@ TEST_F(InfoOfRest, HasItsRadical) {
 }
 
 TEST_F(InfoOfRest, HasItsTreeOfComponents) {
-  const json& root = rest["components"];
+  const Json& root = rest["components"];
   EXPECT_EQ(root["element"], "休");
-  EXPECT_EQ(root["strokes"], json({1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(root["strokes"], Json({1, 2, 3, 4, 5, 6}));
   ASSERT_EQ(root["children"].size(), 2U);
   EXPECT_EQ(root["children"][0]["element"], "亻");
   EXPECT_EQ(root["children"][0]["original"], "人");
   EXPECT_EQ(root["children"][0]["position"], "left");
   EXPECT_EQ(root["children"][0]["variant"], true);
-  EXPECT_EQ(root["children"][0]["strokes"], json({1, 2}));
+  EXPECT_EQ(root["children"][0]["strokes"], Json({1, 2}));
   EXPECT_EQ(root["children"][1]["element"], "木");
-  EXPECT_EQ(root["children"][1]["strokes"], json({3, 4, 5, 6}));
+  EXPECT_EQ(root["children"][1]["strokes"], Json({3, 4, 5, 6}));
 }
 
 TEST_F(InfoOfRest, HasItsWords) {
   Texts words;
-  for (const json& word : rest["words"]) words.push_back(word["text"]);
+  for (const Json& word : rest["words"]) words.push_back(word["text"]);
   EXPECT_THAT(words, testing::IsSupersetOf({"休日", "休む"}));
   const auto holiday = std::find_if(rest["words"].begin(), rest["words"].end(),
-                                    [](const json& word) { return word["text"] == "休日"; });
+                                    [](const Json& word) { return word["text"] == "休日"; });
   EXPECT_EQ((*holiday)["reading"], "きゅうじつ");
   EXPECT_EQ((*holiday)["common"], true);
   EXPECT_EQ((*holiday)["senses"].size(), (*holiday)["glosses"].size());
@@ -114,32 +114,32 @@ TEST(Info, ForPeopleFitsEightyColumnsAndSetsOkuriganaApart) {
 }
 
 TEST(Info, SeveralCharactersAnswerInTheOrderAsked) {
-  const json answer = answer_of(nazori_cli({"info", "木休", "人", "U+4E00", "休", "--json", "--words", "0"}));
+  const Json answer = answer_of(nazori_cli({"info", "木休", "人", "U+4E00", "休", "--json", "--words", "0"}));
   Texts names;
-  for (const json& one : answer) names.push_back(one["character"]);
+  for (const Json& one : answer) names.push_back(one["character"]);
   EXPECT_THAT(names, ElementsAre("木", "休", "人", "一"));
   EXPECT_TRUE(answer[0]["words"].empty());
 }
 
 TEST(Info, AVariantFormIsAskedForByItsSuffix) {
-  const json form = answer_of(nazori_cli({"info", "正-HzFst", "--json"})).at(0);
+  const Json form = answer_of(nazori_cli({"info", "正-HzFst", "--json"})).at(0);
   EXPECT_EQ(form["variant"], "HzFst");
   EXPECT_EQ(form["stroke_count"], 5);
-  const json main = answer_of(nazori_cli({"info", "正", "--json"})).at(0);
+  const Json main = answer_of(nazori_cli({"info", "正", "--json"})).at(0);
   EXPECT_THAT(main["variants"].get<Texts>(), Contains("HzFst"));
   // 1 3 2 4 5: the order of KanjiVG's file 06b63-HzFst.svg.
-  EXPECT_EQ(main["alternative_orders"].at(0)["order"], json({1, 3, 2, 4, 5}));
+  EXPECT_EQ(main["alternative_orders"].at(0)["order"], Json({1, 3, 2, 4, 5}));
   EXPECT_NE(main["alternative_orders"].at(0)["source"], "");
 }
 
 TEST(Info, AWordCountKeepsTheCommonest) {
-  const json answer = answer_of(nazori_cli({"info", "休", "--json", "--words", "3"}));
+  const Json answer = answer_of(nazori_cli({"info", "休", "--json", "--words", "3"}));
   ASSERT_EQ(answer[0]["words"].size(), 3U);
-  for (const json& word : answer[0]["words"]) EXPECT_EQ(word["common"], true);
+  for (const Json& word : answer[0]["words"]) EXPECT_EQ(word["common"], true);
 }
 
 TEST(Info, KanaAndLettersHaveStrokesAndNoDictionary) {
-  const json answer = answer_of(nazori_cli({"info", "あ", "A", "7", "か\u3099", "--json"}));
+  const Json answer = answer_of(nazori_cli({"info", "あ", "A", "7", "か\u3099", "--json"}));
   ASSERT_EQ(answer.size(), 4U);
   EXPECT_EQ(answer[0]["stroke_count"], 3);
   EXPECT_TRUE(answer[0]["grade"].is_null());
@@ -154,7 +154,7 @@ TEST(Info, OutputIsTheSameEveryTime) {
 TEST(Info, WhatIsNotFoundIsNamedAndTheRestIsTold) {
   const Outcome run = nazori_cli({"info", "休", "☃", "--json"});
   EXPECT_EQ(run.code, 1);
-  EXPECT_EQ(json::parse(run.out).size(), 1U);
+  EXPECT_EQ(Json::parse(run.out).size(), 1U);
   EXPECT_THAT(run.err, HasSubstr("☃"));
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
   expect_one_line(nazori_cli({"info", "☃"}), 1, {"☃", "not in the database"});

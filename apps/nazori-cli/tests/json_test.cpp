@@ -12,13 +12,13 @@
 namespace nazori::cli::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::HasSubstr;
 
-json answer(const std::vector<std::string>& arguments, int code = 0) {
+Json answer(const std::vector<std::string>& arguments, int code = 0) {
   const Outcome run = nazori_cli(arguments);
   EXPECT_EQ(run.code, code) << run.err;
-  json document = json::parse(run.out, nullptr, false);
+  Json document = Json::parse(run.out, nullptr, false);
   EXPECT_FALSE(document.is_discarded()) << run.out;
   return document;
 }
@@ -35,7 +35,7 @@ TEST(JsonAnswers, EveryVerbThatAnswersHasTheOption) {
 
 TEST(JsonAnswers, OfFilesThatWereWritten) {
   const TemporaryFolder folder;
-  const json carved = answer({"carve", "休木", "--output", folder.path().string(), "--strokes",
+  const Json carved = answer({"carve", "休木", "--output", folder.path().string(), "--strokes",
                               folder / "{}.str", "--size", "64", "--json"});
   ASSERT_EQ(carved.size(), 2U);
   EXPECT_EQ(carved[0]["character"], "休");
@@ -46,17 +46,17 @@ TEST(JsonAnswers, OfFilesThatWereWritten) {
   EXPECT_EQ(carved[0]["stroke_count"], 6);
   EXPECT_EQ(answer({"carve", "木", "-o", folder / "a.png", "--json"})[0]["strokes_file"], nullptr);
 
-  const json drawn = answer({"render", "休", "-o", folder / "b.png", "--size", "64x32", "--json"});
+  const Json drawn = answer({"render", "休", "-o", folder / "b.png", "--size", "64x32", "--json"});
   EXPECT_EQ(drawn,
-            json::array({{{"subject", "休"}, {"file", folder / "b.png"}, {"width", 64}, {"height", 32}}}));
-  const json own = answer({"render", "--strokes", folder / "休.str", "--map-size", "64", "-o",
+            Json::array({{{"subject", "休"}, {"file", folder / "b.png"}, {"width", 64}, {"height", 32}}}));
+  const Json own = answer({"render", "--strokes", folder / "休.str", "--map-size", "64", "-o",
                            folder / "c.png", "--size", "64", "--json"});
   EXPECT_EQ(own[0]["subject"], folder / "休.str");
 
   ASSERT_EQ(
       nazori_cli({"demo", "一", "-o", folder / "d.png", "--size", "64", "--record", folder / "d.nzr"}).code,
       0);
-  const json exported = answer({"record", "export", folder / "d.nzr", "-o", folder / "d.csv", "--json"});
+  const Json exported = answer({"record", "export", folder / "d.nzr", "-o", folder / "d.csv", "--json"});
   EXPECT_EQ(exported["file"], folder / "d.csv");
   EXPECT_GT(exported["ticks"].get<int>(), 100);
   EXPECT_EQ(exported["damaged"], 0);
@@ -64,10 +64,10 @@ TEST(JsonAnswers, OfFilesThatWereWritten) {
 }
 
 TEST(JsonAnswers, OfTheDatabase) {
-  const json path = answer({"database", "path", "--json"});
+  const Json path = answer({"database", "path", "--json"});
   EXPECT_EQ(path["path"], (data_folder() / "kanji.db").string());
-  const json built = answer({"database", "build", "-o", data_folder() / "kanji.db", "--json"});
-  EXPECT_EQ(built, json({{"path", (data_folder() / "kanji.db").string()}, {"built", false}}));
+  const Json built = answer({"database", "build", "-o", data_folder() / "kanji.db", "--json"});
+  EXPECT_EQ(built, Json({{"path", (data_folder() / "kanji.db").string()}, {"built", false}}));
 }
 
 TEST(JsonAnswers, OfStudy) {
@@ -86,26 +86,26 @@ TEST(JsonAnswers, OfStudy) {
 
   EXPECT_EQ(
       study({"tag", "休木", "--with", "trees"}),
-      json::array({{{"character", "休"}, {"tags", {"trees"}}}, {{"character", "木"}, {"tags", {"trees"}}}}));
-  EXPECT_EQ(study({"tag", "休"}), json::array({{{"character", "休"}, {"tags", json::array()}}}));
+      Json::array({{{"character", "休"}, {"tags", {"trees"}}}, {{"character", "木"}, {"tags", {"trees"}}}}));
+  EXPECT_EQ(study({"tag", "休"}), Json::array({{{"character", "休"}, {"tags", Json::array()}}}));
   write(folder / "list.txt", "休木");
   EXPECT_EQ(study({"lists", "--import", folder / "list.txt", "--as", "trees"})["characters"], 2);
-  EXPECT_EQ(study({"lists", "--remove", "trees"}), json::object({{"removed", "list:trees"}}));
+  EXPECT_EQ(study({"lists", "--remove", "trees"}), Json::object({{"removed", "list:trees"}}));
 }
 
 TEST(JsonAnswers, AreThereAlsoWhereTheAnswerIsNo) {
   EXPECT_EQ(answer({"database", "check", "/nowhere/kanji.db", "--json"}, 1), nullptr);
-  EXPECT_EQ(answer({"info", "U+10FFFF", "--json"}, 1), json::array());
-  EXPECT_EQ(answer({"search", "xyzzy", "--json"}, 1), json::array());
+  EXPECT_EQ(answer({"info", "U+10FFFF", "--json"}, 1), Json::array());
+  EXPECT_EQ(answer({"search", "xyzzy", "--json"}, 1), Json::array());
   EXPECT_EQ(answer({"devices", "--test", "1", "--device", "none", "--json"}, 1), nullptr);
 }
 
 TEST(JsonAnswers, OfASearchAreWholeOrSaidToBeCut) {
-  const json grade = answer({"search", "--grade", "2", "--json"});
+  const Json grade = answer({"search", "--grade", "2", "--json"});
   EXPECT_EQ(grade.size(), 160U);
   const Outcome cut = nazori_cli({"search", "--grade", "2", "--limit", "100", "--json"});
   EXPECT_EQ(cut.code, 0);
-  EXPECT_EQ(json::parse(cut.out).size(), 100U);
+  EXPECT_EQ(Json::parse(cut.out).size(), 100U);
   EXPECT_EQ(cut.err, "") << "who gives a limit knows of it";
   const Outcome words = nazori_cli({"search", "water"});
   EXPECT_EQ(words.code, 0);

@@ -12,7 +12,7 @@
 namespace nazori::cli::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::HasSubstr;
 
 class Record : public testing::Test {
@@ -21,19 +21,19 @@ class Record : public testing::Test {
     const Outcome run = nazori_cli({"demo", "一", "--size", "100", "--output", folder_ / "a.png", "--record",
                                     folder_ / "a.nzr", "--json"});
     EXPECT_EQ(run.code, 0) << run.err;
-    demo_ = json::parse(run.out).at(0);
+    demo_ = Json::parse(run.out).at(0);
   }
-  json info(const std::string& name) {
+  Json info(const std::string& name) {
     const Outcome run = nazori_cli({"record", "info", folder_ / name, "--json"});
     EXPECT_EQ(run.code, 0) << run.err;
-    return json::parse(run.out);
+    return Json::parse(run.out);
   }
   TemporaryFolder folder_;
-  json demo_;
+  Json demo_;
 };
 
 TEST_F(Record, HoldsWhatTheDemoSaw) {
-  const json got = info("a.nzr");
+  const Json got = info("a.nzr");
   EXPECT_EQ(got["state"], "complete");
   EXPECT_EQ(got["character"], "一");
   EXPECT_THAT(got["device"].get<std::string>(), HasSubstr("Touch"));
@@ -41,7 +41,7 @@ TEST_F(Record, HoldsWhatTheDemoSaw) {
   EXPECT_EQ(got["lost"], 0);
   EXPECT_EQ(got["damaged"], 0);
   EXPECT_EQ(got["gaps"], 0);
-  const json& samples = demo_.at("samples");
+  const Json& samples = demo_.at("samples");
   for (const char* name : {"ticks", "duration_s", "peak_force_n", "mean_force_n", "dissipated_j", "events"})
     EXPECT_EQ(got[name], samples.at(name)) << name;
   EXPECT_GT(got["peak_force_n"], 0.1);
@@ -77,7 +77,7 @@ TEST_F(Record, TellsThatAFileBreaksOff) {
   const std::string part = folder_ / "part.nzr";
   std::filesystem::copy_file(folder_ / "a.nzr", part);
   std::filesystem::resize_file(part, 512 + 1000 * 152 + 17);
-  const json got = info("part.nzr");
+  const Json got = info("part.nzr");
   EXPECT_EQ(got["state"], "breaks off");
   EXPECT_EQ(got["ticks"], 1000);
   EXPECT_EQ(got["trailing_bytes"], 17);

@@ -11,7 +11,7 @@
 namespace nazori::cli::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::Contains;
 using testing::HasSubstr;
 
@@ -22,7 +22,7 @@ std::vector<std::string> found(std::vector<std::string> arguments) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   std::vector<std::string> characters;
-  for (const json& one : json::parse(run.out)) characters.push_back(one["character"]);
+  for (const Json& one : Json::parse(run.out)) characters.push_back(one["character"]);
   return characters;
 }
 
@@ -60,7 +60,7 @@ TEST(Search, NothingFoundIsANo) {
   expect_one_line(nazori_cli({"search", "xyzzyplugh"}), 1, {"no character", "xyzzyplugh"});
   const Outcome run = nazori_cli({"search", "xyzzyplugh", "--json"});
   EXPECT_EQ(run.code, 1);
-  EXPECT_EQ(json::parse(run.out), json::array());
+  EXPECT_EQ(Json::parse(run.out), Json::array());
 }
 
 TEST(Search, BadQuestionsAreRefused) {

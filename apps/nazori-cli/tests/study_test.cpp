@@ -10,7 +10,7 @@
 namespace nazori::cli::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::HasSubstr;
 
 /// A learner of the test's own, with a clock that it moves.
@@ -23,11 +23,11 @@ class Study : public testing::Test {
       arguments.push_back(part);
     return nazori_cli(arguments, {"TZ=UTC"});
   }
-  json answer(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
+  Json answer(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
     arguments.emplace_back("--json");
     const Outcome run = study(std::move(arguments), now);
     EXPECT_EQ(run.code, 0) << run.err;
-    return json::parse(run.out, nullptr, false);
+    return Json::parse(run.out, nullptr, false);
   }
   TemporaryFolder folder_;
 };
@@ -35,7 +35,7 @@ class Study : public testing::Test {
 TEST_F(Study, AWeekIsActedOutWithAMovedClock) {
   EXPECT_EQ(answer({"due"})["new"], 5);
   for (int i = 0; i < 5; ++i) {
-    const json next = answer({"next"});
+    const Json next = answer({"next"});
     EXPECT_EQ(next["kind"], "new");
     const std::string character = next["character"];
     EXPECT_EQ(answer({"review", character, "--rating", "easy", "--seconds", "20"})["due_day"], "2026-01-09");
@@ -50,7 +50,7 @@ TEST_F(Study, AWeekIsActedOutWithAMovedClock) {
   EXPECT_EQ(answer({"due"}, later)["reviews"], 4);
   EXPECT_EQ(answer({"undo"}, later)[0]["characters"], character);
   EXPECT_EQ(answer({"due"}, later)["reviews"], 5);
-  const json statistics = answer({"stats"}, later);
+  const Json statistics = answer({"stats"}, later);
   EXPECT_EQ(statistics["reviews"], 5);
   EXPECT_EQ(statistics["forecast"].size(), 30U);
   EXPECT_EQ(answer({"rebuild"}, later)["differences"], 0);
@@ -73,7 +73,7 @@ TEST_F(Study, ExportAndImportAreExact) {
   expect_one_line(study({"import", file, "--profile", "Mari"}), 2, {"not empty"});
   write(file, "{\"format\": \"nazori-learner\", \"version\": 1,\n\"entries\": [{}]}");
   expect_one_line(study({"import", file, "--profile", "Ken"}), 2, {"line 2", "missing"});
-  EXPECT_EQ(json::parse(study({"profiles", "--json"}).out), json::array({"Mari", "learner"}));
+  EXPECT_EQ(Json::parse(study({"profiles", "--json"}).out), Json::array({"Mari", "learner"}));
   EXPECT_EQ(study({"export", "--output", folder_ / "t.csv"}).code, 0);
   EXPECT_EQ(study({"export", "--output", folder_ / "k.apkg", "--list", "休"}).code, 0);
   expect_one_line(study({"export", "--output", folder_ / "k.txt"}), 2, {"k.txt"});
@@ -102,7 +102,7 @@ TEST_F(Study, ABackupThatFailsIsSaidAndTheReviewIsKept) {
 TEST_F(Study, ListsAreImportedAndChosen) {
   write(folder_ / "list.txt", "木 林 # trees\n森\n");
   EXPECT_EQ(study({"lists", "--import", folder_ / "list.txt", "--as", "trees"}).code, 0);
-  EXPECT_EQ(answer({"lists", "list:trees"}), json::array({"木", "林", "森"}));
+  EXPECT_EQ(answer({"lists", "list:trees"}), Json::array({"木", "林", "森"}));
   EXPECT_EQ(study({"settings", "new_lists=[\"list:trees\"]", "new_order=own"}).code, 0);
   EXPECT_EQ(answer({"next"})["character"], "木");
   write(folder_ / "bad.txt", "木\n木😀\n");
@@ -125,7 +125,7 @@ TEST_F(Study, BadQuestionsAreRefusedAndChangeNothing) {
   // A name that was mistyped does not become a learner.
   EXPECT_EQ(study({"undo", "--profile", "Mray"}).code, 1);
   EXPECT_EQ(study({"rebuild", "--profile", "Mray"}).code, 1);
-  EXPECT_EQ(json::parse(study({"profiles", "--json"}).out), json::array({"learner"}));
+  EXPECT_EQ(Json::parse(study({"profiles", "--json"}).out), Json::array({"learner"}));
 }
 
 TEST_F(Study, ReplayPrintsTheFormItReads) {
@@ -137,7 +137,7 @@ TEST_F(Study, ReplayPrintsTheFormItReads) {
         "\"lapses\": 0, \"retrievability_before\": null}]}]}");
   const Outcome run = nazori_cli({"study", "replay", file});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(json::parse(run.out)["cases"][0]["steps"][0]["stability"], 8.2956);
+  EXPECT_EQ(Json::parse(run.out)["cases"][0]["steps"][0]["stability"], 8.2956);
   EXPECT_EQ(nazori_cli({"study", "replay", file, "--check"}).code, 0);
   EXPECT_EQ(study({"replay", file, "--profile", "Mari", "--json"}).out, run.out);
   EXPECT_EQ(answer({"replay", file, "--check"})["steps"], 1);

@@ -10,7 +10,7 @@
 namespace nazori::cli::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::HasSubstr;
 
 const std::string kBar = R"({"id":"a","char":"一","strokes":[[[0.1,0.5],[0.9,0.5]]]})";
@@ -18,7 +18,7 @@ const std::string kBackwards = R"({"char":"一","strokes":[[[0.9,0.5],[0.1,0.5]]
 
 struct Answers {
   int code = -1;
-  std::vector<json> lines;
+  std::vector<Json> lines;
 };
 
 Answers ask(const std::string& verb, const std::string& requests) {
@@ -28,7 +28,7 @@ Answers ask(const std::string& verb, const std::string& requests) {
   EXPECT_EQ(run.err, "");
   Answers answers{run.code, {}};
   std::istringstream out(run.out);
-  for (std::string line; std::getline(out, line);) answers.lines.push_back(json::parse(line));
+  for (std::string line; std::getline(out, line);) answers.lines.push_back(Json::parse(line));
   return answers;
 }
 
@@ -41,7 +41,7 @@ TEST(GradeVerb, AnswersEachLineAndHandsTheIdBack) {
   EXPECT_EQ(a.lines[0]["strokes"][0]["matched"], 0);
   EXPECT_EQ(a.lines[1]["accepted"], false);
   EXPECT_EQ(a.lines[1]["strokes"][0]["reversed"], true);
-  EXPECT_EQ(a.lines[1]["explanation"], json::array({"Stroke 1 starts at the left."}));
+  EXPECT_EQ(a.lines[1]["explanation"], Json::array({"Stroke 1 starts at the left."}));
   for (const char* member : {"offset", "size", "angle", "shape", "deviation"})
     EXPECT_TRUE(a.lines[0]["strokes"][0].contains(member)) << member;
   for (const char* part : {"strokes", "order", "direction", "shape", "place"})

@@ -138,10 +138,13 @@ void forget_zeros() noexcept {
   for (ForceSlot& slot : slots) slot.at_zero.store(false, std::memory_order_relaxed);
 }
 
+bool may_push(const ForceSlot& slot) noexcept {
+  return slot.taken.load(std::memory_order_acquire) && !slot.is_off.load(std::memory_order_acquire);
+}
+
 void wait_for_zeros() noexcept {
   const auto waits = [](const ForceSlot& slot) {
-    return slot.taken.load(std::memory_order_acquire) && !slot.at_zero.load(std::memory_order_acquire) &&
-           !slot.is_off.load(std::memory_order_acquire);
+    return may_push(slot) && !slot.at_zero.load(std::memory_order_acquire);
   };
   const std::int64_t end = now_ms() + ForceGuard::kMostWait_ms;
   while (std::any_of(slots.begin(), slots.end(), waits) && now_ms() < end) (void)::poll(nullptr, 0, 1);
@@ -184,6 +187,10 @@ void ForceGuard::cut_all() noexcept {
     own->is_off.store(true, std::memory_order_release);  // this thread ticks no more: nobody waits for it
   }
   wait_for_zeros();
+}
+
+bool ForceGuard::are_all_off() noexcept {
+  return forces() == Forces::cut && std::none_of(slots.begin(), slots.end(), may_push);
 }
 
 void ForceGuard::hold_and_stop(int number) noexcept {

@@ -79,6 +79,8 @@ class ForceGuard {
 
   /// Cuts all forces and waits for the devices, at most kMostWait_ms. Safe in signal handlers; any thread.
   static void cut_all() noexcept;
+  /// Forces are cut, and every device that is watched has confirmed it. Any thread.
+  [[nodiscard]] static bool are_all_off() noexcept;
   /// Holds all forces, stops the process by signal `number` and allows forces again once it goes on. Safe in
   /// signal handlers.
   static void hold_and_stop(int number) noexcept;

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "force_guard.h"
 #include "real_time.h"
 
 namespace nazori::devices::inverse {
@@ -225,9 +226,11 @@ void ArmLink::turn() {
   // The servo must have seen trouble of a single turn too: it lets go, and comes back with a ramp.
   const DeviceTrouble trouble = read();
   const Vec3 answer_n = await_force();
-  const Vec3 force_n = trouble == DeviceTrouble::none ? answer_n : Vec3(0);
+  const bool allowed = ForceGuard::forces() == Forces::allowed;
+  const Vec3 force_n = allowed && trouble == DeviceTrouble::none ? answer_n : Vec3(0);
   delay_s_ = smoothed_delay_s(delay_s_, seconds(Clock::now() - asked_at));
   send(force_n);
+  if (!allowed && connection_) servo_.confirm_no_force();
 }
 
 }  // namespace nazori::devices::inverse

@@ -44,6 +44,8 @@ class ArmServo {
   void start() noexcept;
   /// Thread: servo.
   void tick() noexcept;
+  /// The arm was told zero while forces were not allowed. Thread: the link's.
+  void confirm_no_force() noexcept { link_.confirm_no_force(); }
 
   haptics::LatestValue<ArmPose> poses{ArmPose{}};     ///< written by the link, read by the servo
   haptics::LatestValue<ArmForce> forces{ArmForce{}};  ///< the other way

@@ -133,6 +133,7 @@ base::Result<void> PointerDevice::start(haptics::ServoCallback& servo) {
   Inside& in = *inside_;
   // What came while nobody felt it is past; where the pointer is now holds.
   in.timed = false;
+  in.present = false;  // the tip, too, is where the pointer is now: it may have been left in mid-motion
   // After a rest the time of the samples goes on, so that strokes before and after it keep their distance.
   const auto now = std::chrono::steady_clock::now();
   if (!in.begun) in.begun = now;

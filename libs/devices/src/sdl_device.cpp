@@ -11,6 +11,7 @@
 #include <system_error>
 #include <thread>
 
+#include "force_guard.h"
 #include "nazori/devices/rt_thread.h"
 #include "nazori/haptics/latest_value.h"
 #include "sdl_feedback.h"
@@ -184,10 +185,12 @@ class StickDevice final : public haptics::HapticDevice {
       Command command = commands_.latest();
       command.wish.events = static_cast<std::uint16_t>(events_.exchange(0, std::memory_order_relaxed));
       const auto now = Clock::now();
+      const bool allowed = ForceGuard::forces() == Forces::allowed;
       // A servo that stands still must not go on pushing.
-      const bool live = pose.reading.attached && !pose.refuses && now - command.at < kSilent;
+      const bool live = allowed && pose.reading.attached && !pose.refuses && now - command.at < kSilent;
       if (!live) command.wish = {};
       refusals = feel(command.wish, now) ? 0 : refusals + 1;
+      if (!allowed && refusals == 0) link_.confirm_no_force();
       if (live) {
         const double took_s = seconds(Clock::now()) - seconds(command.pose_at);
         delay_s_.store(smoothed_delay_s(delay_s_.load(std::memory_order_relaxed), took_s),

@@ -58,6 +58,14 @@ class ServoLink {
   void confirm_zero() noexcept { guard_.confirm_zero(); }
   /// The device was told zero, its output is off, and no force follows. Thread: servo.
   void confirm_off() noexcept { guard_.confirm_off(); }
+  /// For a device without a switch for its output: it was told zero while forces were not allowed. Thread:
+  /// the one that speaks with the device.
+  void confirm_no_force() noexcept {
+    if (ForceGuard::forces() == Forces::cut)
+      guard_.confirm_off();
+    else
+      guard_.confirm_zero();
+  }
 
   /// While it lives, a crash of this thread has `off` of start() called on it, as one of the servo has: for a
   /// thread that speaks with the device in place of the servo. Thread: that one, between start and stop.

@@ -362,7 +362,7 @@ TEST(Profiles, AreFoldersThatAreMovedNotDeleted) {
   EXPECT_FALSE(rename_profile(root, "Marie", "健太"));
   {
     const LearnerStore held = must(LearnerStore::open(must(learner_file(root, "健太")), Access::write));
-    EXPECT_EQ(remove_profile(root, "健太").error().code, base::Errc::io);
+    EXPECT_EQ(remove_profile(root, "健太").error().code, base::Errc::in_use);
   }
   EXPECT_TRUE(std::filesystem::exists(must(remove_profile(root, "健太")) / "learner.db"));
   EXPECT_THAT(profiles(root), ElementsAre("Marie"));

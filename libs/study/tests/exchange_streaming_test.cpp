@@ -307,7 +307,7 @@ double growth_mib(Work work) {
 }
 
 TEST(ExchangeStreaming, WhatAnExchangeHoldsDoesNotGrowWithTheLog) {
-  // 12,000 entries are 17 MB as JSON. Read whole they took 105 MiB, written whole 48.
+  // As JSON these are 17 MB, and several times that as values in memory.
   constexpr std::int64_t kEntries = 12'000;
   constexpr double kMost = 16;
   const TemporaryFolder folder;

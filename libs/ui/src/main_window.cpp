@@ -109,7 +109,7 @@ void MainWindow::open_files(const QStringList& paths) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!inside_->may_close()) {
+  if (!inside_->may_close(true)) {
     event->ignore();
     return;
   }
@@ -345,7 +345,7 @@ void MainWindow::Inside::focus_tablet() {
   (current->page() != nullptr ? current->page() : tablet_place)->setFocus(Qt::OtherFocusReason);
 }
 
-bool MainWindow::Inside::may_close() {
+bool MainWindow::Inside::may_close(bool quits) {
   auto& session = desk.session();
   if (session.state() != StudySession::State::judged) return true;
   QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"),
@@ -353,15 +353,17 @@ bool MainWindow::Inside::may_close() {
                   QMessageBox::NoButton, &window);
   box.setObjectName(QStringLiteral("unrated_box"));
   box.setInformativeText(MainWindow::tr("Without a rating it is not saved."));
-  auto* rate =
-      box.addButton(MainWindow::tr("Rate as “%1” and quit").arg(StudyWords::rating(session.proposed())),
-                    QMessageBox::AcceptRole);
-  auto* quit = box.addButton(MainWindow::tr("Quit without rating"), QMessageBox::DestructiveRole);
+  const QString rate_words =
+      quits ? MainWindow::tr("Rate as “%1” and quit") : MainWindow::tr("Rate as “%1” and go on");
+  auto* rate = box.addButton(rate_words.arg(StudyWords::rating(session.proposed())), QMessageBox::AcceptRole);
+  auto* leave =
+      box.addButton(quits ? MainWindow::tr("Quit without rating") : MainWindow::tr("Go on without rating"),
+                    QMessageBox::DestructiveRole);
   auto* stay = box.addButton(MainWindow::tr("Go back"), QMessageBox::RejectRole);
   box.setDefaultButton(stay);
   box.setEscapeButton(stay);
   box.exec();
-  if (box.clickedButton() == quit) return true;
+  if (box.clickedButton() == leave) return true;
   if (box.clickedButton() != rate) return false;
   session.rate(session.proposed());
   // What could not be saved says so and stays.

@@ -47,8 +47,8 @@ struct MainWindow::Inside {
   void set_full_screen(bool on);
   void focus_tablet();
   void leave_tablet(bool forwards);
-  /// Asks where a writing would be lost.
-  [[nodiscard]] bool may_close();
+  /// Asks where a writing would be lost. @param quits  the program ends; otherwise the window opens anew.
+  [[nodiscard]] bool may_close(bool quits);
   void save_later();
   void save_preferences();
 

@@ -300,6 +300,7 @@ void MainWindow::Inside::leave_tablet(bool forwards) {
 void MainWindow::Inside::set_language(const QString& language) {
   auto& preferences = desk.preferences();
   if (preferences.language == language) return;
+  if (!may_close(false)) return show_state();
   preferences.language = language;
   save_preferences();
   emit window.language_chosen();

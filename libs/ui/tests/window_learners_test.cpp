@@ -194,12 +194,14 @@ TEST_F(LearnersTest, ABackupThatFailedStaysSaidUntilOneIsMade) {
   ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
   in_the_way.close();
   ASSERT_TRUE(learner().open_again());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !learner().backup_trouble().isEmpty(); }, 20'000));
   EXPECT_TRUE(learner().backup_trouble().startsWith(QStringLiteral("Today's backup could not be made")));
   write(U'二');
   EXPECT_FALSE(learner().backup_trouble().isEmpty());
   EXPECT_TRUE(learner().trouble().isEmpty()) << "studying works";
   ASSERT_TRUE(in_the_way.remove());
   ASSERT_TRUE(learner().open_again());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !study::backups_of(learner().file()).empty(); }, 20'000));
   EXPECT_TRUE(learner().backup_trouble().isEmpty());
 }
 

@@ -278,6 +278,22 @@ TEST_F(Unrated, QuittingWithoutRatingSavesNoRating) {
   EXPECT_EQ(reps(), 0);
 }
 
+TEST_F(Unrated, AnotherLanguageIsChosenOnlyOnceTheWritingIsRatedOrGivenUp) {
+  write_what_is_asked();
+  ASSERT_FALSE(HasFatalFailure());
+  QSignalSpy chosen(window_.get(), &MainWindow::language_chosen);
+  answer_with(QStringLiteral("Go back"));
+  action("language_japanese")->trigger();
+  EXPECT_EQ(question_, QStringLiteral("Your writing of 人 is not rated yet."));
+  EXPECT_EQ(chosen.count(), 0);
+  EXPECT_TRUE(action("language_desktop")->isChecked());
+  EXPECT_EQ(session().state(), State::judged);
+  answer_with(QStringLiteral("Rate as"));
+  action("language_japanese")->trigger();
+  EXPECT_EQ(chosen.count(), 1);
+  EXPECT_EQ(reps(), 1);
+}
+
 TEST_F(Unrated, QuittingWithNothingUnratedAsksNothing) {
   ask();
   ASSERT_FALSE(HasFatalFailure());

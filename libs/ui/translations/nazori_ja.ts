@@ -2986,8 +2986,16 @@ Columns and rows:</source>
         <translation>「%1」と評価して終了</translation>
     </message>
     <message>
+        <source>Rate as “%1” and go on</source>
+        <translation>「%1」と評価して続ける</translation>
+    </message>
+    <message>
         <source>Quit without rating</source>
         <translation>評価せずに終了</translation>
+    </message>
+    <message>
+        <source>Go on without rating</source>
+        <translation>評価せずに続ける</translation>
     </message>
     <message>
         <source>Go back</source>

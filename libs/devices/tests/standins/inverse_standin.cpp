@@ -67,8 +67,8 @@ struct InverseService::Inside {
     if (failed) return;
     if (!websocket::is_upgrade(request)) {
       http::response<http::string_body> response{http::status::ok, 11};
-      if (const char* version = stage.version; version != nullptr && request.target() == "/version")
-        response.body() = Json{{"ok", true}, {"data", {{"git_tag", version}}}}.dump();
+      if (const char* told = stage.version; told != nullptr && request.target() == "/version")
+        response.body() = Json{{"ok", true}, {"data", {{"git_tag", told}}}}.dump();
       else
         response.result(http::status::not_found);
       response.prepare_payload();

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -46,6 +47,12 @@ QString meanings_of(const kanji::DictionaryEntry& entry) {
     if (meaning.language == "en") english.append(to_text(meaning.text));
   }
   return (own.isEmpty() ? english : own).join(QStringLiteral(", "));
+}
+
+/// Words that are wider than the panel may be broken anywhere but near their ends.
+QString breakable(const QString& text) {
+  static const QRegularExpression kInside(QStringLiteral(R"((?<=\w{4})(?=\w{4}))"));
+  return QString(text).replace(kInside, QString(QChar(0x200B)));
 }
 
 }  // namespace
@@ -159,6 +166,7 @@ void InformationPanel::rebuild() {
   QFont large = font();
   large.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.2);
   meanings_->setFont(large);
+  fit();
   for (const Section* section : {&on_, &kun_, &radical_, &parts_, &words_}) {
     clear(section->flow);
     section->box->setVisible(false);
@@ -292,20 +300,19 @@ void InformationPanel::fill_words() {
       if (glosses.size() == 3) break;
       glosses.append(to_text(gloss));
     }
+    const QString meaning = glosses.join(QStringLiteral("; "));
     const QString text = to_text(word.text);
     const QString reading = word.reading == word.text ? QString() : to_text(word.reading);
     label->setText(
-        QStringLiteral(
-            "<span style=\"font-family:'Klee One'; font-size:%1pt\">%2</span>"
-            "&nbsp;&nbsp;<span style=\"font-family:'Klee One'; font-size:%3pt; color:%4\">%5</span>"
-            "<br>%6")
+        QStringLiteral("<span style=\"font-family:'Klee One'; font-size:%1pt\">%2</span>"
+                       "&nbsp; <span style=\"font-family:'Klee One'; font-size:%3pt; color:%4\">%5</span>"
+                       "<br>%6")
             .arg(size_pt * 1.25)
             .arg(text.toHtmlEscaped())
             .arg(size_pt)
             .arg(c.muted.name(), reading.toHtmlEscaped(),
-                 glosses.join(QStringLiteral("; ")).toHtmlEscaped()));
-    label->setAccessibleName(
-        QStringList{text, reading, glosses.join(QStringLiteral("; "))}.join(QStringLiteral(", ")));
+                 (is_narrow_ ? breakable(meaning) : meaning).toHtmlEscaped()));
+    label->setAccessibleName(QStringList{text, reading, meaning}.join(QStringLiteral(", ")));
     make_selectable(label);
     word_list_->addWidget(label);
   }
@@ -326,14 +333,18 @@ void InformationPanel::refresh() {
 
 void InformationPanel::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
+  const bool before = is_narrow_;
   fit();
+  if (is_narrow_ != before) refresh();
 }
 
 void InformationPanel::fit() {
   // Large text in a narrow panel: the glyph above instead of beside.
   const int beside = viewport()->width() - 2 * kMargin - glyph_->sizeHint().width() - head_->spacing();
-  const bool above = beside < QFontInfo(font()).pixelSize() * 8;
-  head_->setDirection(above ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  is_narrow_ = beside < QFontInfo(font()).pixelSize() * 8;
+  head_->setDirection(is_narrow_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  const int margin = is_narrow_ ? kMargin / 2 : kMargin;
+  content_->layout()->setContentsMargins(margin, kMargin, margin, kMargin);
 }
 
 }  // namespace nazori::ui

@@ -56,6 +56,7 @@ class InformationPanel final : public QScrollArea {
 
   std::shared_ptr<const CharacterSheet> sheet_;
   bool hides_character_ = false;
+  bool is_narrow_ = false;  ///< large text in little room
   QWidget* content_;
   QBoxLayout* head_;
   GlyphView* glyph_;

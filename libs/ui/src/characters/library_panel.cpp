@@ -29,6 +29,7 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
       search_(new QLineEdit(this)),
       lists_(new QComboBox(this)),
       count_(new QLabel(this)),
+      row_(new QBoxLayout(QBoxLayout::LeftToRight)),
       grid_(new QListView(this)),
       nothing_(new QLabel(this)),
       stack_(new QStackedWidget(this)) {
@@ -92,17 +93,16 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
   stack_->addWidget(grid_);
   stack_->addWidget(nothing_);
 
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  row->addWidget(lists_, 1);
-  row->addWidget(count_);
+  row_->setSpacing(8);
+  row_->addWidget(lists_, 1);
+  row_->addWidget(count_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 12, 6, 0);
   column->setSpacing(8);
   column->addWidget(search_);
-  column->addLayout(row);
+  column->addLayout(row_);
   column->addWidget(stack_, 1);
-  row->setContentsMargins(0, 0, 6, 0);
+  row_->setContentsMargins(0, 0, 6, 0);
 
   connect(search_, &QLineEdit::textChanged, this, &LibraryPanel::search);
   connect(search_, &QLineEdit::returnPressed, this, &LibraryPanel::choose_first);
@@ -149,6 +149,7 @@ void LibraryPanel::show_characters(const Summaries& characters) {
   lists_->setCurrentIndex(searched ? -1 : lists_->findData(static_cast<int>(list_)));
   count_->setText(searched ? tr("%n found", nullptr, count) : QString::number(count));
   count_->setAccessibleName(searched ? count_->text() : tr("%n characters", nullptr, count));
+  fit_row();
   nothing_->setText(
       tr("Nothing found for “%1”. Try a character (休), a reading (やすむ, yasumu) or the beginning of an "
          "English meaning (rest).")
@@ -217,12 +218,28 @@ bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void LibraryPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) fit_tiles();
+  if (event->type() == QEvent::FontChange) {
+    fit_row();
+    fit_tiles();
+  }
   if (event->type() == QEvent::PaletteChange) draw_lens();
 }
 
 void LibraryPanel::draw_lens() {
   lens_->setIcon(icon(Icon::search, current_colours().muted, current_colours().muted));
+}
+
+void LibraryPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit_row();
+}
+
+void LibraryPanel::fit_row() {
+  // Large text in a narrow panel: the count under the list instead of beside it.
+  const int name = lists_->fontMetrics().horizontalAdvance(lists_->currentText()) +
+                   2 * QFontInfo(lists_->font()).pixelSize();
+  const bool beside = name + row_->spacing() + count_->sizeHint().width() <= row_->contentsRect().width();
+  row_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 void LibraryPanel::fit_tiles() {

@@ -7,6 +7,7 @@
 #include "library.h"
 
 class QAction;
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -39,11 +40,13 @@ class LibraryPanel final : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void search(const QString& text);
   void show_characters(const Summaries& characters);
+  void fit_row();
   void fit_tiles();
   void draw_lens();
   void choose_first();
@@ -55,6 +58,7 @@ class LibraryPanel final : public QWidget {
   QAction* lens_;
   QComboBox* lists_;
   QLabel* count_;
+  QBoxLayout* row_;  ///< of both
   QListView* grid_;
   QLabel* nothing_;
   QStackedWidget* stack_;

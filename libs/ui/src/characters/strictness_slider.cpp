@@ -25,6 +25,7 @@ StrictnessSlider::StrictnessSlider(QWidget* parent)
   slider_->setTickPosition(QSlider::TicksBelow);
   slider_->setToolTip(tr("How strictly writing is judged (Ctrl+[ and Ctrl+])"));
   words_->setObjectName(QStringLiteral("strictness_words"));
+  words_->setWordWrap(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
