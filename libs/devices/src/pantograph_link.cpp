@@ -65,7 +65,6 @@ BoardLink::~BoardLink() { stop(); }
 
 base::Result<void> BoardLink::start() {
   torques_ = {0, 0};
-  told_zero_ = false;
   why_lost_ = DeviceTrouble::none;
   last_good_ = Clock::now();
   delay_s_ = 0;
@@ -101,6 +100,7 @@ void BoardLink::run(const std::stop_token& stop) noexcept {
   const ForceGuard::OwnCode own = feeling_.own_code();
   while (!stop.stop_requested() && why_lost_ == DeviceTrouble::none) turn();
   rest_at_zero();
+  feeling_.confirm_off();  // nothing follows, and there is nobody left to tell zero
   if (why_lost_ != DeviceTrouble::none) publish(DeviceState::lost, why_lost_, {});
 }
 
@@ -109,9 +109,9 @@ bool BoardLink::ask() noexcept {
   // from now on.
   std::array<std::uint8_t, Packet::kMost> scrap{};
   if (port_->read(scrap, milliseconds(0)) > 0) port_->discard(kQuiet);
-  asked_zero_ = ForceGuard::forces() != Forces::allowed || torques_ == PerJoint{0, 0};
+  held_ = ForceGuard::forces() != Forces::allowed;
   asked_at_ = Clock::now();
-  return port_->write(asked_zero_ ? zero_.bytes() : torque_packet(setup_, torques_).bytes());
+  return port_->write(held_ ? zero_.bytes() : torque_packet(setup_, torques_).bytes());
 }
 
 void BoardLink::publish(DeviceState state, DeviceTrouble trouble, const Reading& reading) noexcept {
@@ -122,7 +122,6 @@ void BoardLink::publish(DeviceState state, DeviceTrouble trouble, const Reading&
   pose.trouble = trouble;
   pose.angle_deg = reading.angle_deg;
   pose.pressed = reading.pressed;
-  pose.told_zero = told_zero_;
   pose.delay_s = delay_s_;
   servo_.poses.publish();
 }
@@ -143,7 +142,7 @@ void BoardLink::turn() noexcept {
   Reading reading;
   const Answer answer = ask() ? read_answer(*port_, setup_, reading, kAnswerWait) : Answer::gone;
   const auto asked_at = asked_at_;
-  told_zero_ = answer == Answer::reading && asked_zero_;
+  if (answer == Answer::reading && held_) feeling_.confirm_no_force();
   if (answer == Answer::gone) {
     why_lost_ = DeviceTrouble::communication_lost;
     return;
@@ -172,8 +171,7 @@ void BoardLink::rest_at_zero() noexcept {
   for (int i = 0; i < kMostZeros; ++i) {
     Reading reading;
     const Answer answer = ask() ? read_answer(*port_, setup_, reading, kAnswerWait) : Answer::gone;
-    told_zero_ = answer == Answer::reading;
-    if (told_zero_ || answer == Answer::gone) return;
+    if (answer == Answer::reading || answer == Answer::gone) return;
     port_->discard(kQuiet);
   }
 }

@@ -69,7 +69,7 @@ class BoardLink {
   BoardServo& servo_;
   // Its own thread.
   PerJoint torques_{0, 0};
-  bool asked_zero_ = false, told_zero_ = false;
+  bool held_ = false;  // forces were, when it was asked last
   haptics::DeviceTrouble why_lost_ = haptics::DeviceTrouble::none;
   Clock::time_point asked_at_, last_good_;
   std::uint64_t poses_ = 0;

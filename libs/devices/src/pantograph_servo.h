@@ -21,7 +21,6 @@ struct BoardPose {
   std::uint64_t number = 0;  ///< counts up
   PerJoint angle_deg{0, 0};
   bool pressed = false;
-  bool told_zero = false;  ///< the board has confirmed that its torques are zero
   haptics::DeviceState state = haptics::DeviceState::paused;
   haptics::DeviceTrouble trouble = haptics::DeviceTrouble::not_ready;  ///< none: it may be felt
   double delay_s = 0;                                                  ///< from pose to torque, as measured
@@ -61,7 +60,6 @@ class BoardServo {
   /// Where the tip is, device frame: the plane has no depth, so the button presses the tip down, or where
   /// there is none, everything within the tablet's edges does.
   [[nodiscard]] haptics::Vec3 tip(const LinkagePose& pose, bool pressed) noexcept;
-  void confirm(const BoardPose& pose) noexcept;
 
   ServoLink& link_;
   const Linkage linkage_;
@@ -69,7 +67,6 @@ class BoardServo {
   const double planned_delay_s_, half_width_m_, depth_m_;
   bool lost_ = false;
   double halfway_m_ = 0, height_m_ = 0;  // of the tip above the plateau, tablet frame
-  std::uint64_t silent_since_ = 0;       // pose at which no force was allowed any more; 0: it is
 };
 
 }  // namespace nazori::devices::pantograph

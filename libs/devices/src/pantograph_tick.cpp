@@ -19,7 +19,6 @@ constexpr double kHand_s = 0.008;   // two low-pass filters: a button has no way
 
 void BoardServo::start() noexcept {
   lost_ = false;
-  silent_since_ = 0;
   halfway_m_ = height_m_ = kHover_m;
   poses.back() = {};
   poses.publish();
@@ -42,21 +41,9 @@ Vec3 BoardServo::tip(const LinkagePose& pose, bool pressed) noexcept {
   return at;
 }
 
-void BoardServo::confirm(const BoardPose& pose) noexcept {
-  if (ForceGuard::forces() == Forces::allowed && !lost_) {
-    silent_since_ = 0;
-    return;
-  }
-  if (silent_since_ == 0) silent_since_ = pose.number;
-  // The zero that the board confirms must be younger than the last torque that this servo asked for.
-  const bool told_zero = pose.told_zero && pose.number > silent_since_;
-  if (told_zero) link_.confirm_zero();
-  if (lost_ || (told_zero && ForceGuard::forces() == Forces::cut)) link_.confirm_off();
-}
-
 void BoardServo::tick() noexcept {
+  if (lost_) return;
   const BoardPose& pose = poses.latest();
-  if (lost_) return confirm(pose);
   const auto now = Clock::now();
   BoardTorques answer;
   answer.answers = pose.number;
@@ -79,7 +66,6 @@ void BoardServo::tick() noexcept {
   }
   torques.back() = answer;
   torques.publish();
-  confirm(pose);
 }
 
 }  // namespace nazori::devices::pantograph

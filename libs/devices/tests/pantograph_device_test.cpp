@@ -28,7 +28,7 @@ using test::Push;
 using test::Vec3;
 using Fault = PantographBoard::Fault;
 
-const pantograph::Model& kModel = pantograph::kModels[0];
+const pantograph::Model& kVersion3 = pantograph::kModels[0];
 
 class Pantograph2diy : public testing::Test {
  protected:
@@ -51,8 +51,8 @@ class Pantograph2diy : public testing::Test {
   }
   /// Brings the handle there, device frame.
   void move(double x_m, double y_m) {
-    const Vec2 handle(kModel.linkage.motors_m / 2 - x_m, pantograph::kMiddle_m - y_m);
-    const PerJoint angles = *pantograph::truth::angles_at(kModel.linkage, handle);
+    const Vec2 handle(kVersion3.linkage.motors_m / 2 - x_m, pantograph::kMiddle_m - y_m);
+    const PerJoint angles = *pantograph::truth::angles_at(kVersion3.linkage, handle);
     board.arm_deg[1] = angles[0];
     board.arm_deg[0] = angles[1];
   }
@@ -159,8 +159,9 @@ TEST_F(Pantograph2diy, APushIsTheTorquesThatDoItsWork) {
     OpenedDevice device = opened();
     move(0.01, 0.02);
     ASSERT_TRUE(device.device->start(push));
-    const Vec2 handle(kModel.linkage.motors_m / 2 - 0.01, pantograph::kMiddle_m - 0.02);
-    const PerJoint torques = pantograph::truth::torques_for(kModel.linkage, handle, Vec2(-force.x, -force.y));
+    const Vec2 handle(kVersion3.linkage.motors_m / 2 - 0.01, pantograph::kMiddle_m - 0.02);
+    const PerJoint torques =
+        pantograph::truth::torques_for(kVersion3.linkage, handle, Vec2(-force.x, -force.y));
     // The handle is known to a step of the encoders.
     EXPECT_TRUE(comes_true([&] {
       return std::abs(board.torque_n_m[1] - torques[0]) < 5e-4 &&
@@ -192,9 +193,9 @@ TEST_F(Pantograph2diy, TheForceIsHeldToWhatEveryDirectionHas) {
   EXPECT_EQ(device.device->describe().limits.max_force_n, pantograph::kMostForce_n);
   move(0, 0);
   ASSERT_TRUE(device.device->start(push));
-  const Vec2 handle(kModel.linkage.motors_m / 2, pantograph::kMiddle_m);
+  const Vec2 handle(kVersion3.linkage.motors_m / 2, pantograph::kMiddle_m);
   const PerJoint most =
-      pantograph::truth::torques_for(kModel.linkage, handle, {0, -pantograph::kMostForce_n});
+      pantograph::truth::torques_for(kVersion3.linkage, handle, {0, -pantograph::kMostForce_n});
   EXPECT_TRUE(comes_true([&] { return std::abs(board.torque_n_m[1] - most[0]) < 1e-3; }))
       << board.torque_n_m[1];
   EXPECT_LT(std::abs(most[0]), PantographBoard::kMostTorque_n_m);
@@ -330,7 +331,7 @@ TEST_F(Pantograph2diy, ABoardThatStaysSilentOrIsUnpluggedIsLost) {
 }
 
 /// Pushes, and stands still in a tick as long as the test wants.
-class StuckServo final : public haptics::ServoCallback {
+class StuckPush final : public haptics::ServoCallback {
  public:
   Vec3 tick(const haptics::DeviceSample&) noexcept override {
     stuck.wait(true);
@@ -340,7 +341,7 @@ class StuckServo final : public haptics::ServoCallback {
 };
 
 TEST_F(Pantograph2diy, AServoThatStandsStillDoesNotGoOnPushing) {
-  StuckServo servo;
+  StuckPush servo;
   OpenedDevice device = opened();
   move(0, 0);
   ASSERT_TRUE(device.device->start(servo));
@@ -364,8 +365,8 @@ TEST_F(Pantograph2diy, ASlowBoardIsAnsweredWithLessForceAndTheServoTicksOn) {
   board.delay_ms = 8;
   move(0, 0);
   ASSERT_TRUE(device.device->start(push));
-  const Vec2 handle(kModel.linkage.motors_m / 2, pantograph::kMiddle_m);
-  const PerJoint full = pantograph::truth::torques_for(kModel.linkage, handle, {-0.5, 0});
+  const Vec2 handle(kVersion3.linkage.motors_m / 2, pantograph::kMiddle_m);
+  const PerJoint full = pantograph::truth::torques_for(kVersion3.linkage, handle, {-0.5, 0});
   // K may be (T/2 + 0) / (T/2 + 8 ms or more) of what a board without delay allows: a seventeenth.
   EXPECT_TRUE(comes_true([&] {
     const double share = board.torque_n_m[1] / full[0];

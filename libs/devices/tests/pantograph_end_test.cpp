@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <functional>
@@ -27,7 +26,7 @@ using standin::PantographBoard;
 using test::comes_true;
 using test::Vec3;
 
-class CrashingServo final : public haptics::ServoCallback {
+class CrashingPush final : public haptics::ServoCallback {
  public:
   Vec3 tick(const haptics::DeviceSample& sample) noexcept override {
     if (crashes) std::abort();
@@ -47,7 +46,7 @@ class PantographEnd : public testing::Test {
   }
   ~PantographEnd() override { munmap(go, sizeof(*go)); }
 
-  void begin(const std::function<void(haptics::HapticDevice&, CrashingServo&)>& way_out) {
+  void begin(const std::function<void(haptics::HapticDevice&, CrashingPush&)>& way_out) {
     board = std::make_unique<PantographBoard>(false);
     process = fork();
     ASSERT_GE(process, 0);
@@ -64,7 +63,7 @@ class PantographEnd : public testing::Test {
       auto back_end = pantograph_back_end(settings);
       static DeviceResult<OpenedDevice> device;
       if (!comes_true([&] { return bool(device = back_end->open("pantograph:3", request)); })) std::_Exit(1);
-      static CrashingServo servo;
+      static CrashingPush servo;
       if (!device->device->start(servo)) std::_Exit(1);
       way_out(*device->device, servo);
       std::_Exit(7);
@@ -87,7 +86,7 @@ class PantographEnd : public testing::Test {
     EXPECT_FALSE(WIFEXITED(status) && (WEXITSTATUS(status) == 1 || WEXITSTATUS(status) == 7));
     expect_limp();
   }
-  static void wait(haptics::HapticDevice&, CrashingServo&) {
+  static void wait(haptics::HapticDevice&, CrashingPush&) {
     for (;;) pause();
   }
 
@@ -104,7 +103,7 @@ TEST_F(PantographEnd, ASignalLeavesNoTorque) {
 }
 
 TEST_F(PantographEnd, ACrashOfTheServoLeavesNoTorque) {
-  begin([&](haptics::HapticDevice&, CrashingServo& servo) {
+  begin([&](haptics::HapticDevice&, CrashingPush& servo) {
     (void)comes_true([&] { return go->load(); });
     servo.crashes = true;
     for (;;) pause();
@@ -115,7 +114,7 @@ TEST_F(PantographEnd, ACrashOfTheServoLeavesNoTorque) {
 }
 
 TEST_F(PantographEnd, ACrashOfAnotherThreadLeavesNoTorque) {
-  begin([&](haptics::HapticDevice&, CrashingServo&) {
+  begin([&](haptics::HapticDevice&, CrashingPush&) {
     (void)comes_true([&] { return go->load(); });
     (void)std::raise(SIGSEGV);
   });
@@ -125,7 +124,7 @@ TEST_F(PantographEnd, ACrashOfAnotherThreadLeavesNoTorque) {
 }
 
 TEST_F(PantographEnd, ExitInMidRunLeavesNoTorque) {
-  begin([&](haptics::HapticDevice&, CrashingServo&) {
+  begin([&](haptics::HapticDevice&, CrashingPush&) {
     (void)comes_true([&] { return go->load(); });
     std::exit(3);  // NOLINT(concurrency-mt-unsafe): that is what is tried
   });
@@ -149,7 +148,7 @@ TEST_F(PantographEnd, SuspendedItHoldsItsForceUntilItGoesOn) {
 }
 
 TEST_F(PantographEnd, TheThreadThatTellsZeroRunsNoSignalHandlers) {
-  begin([&](haptics::HapticDevice&, CrashingServo&) {
+  begin([&](haptics::HapticDevice&, CrashingPush&) {
     // Every other thread blocks it: the kernel has only those of the device to give it to.
     sigset_t all;
     (void)sigfillset(&all);
@@ -166,24 +165,16 @@ TEST_F(PantographEnd, TheThreadThatTellsZeroRunsNoSignalHandlers) {
   ASSERT_EQ(waitpid(process, nullptr, 0), process);
 }
 
-TEST_F(PantographEnd, WhoCutsTheForcesIsToldThatTheyAreGone) {
-  // Who is not told waits for the longest time, always; a busy machine may take as long now and then.
-  bool told = false;
-  for (int tries = 0; tries < 50 && !told; ++tries) {
-    begin([&](haptics::HapticDevice& device, CrashingServo&) {
-      (void)comes_true([&] { return device.status().delay_s > 0; });
-      const auto begun = std::chrono::steady_clock::now();
-      ForceGuard::cut_all();
-      const auto took = std::chrono::steady_clock::now() - begun;
-      std::_Exit(took < std::chrono::milliseconds(ForceGuard::kMostWait_ms / 2) ? 8 : 9);
-    });
-    int status = 0;
-    ASSERT_EQ(waitpid(process, &status, 0), process);
-    ASSERT_TRUE(WIFEXITED(status));
-    told = WEXITSTATUS(status) == 8;
-    expect_limp();
-  }
-  EXPECT_TRUE(told);
+TEST_F(PantographEnd, CutForcesAreConfirmedOnceTheBoardHasConfirmedZero) {
+  begin([&](haptics::HapticDevice&, CrashingPush&) {
+    (void)comes_true([&] { return go->load(); });
+    if (ForceGuard::are_all_off()) std::_Exit(1);
+    ForceGuard::cut_all();
+    std::_Exit(comes_true(ForceGuard::are_all_off) ? 8 : 1);
+  });
+  expect_pushing();
+  *go = true;
+  end();
 }
 
 }  // namespace
