@@ -174,7 +174,8 @@ void add_devices(CLI::App& app, Action& chosen) {
   verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
   verb->footer(
       "The makers' libraries are looked for under their usual names, or where NAZORI_LIBHD\n"
-      "and NAZORI_LIBDHD say; the Inverse Service on port 10001 or NAZORI_INVERSE_PORT.\n"
+      "and NAZORI_LIBDHD say; the Inverse Service on port 10001 or NAZORI_INVERSE_PORT;\n"
+      "a Haply 2diy at USB serial ports, or at NAZORI_PANTOGRAPH_PORT.\n"
       "How to set a device up is in docs/devices.md.\n\nExamples:\n  nazori-cli devices\n"
       "  nazori-cli devices --test 10 --device openhaptics --json");
   verb->callback(

@@ -35,6 +35,10 @@ where they have other names than usual.
 .B NAZORI_INVERSE_PORT
 The port of the Inverse Service, where it is not 10001.
 .TP
+.BR NAZORI_PANTOGRAPH_PORT ", " NAZORI_PANTOGRAPH_BUTTON
+The serial port of a Haply 2diy, where it is not found by itself;
+1 where a button is wired to its board.
+.TP
 .B XDG_DATA_HOME
 The folder of a person's data, where study data and a person's own database are.
 Default:

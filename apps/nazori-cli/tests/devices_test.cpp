@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 // Nothing of the machine that runs the tests: no library, no service.
 const std::vector<std::string> kBare{"NAZORI_LIBHD=/nowhere/libHD.so", "NAZORI_LIBDHD=/nowhere/libdhd.so",
-                                     "NAZORI_INVERSE_PORT=1"};
+                                     "NAZORI_INVERSE_PORT=1", "NAZORI_PANTOGRAPH_PORT=/nowhere/ttyACM0"};
 
 std::vector<std::string> with(const std::string& more) {
   std::vector<std::string> all = kBare;
@@ -37,11 +37,11 @@ TEST(Devices, EveryBackEndIsListedWithItsDevicesOrTheReason) {
 TEST(Devices, TheListIsJsonToo) {
   const Outcome run = nazori_cli({"devices", "--json"}, kBare);
   const Json json = Json::parse(run.out);
-  ASSERT_EQ(json.size(), 6U);
+  ASSERT_EQ(json.size(), 7U);
   EXPECT_TRUE(json[0]["devices"].empty());
   EXPECT_THAT(json[0]["problem"]["remedy"].get<std::string>(), HasSubstr("docs/devices.md"));
-  EXPECT_TRUE(json[4]["problem"].is_null());
-  EXPECT_EQ(json[4]["devices"][0]["id"], "pointer");
+  EXPECT_TRUE(json[5]["problem"].is_null());
+  EXPECT_EQ(json[5]["devices"][0]["id"], "pointer");
 }
 
 /// What `--test` must tell of any device with force.

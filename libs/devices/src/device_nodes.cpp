@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 namespace nazori::devices {
@@ -63,22 +64,31 @@ std::vector<DeviceNode> device_nodes(const std::filesystem::path& folder,
   return nodes;
 }
 
-std::string usb_vendor(const std::filesystem::path& node, const std::filesystem::path& system_folder) {
+std::string usb_product(const std::filesystem::path& node, const std::filesystem::path& system_folder) {
   const std::string name = node.filename().string();
   for (const char* group : {"hidraw", "tty"}) {
     std::ifstream in(system_folder / "class" / group / name / "device" / "uevent");
     for (std::string line; std::getline(in, line);) {
       // HID_ID=0003:00002988:00000302 of a HID device, PRODUCT=2988/302/100 of an interface.
-      if (line.starts_with("HID_ID=") && line.find(':') != std::string::npos) {
-        const std::size_t begin = line.find(':') + 1;
-        return four_digits(line.substr(begin, line.find(':', begin) - begin));
-      }
-      constexpr std::string_view kProduct = "PRODUCT=";
-      if (line.starts_with(kProduct))
-        return four_digits(line.substr(kProduct.size(), line.find('/') - kProduct.size()));
+      constexpr std::string_view kHid = "HID_ID=", kInterface = "PRODUCT=";
+      const bool is_hid = line.starts_with(kHid);
+      if (!is_hid && !line.starts_with(kInterface)) continue;
+      const char between = is_hid ? ':' : '/';
+      std::istringstream words(line.substr(is_hid ? kHid.size() : kInterface.size()));
+      std::string vendor, product;
+      if (is_hid) std::getline(words, vendor, between);  // the bus
+      std::getline(words, vendor, between);
+      std::getline(words, product, between);
+      if (vendor.empty() || product.empty()) continue;
+      return four_digits(vendor) + ":" + four_digits(product);
     }
   }
   return {};
+}
+
+std::string usb_vendor(const std::filesystem::path& node, const std::filesystem::path& system_folder) {
+  const std::string product = usb_product(node, system_folder);
+  return product.substr(0, product.find(':'));
 }
 
 std::vector<DeviceNode> usb_nodes(const std::filesystem::path& device_folder,

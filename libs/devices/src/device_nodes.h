@@ -26,6 +26,10 @@ struct DeviceNode {
 [[nodiscard]] std::string usb_vendor(const std::filesystem::path& node,
                                      const std::filesystem::path& system_folder);
 
+/// The same with the product: "2341:804d", in the letters in which the system writes it (small ones for tty).
+[[nodiscard]] std::string usb_product(const std::filesystem::path& node,
+                                      const std::filesystem::path& system_folder);
+
 /// The nodes by which libraries open USB devices directly: /dev/bus/usb/001/004.
 /// @param ids  of vendors or of devices: "1451", "0403:cb48".
 [[nodiscard]] std::vector<DeviceNode> usb_nodes(const std::filesystem::path& device_folder,

@@ -23,6 +23,9 @@ BackEndSettings BackEndSettings::from_environment() {
   if (const auto [end, failed] = std::from_chars(port.data(), port.data() + port.size(), number);
       failed == std::errc() && end == port.data() + port.size() && number > 0)
     s.inverse_service.port = number;
+  s.pantograph.port = value("NAZORI_PANTOGRAPH_PORT");
+  const std::string_view button = value("NAZORI_PANTOGRAPH_BUTTON");
+  s.pantograph.has_button = !button.empty() && button != "0";
   return s;
 }
 
@@ -31,6 +34,7 @@ std::vector<std::unique_ptr<BackEnd>> every_back_end(const BackEndSettings& sett
   all.push_back(openhaptics_back_end(settings.openhaptics));
   all.push_back(force_dimension_back_end(settings.force_dimension));
   all.push_back(inverse_service_back_end(settings.inverse_service));
+  all.push_back(pantograph_back_end(settings.pantograph));
   all.push_back(game_controllers_back_end());
   all.push_back(pointer_back_end());
   all.push_back(simulated_back_end());

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "inverse_servo.h"
 
 namespace nazori::devices::inverse {
@@ -8,11 +6,6 @@ namespace {
 
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
-
-/// What the delay of a loop leaves of the stiffness that a shorter delay allowed: b > K (T / 2 + delay).
-double softened(double planned_delay_s, double delay_s) noexcept {
-  return std::min(1.0, (kPeriod_s / 2 + planned_delay_s) / (kPeriod_s / 2 + delay_s));
-}
 
 }  // namespace
 
@@ -31,7 +24,8 @@ void ArmServo::tick() noexcept {
     link_.pause(DeviceState::paused, DeviceTrouble::too_slow, 0, pose.buttons);
   } else {
     link_.set_delay_s(pose.delay_s);
-    answer.force_n = softened(planned_delay_s_, pose.delay_s) * link_.feel(pose.position_m, pose.buttons);
+    answer.force_n =
+        softened(kPeriod_s, planned_delay_s_, pose.delay_s) * link_.feel(pose.position_m, pose.buttons);
   }
   forces.back() = answer;
   forces.publish();

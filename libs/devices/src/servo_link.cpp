@@ -185,6 +185,9 @@ base::Error trouble_error(DeviceTrouble trouble, const std::string& device, std:
             "it is not calibrated",
             "hold the arm at its reset position, as the maker's manual shows it, and press a button of the "
             "stylus"};
+      case DeviceTrouble::not_at_rest:
+        return {"it was not at rest when it was opened, so its angles are wrong",
+                "put its handle to rest, then choose it again"};
       case DeviceTrouble::not_homed:
         return {
             "it is not homed, so it brakes and tells no position",

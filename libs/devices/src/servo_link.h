@@ -20,6 +20,13 @@ namespace nazori::devices {
   return before_s > 0 ? before_s + (measured_s - before_s) * kFilter : measured_s;
 }
 
+/// What the delay of a loop leaves of the stiffness that a shorter delay allowed: b > K (T / 2 + delay).
+/// @param planned_delay_s  that the limits of the device were made for.
+[[nodiscard]] constexpr double softened(double period_s, double planned_delay_s, double delay_s) noexcept {
+  const double share = (period_s / 2 + planned_delay_s) / (period_s / 2 + delay_s);
+  return share < 1 ? share : 1;
+}
+
 /// What every back end does around the servo's tick: turns the pose into the tablet frame and the force back,
 /// lets no force out that is not finite or over the device's peak, gives none while the device is paused or
 /// lost or all forces are cut (ForceGuard), and tells the interface how it stands.
@@ -59,6 +66,10 @@ class ServoLink {
     else
       guard_.confirm_zero();
   }
+
+  /// While it lives, a crash of this thread has `off` of start() called on it, as one of the servo has: for a
+  /// thread that speaks with the device in place of the servo. Thread: that one, between start and stop.
+  [[nodiscard]] ForceGuard::OwnCode own_code() const noexcept { return ForceGuard::OwnCode(guard_); }
 
   /// From pose to force, as measured. Thread: servo.
   void set_delay_s(double delay_s) noexcept { delay_s_ = delay_s; }

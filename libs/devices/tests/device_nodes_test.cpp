@@ -28,7 +28,7 @@ TEST(DeviceNodes, AreTheEntriesOfTheFolderWithThosePrefixes) {
   EXPECT_TRUE(device_nodes("/nowhere/at/all", {"null"}).empty());
 }
 
-TEST(UsbVendor, IsReadFromBothKindsOfDescription) {
+TEST(UsbVendor, IsReadFromBothKindsOfDescriptionAndTheProductToo) {
   namespace fs = std::filesystem;
   const fs::path root = fs::path(testing::TempDir()) / "nazori-usb-vendor";
   const auto describe = [&](const char* group, const char* name, const char* text) {
@@ -45,6 +45,9 @@ TEST(UsbVendor, IsReadFromBothKindsOfDescription) {
   EXPECT_EQ(usb_vendor("/dev/ttyACM0", root), "2988");
   EXPECT_EQ(usb_vendor("/dev/ttyACM1", root), "0403");
   EXPECT_EQ(usb_vendor("/dev/ttyACM2", root), "");
+  EXPECT_EQ(usb_product("/dev/hidraw4", root), "2988:0302");
+  EXPECT_EQ(usb_product("/dev/ttyACM1", root), "0403:cb48");
+  EXPECT_EQ(usb_product("/dev/ttyACM2", root), "");
   EXPECT_EQ(usb_vendor("/dev/hidraw9", root), "");
   fs::remove_all(root);
 }

@@ -15,11 +15,13 @@
 #include "nazori/devices/force_dimension.h"
 #include "nazori/devices/inverse_service.h"
 #include "nazori/devices/openhaptics.h"
+#include "nazori/devices/pantograph.h"
 #include "nazori/devices/pointer_device.h"
 #include "nazori/devices/replay_device.h"
 #include "nazori/devices/simulated_device.h"
 #include "sdl_back_end.h"
 #include "standins/inverse_standin.h"
+#include "standins/pantograph_board.h"
 #include "standins/sdl_standin.h"
 #include "system_calls.h"
 #include "test_paths.h"
@@ -176,6 +178,20 @@ TEST(InverseServoGuard, TheServoNeitherAllocatesNorEntersTheKernel) {
   AllocationCount servo;
   ASSERT_TRUE(device->start(servo));
   EXPECT_TRUE(comes_true([&] { return servo.ticks > kTicks && service.last_command_n > 0.1; }));
+  EXPECT_EQ(servo.calls, 0);
+  device->stop();
+}
+
+TEST(PantographServoGuard, TheServoNeitherAllocatesNorEntersTheKernel) {
+  standin::PantographBoard board;
+  PantographSettings settings;
+  settings.port = board.path();
+  settings.delay_s = 0.020;
+  const auto device = opened(*pantograph_back_end(settings), "pantograph:3");
+  ASSERT_TRUE(device);
+  AllocationCount servo;
+  ASSERT_TRUE(device->start(servo));
+  EXPECT_TRUE(comes_true([&] { return servo.ticks > kTicks && board.torque_n_m[0] != 0; }));
   EXPECT_EQ(servo.calls, 0);
   device->stop();
 }

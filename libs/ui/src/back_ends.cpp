@@ -17,6 +17,9 @@ Stylus::BackEnds registered_back_ends(const QString& settings_file) {
   take(where.openhaptics.library, "device/openhaptics_library");
   take(where.openhaptics.device_name, "device/openhaptics_device");
   take(where.force_dimension.library, "device/forcedimension_library");
+  take(where.pantograph.port, "device/pantograph_port");
+  if (!qEnvironmentVariableIsSet("NAZORI_PANTOGRAPH_BUTTON"))
+    where.pantograph.has_button = settings.value(QLatin1String("device/pantograph_button")).toBool();
   const int port = settings.value(QLatin1String("device/inverse_port")).toInt();
   if (port > 0 && port <= 65'535 && !qEnvironmentVariableIsSet("NAZORI_INVERSE_PORT"))
     where.inverse_service.port = static_cast<std::uint16_t>(port);

@@ -65,6 +65,9 @@ QString trouble_text(haptics::DeviceTrouble trouble, const QString& name, const 
       return Words::tr(
                  "%1 is not calibrated. Hold the arm at its reset position and press a button of the stylus.")
           .arg(name);
+    case not_at_rest:
+      return Words::tr("%1 was not at rest when it was opened. Put its handle to rest and choose it again.")
+          .arg(name);
     case not_homed:
       return Words::
           tr("%1 is not homed. Press its button; with a Falcon, pull all three arms out and push them in.")

@@ -1157,6 +1157,10 @@
         <translation>%1 は位置合わせが要ります。アームをリセット位置に合わせ、ペンのボタンを押してください。</translation>
     </message>
     <message>
+        <source>%1 was not at rest when it was opened. Put its handle to rest and choose it again.</source>
+        <translation>%1 は開いたときに休止位置にありませんでした。ハンドルを休止位置に戻し、もう一度選んでください。</translation>
+    </message>
+    <message>
         <source>%1 is not homed. Press its button; with a Falcon, pull all three arms out and push them in.</source>
         <translation>%1 は原点が合っていません。本体のボタンを押してください。Falcon では3本のアームをすべて引き出してから押し込んでください。</translation>
     </message>

@@ -9,6 +9,7 @@
 #include "nazori/devices/game_controllers.h"
 #include "nazori/devices/inverse_service.h"
 #include "nazori/devices/openhaptics.h"
+#include "nazori/devices/pantograph.h"
 
 namespace nazori::devices {
 
@@ -17,14 +18,16 @@ struct BackEndSettings {
   OpenHapticsSettings openhaptics;
   ForceDimensionSettings force_dimension;
   InverseServiceSettings inverse_service;
+  PantographSettings pantograph;
 
   /// The defaults, changed by NAZORI_LIBHD and NAZORI_LIBDHD (paths of the libraries),
-  /// NAZORI_OPENHAPTICS_DEVICE (name) and NAZORI_INVERSE_PORT where these are set.
+  /// NAZORI_OPENHAPTICS_DEVICE (name), NAZORI_INVERSE_PORT, NAZORI_PANTOGRAPH_PORT (path) and
+  /// NAZORI_PANTOGRAPH_BUTTON (anything but 0: it has one) where these are set.
   [[nodiscard]] static BackEndSettings from_environment();
 };
 
-/// All of them, best first: OpenHaptics, Force Dimension, Inverse Service, joysticks and pads, pointer,
-/// simulations.
+/// All of them, best first: OpenHaptics, Force Dimension, Inverse Service, pantograph, joysticks and pads,
+/// pointer, simulations.
 [[nodiscard]] std::vector<std::unique_ptr<BackEnd>> every_back_end(const BackEndSettings& settings);
 
 }  // namespace nazori::devices

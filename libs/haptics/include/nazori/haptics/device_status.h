@@ -32,6 +32,7 @@ enum class DeviceTrouble : std::uint8_t {
   not_calibrated,        ///< it asks to be calibrated
   wants_inkwell,         ///< it calibrates itself once the stylus is in its inkwell
   wants_reset_position,  ///< it can be calibrated where its arm is held at the reset position
+  not_at_rest,           ///< it was not at rest when it was opened, so its angles are wrong
   not_homed,             ///< it brakes and tells one place until its arms have been to their ends
   forces_off,            ///< its forces went off; the code says why
   over_force,            ///< its guard against too large a force or impulse acted

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <stop_token>
+#include <thread>
+
+#include "pantograph_serial.h"
+#include "pantograph_servo.h"
+
+namespace nazori::devices::pantograph {
+
+/// So long an answer is waited for until the servo lets go.
+constexpr auto kAnswerWait = std::chrono::milliseconds(20);
+
+/// What came of a question.
+enum class Answer : std::uint8_t {
+  reading,
+  nothing,  ///< no answer, or only a part of one
+  garbage,  ///< of another device, or not to be understood
+  gone,     ///< the port is gone
+};
+
+/// Reads the answer to the torques that were written last, in however many parts it comes.
+[[nodiscard]] Answer read_answer(SerialPort& port, const BoardSetup& setup, Reading& reading,
+                                 std::chrono::milliseconds wait) noexcept;
+
+/// All that speaks with the board of a running device: a thread of its own that writes the servo's newest
+/// torques and reads the angles, once for each tick of the servo. The board has no watchdog: it holds what it
+/// was told last. So the last that it is told is zero, and it is asked until it confirms that; torques are
+/// sent only while a servo ticks, answers come and forces are allowed.
+class BoardLink {
+ public:
+  BoardLink(std::shared_ptr<SerialPort> port, const BoardSetup& setup, double give_up_s, ServoLink& feeling,
+            BoardServo& servo);
+  ~BoardLink();
+  BoardLink(const BoardLink&) = delete;
+  BoardLink& operator=(const BoardLink&) = delete;
+
+  /// Thread: interface. Before the servo's clock starts.
+  [[nodiscard]] base::Result<void> start();
+  /// After the servo's clock has stopped. Returns when the board has confirmed a torque of zero, or after
+  /// some 0.1 s in which it did not.
+  void stop() noexcept;
+  [[nodiscard]] bool is_running() const noexcept { return thread_.joinable(); }
+
+  /// Writes zero without this object's thread. Safe in signal handlers. @param link  a BoardLink.
+  static void write_zero_at_end(void* link) noexcept;
+
+ private:
+  void run(const std::stop_token& stop) noexcept;
+  void turn() noexcept;
+  /// Writes `torques_`, or zero where forces are not allowed. @return false where the port is gone.
+  [[nodiscard]] bool ask() noexcept;
+  void publish(haptics::DeviceState state, haptics::DeviceTrouble trouble, const Reading& reading) noexcept;
+  /// The servo's answer to the pose that was published last; zero where the servo stands still.
+  [[nodiscard]] PerJoint await_torques() noexcept;
+  /// Asks for zero until the board confirms it.
+  void rest_at_zero() noexcept;
+
+  const std::shared_ptr<SerialPort> port_;
+  const BoardSetup setup_;
+  const double give_up_s_;
+  const Packet zero_;
+  ServoLink& feeling_;
+  BoardServo& servo_;
+  // Its own thread.
+  PerJoint torques_{0, 0};
+  bool held_ = false;  // forces were, when it was asked last
+  haptics::DeviceTrouble why_lost_ = haptics::DeviceTrouble::none;
+  Clock::time_point asked_at_, last_good_;
+  std::uint64_t poses_ = 0;
+  double delay_s_ = 0;
+  std::jthread thread_;  // last: it ends before the rest goes
+};
+
+}  // namespace nazori::devices::pantograph

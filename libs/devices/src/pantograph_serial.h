@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "nazori/devices/back_end.h"
+
+namespace nazori::devices::pantograph {
+
+/// A serial port that this program has for itself. None of its members allocates but open(). One thread at a
+/// time uses it, but for write_at_end().
+class SerialPort {
+ public:
+  /// Raw bytes, no flow control. The speed means nothing over USB; it must not be 1200, which sends boards of
+  /// this kind into their boot loader. @source Arduino's SAM and SAMD cores, CDC.cpp.
+  [[nodiscard]] static DeviceResult<std::shared_ptr<SerialPort>> open(const std::filesystem::path& path);
+  ~SerialPort();
+  SerialPort(const SerialPort&) = delete;
+  SerialPort& operator=(const SerialPort&) = delete;
+
+  /// Writes all of `bytes`, at once where the port takes them. @return false where the port is gone or takes
+  /// nothing for kWriteWait.
+  [[nodiscard]] bool write(std::span<const std::uint8_t> bytes) noexcept;
+  static constexpr std::chrono::milliseconds kWriteWait{50};
+
+  /// Reads what is there; where nothing is, waits. @return how many bytes, 0 after `wait`; -1: the port is
+  /// gone.
+  [[nodiscard]] int read(std::span<std::uint8_t> into, std::chrono::milliseconds wait) noexcept;
+
+  /// Throws away what comes until nothing has come for `quiet`, at most kMostDiscard bytes.
+  void discard(std::chrono::milliseconds quiet) noexcept;
+  static constexpr int kMostDiscard = 65'536;
+
+  /// Writes what it can without waiting. Safe in signal handlers; any thread.
+  void write_at_end(std::span<const std::uint8_t> bytes) const noexcept;
+
+ private:
+  explicit SerialPort(int file) : file_(file) {}
+  const int file_;
+};
+
+}  // namespace nazori::devices::pantograph
