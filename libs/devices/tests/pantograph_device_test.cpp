@@ -262,7 +262,7 @@ TEST_F(Pantograph2diy, WhatIsWrongForAMomentGivesNoForceAndGoesOn) {
   for (const auto& [fault, trouble] : faults) {
     EXPECT_TRUE(comes_true([&] { return pushes(); })) << static_cast<int>(fault);
     board.fault = fault;
-    EXPECT_TRUE(comes_true([&] { return device.device->status().trouble == trouble; }))
+    EXPECT_TRUE(comes_true([&, expected = trouble] { return device.device->status().trouble == expected; }))
         << static_cast<int>(fault);
     EXPECT_TRUE(comes_true([&] { return is_limp(); })) << static_cast<int>(fault);
     board.fault = Fault::none;

@@ -226,9 +226,9 @@ struct PantographBoard::Inside {
         break;
     }
     before = states(id);
-    const auto piece = static_cast<std::size_t>(std::max(stage.piece.load(), 1));
-    for (std::size_t at = 0; at < bytes.size() && !ends; at += piece) {
-      (void)!write(board_side, bytes.data() + at, std::min(piece, bytes.size() - at));
+    const auto length = static_cast<std::size_t>(std::max(stage.piece.load(), 1));
+    for (std::size_t at = 0; at < bytes.size() && !ends; at += length) {
+      (void)!write(board_side, bytes.data() + at, std::min(length, bytes.size() - at));
       std::this_thread::yield();
     }
     Fault later = Fault::answers_later;
