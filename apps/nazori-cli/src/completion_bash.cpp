@@ -109,8 +109,8 @@ std::string_view completion_word(Takes takes) {
 std::string branch(const std::string& patterns, const OptionEntry& entry) {
   const std::string choices =
       entry.takes == Takes::choice ? fmt::format(" choices=({})", list_of(entry.choices)) : "";
-  return fmt::format("    {}) takes={} values={}{} ;;\n", patterns, completion_word(entry.takes), entry.values,
-                     choices);
+  return fmt::format("    {}) takes={} values={}{} ;;\n", patterns, completion_word(entry.takes),
+                     entry.values, choices);
 }
 
 std::string verbs_and_options(const Command& command) {

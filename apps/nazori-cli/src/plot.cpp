@@ -122,8 +122,8 @@ struct Timings {
 };
 
 Json plot_json(const functions::Plot& plot, const functions::Picture& picture,
-             const std::vector<functions::PointOfInterest>& points, const Timings& timings,
-             functions::Language language) {
+               const std::vector<functions::PointOfInterest>& points, const Timings& timings,
+               functions::Language language) {
   Json statements = Json::array();
   for (const functions::Statement& s : plot.statements) {
     statements.push_back(Json{{"kind", kind_name(s.kind)},
