@@ -126,6 +126,12 @@ double RunningProgram::processor_s() const {
   return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
+int RunningProgram::threads() const {
+  std::error_code error;
+  const fs::directory_iterator tasks("/proc/" + std::to_string(child_) + "/task", error);
+  return error ? 0 : static_cast<int>(std::distance(begin(tasks), end(tasks)));
+}
+
 bool RunningProgram::has_open(const std::string& name) const {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator("/proc/" + std::to_string(child_) + "/fd", error)) {

@@ -40,6 +40,8 @@ class RunningProgram {
 
   /// Seconds of processor time that it has used.
   [[nodiscard]] double processor_s() const;
+  /// How many threads it has now.
+  [[nodiscard]] int threads() const;
   /// Whether it has a file of that name open.
   [[nodiscard]] bool has_open(const std::string& name) const;
   /// What it has printed so far.
