@@ -231,10 +231,10 @@ void add_material_options(CLI::App& verb, FeelSettings& settings) {
       ->type_name("S,D")
       ->group(group);
   using haptics::Texture;
-  static const std::map<std::string, Texture> kTextures{
+  static const std::map<std::string, Texture> textures{
       {"none", Texture::none}, {"paper", Texture::paper}, {"wood", Texture::wood}, {"stone", Texture::stone}};
   verb.add_option_function<std::string>(
-          "--texture", [&material](const std::string& name) { material.texture = kTextures.at(name); },
+          "--texture", [&material](const std::string& name) { material.texture = textures.at(name); },
           "none, paper, wood or stone")
       ->check(CLI::IsMember({"none", "paper", "wood", "stone"}))
       ->default_str("none")

@@ -35,6 +35,10 @@ class CrashingPush final : public haptics::ServoCallback {
   std::atomic<bool> crashes{false};
 };
 
+// Exit codes of a process that did not go as meant. A sanitizer ends a crash with 1.
+constexpr int kNeverPushed = 17;
+constexpr int kWentOn = 18;
+
 /// A program in which a pantograph pushes; then `way_out` has it. The board begins after the process has, so
 /// that no thread is lost in it.
 class PantographEnd : public testing::Test {
@@ -62,11 +66,12 @@ class PantographEnd : public testing::Test {
       request.calibration.emplace();
       auto back_end = pantograph_back_end(settings);
       static DeviceResult<OpenedDevice> device;
-      if (!comes_true([&] { return bool(device = back_end->open("pantograph:3", request)); })) std::_Exit(1);
+      if (!comes_true([&] { return bool(device = back_end->open("pantograph:3", request)); }))
+        std::_Exit(kNeverPushed);
       static CrashingPush servo;
-      if (!device->device->start(servo)) std::_Exit(1);
+      if (!device->device->start(servo)) std::_Exit(kNeverPushed);
       way_out(*device->device, servo);
-      std::_Exit(7);
+      std::_Exit(kWentOn);
     }
     board->run();
   }
@@ -83,7 +88,8 @@ class PantographEnd : public testing::Test {
   void end() {
     int status = 0;
     EXPECT_EQ(waitpid(process, &status, 0), process);
-    EXPECT_FALSE(WIFEXITED(status) && (WEXITSTATUS(status) == 1 || WEXITSTATUS(status) == 7));
+    EXPECT_FALSE(WIFEXITED(status) &&
+                 (WEXITSTATUS(status) == kNeverPushed || WEXITSTATUS(status) == kWentOn));
     expect_limp();
   }
   static void wait(haptics::HapticDevice&, CrashingPush&) {
@@ -168,9 +174,9 @@ TEST_F(PantographEnd, TheThreadThatTellsZeroRunsNoSignalHandlers) {
 TEST_F(PantographEnd, CutForcesAreConfirmedOnceTheBoardHasConfirmedZero) {
   begin([&](haptics::HapticDevice&, CrashingPush&) {
     (void)comes_true([&] { return go->load(); });
-    if (ForceGuard::are_all_off()) std::_Exit(1);
+    if (ForceGuard::are_all_off()) std::_Exit(kNeverPushed);
     ForceGuard::cut_all();
-    std::_Exit(comes_true(ForceGuard::are_all_off) ? 8 : 1);
+    std::_Exit(comes_true(ForceGuard::are_all_off) ? 8 : kNeverPushed);
   });
   expect_pushing();
   *go = true;

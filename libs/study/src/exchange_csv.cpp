@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "entry_progress.h"
 #include "nazori/base/utf8.h"
 #include "text_pieces.h"
 
 namespace nazori::study {
 namespace {
 
-constexpr int kEntriesBetweenProgress = 256;
 constexpr double kFindingUndone = 0.3;  // of the work
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base64.h"
+#include "entry_progress.h"
 #include "json_text.h"
 #include "nazori/base/utf8.h"
 #include "text_pieces.h"
@@ -13,8 +14,6 @@ namespace nazori::study {
 namespace {
 
 using base::Errc;
-
-constexpr int kEntriesBetweenProgress = 256;
 
 Json entry_json(const LogEntry& entry, std::span<const std::uint8_t> ink) {
   Json json{{"id", entry.id},

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "entry_progress.h"
 #include "nazori/study/day_plan.h"
 
 namespace nazori::study {
@@ -15,7 +16,6 @@ using std::chrono::days;
 constexpr double kMatureDays = 21;
 constexpr std::size_t kMostHardStrokes = 100;
 constexpr int kForgiveness = 7;
-constexpr int kEntriesBetweenProgress = 256;
 
 /// What a review was up against.
 struct Before {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "daily_backup.h"
+#include "entry_progress.h"
 #include "learner_store_inside.h"
 #include "store_days.h"
 
@@ -7,8 +8,6 @@ namespace nazori::study {
 namespace {
 
 using base::Errc;
-
-constexpr int kEntriesBetweenProgress = 256;
 
 /// Follows every character through the log at once.
 class WholeHistory {

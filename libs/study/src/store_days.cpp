@@ -7,14 +7,12 @@
 #include <set>
 
 #include "learner_store_inside.h"
+#include "times_as_numbers.h"
 
 namespace nazori::study {
 namespace {
 
 using std::chrono::milliseconds;
-
-std::int64_t number_of(Day day) { return static_cast<std::int64_t>(day.time_since_epoch().count()); }
-Day day_of(std::int64_t number) { return Day(std::chrono::days(number)); }
 
 /// Writes rows of character_day.
 class RowWriter {

@@ -5,6 +5,7 @@
 
 #include "learner_store_inside.h"
 #include "named_values.h"
+#include "times_as_numbers.h"
 
 namespace nazori::study {
 namespace {
@@ -12,11 +13,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr int kMostFaults = 1'000;
-
-std::int64_t number_of(Time time) { return static_cast<std::int64_t>(time.time_since_epoch().count()); }
-std::int64_t number_of(Day day) { return static_cast<std::int64_t>(day.time_since_epoch().count()); }
-Time time_of(std::int64_t number) { return Time(milliseconds(number)); }
-Day day_of(std::int64_t number) { return Day(std::chrono::days(number)); }
 
 /// Binds values one after another; nullopt becomes NULL.
 class Binder {
