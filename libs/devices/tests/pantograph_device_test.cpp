@@ -205,6 +205,7 @@ TEST_F(Pantograph2diy, AnglesCountFromWhereTheArmsAreWhenItIsOpened) {
   board.arm_deg[0] = 22;  // not at rest: both 10 degrees inwards
   board.arm_deg[1] = 158;
   FeltPlane plane;
+  Push push({0.2, 0, 0});
   OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(plane));
   const double aside = 0.019 - 0.07 * std::cos(168 * pantograph::truth::kDegree);
@@ -214,7 +215,6 @@ TEST_F(Pantograph2diy, AnglesCountFromWhereTheArmsAreWhenItIsOpened) {
       << plane.y_m;
   device.device->stop();
   // Arms that can cross by their angles lead where no arms get: no force, and a sentence.
-  Push push({0.2, 0, 0});
   ASSERT_TRUE(device.device->start(push));
   EXPECT_TRUE(comes_true([&] { return pushes(); }));
   board.arm_deg[0] = 130;
