@@ -90,9 +90,9 @@ if(NAZORI_SANITIZE)
   target_link_options(nazori_compiler INTERFACE -fsanitize=${sanitizers})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     # The makers' libraries are called through types of our own, which are the same only to the machine. The list is named in
-    # the older spelling, which ccache knows.
-    target_compile_options(nazori_compiler INTERFACE -fno-sanitize=function
-                           -fsanitize-blacklist=${CMAKE_SOURCE_DIR}/cmake/sanitizer-ignorelist.txt)
+    # the older spelling, which ccache knows, and from the folder of the build, so that objects are found from another one.
+    file(RELATIVE_PATH ignorelist ${CMAKE_BINARY_DIR} "${CMAKE_SOURCE_DIR}/cmake/sanitizer-ignorelist.txt")
+    target_compile_options(nazori_compiler INTERFACE -fno-sanitize=function -fsanitize-blacklist=${ignorelist})
     # What the undefined behaviour sanitizer would see of wrong calls inside the standard library, told by its own checks.
     target_compile_definitions(nazori_compiler INTERFACE _GLIBCXX_ASSERTIONS)
   endif()
