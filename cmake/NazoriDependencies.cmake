@@ -36,4 +36,5 @@ if(NAZORI_BUILD_TESTS)
 endif()
 if(NAZORI_BUILD_BENCH)
   find_package(benchmark REQUIRED)
+  find_package(GTest REQUIRED)  # benches use fixtures of the tests
 endif()

@@ -361,6 +361,7 @@ TEST_F(Pantograph2diy, ASlowBoardIsAnsweredWithLessForceAndTheServoTicksOn) {
   EXPECT_LE(measured_s, 0.020);
   s.delay_s = 0;
   Push push({0.5, 0, 0});
+  FeltPlane ticks;
   OpenedDevice device = opened(s);
   board.delay_ms = 8;
   move(0, 0);
@@ -373,7 +374,6 @@ TEST_F(Pantograph2diy, ASlowBoardIsAnsweredWithLessForceAndTheServoTicksOn) {
     return share > 0 && share <= 1.0 / 17 + 1e-2;
   }));
   board.delay_ms = 200;
-  FeltPlane ticks;
   device.device->stop();
   ASSERT_TRUE(device.device->start(ticks));
   const int begun = board.questions;
