@@ -65,10 +65,11 @@ class PantographEnd : public testing::Test {
       OpenRequest request;
       request.calibration.emplace();
       auto back_end = pantograph_back_end(settings);
-      static DeviceResult<OpenedDevice> device;
+      // They go with the process, not before it.
+      static auto& device = *new DeviceResult<OpenedDevice>;
       if (!comes_true([&] { return bool(device = back_end->open("pantograph:3", request)); }))
         std::_Exit(kNeverPushed);
-      static CrashingPush servo;
+      static auto& servo = *new CrashingPush;
       if (!device->device->start(servo)) std::_Exit(kNeverPushed);
       way_out(*device->device, servo);
       std::_Exit(kWentOn);
