@@ -51,10 +51,18 @@ void FunctionsWorkplace::connect_sound() {
   connect(sound_, &FunctionSound::unavailable, this,
           [this](const base::Error& error) { desk().say(Feedback::advice, no_sound(error)); });
   connect(&touch_timer_, &QTimer::timeout, this, &FunctionsWorkplace::follow_stylus);
+  const auto follow = [this] {
+    if (entered_ && !touch_timer_.isActive()) touch_timer_.start();
+  };
+  auto& controller = desk().controller();
+  connect(&controller, &TabletController::depth_changed, this, follow);
+  connect(&controller.stylus(), &Stylus::changed, this, follow);
 }
 
 void FunctionsWorkplace::follow_stylus() {
   auto& controller = desk().controller();
+  // Its next move begins this again.
+  if (controller.stylus().is_resting()) touch_timer_.stop();
   const auto& sample = controller.latest();
   const geometry::TabletPoint tip{sample.proxy_m.x, sample.proxy_m.y};
   if (put_) {
