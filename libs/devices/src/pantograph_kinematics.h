@@ -10,9 +10,9 @@
 /// meet at the handle. All of it is real-time-safe.
 namespace nazori::devices::pantograph {
 
-/// Metres or newtons in the plane of the arms. The origin is the axis of the first motor, x points to the
-/// second one, y to the side where the outer arms meet. Seen by the learner, who sits on that side: x left,
-/// y towards the learner.
+/// Metres or newtons in the plane of the arms. The origin is the axis of the first motor. The x axis points
+/// to the second motor, the y axis to the handle. The learner sits where the handle is: x points to the
+/// learner's left, y towards the learner.
 using Vec2 = glm::dvec2;
 
 /// Lengths of the arms, the same on both sides. @source HaplyHAPI 1.0.1 on PyPI, class Pantograph.

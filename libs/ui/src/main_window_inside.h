@@ -47,7 +47,7 @@ struct MainWindow::Inside {
   void set_full_screen(bool on);
   void focus_tablet();
   void leave_tablet(bool forwards);
-  /// Asks where a writing would be lost. @param quits  the program ends; otherwise the window opens anew.
+  /// Asks first if a writing is not rated yet. @param quits  false: the window closes to open again.
   [[nodiscard]] bool may_close(bool quits);
   void save_later();
   void save_preferences();
