@@ -76,6 +76,47 @@ TEST(NearestPoint, IsNeverFartherThanAnyPointOfADenseWalk) {
   }
 }
 
+TEST(NearestPointBetween, LooksOnlyAtThePartAsked) {
+  // A hairpin: the way back passes nearer to the point than the way there.
+  const Line line{{0, 0}, {10, 0}, {10, 1}, {0, 1}};
+  const GlyphPoint p{4, 2};
+  const auto there = nearest_point_between(Span(line), p, 0, 10);
+  EXPECT_DOUBLE_EQ(there.distance, 2);
+  EXPECT_DOUBLE_EQ(there.arc_length, 4);
+  EXPECT_EQ(there.segment, 0U);
+  const auto later = nearest_point_between(Span(line), p, 6, 10.5);
+  EXPECT_DOUBLE_EQ(later.arc_length, 6);
+  EXPECT_DOUBLE_EQ(later.point.x, 6);
+  const auto back = nearest_point_between(Span(line), p, 10, 40);
+  EXPECT_DOUBLE_EQ(back.distance, 1);
+  EXPECT_DOUBLE_EQ(back.arc_length, 17);
+  EXPECT_EQ(back.segment, 2U);
+}
+
+TEST(NearestPointBetween, PastTheEndAndOfASinglePointIsTheLastPoint) {
+  const auto end = nearest_point_between(Span(Line{{0, 0}, {3, 4}, {3, 4}}), {0, 0}, 6, 9);
+  EXPECT_DOUBLE_EQ(end.arc_length, 5);
+  EXPECT_DOUBLE_EQ(end.distance, 5);
+  EXPECT_DOUBLE_EQ(nearest_point_between(Span(Line{{1, 1}}), {4, 5}, 0, 1).distance, 5);
+}
+
+TEST(NearestPointBetween, IsNeverFartherThanAnyPointOfADenseWalkOfThePart) {
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 50; ++trial) {
+    const auto line = random_line(random, 8);
+    const GlyphPoint p{50, 50};
+    const double from = arc_length(Span(line)) * 0.3;
+    const double to = from + 60;
+    const auto nearest = nearest_point_between(Span(line), p, from, to);
+    EXPECT_GE(nearest.arc_length, from - 1e-9);
+    EXPECT_LE(nearest.arc_length, to + 1e-9);
+    double walked = std::numeric_limits<double>::infinity();
+    for (double s = from; s <= to; s += 0.01) walked = std::min(walked, distance(point_at(Span(line), s), p));
+    EXPECT_LE(nearest.distance, walked + 1e-9);
+    EXPECT_NEAR(nearest.distance, walked, 0.01);
+  }
+}
+
 TEST(PointAt, HoldsThePositionWithinTheLine) {
   const Line line{{0, 0}, {10, 0}, {10, 10}};
   EXPECT_EQ(point_at(Span(line), -1), (GlyphPoint{0, 0}));

@@ -117,20 +117,13 @@ bool InkTracker::follow_on(Candidate& candidate, TabletPoint at) const {
   const auto& line = line_of(candidate.stroke);
   // Only the piece just ahead is looked at: a line that comes back near itself must not be jumped.
   const double front_m = candidate.front_m;
-  double nearest_m = kReach_m;
-  constexpr double kStep_m = 0.00025;
-  const double last_m = std::min(front_m + kReach_m, line.length_m);
-  const int steps = static_cast<int>(std::ceil((last_m - front_m) / kStep_m));
-  for (int step = 0; step <= steps; ++step) {
-    const double clamped_m = std::min(front_m + step * kStep_m, last_m);
-    const double away_m = geometry::distance(geometry::point_at<TabletFrame>(line.points, clamped_m), at);
-    if (away_m < nearest_m) {
-      nearest_m = away_m;
-      candidate.front_m = clamped_m;
-    }
+  const auto ahead =
+      geometry::nearest_point_between<TabletFrame>(line.points, at, front_m, front_m + kReach_m);
+  if (ahead.distance < kReach_m) {
+    candidate.front_m = std::clamp(ahead.arc_length, front_m, line.length_m);
+    return true;
   }
-  return nearest_m < kReach_m ||
-         geometry::distance(geometry::point_at<TabletFrame>(line.points, front_m), at) <= 2 * kReach_m;
+  return geometry::distance(geometry::point_at<TabletFrame>(line.points, front_m), at) <= 2 * kReach_m;
 }
 
 InkTracker::Step InkTracker::advance(TabletPoint at, int only) {

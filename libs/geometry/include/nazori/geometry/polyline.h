@@ -49,6 +49,34 @@ template <class Frame>
   return best;
 }
 
+/// As `nearest_point`, of the part of the polyline that lies between two lengths along it.
+/// @param line  at least one point.  @param from,to  from its first point, `from` not after `to`; both are
+/// held within [0, arc length].
+template <class Frame>
+[[nodiscard]] NearestPoint<Frame> nearest_point_between(std::span<const Point2<Frame>> line, Point2<Frame> p,
+                                                        double from, double to) {
+  assert(!line.empty() && from <= to);
+  NearestPoint<Frame> best;
+  double before = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const auto along = line[i + 1] - line[i];
+    const double segment = std::sqrt(dot(along, along));
+    if (segment > 0 && before + segment >= from) {
+      const double begin = std::clamp((from - before) / segment, 0.0, 1.0);
+      const double end = std::clamp((to - before) / segment, begin, 1.0);
+      const double t = std::clamp(dot(p - line[i], along) / (segment * segment), begin, end);
+      const auto candidate = line[i] + along * t;
+      const double d = distance(candidate, p);
+      if (d < best.distance) best = {candidate, d, before + t * segment, i};
+    }
+    before += segment;
+    if (before > to) break;
+  }
+  if (best.distance == std::numeric_limits<double>::infinity())
+    best = {line.back(), distance(line.back(), p), before, line.size() < 2 ? 0 : line.size() - 2};
+  return best;
+}
+
 /// The point at `s` along the polyline; s is held within [0, arc length].
 /// @param line  at least one point.
 template <class Frame>
