@@ -2,7 +2,9 @@
 // What a learner with a long history waits for. The argument is the number of entries of the log.
 #include <benchmark/benchmark.h>
 
+#include <cstdint>
 #include <map>
+#include <vector>
 
 #include "../tests/learner_fixture.h"
 #include "nazori/study/day_plan.h"
@@ -49,7 +51,7 @@ void plan(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(must(plan_day(store, {})));
 }
 
-constexpr auto kLengths = {300, 3'000, 30'000, 300'000};
+const std::vector<std::int64_t> kLengths{300, 3'000, 30'000, 300'000};
 BENCHMARK(opening)->ArgsProduct({kLengths})->Unit(benchmark::kMillisecond);
 BENCHMARK(step_and_undo)->ArgsProduct({kLengths})->Unit(benchmark::kMillisecond);
 BENCHMARK(plan)->ArgsProduct({kLengths})->Unit(benchmark::kMillisecond);
