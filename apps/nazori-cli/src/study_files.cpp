@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
+#include <system_error>
 
 #include "nazori/base/file.h"
+#include "nazori/base/unfinished_file.h"
 #include "nazori/study/backups.h"
 #include "nazori/study/exchange.h"
 #include "nazori/study/replay.h"
@@ -86,6 +89,24 @@ int export_learner(Console& console, const FileSettings& settings) {
   return kDone;
 }
 
+/// The file of a learner who did not exist before, until the import is in it.
+class NewLearner {
+ public:
+  explicit NewLearner(const fs::path& file)
+      : folder_(file.parent_path()),
+        lock_(file.string() + ".lock"),
+        file_(file, base::UnfinishedKind::database) {}
+  void finish() {
+    file_.finish();
+    lock_.finish();
+    folder_.finish();
+  }
+
+ private:
+  // The last one is removed first.
+  base::UnfinishedFile folder_, lock_, file_;
+};
+
 int import_learner(Console& console, const FileSettings& settings) {
   const auto to_check = study::file_source(settings.file);
   if (!to_check) return console.refuse(to_check.error());
@@ -100,11 +121,19 @@ int import_learner(Console& console, const FileSettings& settings) {
   }
   const auto source = study::file_source(settings.file);
   if (!source) return console.refuse(source.error());
+  const auto path = learner_path(settings.options);
+  if (!path) return console.refuse(path.error());
+  std::error_code unknown;
+  const bool is_new = !fs::exists(*path, unknown) && !unknown;
+  std::optional<NewLearner> unfinished;
   auto learner = open_learner(settings.options, Access::write);
   if (!learner) return console.refuse(learner.error());
+  // Noted only once it is open here: before that the file may be another program's.
+  if (is_new && learner->last_entry() == 0) unfinished.emplace(*path);
   const auto done = study::import_json(*learner, *source, base::part_of(progress.callback(), kChecking, 1));
   progress.clear();
   if (!done) return console.refuse(done.error());
+  if (unfinished) unfinished->finish();
   console.print(settings.options.json
                     ? to_text({{"entries", learner->last_entry()}, {"characters", learner->cards().size()}})
                     : fmt::format("{}, {}\n", counted(learner->last_entry(), "entry", "entries"),

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "nazori/surface/height_map.h"
 #include "program.h"
@@ -150,6 +151,74 @@ TEST(Stop, ADatabaseThatIsBeingBuiltLeavesTheOldOne) {
   EXPECT_EQ(build.wait().code, 130);
   EXPECT_EQ(bytes_of(output).size(), 11U);
   EXPECT_THAT(folder.names(), ElementsAre("kanji.db"));
+}
+
+/// An export of so many reviews of one character.
+void write_long_export(const std::string& file, int reviews) {
+  const TemporaryFolder learners;
+  for (int i = 0; i < 2; ++i)
+    ASSERT_EQ(nazori_cli({"study", "review", "休", "--rating", "good", "--now", "2026-01-01T09:00Z",
+                          "--learners", learners.path().string()})
+                  .code,
+              0);
+  ASSERT_EQ(nazori_cli({"study", "export", "--output", file, "--learners", learners.path().string()}).code,
+            0);
+  const auto bytes = bytes_of(file);
+  nlohmann::ordered_json all = nlohmann::ordered_json::parse(bytes.begin(), bytes.end());
+  const nlohmann::ordered_json one = all["entries"].back();
+  for (int id = 3; id <= reviews; ++id) {
+    nlohmann::ordered_json next = one;
+    next["id"] = id;
+    next["action"] = id;
+    all["entries"].push_back(std::move(next));
+  }
+  write(file, all.dump());
+}
+
+TEST(Stop, AnImportThatIsStoppedLeavesNoLearner) {
+  const TemporaryFolder folder;
+  write_long_export(folder / "long.json", 30'000);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    RunningProgram import({"study", "import", folder / "long.json", "--learners", folder / "learners"});
+    ASSERT_TRUE(
+        becomes_true([&folder] { return std::filesystem::exists(folder / "learners/learner/learner.db"); }));
+    import.signal(signal);
+    EXPECT_EQ(import.wait().code, 128 + signal);
+    EXPECT_FALSE(std::filesystem::exists(folder / "learners/learner"));
+  }
+  RunningProgram whole({"study", "import", folder / "long.json", "--learners", folder / "learners"});
+  EXPECT_EQ(whole.wait().code, 0);
+}
+
+TEST(Stop, AnExportThatIsStoppedLeavesTheOldOne) {
+  const TemporaryFolder folder;
+  write_long_export(folder / "long.json", 30'000);
+  ASSERT_EQ(nazori_cli({"study", "import", folder / "long.json", "--learners", folder / "learners"}).code, 0);
+  for (const std::string name : {"out.json", "out.csv"}) {
+    write(folder / name, "the old one");
+    const auto before = folder.names();
+    RunningProgram export_({"study", "export", "--output", folder / name, "--learners", folder / "learners"});
+    ASSERT_TRUE(becomes_true([&] { return folder.names().size() > before.size(); }));
+    export_.signal(SIGTERM);
+    EXPECT_EQ(export_.wait().code, 143);
+    EXPECT_EQ(bytes_of(folder / name).size(), 11U);
+    EXPECT_EQ(folder.names(), before);
+  }
+}
+
+TEST(Stop, ARebuildThatIsStoppedLeavesTheLearnerAsItWas) {
+  const TemporaryFolder folder;
+  const std::string learners = folder / "learners";
+  write_long_export(folder / "long.json", 30'000);
+  ASSERT_EQ(nazori_cli({"study", "import", folder / "long.json", "--learners", learners}).code, 0);
+  const std::string before =
+      nazori_cli({"study", "next", "--json", "--now", "2026-01-01T09:00Z", "--learners", learners}).out;
+  RunningProgram rebuild({"study", "rebuild", "--learners", learners});
+  ASSERT_TRUE(becomes_true([&rebuild] { return rebuild.has_open("learner.db"); }));
+  rebuild.signal(SIGINT);
+  EXPECT_EQ(rebuild.wait().code, 130);
+  EXPECT_EQ(nazori_cli({"study", "next", "--json", "--now", "2026-01-01T09:00Z", "--learners", learners}).out,
+            before);
 }
 
 TEST(Stop, ALearnerInUseHasACodeOfItsOwn) {

@@ -80,7 +80,8 @@ std::unique_lock<std::timed_mutex> remove_unfinished_files() {
   constexpr auto kPatience = std::chrono::milliseconds(50);
   std::unique_lock lock(all().mutex, kPatience);
   if (!lock.owns_lock()) return lock;
-  for (const auto& [id, entry] : all().entries) remove(entry);
+  // As destructors would: what was noted last goes first, a folder after what lies in it.
+  for (auto entry = all().entries.rbegin(); entry != all().entries.rend(); ++entry) remove(entry->second);
   return lock;
 }
 

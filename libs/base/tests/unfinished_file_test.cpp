@@ -100,6 +100,9 @@ TEST_F(UnfinishedFilesDeathTest, AreRemovedBeforeAProgramEndsAtOnce) {
     (void)file->append("new");
     UnfinishedFile database(make("b.part"), UnfinishedKind::database);
     (void)make("b.part-journal");
+    fs::create_directory(folder_ / "inner");
+    UnfinishedFile inner(folder_ / "inner");
+    UnfinishedFile within(make("inner/file"));
     UnfinishedFile whole(make("whole"));
     whole.finish();
     const auto lock = remove_unfinished_files();

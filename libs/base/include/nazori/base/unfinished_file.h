@@ -16,7 +16,7 @@ enum class UnfinishedKind : std::uint8_t {
 
 /// A file that is only half there while this object lives, such as one that is written under another name
 /// first. It is removed when the object goes before finish(), and by remove_unfinished_files() when the
-/// program has to end at once. Thread rules: one object by one thread at a time, several objects by several
+/// program has to end at once. A folder is removed where it is empty by then. Thread rules: one object by one thread at a time, several objects by several
 /// threads.
 class UnfinishedFile {
  public:
@@ -39,7 +39,7 @@ class UnfinishedFile {
   std::uint64_t id_ = 0;
 };
 
-/// Removes every unfinished file of the program. For the moment before it ends: no file can be noted while
+/// Removes every unfinished file of the program, the one noted last first. For the moment before it ends: no file can be noted while
 /// the result lives.
 [[nodiscard]] std::unique_lock<std::timed_mutex> remove_unfinished_files();
 
