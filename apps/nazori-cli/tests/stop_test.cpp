@@ -177,7 +177,7 @@ void write_long_export(const std::string& file, int reviews) {
 
 TEST(Stop, AnImportThatIsStoppedLeavesNoLearner) {
   const TemporaryFolder folder;
-  write_long_export(folder / "long.json", 30'000);
+  write_long_export(folder / "long.json", 12'000);
   for (const int signal : {SIGINT, SIGTERM}) {
     RunningProgram import({"study", "import", folder / "long.json", "--learners", folder / "learners"});
     ASSERT_TRUE(
@@ -192,7 +192,7 @@ TEST(Stop, AnImportThatIsStoppedLeavesNoLearner) {
 
 TEST(Stop, AnExportThatIsStoppedLeavesTheOldOne) {
   const TemporaryFolder folder;
-  write_long_export(folder / "long.json", 30'000);
+  write_long_export(folder / "long.json", 12'000);
   ASSERT_EQ(nazori_cli({"study", "import", folder / "long.json", "--learners", folder / "learners"}).code, 0);
   for (const std::string name : {"out.json", "out.csv"}) {
     write(folder / name, "the old one");
@@ -209,7 +209,7 @@ TEST(Stop, AnExportThatIsStoppedLeavesTheOldOne) {
 TEST(Stop, ARebuildThatIsStoppedLeavesTheLearnerAsItWas) {
   const TemporaryFolder folder;
   const std::string learners = folder / "learners";
-  write_long_export(folder / "long.json", 30'000);
+  write_long_export(folder / "long.json", 12'000);
   ASSERT_EQ(nazori_cli({"study", "import", folder / "long.json", "--learners", learners}).code, 0);
   const std::string before =
       nazori_cli({"study", "next", "--json", "--now", "2026-01-01T09:00Z", "--learners", learners}).out;
