@@ -27,6 +27,7 @@ constexpr std::string_view kReplaced = "before-restore";
 constexpr std::string_view kPart = ".part";
 constexpr std::string_view kExtension = ".db";
 constexpr int kPagesAtOnce = 1'024;
+constexpr int kPagesBetweenFlushes = 4'096;
 
 bool is_daily(const fs::path& file) {
   const std::string name = file.filename().string();
@@ -175,6 +176,7 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
     try {
       SQLite::Database target(beside.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
       SQLite::Backup backup(target, database);
+      int flushed = 0;
       for (int step = SQLITE_OK; step != SQLITE_DONE;) {
         step = backup.executeStep(kPagesAtOnce);
         if (step == SQLITE_BUSY || step == SQLITE_LOCKED)
@@ -182,6 +184,12 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
         const double all = std::max(1, backup.getTotalPageCount());
         if (progress && !progress(1 - backup.getRemainingPageCount() / all, "copy"))
           return base::fail(Errc::cancelled, "stopped", file.string());
+        // While the system writes hundreds of megabytes at once, not even a signal ends the program. This
+        // takes SQLite's lock off the file, which nobody else knows.
+        const int copied_pages = backup.getTotalPageCount() - backup.getRemainingPageCount();
+        if (copied_pages - flushed < kPagesBetweenFlushes) continue;
+        flushed = copied_pages;
+        if (auto done = flush(beside); !done) return done;
       }
       // A copy of a WAL file is one too; a backup shall be a single file.
       (void)target.execAndGet("PRAGMA journal_mode = DELETE");
