@@ -194,7 +194,7 @@ base::Result<std::optional<Undone>> LearnerStore::undo() {
   });
 }
 
-base::Result<void> LearnerStore::change_settings(const Settings& settings) {
+base::Result<void> LearnerStore::change_settings(const Settings& settings, const base::Progress& progress) {
   if (auto fine = check(settings); !fine) return fine;
   if (settings == this->settings()) return {};
   return inside_->guarded([&]() -> base::Result<void> {
@@ -208,8 +208,14 @@ base::Result<void> LearnerStore::change_settings(const Settings& settings) {
       SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
       LogWriter(in.db).add(entry);
       if (all_change) {
+        double done = 0;
         for (auto& [character, card] : changed) {
           if (const auto anew = in.refresh_row(character)) card = *anew;
+          done += 1;
+          if (progress && !progress(done / static_cast<double>(changed.size()), "cards")) {
+            in.timeline.pop_back();
+            return base::fail(Errc::cancelled, "stopped", in.name);
+          }
         }
       }
       transaction.commit();

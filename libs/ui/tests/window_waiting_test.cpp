@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The window never waits: not for a history of ten years, a new day, or a long recording.
 #include <QLabel>
+#include <QPointer>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QTimer>
 #include <fstream>
@@ -14,6 +16,7 @@
 #include "nazori/study/store_filling.h"
 #include "progress/progress.h"
 #include "study/home.h"
+#include "study/settings_change.h"
 #include "watchdog.h"
 #include "window_under_test.h"
 
@@ -172,6 +175,42 @@ TEST_F(Waiting, ADamagedFileIsFoundBehindTheWindowAndNothingMoreIsWritten) {
   EXPECT_TRUE(the_desk->learner().trouble().contains(QStringLiteral("damaged")))
       << the_desk->learner().trouble().toStdString();
   EXPECT_TRUE(study::backups_of(learner_file()).empty()) << "a damaged file is not backed up";
+}
+
+TEST_F(Waiting, SettingsThatChangeEveryCharacterAreKeptBehindTheWindowOrNotAtAll) {
+  {
+    auto store = study::LearnerStore::open(learner_file(), study::Access::write, clock_);
+    ASSERT_TRUE(store);
+    ASSERT_TRUE(store->fill(ten_years(characters(*store), now_, 20'000)));
+  }
+  open_home();
+  ASSERT_TRUE(keeps_up_to_date());
+  Learner& learner = the_desk->learner();
+  const study::Settings before = learner.store().settings();
+  study::Settings wanted = before;
+  wanted.fsrs.weights[2] *= 1.1;
+  ASSERT_TRUE(SettingsChange::takes_long(learner.store(), wanted));
+
+  Feedback kind{};
+  const auto change = [&](bool is_stopped) {
+    const QPointer<SettingsChange> work = new SettingsChange(learner, wanted, window_.get());
+    QObject::connect(work, &SettingsChange::said, [&kind](Feedback said, const QString&) { kind = said; });
+    if (is_stopped) emit find<QProgressDialog>("settings_progress")->canceled();
+    return QTest::qWaitFor([&work] { return work.isNull(); }, 60'000);
+  };
+  ASSERT_TRUE(change(true));
+  EXPECT_EQ(kind, Feedback::hint);
+  EXPECT_EQ(learner.store().settings(), before);
+  ASSERT_TRUE(keeps_up_to_date());
+
+  const auto stability = [&learner] { return learner.store().cards().begin()->second.memory.stability; };
+  const double as_before = stability();
+  const Watchdog watchdog;
+  ASSERT_TRUE(change(false));
+  EXPECT_LT(watchdog.longest_ms(), kLongest_ms) << watchdog.longest().toStdString();
+  EXPECT_EQ(kind, Feedback::good);
+  EXPECT_EQ(learner.store().settings(), wanted);
+  EXPECT_NE(stability(), as_before);
 }
 
 TEST_F(Waiting, ABrokenRecordingIsCompletedAndItsTableWrittenBehindTheWindow) {

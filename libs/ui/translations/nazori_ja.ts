@@ -3582,6 +3582,10 @@ Columns and rows:</source>
         <source>Stroke orders (*.str)</source>
         <translation>筆順 (*.str)</translation>
     </message>
+    <message>
+        <source>%1 × %1</source>
+        <translation>%1 × %1</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::SeatPanel</name>
@@ -3971,6 +3975,33 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::SettingsChange</name>
+    <message>
+        <source>Working out every character anew…</source>
+        <translation>すべての漢字を計算し直しています…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>止める</translation>
+    </message>
+    <message>
+        <source>Every character of %1 is being worked out anew. Nothing is kept until that is done.</source>
+        <translation>%1 のすべての漢字を計算し直しています。終わるまで、書いたものは保存されません。</translation>
+    </message>
+    <message>
+        <source>The study settings hold from now on.</source>
+        <translation>学習の設定はこれから有効です。</translation>
+    </message>
+    <message>
+        <source>Stopped. The study settings are as they were.</source>
+        <translation>止めました。学習の設定は元のままです。</translation>
+    </message>
+    <message>
+        <source>The study settings were not kept: %1. They are as they were.</source>
+        <translation>学習の設定を保存できませんでした：%1。設定は元のままです。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StatusLine</name>
     <message>
         <source>Writing %1: %2 %</source>
@@ -4042,6 +4073,53 @@ Columns and rows:</source>
     <message>
         <source>%1, %2, known with a chance of %3</source>
         <translation>%1、%2、思い出せる見込み %3</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StrictnessSlider</name>
+    <message>
+        <source>&amp;Judged</source>
+        <translation>採点(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Strictness</source>
+        <translation>採点の厳しさ</translation>
+    </message>
+    <message>
+        <source>How strictly writing is judged (Ctrl+[ and Ctrl+])</source>
+        <translation>採点の厳しさ（Ctrl+[ と Ctrl+]）</translation>
+    </message>
+    <message>
+        <source>lenient</source>
+        <translation>甘い</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>ふつう</translation>
+    </message>
+    <message>
+        <source>strict</source>
+        <translation>厳しい</translation>
+    </message>
+    <message>
+        <source>leniently</source>
+        <translation>甘く</translation>
+    </message>
+    <message>
+        <source>strictly</source>
+        <translation>厳しく</translation>
+    </message>
+    <message>
+        <source>as a teacher does</source>
+        <translation>先生のように</translation>
+    </message>
+    <message>
+        <source>rather leniently</source>
+        <translation>やや甘く</translation>
+    </message>
+    <message>
+        <source>rather strictly</source>
+        <translation>やや厳しく</translation>
     </message>
 </context>
 <context>
@@ -4946,6 +5024,28 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::WritingPanel</name>
+    <message>
+        <source>Your writing</source>
+        <translation>あなたの字</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::WritingReport</name>
+    <message>
+        <source>What was found in your writing</source>
+        <translation>書いた字の講評</translation>
+    </message>
+    <message>
+        <source>Accepted: %1 of 100 points</source>
+        <translation>合格：100点中%1点</translation>
+    </message>
+    <message>
+        <source>Not yet: %1 of 100 points</source>
+        <translation>もう少し：100点中%1点</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::plot_words</name>
     <message>
         <source>infinity</source>
@@ -5009,75 +5109,6 @@ Columns and rows:</source>
     <message>
         <source>another program is using it</source>
         <translation>ほかのプログラムが使用中です</translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::StrictnessSlider</name>
-    <message>
-        <source>&amp;Judged</source>
-        <translation>採点(&amp;J)</translation>
-    </message>
-    <message>
-        <source>Strictness</source>
-        <translation>採点の厳しさ</translation>
-    </message>
-    <message>
-        <source>How strictly writing is judged (Ctrl+[ and Ctrl+])</source>
-        <translation>採点の厳しさ（Ctrl+[ と Ctrl+]）</translation>
-    </message>
-    <message>
-        <source>lenient</source>
-        <translation>甘い</translation>
-    </message>
-    <message>
-        <source>normal</source>
-        <translation>ふつう</translation>
-    </message>
-    <message>
-        <source>strict</source>
-        <translation>厳しい</translation>
-    </message>
-    <message>
-        <source>leniently</source>
-        <translation>甘く</translation>
-    </message>
-    <message>
-        <source>strictly</source>
-        <translation>厳しく</translation>
-    </message>
-    <message>
-        <source>as a teacher does</source>
-        <translation>先生のように</translation>
-    </message>
-    <message>
-        <source>rather leniently</source>
-        <translation>やや甘く</translation>
-    </message>
-    <message>
-        <source>rather strictly</source>
-        <translation>やや厳しく</translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::WritingPanel</name>
-    <message>
-        <source>Your writing</source>
-        <translation>あなたの字</translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::WritingReport</name>
-    <message>
-        <source>What was found in your writing</source>
-        <translation>書いた字の講評</translation>
-    </message>
-    <message>
-        <source>Accepted: %1 of 100 points</source>
-        <translation>合格：100点中%1点</translation>
-    </message>
-    <message>
-        <source>Not yet: %1 of 100 points</source>
-        <translation>もう少し：100点中%1点</translation>
     </message>
 </context>
 </TS>

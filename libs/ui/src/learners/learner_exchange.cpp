@@ -101,10 +101,14 @@ void LearnerExchange::end() {
 }
 
 base::Progress LearnerExchange::progress() {
-  return [this](double done, std::string_view) {
-    worker_.answer([this, done] {
-      if (dialog_ != nullptr && wanted_) dialog_->setValue(std::clamp(static_cast<int>(100 * done), 0, 99));
-    });
+  // The dialog paints itself whenever it is told, so it is told of whole percents.
+  return [this, told = 0](double done, std::string_view) mutable {
+    const int percent = std::clamp(static_cast<int>(100 * done), 0, 99);
+    if (percent > std::exchange(told, percent)) {
+      worker_.answer([this, percent] {
+        if (dialog_ != nullptr && wanted_) dialog_->setValue(percent);
+      });
+    }
     return wanted_.load();
   };
 }

@@ -8,6 +8,7 @@
 #include "desk.h"
 #include "error_text.h"
 #include "kanji_text.h"
+#include "study/settings_change.h"
 #include "study/study_settings_dialog.h"
 
 namespace nazori::ui {
@@ -20,8 +21,14 @@ void ask_study_settings(Desk& desk) {
   desk.save_later();
   desk.note_study_settings();
   const auto wanted = dialog.settings();
-  if (learner.can_write() && wanted != learner.store().settings())
+  if (learner.can_write() && wanted != learner.store().settings()) {
+    if (SettingsChange::takes_long(learner.store(), wanted)) {
+      auto* change = new SettingsChange(learner, wanted, &desk.window());
+      QObject::connect(change, &SettingsChange::said, &desk, &Desk::say);
+      return;
+    }
     if (!learner.take(learner.store().change_settings(wanted))) return;
+  }
   desk.say(Feedback::good, QCoreApplication::translate("nazori::ui::StudySettingsDialog",
                                                        "The study settings hold from now on."));
 }

@@ -129,8 +129,9 @@ class LearnerStore {
   [[nodiscard]] base::Result<void> leech_met(std::span<const char32_t> characters) {
     return act(characters, EntryKind::leech_met);
   }
-  /// @return Errc::bad_argument as check() says.
-  [[nodiscard]] base::Result<void> change_settings(const Settings& settings);
+  /// @return Errc::bad_argument as check() says; Errc::cancelled, then they are as they were.
+  [[nodiscard]] base::Result<void> change_settings(const Settings& settings,
+                                                   const base::Progress& progress = {});
 
   // The log
   struct LoggedEntry {
