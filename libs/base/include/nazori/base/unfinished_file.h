@@ -16,8 +16,8 @@ enum class UnfinishedKind : std::uint8_t {
 
 /// A file that is only half there while this object lives, such as one that is written under another name
 /// first. It is removed when the object goes before finish(), and by remove_unfinished_files() when the
-/// program has to end at once. A folder is removed where it is empty by then. Thread rules: one object by one thread at a time, several objects by several
-/// threads.
+/// program has to end at once. A folder is removed where it is empty by then. Thread rules: one object by one
+/// thread at a time, several objects by several threads.
 class UnfinishedFile {
  public:
   /// No file.
@@ -39,8 +39,8 @@ class UnfinishedFile {
   std::uint64_t id_ = 0;
 };
 
-/// Removes every unfinished file of the program, the one noted last first. For the moment before it ends: no file can be noted while
-/// the result lives.
+/// Removes every unfinished file of the program, the one noted last first. For the moment before it ends: no
+/// file can be noted while the result lives.
 [[nodiscard]] std::unique_lock<std::timed_mutex> remove_unfinished_files();
 
 }  // namespace nazori::base
