@@ -4,11 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nazori::carving {
 namespace {
 
 constexpr int kBandRows = 48;
+constexpr int kTile = 16;  ///< samples on each side; bands are whole tiles high
+static_assert(kBandRows % kTile == 0);
+/// Square of a depth from which on more strokes change it by less than a float of the map tells.
+constexpr float kFull = 1.0F - 1e-7F;
+/// So many changed rows of a tile are worth a look at all of it.
+constexpr int kChangesBetweenLooks = 64;
 
 // Cross sections: depth in [0, 1] at x in [0, 1], the distance from the centre line in half widths. All of
 // them are level at the lip and at the centre, so that no groove has an edge.
@@ -101,10 +108,46 @@ void fill_changing(float* row, int count, Ramp across, Ramp from, Ramp to, Ramp 
 }  // namespace
 
 Relief::Relief(std::span<float> samples, int size, CrossSection cross_section)
-    : samples_(samples), size_(size), cross_section_(cross_section) {}
+    : samples_(samples),
+      size_(size),
+      cross_section_(cross_section),
+      used_(kBandRows, Columns{0, 0}),
+      tiles_in_row_((size + kTile - 1) / kTile),
+      tiles_(static_cast<std::size_t>(tiles_in_row_) * static_cast<std::size_t>(tiles_in_row_)) {}
+
+void Relief::note(int row, int begin, int end) {
+  const int top = row / kTile * kTile;
+  Tile* const tiles =
+      tiles_.data() + static_cast<std::size_t>(row / kTile) * static_cast<std::size_t>(tiles_in_row_);
+  for (int column = begin / kTile; column * kTile < end; ++column) {
+    Tile& tile = tiles[column];
+    if (tile.is_full || ++tile.changes < kChangesBetweenLooks) continue;
+    tile.changes = 0;
+    const int right = std::min((column + 1) * kTile, size_);
+    tile.is_full = true;
+    for (int y = top; y < std::min(top + kTile, size_) && tile.is_full; ++y) {
+      const float* const line =
+          samples_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(size_);
+      tile.is_full = std::all_of(line + column * kTile, line + right, [](float s) { return s >= kFull; });
+    }
+    any_full_ = any_full_ || tile.is_full;
+  }
+}
+
+bool Relief::is_full(int tile_row, double left, double right) const {
+  if (!any_full_) return false;
+  const int begin = clamp_to_int(std::floor(left / kTile), 0, tiles_in_row_);
+  const int end = clamp_to_int(std::floor(right / kTile) + 1, 0, tiles_in_row_);
+  const Tile* const tiles =
+      tiles_.data() + static_cast<std::size_t>(tile_row) * static_cast<std::size_t>(tiles_in_row_);
+  return std::all_of(tiles + begin, tiles + std::max(begin, end),
+                     [](const Tile& tile) { return tile.is_full; });
+}
 
 float* Relief::row_of(int row, int begin, int end) {
   Columns& used = used_[static_cast<std::size_t>(row - first_row_)];
+  cut_begin_ = std::min(cut_begin_, row);
+  cut_end_ = std::max(cut_end_, row + 1);
   float* const line =
       depths_.data() + static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(size_);
   if (used.begin >= used.end) {
@@ -125,12 +168,6 @@ float* Relief::row_of(int row, int begin, int end) {
 
 template <class Profile>
 void Relief::sweep(const Joint& from, const Joint& to, Profile profile) {
-  const double dx = to.x - from.x;
-  const double dy = to.y - from.y;
-  const double length = std::hypot(dx, dy);
-  if (length <= 0) return;
-  const double ux = dx / length;
-  const double uy = dy / length;
   const double reach = std::max(from.half_width, to.half_width);
   if (reach <= 0) return;
   // Cross lines may lean against the segment; this is how far their ends reach.
@@ -139,13 +176,40 @@ void Relief::sweep(const Joint& from, const Joint& to, Profile profile) {
       std::max(first_row_, clamp_to_int(std::ceil(std::min(from.y, to.y) - lean), 0, size_));
   const int row_end =
       std::min(last_row_, clamp_to_int(std::floor(std::max(from.y, to.y) + lean) + 1, 0, size_));
+  if (row_begin >= row_end) return;
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  const double length = std::hypot(dx, dy);
+  if (length <= 0) return;
+  const double ux = dx / length;
+  const double uy = dy / length;
+  constexpr double kLevel = 1e-9;
+  for (int row = row_begin; row < row_end;) {
+    const int rows_end = std::min(row_end, (row / kTile + 1) * kTile);
+    double left = std::min(from.x, to.x) - lean;
+    double right = std::max(from.x, to.x) + lean;
+    if (std::abs(uy) > kLevel) {
+      const double first = from.x + (row - from.y) * ux / uy;
+      const double last = from.x + (rows_end - 1 - from.y) * ux / uy;
+      left = std::max(left, std::min(first, last) - reach / std::abs(uy));
+      right = std::min(right, std::max(first, last) + reach / std::abs(uy));
+    }
+    if (!is_full(row / kTile, left, right)) sweep_rows(from, to, ux, uy, row, rows_end, profile);
+    row = rows_end;
+  }
+}
+
+template <class Profile>
+void Relief::sweep_rows(const Joint& from, const Joint& to, double ux, double uy, int row_begin, int row_end,
+                        Profile profile) {
+  const double reach = std::max(from.half_width, to.half_width);
   const bool even = from.half_width == to.half_width && from.depth == to.depth;
+  constexpr double kLevel = 1e-9;
   for (int row = row_begin; row < row_end; ++row) {
     const double from_dy = row - from.y;
     const double to_dy = row - to.y;
     Span span{0, size_};
     // Distance from the line: (x - from.x) * -uy + from_dy * ux, within the groove.
-    constexpr double kLevel = 1e-9;
     if (std::abs(uy) > kLevel) {
       const double a = from.x + (from_dy * ux - reach) / uy;
       const double b = from.x + (from_dy * ux + reach) / uy;
@@ -184,6 +248,10 @@ void Relief::press(const Joint& at, Profile profile) {
   const int row_begin = std::max(first_row_, clamp_to_int(std::ceil(at.y - radius), 0, size_));
   const int row_end = std::min(last_row_, clamp_to_int(std::floor(at.y + radius) + 1, 0, size_));
   for (int row = row_begin; row < row_end; ++row) {
+    if (is_full(row / kTile, at.x - radius, at.x + radius)) {
+      row = (row / kTile + 1) * kTile - 1;
+      continue;
+    }
     const double dy = row - at.y;
     const double half = std::sqrt(std::max(radius * radius - dy * dy, 0.0));
     const int begin = column_from(at.x - half, size_);
@@ -203,8 +271,8 @@ void Relief::press(const Joint& at, Profile profile) {
 }
 
 void Relief::join() {
-  for (int row = first_row_; row < last_row_; ++row) {
-    const Columns used = used_[static_cast<std::size_t>(row - first_row_)];
+  for (int row = cut_begin_; row < cut_end_; ++row) {
+    const Columns used = std::exchange(used_[static_cast<std::size_t>(row - first_row_)], Columns{0, 0});
     const float* depths =
         depths_.data() + static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(size_);
     float* out = samples_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(size_);
@@ -212,6 +280,7 @@ void Relief::join() {
       const float square = depths[x] * depths[x];
       out[x] += square - out[x] * square;
     }
+    note(row, used.begin, used.end);
   }
 }
 
@@ -223,13 +292,14 @@ void Relief::cut_with(const Piece& piece, Profile profile) {
     top = std::min(top, joint.y - joint.half_width);
     bottom = std::max(bottom, joint.y + joint.half_width);
   }
-  const int begin = clamp_to_int(std::floor(top), 0, size_);
+  const int begin = clamp_to_int(std::floor(top), 0, size_) / kTile * kTile;
   const int end = clamp_to_int(std::ceil(bottom) + 1, 0, size_);
-  depths_.resize(static_cast<std::size_t>(std::min(kBandRows, size_)) * static_cast<std::size_t>(size_));
+  depths_.resize(static_cast<std::size_t>(kBandRows) * static_cast<std::size_t>(size_));
   for (int band = begin; band < end; band += kBandRows) {
     first_row_ = band;
-    last_row_ = std::min(end, band + std::min(kBandRows, size_));
-    used_.assign(static_cast<std::size_t>(last_row_ - first_row_), Columns{0, 0});
+    last_row_ = std::min(end, band + kBandRows);
+    cut_begin_ = last_row_;
+    cut_end_ = first_row_;
     for (std::size_t i = 0; i + 1 < piece.joints.size(); ++i)
       sweep(piece.joints[i], piece.joints[i + 1], profile);
     for (const Joint& joint : piece.joints)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace nazori::carving {
 /// brush's depth.
 ///
 /// Grooves join as S = a + b - a b of their squared depths a, b: the deeper one where they differ, a rounded
-/// edge where their walls meet, never deeper than the brush, in any order.
+/// edge where their walls meet, never deeper than the brush, in any order. Where the brush has reached its
+/// depth all over a tile nothing more is cut: a tablet full of scribbles costs little more than a full one.
 class Relief {
  public:
   /// @param samples  size x size, all 0 at first, row-major; changed in place.
@@ -26,16 +28,25 @@ class Relief {
   void cut_with(const Piece& piece, Profile profile);
   template <class Profile>
   void sweep(const Joint& from, const Joint& to, Profile profile);
+  /// The part of a sweep in rows [row_begin, row_end). @param ux,uy  where the segment goes, of length 1.
+  template <class Profile>
+  void sweep_rows(const Joint& from, const Joint& to, double ux, double uy, int row_begin, int row_end,
+                  Profile profile);
   template <class Profile>
   void press(const Joint& at, Profile profile);
   /// The depths of one row from column `begin` up to `end`, ready to be deepened.
   float* row_of(int row, int begin, int end);
   void join();
+  /// Takes note of samples [begin, end) of a row, which may have become full.
+  void note(int row, int begin, int end);
+  /// Whether nothing more can be cut in the tiles of a row of tiles from column `left` to column `right`.
+  [[nodiscard]] bool is_full(int tile_row, double left, double right) const;
 
   std::span<float> samples_;
   int size_;
   CrossSection cross_section_;
-  // Depths of the present piece in rows [first_row_, last_row_) and, per row, the columns that are in use.
+  // Depths of the present piece in rows [first_row_, last_row_) and, per row, the columns that are in use;
+  // none are in use outside of [cut_begin_, cut_end_).
   std::vector<float> depths_;
   struct Columns {
     int begin;
@@ -44,6 +55,15 @@ class Relief {
   std::vector<Columns> used_;
   int first_row_ = 0;
   int last_row_ = 0;
+  int cut_begin_ = 0;
+  int cut_end_ = 0;
+  struct Tile {
+    std::uint8_t changes = 0;  ///< since its samples were looked at
+    bool is_full = false;
+  };
+  int tiles_in_row_;
+  std::vector<Tile> tiles_;
+  bool any_full_ = false;
 };
 
 }  // namespace nazori::carving

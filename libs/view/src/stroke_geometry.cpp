@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "clearance_grid.h"
+#include "hidden_lines.h"
 #include "nazori/geometry/polyline.h"
 
 namespace nazori::view {
@@ -301,6 +302,9 @@ StrokeGeometry make_stroke_geometry(std::span<const kanji::StrokeLine> strokes, 
     append_ink(geometry, line, ink_step, relief, shape);
     geometry.anchors.push_back({geometry::glyph_to_tablet(line.front(), shape), clear_side(lines, grid, i)});
   }
+  geometry.shown_lines = put_hidden_last(geometry.lines, shape);
+  geometry.shown_heads = put_hidden_last(geometry.heads, shape);
+  geometry.shown_classic_heads = put_hidden_last(geometry.classic_heads, shape);
   return geometry;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <span>
 #include <vector>
@@ -47,6 +48,8 @@ struct InkRange {
 };
 
 /// Everything that is drawn for the strokes of a character.
+/// Of very many lines and heads those that others hide come last: "shown" says how many are worth drawing
+/// when all strokes are shown.
 struct StrokeGeometry {
   std::vector<LinePiece> lines;
   std::vector<ArrowHead> heads;
@@ -54,7 +57,10 @@ struct StrokeGeometry {
   std::vector<InkPiece> ink;
   std::vector<InkRange> ink_ranges;   ///< one per stroke
   std::vector<NumberAnchor> anchors;  ///< one per stroke
-  float plateau = 1;                  ///< height of the face from which grooves go down
+  std::size_t shown_lines = 0;
+  std::size_t shown_heads = 0;
+  std::size_t shown_classic_heads = 0;
+  float plateau = 1;  ///< height of the face from which grooves go down
 };
 
 /// Indices of the points of `line` at which a run in one direction ends: corners (a turn of more than 35

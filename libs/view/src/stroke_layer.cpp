@@ -191,11 +191,12 @@ void StrokeLayer::set_strokes(const StrokeGeometry& strokes, const geometry::Tab
                               DrawStatistics& statistics) {
   shape_ = shape;
   anchors_ = strokes.anchors;
-  line_count_ = strokes.lines.size();
-  head_count_ = strokes.heads.size();
-  classic_count_ = strokes.classic_heads.size();
-  if (line_count_ > 0) upload(lines_, GL_ARRAY_BUFFER, std::span<const LinePiece>(strokes.lines), statistics);
-  if (head_count_ > 0) {
+  line_count_ = {strokes.lines.size(), strokes.shown_lines};
+  head_count_ = {strokes.heads.size(), strokes.shown_heads};
+  classic_count_ = {strokes.classic_heads.size(), strokes.shown_classic_heads};
+  if (line_count_.all > 0)
+    upload(lines_, GL_ARRAY_BUFFER, std::span<const LinePiece>(strokes.lines), statistics);
+  if (head_count_.all > 0) {
     upload(heads_, GL_ARRAY_BUFFER, std::span<const ArrowHead>(strokes.heads), statistics);
     upload(classic_heads_, GL_ARRAY_BUFFER, std::span<const LinePiece>(strokes.classic_heads), statistics);
   }
@@ -220,7 +221,7 @@ void StrokeLayer::draw_heads(const Projection& projection, float size, float gro
   head_.set("colour_of_head", colour);
   head_.set("current", static_cast<float>(current));
   glBindVertexArray(heads_array_.name());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(head_count_));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(head_count_.of(current)));
 }
 
 void StrokeLayer::draw_ways(const Projection& projection, const Look& look, const StrokeChoice& choice) {
@@ -238,8 +239,8 @@ void StrokeLayer::draw_ways(const Projection& projection, const Look& look, cons
   const double pixel = choice.scale;
   if (look.style == Style::classic) {
     const auto half = static_cast<float>(kClassicHalfWidth * pixel);
-    draw_lines(lines_array_, line_count_, half, stroke, current);
-    if (choice.heads) draw_lines(classic_array_, classic_count_, half, stroke, current);
+    draw_lines(lines_array_, line_count_.of(current), half, stroke, current);
+    if (choice.heads) draw_lines(classic_array_, classic_count_.of(current), half, stroke, current);
     return;
   }
   const double grow = std::sqrt(choice.text_scale) * pixel;
@@ -248,11 +249,11 @@ void StrokeLayer::draw_ways(const Projection& projection, const Look& look, cons
   const auto head = static_cast<float>(kHeadLength * grow);
   const FadedOnce faded(choice.lines_opacity);
   faded.begin_layer();
-  draw_lines(lines_array_, line_count_, half + outline, colours.stroke_edge, current);
+  draw_lines(lines_array_, line_count_.of(current), half + outline, colours.stroke_edge, current);
   if (choice.heads) draw_heads(projection, head, outline, colours.stroke_edge, current);
   line_.use();
   faded.begin_layer();
-  draw_lines(lines_array_, line_count_, half, stroke, current);
+  draw_lines(lines_array_, line_count_.of(current), half, stroke, current);
   if (choice.heads) draw_heads(projection, head, 0, stroke, current);
 }
 

@@ -67,9 +67,15 @@ class StrokeLayer {
   NumberFont font_;
   LabelSheet sheet_;
   int sheet_numbers_ = 0;
-  std::size_t line_count_ = 0;
-  std::size_t head_count_ = 0;
-  std::size_t classic_count_ = 0;
+  /// How many there are, and how many are drawn when all strokes are shown.
+  struct Count {
+    std::size_t all = 0;
+    std::size_t shown = 0;
+    [[nodiscard]] std::size_t of(int current) const { return current > 0 ? all : shown; }
+  };
+  Count line_count_;
+  Count head_count_;
+  Count classic_count_;
   std::vector<NumberAnchor> anchors_;
   geometry::TabletShape shape_;
   std::vector<NumberPlace> numbers_;
