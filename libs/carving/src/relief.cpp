@@ -179,7 +179,7 @@ void Relief::sweep(const Joint& from, const Joint& to, Profile profile) {
   if (row_begin >= row_end) return;
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;
-  const double length = std::hypot(dx, dy);
+  const double length = std::sqrt(dx * dx + dy * dy);
   if (length <= 0) return;
   const double ux = dx / length;
   const double uy = dy / length;
