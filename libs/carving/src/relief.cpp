@@ -9,13 +9,13 @@
 namespace nazori::carving {
 namespace {
 
-constexpr int kBandRows = 48;
-constexpr int kTile = 16;  ///< samples on each side; bands are whole tiles high
+constexpr int kBandRows = 64;
+constexpr int kTile = 32;  ///< samples on each side; bands are whole tiles high
 static_assert(kBandRows % kTile == 0);
 /// Square of a depth from which on more strokes change it by less than a float of the map tells.
 constexpr float kFull = 1.0F - 1e-7F;
 /// So many changed rows of a tile are worth a look at all of it.
-constexpr int kChangesBetweenLooks = 64;
+constexpr int kChangesBetweenLooks = 128;
 
 // Cross sections: depth in [0, 1] at x in [0, 1], the distance from the centre line in half widths. All of
 // them are level at the lip and at the centre, so that no groove has an edge.
