@@ -184,5 +184,34 @@ TEST(Carve, AFittedBrushIsNeverWiderThanTheGivenOne) {
   EXPECT_EQ(fitted({.width = 9, .fit = false}, dense).width, 9);
 }
 
+TEST(Carve, WhereStrokesHaveFilledATileTheOthersStillCutAllAroundIt) {
+  // Level strokes fill a corner, for they begin leftmost and so are cut first. The others go on past it, and
+  // dots reach over its lower border.
+  constexpr int kSize = 128;
+  std::vector<StrokeLine> strokes;
+  for (double x = 1; x < 1.4; x += 0.1)
+    for (double y = 2; y <= 54; y += 1) strokes.push_back(stroke({{x, y}, {62, y}}));
+  // Where the corner is full these still make the other half deeper, which is everywhere half deep by then.
+  for (double y = 2; y < 108; y += 4) strokes.push_back(stroke({{64, y}, {108, y}}));
+  for (double x = 10; x < 107; x += 9) strokes.push_back(stroke({{x, 107}, {x + 0.1, 3}}));
+  strokes.push_back(stroke({{107, 40}, {2, 40.3}}));
+  for (double y = 5; y < 60; y += 11) strokes.push_back(stroke({{107, y}, {55, y + 20}, {2, y + 45}}));
+  for (double x = 14; x < 50; x += 9) strokes.push_back(stroke({{x, 56}}));
+  const Brush brush = even_brush(9);
+  std::vector<double> left(static_cast<std::size_t>(kSize) * kSize, 1.0);  // 1 - S
+  for (const StrokeLine& one : strokes) {
+    const auto alone = carve(std::vector{one}, kSize, brush);
+    ASSERT_TRUE(alone);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const double depth = 1.0 - alone->samples()[i];
+      left[i] *= 1 - depth * depth;
+    }
+  }
+  const auto all = carve(strokes, kSize, brush);
+  ASSERT_TRUE(all);
+  for (std::size_t i = 0; i < left.size(); ++i)
+    ASSERT_NEAR(all->samples()[i], 1 - std::sqrt(1 - left[i]), 3e-3) << i % kSize << ", " << i / kSize;
+}
+
 }  // namespace
 }  // namespace nazori::carving
