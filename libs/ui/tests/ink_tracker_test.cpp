@@ -349,7 +349,8 @@ std::vector<Vec3> careful(const std::vector<Vec3>& line, Shake& shake) {
 TEST(InkTracker, NineteenOfTwentyCarefulTracingsAreTaken) {
   int tracings = 0;
   int taken = 0;
-  for (const char32_t character : std::u32string(U"休年人木水火花書国四心必川女子食あうおかけこさすたなぬねはふほまむやらるれろをアキケシツネヒホモ")) {
+  for (const char32_t character : std::u32string(U"休年人木水火花書国四心必川女子食あうおかけこさすたなぬねは"
+                                                 U"ふほまむやらるれろをアキケシツネヒホモ")) {
     std::vector<StrokePath> strokes;
     for (const auto& line : nazori::ui::test::model(character)) {
       StrokePath path;
