@@ -137,7 +137,7 @@ int import_learner(Console& console, const FileSettings& settings) {
   console.print(settings.options.json
                     ? to_text({{"entries", learner->last_entry()}, {"characters", learner->cards().size()}})
                     : fmt::format("{}, {}\n", counted(learner->last_entry(), "entry", "entries"),
-                                  counted(learner->cards().size(), "character")));
+                                  counted(static_cast<std::int64_t>(learner->cards().size()), "character")));
   return kDone;
 }
 
