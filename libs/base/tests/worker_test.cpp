@@ -68,23 +68,26 @@ TEST(Worker, DoesWorkInOrderAndItsAnswersAreHeardInOrderByTheOwner) {
 
 TEST(Worker, ItsEndFinishesThePieceAtHandAndDropsTheRest) {
   Owner owner;
-  std::atomic<bool> begun{false}, may_end{false};
+  std::atomic<bool> begun{false};
   std::atomic<int> finished{0};
   int heard = 0;
   const auto held = std::make_shared<int>(1);
   {
     std::optional<Worker> worker(std::in_place, "test", owner.wake());
-    worker->post([&, held] {
-      worker->answer([&heard, held] { ++heard; });
+    worker->post([&, held, &one = *worker] {
+      one.answer([&heard, held] { ++heard; });
       begun = true;
-      while (!may_end) std::this_thread::yield();
+      // Until its end has begun: from then on nothing more is taken.
+      for (bool is_taken = true; is_taken; std::this_thread::yield()) {
+        const auto probe = std::make_shared<int>(1);
+        one.post([probe] {});
+        is_taken = probe.use_count() > 1;
+      }
       ++finished;
     });
     for (int i = 0; i < 10; ++i) worker->post([&finished, held] { ++finished; });
     while (!begun) std::this_thread::yield();
-    std::thread later([&] { may_end = true; });
     worker.reset();
-    later.join();
   }
   EXPECT_EQ(finished, 1);
   EXPECT_EQ(heard, 0);
