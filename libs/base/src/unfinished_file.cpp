@@ -25,8 +25,8 @@ struct Register {
 
 /// Never destroyed: a thread may end the program while the objects of main() go.
 Register& all() {
-  static auto& kAll = *new Register;
-  return kAll;
+  static auto& kept = *new Register;
+  return kept;
 }
 
 void remove(const Entry& entry) {

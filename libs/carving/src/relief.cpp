@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -123,12 +124,13 @@ void Relief::note(int row, int begin, int end) {
     Tile& tile = tiles[column];
     if (tile.is_full || ++tile.changes < kChangesBetweenLooks) continue;
     tile.changes = 0;
-    const int right = std::min((column + 1) * kTile, size_);
+    const std::ptrdiff_t left = static_cast<std::ptrdiff_t>(column) * kTile;
+    const std::ptrdiff_t right = std::min<std::ptrdiff_t>(left + kTile, size_);
     tile.is_full = true;
     for (int y = top; y < std::min(top + kTile, size_) && tile.is_full; ++y) {
       const float* const line =
           samples_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(size_);
-      tile.is_full = std::all_of(line + column * kTile, line + right, [](float s) { return s >= kFull; });
+      tile.is_full = std::all_of(line + left, line + right, [](float s) { return s >= kFull; });
     }
     any_full_ = any_full_ || tile.is_full;
   }

@@ -214,7 +214,7 @@ base::Result<void> LearnerStore::change_settings(const Settings& settings, const
           done += 1;
           if (progress && !progress(done / static_cast<double>(changed.size()), "cards")) {
             in.timeline.pop_back();
-            return base::fail(Errc::cancelled, "stopped", in.name);
+            return base::fail(base::Errc::cancelled, "stopped", in.name);
           }
         }
       }
