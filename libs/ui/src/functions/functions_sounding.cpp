@@ -101,7 +101,9 @@ void FunctionsWorkplace::sound_touched(functions::PlatePoint hand) {
     const int last = heights.size() - 1;
     const int column = std::clamp(static_cast<int>(hand.u * heights.size()), 0, last);
     const int row = std::clamp(static_cast<int>((1 - hand.v) * heights.size()), 0, last);
-    const bool defined = picture.plate.mask[static_cast<std::size_t>(row * heights.size() + column)] != 0;
+    const std::size_t sample = static_cast<std::size_t>(row) * static_cast<std::size_t>(heights.size()) +
+                               static_cast<std::size_t>(column);
+    const bool defined = picture.plate.mask[sample] != 0;
     const functions::Window window{asked.window.x0, asked.window.x1, picture.plate.range.low,
                                    picture.plate.range.high};
     sound_->touch(functions::cue_at({hand.u, heights.at(column, row)}, window, defined ? 1 : 0));
