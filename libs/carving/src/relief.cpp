@@ -17,6 +17,7 @@ static_assert(kBandRows % kTile == 0);
 constexpr float kFull = 1.0F - 1e-7F;
 /// So many changed rows of a tile are worth a look at all of it.
 constexpr int kChangesBetweenLooks = 128;
+constexpr double kLevel = 1e-9;  ///< a segment that rises less than this is level
 
 // Cross sections: depth in [0, 1] at x in [0, 1], the distance from the centre line in half widths. All of
 // them are level at the lip and at the centre, so that no groove has an edge.
@@ -185,7 +186,6 @@ void Relief::sweep(const Joint& from, const Joint& to, Profile profile) {
   if (length <= 0) return;
   const double ux = dx / length;
   const double uy = dy / length;
-  constexpr double kLevel = 1e-9;
   for (int row = row_begin; row < row_end;) {
     const int rows_end = std::min(row_end, (row / kTile + 1) * kTile);
     double left = std::min(from.x, to.x) - lean;
@@ -206,7 +206,6 @@ void Relief::sweep_rows(const Joint& from, const Joint& to, double ux, double uy
                         Profile profile) {
   const double reach = std::max(from.half_width, to.half_width);
   const bool even = from.half_width == to.half_width && from.depth == to.depth;
-  constexpr double kLevel = 1e-9;
   for (int row = row_begin; row < row_end; ++row) {
     const double from_dy = row - from.y;
     const double to_dy = row - to.y;

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <utility>
 
 namespace nazori::view {
 namespace {
 
 constexpr std::size_t kVeryMany = 50'000;
-constexpr int kLineCells =
-    256;  ///< on each side of the tablet: a cell is as wide as a line on a small picture
-constexpr int kHeadCells = 64;  ///< and as long as an arrowhead
+// On each side of the tablet. A cell is as wide as a line on a small picture, or as long as an arrowhead.
+constexpr int kLineCells = 256;
+constexpr int kHeadCells = 64;
 constexpr int kEnough = 4;
 
 /// How often each place of the tablet is covered.
@@ -59,24 +59,29 @@ class Coverage {
   std::vector<std::uint8_t> counts_;
 };
 
+/// @param cells  on each side of the tablet. @param ends_of  the two ends of a mark [m].
+template <class Mark, class EndsOf>
+std::size_t put_hidden_last(std::vector<Mark>& marks, const geometry::TabletShape& shape, int cells,
+                            EndsOf ends_of) {
+  if (marks.size() <= kVeryMany) return marks.size();
+  Coverage coverage(shape, cells);
+  const auto hidden = std::stable_partition(marks.begin(), marks.end(), [&](const Mark& mark) {
+    const auto [from_m, to_m] = ends_of(mark);
+    return coverage.take(from_m, to_m);
+  });
+  return static_cast<std::size_t>(hidden - marks.begin());
+}
+
 }  // namespace
 
 std::size_t put_hidden_last(std::vector<LinePiece>& lines, const geometry::TabletShape& shape) {
-  if (lines.size() <= kVeryMany) return lines.size();
-  Coverage coverage(shape, kLineCells);
-  const auto hidden = std::stable_partition(lines.begin(), lines.end(), [&](const LinePiece& piece) {
-    return coverage.take(piece.from_m, piece.to_m);
-  });
-  return static_cast<std::size_t>(hidden - lines.begin());
+  return put_hidden_last(lines, shape, kLineCells,
+                         [](const LinePiece& piece) { return std::pair(piece.from_m, piece.to_m); });
 }
 
 std::size_t put_hidden_last(std::vector<ArrowHead>& heads, const geometry::TabletShape& shape) {
-  if (heads.size() <= kVeryMany) return heads.size();
-  Coverage coverage(shape, kHeadCells);
-  const auto hidden = std::stable_partition(heads.begin(), heads.end(), [&](const ArrowHead& head) {
-    return coverage.take(head.tip_m, head.tip_m);
-  });
-  return static_cast<std::size_t>(hidden - heads.begin());
+  return put_hidden_last(heads, shape, kHeadCells,
+                         [](const ArrowHead& head) { return std::pair(head.tip_m, head.tip_m); });
 }
 
 }  // namespace nazori::view

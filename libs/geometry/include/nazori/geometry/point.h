@@ -26,7 +26,7 @@ double dot(Point2<Frame> a, Point2<Frame> b) {
 template <class Frame>
 double length(Point2<Frame> a) {
   const double squared = a.x * a.x + a.y * a.y;
-  // std::hypot takes five times as long; it is needed only where the squares leave the range of doubles.
+  // std::hypot is slow, and needed only where the squares leave the range of doubles.
   constexpr double kLeast = 1e-290;
   constexpr double kMost = 1e290;
   return squared > kLeast && squared < kMost ? std::sqrt(squared) : std::hypot(a.x, a.y);
