@@ -83,11 +83,11 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
   return {at, moved};
 }
 
-/// Where the way from `from` (outside) to `to` (inside) crosses the surface, as seen in steps of half a
-/// sample, at most kMostMarch.
+/// Where the way from `from` (outside) to `to` (inside, so below the plateau) crosses the surface, as seen in
+/// steps of half a sample, at most kMostMarch.
 Place crossing(const TabletSurface& surface, const Vec3& from, const Vec3& to) noexcept {
   // Above the plateau there is nothing to meet.
-  double t0 = from.z > 0 && to.z < from.z ? std::clamp(from.z / (from.z - to.z), 0.0, 1.0) : 0.0;
+  double t0 = from.z > 0 ? from.z / (from.z - to.z) : 0.0;
   const auto gap = [&](double t) {
     return from.z + t * (to.z - from.z) -
            surface.height(from.x + t * (to.x - from.x), from.y + t * (to.y - from.y));

@@ -78,6 +78,50 @@ TEST(ForceLimiter, HoldsTheContinuousForceInTheLongRunAndThePeakInTheShort) {
   EXPECT_NEAR(force, 3.3, 1e-9);
 }
 
+TEST(ForceLimiter, HeatIsTheMeanSquareOfTheForceOverTwentySeconds) {
+  DeviceLimits limits;
+  limits.continuous_force_n = 2;
+  limits.max_force_n = 10;
+  ForceLimiter limiter{limits};
+  double mean_square = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const double force = limiter.limit({0, 0, 1.5}, 0.002).z;
+    mean_square += (force * force - mean_square) * 0.002 / 20;
+  }
+  EXPECT_NEAR(limiter.heat(), mean_square / 4, 1e-12);
+  EXPECT_GT(limiter.heat(), 0.2);
+  limits.continuous_force_n = 0;
+  EXPECT_EQ(ForceLimiter{limits}.heat(), 0) << "a device that says nothing about it";
+}
+
+TEST(ForceLimiter, FromEightyPerCentOfTheHeatThePeakFallsInAStraightLine) {
+  DeviceLimits limits;
+  limits.continuous_force_n = 2;
+  limits.max_force_n = 10;
+  limits.max_slew_n_s = 1e9;
+  ForceLimiter limiter{limits};
+  int at_peak = 0, between = 0;
+  for (int i = 0; i < 40'000; ++i) {
+    const double heat = limiter.heat();
+    const double force = limiter.limit({0, 0, 100}, 0.001).z;
+    if (i < 300) continue;
+    const double allowed = heat <= 0.8 ? 10 : 2 + (1 - heat) / 0.2 * 8;
+    ASSERT_NEAR(force, allowed, 1e-9) << heat;
+    ++(heat <= 0.8 ? at_peak : between);
+  }
+  EXPECT_GT(at_peak, 100);
+  EXPECT_GT(between, 100);
+}
+
+TEST(ForceLimiter, ADeviceWhosePeakItBearsForLongIsNeverHeldBack) {
+  DeviceLimits limits;
+  limits.continuous_force_n = limits.max_force_n = 3;
+  ForceLimiter limiter{limits};
+  double force = 0;
+  for (int i = 0; i < 100'000; ++i) force = limiter.limit({0, 0, 9}, 0.001).z;
+  EXPECT_NEAR(force, 3, 1e-12);
+}
+
 TEST(PassiveStiffness, IsThatOfColgateAndSchenkelAndOfHulin) {
   // Colgate's example: 500 N/m at 1 kHz needs 0.25 N s/m.
   EXPECT_NEAR(passive_stiffness_n_m(0.25, 0, 0.001, 0), 500, 1e-9);
@@ -128,6 +172,22 @@ TEST(Passivity, BooksTheForceThatActsNotTheOneThatIsStillUnderway) {
   EXPECT_EQ(passivity.energy_j(), 0);
   passivity.observe({0, 0, 0.001}, {0, 0, 0}, kTick_s, 1);
   EXPECT_NEAR(passivity.energy_j(), -0.001, 1e-12);
+}
+
+TEST(Passivity, KeepsNoMoreThanTheSpringsHold) {
+  // However much the hand has put in: what is beyond the springs' energy went into the wall and is gone.
+  DeviceLimits limits;
+  limits.own_damping_n_s_m = 0;
+  Passivity passivity{limits, kTick_s};
+  constexpr double kStored_j = 0.001;
+  for (int i = 0; i < 10; ++i) passivity.observe({0, 0, -0.001}, {0, 0, 1}, kTick_s, kStored_j);
+  EXPECT_DOUBLE_EQ(passivity.energy_j(), kStored_j);
+  // Now the force does work: just as much as was kept, then more.
+  passivity.observe({0, 0, 0.001}, {0, 0, 1}, kTick_s, kStored_j);
+  EXPECT_NEAR(passivity.energy_j(), 0, 1e-15);
+  passivity.observe({0, 0, 0.0001}, {0, 0, 1}, kTick_s, kStored_j);
+  EXPECT_NEAR(passivity.energy_j(), -0.0001, 1e-15);
+  EXPECT_LT(passivity.correction({0, 0, 0.0001}, kTick_s).z, 0);
 }
 
 TEST(Passivity, LeavesAPassiveSpringAlone) {

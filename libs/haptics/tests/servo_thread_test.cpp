@@ -5,10 +5,12 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <thread>
 #include <vector>
 
 #include "nazori/haptics/latest_value.h"
+#include "nazori/haptics/sample_ring.h"
 #include "nazori/haptics/servo.h"
 #include "relief.h"
 
@@ -89,6 +91,32 @@ TEST(Servo, ScenesAreHandedOverWholeAndFreedByTheInterface) {
   device.join();
   EXPECT_FALSE(below);
   EXPECT_TRUE(in_order);
+}
+
+TEST(Servo, ARecordingThatWasTakenAwayIsNotTouchedAnyMore) {
+  Servo servo{DeviceDescription{}};
+  std::atomic<bool> runs{true};
+  std::thread ticks([&] {
+    for (double time_s = 0.001; runs.load(std::memory_order_relaxed); time_s += 0.001)
+      (void)servo.tick({time_s, {0, 0, 0.01}, 0, true});
+  });
+  const auto ring = std::make_unique<SampleRing>();
+  // Rounds in which the servo does not get round to a tick show nothing.
+  int recorded = 0;
+  for (int i = 0; recorded < 20'000; ++i) {
+    servo.set_recording(ring.get());
+    for (int k = 0; k < i % 50; ++k) std::atomic_signal_fence(std::memory_order_seq_cst);
+    servo.set_recording(nullptr);
+    const std::uint64_t pushed = ring->pushed.load();
+    recorded += pushed > 0 ? 1 : 0;
+    for (int k = 0; k < 20; ++k) std::atomic_signal_fence(std::memory_order_seq_cst);
+    EXPECT_EQ(ring->pushed.load(), pushed) << "in round " << i;
+    if (HasFailure()) break;
+    ring->pushed = 0;
+    ring->taken = 0;
+  }
+  runs = false;
+  ticks.join();
 }
 
 }  // namespace

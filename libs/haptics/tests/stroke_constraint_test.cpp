@@ -64,6 +64,21 @@ TEST(StrokeIndex, LeavesOutWhatIsNoStrokeAndKeepsTheNumbers) {
   EXPECT_EQ(index.at_length(2, 0).segment, -1);
 }
 
+TEST(StrokeIndex, FollowingLooksPastTwoWorseSegmentsOrFourMillimetresOfThem) {
+  // The line goes away from the tip in steps and comes back to it in one.
+  const auto comes_back = [](int steps, double away_m) {
+    StrokePath path{{{-0.002, 0, 0}}};
+    for (int i = 0; i <= steps; ++i) path.points.emplace_back(away_m * i / steps, 0, 0);
+    path.points.emplace_back(0, 0.0012, 0);
+    const StrokeIndex index(std::vector{path}, 0);
+    return index.follow({0, 0.001, 0}, 0).segment == steps + 1;
+  };
+  EXPECT_TRUE(comes_back(3, 0.0039));
+  EXPECT_FALSE(comes_back(3, 0.0041));
+  EXPECT_TRUE(comes_back(1, 0.02));
+  EXPECT_FALSE(comes_back(2, 0.02));
+}
+
 TEST(StrokeConstraint, CatchesWithinTheSnapDistanceOnly) {
   const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0})}, 0);
   StrokeConstraint snap;
@@ -83,6 +98,26 @@ TEST(StrokeConstraint, HoldsAtTheNearestPointWithTheSpringOnceBlendedIn) {
   // Beyond its end the end holds.
   rest(snap, index, {0.036, 0.001, -0.005}, 200);
   EXPECT_NEAR(glm::length(snap.point_m() - Vec3(0.03, 0, -0.005)), 0, 1e-12);
+}
+
+TEST(StrokeConstraint, TheSpringBlendsInEvenlyAndFadesOutAsLong) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0})}, 0);
+  StrokeConstraint snap;
+  constexpr double kAway_m = 0.002;
+  constexpr double kSpring_n = 100 * kAway_m;  // weak, so that the blend alone sets the pace
+  const int blend = static_cast<int>(std::lround(StrokeConstraint::kBlend_s / kTick_s));
+  for (int i = 1; i <= blend; ++i) {
+    rest(snap, index, {0, kAway_m, 0}, 1);
+    EXPECT_NEAR(glm::length(snap.force_n()), kSpring_n * i / blend, 1e-9) << i;
+  }
+  rest(snap, index, {0, kAway_m, 0}, 1);
+  EXPECT_NEAR(glm::length(snap.force_n()), kSpring_n, 1e-12);
+  const StrokeIndex none;
+  snap.let_go();
+  for (int i = blend - 1; i >= 0; --i) {
+    rest(snap, none, {0, kAway_m, 0}, 1);
+    EXPECT_NEAR(glm::length(snap.force_n()), kSpring_n * i / blend, 1e-9) << i;
+  }
 }
 
 TEST(StrokeConstraint, LetsGoWhenPulledBeyondTheReleaseDistance) {
@@ -165,12 +200,55 @@ TEST(StrokeConstraint, AnotherStrokeCannotTakeOverWhileOneHolds) {
   }
 }
 
+TEST(StrokeConstraint, WhileOnePullFadesNoOtherBegins) {
+  const StrokeIndex index(
+      std::vector{line({-0.03, 0, 0}, {0.03, 0, 0}), line({-0.03, 0.03, 0}, {0.03, 0.03, 0})}, 0);
+  StrokeConstraint snap;
+  rest(snap, index, {0, 0.009, 0}, 200);
+  ASSERT_EQ(snap.stroke(), 1);
+  // Away from the first, onto the second.
+  int waited = 0;
+  for (; snap.stroke() != 2 && waited < 500; ++waited) {
+    const double before = glm::length(snap.force_n());
+    rest(snap, index, {0, 0.029, 0}, 1);
+    if (snap.stroke() == 2) break;
+    EXPECT_EQ(snap.stroke(), 0);
+    EXPECT_LE(glm::length(snap.force_n()), before + 1e-12) << waited;
+  }
+  EXPECT_EQ(snap.stroke(), 2);
+  EXPECT_GE(waited, 30) << "the pull of 0.9 N goes by at most 0.04 N a tick";
+  EXPECT_LT(glm::length(snap.force_n()), 0.05);
+}
+
 TEST(StrokeConstraint, OnlyTheChosenStrokeHolds) {
   const std::vector strokes{line({-0.03, 0, 0}, {0.03, 0, 0}), line({-0.03, 0.002, 0}, {0.03, 0.002, 0})};
   const StrokeIndex index(strokes, 2);
   StrokeConstraint snap;
   rest(snap, index, {0, 0, 0}, 5);
   EXPECT_EQ(snap.stroke(), 2);
+}
+
+TEST(StrokeConstraint, WhatIsForgottenPullsNoMoreAndBlendsInAgainFromNothing) {
+  const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0})}, 0);
+  StrokeConstraint snap;
+  const Vec3 at{0, 0.005, 0};
+  rest(snap, index, at, 200);
+  ASSERT_NEAR(glm::length(snap.force_n()), 0.5, 1e-9);
+  snap.forget();
+  EXPECT_EQ(snap.force_n(), Vec3(0));
+  EXPECT_EQ(snap.stroke(), 0);
+  EXPECT_EQ(snap.segment(), -1);
+  StrokeConstraint fresh;
+  for (int i = 0; i < 150; ++i) {
+    rest(snap, index, at, 1);
+    rest(fresh, index, at, 1);
+    ASSERT_EQ(snap.force_n(), fresh.force_n()) << i;
+  }
+  snap.update(StrokeIndex(), kSettings, at, kTick_s);
+  EXPECT_EQ(snap.stroke(), 0) << "the stroke that held is no longer there";
+  snap.forget();
+  snap.update(StrokeIndex(), kSettings, at, kTick_s);
+  EXPECT_EQ(snap.force_n(), Vec3(0)) << "nothing is left to fade out";
 }
 
 TEST(StrokeConstraint, WhenTheStrokesGoItsPullFadesOut) {

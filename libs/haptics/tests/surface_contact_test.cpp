@@ -265,6 +265,53 @@ TEST(SurfaceContact, ADiveAtFiftyMetresASecondIsStoppedWhereItWentIn) {
   }
 }
 
+TEST(SurfaceContact, ADiveIntoAGrooveIsHeldByFrictionWhereItMetTheFloor) {
+  // The way leans by 30 degrees. It passes the plateau's level long before it meets the floor.
+  constexpr double kFloor_m = -0.01;
+  const Relief groove(256, 0.01, [](double, double y) { return std::abs(y) < 0.03 ? kFloor_m : 0.0; });
+  const double lean = std::tan(std::numbers::pi / 6);
+  const auto on_the_way = [&](double z) { return Vec3(-lean * z - 0.02, 0, z); };
+  SurfaceContact contact;
+  const Friction friction{1, 1};
+  contact.update(groove.tablet, on_the_way(0.002), friction);
+  ASSERT_FALSE(contact.touching());
+  contact.update(groove.tablet, on_the_way(kFloor_m - 0.001), friction);
+  ASSERT_TRUE(contact.touching());
+  expect_near(contact.proxy_m(), on_the_way(kFloor_m), kTolerance_m);
+}
+
+TEST(SurfaceContact, ADiveIntoWavesIsHeldByFrictionWhereItFirstMetOne) {
+  const Relief waves(512, 0.01, [](double x, double y) {
+    return -0.005 +
+           0.003 * std::sin(2 * std::numbers::pi * x / 0.012) * std::cos(2 * std::numbers::pi * y / 0.02);
+  });
+  const Friction rough{10, 10};
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> where(-0.03, 0.03), lean(-1.5, 1.5), high(-0.0005, 0.004);
+  int grazing = 0;
+  for (int dive = 0; dive < 300; ++dive) {
+    const Vec3 from{where(random), where(random), high(random)};
+    const Vec3 way = glm::normalize(Vec3(lean(random), lean(random), -1));
+    // The first place below the surface, a thousandth of a sample at a time.
+    double met = 0;
+    while (above(waves, from + met * way) > 0) met += 2e-7;
+    const Vec3 entry = from + met * way;
+    const Vec3 device = entry + (dive % 2 == 0 ? 1e-4 : 3e-3) * way;
+    // Where the way hardly touches a crest it is outside the cone, or out again.
+    if (glm::dot(way, waves.tablet.at(entry.x, entry.y).normal()) > -0.3 || above(waves, device) > 0) {
+      ++grazing;
+      continue;
+    }
+    SurfaceContact contact;
+    contact.update(waves.tablet, from, rough);
+    ASSERT_FALSE(contact.touching());
+    contact.update(waves.tablet, device, rough);
+    ASSERT_TRUE(contact.touching());
+    expect_near(contact.proxy_m(), entry, 1e-6);
+  }
+  EXPECT_LT(grazing, 60);
+}
+
 TEST(SurfaceContact, ASurfaceThatRisesUnderARestingStylusLiftsIt) {
   int lifted = 0;
   for (int i = 0; i < 1000; ++i) {

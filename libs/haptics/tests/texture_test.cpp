@@ -78,6 +78,26 @@ TEST(Texture, WoodIsRoughAcrossItsGrainAndSmoothAlongIt) {
   EXPECT_GT(across, 100 * along);
 }
 
+TEST(Texture, ItsSteepestPlacesAreNearlyAsSteepAsTheBoundSays) {
+  // Half way between two corners of the lattice that differ most. Among 10,000 some nearly reach both bounds.
+  double most = 0;
+  for (int i = 0; i < 100; ++i)
+    for (int j = 0; j < 100; ++j)
+      most = std::max(most, std::abs(texture_slope(Texture::paper, 0.0004 * (i + 0.5), 0.0004 * j).x));
+  EXPECT_LE(most, kSteepestTexture / std::sqrt(2.0));
+  EXPECT_GT(most, 0.97 * kSteepestTexture / std::sqrt(2.0));
+}
+
+TEST(Texture, APatternIsLevelAtTheCornersOfItsLatticeAndNowhereElse) {
+  const auto steepness = [](Texture t, double x, double y) { return glm::length(texture_slope(t, x, y)); };
+  for (int i = -5; i < 6; ++i) {
+    EXPECT_LT(steepness(Texture::paper, 0.0004 * i, 0.0004 * 3), 1e-9);
+    EXPECT_LT(steepness(Texture::wood, 0.012 * i, 0.0006 * 7), 1e-9);
+    EXPECT_GT(steepness(Texture::paper, 0.0004 * (i + 0.37), 0.0004 * 3.5), 1e-4);
+    EXPECT_GT(steepness(Texture::wood, 0.012 * (i + 0.37), 0.0006 * 7.5), 1e-4);
+  }
+}
+
 TEST(Texture, TurnsThePushOfTheSurfaceAndKeepsItsLengthAndFriction) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-0.05, 0.05);
