@@ -38,6 +38,7 @@ class Files : public testing::Test {
 TEST(ErrorLine, NamesPlaceEventAndRemedyOnOneLine) {
   EXPECT_EQ(to_line({Errc::parse, "has 3\nbytes", "a.raw", "4 are right"}),
             "a.raw: has 3 bytes (4 are right)");
+  EXPECT_EQ(to_line({Errc::parse, "\x01\x1F \x7F~", "", ""}), "    ~") << "control characters are blanks";
   EXPECT_EQ(to_line({Errc::io, "failed", "", ""}), "failed");
 }
 
@@ -56,14 +57,58 @@ TEST(Utf8, RefusesWhatIsNotUtf8) {
   }
 }
 
+TEST(Utf8, TheFirstAndTheLastOfEachLengthAreAsInTheStandard) {
+  // Table 3-6 of the Unicode Standard.
+  const std::pair<char32_t, std::string> edges[] = {{0, std::string(1, '\0')},
+                                                    {0x7F, "\x7F"},
+                                                    {0x80, "\xC2\x80"},
+                                                    {0x7FF, "\xDF\xBF"},
+                                                    {0x800, "\xE0\xA0\x80"},
+                                                    {0xFFF, "\xE0\xBF\xBF"},
+                                                    {0x1000, "\xE1\x80\x80"},
+                                                    {0xD7FF, "\xED\x9F\xBF"},
+                                                    {0xE000, "\xEE\x80\x80"},
+                                                    {0xFFFF, "\xEF\xBF\xBF"},
+                                                    {0x10000, "\xF0\x90\x80\x80"},
+                                                    {0x3FFFF, "\xF0\xBF\xBF\xBF"},
+                                                    {0x40000, "\xF1\x80\x80\x80"},
+                                                    {0x10FFFF, "\xF4\x8F\xBF\xBF"}};
+  std::u32string all;
+  std::string bytes;
+  for (const auto& [code_point, text] : edges) {
+    EXPECT_EQ(encode_utf8(code_point), text) << std::hex << static_cast<std::uint32_t>(code_point);
+    EXPECT_EQ(decode_utf8(text), std::u32string(1, code_point)) << testing::PrintToString(text);
+    all += code_point;
+    bytes += text;
+  }
+  EXPECT_EQ(decode_utf8(bytes), all);
+  EXPECT_EQ(encode_utf8(std::u32string_view(all)), bytes);
+  EXPECT_EQ(decode_utf8(""), std::u32string());
+}
+
+TEST(Utf8, WhatIsOneBeyondTheEdgesIsRefused) {
+  // Table 3-7 of the Unicode Standard: which bytes may follow which.
+  for (const std::string_view bad :
+       {"\x80", "\xBF", "\xC1\xBF", "\xC2\x7F", "\xC2\xC0", "\xDF", "\xE0\x9F\xBF", "\xE1\x7F\x80",
+        "\xE1\x80\xC0", "\xEF\xBF", "\xED\xBF\xBF", "\xF0\x8F\xBF\xBF", "\xF1\x80\x80\xC0", "\xF4\x8F\xBF",
+        "\xF5\x80\x80\x80"}) {
+    EXPECT_FALSE(decode_utf8(bad)) << testing::PrintToString(bad);
+    EXPECT_FALSE(decode_utf8(std::string(bad) + "a")) << testing::PrintToString(bad);
+  }
+}
+
 TEST(Utf8, EncodesASurrogateAsTheReplacementCharacter) {
-  EXPECT_EQ(encode_utf8(char32_t{0xD800}), "\xEF\xBF\xBD");
+  for (const char32_t none : {char32_t{0xD800}, char32_t{0xDFFF}, char32_t{0x110000}})
+    EXPECT_EQ(encode_utf8(none), "\xEF\xBF\xBD");
 }
 
 TEST(Nesting, CountsBracketsAndBracesTogether) {
   EXPECT_FALSE(is_nested_deeper(R"({"a":[{"b":1},{"c":2}]})", 3));
   EXPECT_TRUE(is_nested_deeper(R"({"a":[{"b":1},{"c":2}]})", 2));
   EXPECT_FALSE(is_nested_deeper("", 0));
+  EXPECT_FALSE(is_nested_deeper("[][]{}", 1)) << "one after another";
+  EXPECT_TRUE(is_nested_deeper("[][[]]", 1));
+  EXPECT_TRUE(is_nested_deeper("{{", 1));
   EXPECT_TRUE(is_nested_deeper("[", 0));
 }
 
@@ -143,9 +188,10 @@ TEST(ProgressOfAPart, IsToldAsAPartOfTheWhole) {
 
 TEST_F(Files, ReadBackWhatWasWritten) {
   ASSERT_TRUE(write_file(folder_ / "a", "休み"));
-  const auto read = read_file(folder_ / "a", 100);
-  ASSERT_TRUE(read);
+  const auto read = read_file(folder_ / "a", 6);
+  ASSERT_TRUE(read) << "as large as is allowed";
   EXPECT_EQ(std::string(read->begin(), read->end()), "休み");
+  EXPECT_EQ(read_file(folder_ / "a", 5).error().what, "has 6 bytes, at most 5 are allowed");
   EXPECT_EQ(entries(), 1U);
 }
 
@@ -178,6 +224,18 @@ TEST_F(Files, WrittenPieceByPieceAppearWholeOnlyWithTheCommit) {
   const auto after = read_file(folder_ / "a", 100);
   EXPECT_EQ(std::string(after->begin(), after->end()), "new text");
   EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Files, OnceCommittedTheNameBesideThemIsFreeForOthers) {
+  fs::path beside;
+  {
+    auto file = OutputFile::create(folder_ / "a");
+    ASSERT_TRUE(file);
+    beside = fs::directory_iterator(folder_)->path();
+    ASSERT_TRUE(file->commit());
+    std::ofstream(beside) << "of somebody else";
+  }
+  EXPECT_TRUE(fs::exists(beside));
 }
 
 TEST_F(Files, NeverCommittedLeaveTheOldContentAndNothingBeside) {

@@ -2,6 +2,7 @@
 #include "nazori/base/worker.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <atomic>
 #include <condition_variable>
@@ -117,6 +118,37 @@ TEST(Worker, HearingNothingAndBeingWokenTooOftenDoNoHarm) {
   owner.hear(worker, [&] { return heard == 1; });
   worker.hear_one();
   EXPECT_EQ(heard, 1);
+}
+
+TEST(Worker, ItsThreadHasTheFirstFifteenBytesOfItsName) {
+  Owner owner;
+  Worker worker("a name longer than fifteen bytes", owner.wake());
+  std::string name(16, '\0');
+  bool heard = false;
+  worker.post([&] {
+    (void)pthread_getname_np(pthread_self(), name.data(), name.size());
+    worker.answer([&] { heard = true; });
+  });
+  owner.hear(worker, [&] { return heard; });
+  EXPECT_STREQ(name.c_str(), "a name longer t");
+}
+
+TEST(Worker, WhatAPieceOfWorkHeldGoesOnTheWorkersThreadAndMayPostThen) {
+  Owner owner;
+  Worker worker("test", owner.wake());
+  bool heard = false;
+  std::thread::id gone_on;
+  const auto tell = [&](const int* held) {
+    delete held;
+    gone_on = std::this_thread::get_id();
+    worker.post([&] { worker.answer([&] { heard = true; }); });
+  };
+  std::thread::id worked_on;
+  worker.post([&worked_on, held = std::shared_ptr<const int>(new int(1), tell)] {
+    worked_on = std::this_thread::get_id();
+  });
+  owner.hear(worker, [&] { return heard; });
+  EXPECT_EQ(gone_on, worked_on);
 }
 
 TEST(Worker, ManyThreadsMayPost) {

@@ -42,19 +42,21 @@ class Steps {
  public:
   explicit Steps(const base::Progress& progress) : progress_(progress) {}
 
-  /// Whether to go on. `done` of `all` parts of the step from `begin` to `end` are behind.
-  [[nodiscard]] bool go_on(std::string_view step, double begin, double end, std::size_t done = 0,
-                           std::size_t all = 1) {
+  /// Whether to go on. A step goes from the end of the one before to its own; `done` of its `all` parts are
+  /// behind.
+  [[nodiscard]] bool go_on(std::string_view step, double end, std::size_t done = 0, std::size_t all = 1) {
     constexpr std::size_t kEvery = 256;
+    if (step != step_) begin_ = std::exchange(end_, end);
+    step_ = step;
     if (!progress_ || (done % kEvery != 0 && done != all)) return true;
-    const double share = all == 0 ? 1 : std::min(1.0, static_cast<double>(done) / static_cast<double>(all));
-    at_ = std::max(at_, begin + (end - begin) * share);
-    return progress_(at_, step);
+    const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(all));
+    return progress_(begin_ + (end_ - begin_) * share, step);
   }
 
  private:
   const base::Progress& progress_;
-  double at_ = 0;
+  std::string_view step_;
+  double begin_ = 0, end_ = 0;
 };
 
 tl::unexpected<base::Error> cancelled() {
@@ -96,7 +98,7 @@ base::Result<KanjiVg> read_kanjivg(const fs::path& path, Steps& steps) {
       stroke.line.points = {stroke.line.points.front(), stroke.line.points.back()};
     }
     out.forms.push_back(std::move(*form));
-    if (!steps.go_on("Reading KanjiVG", 0.02, 0.35, out.forms.size(), kFilesExpected)) return cancelled();
+    if (!steps.go_on("Reading KanjiVG", 0.35, out.forms.size(), kFilesExpected)) return cancelled();
     return {};
   };
   if (auto read = read_tgz(path, kLargestSvg, wanted, take); !read) return tl::unexpected(read.error());
@@ -132,7 +134,7 @@ base::Result<Edict> read_edict(const fs::path& path, const Kanjidic2& dictionary
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
     ++number;
     constexpr std::size_t kLinesExpected = 267'381;
-    if (!steps.go_on("Reading EDICT", 0.45, 0.55, number, kLinesExpected)) return cancelled();
+    if (!steps.go_on("Reading EDICT", 0.55, number, kLinesExpected)) return cancelled();
     if (line.starts_with("　？？？")) {
       // The first line names the edition: ".../Created: 2021-02-03/".
       constexpr std::string_view kCreated = "Created: ";
@@ -193,7 +195,7 @@ base::Result<void> write_characters(DatabaseWriter& writer, const KanjiVg& kanji
   std::set<char32_t> drawn;
   std::size_t done = 0;
   for (const DrawnForm& form : kanjivg.forms) {
-    if (!steps.go_on("Writing strokes", 0.55, 0.7, ++done, kanjivg.forms.size())) return cancelled();
+    if (!steps.go_on("Writing strokes", 0.7, ++done, kanjivg.forms.size())) return cancelled();
     writer.add_form(form);
     forms[form.code_point].push_back(&form);
     if (form.variant.empty()) drawn.insert(form.code_point);
@@ -203,7 +205,7 @@ base::Result<void> write_characters(DatabaseWriter& writer, const KanjiVg& kanji
   std::int64_t place = 0;
   const auto order = learning_order(drawn, dictionary.entries);
   for (const char32_t c : order) {
-    if (!steps.go_on("Writing the dictionary", 0.7, 0.8, ++done, order.size())) return cancelled();
+    if (!steps.go_on("Writing the dictionary", 0.8, ++done, order.size())) return cancelled();
     const auto entry = dictionary.entries.find(c);
     const bool is_drawn = drawn.contains(c);
     const DrawnForm* const main = is_drawn ? forms[c].front() : nullptr;
@@ -299,7 +301,7 @@ Sources Sources::installed_for(const fs::path& program) {
 base::Result<BuildReport> build_database(const Sources& sources, const fs::path& output,
                                          const base::Progress& progress) {
   Steps steps(progress);
-  if (!steps.go_on("Checking the sources", 0, 0.02)) return cancelled();
+  if (!steps.go_on("Checking the sources", 0.02)) return cancelled();
   const auto sums = sums_of(sources);
   if (!sums) return tl::unexpected(sums.error());
   std::error_code failure;
@@ -318,7 +320,7 @@ base::Result<BuildReport> build_database(const Sources& sources, const fs::path&
     {
       auto kanjivg = read_kanjivg(sources.kanjivg_tgz, steps);
       if (!kanjivg) return tl::unexpected(kanjivg.error());
-      if (!steps.go_on("Reading KANJIDIC2", 0.35, 0.45)) return cancelled();
+      if (!steps.go_on("Reading KANJIDIC2", 0.45)) return cancelled();
       auto xml = read_gzip(sources.kanjidic2_xml_gz, kLargestText);
       if (!xml) return tl::unexpected(xml.error());
       auto dictionary = parse_kanjidic2(std::move(*xml));
@@ -345,7 +347,7 @@ base::Result<BuildReport> build_database(const Sources& sources, const fs::path&
       kanjivg->forms.clear();
       std::size_t done = 0;
       for (const std::string_view line : edict->lines) {
-        if (!steps.go_on("Writing words", 0.8, 0.97, ++done, edict->lines.size())) return cancelled();
+        if (!steps.go_on("Writing words", 0.97, ++done, edict->lines.size())) return cancelled();
         if (const auto entry = parse_edict_line(line)) writer.add_word(*entry);
       }
     }
@@ -353,14 +355,14 @@ base::Result<BuildReport> build_database(const Sources& sources, const fs::path&
   } catch (const SQLite::Exception& e) {
     return base::fail(base::Errc::io, std::string("cannot be written: ") + e.what(), output.string());
   }
-  if (!steps.go_on("Checking the database", 0.97, 0.99)) return cancelled();
+  if (!steps.go_on("Checking the database", 0.99)) return cancelled();
   const auto checked = check_database(beside.path());
   if (!checked) return tl::unexpected(checked.error());
   report.counts = checked->counts;
   report.bytes = checked->bytes;
-  if (!steps.go_on("Putting it in place", 0.99, 1)) return cancelled();
+  if (!steps.go_on("Putting it in place", 1)) return cancelled();
   if (auto kept = beside.become(output); !kept) return tl::unexpected(kept.error());
-  (void)steps.go_on("Done", 1, 1);
+  (void)steps.go_on("Done", 1);
   return report;
 }
 

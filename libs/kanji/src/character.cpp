@@ -5,7 +5,6 @@ namespace nazori::kanji {
 
 std::vector<StrokeLine> Character::lines() const {
   std::vector<StrokeLine> out;
-  out.reserve(strokes.size());
   for (const Stroke& stroke : strokes) out.push_back(stroke.line);
   return out;
 }

@@ -167,7 +167,6 @@ std::optional<Spelling> spell(std::string_view letters) {
   Spelling out{{std::string()}, {}, false};
   char vowel = '\0';
   while (!letters.empty()) {
-    out.ends_in_n = false;
     const char c = letters.front();
     if (c == ':') {
       std::vector<std::string> longer;
@@ -196,8 +195,7 @@ std::optional<Spelling> spell(std::string_view letters) {
       letters.remove_prefix(n);
       continue;
     }
-    const bool doubled =
-        letters.size() > 1 && is_consonant(c) && (letters[1] == c || letters.substr(0, 3) == "tch");
+    const bool doubled = is_consonant(c) && (letters.substr(1).starts_with(c) || letters.starts_with("tch"));
     if (doubled) {
       append(out.kana, "っ");
       letters.remove_prefix(1);

@@ -25,9 +25,6 @@ class Fits {
   void offer(std::size_t place, Tier tier) {
     if (place < tiers_.size() && tier < tiers_[place]) tiers_[place] = tier;
   }
-  [[nodiscard]] bool empty() const {
-    return std::all_of(tiers_.begin(), tiers_.end(), [](Tier t) { return t == Tier::none; });
-  }
   /// Places from the best tier to the worst, each tier with the commonest first.
   [[nodiscard]] std::vector<std::size_t> ordered() const {
     std::vector<std::size_t> out;
@@ -61,7 +58,7 @@ std::string after_all_that_begin_with(std::string_view key) { return std::string
 bool is_kana(char32_t c) {
   return (c >= 0x3041 && c <= 0x309F) || (c >= 0x30A0 && c <= 0x30FF) || (c >= 0xFF66 && c <= 0xFF9F);
 }
-bool is_latin_letter(char32_t c) { return c < 0x250 || c == U'’' || (c >= 0xFF01 && c <= 0xFF5E); }
+bool is_latin_letter(char32_t c) { return c < 0x250 || c == U'’'; }
 bool is_space(char32_t c) { return c == U' ' || c == U'　' || c == U'\t' || c == U'\n' || c == U'\r'; }
 
 std::u32string trimmed(std::u32string text) {
@@ -78,14 +75,13 @@ std::u32string narrowed(std::u32string text) {
   return text;
 }
 
-void offer_readings(SQLite::Statement& keys, std::string_view reading, bool whole_too, Fits& fits) {
+void offer_readings(SQLite::Statement& keys, std::string_view reading, Fits& fits) {
   if (reading.empty()) return;
   Rewound row(keys);
   row->bind(1, std::string(reading));
   row->bind(2, after_all_that_begin_with(reading));
   while (row->executeStep()) {
     const bool same = row->getColumn(0).size() == static_cast<int>(reading.size());
-    if (same && !whole_too) continue;
     fits.offer(static_cast<std::size_t>(row.number(1)), same ? tier_of(row.number(2)) : Tier::beginning);
   }
 }
@@ -125,10 +121,8 @@ std::vector<Summary> KanjiDatabase::search(const Query& query) const {
     };
 
     std::vector<std::size_t> places;
-    const bool kana = std::all_of(text.begin(), text.end(), is_kana) ||
-                      std::all_of(text.begin(), text.end(), [](char32_t c) {
-                        return is_kana(c) || c == U'.' || c == U'-' || c == U'．';
-                      });
+    const bool kana = std::all_of(text.begin(), text.end(),
+                                  [](char32_t c) { return is_kana(c) || c == U'.' || c == U'-'; });
     const bool latin = std::all_of(text.begin(), text.end(), is_latin_letter);
     if (text.empty()) {
       for (std::size_t place = 0; place < roster.size(); ++place) places.push_back(place);
@@ -148,16 +142,15 @@ std::vector<Summary> KanjiDatabase::search(const Query& query) const {
       }
       const std::string spelled = base::encode_utf8(std::u32string_view(text));
       if (kana) {
-        offer_readings(inside_->reading_keys, fold_reading(spelled), true, fits);
+        offer_readings(inside_->reading_keys, fold_reading(spelled), fits);
       } else {
         const auto complete = romaji_to_hiragana(spelled);
-        for (const std::string& reading : complete)
-          offer_readings(inside_->reading_keys, reading, true, fits);
+        for (const std::string& reading : complete) offer_readings(inside_->reading_keys, reading, fits);
         for (const std::string& start : romaji_beginnings(spelled)) {
           if (std::find(complete.begin(), complete.end(), start) != complete.end()) continue;
           // What is typed so far is only a beginning of these.
           Fits sooner(roster.size());
-          offer_readings(inside_->reading_keys, start, true, sooner);
+          offer_readings(inside_->reading_keys, start, sooner);
           for (const std::size_t place : sooner.ordered()) fits.offer(place, Tier::beginning);
         }
         offer_meanings(inside_->meaning_keys, fold_meaning(spelled), fits);

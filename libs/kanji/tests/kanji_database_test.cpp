@@ -195,6 +195,31 @@ TEST(GroupTrees, KeepEveryAttribute) {
   }
 }
 
+TEST(GroupTrees, TellTheKindsOfFormsApart) {
+  // As KanjiVG marks them: kvg:variant, kvg:partial, kvg:tradForm, kvg:radicalForm.
+  struct Marks {
+    char32_t character;
+    std::string element;
+    bool variant, partial, trad_form, radical_form;
+  };
+  const Marks kinds[] = {{U'⺉', "⺉", true, false, false, false}, {U'丞', "水", false, true, false, false},
+                         {U'嗚', "鳥", true, true, false, false},  {U'曲', "日", false, false, true, false},
+                         {U'黙', "黒", true, false, true, false},  {U'儁', "亻", true, false, false, true},
+                         {U'休', "木", false, false, false, false}};
+  for (const Marks& marks : kinds) {
+    int found = 0;
+    const auto walk = [&](const auto& self, const Component& node) -> void {
+      if (node.element == marks.element) {
+        found += node.variant == marks.variant && node.partial == marks.partial &&
+                 node.trad_form == marks.trad_form && node.radical_form == marks.radical_form;
+      }
+      for (const Component& child : node.children) self(self, child);
+    };
+    walk(walk, find(marks.character).components);
+    EXPECT_GT(found, 0) << marks.element;
+  }
+}
+
 TEST(Strokes, AreLinesInTheBoxWithANumberEach) {
   for (const Summary& s : database().list(List::all)) {
     for (const Stroke& stroke : find(s.code_point).strokes) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "database_places.h"
 #include "nazori/kanji/kanji_database.h"
@@ -137,6 +138,33 @@ TEST_F(Locate, TheNearestPlaceComesFirst) {
     const fs::path database = put(place);
     EXPECT_EQ(locate_for(program), database) << place;
   }
+}
+
+TEST_F(Locate, ThePlacesAreTheseAndNoOthers) {
+  const fs::path apart = "/apart/nazori";
+  point("NAZORI_DATA", "");
+  point("XDG_DATA_HOME", "/data");
+  point("XDG_DATA_DIRS", "");
+  const std::vector<fs::path> usual{"/apart/kanji.db", "/data/nazori/kanji.db",
+                                    "/usr/local/share/nazori/kanji.db", "/usr/share/nazori/kanji.db"};
+  EXPECT_EQ(database_places(apart), usual) << "the folders of the XDG specification where none are named";
+  point("XDG_DATA_DIRS", "/a:relative::/b");
+  point("XDG_DATA_HOME", "");
+  point("HOME", "");
+  point("NAZORI_DATA", "/named");
+  EXPECT_EQ(database_places(apart), (std::vector<fs::path>{"/named/kanji.db", "/apart/kanji.db",
+                                                           "/a/nazori/kanji.db", "/b/nazori/kanji.db"}));
+  EXPECT_EQ(database_places({}),
+            (std::vector<fs::path>{"/named/kanji.db", "/a/nazori/kanji.db", "/b/nazori/kanji.db"}));
+  EXPECT_EQ(database_places("/usr/bin/nazori"),
+            (std::vector<fs::path>{"/named/kanji.db", "/usr/bin/kanji.db", "/a/nazori/kanji.db",
+                                   "/b/nazori/kanji.db", "/usr/share/nazori/kanji.db"}));
+}
+
+TEST_F(Locate, AFolderOfThatNameIsNoDatabase) {
+  fs::create_directories(folder_ / "named" / "kanji.db");
+  point("NAZORI_DATA", (folder_ / "named").string());
+  EXPECT_FALSE(locate());
 }
 
 TEST_F(Locate, ANewDatabaseNeverGoesBesideAnInstalledProgram) {

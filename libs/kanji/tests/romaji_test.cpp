@@ -48,6 +48,11 @@ TEST(Romaji, SpellsWholeWords) {
   EXPECT_EQ(first("ra-men"), "らーめん");
   EXPECT_EQ(first("ｙａｓｕ"), "やす");
   EXPECT_EQ(first("yasu.mu"), "やすむ");
+  EXPECT_EQ(first("ya su"), "やす");
+  EXPECT_EQ(first("ZAza"), "ざざ");
+  EXPECT_EQ(first("AZA"), "あざ");
+  EXPECT_EQ(first("tta"), "った");
+  EXPECT_EQ(first("-"), "ー");
 }
 
 TEST(Romaji, TellsTheTwoKindsOfNApart) {
@@ -63,6 +68,15 @@ TEST(Romaji, TellsTheTwoKindsOfNApart) {
   EXPECT_EQ(first("shimbun"), "しんぶん");
   EXPECT_EQ(first("sampo"), "さんぽ");
   EXPECT_EQ(first("samma"), "さんま");
+  EXPECT_EQ(first("onna"), "おんな");
+  EXPECT_EQ(first("kannya"), "かんにゃ");
+  EXPECT_EQ(first("hannbun"), "はんぶん");
+  EXPECT_EQ(first("kan’i"), "かんい");
+  EXPECT_EQ(first("n"), "ん");
+  EXPECT_EQ(first("nn"), "ん");
+  EXPECT_EQ(first("nk"), "(none)");
+  EXPECT_EQ(first("km"), "(none)");
+  EXPECT_EQ(first("mka"), "(none)");
 }
 
 TEST(Romaji, ALongVowelMarkGivesEverySpellingItCanStandFor) {
@@ -72,13 +86,28 @@ TEST(Romaji, ALongVowelMarkGivesEverySpellingItCanStandFor) {
   EXPECT_THAT(romaji_to_hiragana("Tōkyō"), Contains("とうきょう"));
   EXPECT_THAT(romaji_to_hiragana("nēsan"), Contains("ねえさん"));
   EXPECT_THAT(romaji_to_hiragana("sensê"), Contains("せんせい"));
+  // Which kana may lengthen which vowel, in either case and with either mark.
+  EXPECT_THAT(romaji_to_hiragana("kā"), ElementsAre("かあ", "かー"));
+  EXPECT_THAT(romaji_to_hiragana("kî"), ElementsAre("きい", "きー"));
+  EXPECT_THAT(romaji_to_hiragana("kū"), ElementsAre("くう", "くー"));
+  EXPECT_THAT(romaji_to_hiragana("kê"), ElementsAre("けい", "けえ", "けー"));
+  EXPECT_THAT(romaji_to_hiragana("kō"), ElementsAre("こう", "こお", "こー"));
+  for (const auto& [marked, plain] : std::vector<std::pair<std::string, std::string>>{
+           {"āâĀÂ", "ああ"}, {"īîĪÎ", "いい"}, {"ūûŪÛ", "うう"}, {"ēêĒÊ", "えい"}, {"ōôŌÔ", "おう"}}) {
+    for (std::size_t i = 0; i < marked.size(); i += 2) EXPECT_EQ(first(marked.substr(i, 2)), plain) << marked;
+  }
+  EXPECT_THAT(romaji_to_hiragana("āāāāāā"), testing::SizeIs(64)) << "as many as are tried";
+  EXPECT_THAT(romaji_to_hiragana("āāāōō"), testing::SizeIs(0)) << "72";
 }
 
 TEST(Romaji, TextThatIsNoRomajiSpellsNothing) {
-  for (const std::string_view text : {"", "rest", "休", "3", "yas", "qa", "\xFF", "a\xE4", "ā:", ":"}) {
+  for (const std::string_view text :
+       {"",   "rest", "休", "3",  "yas", "qa", "\xFF", "a\xE4", "ā:", ":",  "@a",
+        "[a", "`a",   "{a", "a,", "k￡", "t",  "tc",   "tca",   "''", "k'a"}) {
     EXPECT_THAT(romaji_to_hiragana(text), IsEmpty()) << text;
   }
-  EXPECT_THAT(romaji_to_hiragana(std::string(1000, 'a')), IsEmpty());
+  EXPECT_THAT(romaji_to_hiragana(std::string(64, 'a')), testing::SizeIs(1));
+  EXPECT_THAT(romaji_to_hiragana(std::string(65, 'a')), IsEmpty()) << "longer than any word";
   EXPECT_THAT(romaji_to_hiragana("āāāāāāāāāāāāāāāāāāāā"), IsEmpty());
 }
 
@@ -91,6 +120,15 @@ TEST(Romaji, ASyllableStillBeingTypedCanBecomeEachThatBeginsSo) {
   EXPECT_THAT(romaji_beginnings("yasu"), ElementsAre("やす"));
   EXPECT_THAT(romaji_beginnings("kann"), ElementsAre("かん"));
   EXPECT_THAT(romaji_beginnings("休"), IsEmpty());
+  EXPECT_THAT(romaji_beginnings(""), IsEmpty());
+  EXPECT_THAT(romaji_beginnings("yask1"), IsEmpty());
+  EXPECT_THAT(romaji_beginnings("qa"), IsEmpty());
+  EXPECT_THAT(romaji_beginnings("kan-"), ElementsAre("かんー"));
+  EXPECT_THAT(romaji_beginnings("as"), testing::UnorderedElementsAre("あさ", "あし", "あす", "あせ", "あそ",
+                                                                     "あしゃ", "あしゅ", "あしょ", "あしぇ"))
+      << "each once, however it is spelled";
+  EXPECT_THAT(romaji_beginnings("an"), testing::UnorderedElementsAre("あん", "あな", "あに", "あぬ", "あね",
+                                                                     "あの", "あにゃ", "あにゅ", "あにょ"));
 }
 
 TEST(Kana, KatakanaOfEitherWidthBecomesHiragana) {
@@ -98,8 +136,26 @@ TEST(Kana, KatakanaOfEitherWidthBecomesHiragana) {
   EXPECT_EQ(to_hiragana("ｷｭｳ"), "きゅう");
   EXPECT_EQ(to_hiragana("ｶﾞｯｺｳﾊﾟ"), "がっこうぱ");
   EXPECT_EQ(to_hiragana("ヴァ"), "ゔぁ");
-  EXPECT_EQ(to_hiragana("休ーa"), "休ーa");
+  EXPECT_EQ(to_hiragana("ァヶ"), "ぁゖ") << "the first and the last that have a hiragana";
+  EXPECT_EQ(to_hiragana("゠ヷ休ーa"), "゠ヷ休ーa");
   EXPECT_EQ(to_hiragana("\xFF"), "\xFF");
+  EXPECT_EQ(to_hiragana("ｦｧｨｩｪｫｬｭｮｯｰｱｲｳｴｵｶｷｸｹｺｻｼｽｾｿﾀﾁﾂﾃﾄﾅﾆﾇﾈﾉﾊﾋﾌﾍﾎﾏﾐﾑﾒﾓﾔﾕﾖﾗﾘﾙﾚﾛﾜﾝ"),
+            "をぁぃぅぇぉゃゅょっーあいうえおかきくけこさしすせそたちつてとなにぬねのはひふへほまみむめもやゆ"
+            "よらりるれろわん");
+  EXPECT_EQ(to_hiragana("･"), "･") << "the sign before the letters";
+}
+
+TEST(Kana, AVoicingMarkOfHalfWidthJoinsOnlyALetterThatCanBeVoiced) {
+  EXPECT_EQ(to_hiragana("ｶﾞｷﾞｸﾞｹﾞｺﾞｻﾞｼﾞｽﾞｾﾞｿﾞﾀﾞﾁﾞﾂﾞﾃﾞﾄﾞﾊﾞﾋﾞﾌﾞﾍﾞﾎﾞ"),
+            "がぎぐげござじずぜぞだぢづでどばびぶべぼ");
+  EXPECT_EQ(to_hiragana("ﾊﾟﾋﾟﾌﾟﾍﾟﾎﾟ"), "ぱぴぷぺぽ");
+  EXPECT_EQ(to_hiragana("ﾞ"), "ﾞ");
+  EXPECT_EQ(to_hiragana("ﾟ"), "ﾟ");
+  EXPECT_EQ(to_hiragana("ﾅﾞ"), "なﾞ");
+  EXPECT_EQ(to_hiragana("ﾄﾟ"), "とﾟ");
+  EXPECT_EQ(to_hiragana("ﾏﾟ"), "まﾟ");
+  EXPECT_EQ(to_hiragana("ﾊﾞﾟ"), "ばﾟ");
+  EXPECT_EQ(to_hiragana("ﾊﾞﾞ"), "ばﾞ");
 }
 
 TEST(Kana, AReadingIsSearchedWithoutItsMarks) {
@@ -107,7 +163,10 @@ TEST(Kana, AReadingIsSearchedWithoutItsMarks) {
   EXPECT_EQ(fold_reading("-うえ"), "うえ");
   EXPECT_EQ(fold_reading("うわ-"), "うわ");
   EXPECT_EQ(fold_reading("キュウ"), "きゅう");
-  EXPECT_EQ(fold_reading("やす・む"), "やすむ");
+  for (const std::string mark : {".", "．", "-", "・", "･", " ", "　"})
+    EXPECT_EQ(fold_reading(mark + "やす" + mark + "む" + mark), "やすむ") << mark;
+  EXPECT_EQ(fold_reading("やー、！"), "やー、！") << "all else stays";
+  EXPECT_EQ(fold_reading("\xFF"), "");
 }
 
 TEST(MeaningText, IsLowerCaseWordsWithSingleSpaces) {
@@ -115,6 +174,9 @@ TEST(MeaningText, IsLowerCaseWordsWithSingleSpaces) {
   EXPECT_EQ(fold_meaning("  one's   own"), "one's own");
   EXPECT_EQ(fold_meaning("café"), "café");
   EXPECT_EQ(fold_meaning("--"), "");
+  EXPECT_EQ(fold_meaning("AZaz09"), "azaz09");
+  EXPECT_EQ(fold_meaning("a@b[c`d{e/f:g"), "a b c d e f g") << "the signs beside letters and digits";
+  EXPECT_EQ(fold_meaning("x\xC2\x80y"), "x\xC2\x80y");
 }
 
 }  // namespace

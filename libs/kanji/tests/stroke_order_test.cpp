@@ -93,6 +93,36 @@ TEST(StrokeOrder, NegativeAndAbsurdCountsAreErrorsWithoutSettingMemoryAside) {
   }
 }
 
+TEST(StrokeOrder, AnErrorSaysWhatIsWrongAndWhere) {
+  const auto error = [](const Bytes& bytes) {
+    const auto order = StrokeOrder::parse(bytes, 128);
+    return order ? base::Error{} : order.error();
+  };
+  const auto parse = [](std::string what, std::string where, std::string remedy = {}) {
+    return base::Error{base::Errc::parse, std::move(what), std::move(where), std::move(remedy)};
+  };
+  EXPECT_EQ(error({1, 0, 0}), parse("the file ends before the number of strokes", "byte 0"));
+  EXPECT_EQ(error(file_of({1})), parse("the file ends before the number of points of stroke 1", "byte 4"));
+  EXPECT_EQ(error(file_of({2, 1, 5, 5})),
+            parse("the file ends before the number of points of stroke 2", "byte 16"));
+  EXPECT_EQ(error(file_of({1, 2, 5, 5, 6})),
+            parse("the file ends within stroke 1, which should have 2 points", "byte 20"));
+  EXPECT_EQ(error(file_of({-1})), parse("the number of strokes is -1", "byte 0", "0 to 1024 are allowed"));
+  EXPECT_EQ(error(file_of({1025})),
+            parse("the number of strokes is 1025", "byte 0", "0 to 1024 are allowed"));
+  EXPECT_EQ(error(file_of({1024})).what, "the file ends before the number of points of stroke 1");
+  EXPECT_EQ(error(file_of({1, 0})),
+            parse("the number of points of stroke 1 is 0", "byte 4", "1 to 65536 are allowed"));
+  EXPECT_EQ(error(file_of({1, 65537})).what, "the number of points of stroke 1 is 65537");
+  EXPECT_EQ(error(file_of({1, 65536})).what, "the file ends within stroke 1, which should have 65536 points");
+  EXPECT_EQ(error(file_of({1, 2, 5, 5, 7, 128})),
+            parse("a point of stroke 1 is at (7, 128)", "byte 16", "columns and rows go from 0 to 127"));
+  EXPECT_EQ(error(file_of({1, 1, 5, 5, 9})), parse("4 bytes are left over after the last stroke", "byte 16"));
+  EXPECT_EQ(StrokeOrder::parse(file_of({0}), 1).error(),
+            (base::Error{base::Errc::bad_argument, "a grid cannot have 1 samples a side", "grid_size",
+                         "give 2 to 8192"}));
+}
+
 TEST(StrokeOrder, PointsOutsideTheGridAreErrors) {
   for (const auto& [x, y] : {std::pair{128, 0}, std::pair{0, 128}, std::pair{-1, 5}, std::pair{5, -1},
                              std::pair{std::numeric_limits<std::int32_t>::min(), 0}}) {
@@ -102,6 +132,9 @@ TEST(StrokeOrder, PointsOutsideTheGridAreErrors) {
     EXPECT_EQ(order.error().where, "byte 16");
   }
   EXPECT_TRUE(StrokeOrder::parse(file_of({1, 1, 127, 127}), 128));
+  EXPECT_TRUE(StrokeOrder::parse(file_of({1, 1, 0, 0}), 128));
+  EXPECT_TRUE(StrokeOrder::parse(file_of({1, 1, 8191, 8191}), 8192)) << "the largest grid";
+  EXPECT_TRUE(StrokeOrder::parse(file_of({1, 1, 1, 1}), 2)) << "the smallest";
   EXPECT_FALSE(StrokeOrder::parse(file_of({1, 1, 127, 127}), 127));
 }
 
@@ -123,7 +156,11 @@ TEST(StrokeOrder, LoadsWhatItSavedAndNamesTheFileThatFails) {
   EXPECT_EQ(StrokeOrder::load(path, 128).value(), order);
   const auto too_small = StrokeOrder::load(path, 100);
   ASSERT_FALSE(too_small);
-  EXPECT_NE(too_small.error().where.find("休.str"), std::string::npos);
+  EXPECT_EQ(too_small.error().where, path.string() + ": byte 56") << "the first point beyond 99";
+  EXPECT_EQ(StrokeOrder::load(path, 1).error().where, "grid_size") << "which is no fault of the file";
+  // A file of 64 MiB is looked into, a longer one is not.
+  std::filesystem::resize_file(path, (64U << 20U) + 1);
+  EXPECT_EQ(StrokeOrder::load(path, 128).error().code, base::Errc::io);
   EXPECT_EQ(StrokeOrder::load(folder, 128).error().code, base::Errc::io);
   EXPECT_EQ(StrokeOrder::load(path.string() + "x", 128).error().code, base::Errc::not_found);
   std::filesystem::remove_all(folder);
@@ -177,6 +214,57 @@ TEST(StrokeOrder, ALineThatIsOnePointStaysAStroke) {
   const auto order = StrokeOrder::from_lines(std::vector{dot}, 110);
   ASSERT_EQ(order.count(), 1U);
   EXPECT_EQ(order.stroke(1).size(), 1U);
+}
+
+StrokeLine on_grid(const std::vector<geometry::GridPoint>& points, int size) {
+  StrokeLine line;
+  for (const geometry::GridPoint p : points) line.points.push_back(geometry::grid_to_glyph(p, size));
+  return line;
+}
+
+TEST(StrokeOrder, ABendOfMoreThanAQuarterOfASampleIsKept) {
+  constexpr int kSize = 128;
+  const auto points = [](std::vector<geometry::GridPoint> line) {
+    return StrokeOrder::from_lines(std::vector{on_grid(line, kSize)}, kSize).stroke(1);
+  };
+  // Both bends are rounded to the next row.
+  EXPECT_EQ(points({{0, 10.4}, {50, 10.64}, {100, 10.4}}), (StrokeOrder::Points{{0, 10}, {100, 10}}));
+  EXPECT_EQ(points({{0, 10.4}, {50, 10.66}, {100, 10.4}}),
+            (StrokeOrder::Points{{0, 10}, {50, 11}, {100, 10}}));
+  EXPECT_EQ(points({{10.4, 0}, {10.1, 50}, {10.4, 100}}),
+            (StrokeOrder::Points{{10, 0}, {10, 50}, {10, 100}}));
+  // What goes on beyond the end of the chord and comes back is a bend too.
+  EXPECT_EQ(points({{10, 10}, {60, 10}, {40, 10}}), (StrokeOrder::Points{{10, 10}, {60, 10}, {40, 10}}));
+  EXPECT_EQ(points({{30, 10}, {10, 10}, {60, 10}}), (StrokeOrder::Points{{30, 10}, {10, 10}, {60, 10}}));
+  // A line that ends where it began.
+  EXPECT_EQ(points({{10, 10}, {60, 10}, {10, 10}}), (StrokeOrder::Points{{10, 10}, {60, 10}, {10, 10}}));
+  EXPECT_EQ(points({{10, 10}, {20, 60}, {80, 60}, {90, 10}}),
+            (StrokeOrder::Points{{10, 10}, {20, 60}, {80, 60}, {90, 10}}));
+}
+
+TEST(StrokeOrder, LinesWithoutPointsAreNoStrokesAndNumbersThatAreNoneStandAtTheEdge) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<StrokeLine> lines{StrokeLine{}, {{{kNone, 109}, {109, kNone}}, StrokeEnding::stop, {}}};
+  const StrokeOrder order = StrokeOrder::from_lines(lines, 110);
+  ASSERT_EQ(order.count(), 1U);
+  EXPECT_EQ(order.stroke(1), (StrokeOrder::Points{{0, 109}, {109, 0}}));
+}
+
+TEST(StrokeOrder, AHookIsAtMostTwoFifthsOfTheRestAndTurnsByMoreThanSixtyDegrees) {
+  const auto ending = [](StrokeOrder::Points points) {
+    return StrokeOrder({std::move(points)}).to_lines(200)[0].ending;
+  };
+  using enum StrokeEnding;
+  EXPECT_EQ(ending({{20, 50}, {120, 50}, {81, 50}}), hook) << "39 of 100";
+  EXPECT_EQ(ending({{20, 50}, {120, 50}, {79, 50}}), either) << "41 of 100";
+  EXPECT_EQ(ending({{20, 50}, {70, 50}, {120, 50}, {81, 50}}), hook) << "39 of 50 and 50";
+  EXPECT_EQ(ending({{20, 50}, {70, 50}, {120, 50}, {79, 50}}), either);
+  EXPECT_EQ(ending({{20, 50}, {120, 50}, {130, 67}}), either) << "59.5 degrees";
+  EXPECT_EQ(ending({{20, 50}, {120, 50}, {130, 68}}), hook) << "60.9 degrees";
+  EXPECT_EQ(ending({{20, 50}, {20, 150}, {37, 160}}), either) << "59.5 degrees to the other side";
+  EXPECT_EQ(ending({{20, 50}, {20, 150}, {38, 160}}), hook);
+  EXPECT_EQ(ending({{20, 50}, {120, 50}, {120, 50}}), either) << "the last point comes twice";
+  EXPECT_EQ(ending({{20, 50}}), either);
 }
 
 TEST(StrokeOrder, AShortSharpLastSegmentIsReadAsAHook) {

@@ -170,9 +170,8 @@ void encode_record(const ServoSample& sample, std::vector<std::uint8_t>& bytes) 
 
 void encode_end(std::uint64_t samples, std::uint64_t lost, bool recovered, std::vector<std::uint8_t>& bytes) {
   const std::size_t start = bytes.size();
-  bytes.resize(start + kRecordBytes, 0);
+  bytes.resize(start + kRecordBytes);
   const auto record = std::span(bytes).subspan(start);
-  std::fill(record.begin(), record.end(), std::uint8_t{0});
   store(record, 0, samples);
   store(record, 8, lost);
   store(record, kFlagsAt, static_cast<std::uint16_t>(recovered ? kEnd | kRecovered : kEnd));

@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "piece_source.h"
 #include "some_samples.h"
 
 namespace nazori::recording {
@@ -138,6 +141,176 @@ TEST(RecordingFile, LiesInTheFileAsDocumented) {
   EXPECT_EQ(number(second + 152, std::uint64_t{}), 2U);
   EXPECT_EQ(number(second + 152 + 8, std::uint64_t{}), 3U);
   EXPECT_EQ(number(second + 152 + 146, std::uint16_t{}), 0x8000);
+}
+
+TEST(RecordingFile, HasTheTenNumbersOfTheTabletAndTheDeviceInTheirPlaces) {
+  Session session = some_session();
+  session.shape = {1.5, 2.5};
+  session.device.limits = {3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5, 10.5};
+  session.device.has_force = false;
+  const auto bytes = encode_header(session);
+  for (std::size_t i = 0; i < 10; ++i) {
+    double number = 0;
+    std::memcpy(&number, bytes.data() + 40 + 8 * i, 8);
+    EXPECT_EQ(number, 1.5 + static_cast<double>(i)) << i;
+  }
+  EXPECT_EQ(bytes[14], 0) << "the minor version";
+  for (const auto& [from, to] : {std::pair{120U, 128U}, std::pair{144U, 160U}, std::pair{416U, 508U}})
+    for (std::size_t at = from; at < to; ++at) EXPECT_EQ(bytes[at], 0) << at;
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(bytes[128 + i], i * 17);
+  const auto read = decode_header(bytes, "a.nzr");
+  ASSERT_TRUE(read);
+  const auto& l = read->device.limits;
+  EXPECT_EQ(std::tie(read->shape.width_m, read->shape.depth_m), std::make_tuple(1.5, 2.5));
+  EXPECT_EQ(std::tie(l.max_force_n, l.continuous_force_n, l.max_stiffness_n_m, l.max_damping_n_s_m),
+            std::make_tuple(3.5, 4.5, 5.5, 6.5));
+  EXPECT_EQ(std::tie(l.own_damping_n_s_m, l.max_slew_n_s, l.delay_s, l.hand_damping_n_s_m),
+            std::make_tuple(7.5, 8.5, 9.5, 10.5));
+  EXPECT_FALSE(read->device.has_force);
+}
+
+TEST(RecordingFile, ARecordHasEveryNumberOfItsVectorsInItsPlace) {
+  ServoSample sample;
+  sample.device_m = {1, 2, 3};
+  sample.proxy_m = {4, 5, 6};
+  sample.force_n = {7, 8, 9};
+  sample.guide_m = {10, 11, 12};
+  sample.touching = true;
+  std::vector<std::uint8_t> bytes;
+  encode_record(sample, bytes);
+  ASSERT_EQ(bytes.size(), kRecordBytes);
+  for (std::size_t i = 0; i < 12; ++i) {
+    double number = 0;
+    std::memcpy(&number, bytes.data() + 16 + 8 * i, 8);
+    EXPECT_EQ(number, 1.0 + static_cast<double>(i));
+  }
+  EXPECT_EQ(bytes[146], 1);
+  bytes.clear();
+  encode_end(0x0102030405060708, 0x1112131415161718, true, bytes);
+  EXPECT_EQ(bytes[146], 2) << "recovered";
+  EXPECT_EQ(bytes[147], 0x80) << "the end";
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(bytes[i], 8 - i);
+    EXPECT_EQ(bytes[8 + i], 0x18 - i);
+  }
+  for (std::size_t at = 16; at < 146; ++at) EXPECT_EQ(bytes[at], 0) << at;
+}
+
+TEST(RecordingFile, WhatFollowsTheEndIsNotRead) {
+  const auto samples = test::some_samples(3);
+  const std::string whole = recording_of(samples, true);
+  const Read got = read(whole + whole.substr(kHeaderBytes, kRecordBytes));
+  EXPECT_EQ(got.samples.size(), 3U);
+  EXPECT_TRUE(got.end.finished);
+  std::vector<std::uint8_t> end;
+  encode_end(3, 9, true, end);
+  const Read recovered = read(recording_of(samples, false) + std::string(end.begin(), end.end()));
+  EXPECT_TRUE(recovered.end.recovered);
+  EXPECT_EQ(recovered.end.lost, 9U);
+}
+
+TEST(RecordingFile, IsReadAsWellInPieces) {
+  const auto samples = test::some_samples(300);
+  for (const std::size_t piece : {std::size_t{1}, std::size_t{100}, kRecordBytes, std::size_t{1000}}) {
+    auto reader =
+        RecordingReader::from(std::make_unique<test::PieceSource>(recording_of(samples, true), piece));
+    ASSERT_TRUE(reader);
+    EXPECT_EQ(reader->progress(), 0) << "of a length that nobody knows";
+    std::vector<ServoSample> got(301);
+    got.resize(reader->read(got).value());
+    ASSERT_EQ(got.size(), samples.size());
+    for (std::size_t i = 0; i < got.size(); ++i) ASSERT_TRUE(test::same(got[i], samples[i]));
+    EXPECT_TRUE(reader->end().finished);
+    EXPECT_EQ(reader->progress(), 0);
+  }
+}
+
+TEST(RecordingFile, AReadThatFailsIsTold) {
+  EXPECT_EQ(RecordingReader::from(std::make_unique<test::PieceSource>("", 10, 0, true)).error().what,
+            "the plug was pulled");
+  auto reader = RecordingReader::from(
+      std::make_unique<test::PieceSource>(recording_of(test::some_samples(3), false), 1000, 0, true));
+  ASSERT_TRUE(reader);
+  std::vector<ServoSample> got(3);
+  EXPECT_EQ(reader->read(got).value(), 3U);
+  EXPECT_EQ(reader->read(got).error().what, "the plug was pulled");
+}
+
+TEST(RecordingFile, ProgressIsTheShareOfTheFileThatWasRead) {
+  const std::string bytes = recording_of(test::some_samples(6000), true);
+  const auto share = [&bytes](std::size_t records) {
+    return static_cast<double>(kHeaderBytes + records * kRecordBytes) / static_cast<double>(bytes.size());
+  };
+  auto reader = RecordingReader::from(memory_source(bytes, "a.nzr"));
+  ASSERT_TRUE(reader);
+  EXPECT_DOUBLE_EQ(reader->progress(), share(0));
+  std::vector<ServoSample> some(2500);
+  for (const std::size_t records : {2500U, 5000U}) {
+    ASSERT_EQ(reader->read(some).value(), 2500U);
+    EXPECT_DOUBLE_EQ(reader->progress(), share(records));
+  }
+  ASSERT_EQ(reader->read(some).value(), 1000U);
+  EXPECT_EQ(reader->progress(), 1);
+  auto growing = RecordingReader::from(std::make_unique<test::PieceSource>(bytes, 1 << 20U, 1000));
+  ASSERT_TRUE(growing);
+  (void)growing->read(some);
+  EXPECT_EQ(growing->progress(), 1) << "a file that has grown since";
+}
+
+/// A header that was changed on purpose: its checksum is right.
+std::array<std::uint8_t, kHeaderBytes> resealed(std::array<std::uint8_t, kHeaderBytes> bytes) {
+  const auto sum = static_cast<std::uint32_t>(::crc32(0, bytes.data(), 508));
+  std::memcpy(bytes.data() + 508, &sum, 4);
+  return bytes;
+}
+
+TEST(RecordingFile, EveryKindOfWrongHeaderIsCalledByItsName) {
+  const auto good = encode_header(some_session());
+  const auto with = [&good]<class T>(std::size_t at, T value) {
+    auto bytes = good;
+    std::memcpy(bytes.data() + at, &value, sizeof(T));
+    const auto session = decode_header(resealed(bytes), "a.nzr");
+    return session ? base::Error{} : session.error();
+  };
+  using base::Errc;
+  EXPECT_EQ(with(7, std::uint8_t{0}).what, "is not a recording");
+  EXPECT_EQ(with(8, 0x04030201U), (base::Error{Errc::parse, "has its bytes in another order", "a.nzr", ""}));
+  EXPECT_EQ(with(12, std::uint16_t{2}), (base::Error{Errc::schema, "is a recording of version 2", "a.nzr",
+                                                     "this program reads version 1"}));
+  EXPECT_EQ(with(14, std::uint16_t{9}), base::Error{}) << "a later minor version is read";
+  const base::Error damaged{Errc::parse, "has a damaged header", "a.nzr", ""};
+  EXPECT_EQ(with(16, 511U), damaged);
+  EXPECT_EQ(with(20, 151U), damaged);
+  auto torn = good;
+  torn[300] ^= 1;
+  EXPECT_EQ(decode_header(torn, "a.nzr").error(), damaged);
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double rate : {0.0, -1.0, std::nan(""), infinite, -infinite})
+    EXPECT_EQ(with(24, rate), (base::Error{Errc::parse, "has no sensible rate", "a.nzr", ""})) << rate;
+  EXPECT_EQ(decode_header(std::span(good).first(511), "a.nzr").error().what, "breaks off within its header");
+  EXPECT_EQ(decode_header(std::span(good).first(7), "a.nzr").error().what, "is not a recording");
+  EXPECT_EQ(decode_header(std::span(good).first(8), "a.nzr").error().what, "breaks off within its header");
+}
+
+TEST(RecordingFile, NamesFillTheirFieldsToTheLastByteButOne) {
+  const auto read_back = [](const std::string& name) {
+    Session session = some_session();
+    session.device.name = session.character = name;
+    const auto bytes = encode_header(session);
+    EXPECT_EQ(bytes[160 + 127], 0);
+    EXPECT_EQ(bytes[288 + 127], 0);
+    const auto got = decode_header(bytes, "a").value();
+    EXPECT_EQ(got.device.name, got.character);
+    return got.character;
+  };
+  const std::string longest(127, 'a');
+  EXPECT_EQ(read_back(longest), longest);
+  EXPECT_EQ(read_back(longest + "b"), longest);
+  EXPECT_EQ(read_back(std::string(126, 'a') + "é"), std::string(126, 'a')) << "no half of a character";
+  EXPECT_EQ(read_back(std::string(125, 'a') + "éb"), std::string(125, 'a') + "é");
+  EXPECT_EQ(read_back(std::string(200, '\x80')), "") << "no character begins anywhere";
+  EXPECT_EQ(read_back("a\xFF"), "") << "a name that is not UTF-8 is none";
+  EXPECT_EQ(read_back(""), "");
 }
 
 TEST(RecordingFile, CutOffAnywhereIsReadToItsLastWholeRecord) {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -53,6 +54,31 @@ TEST(SampleCsv, NamesEveryEvent) {
   EXPECT_EQ(event_words(static_cast<unsigned>(ServoEvent::resumed)), "resumed");
   EXPECT_EQ(event_words(0), "");
   EXPECT_EQ(event_words(1U << 30), "bit30");
+  EXPECT_EQ(event_words(1U | 1U << 11U | 1U << 31U), "touch|bit11|bit31")
+      << "one without a name keeps its bit";
+  EXPECT_EQ(event_name(0), "touch");
+  EXPECT_EQ(event_name(10), "resumed");
+  for (const int none : {-1, 11, 31}) EXPECT_EQ(event_name(none), "");
+}
+
+TEST(SampleCsv, ARowOfTheLongestNumbersIsWhole) {
+  constexpr double kLongest = -2.2250738585072014e-308;
+  ServoSample sample;
+  sample.time_s = kLongest;
+  sample.device_m = sample.force_n = {kLongest, kLongest, kLongest};
+  sample.proxy_m = {-kLongest, -kLongest, kLongest};
+  sample.stroke = std::numeric_limits<std::int32_t>::min();
+  const std::string longest = "-2.2250738585072014e-308";
+  const std::string three = longest + "," + longest + "," + longest;
+  EXPECT_EQ(row(sample), longest + "," + three + "," + longest.substr(1) + "," + longest.substr(1) + "," +
+                             longest + "," + three + ",0,-2147483648,\n");
+}
+
+TEST(SampleCsv, MinusZeroIsZero) {
+  ServoSample sample;
+  sample.device_m = {-0.0, 1, -1};
+  sample.proxy_m = {0.0, -1, 1};
+  EXPECT_EQ(row(sample), "0,0,1,-1,0,-1,1,0,0,0,0,0,\n");
 }
 
 TEST(SampleCsv, EveryNumberReadsBackAsItselfEvenTheLongest) {

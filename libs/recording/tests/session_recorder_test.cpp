@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/recording/session_recorder.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,11 +15,15 @@
 #include <csignal>
 #include <fstream>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include "../src/recording_output.h"
+#include "../src/shared_ring.h"
 #include "nazori/devices/simulated_device.h"
 #include "nazori/haptics/sample_ring.h"
+#include "sessions.h"
 #include "some_samples.h"
 #include "temporary_folder.h"
 
@@ -29,38 +35,10 @@ using haptics::ServoSample;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-Session session_of(const haptics::DeviceDescription& device) {
-  Session session;
-  session.device = device;
-  session.character = "休";
-  return session;
-}
-
-DeviceSample hand_at(int i) {
-  DeviceSample sample;
-  sample.time_s = 0.001 * i;
-  sample.position_m = {0.03 * std::sin(0.01 * i), 0.02 * std::cos(0.02 * i), 0.01 * std::sin(0.05 * i)};
-  return sample;
-}
-
-struct Read {
-  std::vector<ServoSample> samples;
-  RecordingEnd end;
-};
-Read read(const fs::path& path) {
-  Read got;
-  auto reader = RecordingReader::open(path);
-  if (!reader) {
-    ADD_FAILURE() << base::to_line(reader.error());
-    return got;
-  }
-  std::vector<ServoSample> some(100);
-  while (const std::size_t count = *reader->read(some)) {
-    got.samples.insert(got.samples.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
-  }
-  got.end = reader->end();
-  return got;
-}
+using test::hand_at;
+using test::Read;
+using test::read;
+using test::session_of;
 
 TEST(SessionRecorder, RecordsEveryTickFromStartToFinish) {
   const test::TemporaryFolder folder;
@@ -292,6 +270,72 @@ TEST_F(Crash, HalfARecordAtTheEndIsWrittenAgain) {
   std::ofstream(path, std::ios::binary | std::ios::app) << "half a record";
   ASSERT_EQ(recover(path).value(), Recovery::recovered);
   expect_complete(path);
+}
+
+TEST_F(Crash, WhatIsInTheFileAlreadyIsNotWrittenTwice) {
+  const fs::path path = folder_ / "unsaid.nzr";
+  record_and_die(path, 3000, SIGKILL);
+  {
+    // As if the writer had died between writing the last 100 and saying so.
+    auto shared = SharedRing::adopt(RecordingReader::open(path)->session().id);
+    ASSERT_TRUE(shared);
+    auto output = RecordingOutput::reopen(path);
+    ASSERT_TRUE(output);
+    ASSERT_TRUE(output->take(shared->ring()));
+    ASSERT_EQ(shared->ring().taken.load(), 3000U);
+    shared->ring().taken.store(2900);
+  }
+  ASSERT_EQ(recover(path).value(), Recovery::recovered);
+  expect_complete(path);
+}
+
+TEST_F(Crash, MemoryOfAnotherVersionIsNotTakenForSamples) {
+  const fs::path path = folder_ / "other.nzr";
+  record_and_die(path, 300, SIGKILL);
+  const auto id = RecordingReader::open(path)->session().id;
+  std::string name;
+  {
+    // Held twice it is refused by its name.
+    const auto held = SharedRing::adopt(id);
+    ASSERT_TRUE(held);
+    name = SharedRing::adopt(id).error().where;
+  }
+  const int memory = ::shm_open(name.c_str(), O_RDWR | O_CLOEXEC, 0);
+  ASSERT_GE(memory, 0) << name;
+  // The magic word, then the layout of the ring and the size of a sample.
+  for (const off_t field : {8, 12}) {
+    std::uint32_t is = 0;
+    ASSERT_EQ(::pread(memory, &is, sizeof is, field), 4);
+    const std::uint32_t other = is + 1;
+    ASSERT_EQ(::pwrite(memory, &other, sizeof other, field), 4);
+    const auto recovered = recover(path);
+    ASSERT_FALSE(recovered) << field;
+    EXPECT_EQ(recovered.error().code, base::Errc::schema);
+    ASSERT_EQ(::pwrite(memory, &is, sizeof is, field), 4);
+  }
+  ::close(memory);
+  ASSERT_EQ(recover(path).value(), Recovery::recovered);
+}
+
+TEST(RecordingOutput, ThatCannotGoOnEndsWithAWholeRecord) {
+  const test::TemporaryFolder folder;
+  const fs::path path = folder / "full.nzr";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // The file may grow by three and a half records.
+    (void)std::signal(SIGXFSZ, SIG_IGN);
+    auto output = RecordingOutput::create(path, session_of({}));
+    const auto ring = std::make_unique<haptics::SampleRing>();
+    for (const ServoSample& sample : test::some_samples(10)) ring->push(sample);
+    const rlimit most{kHeaderBytes + 3 * kRecordBytes + kRecordBytes / 2, RLIM_INFINITY};
+    if (!output || ::setrlimit(RLIMIT_FSIZE, &most) != 0) ::_exit(1);
+    const auto done = output->take(*ring);
+    ::_exit(done || done.error().code != base::Errc::io ? 2 : output->records() == 3 ? 0 : 3);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(fs::file_size(path), kHeaderBytes + 3 * kRecordBytes);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "piece_source.h"
 #include "temporary_folder.h"
 
 namespace nazori::recording {
@@ -101,6 +102,18 @@ TEST(TrajectoryCsv, NamesLineAndFaultOfEveryBadInput) {
            {head + "1,0,0,0,0\n", 3, "more values than the header's 4"},
            {head + "\n-1,0,0,0\n", 4, "time goes back from 0 to -1"},
            {head + "0,0,0,0\n", 3, "the time 0 comes twice"},
+           {head + "1,+,0,0\n", 3, "x is not a finite number: '+'"},
+           {head + "1,+-2,0,0\n", 3, "'+-2'"},
+           {head + "1,++2,0,0\n", 3, "'++2'"},
+           {head + "1,\"2,0,0\n", 3, "'\"2'"},
+           {head + "1,\",0,0\n", 3, "'\"'"},
+           {head + "1,\"\",0,0\n", 3, "x is missing"},
+           {head + "1,\"2,5\",0,0\n", 3, "'2,5'"},
+           {head + "1,2\r3,0,0\n", 3, "'2?3'"},
+           {head + "1,2\x7F\x1F~ 3,0,0\n", 3, "'2??~ 3'"},
+           {"x,y\n", 1, "lacks the columns t, z"},
+           {"\n\xEF\xBB\xBFt,x,y,z\n0,0,0,0\n", 2, "lacks the column t"},
+           {"t,x,y,z,t\n", 1, "the header names the column t twice"},
        }) {
     const Read got = read(text);
     EXPECT_THAT(got.trouble, HasSubstr("hand.csv:" + std::to_string(line) + ": ")) << text;
@@ -113,6 +126,70 @@ TEST(TrajectoryCsv, RefusesALineWithoutEndBeforeItFillsTheMemory) {
               HasSubstr("hand.csv:1: the line is longer than 65536"));
   EXPECT_THAT(read("t,x,y,z\n0,0,0,0\n1,0,0," + std::string(3'000'000, '1') + "\n").trouble,
               HasSubstr("hand.csv:3: the line is longer"));
+}
+
+TEST(TrajectoryCsv, ALineOfTheGreatestLengthIsRead) {
+  const auto with = [](std::size_t length) {
+    std::string line = "1,2,3,4,";
+    line.resize(length, ' ');
+    return read("t,x,y,z,note\n" + line + "\n");
+  };
+  const Read longest = with(TrajectoryReader::kLongestLine);
+  EXPECT_EQ(longest.trouble, "");
+  EXPECT_EQ(longest.points.size(), 1U);
+  EXPECT_THAT(with(65537).trouble,
+              HasSubstr("hand.csv:2: the line is longer than 65536 bytes (is this a CSV file?)"));
+  std::string last = "t,x,y,z,note\n1,2,3,4,";
+  last.resize(13 + 65536, ' ');
+  EXPECT_EQ(read(last).points.size(), 1U) << "and without its end";
+}
+
+TEST(TrajectoryCsv, FieldsInQuotesMayHoldCommasAndBlanksAroundThemDoNotCount) {
+  const Read got = read("note, \"t\" ,\tx,y,z\n \"a,b\" , \" 1 \",\"2\",3\t, 4 \n\"\",2,3,4,5\n");
+  EXPECT_EQ(got.trouble, "");
+  ASSERT_EQ(got.points.size(), 2U);
+  EXPECT_EQ(got.points[0].time_s, 1);
+  EXPECT_EQ(got.points[0].position_m, haptics::Vec3(2, 3, 4));
+}
+
+TEST(TrajectoryCsv, IsReadAsWellInPieces) {
+  std::string text = "t,x,y,z\r\n";
+  for (int i = 0; i < 100; ++i) text += std::to_string(i) + ",1,2,3\r\n";
+  for (const std::size_t piece : {1U, 7U, 1000U}) {
+    const Read got = read_all(TrajectoryReader::from(std::make_unique<test::PieceSource>(text, piece)));
+    EXPECT_EQ(got.trouble, "");
+    EXPECT_EQ(got.points.size(), 100U);
+  }
+  EXPECT_EQ(read_all(TrajectoryReader::from(std::make_unique<test::PieceSource>("", 7, 0, true))).trouble,
+            "pieces: the plug was pulled");
+  const Read broken = read_all(TrajectoryReader::from(std::make_unique<test::PieceSource>(text, 7, 0, true)));
+  EXPECT_EQ(broken.points.size(), 100U);
+  EXPECT_EQ(broken.trouble, "pieces: the plug was pulled");
+}
+
+TEST(TrajectoryCsv, ProgressIsTheShareOfTheInputThatWasRead) {
+  const std::string text = "t,x,y,z\n1,0,0,0\n2,0,0,0\n";  // three lines of eight bytes
+  auto reader = TrajectoryReader::from(memory_source(text, "hand.csv"));
+  ASSERT_TRUE(reader);
+  TrajectoryPoint point;
+  EXPECT_EQ(reader->line(), 1U);
+  EXPECT_DOUBLE_EQ(reader->progress(), 1.0 / 3);
+  ASSERT_TRUE(*reader->next(point));
+  EXPECT_EQ(reader->line(), 2U);
+  EXPECT_DOUBLE_EQ(reader->progress(), 2.0 / 3);
+  ASSERT_TRUE(*reader->next(point));
+  EXPECT_EQ(reader->progress(), 1);
+  EXPECT_FALSE(*reader->next(point));
+  auto piped = TrajectoryReader::from(std::make_unique<test::PieceSource>(text, 100));
+  EXPECT_EQ(piped->progress(), 0) << "of a length that nobody knows";
+  auto grown = TrajectoryReader::from(std::make_unique<test::PieceSource>(text, 100, 4));
+  EXPECT_EQ(grown->progress(), 1) << "a file that has grown since";
+}
+
+TEST(TrajectoryCsv, FortyBytesOfAWrongFieldAreShown) {
+  const std::string shown(40, 'q');
+  EXPECT_THAT(read("t,x,y,z\n0,0,0," + shown + "\n").trouble, HasSubstr("'" + shown + "' "));
+  EXPECT_THAT(read("t,x,y,z\n0,0,0," + shown + "r\n").trouble, HasSubstr("'" + shown + "...' "));
 }
 
 TEST(TrajectoryCsv, AFieldBeyondTheLongestShownIsCutInTheMessage) {

@@ -62,6 +62,50 @@ TEST(TrajectoryTicks, TheRateIsTheMedianSoThatAGapDoesNotCount) {
   EXPECT_EQ(ticks("t,x,y,z\n7,0,0,0\n").rate_hz, 1000);
 }
 
+TEST(TrajectoryTicks, TheRateIsWholeWhereItIsWithinAThousandthOfAWholeOne) {
+  EXPECT_EQ(ticks(rows(100, 1 / 100.09)).rate_hz, 100);
+  EXPECT_NEAR(ticks(rows(100, 1 / 100.11)).rate_hz, 100.11, 1e-6);
+  EXPECT_NEAR(ticks(rows(100, 1 / 99.89)).rate_hz, 99.89, 1e-6);
+  EXPECT_EQ(ticks(rows(100, 1 / 99.91)).rate_hz, 100);
+}
+
+TEST(TrajectoryTicks, OnlyRatesThatAServoMayHaveAreTaken) {
+  EXPECT_NEAR(ticks(rows(30, 1 / 20.1)).rate_hz, 20.1, 1e-6);
+  EXPECT_THAT(ticks(rows(30, 1 / 19.9)).trouble, testing::HasSubstr("no rate of a servo"));
+  EXPECT_NEAR(ticks(rows(30, 1 / 19'900.0)).rate_hz, 19'900, 1);
+  EXPECT_THAT(ticks(rows(30, 1 / 20'100.0)).trouble, testing::HasSubstr("no rate of a servo"));
+  EXPECT_EQ(ticks("t,x,y,z\n0,0,0,0\n2,0,0,0\n").trouble,
+            "t: the rows are 2 s apart, which is no rate of a servo (give --rate 1000 to have points between "
+            "them)");
+}
+
+TEST(TrajectoryTicks, TheFirstThousandDistancesGiveTheRate) {
+  std::string text = rows(1001, 0.001);
+  for (int i = 1; i <= 2000; ++i) text += fmt::format("{},0,0,0\n", 6 + 0.01 * i);
+  const Ticks got = ticks(text);
+  EXPECT_EQ(got.rate_hz, 1000);
+  EXPECT_EQ(got.points.size(), 3001U);
+}
+
+TEST(TrajectoryTicks, PointsLieOnStraightLinesBetweenTheRows) {
+  const Ticks got = ticks("t,x,y,z\n2,0,0,0\n2.25,1,2,-4\n3.05,1,10,4\n", 10);
+  ASSERT_EQ(got.points.size(), 11U) << "from 2 to 3; the last row lies between two ticks";
+  for (std::size_t i = 0; i < got.points.size(); ++i) {
+    const double t = 0.1 * static_cast<double>(i);
+    EXPECT_NEAR(got.points[i].time_s, 2 + t, 1e-12);
+    EXPECT_NEAR(got.points[i].position_m.x, std::min(t / 0.25, 1.0), 1e-12);
+    EXPECT_NEAR(got.points[i].position_m.y, t < 0.25 ? 8 * t : 10 * t - 0.5, 1e-12);
+    EXPECT_NEAR(got.points[i].position_m.z, t < 0.25 ? -16 * t : 10 * t - 6.5, 1e-12);
+  }
+}
+
+TEST(TrajectoryTicks, ATickThatRoundingPutsBehindTheLastRowIsNotLost) {
+  // 0.1 + 0.2 is a little more than 0.3.
+  const Ticks got = ticks("t,x,y,z\n0.1,0,0,0\n0.3,3,0,0\n", 10);
+  ASSERT_EQ(got.points.size(), 3U);
+  EXPECT_EQ(got.points[2].position_m.x, 3) << "and not beyond the row";
+}
+
 TEST(TrajectoryTicks, ALineStaysALineAtAnotherRate) {
   const Ticks got = ticks(rows(101, 0.01), 1000);  // one second
   EXPECT_EQ(got.rate_hz, 1000);

@@ -88,15 +88,14 @@ bool goes_through_both(const Samples& drawn, const Samples& both, const Samples&
   };
   constexpr float kSlack = 0.2F;
   if (ratio(both) > std::min(ratio(first), ratio(second)) + kSlack) return false;
-  const auto apart = [](const Samples& a, const Samples& b, std::size_t k) {
-    const float dx = a.x[k] - b.x[k];
-    const float dy = a.y[k] - b.y[k];
-    return dx * dx + dy * dy;
+  const auto at = [](const Samples& samples, std::size_t k) {
+    return geometry::GlyphPoint{static_cast<double>(samples.x[k]), static_cast<double>(samples.y[k])};
   };
-  // Where both strokes end in one corner, that end does not tell.
-  const float tells = both.length * both.length / 6;
   const auto nearer = [&](const Samples& wanted, const Samples& other, std::size_t k) {
-    return apart(wanted, other, k) < tells || apart(drawn, wanted, k) <= apart(drawn, other, k);
+    const auto right = at(wanted, k), wrong = at(other, k), here = at(drawn, k);
+    // Where both strokes end in one corner, that end does not tell.
+    return 6 * geometry::dot(right - wrong, right - wrong) < static_cast<double>(both.length * both.length) ||
+           geometry::distance(here, right) <= geometry::distance(here, wrong);
   };
   return nearer(first, second, 0) && nearer(second, first, kSamples - 1);
 }

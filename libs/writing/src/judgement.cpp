@@ -14,10 +14,10 @@ Judgement judge(const StrokeDifference& d, const Placement& placement, const Res
   const double shortness = 1 / (length + 3);
   // 1 for a dot, 0 for a long stroke: the place of a dot varies more.
   const double dot = std::exp(-(length / 17) * (length / 17));
-  const auto squared = [](float x, float y) { return static_cast<double>(x * x + y * y); };
-  const auto square = [](double v) { return v * v; };
-  const double place =
-      (0.51 * squared(d.offset_x, d.offset_y) + (2.0 - 1.73 * dot) * squared(placement.x, placement.y)) / 100;
+  const auto square = [](auto v) { return static_cast<double>(v * v); };
+  const double off = square(d.offset_x) + square(d.offset_y);
+  const double off_beside = square(placement.x) + square(placement.y);
+  const double place = (0.51 * off + (2.0 - 1.73 * dot) * off_beside) / 100;
   // Quick dots fall steeper than the model's; hardly any is flatter.
   const double steeper = std::clamp(static_cast<double>(d.steeper), -0.5, 0.5);
   const double freedom = static_cast<double>(d.freedom) * (1 + 0.46 * dot * steeper);
@@ -49,7 +49,7 @@ Judgement judge(const StrokeDifference& d, const Placement& placement, const Res
 double deviation_limit(double strictness) {
   constexpr double kAtLenient = 1.7;
   constexpr double kAtStrict = 1 / 1.7;
-  return kAtLenient * std::pow(kAtStrict / kAtLenient, std::clamp(strictness, 0.0, 1.0));
+  return kAtLenient * std::pow(kAtStrict / kAtLenient, strictness);
 }
 
 }  // namespace nazori::writing

@@ -18,7 +18,7 @@ struct Judgement {
 [[nodiscard]] Judgement judge(const StrokeDifference& difference, const Placement& placement,
                               const Residue& residue, float touch);
 
-/// The largest deviation that is accepted: 1 at normal strictness.
+/// The largest deviation that is accepted: 1 at normal strictness. @pre strictness 0..1.
 [[nodiscard]] double deviation_limit(double strictness);
 
 }  // namespace nazori::writing

@@ -7,7 +7,8 @@
 namespace nazori::writing {
 namespace {
 
-/// Positions in `links` of a longest sequence whose model strokes ascend.
+/// Positions in `links` of a longest sequence whose model strokes ascend. Of several the strokes drawn first
+/// are kept, so that the later ones are told.
 std::vector<char> longest_in_order(std::span<const Link> links) {
   const std::size_t n = links.size();
   std::vector<std::size_t> length(n, 1), before(n, n);

@@ -93,6 +93,86 @@ TEST(Explanation, ThePartsOfTheScoreAddUpToIt) {
             "書き順：15点中15点（順番どおりか）。");
 }
 
+TEST(Explanation, SaysOfAWrongStrokeWhatDeviatesMost) {
+  Grade g;
+  g.strokes.resize(1);
+  const auto said = [&g](Deviation deviation) {
+    return explain(Fault{FaultKind::wrong, 0, {}, {1}, deviation}, g, Language::english);
+  };
+  auto& v = g.strokes[0];
+  v.offset_x = 0.2, v.offset_y = 0.1;
+  EXPECT_EQ(said(Deviation::place), "Stroke 2 is too far to the right.");
+  v.offset_x = -0.2;
+  EXPECT_EQ(said(Deviation::place), "Stroke 2 is too far to the left.");
+  v.offset_y = 0.3;
+  EXPECT_EQ(said(Deviation::place), "Stroke 2 is too low.");
+  v.offset_y = -0.3;
+  EXPECT_EQ(said(Deviation::place), "Stroke 2 is too high.");
+  v.size = 1.2;
+  EXPECT_EQ(said(Deviation::length), "Stroke 2 is too long.");
+  v.size = 0.9;
+  EXPECT_EQ(said(Deviation::length), "Stroke 2 is too short.");
+  EXPECT_EQ(said(Deviation::direction), "Stroke 2 goes in another direction.");
+  EXPECT_EQ(said(Deviation::shape), "Stroke 2 has another shape.");
+  EXPECT_EQ(said(Deviation::none), "Stroke 2 has another shape.");
+  EXPECT_EQ(explain(Fault{FaultKind::wrong, 1, {}, {1}, Deviation::length}, g, Language::english),
+            "Stroke 2 has another shape.")
+      << "a stroke that nobody looked at";
+}
+
+TEST(Explanation, EachFaultHasItsOwnWords) {
+  Grade g;
+  const auto said = [&g](const Fault& fault) { return explain(fault, g, Language::english); };
+  EXPECT_EQ(said({FaultKind::order, 0, 1, {4, 2}}), "Stroke 5 was drawn before stroke 3.");
+  EXPECT_EQ(said({FaultKind::order, 0, {}, {4, 2}}), "Stroke 3 comes first.");
+  EXPECT_EQ(said({FaultKind::order, 0, 1, {4}}), "Stroke 5 has another shape.");
+  EXPECT_EQ(said({FaultKind::joined, 0, {}, {4, 5}}),
+            "Strokes 5 and 6 are two strokes: lift the pen between them.");
+  EXPECT_EQ(said({FaultKind::joined, 0, {}, {4}}), "Stroke 5 has another shape.");
+  EXPECT_EQ(said({FaultKind::extra, 3, {}, {}}), "The stroke you wrote as number 4 does not belong here.");
+  EXPECT_EQ(said({FaultKind::missing, 3, {}, {}}), "Stroke 4 is missing.")
+      << "by its own number where none is named";
+  Fault fault{FaultKind::reversed, 0, {}, {1}};
+  const std::pair<Side, std::string> sides[] = {
+      {Side::top, "top"}, {Side::bottom, "bottom"}, {Side::left, "left"}, {Side::right, "right"}};
+  for (const auto& [side, word] : sides) {
+    fault.start = side;
+    EXPECT_EQ(said(fault), "Stroke 2 starts at the " + word + ".");
+  }
+  Fault ending{FaultKind::ending, 0, {}, {1}};
+  ending.expected = kanji::StrokeEnding::hook;
+  EXPECT_EQ(said(ending), "Stroke 2 ends with a small kick.");
+  ending.expected = kanji::StrokeEnding::stop;
+  EXPECT_EQ(said(ending), "Stroke 2 stops without a kick.");
+  Fault other{FaultKind::other, 0, {}, {1}};
+  other.character = U'士';
+  EXPECT_EQ(said(other), "This looks like 士: mind stroke 2.");
+}
+
+TEST(Explanation, SaysFaultsBeforeAdviceAndWhichFormWasRight) {
+  Grade g;
+  g.faults = {{FaultKind::missing, 0, {}, {0}}, {FaultKind::missing, 1, {}, {1}}};
+  g.advice = {{FaultKind::missing, 2, {}, {2}}};
+  EXPECT_THAT(explain(g, Language::english),
+              ElementsAre("Stroke 1 is missing.", "Stroke 2 is missing.", "Stroke 3 is missing."));
+  Grade other;
+  other.accepted = true;
+  other.variant = "Kaisho";
+  EXPECT_THAT(explain(other, Language::english), ElementsAre("Right; this is another accepted form."));
+}
+
+TEST(Explanation, ThePointsThatRoundingCutGoToThePartsThatLostMost) {
+  Grade g;
+  // 15, 13.5, 13.5, 19.75 and 7.2 points.
+  g.parts = {0.5, 0.9, 0.9, 0.79, 0.48};
+  g.score = 69;
+  EXPECT_THAT(
+      explain_score(g, Language::english),
+      ElementsAre(testing::StartsWith("Strokes: 15 of 30"), testing::StartsWith("Order: 14 of 15"),
+                  testing::StartsWith("Direction: 13 of 15"), testing::StartsWith("Shape and size: 20 of 25"),
+                  testing::StartsWith("Place: 7 of 15")));
+}
+
 TEST(Explanation, EveryKindOfFaultIsASentenceInEveryLanguage) {
   Grade g;
   g.strokes.resize(3);

@@ -143,6 +143,17 @@ TEST(GradeLive, AStrangeStrokeDoesNotPassOverAnything) {
   for (const auto& fault : told(ink, rest()).faults) EXPECT_NE(fault.kind, FaultKind::order);
 }
 
+TEST(GradeLive, AStrangeStrokeIsNotRightWhateverItWasTakenForAtFirst) {
+  // Alone it looks like the fourth stroke, drawn too early. Among the others it only stands for the first.
+  auto ink = trace(rest());
+  ink.strokes[0] = InkStroke{{{60, 20}, {62, 50}, {58, 70}}, {}, {}};
+  const auto live = grade_live(ink, model_of(rest()));
+  ASSERT_TRUE(live);
+  EXPECT_THAT(fault_names(*live), ElementsAre("wrong@0"));
+  EXPECT_FALSE(live->strokes[0].ok);
+  EXPECT_FALSE(told(ink, rest()).strokes[0].ok);
+}
+
 TEST(GradeLive, AStrokeDrawnOverOneThatWasRightIsTheOneTooMany) {
   // Person: the second stroke is a little off, the third lies just where the model has the second.
   const auto person =

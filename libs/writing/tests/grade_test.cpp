@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "drawing.h"
+#include "nazori/geometry/polyline.h"
 
 namespace nazori::writing::test {
 namespace {
@@ -112,6 +113,45 @@ TEST(Grade, AStrokeThatCoversOneOfTwoIsNotBothOfThem) {
           EXPECT_NE(fault.kind, FaultKind::joined) << "without " << gone << ", seed " << seed;
       }
   }
+}
+
+TEST(Grade, ALineWithItsCornersCutIsTwoStrokesWhileItIsAboutAsLongAsBoth) {
+  // The upper two bars of three in one zigzag, which is drawn out to a straight line step by step.
+  const auto model = model_of(three());
+  const auto bars = trace(three());
+  const auto zigzag = resampled(joined(bars.strokes[0], bars.strokes[1]), 40);
+  const auto length = [](const InkStroke& s) {
+    return geometry::arc_length(std::span<const InkPoint>(s.points));
+  };
+  int both = 0, one = 0;
+  for (int step = 0; step <= 200; ++step) {
+    const double cut = step / 200.0;
+    InkStroke drawn = zigzag;
+    const InkPoint from = drawn.points.front(), to = drawn.points.back();
+    for (std::size_t i = 0; i < drawn.points.size(); ++i) {
+      auto& p = drawn.points[i];
+      const double way = static_cast<double>(i) / 39;
+      p = {p.x + cut * (from.x + way * (to.x - from.x) - p.x),
+           p.y + cut * (from.y + way * (to.y - from.y) - p.y)};
+    }
+    // The grader allows for 0.2. It lays the writing on its model first, which makes the line a little
+    // longer.
+    constexpr double kAllowed = 0.27, kTooNearToTell = 0.03;
+    // How many times shorter than both, and how many times longer than the longer bar, as logarithms.
+    const double shorter = std::log(length(zigzag) / length(drawn));
+    const double longer =
+        std::abs(std::log(length(drawn) / std::max(length(bars.strokes[0]), length(bars.strokes[1]))));
+    if (std::abs(shorter - longer - kAllowed) < kTooNearToTell) continue;
+    auto ink = bars;
+    ink.strokes = {drawn, bars.strokes[2]};
+    const auto faults = graded(ink, model).faults;
+    const bool is_joined =
+        std::any_of(faults.begin(), faults.end(), [](const Fault& f) { return f.kind == FaultKind::joined; });
+    EXPECT_EQ(is_joined, shorter < longer + kAllowed) << cut << ": " << shorter << ", " << longer;
+    ++(is_joined ? both : one);
+  }
+  EXPECT_GT(both, 80);
+  EXPECT_GT(one, 40);
 }
 
 TEST(Grade, OneStrokeInTwoPiecesIsSplit) {

@@ -101,6 +101,13 @@ TEST(MotionRemarks, ARestWithinAStrokeIsAPauseThatIsNotOneAtItsEnd) {
               testing::EndsWith(" 5 of 6 strokes flowed."));
 }
 
+TEST(MotionRemarks, ARestBeforeTheFirstMoveIsNoPause) {
+  auto ink = written_with_endings();
+  const auto rests_first = [](double t) { return t < 0.5 ? 0.0 : stops((t - 0.5) / 0.5); };
+  ink.strokes[2] = timed(trace(rest()).strokes[2], 2, 1.4, rests_first);
+  for (const MotionRemark& remark : told(ink).remarks) EXPECT_NE(remark.kind, MotionRemarkKind::paused);
+}
+
 TEST(MotionRemarks, AStrokeOfManyShortMovesIsHesitant) {
   auto ink = written_with_endings();
   ink.strokes[3] = timed(trace(rest()).strokes[3], 3, 4, [](double t) {

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <random>
+#include <string>
 
 #include "assignment.h"
 #include "fit.h"
@@ -100,11 +102,108 @@ TEST(StrokesOutOfTurn, NamesTheFewest) {
   const auto moved = strokes_out_of_turn(links({0, 2, 3, 4, 1}));
   ASSERT_EQ(moved.size(), 1U);
   EXPECT_THAT(moved[0].misplaced, ElementsAre(4));
+  EXPECT_EQ(moved[0].drawn, 1) << "the first that came before it";
   EXPECT_EQ(moved[0].before, 4);
   const auto early = strokes_out_of_turn(links({4, 0, 1, 2, 3}));
   ASSERT_EQ(early.size(), 1U);
   EXPECT_THAT(early[0].misplaced, ElementsAre(0));
   EXPECT_EQ(early[0].drawn, 0);
+}
+
+TEST(StrokesOutOfTurn, OfEquallyFewTheLaterDrawnAreNamed) {
+  // Either of the first two may be the one out of turn, beside the last: no single exchange mends it.
+  const auto faults = strokes_out_of_turn(links({1, 0, 2, 4, 5, 3}));
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_THAT(faults[0].misplaced, ElementsAre(1));
+  EXPECT_EQ(faults[0].drawn, 0);
+  EXPECT_EQ(faults[0].before, 1);
+  EXPECT_THAT(faults[1].misplaced, ElementsAre(5));
+  EXPECT_EQ(faults[1].drawn, 3);
+  EXPECT_EQ(faults[1].before, 5);
+}
+
+/// What is told of the order, by the definition: the fewest strokes are moved.
+TEST(StrokesOutOfTurn, AreTheFewestThatMendTheOrderWhateverItIs) {
+  std::vector<int> order{0, 1, 2, 3, 4, 5};
+  do {
+    const auto faults = strokes_out_of_turn(links(order));
+    std::vector<std::size_t> off;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      if (order[i] != static_cast<int>(i)) off.push_back(i);
+    if (off.empty()) {
+      EXPECT_TRUE(faults.empty());
+      continue;
+    }
+    const std::string name = testing::PrintToString(order);
+    if (off.size() == 2) {
+      const int first = static_cast<int>(off[0]), second = static_cast<int>(off[1]);
+      ASSERT_EQ(faults.size(), 1U) << name;
+      EXPECT_EQ(faults[0].drawn, first) << name;
+      EXPECT_EQ(faults[0].before, second) << name;
+      EXPECT_THAT(faults[0].misplaced, ElementsAre(first, second)) << name;
+      continue;
+    }
+    // The longest ascending sequence by trying all of them; of those equally long the one whose strokes came
+    // first.
+    unsigned best = 0;
+    const auto length = [](unsigned set) { return std::popcount(set); };
+    for (unsigned set = 1; set < 64; ++set) {
+      int last = -1;
+      bool ascends = true;
+      for (std::size_t i = 0; i < 6; ++i)
+        if ((set >> i & 1U) != 0) {
+          ascends = ascends && order[i] > last;
+          last = order[i];
+        }
+      if (ascends && length(set) > length(best)) best = set;
+    }
+    ASSERT_EQ(faults.size(), 6U - static_cast<std::size_t>(length(best))) << name;
+    unsigned kept = 63;
+    for (const auto& f : faults) {
+      ASSERT_EQ(f.misplaced.size(), 1U) << name;
+      kept &= ~(1U << static_cast<unsigned>(f.misplaced[0]));
+    }
+    int last = -1;
+    for (std::size_t i = 0; i < 6; ++i) {
+      if ((kept >> i & 1U) == 0) continue;
+      EXPECT_GT(order[i], last) << name << ": what is left is in order";
+      last = order[i];
+    }
+    for (const auto& f : faults) {
+      const auto moved = static_cast<std::size_t>(f.misplaced[0]);
+      // Said of the stroke that came too early: the first in order that should have come after the one moved,
+      // or the one moved itself and the last that should have come before it.
+      int drawn = -1, before = -1;
+      for (std::size_t k = moved; k-- > 0;)
+        if ((kept >> k & 1U) != 0 && order[k] > order[moved])
+          drawn = static_cast<int>(k), before = f.misplaced[0];
+      if (drawn < 0) {
+        drawn = f.misplaced[0];
+        for (std::size_t k = moved + 1; k < 6; ++k)
+          if ((kept >> k & 1U) != 0 && order[k] < order[moved]) before = static_cast<int>(k);
+      }
+      EXPECT_EQ(f.drawn, drawn) << name;
+      EXPECT_EQ(f.before, before) << name;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(StrokesOutOfTurn, OfTwoThatMayHaveComeFirstTheOneDrawnFirstIsInItsTurn) {
+  // Both 2 and 1 may stand before 3 and 4; 2 was drawn first, so 1 is the one that is late.
+  const auto faults = strokes_out_of_turn(links({2, 1, 3, 0, 4}));
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_THAT(faults[0].misplaced, ElementsAre(1));
+  EXPECT_THAT(faults[1].misplaced, ElementsAre(3));
+}
+
+TEST(StrokesOutOfTurn, AreNamedByTheirDrawnNumbersAfterASplitOrAnExtraStroke) {
+  std::vector<Link> some{{0, 2, 1, 1, {}}, {2, 1, 2, 1, {}}, {5, 1, 0, 1, {}}};
+  const auto faults = strokes_out_of_turn(some);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].drawn, 0);
+  EXPECT_EQ(faults[0].before, 5);
+  EXPECT_THAT(faults[0].misplaced, ElementsAre(5));
+  EXPECT_TRUE(strokes_out_of_turn({}).empty());
 }
 
 TEST(Picture, ForgetsOrderDirectionPlaceAndSize) {

@@ -18,14 +18,15 @@ template <class Cost>
   assert(costs.size() == size * size);
   constexpr Cost kMost = std::numeric_limits<Cost>::max();
   // Rows and columns count from 1; 0 stands for none.
-  std::vector<Cost> row_potential(size + 1), column_potential(size + 1), least(size + 1);
-  std::vector<std::size_t> row_of(size + 1), before(size + 1);
-  std::vector<char> used(size + 1);
+  const std::size_t places = size + 1;
+  std::vector<Cost> row_potential(places), column_potential(places), least;
+  std::vector<std::size_t> row_of(places), before(places);
+  std::vector<char> used;
   for (std::size_t row = 1; row <= size; ++row) {
     row_of[0] = row;
     std::size_t column = 0;
-    least.assign(size + 1, kMost);
-    used.assign(size + 1, 0);
+    least.assign(places, kMost);
+    used.assign(places, 0);
     do {
       used[column] = 1;
       const std::size_t from = row_of[column];
