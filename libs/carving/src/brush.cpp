@@ -39,22 +39,16 @@ double bump(double t) {
 
 /// Depth of a brush that is being lifted, u from 0 (down) to 1 (away): level at both ends.
 double lift(double u) {
-  const double v = 1 - std::clamp(u, 0.0, 1.0);
+  const double v = 1 - u;
   return v * v * (3 - 2 * v);
 }
 
 /// Width of a brush that is being lifted: even at first, then to a point.
-double narrowing(double u) {
-  const double v = std::clamp(u, 0.0, 1.0);
-  return (1 - v) * (1 + v - 0.6 * v * v);
-}
+double narrowing(double u) { return (1 - u) * (1 + u - 0.6 * u * u); }
 
 /// Width of a brush that kicks away from a stop: level at the stop, where its round foot still shows, then to
 /// a point.
-double kick_narrowing(double u) {
-  const double v = std::clamp(u, 0.0, 1.0);
-  return 1 - v * v * (1.5 - 0.5 * v);
-}
+double kick_narrowing(double u) { return 1 - u * u * (1.5 - 0.5 * u); }
 
 }  // namespace
 

@@ -192,13 +192,12 @@ void mark_tight_bends(const std::vector<Node>& line, const std::vector<double>& 
 }  // namespace
 
 double turn_at(std::span<const GlyphPoint> line, std::size_t i, double reach) {
-  if (i == 0 || i + 1 >= line.size()) return 0;
   const auto look = [&](std::ptrdiff_t step) {
     double left = reach;
     std::size_t k = i;
     while (true) {
       const std::size_t next = k + static_cast<std::size_t>(step);
-      if (next >= line.size()) return line[k];  // also below 0, which wraps around
+      if (next >= line.size()) return line[k];  // also below 0, which wraps around: no way, no turn
       const double d = geometry::distance(line[k], line[next]);
       if (d >= left && d > 0) return line[k] + (line[next] - line[k]) * (left / d);
       left -= d;
@@ -217,7 +216,7 @@ std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, in
   const double max_turn = std::clamp(12.0 / size, 0.012, 0.06);
   if (line.size() > 1) line = refine(line, max_turn, coarse ? sample : 0);
   const double length = line.back().s;
-  const double hook = hook_length(stroke) * (length > 0 ? 1.0 : 0.0);
+  const double hook = hook_length(stroke);
   if (brush.endings && length > 0) {
     const BrushZones at = zones_of(brush, stroke.ending, length, hook);
     const auto step = [scale](double reach, int least) {
@@ -262,8 +261,9 @@ std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, in
     const bool last = i + 1 == joints.size();
     const bool corner = next_corner < split.size() && split[next_corner] == i;
     bool level = false;
-    if (!last && !corner && turned > kLongPiece && line[i].s > s_of_tight + clear) {
-      // A long bend is cut where it is gentle, so that a line which crosses itself meets another piece.
+    if (!last && turned > kLongPiece && line[i].s > s_of_tight + clear) {
+      // A long bend is cut where it is gentle and no corner is near, so that a line which crosses itself
+      // meets another piece.
       level = next_corner >= split.size() || line[split[next_corner]].s > line[i].s + clear;
       for (std::size_t k = i; level && k < joints.size() && line[k].s < line[i].s + clear; ++k)
         level = !joints[k].needs_disc;

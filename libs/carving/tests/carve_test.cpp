@@ -88,6 +88,39 @@ TEST(Carve, AnArcGivenByPointsIsCarvedAsAnArcAndNotAsItsChords) {
   EXPECT_LT(worst, 0.006);
 }
 
+TEST(Carve, ARingAsTightAsTheBrushIsWideIsDeepestOnItsLineAndNotAtItsSeam) {
+  // In pieces it would be cut twice where its end meets its start.
+  constexpr double kHalfWidth = 10;
+  constexpr double kRadius = 9.5;
+  StrokeLine line;
+  for (int degree = 0; degree <= 360; degree += 10) {
+    const double a = degree * std::numbers::pi / 180;
+    line.points.push_back({54.5 + kRadius * std::cos(a), 54.5 + kRadius * std::sin(a)});
+  }
+  const auto map = carved({line}, 257, even_brush(2 * kHalfWidth));
+  EXPECT_LT(worst_difference(map,
+                             [&](GlyphPoint p) {
+                               const double r = geometry::distance(p, GlyphPoint{54.5, 54.5});
+                               return 1 - rounded(std::abs(r - kRadius), kHalfWidth);
+                             }),
+            2e-3);
+}
+
+TEST(Carve, AStrokeWithSharpCornersIsCarvedAsItsStraightPartsHoweverCloseTheCornersAre) {
+  constexpr int kSize = 257;
+  for (const double step : {1.0, 3.0, 12.0}) {
+    const std::vector<GlyphPoint> line{
+        {20, 40}, {54, 40}, {54, 40 + step}, {54 + step, 40 + step}, {54 + step, 90}};
+    std::vector<StrokeLine> parts;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) parts.push_back(stroke({line[i], line[i + 1]}));
+    const auto whole = carved({{line, StrokeEnding::stop, {}}}, kSize, even_brush(12));
+    const auto apart = carved(parts, kSize, even_brush(12));
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x)
+        ASSERT_NEAR(whole.at(x, y), apart.at(x, y), 1e-4) << step << ": " << x << ", " << y;
+  }
+}
+
 TEST(Carve, TheVSectionHasStraightWalls) {
   const auto map = carved({stroke({{54.5, 10}, {54.5, 99}})}, 1091, even_brush(20, CrossSection::v_shaped));
   const auto depth = [&](double distance) { return 1 - height_at(map, {54.5 + distance, 54.5}); };

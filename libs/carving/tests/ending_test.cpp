@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "nazori/carving/carve.h"
 #include "test_strokes.h"
@@ -120,6 +121,21 @@ TEST(HookLength, IsThePartAfterTheLastSharpTurnOnly) {
   EXPECT_NEAR(hook_length(stroke({{10, 10}, {60, 10}, {60, 80}, {53, 75}}, StrokeEnding::hook)), 8.602, 1e-3);
   EXPECT_NEAR(hook_length(stroke({{10, 10}, {60, 10}}, StrokeEnding::hook)), 7, 1e-9) << "no turn";
   EXPECT_EQ(hook_length(stroke({{10, 10}}, StrokeEnding::hook)), 0);
+}
+
+TEST(HookLength, AKickWithARoundFootBeginsInTheMiddleOfTheFoot) {
+  // Seen over 4 units to both sides the foot turns by 40 degrees, which is no kick yet; over 6 units by 60.
+  constexpr double kRadius = 5.7;
+  constexpr double kTurn = 2 * std::numbers::pi / 3;
+  constexpr double kTail = 5;
+  StrokeLine line = stroke({{60, 10}}, StrokeEnding::hook);
+  constexpr int kSteps = 24;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double a = kTurn * i / kSteps;
+    line.points.push_back({60 - kRadius + kRadius * std::cos(a), 70 + kRadius * std::sin(a)});
+  }
+  line.points.push_back(line.points.back() + GlyphPoint{-std::sin(kTurn), std::cos(kTurn)} * kTail);
+  EXPECT_NEAR(hook_length(line), kRadius * kTurn / 2 + kTail, 0.6);
 }
 
 TEST(HookLength, FindsTheKicksThatKanjiVgDraws) {

@@ -37,7 +37,6 @@ class PathReader {
     if (absolute(data_[at_]) != 'M') return refuse("path data must begin with M");
     while (!at_end()) {
       if (!read_command()) return refuse(fault_);
-      skip_spaces();
     }
     return path_;
   }
@@ -91,7 +90,7 @@ class PathReader {
     double value = 0;
     const char* const first = data_.data() + at_ + (plus ? 1 : 0);
     const auto read = std::from_chars(first, data_.data() + end, value);
-    if (read.ec != std::errc{} || !std::isfinite(value) || std::abs(value) > kLargestNumber) {
+    if (read.ec != std::errc{} || std::abs(value) > kLargestNumber) {
       return stop("a number is over 1e6 or finer than a double holds"), std::nullopt;
     }
     at_ = end;
@@ -99,7 +98,6 @@ class PathReader {
   }
 
   std::optional<double> coordinate(double origin) {
-    if (!number_follows()) return stop("a number is missing"), std::nullopt;
     const auto value = number();
     if (!value) return std::nullopt;
     const double sum = *value + origin;
@@ -134,8 +132,7 @@ class PathReader {
       if (kind == 'M') repeated = is_relative(command) ? 'l' : 'L';
       const std::size_t before = at_;
       skip_comma();
-      if (!number_follows() && at_ > before &&
-          data_.substr(before, at_ - before).find(',') != std::string_view::npos) {
+      if (!number_follows() && data_.substr(before, at_ - before).find(',') != std::string_view::npos) {
         return stop("a number is missing after the comma");
       }
     } while (number_follows());
@@ -150,7 +147,6 @@ class PathReader {
         if (!to) return false;
         path_.start = here_ = *to;
         started_ = true;
-        forget_controls();
         return true;
       }
       case 'L': {

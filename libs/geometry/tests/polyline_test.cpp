@@ -53,7 +53,20 @@ TEST(NearestPoint, OfPointsBeyondTheEndsIsTheEnd) {
   const Line line{{0, 0}, {10, 0}};
   EXPECT_EQ(nearest_point(Span(line), {-3, 4}).point, (GlyphPoint{0, 0}));
   EXPECT_DOUBLE_EQ(nearest_point(Span(line), {-3, 4}).distance, 5);
+  EXPECT_EQ(nearest_point(Span(line), {-3, 4}).arc_length, 0);
+  EXPECT_EQ(nearest_point(Span(line), {-3, 4}).segment, 0U);
   EXPECT_EQ(nearest_point(Span(line), {13, -4}).point, (GlyphPoint{10, 0}));
+  EXPECT_EQ(nearest_point(Span(line), {13, -4}).arc_length, 10);
+}
+
+TEST(NearestPoint, OfSeveralAtTheSameDistanceIsTheFirst) {
+  const Line hairpin{{0, 0}, {10, 0}, {10, 4}, {0, 4}};
+  const auto between = nearest_point(Span(hairpin), {5, 2});
+  EXPECT_EQ(between.arc_length, 5);
+  EXPECT_EQ(between.segment, 0U);
+  const auto corner = nearest_point(Span(hairpin), {13, -4});
+  EXPECT_EQ(corner.point, (GlyphPoint{10, 0}));
+  EXPECT_EQ(corner.segment, 0U);
 }
 
 TEST(NearestPoint, OfASinglePointOrARepeatedOneIsThatPoint) {
@@ -93,11 +106,35 @@ TEST(NearestPointBetween, LooksOnlyAtThePartAsked) {
   EXPECT_EQ(back.segment, 2U);
 }
 
+TEST(NearestPointBetween, ACornerOutsideThePartIsNotTaken) {
+  const Line line{{0, 0}, {10, 0}, {10, 1}, {0, 1}};
+  const auto after = nearest_point_between(Span(line), {12, -1}, 10.5, 11);
+  EXPECT_EQ(after.point, (GlyphPoint{10, 0.5}));
+  EXPECT_EQ(after.arc_length, 10.5);
+  EXPECT_EQ(after.segment, 1U);
+  const auto before = nearest_point_between(Span(line), {12, 2}, 0, 5);
+  EXPECT_EQ(before.point, (GlyphPoint{5, 0}));
+  EXPECT_EQ(before.arc_length, 5);
+  const auto only = nearest_point_between(Span(line), {3, 9}, 10.25, 10.25);
+  EXPECT_EQ(only.point, (GlyphPoint{10, 0.25}));
+}
+
+TEST(NearestPointBetween, OfSeveralAtTheSameDistanceIsTheFirst) {
+  const Line line{{0, 0}, {10, 0}, {10, 4}, {0, 4}};
+  EXPECT_EQ(nearest_point_between(Span(line), {5, 2}, 0, 24).arc_length, 5);
+  EXPECT_EQ(nearest_point_between(Span(line), {13, -4}, 10, 24).segment, 0U);
+}
+
 TEST(NearestPointBetween, PastTheEndAndOfASinglePointIsTheLastPoint) {
   const auto end = nearest_point_between(Span(Line{{0, 0}, {3, 4}, {3, 4}}), {0, 0}, 6, 9);
   EXPECT_DOUBLE_EQ(end.arc_length, 5);
   EXPECT_DOUBLE_EQ(end.distance, 5);
-  EXPECT_DOUBLE_EQ(nearest_point_between(Span(Line{{1, 1}}), {4, 5}, 0, 1).distance, 5);
+  EXPECT_EQ(end.segment, 1U);
+  EXPECT_EQ(end.point, (GlyphPoint{3, 4}));
+  const auto point = nearest_point_between(Span(Line{{1, 1}}), {4, 5}, 0, 1);
+  EXPECT_DOUBLE_EQ(point.distance, 5);
+  EXPECT_EQ(point.arc_length, 0);
+  EXPECT_EQ(point.segment, 0U);
 }
 
 TEST(NearestPointBetween, IsNeverFartherThanAnyPointOfADenseWalkOfThePart) {
@@ -138,6 +175,21 @@ TEST(Resample, KeepsBothEndsAndEvenSteps) {
       EXPECT_NEAR(distance(even[i], point_at(Span(line), step * static_cast<double>(i))), 0, 1e-9);
     }
   }
+}
+
+TEST(PointAt, OfALineWhoseFirstPointIsRepeatedBeginsThere) {
+  const Line line{{1, 1}, {1, 1}, {5, 1}};
+  EXPECT_EQ(point_at(Span(line), -2), (GlyphPoint{1, 1}));
+  EXPECT_EQ(point_at(Span(line), 0), (GlyphPoint{1, 1}));
+  EXPECT_EQ(point_at(Span(line), 3), (GlyphPoint{4, 1}));
+}
+
+TEST(Resample, PassesOverRepeatedPoints) {
+  const Line even{{1, 1}, {3, 1}, {5, 1}};
+  EXPECT_EQ(resample(Span(Line{{1, 1}, {1, 1}, {5, 1}}), 3), even);
+  EXPECT_EQ(resample(Span(Line{{1, 1}, {3, 1}, {3, 1}, {5, 1}}), 3), even);
+  EXPECT_EQ(resample(Span(Line{{1, 1}, {5, 1}, {5, 1}}), 3), even);
+  EXPECT_EQ(resample(Span(Line{{1, 1}, {5, 1}}), 2), (Line{{1, 1}, {5, 1}}));
 }
 
 TEST(Resample, OfASinglePointRepeatsIt) {

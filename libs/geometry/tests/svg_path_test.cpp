@@ -66,6 +66,12 @@ TEST(SvgPath, ShorthandsMirrorTheLastControlPointOfTheirOwnKindOnly) {
   expect_same("M0 0 L 10 0 S 20 -10 20 0", "M0 0 L 10 0 C 10 0 20 -10 20 0");
   expect_same("M0 0 Q 5 10 10 0 S 20 -10 20 0", "M0 0 Q 5 10 10 0 C 10 0 20 -10 20 0");
   expect_same("M0 0 C 0 10 10 10 10 0 T 20 0", "M0 0 C 0 10 10 10 10 0 Q 10 0 20 0");
+  // What came before the last curve is forgotten, whatever its kind.
+  expect_same("M0 0 Q 5 10 10 0 C 10 10 20 10 20 0 T 30 0",
+              "M0 0 Q 5 10 10 0 C 10 10 20 10 20 0 Q 20 0 30 0");
+  expect_same("M0 0 C 0 10 10 10 10 0 Q 15 10 20 0 S 30 -10 30 0",
+              "M0 0 C 0 10 10 10 10 0 Q 15 10 20 0 C 20 0 30 -10 30 0");
+  expect_same("M0 0 Q 5 10 10 0 L 20 0 T 30 0", "M0 0 Q 5 10 10 0 L 20 0 Q 20 0 30 0");
 }
 
 TEST(SvgPath, NumbersNeedNoSpacesWhereTheirEndIsClear) {
@@ -74,6 +80,32 @@ TEST(SvgPath, NumbersNeedNoSpacesWhereTheirEndIsClear) {
   expect_same("m1,2,3,4,5,6", "M1 2 L4 6 L9 12");
   expect_same("\tM 1\n2\r\nL3 , 4 ", "M1 2L3 4");
   expect_same("M0,0c1,1,2,2,3,3,1,1,2,2,3,3", "M0,0c1,1,2,2,3,3c1,1,2,2,3,3");
+  expect_same("M0,0q1,1,2,2,3,3,4,4s1,1,2,2t5,5", "M0 0q1 1 2 2q3 3 4 4s1 1 2 2t5 5");
+  expect_same("M\f1\t2\rL\n3\f4 \t", "M1 2L3 4");
+}
+
+TEST(SvgPath, NothingIsReadPastTheEndOfTheText) {
+  // Each text goes on in memory with what would change it.
+  const auto begin = [](std::string_view whole, std::size_t length) { return whole.substr(0, length); };
+  expect_same(begin("M1 2 7 8", 4), "M1 2");
+  expect_same(begin("M1 2 7 8", 5), "M1 2");
+  expect_same(begin("M1 23", 4), "M1 2");
+  expect_same(begin("M1 2.5", 4), "M1 2");
+  expect_same(begin("M1 2e3", 4), "M1 2");
+  expect_same(begin("M1 2,L3 4", 4), "M1 2");
+  expect_same(begin("M1 2L3 4", 4), "M1 2");
+  EXPECT_EQ(parse_svg_path(begin("M1 2L+5 6", 5)).error().where, "column 6");
+  EXPECT_EQ(parse_svg_path(begin(" M1 2", 1)).error().what, "path data are empty");
+}
+
+TEST(SvgPath, AStraightPieceIsWalkedEvenly) {
+  for (const std::string_view data : {"M0 0L9 18", "M0 0 Q4.5 9 9 18"}) {
+    const BezierPath path = read(data);
+    ASSERT_EQ(path.pieces.size(), 1U);
+    for (const double t : {0.25, 0.5, 0.75}) {
+      EXPECT_NEAR(distance(on_curve(path.start, path.pieces[0], t), GlyphPoint{9 * t, 18 * t}), 0, 1e-12);
+    }
+  }
 }
 
 TEST(SvgPath, AMoveAloneIsAPoint) {
@@ -118,11 +150,49 @@ TEST(SvgPath, RefusesWhatIsNoSingleStrokeAndNamesTheColumn) {
   EXPECT_EQ(column("M1 2Linf 1"), "column 6");
 }
 
+TEST(SvgPath, SaysWhatIsWrong) {
+  const auto what = [](std::string_view data) {
+    const auto path = parse_svg_path(data);
+    return path ? std::string("read") : path.error().what;
+  };
+  EXPECT_EQ(what(""), "path data are empty");
+  EXPECT_EQ(what("   "), "path data are empty");
+  EXPECT_EQ(what("L1 2"), "path data must begin with M");
+  EXPECT_EQ(what("M1 2M3 4"), "a stroke is one line: a second M");
+  EXPECT_EQ(what("M1 2L3 4z"), "a stroke is one line: Z closes it");
+  EXPECT_EQ(what("M1 2A1 1 0 0 0 3 4"), "arcs (A) do not occur in strokes");
+  EXPECT_EQ(what("M1 2B3"), "unknown command");
+  EXPECT_EQ(what("M1 2e"), "unknown command") << "an exponent has digits";
+  for (const std::string_view data : {"M1 2{3", "M1 2[3", "M1 2`3", "M1 2@3", "M1 2#", "M1 2/3", "M1 2:3"})
+    EXPECT_EQ(what(data), "a command is missing") << data;
+  for (const std::string_view data : {"M", "M1", "M1 2L3", "M1 2L-", "M1 2L.", "M1 2L+-3 4", "M1 2Lnan 4"})
+    EXPECT_EQ(what(data), "a number is missing") << data;
+  EXPECT_EQ(what("M1 2L3 4,"), "a number is missing after the comma");
+  EXPECT_EQ(what("M1 2L3 4,h5"), "a number is missing after the comma");
+  EXPECT_EQ(what("M1000001 0"), "a number is over 1e6 or finer than a double holds");
+  EXPECT_EQ(what("M1e6 0l1 0"), "a point lies beyond 1e6");
+}
+
+TEST(SvgPath, ControlPointsThatMirroringThrowsOutLieWithinTwoMillion) {
+  // S mirrors the last control point: from 1e6 over an end at -1e6 it comes to lie at -3e6.
+  EXPECT_FALSE(parse_svg_path("M0 0C0 0 1e6 0 -1e6 0S0 0 0 0"));
+  EXPECT_FALSE(parse_svg_path("M0 0C0 0 0 1e6 0 -1e6S0 0 0 0"));
+  EXPECT_TRUE(parse_svg_path("M0 0C0 0 0 0 -1e6 0S0 0 0 0"));
+  EXPECT_TRUE(parse_svg_path("M0 0C0 0 0 0 0 1e6S0 0 0 0"));
+  EXPECT_FALSE(parse_svg_path("M0 0C0 0 1 0 -1e6 0S0 0 0 0"));
+  EXPECT_FALSE(parse_svg_path("M0 0C0 0 0 -1 0 1e6S0 0 0 0"));
+  // T mirrors it each time: 1e6 at 0, then -1e6, then 3e6. A quadratic control point counts two thirds.
+  EXPECT_FALSE(parse_svg_path("M-1e6 0Q1e6 0 0 0T1e6 0T-1e6 0T0 0"));
+  EXPECT_FALSE(parse_svg_path("M0 -1e6Q0 1e6 0 0T0 1e6T0 -1e6T0 0"));
+}
+
 TEST(SvgPath, RefusesNumbersPointsAndCountsBeyondTheLimits) {
   EXPECT_TRUE(parse_svg_path("M1e6 -1e6"));
   EXPECT_FALSE(parse_svg_path("M1000001 0"));
   EXPECT_FALSE(parse_svg_path("M1e999 0"));
   EXPECT_FALSE(parse_svg_path("M1e6 0l1 0"));
+  EXPECT_FALSE(parse_svg_path("M1e6 0l-1500000 0")) << "the number itself is too large";
+  EXPECT_TRUE(parse_svg_path("M1e6 0l-1e6 1e6"));
   EXPECT_FALSE(parse_svg_path("M1e-999 0"));
   EXPECT_TRUE(parse_svg_path("M1e-9 0"));
   std::string many = "M0 0";
@@ -173,6 +243,13 @@ TEST(Flatten, AStraightLineIsOneSegmentAndAFinerToleranceNeedsMore) {
   const BezierPath arc = read("M0 0C0 60 100 60 100 0");
   EXPECT_LT(flatten(arc, 1).size(), flatten(arc, 0.01).size());
   EXPECT_LE(flatten(arc, 0.05).size(), 65U);
+}
+
+TEST(Flatten, AnArchIsOneSegmentFromTheToleranceOfItsHeightOn) {
+  // Its top is 3/4 as high as its control points.
+  const BezierPath arch = read("M0 0C0 4 30 4 30 0");
+  EXPECT_EQ(flatten(arch, 3).size(), 2U);
+  EXPECT_GT(flatten(arch, 2.999).size(), 2U);
 }
 
 TEST(Flatten, ALineThatTurnsBackOnItselfKeepsItsTurn) {

@@ -7,6 +7,11 @@
 #include <string>
 
 namespace nazori::surface {
+namespace {
+
+float held(float height) { return std::isfinite(height) ? std::clamp(height, 0.0F, 1.0F) : 1.0F; }
+
+}  // namespace
 
 HeightMap::HeightMap(int size, float height)
     : size_(size), samples_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), height) {}
@@ -18,7 +23,7 @@ base::Result<HeightMap> HeightMap::create(int size, float height) {
                       "give " + std::to_string(kMinSize) + " to " + std::to_string(kMaxSize));
   }
   try {
-    return HeightMap(size, std::isfinite(height) ? std::clamp(height, 0.0F, 1.0F) : 1.0F);
+    return HeightMap(size, held(height));
   } catch (const std::bad_alloc&) {
     return base::fail(base::Errc::io, "there is not enough memory for the samples", "size",
                       "give a smaller size");
@@ -30,8 +35,6 @@ void HeightMap::unload() {
   samples_ = {};
 }
 
-void HeightMap::set(int column, int row, float height) {
-  samples_[index(column, row)] = std::isfinite(height) ? std::clamp(height, 0.0F, 1.0F) : 1.0F;
-}
+void HeightMap::set(int column, int row, float height) { samples_[index(column, row)] = held(height); }
 
 }  // namespace nazori::surface

@@ -2,6 +2,7 @@
 #include <png.h>
 
 #include <csetjmp>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -34,7 +35,7 @@ Exchange& exchange_of(png_structp png) { return *static_cast<Exchange*>(png_get_
 
 [[noreturn]] void on_error(png_structp png, png_const_charp message) {
   Exchange& exchange = exchange_of(png);
-  std::strncpy(exchange.message, message, sizeof exchange.message - 1);
+  std::snprintf(exchange.message, sizeof exchange.message, "%s", message);
   png_longjmp(png, 1);
 }
 
@@ -245,7 +246,6 @@ std::vector<std::uint8_t> to_png(const HeightMap& map, PngDepth depth) {
     const auto n = static_cast<png_uint_32>(side);
     png_set_IHDR(png, writer.info(), n, n, wide ? 16 : 8, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_compression_level(png, 6);
     png_write_info(png, writer.info());
     for (std::size_t y = 0; y < side; ++y) {
       const std::span<const float> heights = map.samples().subspan(y * side, side);

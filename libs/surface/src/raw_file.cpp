@@ -29,11 +29,10 @@ base::Result<int> side_of(std::size_t length) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(length))));
   if (side >= HeightMap::kMinSize && square(side) == length) return side;
   const int below = std::max(HeightMap::kMinSize, square(side) > length ? side - 1 : side);
-  const int above = std::min(HeightMap::kMaxSize, below + 1);
   return base::fail(base::Errc::parse,
                     "has " + std::to_string(length) + " bytes, which is no square of " +
                         std::to_string(HeightMap::kMinSize) + " or more a side",
-                    {}, "a whole file has " + bytes_of(below) + " or " + bytes_of(above) + " bytes");
+                    {}, "a whole file has " + bytes_of(below) + " or " + bytes_of(below + 1) + " bytes");
 }
 
 }  // namespace

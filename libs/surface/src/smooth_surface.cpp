@@ -10,7 +10,7 @@ namespace nazori::surface {
 namespace {
 
 std::uint64_t next_serial() {
-  static std::atomic<std::uint64_t> last{0};
+  static std::atomic<std::uint64_t> last;
   return ++last;
 }
 

@@ -63,10 +63,23 @@ TEST_F(HeightMapFiles, ThatAreMissingOrCutOffAreNamed) {
   ASSERT_TRUE(base::write_file(folder_ / "cut.png", std::string("\x89PNG\r\n\x1A\n", 8)));
   const auto cut = load_height_map(folder_ / "cut.png");
   ASSERT_FALSE(cut);
-  EXPECT_EQ(cut.error().where.find((folder_ / "cut.png").string()), 0U);
+  EXPECT_EQ(cut.error().where, (folder_ / "cut.png").string());
+  EXPECT_NE(cut.error().what.find("PNG"), std::string::npos) << "eight bytes are a signature";
   ASSERT_TRUE(base::write_file(folder_ / "short", std::string("\x89PNG", 4)));
   EXPECT_TRUE(load_height_map(folder_ / "short"))
       << "four bytes that only begin like the signature are a RAW";
+}
+
+TEST_F(HeightMapFiles, OfAWrongSizeNameTheFileAndTheArgument) {
+  ASSERT_TRUE(save_raw(slope_, folder_ / "b.raw"));
+  EXPECT_EQ(load_height_map(folder_ / "b.raw", 1).error().where, (folder_ / "b.raw").string() + ": size");
+}
+
+TEST_F(HeightMapFiles, ThatCannotBeOneAreNotRead) {
+  ASSERT_TRUE(base::write_file(folder_ / "large", std::string_view()));
+  // 16 bits for each sample of the largest map, and 16 mebibytes.
+  fs::resize_file(folder_ / "large", 2 * 8192 * 8192 + 16 * 1048576 + 1);
+  EXPECT_EQ(load_height_map(folder_ / "large").error().code, base::Errc::io);
 }
 
 }  // namespace

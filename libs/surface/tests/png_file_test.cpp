@@ -118,6 +118,7 @@ TEST(PngFile, RefusesColourTransparencyAndOtherShapesAsTheWrongKind) {
     ASSERT_FALSE(map) << int{colour};
     EXPECT_EQ(map.error().code, base::Errc::schema);
     EXPECT_NE(map.error().remedy.find("greyscale"), std::string::npos);
+    EXPECT_EQ(map.error().what.find("transparency") != std::string::npos, colour == 4) << int{colour};
   }
   for (const auto& [width, height] : {std::pair{2U, 3U}, std::pair{3U, 2U}, std::pair{1U, 1U},
                                       std::pair{8193U, 8193U}, std::pair{900000U, 900000U}}) {
@@ -134,6 +135,54 @@ TEST(PngFile, AHeadThatPromisesMorePixelsThanTheFileCanHoldIsRefused) {
   const auto map = parse_png(png_of({.width = 8192, .height = 8192, .depth = 16, .pixels = Bytes(20)}));
   ASSERT_FALSE(map);
   EXPECT_EQ(map.error().code, base::Errc::parse);
+}
+
+TEST(PngFile, OfTheSmallestAndOfTheLargestSizeIsNoWrongKind) {
+  EXPECT_TRUE(parse_png(png_of({.width = 2, .height = 2, .pixels = Bytes(6)})));
+  // The head is accepted, the pixels are missing.
+  const auto largest = parse_png(png_of({.width = 8192, .height = 8192, .depth = 1, .pixels = Bytes(20)}));
+  EXPECT_EQ(largest.error().code, base::Errc::parse);
+  EXPECT_NE(parse_png(png_of({.width = 8193, .height = 8193, .pixels = Bytes(20)}))
+                .error()
+                .remedy.find("2 to 8192"),
+            std::string::npos);
+}
+
+TEST(PngFile, PackedAsTightlyAsDeflatePacksIsRead) {
+  // A thousandth of its pixels: nothing of it is missing.
+  constexpr std::size_t kSide = 1024;
+  const Bytes png =
+      png_of({.width = kSide, .height = kSide, .depth = 16, .pixels = Bytes(kSide * (2 * kSide + 1))});
+  ASSERT_LT(png.size(), kSide * kSide * 2 / 950);
+  const auto map = parse_png(png);
+  ASSERT_TRUE(map) << base::to_line(map.error());
+  EXPECT_EQ(map->at(1023, 1023), 0.0F);
+}
+
+TEST(PngFile, SaysWhyItIsNotWhole) {
+  const auto what = [](const Bytes& png) {
+    const auto map = parse_png(png);
+    return map ? std::string("read") : map.error().what;
+  };
+  EXPECT_EQ(what({}), "is empty");
+  Bytes png = to_png(HeightMap::create(16).value(), PngDepth::bits_8);
+  Bytes cut = png;
+  cut.pop_back();
+  EXPECT_EQ(what(cut), "is not a whole PNG picture: the file ends too early");
+  cut.resize(20);
+  EXPECT_EQ(what(cut), "is not a whole PNG picture: the file ends too early");
+  png[1] = 'Q';
+  EXPECT_EQ(what(png).find("is not a whole PNG picture: "), 0U);
+  EXPECT_GT(what(png).size(), std::string("is not a whole PNG picture: ").size()) << "in libpng's words";
+}
+
+TEST(PngFile, ThatCannotBeAHeightMapIsNotRead) {
+  const test::ScratchFolder folder;
+  const auto path = folder.path() / "large.png";
+  ASSERT_TRUE(base::write_file(path, std::string_view()));
+  // 16 bits for each sample of the largest map, and a mebibyte.
+  std::filesystem::resize_file(path, 2 * 8192 * 8192 + 1048576 + 1);
+  EXPECT_EQ(load_png(path).error().code, base::Errc::io);
 }
 
 TEST(PngFile, EveryTruncationAndEveryDamagedByteIsAnErrorOrAPicture) {
@@ -190,7 +239,11 @@ TEST(PngFile, LoadsWhatItSavedAndKeepsTheOldMapOtherwise) {
     ASSERT_FALSE(loaded) << name;
     EXPECT_EQ(loaded.error().where, (folder.path() / name).string());
   }
-  EXPECT_FALSE(save_png({}, folder.path() / "b.png", PngDepth::bits_8));
+  EXPECT_TRUE(to_png({}, PngDepth::bits_8).empty());
+  const auto saved = save_png({}, folder.path() / "b.png", PngDepth::bits_8);
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().code, base::Errc::bad_argument);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "b.png"));
 }
 
 }  // namespace

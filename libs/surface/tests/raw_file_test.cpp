@@ -51,7 +51,37 @@ TEST(RawFile, InfersTheSizeOfAPerfectSquareOnly) {
     EXPECT_EQ(map.error().code, base::Errc::parse);
     EXPECT_NE(map.error().what.find(std::to_string(length)), std::string::npos);
   }
-  EXPECT_NE(parse_raw(Bytes(128 * 128 - 1)).error().remedy.find("16384 (128 x 128)"), std::string::npos);
+}
+
+TEST(RawFile, ALengthThatIsNoSquareNamesTheSquaresAroundIt) {
+  const auto remedy = [](std::size_t length) { return parse_raw(Bytes(length)).error().remedy; };
+  const std::string smallest = "a whole file has 4 (2 x 2) or 9 (3 x 3) bytes";
+  for (const std::size_t length : {1U, 2U, 3U, 5U, 6U, 7U, 8U}) EXPECT_EQ(remedy(length), smallest) << length;
+  EXPECT_EQ(remedy(10), "a whole file has 9 (3 x 3) or 16 (4 x 4) bytes");
+  EXPECT_EQ(remedy(15), "a whole file has 9 (3 x 3) or 16 (4 x 4) bytes");
+  EXPECT_EQ(remedy(128 * 128 - 1), "a whole file has 16129 (127 x 127) or 16384 (128 x 128) bytes");
+  EXPECT_EQ(remedy(8192 * 8192 - 1),
+            "a whole file has 67092481 (8191 x 8191) or 67108864 (8192 x 8192) bytes");
+  EXPECT_EQ(parse_raw(Bytes(8192 * 8192 + 1)).error().what,
+            "has 67108865 bytes, at most 67108864 (8192 x 8192) are allowed");
+}
+
+TEST(RawFile, OfAGivenSizeTheSamplesAreRead) {
+  for (const int size : {2, 8192}) {
+    const auto map =
+        parse_raw(Bytes(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 51), size);
+    ASSERT_TRUE(map) << size;
+    EXPECT_FLOAT_EQ(map->at(0, 0), 0.2F);
+    EXPECT_FLOAT_EQ(map->at(size - 1, size - 1), 0.2F);
+  }
+}
+
+TEST(RawFile, ThatCannotBeOneIsNotRead) {
+  const test::ScratchFolder folder;
+  const auto path = folder.path() / "large.raw";
+  ASSERT_TRUE(base::write_file(path, std::string_view()));
+  std::filesystem::resize_file(path, 8192 * 8192 + 1);
+  EXPECT_EQ(load_raw(path).error().code, base::Errc::io);
 }
 
 TEST(RawFile, ALengthThatDoesNotFitTheGivenSizeNamesBoth) {
@@ -68,11 +98,14 @@ TEST(RawFile, RefusesAbsurdSizesBeforeLookingAtTheBytes) {
     const auto map = parse_raw(Bytes(16), size);
     ASSERT_FALSE(map) << size;
     EXPECT_EQ(map.error().code, base::Errc::bad_argument);
+    EXPECT_EQ(map.error().where, "size");
   }
 }
 
 TEST(RawFile, AnEmptyFileSaysSo) {
   EXPECT_EQ(parse_raw({}).error().what, "is empty");
+  EXPECT_EQ(parse_raw({}).error().remedy, "a height map has at least 4 (2 x 2) bytes");
+  EXPECT_EQ(parse_raw({}, 128).error().what, "is empty");
   EXPECT_NE(parse_raw({}, 128).error().remedy.find("16384"), std::string::npos);
 }
 
@@ -101,11 +134,15 @@ TEST(RawFile, AFailedLoadLeavesTheOldMapAndNamesTheFile) {
   EXPECT_EQ(map, old);
   EXPECT_EQ(load_raw(folder.path()).error().code, base::Errc::io);
   EXPECT_EQ(load_raw(folder.path() / "missing.raw").error().code, base::Errc::not_found);
+  EXPECT_EQ(load_raw(folder.path() / "short.raw", 1).error().where, "size") << "the argument is wrong";
 }
 
 TEST(RawFile, AnEmptyMapIsNotSaved) {
   const test::ScratchFolder folder;
-  EXPECT_FALSE(save_raw({}, folder.path() / "a.raw"));
+  const auto saved = save_raw({}, folder.path() / "a.raw");
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().code, base::Errc::bad_argument);
+  EXPECT_EQ(saved.error().where, (folder.path() / "a.raw").string());
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.raw"));
 }
 

@@ -31,6 +31,13 @@ TEST(SmoothSurface, NeedsAMapWithSamples) {
   EXPECT_EQ(surface.error().code, base::Errc::bad_argument);
 }
 
+TEST(SmoothSurface, KnowsItsSizeAndHasANumberOfItsOwn) {
+  const HeightMap map = noise(5, 2);
+  const auto one = *SmoothSurface::create(map), other = *SmoothSurface::create(map);
+  EXPECT_EQ(one->size(), 5);
+  EXPECT_NE(one->serial(), other->serial());
+}
+
 TEST(SmoothSurface, MeetsAnInclinedPlaneExactlyWithItsSlope) {
   const auto surface =
       *SmoothSurface::create(map_of(32, [](int c, int r) { return 0.1 + 0.01 * c + 0.005 * r; }));
@@ -124,6 +131,22 @@ TEST(SmoothSurface, GoesOnLevelOutsideTheGrid) {
     }
     EXPECT_EQ(surface->at(-far, -far).height, map.at(0, 0));
     EXPECT_EQ(surface->at(7 + far, 7 + far).height, map.at(7, 7));
+  }
+}
+
+TEST(SmoothSurface, OnItsBorderHalfASampleOutsideItIsAsJustWithin) {
+  for (const int size : {2, 3, 4, 6, 8}) {
+    const auto surface = *SmoothSurface::create(noise(size, 12));
+    const double last = size - 0.5;
+    for (double along = -0.5; along <= last; along += 0.25) {
+      EXPECT_NEAR(surface->at(along, last).height, surface->at(along, last - 1e-9).height, 1e-6) << along;
+      EXPECT_NEAR(surface->at(last, along).height, surface->at(last - 1e-9, along).height, 1e-6) << along;
+      EXPECT_NEAR(surface->at(along, -0.5).height, surface->at(along, -0.5 + 1e-9).height, 1e-6) << along;
+      EXPECT_NEAR(surface->at(-0.5, along).height, surface->at(-0.5 + 1e-9, along).height, 1e-6) << along;
+      EXPECT_EQ(surface->curved_at(along, last).d_row_row, surface->curved_at(along, last - 1e-9).d_row_row);
+      EXPECT_EQ(surface->curved_at(last, along).d_column_column,
+                surface->curved_at(last - 1e-9, along).d_column_column);
+    }
   }
 }
 

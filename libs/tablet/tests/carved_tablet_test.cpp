@@ -6,7 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "nazori/geometry/polyline.h"
 
 namespace nazori::tablet {
 namespace {
@@ -91,15 +97,59 @@ TEST(CarvedTablet, ATaperRisesToThePlateauAndAStopDoesNot) {
 }
 
 TEST(CarvedTablet, NeighbouringPointsOfAPathAreCloseEnoughToBeFeltAsOneCurve) {
-  const auto tablet = carved({line({{5, 5}, {104, 5}, {104, 104}}, StrokeEnding::hook)});
+  const auto tablet = carved({line({{5, 5}, {104, 5}, {104, 104.3}}, StrokeEnding::hook)});
   const auto& points = tablet->paths()[0].points;
+  constexpr double kHalfAUnit_m = 0.5 * 0.1 / 109;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    EXPECT_LE(std::hypot(points[i + 1].x - points[i].x, points[i + 1].y - points[i].y), 0.5 * kMm);
+    EXPECT_LE(std::hypot(points[i + 1].x - points[i].x, points[i + 1].y - points[i].y), kHalfAUnit_m + 1e-12);
   }
   // The bend itself is kept: it is not cut off by walking in even steps.
   EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const haptics::Vec3& p) {
     return std::hypot(p.x - (104.0 / 109 - 0.5) * 0.1, p.y - (0.5 - 5.0 / 109) * 0.1) < 1e-12;
   }));
+}
+
+TEST(CarvedTablet, APathHasNoMorePointsThanItNeeds) {
+  const auto tablet = carved(
+      {line({{20, 20}, {90, 20}}), line({{20, 50}, {20.4, 50}}), line({{20, 80}, {20, 80}, {20, 80.6}})});
+  EXPECT_EQ(tablet->paths()[0].points.size(), 141U);
+  EXPECT_EQ(tablet->paths()[1].points.size(), 2U);
+  EXPECT_EQ(tablet->paths()[2].points.size(), 4U) << "a bend between points that are repeated is kept, too";
+}
+
+TEST(CarvedTablet, ThePathsRiseByTheLengthWalkedRoundEveryBend) {
+  const std::vector<StrokeLine> lines{line({{20, 30}, {90, 30}, {90, 85}, {84, 80}}, StrokeEnding::hook),
+                                      line({{30, 50}, {50, 50}, {50, 95}}, StrokeEnding::taper)};
+  const geometry::TabletShape shape{0.3, 0.02};
+  const auto tablet = *CarvedTablet::from_lines(lines, 128, {}, shape);
+  const carving::Brush brush = carving::fitted({}, lines);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const double hook = carving::hook_length(lines[k]);
+    const double length = geometry::arc_length(std::span<const GlyphPoint>(lines[k].points));
+    double s = 0;
+    const haptics::Vec3* before = nullptr;
+    for (const haptics::Vec3& p : tablet->paths()[k].points) {
+      if (before != nullptr) s += std::hypot(p.x - before->x, p.y - before->y) / 0.3 * 109;
+      before = &p;
+      const double depth = carving::brush_at(brush, lines[k].ending, s, length, hook).depth;
+      EXPECT_NEAR(p.z, -0.02 * depth, 1e-9) << k << ' ' << s;
+    }
+    EXPECT_NEAR(s, length, 1e-9);
+  }
+  EXPECT_EQ(tablet->shape().width_m, 0.3);
+  EXPECT_EQ(tablet->shape().depth_m, 0.02);
+  EXPECT_EQ(tablet->lines(), lines);
+  EXPECT_EQ(tablet->height_map(), *carving::carve(lines, 128));
+  EXPECT_EQ(tablet->friction(), nullptr);
+}
+
+TEST(CarvedTablet, ALineWithoutPointsHasAPathWithoutPoints) {
+  const auto tablet =
+      CarvedTablet::from_height_map(*surface::HeightMap::create(8), {line({}), line({{1, 1}, {2, 1}})});
+  ASSERT_TRUE(tablet);
+  ASSERT_EQ((*tablet)->paths().size(), 2U);
+  EXPECT_TRUE((*tablet)->paths()[0].points.empty());
+  EXPECT_EQ((*tablet)->paths()[1].points.size(), 3U);
 }
 
 TEST(CarvedTablet, ALongFileOfStrokesDoesNotMakePathsWithoutBound) {
@@ -109,7 +159,8 @@ TEST(CarvedTablet, ALongFileOfStrokesDoesNotMakePathsWithoutBound) {
   ASSERT_TRUE(map);
   const auto tablet = CarvedTablet::from_height_map(*map, {line(zigzag)});
   ASSERT_TRUE(tablet);
-  EXPECT_LE((*tablet)->paths()[0].points.size(), 330'000U);
+  // 200,000 steps, and each of the 59,999 segments may end with a short one.
+  EXPECT_LE((*tablet)->paths()[0].points.size(), 260'000U);
 }
 
 TEST(CarvedTablet, OfAHeightMapThePathsLieAsDeepAsTheReliefUnderThem) {
@@ -145,22 +196,55 @@ TEST(CarvedTablet, EachLineKeepsItsNumberEvenADot) {
 }
 
 TEST(CarvedTablet, RefusesWhatCannotBeCarved) {
-  const auto check = [](const auto& made, base::Errc code) {
+  const auto check = [](const auto& made, base::Errc code, const std::string& where) {
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error().code, code);
     EXPECT_FALSE(made.error().what.empty());
+    EXPECT_EQ(made.error().where, where);
   };
-  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 1), base::Errc::bad_argument);
-  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 1'000'000), base::Errc::bad_argument);
+  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 1), base::Errc::bad_argument, "size");
+  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 1'000'000), base::Errc::bad_argument, "size");
   carving::Brush brush;
   brush.width = -3;
-  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 64, brush), base::Errc::bad_argument);
-  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 64, {}, {0, 0.01}), base::Errc::bad_argument);
-  check(CarvedTablet::from_height_map(surface::HeightMap{}, {}), base::Errc::bad_argument);
+  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 64, brush), base::Errc::bad_argument,
+        "brush.width");
+  check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 64, {}, {0, 0.01}), base::Errc::bad_argument,
+        "shape");
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  for (const geometry::TabletShape& shape : {geometry::TabletShape{kEndless, 0.01},
+                                             {0.1, kEndless},
+                                             {std::nan(""), 0.01},
+                                             {0.1, std::nan("")},
+                                             {-0.1, 0.01},
+                                             {0.1, 0}})
+    check(CarvedTablet::from_lines({line({{1, 1}, {2, 2}})}, 64, {}, shape), base::Errc::bad_argument,
+          "shape");
+  check(CarvedTablet::from_height_map(surface::HeightMap{}, {}), base::Errc::bad_argument, "map");
   auto map = surface::HeightMap::create(8);
   ASSERT_TRUE(map);
-  check(CarvedTablet::from_height_map(*map, {line({{1, std::numeric_limits<double>::quiet_NaN()}})}),
-        base::Errc::bad_argument);
+  check(CarvedTablet::from_height_map(*map, {}, {0.1, -0.01}), base::Errc::bad_argument, "shape");
+  check(CarvedTablet::from_height_map(*map, {line({{1, std::nan("")}})}), base::Errc::bad_argument,
+        "stroke 1");
+  check(CarvedTablet::from_height_map(*map, {line({{1, 1}}), line({{1, 1}, {kEndless, 1}})}),
+        base::Errc::bad_argument, "stroke 2");
+}
+
+TEST(CarvedTablet, FrictionHasOneZoneForEachSample) {
+  for (const int size : {7, 8, 9}) {
+    auto map = surface::HeightMap::create(8);
+    ASSERT_TRUE(map);
+    const haptics::FrictionZones zones{
+        size, std::vector<std::uint8_t>(static_cast<std::size_t>(size) * size, 0), {}};
+    const auto tablet =
+        CarvedTablet::from_height_map(*map, {}, {}, std::make_shared<haptics::FrictionZones>(zones));
+    ASSERT_EQ(tablet.has_value(), size == 8) << size;
+    if (!tablet) {
+      EXPECT_EQ(tablet.error().where, "friction");
+      continue;
+    }
+    ASSERT_NE((*tablet)->friction(), nullptr);
+    EXPECT_EQ((*tablet)->scene({}, {})->friction_zones, (*tablet)->friction());
+  }
 }
 
 TEST(CarvedTablet, TheSceneIsWhatTheHandFeels) {
@@ -170,13 +254,28 @@ TEST(CarvedTablet, TheSceneIsWhatTheHandFeels) {
   haptics::Snapping snapping;
   snapping.enabled = true;
   snapping.stroke = 2;
-  const auto scene = tablet->scene(material, snapping);
+  haptics::Guiding guiding;
+  guiding.mode = haptics::GuidingMode::lesson;
+  guiding.stroke = 2;
+  const auto scene = tablet->scene(material, snapping, guiding);
   EXPECT_EQ(scene->surface, tablet->surface());
   EXPECT_EQ(scene->strokes.size(), 2U);
   EXPECT_EQ(scene->material.stiffness, 0.5);
   EXPECT_TRUE(scene->snapping.enabled);
   EXPECT_EQ(scene->snapping.stroke, 2);
-  EXPECT_EQ(scene->shape.width_m, tablet->shape().width_m);
+  EXPECT_EQ(scene->guiding.mode, haptics::GuidingMode::lesson);
+  EXPECT_EQ(scene->guiding.stroke, 2);
+  EXPECT_EQ(tablet->scene(material, snapping)->guiding.mode, haptics::GuidingMode::off);
+  EXPECT_EQ(scene->strokes[1].points.size(), tablet->paths()[1].points.size());
+  EXPECT_EQ(scene->friction_zones, nullptr);
+}
+
+TEST(CarvedTablet, TheSceneHasTheShapeOfTheTablet) {
+  const auto tablet = *CarvedTablet::from_height_map(*surface::HeightMap::create(8), {}, {0.2, 0.015});
+  EXPECT_EQ(tablet->shape().width_m, 0.2);
+  const auto scene = tablet->scene({}, {});
+  EXPECT_EQ(scene->shape.width_m, 0.2);
+  EXPECT_EQ(scene->shape.depth_m, 0.015);
 }
 
 }  // namespace

@@ -34,12 +34,10 @@ Material::Material(Style style, Theme theme) : style_(style) {
     pale_ = linear_from_srgb(light ? from_hex(0x5B646B) : from_hex(0x383D42));
     deep_ = linear_from_srgb(light ? from_hex(0x485057) : from_hex(0x2B2F33));
     fresh_ = linear_from_srgb(light ? from_hex(0x838C92) : from_hex(0x565C61));
-    sheen_ = light ? 0.05F : 0.03F;
   } else {
     pale_ = linear_from_srgb(light ? from_hex(0xF1DFBD) : from_hex(0x735B43));
     deep_ = linear_from_srgb(light ? from_hex(0xDDB989) : from_hex(0x563F2B));
     fresh_ = pale_;
-    sheen_ = 0.0F;
   }
 }
 

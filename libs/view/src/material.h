@@ -17,8 +17,6 @@ class Material {
   /// @param point_m  in the frame of a tablet 0.1 m wide; other sizes are scaled to it by the caller.
   /// @param carved  how deep below the plateau, 0..1 of the groove's full depth.
   [[nodiscard]] glm::vec3 reflectance(glm::vec3 point_m, float carved) const;
-  /// Sheen of the surface, 0 dull.
-  [[nodiscard]] float sheen() const { return sheen_; }
 
  private:
   [[nodiscard]] glm::vec3 wood(glm::vec3 point_m) const;
@@ -27,7 +25,6 @@ class Material {
   glm::vec3 pale_;   ///< early wood, or the mean of the stone
   glm::vec3 deep_;   ///< late wood, or the stone's dark veins
   glm::vec3 fresh_;  ///< freshly cut stone
-  float sheen_;
 };
 
 /// sRGB's transfer function, both ways, channel by channel. @source IEC 61966-2-1.

@@ -43,6 +43,18 @@ TEST(OffscreenContext, ReadsThePictureTopRowFirst) {
   EXPECT_EQ(fixtures::pixel(picture, 3, 5).red, 0);
 }
 
+TEST(OffscreenContext, ReadingLeavesTheFramebufferThatIsReadFrom) {
+  const auto context = OffscreenContext::create(8, 8).value();
+  GLuint own = 0;
+  glGenFramebuffers(1, &own);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, own);
+  (void)context->read();
+  GLint bound = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+  EXPECT_EQ(bound, static_cast<GLint>(own));
+  glDeleteFramebuffers(1, &own);
+}
+
 TEST(OffscreenContext, RefusesSizesThatNoPictureHas) {
   for (const auto& [width, height] : {std::pair{0, 10}, {10, -1}, {100000, 10}}) {
     const auto context = OffscreenContext::create(width, height);

@@ -32,6 +32,19 @@ TEST(TabletView, AnEmptyMapDrawsTheBackgroundOnly) {
     for (int x = 0; x < picture.width; x += 7) EXPECT_EQ(difference(pixel(picture, x, y), {0, 0, 255}), 0);
 }
 
+TEST(TabletView, TheCameraStaysOverASmallerTablet) {
+  Studio studio(64, 64);
+  const auto map = surface::HeightMap::create(16).value();
+  studio.view->set_height_map(map, {0.2, 0.01});
+  Camera camera = studio.view->camera();
+  camera.pan = {0.09, -0.09};
+  studio.view->set_camera(camera);
+  EXPECT_EQ(studio.view->camera().pan.x, 0.09);
+  studio.view->set_height_map(map, {0.1, 0.01});
+  EXPECT_EQ(studio.view->camera().pan.x, 0.05);
+  EXPECT_EQ(studio.view->camera().pan.y, -0.05);
+}
+
 TEST(TabletView, ClassicShowsEachHeightAsThatGrey) {
   auto map = surface::HeightMap::create(128).value();
   for (int row = 0; row < 128; ++row)

@@ -135,6 +135,128 @@ TEST(Writing, SignsOfStrokesThatStartTogetherDoNotHideEachOther) {
       EXPECT_GE(glm::distance(signs[a].pixel, signs[b].pixel), 2 * signs[a].radius - 1e-6);
 }
 
+TEST(Writing, ASignStandsBeforeTheStartOnTheLineOfItsStroke) {
+  Studio studio(500, 500);
+  studio.view->set_height_map(blank());
+  WrittenStroke slanted = level(54, Verdict::wrong);
+  slanted.points = {{{0, 0}, 0.001}, {{0.02, 0.01}, 0.001}, {{0.03, -0.04}, 0.001}};
+  WrittenStroke point = level(54, Verdict::right);
+  point.points = {{{-0.03, 0.03}, 0.001}};
+  WrittenStroke none = level(54, Verdict::right);
+  none.points.clear();
+  const std::vector writing{level(20, Verdict::none), slanted, none, point, level(100, Verdict::shown)};
+  Overlay overlay;
+  overlay.writing = writing;
+  for (const double scale : {1.0, 2.0}) {
+    overlay.text_scale = scale == 1.0 ? 1.5 : 1.0;
+    (void)studio.shoot(overlay, scale);
+    const auto signs = studio.view->signs();
+    ASSERT_EQ(signs.size(), 2U) << "only what is judged has a sign";
+    const double radius = 10 * scale * overlay.text_scale;
+    const glm::dvec2 start = studio.view->project({0, 0, 0}, 500, 500);
+    const glm::dvec2 end = studio.view->project({0.03, -0.04, 0}, 500, 500);
+    EXPECT_EQ(signs[0].stroke, 1);
+    EXPECT_EQ(signs[0].verdict, Verdict::wrong);
+    EXPECT_EQ(signs[0].radius, radius);
+    EXPECT_NEAR(glm::distance(signs[0].pixel, start + glm::normalize(start - end) * (radius + 3)), 0, 1e-6);
+    // A point has no direction: its sign stands to the upper left of it.
+    EXPECT_EQ(signs[1].stroke, 3);
+    const glm::dvec2 at = studio.view->project({-0.03, 0.03, 0}, 500, 500);
+    EXPECT_NEAR(glm::distance(signs[1].pixel, at - glm::dvec2(0.7, 0.7) * (radius + 3)), 0, 1e-6);
+  }
+  overlay.text_scale = 9;
+  (void)studio.shoot(overlay);
+  EXPECT_EQ(studio.view->signs()[0].radius, 40);
+  (void)studio.shoot();
+  EXPECT_TRUE(studio.view->signs().empty());
+}
+
+TEST(Writing, SignsStayInThePictureAndStepAsideByThreeQuartersOfTheirRadius) {
+  Studio studio(500, 500);
+  studio.view->set_height_map(blank());
+  const std::vector together{level(54, Verdict::right), level(54, Verdict::wrong)};
+  Overlay overlay;
+  overlay.writing = together;
+  (void)studio.shoot(overlay);
+  ASSERT_EQ(studio.view->signs().size(), 2U);
+  const glm::dvec2 apart = studio.view->signs()[1].pixel - studio.view->signs()[0].pixel;
+  EXPECT_NEAR(apart.x, 0, 1e-6);
+  EXPECT_NEAR(std::abs(apart.y), 3 * 7.5, 1e-6) << "two steps are not enough";
+  // A stroke that starts at the border of the picture.
+  const std::vector writing{level(54, Verdict::right)};
+  overlay.writing = writing;
+  studio.view->set_camera({0, 0, 3, {0.01, 0}});
+  (void)studio.shoot(overlay);
+  EXPECT_EQ(studio.view->signs()[0].pixel.x, 10);
+  studio.view->set_camera({0, 0, 3, {-0.049, 0.049}});
+  (void)studio.shoot(overlay);
+  EXPECT_EQ(studio.view->signs()[0].pixel.y, 490);
+}
+
+TEST(Writing, ASignHasItsColourOnItsGroundAndARing) {
+  Studio studio(500, 500);
+  studio.view->set_height_map(blank());
+  for (const auto verdict : {Verdict::right, Verdict::nearly, Verdict::wrong}) {
+    const std::vector writing{level(54, verdict)};
+    Overlay overlay;
+    overlay.writing = writing;
+    overlay.text_scale = 2;
+    const Picture picture = studio.shoot(overlay, 2);
+    const SignPlace sign = studio.view->signs()[0];
+    const auto at = [&](double x, double y) {
+      return pixel(picture, sign.pixel + glm::dvec2(x, y) * sign.radius);
+    };
+    const Rgb ground = at(0.7, 0);
+    EXPECT_LT(difference(ground, {0xFF, 0xFD, 0xF8}), 8);
+    const Rgb ink = pixel(picture, seen(studio, {60, 54}));
+    EXPECT_LT(difference(at(0, 0.975), ink), 60) << "the ring has the colour of the writing";
+    const auto marked = [&](double x, double y) { return difference(at(x, y), ink) < 60; };
+    // Places on the tick, the exclamation mark and the cross.
+    EXPECT_EQ(marked(-0.42, 0.06), verdict == Verdict::right);
+    EXPECT_EQ(marked(0.3, -0.16), verdict != Verdict::nearly) << "the tick crosses where the cross does";
+    EXPECT_EQ(marked(0, -0.4), verdict == Verdict::nearly);
+    EXPECT_EQ(marked(0, 0.48), verdict == Verdict::nearly);
+    EXPECT_EQ(marked(-0.3, -0.3), verdict == Verdict::wrong);
+    EXPECT_EQ(marked(0.3, 0.3), verdict == Verdict::wrong);
+  }
+}
+
+TEST(Writing, IsAsOpaqueAsToldAndTapersFromPointToPoint) {
+  Studio studio(500, 500);
+  studio.view->set_height_map(blank());
+  const Picture bare = studio.shoot();
+  Overlay overlay;
+  std::vector writing{level(54, Verdict::none)};
+  overlay.writing = writing;
+  const glm::dvec2 at = seen(studio, {60, 54});
+  const double full = fixtures::luminance(pixel(studio.shoot(overlay), at));
+  writing[0].opacity = 0.5;
+  const double half = fixtures::luminance(pixel(studio.shoot(overlay), at));
+  EXPECT_NEAR(half, (full + fixtures::luminance(pixel(bare, at))) / 2, 3);
+  // From 1 to 3 mm: at the middle it is twice 2 mm wide.
+  writing[0].opacity = 1;
+  writing[0].points = {{geometry::glyph_to_tablet({30, 54}, {}), 0.001},
+                       {geometry::glyph_to_tablet({80, 54}, {}), 0.003}};
+  const Picture wedge = studio.shoot(overlay);
+  const auto width_m = [&](double x) {
+    double sum = 0;
+    for (double y = 45; y < 63; y += 0.02) {
+      const glm::dvec2 p = seen(studio, {x, y});
+      sum += difference(pixel(bare, p), pixel(wedge, p)) > 150 ? 0.02 : 0;
+    }
+    return sum * 0.1 / 109;
+  };
+  EXPECT_NEAR(width_m(35), 2 * 0.0012, 0.0004);
+  EXPECT_NEAR(width_m(55), 2 * 0.002, 0.0004);
+  EXPECT_NEAR(width_m(75), 2 * 0.0028, 0.0004);
+  // A point alone is a dot.
+  writing[0].points = {{geometry::glyph_to_tablet({55, 54}, {}), 0.002}};
+  const Picture dot = studio.shoot(overlay);
+  EXPECT_GT(difference(pixel(bare, seen(studio, {55, 54})), pixel(dot, seen(studio, {55, 54}))), 100);
+  EXPECT_GT(difference(pixel(bare, seen(studio, {56.5, 54})), pixel(dot, seen(studio, {56.5, 54}))), 100);
+  EXPECT_EQ(difference(pixel(bare, seen(studio, {58, 54})), pixel(dot, seen(studio, {58, 54}))), 0);
+}
+
 TEST(Writing, IsSentToTheGraphicsOnceWhileItStaysTheSame) {
   Studio studio(300, 300);
   studio.view->set_height_map(blank());

@@ -30,7 +30,7 @@ class HeightMap {
   [[nodiscard]] static base::Result<HeightMap> create(int size, float height = 1.0F);
 
   [[nodiscard]] int size() const { return size_; }
-  [[nodiscard]] bool is_loaded() const { return size_ > 0; }
+  [[nodiscard]] bool is_loaded() const { return !samples_.empty(); }
   /// Back to the empty map; memory is released.
   void unload();
 

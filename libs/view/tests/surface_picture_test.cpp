@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "../src/surface_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "../src/material.h"
+
+namespace nazori::view {
+namespace {
+
+// Two fifths of the light come from the sky, three from the lamp. Shadows are those of grooves 0.55 times as
+// deep, and no further away than 32 of 511 parts of the tablet the sky is shut out.
+constexpr double kSky = 0.4;
+constexpr double kKey = 0.6;
+constexpr double kShaded = 0.55;
+constexpr int kSamples = 512;
+
+surface::HeightMap map_of(auto height) {
+  surface::HeightMap map = surface::HeightMap::create(128).value();
+  for (int row = 0; row < 128; ++row)
+    for (int column = 0; column < 128; ++column)
+      map.set(column, row, static_cast<float>(height(column / 127.0, row / 127.0)));
+  return map;
+}
+
+double linear(int level) { return linear_from_srgb({static_cast<float>(level) / 255, 0, 0}).x; }
+
+/// A picture and what it says of places of the square, 0..1 each way.
+struct Lit {
+  SurfacePicture picture;
+  [[nodiscard]] std::size_t texel(double x, double y) const {
+    const auto column = static_cast<std::size_t>(std::lround(x * (kSamples - 1)) + picture.rim);
+    const auto row = static_cast<std::size_t>(std::lround(y * (kSamples - 1)) + picture.rim);
+    return row * static_cast<std::size_t>(picture.size) + column;
+  }
+  [[nodiscard]] double light(double x, double y) const {
+    return linear(picture.rgba[texel(x, y) * 4 + 3]) * 1.6;
+  }
+};
+
+Lit lit(const surface::HeightMap& map, double depth_m, const PlainFace& face) {
+  return {lit_picture(map, {0.1, depth_m}, face)};
+}
+Lit lit(const surface::HeightMap& map, double depth_m, Look look = {}) {
+  return lit(map, depth_m, make_plain_face(look, kSamples));
+}
+
+TEST(Light, ComesFromBesideAndAboveTheOtherHand) {
+  const glm::vec3 right = light_direction(Hand::right), left = light_direction(Hand::left);
+  EXPECT_NEAR(glm::length(right), 1, 1e-6);
+  EXPECT_NEAR(right.x, -0.438, 1e-3);
+  EXPECT_NEAR(right.y, 0.4905, 1e-3);
+  EXPECT_NEAR(right.z, 0.7533, 1e-3);
+  EXPECT_EQ(left, glm::vec3(-right.x, right.y, right.z));
+}
+
+TEST(Light, OnThePlateauIsOneAndOnASideThatOfLampSkyAndDesk) {
+  EXPECT_NEAR(open_light({0, 0, 1}, Hand::right), 1, 1e-6);
+  const glm::vec3 lamp = light_direction(Hand::right);
+  // A side sees four fifths of the sky's light and 0.12 from the desk.
+  EXPECT_NEAR(open_light({0, 1, 0}, Hand::right), kSky * 0.8 + 0.12 + kKey * lamp.y / lamp.z, 1e-5);
+  EXPECT_NEAR(open_light({1, 0, 0}, Hand::right), kSky * 0.8 + 0.12, 1e-5) << "away from the lamp";
+  EXPECT_NEAR(open_light({-1, 0, 0}, Hand::left), kSky * 0.8 + 0.12, 1e-5);
+  EXPECT_GT(open_light(lamp, Hand::right), 1);
+}
+
+TEST(ShadedSize, IsThatOfTheMapBetween1024And2048) {
+  EXPECT_EQ(shaded_size(2), 1024);
+  EXPECT_EQ(shaded_size(1024), 1024);
+  EXPECT_EQ(shaded_size(1025), 1025);
+  EXPECT_EQ(shaded_size(2048), 2048);
+  EXPECT_EQ(shaded_size(2049), 2048);
+}
+
+TEST(PlainFace, IsTheMaterialInPlainLightWithARimAround) {
+  for (const Look look :
+       {Look{Style::wood, Theme::light, Hand::right}, Look{Style::slate, Theme::dark, Hand::left}}) {
+    const PlainFace face = make_plain_face(look, 160);
+    EXPECT_EQ(face.look, look);
+    EXPECT_EQ(face.rim, 10);
+    ASSERT_EQ(face.size, 180);
+    ASSERT_EQ(face.rgba.size(), 180U * 180 * 4);
+    const Material material(look.style, look.theme);
+    for (int y = 0; y < 180; y += 7) {
+      for (int x = 0; x < 180; x += 7) {
+        const std::size_t at = (static_cast<std::size_t>(y) * 180 + static_cast<std::size_t>(x)) * 4;
+        const float step = 0.1F / 159;
+        const glm::vec3 colour = material.reflectance(
+            {static_cast<float>(x - 10) * step - 0.05F, 0.05F - static_cast<float>(y - 10) * step, 0}, 0);
+        // Lamp and sky are hardly tinted, and even each other out.
+        EXPECT_NEAR(linear(face.rgba[at]) / colour.x, 1, 0.03);
+        EXPECT_NEAR(linear(face.rgba[at + 1]) / colour.y, 1, 0.03);
+        EXPECT_NEAR(linear(face.rgba[at + 2]) / colour.z, 1, 0.03);
+        EXPECT_NEAR(linear(face.rgba[at + 3]) * 1.6, 1, 0.006);
+      }
+    }
+  }
+}
+
+TEST(LitPicture, OfAPlateauIsThePlainFace) {
+  const Lit flat = lit(map_of([](double, double) { return 1.0; }), 0.01);
+  const PlainFace plain = make_plain_face({}, kSamples);
+  EXPECT_EQ(flat.picture.size, plain.size);
+  EXPECT_EQ(flat.picture.rim, 32);
+  EXPECT_EQ(flat.picture.rgba, plain.rgba);
+  EXPECT_EQ(flat.picture.heights, std::vector<std::uint8_t>(plain.rgba.size() / 4, 255));
+}
+
+TEST(LitPicture, OfALevelThatLiesLowerHasAllTheLightAndItsOwnHeight) {
+  const Lit low = lit(map_of([](double, double) { return 0.4; }), 0.01);
+  for (const double x : {0.0, 0.3, 0.5, 1.0}) {
+    for (const double y : {0.0, 0.6, 1.0}) {
+      EXPECT_NEAR(low.light(x, y), 1, 0.006);
+      EXPECT_EQ(low.picture.heights[low.texel(x, y)], 102);
+      const glm::vec3 colour =
+          Material(Style::wood, Theme::light)
+              .reflectance({static_cast<float>(x * 0.1 - 0.05), static_cast<float>(0.05 - y * 0.1), -0.006F},
+                           0.6F);
+      EXPECT_NEAR(linear(low.picture.rgba[low.texel(x, y) * 4]) / colour.x, 1, 0.05);
+    }
+  }
+}
+
+TEST(LitPicture, ASlopeIsLitAsItLeansTowardsTheLamp) {
+  for (const Hand hand : {Hand::right, Hand::left}) {
+    const PlainFace face = make_plain_face({Style::slate, Theme::light, hand}, kSamples);
+    for (int way = 0; way < 8; way += hand == Hand::right ? 1 : 3) {
+      const double c = std::cos(way * std::numbers::pi / 4), s = std::sin(way * std::numbers::pi / 4);
+      // As deep as wide: the slope is the change of height.
+      const Lit slope = lit(
+          map_of([&](double x, double y) { return 0.5 + 0.6 * (c * (x - 0.5) - s * (y - 0.5)); }), 0.1, face);
+      const glm::dvec3 normal = glm::normalize(glm::dvec3(-0.6 * c, -0.6 * s, 1));
+      const glm::dvec3 lamp(light_direction(hand));
+      double sky = 0;
+      for (int k = 0; k < 8; ++k) {
+        const double a = (k + 0.5) * std::numbers::pi / 4;
+        const double rise = std::max(0.0, 0.6 * kShaded * (std::cos(a) * c + std::sin(a) * s));
+        sky += 1 / (1 + rise * rise) / 8;
+      }
+      const double expected = kKey * glm::dot(normal, lamp) / lamp.z + kSky * sky;
+      EXPECT_NEAR(slope.light(0.5, 0.5), expected, 0.012) << way;
+      EXPECT_NEAR(slope.light(0.42, 0.55), expected, 0.012) << way;
+    }
+  }
+}
+
+TEST(LitPicture, BesideAWallTheLampIsHiddenAndTheSkyHalf) {
+  constexpr double kDepth = 0.03;  // of a tablet 0.1 wide
+  const Lit wall = lit(map_of([](double x, double) { return x < 0.5 ? 1.0 : 0.0; }), kDepth);
+  const Lit other = lit(map_of([](double x, double) { return x > 0.5 ? 1.0 : 0.0; }), kDepth,
+                        Look{Style::wood, Theme::light, Hand::left});
+  // The last sample of the plateau; from there on the map goes down.
+  const double wall_at = 63.0 / 127;
+  const auto light = [&](double away) {
+    EXPECT_NEAR(wall.light(wall_at + away, 0.7), other.light(1 - wall_at - away, 0.7), 0.02) << away;
+    return wall.light(wall_at + away, 0.7);
+  };
+  const glm::dvec3 lamp(light_direction(Hand::right));
+  const double rise = lamp.z / std::hypot(lamp.x, lamp.y);
+  const double aside = -lamp.x / std::hypot(lamp.x, lamp.y);
+  const double height = kDepth / 0.1 * kShaded;
+  // The lamp is a window: its lower and upper edge lie 0.55 below and above its middle, as slopes.
+  const auto away = [&](double slope) { return height / slope * aside; };
+  EXPECT_NEAR(light(away(rise)), kSky + kKey / 2, 0.04);
+  EXPECT_NEAR(light(away(rise + 0.55)), kSky, 0.02);
+  EXPECT_NEAR(light(away(rise - 0.55) + 0.004), 1, 0.012);
+  // A quarter and three quarters of the window: 3 t^2 - 2 t^3.
+  EXPECT_NEAR(light(away(rise + 0.275)), kSky + kKey * 0.15625, 0.04);
+  EXPECT_NEAR(light(away(rise - 0.275)), kSky + kKey * 0.84375, 0.04);
+  // Close to the wall four of the eight ways see it.
+  double sky = 0.5;
+  for (const double a : {std::numbers::pi / 8, 3 * std::numbers::pi / 8}) {
+    const double slope = height * std::cos(a) / 0.02;
+    sky += 0.25 / (1 + slope * slope);
+  }
+  EXPECT_NEAR(light(0.02), kSky * sky, 0.02);
+  EXPECT_NEAR(light(0.3), 1, 0.006);
+}
+
+TEST(LitPicture, LightBetweenWallsTakesTheirColour) {
+  // A narrow pit: what reaches its floor has bounced off the wood.
+  const Lit pit = lit(map_of([](double x, double) { return std::abs(x - 0.5) < 0.04 ? 0.0 : 1.0; }), 0.03);
+  double warmth = 0;
+  for (double y = 0.2; y < 0.8; y += 0.01) {
+    const std::size_t at = pit.texel(0.5, y);
+    const glm::vec3 wood =
+        Material(Style::wood, Theme::light).reflectance({0, static_cast<float>(0.05 - y * 0.1), -0.03F}, 1);
+    const double red = linear(pit.picture.rgba[at * 4]) / wood.x;
+    const double blue = linear(pit.picture.rgba[at * 4 + 2]) / wood.z;
+    warmth += red / blue / 60;
+  }
+  EXPECT_GT(warmth, 1.04);
+  EXPECT_LT(warmth, 1.8);
+}
+
+TEST(GreyPicture, ShowsEachHeightAsAGrey) {
+  const auto map = map_of([](double x, double y) { return x * y; });
+  const SurfacePicture picture = grey_picture(map);
+  EXPECT_EQ(picture.size, 128);
+  EXPECT_EQ(picture.rim, 0);
+  ASSERT_EQ(picture.heights.size(), 128U * 128);
+  for (std::size_t i = 0; i < picture.heights.size(); ++i) {
+    const auto grey = static_cast<int>(std::lround(map.samples()[i] * 255));
+    ASSERT_EQ(picture.heights[i], grey);
+    for (std::size_t k = 0; k < 4; ++k) ASSERT_EQ(picture.rgba[4 * i + k], k == 3 ? 255 : grey);
+  }
+  EXPECT_EQ(grey_picture(surface::HeightMap::create(2100).value()).size, 2048);
+}
+
+}  // namespace
+}  // namespace nazori::view
