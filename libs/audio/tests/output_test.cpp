@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/audio/output.h"
 
+#include <SDL.h>
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -10,6 +12,23 @@
 #include <fstream>
 #include <thread>
 #include <vector>
+
+namespace {
+
+/// What SDL was last asked for.
+SDL_AudioSpec asked_for{};
+
+}  // namespace
+
+// Stands before SDL's own, which it calls.
+extern "C" SDL_AudioDeviceID SDL_OpenAudioDevice(const char* device, int is_capture,
+                                                 const SDL_AudioSpec* wanted, SDL_AudioSpec* got,
+                                                 int changes) {
+  asked_for = *wanted;
+  using Open = SDL_AudioDeviceID (*)(const char*, int, const SDL_AudioSpec*, SDL_AudioSpec*, int);
+  const auto open = reinterpret_cast<Open>(dlsym(RTLD_NEXT, "SDL_OpenAudioDevice"));
+  return open(device, is_capture, wanted, got, changes);
+}
 
 namespace {
 
@@ -24,9 +43,11 @@ struct Level final : Source {
       stereo[i] += 0.25F;
       stereo[i + 1] -= 3.0F;
     }
+    if (stereo.size() != 1024) other_size = true;
     asked.fetch_add(stereo.size() / 2);
   }
   std::atomic<std::size_t> asked{0};
+  std::atomic<bool> other_size{false};
 };
 
 void wait_for(const std::atomic<std::size_t>& count, std::size_t least) {
@@ -45,6 +66,56 @@ TEST(Output, AsksTheSourceForAsLongAsItLives) {
   const std::size_t after = level.asked;
   std::this_thread::sleep_for(std::chrono::milliseconds(60));
   EXPECT_EQ(level.asked, after);
+  EXPECT_FALSE(level.other_size) << "512 frames of two samples each";
+  EXPECT_EQ(SDL_WasInit(SDL_INIT_AUDIO), 0U) << "SDL's audio is given back";
+}
+
+TEST(Output, TheCardIsAskedForWhatTheSettingsSayInStereoFloats) {
+  setenv("SDL_AUDIODRIVER", "dummy", 1);
+  Level level;
+  for (const nazori::audio::OutputSettings& settings :
+       {nazori::audio::OutputSettings{}, nazori::audio::OutputSettings{8'000, 64},
+        nazori::audio::OutputSettings{192'000, 8'192}}) {
+    const auto output = Output::open(level, settings);
+    ASSERT_TRUE(output) << nazori::base::to_line(output.error());
+    EXPECT_EQ(asked_for.freq, settings.rate_hz);
+    EXPECT_EQ(asked_for.samples, settings.frames);
+    EXPECT_EQ(asked_for.channels, 2);
+    EXPECT_EQ(asked_for.format, AUDIO_F32SYS);
+  }
+  EXPECT_EQ(nazori::audio::OutputSettings{}.rate_hz, 44'100);
+  EXPECT_EQ(nazori::audio::OutputSettings{}.frames, 512);
+  EXPECT_STREQ(SDL_GetHint(SDL_HINT_NO_SIGNAL_HANDLERS), "1") << "Ctrl+C stays with the program";
+}
+
+TEST(Output, IsClosedThoughTheSoundOfSdlIsInUseElsewhere) {
+  setenv("SDL_AUDIODRIVER", "dummy", 1);
+  ASSERT_EQ(SDL_InitSubSystem(SDL_INIT_AUDIO), 0);
+  Level first, second;
+  auto output = Output::open(first);
+  ASSERT_TRUE(output);
+  wait_for(first.asked, 512);
+  output->reset();
+  const std::size_t after = first.asked;
+  {
+    const auto other = Output::open(second);
+    ASSERT_TRUE(other) << nazori::base::to_line(other.error());
+    wait_for(second.asked, 2048);
+  }
+  EXPECT_GE(second.asked, 2048U);
+  EXPECT_EQ(first.asked, after);
+  SDL_QuitSubSystem(SDL_INIT_AUDIO);
+}
+
+TEST(Output, ACardThatCannotBeOpenedIsAnErrorAndNothingStaysBehind) {
+  setenv("SDL_AUDIODRIVER", "disk", 1);
+  setenv("SDL_DISKAUDIOFILE", "/no such folder/nazori.raw", 1);
+  Level level;
+  const auto output = Output::open(level);
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().code, Errc::device);
+  EXPECT_EQ(level.asked, 0U);
+  EXPECT_EQ(SDL_WasInit(SDL_INIT_AUDIO), 0U);
 }
 
 TEST(Output, WhatTheSourceGivesReachesTheCardWithinItsRange) {
@@ -81,10 +152,12 @@ TEST(Output, WithoutASoundCardThereIsAnErrorThatSaysWhatToDo) {
 }
 
 TEST(Output, RefusesRatesAndBuffersThatNoCardHas) {
+  setenv("SDL_AUDIODRIVER", "dummy", 1);
   Level level;
   for (const auto& settings :
-       {nazori::audio::OutputSettings{1'000, 512}, nazori::audio::OutputSettings{1'000'000, 512},
-        nazori::audio::OutputSettings{44'100, 500}, nazori::audio::OutputSettings{44'100, 16'384}}) {
+       {nazori::audio::OutputSettings{7'999, 512}, nazori::audio::OutputSettings{192'001, 512},
+        nazori::audio::OutputSettings{44'100, 500}, nazori::audio::OutputSettings{44'100, 32},
+        nazori::audio::OutputSettings{44'100, 0}, nazori::audio::OutputSettings{44'100, 16'384}}) {
     const auto output = Output::open(level, settings);
     ASSERT_FALSE(output);
     EXPECT_EQ(output.error().code, Errc::bad_argument);

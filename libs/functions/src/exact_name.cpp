@@ -13,12 +13,12 @@ constexpr double kTolerance = 2e-13;
 
 bool is_same(double a, double b) { return std::abs(a - b) <= kTolerance * std::max(1.0, std::abs(b)); }
 
-/// "3", "-2/5", for p/q of a value; q up to `most`.
+/// "3", "-2/5", for p/q of a value; q up to `most`, p not 0.
 std::optional<std::pair<long, long>> fraction_of(double v, long most) {
   if (std::abs(v) > 1e6) return std::nullopt;
   for (long q = 1; q <= most; ++q) {
     const double p = std::round(v * static_cast<double>(q));
-    if (is_same(p / static_cast<double>(q), v)) return std::pair{static_cast<long>(p), q};
+    if (p != 0 && is_same(p / static_cast<double>(q), v)) return std::pair{static_cast<long>(p), q};
   }
   return std::nullopt;
 }
@@ -41,7 +41,7 @@ bool is_square_free(int n) {
 std::optional<std::string> exact_name(double value) {
   if (!std::isfinite(value)) return std::nullopt;
   // Results of sin(pi) and the like stand for zero.
-  if (std::abs(value) < 1e-13) return "0";
+  if (is_same(value, 0)) return "0";
   if (const auto f = fraction_of(value, 40))
     return f->second == 1 ? fmt::format("{}", f->first) : fmt::format("{}/{}", f->first, f->second);
   if (const auto f = fraction_of(value / std::numbers::pi, 12)) return multiple(f->first, f->second, "pi");
@@ -60,7 +60,7 @@ std::optional<std::string> exact_name(double value) {
   }
   if (value > 0) {
     const auto squared = fraction_of(value * value / std::numbers::pi, 6);
-    if (squared && squared->first > 0 && squared->first <= 100)
+    if (squared && squared->first <= 100)
       return "sqrt(" + multiple(squared->first, squared->second, "pi") + ")";
     const auto power = fraction_of(std::log(value), 6);
     if (power && std::abs(power->first) <= 6)

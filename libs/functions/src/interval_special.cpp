@@ -193,11 +193,12 @@ BasicInterval<R> power_rational(const BasicInterval<R>& base, int p, int q) {
     if (b.upper < 0) return I::empty(b.cause | Cause::domain);
     if (b.lower < 0) b = I(0, b.upper, b.decoration, b.cause).weakened(Decoration::partial, Cause::domain);
   }
-  // The exponent is rounded too: its error is multiplied by |ln v|, under 746 for doubles (11400 beyond).
+  // The exponent is rounded too, by at most half an epsilon of it: that error is multiplied by |ln v|, under
+  // 746 for doubles (11400 beyond).
   const auto slack = [p, q](R v) {
     if (v == 0 || std::isinf(v)) return kPowerUlps;
     const R e = static_cast<R>(p) / static_cast<R>(q);
-    return kPowerUlps + static_cast<int>(std::min(R(1e8), std::abs(std::log(v)) * e + 1));
+    return kPowerUlps + static_cast<int>(std::min(R(1e8), std::abs(std::log(v)) * e / 2 + 1));
   };
   const auto least = [&](R v) {
     return v == 0 ? R(0) : std::max(R(0), Q::down_by(root_power(v, p, q), slack(v)));

@@ -13,6 +13,7 @@
 namespace nazori::functions {
 namespace {
 
+// Four for each zero of a sine, and a quarter more.
 constexpr int kMostBoxes = 60'000;
 // A piece this narrow, as a part of the range, in which so many boxes settle nothing is taken as one place:
 // around a zero of third or higher order everything is smaller than rounding.

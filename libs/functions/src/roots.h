@@ -20,7 +20,8 @@ struct Roots {
 };
 
 /// All zeros of `f` in [low, high], by bisection with intervals: single ones are proven, double ones accepted
-/// where rounding cannot tell them from zero. Poles and jumps are never zeros.
+/// where rounding cannot tell them from zero. Poles and jumps are never zeros. Of many more zeros than 12,000
+/// only the first are found, and one place is undecided.
 [[nodiscard]] Roots find_roots(const Expression& f, Variable v, double low, double high);
 
 }  // namespace nazori::functions

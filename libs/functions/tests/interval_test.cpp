@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <random>
 
@@ -319,6 +320,27 @@ TEST(Interval, ZeroToAComputedPowerOfZeroIsUndefinedAndToAPositiveOneIsNot) {
   EXPECT_EQ(power(Interval(-2, 0), Interval(0, 0)).decoration, Decoration::partial);
   EXPECT_GE(power(around_zero, Interval(2, 2)).decoration, Decoration::defined);
   EXPECT_GE(power(Interval(-2, -1), Interval(0, 0)).decoration, Decoration::defined);
+}
+
+TEST(Interval, RationalPowersOfVeryLargeAndVerySmallNumbersAreEnclosedAndClosely) {
+  // The nearest double to p/q is off by up to half a last place, and the power by several hundred for it.
+  double worst = 0;
+  for (int p = 1; p <= 40; ++p) {
+    for (int q = 2; q <= 40; ++q) {
+      if (std::gcd(p, q) != 1) continue;
+      const int digits = std::min(290, 290 * q / p);
+      for (const double base : {std::pow(10.0, digits), std::pow(10.0, -digits)}) {
+        Precise power(base);
+        mpfr_rootn_ui(power.get(), power.get(), static_cast<unsigned long>(q), MPFR_RNDN);
+        mpfr_pow_si(power.get(), power.get(), p, MPFR_RNDN);
+        const Interval found = power_rational(Interval(base), p, q);
+        ASSERT_TRUE(contains(found, power)) << base << "^(" << p << '/' << q << ')';
+        worst = std::max(worst, found.width() / found.upper);
+      }
+    }
+  }
+  // 290 ln 10 = 668 half epsilons on both sides, and a few last places of the power itself.
+  EXPECT_LT(worst, (668 + 12) * std::numeric_limits<double>::epsilon());
 }
 
 TEST(Interval, RoundsToTheOutsideByNoMoreThanALastPlace) {

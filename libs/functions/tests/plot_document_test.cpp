@@ -89,6 +89,118 @@ TEST(PlotDocument, EveryMistakeIsNamedWithItsPlace) {
   EXPECT_FALSE(parse_document(std::string(100'000, '[')));
 }
 
+/// A saved plot with one member in one of its objects.
+base::Result<PlotDocument> with(const std::string& member) {
+  return parse_document(R"({"nazori_plot": 1, "expression": "y = x", )" + member + "}");
+}
+
+TEST(PlotDocument, NumbersAreTakenUpToTheirBoundsAndNoFurther) {
+  struct Bound {
+    const char* object;
+    const char* name;
+    const char* good[2];
+    const char* bad[2];
+  };
+  const Bound bounds[] = {{"plate", "size", {"32", "4096"}, {"31", "4097"}},
+                          {"plate", "half_width", {"0.001", "0.2"}, {"0.0009", "0.21"}},
+                          {"sound", "sample_rate", {"8000", "192000"}, {"7999", "192001"}},
+                          {"sound", "seconds", {"0.2", "60"}, {"0.19", "60.1"}},
+                          {"sound", "lowest_hz", {"20", "999"}, {"19", "20001"}},
+                          {"sound", "highest_hz", {"201", "20000"}, {"200", "20001"}},
+                          {"sound", "volume", {"0", "1"}, {"-0.1", "1.1"}}};
+  for (const Bound& b : bounds) {
+    const auto written = [&](const char* value) {
+      return std::string("\"") + b.object + "\": {\"" + b.name + "\": " + value + "}";
+    };
+    for (const char* value : b.good) EXPECT_TRUE(with(written(value))) << b.name << ' ' << value;
+    for (const char* value : {b.bad[0], b.bad[1], "\"2\"", "null", "true", "[1]"}) {
+      const auto d = with(written(value));
+      ASSERT_FALSE(d) << b.name << ' ' << value;
+      EXPECT_EQ(d.error().code, base::Errc::bad_argument);
+      EXPECT_EQ(d.error().where, std::string(b.object) + "." + b.name) << value;
+    }
+  }
+  EXPECT_FALSE(with(R"("plate": {"size": 64.5})"));
+  EXPECT_EQ(with(R"("plate": {"size": 64})")->plate.size, 64);
+  EXPECT_EQ(with(R"("plate": {"half_width": 0.03})")->plate.half_width, 0.03);
+  EXPECT_EQ(with(R"("sound": {"sample_rate": 8000})")->sound.sample_rate, 8000);
+  EXPECT_EQ(with(R"("sound": {"seconds": 7})")->sound.seconds, 7);
+  EXPECT_EQ(with(R"("sound": {"highest_hz": 700})")->sound.highest_hz, 700);
+  EXPECT_EQ(with(R"("sound": {"lowest_hz": 70})")->sound.lowest_hz, 70);
+  EXPECT_EQ(with(R"("sound": {"volume": 0.7})")->sound.volume, 0.7);
+  EXPECT_FALSE(with(R"("sound": {"earcons": false})")->sound.earcons);
+  for (const char* name : {"axes", "ticks", "grid", "rim"}) {
+    EXPECT_FALSE(with(std::string(R"("plate": {")") + name + R"(": 1})")) << name;
+    const auto off = with(std::string(R"("plate": {")") + name + R"(": false})");
+    const auto on = with(std::string(R"("plate": {")") + name + R"(": true})");
+    ASSERT_TRUE(off && on);
+    const auto is_on = [&](const PlotDocument& d) {
+      const Layers& l = d.plate.layers;
+      return name[0] == 'a' ? l.axes : name[0] == 't' ? l.ticks : name[0] == 'g' ? l.grid : l.rim;
+    };
+    EXPECT_FALSE(is_on(*off)) << name;
+    EXPECT_TRUE(is_on(*on)) << name;
+  }
+}
+
+TEST(PlotDocument, WindowsRangesAndNestsAreChecked) {
+  EXPECT_EQ(with(R"("window": [1, 2, 3, 5])")->window, (Window{1, 2, 3, 5}));
+  for (const char* wrong :
+       {"[1, 2, 3]", "[1, 2, 3, 4, 5]", "[2, 1, 3, 4]", "[1, 2, 3, 3]", "[1, 2, 3, \"4\"]", "{}", "7"}) {
+    const auto d = with(std::string("\"window\": ") + wrong);
+    ASSERT_FALSE(d) << wrong;
+    EXPECT_EQ(d.error().where, "window") << wrong;
+  }
+  const auto heights = with(R"("plate": {"heights": [-1, 3]})");
+  ASSERT_TRUE(heights);
+  EXPECT_EQ(heights->plate.heights->low, -1);
+  EXPECT_EQ(heights->plate.heights->high, 3);
+  for (const char* wrong : {"[1]", "[3, 3]", "[1, 2, 3]", "\"high\""}) {
+    const auto d = with(std::string(R"("plate": {"heights": )") + wrong + "}");
+    ASSERT_FALSE(d) << wrong;
+    EXPECT_EQ(d.error().where, "plate.heights") << wrong;
+  }
+  EXPECT_EQ(with(R"("sound": [])").error().where, "sound");
+  EXPECT_EQ(with(R"("decimal_comma": 1)").error().where, "decimal_comma");
+  EXPECT_EQ(with(R"("title": 1)").error().where, "title");
+  // The first mistake is the one that is told.
+  EXPECT_EQ(with(R"("title": 1, "plate": {"size": 1}, "sound": {"volume": 3})").error().where, "title");
+  EXPECT_EQ(with(R"("plate": {"size": 1, "half_width": 9}, "sound": {"volume": 3})").error().where,
+            "plate.size");
+  const auto nested = [](int depth) {
+    return with("\"unknown\": " + std::string(static_cast<std::size_t>(depth), '[') +
+                std::string(static_cast<std::size_t>(depth), ']'));
+  };
+  EXPECT_TRUE(nested(90));
+  EXPECT_FALSE(nested(110));
+  EXPECT_FALSE(with(R"("window": [1, 2, 3, 1e999])"));
+  for (const char* version : {"0", "-1", "1.5", "\"1\"", "2"})
+    EXPECT_EQ(parse_document(std::string(R"({"nazori_plot": )") + version + R"(, "expression": "y = x"})")
+                  .error()
+                  .code,
+              base::Errc::schema)
+        << version;
+}
+
+TEST(PlotDocument, TheLineAndColumnOfAMistakeAreTold) {
+  EXPECT_EQ(parse_document("{\n  \"nazori_plot\": 1,\n  \"expression\": }").error().where,
+            "line 3, column 17");
+  EXPECT_EQ(parse_document("[1, }").error().where, "line 1, column 5");
+}
+
+TEST(PlotDocument, AFileOfAMillionBytesIsReadAndNoLargerOne) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / "nazori_plot_document_size.json";
+  PlotDocument d;
+  d.expression = "y = x";
+  const std::string text = to_json(d);
+  for (const std::size_t size : {std::size_t{1'000'000}, std::size_t{1'000'001}}) {
+    std::ofstream(file) << text << std::string(size - text.size(), ' ');
+    EXPECT_EQ(load_document(file).has_value(), size == 1'000'000) << size;
+  }
+  std::filesystem::remove(file);
+}
+
 TEST(PlotDocument, AFileIsWrittenAndReadAndAMissingOneNamed) {
   const std::filesystem::path file =
       std::filesystem::path(testing::TempDir()) / "nazori_plot_document_test.json";

@@ -35,6 +35,24 @@ TEST(PlotMixer, ASoundIsPlayedOnceAtTheVolumeOverWhatIsThere) {
   EXPECT_FALSE(mixer.is_playing());
 }
 
+TEST(PlotMixer, AVolumeOutOfRangeIsTheNearestInItAndNoneSetIsOneHalf) {
+  std::vector<float> block(10);
+  const auto heard = [&](PlotMixer& mixer) {
+    mixer.play(constant(0.5F, 100));
+    std::fill(block.begin(), block.end(), 0.0F);
+    mixer.add_to(block);
+    return block[0];
+  };
+  PlotMixer mixer(kRate_hz);
+  EXPECT_FLOAT_EQ(heard(mixer), 0.25F);
+  mixer.set_volume(1.4, false);
+  EXPECT_FLOAT_EQ(heard(mixer), 0.5F);
+  mixer.set_volume(-0.4, false);
+  EXPECT_EQ(heard(mixer), 0.0F);
+  mixer.set_volume(1, true);
+  EXPECT_EQ(heard(mixer), 0.0F);
+}
+
 TEST(PlotMixer, AnotherSoundTakesThePlaceOfTheFirstAndAnEmptyOneIsSilence) {
   PlotMixer mixer(kRate_hz);
   mixer.set_volume(1, false);

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "../src/voice.h"
 #include "allocation_count.h"
 
 namespace nazori::functions {
@@ -101,6 +102,89 @@ TEST(ToneGenerator, LeftAndRightFollowThePlace) {
   }
 }
 
+/// The samples of a generator that was told once, from silence on.
+std::vector<float> filled(ToneGenerator& tone, std::size_t frames) {
+  std::vector<float> block(2 * frames);
+  tone.fill(block);
+  return block;
+}
+
+TEST(ToneGenerator, IsTheVoiceAtItsCueAndVolumeGlidingThere) {
+  SoundSettings settings;
+  settings.sample_rate = 48'000;
+  settings.volume = 0.75;
+  for (const Cue& cue : {Cue{440, -1, 0, 1}, Cue{1200.5, 1, 1, 1}, Cue{300.0625, 0.25, 0.5, 0.3}}) {
+    for (const bool trembles : {false, true}) {
+      ToneGenerator tone(settings);
+      tone.set(cue, trembles);
+      const auto block = filled(tone, 2'000);
+      Voice voice(48'000);
+      for (std::size_t i = 0; i < 2'000; ++i) {
+        const StereoSample sample = voice.next(cue, trembles);
+        const double volume = 0.75 * (1 - std::exp(-static_cast<double>(i + 1) / (0.004 * 48'000)));
+        // Pan, noise and loudness are kept in 4095ths.
+        ASSERT_NEAR(block[2 * i], sample.left * volume, 1e-3) << i;
+        ASSERT_NEAR(block[2 * i + 1], sample.right * volume, 1e-3) << i;
+      }
+    }
+  }
+}
+
+TEST(ToneGenerator, ASignIsItsEarconWhereItStands) {
+  SoundSettings settings;
+  settings.sample_rate = 48'000;
+  settings.volume = 1;
+  for (const double pan : {-1.0, 0.5, 1.0}) {
+    ToneGenerator tone(settings);
+    (void)filled(tone, 4'800);
+    tone.play(PointKind::isolated, pan);
+    const auto block = filled(tone, 6'000);
+    Earcon earcon(PointKind::isolated, pan, 48'000);
+    for (std::size_t i = 0; i < 6'000; ++i) {
+      const StereoSample sample = earcon.next();
+      ASSERT_NEAR(block[2 * i], sample.left, 1e-3) << i;
+      ASSERT_NEAR(block[2 * i + 1], sample.right, 1e-3) << i;
+    }
+  }
+}
+
+TEST(ToneGenerator, ValuesOutOfRangeAreTheNearestInIt) {
+  const auto steady = [](const SoundSettings& settings, double volume, const Cue& cue) {
+    ToneGenerator tone(settings);
+    if (!std::isnan(volume)) tone.set_volume(volume);
+    tone.set(cue);
+    (void)filled(tone, 4'800);
+    return loudest(filled(tone, 4'800));
+  };
+  const double unset = std::nan("");
+  const Cue cue{440, -1, 0, 1};
+  const float whole = steady({}, 1, cue);
+  EXPECT_GT(whole, 0.5F);
+  EXPECT_EQ(steady({}, 1.4, cue), whole);
+  EXPECT_EQ(steady({}, -1, cue), 0);
+  EXPECT_NEAR(steady({}, unset, cue), whole / 2, 1e-3);
+  SoundSettings settings;
+  settings.volume = 3;
+  EXPECT_EQ(steady(settings, unset, cue), whole);
+  settings.volume = -3;
+  EXPECT_EQ(steady(settings, unset, cue), 0);
+  EXPECT_EQ(steady({}, 1, {440, -3, 0, 2}), whole);
+  EXPECT_EQ(steady({}, 1, {unset, -1, 0, 1}), 0);
+  EXPECT_EQ(steady({}, 1, {-5, -1, 0, 1}), 0);
+  EXPECT_EQ(steady({}, 1, {0, -1, 0, 1}), 0);
+  EXPECT_EQ(steady({}, 1, {1e9, -1, 0, 1}), 0) << "no harmonic of it can be played";
+}
+
+TEST(ToneGenerator, AnOddLastSampleIsSilent) {
+  ToneGenerator tone;
+  tone.set({440, 0, 0, 1});
+  std::vector<float> block(4'001, 7.0F);
+  tone.fill(block);
+  EXPECT_EQ(block.back(), 0);
+  EXPECT_NE(block[3'998], 7.0F);
+  EXPECT_NE(block[3'998], 0);
+}
+
 TEST(ToneGenerator, NoStepIsLargeEnoughToClick) {
   ToneGenerator tone;
   tone.set({300, 0, 0, 1});
@@ -132,6 +216,22 @@ TEST(ToneGenerator, ASignSoundsOnceAndEnds) {
   tone.play(PointKind::maximum, 0);
   tone.fill(block);
   EXPECT_GT(loudest(block), 0.05F);
+}
+
+TEST(ToneGenerator, ToneAndSignTogetherStayWithinWhatALoudspeakerTakes) {
+  SoundSettings settings;
+  ToneGenerator tone(settings);
+  tone.set_volume(1);
+  tone.set({660, -1, 0, 1});
+  std::vector<float> block(2 * 44'100);
+  float most = 0;
+  for (int i = 0; i < 8; ++i) {
+    tone.play(PointKind::zero, -1);
+    tone.fill(block);
+    most = std::max(most, loudest(block));
+  }
+  EXPECT_LE(most, 1.0F);
+  EXPECT_EQ(most, 1.0F) << "else nothing was tried";
 }
 
 TEST(ToneGenerator, FillingDoesNotAllocate) {

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// Expressions, points, summaries and mistakes as they are told, in English and Japanese.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "nazori/functions/points.h"
+
+namespace nazori::functions {
+namespace {
+
+constexpr Language kEnglish = Language::english;
+constexpr Language kJapanese = Language::japanese;
+
+Expression read(const std::string& text) {
+  const auto plot = parse("x + y = " + text);
+  EXPECT_TRUE(plot) << text;
+  return plot->statements[0].terms[1];
+}
+
+struct Said {
+  const char* typed;
+  const char* english;
+  const char* japanese;
+};
+
+TEST(Words, ExpressionsAreSaidAsTheyAreRead) {
+  const Said all[] = {
+      {"x + y", "x plus y", "x 足す y"},
+      {"x - (y - 1)", "x minus the quantity y minus 1 end", "x 引く 括弧 y 引く 1 括弧閉じ"},
+      {"x - y + 1", "x minus y plus 1", "x 引く y 足す 1"},
+      {"2x y", "2 times x times y", "2 かける x かける y"},
+      {"2(x+1)", "2 times the quantity x plus 1 end", "2 かける 括弧 x 足す 1 括弧閉じ"},
+      {"(x+1)2", "the quantity x plus 1 end times 2", "括弧 x 足す 1 括弧閉じ かける 2"},
+      {"x/y", "x over y", "y 分の x"},
+      {"x y/2", "the quantity x times y end over 2", "2 分の 括弧 x かける y 括弧閉じ"},
+      {"(x/y)*2", "x over y, times 2", "y 分の x、 かける 2"},
+      {"-x", "minus x", "マイナス x"},
+      {"-(x+1)", "minus the quantity x plus 1 end", "マイナス 括弧 x 足す 1 括弧閉じ"},
+      {"x^2", "x squared", "x の 2 乗"},
+      {"x^3", "x cubed", "x の 3 乗"},
+      {"x^4", "x to the power of 4", "x の 4 乗"},
+      {"x^-2", "x to the power of minus 2", "x の マイナス 2 乗"},
+      {"x^y", "x to the power of y", "x の y 乗"},
+      {"x^(y+1)", "x to the power of the quantity y plus 1 end", "x の 括弧 y 足す 1 括弧閉じ 乗"},
+      {"x^(y^2)", "x to the power of y squared", "x の 括弧 y の 2 乗 括弧閉じ 乗"},
+      {"x^-y", "x to the power of the quantity minus y end", "x の 括弧 マイナス y 括弧閉じ 乗"},
+      {"(x+1)^2", "the quantity x plus 1 end squared", "括弧 x 足す 1 括弧閉じ の 2 乗"},
+      {"(-x)^3", "the quantity minus x end cubed", "括弧 マイナス x 括弧閉じ の 3 乗"},
+      {"pi e", "pi times e", "パイ かける e"},
+      {"x + theta", "x plus theta", "x 足す シータ"},
+      {"sin x", "sine of x", "サイン x"},
+      {"sin 2x", "sine of 2 times x", "サイン 2 かける x"},
+      {"cos(x+1)", "cosine of the quantity x plus 1 end", "コサイン 括弧 x 足す 1 括弧閉じ"},
+      {"x!", "x factorial", "x の階乗"},
+      {"(x+1)!", "the quantity x plus 1 end factorial", "括弧 x 足す 1 括弧閉じ の階乗"},
+      {"log_2 x", "the logarithm to base 2 of x", "2 を底とする x の対数"},
+      {"log_2(x+1)", "the logarithm to base 2 of the quantity x plus 1 end", "2 を底とする x 足す 1 の対数"},
+      {"log_(x+1)2", "the logarithm to base the quantity x plus 1 end of 2", "x 足す 1 を底とする 2 の対数"},
+      {"root(4, x)", "the 4th root of x", "x の 4 乗根"},
+      {"root(4, x y)", "the 4th root of the quantity x times y end", "x かける y の 4 乗根"},
+      {"sqrt(x)", "the square root of x", "x の平方根"},
+      {"sqrt(x+1)", "the square root of the quantity x plus 1 end", "括弧 x 足す 1 括弧閉じ の平方根"},
+      {"sqrt(2x)", "the square root of 2 times x", "2 かける x の平方根"},
+      {"min(x, y+1)", "the minimum of x and y plus 1", "x と y 足す 1 の最小値"},
+      {"max(x+1, y)", "the maximum of x plus 1 and y", "x 足す 1 と y の最大値"},
+      {"atan2(y, x)", "the angle of y and x", "y と x の偏角"}};
+  for (const Said& s : all) {
+    const Expression e = s.typed == std::string("x + theta")
+                             ? binary(NodeKind::add, variable(Variable::x), variable(Variable::theta))
+                             : read(s.typed);
+    EXPECT_EQ(in_words(e, kEnglish), s.english) << s.typed;
+    EXPECT_EQ(in_words(e, kJapanese), s.japanese) << s.typed;
+  }
+  EXPECT_EQ(in_words(number(-2.5), kEnglish), "minus 2.5");
+  EXPECT_EQ(in_words(number(-2.5), kJapanese), "マイナス2.5");
+  EXPECT_EQ(in_words(number(0), kEnglish), "0");
+}
+
+TEST(Words, EveryFunctionHasItsOwn) {
+  const std::pair<Function, const char*> names[] = {{Function::tan, "tangent"},
+                                                    {Function::cot, "cotangent"},
+                                                    {Function::sec, "secant"},
+                                                    {Function::csc, "cosecant"},
+                                                    {Function::asin, "arc sine"},
+                                                    {Function::acos, "arc cosine"},
+                                                    {Function::atan, "arc tangent"},
+                                                    {Function::acot, "arc cotangent"},
+                                                    {Function::sinh, "hyperbolic sine"},
+                                                    {Function::cosh, "hyperbolic cosine"},
+                                                    {Function::tanh, "hyperbolic tangent"},
+                                                    {Function::coth, "hyperbolic cotangent"},
+                                                    {Function::sech, "hyperbolic secant"},
+                                                    {Function::csch, "hyperbolic cosecant"}};
+  for (const auto& [f, name] : names)
+    EXPECT_EQ(in_words(call(f, {variable(Variable::x)}), kEnglish), std::string(name) + " of x");
+  const std::pair<Function, const char*> others[] = {{Function::asinh, "inverse hyperbolic sine"},
+                                                     {Function::exp, "exponential"},
+                                                     {Function::ln, "natural logarithm"},
+                                                     {Function::log10, "logarithm to base 10"},
+                                                     {Function::log2, "logarithm to base 2"},
+                                                     {Function::cbrt, "cube root"},
+                                                     {Function::abs, "absolute value"},
+                                                     {Function::floor, "floor"},
+                                                     {Function::round, "rounding"},
+                                                     {Function::fraction, "fractional part"},
+                                                     {Function::gamma, "gamma"},
+                                                     {Function::erf, "error function"}};
+  for (const auto& [f, name] : others)
+    EXPECT_EQ(in_words(call(f, {variable(Variable::x)}), kEnglish), "the " + std::string(name) + " of x");
+}
+
+TEST(Words, StatementsAreSaidWithTheirComparisonsAndRanges) {
+  const Said all[] = {
+      {"y = x", "y equals x", "y イコール x"},
+      {"x = y^2", "x equals y squared", "x イコール y の 2 乗"},
+      {"z = x y", "z equals x times y", "z イコール x かける y"},
+      {"x + y = 1", "x plus y equals 1", "x 足す y イコール 1"},
+      {"y < x", "y is less than x", "y 小なり x"},
+      {"y <= x", "y is at most x", "y 小なりイコール x"},
+      {"y > x", "y is greater than x", "y 大なり x"},
+      {"1 >= y > x", "1 is at least y is greater than x", "1 大なりイコール y 大なり x"},
+      {"x = t; y = 2; 0 <= t <= 1", "x equals t and y equals 2, for t from 0 to 1",
+       "x イコール t、y イコール 2、t は 0 から 1 まで"},
+      {"r = 2; 0 < theta <= pi", "r equals 2, for theta from 0 to pi, 0 excluded",
+       "r イコール 2、シータ は 0 から パイ まで、0 を除く"},
+      {"r^2 = theta; 0 <= theta < 1", "r squared equals theta, for theta from 0 to 1, 1 excluded",
+       "r の 2 乗 イコール シータ、シータ は 0 から 1 まで、1 を除く"},
+      {"r < 2", "r is less than 2", "r 小なり 2"},
+      {"r < 2; 0 <= theta <= 1", "r is less than 2, for theta from 0 to 1",
+       "r 小なり 2、シータ は 0 から 1 まで"},
+      {"y = x; y = 1", "y equals x; y equals 1", "y イコール x。y イコール 1"}};
+  for (const Said& s : all) {
+    const auto plot = parse(s.typed);
+    ASSERT_TRUE(plot) << s.typed;
+    EXPECT_EQ(in_words(*plot, kEnglish), s.english) << s.typed;
+    EXPECT_EQ(in_words(*plot, kJapanese), s.japanese) << s.typed;
+  }
+}
+
+PointOfInterest point(PointKind kind, double x, double y, const char* x_name = "", const char* y_name = "") {
+  PointOfInterest p;
+  p.kind = kind;
+  p.x = x;
+  p.y = y;
+  p.x_name = x_name;
+  p.y_name = y_name;
+  return p;
+}
+
+TEST(Words, PointsAreSaidWithExactNamesFirst) {
+  const double nan = std::nan("");
+  const auto said = [](const PointOfInterest& p) { return in_words(p, kEnglish); };
+  EXPECT_EQ(said(point(PointKind::maximum, 1.5707963, 1, "pi/2", "1")),
+            "maximum at x = pi over 2, about 1.571; y = 1");
+  EXPECT_EQ(said(point(PointKind::zero, -2.34567, 0, "", "0")), "zero at x = about minus 2.346; y = 0");
+  EXPECT_EQ(said(point(PointKind::zero, -2, 1e-13, "-2", "")), "zero at x = minus 2; y = about 0");
+  EXPECT_EQ(said(point(PointKind::vertical_asymptote, 0.5, nan, "1/2")),
+            "vertical asymptote at x = 1 over 2, about 0.5");
+  EXPECT_EQ(said(point(PointKind::horizontal_asymptote, nan, 3, "", "3")), "horizontal asymptote at y = 3");
+  EXPECT_EQ(in_words(point(PointKind::maximum, 1.5707963, -1, "pi/2", "-1"), kJapanese),
+            "極大: x = 2 分の パイ、約1.571、y = マイナス1");
+  EXPECT_EQ(in_words(point(PointKind::horizontal_asymptote, nan, 3.25), kJapanese), "水平漸近線: y = 約3.25");
+}
+
+TEST(Words, EveryKindOfPointHasItsName) {
+  const char* english[] = {"zero",
+                           "y intercept",
+                           "maximum",
+                           "minimum",
+                           "inflection",
+                           "crossing",
+                           "touching point",
+                           "vertical asymptote",
+                           "horizontal asymptote",
+                           "hole",
+                           "jump",
+                           "end",
+                           "self-crossing",
+                           "singular point",
+                           "isolated point"};
+  std::set<std::string> japanese;
+  for (int k = 0; k < 15; ++k) {
+    EXPECT_EQ(in_words(static_cast<PointKind>(k), kEnglish), english[k]);
+    EXPECT_TRUE(japanese.insert(in_words(static_cast<PointKind>(k), kJapanese)).second);
+  }
+  EXPECT_EQ(static_cast<int>(PointKind::isolated), 14);
+  EXPECT_EQ(in_words(PointKind::zero, kJapanese), "零点");
+}
+
+TEST(Words, APlaceIsSaidInFourDigitsAndWholeNumbersAsTheyAre) {
+  EXPECT_EQ(place_in_words(1.23456, -12.3456, kEnglish), "x = about 1.235; y = about minus 12.35");
+  EXPECT_EQ(place_in_words(0, -0.0, kEnglish), "x = 0; y = 0");
+  EXPECT_EQ(place_in_words(9999, -9999, kEnglish), "x = 9999; y = minus 9999");
+  EXPECT_EQ(place_in_words(10000, 12345, kEnglish), "x = about 1e+04; y = about 1.234e+04");
+  EXPECT_EQ(place_in_words(1.5, 2, kJapanese), "x = 約1.5、y = 2");
+}
+
+TEST(Words, ASummaryCountsWhatIsThere) {
+  const auto plot = parse("y = x");
+  ASSERT_TRUE(plot);
+  Tracing t;
+  t.window = {-1, 1, -1, 1};
+  const auto said = [&](const std::vector<PointOfInterest>& points = {}) {
+    return summary(*plot, t, points, kEnglish);
+  };
+  EXPECT_EQ(said(), "y equals x: no points satisfy this in the window.");
+  EXPECT_EQ(summary(*plot, t, {}, kJapanese), "y イコール x。この範囲に点はありません。");
+  t.dots.push_back({});
+  EXPECT_EQ(said(), "y equals x.");
+  t.dots.clear();
+  t.fills.push_back({});
+  EXPECT_EQ(said(), "y equals x.");
+  t.fills.clear();
+  t.bars.push_back({});
+  EXPECT_EQ(said(), "y equals x.");
+  t.branches.resize(1);
+  EXPECT_EQ(said(), "y equals x: 1 piece.");
+  t.branches.resize(3);
+  EXPECT_EQ(
+      said({point(PointKind::maximum, 0, 0), point(PointKind::zero, 0, 0), point(PointKind::zero, 1, 0)}),
+      "y equals x: 3 pieces, 2 zeros, 1 maximum.");
+  EXPECT_EQ(summary(*plot, t, {point(PointKind::zero, 0, 0)}, kJapanese), "y イコール x。3本、零点 1個。");
+  t.dense = true;
+  t.complete = false;
+  EXPECT_EQ(said(), "y equals x: 3 pieces, a dense band, not finished yet.");
+  EXPECT_EQ(summary(*plot, t, {}, kJapanese), "y イコール x。3本、密な帯、まだ途中です。");
+}
+
+TEST(Words, ASummarySaysWhatIsUndecidedAboveATenthOfAPercent) {
+  const auto plot = parse("y = x");
+  ASSERT_TRUE(plot);
+  Tracing t;
+  t.window = {-1, 1, -2, 2};
+  t.branches.resize(1);
+  t.cells = 10'000;
+  t.undecided_cells = 10;
+  EXPECT_EQ(summary(*plot, t, {}, kEnglish), "y equals x: 1 piece.");
+  t.undecided_cells = 11;
+  EXPECT_EQ(t.undecided_share(), 0.0011);
+  EXPECT_EQ(summary(*plot, t, {}, kEnglish),
+            "y equals x: 1 piece, part of the picture could not be decided.");
+  t.undecided_places.push_back({0.75, 0.25});
+  t.undecided_places.push_back({0.1, 0.1});
+  EXPECT_EQ(summary(*plot, t, {}, kEnglish),
+            "y equals x: 1 piece, part of the picture could not be decided, first near x = about 0.5; y = "
+            "minus 1.");
+  EXPECT_EQ(summary(*plot, t, {}, kJapanese),
+            "y イコール x。1本、一部は判定できませんでした（x = 約0.5、y = マイナス1 の近くなど）。");
+  const auto surface = parse("z = x y");
+  ASSERT_TRUE(surface);
+  EXPECT_EQ(summary(*surface, t, {}, kEnglish), "z equals x times y.");
+}
+
+TEST(Words, MistakesAreToldWithTheirNumbers) {
+  const auto told = [](const char* typed) { return in_words(parse(typed).error(), kEnglish); };
+  EXPECT_EQ(told("y = mod(x)").message, "\"mod\" is given 1 argument");
+  EXPECT_EQ(told("y = mod(x)").expected, "expected two arguments");
+  EXPECT_EQ(told("y = mod(x,1,2)").message, "\"mod\" is given 3 arguments");
+  EXPECT_EQ(told("y = sin(x; 1)").expected, "expected one argument");
+  EXPECT_EQ(told("y = min(x)").expected, "expected two arguments or more");
+  EXPECT_EQ(told("y = |x").message, "the bar of column 5 is not closed");
+  EXPECT_EQ(told("y = (x").message, "the \"(\" of column 5 is not closed");
+  EXPECT_EQ(told("y = (x").expected, "expected \")\"");
+  EXPECT_EQ(in_words(parse("y = min(x)").error(), kJapanese).expected, "2 個以上の引数が必要です");
+  EXPECT_EQ(in_words(parse("y = mod(x)").error(), kJapanese).expected, "2 個の引数が必要です");
+  const base::Error error = parse("y = mod(x)").error().to_error();
+  EXPECT_EQ(error.code, base::Errc::parse);
+  EXPECT_EQ(error.where, "column 5");
+  EXPECT_EQ(error.what, "\"mod\" is given 1 argument");
+}
+
+}  // namespace
+}  // namespace nazori::functions
