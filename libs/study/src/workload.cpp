@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nazori/study/statistics.h"
+#include "usual_ratings.h"
 
 namespace nazori::study {
 namespace {
@@ -12,28 +13,8 @@ namespace {
 using std::chrono::days;
 
 constexpr int kDays = 365;
-// How learners rate, first and later: the defaults of open-spaced-repetition's fsrs-optimizer (its
-// simulator), which come from the collections of Anki's users.
-constexpr double kFirstAgain = 0.24;
-constexpr double kFirstHard = 0.094;
-constexpr double kFirstGood = 0.495;
-constexpr double kHardShare = 0.224;
-constexpr double kEasyShare = 0.145;
-
 /// The same numbers on every computer, which distributions of the library do not promise.
 double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
-
-Rating first_rating(double dice) {
-  if (dice < kFirstAgain) return Rating::again;
-  if (dice < kFirstAgain + kFirstHard) return Rating::hard;
-  return dice < kFirstAgain + kFirstHard + kFirstGood ? Rating::good : Rating::easy;
-}
-
-Rating next_rating(double chance, double dice, double grade) {
-  if (dice >= chance) return Rating::again;
-  if (grade < kHardShare) return Rating::hard;
-  return grade >= 1 - kEasyShare ? Rating::easy : Rating::good;
-}
 
 double seconds_of(std::chrono::milliseconds time) { return std::chrono::duration<double>(time).count(); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/study/backups.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -8,10 +9,45 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <fstream>
 
 #include "learner_fixture.h"
+
+namespace {
+
+bool links_work = true;
+bool flush_works = true;  ///< of files that are open to be read: SQLite's own stand open to be written
+std::string onto_fails;   ///< the first rename to this file fails
+
+}  // namespace
+
+// These stand in for the system's: what std::filesystem does can fail as on a full disk, or on one without
+// links.
+extern "C" int link(const char* from, const char* to) {
+  if (!links_work) {
+    errno = EPERM;
+    return -1;
+  }
+  return ::linkat(AT_FDCWD, from, AT_FDCWD, to, 0);
+}
+extern "C" int rename(const char* from, const char* to) {
+  if (onto_fails == to) {
+    onto_fails.clear();
+    errno = EIO;
+    return -1;
+  }
+  return ::renameat(AT_FDCWD, from, AT_FDCWD, to);
+}
+extern "C" int fsync(int descriptor) {
+  if (!flush_works && (::fcntl(descriptor, F_GETFL) & O_ACCMODE) == O_RDONLY) {
+    errno = EIO;
+    return -1;
+  }
+  return ::fdatasync(descriptor);
+}
 
 namespace nazori::study {
 namespace {
@@ -206,6 +242,85 @@ TEST(Backups, OfWhatWasReplacedTheNewestAreKept) {
     expected.push_back(name + "-wal");
   }
   EXPECT_EQ(names_in(backup_folder(file)), expected);
+}
+
+TEST(Backups, WhereTheRestoredFileCannotBePutInPlaceTheOldOneComesBack) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  MovedClock clock("2026-01-01T09:00:00Z");
+  study(file, clock);
+  ASSERT_TRUE(must(LearnerStore::open(file, Access::read)).copy_to(folder / "one.db"));
+  clock.advance(days(1));
+  study(file, clock);
+  for (const bool has_links : {true, false}) {
+    links_work = has_links;
+    onto_fails = file.string();
+    const auto done = restore_backup(folder / "one.db", file, clock.clock());
+    links_work = true;
+    onto_fails.clear();
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, base::Errc::io);
+    EXPECT_THAT(done.error().what, HasSubstr("cannot be written"));
+    EXPECT_EQ(must(LearnerStore::open(file, Access::read)).last_entry(), 2) << has_links;
+  }
+  EXPECT_TRUE(restore_backup(folder / "one.db", file, clock.clock()));
+  EXPECT_EQ(must(LearnerStore::open(file, Access::read)).last_entry(), 1);
+}
+
+TEST(Backups, ACopyThatCannotBePutInPlaceOrOnDiskLeavesNothing) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  const MovedClock clock("2026-01-01T09:00:00Z");
+  LearnerStore store = must(LearnerStore::open(file, Access::write, clock.clock()));
+  (void)must(store.add_writing(kRest, 6, review(Rating::good)));
+  onto_fails = folder / "copy.db";
+  auto copied = store.copy_to(folder / "copy.db");
+  ASSERT_FALSE(copied);
+  EXPECT_EQ(copied.error().code, base::Errc::io);
+  EXPECT_EQ(copied.error().where, (folder / "copy.db").string());
+  flush_works = false;
+  copied = store.copy_to(folder / "copy.db");
+  flush_works = true;
+  ASSERT_FALSE(copied);
+  EXPECT_EQ(copied.error().code, base::Errc::io);
+  EXPECT_THAT(copied.error().what, HasSubstr("cannot be written"));
+  EXPECT_THAT(names_in(folder / ""), testing::Not(Contains(HasSubstr("copy.db"))));
+  EXPECT_TRUE(store.copy_to(folder / "copy.db"));
+  EXPECT_THAT(names_in(folder / ""), Contains("copy.db"));
+  // A single file, which needs no log.
+  std::ifstream bytes(folder / "copy.db", std::ios::binary);
+  bytes.seekg(18);
+  EXPECT_EQ(bytes.get(), 1) << "bytes 18 and 19 of an SQLite file: 2 where it has a write-ahead log";
+}
+
+TEST(Backups, WhatARestoreReplacedKeepsALogThatCouldNotBeTakenIn) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "learner.db";
+  const MovedClock clock("2026-01-01T09:00:00Z");
+  ASSERT_TRUE(must(LearnerStore::in_memory(clock.clock())).copy_to(folder / "none.db"));
+  for (const bool empty : {true, false}) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      auto store = LearnerStore::open(file, Access::write, clock.clock(), Upkeep::later);
+      const bool written = store && store->add_writing(kRest, 6, review(Rating::good));
+      if (empty) store = LearnerStore::in_memory();  // closes the file
+      ::_exit(written ? 0 : 1);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_EQ(status, 0);
+    const std::string log = empty ? std::string() : bytes_of(file.string() + "-wal");
+    ASSERT_EQ(log.empty(), empty);
+    std::ofstream(file.string() + "-wal", std::ios::binary) << log;
+    // Where the index of the log cannot be made, SQLite does not open the file.
+    fs::remove(file.string() + "-shm");
+    fs::create_directory(file.string() + "-shm");
+    const fs::path kept = must(restore_backup(folder / "none.db", file, clock.clock()));
+    EXPECT_EQ(fs::exists(kept.string() + "-wal"), !empty);
+    EXPECT_EQ(must(LearnerStore::open(kept, Access::read)).last_entry(), 1);
+    EXPECT_THAT(names_in(folder / ""), ElementsAre("backups", "learner.db", "learner.db.lock", "none.db"));
+    EXPECT_EQ(must(LearnerStore::open(file, Access::read)).last_entry(), 0);
+  }
 }
 
 TEST(Backups, WhatIsRestoredIsNotLetGoWithTheOldest) {

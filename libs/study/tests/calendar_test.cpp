@@ -72,6 +72,34 @@ TEST(Calendar, TakesTheZoneOfTheEnvironment) {
   ASSERT_EQ(::unsetenv("TZ"), 0);
 }
 
+TEST(Calendar, TheDayMayBeginFromMidnightToNoon) {
+  for (int hour = -1; hour <= 13; ++hour) {
+    const auto calendar = Calendar::create("UTC", hour);
+    EXPECT_EQ(calendar.has_value(), hour >= 0 && hour <= 12) << hour;
+    if (!calendar) continue;
+    const Time begin = at("2026-01-02T00:00Z") + std::chrono::hours(hour);
+    EXPECT_EQ(calendar->begin_of(day("2026-01-02")), begin);
+    EXPECT_EQ(calendar->day_of(begin), day("2026-01-02"));
+    EXPECT_EQ(calendar->day_of(begin - std::chrono::milliseconds(1)), day("2026-01-01"));
+  }
+}
+
+TEST(Calendar, AZoneOfTheEnvironmentThatIsNoneIsPassedOver) {
+  for (const auto& [variable, zone] :
+       {std::pair(":Asia/Tokyo", "Asia/Tokyo"), std::pair("Europe/Berlin", "Europe/Berlin")}) {
+    ASSERT_EQ(::setenv("TZ", variable, 1), 0);
+    EXPECT_EQ(Calendar::create("")->zone(), zone);
+  }
+  ASSERT_EQ(::unsetenv("TZ"), 0);
+  const std::string own = Calendar::create("")->zone();
+  for (const char* none : {"", "Mars/Olympus", ":"}) {
+    ASSERT_EQ(::setenv("TZ", none, 1), 0);
+    EXPECT_EQ(Calendar::create("")->zone(), own) << none;
+  }
+  ASSERT_EQ(::unsetenv("TZ"), 0);
+  EXPECT_EQ(Calendar::create("Asia/Tokyo")->zone(), "Asia/Tokyo");
+}
+
 TEST(Calendar, RefusesWhatIsNoZoneOrHour) {
   EXPECT_EQ(Calendar::create("Mars/Olympus").error().where, "time zone");
   EXPECT_EQ(Calendar::create("UTC", 13).error().where, "start of the day");

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <numeric>
+
 #include "learner_fixture.h"
 #include "nazori/study/character_lists.h"
 #include "nazori/study/pace.h"
@@ -144,6 +147,35 @@ TEST(DayPlan, AfterAMonthAwayAGentlePlanWaitsNotAWall) {
     plan = learner.plan();
   }
   EXPECT_LE(std::abs((learner.store.today() - last).count()), 2) << studied;
+}
+
+TEST(DayPlan, TheGentlePlanCountsWhatFallsDueMeanwhile) {
+  // 100 characters fall due while the learner is away, 60 better known ones a week after the return.
+  Learner learner;
+  learner.settings([](Settings& s) { s.reviews_per_day = 20; });
+  for (char32_t c = U'亜'; c < U'亜' + 60; ++c) learner.write(c, Rating::easy);
+  learner.clock.advance(days(8));
+  for (char32_t c = U'亜'; c < U'亜' + 60; ++c) learner.write(c, Rating::good);
+  for (char32_t c = U'一'; c < U'一' + 100; ++c) learner.write(c, Rating::easy);
+  const Day comes = *learner.store.card(U'亜').due_day;
+  learner.clock.advance(comes - days(5) - learner.store.today());
+  DayPlan plan = learner.plan();
+  ASSERT_TRUE(plan.gentle);
+  EXPECT_EQ(plan.gentle->overdue, 100);
+  // 10, 15 and 18, then 20 a day: 17 are left when the 60 come on the sixth day, of which 20 a day are done.
+  const std::array days_of{10, 15, 18, 20, 20, 20, 20, 20, 17};
+  EXPECT_EQ(std::accumulate(days_of.begin(), days_of.end(), 0), 160);
+  EXPECT_EQ(plan.gentle->days, static_cast<int>(days_of.size()));
+  EXPECT_EQ(plan.gentle->last_day, learner.store.today() + days(8));
+  for (std::size_t i = 0; i < days_of.size(); ++i) {
+    // The last day holds no more than its limit, so there is nothing left to plan.
+    EXPECT_EQ(plan.gentle.has_value(), i + 1 < days_of.size()) << i;
+    EXPECT_EQ(plan.count(TaskKind::review), days_of.at(i));
+    for (const StudyTask& task : plan.now) learner.write(task.character, Rating::easy);
+    learner.clock.advance(days(1));
+    plan = learner.plan();
+  }
+  EXPECT_EQ(plan.count(TaskKind::review), 0);
 }
 
 TEST(DayPlan, PracticeDuringTheAbsenceIsNoReview) {

@@ -114,6 +114,14 @@ TEST(Fsrs, IntervalsMayMoveByThePublishedRangesOnly) {
   EXPECT_EQ(fsrs.fuzz_range(100, 0), (DayRange{93, 107}));
   EXPECT_EQ(fsrs.fuzz_range(10, 9), (DayRange{10, 12}));
   EXPECT_EQ(fsrs.fuzz_range(36500, 0).last, 36500);
+  // 1 + 0.15*0.5, 1 + 0.15*2.5, 1 + 0.15*3.5, 1.675 + 0.1*8, 2.975 + 0.05*30.
+  EXPECT_EQ(fsrs.fuzz_range(3, 0), (DayRange{2, 4}));
+  EXPECT_EQ(fsrs.fuzz_range(5, 0), (DayRange{4, 6}));
+  EXPECT_EQ(fsrs.fuzz_range(6, 0), (DayRange{4, 8}));
+  EXPECT_EQ(fsrs.fuzz_range(15, 0), (DayRange{13, 17}));
+  EXPECT_EQ(fsrs.fuzz_range(50, 0), (DayRange{46, 54}));
+  // A review after just the interval may come back as early as any other.
+  EXPECT_EQ(fsrs.fuzz_range(10, 10), (DayRange{8, 12}));
 }
 
 TEST(FsrsWeights, AreReadAsAnkiShowsThem) {

@@ -2,6 +2,7 @@
 #include "nazori/study/ink.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <random>
@@ -60,6 +61,106 @@ TEST(Ink, WhatCannotBeKeptIsRefused) {
   EXPECT_FALSE(pack(Ink{std::vector<InkStroke>(101)}));
   EXPECT_FALSE(pack(Ink{{InkStroke(50'001)}}));
   EXPECT_FALSE(pack(Ink{{{{InkPoint::kFarthest + 1, 0, 0, 0}}}}));
+}
+
+TEST(Ink, AsMuchAsMayBeKeptIsKept) {
+  constexpr int kFarthest = 32'000;  // a thousand units
+  constexpr int kDay = 86'400'000;   // in milliseconds
+  for (const InkPoint& fine :
+       {InkPoint{kFarthest, 0, 0, 0}, InkPoint{-kFarthest, 0, 0, 0}, InkPoint{0, kFarthest, 0, 0},
+        InkPoint{0, -kFarthest, 0, 0}, InkPoint{0, 0, kDay, 0}, InkPoint{0, 0, 0, 255}}) {
+    const Ink ink{{{fine}}};
+    EXPECT_EQ(must(unpack_ink(must(pack(ink)))), ink);
+  }
+  for (const InkPoint& wrong :
+       {InkPoint{kFarthest + 1, 0, 0, 0}, InkPoint{-kFarthest - 1, 0, 0, 0}, InkPoint{0, kFarthest + 1, 0, 0},
+        InkPoint{0, -kFarthest - 1, 0, 0}, InkPoint{0, 0, kDay + 1, 0}, InkPoint{0, 0, -1, 0}})
+    EXPECT_EQ(pack(Ink{{{wrong}}}).error().code, base::Errc::bad_argument);
+  const Ink strokes{std::vector<InkStroke>(100)};
+  EXPECT_EQ(must(unpack_ink(must(pack(strokes)))), strokes);
+  const Ink points{{InkStroke(20'000), InkStroke(30'000)}};
+  EXPECT_EQ(must(unpack_ink(must(pack(points)))), points);
+  EXPECT_FALSE(pack(Ink{{InkStroke(20'000), InkStroke(30'001)}}));
+  // Time goes on over strokes and may stand still.
+  EXPECT_TRUE(pack(Ink{{{{0, 0, 5, 0}, {1, 0, 5, 0}}, {{0, 0, 5, 0}}}}));
+  EXPECT_FALSE(pack(Ink{{{{0, 0, 5, 0}}, {{0, 0, 4, 0}}}}));
+}
+
+/// Bytes as pack() lays them out, whatever numbers they hold.
+std::vector<std::uint8_t> packed_by_hand(std::vector<std::uint8_t> plain, std::uint8_t version = 1) {
+  uLongf size = compressBound(static_cast<uLong>(plain.size()));
+  std::vector<std::uint8_t> bytes(1 + size);
+  bytes[0] = version;
+  EXPECT_EQ(compress2(&bytes[1], &size, plain.data(), static_cast<uLong>(plain.size()), 9), Z_OK);
+  bytes.resize(1 + size);
+  return bytes;
+}
+
+TEST(Ink, IsLaidOutAsTheManualSays) {
+  // Strokes, points; then differences of x, y (zigzag), time, pressure (zigzag), as varints.
+  const Ink ink{{{{1, -1, 300, 255}, {0, 63, 300, 254}}, {{0, -2, 301, 0}}}};
+  const std::vector<std::uint8_t> plain{2,    2, 2, 1, 0xAC, 0x02, 0xFE, 0x03, 1,    0x80,
+                                        0x01, 0, 1, 1, 0,    0x81, 0x01, 1,    0xFB, 0x03};
+  EXPECT_EQ(must(unpack_ink(packed_by_hand(plain))), ink);
+  EXPECT_EQ(must(pack(ink)), packed_by_hand(plain));
+}
+
+TEST(Ink, BytesThatPackDoesNotWriteAreRefused) {
+  EXPECT_TRUE(unpack_ink(packed_by_hand({1, 1, 0, 0, 0, 0})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0, 0, 0, 0}, 2))) << "another version";
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0, 0, 0, 0, 0}))) << "a byte too many";
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0, 0, 0}))) << "a byte too few";
+  EXPECT_FALSE(unpack_ink(packed_by_hand({2, 1, 0, 0, 0, 0}))) << "a stroke too few";
+  EXPECT_FALSE(unpack_ink(packed_by_hand({101}))) << "too many strokes";
+  EXPECT_FALSE(unpack_ink(packed_by_hand({})));
+  EXPECT_FALSE(unpack_ink(std::vector<std::uint8_t>{1}));
+  std::vector<std::uint8_t> longer = packed_by_hand({1, 1, 0, 0, 0, 0});
+  longer.push_back(0);
+  EXPECT_FALSE(unpack_ink(longer)) << "something behind its end";
+  // Pressure from 0 to 255: zigzag 510 is 255, 512 is 256, 1 is -1.
+  EXPECT_TRUE(unpack_ink(packed_by_hand({1, 1, 0, 0, 0, 0xFE, 0x03})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0, 0, 0, 0x80, 0x04})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0, 0, 0, 1})));
+  // x to 32000: zigzag 64000 and, below, 63999; one farther is 64002 and 64001. The same of y.
+  EXPECT_TRUE(unpack_ink(packed_by_hand({1, 1, 0x80, 0xF4, 0x03, 0, 0, 0})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0x82, 0xF4, 0x03, 0, 0, 0})));
+  EXPECT_TRUE(unpack_ink(packed_by_hand({1, 1, 0xFF, 0xF3, 0x03, 0, 0, 0})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0x81, 0xF4, 0x03, 0, 0, 0})));
+  EXPECT_TRUE(unpack_ink(packed_by_hand({1, 1, 0, 0x80, 0xF4, 0x03, 0, 0})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0, 0x82, 0xF4, 0x03, 0, 0})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0, 0x81, 0xF4, 0x03, 0, 0})));
+  // Time to 86,400,000 (0x5265C00).
+  EXPECT_TRUE(unpack_ink(packed_by_hand({1, 1, 0, 0, 0x80, 0xB8, 0x99, 0x29, 0})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 1, 0, 0, 0x81, 0xB8, 0x99, 0x29, 0})));
+}
+
+TEST(Ink, NumbersAreFiveBytesAtMost) {
+  // 2^32 - 1 in five bytes is a number, though no count of strokes; a sixth byte or more bits are none.
+  EXPECT_TRUE(unpack_ink(packed_by_hand({0x81, 0x80, 0x80, 0x80, 0x00, 0})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({0x81, 0x80, 0x80, 0x80, 0x10, 0})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({0x81, 0x80, 0x80, 0x80, 0x80, 0x00, 0})));
+  EXPECT_FALSE(unpack_ink(packed_by_hand({1, 0xFF, 0xFF, 0xFF, 0xFF, 0x0F}))) << "points";
+  // 50,000 points (0xC350) and one more, all at one place.
+  std::vector<std::uint8_t> most{1, 0xD0, 0x86, 0x03};
+  most.resize(most.size() + std::size_t{4} * 50'000);
+  EXPECT_TRUE(unpack_ink(packed_by_hand(most)));
+  std::vector<std::uint8_t> more{1, 0xD1, 0x86, 0x03};
+  more.resize(more.size() + std::size_t{4} * 50'001);
+  EXPECT_FALSE(unpack_ink(packed_by_hand(more)));
+  std::vector<std::uint8_t> apart{2, 0xD0, 0x86, 0x03};
+  apart.resize(apart.size() + std::size_t{4} * 50'000);
+  apart.insert(apart.end(), {1, 0, 0, 0, 0});
+  EXPECT_FALSE(unpack_ink(packed_by_hand(apart))) << "in two strokes";
+}
+
+TEST(Ink, PointsHalfwayAreRoundedUp) {
+  EXPECT_EQ(ink_point({0.5 / 32, -0.5 / 32}, 0.5, 0.5), (InkPoint{1, -1, 1, 128}));
+  EXPECT_EQ(ink_point({0.49 / 32, -0.49 / 32}, 0.49, 0.001), (InkPoint{0, 0, 0, 0}));
+  EXPECT_EQ(ink_point({0, 0}, 1e12, -1), (InkPoint{0, 0, 86'400'000, 0}));
+  const geometry::GlyphPoint place = position_of({48, -16, 0, 0});
+  EXPECT_EQ(place.x, 1.5);
+  EXPECT_EQ(place.y, -0.5);
+  EXPECT_EQ(InkPoint(), (InkPoint{0, 0, 0, 0}));
 }
 
 TEST(Ink, PointsAreRoundedAndBroughtWithinRange) {

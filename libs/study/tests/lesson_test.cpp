@@ -6,6 +6,7 @@
 namespace nazori::study {
 namespace {
 
+using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 WritingResult good(int score = 85) {
@@ -143,6 +144,170 @@ TEST(Lesson, ErrorsAreSharesOfTheCharacter) {
   half.shown_strokes = 0;
   half.faults = {{FaultKind::wrong, 0}, {FaultKind::order, 1}};
   EXPECT_NEAR(error_of(half, 4), 0.25, 1e-12);
+}
+
+TEST(ProposedRating, EachBoundIsWhereTheManualSays) {
+  const auto with = [](auto change, UsualWriting usual = kTenSeconds) {
+    WritingResult result = good(90);
+    change(result);
+    return proposed_rating(result, usual);
+  };
+  EXPECT_EQ(with([](auto&) {}), Rating::easy);
+  EXPECT_EQ(with([](auto& r) { r.score = 89; }), Rating::good);
+  EXPECT_EQ(with([](auto& r) { r.score = 70; }), Rating::good);
+  EXPECT_EQ(with([](auto& r) { r.score = 69; }), Rating::hard);
+  EXPECT_EQ(with([](auto& r) { r.help = 0.1; }), Rating::easy);
+  EXPECT_EQ(with([](auto& r) { r.help = 0.101; }), Rating::hard);
+  EXPECT_EQ(with([](auto& r) { r.help = 0.5; }), Rating::hard);
+  EXPECT_EQ(with([](auto& r) { r.help = 0.501; }), Rating::again);
+  EXPECT_EQ(with([](auto& r) { r.duration = seconds(10) + milliseconds(1); }), Rating::good);
+  EXPECT_EQ(with([](auto& r) { r.duration = seconds(20); }), Rating::good);
+  EXPECT_EQ(with([](auto& r) { r.duration = seconds(20) + milliseconds(1); }), Rating::hard);
+  const auto quick = [](auto& r) { r.duration = seconds(1); };
+  EXPECT_EQ(with(quick, {seconds(10), 3}), Rating::easy);
+  EXPECT_EQ(with(quick, {seconds(10), 2}), Rating::good) << "too few to know the pace";
+  EXPECT_EQ(with(quick, {seconds(0), 5}), Rating::good) << "no time was measured";
+  EXPECT_EQ(with(quick, {milliseconds(1'000), 5}), Rating::easy);
+  EXPECT_EQ(with([](auto& r) { r.duration = seconds(99); }, {seconds(10), 2}), Rating::good);
+}
+
+TEST(ProposedRating, OneFaultOfAnotherKindAmongEndingsIsEnough) {
+  WritingResult result = good(95);
+  result.faults = {{FaultKind::ending, 0}, {FaultKind::wrong, 1}};
+  EXPECT_EQ(proposed_rating(result, kTenSeconds), Rating::hard);
+  for (const FaultKind kind : {FaultKind::missing, FaultKind::extra, FaultKind::other, FaultKind::wrong}) {
+    result.faults = {{kind, 0}};
+    EXPECT_EQ(proposed_rating(result, kTenSeconds), Rating::hard) << name_of(kind);
+  }
+}
+
+TEST(ProposedRating, AWritingBeginsWithoutAnyFault) {
+  EXPECT_EQ(WritingResult(), (WritingResult{true, 100, {}, 0, 0, 0, 0, milliseconds(0)}));
+  EXPECT_EQ(StrokeFault(), (StrokeFault{FaultKind::wrong, 0}));
+  EXPECT_EQ(UsualWriting().count, 0);
+  EXPECT_EQ(UsualWriting().duration, milliseconds(0));
+}
+
+TEST(Lesson, NamesAreReadBack) {
+  for (const Stage stage : kStages) EXPECT_EQ(stage_named(name_of(stage)), stage);
+  EXPECT_FALSE(stage_named("sleep"));
+  for (const FaultKind kind :
+       {FaultKind::order, FaultKind::reversed, FaultKind::missing, FaultKind::extra, FaultKind::joined,
+        FaultKind::split, FaultKind::wrong, FaultKind::other, FaultKind::ending})
+    EXPECT_EQ(fault_named(name_of(kind)), kind);
+  EXPECT_FALSE(fault_named(""));
+}
+
+TEST(Lesson, BeginsWithAllTheHelpAndNoFailure) {
+  const Lesson lesson;
+  EXPECT_EQ(lesson.help(), 1);
+  EXPECT_EQ(lesson.failures(), 0);
+  EXPECT_FALSE(lesson.done());
+  EXPECT_EQ(Lesson(Stage::guided, 1.5).help(), 1);
+  EXPECT_EQ(Lesson(Stage::guided, -0.5).help(), 0);
+}
+
+WritingResult not_accepted() {
+  WritingResult result = good();
+  result.accepted = false;
+  return result;
+}
+
+TEST(Lesson, ASuccessEndsARowOfFailures) {
+  // Help that does not fade and one miss each: the learner stays where he is.
+  LessonRules rules;
+  rules.help_retained = 1;
+  WritingResult shaky = good();
+  shaky.misses = 1;
+  Lesson lesson(Stage::guided, 1, rules);
+  for (int i = 0; i < 3; ++i) {
+    lesson.finish(Stage::guided, not_accepted(), 6);
+    EXPECT_EQ(lesson.failures(), 1);
+    lesson.finish(Stage::guided, shaky, 6);
+    EXPECT_EQ(lesson.failures(), 0);
+    EXPECT_EQ(lesson.next_stage(), Stage::guided);
+  }
+  // Failures of another stage are another row.
+  lesson.finish(Stage::trace, not_accepted(), 6);
+  EXPECT_EQ(lesson.failures(), 1);
+  lesson.finish(Stage::guided, not_accepted(), 6);
+  EXPECT_EQ(lesson.failures(), 1);
+  EXPECT_EQ(lesson.next_stage(), Stage::guided);
+  lesson.finish(Stage::guided, not_accepted(), 6);
+  EXPECT_EQ(lesson.next_stage(), Stage::trace);
+  EXPECT_EQ(lesson.failures(), 0);
+}
+
+TEST(Lesson, AShownStrokeIsNoSuccess) {
+  WritingResult shown = good();
+  shown.shown_strokes = 1;
+  Lesson memory(Stage::memory, 0.5);
+  memory.finish(Stage::memory, shown, 6);
+  EXPECT_FALSE(memory.done());
+  EXPECT_EQ(memory.next_stage(), Stage::guided);
+  // 0.7 of 0.5, and 0.6 times an error of a third.
+  EXPECT_NEAR(memory.help(), 0.55, 1e-12);
+  Lesson trace(Stage::trace);
+  trace.finish(Stage::trace, shown, 6);
+  EXPECT_EQ(trace.next_stage(), Stage::trace);
+  Lesson guided(Stage::guided, 0);
+  guided.finish(Stage::guided, shown, 1'000);
+  EXPECT_EQ(guided.next_stage(), Stage::guided) << "though hardly any help is left";
+}
+
+TEST(Lesson, GuidedIsOverOnceTheHelpHasFadedToItsBound) {
+  LessonRules rules;
+  rules.help_retained = 0.5;
+  rules.help_per_error = 0;
+  rules.help_is_over = 0.125;
+  WritingResult shaky = good();
+  shaky.misses = 1;
+  Lesson lesson(Stage::guided, 0.5, rules);
+  lesson.finish(Stage::guided, shaky, 6);
+  EXPECT_EQ(lesson.next_stage(), Stage::guided);
+  EXPECT_EQ(lesson.help(), 0.25);
+  lesson.finish(Stage::guided, shaky, 6);
+  EXPECT_EQ(lesson.help(), 0.125);
+  EXPECT_EQ(lesson.next_stage(), Stage::memory);
+}
+
+TEST(Lesson, WhatIsDoneAgainIsNoLongerOver) {
+  Lesson lesson;
+  lesson.finish(Stage::memory, good(), 6);
+  EXPECT_TRUE(lesson.done());
+  EXPECT_EQ(lesson.next_stage(), Stage::memory);
+  lesson.finish(Stage::watch, good(), 6);
+  EXPECT_FALSE(lesson.done());
+  EXPECT_EQ(lesson.next_stage(), Stage::trace);
+}
+
+TEST(Lesson, HelpAndErrorStayBetweenNoneAndAll) {
+  LessonRules much;
+  much.help_retained = much.help_per_error = 1;
+  EXPECT_EQ(faded_help(0.8, 0.8, much), 1);
+  EXPECT_EQ(faded_help(0, 5), 0.6);
+  EXPECT_EQ(faded_help(1, -5), 0.7);
+  EXPECT_EQ(faded_help(0, 0), 0);
+}
+
+TEST(Lesson, AMissOrHintIsHalfAShownStrokeAndAFaultAQuarter) {
+  const auto error = [](auto change) {
+    WritingResult result = good();
+    change(result);
+    return error_of(result, 8);
+  };
+  EXPECT_EQ(error([](auto& r) { r.shown_strokes = 1; }), 0.25);
+  EXPECT_EQ(error([](auto& r) { r.misses = 1; }), 0.125);
+  EXPECT_EQ(error([](auto& r) { r.hints = 1; }), 0.125);
+  EXPECT_EQ(error([](auto& r) { r.faults = {{FaultKind::wrong, 0}}; }), 0.0625);
+  EXPECT_EQ(error([](auto& r) {
+              r.shown_strokes = r.misses = r.hints = 1;
+              r.faults = {{FaultKind::wrong, 0}};
+            }),
+            0.5625);
+  EXPECT_EQ(error([](auto& r) { r.shown_strokes = 8; }), 1);
+  EXPECT_EQ(error([](auto& r) { r.accepted = false; }), 1);
+  EXPECT_EQ(error_of(good(), 1), 0);
 }
 
 }  // namespace

@@ -82,6 +82,23 @@ TEST(Pace, AFailedReviewTakesInWritingItAgain) {
   EXPECT_EQ(pace.recalled_days, 0);
 }
 
+TEST(Pace, GoesByTheNewestTwoHundredDays) {
+  // 150 characters took 60 s each; since then 101 took 5 s: of the newest 200 these are more than half.
+  Learner learner;
+  const auto write_all = [&learner](int from, int to, Rating rating, int seconds) {
+    for (int i = from; i < to; ++i)
+      learner.write(U'一' + static_cast<char32_t>(i), Stage::memory, rating, seconds);
+  };
+  write_all(0, 251, Rating::easy, 20);
+  learner.clock.advance(days(20));
+  write_all(0, 150, Rating::good, 60);
+  learner.clock.advance(days(1));
+  write_all(150, 250, Rating::good, 5);
+  EXPECT_EQ(must(pace_of(learner.store)).recalled, milliseconds(60'000)) << "100 of 200";
+  write_all(250, 251, Rating::good, 5);
+  EXPECT_EQ(must(pace_of(learner.store)).recalled, milliseconds(5'000)) << "101 of 200";
+}
+
 TEST(Pace, TellsWhatADayAndAYearTake) {
   Learner learner;
   act_out(learner, 11, Rating::good);
@@ -125,6 +142,33 @@ TEST(Statistics, PredictionsAreThoseOfTheWeightsInForce) {
   learner.write(U'一', Stage::memory, Rating::good, 5);
   ASSERT_TRUE(learner.store.change_settings(Settings(settings)));
   EXPECT_NEAR(must(statistics_of(learner.store)).retention.predicted, chance, 1e-9);
+}
+
+TEST(Statistics, TheLastThirtyDaysAreTodayAndTheTwentyNineBefore) {
+  for (const int ago : {29, 30}) {
+    Learner learner;
+    learner.write(U'一', Stage::memory, Rating::easy, 5);
+    learner.clock.advance(days(8));
+    learner.write(U'一', Stage::memory, Rating::good, 5);
+    learner.clock.advance(days(ago));
+    const Statistics statistics = must(statistics_of(learner.store));
+    EXPECT_EQ(statistics.retention.reviews, 1);
+    EXPECT_EQ(statistics.last_30_days.reviews, ago < 30 ? 1 : 0) << ago;
+  }
+}
+
+TEST(Statistics, TwoFaultsOfAStrokeInOneWritingAreOneWritingThatWentWrong) {
+  Learner learner;
+  Writing writing = review(Rating::hard);
+  writing.result.faults = {{FaultKind::wrong, 2}, {FaultKind::ending, 2}};
+  for (int i = 0; i < 2; ++i) (void)must(learner.store.add_writing(U'一', 4, writing));
+  const Statistics statistics = must(statistics_of(learner.store));
+  ASSERT_EQ(statistics.hard_strokes.size(), 1U);
+  EXPECT_EQ(statistics.hard_strokes[0].stroke, 2);
+  EXPECT_EQ(statistics.hard_strokes[0].faults, 2);
+  EXPECT_EQ(statistics.hard_strokes[0].writings, 2);
+  EXPECT_EQ(statistics.hard_strokes[0].kinds,
+            (std::map<FaultKind, int>{{FaultKind::wrong, 2}, {FaultKind::ending, 2}}));
 }
 
 TEST(Statistics, CanBeStopped) {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <array>
+#include <string>
+
 namespace nazori::study {
 namespace {
 
@@ -56,6 +59,72 @@ TEST(Time, ThatIsNoneIsRefused) {
   }
   EXPECT_FALSE(parse_day("2026-02-30"));
   EXPECT_EQ(to_text(*parse_day("2028-02-29")), "2028-02-29");
+}
+
+TEST(Time, EachPartHasItsRange) {
+  for (const char* fine :
+       {"1970-01-01T00:00Z", "9999-12-31T23:59:59.999Z", "2026-01-01T00:00:00Z", "2026-12-31T23:59:59Z",
+        "2026-01-01T09:00+14:59", "2026-01-01T09:00-14:00", "2026-01-01T09:00:00.1Z",
+        "2026-01-01T09:00:00.123456789Z", "1970-01-01T01:00+01:00"})
+    EXPECT_TRUE(parse_time(fine)) << fine;
+  for (const char* wrong :
+       {"1969-12-31T23:59:59.999Z", "1970-01-01T00:59+01:00", "2026-00-01T00:00Z",
+        "2026-01-00T00:00Z",        "2026-01-32T00:00Z",      "2026-01-01T00:00:60Z",
+        "2026-01-01T09:00+14:60",   "2026-01-01T09:00+1:00",  "2026-01-01T09:00:00.1234567890Z",
+        "2026-01-01T09:00:",        "2026-01-01T09:0",        "2026-01-01T09:00Zx",
+        "2026-01-01T09:00*01:00",   "2026-01-01 09:00Z",      "2026/01/01T09:00Z",
+        "2026-01/01T09:00Z",        "2026-01-01T09.00Z",      "2026-01-01T0x:00Z",
+        "2026-01-01T:9:00Z",        "2026-01-01T09:0/Z",      "20x6-01-01T09:00Z"})
+    EXPECT_FALSE(parse_time(wrong)) << wrong;
+}
+
+TEST(Time, PartsOfASecondAreMilliseconds) {
+  const Time second = *parse_time("2026-01-01T09:00:07Z");
+  const std::array<std::pair<const char*, int>, 7> kParts{
+      {{"5", 500}, {"05", 50}, {"005", 5}, {"250", 250}, {"1239", 123}, {"000999999", 0}, {"999", 999}}};
+  for (const auto& [part, ms] : kParts)
+    EXPECT_EQ(*parse_time(std::string("2026-01-01T09:00:07.") + part + "Z") - second, milliseconds(ms))
+        << part;
+}
+
+TEST(Time, IsWrittenWithEachPartInItsPlace) {
+  using std::chrono::hours;
+  using std::chrono::minutes;
+  using std::chrono::seconds;
+  const Time start = *parse_time("2026-03-04T00:00Z");
+  EXPECT_EQ(to_text(start + hours(5) + minutes(6) + seconds(7) + milliseconds(8)),
+            "2026-03-04T05:06:07.008Z");
+  EXPECT_EQ(to_text(start + hours(23) + minutes(59) + seconds(59) + milliseconds(999)),
+            "2026-03-04T23:59:59.999Z");
+  EXPECT_EQ(to_text(start - milliseconds(1)), "2026-03-03T23:59:59.999Z");
+  EXPECT_EQ(to_text(utc_day(start - milliseconds(1))), "2026-03-03");
+  EXPECT_EQ(to_text(utc_day(start)), "2026-03-04");
+}
+
+TEST(Time, OffsetsGoBothWays) {
+  EXPECT_EQ(parse_time("2026-01-01T09:00:00+05:45"), parse_time("2026-01-01T03:15:00Z"));
+  EXPECT_EQ(parse_time("2026-01-01T09:00:00-05:45"), parse_time("2026-01-01T14:45:00Z"));
+  EXPECT_EQ(parse_time("2026-01-01T09:00:00+0000"), parse_time("2026-01-01T09:00:00Z"));
+}
+
+TEST(Time, ADayIsOneOfTheCalendarFrom1970On) {
+  for (const char* fine : {"1970-01-01", "9999-12-31", "2000-02-29", "2026-04-30"})
+    EXPECT_EQ(to_text(*parse_day(fine)), fine);
+  for (const char* wrong : {"1969-12-31", "2026-04-31", "2100-02-29", "2026-1-01", "2026-01-1", "2026-01-011",
+                            "", "2026-01-01T", "02026-01-01"}) {
+    ASSERT_FALSE(parse_day(wrong)) << wrong;
+    EXPECT_EQ(parse_day(wrong).error().where, wrong);
+  }
+  EXPECT_EQ(*parse_day("1970-01-02") - *parse_day("1970-01-01"), std::chrono::days(1));
+}
+
+TEST(Time, AnEmptyVariableIsNoTimeThatWasSet) {
+  ::setenv("NAZORI_NOW", "", 1);
+  const auto clock = environment_clock();
+  ::unsetenv("NAZORI_NOW");
+  ASSERT_TRUE(clock);
+  EXPECT_LE(system_now() - (*clock)(), std::chrono::minutes(1));
+  EXPECT_GE(system_now(), (*clock)() - milliseconds(1));
 }
 
 }  // namespace
