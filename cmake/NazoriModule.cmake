@@ -75,17 +75,19 @@ function(nazori_rt_calls name roots)
 endfunction()
 
 # nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>]
-#               [TESTS_TOGETHER [TESTS_ALONE ...]]
+#               [TESTS_TOGETHER [TESTS_ALONE ...]] [TESTS_ISOLATED]
 #               [BENCHES ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
 # One room of the house: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench
 # file as part of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are seen by those who include the
 # public headers, PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE
 # they run after kanji.db has been built and find its folder in the environment variable NAZORI_DATA.
+# TESTS_ISOLATED: each test needs a process of its own, as it has one window or one set of signals; with the address
+# sanitizer the tests of other rooms run in two processes, otherwise each test runs in its own.
 # The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot race. TESTS_TOGETHER: see
 # nazori_compile_together.
 function(nazori_module name)
-  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" ""
+  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER;TESTS_ISOLATED" ""
     "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;TESTS_ALONE;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
   if(m_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "nazori_module(${name}): unknown ${m_UNPARSED_ARGUMENTS}")
@@ -133,7 +135,16 @@ function(nazori_module name)
     if(m_NEEDS_DATABASE)
       list(APPEND properties FIXTURES_REQUIRED kanji_database)
     endif()
-    gtest_discover_tests(${target}_tests TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
+    if(NAZORI_SANITIZE MATCHES "address" AND NOT m_TESTS_ISOLATED)
+      # The start of a sanitized program takes longer than most tests.
+      foreach(part 0 1)
+        add_test(NAME ${name}.part_${part} COMMAND ${target}_tests --gtest_brief=1)
+        set_tests_properties(${name}.part_${part} PROPERTIES ${properties})
+        set_property(TEST ${name}.part_${part} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=${part})
+      endforeach()
+    else()
+      gtest_discover_tests(${target}_tests TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
+    endif()
   endif()
   if(NAZORI_BUILD_BENCH AND m_BENCHES)
     add_executable(${target}_bench ${m_BENCHES})

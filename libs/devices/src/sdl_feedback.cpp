@@ -178,10 +178,11 @@ void RumbleCues::apply(const Wish& wish, double now_s) {
   }
   std::uint16_t low = 0, high = 0;
   if (wish.on) {
-    const double push = std::min(1.0, std::hypot(wish.push_x, wish.push_y));
+    const double push = std::hypot(wish.push_x, wish.push_y);
     // In sixteen steps: a pad does not tell more, and each step is a message to it.
     constexpr double kSteps = 16, kHum = 0x6000;
-    if (std::isfinite(push)) low = static_cast<std::uint16_t>(std::floor(push * kSteps) / kSteps * kHum);
+    if (std::isfinite(push))
+      low = static_cast<std::uint16_t>(std::floor(std::min(1.0, push) * kSteps) / kSteps * kHum);
     if (rank_ > 0) {
       low = std::max(low, cue_low_);
       high = cue_high_;

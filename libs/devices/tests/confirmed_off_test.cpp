@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "default_signals.h"
 #include "felt_plane.h"
 #include "force_guard.h"
 #include "nazori/devices/inverse_service.h"
@@ -26,6 +27,7 @@ constexpr int kAsMeant = 7;
 
 /// @param part  returns true where all was as it should be.
 void expect_in_a_process(const std::function<bool()>& part) {
+  const test::DefaultSignals signals;
   const pid_t process = fork();
   ASSERT_GE(process, 0);
   if (process == 0) std::_Exit(part() ? kAsMeant : 1);

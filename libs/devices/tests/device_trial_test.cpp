@@ -34,6 +34,19 @@ TEST(DeviceTrial, CountsTicksByHowLateTheyCame) {
   EXPECT_NEAR(r.max_lateness_s, 0.0065, 1e-12);
 }
 
+TEST(DeviceTrial, ATickThatIsAsLateAsAnEdgeIsWithinIt) {
+  for (std::size_t i = 0; i < TrialResult::kEdges_s.size(); ++i) {
+    const double edge = TrialResult::kEdges_s[i];
+    for (const auto& [late, bin] : {std::pair{edge, i}, {std::nextafter(edge, 1.0), i + 1}}) {
+      DeviceTrial trial(1e300);  // its period is nothing
+      (void)trial.tick({0, {0, 0, 0}, 0, true});
+      (void)trial.tick({late, {0, 0, 0}, 0, true});
+      EXPECT_EQ(trial.result().lateness[bin], 1U) << late;
+      EXPECT_EQ(trial.result().max_lateness_s, late);
+    }
+  }
+}
+
 TEST(DeviceTrial, TheNoiseIsThatOfTheQuietestStretch) {
   DeviceTrial trial(1000);
   double now = 0;
@@ -43,6 +56,14 @@ TEST(DeviceTrial, TheNoiseIsThatOfTheQuietestStretch) {
     (void)trial.tick({now += 0.001, {0.1 + (i % 2 == 0 ? 20e-6 : -20e-6), 0.05, 0}, 4, true});
   EXPECT_NEAR(trial.result().rest_noise_m, 20e-6, 1e-9);
   EXPECT_EQ(trial.result().buttons_seen, 4U);
+}
+
+TEST(DeviceTrial, SmallNoiseIsMeasuredFarFromTheMiddleToo) {
+  DeviceTrial trial(1000);
+  // A square of a hundred-millionth of a metre: sums of squares as they are would lose it.
+  for (int i = 0; i < 250; ++i)
+    (void)trial.tick({0.001 * i, {0.3 + (i % 2 == 0 ? 1e-8 : -1e-8), -0.4, 0.2}, 0, true});
+  EXPECT_NEAR(trial.result().rest_noise_m, 1e-8, 1e-10);
 }
 
 TEST(DeviceTrial, AStylusThatIsAwayHasNoNoise) {
@@ -58,6 +79,11 @@ TEST(RealTimeReadiness, SaysForEachLimitWhatToChange) {
   EXPECT_TRUE(ready.advice.empty());
   EXPECT_TRUE(ready.kernel_preempts);
   EXPECT_TRUE(real_time_readiness(-1, 1L << 30, "6.1.0", "#1 SMP PREEMPT_RT").advice.empty());
+  // The servo's thread asks for 40, and 64 MiB hold all that it needs.
+  EXPECT_TRUE(real_time_readiness(40, 64L << 20, "6.1.0", "PREEMPT").advice.empty());
+  EXPECT_EQ(real_time_readiness(39, 64L << 20, "6.1.0", "PREEMPT").advice.size(), 1U);
+  EXPECT_EQ(real_time_readiness(40, (64L << 20) - 1, "6.1.0", "PREEMPT").advice.size(), 1U);
+  EXPECT_EQ(real_time_readiness(40, 0, "6.1.0", "#1 SMP").kernel, "6.1.0 #1 SMP");
   const auto poor = real_time_readiness(0, 8 << 20, "4.19", "#1 SMP Debian");
   ASSERT_EQ(poor.advice.size(), 3U);
   EXPECT_NE(poor.advice[0].find("rtprio"), std::string::npos);

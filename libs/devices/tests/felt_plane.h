@@ -68,6 +68,25 @@ class Push final : public haptics::ServoCallback {
   Vec3 force_n_;
 };
 
+/// Pushes, and stands still in a tick as long as the test wants.
+class StuckPush final : public haptics::ServoCallback {
+ public:
+  explicit StuckPush(const Vec3& force_n) : force_n_(force_n) {}
+  Vec3 tick(const DeviceSample&) noexcept override {
+    stuck_.wait(true);
+    return force_n_;
+  }
+  void stick() { stuck_ = true; }
+  void go_on() {
+    stuck_ = false;
+    stuck_.notify_all();
+  }
+
+ private:
+  Vec3 force_n_;
+  std::atomic<bool> stuck_{false};
+};
+
 /// Waits for `wish`; false after a minute, which only a fault takes.
 inline bool comes_true(const std::function<bool()>& wish) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
@@ -86,6 +105,18 @@ inline haptics::DeviceStatus comes_to(const haptics::HapticDevice& device, Devic
   (void)comes_true([&] {
     seen = device.status();
     return seen.state == state && seen.trouble == trouble;
+  });
+  return seen;
+}
+
+/// What is told right after `tick`. A machine that stood still for half a second in between ticks again.
+template <class Ticking>
+haptics::DeviceStatus status_after(const Ticking& ticking, const std::function<void()>& tick) {
+  haptics::DeviceStatus seen;
+  (void)comes_true([&] {
+    tick();
+    seen = ticking.status();
+    return seen.trouble != DeviceTrouble::stalled;
   });
   return seen;
 }

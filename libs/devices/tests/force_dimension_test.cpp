@@ -135,6 +135,33 @@ TEST_F(ForceDimension, LimitsAreThoseOfTheKindAndNeverAboveTheDevicesOwn) {
   EXPECT_EQ(stage->guard_n, 8);
 }
 
+TEST_F(ForceDimension, ReachAndLimitsAreThoseOfTheKind) {
+  struct Kind {
+    const char* name;
+    double radius_m, force_n, continuous_n, stiffness_n_m;
+  };
+  stage->max_force_n = 100;
+  OpenRequest as_it_is;
+  as_it_is.calibration.emplace();
+  for (const Kind& kind : {Kind{"omega.7", 0.075, 12, 12, 5000}, Kind{"DELTA.6", 0.15, 20, 20, 5000},
+                           Kind{"Falcon", 0.04, 8, 4, 3000}, Kind{"sigma.7", 0.06, 12, 12, 4000},
+                           Kind{"lambda.7", 0.06, 12, 12, 5000}}) {
+    stage->name = kind.name;
+    const auto device = back_end->open("forcedimension", as_it_is);
+    ASSERT_TRUE(device);
+    // The cube within the ball.
+    EXPECT_NEAR(glm::length(device->workspace.high_m), kind.radius_m, 1e-12) << kind.name;
+    EXPECT_EQ(device->workspace.low_m, -device->workspace.high_m);
+    EXPECT_EQ(device->workspace.high_m.x, device->workspace.high_m.z);
+    const haptics::DeviceLimits limits = device->device->describe().limits;
+    EXPECT_EQ(limits.max_force_n, kind.force_n) << kind.name;
+    EXPECT_EQ(limits.continuous_force_n, kind.continuous_n) << kind.name;
+    EXPECT_EQ(limits.max_stiffness_n_m, kind.stiffness_n_m) << kind.name;
+  }
+  stage->max_force_n = 3;
+  EXPECT_EQ(back_end->open("forcedimension", as_it_is)->device->describe().limits.continuous_force_n, 3);
+}
+
 TEST_F(ForceDimension, SaturatedMotorsAreNoError) {
   stage->saturated = true;
   FeltPlane plane;
@@ -243,6 +270,33 @@ TEST_F(ForceDimension, ForcesThatGoOffInMidRunPauseItWithTheCause) {
     EXPECT_TRUE(comes_true([&] { return force() > 0.5; })) << c.cause;
     EXPECT_TRUE(comes_true([&] { return device.device->status().message.empty(); }));
   }
+}
+
+TEST_F(ForceDimension, ForcesThatGoOffAreNotSwitchedOnAgainBeforeARest) {
+  FeltPlane plane;
+  OpenedDevice device = opened();
+  stage->x_m = -0.003;
+  ASSERT_TRUE(device.device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.5; }));
+  const int enables = stage->enables;
+  const auto off = std::chrono::steady_clock::now();
+  stage->force_off_cause = 2;  // and they stay off
+  stage->force_on = false;
+  EXPECT_TRUE(comes_true([&] { return stage->enables >= enables + 2; }));
+  const int again = stage->enables - enables;
+  const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - off).count();
+  EXPECT_LE(again, elapsed_s / 0.5);
+}
+
+TEST_F(ForceDimension, ARateThatNoClockKeepsLeavesNoForceOn) {
+  ForceDimensionSettings too_fast = settings();
+  too_fast.rate_hz = 1e6;
+  auto device = force_dimension_back_end(too_fast)->open("forcedimension", {});
+  ASSERT_TRUE(device);
+  FeltPlane plane;
+  EXPECT_FALSE(device->device->start(plane));
+  EXPECT_FALSE(stage->force_on);
+  EXPECT_EQ(device->device->status().state, DeviceState::stopped);
 }
 
 TEST_F(ForceDimension, ALostDeviceAndAStoppedOneHaveForcesOff) {

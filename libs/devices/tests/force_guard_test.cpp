@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "default_signals.h"
 #include "felt_plane.h"
 #include "nazori/devices/force_dimension.h"
 #include "nazori/devices/openhaptics.h"
@@ -28,6 +29,7 @@ namespace nazori::devices {
 namespace {
 
 using test::comes_true;
+using test::DefaultSignals;
 using test::Push;
 using test::Vec3;
 
@@ -127,6 +129,7 @@ class EveryWayOut : public testing::TestWithParam<std::string> {
     for (;;) pause();
   }
 
+  const DefaultSignals signals;
   Shared* shared;
   pid_t process = -1;
 };
@@ -304,6 +307,7 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryWayOut, testing::Values("openhaptics", "forced
                          [](const auto& one) { return one.param; });
 
 TEST(ForceGuard, WaitsForTheZerosOfAllDevicesButNotForEver) {
+  const DefaultSignals signals;
   const pid_t process = fork();
   ASSERT_GE(process, 0);
   if (process == 0) {

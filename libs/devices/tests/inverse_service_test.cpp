@@ -201,27 +201,16 @@ TEST_F(Inverse3, TheLastThatItIsToldIsNoForce) {
   EXPECT_TRUE(comes_true([&] { return service->last_command_n == 0; }));
 }
 
-/// Pushes, and stands still in a tick as long as the test wants.
-class StuckServo final : public haptics::ServoCallback {
- public:
-  Vec3 tick(const haptics::DeviceSample&) noexcept override {
-    stuck.wait(true);
-    return {0, 0, 1};
-  }
-  std::atomic<bool> stuck{false};
-};
-
 TEST_F(Inverse3, AServoThatStandsStillDoesNotGoOnPushing) {
-  StuckServo servo;
+  test::StuckPush servo({0, 0, 1});
   OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(servo));
   EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
-  servo.stuck = true;
+  servo.stick();
   EXPECT_TRUE(comes_true([&] { return force() == 0; }));
   const int before = service->messages;
   EXPECT_TRUE(comes_true([&] { return service->messages > before + 3; })) << "the session stays";
-  servo.stuck = false;
-  servo.stuck.notify_all();
+  servo.go_on();
   EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
 }
 
@@ -332,6 +321,19 @@ TEST_F(Inverse3, AServiceThatFallsSilentOrSlowGivesNoForceAndSaysSo) {
   EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));  // over a new connection
 }
 
+TEST_F(Inverse3, AServiceThatStaysSilentIsConnectedToAgain) {
+  test::Push push({0, 0, 1});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+  // Nobody hangs up: the connection is there and dead.
+  service->answer = InverseService::Answer::nothing;
+  const int sessions = service->sessions;
+  EXPECT_TRUE(comes_true([&] { return service->sessions > sessions; }));
+  service->answer = InverseService::Answer::state;
+  EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
+}
+
 TEST_F(Inverse3, TheDelayIsMeasuredAndASlowerServiceIsAnsweredWithLessForce) {
   InverseServiceSettings s = settings();
   s.delay_s.reset();
@@ -345,6 +347,14 @@ TEST_F(Inverse3, TheDelayIsMeasuredAndASlowerServiceIsAnsweredWithLessForce) {
   ASSERT_TRUE(device.device->start(push));
   // K may be (T/2 + 0) / (T/2 + 8 ms or more) of what a service without delay allows: a seventeenth.
   EXPECT_TRUE(comes_true([&] { return force() > 0 && force() <= 1.0 / 17; }));
+}
+
+TEST_F(Inverse3, ADelayThatIsSetIsHeldToWhatCanBeFelt) {
+  InverseServiceSettings s = settings();
+  for (const auto& [set_s, planned_s] : {std::pair{0.003, 0.003}, {-1.0, 0.0}, {1.0, 0.020}}) {
+    s.delay_s = set_s;
+    EXPECT_EQ(opened(s).device->describe().limits.delay_s, planned_s);
+  }
 }
 
 TEST_F(Inverse3, WhatIsNoServiceOrHasNoArmIsSaidInOneLine) {

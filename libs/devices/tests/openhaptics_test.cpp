@@ -90,6 +90,25 @@ TEST_F(OpenHaptics, LimitsAreReadInTheMakersUnitsAndSeenFromTheTablet) {
   EXPECT_DOUBLE_EQ(opened(request).device->describe().limits.max_stiffness_n_m, 1000);
 }
 
+TEST_F(OpenHaptics, ALargerDeviceIsUsedAsFarAsItGoes) {
+  stage->large = true;
+  stage->max_force_n = 7.9;
+  OpenRequest request;
+  request.calibration.emplace();
+  {
+    const OpenedDevice device = opened(request);
+    const haptics::DeviceLimits limits = device.device->describe().limits;
+    EXPECT_DOUBLE_EQ(limits.max_force_n, 7.9);
+    EXPECT_DOUBLE_EQ(limits.continuous_force_n, 1.75);
+    EXPECT_DOUBLE_EQ(limits.max_stiffness_n_m, 1000);
+    EXPECT_DOUBLE_EQ(limits.max_damping_n_s_m, 5);
+    EXPECT_LT(glm::distance(device.workspace.low_m, Vec3(-0.090, -0.070, -0.040)), 1e-12);
+    EXPECT_LT(glm::distance(device.workspace.high_m, Vec3(0.070, 0.050, 0.080)), 1e-12);
+  }
+  stage->max_force_n = 1;
+  EXPECT_DOUBLE_EQ(opened(request).device->describe().limits.continuous_force_n, 1);
+}
+
 TEST_F(OpenHaptics, GettersThatAnswerZeroGiveWayToTheFiguresOfAnOmni) {
   stage->dumb = true;
   OpenRequest request;

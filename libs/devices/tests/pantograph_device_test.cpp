@@ -225,6 +225,18 @@ TEST_F(Pantograph2diy, AnglesCountFromWhereTheArmsAreWhenItIsOpened) {
   EXPECT_TRUE(comes_true([&] { return is_limp(); }));
 }
 
+TEST_F(Pantograph2diy, OpeningItPushesNothingAndADelayThatIsSetIsHeldToWhatCanBeFelt) {
+  PantographSettings s = settings();
+  for (const auto& [set_s, planned_s] : {std::pair{0.003, 0.003}, {-1.0, 0.0}, {1.0, 0.020}}) {
+    s.delay_s = set_s;
+    EXPECT_EQ(opened(s).device->describe().limits.delay_s, planned_s);
+  }
+  s.delay_s.reset();
+  (void)opened(s);
+  EXPECT_GT(board.questions, 0);
+  EXPECT_EQ(board.questions, board.zeros);
+}
+
 TEST_F(Pantograph2diy, AnswersInPiecesAreOneAnswer) {
   board.piece = 1;
   Push push({0.5, 0, 0});
@@ -330,26 +342,15 @@ TEST_F(Pantograph2diy, ABoardThatStaysSilentOrIsUnpluggedIsLost) {
   EXPECT_EQ(device.device->status().state, DeviceState::lost);
 }
 
-/// Pushes, and stands still in a tick as long as the test wants.
-class StuckPush final : public haptics::ServoCallback {
- public:
-  Vec3 tick(const haptics::DeviceSample&) noexcept override {
-    stuck.wait(true);
-    return {0.5, 0, 0};
-  }
-  std::atomic<bool> stuck{false};
-};
-
 TEST_F(Pantograph2diy, AServoThatStandsStillDoesNotGoOnPushing) {
-  StuckPush servo;
+  test::StuckPush servo({0.5, 0, 0});
   OpenedDevice device = opened();
   move(0, 0);
   ASSERT_TRUE(device.device->start(servo));
   EXPECT_TRUE(comes_true([&] { return pushes(); }));
-  servo.stuck = true;
+  servo.stick();
   EXPECT_TRUE(comes_true([&] { return is_limp(); }));
-  servo.stuck = false;
-  servo.stuck.notify_all();
+  servo.go_on();
   EXPECT_TRUE(comes_true([&] { return pushes(); }));
 }
 

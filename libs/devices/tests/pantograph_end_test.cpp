@@ -14,6 +14,7 @@
 #include <memory>
 #include <new>
 
+#include "default_signals.h"
 #include "felt_plane.h"
 #include "force_guard.h"
 #include "nazori/devices/pantograph.h"
@@ -97,6 +98,7 @@ class PantographEnd : public testing::Test {
     for (;;) pause();
   }
 
+  const test::DefaultSignals signals;
   std::atomic<bool>* go;  // what the process and the test both see
   std::unique_ptr<PantographBoard> board;
   pid_t process = -1;

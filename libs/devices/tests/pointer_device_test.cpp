@@ -125,6 +125,30 @@ TEST(PointerDevice, PressingMovesTheTipDownWithoutAJump) {
   EXPECT_EQ(samples.back().buttons, 0U);
 }
 
+TEST(PointerDevice, TheTipFollowsThroughTwoLowPassFilters) {
+  Recorder recorder;
+  PointerDevice device;
+  ASSERT_TRUE(device.start(recorder));
+  device.move({0.01, -0.02, 0, false, true});
+  ASSERT_TRUE(recorder.wait_for([](const DeviceSample& s) { return s.present; }));
+  device.move({0.03, -0.05, -1, true, true});  // no deeper than the plateau
+  ASSERT_TRUE(
+      recorder.wait_for([](const DeviceSample& s) { return std::abs(s.position_m.x - 0.03) < 1e-9; }));
+  device.stop();
+  const std::vector<DeviceSample> all = recorder.samples();
+  std::size_t begun = 0;
+  while (!all[begun].present || all[begun].position_m.x == 0.01) ++begun;
+  ASSERT_GT(all.size(), begun + 20);
+  // Each filter of 2 ms leaves two thirds of the way in a tick of 1 ms.
+  for (int i = 1; i <= 20; ++i) {
+    const double left = std::pow(2.0 / 3, i) * (1 + i / 3.0);
+    const Vec3& at = all[begun + static_cast<std::size_t>(i) - 1].position_m;
+    ASSERT_NEAR(at.x, 0.03 - 0.02 * left, 1e-12) << i;
+    ASSERT_NEAR(at.y, -0.05 + 0.03 * left, 1e-12) << i;
+    ASSERT_NEAR(at.z, PointerDevice::kHover_m * left, 1e-12) << i;
+  }
+}
+
 TEST(PointerDevice, StartedAgainItsTipIsWhereThePointerIsNow) {
   PointerDevice device;
   Recorder before;

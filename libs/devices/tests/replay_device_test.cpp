@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
+#include <chrono>
+#include <thread>
 #include <vector>
 
 namespace nazori::devices {
@@ -60,6 +63,33 @@ TEST(ReplayDevice, InRealTimeTheStylusIsGoneAfterTheEnd) {
   device.stop();
   EXPECT_EQ(servo.present, 20);
   EXPECT_TRUE(device.finished());
+}
+
+TEST(ReplayDevice, AfterTheEndTimeGoesOnAPeriodATick) {
+  constexpr int kMost = 3;
+  struct Times final : haptics::ServoCallback {
+    Vec3 tick(const DeviceSample& sample) noexcept override {
+      if (!sample.present && count < kMost) gone[static_cast<std::size_t>(count++)] = sample;
+      return Vec3(0);
+    }
+    std::array<DeviceSample, kMost> gone;
+    std::atomic<int> count{0};
+  };
+  haptics::DeviceDescription description;
+  description.rate_hz = 500;
+  ReplayDevice device(recording(20), description);
+  for (int again = 0; again < 2; ++again) {
+    Times servo;
+    ASSERT_TRUE(device.start(servo));
+    while (servo.count < kMost) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    device.stop();
+    for (int i = 0; i < kMost; ++i) {
+      const DeviceSample& s = servo.gone[static_cast<std::size_t>(i)];
+      EXPECT_NEAR(s.time_s, 0.019 + 0.002 * (i + 1), 1e-12);
+      EXPECT_EQ(s.position_m.x, 0.019) << "where it was last";
+    }
+    device.rewind();
+  }
 }
 
 TEST(ReplayDevice, AnEmptyRecordingIsFinishedAtOnce) {

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "felt_plane.h"
 #include "sdl_back_end.h"
@@ -83,6 +85,10 @@ TEST_F(GameControllers, TheStickCoversTheTabletAndTheTriggerPressesDown) {
   EXPECT_TRUE(comes_true([&] { return std::abs(plane.x_m - 0.055) < 1e-6 && plane.z_m < -0.010; }));
   EXPECT_TRUE(comes_true([&] { return std::abs(plane.y_m + 0.055) < 1e-6; }));
   EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 5U; }));
+  // A full press goes 15 % deeper than the groove, half a press half as deep.
+  EXPECT_TRUE(comes_true([&] { return std::abs(plane.z_m + 0.0115) < 1e-6; }));
+  stick->press = 0.5;
+  EXPECT_TRUE(comes_true([&] { return std::abs(plane.z_m + 0.00575) < 1e-6; }));
 }
 
 TEST_F(GameControllers, ThePlaneOfTheStickIsTheTabletsHoweverItShouldStand) {
@@ -110,6 +116,24 @@ TEST_F(GameControllers, APadsRoundRimReachesTheSquareTabletsCorners) {
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return std::abs(plane.x_m - 0.055) < 1e-6; }));
   EXPECT_TRUE(comes_true([&] { return std::abs(plane.y_m - 0.055) < 1e-6; }));
+  // Half of the way that a worn stick has, which is 95 %, is half of the tablet's.
+  pad->x = 0.475;
+  pad->y = 0;
+  EXPECT_TRUE(comes_true([&] { return std::abs(plane.x_m - 0.0275) < 1e-6; }));
+  EXPECT_TRUE(comes_true([&] { return std::abs(plane.y_m) < 1e-6; }));
+  pad->x = pad->y = -0.475 * std::sqrt(0.5);
+  EXPECT_TRUE(comes_true([&] { return std::abs(plane.x_m + 0.0275) < 1e-6; }));
+  EXPECT_TRUE(comes_true([&] { return std::abs(plane.y_m + 0.0275) < 1e-6; }));
+}
+
+TEST_F(GameControllers, APadsHumIsAPartOfAFullNewton) {
+  const auto pad = port->plug_in("Pad", standin::kPad);
+  test::Push push({0.312, -0.416, 0});  // 0.52 N: eight sixteenths
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return pad->anything_runs(); }));
+  device.device->stop();
+  EXPECT_EQ(pad->most_low, 0x3000);
 }
 
 TEST_F(GameControllers, GrooveWallsPushTowardsTheMiddleOfTheGroove) {
@@ -145,6 +169,74 @@ TEST_F(GameControllers, TheForceIsAPartOfTheFullOneAndNeverMore) {
   ASSERT_TRUE(device.device->start(strong));
   EXPECT_TRUE(comes_true([&] { return stick->push_right() > 0.999; }));
   device.device->stop();
+}
+
+TEST_F(GameControllers, AServoThatStandsStillDoesNotGoOnPushing) {
+  const auto stick = port->plug_in("Stick", standin::kForceStick);
+  test::StuckPush servo({1, 0, 0});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(servo));
+  EXPECT_TRUE(comes_true([&] { return stick->push_right() > 0.3; }));
+  servo.stick();
+  EXPECT_TRUE(comes_true([&] { return !stick->anything_runs(); }));
+  servo.go_on();
+  EXPECT_TRUE(comes_true([&] { return stick->push_right() > 0.3; }));
+}
+
+TEST_F(GameControllers, ThePenIsHeldBackWhileItIsPressedDown) {
+  const auto stick = port->plug_in("Stick", standin::kForceStick);
+  test::Push push({1, 0, 0});
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return stick->push_right() > 0.3; }));
+  EXPECT_FALSE(stick->effect(SDL_HAPTIC_DAMPER).running);
+  stick->press = 0.2;
+  EXPECT_TRUE(comes_true([&] { return stick->effect(SDL_HAPTIC_DAMPER).running; }));
+}
+
+TEST_F(GameControllers, WhatTheyAreTakenForIsWhatTheDocumentationSays) {
+  // docs/devices.md: 3 N, 300 N/m, 18 ms.
+  const haptics::DeviceLimits limits = sdl::stick_limits(standin::kForceStick);
+  EXPECT_EQ(limits.max_force_n, 3);
+  EXPECT_EQ(limits.continuous_force_n, 3);
+  EXPECT_EQ(limits.max_stiffness_n_m, 300);
+  EXPECT_NEAR(limits.delay_s, 0.018, 1e-12);
+  EXPECT_EQ(sdl::stick_limits(standin::kPad).delay_s, 0);
+}
+
+/// Keeps every sample with a stylus. Its samples are for when the device has stopped.
+class PathOfStick final : public haptics::ServoCallback {
+ public:
+  PathOfStick() { samples.reserve(100'000); }
+  Vec3 tick(const haptics::DeviceSample& sample) noexcept override {
+    if (sample.present && samples.size() < samples.capacity()) samples.push_back(sample.position_m);
+    newest_x_m = sample.position_m.x;
+    return Vec3(0);
+  }
+  std::vector<Vec3> samples;
+  std::atomic<double> newest_x_m{0};
+};
+
+TEST_F(GameControllers, AStickIsFollowedFromWhereItIsThroughTwoLowPassFilters) {
+  const auto stick = port->plug_in("Stick", standin::kForceStick);
+  stick->x = -0.5;
+  PathOfStick path;
+  OpenedDevice device = opened();
+  ASSERT_TRUE(device.device->start(path));
+  EXPECT_TRUE(comes_true([&] { return path.newest_x_m < 0; }));
+  stick->x = 0.5;
+  EXPECT_TRUE(comes_true([&] { return std::abs(path.newest_x_m - 0.0275) < 1e-6; }));
+  device.device->stop();
+  const auto& all = path.samples;
+  std::size_t begun = 0;
+  while (begun < all.size() && std::abs(all[begun].x + 0.0275) < 1e-12) ++begun;
+  EXPECT_GT(begun, 0U) << "it does not sweep there from the middle";
+  // Each filter of 8 ms leaves 8/9 of the way in a tick of 1 ms.
+  ASSERT_GT(all.size(), begun + 50);
+  for (int i = 0; i < 50; ++i) {
+    const double left = std::pow(8.0 / 9, i + 1) * (1 + (i + 1) / 9.0);
+    ASSERT_NEAR(all[begun + static_cast<std::size_t>(i)].x, 0.0275 - 0.055 * left, 1e-12) << i;
+  }
 }
 
 /// Tells of one event, every time.
@@ -224,6 +316,7 @@ TEST_F(GameControllers, ADeviceThatTakesNoEffectsAnyMoreIsLost) {
   EXPECT_FALSE(device.device->start(push));  // it refuses from the beginning
   stick->refuses_effects = false;
   EXPECT_TRUE(device.device->start(push));
+  EXPECT_TRUE(comes_true([&] { return stick->push_right() > 0.3; }));
 }
 
 TEST_F(GameControllers, WhatDoesNotOpenIsSaidInOneLine) {

@@ -3,11 +3,13 @@
 #include <SDL2/SDL.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
 #include <optional>
 
+#include "default_signals.h"
 #include "felt_plane.h"
 #include "nazori/devices/device_trial.h"
 #include "nazori/devices/game_controllers.h"
@@ -64,10 +66,21 @@ TEST_F(VirtualGamepad, TheStickOfTheWritingHandIsThePosition) {
     EXPECT_TRUE(comes_true([&] { return std::abs(plane.y_m - 0.055) < 1e-6; }));
     pad.axis(right ? SDL_CONTROLLER_AXIS_TRIGGERRIGHT : SDL_CONTROLLER_AXIS_TRIGGERLEFT, 32767);
     EXPECT_TRUE(comes_true([&] { return plane.z_m < -0.010; }));
-    pad.button(SDL_CONTROLLER_BUTTON_B, true);
-    EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 2U; }));
-    pad.button(SDL_CONTROLLER_BUTTON_B, false);
-    EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 0U; }));
+    std::uint32_t bit = 1;
+    for (const auto button : {SDL_CONTROLLER_BUTTON_A, SDL_CONTROLLER_BUTTON_B, SDL_CONTROLLER_BUTTON_X,
+                              SDL_CONTROLLER_BUTTON_Y}) {
+      pad.button(button, true);
+      EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == bit; })) << button;
+      pad.button(button, false);
+      EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 0U; }));
+      bit <<= 1U;
+    }
+    pad.axis(right ? SDL_CONTROLLER_AXIS_TRIGGERRIGHT : SDL_CONTROLLER_AXIS_TRIGGERLEFT, -32768);
+    EXPECT_TRUE(comes_true([&] { return plane.z_m > 0.004; }));
+    // The shoulder presses all the way down.
+    pad.button(right ? SDL_CONTROLLER_BUTTON_RIGHTSHOULDER : SDL_CONTROLLER_BUTTON_LEFTSHOULDER, true);
+    EXPECT_TRUE(comes_true([&] { return std::abs(plane.z_m + 0.0115) < 1e-6; }));
+    pad.button(right ? SDL_CONTROLLER_BUTTON_RIGHTSHOULDER : SDL_CONTROLLER_BUTTON_LEFTSHOULDER, false);
   }
 }
 
@@ -130,10 +143,19 @@ TEST_F(VirtualGamepad, UnpluggedItIsLostAndPluggedInItIsFoundAgain) {
 }
 
 TEST_F(VirtualGamepad, SdlTakesNoSignals) {
+  // SDL takes signals when it begins, and only those that nobody handles or ignores.
+  const test::DefaultSignals signals;
+  SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
+  ASSERT_EQ(SDL_WasInit(SDL_INIT_EVERYTHING), 0U);
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "0");
   (void)back_end->find();
-  struct sigaction action {};
-  ASSERT_EQ(sigaction(SIGINT, nullptr, &action), 0);
-  EXPECT_EQ(action.sa_handler, SIG_DFL);
+  for (const int number : {SIGINT, SIGTERM}) {
+    struct sigaction action {};
+    ASSERT_EQ(sigaction(number, nullptr, &action), 0);
+    EXPECT_EQ(action.sa_handler, SIG_DFL) << number;
+  }
+  back_end.reset();
+  EXPECT_EQ(SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER), 0) << SDL_GetError();
 }
 
 TEST_F(VirtualGamepad, AWheelIsToldByItsType) {
@@ -154,6 +176,46 @@ TEST_F(VirtualGamepad, AWheelIsToldByItsType) {
   };
   EXPECT_EQ(listed(SDL_JOYSTICK_TYPE_WHEEL), true);
   EXPECT_EQ(listed(SDL_JOYSTICK_TYPE_FLIGHT_STICK), false);
+}
+
+TEST_F(VirtualGamepad, AJoysticksFirstButtonPressesAndItsOthersCountFromThere) {
+  const int index = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_FLIGHT_STICK, 2, 4, 0);
+  ASSERT_GE(index, 0) << SDL_GetError();
+  SDL_Joystick* const joystick = SDL_JoystickOpen(index);
+  const SDL_JoystickID instance = SDL_JoystickInstanceID(joystick);
+  {
+    const auto port = sdl::system_port();
+    const auto all = port->list();
+    ASSERT_TRUE(all);
+    const auto listed = std::find_if(all->begin(), all->end(),
+                                     [&](const sdl::Listed& device) { return device.instance == instance; });
+    ASSERT_NE(listed, all->end());
+    EXPECT_FALSE(listed->abilities.pad);
+    EXPECT_FALSE(listed->abilities.force());
+    const auto controller = port->open(*listed, WritingHand::right);
+    ASSERT_TRUE(controller);
+    SDL_JoystickSetVirtualAxis(joystick, 0, 16384);
+    SDL_JoystickSetVirtualAxis(joystick, 1, -32768);
+    sdl::Reading reading = (*controller)->read();
+    EXPECT_TRUE(reading.attached);
+    EXPECT_NEAR(reading.x, 0.5, 1e-4);
+    EXPECT_EQ(reading.y, 1) << "SDL's y is down";
+    EXPECT_EQ(reading.press, 0);
+    EXPECT_EQ(reading.buttons, 0U);
+    const std::uint32_t bits[] = {0, 1, 2, 4};
+    for (int button = 0; button < 4; ++button) {
+      SDL_JoystickSetVirtualButton(joystick, button, 1);
+      reading = (*controller)->read();
+      EXPECT_EQ(reading.press, button == 0 ? 1 : 0);
+      EXPECT_EQ(reading.buttons, bits[button]);
+      SDL_JoystickSetVirtualButton(joystick, button, 0);
+    }
+    sdl::Listed gone = *listed;
+    gone.instance = -7;
+    EXPECT_FALSE(port->open(gone, WritingHand::right));
+  }
+  SDL_JoystickDetachVirtual(index);
+  SDL_JoystickClose(joystick);
 }
 
 TEST_F(VirtualGamepad, ADeviceOutlivesItsBackEnd) {

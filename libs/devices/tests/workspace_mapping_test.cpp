@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -87,6 +89,10 @@ TEST(WorkspaceMapping, ASpringAtTheLimitOnTheTabletIsOneAtTheLimitAtTheStylus) {
   EXPECT_NEAR(m.to_device_n({0, 0, force_n}).z, 500 * pushed_m, 1e-12);
   EXPECT_EQ(seen.max_force_n, touch.max_force_n);
   EXPECT_DOUBLE_EQ(seen.own_damping_n_s_m, touch.own_damping_n_s_m / 0.5);
+  EXPECT_DOUBLE_EQ(seen.max_damping_n_s_m, touch.max_damping_n_s_m / 0.5);
+  EXPECT_DOUBLE_EQ(seen.hand_damping_n_s_m, touch.hand_damping_n_s_m / 0.5);
+  EXPECT_EQ(seen.max_slew_n_s, touch.max_slew_n_s);
+  EXPECT_EQ(seen.continuous_force_n, touch.continuous_force_n);
 }
 
 TEST(FitWorkspace, TheWholeTabletIsWithinReachInEveryPosture) {
@@ -113,9 +119,39 @@ TEST(FitWorkspace, TheWholeTabletIsWithinReachInEveryPosture) {
   }
 }
 
+TEST(FitWorkspace, TheTightestDirectionHasAMarginOfATenthAndTheMiddleIsTheMiddle) {
+  const DeviceWorkspace room{{-0.10, -0.11, -0.06}, {0.08, 0.03, 0.05}};
+  const Vec3 size = room.high_m - room.low_m, middle = 0.5 * (room.low_m + room.high_m);
+  const geometry::TabletShape shape;
+  for (const double tilt : {0.0, 0.3, 0.8, kPi / 2}) {
+    for (const double yaw : {-0.5, 0.0, 0.7}) {
+      const WorkspaceCalibration fit = fit_workspace(room, shape, {tilt, yaw, WritingHand::right});
+      const WorkspaceMapping m = *WorkspaceMapping::create(fit);
+      // By its eight corners.
+      Vec3 low(1e9), high(-1e9);
+      for (const double x : {-0.5, 0.5}) {
+        for (const double y : {-0.5, 0.5}) {
+          for (const double z : {-shape.depth_m, kRoomAbove_m}) {
+            const Vec3 corner = m.to_device_m({x * shape.width_m, y * shape.width_m, z});
+            low = glm::min(low, corner);
+            high = glm::max(high, corner);
+          }
+        }
+      }
+      const Vec3 part = (high - low) / size;
+      EXPECT_NEAR(std::max({part.x, part.y, part.z}), 1 / 1.1, 1e-9) << tilt << " " << yaw;
+      expect_near(0.5 * (low + high), middle, 1e-9);
+    }
+  }
+}
+
 TEST(FitWorkspace, UprightOnATouchTheHeightOf120MillimetresDecides) {
   const WorkspaceCalibration fit = fit_workspace({}, {}, {});
   EXPECT_NEAR(fit.scale, 1.1 * 0.100 / 0.120, 1e-12);
+  // Its data sheet: 160 mm wide, 120 mm high, 70 mm deep.
+  const DeviceWorkspace touch;
+  expect_near(touch.high_m - touch.low_m, {0.160, 0.120, 0.070});
+  expect_near(touch.high_m + touch.low_m, {0, 0, 0});
 }
 
 TEST(FitWorkspace, AWorkspaceThatIsEmptyOrNotANumberIsReplaced) {
@@ -124,6 +160,12 @@ TEST(FitWorkspace, AWorkspaceThatIsEmptyOrNotANumberIsReplaced) {
   const DeviceWorkspace bad{{nan, 0, 0}, {1, 1, 1}};
   EXPECT_EQ(fit_workspace(none, {}, {}).scale, fit_workspace({}, {}, {}).scale);
   EXPECT_EQ(fit_workspace(bad, {}, {}).scale, fit_workspace({}, {}, {}).scale);
+  for (int axis = 0; axis < 3; ++axis) {
+    DeviceWorkspace flat{{0, 0, 0}, {0.3, 0.3, 0.3}};
+    EXPECT_NE(fit_workspace(flat, {}, {}).scale, fit_workspace({}, {}, {}).scale);
+    flat.high_m[axis] = 0;
+    EXPECT_EQ(fit_workspace(flat, {}, {}).scale, fit_workspace({}, {}, {}).scale) << axis;
+  }
 }
 
 TEST(CalibrateFromCorners, FindsThePostureThatTheCornersWereMadeWith) {
@@ -167,6 +209,58 @@ TEST(CalibrateFromCorners, RefusesCornersThatAreNoSquareInOneSentence) {
     ASSERT_FALSE(found) << c.words;
     EXPECT_NE(base::to_line(found.error()).find(c.words), std::string::npos) << base::to_line(found.error());
   }
+}
+
+TEST(CalibrateFromCorners, TakesSquaresThatAreALittleOff) {
+  const auto found = [](const Vec3& right, const Vec3& up) {
+    return calibrate_from_corners({0, 0, 0}, right, up, {}, WritingHand::right);
+  };
+  const auto leaning = [](double degrees) {
+    const double angle = degrees * kPi / 180;
+    return Vec3(0.1 * std::sin(angle), 0.1 * std::cos(angle), 0);
+  };
+  EXPECT_TRUE(found({0.0201, 0, 0}, {0, 0.0201, 0}));
+  EXPECT_FALSE(found({0.0199, 0, 0}, {0, 0.0201, 0}));
+  EXPECT_FALSE(found({0.0201, 0, 0}, {0, 0.0199, 0}));
+  EXPECT_TRUE(found({0.1, 0, 0}, {0, 0.149, 0}));
+  EXPECT_FALSE(found({0.1, 0, 0}, {0, 0.151, 0}));
+  EXPECT_TRUE(found({0.149, 0, 0}, {0, 0.1, 0}));
+  EXPECT_FALSE(found({0.151, 0, 0}, {0, 0.1, 0}));
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_TRUE(found({0.1, 0, 0}, leaning(19.9 * side)));
+    EXPECT_FALSE(found({0.1, 0, 0}, leaning(20.1 * side)));
+    // Both sides give way alike: a lean of 10 degrees turns the tablet by 5.
+    EXPECT_NEAR(found({0.1, 0, 0}, leaning(10 * side))->roll_rad, -5 * side * kPi / 180, 1e-9);
+  }
+  const auto oblong = found({0.1, 0, 0}, {0, 0.12, 0});
+  EXPECT_NEAR(oblong->scale, geometry::TabletShape{}.width_m / 0.11, 1e-12);
+  expect_near(oblong->centre_m, {0.05, 0.06, 0});
+}
+
+TEST(WorkspaceMapping, ACalibrationMayGoUpToItsBounds) {
+  const auto is_taken = [](auto change) {
+    WorkspaceCalibration c;
+    change(c);
+    return bool(WorkspaceMapping::create(c));
+  };
+  const auto takes_scale = [&](double s) { return is_taken([s](auto& c) { c.scale = s; }); };
+  EXPECT_TRUE(takes_scale(0.02));
+  EXPECT_FALSE(takes_scale(0.0199));
+  EXPECT_TRUE(takes_scale(50));
+  EXPECT_FALSE(takes_scale(50.1));
+  const auto takes_tilt = [&](double t) { return is_taken([t](auto& c) { c.posture.tilt_rad = t; }); };
+  EXPECT_TRUE(takes_tilt(-0.199));
+  EXPECT_FALSE(takes_tilt(-0.201));
+  EXPECT_TRUE(takes_tilt(kPi / 2 + 0.199));
+  EXPECT_FALSE(takes_tilt(kPi / 2 + 0.201));
+  EXPECT_TRUE(is_taken([](auto& c) { c.centre_m = {0, -1.99, 0}; }));
+  EXPECT_FALSE(is_taken([](auto& c) { c.centre_m = {0, -2.01, 0}; }));
+  EXPECT_TRUE(is_taken([](auto& c) { c.posture.yaw_rad = c.roll_rad = -100; }));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(is_taken([&](auto& c) { c.centre_m.z = nan; }));
+  EXPECT_FALSE(is_taken([&](auto& c) { c.posture.tilt_rad = nan; }));
+  EXPECT_FALSE(is_taken([&](auto& c) { c.posture.yaw_rad = nan; }));
+  EXPECT_FALSE(is_taken([&](auto& c) { c.roll_rad = nan; }));
 }
 
 TEST(WorkspaceMapping, RefusesACalibrationThatCannotBe) {

@@ -127,7 +127,7 @@ EXPORTED void nazori_standin_hd_reset() {
   stage.z_mm = 30;
   stage.buttons = 0;
   stage.plugged = stage.out_of_inkwell = true;
-  stage.safety_held = stage.frozen = stage.dumb = stage.garbage_handle = stage.silent = false;
+  stage.safety_held = stage.frozen = stage.dumb = stage.large = stage.garbage_handle = stage.silent = false;
   stage.init_error = stage.next_error = stage.every_error = stage.start_error = 0;
   stage.only_name = nullptr;
   stage.calibration = 0x5000;
@@ -255,6 +255,7 @@ EXPORTED void hdGetIntegerv(unsigned int what, int* out) {
 }
 EXPORTED void hdGetDoublev(unsigned int what, double* out) {
   constexpr double kBox[6] = {-80, -60, -35, 80, 60, 35};
+  constexpr double kLargeBox[6] = {-90, -70, -40, 70, 50, 80};
   switch (what) {
     case 0x2050:
       out[0] = stage.x_mm;
@@ -263,19 +264,19 @@ EXPORTED void hdGetDoublev(unsigned int what, double* out) {
       return;
     case 0x2550:
     case 0x2551:
-      for (int i = 0; i < 6; ++i) out[i] = limits_known() ? kBox[i] : 0;
+      for (int i = 0; i < 6; ++i) out[i] = limits_known() ? (stage.large ? kLargeBox : kBox)[i] : 0;
       return;
     case 0x2602:
-      *out = limits_known() ? 0.5 : 0;
+      *out = limits_known() ? (stage.large ? 1 : 0.5) : 0;
       return;
     case 0x2603:
       *out = limits_known() ? stage.max_force_n.load() : 0;
       return;
     case 0x2604:
-      *out = limits_known() ? 0.88 : 0;
+      *out = limits_known() ? (stage.large ? 1.75 : 0.88) : 0;
       return;
     case 0x2609:
-      *out = limits_known() ? 0.0025 : 0;
+      *out = limits_known() ? (stage.large ? 0.005 : 0.0025) : 0;
       return;
     case 0x2605:
       out[0] = out[1] = out[2] = 0.2;

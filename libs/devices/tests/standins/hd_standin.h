@@ -29,6 +29,7 @@ struct HdStage {
   std::atomic<unsigned int> start_error;  ///< hdStartScheduler leaves it, and the scheduler does not tick
   std::atomic<bool> frozen;               ///< the scheduler does not tick
   std::atomic<bool> dumb;                 ///< getters of limits answer 0
+  std::atomic<bool> large;                ///< ... as a Desktop would, and its reach is not around 0
   std::atomic<bool> silent;               ///< failed inits leave no error
   std::atomic<bool> garbage_handle;       ///< failed inits return a number instead of "no device"
   std::atomic<const char*> only_name;     ///< init takes only this name; "" is NULL; null: any
