@@ -67,6 +67,25 @@ TEST(FunctionSound, StopEndsASweepAtOnce) {
   EXPECT_FALSE(sound.is_playing());
 }
 
+TEST(FunctionSound, AHandThatTouchesTakesOverFromABriefToneWhoseEndNoLongerMatters) {
+  const WithDriver dummy("dummy");
+  FunctionSound sound;
+  sound.touch_briefly({440, 0, 0, 1});
+  EXPECT_TRUE(sound.is_playing());
+  sound.touch({330, 0, 0, 1});
+  EXPECT_FALSE(sound.is_playing()) << "its end would silence the tone under the hand";
+  sound.touch_briefly({440, 0, 0, 1});
+  sound.touch({});
+  EXPECT_FALSE(sound.is_playing());
+}
+
+TEST(FunctionSound, ABriefToneEndsByItself) {
+  const WithDriver dummy("dummy");
+  FunctionSound sound;
+  sound.touch_briefly({440, 0, 0, 1});
+  EXPECT_TRUE(QTest::qWaitFor([&sound] { return !sound.is_playing(); }, 20000));
+}
+
 TEST(FunctionSound, MutedItDoesNotEvenAskForASoundCard) {
   const WithDriver none("no such driver");
   FunctionSound sound;

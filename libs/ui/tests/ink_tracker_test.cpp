@@ -99,6 +99,32 @@ TEST(InkTracker, DriftingFarBesideTheGrooveStopsTheInk) {
   EXPECT_EQ(ink.progress()[0], 0.0);
 }
 
+TEST(InkTracker, WhoStraysTwiceTheReachFromTheInkMustComeBackToIt) {
+  constexpr double kReach = InkTracker::kReach_m;
+  for (const double away : {1.8, 2.2, 2.5, 4.0}) {
+    auto ink = cross();
+    const Vec3 front(-0.01, 0, 0);
+    const auto go = [&ink](Vec3 from, Vec3 to) {
+      for (int i = 0; i <= 200; ++i) (void)ink.follow(from + (to - from) * (i / 200.0), true, 0);
+    };
+    go({-0.03, 0, 0}, front);
+    const double before = ink.progress()[0];
+    ASSERT_NEAR(before, 1.0 / 3, 1e-6);
+    // The way back passes the ink at more than the reach.
+    const Vec3 astray = front + Vec3(0, -away * kReach, 0);
+    const Vec3 further = front + Vec3(1.5 * kReach, 0, 0);
+    go(front, astray);
+    go(astray, further);
+    if (away < 2)
+      EXPECT_GT(ink.progress()[0], before) << "still the same stroke";
+    else
+      EXPECT_EQ(ink.progress()[0], before) << away;
+    go(further, front);
+    go(front, {0.03, 0, 0});
+    EXPECT_TRUE(ink.is_finished(1)) << away;
+  }
+}
+
 TEST(InkTracker, ALoopThatReturnsToItsStartIsNotFinishedByStandingThere) {
   StrokePath circle;
   for (int i = 0; i <= 60; ++i)

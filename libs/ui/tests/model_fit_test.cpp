@@ -46,6 +46,68 @@ TEST(ModelFit, WithoutAMatchTheModelStaysWhereItIs) {
   EXPECT_EQ(fit.x_m, 0);
 }
 
+TEST(ModelFit, TheModelIsNeverLaidOverSmallerThanAFifthOrLargerThanTwice) {
+  const auto scaled = [](double by) {
+    HandStroke hand;
+    for (const auto& p : kCross[0].points) hand.push_back({{p.x * by + 0.01, p.y * by}, 0, 0.5});
+    return nazori::ui::fit_model({hand}, matched({0}, {false}), kCross);
+  };
+  EXPECT_NEAR(scaled(0.21).scale, 0.21, 1e-9);
+  EXPECT_NEAR(scaled(0.1).scale, 0.2, 1e-9);
+  EXPECT_NEAR(scaled(1.95).scale, 1.95, 1e-9);
+  EXPECT_NEAR(scaled(3).scale, 2, 1e-9);
+  EXPECT_NEAR(scaled(3).x_m, 0.01, 1e-9) << "the middles lie over each other";
+}
+
+TEST(ModelFit, StrokesThatDoNotMatchAreLeftOut) {
+  HandStroke far;
+  for (int i = 0; i < 5; ++i) far.push_back({{0.04, 0.01 * i}, 0, 0.5});
+  // Unmatched, matched to a stroke that the model has not, without points, and beyond the verdicts.
+  const auto fit =
+      nazori::ui::fit_model({far, far, {}, small(0, false), far},
+                            matched({std::nullopt, 2, 1, 0}, {false, false, false, false}), kCross);
+  EXPECT_NEAR(fit.scale, 0.5, 1e-9);
+  EXPECT_NEAR(fit.x_m, 0.01, 1e-9);
+  EXPECT_NEAR(fit.y_m, -0.02, 1e-9);
+}
+
+TEST(ModelFit, APointIsLaidOnItsPlaceWithoutBeingSized) {
+  const std::vector<StrokePath> dot{{{{0.01, 0.02, 0}, {0.01, 0.02, 0}}}};
+  const auto fit = nazori::ui::fit_model({{{{0.03, 0.01}, 0, 0.5}}}, matched({0}, {false}), dot);
+  EXPECT_EQ(fit.scale, 1);
+  EXPECT_NEAR(fit.x_m, 0.02, 1e-12);
+  EXPECT_NEAR(fit.y_m, -0.01, 1e-12);
+}
+
+TEST(ModelFit, TheLineOfTheModelHasItsPlaceAndIsToldFromWriting) {
+  const auto line = nazori::ui::model_line(kCross[0], {0.5, 0.01, 0.02}, 0.75);
+  EXPECT_EQ(line.verdict, Verdict::shown);
+  EXPECT_EQ(line.opacity, 0.75);
+  ASSERT_EQ(line.points.size(), 2U);
+  EXPECT_NEAR(line.points[0].at.x, -0.005, 1e-12);
+  EXPECT_NEAR(line.points[1].at.x, 0.025, 1e-12);
+  EXPECT_NEAR(line.points[1].at.y, 0.02, 1e-12);
+  EXPECT_GT(line.points[1].half_width_m, 0);
+}
+
+TEST(Verdicts, OfAStrokeThatIsNotThereNothingIsMarked) {
+  auto grade = matched({std::nullopt, 1}, {false, false});
+  writing::Fault before;
+  before.kind = writing::FaultKind::extra;
+  before.stroke = -1;
+  writing::Fault beyond = before;
+  beyond.stroke = 2;
+  grade.faults = {before, beyond};
+  EXPECT_EQ(nazori::ui::verdicts(grade, 2), (std::vector{Verdict::wrong, Verdict::right}));
+  EXPECT_EQ(nazori::ui::verdicts(grade, 1), std::vector{Verdict::wrong});
+  writing::Fault both;
+  both.kind = writing::FaultKind::wrong;
+  both.stroke = 1;
+  grade.faults = {both};
+  grade.advice = {both};
+  EXPECT_EQ(nazori::ui::verdicts(grade, 2)[1], Verdict::wrong) << "a fault outweighs advice";
+}
+
 TEST(Verdicts, FaultsAreWrongAdviceIsNearlyAndTheRestRight) {
   auto grade = matched({0, 1, 2}, {false, false, false});
   const auto fault = [](writing::FaultKind kind, int stroke) {

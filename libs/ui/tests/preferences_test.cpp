@@ -58,6 +58,70 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   EXPECT_EQ(read.folder, p.folder);
 }
 
+TEST(Preferences, EachOneIsKeptByItself) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("nazori.ini"));
+  using Flag = bool Preferences::*;
+  const Flag flags[] = {
+      &Preferences::left_open,       &Preferences::right_open,     &Preferences::strokes_visible,
+      &Preferences::numbers_visible, &Preferences::arrows_visible, &Preferences::snapping,
+      &Preferences::groove_sound,    &Preferences::slope_help,     &Preferences::reduced_motion,
+      &Preferences::asks_by_words,   &Preferences::left_handed,    &Preferences::begin_at_home};
+  for (const Flag turned : flags) {
+    Preferences p;
+    p.*turned = !(p.*turned);
+    ASSERT_TRUE(p.save(file));
+    const auto read = Preferences::load(file);
+    for (const Flag flag : flags) EXPECT_EQ(read.*flag, p.*flag);
+  }
+  Preferences p;
+  p.sound_volume = 0.3;
+  p.workplace = QStringLiteral("functions");
+  p.text_pt = 14;
+  ASSERT_TRUE(p.save(file));
+  const auto read = Preferences::load(file);
+  EXPECT_EQ(read.sound_volume, 0.3);
+  EXPECT_EQ(read.workplace, p.workplace);
+  EXPECT_EQ(read.text_pt, 14);
+}
+
+TEST(Preferences, EveryChoiceOfARowIsKeptUnderAWordOfItsOwn) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("nazori.ini"));
+  for (int i = 0; i < 12; ++i) {
+    Preferences p;
+    p.list = static_cast<nazori::kanji::List>(i);
+    p.style = static_cast<nazori::view::Style>(i % 3);
+    p.theme = static_cast<ThemeChoice>(i % 3);
+    p.one_hand = static_cast<nazori::ui::OneHand>(i % 3);
+    ASSERT_TRUE(p.save(file));
+    const auto read = Preferences::load(file);
+    EXPECT_EQ(read.list, p.list) << i;
+    EXPECT_EQ(read.style, p.style) << i;
+    EXPECT_EQ(read.theme, p.theme) << i;
+    EXPECT_EQ(read.one_hand, p.one_hand) << i;
+  }
+}
+
+TEST(Preferences, NumbersAreHeldWithinWhatTheyCanBe) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("nazori.ini"));
+  const auto read = [&](const char* text) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    file.close();
+    return Preferences::load(path);
+  };
+  EXPECT_EQ(read("[sound]\nvolume=1.3\n").sound_volume, 1);
+  EXPECT_EQ(read("[sound]\nvolume=-1\n").sound_volume, 0);
+  EXPECT_EQ(read("[window]\ntext_pt=5\n").text_pt, 12);
+  EXPECT_EQ(read("[window]\ntext_pt=29\n").text_pt, 28);
+  EXPECT_EQ(read("[window]\npane_widths=-5,300\n").pane_widths, (QList<int>{0, 300}));
+  EXPECT_TRUE(read("[window]\npane_widths=300\n").pane_widths.isEmpty());
+  EXPECT_EQ(read("[window]\nlanguage=en\n").language, QStringLiteral("en"));
+}
+
 TEST(Preferences, AFileOfNonsenseGivesTheDefaults) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("nazori.ini"));
@@ -80,8 +144,16 @@ TEST(Preferences, AFileOfNonsenseGivesTheDefaults) {
 TEST(Preferences, AMissingFileGivesTheDefaults) {
   const auto read = Preferences::load(QStringLiteral("/nonexistent/nazori.ini"));
   EXPECT_EQ(read.kanji, U'休');
-  EXPECT_TRUE(read.strokes_visible);
-  EXPECT_FALSE(read.snapping);
+  EXPECT_TRUE(read.left_open && read.right_open);
+  EXPECT_TRUE(read.strokes_visible && read.numbers_visible && read.arrows_visible);
+  EXPECT_FALSE(read.snapping || read.groove_sound || read.slope_help);
+  EXPECT_EQ(read.sound_volume, 0.5);
+  EXPECT_EQ(read.text_pt, 12);
+  EXPECT_FALSE(read.reduced_motion || read.left_handed);
+  EXPECT_TRUE(read.asks_by_words && read.begin_at_home);
+  EXPECT_EQ(read.profile, QStringLiteral("learner"));
+  EXPECT_EQ(read.one_hand, nazori::ui::OneHand::none);
+  EXPECT_EQ(read.theme, ThemeChoice::desktop);
 }
 
 TEST(Preferences, AFolderThatCannotBeWrittenIsReported) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "nazori/devices/back_end.h"
 #include "nazori/devices/rt_thread.h"
@@ -95,5 +96,12 @@ class ScriptedBackEnd final : public devices::BackEnd {
  private:
   std::shared_ptr<Script> script_;
 };
+
+/// Back ends that know nothing but this device.
+inline std::vector<std::unique_ptr<devices::BackEnd>> only(std::shared_ptr<Script> script) {
+  std::vector<std::unique_ptr<devices::BackEnd>> all;
+  all.push_back(std::make_unique<ScriptedBackEnd>(std::move(script)));
+  return all;
+}
 
 }  // namespace nazori::ui::test

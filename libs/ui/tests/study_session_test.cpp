@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/study_session.h"
-
-#include <gtest/gtest.h>
-
 #include <QFile>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 
-#include "nazori/study/profiles.h"
+#include "session_under_test.h"
 
 namespace nazori::ui {
 namespace {
@@ -16,94 +11,7 @@ using study::Rating;
 using study::Stage;
 using State = StudySession::State;
 
-std::filesystem::path kanji_db() {
-  return std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
-}
-
-class Session : public testing::Test {
- protected:
-  Session() { open(); }
-
-  void open() {
-    session_.reset();
-    learner_.reset();
-    learner_ = std::make_unique<Learner>(
-        Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
-    QObject::connect(learner_.get(), &Learner::said, [this](Feedback, const QString& s) { said_.append(s); });
-    learner_->switch_profile(QStringLiteral("learner"));
-    session_ = std::make_unique<StudySession>(*learner_);
-    QObject::connect(session_.get(), &StudySession::said,
-                     [this](Feedback, const QString& s) { said_.append(s); });
-    session_->set_asks_by_words(false);
-    QObject::connect(session_.get(), &StudySession::character_wanted, [this](char32_t c) { bring(c); });
-    if (learner_->can_write() && learner_->store().settings().time_zone != "UTC") {
-      auto settings = learner_->store().settings();
-      settings.time_zone = "UTC";
-      settings.new_per_day = 2;
-      ASSERT_TRUE(learner_->store().change_settings(settings));
-    }
-  }
-
-  /// The character comes to the desk.
-  void bring(char32_t character) {
-    auto sheet = std::make_shared<CharacterSheet>();
-    sheet->character = *kanji::KanjiDatabase::open(kanji_db())->find(character);
-    session_->take_sheet(sheet);
-  }
-
-  static std::vector<HandStroke> hand() {
-    HandStroke stroke;
-    for (int i = 0; i < 20; ++i) stroke.push_back({{i * 0.002 - 0.02, 0}, i * 0.01, 0.5});
-    return {stroke};
-  }
-  static writing::Grade grade(bool accepted) {
-    writing::Grade made;
-    made.accepted = accepted;
-    made.score = accepted ? 85 : 30;
-    if (!accepted) {
-      writing::Fault missing;
-      missing.kind = writing::FaultKind::missing;
-      made.faults.push_back(missing);
-    }
-    return made;
-  }
-  void write(bool accepted) {
-    session_->note_stroke();
-    session_->take_judgement(grade(accepted), hand());
-  }
-  /// A new character from watching to memory, all of it well.
-  void learn() {
-    ASSERT_EQ(session_->stage(), Stage::watch);
-    session_->take_practice(Stage::watch, {});
-    session_->go_on();
-    ASSERT_EQ(session_->stage(), Stage::trace);
-    session_->take_practice(Stage::trace, {});
-    session_->go_on();
-    ASSERT_EQ(session_->stage(), Stage::guided);
-    session_->take_practice(Stage::guided, {});
-    session_->go_on();
-    ASSERT_EQ(session_->stage(), Stage::memory);
-    write(true);
-    ASSERT_EQ(session_->state(), State::judged);
-  }
-
-  /// The lesson of a character that was set apart.
-  void learn_without_memory() {
-    session_->take_practice(Stage::watch, {});
-    session_->go_on();
-    session_->take_practice(Stage::trace, {});
-    session_->go_on();
-    session_->take_practice(Stage::guided, {});
-    EXPECT_TRUE(session_->is_over());
-    session_->go_on();
-  }
-
-  QTemporaryDir folder_;
-  study::Time now_ = *study::parse_time("2026-03-02T10:00Z");
-  QStringList said_;
-  std::unique_ptr<Learner> learner_;
-  std::unique_ptr<StudySession> session_;
-};
+using Session = SessionTest;
 
 TEST_F(Session, ANewCharacterGoesFromWatchingToMemoryAndIsKept) {
   ASSERT_TRUE(session_->start());
@@ -288,7 +196,12 @@ TEST_F(Session, OfALeechEndsWithoutAReview) {
   ASSERT_TRUE(session_->start(true));
   EXPECT_EQ(session_->character(), first);
   EXPECT_TRUE(session_->is_leech_lesson());
-  learn_without_memory();
+  for (const Stage stage : {Stage::watch, Stage::trace, Stage::guided}) {
+    EXPECT_FALSE(session_->is_over());
+    session_->take_practice(stage, {});
+    EXPECT_EQ(session_->is_over(), stage == Stage::guided);
+    session_->go_on();
+  }
   EXPECT_FALSE(session_->is_running());
   EXPECT_FALSE(learner_->store().card(first).leech);
   EXPECT_EQ(learner_->store().card(first).memory.reps, reps);

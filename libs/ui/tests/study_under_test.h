@@ -89,10 +89,8 @@ class StudyTest : public WindowTest {
     } else {
       double time_s = 0;
       for (const auto& line : test::model(character)) {
-        HandStroke stroke;
-        for (double at = 0; at <= geometry::arc_length<geometry::GlyphFrame>(line); at += 1)
-          stroke.push_back({geometry::glyph_to_tablet(geometry::point_at<geometry::GlyphFrame>(line, at), {}),
-                            time_s += 0.01, 0.5});
+        const HandStroke stroke = test::hand_stroke(line, time_s);
+        time_s = stroke.back().time_s;
         the_characters->findChild<MemoryStage*>()->add_stroke(stroke);
       }
     }

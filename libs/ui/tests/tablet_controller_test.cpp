@@ -5,6 +5,10 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "scripted_device.h"
 
 namespace {
 
@@ -248,6 +252,88 @@ TEST(TabletController, TheWheelChangesTheDepthOnlyWhilePressed) {
   EXPECT_GT(controller.depth_m(), before_m);
   controller.push_stylus(-1000);
   EXPECT_GT(controller.depth_m(), 0.0);
+}
+
+TEST(TabletController, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
+  TabletController controller;
+  const auto tablet = three();
+  controller.set_tablet(tablet);
+  controller.set_slope_help(true);
+  ASSERT_TRUE(controller.start());
+  const nazori::haptics::TabletSurface surface(*tablet->surface(), tablet->shape());
+  TabletPoint hand, helped;
+  // Out of the middle groove.
+  const auto slide = [&] {
+    controller.move_stylus({0, 0}, false);
+    nazori::ui::SlopeGain help;
+    for (int step = 0; step <= 20; ++step) {
+      hand = {0, step * 0.00025};
+      helped = help.follow(hand, surface);
+      controller.move_stylus(hand, true);
+    }
+  };
+  const auto comes_to = [&](const TabletPoint& to) {
+    return QTest::qWaitFor(
+        [&] {
+          const auto& at = controller.latest().device_m;
+          return nazori::geometry::distance(TabletPoint{at.x, at.y}, to) < 1e-6;
+        },
+        10'000);
+  };
+  slide();
+  ASSERT_GT(nazori::geometry::distance(hand, helped), 0.0005);
+  EXPECT_TRUE(comes_to(helped));
+  controller.set_judged(true);
+  slide();
+  EXPECT_TRUE(comes_to(hand));
+}
+
+TEST(TabletController, TicksThatCannotBeTrustedDoNotEndAStroke) {
+  using nazori::haptics::Vec3;
+  const auto script = std::make_shared<nazori::ui::test::Script>();
+  const auto ticks_pass = [&](std::uint64_t count) {
+    const std::uint64_t from = script->ticks;
+    return QTest::qWaitFor([&] { return script->ticks > from + count; }, 20'000);
+  };
+  TabletController controller;
+  const auto tablet = three();
+  controller.set_tablet(tablet);
+  controller.stylus().set_devices(nazori::ui::test::only(script), tablet->shape(), {});
+  ASSERT_TRUE(controller.start());
+  controller.stylus().choose("scripted:arm");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.stylus().is_pointer(); }, 20'000));
+  std::vector<std::pair<InkEvent, int>> events;
+  QObject::connect(&controller, &TabletController::stroke_event, &controller,
+                   [&](InkEvent event, int stroke) { events.emplace_back(event, stroke); });
+  int distrusted = 0;
+  QObject::connect(&controller, &TabletController::sampled, &controller,
+                   [&](std::span<const nazori::haptics::ServoSample> samples) {
+                     for (const auto& one : samples)
+                       distrusted += nazori::haptics::has(one.events, nazori::haptics::ServoEvent::fault);
+                   });
+  const auto hold = [&](const Vec3& at) {
+    script->x_m = at.x;
+    script->y_m = at.y;
+    script->z_m = at.z;
+    return ticks_pass(2);
+  };
+  const auto& path = tablet->paths().front().points;
+  const Vec3 below(0, 0, -0.001);
+  constexpr int kSteps = 60;
+  for (int step = 0; step <= kSteps; ++step) {
+    ASSERT_TRUE(hold(glm::mix(path.front(), path.back(), static_cast<double>(step) / kSteps) + below));
+    if (step != kSteps / 2) continue;
+    controller.pump();
+    distrusted = 0;
+    script->x_m = std::numeric_limits<double>::quiet_NaN();
+    ASSERT_TRUE(ticks_pass(5));
+    controller.pump();
+    ASSERT_GT(distrusted, 0);
+  }
+  script->z_m = 0.02;
+  ASSERT_TRUE(ticks_pass(2));
+  controller.pump();
+  EXPECT_EQ(events, (std::vector<std::pair<InkEvent, int>>{{InkEvent::began, 1}, {InkEvent::finished, 1}}));
 }
 
 }  // namespace

@@ -9,12 +9,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "characters/characters.h"
-#include "desk.h"
-#include "device/device_place.h"
+#include "device_window.h"
 #include "hand_under_test.h"
-#include "scripted_device.h"
-#include "window_under_test.h"
 
 namespace nazori::ui {
 namespace {
@@ -22,59 +18,7 @@ namespace {
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
 
-Desk* desk_under_test = nullptr;
-
-template <class T>
-std::unique_ptr<Workplace> make(Desk& desk) {
-  desk_under_test = &desk;
-  return std::make_unique<T>(desk);
-}
-
-class Device : public WindowTest {
- protected:
-  Device() {
-    workplaces_ = {make<Characters>, make<DevicePlace>};
-    back_ends_ = [script = script_] {
-      std::vector<std::unique_ptr<devices::BackEnd>> all;
-      all.push_back(std::make_unique<test::ScriptedBackEnd>(script));
-      all.push_back(devices::pointer_back_end());
-      return all;
-    };
-  }
-  void SetUp() override {
-    WindowTest::SetUp();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return text("device") == QStringLiteral("Scripted arm"); }));
-  }
-  void open_window_with_simulations() {
-    back_ends_ = [] {
-      std::vector<std::unique_ptr<devices::BackEnd>> all;
-      all.push_back(devices::pointer_back_end());
-      all.push_back(devices::simulated_back_end());
-      return all;
-    };
-    open_window();
-  }
-  TabletController& controller() { return desk_under_test->controller(); }
-  Stylus& stylus() { return controller().stylus(); }
-  bool says(const QString& part) {
-    return QTest::qWaitFor([&] { return feedback().contains(part); }, 5000);
-  }
-  /// Presses the tip this deep below the plateau, away from the grooves of 休, until it is there.
-  void press_to(double z_m) {
-    script_->x_m = script_->y_m = 0.049;
-    script_->z_m = 0.002;
-    ASSERT_TRUE(ticks_pass(400));  // more than the ramp
-    script_->z_m = z_m;
-    ASSERT_TRUE(ticks_pass(600));
-  }
-  /// Milliseconds of the servo, however busy the machine is.
-  bool ticks_pass(std::uint64_t count) {
-    const std::uint64_t from = script_->ticks;
-    return QTest::qWaitFor([&] { return script_->ticks >= from + count; }, 60'000);
-  }
-
-  std::shared_ptr<test::Script> script_ = std::make_shared<test::Script>();
-};
+using test::Device;
 
 TEST_F(Device, ThatIsFoundHasTheTabletAndTheMouseDoesNot) {
   EXPECT_FALSE(stylus().is_pointer());

@@ -99,7 +99,12 @@ TEST_F(Keys, EveryMenuEntryShowsAKeyAndNoKeyIsGivenTwice) {
 TEST_F(Keys, TheTextGrowsFrom12To28PointsAndNoFurther) {
   for (int i = 0; i < 20; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
   EXPECT_EQ(QApplication::font().pointSize(), 28);
-  for (int i = 0; i < 20; ++i) press(Qt::Key_Minus, Qt::ControlModifier);
+  EXPECT_FALSE(action("text_larger")->isEnabled());
+  press(Qt::Key_Minus, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::font().pointSize(), 26);
+  action("text_usual")->trigger();
+  EXPECT_EQ(QApplication::font().pointSize(), 12);
+  press(Qt::Key_Minus, Qt::ControlModifier);
   EXPECT_EQ(QApplication::font().pointSize(), 12);
 }
 

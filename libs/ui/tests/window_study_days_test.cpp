@@ -76,6 +76,22 @@ TEST_F(StudyDays, ABackupThatFailedStaysSaidAtHome) {
   EXPECT_FALSE(find("home_trouble")->isVisible());
 }
 
+TEST_F(StudyDays, AWindowThatStaysOpenOverMidnightBacksUpEachDayOnce) {
+  const auto backups = [this] { return study::backups_of(learner_file()).size(); };
+  const auto look = [] {
+    the_desk->learner().look_at_the_day();
+    return QTest::qWaitFor([] { return !the_desk->learner().keeps_up(); }, 20'000);
+  };
+  ASSERT_TRUE(look());
+  ASSERT_EQ(backups(), 1U);
+  now_ += std::chrono::days(1);
+  ASSERT_TRUE(look());
+  EXPECT_EQ(backups(), 2U);
+  now_ += std::chrono::hours(1);
+  ASSERT_TRUE(look());
+  EXPECT_EQ(backups(), 2U);
+}
+
 TEST_F(StudyDays, AfterAMonthAwayThereIsAPlanAndNoWall) {
   start();
   learn();

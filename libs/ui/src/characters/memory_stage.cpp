@@ -395,6 +395,9 @@ void MemoryStage::give_hint() {
 }
 
 void MemoryStage::give_up() {
+  // A verdict that is still on its way would be told over the solution.
+  tell_ = false;
+  live_ticket_ = whole_ticket_ = 0;
   hinted_.clear();
   for (int n = 0; n < stroke_count(); ++n) hinted_.push_back(n);
   set_state(State::given_up);

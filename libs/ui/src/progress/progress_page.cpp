@@ -111,6 +111,9 @@ ProgressPage::ProgressPage(Learner& learner, QWidget* parent)
   show_statistics(std::make_shared<const study::Statistics>());
 }
 
+// The card that has the keyboard goes after the list of cards, and then the keyboard goes elsewhere.
+ProgressPage::~ProgressPage() { disconnect(qApp, nullptr, this, nullptr); }
+
 void ProgressPage::show_statistics(const SharedStatistics& statistics) {
   statistics_ = statistics;
   show_work(1);

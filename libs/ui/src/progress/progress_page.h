@@ -27,6 +27,7 @@ class ProgressPage final : public QWidget {
   enum class TimeShown { month = 31, season = 92, year = 366, everything = 0 };
 
   explicit ProgressPage(Learner& learner, QWidget* parent = nullptr);
+  ~ProgressPage() override;
 
   void show_statistics(const SharedStatistics& statistics);
   /// One sentence in place of everything; empty: the cards again.

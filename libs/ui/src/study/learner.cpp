@@ -121,7 +121,7 @@ bool Learner::open() {
     can_write_ = true;
     upkeep_.request(*path, store_->today());
   } else {
-    trouble_ = sentence_about(opened.error(), study::LearnerStore::in_use(*path));
+    trouble_ = sentence_about(opened.error());
     if (auto readable = study::LearnerStore::open(*path, study::Access::read, clock_, study::Upkeep::later))
       store_.emplace(*std::move(readable));
   }
@@ -130,11 +130,11 @@ bool Learner::open() {
   return can_write_;
 }
 
-QString Learner::sentence_about(const base::Error& error, bool in_use) const {
-  if (in_use)
-    return tr("“%1” is open in another window of Nazori. Close it there; until then nothing is kept here.")
-        .arg(profile_);
+QString Learner::sentence_about(const base::Error& error) const {
   switch (error.code) {
+    case base::Errc::in_use:
+      return tr("“%1” is open in another window of Nazori. Close it there; until then nothing is kept here.")
+          .arg(profile_);
     case base::Errc::schema:
       return tr("The store of %1 was written by a newer Nazori or another program: %2. Nothing was changed, "
                 "and nothing is kept.")
@@ -193,7 +193,7 @@ void Learner::take_upkeep(const study::UpkeepReport& report) {
 }
 
 void Learner::take_damage(const base::Error& error) {
-  let_go(sentence_about(error, false));
+  let_go(sentence_about(error));
   emit said(Feedback::wrong, trouble_);
 }
 

@@ -101,7 +101,7 @@ class Learner final : public QObject {
   bool open();
   void close();
   void tell_failure(const base::Error& error);
-  [[nodiscard]] QString sentence_about(const base::Error& error, bool in_use) const;
+  [[nodiscard]] QString sentence_about(const base::Error& error) const;
   void take_upkeep(const study::UpkeepReport& report);
   void take_damage(const base::Error& error);
 

@@ -2,6 +2,7 @@
 #include "study/study_session.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "kanji_text.h"
 #include "study/study_words.h"
@@ -18,9 +19,14 @@ constexpr milliseconds kLongest{10 * 60 * 1000};
 /// Of the reviews of characters that have words, one in so many asks by a word.
 constexpr int kEveryWord = 3;
 
+milliseconds steady_time() {
+  return std::chrono::duration_cast<milliseconds>(std::chrono::steady_clock::now().time_since_epoch());
+}
+
 }  // namespace
 
-StudySession::StudySession(Learner& learner) : learner_(learner) {
+StudySession::StudySession(Learner& learner, Stopwatch stopwatch)
+    : learner_(learner), stopwatch_(stopwatch ? std::move(stopwatch) : steady_time) {
   connect(&learner_, &Learner::profile_changed, this, [this] {
     if (is_running()) end();
   });
@@ -118,7 +124,7 @@ void StudySession::present(const study::StudyTask& task) {
 void StudySession::begin_stage(Stage stage) {
   stage_ = stage;
   state_ = State::doing;
-  since_.start();
+  since_ = stopwatch_();
   last_stroke_ = milliseconds(0);
   hints_ = misses_ = shown_ = 0;
   missed_stroke_ = -1;
@@ -137,7 +143,7 @@ void StudySession::take_sheet(const std::shared_ptr<const CharacterSheet>& sheet
   if (!away_) {
     sheet_ = sheet;
     choose_word();
-    since_.start();
+    since_ = stopwatch_();
   }
   emit changed();
 }
@@ -169,15 +175,13 @@ void StudySession::enter_stage(Stage stage) {
   if (task_.kind != study::TaskKind::fresh && asks_from_memory() && stage != Stage::memory && !reviewed_)
     peeked_ = true;
   if (stage == stage_ && state_ == State::doing) {
-    since_.start();
+    since_ = stopwatch_();
     return;
   }
   begin_stage(stage);
 }
 
-milliseconds StudySession::elapsed() const {
-  return std::min(kLongest, milliseconds(since_.isValid() ? since_.elapsed() : 0));
-}
+milliseconds StudySession::elapsed() const { return std::min(kLongest, stopwatch_() - since_); }
 
 void StudySession::note_stroke() { last_stroke_ = elapsed(); }
 

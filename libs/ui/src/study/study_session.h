@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <array>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -40,7 +41,11 @@ class StudySession final : public QObject {
     judged,   ///< written from memory: rate() keeps it
   };
 
-  explicit StudySession(Learner& learner);
+  /// Goes on evenly from any beginning, whatever is done to the computer's clock.
+  using Stopwatch = std::function<std::chrono::milliseconds()>;
+
+  /// @param stopwatch  how long a stage takes; empty: the computer's.
+  explicit StudySession(Learner& learner, Stopwatch stopwatch = {});
   ~StudySession() override;
 
   /// Begins with what is due now; with the characters set apart where `leeches`.
@@ -151,7 +156,8 @@ class StudySession final : public QObject {
   std::shared_ptr<const CharacterSheet> sheet_;
   std::optional<kanji::Word> word_;
 
-  QElapsedTimer since_;
+  Stopwatch stopwatch_;
+  std::chrono::milliseconds since_{0};  ///< on the stopwatch: the stage began
   std::chrono::milliseconds last_stroke_{0};
   int hints_ = 0;
   int misses_ = 0;

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names, keys and menus of the actions, against the table that users have in their fingers and settings.
+#include <gtest/gtest.h>
+
+#include <QActionGroup>
+#include <QWidget>
+
+#include "characters/character_actions.h"
+#include "language.h"
+#include "learners/learner_actions.h"
+#include "progress/progress_actions.h"
+#include "study/home.h"
+#include "study/session_actions.h"
+
+namespace nazori::ui {
+namespace {
+
+/// Of every group its title, then each action's name and keys; "-" is a separator, "*" one that is checked.
+QStringList table_of(const ActionSet& set) {
+  QStringList all;
+  for (const auto& group : set.groups()) {
+    all.append(QLatin1Char('[') + without_mnemonic(group.title) + QLatin1Char(']'));
+    for (const auto* action : group.actions) {
+      if (action == nullptr) {
+        all.append(QStringLiteral("-"));
+        continue;
+      }
+      QStringList keys;
+      for (const auto& key : action->shortcuts()) keys.append(key.toString(QKeySequence::PortableText));
+      all.append((action->isCheckable() ? QStringLiteral("*") : QString()) + action->objectName() +
+                 QLatin1Char(' ') + keys.join(QLatin1Char(' ')));
+    }
+  }
+  return all;
+}
+
+QStringList lines(const char* text) { return QString::fromUtf8(text).trimmed().split(QLatin1Char('\n')); }
+
+/// Every action says what it does, in words of its own, and its menu letter is its own in its menu.
+void expect_words(const ActionSet& set) {
+  for (const auto& group : set.groups()) {
+    QStringList texts;
+    for (const auto* action : group.actions) {
+      if (action == nullptr) continue;
+      EXPECT_FALSE(action->iconText().isEmpty());
+      EXPECT_FALSE(action->statusTip().isEmpty()) << action->objectName().toStdString();
+      EXPECT_TRUE(action->toolTip().startsWith(action->statusTip()));
+      texts.append(action->text());
+    }
+    EXPECT_EQ(texts.removeDuplicates(), 0);
+  }
+}
+
+QStringList with_icons(ActionSet& set) {
+  set.draw_icons();
+  QStringList names;
+  for (const auto& group : set.groups())
+    for (const auto* action : group.actions)
+      if (action != nullptr && !action->icon().isNull()) names.append(action->objectName());
+  return names;
+}
+
+class ActionTables : public testing::Test {
+ protected:
+  void SetUp() override { install_language(QStringLiteral("en")); }
+  QWidget window_;
+};
+
+TEST_F(ActionTables, OfCharacters) {
+  CharacterActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Character]
+find Ctrl+F
+*draw_to_find Ctrl+D
+-
+next_character Ctrl+PgDown PgDown
+previous_character Ctrl+PgUp PgUp
+-
+back Alt+Left
+forward Alt+Right
+[Strokes]
+next_stroke .
+previous_stroke ,
+all_strokes 0
+-
+*strokes S
+*numbers N
+*arrows A
+*snap F
+-
+clear_ink Del
+[Practice]
+*watch F5
+*trace F6
+*guided F7
+*memory F8
+-
+*play Space
+step_back Left
+step_on Right
+slower [
+faster ]
+*loop L
+-
+*by_groove Ctrl+Alt+G
+*by_starts Ctrl+Alt+P
+*lead_hand Ctrl+Alt+D
+[Writing]
+undo_stroke Ctrl+Z Backspace
+done Return Enter
+hint H
+give_up G
+-
+*compare_over O
+*compare_beside B
+-
+*judge_each J
+*groove_hidden Ctrl+Alt+H
+*groove_shown Ctrl+Alt+S
+*groove_appears Ctrl+Alt+A
+-
+more_lenient Ctrl+[
+more_strict Ctrl+]
+*lenient Ctrl+Alt+L
+*normal Ctrl+Alt+N
+*strict Ctrl+Alt+T)"));
+  expect_words(actions);
+}
+
+TEST_F(ActionTables, OfCharactersThoseThatExcludeEachOtherDo) {
+  const CharacterActions a(&window_);
+  for (const auto& group :
+       {QList{a.watch, a.trace, a.guided, a.memory}, QList{a.by_groove, a.by_starts},
+        QList{a.groove_hidden, a.groove_shown, a.groove_appears}, QList{a.lenient, a.normal, a.strict}})
+    for (auto* chosen : group) {
+      chosen->setChecked(true);
+      for (const auto* other : group) EXPECT_EQ(other->isChecked(), other == chosen);
+    }
+  EXPECT_EQ(a.compare_over->actionGroup(), nullptr);
+}
+
+TEST_F(ActionTables, WhatStandsInAToolbarHasAPicture) {
+  CharacterActions characters(&window_);
+  EXPECT_EQ(
+      with_icons(characters),
+      lines("draw_to_find\nnext_stroke\nprevious_stroke\nstrokes\nnumbers\narrows\nsnap\nclear_ink\nwatch\n"
+            "trace\nguided\nmemory\nplay\nstep_back\nstep_on\nslower\nfaster\nloop\nby_groove\nby_starts\n"
+            "lead_hand\nundo_stroke\ndone\nhint\ngive_up\ncompare_over\ncompare_beside"));
+  SessionActions session(&window_);
+  EXPECT_EQ(with_icons(session), lines("study_start\nstudy_go_on\nstudy_undo"));
+  HomeActions home(&window_);
+  EXPECT_EQ(with_icons(home), lines("home_study\nhome_undo"));
+  ProgressActions progress(&window_);
+  EXPECT_EQ(with_icons(progress), lines("progress_numbers\nprogress_copy"));
+}
+
+TEST_F(ActionTables, OfASession) {
+  const SessionActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Study]
+study_start Ctrl+Return
+study_go_on Shift+Return
+-
+rate_again 1
+rate_hard 2
+rate_good 3
+rate_easy 4
+-
+study_undo Ctrl+Shift+Z
+-
+study_postpone Ctrl+Shift+P
+study_pause Ctrl+Shift+U
+study_reset Ctrl+Shift+N
+study_tags Ctrl+Shift+T
+-
+study_end Ctrl+Shift+E
+study_settings Ctrl+,)"));
+  expect_words(actions);
+}
+
+TEST_F(ActionTables, OfHome) {
+  const HomeActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Study]
+home_study Ctrl+Return
+home_leeches_lesson Ctrl+Shift+Return
+-
+home_undo Ctrl+Shift+Z
+-
+home_study_settings Ctrl+,)"));
+  expect_words(actions);
+}
+
+TEST_F(ActionTables, OfProgress) {
+  const ProgressActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Progress]
+progress_forecast 1
+progress_retention 2
+progress_activity 3
+progress_motion 4
+progress_characters 5
+progress_hard_strokes 6
+-
+progress_numbers N
+progress_copy Ctrl+C
+-
+progress_longer L
+progress_shorter K)"));
+  expect_words(actions);
+}
+
+TEST_F(ActionTables, OfLearners) {
+  const LearnerActions actions(&window_);
+  EXPECT_EQ(table_of(actions), lines(R"(
+[Learner]
+learners Ctrl+Shift+W
+-
+back_up Ctrl+Shift+B
+restore Ctrl+Shift+O
+-
+export_json Ctrl+Shift+X
+export_csv Ctrl+Shift+V
+export_anki Ctrl+Shift+K
+import_json Ctrl+Shift+I)"));
+  expect_words(actions);
+}
+
+}  // namespace
+}  // namespace nazori::ui

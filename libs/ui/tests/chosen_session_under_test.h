@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "language.h"
+#include "session_under_test.h"
+
+namespace nazori::ui {
+
+/// A session of characters that the test chooses.
+class ChosenSessionTest : public SessionTest {
+ protected:
+  void SetUp() override { install_language(QStringLiteral("en")); }
+
+  /// Only these are learnt, in this order, two a day.
+  void learn_from(std::vector<char32_t> characters) {
+    ASSERT_TRUE(learner_->store().save_list({"few", std::move(characters)}));
+    auto settings = learner_->store().settings();
+    settings.new_lists = {"list:few"};
+    settings.new_order = study::NewOrder::own;
+    ASSERT_TRUE(learner_->store().change_settings(settings));
+    learner_->note_lists();
+  }
+  /// A character that was written from memory once more, on the day after it is due again.
+  void know(char32_t character, study::Rating rating = study::Rating::easy,
+            const study::WritingResult& result = {}) {
+    study::Writing writing;
+    writing.rating = rating;
+    writing.result = result;
+    ASSERT_TRUE(learner_->store().add_writing(character, 1, writing));
+    pass_until_due(character);
+  }
+  void pass_until_due(char32_t character) {
+    const auto& store = learner_->store();
+    now_ += store.card(character).due_day.value_or(store.today()) - store.today() + std::chrono::days(1);
+  }
+  [[nodiscard]] std::shared_ptr<CharacterSheet> sheet() const {
+    auto made = std::make_shared<CharacterSheet>();
+    made->character = *kanji::KanjiDatabase::open(kanji_db())->find(session_->character());
+    return made;
+  }
+  /// The same without what a dictionary says.
+  [[nodiscard]] std::shared_ptr<CharacterSheet> bare_sheet() const {
+    auto made = sheet();
+    made->character.entry = {};
+    return made;
+  }
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QLineEdit>
+#include <memory>
+#include <utility>
+
+#include "characters/characters.h"
+#include "desk.h"
+#include "functions/functions_workplace.h"
+#include "window_under_test.h"
+
+namespace nazori::ui::test {
+
+inline FunctionsWorkplace* made = nullptr;
+inline Desk* desk_of_made = nullptr;
+
+/// The real window at the functions, with the sound card that only counts.
+class FunctionsWindow : public WindowTest {
+ protected:
+  FunctionsWindow() {
+    workplaces_ = {
+        [](Desk& desk) -> std::unique_ptr<Workplace> { return std::make_unique<Characters>(desk); },
+        [](Desk& desk) -> std::unique_ptr<Workplace> {
+          auto place = std::make_unique<FunctionsWorkplace>(desk);
+          made = place.get();
+          desk_of_made = &desk;
+          return place;
+        }};
+    qputenv("SDL_AUDIODRIVER", "dummy");
+  }
+
+  void SetUp() override {
+    WindowTest::SetUp();
+    press(Qt::Key_2, Qt::AltModifier);
+    ASSERT_TRUE(wait_for_drawing());
+  }
+
+  bool wait_for_drawing() {
+    return QTest::qWaitFor([] { return made->shown() && made->shown()->final && !made->is_drawing(); },
+                           30000);
+  }
+
+  void type(const QString& expression) {
+    auto* line = find<QLineEdit>("expression");
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, expression);
+    ASSERT_TRUE(wait_for_drawing());
+  }
+
+  void window(double x0, double x1, double y0, double y1) {
+    const std::pair<const char*, double> borders[] = {
+        {"window_x0", x0}, {"window_x1", x1}, {"window_y0", y0}, {"window_y1", y1}};
+    for (const auto& [name, value] : borders) {
+      auto* border = find<QLineEdit>(name);
+      border->setFocus();
+      border->selectAll();
+      QTest::keyClicks(border, QString::number(value));
+      QTest::keyClick(border, Qt::Key_Return);
+    }
+    ASSERT_TRUE(wait_for_drawing());
+  }
+
+  void to_tablet() {
+    find("tablet")->setFocus();
+    QCoreApplication::processEvents();
+  }
+
+  [[nodiscard]] const Drawing& shown() const { return *made->shown(); }
+};
+
+}  // namespace nazori::ui::test

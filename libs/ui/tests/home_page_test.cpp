@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// What Home says of the day, without a window around it.
+#include "study/home_page.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "language.h"
+#include "session_under_test.h"
+#include "study/study_words.h"
+
+namespace nazori::ui {
+namespace {
+
+using std::chrono::days;
+using std::chrono::minutes;
+using study::Rating;
+
+class HomePageTest : public SessionTest {
+ protected:
+  void SetUp() override { install_language(QStringLiteral("en")); }
+
+  void change(const std::function<void(study::Settings&)>& what) {
+    auto settings = learner_->store().settings();
+    what(settings);
+    ASSERT_TRUE(learner_->store().change_settings(settings));
+    learner_->note_lists();
+  }
+  void learn_from(std::vector<char32_t> characters, int new_per_day) {
+    ASSERT_TRUE(learner_->store().save_list({"few", std::move(characters)}));
+    change([&](study::Settings& to) {
+      to.new_lists = {"list:few"};
+      to.new_order = study::NewOrder::own;
+      to.new_per_day = new_per_day;
+    });
+  }
+  void write(char32_t character, Rating rating) {
+    study::Writing writing;
+    writing.rating = rating;
+    writing.result.duration = std::chrono::seconds(20);
+    ASSERT_TRUE(learner_->store().add_writing(character, 1, writing));
+  }
+  QString text(const char* name) {
+    page_.refresh();
+    return said(name);
+  }
+  /// As it stands, without a look at the day.
+  QString said(const char* name) const {
+    const auto* label = page_.findChild<QLabel*>(QString::fromLatin1(name));
+    return label->isHidden() ? QStringLiteral("(hidden)") : label->text();
+  }
+  QString words(const char* tile) {
+    page_.refresh();
+    const auto* number = page_.findChild<QLabel*>(QString::fromLatin1(tile));
+    return number->accessibleName();
+  }
+  QPushButton* button(const char* name) { return page_.findChild<QPushButton*>(QString::fromLatin1(name)); }
+  bool can_see(const char* name) {
+    page_.refresh();
+    return !button(name)->isHidden();
+  }
+
+  HomePage page_{*learner_, *session_};
+};
+
+TEST_F(HomePageTest, TellsTheDayAndWhoStudiesWhereThatIsNotTheUsualLearner) {
+  EXPECT_EQ(text("home_day"), QStringLiteral("Monday 2 March"));
+  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("Mari")));
+  EXPECT_TRUE(text("home_day").endsWith(QStringLiteral(" · Mari"))) << text("home_day").toStdString();
+}
+
+TEST_F(HomePageTest, CountsWhatIsDueAndWhatIsNew) {
+  learn_from({U'一', U'二', U'三', U'四'}, 2);
+  EXPECT_EQ(words("home_due"), QStringLiteral("0 due now"));
+  EXPECT_EQ(words("home_new"), QStringLiteral("2 new today"));
+  EXPECT_TRUE(page_.can_start());
+  const auto estimate = learner_->plan()->estimate;
+  EXPECT_EQ(text("home_time"), QString::number(std::chrono::round<minutes>(estimate).count()));
+  EXPECT_EQ(words("home_streak"), QStringLiteral("0 days in a row"));
+  EXPECT_EQ(button("home_start")->text(),
+            QStringLiteral("Start: 2 characters, ") + StudyWords::about(estimate));
+  EXPECT_TRUE(said("home_advice").startsWith(QStringLiteral("Each new character is first watched")));
+  EXPECT_TRUE(said("home_advice").endsWith(QStringLiteral("\nNew today: 一二")));
+  write(U'一', Rating::easy);
+  EXPECT_EQ(words("home_new"), QStringLiteral("1 new, after 1 today"));
+  EXPECT_EQ(words("home_streak"), QStringLiteral("1 day in a row; one day off a week is forgiven"));
+  EXPECT_EQ(said("home_advice"), QStringLiteral("New today: 二"));
+  now_ += days(2);
+  write(U'二', Rating::easy);
+  EXPECT_EQ(words("home_streak"), QStringLiteral("2 days in a row; this week's day off is used"));
+  now_ += days(6);
+  EXPECT_EQ(words("home_due"), QStringLiteral("1 due now"));
+}
+
+TEST_F(HomePageTest, NamesTwelveNewCharactersAndNoMore) {
+  learn_from({U'一', U'二', U'三', U'四', U'五', U'六', U'七', U'八', U'九', U'十', U'百', U'千', U'日'}, 12);
+  EXPECT_TRUE(text("home_advice").endsWith(QStringLiteral("New today: 一二三四五六七八九十百千")));
+  change([](study::Settings& to) { to.new_per_day = 13; });
+  EXPECT_TRUE(text("home_advice").endsWith(QStringLiteral("New today: 一二三四五六七八九十百千…")));
+}
+
+TEST_F(HomePageTest, WithNothingToDoItSaysWhy) {
+  learn_from({}, 2);
+  EXPECT_TRUE(text("home_advice").startsWith(QStringLiteral("There is nothing to learn yet.")));
+  EXPECT_FALSE(page_.can_start());
+  EXPECT_FALSE(can_see("home_start"));
+  EXPECT_EQ(words("home_time"), QStringLiteral("0 minutes, about"));
+  EXPECT_EQ(page_.focusProxy(), button("home_settings"));
+  write(U'一', Rating::easy);
+  EXPECT_EQ(text("home_advice"),
+            QStringLiteral("Done for today. Tomorrow new characters come, and no reviews."));
+  change([](study::Settings& to) { to.new_per_day = 0; });
+  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Nothing is due tomorrow."));
+}
+
+TEST_F(HomePageTest, SaysHowManyReviewsTomorrowBrings) {
+  learn_from({}, 0);
+  write(U'一', Rating::easy);
+  const auto due = learner_->store().card(U'一').due_day;
+  ASSERT_TRUE(due);
+  now_ += *due - learner_->store().today() - days(1);
+  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Tomorrow 1 review is due."));
+  const char32_t one = U'一';
+  ASSERT_TRUE(learner_->store().postpone(std::span(&one, 1), *due + days(1)));
+  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Nothing is due tomorrow."));
+  now_ += days(1);
+  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Tomorrow 1 review is due."))
+      << "postponed to it";
+  ASSERT_TRUE(learner_->store().pause(std::span(&one, 1)));
+  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Nothing is due tomorrow."));
+}
+
+TEST_F(HomePageTest, APostponedCharacterThatIsStillNewIsNoReviewOfTomorrow) {
+  learn_from({U'一'}, 0);
+  study::Writing practice;
+  practice.stage = study::Stage::watch;
+  ASSERT_TRUE(learner_->store().add_writing(U'一', 1, practice));
+  const char32_t one = U'一';
+  ASSERT_TRUE(learner_->store().postpone(std::span(&one, 1), learner_->store().today() + days(1)));
+  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Nothing is due tomorrow."));
+}
+
+TEST_F(HomePageTest, ReviewsBeyondTheLimitWait) {
+  learn_from({}, 0);
+  for (const char32_t character : {U'一', U'二', U'三'}) write(character, Rating::easy);
+  change([](study::Settings& to) { to.reviews_per_day = 2; });
+  now_ += *learner_->store().card(U'一').due_day - learner_->store().today();
+  // After a week away half of the limit is asked for.
+  ASSERT_FALSE(learner_->plan()->gentle);
+  EXPECT_EQ(words("home_due"), QStringLiteral("1 due now"));
+  EXPECT_EQ(said("home_advice"), QStringLiteral("2 more reviews wait for another day: that is your limit."));
+}
+
+TEST_F(HomePageTest, WhatIsForgottenOftenIsOfferedAnotherLesson) {
+  learn_from({}, 0);
+  change([](study::Settings& to) { to.leech_lapses = 2; });
+  EXPECT_EQ(text("home_leeches"), QStringLiteral("(hidden)"));
+  EXPECT_FALSE(can_see("home_leech_lesson"));
+  write(U'一', Rating::easy);
+  while (!learner_->store().card(U'一').leech) {
+    now_ += days(40);
+    write(U'一', Rating::again);
+    now_ += minutes(15);
+    write(U'一', Rating::good);
+  }
+  EXPECT_EQ(text("home_leeches"), QStringLiteral("1 character is forgotten often and set apart: 一"));
+  EXPECT_TRUE(can_see("home_leech_lesson"));
+  EXPECT_EQ(said("home_advice"), QStringLiteral("Done for today. Nothing is due tomorrow."));
+  ASSERT_TRUE(session_->start(true));
+  EXPECT_FALSE(can_see("home_leech_lesson")) << "one session at a time";
+  EXPECT_EQ(button("home_start")->text(), QStringLiteral("Go on with the session"));
+  EXPECT_TRUE(page_.can_start());
+}
+
+TEST_F(HomePageTest, WhereNothingCanBeKeptItSaysSoAndOffersToTryAgain) {
+  EXPECT_FALSE(can_see("home_try_again"));
+  EXPECT_EQ(text("home_trouble"), QStringLiteral("(hidden)"));
+  learner_->let_go(QStringLiteral("It is being worked on."));
+  EXPECT_EQ(text("home_trouble"), QStringLiteral("It is being worked on."));
+  EXPECT_TRUE(can_see("home_try_again"));
+  EXPECT_FALSE(can_see("home_start"));
+  EXPECT_FALSE(page_.can_start());
+  EXPECT_EQ(page_.focusProxy(), button("home_try_again"));
+  button("home_try_again")->click();
+  EXPECT_TRUE(learner_->can_write());
+  EXPECT_FALSE(can_see("home_try_again"));
+  EXPECT_EQ(text("home_trouble"), QStringLiteral("(hidden)"));
+  EXPECT_EQ(page_.focusProxy(), button("home_start"));
+}
+
+TEST_F(HomePageTest, TheSummaryOfASessionHasALineForEachThingThatWasDone) {
+  EXPECT_EQ(said("home_summary"), QStringLiteral("(hidden)"));
+  SessionSummary summary;
+  summary.reviews = 6;
+  summary.ratings = {1, 0, 3, 2};
+  summary.practices = 4;
+  summary.met = {U'一', U'二'};
+  summary.lessons = {U'三'};
+  summary.again = {U'四'};
+  summary.time = minutes(4);
+  page_.show_summary(summary);
+  EXPECT_EQ(said("home_summary"),
+            QStringLiteral("Done: 6 written from memory.\nAgain 1 · Good 3 · Easy 2\nMet first: 一二\n"
+                           "Had another lesson: 三\nTo see again soon: 四\nTime: about 4 minutes"));
+  SessionSummary practice;
+  practice.practices = 1;
+  practice.time = minutes(2);
+  page_.show_summary(practice);
+  EXPECT_EQ(said("home_summary"), QStringLiteral("Time: about 2 minutes"));
+  page_.show_summary({});
+  EXPECT_EQ(said("home_summary"), QStringLiteral("(hidden)"));
+}
+
+TEST_F(HomePageTest, ItsButtonsAskForWhatTheySay) {
+  page_.refresh();
+  const std::pair<const char*, void (HomePage::*)()> all[] = {
+      {"home_start", &HomePage::start_wanted},
+      {"home_leech_lesson", &HomePage::leeches_wanted},
+      {"home_settings", &HomePage::settings_wanted},
+      {"home_free_writing", &HomePage::free_writing_wanted}};
+  for (const auto& [name, wanted] : all) {
+    const QSignalSpy spy(&page_, wanted);
+    button(name)->click();
+    EXPECT_EQ(spy.count(), 1) << name;
+    EXPECT_TRUE(button(name)->autoDefault()) << name;
+  }
+}
+
+TEST_F(HomePageTest, TilesStandInARowWhereThereIsRoom) {
+  page_.show();
+  const int em = QFontInfo(page_.font()).pixelSize();
+  const auto top = [this](const char* tile) {
+    QCoreApplication::processEvents();
+    const auto* number = page_.findChild<QLabel*>(QString::fromLatin1(tile));
+    return number->mapTo(&page_, QPoint()).y();
+  };
+  page_.resize(em * 70, 900);
+  EXPECT_EQ(top("home_due"), top("home_streak"));
+  page_.resize(em * 34, 900);
+  EXPECT_EQ(top("home_due"), top("home_new"));
+  EXPECT_LT(top("home_new"), top("home_time"));
+  EXPECT_EQ(top("home_time"), top("home_streak"));
+  page_.resize(em * 20, 900);
+  EXPECT_LT(top("home_due"), top("home_new"));
+  EXPECT_LT(top("home_time"), top("home_streak"));
+}
+
+}  // namespace
+}  // namespace nazori::ui

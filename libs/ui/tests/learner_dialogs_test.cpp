@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the dialogs for learners and backups list, allow and say, without a window around them.
+#include <QApplication>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTest>
+#include <QTimer>
+#include <fstream>
+
+#include "language.h"
+#include "learners/anki_dialog.h"
+#include "learners/backups_dialog.h"
+#include "learners/learner_exchange.h"
+#include "learners/learners_dialog.h"
+#include "nazori/study/backups.h"
+#include "nazori/study/exchange.h"
+#include "nazori/study/profiles.h"
+#include "session_under_test.h"
+#include "study/settings_change.h"
+
+namespace nazori::ui {
+namespace {
+
+class LearnerDialogs : public SessionTest {
+ protected:
+  void SetUp() override { install_language(QStringLiteral("en")); }
+
+  void write(char32_t character) {
+    study::Writing writing;
+    writing.result.duration = std::chrono::seconds(5);
+    ASSERT_TRUE(learner_->take(learner_->store().add_writing(character, 1, writing)));
+  }
+  template <class T>
+  static T* part(QWidget& dialog, const char* name) {
+    return dialog.findChild<T*>(QString::fromLatin1(name));
+  }
+  static std::string words(QWidget& dialog, const char* label) {
+    return part<QLabel>(dialog, label)->text().toStdString();
+  }
+  void follow(LearnerExchange& exchange) {
+    QObject::connect(&exchange, &LearnerExchange::said, &window_,
+                     [this](Feedback kind, const QString& sentence) {
+                       kind_ = kind;
+                       told_ = sentence;
+                     });
+  }
+  void wait_for(const LearnerExchange& exchange) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !exchange.is_busy(); }, 20'000));
+  }
+  QWidget window_;
+  Feedback kind_ = Feedback::hint;
+  QString told_;
+};
+
+class LearnersList : public LearnerDialogs {
+ protected:
+  LearnersList() {
+    QObject::connect(&dialog_, &LearnersDialog::said, &window_,
+                     [this](Feedback, const QString& sentence) { told_ = sentence; });
+  }
+  QStringList names() {
+    QStringList all;
+    for (int row = 0; row < list_->count(); ++row) all.append(list_->item(row)->text());
+    return all;
+  }
+  void type(const char* name) { name_->setText(QString::fromUtf8(name)); }
+  void press(const char* button) { part<QPushButton>(dialog_, button)->click(); }
+  std::string says() { return words(dialog_, "learners_words"); }
+  void choose(const char* name) {
+    for (int row = 0; row < list_->count(); ++row)
+      if (list_->item(row)->data(Qt::UserRole).toString() == QString::fromUtf8(name))
+        list_->setCurrentRow(row);
+  }
+  LearnersDialog dialog_{*learner_, &window_};
+  QListWidget* list_ = part<QListWidget>(dialog_, "learners_list");
+  QLineEdit* name_ = part<QLineEdit>(dialog_, "learner_name");
+};
+
+TEST_F(LearnersList, WhoStudiesIsMarkedAndEveryoneIsListed) {
+  EXPECT_EQ(says(), "Everyone has their own log, settings and backups.");
+  EXPECT_EQ(names(), QStringList{QStringLiteral("✓ learner (studies now)")});
+  EXPECT_EQ(list_->currentRow(), 0);
+  type(" Mari ");
+  press("learner_add");
+  EXPECT_EQ(says(), "Mari studies now.");
+  EXPECT_EQ(told_, QStringLiteral("Mari studies now."));
+  EXPECT_TRUE(name_->text().isEmpty());
+  EXPECT_EQ(names().size(), 2);
+  EXPECT_TRUE(names().contains(QStringLiteral("✓ Mari (studies now)")));
+  EXPECT_TRUE(names().contains(QStringLiteral("learner")));
+  EXPECT_EQ(list_->currentItem()->data(Qt::UserRole).toString(), QStringLiteral("Mari"));
+}
+
+TEST_F(LearnersList, ChoosingSwitchesAndClosesIt) {
+  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("Mari")));
+  LearnersDialog dialog(*learner_, &window_);
+  QSignalSpy said(&dialog, &LearnersDialog::said);
+  auto* list = part<QListWidget>(dialog, "learners_list");
+  QSignalSpy closed(&dialog, &QDialog::accepted);
+  emit list->itemActivated(list->currentItem());
+  EXPECT_EQ(closed.count(), 1);
+  EXPECT_EQ(said.count(), 0) << "it is who studies already";
+  for (int row = 0; row < list->count(); ++row)
+    if (list->item(row)->data(Qt::UserRole) == QStringLiteral("learner")) list->setCurrentRow(row);
+  part<QPushButton>(dialog, "learner_choose")->click();
+  EXPECT_EQ(closed.count(), 2);
+  ASSERT_EQ(said.count(), 1);
+  EXPECT_EQ(said.at(0).at(1).toString(), QStringLiteral("learner studies now."));
+}
+
+TEST_F(LearnersList, ANameThatCanBeNoneOrIsTakenIsExplained) {
+  for (const char* name : {"", "  ", ".x", "a/b"})
+    for (const char* button : {"learner_add", "learner_rename"}) {
+      type(name);
+      press(button);
+      EXPECT_EQ(says(), "Type a name first: up to 60 bytes, no “/”, and no dot at its beginning.");
+    }
+  type("learner");
+  press("learner_add");
+  EXPECT_EQ(says(), "learner is there already. Type another name.");
+  press("learner_rename");
+  EXPECT_EQ(says(), "learner is there already. Type another name.");
+  EXPECT_EQ(learner_->profile(), QStringLiteral("learner"));
+}
+
+TEST_F(LearnersList, AnotherLearnerIsRenamedWithoutASwitch) {
+  write(U'一');
+  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("Mari")));
+  type("x");
+  press("learner_add");
+  choose("learner");
+  type("Aiko");
+  press("learner_rename");
+  EXPECT_EQ(says(), "learner is called Aiko now.");
+  EXPECT_TRUE(name_->text().isEmpty());
+  EXPECT_EQ(learner_->profile(), QStringLiteral("x"));
+  const auto all = study::profiles(learner_->folder());
+  EXPECT_NE(std::find(all.begin(), all.end(), "Aiko"), all.end());
+  EXPECT_EQ(std::find(all.begin(), all.end(), "learner"), all.end());
+}
+
+TEST_F(LearnersList, RemovingAsksAndSaysWhereTheFolderLies) {
+  write(U'一');
+  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("Mari")));
+  type("x");
+  press("learner_add");
+  choose("Mari");
+  for (const bool yes : {false, true}) {
+    QTimer::singleShot(0, &dialog_, [yes] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_NE(question, nullptr);
+      EXPECT_EQ(question->objectName(), QStringLiteral("learner_remove_question"));
+      EXPECT_EQ(question->text(),
+                QStringLiteral("Remove Mari with all reviews, ink and backups from the list of learners?"));
+      EXPECT_TRUE(question->informativeText().startsWith(QStringLiteral("Nothing is deleted")));
+      EXPECT_EQ(question->defaultButton(), question->button(QMessageBox::Cancel));
+      if (!yes) return question->reject();
+      for (auto* button : question->buttons())
+        if (button->objectName() == QStringLiteral("learner_remove_yes")) button->click();
+    });
+    press("learner_remove");
+  }
+  EXPECT_EQ(says(), "Mari is removed. The folder lies in " +
+                        (learner_->folder() / ".removed" / "Mari").string() + ".");
+  EXPECT_EQ(learner_->profile(), QStringLiteral("x")) << "who studies goes on";
+  EXPECT_EQ(names().size(), 2);
+}
+
+class BackupsList : public LearnerDialogs {
+ protected:
+  void put(const char* name, bool sound) {
+    const auto folder = study::backup_folder(learner_->file());
+    std::filesystem::create_directories(folder);
+    if (sound)
+      ASSERT_TRUE(learner_->store().copy_to(folder / name));
+    else
+      std::ofstream(folder / name) << "nothing";
+  }
+};
+
+TEST_F(BackupsList, EachHasItsKindAndWhatItHolds) {
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !learner_->keeps_up(); }, 20'000));
+  std::filesystem::remove_all(study::backup_folder(learner_->file()));
+  write(U'一');
+  write(U'二');
+  put("daily-2026-02-01.db", true);
+  put("own-2026-02-02-100000.db", true);
+  put("before-restore-2026-02-03-100000.db", true);
+  put("daily-2026-01-31.db", false);
+  LearnerExchange exchange(*learner_, &window_);
+  BackupsDialog dialog(*learner_, exchange, &window_);
+  EXPECT_EQ(dialog.windowTitle(), QStringLiteral("Backups of learner"));
+  auto* table = part<QTableWidget>(dialog, "backups_table");
+  const auto listed = study::backups_of(learner_->file());
+  ASSERT_EQ(table->rowCount(), static_cast<int>(listed.size()));
+  EXPECT_EQ(table->currentRow(), 0);
+  EXPECT_FALSE(part<QPushButton>(dialog, "backup_restore")->isEnabled()) << "not read yet";
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        for (int row = 0; row < table->rowCount(); ++row)
+          if (table->item(row, 1)->text() == QStringLiteral("…")) return false;
+        return true;
+      },
+      20'000));
+  QStringList rows;
+  for (int row = 0; row < table->rowCount(); ++row)
+    rows.append(table->item(row, 3)->data(Qt::AccessibleTextRole).toString());
+  rows.sort();
+  EXPECT_EQ(
+      rows,
+      (QStringList{
+          QStringLiteral("Made by you, last day 2 Mar 2026, writings 2, characters 2"),
+          QStringLiteral("Of 1 Feb 2026, last day 2 Mar 2026, writings 2, characters 2"),
+          QStringLiteral("Of 31 Jan 2026, last day cannot be used, writings –, characters –"),
+          QStringLiteral("What a restored one replaced, last day 2 Mar 2026, writings 2, characters 2")}));
+  for (int row = 0; row < table->rowCount(); ++row) {
+    table->setCurrentCell(row, 0);
+    EXPECT_EQ(part<QPushButton>(dialog, "backup_restore")->isEnabled(),
+              table->item(row, 1)->text() != QStringLiteral("cannot be used"));
+  }
+  EXPECT_TRUE(words(dialog, "backups_words")
+                  .starts_with("One is made by itself on each day of study; seven are kept."));
+  part<QPushButton>(dialog, "backup_now")->click();
+  wait_for(exchange);
+  EXPECT_TRUE(words(dialog, "backups_words").starts_with("Backed up as own-"));
+  EXPECT_EQ(table->rowCount(), 5);
+}
+
+TEST_F(BackupsList, WithoutAnyItSaysWhenOneIsMade) {
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !learner_->keeps_up(); }, 20'000));
+  std::filesystem::remove_all(study::backup_folder(learner_->file()));
+  LearnerExchange exchange(*learner_, &window_);
+  BackupsDialog dialog(*learner_, exchange, &window_);
+  EXPECT_TRUE(words(dialog, "backups_words").starts_with("There is no backup yet."));
+  EXPECT_FALSE(part<QPushButton>(dialog, "backup_restore")->isEnabled());
+}
+
+TEST_F(LearnerDialogs, OneThingAtATimeIsWrittenOrRead) {
+  write(U'一');
+  LearnerExchange exchange(*learner_, &window_);
+  follow(exchange);
+  const QSignalSpy finished(&exchange, &LearnerExchange::finished);
+  const QString first = folder_.filePath(QStringLiteral("a.json"));
+  exchange.write(LearnerExchange::Kind::json, first);
+  EXPECT_TRUE(exchange.is_busy());
+  const QString busy = QStringLiteral("Something is being written or read already. Wait for it, or stop it.");
+  for (const auto& again : std::initializer_list<std::function<void()>>{
+           [&] { exchange.write(LearnerExchange::Kind::csv, folder_.filePath(QStringLiteral("b.csv"))); },
+           [&] { exchange.read(first); }, [&] { exchange.back_up(); }, [&] { exchange.restore("x"); }}) {
+    told_.clear();
+    again();
+    EXPECT_EQ(told_, busy);
+    EXPECT_EQ(kind_, Feedback::advice);
+  }
+  wait_for(exchange);
+  EXPECT_EQ(finished.count(), 1);
+  EXPECT_EQ(told_, QStringLiteral("Saved as %1.").arg(first));
+  EXPECT_EQ(kind_, Feedback::good);
+  EXPECT_FALSE(QFile::exists(folder_.filePath(QStringLiteral("b.csv"))));
+}
+
+TEST_F(LearnerDialogs, WhatFailsIsNamedWithItsFile) {
+  write(U'一');
+  LearnerExchange exchange(*learner_, &window_);
+  follow(exchange);
+  for (const auto kind :
+       {LearnerExchange::Kind::json, LearnerExchange::Kind::csv, LearnerExchange::Kind::anki}) {
+    exchange.write(kind, folder_.filePath(QStringLiteral("no/such/folder/a.x")));
+    wait_for(exchange);
+    EXPECT_EQ(kind_, Feedback::wrong);
+    EXPECT_TRUE(told_.startsWith(QStringLiteral("a.x: "))) << told_.toStdString();
+    EXPECT_TRUE(told_.endsWith(QStringLiteral(". Everything is as it was."))) << told_.toStdString();
+  }
+  exchange.read(folder_.filePath(QStringLiteral("none.json")));
+  wait_for(exchange);
+  EXPECT_TRUE(told_.startsWith(QStringLiteral("none.json: "))) << told_.toStdString();
+  exchange.restore(folder_.filePath(QStringLiteral("none.db")).toStdString());
+  wait_for(exchange);
+  EXPECT_TRUE(told_.startsWith(QStringLiteral("The backup was not put in place: "))) << told_.toStdString();
+  EXPECT_TRUE(learner_->can_write());
+  EXPECT_TRUE(learner_->store().cards().contains(U'一'));
+}
+
+TEST_F(LearnerDialogs, AnImportSaysForWhomAndHowMuch) {
+  write(U'一');
+  write(U'二');
+  LearnerExchange exchange(*learner_, &window_);
+  follow(exchange);
+  const QString file = folder_.filePath(QStringLiteral("..Mari.json"));
+  exchange.write(LearnerExchange::Kind::json, file);
+  wait_for(exchange);
+  exchange.read(file);
+  wait_for(exchange);
+  EXPECT_EQ(told_, QStringLiteral("Imported for learner 2: characters 2. learner 2 studies now."))
+      << "the name of the file can be none";
+  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("noted")));
+  ASSERT_TRUE(learner_->store().save_list({"mine", {U'一'}}));
+  exchange.read(file);
+  wait_for(exchange);
+  EXPECT_EQ(learner_->profile(), QStringLiteral("learner 3")) << "a list is something to keep";
+}
+
+TEST_F(LearnerDialogs, WhatCannotBeBackedUpIsExplained) {
+  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("fresh")));
+  LearnerExchange exchange(*learner_, &window_);
+  follow(exchange);
+  exchange.back_up();
+  EXPECT_EQ(told_, QStringLiteral("Nothing is studied yet: there is nothing to back up."));
+  EXPECT_EQ(kind_, Feedback::advice);
+  learner_->let_go(QStringLiteral("It is elsewhere."));
+  exchange.back_up();
+  EXPECT_EQ(told_, QStringLiteral("It is elsewhere."));
+  EXPECT_EQ(kind_, Feedback::wrong);
+  EXPECT_FALSE(exchange.is_busy());
+}
+
+TEST_F(LearnerDialogs, AnAnkiPackageIsOfWhatWasMetWithUpToTwentyWords) {
+  write(U'一');
+  AnkiDialog dialog(learner_->store(), &window_);
+  EXPECT_EQ(dialog.choice().list, QString());
+  EXPECT_EQ(dialog.choice().deck, QStringLiteral("Nazori"));
+  auto* count = part<QSpinBox>(dialog, "anki_words");
+  EXPECT_EQ(count->minimum(), 0);
+  EXPECT_EQ(count->maximum(), 20);
+  count->setValue(7);
+  part<QLineEdit>(dialog, "anki_deck")->setText(QStringLiteral("  Mine "));
+  EXPECT_EQ(dialog.choice().words, 7);
+  EXPECT_EQ(dialog.choice().deck, QStringLiteral("Mine"));
+  part<QLineEdit>(dialog, "anki_deck")->setText(QString(60, QLatin1Char('x')));
+  EXPECT_EQ(dialog.choice().deck.size(), 40);
+}
+
+TEST_F(LearnerDialogs, SettingsThatChangeEveryCharacterAreWorkedOutBehindTheWindow) {
+  write(U'一');
+  auto wanted = learner_->store().settings();
+  wanted.new_per_day = 3;
+  EXPECT_FALSE(SettingsChange::takes_long(learner_->store(), wanted));
+  wanted.fsrs.weights.front() = 0.5;
+  EXPECT_FALSE(SettingsChange::takes_long(learner_->store(), wanted)) << "of one writing";
+  auto* change = new SettingsChange(*learner_, wanted, &window_);
+  QObject::connect(change, &SettingsChange::said, &window_, [this](Feedback kind, const QString& sentence) {
+    kind_ = kind;
+    told_ = sentence;
+  });
+  EXPECT_FALSE(learner_->can_write());
+  EXPECT_EQ(learner_->trouble(),
+            QStringLiteral(
+                "Every character of learner is being worked out anew. Nothing is kept until that is done."));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !told_.isEmpty(); }, 20'000));
+  EXPECT_EQ(told_, QStringLiteral("The study settings hold from now on."));
+  EXPECT_EQ(kind_, Feedback::good);
+  EXPECT_TRUE(learner_->can_write());
+  EXPECT_EQ(learner_->store().settings(), wanted);
+  told_.clear();
+  wanted.new_per_day = 5000;
+  change = new SettingsChange(*learner_, wanted, &window_);
+  QObject::connect(change, &SettingsChange::said, &window_, [this](Feedback kind, const QString& sentence) {
+    kind_ = kind;
+    told_ = sentence;
+  });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !told_.isEmpty(); }, 20'000));
+  EXPECT_EQ(kind_, Feedback::wrong);
+  EXPECT_TRUE(told_.startsWith(QStringLiteral("The study settings were not kept: "))) << told_.toStdString();
+  EXPECT_EQ(learner_->store().settings().new_per_day, 3);
+}
+
+}  // namespace
+}  // namespace nazori::ui

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cards of the page of progress, and the page, without a window around them.
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPainter>
+#include <QProgressBar>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QTest>
+#include <QToolButton>
+
+#include "language.h"
+#include "progress/characters_card.h"
+#include "progress/day_chart.h"
+#include "progress/hard_strokes_card.h"
+#include "progress/progress_page.h"
+#include "progress/strength_grid.h"
+#include "progress/study_charts.h"
+#include "session_under_test.h"
+#include "study/list_choice.h"
+
+namespace nazori::ui {
+namespace {
+
+using std::chrono::days;
+using study::Strength;
+
+class ProgressCards : public SessionTest {
+ protected:
+  void SetUp() override { install_language(QStringLiteral("en")); }
+  static QString text(const QWidget& in, const char* name) {
+    return in.findChild<QLabel*>(QString::fromLatin1(name))->text();
+  }
+  static QWidget* shown(const QWidget& card) {
+    return card.findChild<QStackedWidget*>(QString(), Qt::FindDirectChildrenOnly)->currentWidget();
+  }
+  study::Statistics statistics() const {
+    study::Statistics s;
+    s.today = learner_->store().today();
+    for (int i = 0; i < study::kForecastDays; ++i) s.forecast.push_back({s.today + days(i), 1});
+    s.days = {{s.today - days(100), 4, 0, 0, std::chrono::minutes(1)},
+              {s.today - days(40), 4, 0, 0, std::chrono::minutes(1)},
+              {s.today - days(20), 4, 0, 0, std::chrono::minutes(1)},
+              {s.today, 7, 0, 1, std::chrono::minutes(3)}};
+    s.motion = {{s.today, 7, 218, -1.75}};
+    s.retention_days = {{s.today, {5, 4, 0.89}}};
+    s.characters = {{U'一', Strength::mature, 0.95},
+                    {U'二', Strength::young, 0.9},
+                    {U'三', Strength::learning, 0.8},
+                    {U'四', Strength::young, 0.7}};
+    s.hard_strokes = {{U'休', 2, 4, 9, {{study::FaultKind::wrong, 4}}},
+                      {U'人', 0, 2, 5, {{study::FaultKind::order, 2}}}};
+    s.streak = {3, 12, true, false};
+    s.reviews = 1234;
+    s.time = std::chrono::minutes(75);
+    s.last_30_days = {20, 18, 0.88};
+    return s;
+  }
+};
+
+TEST_F(ProgressCards, ACardShowsItsChartItsNumbersOrWhatMakesSome) {
+  QWidget window;
+  ChartCard card(QStringLiteral("x"), &window);
+  window.show();
+  Chart chart;
+  chart.title = QStringLiteral("T");
+  chart.empty = QStringLiteral("Do this.");
+  card.show_chart(chart);
+  EXPECT_EQ(text(card, "x_heading"), QStringLiteral("T"));
+  EXPECT_TRUE(card.findChild<QLabel*>(QStringLiteral("x_summary"))->isHidden());
+  EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_empty"));
+  EXPECT_EQ(shown(card)->focusPolicy(), Qt::StrongFocus);
+  EXPECT_EQ(shown(card)->accessibleName(), QStringLiteral("T. Do this."));
+  auto* numbers = card.findChild<QToolButton*>(QStringLiteral("x_numbers"));
+  auto* copy = card.findChild<QToolButton*>(QStringLiteral("x_copy"));
+  EXPECT_TRUE(numbers->isHidden());
+  EXPECT_TRUE(copy->isHidden());
+  card.set_shows_numbers(true);
+  EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_empty")) << "there are none";
+  card.set_shows_numbers(false);
+
+  chart.summary = QStringLiteral("S.");
+  chart.places = {0, 1};
+  chart.row_names = {QStringLiteral("a"), QStringLiteral("b")};
+  chart.series = {{QStringLiteral("N"), ChartSeries::Form::bars, ChartSeries::Axis::left, {1, 2}}};
+  chart.numbers.head = {QStringLiteral("Day"), QStringLiteral("N")};
+  chart.numbers.rows = {{QStringLiteral("d1"), QStringLiteral("1")},
+                        {QStringLiteral("d2"), QStringLiteral("2")}};
+  card.show_chart(chart);
+  EXPECT_FALSE(numbers->isHidden());
+  EXPECT_FALSE(copy->isHidden());
+  EXPECT_EQ(numbers->accessibleName(), QStringLiteral("Numbers of T"));
+  EXPECT_EQ(copy->accessibleName(), QStringLiteral("Copy the numbers of T"));
+  EXPECT_EQ(text(card, "x_summary"), QStringLiteral("S."));
+  EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_chart"));
+  EXPECT_EQ(shown(card)->accessibleName(), QStringLiteral("T"));
+  EXPECT_EQ(shown(card)->accessibleDescription(),
+            QStringLiteral("S. Left and right go from row to row, N shows all numbers."));
+  EXPECT_EQ(text(card, "x_reading"), QStringLiteral("Left and right read it row by row."));
+  const auto* reading = card.findChild<QLabel*>(QStringLiteral("x_reading"));
+  EXPECT_FALSE(reading->isHidden());
+  card.findChild<DayChart*>()->set_row(1);
+  EXPECT_EQ(reading->text(), QStringLiteral("d2: N 2"));
+  EXPECT_EQ(shown(card)->accessibleDescription(), QStringLiteral("d2: N 2"));
+
+  numbers->click();
+  EXPECT_TRUE(card.shows_numbers());
+  EXPECT_TRUE(reading->isHidden());
+  auto* table = qobject_cast<QTableWidget*>(shown(card));
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->rowCount(), 2);
+  EXPECT_EQ(table->columnCount(), 2);
+  EXPECT_EQ(table->horizontalHeaderItem(1)->text(), QStringLiteral("N"));
+  EXPECT_EQ(table->item(1, 0)->text(), QStringLiteral("d2"));
+  EXPECT_EQ(table->item(1, 1)->data(Qt::AccessibleTextRole).toString(), QStringLiteral("d2: N 2"));
+  card.show_chart(chart);
+  EXPECT_EQ(shown(card), table) << "the numbers stay chosen";
+  EXPECT_TRUE(reading->isHidden());
+  card.set_shows_numbers(false);
+  EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_chart"));
+  EXPECT_FALSE(reading->isHidden());
+  const QSignalSpy wanted(&card, &ChartCard::copy_wanted);
+  copy->click();
+  EXPECT_EQ(wanted.count(), 1);
+}
+
+TEST_F(ProgressCards, TheKeyboardStaysOnWhatTakesThePlaceOfTheChart) {
+  QWidget window;
+  ChartCard card(QStringLiteral("x"), &window);
+  card.show_chart(StudyCharts::forecast(statistics()));
+  window.show();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  card.focus_content();
+  EXPECT_TRUE(shown(card)->hasFocus());
+  card.set_shows_numbers(true);
+  auto* table = qobject_cast<QTableWidget*>(shown(card));
+  EXPECT_TRUE(table->hasFocus());
+  EXPECT_EQ(table->currentRow(), 0);
+  table->setCurrentCell(3, 1);
+  card.focus_content();
+  EXPECT_EQ(table->currentRow(), 3) << "where the reader was";
+  table->clearFocus();
+  card.set_shows_numbers(false);
+  EXPECT_FALSE(shown(card)->hasFocus());
+}
+
+TEST_F(ProgressCards, CharactersAreCountedByStrengthTheFirmestFirst) {
+  CharactersCard card;
+  auto s = statistics();
+  s.characters.push_back({U'五', Strength::paused, 0.5});
+  s.characters.push_back({U'六', Strength::leech, 0.5});
+  card.show_characters(s, learner_->lists(), learner_->store());
+  EXPECT_EQ(text(card, "characters_summary"),
+            QStringLiteral("● firm 1  ·  ◑ young 2  ·  ◔ learning 1  ·  ! set apart 1  ·  ‖ paused 1"));
+  EXPECT_EQ(card.shown().numbers.rows.size(), 6);
+  EXPECT_EQ(card.shown().numbers.rows[1],
+            (QStringList{QStringLiteral("二"), QStringLiteral("young"), QStringLiteral("90 %")}));
+  EXPECT_EQ(card.grid().states().rowCount(), 6);
+  EXPECT_EQ(card.grid().accessibleName(), QStringLiteral("Every character"));
+  EXPECT_TRUE(card.grid().accessibleDescription().endsWith(QStringLiteral("Enter opens a character.")));
+  auto* list = card.findChild<ListChoice*>();
+  const QSignalSpy changed(&card, &CharactersCard::list_changed);
+  list->setCurrentIndex(list->findData(QStringLiteral("grade-1")));
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(card.list(), QStringLiteral("grade-1"));
+  card.show_characters(s, learner_->lists(), learner_->store());
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(card.grid().states().rowCount(), 80);
+  EXPECT_TRUE(text(card, "characters_summary").endsWith(QStringLiteral("not met 74")))
+      << text(card, "characters_summary").toStdString();
+  const auto& rows = card.shown().numbers.rows;
+  EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const QStringList& row) {
+    return row == QStringList{QStringLiteral("休"), QStringLiteral("not met"), QStringLiteral("–")};
+  }));
+  card.show_characters(s, nullptr, learner_->store());
+  EXPECT_TRUE(text(card, "characters_empty").startsWith(QStringLiteral("The list cannot be read: ")));
+  card.set_list({});
+  card.show_characters({}, learner_->lists(), learner_->store());
+  EXPECT_TRUE(
+      text(card, "characters_empty").startsWith(QStringLiteral("Characters you have met stand here")));
+}
+
+TEST_F(ProgressCards, TheGridKeepsItsPlaceAndOpensWhatIsActivated) {
+  StrengthGrid grid;
+  QSignalSpy walked(&grid, &StrengthGrid::walked);
+  QSignalSpy opened(&grid, &StrengthGrid::opened);
+  grid.show_states(statistics().characters);
+  EXPECT_EQ(grid.currentIndex().row(), 0);
+  EXPECT_EQ(walked.last().at(0).toString(), QStringLiteral("一, firm, known with a chance of 95 %"));
+  grid.setCurrentIndex(grid.model()->index(2, 0));
+  auto others = statistics().characters;
+  others.erase(others.begin());
+  grid.show_states(others);
+  EXPECT_EQ(grid.currentIndex().row(), 1) << "三 again";
+  emit grid.activated(grid.currentIndex());
+  EXPECT_EQ(opened.at(0).at(0).value<char32_t>(), U'三');
+  EXPECT_EQ(StrengthDelegate::tile_side(grid.font()), QFontInfo(grid.font()).pixelSize() * 5 / 2);
+}
+
+TEST_F(ProgressCards, AHardStrokeIsSaidAndItsCharacterOpens) {
+  HardStrokesCard card;
+  card.show_strokes(statistics(), learner_->database());
+  auto* list = card.findChild<QListWidget*>(QStringLiteral("hard_strokes_chart"));
+  ASSERT_EQ(list->count(), 2);
+  EXPECT_EQ(list->item(0)->text(),
+            QStringLiteral("Stroke 3 of 休 went wrong in 4 of 9 writings: wrong shape or place (4)"));
+  EXPECT_EQ(text(card, "hard_strokes_summary"),
+            QStringLiteral("Strokes that went wrong more than once: 2. Enter opens the character."));
+  EXPECT_EQ(list->currentRow(), 0);
+  EXPECT_EQ(list->accessibleName(), QStringLiteral("Hardest strokes"));
+  QSignalSpy opened(&card, &HardStrokesCard::opened);
+  emit list->itemActivated(list->item(1));
+  EXPECT_EQ(opened.at(0).at(0).value<char32_t>(), U'人');
+  card.show_strokes({}, nullptr);
+  EXPECT_EQ(list->count(), 0);
+  EXPECT_TRUE(card.shown().summary.isEmpty());
+}
+
+TEST_F(ProgressCards, OfAHardCharacterTheStrokeIsMarkedInItsPlace) {
+  HardStrokesCard card;
+  auto s = statistics();
+  s.hard_strokes = {{U'二', 1, 4, 9, {}}};
+  card.show_strokes(s, learner_->database());
+  auto* list = card.findChild<QListWidget*>();
+  QStyleOptionViewItem option;
+  option.font = list->font();
+  option.fontMetrics = list->fontMetrics();
+  option.widget = list;
+  option.rect = QRect(0, 0, 600, 200);
+  const int side = list->itemDelegate()->sizeHint(option, list->model()->index(0, 0)).width();
+  EXPECT_GE(list->itemDelegate()->sizeHint(option, list->model()->index(0, 0)).height(), side);
+  QImage picture(600, 200, QImage::Format_ARGB32);
+  picture.fill(current_colours().surface);
+  {
+    QPainter painter(&picture);
+    list->itemDelegate()->paint(&painter, option, list->model()->index(0, 0));
+  }
+  const auto is = [](QRgb pixel, const QColor& colour) {
+    return std::abs(qRed(pixel) - colour.red()) + std::abs(qGreen(pixel) - colour.green()) +
+               std::abs(qBlue(pixel) - colour.blue()) <
+           12;
+  };
+  int marked_top = 1000, marked_bottom = -1, other_bottom = -1;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 6; x < side; ++x) {
+      if (is(picture.pixel(x, y), current_colours().vermilion))
+        marked_top = std::min(marked_top, y), marked_bottom = y;
+      if (is(picture.pixel(x, y), current_colours().muted)) other_bottom = y;
+    }
+  ASSERT_GE(marked_bottom, 0);
+  ASSERT_GE(other_bottom, 0);
+  EXPECT_LT(other_bottom, marked_top) << "the lower stroke is the hard one";
+  EXPECT_GT(marked_bottom, side / 2);
+  EXPECT_LT(marked_bottom, side + 6);
+}
+
+class ProgressPageTest : public ProgressCards {
+ protected:
+  ProgressPageTest() : page_(*learner_) { page_.resize(1600, 900); }
+  void show(const study::Statistics& s) {
+    page_.show_statistics(std::make_shared<const study::Statistics>(s));
+  }
+  QStringList figures() const { return text(page_, "progress_figures").split(QLatin1Char('\n')); }
+  ProgressPage page_;
+};
+
+TEST_F(ProgressPageTest, TheFiguresSayWhatStudyBrought) {
+  auto s = statistics();
+  show(s);
+  EXPECT_EQ(figures(), (QStringList{QStringLiteral("Days in a row: 3, longest 12"),
+                                    QStringLiteral("Reviews: 1,234 in 1 h 15 min"),
+                                    QStringLiteral("Recalled in 30 days: 90 % of 20, predicted 88 %"),
+                                    QStringLiteral("Characters: 4 met, 3 learnt")}));
+  s.streak.today_done = false;
+  s.streak.day_off_used = true;
+  s.last_30_days.reviews = 0;
+  show(s);
+  EXPECT_EQ(figures().size(), 3);
+  EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 3, longest 12; today is open"));
+  s.streak.today_done = true;
+  show(s);
+  EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 3, longest 12; a day off this week is taken"));
+  s.streak.days = 0;
+  show(s);
+  EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 0, longest 12"));
+  s.characters.clear();
+  show(s);
+  EXPECT_TRUE(figures()[0].startsWith(QStringLiteral("Nothing is studied yet.")));
+}
+
+TEST_F(ProgressPageTest, ChartsOfTimeBeginWhereItIsChosen) {
+  show(statistics());
+  const auto rows = [this] { return page_.card(QStringLiteral("activity"))->shown().numbers.rows.size(); };
+  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::season);
+  EXPECT_EQ(rows(), 41) << "from the day of study forty days ago";
+  QSignalSpy changed(&page_, &ProgressPage::time_changed);
+  EXPECT_TRUE(page_.change_time_shown(-1));
+  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::month);
+  EXPECT_EQ(rows(), 21) << "every day since, also without study";
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_FALSE(page_.change_time_shown(-1));
+  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::month);
+  page_.set_time_shown(ProgressPage::TimeShown::year);
+  EXPECT_EQ(rows(), 16) << "weeks";
+  EXPECT_TRUE(page_.change_time_shown(1));
+  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::everything);
+  EXPECT_EQ(rows(), 16);
+  EXPECT_FALSE(page_.change_time_shown(1));
+  page_.set_time_shown(static_cast<ProgressPage::TimeShown>(7));
+  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::month) << "no such time";
+  const auto* time = page_.findChild<QComboBox*>(QStringLiteral("progress_time"));
+  EXPECT_EQ(time->accessibleName(), QStringLiteral("Time shown"));
+  QStringList names;
+  for (int i = 0; i < time->count(); ++i) names.append(time->itemText(i));
+  EXPECT_EQ(names, (QStringList{QStringLiteral("A month"), QStringLiteral("Three months"),
+                                QStringLiteral("A year"), QStringLiteral("Everything")}));
+}
+
+TEST_F(ProgressPageTest, EveryChartIsOnItsCard) {
+  show(statistics());
+  const char* const ids[] = {"forecast", "retention", "activity", "motion", "characters", "hard_strokes"};
+  for (const char* id : ids) {
+    auto* card = page_.card(QString::fromLatin1(id));
+    EXPECT_EQ(card->objectName(), QString::fromLatin1(id) + QStringLiteral("_card"));
+    EXPECT_FALSE(card->shown().numbers.rows.isEmpty()) << id;
+    page_.go_to(QString::fromLatin1(id));
+    EXPECT_EQ(page_.card_at_hand(), card);
+    QSignalSpy wanted(&page_, &ProgressPage::copy_wanted);
+    card->findChild<QToolButton*>(QString::fromLatin1(id) + QStringLiteral("_copy"))->click();
+    ASSERT_EQ(wanted.count(), 1) << id;
+    EXPECT_EQ(wanted.at(0).at(0).value<ChartCard*>(), card);
+  }
+  EXPECT_EQ(page_.card(QStringLiteral("unknown"))->objectName(), QStringLiteral("forecast_card"));
+}
+
+TEST_F(ProgressPageTest, CardsStandInTwoColumnsWhereThereIsRoomForAHundredLetters) {
+  show(statistics());
+  page_.show();
+  const int letter = page_.fontMetrics().averageCharWidth();
+  const auto column_of = [this](const char* id) {
+    QCoreApplication::processEvents();
+    return page_.card(QString::fromLatin1(id))->x() > 100 ? 1 : 0;
+  };
+  page_.resize(letter * 100 + 2, 900);
+  EXPECT_EQ(column_of("forecast"), 0);
+  EXPECT_EQ(column_of("retention"), 1);
+  EXPECT_EQ(column_of("activity"), 0);
+  EXPECT_EQ(column_of("hard_strokes"), 1);
+  const auto* first = page_.card(QStringLiteral("forecast"));
+  EXPECT_NEAR(first->width(), page_.card(QStringLiteral("retention"))->width(), 2);
+  page_.resize(letter * 100 - 2, 900);
+  EXPECT_EQ(column_of("retention"), 0);
+  EXPECT_GT(first->width(), letter * 80);
+}
+
+TEST_F(ProgressPageTest, WorkAndTroubleAreShownAndGoAway) {
+  auto* work = page_.findChild<QProgressBar*>(QStringLiteral("progress_work"));
+  auto* trouble = page_.findChild<QLabel*>(QStringLiteral("progress_trouble"));
+  auto* scroll = page_.findChild<QScrollArea*>(QStringLiteral("progress_scroll"));
+  EXPECT_TRUE(work->isHidden());
+  page_.show_work(0.255);
+  EXPECT_FALSE(work->isHidden());
+  EXPECT_EQ(work->value(), 25);
+  EXPECT_EQ(work->maximum(), 100);
+  page_.show_trouble(QStringLiteral("No."));
+  EXPECT_FALSE(trouble->isHidden());
+  EXPECT_EQ(trouble->text(), QStringLiteral("No."));
+  EXPECT_TRUE(scroll->isHidden());
+  show(statistics());
+  EXPECT_TRUE(work->isHidden());
+  EXPECT_TRUE(trouble->isHidden());
+  EXPECT_FALSE(scroll->isHidden());
+}
+
+TEST_F(ProgressPageTest, WhatHasTheKeyboardIsAtHandAndWhatIsOpenedIsTold) {
+  show(statistics());
+  page_.show();
+  page_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&page_));
+  page_.setFocus();
+  EXPECT_TRUE(page_.findChild<DayChart*>(QStringLiteral("forecast_chart"))->hasFocus());
+  page_.findChild<DayChart*>(QStringLiteral("motion_chart"))->setFocus();
+  EXPECT_EQ(page_.card_at_hand()->objectName(), QStringLiteral("motion_card"));
+  page_.go_to(QStringLiteral("hard_strokes"));
+  auto* scroll = page_.findChild<QScrollArea*>(QStringLiteral("progress_scroll"));
+  const auto* last = page_.card(QStringLiteral("hard_strokes"));
+  const int top = last->mapTo(scroll->viewport(), QPoint()).y();
+  EXPECT_LT(top, scroll->viewport()->height());
+  QSignalSpy opened(&page_, &ProgressPage::opened);
+  auto* list = page_.findChild<QListWidget*>(QStringLiteral("hard_strokes_chart"));
+  emit list->itemActivated(list->item(0));
+  auto* grid = page_.findChild<StrengthGrid*>();
+  emit grid->activated(grid->model()->index(1, 0));
+  ASSERT_EQ(opened.count(), 2);
+  EXPECT_EQ(opened.at(0).at(0).value<char32_t>(), U'休');
+  EXPECT_EQ(opened.at(1).at(0).value<char32_t>(), U'二');
+}
+
+}  // namespace
+}  // namespace nazori::ui

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands beside the tablet while a session runs, without a window around it.
+#include "study/session_panel.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+#include "chosen_session_under_test.h"
+#include "study/ink_gallery.h"
+
+namespace nazori::ui {
+namespace {
+
+using study::Rating;
+using study::Stage;
+
+class SessionPanelTest : public ChosenSessionTest {
+ protected:
+  QString shown(const char* name) {
+    const auto* label = window_.findChild<QLabel*>(QString::fromLatin1(name));
+    return label->isHidden() ? QStringLiteral("(hidden)") : label->text();
+  }
+  QWidget window_;
+  SessionActions actions_{&window_};
+};
+
+TEST_F(SessionPanelTest, SaysWhyACharacterComesAndWhichStageItIsAt) {
+  know(U'八');
+  learn_from({U'一'});
+  ASSERT_TRUE(session_->start());
+  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  panel.show_state(nullptr);
+  EXPECT_EQ(shown("session_kind"), QStringLiteral("Review"));
+  EXPECT_EQ(shown("session_steps"), QStringLiteral("Watch  Trace  Guided  ▸\u00a0From memory"));
+  EXPECT_EQ(shown("session_history"), QStringLiteral("Written from memory: once"));
+  EXPECT_EQ(shown("session_note"), QStringLiteral("(hidden)"));
+  bring(U'八');
+  write(true);
+  session_->rate(Rating::good);
+  panel.show_state(nullptr);
+  EXPECT_EQ(shown("session_kind"), QStringLiteral("New"));
+  EXPECT_EQ(shown("session_steps"), QStringLiteral("▸\u00a0Watch  Trace  Guided  From memory"));
+  EXPECT_EQ(shown("session_history"), QStringLiteral("Not yet written from memory."));
+  EXPECT_TRUE(shown("session_note").startsWith(QStringLiteral("Kept: 八 is “Good” and comes in")));
+  bring(session_->character());
+  learn();
+  session_->rate(Rating::again);
+  while (session_->state() != StudySession::State::doing || session_->stage() != Stage::memory) {
+    if (session_->state() == StudySession::State::doing) session_->take_practice(session_->stage(), {});
+    session_->go_on();
+    ASSERT_TRUE(session_->is_running());
+  }
+  panel.show_state(nullptr);
+  EXPECT_EQ(shown("session_kind"), QStringLiteral("Once more today"));
+}
+
+TEST_F(SessionPanelTest, TellsWhatWasForgottenAndWhichThreeStrokesWentWrongMost) {
+  study::WritingResult result;
+  using study::FaultKind;
+  result.faults = {{FaultKind::wrong, 0},
+                   {FaultKind::order, 1},
+                   {FaultKind::wrong, 3},
+                   {FaultKind::wrong, 2},
+                   {FaultKind::ending, 4}};
+  know(U'八', Rating::easy, result);
+  result.faults = {{FaultKind::wrong, 0}, {FaultKind::wrong, 1},  {FaultKind::wrong, 2},
+                   {FaultKind::wrong, 2}, {FaultKind::ending, 4}, {FaultKind::wrong, 5},
+                   {FaultKind::wrong, 5}};
+  know(U'八', Rating::again, result);
+  learn_from({});
+  ASSERT_TRUE(session_->start());
+  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  panel.show_state(sheet());
+  if (session_->stage() == Stage::memory) {
+    EXPECT_EQ(shown("session_faults"), QStringLiteral("(hidden)")) << "it would help to remember";
+    bring(U'八');
+    write(true);
+    panel.show_state(sheet());
+  }
+  EXPECT_EQ(shown("session_history"), QStringLiteral("Written from memory: 2 times\nForgotten: once"));
+  EXPECT_EQ(shown("session_faults"),
+            QStringLiteral(
+                "Stroke 3 went wrong 3 times.\nStroke 6 went wrong 2 times.\nStroke 2 went wrong 2 times."));
+}
+
+TEST_F(SessionPanelTest, SaysWhatHelpLoweredTheProposal) {
+  know(U'八');
+  learn_from({});
+  ASSERT_TRUE(session_->start());
+  bring(U'八');
+  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  session_->note_hint();
+  session_->note_hint();
+  for (int i = 0; i < 3; ++i) (void)session_->note_miss(0);
+  panel.show_state(sheet());
+  EXPECT_EQ(shown("session_help"), QStringLiteral("(hidden)"));
+  write(true);
+  panel.show_state(sheet());
+  EXPECT_EQ(shown("session_help"), QStringLiteral("“Again” is proposed: 1 stroke shown, 2 hints, 3 misses."));
+  session_->take_back_judgement();
+  write(false);
+  panel.show_state(sheet());
+  EXPECT_EQ(shown("session_help"), QStringLiteral("(hidden)")) << "the fault itself says why";
+}
+
+TEST_F(SessionPanelTest, ShowsTheLastThreeWritingsFromMemoryBesideTodays) {
+  const auto ink_of = [](int length) {
+    study::InkStroke stroke;
+    for (int i = 0; i < length; ++i) stroke.push_back(study::ink_point({10.0 + i, 50}, i * 10, 0.5));
+    return study::Ink{{stroke}};
+  };
+  study::Writing writing;
+  writing.rating = Rating::easy;
+  for (int i = 1; i <= 4; ++i) {
+    ASSERT_TRUE(learner_->store().add_writing(U'八', 2, writing, ink_of(10 * i)));
+    pass_until_due(U'八');
+  }
+  ASSERT_TRUE(learner_->store().add_writing(U'八', 2, writing)) << "without ink";
+  writing.stage = Stage::trace;
+  ASSERT_TRUE(learner_->store().add_writing(U'八', 2, writing, ink_of(60)));
+  pass_until_due(U'八');
+  learn_from({});
+  ASSERT_TRUE(session_->start());
+  bring(U'八');
+  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  auto* gallery = window_.findChild<InkGallery*>(QStringLiteral("ink_gallery"));
+  panel.show_state(sheet());
+  EXPECT_TRUE(gallery->isHidden());
+  EXPECT_EQ(shown("session_ink_heading"), QStringLiteral("(hidden)"));
+  write(true);
+  panel.show_state(sheet());
+  ASSERT_EQ(gallery->pieces().size(), 4U);
+  EXPECT_EQ(gallery->pieces()[0].words, QStringLiteral("now"));
+  EXPECT_EQ(gallery->pieces()[0].ink, session_->ink());
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(gallery->pieces()[i].ink, ink_of(10 * (5 - static_cast<int>(i))));
+    EXPECT_TRUE(gallery->pieces()[i].words.endsWith(QStringLiteral("\nEasy")));
+  }
+  EXPECT_EQ(shown("session_ink_heading"), QStringLiteral("Earlier writing"));
+}
+
+TEST_F(SessionPanelTest, WithNothingWrittenEarlierTodaysWritingStandsNotAlone) {
+  know(U'八');
+  learn_from({});
+  ASSERT_TRUE(session_->start());
+  bring(U'八');
+  write(true);
+  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  panel.show_state(sheet());
+  EXPECT_TRUE(window_.findChild<InkGallery*>(QStringLiteral("ink_gallery"))->pieces().empty());
+}
+
+TEST_F(SessionPanelTest, ItsButtonsDoWhatTheActionsDo) {
+  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  for (QAction* action : {actions_.undo, actions_.postpone, actions_.pause, actions_.reset, actions_.end}) {
+    auto* button = window_.findChild<QPushButton*>(QStringLiteral("button_") + action->objectName());
+    ASSERT_NE(button, nullptr) << action->objectName().toStdString();
+    EXPECT_EQ(button->accessibleName(), action->iconText());
+    EXPECT_EQ(button->toolTip(), action->toolTip());
+    int done = 0;
+    QObject::connect(action, &QAction::triggered, &window_, [&] { ++done; });
+    action->setEnabled(false);
+    EXPECT_FALSE(button->isEnabled());
+    action->setEnabled(true);
+    EXPECT_TRUE(button->isEnabled());
+    button->click();
+    EXPECT_EQ(done, 1);
+  }
+}
+
+}  // namespace
+}  // namespace nazori::ui

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a session says at each step, and what it keeps and adds up.
+#include <QSignalSpy>
+
+#include "language.h"
+#include "session_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+using study::Rating;
+using study::Stage;
+using State = StudySession::State;
+
+class SessionSentences : public SessionTest {
+ protected:
+  void SetUp() override {
+    install_language(QStringLiteral("en"));
+    ASSERT_TRUE(learner_->store().save_list({"few", {U'一', U'二', U'三'}}));
+    auto settings = learner_->store().settings();
+    settings.new_lists = {"list:few"};
+    settings.new_order = study::NewOrder::own;
+    ASSERT_TRUE(learner_->store().change_settings(settings));
+    learner_->note_lists();
+  }
+  std::string said() const { return said_.isEmpty() ? std::string() : said_.last().toStdString(); }
+  std::string note() const { return session_->note().toStdString(); }
+};
+
+TEST_F(SessionSentences, WhatIsRatedIsSaidWithWhenItComesAgain) {
+  ASSERT_TRUE(session_->start());
+  EXPECT_EQ(note(), "");
+  learn();
+  session_->rate(Rating::easy);
+  EXPECT_EQ(note(), "Kept: 一 is “Easy” and comes in 8 days.");
+  EXPECT_EQ(said(), note());
+  session_->end();
+  EXPECT_EQ(said(), "The session has ended. Everything that was rated is kept.");
+  const auto count = said_.size();
+  session_->end();
+  EXPECT_EQ(said_.size(), count) << "it has ended already";
+  EXPECT_EQ(session_->character(), 0U);
+  ASSERT_TRUE(session_->start());
+  EXPECT_EQ(note(), "") << "a new session";
+}
+
+TEST_F(SessionSentences, WhatIsPutAsideIsSaidWithHowToTakeItBack) {
+  ASSERT_TRUE(session_->start());
+  session_->postpone();
+  EXPECT_EQ(note(), "一 comes tomorrow. Ctrl+Shift+Z takes it back.");
+  session_->undo();
+  EXPECT_EQ(note(), "Taken back: 一 is not postponed.");
+  session_->pause();
+  EXPECT_EQ(note(), "一 is paused until it is asked for. Ctrl+Shift+Z takes it back.");
+  session_->undo();
+  EXPECT_EQ(note(), "Taken back: 一 is not paused.");
+  session_->reset();
+  EXPECT_EQ(note(), "一 is new again. Ctrl+Shift+Z takes it back.");
+  session_->undo();
+  EXPECT_EQ(note(), "Taken back: what was learnt of 一 is there again.");
+  session_->take_practice(Stage::watch, {});
+  session_->undo();
+  EXPECT_EQ(note(), "Taken back: the last writing of 一.");
+  const std::vector<char32_t> both{U'一', U'二'};
+  ASSERT_TRUE(learner_->store().pause(both));
+  ASSERT_TRUE(learner_->store().resume(both));
+  session_->undo();
+  EXPECT_EQ(note(), "Taken back: 一二 is paused again.");
+  session_->undo();
+  session_->undo();
+  EXPECT_EQ(said(), "There is nothing to take back.");
+}
+
+TEST_F(SessionSentences, OfManyCharactersThatAreTakenBackTheFirstAreNamed) {
+  const std::u32string all = U"一二三四五六七八九十百千日月火水木金土休人";
+  ASSERT_EQ(all.size(), 21U);
+  const auto undone = [&](std::size_t count) {
+    EXPECT_TRUE(learner_->store().pause(std::span(all).first(count)));
+    session_->undo();
+    return said();
+  };
+  EXPECT_FALSE(undone(20).find("…") != std::string::npos);
+  EXPECT_FALSE(undone(21).find("…") != std::string::npos);
+  const std::u32string more = all + U'本';
+  EXPECT_TRUE(learner_->store().pause(std::span(more)));
+  session_->undo();
+  EXPECT_NE(said().find("…"), std::string::npos) << said();
+}
+
+TEST_F(SessionSentences, WhatIsForgottenOftenIsSetApart) {
+  auto settings = learner_->store().settings();
+  settings.leech_lapses = 2;
+  settings.new_per_day = 0;
+  ASSERT_TRUE(learner_->store().change_settings(settings));
+  study::Writing writing;
+  writing.rating = Rating::easy;
+  ASSERT_TRUE(learner_->store().add_writing(U'一', 1, writing));
+  for (int lapse = 0; lapse < 2; ++lapse) {
+    now_ += std::chrono::days(60);
+    session_->end();
+    ASSERT_TRUE(session_->start());
+    bring(U'一');
+    ASSERT_EQ(session_->stage(), Stage::memory);
+    write(false);
+    session_->rate(Rating::again);
+    if (lapse == 0) {
+      session_->end();
+      now_ += std::chrono::minutes(30);
+      writing.rating = Rating::good;
+      ASSERT_TRUE(learner_->store().add_writing(U'一', 1, writing));
+    }
+  }
+  EXPECT_EQ(note(), "一 is forgotten often. It is set apart: Home offers another lesson for it.");
+  ASSERT_TRUE(session_->start(true));
+  EXPECT_EQ(session_->total(), 1);
+  EXPECT_EQ(session_->time_left(), std::chrono::minutes(2));
+  for (int stage = 0; stage < 3; ++stage) {
+    bring(U'一');
+    session_->take_practice(session_->stage(), {});
+    session_->go_on();
+  }
+  EXPECT_FALSE(session_->is_running());
+  EXPECT_EQ(session_->summary().lessons, std::vector<char32_t>{U'一'});
+  EXPECT_EQ(said(), "That was all for now. Everything is kept.");
+}
+
+TEST_F(SessionSentences, WhatWasForgottenIsInTheSummaryUntilItIsKnown) {
+  ASSERT_TRUE(session_->start());
+  learn();
+  session_->rate(Rating::again);
+  EXPECT_EQ(session_->summary().again, std::vector<char32_t>{U'一'});
+  EXPECT_EQ(session_->summary().ratings, (std::array{1, 0, 0, 0}));
+  while (session_->character() != U'一' || session_->stage() != Stage::memory ||
+         session_->state() != State::doing) {
+    if (session_->state() == State::doing && session_->stage() == Stage::memory) {
+      write(true);
+      session_->rate(Rating::easy);
+      now_ += std::chrono::minutes(5);
+      continue;
+    }
+    if (session_->state() == State::doing) session_->take_practice(session_->stage(), {});
+    session_->go_on();
+    ASSERT_TRUE(session_->is_running());
+  }
+  write(true);
+  session_->rate(Rating::good);
+  EXPECT_TRUE(session_->summary().again.empty());
+  EXPECT_EQ(session_->summary().met, (std::vector<char32_t>{U'一', U'二'}));
+  EXPECT_EQ(session_->summary().ratings[2], 1);
+}
+
+TEST_F(SessionSentences, WhatHappensAwayFromTheCharacterCountsForNothing) {
+  ASSERT_TRUE(session_->start());
+  const QSignalSpy wanted(session_.get(), &StudySession::character_wanted);
+  bring(U'雨');
+  EXPECT_TRUE(session_->is_away());
+  session_->take_practice(Stage::watch, {});
+  EXPECT_EQ(session_->state(), State::doing);
+  EXPECT_EQ(learner_->store().card(U'一').practices, 0);
+  session_->enter_stage(Stage::trace);
+  EXPECT_EQ(session_->stage(), Stage::watch);
+  session_->go_on();
+  EXPECT_EQ(wanted.count(), 1);
+  EXPECT_FALSE(session_->is_away());
+  session_->take_practice(Stage::trace, {});
+  EXPECT_EQ(session_->state(), State::doing) << "another stage is at hand";
+  session_->go_on();
+  EXPECT_EQ(session_->stage(), Stage::watch) << "nothing is done yet";
+  session_->enter_stage(Stage::trace);
+  EXPECT_EQ(session_->stage(), Stage::trace) << "the learner may do any stage";
+}
+
+TEST_F(SessionSentences, HelpAndMissesOfAStageAreKeptWithIt) {
+  ASSERT_TRUE(session_->start());
+  session_->note_hint();
+  (void)session_->note_miss(0);
+  (void)session_->note_miss(1);
+  study::WritingResult result;
+  result.misses = 1;
+  result.shown_strokes = 2;
+  session_->take_practice(Stage::watch, result);
+  const auto kept = learner_->store().writings_of(U'一');
+  ASSERT_TRUE(kept);
+  const auto& last = kept->back().entry.writing.result;
+  EXPECT_EQ(last.hints, 1);
+  EXPECT_EQ(last.misses, 2) << "the greater of both";
+  EXPECT_EQ(last.shown_strokes, 2);
+  EXPECT_EQ(kept->back().entry.strokes, 1);
+  session_->go_on();
+  session_->take_practice(Stage::trace, {});
+  EXPECT_EQ(learner_->store().writings_of(U'一')->back().entry.writing.result.hints, 0) << "another stage";
+}
+
+TEST_F(SessionSentences, WhoGivesUpHadEveryStrokeShown) {
+  ASSERT_TRUE(session_->start());
+  practise();
+  session_->take_surrender(hand());
+  EXPECT_FALSE(session_->result().accepted);
+  EXPECT_EQ(session_->result().score, 0);
+  EXPECT_EQ(session_->result().shown_strokes, 1);
+  EXPECT_EQ(session_->proposed(), Rating::again);
+  EXPECT_EQ(session_->ink().strokes.size(), 1U);
+  session_->go_on();
+  EXPECT_EQ(session_->summary().ratings[0], 1) << "going on takes the proposal";
+}
+
+TEST_F(SessionSentences, WithoutASessionNothingCanBePutAsideOrJudged) {
+  session_->postpone();
+  session_->pause();
+  session_->reset();
+  session_->rate(Rating::good);
+  session_->go_on();
+  session_->take_surrender({});
+  session_->take_judgement(grade(true), hand());
+  session_->take_back_judgement();
+  EXPECT_EQ(session_->state(), State::idle);
+  EXPECT_EQ(learner_->store().card(U'一').postponed_until, std::nullopt);
+  session_->undo();
+  EXPECT_EQ(said(), "There is nothing to take back.");
+  EXPECT_FALSE(session_->is_running());
+  learner_->let_go(QStringLiteral("It is elsewhere."));
+  EXPECT_FALSE(session_->start());
+  EXPECT_EQ(said(), "It is elsewhere.");
+  said_.clear();
+  session_->undo();
+  EXPECT_EQ(said(), "It is elsewhere.");
+}
+
+TEST_F(SessionSentences, NothingIsDueForALessonWhereNothingIsSetApart) {
+  EXPECT_FALSE(session_->start(true));
+  EXPECT_EQ(said(), "Nothing is due now.");
+  ASSERT_TRUE(session_->start());
+  EXPECT_FALSE(session_->is_leech_lesson());
+  EXPECT_EQ(session_->time_left(), learner_->plan()->estimate);
+}
+
+}  // namespace
+}  // namespace nazori::ui

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said of strokes: their names, their ends, and what happens to them on the tablet.
+#include "characters/stroke_words.h"
+
+#include <map>
+
+#include "characters/stroke_counter.h"
+#include "characters/stroke_teller.h"
+#include "hand_under_test.h"
+#include "language.h"
+
+namespace nazori::ui {
+namespace {
+
+class StrokeWordsTest : public testing::Test {
+ protected:
+  void SetUp() override { install_language(QStringLiteral("en")); }
+};
+
+TEST_F(StrokeWordsTest, EveryStrokeOfUnicodesChartHasItsName) {
+  // By the letters of the chart: H level, S upright, P to the left, N to the right, D dot, T rising, Z turn,
+  // G hook, W bend, X slanting, B flat.
+  const std::map<const char*, std::string> names{{"㇐", "horizontal line"},
+                                                 {"㇑", "vertical line"},
+                                                 {"㇒", "sweep to the left"},
+                                                 {"㇓", "sweep to the left"},
+                                                 {"㇏", "sweep to the right"},
+                                                 {"㇝", "sweep to the right"},
+                                                 {"㇔", "dot"},
+                                                 {"㇀", "rising stroke"},
+                                                 {"㇖", "horizontal line with a hook"},
+                                                 {"㇚", "vertical line with a hook"},
+                                                 {"㇕", "horizontal line that turns down"},
+                                                 {"㇆", "horizontal line that turns down, with a hook"},
+                                                 {"㇗", "vertical line that turns right"},
+                                                 {"㇄", "vertical line that turns right"},
+                                                 {"㇟", "vertical line that bends right, with a hook"},
+                                                 {"㇙", "vertical line with a rise"},
+                                                 {"㇇", "horizontal line that sweeps to the left"},
+                                                 {"㇁", "curved line with a hook"},
+                                                 {"㇂", "slanting line with a hook"},
+                                                 {"㇃", "flat curve with a hook"},
+                                                 {"㇈", "horizontal line that bends, with a hook"},
+                                                 {"㇠", "horizontal line that bends, with a hook"},
+                                                 {"㇊", "horizontal line that turns down, then rises"},
+                                                 {"㇜", "sweep to the left that turns right"},
+                                                 {"㇛", "sweep to the left that turns to a dot"},
+                                                 {"㇞", "line with three turns"},
+                                                 {"㇅", "line with three turns"},
+                                                 {"㇎", "line with three turns"},
+                                                 {"㇉", "line with several turns and a hook"},
+                                                 {"㇡", "line with several turns and a hook"},
+                                                 {"㇋", "line with two turns that sweeps to the left"},
+                                                 {"㇌", "line that turns and curves, with a hook"}};
+  for (const auto& [type, name] : names) {
+    EXPECT_EQ(StrokeWords::name(type).toStdString(), name) << type;
+    EXPECT_EQ(StrokeWords::name(std::string(type) + "b/㇐").toStdString(), name) << type;
+  }
+  EXPECT_EQ(StrokeWords::name(""), QString());
+  EXPECT_EQ(StrokeWords::name("x"), QString());
+}
+
+TEST_F(StrokeWordsTest, EveryEndHasItsSentence) {
+  using kanji::StrokeEnding;
+  EXPECT_EQ(StrokeWords::ending(StrokeEnding::stop), QStringLiteral("It stops at the end."));
+  EXPECT_EQ(StrokeWords::ending(StrokeEnding::hook), QStringLiteral("It stops, then kicks."));
+  EXPECT_EQ(StrokeWords::ending(StrokeEnding::taper),
+            QStringLiteral("It is lifted while it moves, and thins out."));
+  EXPECT_EQ(StrokeWords::ending(StrokeEnding::either), QStringLiteral("It may stop or thin out."));
+}
+
+/// Three level strokes on a tablet.
+class StrokeTellerTest : public StrokeWordsTest {
+ protected:
+  void put_three() {
+    std::vector<kanji::StrokeLine> lines(3);
+    for (int i = 0; i < 3; ++i) lines[static_cast<std::size_t>(i)].points = line(i, 89);
+    controller_.set_tablet(*tablet::CarvedTablet::from_lines(lines, 128));
+  }
+  static test::Points line(int stroke, double to) {
+    return {{20, 24.5 + 30 * stroke}, {to, 24.5 + 30 * stroke}};
+  }
+  void expect(const StrokeTeller::Sentence& said, Feedback kind, const char* text) const {
+    EXPECT_EQ(said.text.toStdString(), text);
+    EXPECT_EQ(said.kind, kind) << text;
+  }
+  [[nodiscard]] StrokeTeller::Sentence about(InkEvent event, int stroke) const {
+    return StrokeTeller::about(event, stroke, controller_);
+  }
+  TabletController controller_;
+};
+
+TEST_F(StrokeTellerTest, InvitesByWhatIsToBeSeen) {
+  expect(StrokeTeller::invitation(controller_), Feedback::hint,
+         "Press the left button to touch the tablet; the right button turns it.");
+  put_three();
+  expect(StrokeTeller::invitation(controller_), Feedback::hint,
+         "Hold the left button at number 1 and draw along the groove.");
+  expect(StrokeTeller::stroke_shown(controller_), Feedback::hint,
+         "Hold the left button at number 1 and draw along the groove.");
+  controller_.set_current_stroke(2);
+  expect(StrokeTeller::stroke_shown(controller_), Feedback::hint, "Stroke 2 of 3. Draw it from its number.");
+  controller_.set_strokes_visible(false);
+  expect(StrokeTeller::stroke_shown(controller_), Feedback::advice,
+         "Stroke 2 is chosen, but the strokes are hidden: press S.");
+  expect(StrokeTeller::invitation(controller_), Feedback::hint,
+         "Press the left button in a groove and follow it. S shows the strokes.");
+}
+
+TEST_F(StrokeTellerTest, SaysWhetherStrokesHoldTheStylus) {
+  put_three();
+  controller_.set_snapping(false);
+  expect(StrokeTeller::snapping(controller_), Feedback::hint, "The stylus is free.");
+  controller_.set_snapping(true);
+  expect(StrokeTeller::snapping(controller_), Feedback::hint,
+         "Strokes now hold the stylus. Pull away firmly to leave one.");
+  controller_.set_strokes_visible(false);
+  expect(StrokeTeller::snapping(controller_), Feedback::advice,
+         "Strokes hold the stylus only while they are shown: press S.");
+}
+
+TEST_F(StrokeTellerTest, ToldInTurnOutOfTurnAndLeftOpen) {
+  put_three();
+  EXPECT_TRUE(about(InkEvent::none, 1).text.isEmpty());
+  expect(about(InkEvent::began, 1), Feedback::hint, "Stroke 1: follow the groove to its end.");
+  expect(about(InkEvent::from_the_end, 1), Feedback::advice,
+         "Stroke 1 begins at its other end, where its number stands.");
+  expect(about(InkEvent::left_open, 1), Feedback::advice,
+         "Stroke 1 is not finished: the blue bit is missing. Draw on from there.");
+  expect(about(InkEvent::too_early, 2), Feedback::advice, "Stroke 1 comes before stroke 2.");
+  expect(about(InkEvent::finished, 2), Feedback::advice,
+         "Stroke 2 is written, but stroke 1 comes first. Write it now.");
+  controller_.set_current_stroke(2);
+  expect(about(InkEvent::finished, 2), Feedback::good,
+         "Stroke 2 is written. The full stop key (.) shows the next.");
+  controller_.set_current_stroke(0);
+  EXPECT_TRUE(StrokeTeller::is_miss(InkEvent::from_the_end, controller_));
+  EXPECT_TRUE(StrokeTeller::is_miss(InkEvent::too_early, controller_));
+  for (const auto event : {InkEvent::none, InkEvent::began, InkEvent::finished, InkEvent::left_open})
+    EXPECT_FALSE(StrokeTeller::is_miss(event, controller_));
+
+  ASSERT_TRUE(controller_.start());
+  test::write(controller_, line(0, 60));
+  ASSERT_EQ(controller_.ink().left_open(), std::vector{1});
+  expect(about(InkEvent::too_early, 2), Feedback::advice,
+         "Stroke 1 is not finished: draw the blue bit first.");
+  expect(about(InkEvent::finished, 2), Feedback::advice,
+         "Stroke 2 is written, but stroke 1 is not finished: the blue bit is missing.");
+  EXPECT_FALSE(StrokeTeller::is_miss(InkEvent::too_early, controller_)) << "only a bit is missing";
+  EXPECT_TRUE(StrokeTeller::is_miss(InkEvent::from_the_end, controller_));
+  test::write(controller_, {{60, 24.5}, {89, 24.5}});
+  ASSERT_EQ(controller_.ink().next_stroke(), 2);
+  expect(about(InkEvent::finished, 1), Feedback::good, "Stroke 1 is written. Stroke 2 is next.");
+  test::write(controller_, line(1, 89));
+  test::write(controller_, line(2, 89));
+  expect(about(InkEvent::finished, 3), Feedback::good,
+         "All 3 strokes are written. Delete clears the tablet.");
+}
+
+TEST_F(StrokeTellerTest, TheCounterNamesTheStrokeAndKeepsItsWidth) {
+  StrokeCounter counter(controller_);
+  counter.refresh();
+  EXPECT_EQ(counter.text(), QStringLiteral("no strokes"));
+  put_three();
+  counter.refresh();
+  EXPECT_EQ(counter.text(), QStringLiteral("all 3 strokes"));
+  const int width = counter.minimumWidth();
+  EXPECT_GE(width, counter.sizeHint().width());
+  controller_.set_current_stroke(2);
+  counter.refresh();
+  EXPECT_EQ(counter.text(), QStringLiteral("stroke 2 of 3"));
+  EXPECT_EQ(counter.minimumWidth(), width);
+  EXPECT_GT(width, counter.fontMetrics().horizontalAdvance(QStringLiteral("stroke 28 of 28")));
+  QFont large = counter.font();
+  large.setPointSizeF(large.pointSizeF() * 2);
+  counter.setFont(large);
+  EXPECT_GT(counter.minimumWidth(),
+            counter.fontMetrics().horizontalAdvance(QStringLiteral("stroke 28 of 28")));
+}
+
+}  // namespace
+}  // namespace nazori::ui

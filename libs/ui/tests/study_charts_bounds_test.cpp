@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// The words of the charts one by one, and where days become weeks and weeks become months.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "language.h"
+#include "progress/strength_grid.h"
+#include "progress/study_charts.h"
+
+namespace nazori::ui {
+namespace {
+
+using std::chrono::days;
+using std::chrono::milliseconds;
+using std::chrono::minutes;
+using std::chrono::seconds;
+using study::Day;
+
+const Day kToday = *study::parse_day("2026-03-20");
+
+class StudyChartsBounds : public testing::Test {
+ protected:
+  void SetUp() override { install_language(QStringLiteral("en")); }
+};
+
+std::string text(const QString& words) { return words.toStdString(); }
+
+TEST_F(StudyChartsBounds, EveryStrengthAndEveryFaultHasItsWords) {
+  using study::Strength;
+  const std::map<Strength, std::string> strengths{
+      {Strength::unseen, "not met"}, {Strength::learning, "learning"}, {Strength::young, "young"},
+      {Strength::mature, "firm"},    {Strength::leech, "set apart"},   {Strength::paused, "paused"}};
+  for (const auto& [strength, words] : strengths) EXPECT_EQ(text(StudyCharts::strength(strength)), words);
+  using study::FaultKind;
+  const std::map<FaultKind, std::string> faults{
+      {FaultKind::order, "out of turn"},          {FaultKind::reversed, "drawn backwards"},
+      {FaultKind::missing, "left out"},           {FaultKind::extra, "one too many"},
+      {FaultKind::joined, "joined with another"}, {FaultKind::split, "drawn in pieces"},
+      {FaultKind::wrong, "wrong shape or place"}, {FaultKind::other, "of another character"},
+      {FaultKind::ending, "wrong ending"}};
+  for (const auto& [fault, words] : faults) EXPECT_EQ(text(StudyCharts::fault(fault)), words);
+}
+
+TEST_F(StudyChartsBounds, FaultsThatAreAsFrequentStandInTheirOwnOrder) {
+  using study::FaultKind;
+  const study::HardStroke stroke{
+      U'休', 0, 3, 3, {{FaultKind::reversed, 1}, {FaultKind::order, 1}, {FaultKind::wrong, 2}}};
+  EXPECT_EQ(text(StudyCharts::faults(stroke)),
+            "wrong shape or place (2), out of turn (1), drawn backwards (1)");
+}
+
+TEST_F(StudyChartsBounds, TimesAreMinutesThenHours) {
+  EXPECT_EQ(text(StudyCharts::duration(seconds(29))), "0 min");
+  EXPECT_EQ(text(StudyCharts::duration(seconds(31))), "1 min");
+  EXPECT_EQ(text(StudyCharts::duration(minutes(59))), "59 min");
+  EXPECT_EQ(text(StudyCharts::duration(minutes(60))), "1 h 0 min");
+  EXPECT_EQ(text(StudyCharts::duration(minutes(500))), "8 h 20 min");
+}
+
+TEST_F(StudyChartsBounds, SharesAreWholePercents) {
+  EXPECT_EQ(text(StudyCharts::percent(0)), "0 %");
+  EXPECT_EQ(text(StudyCharts::percent(0.914)), "91 %");
+  EXPECT_EQ(text(StudyCharts::percent(0.916)), "92 %");
+  EXPECT_EQ(text(StudyCharts::percent(1)), "100 %");
+}
+
+TEST_F(StudyChartsBounds, DatesAreThoseOfTheLanguage) {
+  EXPECT_EQ(text(StudyCharts::date(kToday)), "20 Mar 2026");
+  install_language(QStringLiteral("ja"));
+  EXPECT_EQ(StudyCharts::date(kToday), QStringLiteral("2026年3月20日"));
+  study::Statistics s;
+  s.today = kToday;
+  s.days = {{kToday, 1, 0, 0, minutes(1)}};
+  EXPECT_EQ(StudyCharts::activity(s, Day()).row_names, QStringList{QStringLiteral("3/20")});
+  s.days.insert(s.days.begin(), {kToday - days(900), 1, 0, 0, minutes(1)});
+  EXPECT_EQ(StudyCharts::activity(s, Day()).row_names.back(), QStringLiteral("2026/3"));
+  install_language(QStringLiteral("en"));
+  EXPECT_EQ(text(StudyCharts::activity(s, Day()).row_names.back()), "Mar 26");
+  s.days.erase(s.days.begin());
+  EXPECT_EQ(text(StudyCharts::activity(s, Day()).row_names.back()), "20 Mar");
+}
+
+/// A chart's first head where the first row lies so many days back, today counted.
+std::string head(Chart (*chart)(const study::Statistics&, Day), int day_count, Day first = {}) {
+  const Day begin = kToday - days(day_count - 1);
+  study::Statistics s;
+  s.today = kToday;
+  s.days = {{begin, 1, 0, 0, minutes(1)}, {kToday, 1, 0, 0, minutes(1)}};
+  s.retention_days = {{begin, {1, 1, 0.9}}, {kToday, {1, 1, 0.9}}};
+  s.motion = {{begin, 1, 109, -2}, {kToday, 1, 109, -2}};
+  return text(chart(s, first).numbers.head[0]);
+}
+
+TEST_F(StudyChartsBounds, ASeasonIsShownByDaysAndTwoYearsByWeeks) {
+  for (const auto chart : {&StudyCharts::activity, &StudyCharts::motion}) {
+    EXPECT_EQ(head(chart, 92), "Day");
+    EXPECT_EQ(head(chart, 93), "Week from");
+    EXPECT_EQ(head(chart, 800), "Week from");
+    EXPECT_EQ(head(chart, 801), "Month from");
+    EXPECT_EQ(head(chart, 801, kToday - days(91)), "Day") << "less is shown";
+  }
+  EXPECT_EQ(head(&StudyCharts::retention, 31), "Day");
+  EXPECT_EQ(head(&StudyCharts::retention, 32), "Week from");
+  EXPECT_EQ(head(&StudyCharts::retention, 801), "Month from");
+  EXPECT_EQ(head(&StudyCharts::retention, 801, kToday - days(30)), "Day");
+}
+
+TEST_F(StudyChartsBounds, RowsLieAsFarApartAsTheirWeeksAndMonths) {
+  study::Statistics s;
+  s.today = kToday;
+  s.retention_days = {{*study::parse_day("2025-12-31"), {1, 1, 0.9}},
+                      {*study::parse_day("2026-01-05"), {1, 1, 0.9}},
+                      {*study::parse_day("2026-01-18"), {1, 1, 0.9}},
+                      {kToday, {1, 1, 0.9}}};
+  // Mondays: 29 December, 5 and 12 January, 16 March.
+  EXPECT_EQ(StudyCharts::retention(s, Day()).places, (QList<double>{0, 1, 2, 11}));
+  s.retention_days[0].day = *study::parse_day("2023-12-31");
+  EXPECT_EQ(StudyCharts::retention(s, Day()).places, (QList<double>{0, 25, 27}));
+}
+
+TEST_F(StudyChartsBounds, OfReviewsToComeTheFirstOfTheFullestDaysIsNamed) {
+  study::Statistics s;
+  s.today = kToday;
+  for (const int reviews : {2, 5, 1, 5}) s.forecast.push_back({kToday + days(s.forecast.size()), reviews});
+  const Chart chart = StudyCharts::forecast(s);
+  EXPECT_EQ(text(chart.summary), "In 30 days: 13, today: 2. Most on 21 Mar 2026: 5.");
+  EXPECT_EQ(chart.places, (QList<double>{0, 1, 2, 3}));
+  EXPECT_EQ(text(chart.row_names[1]), "21 Mar");
+  EXPECT_EQ(chart.series[0].form, ChartSeries::Form::bars);
+  EXPECT_EQ(chart.series[0].axis, ChartSeries::Axis::left);
+  EXPECT_FALSE(chart.left_range);
+  s.forecast.front().reviews = 5;
+  EXPECT_TRUE(StudyCharts::forecast(s).summary.contains(QStringLiteral("Most on 20 Mar 2026")));
+}
+
+TEST_F(StudyChartsBounds, MinutesHaveAnAxisOfTheirOwn) {
+  study::Statistics s;
+  s.today = kToday;
+  s.days = {{kToday - days(1), 3, 2, 1, milliseconds(90'000)}, {kToday, 6, 0, 0, seconds(15)}};
+  const Chart chart = StudyCharts::activity(s, Day());
+  ASSERT_EQ(chart.series.size(), 2);
+  EXPECT_EQ(text(chart.series[0].name), "Reviews");
+  EXPECT_EQ(chart.series[0].form, ChartSeries::Form::bars);
+  EXPECT_EQ(chart.series[0].axis, ChartSeries::Axis::left);
+  EXPECT_EQ(text(chart.series[1].name), "Minutes");
+  EXPECT_EQ(chart.series[1].form, ChartSeries::Form::line);
+  EXPECT_EQ(chart.series[1].axis, ChartSeries::Axis::right);
+  EXPECT_EQ(chart.series[1].values, (QList<double>{1.5, 0.25}));
+  EXPECT_EQ(chart.numbers.row_text(0).toStdString(),
+            "19 Mar 2026: Reviews 3, Practice 2, New 1, Minutes 1.5");
+  EXPECT_TRUE(
+      chart.summary.startsWith(QStringLiteral("Reviews: 9 in 2 min. Days of study: 2, each with about")));
+  const Chart last = StudyCharts::activity(s, kToday);
+  EXPECT_TRUE(
+      last.summary.startsWith(QStringLiteral("Reviews: 6 in 0 min. Days of study: 1, each with about 6 ")));
+}
+
+TEST_F(StudyChartsBounds, RecalledIsDrawnFromTheTensBelowTheLeast) {
+  study::Statistics s;
+  s.today = kToday;
+  s.retention_days = {{kToday - days(1), {4, 3, 0.62}}, {kToday, {2, 2, 0.92}}};
+  const Chart chart = StudyCharts::retention(s, Day());
+  ASSERT_TRUE(chart.left_range);
+  EXPECT_EQ(*chart.left_range, (std::pair{60.0, 100.0}));
+  for (const auto& series : chart.series) {
+    EXPECT_EQ(text(series.unit), " %%");
+    EXPECT_EQ(series.axis, ChartSeries::Axis::left);
+    EXPECT_EQ(series.form, ChartSeries::Form::line);
+  }
+  EXPECT_EQ(text(chart.series[0].name), "Recalled");
+  EXPECT_EQ(text(chart.series[1].name), "Predicted");
+  // (4 * 0.62 + 2 * 0.92) / 6 = 0.72
+  EXPECT_EQ(text(chart.summary), "Reviews after a day or more: 6. Recalled 83 %, predicted 72 %.");
+  s.retention_days = {{kToday, {4, 2, 0.9}}};
+  EXPECT_EQ(StudyCharts::retention(s, Day()).left_range->first, 50);
+}
+
+TEST_F(StudyChartsBounds, OfThePenTheFirstAndTheLastAreSaid) {
+  study::Statistics s;
+  s.today = kToday;
+  s.motion = {{kToday - days(2), 1, 109, -2.5}, {kToday - days(1), 1, 545, -9}, {kToday, 1, 218, -1.75}};
+  const Chart chart = StudyCharts::motion(s, Day());
+  EXPECT_EQ(
+      text(chart.summary),
+      "Speed 1.00 at first, 2.00 now, in character widths a second. Smoothness -2.50 at first, -1.75 now; "
+      "nearer to 0 is smoother.");
+  EXPECT_EQ(chart.series[0].axis, ChartSeries::Axis::left);
+  EXPECT_EQ(chart.series[1].axis, ChartSeries::Axis::right);
+}
+
+TEST_F(StudyChartsBounds, ARowOutsideTheTableHasNoWords) {
+  Numbers numbers{{QStringLiteral("Day"), QStringLiteral("A"), QStringLiteral("B")},
+                  {{QStringLiteral("x"), QStringLiteral("1"), QStringLiteral("2")},
+                   {},
+                   {QStringLiteral("y"), QStringLiteral("3"), QStringLiteral("4"), QStringLiteral("5")},
+                   {QStringLiteral("z"), QStringLiteral("6")}}};
+  EXPECT_EQ(text(numbers.row_text(0)), "x: A 1, B 2");
+  EXPECT_TRUE(numbers.row_text(-1).isEmpty());
+  EXPECT_TRUE(numbers.row_text(1).isEmpty());
+  EXPECT_EQ(text(numbers.row_text(2)), "y: A 3, B 4");
+  EXPECT_EQ(text(numbers.row_text(3)), "z: A 6");
+  EXPECT_TRUE(numbers.row_text(4).isEmpty());
+}
+
+TEST_F(StudyChartsBounds, TheGridTellsStrengthAndChanceOfWhatIsKnown) {
+  StrengthModel model;
+  model.set_states({{U'休', study::Strength::young, 0.93},
+                    {U'木', study::Strength::unseen, 0.5},
+                    {U'人', study::Strength::paused, 0}});
+  EXPECT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(model.rowCount(model.index(0)), 0);
+  EXPECT_EQ(model.at(0), U'休');
+  EXPECT_EQ(model.at(2), U'人');
+  EXPECT_EQ(model.at(-1), 0U);
+  EXPECT_EQ(model.at(3), 0U);
+  const auto data = [&](int row, int role) { return model.data(model.index(row), role); };
+  EXPECT_EQ(data(0, Qt::DisplayRole).toString(), QStringLiteral("休"));
+  EXPECT_EQ(data(0, Qt::ToolTipRole).toString(), QStringLiteral("休, young, known with a chance of 93 %"));
+  EXPECT_EQ(data(0, Qt::AccessibleTextRole), data(0, Qt::ToolTipRole));
+  EXPECT_EQ(data(1, Qt::ToolTipRole).toString(), QStringLiteral("木, not met"));
+  EXPECT_EQ(data(2, Qt::ToolTipRole).toString(), QStringLiteral("人, paused"));
+  EXPECT_EQ(data(2, StrengthModel::kStrengthRole).toInt(), static_cast<int>(study::Strength::paused));
+  EXPECT_FALSE(data(0, Qt::DecorationRole).isValid());
+  EXPECT_FALSE(model.data({}, Qt::DisplayRole).isValid());
+}
+
+TEST_F(StudyChartsBounds, SignsOfStrengthAreThoseOfTheManual) {
+  const auto sign = [](study::Strength strength) { return look_of(strength, light_colours()).sign; };
+  EXPECT_EQ(sign(study::Strength::learning), QStringLiteral("◔"));
+  EXPECT_EQ(sign(study::Strength::young), QStringLiteral("◑"));
+  EXPECT_EQ(sign(study::Strength::mature), QStringLiteral("●"));
+  EXPECT_EQ(sign(study::Strength::leech), QStringLiteral("!"));
+  EXPECT_EQ(sign(study::Strength::paused), QStringLiteral("‖"));
+  EXPECT_EQ(sign(study::Strength::unseen), QString());
+}
+
+}  // namespace
+}  // namespace nazori::ui

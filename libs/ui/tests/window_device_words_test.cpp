@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the place of the devices says, allows and keeps.
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSlider>
+#include <cmath>
+#include <numbers>
+
+#include "device_window.h"
+
+namespace nazori::ui {
+namespace {
+
+using haptics::DeviceState;
+
+class DevicesOnTheirPage : public test::Device {
+ protected:
+  void SetUp() override {
+    Device::SetUp();
+    press(Qt::Key_2, Qt::AltModifier);
+  }
+  void click(std::uint32_t button) {
+    script_->buttons = button;
+    EXPECT_TRUE(ticks_pass(10));
+    script_->buttons = 0;
+    EXPECT_TRUE(ticks_pass(10));
+  }
+  bool at_stroke(int stroke) {
+    return QTest::qWaitFor([&] { return controller().current_stroke() == stroke; });
+  }
+  QVariant kept(const char* key) {
+    window_->close();
+    const QSettings settings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat);
+    return settings.value(
+        QStringLiteral("device/known/%1/%2")
+            .arg(QString::fromLatin1(QByteArray("scripted:arm").toHex()), QString::fromLatin1(key)));
+  }
+  void lose_it() {
+    script_->plugged_in = false;
+    script_->state = DeviceState::lost;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return stylus().is_pointer() && stylus().opened() == nullptr; }));
+  }
+};
+
+TEST(WallAndGroove, AFloorASteepWallAndARoundGrooveInThePlateau) {
+  const auto tablet = wall_and_groove({});
+  ASSERT_TRUE(tablet);
+  const auto& map = tablet->height_map();
+  const auto at = [&](double x) {
+    return map.at(static_cast<int>(std::lround(x * (map.size() - 1))), map.size() / 3);
+  };
+  EXPECT_NEAR(at(0), 0.1, 1e-6);
+  EXPECT_NEAR(at(0.29), 0.1, 1e-6);
+  EXPECT_NEAR(at(0.33), 0.55, 0.02) << "half way up the wall";
+  EXPECT_NEAR(at(0.37), 1, 1e-6);
+  EXPECT_NEAR(at(0.5), 1, 1e-3);
+  EXPECT_NEAR(at(0.68), 0.2, 0.01) << "the bottom of the groove";
+  EXPECT_NEAR(at(0.68 - 0.035), at(0.68 + 0.035), 0.04) << "as steep on both sides";
+  EXPECT_NEAR(at(0.68 + 0.035), 1 - 0.8 / std::numbers::e, 0.02);
+  EXPECT_NEAR(at(1), 1, 1e-3);
+  for (const int row : {0, map.size() - 1})
+    EXPECT_EQ(map.at(10, row), map.at(10, 5)) << "the same in each row";
+  ASSERT_EQ(tablet->paths().size(), 1U);
+  const auto& path = tablet->paths()[0].points;
+  // The stroke lies in the groove, from the upper part of the tablet to the lower one.
+  const double width_m = tablet->shape().width_m;
+  for (const auto& point : path) EXPECT_NEAR(point.x, (0.68 - 0.5) * width_m, 0.01 * width_m);
+  EXPECT_GT(path.front().y, 0.2 * width_m);
+  EXPECT_LT(path.back().y, -0.2 * width_m);
+}
+
+TEST_F(DevicesOnTheirPage, ATrialGoesByTenthsFromOneToTen) {
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Feel the wall and the groove gently.")));
+  EXPECT_EQ(controller().stroke_count(), 1) << "the trial's groove";
+  EXPECT_TRUE(action("stronger")->isEnabled());
+  EXPECT_FALSE(action("weaker")->isEnabled());
+  for (int tenths = 2; tenths <= 10; ++tenths) {
+    EXPECT_TRUE(action("stronger")->isEnabled()) << tenths;
+    action("stronger")->trigger();
+    EXPECT_NEAR(stylus().strength(), 0.1 * tenths, 1e-9);
+    EXPECT_TRUE(text("strength").startsWith(QStringLiteral("At %1 % of").arg(10 * tenths)));
+    EXPECT_TRUE(action("weaker")->isEnabled());
+  }
+  EXPECT_FALSE(action("stronger")->isEnabled());
+  action("weaker")->trigger();
+  EXPECT_NEAR(stylus().strength(), 0.9, 1e-9);
+  EXPECT_TRUE(action("stronger")->isEnabled());
+  press(Qt::Key_1, Qt::AltModifier);
+  EXPECT_EQ(stylus().strength(), 1);
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_NEAR(stylus().strength(), 0.1, 1e-9) << "gently again";
+}
+
+TEST_F(DevicesOnTheirPage, WithoutADeviceThereIsNothingToBeFittedOrMadeStronger) {
+  lose_it();
+  for (const char* name : {"calibrate", "fit", "stronger", "weaker"})
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !action(name)->isEnabled(); })) << name;
+  press(Qt::Key_1, Qt::AltModifier);
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Mouse and pen see the wall and the groove.")))
+      << feedback().toStdString();
+}
+
+TEST_F(DevicesOnTheirPage, EachCornerIsAskedForInTurnAndAButtonOfTheStylusWillDo) {
+  action("calibrate")->trigger();
+  EXPECT_EQ(feedback(), QStringLiteral("Show three corners of the tablet in the air or on the desk."));
+  EXPECT_EQ(controller().tablet(), nullptr) << "nothing pushes";
+  EXPECT_EQ(text("calibration_step"),
+            QStringLiteral("1 of 3: hold the tip where the bottom left corner is to be."));
+  click(1);
+  EXPECT_TRUE(QTest::qWaitFor([&] {
+    return text("calibration_step") ==
+           QStringLiteral("2 of 3: hold the tip where the bottom right corner is to be.");
+  }));
+  EXPECT_EQ(controller().current_stroke(), 0) << "it does nothing else meanwhile";
+  click(2);
+  EXPECT_TRUE(QTest::qWaitFor([&] {
+    return text("calibration_step") ==
+           QStringLiteral("3 of 3: hold the tip where the top left corner is to be.");
+  }));
+  press(Qt::Key_1, Qt::AltModifier);
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_FALSE(find("calibration_step")->isVisible()) << "who goes away shows no more corners";
+  ASSERT_TRUE(controller().tablet());
+  EXPECT_EQ(script_->opened, 1);
+}
+
+TEST_F(DevicesOnTheirPage, ADeviceThatGoesAwayEndsItsCalibration) {
+  action("calibrate")->trigger();
+  lose_it();
+  find<QPushButton>("corner")->click();
+  EXPECT_EQ(feedback(), QStringLiteral("The device went away. The tablet is as it was."));
+  EXPECT_FALSE(find("corner")->isVisible());
+  EXPECT_TRUE(controller().tablet());
+}
+
+TEST_F(DevicesOnTheirPage, ATabletThatFitsByItselfForgetsTheCorners) {
+  action("calibrate")->trigger();
+  for (const auto& [x, y] : {std::pair{-0.04, -0.04}, {0.04, -0.04}, {-0.04, 0.04}}) {
+    script_->x_m = x;
+    script_->y_m = y;
+    ASSERT_TRUE(ticks_pass(60));
+    find<QPushButton>("corner")->click();
+  }
+  ASSERT_TRUE(says(QStringLiteral("The tablet stands where you showed it.")));
+  EXPECT_TRUE(text("fit_text").startsWith(QStringLiteral("Fitted by corners")));
+  action("fit")->trigger();
+  ASSERT_TRUE(says(QStringLiteral("The tablet is as large as the stylus can reach.")));
+  EXPECT_TRUE(text("fit_text").startsWith(QStringLiteral("Fitted by itself")));
+  EXPECT_FALSE(script_->asked_calibrated);
+  EXPECT_FALSE(kept("scale").isValid());
+}
+
+TEST_F(DevicesOnTheirPage, APostureIsTakenUpOnceItsSliderRests) {
+  auto* tilt = find<QSlider>("tilt");
+  for (const int step : {17, 12, 6}) tilt->setValue(step);
+  EXPECT_EQ(script_->opened, 1);
+  ASSERT_TRUE(says(QStringLiteral("The tablet stands as you set it.")));
+  EXPECT_EQ(script_->opened, 2) << "once, not at each step";
+  EXPECT_NEAR(script_->asked_tilt_rad, 30 * std::numbers::pi / 180, 1e-9);
+  EXPECT_EQ(text("tilt_value"), QStringLiteral("30°"));
+  EXPECT_NEAR(kept("tilt").toDouble(), 30 * std::numbers::pi / 180, 1e-9);
+}
+
+TEST_F(DevicesOnTheirPage, EachButtonDoesWhatItWasGiven) {
+  const auto give = [&](ButtonDoes first, ButtonDoes second) {
+    press(Qt::Key_2, Qt::AltModifier);
+    find<QComboBox>("stylus_button_1")->setCurrentIndex(static_cast<int>(first));
+    find<QComboBox>("stylus_button_2")->setCurrentIndex(static_cast<int>(second));
+    press(Qt::Key_1, Qt::AltModifier);
+    EXPECT_TRUE(ticks_pass(20));
+  };
+  using enum ButtonDoes;
+  give(previous_stroke, all_strokes);
+  click(1);
+  EXPECT_TRUE(at_stroke(6));
+  click(1);
+  EXPECT_TRUE(at_stroke(5));
+  click(2);
+  EXPECT_TRUE(at_stroke(0));
+  give(nothing, next_stroke);
+  click(1);
+  click(2);
+  EXPECT_TRUE(at_stroke(1)) << "by the second alone";
+  give(clear_ink, nothing);
+  QSignalSpy pictures(&controller(), &TabletController::picture_changed);
+  click(1);
+  click(4);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return pictures.count() > 0; }));
+  EXPECT_EQ(controller().current_stroke(), 0) << "and a third one does nothing";
+  EXPECT_EQ(kept("button_1").toString(), QStringLiteral("clear_ink"));
+}
+
+TEST_F(DevicesOnTheirPage, LimitsAreKept) {
+  auto* force = find<QSlider>("max_force");
+  EXPECT_EQ(text("max_force_value"), QStringLiteral("3.3 N")) << "its own, not the trial's tenth";
+  force->setValue(force->minimum() + 4);
+  find<QSlider>("max_stiffness")->setValue(10);
+  EXPECT_EQ(text("max_force_value"), QStringLiteral("0.5 N"));
+  EXPECT_EQ(text("max_stiffness_value"), QStringLiteral("150 N/m"));
+  EXPECT_NEAR(kept("max_force_n").toDouble(), 0.5, 1e-9);
+  EXPECT_NEAR(kept("max_stiffness_n_m").toDouble(), 150, 1e-9);
+}
+
+}  // namespace
+}  // namespace nazori::ui

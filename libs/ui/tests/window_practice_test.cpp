@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: Apache-2.0
+// Watching, tracing and being guided, step by step: what is shown, held and said.
+#include "characters/characters.h"
+#include "characters/guided_stage.h"
+#include "characters/trace_stage.h"
+#include "characters/watch_stage.h"
+#include "desk.h"
+#include "hand_under_test.h"
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+using study::MissReply;
+
+class Practice : public WindowTest {
+ protected:
+  Practice() { workplaces_ = {make}; }
+  static std::unique_ptr<Workplace> make(Desk& desk) {
+    desk_of_practice = &desk;
+    auto made = std::make_unique<Characters>(desk);
+    characters_of_practice = made.get();
+    return made;
+  }
+  static TabletController& controller() { return desk_of_practice->controller(); }
+  template <class Stage>
+  static Stage& stage() {
+    return *characters_of_practice->findChild<Stage*>();
+  }
+  std::string said() { return feedback().toStdString(); }
+  static inline Desk* desk_of_practice = nullptr;
+  static inline Characters* characters_of_practice = nullptr;
+};
+
+class Watching : public Practice {
+ protected:
+  void begin(char32_t character) {
+    action("reduced_motion")->trigger();
+    show(character);
+    action("watch")->trigger();
+  }
+  static std::vector<double> ink() {
+    const auto overlay = controller().overlay();
+    return {overlay.ink.begin(), overlay.ink.end()};
+  }
+  std::string place() { return text("watch_label").toStdString(); }
+};
+
+TEST_F(Watching, StepsStopAtTheBeginningAndAtTheEndOfEachStroke) {
+  begin(U'二');
+  const QSignalSpy finished(&stage<WatchStage>(), &CharacterStage::finished);
+  using Ink = std::vector<double>;
+  EXPECT_EQ(ink(), (Ink{0, 0}));
+  EXPECT_EQ(place(), "1 of 2 · × 1");
+  const auto step = [this](const char* name) {
+    action(name)->trigger();
+    return ink();
+  };
+  EXPECT_EQ(step("step_on"), (Ink{0, 0})) << "where the first begins";
+  EXPECT_EQ(said(), "Stroke 1 of 2: horizontal line. It stops at the end.");
+  EXPECT_EQ(step("step_on"), (Ink{1, 0}));
+  EXPECT_EQ(finished.count(), 0);
+  EXPECT_EQ(step("step_on"), (Ink{1, 1}));
+  EXPECT_EQ(said(), "Stroke 2 of 2: horizontal line. It stops at the end.");
+  EXPECT_EQ(place(), "2 of 2 · × 1");
+  EXPECT_EQ(finished.count(), 1);
+  EXPECT_EQ(step("step_on"), (Ink{1, 1}));
+  EXPECT_EQ(step("step_back"), (Ink{1, 0}));
+  EXPECT_EQ(said(), "Stroke 1 of 2: horizontal line. It stops at the end.");
+  EXPECT_EQ(step("step_back"), (Ink{0, 0}));
+  EXPECT_EQ(step("step_back"), (Ink{0, 0}));
+  EXPECT_FALSE(action("play")->isChecked());
+}
+
+TEST_F(Watching, SpeedGoesInEvenStepsFromAQuarterToFourTimes) {
+  begin(U'二');
+  action("faster")->trigger();
+  EXPECT_EQ(said(), "Speed 1.41.");
+  EXPECT_EQ(place(), "1 of 2 · × 1.4");
+  action("faster")->trigger();
+  EXPECT_EQ(said(), "Speed 2.00.");
+  for (int i = 0; i < 5; ++i) action("faster")->trigger();
+  EXPECT_EQ(said(), "Speed 4.00.");
+  action("slower")->trigger();
+  EXPECT_EQ(said(), "Speed 2.83.");
+  for (int i = 0; i < 12; ++i) action("slower")->trigger();
+  EXPECT_EQ(said(), "Speed 0.25.");
+}
+
+TEST_F(Watching, AtTheEndItStopsOrBeginsAgain) {
+  begin(U'二');
+  auto& watch = stage<WatchStage>();
+  QSignalSpy finished(&watch, &CharacterStage::finished);
+  watch.show_moment(watch.player().duration_s() - 0.05);
+  action("play")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !action("play")->isChecked(); }, 10'000));
+  EXPECT_EQ(finished.count(), 1);
+  EXPECT_EQ(said(), "All 2 strokes. Space plays them again; F6 goes on to tracing.");
+  EXPECT_EQ(ink(), (std::vector<double>{1, 1}));
+  action("play")->trigger();
+  EXPECT_EQ(ink()[0], 0) << "from the beginning again";
+  action("loop")->setChecked(true);
+  watch.show_moment(watch.player().duration_s() - 0.05);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() == 2; }, 10'000));
+  EXPECT_TRUE(action("play")->isChecked());
+  EXPECT_LT(ink()[0], 1);
+  action("trace")->trigger();
+  EXPECT_FALSE(action("play")->isChecked());
+}
+
+TEST_F(Watching, ItPlaysByItselfUnlessNothingShallMove) {
+  show(U'二');
+  action("watch")->trigger();
+  EXPECT_TRUE(action("play")->isChecked());
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Stroke 1 of 2")); }, 10'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ink().size() == 2 && ink()[0] > 0; }, 10'000));
+  EXPECT_LT(ink()[1], 1);
+}
+
+class Tracing : public Practice {
+ protected:
+  void begin(char32_t character) {
+    show(character);
+    action("trace")->trigger();
+  }
+};
+
+TEST_F(Tracing, SwitchesHoldAtOnceAndAreRemembered) {
+  begin(U'二');
+  EXPECT_EQ(said(), "Hold the left button at number 1 and draw along the groove.");
+  const auto& kept = desk_of_practice->preferences();
+  action("numbers")->trigger();
+  EXPECT_FALSE(controller().numbers_visible());
+  EXPECT_FALSE(kept.numbers_visible);
+  action("arrows")->trigger();
+  EXPECT_FALSE(controller().arrows_visible());
+  EXPECT_FALSE(kept.arrows_visible);
+  action("snap")->trigger();
+  EXPECT_TRUE(controller().snapping());
+  EXPECT_TRUE(kept.snapping);
+  EXPECT_EQ(said(), "Strokes now hold the stylus. Pull away firmly to leave one.");
+  action("strokes")->trigger();
+  EXPECT_FALSE(controller().strokes_visible());
+  EXPECT_FALSE(kept.strokes_visible);
+  EXPECT_EQ(said(), "Strokes hold the stylus only while they are shown: press S.");
+  EXPECT_FALSE(action("numbers")->isEnabled());
+  EXPECT_FALSE(action("arrows")->isEnabled());
+  action("snap")->trigger();
+  action("strokes")->trigger();
+  EXPECT_TRUE(action("numbers")->isEnabled());
+  EXPECT_EQ(said(), "Hold the left button at number 1 and draw along the groove.");
+  action("next_stroke")->trigger();
+  EXPECT_EQ(said(), "Stroke 1 of 2. Draw it from its number.");
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("stroke 1 of 2"));
+  action("previous_stroke")->trigger();
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("all 2 strokes"));
+  action("previous_stroke")->trigger();
+  EXPECT_EQ(said(), "Stroke 2 of 2. Draw it from its number.");
+  action("all_strokes")->trigger();
+  EXPECT_EQ(controller().current_stroke(), 0);
+}
+
+TEST_F(Tracing, AfterTheMissesOfALessonAStrokeIsShownAlone) {
+  begin(U'二');
+  std::vector<int> missed;
+  MissReply reply = MissReply::try_again;
+  stage<TraceStage>().set_on_miss([&](int stroke) {
+    missed.push_back(stroke);
+    return reply;
+  });
+  emit controller().stroke_event(InkEvent::too_early, 2);
+  EXPECT_EQ(said(), "Stroke 1 comes before stroke 2.");
+  EXPECT_EQ(controller().current_stroke(), 0);
+  emit controller().stroke_event(InkEvent::began, 1);
+  EXPECT_EQ(missed, std::vector{0}) << "that was none";
+  reply = MissReply::show;
+  emit controller().stroke_event(InkEvent::from_the_end, 1);
+  EXPECT_EQ(missed, (std::vector{0, 0}));
+  EXPECT_EQ(controller().current_stroke(), 1);
+  EXPECT_EQ(said(), "Stroke 1 of 2. Draw it from its number.");
+  emit controller().stroke_event(InkEvent::finished, 1);
+  EXPECT_EQ(controller().current_stroke(), 0) << "all are there again";
+  action("next_stroke")->trigger();
+  emit controller().stroke_event(InkEvent::finished, 1);
+  EXPECT_EQ(controller().current_stroke(), 1) << "the learner chose it";
+}
+
+TEST_F(Tracing, TheLastStrokeEndsItAndTheEraserTakesItBack) {
+  begin(U'一');
+  const QSignalSpy finished(&stage<TraceStage>(), &CharacterStage::finished);
+  test::write(controller(), test::model(U'一').front());
+  EXPECT_EQ(finished.count(), 1);
+  ASSERT_EQ(controller().ink().next_stroke(), 0);
+  emit controller().eraser_used();
+  EXPECT_EQ(controller().ink().next_stroke(), 1);
+  test::write(controller(), test::model(U'一').front());
+  action("clear_ink")->trigger();
+  EXPECT_EQ(controller().ink().next_stroke(), 1);
+  EXPECT_EQ(said(), "Hold the left button at number 1 and draw along the groove.");
+}
+
+class Guided : public Practice {
+ protected:
+  void begin(char32_t character) {
+    show(character);
+    action("guided")->trigger();
+  }
+  static view::Overlay seen() { return controller().overlay(); }
+  GuidedStage& guided() { return stage<GuidedStage>(); }
+  void help(double much) {
+    guided().set_help(much);
+    action("by_groove")->trigger();
+  }
+};
+
+TEST_F(Guided, HelpFadesWithEveryTracingWithoutASlip) {
+  begin(U'一');
+  std::vector<double> lines;
+  std::vector<bool> holds;
+  QStringList told;
+  for (int success = 0; success < 4; ++success) {
+    lines.push_back(seen().lines_opacity);
+    holds.push_back(controller().snapping_in_effect());
+    EXPECT_EQ(seen().numbers_visible, success == 0) << success;
+    if (success == 3) break;
+    test::write(controller(), test::model(U'一').front());
+    EXPECT_EQ(guided().successes(), success + 1);
+    told.append(feedback());
+  }
+  EXPECT_GT(lines[0], lines[1]);
+  EXPECT_GT(lines[1], 0);
+  EXPECT_EQ(lines[2], 0);
+  EXPECT_EQ(lines[3], 0);
+  EXPECT_EQ(holds, (std::vector{true, true, true, false}));
+  const QString less = QStringLiteral("Without a slip. There is less help now: write it again.");
+  EXPECT_EQ(
+      told,
+      (QStringList{less, less,
+                   QStringLiteral("Without a slip, and without help. F8 goes on to writing from memory.")}));
+  EXPECT_EQ(controller().ink().next_stroke(), 1) << "the tablet is empty for the next time";
+}
+
+TEST_F(Guided, ASlipCostsTheSuccessUntilTheTabletIsCleared) {
+  begin(U'一');
+  emit controller().stroke_event(InkEvent::from_the_end, 1);
+  test::write(controller(), test::model(U'一').front());
+  EXPECT_EQ(said(), "All strokes are there, not all at their turn. Delete clears the tablet.");
+  EXPECT_EQ(guided().successes(), 0);
+  action("clear_ink")->trigger();
+  EXPECT_EQ(said(), "Follow the groove.");
+  test::write(controller(), test::model(U'一').front());
+  EXPECT_EQ(guided().successes(), 1);
+}
+
+TEST_F(Guided, InALessonHelpIsWhatTheCourseGives) {
+  begin(U'一');
+  help(1);
+  const double whole = seen().lines_opacity;
+  help(0.6);
+  EXPECT_NEAR(seen().lines_opacity, 0.6 * whole, 1e-12);
+  EXPECT_TRUE(seen().numbers_visible);
+  EXPECT_TRUE(controller().snapping_in_effect());
+  help(0.4);
+  EXPECT_FALSE(seen().numbers_visible);
+  help(0);
+  EXPECT_EQ(seen().lines_opacity, 0);
+  EXPECT_FALSE(controller().snapping_in_effect());
+  help(0.6);
+  QSignalSpy finished(&guided(), &CharacterStage::finished);
+  test::write(controller(), test::model(U'一').front());
+  ASSERT_EQ(finished.count(), 1);
+  EXPECT_EQ(finished.at(0).at(0).value<study::WritingResult>().help, 0.6);
+  EXPECT_EQ(said(), "Without a slip.");
+  EXPECT_EQ(guided().successes(), 0);
+  help(0.6);
+  emit controller().stroke_event(InkEvent::from_the_end, 1);
+  test::write(controller(), test::model(U'一').front());
+  EXPECT_EQ(said(), "All strokes are there, not all at their turn.");
+  EXPECT_EQ(finished.count(), 2);
+}
+
+TEST_F(Guided, AStrokeThatIsShownStandsOutUntilItIsWritten) {
+  begin(U'二');
+  guided().set_on_miss([](int stroke) { return stroke == 0 ? MissReply::show : MissReply::try_again; });
+  emit controller().stroke_event(InkEvent::too_early, 2);
+  EXPECT_EQ(said(), "Stroke 1 is shown. Draw it from its number.");
+  EXPECT_EQ(seen().lines_opacity, 1);
+  EXPECT_EQ(controller().current_stroke(), 1);
+  emit controller().stroke_event(InkEvent::finished, 2);
+  EXPECT_EQ(controller().current_stroke(), 1) << "another one";
+  emit controller().stroke_event(InkEvent::finished, 1);
+  EXPECT_EQ(controller().current_stroke(), 0);
+  EXPECT_LT(seen().lines_opacity, 1);
+}
+
+TEST_F(Guided, LeadingNeedsADeviceWithForceAndIsRemembered) {
+  begin(U'一');
+  EXPECT_EQ(said(), "Follow the groove.");
+  action("by_starts")->trigger();
+  EXPECT_EQ(said(), "Write each stroke from its number.");
+  action("lead_hand")->trigger();
+  EXPECT_EQ(
+      said(),
+      "Write each stroke from its number. Only a device with force leads the hand; here strokes hold it.");
+  window_->close();
+  open_window();
+  EXPECT_TRUE(action("lead_hand")->isChecked());
+}
+
+TEST_F(Guided, ThatTheStylusGivesWayIsSaidOnce) {
+  begin(U'一');
+  std::vector<haptics::ServoSample> samples(3);
+  emit controller().sampled(samples);
+  EXPECT_EQ(said(), "Follow the groove.");
+  samples[1].events = static_cast<std::uint16_t>(haptics::ServoEvent::resisted);
+  emit controller().sampled(samples);
+  EXPECT_EQ(said(), "The stylus gives way. Go on a little by yourself, and it leads again.");
+  desk_of_practice->say(Feedback::hint, QStringLiteral("x"));
+  emit controller().sampled(samples);
+  EXPECT_EQ(said(), "x");
+  action("clear_ink")->trigger();
+  emit controller().sampled(samples);
+  EXPECT_NE(said(), "Follow the groove.") << "again for the next time";
+}
+
+TEST_F(Guided, OnABlankTabletTheInkOfTheHandIsSeen) {
+  begin(U'一');
+  action("by_starts")->trigger();
+  std::vector<haptics::ServoSample> samples;
+  const auto add = [&](double x_m, bool touching) {
+    haptics::ServoSample s;
+    s.time_s = 0.01 * static_cast<double>(samples.size());
+    s.proxy_m = {x_m, 0.04, 0};
+    s.device_m = {x_m, 0.04, -0.005};
+    s.touching = touching;
+    samples.push_back(s);
+  };
+  for (int i = 0; i <= 10; ++i) add(0.001 * i, true);
+  emit controller().sampled(samples);
+  EXPECT_EQ(seen().writing.size(), 1U) << "while it is written";
+  add(0.01, false);
+  for (int i = 0; i <= 10; ++i) add(0.02 + 0.001 * i, true);
+  add(0.03, false);
+  emit controller().sampled(std::span(samples).subspan(11));
+  EXPECT_EQ(seen().writing.size(), 2U);
+  emit controller().eraser_used();
+  EXPECT_EQ(seen().writing.size(), 1U);
+  action("clear_ink")->trigger();
+  EXPECT_TRUE(seen().writing.empty());
+  action("by_groove")->trigger();
+  emit controller().sampled(samples);
+  EXPECT_TRUE(seen().writing.empty()) << "in a groove the ink is the groove's";
+}
+
+}  // namespace
+}  // namespace nazori::ui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a stage keeps while the learner goes on, and what it forgets.
+#include "study_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+class StageMemory : public StudyTest {
+ protected:
+  void bring(char32_t character) {
+    window_->show_character(character);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return on_desk_ == character; }, 20'000));
+  }
+  static MemoryStage& memory() { return *the_characters->findChild<MemoryStage*>(); }
+  /// Writes from memory and waits for what is said of it.
+  void put(const test::Points& line) {
+    the_desk->say(Feedback::hint, QStringLiteral("not judged yet"));
+    memory().add_stroke(test::hand_stroke(line));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return feedback() != QStringLiteral("not judged yet"); }, 20'000));
+  }
+};
+
+TEST_F(StageMemory, HelpThatFadedForOneCharacterIsWholeAgainForAnother) {
+  const auto lines = [] { return the_desk->controller().overlay().lines_opacity; };
+  bring(U'一');
+  action("guided")->trigger();
+  const double whole = lines();
+  test::write(the_desk->controller(), test::model(U'一').front());
+  ASSERT_TRUE(feedback().startsWith(QStringLiteral("Without a slip"))) << feedback().toStdString();
+  const double faded = lines();
+  ASSERT_LT(faded, whole);
+  action("trace")->trigger();
+  action("guided")->trigger();
+  EXPECT_EQ(lines(), faded) << "it is the same character";
+  EXPECT_EQ(feedback(), QStringLiteral("Follow the groove. Without a slip so far: 1."));
+  bring(U'二');
+  EXPECT_EQ(lines(), whole);
+  EXPECT_EQ(feedback(), QStringLiteral("Follow the groove."));
+}
+
+TEST_F(StageMemory, AfterARefusedStrokeIsTakenBackTheNextTakesNoOtherAway) {
+  study::Writing learnt;
+  learnt.rating = study::Rating::easy;
+  ASSERT_TRUE(store().add_writing(U'二', 2, learnt));
+  now_ += std::chrono::days(40);
+  open_home();
+  start();
+  ASSERT_TRUE(is_on_desk());
+  ASSERT_EQ(session().character(), U'二');
+  const auto lines = test::model(U'二');
+  put(lines[0]);
+  ASSERT_TRUE(feedback().startsWith(QStringLiteral("Stroke 1 is right"))) << feedback().toStdString();
+  const test::Points refused{{70, 20}, {70, 95}};
+  put(refused);
+  put(refused);
+  ASSERT_EQ(memory().strokes().size(), 2U) << "what was refused made room for the next try";
+  press(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(memory().strokes().size(), 1U);
+  put(lines[1]);
+  EXPECT_EQ(memory().strokes().size(), 2U);
+  EXPECT_TRUE(QTest::qWaitFor([] { return session().state() == StudySession::State::judged; }, 20'000))
+      << feedback().toStdString();
+  EXPECT_TRUE(session().result().accepted);
+}
+
+TEST_F(StageMemory, WhatTheJudgeSaysOfAWritingThatWasPutAsideMeanwhileIsNotTold) {
+  bring(U'十');
+  action("memory")->trigger();
+  QSignalSpy judged(&the_desk->judge(), &WritingJudge::judged);
+  memory().add_stroke(test::hand_stroke(test::model(U'十').front()));
+  action("give_up")->trigger();
+  const QString told = feedback();
+  window_->go_to(QStringLiteral("home"));
+  window_->go_to(QStringLiteral("characters"));
+  ASSERT_EQ(feedback(), told);
+  ASSERT_EQ(judged.count(), 0);
+  ASSERT_TRUE(judged.wait(20'000));
+  EXPECT_EQ(feedback(), told);
+  EXPECT_EQ(memory().strokes().size(), 1U) << "it is there again";
+}
+
+TEST_F(StageMemory, WhoGivesUpIsToldNothingMoreOfTheStrokeThatIsStillBeingJudged) {
+  bring(U'一');
+  action("memory")->trigger();
+  QSignalSpy judged(&the_desk->judge(), &WritingJudge::judged);
+  memory().add_stroke(test::hand_stroke(test::model(U'一').front()));
+  ASSERT_EQ(judged.count(), 0);
+  action("give_up")->trigger();
+  const QString told = feedback();
+  ASSERT_TRUE(judged.wait(20'000));
+  EXPECT_EQ(feedback(), told);
+}
+
+}  // namespace
+}  // namespace nazori::ui
