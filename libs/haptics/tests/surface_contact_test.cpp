@@ -291,14 +291,18 @@ TEST(SurfaceContact, ADiveIntoWavesIsHeldByFrictionWhereItFirstMetOne) {
   int grazing = 0;
   for (int dive = 0; dive < 300; ++dive) {
     const Vec3 from{where(random), where(random), high(random)};
-    const Vec3 way = glm::normalize(Vec3(lean(random), lean(random), -1));
+    const double lean_x = lean(random), lean_y = lean(random);
+    const Vec3 way = glm::normalize(Vec3(lean_x, lean_y, -1));
     // The first place below the surface, a thousandth of a sample at a time.
     double met = 0;
     while (above(waves, from + met * way) > 0) met += 2e-7;
     const Vec3 entry = from + met * way;
-    const Vec3 device = entry + (dive % 2 == 0 ? 1e-4 : 3e-3) * way;
+    const double beyond = dive % 2 == 0 ? 1e-4 : 3e-3;
+    const Vec3 device = entry + beyond * way;
     // Where the way hardly touches a crest it is outside the cone, or out again.
-    if (glm::dot(way, waves.tablet.at(entry.x, entry.y).normal()) > -0.3 || above(waves, device) > 0) {
+    bool grazes = glm::dot(way, waves.tablet.at(entry.x, entry.y).normal()) > -0.3;
+    for (double s = 1e-5; s <= beyond; s += 1e-5) grazes = grazes || above(waves, entry + s * way) > 0;
+    if (grazes) {
       ++grazing;
       continue;
     }

@@ -12,8 +12,8 @@
 
 namespace nazori::ui::test {
 
-inline FunctionsWorkplace* made = nullptr;
-inline Desk* desk_of_made = nullptr;
+inline FunctionsWorkplace* the_functions = nullptr;
+inline Desk* the_functions_desk = nullptr;
 
 /// The real window at the functions, with the sound card that only counts.
 class FunctionsWindow : public WindowTest {
@@ -23,8 +23,8 @@ class FunctionsWindow : public WindowTest {
         [](Desk& desk) -> std::unique_ptr<Workplace> { return std::make_unique<Characters>(desk); },
         [](Desk& desk) -> std::unique_ptr<Workplace> {
           auto place = std::make_unique<FunctionsWorkplace>(desk);
-          made = place.get();
-          desk_of_made = &desk;
+          the_functions = place.get();
+          the_functions_desk = &desk;
           return place;
         }};
     qputenv("SDL_AUDIODRIVER", "dummy");
@@ -37,8 +37,11 @@ class FunctionsWindow : public WindowTest {
   }
 
   bool wait_for_drawing() {
-    return QTest::qWaitFor([] { return made->shown() && made->shown()->final && !made->is_drawing(); },
-                           30000);
+    return QTest::qWaitFor(
+        [] {
+          return the_functions->shown() && the_functions->shown()->final && !the_functions->is_drawing();
+        },
+        30000);
   }
 
   void type(const QString& expression) {
@@ -67,7 +70,7 @@ class FunctionsWindow : public WindowTest {
     QCoreApplication::processEvents();
   }
 
-  [[nodiscard]] const Drawing& shown() const { return *made->shown(); }
+  [[nodiscard]] const Drawing& shown() const { return *the_functions->shown(); }
 };
 
 }  // namespace nazori::ui::test

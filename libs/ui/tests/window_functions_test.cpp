@@ -25,7 +25,7 @@ namespace nazori::ui {
 namespace {
 
 using test::FunctionsWindow;
-using test::made;
+using test::the_functions;
 
 TEST_F(FunctionsWindow, AnExpressionIsCarvedWhileItIsTyped) {
   type(QStringLiteral("y = x^2"));
@@ -87,9 +87,9 @@ TEST_F(FunctionsWindow, ARowOfTheTableIsGoneToWithEnterAndTold) {
     if (table->item(row, 0)->text() != QLatin1String("minimum")) continue;
     table->setCurrentCell(row, 0);
     QTest::keyClick(table, Qt::Key_Return);
-    ASSERT_TRUE(made->place());
-    EXPECT_NEAR(made->place()->x, 0, 1e-12);
-    EXPECT_NEAR(made->place()->y, -1, 1e-12);
+    ASSERT_TRUE(the_functions->place());
+    EXPECT_NEAR(the_functions->place()->x, 0, 1e-12);
+    EXPECT_NEAR(the_functions->place()->y, -1, 1e-12);
     EXPECT_EQ(feedback(), QStringLiteral("minimum at x = 0; y = minus 1."));
     return;
   }
@@ -99,39 +99,39 @@ TEST_F(FunctionsWindow, ARowOfTheTableIsGoneToWithEnterAndTold) {
 TEST_F(FunctionsWindow, ArrowsWalkAlongTheCurveOnlyFromTheTablet) {
   type(QStringLiteral("y = x"));
   press(Qt::Key_Right);
-  EXPECT_FALSE(made->place());
+  EXPECT_FALSE(the_functions->place());
   to_tablet();
   press(Qt::Key_Right);
-  ASSERT_TRUE(made->place());
-  const double x = made->place()->x;
+  ASSERT_TRUE(the_functions->place());
+  const double x = the_functions->place()->x;
   press(Qt::Key_Right);
-  EXPECT_GT(made->place()->x, x);
+  EXPECT_GT(the_functions->place()->x, x);
   press(Qt::Key_Left);
-  EXPECT_NEAR(made->place()->x, x, 1e-9);
+  EXPECT_NEAR(the_functions->place()->x, x, 1e-9);
   EXPECT_TRUE(feedback().contains(QStringLiteral("x = "))) << feedback().toStdString();
   press(Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_NEAR(std::remainder(made->place()->x, 1.0), 0, 1e-3);
+  EXPECT_NEAR(std::remainder(the_functions->place()->x, 1.0), 0, 1e-3);
   press(Qt::Key_End);
-  EXPECT_GT(made->place()->x, 3.9);
+  EXPECT_GT(the_functions->place()->x, 3.9);
   press(Qt::Key_Home);
-  EXPECT_LT(made->place()->x, -3.9);
+  EXPECT_LT(the_functions->place()->x, -3.9);
 }
 
 TEST_F(FunctionsWindow, TabGoesFromPointToPointOnTheTabletAndFromFieldToFieldElsewhere) {
   type(QStringLiteral("y = x^2 - 1"));
   to_tablet();
   press(Qt::Key_Tab);
-  ASSERT_TRUE(made->place());
+  ASSERT_TRUE(the_functions->place());
   EXPECT_TRUE(find("tablet")->hasFocus());
-  const double first = made->place()->x;
+  const double first = the_functions->place()->x;
   press(Qt::Key_Tab);
   press(Qt::Key_Backtab, Qt::ShiftModifier);
-  EXPECT_DOUBLE_EQ(made->place()->x, first);
+  EXPECT_DOUBLE_EQ(the_functions->place()->x, first);
   press(Qt::Key_L, Qt::ControlModifier);
   EXPECT_TRUE(find("expression")->hasFocus());
   press(Qt::Key_Tab);
   EXPECT_FALSE(find("expression")->hasFocus());
-  EXPECT_DOUBLE_EQ(made->place()->x, first);
+  EXPECT_DOUBLE_EQ(the_functions->place()->x, first);
 }
 
 TEST_F(FunctionsWindow, CoordinatesSlopeSummaryAndBeaconsAreTold) {
@@ -147,7 +147,7 @@ TEST_F(FunctionsWindow, CoordinatesSlopeSummaryAndBeaconsAreTold) {
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Beacon 1 is here"))) << feedback().toStdString();
   press(Qt::Key_Home);
   press(Qt::Key_G);
-  EXPECT_NEAR(made->place()->x, 2, 1e-3);
+  EXPECT_NEAR(the_functions->place()->x, 2, 1e-3);
   press(Qt::Key_S);
   EXPECT_TRUE(feedback().contains(QStringLiteral("x from minus 6 to 6, one tick is ")))
       << feedback().toStdString();
@@ -158,7 +158,7 @@ TEST_F(FunctionsWindow, ZoomIsAboutThePointAndDrawsAnew) {
   type(QStringLiteral("y = x^2 - 1"));
   to_tablet();
   press(Qt::Key_Tab);
-  const double x = made->place()->x;
+  const double x = the_functions->place()->x;
   const auto before = shown().asked.window;
   press(Qt::Key_Z);
   ASSERT_TRUE(wait_for_drawing());
@@ -230,13 +230,13 @@ TEST_F(FunctionsWindow, APlotIsSavedAndOpenedAgain) {
   find<QCheckBox>("layer_grid")->click();
   ASSERT_TRUE(wait_for_drawing());
   const QString path = folder_.filePath(QStringLiteral("cubic.json"));
-  made->write(PlotFile::document, path);
+  the_functions->write(PlotFile::document, path);
   ASSERT_TRUE(QTest::qWaitFor([&path] { return QFile::exists(path); }, 10000));
   type(QStringLiteral("y = 1"));
   press(Qt::Key_1, Qt::AltModifier);
   window_->open_files({path});
-  ASSERT_TRUE(
-      QTest::qWaitFor([] { return made->shown()->final && made->shown()->asked.window.x1 == 3; }, 30000));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [] { return the_functions->shown()->final && the_functions->shown()->asked.window.x1 == 3; }, 30000));
   ASSERT_TRUE(wait_for_drawing());
   EXPECT_EQ(find<QLineEdit>("expression")->text(), QStringLiteral("y = x^3 - 3x"));
   EXPECT_TRUE(find<QCheckBox>("layer_grid")->isChecked());
@@ -244,7 +244,7 @@ TEST_F(FunctionsWindow, APlotIsSavedAndOpenedAgain) {
 }
 
 TEST_F(FunctionsWindow, AFileThatIsNoPlotLeavesThePlateAsItIs) {
-  const auto before = made->shown();
+  const auto before = the_functions->shown();
   const QString path = folder_.filePath(QStringLiteral("other.json"));
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -252,7 +252,7 @@ TEST_F(FunctionsWindow, AFileThatIsNoPlotLeavesThePlateAsItIs) {
   file.close();
   window_->open_files({path});
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("other.json was not opened"))) << feedback().toStdString();
-  EXPECT_EQ(made->shown(), before);
+  EXPECT_EQ(the_functions->shown(), before);
 }
 
 TEST_F(FunctionsWindow, HeightMapsPrintsAndSoundsAreWritten) {
@@ -263,7 +263,7 @@ TEST_F(FunctionsWindow, HeightMapsPrintsAndSoundsAreWritten) {
                                                     {PlotFile::sound, "plot.wav"}};
   for (const auto& [kind, name] : kinds) {
     const QString path = folder_.filePath(QString::fromLatin1(name));
-    made->write(kind, path);
+    the_functions->write(kind, path);
     ASSERT_TRUE(QTest::qWaitFor([&path] { return QFile::exists(path); }, 30000)) << name;
   }
   const auto raw = surface::load_raw(folder_.filePath(QStringLiteral("plot.raw")).toStdString());

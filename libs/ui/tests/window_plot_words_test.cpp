@@ -15,12 +15,12 @@
 namespace nazori::ui {
 namespace {
 
-using test::desk_of_made;
-using test::made;
+using test::the_functions;
+using test::the_functions_desk;
 
 class PlotWordsInTheWindow : public test::FunctionsWindow {
  protected:
-  TabletController& controller() { return desk_of_made->controller(); }
+  TabletController& controller() { return the_functions_desk->controller(); }
   void set_up_with(const QList<std::pair<const char*, QVariant>>& kept) {
     window_->close();
     QSettings settings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat);
@@ -57,9 +57,9 @@ TEST_F(PlotWordsInTheWindow, TheEndOfACurveAndTheNextPieceAreSaid) {
   press(Qt::Key_Right);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Next piece: x = about 0.25")))
       << feedback().toStdString();
-  EXPECT_GT(made->place()->x, 0);
+  EXPECT_GT(the_functions->place()->x, 0);
   press(Qt::Key_Left, Qt::ControlModifier);
-  EXPECT_LT(made->place()->x, 0);
+  EXPECT_LT(the_functions->place()->x, 0);
 }
 
 TEST_F(PlotWordsInTheWindow, ControlWithTheArrowsGoesFromTickToTickBothWays) {
@@ -68,27 +68,27 @@ TEST_F(PlotWordsInTheWindow, ControlWithTheArrowsGoesFromTickToTickBothWays) {
   press(Qt::Key_Right);
   press(Qt::Key_Right, Qt::ControlModifier);
   press(Qt::Key_Right, Qt::ControlModifier);
-  const double second = made->place()->x;
+  const double second = the_functions->place()->x;
   press(Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_GT(made->place()->x, second);
+  EXPECT_GT(the_functions->place()->x, second);
   press(Qt::Key_Left, Qt::ControlModifier);
-  EXPECT_EQ(made->place()->x, second);
+  EXPECT_EQ(the_functions->place()->x, second);
 }
 
 TEST_F(PlotWordsInTheWindow, AnotherCurveIsNamedWhereItIsEntered) {
   type(QStringLiteral("y = 1; y = -1; y = 2"));
   to_tablet();
   press(Qt::Key_Right);
-  std::vector<int> seen{made->place()->statement};
+  std::vector<int> seen{the_functions->place()->statement};
   for (const auto key : {Qt::Key_Up, Qt::Key_Up, Qt::Key_Down}) {
     press(key);
-    seen.push_back(made->place()->statement);
+    seen.push_back(the_functions->place()->statement);
   }
   EXPECT_EQ(seen[1], (seen[0] + 1) % 3);
   EXPECT_EQ(seen[2], (seen[0] + 2) % 3);
   EXPECT_EQ(seen[3], seen[1]);
   press(Qt::Key_Up);
-  while (made->place()->statement != 1) press(Qt::Key_Up);
+  while (the_functions->place()->statement != 1) press(Qt::Key_Up);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("y equals minus 1: "))) << feedback().toStdString();
   type(QStringLiteral("y = 1"));
   to_tablet();
@@ -154,7 +154,7 @@ TEST_F(PlotWordsInTheWindow, EachCurveAloneAndThenAllAgain) {
   type(QStringLiteral("y = 1; y = -1"));
   to_tablet();
   press(Qt::Key_Right);
-  while (made->place()->statement != 1) press(Qt::Key_Up);
+  while (the_functions->place()->statement != 1) press(Qt::Key_Up);
   press(Qt::Key_O);
   EXPECT_EQ(feedback(), QStringLiteral("Curve 2 alone: y equals minus 1."));
   EXPECT_TRUE(action("curve_alone")->isChecked());
@@ -289,16 +289,17 @@ TEST_F(PlotWordsInTheWindow, AWindowThatCannotBeSmallerStaysAsItIs) {
 
 TEST_F(PlotWordsInTheWindow, AStoppedDrawingIsSaidToBeOneUntilTheNext) {
   find<QLineEdit>("expression")->setText(QStringLiteral("e^(sin x + cos y) = sin(e^(x + y))"));
-  ASSERT_TRUE(made->is_drawing());
+  ASSERT_TRUE(the_functions->is_drawing());
   to_tablet();
   const QString stopped = QStringLiteral("The drawing was stopped. What is shown need not be all of it.");
-  ASSERT_TRUE(QTest::qWaitFor([] { return made->shown() && !made->shown()->final; }, 30'000));
+  ASSERT_TRUE(
+      QTest::qWaitFor([] { return the_functions->shown() && !the_functions->shown()->final; }, 30'000));
   press(Qt::Key_S);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("The curve is still being drawn. x from ")))
       << feedback().toStdString();
   press(Qt::Key_Escape);
   EXPECT_EQ(feedback(), stopped);
-  EXPECT_FALSE(made->is_drawing());
+  EXPECT_FALSE(the_functions->is_drawing());
   press(Qt::Key_S);
   EXPECT_TRUE(feedback().startsWith(stopped + QStringLiteral(" x from "))) << feedback().toStdString();
   EXPECT_TRUE(text("plot_summary").startsWith(QStringLiteral("The drawing was stopped before")));
@@ -359,11 +360,11 @@ TEST_F(PlotWordsInTheWindow, KeysPutTheStylusIntoTheGrooveAndAHandTakesItOver) {
         20'000);
   };
   press(Qt::Key_Tab);
-  EXPECT_TRUE(lies_at(made->place()->x, made->place()->y));
+  EXPECT_TRUE(lies_at(the_functions->place()->x, the_functions->place()->y));
   press(Qt::Key_End);
-  EXPECT_TRUE(lies_at(made->place()->x, made->place()->y));
+  EXPECT_TRUE(lies_at(the_functions->place()->x, the_functions->place()->y));
   for (int i = 0; i < 3; ++i) press(Qt::Key_Left);
-  EXPECT_TRUE(lies_at(made->place()->x, made->place()->y));
+  EXPECT_TRUE(lies_at(the_functions->place()->x, the_functions->place()->y));
   const QString before = feedback();
   const auto zero = on_tablet(-1, 0);
   controller().move_stylus(zero, false);

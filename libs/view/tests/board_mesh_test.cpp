@@ -98,7 +98,6 @@ TEST(BoardMesh, TheEdgeIsAQuarterOfACircleAndItsLightThatOfItsDirection) {
 TEST(BoardMesh, IsClosedAndAllOfItFacesOutward) {
   const BoardMesh mesh = board();
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-  double volume = 0;
   for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
     const std::uint32_t i[3] = {mesh.indices[t], mesh.indices[t + 1], mesh.indices[t + 2]};
     const glm::dvec3 a = place(mesh.vertices[i[0]]), b = place(mesh.vertices[i[1]]),
@@ -109,7 +108,6 @@ TEST(BoardMesh, IsClosedAndAllOfItFacesOutward) {
     if (glm::length(normal) > 1e-12) {
       EXPECT_GT(glm::dot(normal, middle - glm::dvec3(0, 0, -kDepth)), 0) << t / 3;
     }
-    volume += glm::dot(a, glm::cross(b, c)) / 6;
     for (int k = 0; k < 3; ++k) ++sides[{i[k], i[(k + 1) % 3]}];
   }
   std::size_t open = 0;

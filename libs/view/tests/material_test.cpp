@@ -74,7 +74,8 @@ TEST(Noise, OfALatticeIsSpreadEvenlyAndItsNeighboursHaveNothingInCommon) {
 }
 
 TEST(Noise, RunsLevelThroughTheLatticeAndMeetsTheMeanHalfway) {
-  for (const auto& [x, y] : {std::pair{3, 7}, {-4, 2}, {-1, -1}, {0, 0}, {12, -9}}) {
+  for (const auto& place : {std::pair{3, 7}, {-4, 2}, {-1, -1}, {0, 0}, {12, -9}}) {
+    const int x = place.first, y = place.second;
     const auto at = [&](float u, float v) {
       return value_noise(static_cast<float>(x) + u, static_cast<float>(y) + v, 5);
     };

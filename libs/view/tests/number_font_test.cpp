@@ -135,7 +135,7 @@ TEST(BuiltInFigures, AreLinesOfEvenWidthThatPassWhereTheFiguresDo) {
        {{2, 0}, {4, 1.5}, {0, 1.5}, {2, 3}, {0, 4.5}, {4, 4.5}, {2, 6}},
        {{2, 1.5}, {2, 4.5}, {0, 3}, {4, 3}}},
       {9, {{4, 2}, {2, 0}, {0, 1.5}, {2, 3}, {4, 3}, {3, 5.5}, {2, 6}}, {{2, 1.5}, {1, 4.5}, {0, 4}}}};
-  const double unit = std::lround(kCell * 0.52) / 6.9;
+  const double unit = static_cast<double>(std::lround(kCell * 0.52)) / 6.9;
   const double left = kCell / 2.0 - 2 * unit;
   const double top = (kCell - 6.9 * unit) / 2 + 0.45 * unit;
   for (const Figure& figure : figures) {
