@@ -277,6 +277,13 @@ TEST_F(SmallDatabase, WhatIsNoKanjiDatabaseIsRefusedByWhatItIs) {
                   "has version 77, this program reads version " + std::to_string(kSchemaVersion), path_));
 }
 
+// The sanitizer looks at objects through a pipe, which a program without files cannot have.
+#if defined(__has_feature)
+#if __has_feature(undefined_behavior_sanitizer)
+#define NAZORI_LOOKS_AT_OBJECTS
+#endif
+#endif
+#ifndef NAZORI_LOOKS_AT_OBJECTS
 using SmallDatabaseDeathTest = SmallDatabase;
 
 TEST_F(SmallDatabaseDeathTest, AFileThatTheSystemRefusesToOpenIsNotCalledDamaged) {
@@ -288,6 +295,7 @@ TEST_F(SmallDatabaseDeathTest, AFileThatTheSystemRefusesToOpenIsNotCalledDamaged
   };
   EXPECT_EXIT(without_files(), testing::ExitedWithCode(7), "");
 }
+#endif
 
 }  // namespace
 }  // namespace nazori::kanji
