@@ -56,10 +56,10 @@ STATEMENT = re.compile(r"^\s*(?:\(void\))?[\w:\->.\[\]*]+\s*(?:\(.*\)|(?:[-+*/|&
 
 def faults_of(file, text):
     """Every fault that can be planted in one file, in its order."""
-    code = code_only(text)
     lines = text.split("\n")
+    bares = code_only(text).split("\n")
     found = []
-    for number, (line, bare) in enumerate(zip(lines, code.split("\n")), 1):
+    for number, (line, bare) in enumerate(zip(lines, bares), 1):
         # What a member begins with is mostly overwritten before anybody reads it.
         if file.endswith(".h") and re.match(r"\s*(?:mutable )?[\w:<>, *]+ \w+_(?:\{.*\}| = .*);", bare):
             continue
@@ -125,7 +125,7 @@ def faults_of(file, text):
                 if not re.search(r";", bare[begin:closing]):
                     plant("dropped check", begin, closing, "false")
         if STATEMENT.match(bare) and not DECLARATION.match(bare) and not re.match(r"^\s*(return|break|continue|throw|case|else|delete)\b", bare):
-            previous = code.split("\n")[number - 2].rstrip() if number > 1 else ""
+            previous = bares[number - 2].rstrip() if number > 1 else ""
             if previous.endswith((";", "{", "}", ":")) or not previous.strip():
                 begin = len(line) - len(line.lstrip())
                 plant("dropped statement", begin, len(line), "")

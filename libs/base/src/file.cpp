@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kNoFile = -1;
-
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
 
 /// Writes everything; 0 or the error number.
@@ -48,7 +46,7 @@ Result<InputFile> InputFile::open(const fs::path& path) {
 }
 
 InputFile::InputFile(InputFile&& other) noexcept
-    : name_(std::move(other.name_)), fd_(std::exchange(other.fd_, kNoFile)), size_(other.size_) {}
+    : name_(std::move(other.name_)), fd_(std::exchange(other.fd_, -1)), size_(other.size_) {}
 
 InputFile::~InputFile() {
   if (fd_ >= 0) ::close(fd_);
@@ -85,7 +83,7 @@ Result<std::vector<std::uint8_t>> read_file(const fs::path& path, std::size_t ma
 
 Result<OutputFile> OutputFile::create(const fs::path& path) {
   std::string beside = path.string() + ".XXXXXX";
-  int fd = kNoFile;
+  int fd = -1;
   int error = 0;
   auto unfinished = UnfinishedFile::made_by([&]() -> fs::path {
     fd = ::mkostemp(beside.data(), O_CLOEXEC);
@@ -100,7 +98,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
     : path_(std::move(other.path_)),
       beside_(std::move(other.beside_)),
       unfinished_(std::move(other.unfinished_)),
-      fd_(std::exchange(other.fd_, kNoFile)) {}
+      fd_(std::exchange(other.fd_, -1)) {}
 
 OutputFile::~OutputFile() {
   if (fd_ >= 0) ::close(fd_);
@@ -130,7 +128,7 @@ Result<void> OutputFile::commit() {
     ::umask(mask);
     if (::fchmod(fd_, replaces ? old.st_mode & 0777U : 0666U & ~mask) != 0) error = errno;
   }
-  if (::close(std::exchange(fd_, kNoFile)) != 0 && error == 0) error = errno;
+  if (::close(std::exchange(fd_, -1)) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(beside_.c_str(), path_.c_str()) != 0) error = errno;
   if (error != 0) return refusal(error);
   unfinished_.finish();

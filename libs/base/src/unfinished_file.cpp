@@ -57,7 +57,7 @@ UnfinishedFile UnfinishedFile::made_by(const std::function<fs::path()>& make) {
 UnfinishedFile::UnfinishedFile(UnfinishedFile&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
 
 UnfinishedFile& UnfinishedFile::operator=(UnfinishedFile&& other) noexcept {
-  id_ = std::exchange(other.id_, id_);
+  std::swap(id_, other.id_);
   return *this;
 }
 

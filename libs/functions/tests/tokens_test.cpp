@@ -138,7 +138,7 @@ TEST(Tokens, RunsOfLettersAreCutIntoTheLongestNames) {
   EXPECT_EQ(kinds_of("xyz"), (std::vector{T::variable, T::variable, T::variable}));
   EXPECT_EQ(kinds_of("pix"), (std::vector{T::constant, T::variable}));
   EXPECT_EQ(kinds_of("etheta"), (std::vector{T::constant, T::variable}));
-  // "tanhx" is tanh of x, but "tant" is no tangent of a name that is not there: tan, t.
+  // "tanhx" is tanh of x. "tant" is tan of t, and fails where there is no t.
   EXPECT_EQ(kinds_of("tant"), (std::vector{T::function, T::variable}));
   // The longest first would leave a rest that is nothing: exp would leave "i".
   EXPECT_EQ(kinds_of("expi"), (std::vector{T::constant, T::variable, T::constant}));

@@ -174,7 +174,7 @@ TEST(SvgPath, SaysWhatIsWrong) {
 }
 
 TEST(SvgPath, ControlPointsThatMirroringThrowsOutLieWithinTwoMillion) {
-  // S mirrors the last control point: from 1e6 over an end at -1e6 it comes to lie at -3e6.
+  // S mirrors the last control point about the end: 1e6 about -1e6 gives -3e6.
   EXPECT_FALSE(parse_svg_path("M0 0C0 0 1e6 0 -1e6 0S0 0 0 0"));
   EXPECT_FALSE(parse_svg_path("M0 0C0 0 0 1e6 0 -1e6S0 0 0 0"));
   EXPECT_TRUE(parse_svg_path("M0 0C0 0 0 0 -1e6 0S0 0 0 0"));

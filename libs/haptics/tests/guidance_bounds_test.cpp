@@ -199,7 +199,7 @@ TEST(GuidanceBounds, WhoIsLedIsTakenUpAsWellAsDown) {
     tip.settings.cap_n = 0.3;
     tip.at(kAbove, Vec3(0), false);
     for (int tick = 0; tick < 400; ++tick) tip.at({0, 0, -kDepth_m - below}, {0.01, 0, 0});
-    // The teacher, who waits 3 mm ahead, pulls along with the whole cap; both together stay within it.
+    // The target waits 3 mm ahead and pulls with the full cap. The sum of both forces stays within the cap.
     const double up = std::clamp(100 * below, -0.4 * 0.3, 0.4 * 0.3);
     EXPECT_NEAR(tip.guidance.force_n().z, up * 0.3 / glm::length(Vec3(0.3, 0, up)), 1e-6);
   }

@@ -5,6 +5,7 @@ namespace nazori::kanji {
 
 std::vector<StrokeLine> Character::lines() const {
   std::vector<StrokeLine> out;
+  out.reserve(strokes.size());
   for (const Stroke& stroke : strokes) out.push_back(stroke.line);
   return out;
 }

@@ -134,6 +134,7 @@ void KanjiDatabase::Inside::note_trouble(const char* what) {
 void KanjiDatabase::Inside::load_roster() {
   const int characters = db.execAndGet("SELECT count(*) FROM character").getInt();
   roster_.resize(static_cast<std::size_t>(characters));
+  places_.reserve(roster_.size());
   Rewound row(all_characters);
   while (row->executeStep()) {
     const int place = row.number(0);

@@ -149,6 +149,9 @@ base::Result<StrokeOrder> StrokeOrder::parse(std::span<const std::uint8_t> bytes
 
 std::vector<std::uint8_t> StrokeOrder::to_bytes() const {
   std::vector<std::uint8_t> bytes;
+  std::size_t points = 0;
+  for (const Points& stroke : strokes_) points += stroke.size();
+  bytes.reserve(4 + 4 * strokes_.size() + 8 * points);
   append(bytes, static_cast<std::int32_t>(strokes_.size()));
   for (const Points& stroke : strokes_) {
     append(bytes, static_cast<std::int32_t>(stroke.size()));
@@ -183,6 +186,7 @@ StrokeOrder StrokeOrder::from_lines(std::span<const StrokeLine> lines, int grid_
   const double last = grid_size - 1;
   for (const StrokeLine& line : lines) {
     std::vector<geometry::GridPoint> grid;
+    grid.reserve(line.points.size());
     for (const geometry::GlyphPoint p : line.points) grid.push_back(geometry::glyph_to_grid(p, grid_size));
     Points points;
     for (const geometry::GridPoint p : simplify(grid, kTolerance)) {
@@ -199,8 +203,10 @@ StrokeOrder StrokeOrder::from_lines(std::span<const StrokeLine> lines, int grid_
 
 std::vector<StrokeLine> StrokeOrder::to_lines(int grid_size) const {
   std::vector<StrokeLine> lines;
+  lines.reserve(strokes_.size());
   for (const Points& stroke : strokes_) {
     StrokeLine line;
+    line.points.reserve(stroke.size());
     for (const StrokeOrderPoint point : stroke) {
       line.points.push_back(geometry::grid_to_glyph(
           geometry::GridPoint{static_cast<double>(point.x), static_cast<double>(point.y)}, grid_size));

@@ -19,7 +19,6 @@ using base::Errc;
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kBatch = 2048;
-constexpr int kNoFile = -1;
 
 tl::unexpected<base::Error> refusal(const fs::path& path, int error) {
   return base::fail(Errc::io, "cannot be written: " + std::generic_category().message(error), path.string());
@@ -27,7 +26,7 @@ tl::unexpected<base::Error> refusal(const fs::path& path, int error) {
 
 /// Of the records after the header, the last one perhaps not whole.
 std::uint64_t whole_records(off_t size) {
-  const auto bytes = static_cast<std::uint64_t>(size);
+  const auto bytes = static_cast<std::uint64_t>(std::max<off_t>(size, 0));
   return bytes <= kHeaderBytes ? 0 : (bytes - kHeaderBytes) / kRecordBytes;
 }
 
@@ -36,11 +35,13 @@ off_t offset_of(std::uint64_t record) { return static_cast<off_t>(kHeaderBytes +
 }  // namespace
 
 RecordingOutput::RecordingOutput(fs::path path, int fd, std::uint64_t records)
-    : path_(std::move(path)), fd_(fd), records_(records) {}
+    : path_(std::move(path)), fd_(fd), records_(records) {
+  bytes_.reserve(kBatch * kRecordBytes);
+}
 
 RecordingOutput::RecordingOutput(RecordingOutput&& other) noexcept
     : path_(std::move(other.path_)),
-      fd_(std::exchange(other.fd_, kNoFile)),
+      fd_(std::exchange(other.fd_, -1)),
       records_(other.records_),
       bytes_(std::move(other.bytes_)) {}
 
@@ -95,7 +96,7 @@ base::Result<void> RecordingOutput::append() {
     if (n < 0) {
       const int error = errno;
       records_ += written / kRecordBytes;
-      [[maybe_unused]] const int cut = ::ftruncate(fd_, offset_of(records_));
+      (void)(::ftruncate(fd_, offset_of(records_)) == 0);
       return refusal(path_, error);
     }
     written += static_cast<std::size_t>(n);
@@ -126,7 +127,7 @@ base::Result<void> RecordingOutput::close(std::uint64_t lost, Ending ending) {
   encode_end(records_, lost, ending == Ending::recovered, bytes_);
   if (auto done = append(); !done) return done;
   int error = ::fsync(fd_) == 0 ? 0 : errno;
-  if (::close(std::exchange(fd_, kNoFile)) != 0 && error == 0) error = errno;
+  if (::close(std::exchange(fd_, -1)) != 0 && error == 0) error = errno;
   if (error != 0) return refusal(path_, error);
   return {};
 }

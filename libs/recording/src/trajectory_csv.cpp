@@ -86,7 +86,7 @@ base::Result<bool> TrajectoryReader::next_line(std::string_view& line) {
   for (;;) {
     const char* at = buffer_.data() + begin_;
     const std::size_t have = end_ - begin_;
-    const void* found = std::memchr(at, '\n', have);
+    const void* found = have > 0 ? std::memchr(at, '\n', have) : nullptr;
     const std::size_t length =
         found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - at) : have;
     if (length > kLongestLine) {

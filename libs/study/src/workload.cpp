@@ -13,6 +13,7 @@ namespace {
 using std::chrono::days;
 
 constexpr int kDays = 365;
+
 /// The same numbers on every computer, which distributions of the library do not promise.
 double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 

@@ -42,7 +42,7 @@ struct Learner {
     EXPECT_TRUE(store.change_settings(settings));
   }
   void write(char32_t c, Rating rating) { (void)must(store.add_writing(c, 4, review(rating))); }
-  /// So many characters from 亜 on, known for eight days.
+  /// Learns `count` characters from 亜 on; each is due in eight days.
   void learn(int count) {
     for (int i = 0; i < count; ++i) write(U'亜' + static_cast<char32_t>(i), Rating::easy);
   }
@@ -89,7 +89,7 @@ TEST(DayPlanReturn, OnlyTheLastAbsenceCounts) {
   learner.write(U'龍', Rating::easy);
   learner.clock.advance(days(7));
   EXPECT_EQ(learner.plan().count(TaskKind::review), 5) << "a return again";
-  // A learner who has never reviewed does not return.
+  // Without any review there is nothing to come back to.
   Learner first(20, 10);
   EXPECT_EQ(first.plan().count(TaskKind::fresh), 10);
 }
@@ -115,8 +115,9 @@ TEST(DayPlanGentle, IsMadeOnlyForWhatIsOverdue) {
   EXPECT_EQ(learner.plan().held_back, 0);
 }
 
-/// The days of the plan of a learner who comes back with so many reviews overdue and others due tomorrow, and
-/// who does ten a day: 5 today, 8 tomorrow, 9 on the third day, then 10.
+/// Length in days of the gentle plan of a learner with a limit of ten reviews a day: 5 today, 8 tomorrow, 9
+/// on the third day, then 10.
+/// @param overdue, tomorrow  reviews overdue, and due tomorrow.
 int planned_days(int overdue, int tomorrow, void (*change)(Learner&) = nullptr) {
   Learner learner(0, 10);
   learner.learn(overdue);

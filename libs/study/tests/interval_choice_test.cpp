@@ -12,7 +12,7 @@ using std::chrono::days;
 
 const Day kToday = *parse_day("2026-03-01");
 
-/// So many characters due after so many days, numbered on from those that are there.
+/// Adds `count` characters due after `interval` days, numbered on from those that are there.
 void add(Cards& cards, int interval, int count, void (*change)(Card&) = nullptr) {
   for (int i = 0; i < count; ++i) {
     Card card;

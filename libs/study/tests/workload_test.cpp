@@ -64,8 +64,8 @@ TEST(Workload, OfWhatIsNotReviewedIsMeetingItOnly) {
 }
 
 TEST(Workload, StepsAreReviewsOfTheDayTheCharacterIsMet) {
-  // A step succeeds in nine of ten cases, else the card begins anew. So many it takes on the mean from the
-  // first and from the second of two steps: e0 = 1 + 0.9 e1 + 0.1 e0 and e1 = 1 + 0.1 e0.
+  // A step succeeds in nine of ten cases, otherwise the card starts over. Expected reviews from the first and
+  // from the second of two steps: e0 = 1 + 0.9 e1 + 0.1 e0 and e1 = 1 + 0.1 e0.
   const double e0 = (1 + 0.9) / (1 - 0.1 - 0.9 * 0.1);
   const double e1 = 1 + 0.1 * e0;
   const double each = (0.24 + 0.094) * e0 + 0.495 * e1;

@@ -222,8 +222,9 @@ TEST_F(CameraByHand, WithMotionTheViewGlidesToTheSamePlace) {
 TEST_F(CameraByHand, LocalFilesCanBeDropped) {
   QSignalSpy dropped(&window_, &TabletWindow::files_dropped);
   QMimeData files;
-  files.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/a.raw")), QUrl(QStringLiteral("https://a.b/c.raw")),
-                 QUrl::fromLocalFile(QStringLiteral("/tmp/b.str"))});
+  files.setUrls({QUrl::fromLocalFile(QStringLiteral("/pictures/a.raw")),
+                 QUrl(QStringLiteral("https://a.b/c.raw")),
+                 QUrl::fromLocalFile(QStringLiteral("/pictures/b.str"))});
   QMimeData web;
   web.setUrls({QUrl(QStringLiteral("https://a.b/c.raw"))});
   const auto enters = [this](const QMimeData& data) {
@@ -238,7 +239,7 @@ TEST_F(CameraByHand, LocalFilesCanBeDropped) {
   QCoreApplication::sendEvent(&window_, &drop);
   ASSERT_EQ(dropped.count(), 1);
   EXPECT_EQ(dropped.at(0).at(0).toStringList(),
-            (QStringList{QStringLiteral("/tmp/a.raw"), QStringLiteral("/tmp/b.str")}));
+            (QStringList{QStringLiteral("/pictures/a.raw"), QStringLiteral("/pictures/b.str")}));
 }
 
 TEST_F(CameraByHand, AsksForOpenGL3_3WithoutADepthOfItsOwn) {

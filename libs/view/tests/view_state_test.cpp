@@ -89,7 +89,7 @@ TEST_F(Everything, IsDrawnAlikeWhateverOthersHaveLeftSwitchedOn) {
     glCullFace(GL_FRONT_AND_BACK);
     glDepthFunc(GL_NEVER);
     glEnable(feature);
-    studio_.view->set_strokes(rest());  // the whole picture is drawn anew
+    studio_.view->set_strokes(rest());  // the whole picture is drawn again
     const Picture picture = studio_.shoot(overlay_);
     glDisable(feature);
     EXPECT_EQ(changed_pixels(clean, picture, 0), 0) << feature;

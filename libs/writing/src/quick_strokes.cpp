@@ -3,31 +3,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace nazori::writing {
+namespace {
+
+float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
+
+}  // namespace
+
 ThreePoints three_points(FlatLine line) {
   ThreePoints p;
   const std::size_t n = line.size() / 2;
-  std::vector<float> steps;
-  for (std::size_t i = 1; i < n; ++i) {
-    const float dx = line[2 * i] - line[2 * i - 2];
-    const float dy = line[2 * i + 1] - line[2 * i - 1];
-    steps.push_back(std::sqrt(dx * dx + dy * dy));
-  }
+  float length = 0;
+  for (std::size_t i = 1; i < n; ++i)
+    length += length_of(line[2 * i] - line[2 * i - 2], line[2 * i + 1] - line[2 * i - 1]);
   p.x[0] = p.x[1] = line[0];
   p.y[0] = p.y[1] = line[1];
   p.x[2] = line[2 * n - 2];
   p.y[2] = line[2 * n - 1];
-  float left = std::accumulate(steps.begin(), steps.end(), 0.0F) / 2;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (steps[i] >= left) {
-      const float t = steps[i] > 0 ? left / steps[i] : 0;
-      p.x[1] = line[2 * i] + (line[2 * i + 2] - line[2 * i]) * t;
-      p.y[1] = line[2 * i + 1] + (line[2 * i + 3] - line[2 * i + 1]) * t;
+  float left = length / 2;
+  for (std::size_t i = 1; i < n; ++i) {
+    const float dx = line[2 * i] - line[2 * i - 2];
+    const float dy = line[2 * i + 1] - line[2 * i - 1];
+    const float step = length_of(dx, dy);
+    if (step >= left) {
+      const float t = step > 0 ? left / step : 0;
+      p.x[1] = line[2 * i - 2] + dx * t;
+      p.y[1] = line[2 * i - 1] + dy * t;
       break;
     }
-    left -= steps[i];
+    left -= step;
   }
   return p;
 }

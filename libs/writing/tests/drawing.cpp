@@ -44,6 +44,17 @@ kanji::Character soil() {
     "㇐|M15.38,87.73c2.12,0.54,6.01,0.73,8.12,0.54C46,86.25,69,84.62,90.34,83.79c3.53-0.14,5.65,0.26,7.41,0.53",
   });
 }
+kanji::Character samurai() {
+  kanji::Character made = soil();
+  made.code_point = U'士';
+  auto& upper = made.strokes[0].line.points;
+  auto& lower = made.strokes[2].line.points;
+  std::swap(upper, lower);
+  const double shift = lower.front().y - upper.front().y;
+  for (auto& p : upper) p.y += shift;
+  for (auto& p : lower) p.y -= shift;
+  return made;
+}
 kanji::Character three() {
   return character(U'三', {
     "㇐|M27.5,23.65c3.09,0.73,6.29,0.36,9.4,0.06c10.2-1,27-2.94,38.97-3.57c3.06-0.16,6.09-0.2,9.14,0.23",

@@ -17,10 +17,12 @@ namespace nazori::writing::test {
 kanji::Character character(char32_t code_point, const std::vector<std::string>& strokes);
 
 // KanjiVG 20220427 (Ulrich Apel, CC BY-SA 3.0), the strokes of main forms.
-kanji::Character rest();   // 休
-kanji::Character soil();   // 土
-kanji::Character three();  // 三
-kanji::Character eye();    // 目
+kanji::Character rest();  // 休
+kanji::Character soil();  // 土
+/// 土 with its bars exchanged: the lower one is the shorter one.
+kanji::Character samurai();  // 士
+kanji::Character three();    // 三
+kanji::Character eye();      // 目
 
 /// The model's own lines, in the box of the model.
 Ink trace(const kanji::Character& character);

@@ -91,7 +91,6 @@ void Plotter::draw(const PlotRequest& request) {
     const auto wanted = [this, ticket] { return newest_.load() == ticket; };
     if (!wanted()) return;
     QElapsedTimer since_told;
-    since_told.start();
     base::Result<void> carved;
     const auto show = [&](functions::Picture&& picture, bool final) {
       auto drawing = finish(request, std::move(picture), final);
@@ -105,8 +104,8 @@ void Plotter::draw(const PlotRequest& request) {
       return wanted();
     };
     const auto progress = [&](double done, std::string_view) {
-      if (since_told.elapsed() >= kProgressStep_ms) {
-        since_told.restart();
+      if (!since_told.isValid() || since_told.elapsed() >= kProgressStep_ms) {
+        since_told.start();
         worker_.answer([this, ticket, done] {
           if (newest_.load() == ticket) emit progressed(done);
         });
