@@ -10,6 +10,32 @@ endfunction()
 # What starts a thread, or has one started.
 set(NAZORI_THREAD_WORDS "std::j?thread|std::async|pthread_create|RtThread|asio::|SDL_OpenAudioDevice|QThread")
 
+# nazori_isolated_suites(ISOLATED SHARED REGEX TESTS...)
+#
+# ISOLATED: a filter of GoogleTest for the suites in the files that match; SHARED: whether other files have tests.
+function(nazori_isolated_suites isolated shared regex)
+  set(filter "")
+  set(${shared} FALSE PARENT_SCOPE)
+  foreach(file ${ARGN})
+    if(NOT file MATCHES "_test\\.cpp$")
+      continue()
+    elseif(NOT regex OR NOT file MATCHES "${regex}")
+      set(${shared} TRUE PARENT_SCOPE)
+      continue()
+    endif()
+    file(STRINGS "${file}" tests REGEX "^TEST(_F|_P)?\\([A-Za-z0-9_]+,")
+    foreach(test ${tests})
+      if(test MATCHES "^TEST[_FP]*\\(([A-Za-z0-9_]+),")
+        list(APPEND filter "${CMAKE_MATCH_1}.*" "*/${CMAKE_MATCH_1}.*")
+      endif()
+    endforeach()
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  endforeach()
+  list(REMOVE_DUPLICATES filter)
+  list(JOIN filter ":" filter)
+  set(${isolated} "${filter}" PARENT_SCOPE)
+endfunction()
+
 # nazori_threaded_tests(RESULT TESTS ... THREADED ... SOURCES ...)
 #
 # The test files that the thread sanitizer is worth building for: THREADED, which is ALL or a list of files, and what is
@@ -75,19 +101,19 @@ function(nazori_rt_calls name roots)
 endfunction()
 
 # nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>]
-#               [TESTS_TOGETHER [TESTS_ALONE ...]] [TESTS_ISOLATED]
+#               [TESTS_TOGETHER [TESTS_ALONE ...]] [ISOLATED_TESTS REGEX]
 #               [BENCHES ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
 # One room of the house: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench
 # file as part of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are seen by those who include the
 # public headers, PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE
 # they run after kanji.db has been built and find its folder in the environment variable NAZORI_DATA.
-# TESTS_ISOLATED: each test needs a process of its own, as it has one window or one set of signals; with the address
-# sanitizer the tests of other rooms run in two processes, otherwise each test runs in its own.
+# ISOLATED_TESTS: what the test files match whose tests need a process each, as they have one window or one set of
+# signals. With the address sanitizer the other tests share two processes, otherwise each test has its own.
 # The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot race. TESTS_TOGETHER: see
 # nazori_compile_together.
 function(nazori_module name)
-  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER;TESTS_ISOLATED" ""
+  cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" "ISOLATED_TESTS"
     "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;TESTS_ALONE;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
   if(m_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "nazori_module(${name}): unknown ${m_UNPARSED_ARGUMENTS}")
@@ -135,15 +161,21 @@ function(nazori_module name)
     if(m_NEEDS_DATABASE)
       list(APPEND properties FIXTURES_REQUIRED kanji_database)
     endif()
-    if(NAZORI_SANITIZE MATCHES "address" AND NOT m_TESTS_ISOLATED)
+    set(filter "")
+    if(NAZORI_SANITIZE MATCHES "address")
       # The start of a sanitized program takes longer than most tests.
-      foreach(part 0 1)
-        add_test(NAME ${name}.part_${part} COMMAND ${target}_tests --gtest_brief=1)
-        set_tests_properties(${name}.part_${part} PROPERTIES ${properties})
-        set_property(TEST ${name}.part_${part} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=${part})
-      endforeach()
-    else()
-      gtest_discover_tests(${target}_tests TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
+      nazori_isolated_suites(isolated shared "${m_ISOLATED_TESTS}" ${m_TESTS})
+      if(shared)
+        foreach(part 0 1)
+          add_test(NAME ${name}.part_${part} COMMAND ${target}_tests --gtest_brief=1 "--gtest_filter=*-${isolated}")
+          set_tests_properties(${name}.part_${part} PROPERTIES ${properties})
+          set_property(TEST ${name}.part_${part} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=${part})
+        endforeach()
+        set(filter TEST_FILTER "${isolated}")
+      endif()
+    endif()
+    if(isolated OR NOT NAZORI_SANITIZE MATCHES "address")
+      gtest_discover_tests(${target}_tests TEST_PREFIX "${name}." ${filter} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
     endif()
   endif()
   if(NAZORI_BUILD_BENCH AND m_BENCHES)

@@ -125,9 +125,7 @@ class EveryWayOut : public testing::TestWithParam<std::string> {
     EXPECT_FALSE(shared->remains.output);
     EXPECT_GT(shared->remains.writes, 0U);
   }
-  static void wait(Running&) {
-    for (;;) pause();
-  }
+  static void wait(Running&) { test::wait_for_signals(); }
 
   const DefaultSignals signals;
   Shared* shared;
@@ -174,7 +172,7 @@ TEST_P(EveryWayOut, AnExceptionThatNobodyCatchesLeavesNoForce) {
 TEST_P(EveryWayOut, ACrashOfTheServoItselfLeavesNoForce) {
   begin([](Running& running) {
     running.servo.crashes = true;
-    for (;;) pause();
+    test::wait_for_signals();
   });
   const int status = end();
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT);
@@ -221,7 +219,7 @@ TEST_P(EveryWayOut, AHandlerOfTheProgramRunsAfterTheForceIsOff) {
   ASSERT_EQ(sigaction(SIGINT, &mine, &before), 0);
   begin([&](Running&) {
     shared->goes_on = comes_true([&] { return shared->signals_seen == 1; });
-    for (;;) pause();
+    test::wait_for_signals();
   });
   ASSERT_EQ(sigaction(SIGINT, &before, nullptr), 0);
   expect_pushing();

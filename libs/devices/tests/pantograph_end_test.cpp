@@ -94,9 +94,7 @@ class PantographEnd : public testing::Test {
                  (WEXITSTATUS(status) == kNeverPushed || WEXITSTATUS(status) == kWentOn));
     expect_limp();
   }
-  static void wait(haptics::HapticDevice&, CrashingPush&) {
-    for (;;) pause();
-  }
+  static void wait(haptics::HapticDevice&, CrashingPush&) { test::wait_for_signals(); }
 
   const test::DefaultSignals signals;
   std::atomic<bool>* go;  // what the process and the test both see
@@ -115,7 +113,7 @@ TEST_F(PantographEnd, ACrashOfTheServoLeavesNoTorque) {
   begin([&](haptics::HapticDevice&, CrashingPush& servo) {
     (void)comes_true([&] { return go->load(); });
     servo.crashes = true;
-    for (;;) pause();
+    test::wait_for_signals();
   });
   expect_pushing();
   *go = true;
@@ -164,7 +162,7 @@ TEST_F(PantographEnd, TheThreadThatTellsZeroRunsNoSignalHandlers) {
     (void)pthread_sigmask(SIG_BLOCK, &all, nullptr);
     (void)kill(getpid(), SIGTERM);
     *go = true;
-    for (;;) pause();
+    test::wait_for_signals();
   });
   ASSERT_TRUE(comes_true([&] { return go->load(); }));
   const int questions = board->questions;

@@ -62,8 +62,8 @@ base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_p
     }
   }
   Workload workload;
-  constexpr double kCounted = kDays - kDays / 2;
-  workload.reviews_per_day = reviews / kCounted;
+  constexpr int kCounted = kDays - kDays / 2;
+  workload.reviews_per_day = static_cast<double>(reviews) / kCounted;
   workload.minutes_per_day = seconds / 60 / kCounted;
   for (const Memory& memory : beyond) {
     const int elapsed = kDays - static_cast<int>((*memory.last_review - start) / days(1));

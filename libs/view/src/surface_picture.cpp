@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <mutex>
 #include <numbers>
 #include <thread>
 
@@ -211,6 +212,22 @@ PlainFace make_plain_face(const Look& look, int samples) {
     }
   });
   return plain;
+}
+
+std::shared_ptr<const PlainFace> shared_plain_face(const Look& look, int samples) {
+  static std::mutex making;
+  static std::array<std::shared_ptr<const PlainFace>, 2> kept;
+  const std::lock_guard lock(making);
+  const auto is_it = [&](const auto& face) {
+    return face && face->look == look && face->size == samples + 2 * face->rim;
+  };
+  const auto found = std::find_if(kept.begin(), kept.end(), is_it);
+  if (found != kept.end()) {
+    std::rotate(kept.begin(), found, found + 1);
+  } else {
+    kept = {std::make_shared<const PlainFace>(make_plain_face(look, samples)), kept[0]};
+  }
+  return kept[0];
 }
 
 SurfacePicture lit_picture(const surface::HeightMap& map, const geometry::TabletShape& shape,

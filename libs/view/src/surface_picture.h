@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "nazori/view/tablet_view.h"
@@ -47,6 +48,9 @@ struct PlainFace {
 
 /// @param samples  a side, without the rim.
 [[nodiscard]] PlainFace make_plain_face(const Look& look, int samples);
+
+/// The same, shared by all views of the program; the last two that were made are kept. Any thread.
+[[nodiscard]] std::shared_ptr<const PlainFace> shared_plain_face(const Look& look, int samples);
 
 /// Wood or slate with its light, and shadow in the grooves. Only what is carved is worked out.
 /// @param map  loaded.  @param plain  of shaded_size(map.size()) samples.

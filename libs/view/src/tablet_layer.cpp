@@ -154,10 +154,8 @@ void TabletLayer::send_face(const surface::HeightMap& map, DrawStatistics& stati
   if (look_.style == Style::classic) {
     face = grey_picture(map);
   } else {
-    const int samples = shaded_size(map.size());
-    if (plain_.look != look_ || plain_.size != samples + 2 * plain_.rim)
-      plain_ = make_plain_face(look_, samples);
-    face = lit_picture(map, shape_, plain_);
+    plain_ = shared_plain_face(look_, shaded_size(map.size()));
+    face = lit_picture(map, shape_, *plain_);
   }
   upload(face_, {GL_RGBA8, GL_RGBA, face.size, face.size, true}, face.rgba, statistics);
   upload(heights_, {GL_R8, GL_RED, face.size, face.size, false}, face.heights, statistics);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "canvas.h"
@@ -53,7 +54,7 @@ class TabletLayer {
   Texture face_;
   Texture heights_;
   ReliefMesh mesh_;
-  PlainFace plain_;
+  std::shared_ptr<const PlainFace> plain_;
   geometry::TabletShape shape_;
   Look look_;
   glm::vec2 face_from_square_{1, 0};

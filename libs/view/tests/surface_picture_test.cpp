@@ -211,5 +211,22 @@ TEST(GreyPicture, ShowsEachHeightAsAGrey) {
   EXPECT_EQ(grey_picture(surface::HeightMap::create(2100).value()).size, 2048);
 }
 
+TEST(SharedFace, IsMadeOnceForALookAndASizeAndTheLastTwoAreKept) {
+  const Look light{Style::wood, Theme::light, Hand::right};
+  const Look dark{Style::wood, Theme::dark, Hand::right};
+  const auto first = shared_plain_face(light, 32);
+  const PlainFace own = make_plain_face(light, 32);
+  EXPECT_EQ(first->rgba, own.rgba);
+  EXPECT_EQ(shared_plain_face(dark, 32)->rgba, make_plain_face(dark, 32).rgba);
+  EXPECT_EQ(shared_plain_face(light, 32), first);
+  EXPECT_EQ(shared_plain_face(light, 48)->size, make_plain_face(light, 48).size);
+  EXPECT_EQ(shared_plain_face(light, 32), first);
+  const std::weak_ptr<const PlainFace> oldest = shared_plain_face(dark, 32);
+  (void)shared_plain_face(light, 32);
+  EXPECT_FALSE(oldest.expired());
+  (void)shared_plain_face(light, 48);
+  EXPECT_TRUE(oldest.expired());
+}
+
 }  // namespace
 }  // namespace nazori::view
