@@ -64,7 +64,10 @@ class Planted(unittest.TestCase):
 
     def test_arguments_change_places(self):
         self.has("g(a, b);", "swapped arguments", "g(b, a);")
-        self.assertNotIn("swapped arguments", [kind for kind, _ in planted("x = std::min(a, b);")])
+        for call in ("min", "minmax", "fma"):
+            self.assertNotIn("swapped arguments", [kind for kind, _ in planted(f"x = std::{call}(a, b);")])
+        self.assertEqual(planted("points.reserve(a);"), [])
+        self.assertNotIn("off by one", [kind for kind, _ in planted("std::array<int, 6> names;")])
 
     def test_what_is_not_code_is_left_alone(self):
         for line in ("// a < b, 1 + 2", "#include <a>", 'static_assert(sizeof(int) == 4);', "assert(a < b);", "using a = b;"):

@@ -232,6 +232,32 @@ TEST(Trace, ABendTighterThanTheGrooveIsPressedDiscByDisc) {
   EXPECT_EQ(discs(20), 0U);
 }
 
+TEST(Trace, ABendThatIsTightUpToTheEndOfTheStrokeEndsSquare) {
+  const std::vector<Piece> pieces = trace(arc(2.5, 0, 180, 5), even_brush(10), kSize);
+  const std::vector<Joint>& last = pieces.back().joints;
+  ASSERT_GT(last.size(), 3U);
+  EXPECT_TRUE(last[last.size() - 2].needs_disc);
+  EXPECT_FALSE(last.back().needs_disc);
+}
+
+TEST(Trace, TakesALineApartAtEachBendThatIsSharpWithinAGroovesWidth) {
+  // Two right angles, rounded in steps of 22.5 degrees, of which none is a corner.
+  StrokeLine line = stroke({{20, 20}});
+  const auto add_bend = [&line](GlyphPoint middle, double from) {
+    for (int i = 0; i <= 4; ++i) {
+      const double a = (from + 22.5 * i) * kPi / 180;
+      line.points.push_back(middle + GlyphPoint{std::cos(a), std::sin(a)} * 0.8);
+    }
+  };
+  add_bend({50, 20.8}, -90);
+  add_bend({50, 60}, 0);
+  line.points.push_back({20, 60.8});
+  const std::vector<Piece> pieces = trace(line, even_brush(6), kSize);
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_LT(geometry::distance(place(pieces[1].joints.front()), GlyphPoint{50.6, 20.2}), 0.5);
+  EXPECT_LT(geometry::distance(place(pieces[1].joints.back()), GlyphPoint{50.6, 60.6}), 0.5);
+}
+
 TEST(Trace, TheWallsOfAKickHaveNoDiscs) {
   StrokeLine line = stroke({{60, 10}}, StrokeEnding::hook);
   for (int degree = 0; degree <= 120; degree += 10) {

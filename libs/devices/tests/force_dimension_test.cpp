@@ -400,8 +400,11 @@ TEST_F(ForceDimension, AnOlderLibraryWithoutTheButtonMaskStillWorks) {
   older.library = std::string(test_paths::kStandins) + "/incomplete/libdhd.so";
   auto device = force_dimension_back_end(older)->open("forcedimension", {});
   ASSERT_TRUE(device);
-  old->buttons = 1;
+  old->buttons = 0;
   ASSERT_TRUE(device->device->start(plane));
+  EXPECT_TRUE(comes_true([&] { return plane.ticks > 3; }));
+  EXPECT_EQ(plane.buttons, 0U);
+  old->buttons = 1;
   EXPECT_TRUE(comes_true([&] { return plane.buttons == 1U; }));
 }
 

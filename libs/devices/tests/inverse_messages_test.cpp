@@ -7,8 +7,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <string_view>
 
 #include "alloc_guard.h"
+#include "json_reader.h"
 
 namespace nazori::devices::inverse {
 namespace {
@@ -277,6 +279,17 @@ TEST(InverseMessages, CommandsAreTheDocumentedOnes) {
   const Json old = Json::parse(first_message("049D", {ForceKey::values, false}, std::nullopt));
   EXPECT_FALSE(old["inverse3"][0]["configure"].contains("preset")) << "before 3.5 nobody knows it";
   EXPECT_EQ(old["inverse3"][0]["commands"]["set_cursor_force"]["values"]["z"], 0.0);
+}
+
+TEST(JsonReader, TakesNoPartOfATextForTheWhole) {
+  // What follows the part in memory is the rest of the text: to look beyond the end would find it good.
+  constexpr std::string_view kText = R"({"a":[1,-2.5e3,true,false,null,"x\"A"],"b":{},"c":[]})";
+  for (std::size_t length = 0; length <= kText.size(); ++length) {
+    JsonReader reader(kText.substr(0, length));
+    reader.skip();
+    EXPECT_EQ(reader.good(), length == kText.size()) << kText.substr(0, length);
+    EXPECT_EQ(reader.at_end(), length == kText.size()) << kText.substr(0, length);
+  }
 }
 
 }  // namespace
