@@ -165,8 +165,10 @@ TEST(ExchangeStreaming, ATextWithoutEndInOneEntryIsRefused) {
         Endless{"{\"entries\": [{\"id\": 1", ", \"id\": 1"}, Endless{"{\"other\": \"", "x"},
         Endless{" ", "\n"}}) {
     std::string rest = begin;
-    const TextSource endless{[&rest, &on = on](std::span<char> room) -> base::Result<std::size_t> {
-                               while (rest.size() < room.size()) rest += on;
+    std::string piece;
+    while (piece.size() < 50'000) piece += on;
+    const TextSource endless{[&rest, &piece](std::span<char> room) -> base::Result<std::size_t> {
+                               while (rest.size() < room.size()) rest += piece;
                                rest.copy(room.data(), room.size());
                                rest.erase(0, room.size());
                                return room.size();

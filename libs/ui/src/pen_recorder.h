@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "nazori/geometry/frames.h"
@@ -51,7 +52,7 @@ class PenRecorder {
   /// The stroke being written; empty while the pen is up.
   [[nodiscard]] const HandStroke& current() const { return current_; }
   /// The stroke that ended last.
-  [[nodiscard]] HandStroke take() { return std::move(ended_); }
+  [[nodiscard]] HandStroke take() { return std::exchange(ended_, {}); }
   /// Forgets the stroke at hand; nothing is written until the next touch.
   void drop();
 
