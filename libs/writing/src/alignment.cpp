@@ -66,8 +66,8 @@ Alignment collect(std::vector<Link> links, const AlignmentInput& input, float co
   std::vector<char> drawn(input.drawn.size()), model(input.model.size());
   int last = -1;
   for (const auto& l : a.links) {
-    for (int k = 0; k < l.drawn_count; ++k) drawn[static_cast<std::size_t>(l.drawn + k)] = 1;
-    for (int k = 0; k < l.model_count; ++k) model[static_cast<std::size_t>(l.model + k)] = 1;
+    std::fill_n(drawn.begin() + l.drawn, l.drawn_count, 1);
+    std::fill_n(model.begin() + l.model, l.model_count, 1);
     last = std::max(last, l.model + l.model_count - 1);
   }
   for (std::size_t i = 0; i < drawn.size(); ++i)
