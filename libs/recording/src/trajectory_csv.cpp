@@ -134,7 +134,7 @@ base::Result<void> TrajectoryReader::read_header() {
     }
     const auto which = static_cast<std::size_t>(column - kColumns.begin());
     if (++seen[which] > 1) return wrong(fmt::format("the header names the column {} twice", name));
-    meaning_.push_back(static_cast<std::int8_t>(which));
+    meaning_.push_back(static_cast<int>(which));
   }
   std::string missing;
   for (std::size_t i = 0; i < kColumns.size(); ++i)
@@ -154,7 +154,7 @@ base::Result<void> TrajectoryReader::parse_row(std::string_view row, TrajectoryP
     if (column == meaning_.size())
       return wrong(fmt::format("the row has more values than the header's {}", meaning_.size()));
     const std::string_view field = take_field(row, more);
-    const std::int8_t meaning = meaning_[column];
+    const int meaning = meaning_[column];
     if (meaning < 0) continue;
     const auto which = static_cast<std::size_t>(meaning);
     const char* begin = field.data();

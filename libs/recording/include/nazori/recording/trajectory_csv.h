@@ -57,7 +57,7 @@ class TrajectoryReader {
   std::size_t begin_ = 0, end_ = 0;  // of what is not read yet
   bool exhausted_ = false;
   std::uint64_t line_ = 0, rows_ = 0, bytes_ = 0;
-  std::vector<std::int8_t> meaning_;  // of each column: 0..3 for t, x, y, z; -1: passed over
+  std::vector<int> meaning_;  // of each column: 0..3 for t, x, y, z; -1: passed over
   double last_s_ = 0;
 };
 
