@@ -169,6 +169,8 @@ function(nazori_module name)
         foreach(part 0 1)
           add_test(NAME ${name}.part_${part} COMMAND ${target}_tests --gtest_brief=1 "--gtest_filter=*-${isolated}")
           set_tests_properties(${name}.part_${part} PROPERTIES ${properties})
+          # A part runs hundreds of tests, on a busy machine for longer than any one of them may.
+          set_property(TEST ${name}.part_${part} PROPERTY TIMEOUT 1200)
           set_property(TEST ${name}.part_${part} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=${part})
         endforeach()
         set(filter TEST_FILTER "${isolated}")
