@@ -56,6 +56,25 @@ TEST_F(Study, AWeekIsActedOutWithAMovedClock) {
   EXPECT_EQ(answer({"rebuild"}, later)["differences"], 0);
 }
 
+TEST_F(Study, WhatIsDueIsListedByKindWithItsCharacters) {
+  const std::string known = answer({"next"})["character"];
+  ASSERT_EQ(study({"review", known, "--rating", "easy", "--seconds", "20"}).code, 0);
+  const std::string later = "2026-01-09T09:00:00Z", soon = "2026-01-09T09:30:00Z";
+  std::vector<std::string> fresh;
+  const Json due = answer({"due"}, later);
+  for (const Json& task : due["now"])
+    if (task["kind"] == "new") fresh.push_back(task["character"]);
+  ASSERT_EQ(fresh.size(), 5U);
+  ASSERT_EQ(study({"review", fresh[0], "--rating", "good", "--seconds", "20"}, later).code, 0);
+  const Outcome run = study({"due"}, soon);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("2026-01-09: 6 due, about "));
+  EXPECT_THAT(run.out, HasSubstr("\nsteps      1  " + fresh[0] + "\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nreviews    1  " + known + "\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nnew        4  " + fresh[1] + " " + fresh[2] + " " + fresh[3] + " " +
+                                 fresh[4] + "\n"));
+}
+
 TEST_F(Study, TheRatingFollowsFromTheWriting) {
   EXPECT_EQ(answer({"review", "休", "--score", "72", "--fault", "wrong:3"})["rating"], "hard");
   EXPECT_EQ(answer({"review", "休", "--rejected"})["rating"], "again");
