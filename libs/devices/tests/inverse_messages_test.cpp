@@ -205,7 +205,7 @@ TEST(InverseMessages, DamagedMessagesAreReadAsAGeneralLibraryReadsThem) {
   const std::string sound = kState;
   const std::string letters = "{}[]\",:0123456789.-+eEtfnul xyzab_\\/ \n";
   int accepted = 0;
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < 40'000; ++i) {
     std::string message = sound;
     for (auto changes = 1 + random() % 3; changes > 0; --changes) {
       const std::size_t place = random() % message.size();

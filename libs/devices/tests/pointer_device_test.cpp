@@ -158,8 +158,7 @@ TEST(PointerDevice, StartedAgainItsTipIsWhereThePointerIsNow) {
   device.stop();
   device.move({0.02, 0.01, 0, false, true});
   ASSERT_TRUE(device.start(after));
-  EXPECT_TRUE(after.wait_for([](const DeviceSample& s) { return s.present; }));
-  device.stop();
+  ASSERT_TRUE(after.wait_for([](const DeviceSample& s) { return s.present; }));
   for (const DeviceSample& s : after.samples()) {
     EXPECT_EQ(s.position_m.x, 0.02);
     EXPECT_EQ(s.position_m.z, PointerDevice::kHover_m);
