@@ -89,6 +89,7 @@ void MainWindow::Inside::connect_actions() {
   on(actions->text_usual, [this] { set_text_size(Preferences::kMinText_pt); });
   on(actions->reduced_motion, [this](bool reduced) {
     desk.preferences().reduced_motion = reduced;
+    desk.practice().watch().set_reduced_motion(reduced);
     if (tablet_window != nullptr) tablet_window->set_reduced_motion(reduced);
     save_later();
   });
