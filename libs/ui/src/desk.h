@@ -3,13 +3,17 @@
 
 #include <QList>
 #include <QObject>
+#include <QTimer>
 #include <utility>
 
+#include "event_loop_inbox.h"
 #include "feedback_line.h"
 #include "library.h"
+#include "nazori/practice/learner.h"
+#include "nazori/practice/learner_exchange.h"
+#include "nazori/practice/settings_change.h"
 #include "preferences.h"
 #include "session_recording.h"
-#include "study/learner.h"
 #include "study/study_session.h"
 #include "tablet_controller.h"
 #include "workshop.h"
@@ -24,10 +28,12 @@ class Desk final : public QObject {
  public:
   /// Settings are read from `settings_file`.
   Desk(QWidget& window, const std::filesystem::path& database, QString settings_file,
-       const Learner::Place& learner);
+       const practice::Learner::Place& learner);
   ~Desk() override;
 
   [[nodiscard]] QWidget& window() const { return window_; }
+  /// Of the window's thread.
+  [[nodiscard]] base::Inbox& inbox() { return inbox_.inbox(); }
   [[nodiscard]] const QString& settings_file() const { return settings_file_; }
   [[nodiscard]] Preferences& preferences() { return preferences_; }
   [[nodiscard]] Library& library() { return library_; }
@@ -35,7 +41,9 @@ class Desk final : public QObject {
   [[nodiscard]] TabletController& controller() { return controller_; }
   [[nodiscard]] WritingJudge& judge() { return judge_; }
   [[nodiscard]] SessionRecording& recording() { return recording_; }
-  [[nodiscard]] Learner& learner() { return learner_; }
+  [[nodiscard]] practice::Learner& learner() { return learner_; }
+  [[nodiscard]] practice::LearnerExchange& exchange() { return exchange_; }
+  [[nodiscard]] practice::SettingsChange& settings_change() { return settings_change_; }
   [[nodiscard]] StudySession& session() { return session_; }
   /// The ways to haptic devices, for who opens them.
   [[nodiscard]] Stylus::BackEnds take_back_ends() { return std::move(back_ends_); }
@@ -83,6 +91,7 @@ class Desk final : public QObject {
 
  private:
   QWidget& window_;
+  EventLoopInbox inbox_;
   QString settings_file_;
   Preferences preferences_;
   Library library_;
@@ -90,7 +99,10 @@ class Desk final : public QObject {
   WritingJudge judge_;
   TabletController controller_;
   SessionRecording recording_;
-  Learner learner_;
+  practice::Learner learner_;
+  practice::LearnerExchange exchange_{inbox(), learner_};
+  practice::SettingsChange settings_change_{inbox(), learner_};
+  QTimer day_timer_;
   StudySession session_{learner_};
   Stylus::BackEnds back_ends_;
   bool settled_ = false;

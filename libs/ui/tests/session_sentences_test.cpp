@@ -21,7 +21,7 @@ class SessionSentences : public SessionTest {
     settings.new_lists = {"list:few"};
     settings.new_order = study::NewOrder::own;
     ASSERT_TRUE(learner_->store().change_settings(settings));
-    learner_->note_lists();
+    learner_->renew_order();
   }
   std::string said() const { return said_.isEmpty() ? std::string() : said_.last().toStdString(); }
   std::string note() const { return session_->note().toStdString(); }
@@ -218,12 +218,12 @@ TEST_F(SessionSentences, WithoutASessionNothingCanBePutAsideOrJudged) {
   session_->undo();
   EXPECT_EQ(said(), "There is nothing to take back.");
   EXPECT_FALSE(session_->is_running());
-  learner_->let_go(QStringLiteral("It is elsewhere."));
+  learner_->let_go(practice::LearnerEvent::Kind::replacing);
   EXPECT_FALSE(session_->start());
-  EXPECT_EQ(said(), "It is elsewhere.");
+  EXPECT_EQ(said(), replaced().toStdString());
   said_.clear();
   session_->undo();
-  EXPECT_EQ(said(), "It is elsewhere.");
+  EXPECT_EQ(said(), replaced().toStdString());
 }
 
 TEST_F(SessionSentences, NothingIsDueForALessonWhereNothingIsSetApart) {

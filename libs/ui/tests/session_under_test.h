@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "event_loop_inbox.h"
+#include "study/learner_words.h"
 #include "study/study_session.h"
 
 namespace nazori::ui {
@@ -23,10 +25,12 @@ class SessionTest : public testing::Test {
   void open() {
     session_.reset();
     learner_.reset();
-    learner_ = std::make_unique<Learner>(
-        Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
-    QObject::connect(learner_.get(), &Learner::said, [this](Feedback, const QString& s) { said_.append(s); });
-    learner_->switch_profile(QStringLiteral("learner"));
+    learner_ = std::make_unique<practice::Learner>(
+        inbox_.inbox(),
+        practice::Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
+    learner_->announced.connect(
+        [this](const practice::LearnerEvent& event) { said_.append(LearnerWords::sentence(event)); });
+    learner_->switch_profile("learner");
     session_ = std::make_unique<StudySession>(*learner_, [this] { return passed_; });
     QObject::connect(session_.get(), &StudySession::said,
                      [this](Feedback, const QString& s) { said_.append(s); });
@@ -84,11 +88,18 @@ class SessionTest : public testing::Test {
     ASSERT_EQ(session_->state(), StudySession::State::judged);
   }
 
+  /// What is said while another file is put in the place of the learner's.
+  static QString replaced() {
+    return QStringLiteral(
+        "Something is being put in the place of what learner has done. Nothing is kept until it is there.");
+  }
+
   QTemporaryDir folder_;
+  EventLoopInbox inbox_;
   study::Time now_ = *study::parse_time("2026-03-02T10:00Z");
   std::chrono::milliseconds passed_{0};  ///< of the session's stopwatch
   QStringList said_;
-  std::unique_ptr<Learner> learner_;
+  std::unique_ptr<practice::Learner> learner_;
   std::unique_ptr<StudySession> session_;
 };
 

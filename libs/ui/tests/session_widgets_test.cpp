@@ -19,7 +19,8 @@ using study::Stage;
 class SessionWidgets : public ChosenSessionTest {
  protected:
   struct Bar {
-    Bar(StudySession& session, Learner& learner) : actions(&window), bar(session, actions, learner, &window) {
+    Bar(StudySession& session, practice::Learner& learner)
+        : actions(&window), bar(session, actions, learner, &window) {
       window.resize(1600, 600);
       bar.resize(1500, 200);
       window.show();

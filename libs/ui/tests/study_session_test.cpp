@@ -208,10 +208,12 @@ TEST_F(Session, OfALeechEndsWithoutAReview) {
 }
 
 TEST_F(Session, IsRefusedWhereAnotherWindowHoldsTheStore) {
-  Learner second(Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
+  practice::Learner second(inbox_.inbox(), practice::Learner::Place{folder_.path().toStdString(), kanji_db(),
+                                                                    [this] { return now_; }});
   QStringList said;
-  QObject::connect(&second, &Learner::said, [&said](Feedback, const QString& s) { said.append(s); });
-  EXPECT_FALSE(second.switch_profile(QStringLiteral("learner")));
+  second.announced.connect(
+      [&said](const practice::LearnerEvent& event) { said.append(LearnerWords::sentence(event)); });
+  EXPECT_FALSE(second.switch_profile("learner"));
   EXPECT_FALSE(second.can_write());
   ASSERT_EQ(said.size(), 1);
   EXPECT_TRUE(said.first().contains(QStringLiteral("another window"))) << said.first().toStdString();
@@ -231,9 +233,11 @@ TEST_F(Session, ADamagedStoreIsLeftByteForByte) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write(QByteArray(5000, 'x'));
   file.close();
-  Learner learner(Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
-  EXPECT_FALSE(learner.switch_profile(QStringLiteral("learner")));
-  EXPECT_TRUE(learner.trouble().contains(QStringLiteral("damaged"))) << learner.trouble().toStdString();
+  practice::Learner learner(inbox_.inbox(), practice::Learner::Place{folder_.path().toStdString(), kanji_db(),
+                                                                     [this] { return now_; }});
+  EXPECT_FALSE(learner.switch_profile("learner"));
+  const QString trouble = LearnerWords::sentence(learner.trouble());
+  EXPECT_TRUE(trouble.contains(QStringLiteral("damaged"))) << trouble.toStdString();
   StudySession session(learner);
   EXPECT_FALSE(session.start());
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
@@ -245,13 +249,13 @@ TEST_F(Session, AnotherProfileIsAnotherLearnerAndABadNameChangesNothing) {
   const char32_t first = session_->character();
   learn();
   session_->rate(Rating::good);
-  EXPECT_TRUE(learner_->switch_profile(QStringLiteral("花子")));
+  EXPECT_TRUE(learner_->switch_profile("花子"));
   EXPECT_FALSE(session_->is_running());
   EXPECT_FALSE(learner_->store().cards().contains(first));
-  EXPECT_FALSE(learner_->switch_profile(QStringLiteral("../x")));
-  EXPECT_EQ(learner_->profile(), QStringLiteral("花子"));
+  EXPECT_FALSE(learner_->switch_profile("../x"));
+  EXPECT_EQ(learner_->profile(), "花子");
   EXPECT_TRUE(learner_->can_write());
-  EXPECT_TRUE(learner_->switch_profile(QStringLiteral("learner")));
+  EXPECT_TRUE(learner_->switch_profile("learner"));
   EXPECT_TRUE(learner_->store().cards().contains(first));
 }
 

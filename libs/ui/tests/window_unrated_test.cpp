@@ -242,7 +242,7 @@ TEST_F(Unrated, AnotherLearnerSeesNeitherTheInkNorTheSummaryOfTheLast) {
   press(Qt::Key_F8);
   memory().add_stroke(stroke(1));
   window_->go_to(QStringLiteral("home"));
-  ASSERT_TRUE(the_desk->learner().switch_profile(QStringLiteral("aiko")));
+  ASSERT_TRUE(the_desk->learner().switch_profile("aiko"));
   EXPECT_FALSE(find("home_summary")->isVisible());
   window_->go_to(QStringLiteral("characters"));
   press(Qt::Key_F8);

@@ -8,6 +8,7 @@
 #include "characters/memory_stage.h"
 #include "desk.h"
 #include "kanji_text.h"
+#include "signals.h"
 #include "study/session_actions.h"
 #include "study/session_bar.h"
 #include "study/session_panel.h"
@@ -56,8 +57,8 @@ void Characters::connect_session() {
   connect(memory_, &MemoryStage::writing_changed, this,
           [this] { session_actions_->set_has_unjudged(memory_->has_unjudged()); });
   connect(memory_, &MemoryStage::hint_given, &session, &StudySession::note_hint);
-  connect(&desk().learner(), &Learner::changed, this, &Characters::show_session);
-  connect(&desk().learner(), &Learner::profile_changed, memory_, &MemoryStage::forget);
+  subscribe(desk().learner().changed, this, [this] { show_session(); });
+  subscribe(desk().learner().profile_changed, memory_, [this] { memory_->forget(); });
   connect(&desk(), &Desk::study_settings_changed, this, [this] {
     session_actions_->set_one_hand(desk().preferences().one_hand, actions_->hint, actions_->undo_stroke,
                                    actions_->done);
@@ -106,7 +107,7 @@ void Characters::connect_study_actions() {
   aside(session_actions_->postpone, &StudySession::postpone, [this](char32_t character) {
     auto& learner = desk().learner();
     auto& store = learner.store();
-    if (learner.take(store.postpone(std::span(&character, 1), store.today() + std::chrono::days(1))))
+    if (learner.report(store.postpone(std::span(&character, 1), store.today() + std::chrono::days(1))))
       desk().say(Feedback::hint, tr("%1 comes tomorrow.").arg(to_text(character)));
   });
   aside(session_actions_->pause, &StudySession::pause, [this](char32_t character) {
@@ -114,13 +115,13 @@ void Characters::connect_study_actions() {
     auto& store = learner.store();
     const bool paused = store.card(character).paused;
     const auto done = paused ? store.resume(std::span(&character, 1)) : store.pause(std::span(&character, 1));
-    if (learner.take(done))
+    if (learner.report(done))
       desk().say(Feedback::hint, paused ? tr("%1 comes again.").arg(to_text(character))
                                         : tr("%1 is paused until it is resumed.").arg(to_text(character)));
   });
   aside(session_actions_->reset, &StudySession::reset, [this](char32_t character) {
     auto& learner = desk().learner();
-    if (learner.take(learner.store().reset(std::span(&character, 1))))
+    if (learner.report(learner.store().reset(std::span(&character, 1))))
       desk().say(Feedback::hint, tr("%1 is new again. Ctrl+Shift+Z takes it back.").arg(to_text(character)));
   });
 }

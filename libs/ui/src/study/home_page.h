@@ -4,8 +4,8 @@
 #include <QScrollArea>
 #include <array>
 
+#include "nazori/practice/learner.h"
 #include "nazori/study/statistics.h"
-#include "study/learner.h"
 #include "study/study_session.h"
 
 class QFrame;
@@ -19,7 +19,7 @@ namespace nazori::ui {
 class HomePage final : public QScrollArea {
   Q_OBJECT
  public:
-  HomePage(Learner& learner, const StudySession& session, QWidget* parent = nullptr);
+  HomePage(practice::Learner& learner, const StudySession& session, QWidget* parent = nullptr);
 
   /// Looks at the day anew.
   void refresh();
@@ -54,7 +54,7 @@ class HomePage final : public QScrollArea {
   void set_text(QLabel* label, const QString& text);
   void fit();
 
-  Learner& learner_;
+  practice::Learner& learner_;
   const StudySession& session_;
   bool can_start_ = false;
   QWidget* content_;

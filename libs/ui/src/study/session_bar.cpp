@@ -46,8 +46,8 @@ QString readings_of(const kanji::DictionaryEntry& entry) {
 
 }  // namespace
 
-SessionBar::SessionBar(const StudySession& session, const SessionActions& actions, const Learner& learner,
-                       QWidget* parent)
+SessionBar::SessionBar(const StudySession& session, const SessionActions& actions,
+                       const practice::Learner& learner, QWidget* parent)
     : QFrame(parent),
       session_(session),
       actions_(actions),

@@ -19,7 +19,7 @@ namespace nazori::ui {
 class SessionBar final : public QFrame {
   Q_OBJECT
  public:
-  SessionBar(const StudySession& session, const SessionActions& actions, const Learner& learner,
+  SessionBar(const StudySession& session, const SessionActions& actions, const practice::Learner& learner,
              QWidget* parent);
 
   /// Shows where the session is. @param sheet  of the session's character; null while it is on its way.
@@ -39,7 +39,7 @@ class SessionBar final : public QFrame {
 
   const StudySession& session_;
   const SessionActions& actions_;
-  const Learner& learner_;
+  const practice::Learner& learner_;
   std::shared_ptr<const CharacterSheet> sheet_;  ///< shown last
   QLabel* progress_;
   QProgressBar* line_;

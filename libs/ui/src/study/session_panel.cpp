@@ -31,8 +31,8 @@ QLabel* label(const char* name, const char* role, QWidget* parent) {
 
 }  // namespace
 
-SessionPanel::SessionPanel(const StudySession& session, const SessionActions& actions, Learner& learner,
-                           QWidget* parent)
+SessionPanel::SessionPanel(const StudySession& session, const SessionActions& actions,
+                           practice::Learner& learner, QWidget* parent)
     : QWidget(parent), session_(session), learner_(learner) {
   setObjectName(QStringLiteral("session_panel"));
   setAccessibleName(tr("The character that is studied"));

@@ -17,7 +17,8 @@ class InkGallery;
 class SessionPanel final : public QWidget {
   Q_OBJECT
  public:
-  SessionPanel(const StudySession& session, const SessionActions& actions, Learner& learner, QWidget* parent);
+  SessionPanel(const StudySession& session, const SessionActions& actions, practice::Learner& learner,
+               QWidget* parent);
 
   void show_state(const std::shared_ptr<const CharacterSheet>& sheet);
   /// The same again in the colours and the text size of now.
@@ -32,7 +33,7 @@ class SessionPanel final : public QWidget {
   void show_ink();
 
   const StudySession& session_;
-  Learner& learner_;
+  practice::Learner& learner_;
   std::shared_ptr<const CharacterSheet> sheet_;  ///< shown last
   QLabel* kind_;
   QLabel* steps_;

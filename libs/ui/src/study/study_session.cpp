@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "kanji_text.h"
+#include "signals.h"
+#include "study/learner_words.h"
 #include "study/study_words.h"
 #include "study/writing_results.h"
 
@@ -25,9 +27,9 @@ milliseconds steady_time() {
 
 }  // namespace
 
-StudySession::StudySession(Learner& learner, Stopwatch stopwatch)
+StudySession::StudySession(practice::Learner& learner, Stopwatch stopwatch)
     : learner_(learner), stopwatch_(stopwatch ? std::move(stopwatch) : steady_time) {
-  connect(&learner_, &Learner::profile_changed, this, [this] {
+  subscribe(learner_.profile_changed, this, [this] {
     if (is_running()) end();
   });
 }
@@ -36,7 +38,7 @@ StudySession::~StudySession() = default;
 
 bool StudySession::start(bool leeches) {
   if (!learner_.can_write()) {
-    emit said(Feedback::wrong, learner_.trouble());
+    emit said(Feedback::wrong, LearnerWords::sentence(learner_.trouble()));
     return false;
   }
   const auto plan = learner_.plan();
@@ -208,7 +210,7 @@ bool StudySession::keep(Stage stage, study::Rating rating, study::Rating propose
   const int strokes = std::max<int>(1, sheet_ ? static_cast<int>(sheet_->character.strokes.size()) : 1);
   const auto kept = store().add_writing(task_.character, strokes, writing, ink);
   if (!kept) {
-    (void)learner_.take(kept);
+    (void)learner_.report(kept);
     return false;
   }
   summary_.time += result.duration;
@@ -221,7 +223,7 @@ bool StudySession::keep(Stage stage, study::Rating rating, study::Rating propose
   } else {
     ++summary_.practices;
   }
-  return learner_.take(kept);
+  return learner_.report(kept);
 }
 
 void StudySession::take_practice(Stage stage, study::WritingResult result) {
@@ -327,7 +329,7 @@ void StudySession::go_on() {
     case State::offered:
       if (is_over()) {
         if (leech_lesson_) {
-          if (!learner_.take(store().leech_met(std::span(&task_.character, 1)))) return;
+          if (!learner_.report(store().leech_met(std::span(&task_.character, 1)))) return;
           summary_.lessons.push_back(task_.character);
         }
         finish_task();
@@ -341,11 +343,11 @@ void StudySession::go_on() {
 
 void StudySession::undo() {
   if (!learner_.can_write()) {
-    emit said(Feedback::wrong, learner_.trouble());
+    emit said(Feedback::wrong, LearnerWords::sentence(learner_.trouble()));
     return;
   }
   const auto undone = store().undo();
-  if (!learner_.take(undone)) return;
+  if (!learner_.report(undone)) return;
   if (!*undone) {
     emit said(Feedback::hint, tr("There is nothing to take back."));
     return;
@@ -404,7 +406,7 @@ void StudySession::tell(Feedback kind, const QString& sentence) {
 }
 
 void StudySession::put_aside(const base::Result<void>& done, const QString& sentence) {
-  if (!learner_.take(done)) return;
+  if (!learner_.report(done)) return;
   tell(Feedback::hint, tr("%1 Ctrl+Shift+Z takes it back.").arg(sentence));
   if (leech_lesson_) std::erase(leeches_, task_.character);
   next_task();

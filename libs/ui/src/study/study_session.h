@@ -9,11 +9,12 @@
 #include <optional>
 #include <vector>
 
+#include "feedback_line.h"
 #include "library.h"
+#include "nazori/practice/learner.h"
 #include "nazori/study/day_plan.h"
 #include "nazori/writing/grade.h"
 #include "pen_recorder.h"
-#include "study/learner.h"
 
 namespace nazori::ui {
 
@@ -45,7 +46,7 @@ class StudySession final : public QObject {
   using Stopwatch = std::function<std::chrono::milliseconds()>;
 
   /// @param stopwatch  how long a stage takes; empty: the computer's.
-  explicit StudySession(Learner& learner, Stopwatch stopwatch = {});
+  explicit StudySession(practice::Learner& learner, Stopwatch stopwatch = {});
   ~StudySession() override;
 
   /// Begins with what is due now; with the characters set apart where `leeches`.
@@ -142,7 +143,7 @@ class StudySession final : public QObject {
   /// Says it, and keeps it for who looks later: the next task has words of its own at once.
   void tell(Feedback kind, const QString& sentence);
 
-  Learner& learner_;
+  practice::Learner& learner_;
   State state_ = State::idle;
   study::StudyTask task_;
   study::Stage stage_ = study::Stage::watch;
