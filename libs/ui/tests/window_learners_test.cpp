@@ -352,7 +352,7 @@ TEST_F(LearnersTest, TablesAndAnkiPackagesAreWritten) {
 
 TEST_F(LearnersTest, AnkiIsOfferedAListWhereNothingIsMet) {
   const AnkiDialog dialog(learner().store(), window_.get());
-  EXPECT_EQ(dialog.choice().list, QStringLiteral("grade-1"));
+  EXPECT_EQ(dialog.choice().list, "grade-1");
   EXPECT_EQ(dialog.choice().words, 4);
 }
 
