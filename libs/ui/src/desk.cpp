@@ -8,6 +8,7 @@
 #include "kanji_text.h"
 #include "signals.h"
 #include "study/learner_words.h"
+#include "study/session_words.h"
 
 namespace nazori::ui {
 namespace {
@@ -34,7 +35,9 @@ Desk::Desk(QWidget& window, const std::filesystem::path& database, QString setti
   });
   connect(&day_timer_, &QTimer::timeout, this, [this] { learner_.tick(); });
   day_timer_.start(kLookAtTheDay_ms);
-  connect(&session_, &StudySession::said, this, &Desk::say);
+  subscribe(session_.announced, this, [this](const practice::SessionFeedback& feedback) {
+    say(SessionWords::kind(feedback), SessionWords::sentence(feedback));
+  });
   session_.set_asks_by_words(preferences_.asks_by_words);
   subscribe(learner_.profile_changed, this, [this] {
     preferences_.profile = to_text(learner_.profile());

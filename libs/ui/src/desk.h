@@ -12,11 +12,11 @@
 #include "nazori/practice/learner.h"
 #include "nazori/practice/learner_exchange.h"
 #include "nazori/practice/settings_change.h"
+#include "nazori/practice/study_session.h"
 #include "nazori/practice/tablet_workshop.h"
 #include "nazori/practice/writing_judge.h"
 #include "preferences.h"
 #include "session_recording.h"
-#include "study/study_session.h"
 #include "tablet_controller.h"
 
 namespace nazori::ui {
@@ -44,7 +44,7 @@ class Desk final : public QObject {
   [[nodiscard]] practice::Learner& learner() { return learner_; }
   [[nodiscard]] practice::LearnerExchange& exchange() { return exchange_; }
   [[nodiscard]] practice::SettingsChange& settings_change() { return settings_change_; }
-  [[nodiscard]] StudySession& session() { return session_; }
+  [[nodiscard]] practice::StudySession& session() { return session_; }
   /// The ways to haptic devices, for who opens them.
   [[nodiscard]] Stylus::BackEnds take_back_ends() { return std::move(back_ends_); }
   void set_back_ends(Stylus::BackEnds back_ends) { back_ends_ = std::move(back_ends); }
@@ -103,7 +103,8 @@ class Desk final : public QObject {
   practice::LearnerExchange exchange_{inbox(), learner_};
   practice::SettingsChange settings_change_{inbox(), learner_};
   QTimer day_timer_;
-  StudySession session_{learner_};
+  base::SystemClock clock_;
+  practice::StudySession session_{learner_, clock_};
   Stylus::BackEnds back_ends_;
   bool settled_ = false;
   QList<std::pair<Feedback, QString>> news_;

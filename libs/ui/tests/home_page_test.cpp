@@ -191,7 +191,7 @@ TEST_F(HomePageTest, WhereNothingCanBeKeptItSaysSoAndOffersToTryAgain) {
 
 TEST_F(HomePageTest, TheSummaryOfASessionHasALineForEachThingThatWasDone) {
   EXPECT_EQ(said("home_summary"), QStringLiteral("(hidden)"));
-  SessionSummary summary;
+  practice::SessionSummary summary;
   summary.reviews = 6;
   summary.ratings = {1, 0, 3, 2};
   summary.practices = 4;
@@ -203,7 +203,7 @@ TEST_F(HomePageTest, TheSummaryOfASessionHasALineForEachThingThatWasDone) {
   EXPECT_EQ(said("home_summary"),
             QStringLiteral("Done: 6 written from memory.\nAgain 1 · Good 3 · Easy 2\nMet first: 一二\n"
                            "Had another lesson: 三\nTo see again soon: 四\nTime: about 4 minutes"));
-  SessionSummary practice;
+  practice::SessionSummary practice;
   practice.practices = 1;
   practice.time = minutes(2);
   page_.show_summary(practice);

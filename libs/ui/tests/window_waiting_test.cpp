@@ -136,8 +136,8 @@ TEST_F(Waiting, NoEventIsLongWithAHistoryOfTenYears) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Write the")); }, 20'000));
     const std::int64_t before = entries();
     press(Qt::Key_G);
-    ASSERT_TRUE(
-        QTest::qWaitFor([] { return the_desk->session().state() == StudySession::State::judged; }, 20'000))
+    ASSERT_TRUE(QTest::qWaitFor(
+        [] { return the_desk->session().state() == practice::StudySession::State::judged; }, 20'000))
         << feedback().toStdString();
     press(Qt::Key_3);
     EXPECT_EQ(entries(), before + 1);

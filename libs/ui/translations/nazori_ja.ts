@@ -4528,7 +4528,7 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::StudySession</name>
+    <name>nazori::ui::SessionWords</name>
     <message>
         <source>What is due cannot be told: %1.</source>
         <translation>今日の分が分かりません：%1。</translation>

@@ -170,9 +170,9 @@ void Characters::begin_lesson() {
   const bool taught = session.is_running() && !session.is_away();
   guided_->set_help(taught ? std::optional(session.help()) : std::nullopt);
   for (const auto& entry : stages_)
-    entry.stage->set_on_miss(taught ? [this](int stroke) { return desk().session().note_miss(stroke); }
+    entry.stage->set_on_miss(taught ? [this](int stroke) { return desk().session().add_mistake(stroke); }
                                     : CharacterStage::OnMiss());
-  const bool unrated = session.state() == StudySession::State::judged;
+  const bool unrated = session.state() == practice::StudySession::State::judged;
   memory_->set_resumes(returns_ || (taught && unrated), unrated);
   stage_->enter({sheet_, tablet_});
 }
@@ -341,7 +341,7 @@ void Characters::take_tablet(char32_t code_point, const practice::Tablet& tablet
   for (const auto& entry : stages_) entry.action->setEnabled(true);
   information_panel_->show_character(sheet_);
   auto& session = desk().session();
-  session.take_sheet(sheet_);
+  session.set_sheet(sheet_);
   if (entered_) {
     // For who studies, at the stage that is due; else at the one at hand.
     if (session.is_running() && !session.is_away() && stage_for(session.stage()) != stage_)
@@ -363,7 +363,7 @@ void Characters::take_own(const practice::OwnTablet& loaded) {
   for (const auto& entry : stages_)
     if (entry.action == actions_->trace && entry.stage != stage_) enter_stage(entry.stage);
   begin_lesson();
-  desk().session().take_sheet(nullptr);
+  desk().session().set_sheet(nullptr);
   information_panel_->show_own(to_text(own_.name), own_.map_size, desk().controller().stroke_count());
   show_hiding();
   desk().say(Feedback::good,

@@ -30,33 +30,31 @@ char32_t Characters::studied_character() const {
 
 void Characters::connect_session() {
   auto& session = desk().session();
-  connect(&session, &StudySession::changed, this, &Characters::show_session);
-  connect(&session, &StudySession::character_wanted, this, [this](char32_t character) {
+  subscribe(session.changed, this, [this] { show_session(); });
+  subscribe(session.character_wanted, this, [this](char32_t character) {
     choose(character, false);
     emit wants_to_be_entered();
   });
-  connect(&session, &StudySession::stage_wanted, this, [this](study::Stage stage) {
+  subscribe(session.stage_wanted, this, [this](study::Stage stage) {
     if (entered_) enter_stage(stage_for(stage));
   });
-  connect(&session, &StudySession::ended, this, [this] {
+  subscribe(session.ended, this, [this] {
     if (entered_) begin_lesson();
     desk().go_to(QStringLiteral("home"));
   });
   for (const auto& entry : stages_)
     connect(entry.stage, &CharacterStage::finished, this,
             [&session, name = entry.name](const study::WritingResult& result) {
-              session.take_practice(name, result);
+              session.finish_stage(name, result);
             });
-  connect(memory_, &MemoryStage::judged, this, [this, &session](const writing::Grade& grade) {
-    session.take_judgement(grade, memory_->strokes());
-  });
-  connect(memory_, &MemoryStage::given_up, this,
-          [this, &session] { session.take_surrender(memory_->strokes()); });
-  connect(memory_, &MemoryStage::taken_back, &session, &StudySession::take_back_judgement);
-  connect(memory_, &MemoryStage::stroke_added, &session, &StudySession::note_stroke);
+  connect(memory_, &MemoryStage::judged, this,
+          [this, &session](const writing::Grade& grade) { session.judge(grade, memory_->strokes()); });
+  connect(memory_, &MemoryStage::given_up, this, [this, &session] { session.give_up(memory_->strokes()); });
+  connect(memory_, &MemoryStage::taken_back, this, [&session] { session.reopen(); });
+  connect(memory_, &MemoryStage::stroke_added, this, [&session] { session.add_stroke(); });
   connect(memory_, &MemoryStage::writing_changed, this,
           [this] { session_actions_->set_has_unjudged(memory_->has_unjudged()); });
-  connect(memory_, &MemoryStage::hint_given, &session, &StudySession::note_hint);
+  connect(memory_, &MemoryStage::hint_given, this, [&session] { session.add_hint(); });
   subscribe(desk().learner().changed, this, [this] { show_session(); });
   subscribe(desk().learner().profile_changed, memory_, [this] { memory_->forget(); });
   connect(&desk(), &Desk::study_settings_changed, this, [this] {
@@ -94,7 +92,7 @@ void Characters::connect_study_actions() {
     desk().focus_tablet();
   });
   // Within the session for what it asks for, else for the character on the desk.
-  const auto aside = [this, on](QAction* action, void (StudySession::*within)(),
+  const auto aside = [this, on](QAction* action, void (practice::StudySession::*within)(),
                                 const std::function<void(char32_t)>& outside) {
     on(action, [this, within, outside] {
       auto& running = desk().session();
@@ -104,13 +102,13 @@ void Characters::connect_study_actions() {
         outside(character);
     });
   };
-  aside(session_actions_->postpone, &StudySession::postpone, [this](char32_t character) {
+  aside(session_actions_->postpone, &practice::StudySession::postpone, [this](char32_t character) {
     auto& learner = desk().learner();
     auto& store = learner.store();
     if (learner.report(store.postpone(std::span(&character, 1), store.today() + std::chrono::days(1))))
       desk().say(Feedback::hint, tr("%1 comes tomorrow.").arg(to_text(character)));
   });
-  aside(session_actions_->pause, &StudySession::pause, [this](char32_t character) {
+  aside(session_actions_->pause, &practice::StudySession::pause, [this](char32_t character) {
     auto& learner = desk().learner();
     auto& store = learner.store();
     const bool paused = store.card(character).paused;
@@ -119,7 +117,7 @@ void Characters::connect_study_actions() {
       desk().say(Feedback::hint, paused ? tr("%1 comes again.").arg(to_text(character))
                                         : tr("%1 is paused until it is resumed.").arg(to_text(character)));
   });
-  aside(session_actions_->reset, &StudySession::reset, [this](char32_t character) {
+  aside(session_actions_->reset, &practice::StudySession::reset, [this](char32_t character) {
     auto& learner = desk().learner();
     if (learner.report(learner.store().reset(std::span(&character, 1))))
       desk().say(Feedback::hint, tr("%1 is new again. Ctrl+Shift+Z takes it back.").arg(to_text(character)));

@@ -48,8 +48,7 @@ Home::Home(Desk& desk)
     this->desk().focus_tablet();
   });
   subscribe(desk.learner().changed, this, [this] { refresh(); });
-  connect(&desk.session(), &StudySession::ended, this,
-          [this] { page_->show_summary(this->desk().session().summary()); });
+  subscribe(desk.session().ended, this, [this] { page_->show_summary(this->desk().session().summary()); });
   // After the session of the learner before has ended, which shows what it came to.
   subscribe(desk.learner().profile_changed, this, [this] { page_->show_summary({}); });
   connect(&look_, &QTimer::timeout, this, &Home::refresh);

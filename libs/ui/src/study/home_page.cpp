@@ -40,7 +40,7 @@ QString in_a_row(const std::vector<char32_t>& characters) {
 
 }  // namespace
 
-HomePage::HomePage(practice::Learner& learner, const StudySession& session, QWidget* parent)
+HomePage::HomePage(practice::Learner& learner, const practice::StudySession& session, QWidget* parent)
     : QScrollArea(parent), learner_(learner), session_(session), content_(new QWidget(this)) {
   setObjectName(QStringLiteral("home_page"));
   setAccessibleName(tr("Today"));
@@ -249,7 +249,7 @@ void HomePage::refresh() {
   });
 }
 
-void HomePage::show_summary(const SessionSummary& summary) {
+void HomePage::show_summary(const practice::SessionSummary& summary) {
   QStringList said;
   if (summary.reviews > 0) {
     said.append(tr("Done: %n written from memory.", nullptr, summary.reviews));
