@@ -5,34 +5,46 @@
 #include <algorithm>
 #include <utility>
 
+#include "kanji_text.h"
+#include "signals.h"
+#include "study/learner_words.h"
+#include "study/session_words.h"
+
 namespace nazori::ui {
 namespace {
 
 constexpr int kSettled_ms = 10'000;
+constexpr int kLookAtTheDay_ms = 60'000;
 
 }  // namespace
 
 Desk::Desk(QWidget& window, const std::filesystem::path& database, QString settings_file,
-           const Learner::Place& learner)
+           const practice::Learner::Place& learner)
     : window_(window),
       settings_file_(settings_file.isEmpty() ? Preferences::default_file() : std::move(settings_file)),
       preferences_(Preferences::load(settings_file_)),
       library_(inbox(), database),
       judge_(inbox(), database),
       recording_(controller_.stylus(), settings_file_),
-      learner_(learner) {
+      learner_(inbox(), learner) {
   controller_.set_style(preferences_.style);
   connect(this, &Desk::character_shown, this, &Desk::note_opened);
   QTimer::singleShot(kSettled_ms, this, &Desk::note_opened);
-  connect(&learner_, &Learner::said, this, &Desk::tell);
-  connect(&session_, &StudySession::said, this, &Desk::say);
+  subscribe(learner_.announced, this, [this](const practice::LearnerEvent& event) {
+    tell(LearnerWords::kind(event), LearnerWords::sentence(event));
+  });
+  connect(&day_timer_, &QTimer::timeout, this, [this] { learner_.tick(); });
+  day_timer_.start(kLookAtTheDay_ms);
+  subscribe(session_.announced, this, [this](const practice::SessionFeedback& feedback) {
+    say(SessionWords::kind(feedback), SessionWords::sentence(feedback));
+  });
   session_.set_asks_by_words(preferences_.asks_by_words);
-  connect(&learner_, &Learner::profile_changed, this, [this] {
-    preferences_.profile = learner_.profile();
+  subscribe(learner_.profile_changed, this, [this] {
+    preferences_.profile = to_text(learner_.profile());
     save_later();
   });
-  if (!learner_.switch_profile(preferences_.profile) && learner_.profile().isEmpty())
-    learner_.switch_profile(Preferences().profile);
+  if (!learner_.switch_profile(preferences_.profile.toStdString()) && learner_.profile().empty())
+    learner_.switch_profile(Preferences().profile.toStdString());
 }
 
 Desk::~Desk() = default;

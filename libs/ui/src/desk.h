@@ -3,17 +3,20 @@
 
 #include <QList>
 #include <QObject>
+#include <QTimer>
 #include <utility>
 
 #include "event_loop_inbox.h"
 #include "feedback_line.h"
 #include "nazori/practice/character_library.h"
+#include "nazori/practice/learner.h"
+#include "nazori/practice/learner_exchange.h"
+#include "nazori/practice/settings_change.h"
+#include "nazori/practice/study_session.h"
 #include "nazori/practice/tablet_workshop.h"
 #include "nazori/practice/writing_judge.h"
 #include "preferences.h"
 #include "session_recording.h"
-#include "study/learner.h"
-#include "study/study_session.h"
 #include "tablet_controller.h"
 
 namespace nazori::ui {
@@ -25,7 +28,7 @@ class Desk final : public QObject {
  public:
   /// Settings are read from `settings_file`.
   Desk(QWidget& window, const std::filesystem::path& database, QString settings_file,
-       const Learner::Place& learner);
+       const practice::Learner::Place& learner);
   ~Desk() override;
 
   [[nodiscard]] QWidget& window() const { return window_; }
@@ -38,8 +41,10 @@ class Desk final : public QObject {
   [[nodiscard]] TabletController& controller() { return controller_; }
   [[nodiscard]] practice::WritingJudge& judge() { return judge_; }
   [[nodiscard]] SessionRecording& recording() { return recording_; }
-  [[nodiscard]] Learner& learner() { return learner_; }
-  [[nodiscard]] StudySession& session() { return session_; }
+  [[nodiscard]] practice::Learner& learner() { return learner_; }
+  [[nodiscard]] practice::LearnerExchange& exchange() { return exchange_; }
+  [[nodiscard]] practice::SettingsChange& settings_change() { return settings_change_; }
+  [[nodiscard]] practice::StudySession& session() { return session_; }
   /// The ways to haptic devices, for who opens them.
   [[nodiscard]] Stylus::BackEnds take_back_ends() { return std::move(back_ends_); }
   void set_back_ends(Stylus::BackEnds back_ends) { back_ends_ = std::move(back_ends); }
@@ -94,8 +99,12 @@ class Desk final : public QObject {
   practice::WritingJudge judge_;
   TabletController controller_;
   SessionRecording recording_;
-  Learner learner_;
-  StudySession session_{learner_};
+  practice::Learner learner_;
+  practice::LearnerExchange exchange_{inbox(), learner_};
+  practice::SettingsChange settings_change_{inbox(), learner_};
+  QTimer day_timer_;
+  base::SystemClock clock_;
+  practice::StudySession session_{learner_, clock_};
   Stylus::BackEnds back_ends_;
   bool settled_ = false;
   QList<std::pair<Feedback, QString>> news_;

@@ -348,7 +348,7 @@ void MainWindow::Inside::focus_tablet() {
 
 bool MainWindow::Inside::may_close(bool quits) {
   auto& session = desk.session();
-  if (session.state() != StudySession::State::judged) return true;
+  if (session.state() != practice::StudySession::State::judged) return true;
   QMessageBox box(QMessageBox::Question, QStringLiteral("Nazori"),
                   MainWindow::tr("Your writing of %1 is not rated yet.").arg(to_text(session.character())),
                   QMessageBox::NoButton, &window);
@@ -368,7 +368,7 @@ bool MainWindow::Inside::may_close(bool quits) {
   if (box.clickedButton() != rate) return false;
   session.rate(session.proposed());
   // What could not be saved says so and stays.
-  return session.state() != StudySession::State::judged;
+  return session.state() != practice::StudySession::State::judged;
 }
 
 void MainWindow::Inside::save_later() { save_timer.start(); }

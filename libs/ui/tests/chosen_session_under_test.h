@@ -18,7 +18,7 @@ class ChosenSessionTest : public SessionTest {
     settings.new_lists = {"list:few"};
     settings.new_order = study::NewOrder::own;
     ASSERT_TRUE(learner_->store().change_settings(settings));
-    learner_->note_lists();
+    learner_->renew_order();
   }
   /// A character that was written from memory once more, on the day after it is due again.
   void know(char32_t character, study::Rating rating = study::Rating::easy,

@@ -25,7 +25,7 @@ class HomePageTest : public SessionTest {
     auto settings = learner_->store().settings();
     what(settings);
     ASSERT_TRUE(learner_->store().change_settings(settings));
-    learner_->note_lists();
+    learner_->renew_order();
   }
   void learn_from(std::vector<char32_t> characters, int new_per_day) {
     ASSERT_TRUE(learner_->store().save_list({"few", std::move(characters)}));
@@ -66,7 +66,7 @@ class HomePageTest : public SessionTest {
 
 TEST_F(HomePageTest, TellsTheDayAndWhoStudiesWhereThatIsNotTheUsualLearner) {
   EXPECT_EQ(text("home_day"), QStringLiteral("Monday 2 March"));
-  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("Mari")));
+  ASSERT_TRUE(learner_->switch_profile("Mari"));
   EXPECT_TRUE(text("home_day").endsWith(QStringLiteral(" · Mari"))) << text("home_day").toStdString();
 }
 
@@ -176,8 +176,8 @@ TEST_F(HomePageTest, WhatIsForgottenOftenIsOfferedAnotherLesson) {
 TEST_F(HomePageTest, WhereNothingCanBeKeptItSaysSoAndOffersToTryAgain) {
   EXPECT_FALSE(can_see("home_try_again"));
   EXPECT_EQ(text("home_trouble"), QStringLiteral("(hidden)"));
-  learner_->let_go(QStringLiteral("It is being worked on."));
-  EXPECT_EQ(text("home_trouble"), QStringLiteral("It is being worked on."));
+  learner_->let_go(practice::LearnerEvent::Kind::replacing);
+  EXPECT_EQ(text("home_trouble"), replaced());
   EXPECT_TRUE(can_see("home_try_again"));
   EXPECT_FALSE(can_see("home_start"));
   EXPECT_FALSE(page_.can_start());
@@ -191,7 +191,7 @@ TEST_F(HomePageTest, WhereNothingCanBeKeptItSaysSoAndOffersToTryAgain) {
 
 TEST_F(HomePageTest, TheSummaryOfASessionHasALineForEachThingThatWasDone) {
   EXPECT_EQ(said("home_summary"), QStringLiteral("(hidden)"));
-  SessionSummary summary;
+  practice::SessionSummary summary;
   summary.reviews = 6;
   summary.ratings = {1, 0, 3, 2};
   summary.practices = 4;
@@ -203,7 +203,7 @@ TEST_F(HomePageTest, TheSummaryOfASessionHasALineForEachThingThatWasDone) {
   EXPECT_EQ(said("home_summary"),
             QStringLiteral("Done: 6 written from memory.\nAgain 1 · Good 3 · Easy 2\nMet first: 一二\n"
                            "Had another lesson: 三\nTo see again soon: 四\nTime: about 4 minutes"));
-  SessionSummary practice;
+  practice::SessionSummary practice;
   practice.practices = 1;
   practice.time = minutes(2);
   page_.show_summary(practice);

@@ -17,16 +17,18 @@
 #include "language.h"
 #include "learners/anki_dialog.h"
 #include "learners/backups_dialog.h"
-#include "learners/learner_exchange.h"
+#include "learners/exchange_progress.h"
 #include "learners/learners_dialog.h"
 #include "nazori/study/backups.h"
 #include "nazori/study/exchange.h"
 #include "nazori/study/profiles.h"
 #include "session_under_test.h"
-#include "study/settings_change.h"
+#include "study/settings_progress.h"
 
 namespace nazori::ui {
 namespace {
+
+using Format = practice::LearnerExchange::Format;
 
 class LearnerDialogs : public SessionTest {
  protected:
@@ -35,7 +37,7 @@ class LearnerDialogs : public SessionTest {
   void write(char32_t character) {
     study::Writing writing;
     writing.result.duration = std::chrono::seconds(5);
-    ASSERT_TRUE(learner_->take(learner_->store().add_writing(character, 1, writing)));
+    ASSERT_TRUE(learner_->report(learner_->store().add_writing(character, 1, writing)));
   }
   template <class T>
   static T* part(QWidget& dialog, const char* name) {
@@ -44,16 +46,25 @@ class LearnerDialogs : public SessionTest {
   static std::string words(QWidget& dialog, const char* label) {
     return part<QLabel>(dialog, label)->text().toStdString();
   }
-  void follow(LearnerExchange& exchange) {
-    QObject::connect(&exchange, &LearnerExchange::said, &window_,
-                     [this](Feedback kind, const QString& sentence) {
-                       kind_ = kind;
-                       told_ = sentence;
-                     });
-  }
-  void wait_for(const LearnerExchange& exchange) {
+  /// An exchange of the learner with its dialog.
+  struct Exchange : practice::LearnerExchange {
+    explicit Exchange(LearnerDialogs& test)
+        : LearnerExchange(test.inbox_.inbox(), *test.learner_), progress(*this, &test.window_) {
+      QObject::connect(&progress, &ExchangeProgress::said, &test.window_,
+                       [&test](Feedback kind, const QString& sentence) {
+                         test.kind_ = kind;
+                         test.told_ = sentence;
+                       });
+    }
+    ExchangeProgress progress;
+  };
+  void wait_for(const Exchange& exchange) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !exchange.is_busy(); }, 20'000));
   }
+  [[nodiscard]] std::filesystem::path path(const char* name) const {
+    return folder_.filePath(QString::fromUtf8(name)).toStdString();
+  }
+
   QWidget window_;
   Feedback kind_ = Feedback::hint;
   QString told_;
@@ -99,7 +110,7 @@ TEST_F(LearnersList, WhoStudiesIsMarkedAndEveryoneIsListed) {
 }
 
 TEST_F(LearnersList, ChoosingSwitchesAndClosesIt) {
-  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("Mari")));
+  ASSERT_TRUE(learner_->switch_profile("Mari"));
   LearnersDialog dialog(*learner_, &window_);
   QSignalSpy said(&dialog, &LearnersDialog::said);
   auto* list = part<QListWidget>(dialog, "learners_list");
@@ -127,12 +138,12 @@ TEST_F(LearnersList, ANameThatCanBeNoneOrIsTakenIsExplained) {
   EXPECT_EQ(says(), "learner is there already. Type another name.");
   press("learner_rename");
   EXPECT_EQ(says(), "learner is there already. Type another name.");
-  EXPECT_EQ(learner_->profile(), QStringLiteral("learner"));
+  EXPECT_EQ(learner_->profile(), "learner");
 }
 
 TEST_F(LearnersList, AnotherLearnerIsRenamedWithoutASwitch) {
   write(U'一');
-  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("Mari")));
+  ASSERT_TRUE(learner_->switch_profile("Mari"));
   type("x");
   press("learner_add");
   choose("learner");
@@ -140,7 +151,7 @@ TEST_F(LearnersList, AnotherLearnerIsRenamedWithoutASwitch) {
   press("learner_rename");
   EXPECT_EQ(says(), "learner is called Aiko now.");
   EXPECT_TRUE(name_->text().isEmpty());
-  EXPECT_EQ(learner_->profile(), QStringLiteral("x"));
+  EXPECT_EQ(learner_->profile(), "x");
   const auto all = study::profiles(learner_->folder());
   EXPECT_NE(std::find(all.begin(), all.end(), "Aiko"), all.end());
   EXPECT_EQ(std::find(all.begin(), all.end(), "learner"), all.end());
@@ -148,7 +159,7 @@ TEST_F(LearnersList, AnotherLearnerIsRenamedWithoutASwitch) {
 
 TEST_F(LearnersList, RemovingAsksAndSaysWhereTheFolderLies) {
   write(U'一');
-  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("Mari")));
+  ASSERT_TRUE(learner_->switch_profile("Mari"));
   type("x");
   press("learner_add");
   choose("Mari");
@@ -169,7 +180,7 @@ TEST_F(LearnersList, RemovingAsksAndSaysWhereTheFolderLies) {
   }
   EXPECT_EQ(says(), "Mari is removed. The folder lies in " +
                         (learner_->folder() / ".removed" / "Mari").string() + ".");
-  EXPECT_EQ(learner_->profile(), QStringLiteral("x")) << "who studies goes on";
+  EXPECT_EQ(learner_->profile(), "x") << "who studies goes on";
   EXPECT_EQ(names().size(), 2);
 }
 
@@ -194,8 +205,8 @@ TEST_F(BackupsList, EachHasItsKindAndWhatItHolds) {
   put("own-2026-02-02-100000.db", true);
   put("before-restore-2026-02-03-100000.db", true);
   put("daily-2026-01-31.db", false);
-  LearnerExchange exchange(*learner_, &window_);
-  BackupsDialog dialog(*learner_, exchange, &window_);
+  Exchange exchange(*this);
+  BackupsDialog dialog(inbox_.inbox(), *learner_, exchange, exchange.progress, &window_);
   EXPECT_EQ(dialog.windowTitle(), QStringLiteral("Backups of learner"));
   auto* table = part<QTableWidget>(dialog, "backups_table");
   const auto listed = study::backups_of(learner_->file());
@@ -236,31 +247,31 @@ TEST_F(BackupsList, EachHasItsKindAndWhatItHolds) {
 TEST_F(BackupsList, WithoutAnyItSaysWhenOneIsMade) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !learner_->keeps_up(); }, 20'000));
   std::filesystem::remove_all(study::backup_folder(learner_->file()));
-  LearnerExchange exchange(*learner_, &window_);
-  BackupsDialog dialog(*learner_, exchange, &window_);
+  Exchange exchange(*this);
+  BackupsDialog dialog(inbox_.inbox(), *learner_, exchange, exchange.progress, &window_);
   EXPECT_TRUE(words(dialog, "backups_words").starts_with("There is no backup yet."));
   EXPECT_FALSE(part<QPushButton>(dialog, "backup_restore")->isEnabled());
 }
 
 TEST_F(LearnerDialogs, OneThingAtATimeIsWrittenOrRead) {
   write(U'一');
-  LearnerExchange exchange(*learner_, &window_);
-  follow(exchange);
-  const QSignalSpy finished(&exchange, &LearnerExchange::finished);
+  Exchange exchange(*this);
+  int finished = 0;
+  exchange.finished.connect([&finished] { ++finished; });
   const QString first = folder_.filePath(QStringLiteral("a.json"));
-  exchange.write(LearnerExchange::Kind::json, first);
+  exchange.write(Format::json, path("a.json"));
   EXPECT_TRUE(exchange.is_busy());
   const QString busy = QStringLiteral("Something is being written or read already. Wait for it, or stop it.");
   for (const auto& again : std::initializer_list<std::function<void()>>{
-           [&] { exchange.write(LearnerExchange::Kind::csv, folder_.filePath(QStringLiteral("b.csv"))); },
-           [&] { exchange.read(first); }, [&] { exchange.back_up(); }, [&] { exchange.restore("x"); }}) {
+           [&] { exchange.write(Format::csv, path("b.csv")); }, [&] { exchange.read(path("a.json")); },
+           [&] { exchange.back_up(); }, [&] { exchange.restore("x"); }}) {
     told_.clear();
     again();
     EXPECT_EQ(told_, busy);
     EXPECT_EQ(kind_, Feedback::advice);
   }
   wait_for(exchange);
-  EXPECT_EQ(finished.count(), 1);
+  EXPECT_EQ(finished, 1);
   EXPECT_EQ(told_, QStringLiteral("Saved as %1.").arg(first));
   EXPECT_EQ(kind_, Feedback::good);
   EXPECT_FALSE(QFile::exists(folder_.filePath(QStringLiteral("b.csv"))));
@@ -268,20 +279,18 @@ TEST_F(LearnerDialogs, OneThingAtATimeIsWrittenOrRead) {
 
 TEST_F(LearnerDialogs, WhatFailsIsNamedWithItsFile) {
   write(U'一');
-  LearnerExchange exchange(*learner_, &window_);
-  follow(exchange);
-  for (const auto kind :
-       {LearnerExchange::Kind::json, LearnerExchange::Kind::csv, LearnerExchange::Kind::anki}) {
-    exchange.write(kind, folder_.filePath(QStringLiteral("no/such/folder/a.x")));
+  Exchange exchange(*this);
+  for (const auto kind : {Format::json, Format::csv, Format::anki}) {
+    exchange.write(kind, path("no/such/folder/a.x"));
     wait_for(exchange);
     EXPECT_EQ(kind_, Feedback::wrong);
     EXPECT_TRUE(told_.startsWith(QStringLiteral("a.x: "))) << told_.toStdString();
     EXPECT_TRUE(told_.endsWith(QStringLiteral(". Everything is as it was."))) << told_.toStdString();
   }
-  exchange.read(folder_.filePath(QStringLiteral("none.json")));
+  exchange.read(path("none.json"));
   wait_for(exchange);
   EXPECT_TRUE(told_.startsWith(QStringLiteral("none.json: "))) << told_.toStdString();
-  exchange.restore(folder_.filePath(QStringLiteral("none.db")).toStdString());
+  exchange.restore(path("none.db"));
   wait_for(exchange);
   EXPECT_TRUE(told_.startsWith(QStringLiteral("The backup was not put in place: "))) << told_.toStdString();
   EXPECT_TRUE(learner_->can_write());
@@ -291,32 +300,30 @@ TEST_F(LearnerDialogs, WhatFailsIsNamedWithItsFile) {
 TEST_F(LearnerDialogs, AnImportSaysForWhomAndHowMuch) {
   write(U'一');
   write(U'二');
-  LearnerExchange exchange(*learner_, &window_);
-  follow(exchange);
-  const QString file = folder_.filePath(QStringLiteral("..Mari.json"));
-  exchange.write(LearnerExchange::Kind::json, file);
+  Exchange exchange(*this);
+  const std::filesystem::path file = path("..Mari.json");
+  exchange.write(Format::json, file);
   wait_for(exchange);
   exchange.read(file);
   wait_for(exchange);
   EXPECT_EQ(told_, QStringLiteral("Imported for learner 2: characters 2. learner 2 studies now."))
       << "the name of the file can be none";
-  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("noted")));
+  ASSERT_TRUE(learner_->switch_profile("noted"));
   ASSERT_TRUE(learner_->store().save_list({"mine", {U'一'}}));
   exchange.read(file);
   wait_for(exchange);
-  EXPECT_EQ(learner_->profile(), QStringLiteral("learner 3")) << "a list is something to keep";
+  EXPECT_EQ(learner_->profile(), "learner 3") << "a list is something to keep";
 }
 
 TEST_F(LearnerDialogs, WhatCannotBeBackedUpIsExplained) {
-  ASSERT_TRUE(learner_->switch_profile(QStringLiteral("fresh")));
-  LearnerExchange exchange(*learner_, &window_);
-  follow(exchange);
+  ASSERT_TRUE(learner_->switch_profile("fresh"));
+  Exchange exchange(*this);
   exchange.back_up();
   EXPECT_EQ(told_, QStringLiteral("Nothing is studied yet: there is nothing to back up."));
   EXPECT_EQ(kind_, Feedback::advice);
-  learner_->let_go(QStringLiteral("It is elsewhere."));
+  learner_->let_go(practice::LearnerEvent::Kind::replacing);
   exchange.back_up();
-  EXPECT_EQ(told_, QStringLiteral("It is elsewhere."));
+  EXPECT_EQ(told_, replaced());
   EXPECT_EQ(kind_, Feedback::wrong);
   EXPECT_FALSE(exchange.is_busy());
 }
@@ -324,15 +331,15 @@ TEST_F(LearnerDialogs, WhatCannotBeBackedUpIsExplained) {
 TEST_F(LearnerDialogs, AnAnkiPackageIsOfWhatWasMetWithUpToTwentyWords) {
   write(U'一');
   AnkiDialog dialog(learner_->store(), &window_);
-  EXPECT_EQ(dialog.choice().list, QString());
-  EXPECT_EQ(dialog.choice().deck, QStringLiteral("Nazori"));
+  EXPECT_EQ(dialog.choice().list, "");
+  EXPECT_EQ(dialog.choice().deck, "Nazori");
   auto* count = part<QSpinBox>(dialog, "anki_words");
   EXPECT_EQ(count->minimum(), 0);
   EXPECT_EQ(count->maximum(), 20);
   count->setValue(7);
   part<QLineEdit>(dialog, "anki_deck")->setText(QStringLiteral("  Mine "));
   EXPECT_EQ(dialog.choice().words, 7);
-  EXPECT_EQ(dialog.choice().deck, QStringLiteral("Mine"));
+  EXPECT_EQ(dialog.choice().deck, "Mine");
   part<QLineEdit>(dialog, "anki_deck")->setText(QString(60, QLatin1Char('x')));
   EXPECT_EQ(dialog.choice().deck.size(), 40);
 }
@@ -341,16 +348,21 @@ TEST_F(LearnerDialogs, SettingsThatChangeEveryCharacterAreWorkedOutBehindTheWind
   write(U'一');
   auto wanted = learner_->store().settings();
   wanted.new_per_day = 3;
-  EXPECT_FALSE(SettingsChange::takes_long(learner_->store(), wanted));
+  EXPECT_FALSE(practice::SettingsChange::takes_long(learner_->store(), wanted));
   wanted.fsrs.weights.front() = 0.5;
-  EXPECT_FALSE(SettingsChange::takes_long(learner_->store(), wanted)) << "of one writing";
-  auto* change = new SettingsChange(*learner_, wanted, &window_);
-  QObject::connect(change, &SettingsChange::said, &window_, [this](Feedback kind, const QString& sentence) {
-    kind_ = kind;
-    told_ = sentence;
-  });
+  EXPECT_FALSE(practice::SettingsChange::takes_long(learner_->store(), wanted)) << "of one writing";
+  practice::SettingsChange change(inbox_.inbox(), *learner_);
+  const auto begin = [&] {
+    auto* progress = new SettingsProgress(change, wanted, &window_);
+    QObject::connect(progress, &SettingsProgress::said, &window_,
+                     [this](Feedback kind, const QString& sentence) {
+                       kind_ = kind;
+                       told_ = sentence;
+                     });
+  };
+  begin();
   EXPECT_FALSE(learner_->can_write());
-  EXPECT_EQ(learner_->trouble(),
+  EXPECT_EQ(LearnerWords::sentence(learner_->trouble()),
             QStringLiteral(
                 "Every character of learner is being worked out anew. Nothing is kept until that is done."));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !told_.isEmpty(); }, 20'000));
@@ -360,11 +372,7 @@ TEST_F(LearnerDialogs, SettingsThatChangeEveryCharacterAreWorkedOutBehindTheWind
   EXPECT_EQ(learner_->store().settings(), wanted);
   told_.clear();
   wanted.new_per_day = 5000;
-  change = new SettingsChange(*learner_, wanted, &window_);
-  QObject::connect(change, &SettingsChange::said, &window_, [this](Feedback kind, const QString& sentence) {
-    kind_ = kind;
-    told_ = sentence;
-  });
+  begin();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !told_.isEmpty(); }, 20'000));
   EXPECT_EQ(kind_, Feedback::wrong);
   EXPECT_TRUE(told_.startsWith(QStringLiteral("The study settings were not kept: "))) << told_.toStdString();

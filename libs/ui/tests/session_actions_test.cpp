@@ -51,7 +51,7 @@ TEST_F(SessionActionsTest, EachMeansSomethingAtItsTime) {
   EXPECT_EQ(enabled(), QStringLiteral("uparte"));
   show(false);
   EXPECT_EQ(enabled(), QStringLiteral("e"));
-  session_->take_practice(study::Stage::watch, {});
+  session_->finish_stage(study::Stage::watch, {});
   show();
   EXPECT_EQ(enabled(), QStringLiteral("guparte")) << "offered";
   session_->go_on();
@@ -59,9 +59,9 @@ TEST_F(SessionActionsTest, EachMeansSomethingAtItsTime) {
   show();
   EXPECT_EQ(enabled(), QStringLiteral("guparte")) << "away";
   bring(session_->character());
-  session_->take_practice(study::Stage::trace, {});
+  session_->finish_stage(study::Stage::trace, {});
   session_->go_on();
-  session_->take_practice(study::Stage::guided, {});
+  session_->finish_stage(study::Stage::guided, {});
   session_->go_on();
   write(true);
   show();
@@ -111,7 +111,7 @@ TEST_F(SessionActionsTest, TheKeysOfDoneGoOnWhereNothingWaitsToBeJudged) {
   EXPECT_EQ(keys(actions_.go_on), list({"Shift+Return"}));
   ASSERT_TRUE(session_->start());
   bring(session_->character());
-  session_->take_practice(study::Stage::watch, {});
+  session_->finish_stage(study::Stage::watch, {});
   show();
   EXPECT_EQ(keys(actions_.go_on), both);
   EXPECT_EQ(keys(characters_.done), QStringList());

@@ -46,8 +46,9 @@ TEST_F(SessionPanelTest, SaysWhyACharacterComesAndWhichStageItIsAt) {
   bring(session_->character());
   learn();
   session_->rate(Rating::again);
-  while (session_->state() != StudySession::State::doing || session_->stage() != Stage::memory) {
-    if (session_->state() == StudySession::State::doing) session_->take_practice(session_->stage(), {});
+  while (session_->state() != practice::StudySession::State::doing || session_->stage() != Stage::memory) {
+    if (session_->state() == practice::StudySession::State::doing)
+      session_->finish_stage(session_->stage(), {});
     session_->go_on();
     ASSERT_TRUE(session_->is_running());
   }
@@ -90,15 +91,15 @@ TEST_F(SessionPanelTest, SaysWhatHelpLoweredTheProposal) {
   ASSERT_TRUE(session_->start());
   bring(U'八');
   SessionPanel panel(*session_, actions_, *learner_, &window_);
-  session_->note_hint();
-  session_->note_hint();
-  for (int i = 0; i < 3; ++i) (void)session_->note_miss(0);
+  session_->add_hint();
+  session_->add_hint();
+  for (int i = 0; i < 3; ++i) (void)session_->add_mistake(0);
   panel.show_state(sheet());
   EXPECT_EQ(shown("session_help"), QStringLiteral("(hidden)"));
   write(true);
   panel.show_state(sheet());
   EXPECT_EQ(shown("session_help"), QStringLiteral("“Again” is proposed: 1 stroke shown, 2 hints, 3 misses."));
-  session_->take_back_judgement();
+  session_->reopen();
   write(false);
   panel.show_state(sheet());
   EXPECT_EQ(shown("session_help"), QStringLiteral("(hidden)")) << "the fault itself says why";

@@ -10,7 +10,7 @@ namespace {
 
 using study::Rating;
 using study::Stage;
-using State = StudySession::State;
+using State = practice::StudySession::State;
 
 class SessionSentences : public SessionTest {
  protected:
@@ -21,10 +21,10 @@ class SessionSentences : public SessionTest {
     settings.new_lists = {"list:few"};
     settings.new_order = study::NewOrder::own;
     ASSERT_TRUE(learner_->store().change_settings(settings));
-    learner_->note_lists();
+    learner_->renew_order();
   }
   std::string said() const { return said_.isEmpty() ? std::string() : said_.last().toStdString(); }
-  std::string note() const { return session_->note().toStdString(); }
+  std::string note() const { return SessionWords::sentence(session_->last_event()).toStdString(); }
 };
 
 TEST_F(SessionSentences, WhatIsRatedIsSaidWithWhenItComesAgain) {
@@ -58,7 +58,7 @@ TEST_F(SessionSentences, WhatIsPutAsideIsSaidWithHowToTakeItBack) {
   EXPECT_EQ(note(), "一 is new again. Ctrl+Shift+Z takes it back.");
   session_->undo();
   EXPECT_EQ(note(), "Taken back: what was learnt of 一 is there again.");
-  session_->take_practice(Stage::watch, {});
+  session_->finish_stage(Stage::watch, {});
   session_->undo();
   EXPECT_EQ(note(), "Taken back: the last writing of 一.");
   const std::vector<char32_t> both{U'一', U'二'};
@@ -116,7 +116,7 @@ TEST_F(SessionSentences, WhatIsForgottenOftenIsSetApart) {
   EXPECT_EQ(session_->time_left(), std::chrono::minutes(2));
   for (int stage = 0; stage < 3; ++stage) {
     bring(U'一');
-    session_->take_practice(session_->stage(), {});
+    session_->finish_stage(session_->stage(), {});
     session_->go_on();
   }
   EXPECT_FALSE(session_->is_running());
@@ -138,7 +138,7 @@ TEST_F(SessionSentences, WhatWasForgottenIsInTheSummaryUntilItIsKnown) {
       now_ += std::chrono::minutes(5);
       continue;
     }
-    if (session_->state() == State::doing) session_->take_practice(session_->stage(), {});
+    if (session_->state() == State::doing) session_->finish_stage(session_->stage(), {});
     session_->go_on();
     ASSERT_TRUE(session_->is_running());
   }
@@ -151,10 +151,10 @@ TEST_F(SessionSentences, WhatWasForgottenIsInTheSummaryUntilItIsKnown) {
 
 TEST_F(SessionSentences, WhatHappensAwayFromTheCharacterCountsForNothing) {
   ASSERT_TRUE(session_->start());
-  const QSignalSpy wanted(session_.get(), &StudySession::character_wanted);
+  const QSignalSpy wanted(session_.get(), &practice::StudySession::character_wanted);
   bring(U'雨');
   EXPECT_TRUE(session_->is_away());
-  session_->take_practice(Stage::watch, {});
+  session_->finish_stage(Stage::watch, {});
   EXPECT_EQ(session_->state(), State::doing);
   EXPECT_EQ(learner_->store().card(U'一').practices, 0);
   session_->enter_stage(Stage::trace);
@@ -162,7 +162,7 @@ TEST_F(SessionSentences, WhatHappensAwayFromTheCharacterCountsForNothing) {
   session_->go_on();
   EXPECT_EQ(wanted.count(), 1);
   EXPECT_FALSE(session_->is_away());
-  session_->take_practice(Stage::trace, {});
+  session_->finish_stage(Stage::trace, {});
   EXPECT_EQ(session_->state(), State::doing) << "another stage is at hand";
   session_->go_on();
   EXPECT_EQ(session_->stage(), Stage::watch) << "nothing is done yet";
@@ -172,13 +172,13 @@ TEST_F(SessionSentences, WhatHappensAwayFromTheCharacterCountsForNothing) {
 
 TEST_F(SessionSentences, HelpAndMissesOfAStageAreKeptWithIt) {
   ASSERT_TRUE(session_->start());
-  session_->note_hint();
-  (void)session_->note_miss(0);
-  (void)session_->note_miss(1);
+  session_->add_hint();
+  (void)session_->add_mistake(0);
+  (void)session_->add_mistake(1);
   study::WritingResult result;
   result.misses = 1;
   result.shown_strokes = 2;
-  session_->take_practice(Stage::watch, result);
+  session_->finish_stage(Stage::watch, result);
   const auto kept = learner_->store().writings_of(U'一');
   ASSERT_TRUE(kept);
   const auto& last = kept->back().entry.writing.result;
@@ -187,14 +187,14 @@ TEST_F(SessionSentences, HelpAndMissesOfAStageAreKeptWithIt) {
   EXPECT_EQ(last.shown_strokes, 2);
   EXPECT_EQ(kept->back().entry.strokes, 1);
   session_->go_on();
-  session_->take_practice(Stage::trace, {});
+  session_->finish_stage(Stage::trace, {});
   EXPECT_EQ(learner_->store().writings_of(U'一')->back().entry.writing.result.hints, 0) << "another stage";
 }
 
 TEST_F(SessionSentences, WhoGivesUpHadEveryStrokeShown) {
   ASSERT_TRUE(session_->start());
   practise();
-  session_->take_surrender(hand());
+  session_->give_up(hand());
   EXPECT_FALSE(session_->result().accepted);
   EXPECT_EQ(session_->result().score, 0);
   EXPECT_EQ(session_->result().shown_strokes, 1);
@@ -210,20 +210,20 @@ TEST_F(SessionSentences, WithoutASessionNothingCanBePutAsideOrJudged) {
   session_->reset();
   session_->rate(Rating::good);
   session_->go_on();
-  session_->take_surrender({});
-  session_->take_judgement(grade(true), hand());
-  session_->take_back_judgement();
+  session_->give_up({});
+  session_->judge(grade(true), hand());
+  session_->reopen();
   EXPECT_EQ(session_->state(), State::idle);
   EXPECT_EQ(learner_->store().card(U'一').postponed_until, std::nullopt);
   session_->undo();
   EXPECT_EQ(said(), "There is nothing to take back.");
   EXPECT_FALSE(session_->is_running());
-  learner_->let_go(QStringLiteral("It is elsewhere."));
+  learner_->let_go(practice::LearnerEvent::Kind::replacing);
   EXPECT_FALSE(session_->start());
-  EXPECT_EQ(said(), "It is elsewhere.");
+  EXPECT_EQ(said(), replaced().toStdString());
   said_.clear();
   session_->undo();
-  EXPECT_EQ(said(), "It is elsewhere.");
+  EXPECT_EQ(said(), replaced().toStdString());
 }
 
 TEST_F(SessionSentences, NothingIsDueForALessonWhereNothingIsSetApart) {

@@ -7,7 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include "study/study_session.h"
+#include "event_loop_inbox.h"
+#include "nazori/practice/study_session.h"
+#include "study/learner_words.h"
+#include "study/session_words.h"
 
 namespace nazori::ui {
 
@@ -23,15 +26,18 @@ class SessionTest : public testing::Test {
   void open() {
     session_.reset();
     learner_.reset();
-    learner_ = std::make_unique<Learner>(
-        Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
-    QObject::connect(learner_.get(), &Learner::said, [this](Feedback, const QString& s) { said_.append(s); });
-    learner_->switch_profile(QStringLiteral("learner"));
-    session_ = std::make_unique<StudySession>(*learner_, [this] { return passed_; });
-    QObject::connect(session_.get(), &StudySession::said,
-                     [this](Feedback, const QString& s) { said_.append(s); });
+    learner_ = std::make_unique<practice::Learner>(
+        inbox_.inbox(),
+        practice::Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
+    learner_->announced.connect(
+        [this](const practice::LearnerEvent& event) { said_.append(LearnerWords::sentence(event)); });
+    learner_->switch_profile("learner");
+    session_ = std::make_unique<practice::StudySession>(*learner_, clock_);
+    session_->announced.connect([this](const practice::SessionFeedback& feedback) {
+      if (const QString s = SessionWords::sentence(feedback); !s.isEmpty()) said_.append(s);
+    });
     session_->set_asks_by_words(false);
-    QObject::connect(session_.get(), &StudySession::character_wanted, [this](char32_t c) { bring(c); });
+    session_->character_wanted.connect([this](char32_t c) { bring(c); });
     if (learner_->can_write() && learner_->store().settings().time_zone != "UTC") {
       auto settings = learner_->store().settings();
       settings.time_zone = "UTC";
@@ -44,7 +50,7 @@ class SessionTest : public testing::Test {
   void bring(char32_t character) {
     auto sheet = std::make_shared<practice::CharacterSheet>();
     sheet->character = *kanji::KanjiDatabase::open(kanji_db())->find(character);
-    session_->take_sheet(sheet);
+    session_->set_sheet(sheet);
   }
 
   static std::vector<practice::HandStroke> hand() {
@@ -64,15 +70,15 @@ class SessionTest : public testing::Test {
     return made;
   }
   void write(bool accepted) {
-    session_->note_stroke();
-    session_->take_judgement(grade(accepted), hand());
+    session_->add_stroke();
+    session_->judge(grade(accepted), hand());
   }
   /// A new character up to the question from memory, all of it well.
   void practise() {
     using study::Stage;
     for (const Stage stage : {Stage::watch, Stage::trace, Stage::guided}) {
       ASSERT_EQ(session_->stage(), stage);
-      session_->take_practice(stage, {});
+      session_->finish_stage(stage, {});
       session_->go_on();
     }
     ASSERT_EQ(session_->stage(), Stage::memory);
@@ -81,15 +87,22 @@ class SessionTest : public testing::Test {
   void learn() {
     practise();
     write(true);
-    ASSERT_EQ(session_->state(), StudySession::State::judged);
+    ASSERT_EQ(session_->state(), practice::StudySession::State::judged);
+  }
+
+  /// What is said while another file is put in the place of the learner's.
+  static QString replaced() {
+    return QStringLiteral(
+        "Something is being put in the place of what learner has done. Nothing is kept until it is there.");
   }
 
   QTemporaryDir folder_;
+  EventLoopInbox inbox_;
   study::Time now_ = *study::parse_time("2026-03-02T10:00Z");
-  std::chrono::milliseconds passed_{0};  ///< of the session's stopwatch
+  base::ManualClock clock_{base::Clock::Calendar{}};  ///< how long stages take
   QStringList said_;
-  std::unique_ptr<Learner> learner_;
-  std::unique_ptr<StudySession> session_;
+  std::unique_ptr<practice::Learner> learner_;
+  std::unique_ptr<practice::StudySession> session_;
 };
 
 }  // namespace nazori::ui

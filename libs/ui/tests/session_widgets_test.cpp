@@ -19,7 +19,8 @@ using study::Stage;
 class SessionWidgets : public ChosenSessionTest {
  protected:
   struct Bar {
-    Bar(StudySession& session, Learner& learner) : actions(&window), bar(session, actions, learner, &window) {
+    Bar(practice::StudySession& session, practice::Learner& learner)
+        : actions(&window), bar(session, actions, learner, &window) {
       window.resize(1600, 600);
       bar.resize(1500, 200);
       window.show();
@@ -132,7 +133,7 @@ TEST_F(SessionWidgets, AWordAsksWithAGapItsReadingAndThreeMeanings) {
                   word("八八", true, {"twice"}),
                   word("八百屋", true, {"a", "b > c", "d", "e"}),
                   word("八分", true, {"later"})};
-  session_->take_sheet(asked);
+  session_->set_sheet(asked);
   ASSERT_NE(session_->word(), nullptr);
   EXPECT_EQ(session_->word()->text, "八百屋");
   Bar all(*session_, *learner_);
@@ -141,7 +142,7 @@ TEST_F(SessionWidgets, AWordAsksWithAGapItsReadingAndThreeMeanings) {
   write(true);
   EXPECT_NE(session_->word(), nullptr);
   session_->set_asks_by_words(false);
-  session_->take_sheet(asked);
+  session_->set_sheet(asked);
   EXPECT_EQ(session_->word(), nullptr);
 }
 
@@ -155,14 +156,14 @@ TEST_F(SessionWidgets, ACharacterIsAskedForByAWordAtEveryThirdReviewAndNeverWhen
   word.glosses = {"August"};
   word.common = true;
   asked->words = {word};
-  session_->take_sheet(asked);
+  session_->set_sheet(asked);
   EXPECT_EQ(session_->word(), nullptr) << "it is new";
   session_->end();
   std::vector<bool> by_word;
   for (int review = 0; review < 6; ++review) {
     know(U'八');
     ASSERT_TRUE(session_->start());
-    session_->take_sheet(asked);
+    session_->set_sheet(asked);
     by_word.push_back(session_->word() != nullptr);
     session_->end();
   }
@@ -179,7 +180,7 @@ TEST_F(SessionWidgets, TheNextStepIsNamedWhereThereIsOne) {
   auto* next = all.find<QPushButton>("session_next");
   all.bar.show_state(sheet());
   EXPECT_TRUE(next->isHidden());
-  session_->take_practice(Stage::watch, {});
+  session_->finish_stage(Stage::watch, {});
   all.bar.show_state(sheet());
   EXPECT_FALSE(next->isHidden());
   EXPECT_EQ(next->text(), QStringLiteral("Trace  ⏎"));
@@ -202,7 +203,7 @@ TEST_F(SessionWidgets, AfterAFailureTheNextStepIsTheNextCharacter) {
   write(false);
   session_->rate(Rating::again);
   ASSERT_EQ(session_->stage(), Stage::guided);
-  session_->take_practice(Stage::guided, {});
+  session_->finish_stage(Stage::guided, {});
   ASSERT_TRUE(session_->is_over());
   Bar all(*session_, *learner_);
   all.bar.show_state(sheet());

@@ -17,6 +17,7 @@
 #include <QTimer>
 
 #include "language.h"
+#include "nazori/practice/list_members.h"
 #include "nazori/study/statistics.h"
 #include "session_under_test.h"
 #include "study/list_choice.h"
@@ -320,12 +321,12 @@ TEST_F(SettingsDialog, WeightsAreTakenWhereTheyAreWeights) {
 }
 
 TEST_F(SettingsDialog, WithoutAStoreToWriteNothingCanBeAccepted) {
-  learner_->let_go(QStringLiteral("It is elsewhere."));
+  learner_->let_go(practice::LearnerEvent::Kind::replacing);
   open();
   const auto* buttons = part<QDialogButtonBox>("study_settings_buttons");
   EXPECT_FALSE(buttons->button(QDialogButtonBox::Ok)->isEnabled());
   EXPECT_TRUE(buttons->button(QDialogButtonBox::Cancel)->isEnabled());
-  EXPECT_EQ(part<QLabel>("study_settings_trouble")->text(), QStringLiteral("It is elsewhere."));
+  EXPECT_EQ(part<QLabel>("study_settings_trouble")->text(), replaced());
   for (const char* name : {"list_new", "list_remove", "list_up", "list_postpone", "list_pause", "list_reset"})
     EXPECT_FALSE(part<QPushButton>(name)->isEnabled()) << name;
 }
@@ -353,9 +354,8 @@ TEST_F(SettingsDialog, EveryKindOfListHasAName) {
   EXPECT_EQ(lists.list(), QStringLiteral("tag:exam")) << "it stays chosen";
   lists.set_list(QStringLiteral("list:gone"));
   EXPECT_EQ(lists.list(), QString());
-  EXPECT_FALSE(ListChoice::members(QStringLiteral("grade-1"), nullptr, learner_->store()));
-  EXPECT_EQ(ListChoice::members(QStringLiteral("list:few"), learner_->lists(), learner_->store())->size(),
-            3U);
+  EXPECT_FALSE(practice::list_members("grade-1", nullptr, learner_->store()));
+  EXPECT_EQ(practice::list_members("list:few", learner_->lists(), learner_->store())->size(), 3U);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class StudyTest : public WindowTest {
     QCoreApplication::processEvents();
   }
 
-  static StudySession& session() { return the_desk->session(); }
+  static practice::StudySession& session() { return the_desk->session(); }
   static study::LearnerStore& store() { return the_desk->learner().store(); }
 
   void start() {
@@ -94,7 +94,8 @@ class StudyTest : public WindowTest {
         the_characters->findChild<MemoryStage*>()->add_stroke(stroke);
       }
     }
-    ASSERT_TRUE(QTest::qWaitFor([] { return session().state() == StudySession::State::judged; }, 20000))
+    ASSERT_TRUE(
+        QTest::qWaitFor([] { return session().state() == practice::StudySession::State::judged; }, 20000))
         << feedback().toStdString();
   }
 
@@ -105,7 +106,7 @@ class StudyTest : public WindowTest {
       case study::Stage::watch:
         ASSERT_TRUE(action("watch")->isChecked());
         action("play")->setChecked(false);
-        for (int i = 0; i < 30 && session().state() == StudySession::State::doing; ++i)
+        for (int i = 0; i < 30 && session().state() == practice::StudySession::State::doing; ++i)
           action("step_on")->trigger();
         break;
       case study::Stage::trace:
@@ -116,7 +117,8 @@ class StudyTest : public WindowTest {
         write_from_memory(true);
         return;
     }
-    ASSERT_TRUE(QTest::qWaitFor([] { return session().state() == StudySession::State::offered; }, 5000))
+    ASSERT_TRUE(
+        QTest::qWaitFor([] { return session().state() == practice::StudySession::State::offered; }, 5000))
         << feedback().toStdString();
   }
 
@@ -130,10 +132,10 @@ class StudyTest : public WindowTest {
 
   /// A new character up to its judgement.
   void learn() {
-    while (session().state() != StudySession::State::judged) {
+    while (session().state() != practice::StudySession::State::judged) {
       do_stage();
       if (HasFatalFailure()) return;
-      if (session().state() == StudySession::State::offered) go_on();
+      if (session().state() == practice::StudySession::State::offered) go_on();
     }
   }
 

@@ -17,7 +17,6 @@
 #include "device_search.h"
 #include "functions/plotter.h"
 #include "nazori/devices/device_catalogue.h"
-#include "progress/statistics_reader.h"
 #include "worker.h"
 
 namespace nazori::ui {
@@ -124,17 +123,6 @@ TEST(WindowThreads, DevicesAreLookedForCancelledAndOpenedAgain) {
   EXPECT_EQ(heard, 1);
   EXPECT_EQ(findings.size(), 2U);
   search.open({"simulated:touch", true, {}}, {}, [](const DeviceFind&) {});  // ended before it is heard
-}
-
-TEST(WindowThreads, OfManyRequestsForStatisticsTheNewestIsAnswered) {
-  StatisticsReader reader;
-  int answers = 0;
-  QObject::connect(&reader, &StatisticsReader::failed, &reader, [&] { ++answers; });
-  QObject::connect(&reader, &StatisticsReader::ready, &reader, [&] { ++answers; });
-  for (int i = 0; i < 10; ++i) reader.request("/nowhere/learner.db", {});
-  EXPECT_TRUE(comes_true([&] { return !reader.is_busy(); }));
-  EXPECT_EQ(answers, 1);
-  reader.request("/nowhere/learner.db", {});  // ended before it is heard
 }
 
 }  // namespace

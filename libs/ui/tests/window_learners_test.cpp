@@ -14,18 +14,22 @@
 #include "desk.h"
 #include "learners/anki_dialog.h"
 #include "learners/backups_dialog.h"
-#include "learners/learner_exchange.h"
+#include "learners/exchange_progress.h"
 #include "learners/learner_menu.h"
 #include "learners/learners_dialog.h"
+#include "nazori/practice/list_members.h"
 #include "nazori/study/backups.h"
 #include "nazori/study/exchange.h"
 #include "nazori/study/profiles.h"
+#include "study/learner_words.h"
 #include "study/list_choice.h"
 #include "study/study_dialogs.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
 namespace {
+
+using Format = practice::LearnerExchange::Format;
 
 Desk* the_desk = nullptr;
 
@@ -41,13 +45,13 @@ class LearnersTest : public WindowTest {
     clock_ = [] { return *study::parse_time("2026-03-01T09:00:00Z"); };
   }
 
-  [[nodiscard]] Learner& learner() const { return the_desk->learner(); }
+  [[nodiscard]] practice::Learner& learner() const { return the_desk->learner(); }
   [[nodiscard]] std::vector<std::string> names() const { return study::profiles(learner().folder()); }
 
   void write(char32_t character) {
     study::Writing writing;
     writing.result.duration = std::chrono::seconds(5);
-    ASSERT_TRUE(learner().take(learner().store().add_writing(character, 1, writing)));
+    ASSERT_TRUE(learner().report(learner().store().add_writing(character, 1, writing)));
   }
 
   template <class T>
@@ -66,7 +70,13 @@ class LearnersTest : public WindowTest {
     });
     button->click();
   }
-  void wait_for(const LearnerExchange& exchange) {
+  /// An exchange of the learner with its dialog.
+  struct Exchange : practice::LearnerExchange {
+    explicit Exchange(QWidget* window)
+        : LearnerExchange(the_desk->inbox(), the_desk->learner()), progress(*this, window) {}
+    ExchangeProgress progress;
+  };
+  void wait_for(const Exchange& exchange) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !exchange.is_busy(); }, 20'000));
   }
 };
@@ -77,7 +87,7 @@ TEST_F(LearnersTest, ALearnerIsAddedChosenAndRemembered) {
     LearnersDialog dialog(learner(), window_.get());
     part<QLineEdit>(dialog, "learner_name")->setText(QStringLiteral("花子"));
     part<QPushButton>(dialog, "learner_add")->click();
-    EXPECT_EQ(learner().profile(), QStringLiteral("花子"));
+    EXPECT_EQ(learner().profile(), "花子");
     EXPECT_TRUE(learner().store().cards().empty());
     auto* list = part<QListWidget>(dialog, "learners_list");
     ASSERT_EQ(list->count(), 2);
@@ -85,13 +95,13 @@ TEST_F(LearnersTest, ALearnerIsAddedChosenAndRemembered) {
   }
   window_->close();
   open_window();
-  EXPECT_EQ(learner().profile(), QStringLiteral("花子"));
+  EXPECT_EQ(learner().profile(), "花子");
   LearnersDialog dialog(learner(), window_.get());
   auto* list = part<QListWidget>(dialog, "learners_list");
   for (int row = 0; row < list->count(); ++row)
     if (list->item(row)->data(Qt::UserRole) == QStringLiteral("learner")) list->setCurrentRow(row);
   part<QPushButton>(dialog, "learner_choose")->click();
-  EXPECT_EQ(learner().profile(), QStringLiteral("learner"));
+  EXPECT_EQ(learner().profile(), "learner");
   EXPECT_TRUE(learner().store().cards().contains(U'一'));
 }
 
@@ -102,7 +112,7 @@ TEST_F(LearnersTest, ANameThatIsTakenOrCanBeNoneIsRefusedInWords) {
     part<QLineEdit>(dialog, "learner_name")->setText(QString::fromLatin1(name));
     part<QPushButton>(dialog, "learner_add")->click();
     EXPECT_FALSE(part<QLabel>(dialog, "learners_words")->text().isEmpty());
-    EXPECT_EQ(learner().profile(), QStringLiteral("learner")) << name;
+    EXPECT_EQ(learner().profile(), "learner") << name;
   }
   EXPECT_EQ(names().size(), 1U);
 }
@@ -112,7 +122,7 @@ TEST_F(LearnersTest, TheLearnerAtHandKeepsEverythingUnderAnotherName) {
   LearnersDialog dialog(learner(), window_.get());
   part<QLineEdit>(dialog, "learner_name")->setText(QStringLiteral("Mari"));
   part<QPushButton>(dialog, "learner_rename")->click();
-  EXPECT_EQ(learner().profile(), QStringLiteral("Mari"));
+  EXPECT_EQ(learner().profile(), "Mari");
   EXPECT_TRUE(learner().can_write());
   EXPECT_TRUE(learner().store().cards().contains(U'一'));
   EXPECT_EQ(names(), std::vector<std::string>{"Mari"});
@@ -120,14 +130,14 @@ TEST_F(LearnersTest, TheLearnerAtHandKeepsEverythingUnderAnotherName) {
 
 TEST_F(LearnersTest, WhoIsRemovedAfterAQuestionIsKeptAside) {
   write(U'一');
-  ASSERT_TRUE(learner().switch_profile(QStringLiteral("Mari")));
+  ASSERT_TRUE(learner().switch_profile("Mari"));
   write(U'二');
   LearnersDialog dialog(learner(), window_.get());
   answer(part<QPushButton>(dialog, "learner_remove"), nullptr);
   EXPECT_EQ(names().size(), 2U);
   answer(part<QPushButton>(dialog, "learner_remove"), "learner_remove_yes");
   EXPECT_EQ(names(), std::vector<std::string>{"learner"});
-  EXPECT_EQ(learner().profile(), QStringLiteral("learner"));
+  EXPECT_EQ(learner().profile(), "learner");
   EXPECT_TRUE(learner().store().cards().contains(U'一'));
   EXPECT_TRUE(std::filesystem::exists(learner().folder() / ".removed" / "Mari" / "learner.db"));
 }
@@ -138,8 +148,8 @@ TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Backed up as")); }, 20'000))
       << feedback().toStdString();
   write(U'二');
-  LearnerExchange exchange(learner(), window_.get());
-  BackupsDialog dialog(learner(), exchange, window_.get());
+  Exchange exchange(window_.get());
+  BackupsDialog dialog(the_desk->inbox(), learner(), exchange, exchange.progress, window_.get());
   auto* table = part<QTableWidget>(dialog, "backups_table");
   ASSERT_EQ(table->rowCount(), 1);
   ASSERT_TRUE(QTest::qWaitFor([&] { return table->item(0, 2)->text() == QStringLiteral("1"); }, 20'000));
@@ -151,7 +161,7 @@ TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
   // The window does not wait for it, and meanwhile says why nothing is kept.
   EXPECT_TRUE(exchange.is_busy());
   EXPECT_FALSE(learner().can_write());
-  EXPECT_FALSE(learner().trouble().isEmpty());
+  EXPECT_TRUE(learner().trouble());
   wait_for(exchange);
   EXPECT_TRUE(learner().can_write());
   EXPECT_TRUE(learner().store().cards().contains(U'一'));
@@ -174,12 +184,12 @@ TEST_F(LearnersTest, AWindowClosedWhileABackupIsPutInPlaceLeavesAWholeStore) {
   const auto file = learner().file();
   for (int round = 0; round < 20; ++round) {
     {
-      LearnerExchange exchange(learner(), window_.get());
+      Exchange exchange(window_.get());
       exchange.restore(*backup);
       QTest::qWait(round / 4);
     }
     // Where the backup was in place by then, the window has opened it. Closing lets go of that, too.
-    learner().let_go({});
+    learner().let_go(practice::LearnerEvent::Kind::replacing);
     const auto store = study::LearnerStore::open(file, study::Access::write);
     ASSERT_TRUE(store) << base::to_line(store.error());
     // What stood there, or the backup; nothing else.
@@ -196,21 +206,22 @@ TEST_F(LearnersTest, ABackupThatFailedStaysSaidUntilOneIsMade) {
   ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
   in_the_way.close();
   ASSERT_TRUE(learner().open_again());
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !learner().backup_trouble().isEmpty(); }, 20'000));
-  EXPECT_TRUE(learner().backup_trouble().startsWith(QStringLiteral("Today's backup could not be made")));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return learner().backup_trouble().has_value(); }, 20'000));
+  EXPECT_TRUE(LearnerWords::sentence(learner().backup_trouble())
+                  .startsWith(QStringLiteral("Today's backup could not be made")));
   write(U'二');
-  EXPECT_FALSE(learner().backup_trouble().isEmpty());
-  EXPECT_TRUE(learner().trouble().isEmpty()) << "studying works";
+  EXPECT_TRUE(learner().backup_trouble());
+  EXPECT_FALSE(learner().trouble()) << "studying works";
   ASSERT_TRUE(in_the_way.remove());
   ASSERT_TRUE(learner().open_again());
   ASSERT_TRUE(QTest::qWaitFor([this] { return !study::backups_of(learner().file()).empty(); }, 20'000));
-  EXPECT_TRUE(learner().backup_trouble().isEmpty());
+  EXPECT_FALSE(learner().backup_trouble());
 }
 
 TEST_F(LearnersTest, TagsThatCannotBeReadAreNotReplacedByNone) {
   write(U'一');
   const std::vector<std::string> tags{"exam"};
-  ASSERT_TRUE(learner().take(learner().store().set_tags(U'一', tags)));
+  ASSERT_TRUE(learner().report(learner().store().set_tags(U'一', tags)));
   const auto rename = [&](const char* from, const char* to) {
     SQLite::Database(learner().file().string(), SQLite::OPEN_READWRITE, 1'000)
         .exec(std::string("ALTER TABLE ") + from + " RENAME TO " + to);
@@ -240,8 +251,8 @@ TEST_F(LearnersTest, ListsThatCannotBeReadAreSaidWhereOneIsChosen) {
   choice.setCurrentIndex(before);
   EXPECT_FALSE(choice.model()->flags(choice.model()->index(before, 0)).testFlag(Qt::ItemIsEnabled));
   // An export of a list that cannot be read is no export of all that was met.
-  EXPECT_FALSE(ListChoice::members(QStringLiteral("list:trees"), learner().lists(), learner().store()));
-  EXPECT_EQ(ListChoice::members({}, learner().lists(), learner().store())->size(), 1U);
+  EXPECT_FALSE(practice::list_members("list:trees", learner().lists(), learner().store()));
+  EXPECT_EQ(practice::list_members({}, learner().lists(), learner().store())->size(), 1U);
 }
 
 TEST_F(LearnersTest, ABackupThatCannotBeUsedCannotBeChosen) {
@@ -252,8 +263,8 @@ TEST_F(LearnersTest, ABackupThatCannotBeUsedCannotBeChosen) {
   ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
   broken.write("no database at all");
   broken.close();
-  LearnerExchange exchange(learner(), window_.get());
-  BackupsDialog dialog(learner(), exchange, window_.get());
+  Exchange exchange(window_.get());
+  BackupsDialog dialog(the_desk->inbox(), learner(), exchange, exchange.progress, window_.get());
   auto* table = part<QTableWidget>(dialog, "backups_table");
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return table->item(0, 1)->text() == QStringLiteral("cannot be used"); }, 20'000));
@@ -263,25 +274,25 @@ TEST_F(LearnersTest, ABackupThatCannotBeUsedCannotBeChosen) {
 TEST_F(LearnersTest, WhatIsExportedIsImportedWholeForANewLearner) {
   write(U'一');
   write(U'二');
-  LearnerExchange exchange(learner(), window_.get());
+  Exchange exchange(window_.get());
   const QString file = folder_.filePath(QStringLiteral("Mari.json"));
-  exchange.write(LearnerExchange::Kind::json, file);
+  exchange.write(Format::json, file.toStdString());
   wait_for(exchange);
   const auto exported = study::export_json(learner().store());
-  exchange.read(file);
+  exchange.read(file.toStdString());
   wait_for(exchange);
-  EXPECT_EQ(learner().profile(), QStringLiteral("Mari"));
+  EXPECT_EQ(learner().profile(), "Mari");
   EXPECT_TRUE(learner().can_write());
   EXPECT_EQ(*study::export_json(learner().store()), *exported);
   // Once more: the name is taken.
-  exchange.read(file);
+  exchange.read(file.toStdString());
   wait_for(exchange);
-  EXPECT_EQ(learner().profile(), QStringLiteral("Mari 2"));
+  EXPECT_EQ(learner().profile(), "Mari 2");
   // Into a learner with nothing studied it goes itself.
-  ASSERT_TRUE(learner().switch_profile(QStringLiteral("empty")));
-  exchange.read(file);
+  ASSERT_TRUE(learner().switch_profile("empty"));
+  exchange.read(file.toStdString());
   wait_for(exchange);
-  EXPECT_EQ(learner().profile(), QStringLiteral("empty"));
+  EXPECT_EQ(learner().profile(), "empty");
   EXPECT_EQ(*study::export_json(learner().store()), *exported);
 }
 
@@ -291,31 +302,31 @@ TEST_F(LearnersTest, WhatCannotBeImportedLeavesNoLearnerBehind) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("{\"format\": \"nazori-learner\", \"version\": 1,\n\"entries\": [{\"id\": 7}]}");
   file.close();
-  LearnerExchange exchange(learner(), window_.get());
+  Exchange exchange(window_.get());
   QString said;
   Feedback kind = Feedback::hint;
-  QObject::connect(&exchange, &LearnerExchange::said, window_.get(),
+  QObject::connect(&exchange.progress, &ExchangeProgress::said, window_.get(),
                    [&](Feedback how, const QString& sentence) {
                      kind = how;
                      said = sentence;
                    });
-  exchange.read(file.fileName());
+  exchange.read(file.fileName().toStdString());
   wait_for(exchange);
   EXPECT_EQ(kind, Feedback::wrong);
   EXPECT_TRUE(said.startsWith(QStringLiteral("bad.json: "))) << said.toStdString();
   EXPECT_TRUE(said.endsWith(QStringLiteral("Everything is as it was."))) << said.toStdString();
   EXPECT_EQ(names(), std::vector<std::string>{"learner"});
-  EXPECT_EQ(learner().profile(), QStringLiteral("learner"));
+  EXPECT_EQ(learner().profile(), "learner");
 }
 
 TEST_F(LearnersTest, WorkThatIsStoppedWritesNothing) {
   write(U'一');
-  LearnerExchange exchange(learner(), window_.get());
+  Exchange exchange(window_.get());
   QString said;
-  QObject::connect(&exchange, &LearnerExchange::said, window_.get(),
+  QObject::connect(&exchange.progress, &ExchangeProgress::said, window_.get(),
                    [&](Feedback, const QString& sentence) { said = sentence; });
   const QString file = folder_.filePath(QStringLiteral("a.apkg"));
-  exchange.write(LearnerExchange::Kind::anki, file, {QStringLiteral("secondary"), QStringLiteral("Deck"), 4});
+  exchange.write(Format::anki, file.toStdString(), {"secondary", "Deck", 4});
   exchange.stop();
   wait_for(exchange);
   EXPECT_EQ(said, QStringLiteral("Stopped. Everything is as it was."));
@@ -324,15 +335,15 @@ TEST_F(LearnersTest, WorkThatIsStoppedWritesNothing) {
 
 TEST_F(LearnersTest, TablesAndAnkiPackagesAreWritten) {
   write(U'一');
-  LearnerExchange exchange(learner(), window_.get());
+  Exchange exchange(window_.get());
   const QString table = folder_.filePath(QStringLiteral("a.csv"));
-  exchange.write(LearnerExchange::Kind::csv, table);
+  exchange.write(Format::csv, table.toStdString());
   wait_for(exchange);
   QFile csv(table);
   ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
   EXPECT_EQ(csv.readAll().toStdString(), *study::export_csv(learner().store()));
   const QString package = folder_.filePath(QStringLiteral("a.apkg"));
-  exchange.write(LearnerExchange::Kind::anki, package);
+  exchange.write(Format::anki, package.toStdString());
   wait_for(exchange);
   QFile zip(package);
   ASSERT_TRUE(zip.open(QIODevice::ReadOnly));
@@ -341,7 +352,7 @@ TEST_F(LearnersTest, TablesAndAnkiPackagesAreWritten) {
 
 TEST_F(LearnersTest, AnkiIsOfferedAListWhereNothingIsMet) {
   const AnkiDialog dialog(learner().store(), window_.get());
-  EXPECT_EQ(dialog.choice().list, QStringLiteral("grade-1"));
+  EXPECT_EQ(dialog.choice().list, "grade-1");
   EXPECT_EQ(dialog.choice().words, 4);
 }
 

@@ -208,7 +208,7 @@ TEST_F(ProgressTest, WhatIsUndoneMeanwhileIsGoneFromTheCharts) {
   study_for_weeks();
   go_to_progress();
   auto& learner = the_desk->learner();
-  ASSERT_TRUE(learner.take(learner.store().undo()));
+  ASSERT_TRUE(learner.report(learner.store().undo()));
   wait_for_statistics();
   EXPECT_EQ(truth().reviews, 17);
   int reviews = 0;

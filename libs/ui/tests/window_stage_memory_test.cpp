@@ -58,7 +58,8 @@ TEST_F(StageMemory, AfterARefusedStrokeIsTakenBackTheNextTakesNoOtherAway) {
   ASSERT_EQ(memory().strokes().size(), 1U);
   put(lines[1]);
   EXPECT_EQ(memory().strokes().size(), 2U);
-  EXPECT_TRUE(QTest::qWaitFor([] { return session().state() == StudySession::State::judged; }, 20'000))
+  EXPECT_TRUE(
+      QTest::qWaitFor([] { return session().state() == practice::StudySession::State::judged; }, 20'000))
       << feedback().toStdString();
   EXPECT_TRUE(session().result().accepted);
 }

@@ -79,7 +79,7 @@ TEST_F(StudyDays, ABackupThatFailedStaysSaidAtHome) {
 TEST_F(StudyDays, AWindowThatStaysOpenOverMidnightBacksUpEachDayOnce) {
   const auto backups = [this] { return study::backups_of(learner_file()).size(); };
   const auto look = [] {
-    the_desk->learner().look_at_the_day();
+    the_desk->learner().tick();
     return QTest::qWaitFor([] { return !the_desk->learner().keeps_up(); }, 20'000);
   };
   ASSERT_TRUE(look());

@@ -9,7 +9,7 @@ namespace nazori::ui {
 namespace {
 
 using study::Rating;
-using State = StudySession::State;
+using State = practice::StudySession::State;
 using Study = StudyTest;
 
 TEST_F(Study, TheWindowOpensWithWhatIsDueAndOneKeyStarts) {

@@ -20,7 +20,7 @@
 namespace nazori::ui {
 namespace {
 
-using State = StudySession::State;
+using State = practice::StudySession::State;
 
 Desk* the_desk = nullptr;
 Characters* the_characters = nullptr;
@@ -70,7 +70,7 @@ class Unrated : public WindowTest {
     the_desk->session().set_asks_by_words(false);
   }
 
-  static StudySession& session() { return the_desk->session(); }
+  static practice::StudySession& session() { return the_desk->session(); }
   static MemoryStage& memory() { return *the_characters->findChild<MemoryStage*>(); }
   static std::size_t lines_on_tablet() { return the_desk->controller().overlay().writing.size(); }
   static int reps() { return the_desk->learner().store().card(U'人').memory.reps; }
@@ -82,7 +82,7 @@ class Unrated : public WindowTest {
     ASSERT_TRUE(session().is_running());
     ASSERT_TRUE(shown.count() > 0 || shown.wait(20000));
     while (session().stage() != study::Stage::memory || session().state() != State::doing) {
-      if (session().state() == State::doing) session().take_practice(session().stage(), {});
+      if (session().state() == State::doing) session().finish_stage(session().stage(), {});
       ASSERT_EQ(session().state(), State::offered);
       session().go_on();
     }
@@ -242,7 +242,7 @@ TEST_F(Unrated, AnotherLearnerSeesNeitherTheInkNorTheSummaryOfTheLast) {
   press(Qt::Key_F8);
   memory().add_stroke(stroke(1));
   window_->go_to(QStringLiteral("home"));
-  ASSERT_TRUE(the_desk->learner().switch_profile(QStringLiteral("aiko")));
+  ASSERT_TRUE(the_desk->learner().switch_profile("aiko"));
   EXPECT_FALSE(find("home_summary")->isVisible());
   window_->go_to(QStringLiteral("characters"));
   press(Qt::Key_F8);

@@ -16,6 +16,7 @@
 #include "nazori/study/store_filling.h"
 #include "progress/progress.h"
 #include "study/home.h"
+#include "study/learner_words.h"
 #include "study/settings_change.h"
 #include "watchdog.h"
 #include "window_under_test.h"
@@ -135,8 +136,8 @@ TEST_F(Waiting, NoEventIsLongWithAHistoryOfTenYears) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Write the")); }, 20'000));
     const std::int64_t before = entries();
     press(Qt::Key_G);
-    ASSERT_TRUE(
-        QTest::qWaitFor([] { return the_desk->session().state() == StudySession::State::judged; }, 20'000))
+    ASSERT_TRUE(QTest::qWaitFor(
+        [] { return the_desk->session().state() == practice::StudySession::State::judged; }, 20'000))
         << feedback().toStdString();
     press(Qt::Key_3);
     EXPECT_EQ(entries(), before + 1);
@@ -152,7 +153,7 @@ TEST_F(Waiting, NoEventIsLongWithAHistoryOfTenYears) {
 
   const Watchdog midnight;
   now_ += std::chrono::days(1);
-  the_desk->learner().look_at_the_day();
+  the_desk->learner().tick();
   ASSERT_TRUE(keeps_up_to_date());
   EXPECT_EQ(study::backups_of(learner_file()).size(), 2U) << "of the new day";
   EXPECT_LT(midnight.longest_ms(), kLongest_ms) << "a new day: " << midnight.longest().toStdString();
@@ -172,8 +173,8 @@ TEST_F(Waiting, ADamagedFileIsFoundBehindTheWindowAndNothingMoreIsWritten) {
   }
   open_home();
   ASSERT_TRUE(QTest::qWaitFor([] { return !the_desk->learner().can_write(); }, 60'000));
-  EXPECT_TRUE(the_desk->learner().trouble().contains(QStringLiteral("damaged")))
-      << the_desk->learner().trouble().toStdString();
+  const QString trouble = LearnerWords::sentence(the_desk->learner().trouble());
+  EXPECT_TRUE(trouble.contains(QStringLiteral("damaged"))) << trouble.toStdString();
   EXPECT_TRUE(study::backups_of(learner_file()).empty()) << "a damaged file is not backed up";
 }
 
@@ -185,7 +186,7 @@ TEST_F(Waiting, SettingsThatChangeEveryCharacterAreKeptBehindTheWindowOrNotAtAll
   }
   open_home();
   ASSERT_TRUE(keeps_up_to_date());
-  Learner& learner = the_desk->learner();
+  practice::Learner& learner = the_desk->learner();
   const study::Settings before = learner.store().settings();
   study::Settings wanted = before;
   wanted.fsrs.weights[2] *= 1.1;

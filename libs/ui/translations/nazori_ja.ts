@@ -2451,7 +2451,7 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::Learner</name>
+    <name>nazori::ui::LearnerWords</name>
     <message>
         <source>The study data cannot be read: %1.</source>
         <translation>学習データを読めません：%1。</translation>
@@ -2499,6 +2499,14 @@ Columns and rows:</source>
     <message>
         <source>%1 may not be written. Check the permissions of the folder</source>
         <translation>%1 に書き込めません。フォルダーの権限を確かめてください</translation>
+    </message>
+    <message>
+        <source>Every character of %1 is being worked out anew. Nothing is kept until that is done.</source>
+        <translation>%1 のすべての漢字を計算し直しています。終わるまで、書いたものは保存されません。</translation>
+    </message>
+    <message>
+        <source>Something is being put in the place of what %1 has done. Nothing is kept until it is there.</source>
+        <translation>%1 の記録を置き換えています。終わるまで、書いたものは保存されません。</translation>
     </message>
 </context>
 <context>
@@ -2565,7 +2573,7 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::LearnerExchange</name>
+    <name>nazori::ui::ExchangeProgress</name>
     <message>
         <source>Something is being written or read already. Wait for it, or stop it.</source>
         <translation>すでに書き出しか読み込みの途中です。終わるまで待つか、止めてください。</translation>
@@ -2597,10 +2605,6 @@ Columns and rows:</source>
     <message>
         <source>Imported for %1: characters %2. %1 studies now.</source>
         <translation>%1 に読み込みました。文字 %2。いまの学習者は %1 です。</translation>
-    </message>
-    <message>
-        <source>Something is being put in the place of what %1 has done. Nothing is kept until it is there.</source>
-        <translation>%1 の記録を置き換えています。終わるまで、書いたものは保存されません。</translation>
     </message>
     <message>
         <source>Nothing is studied yet: there is nothing to back up.</source>
@@ -3975,7 +3979,7 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::SettingsChange</name>
+    <name>nazori::ui::SettingsProgress</name>
     <message>
         <source>Working out every character anew…</source>
         <translation>すべての漢字を計算し直しています…</translation>
@@ -3983,10 +3987,6 @@ Columns and rows:</source>
     <message>
         <source>Stop</source>
         <translation>止める</translation>
-    </message>
-    <message>
-        <source>Every character of %1 is being worked out anew. Nothing is kept until that is done.</source>
-        <translation>%1 のすべての漢字を計算し直しています。終わるまで、書いたものは保存されません。</translation>
     </message>
     <message>
         <source>The study settings hold from now on.</source>
@@ -4528,7 +4528,7 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::StudySession</name>
+    <name>nazori::ui::SessionWords</name>
     <message>
         <source>What is due cannot be told: %1.</source>
         <translation>今日の分が分かりません：%1。</translation>

@@ -71,7 +71,7 @@ void Characters::connect_study_actions() {
   aside(session_actions_->postpone, &practice::StudySession::postpone, [this](char32_t character) {
     auto& learner = desk().learner();
     auto& store = learner.store();
-    if (learner.take(store.postpone(std::span(&character, 1), store.today() + std::chrono::days(1))))
+    if (learner.report(store.postpone(std::span(&character, 1), store.today() + std::chrono::days(1))))
       desk().say(Feedback::hint, tr("%1 comes tomorrow.").arg(to_text(character)));
   });
   aside(session_actions_->pause, &practice::StudySession::pause, [this](char32_t character) {
@@ -79,13 +79,13 @@ void Characters::connect_study_actions() {
     auto& store = learner.store();
     const bool paused = store.card(character).paused;
     const auto done = paused ? store.resume(std::span(&character, 1)) : store.pause(std::span(&character, 1));
-    if (learner.take(done))
+    if (learner.report(done))
       desk().say(Feedback::hint, paused ? tr("%1 comes again.").arg(to_text(character))
                                         : tr("%1 is paused until it is resumed.").arg(to_text(character)));
   });
   aside(session_actions_->reset, &practice::StudySession::reset, [this](char32_t character) {
     auto& learner = desk().learner();
-    if (learner.take(learner.store().reset(std::span(&character, 1))))
+    if (learner.report(learner.store().reset(std::span(&character, 1))))
       desk().say(Feedback::hint, tr("%1 is new again. Ctrl+Shift+Z takes it back.").arg(to_text(character)));
   });
 }

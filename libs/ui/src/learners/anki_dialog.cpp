@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "kanji_text.h"
 #include "study/list_choice.h"
 
 namespace nazori::ui {
@@ -24,11 +25,11 @@ AnkiDialog::AnkiDialog(const study::LearnerStore& store, QWidget* parent)
   list_->fill(store);
   if (store.cards().empty()) list_->set_list(QStringLiteral("grade-1"));
   deck_->setObjectName(QStringLiteral("anki_deck"));
-  deck_->setText(AnkiChoice().deck);
+  deck_->setText(to_text(practice::AnkiChoice().deck));
   deck_->setMaxLength(40);
   words_->setObjectName(QStringLiteral("anki_words"));
   words_->setRange(0, kMostWords);
-  words_->setValue(AnkiChoice().words);
+  words_->setValue(practice::AnkiChoice().words);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   auto* choose = buttons->addButton(tr("Choose the file…"), QDialogButtonBox::AcceptRole);
   choose->setDefault(true);
@@ -44,6 +45,8 @@ AnkiDialog::AnkiDialog(const study::LearnerStore& store, QWidget* parent)
   form->addRow(buttons);
 }
 
-AnkiChoice AnkiDialog::choice() const { return {list_->list(), deck_->text().trimmed(), words_->value()}; }
+practice::AnkiChoice AnkiDialog::choice() const {
+  return {list_->list().toStdString(), deck_->text().trimmed().toStdString(), words_->value()};
+}
 
 }  // namespace nazori::ui

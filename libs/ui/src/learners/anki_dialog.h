@@ -3,7 +3,7 @@
 
 #include <QDialog>
 
-#include "learners/learner_exchange.h"
+#include "nazori/practice/learner_exchange.h"
 
 class QLineEdit;
 class QSpinBox;
@@ -17,7 +17,7 @@ class AnkiDialog final : public QDialog {
   Q_OBJECT
  public:
   AnkiDialog(const study::LearnerStore& store, QWidget* parent);
-  [[nodiscard]] AnkiChoice choice() const;
+  [[nodiscard]] practice::AnkiChoice choice() const;
 
  private:
   ListChoice* list_;

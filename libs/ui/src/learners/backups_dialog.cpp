@@ -13,36 +13,43 @@
 #include <QVBoxLayout>
 
 #include "kanji_text.h"
+#include "learners/exchange_progress.h"
 #include "progress/study_charts.h"
+#include "signals.h"
 
 namespace nazori::ui {
 namespace {
 
-constexpr std::string_view kDaily = "daily-";
-
 enum Column { kKind, kLast, kWritings, kCharacters, kColumns };
 
-QString kind_of(const study::Backup& backup) {
-  const std::string name = backup.file.filename().string();
-  if (backup.automatic) {
-    const auto day = study::parse_day(backup.file.stem().string().substr(kDaily.size()));
-    return day ? BackupsDialog::tr("Of %1").arg(StudyCharts::date(*day)) : BackupsDialog::tr("Daily");
+QString kind_of(const practice::ListedBackup& backup) {
+  switch (backup.kind) {
+    case practice::BackupKind::daily:
+      return backup.day ? BackupsDialog::tr("Of %1").arg(StudyCharts::date(*backup.day))
+                        : BackupsDialog::tr("Daily");
+    case practice::BackupKind::own:
+      return BackupsDialog::tr("Made by you");
+    case practice::BackupKind::before_restore:
+      return BackupsDialog::tr("What a restored one replaced");
+    case practice::BackupKind::before_upgrade:
+      return BackupsDialog::tr("Before a newer version");
   }
-  if (name.starts_with("own-")) return BackupsDialog::tr("Made by you");
-  if (name.starts_with("before-restore-")) return BackupsDialog::tr("What a restored one replaced");
-  return BackupsDialog::tr("Before a newer version");
+  return {};
 }
 
 }  // namespace
 
-BackupsDialog::BackupsDialog(Learner& learner, LearnerExchange& exchange, QWidget* parent)
+BackupsDialog::BackupsDialog(base::Inbox& inbox, practice::Learner& learner,
+                             practice::LearnerExchange& exchange, const ExchangeProgress& progress,
+                             QWidget* parent)
     : QDialog(parent),
       learner_(learner),
       exchange_(exchange),
+      backups_(inbox, learner),
       table_(new QTableWidget(0, kColumns, this)),
       words_(new QLabel(this)) {
   setObjectName(QStringLiteral("backups_dialog"));
-  setWindowTitle(tr("Backups of %1").arg(learner.profile()));
+  setWindowTitle(tr("Backups of %1").arg(to_text(learner.profile())));
   table_->setObjectName(QStringLiteral("backups_table"));
   table_->setAccessibleName(tr("Backups, the newest first"));
   table_->setHorizontalHeaderLabels({tr("Kind"), tr("Last day in it"), tr("Writings"), tr("Characters")});
@@ -66,17 +73,16 @@ BackupsDialog::BackupsDialog(Learner& learner, LearnerExchange& exchange, QWidge
   restore_->setAutoDefault(false);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(now, &QPushButton::clicked, &exchange_, &LearnerExchange::back_up);
-  connect(&exchange_, &LearnerExchange::said, this, [this](Feedback, const QString& sentence) {
+  connect(now, &QPushButton::clicked, this, [this] { exchange_.back_up(); });
+  connect(&progress, &ExchangeProgress::said, this, [this](Feedback, const QString& sentence) {
     refresh();
     show_words(sentence);
   });
   connect(restore_, &QPushButton::clicked, this, &BackupsDialog::restore);
   connect(table_, &QTableWidget::cellActivated, this, &BackupsDialog::restore);
-  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
-    restore_->setEnabled(row >= 0 && row < static_cast<int>(sound_.size()) &&
-                         sound_[static_cast<std::size_t>(row)]);
-  });
+  connect(table_, &QTableWidget::currentCellChanged, this,
+          [this](int row) { restore_->setEnabled(is_sound(row)); });
+  subscribe(backups_.read, this, [this](std::size_t row) { show_contents(static_cast<int>(row)); });
   auto* row = new QHBoxLayout;
   row->addWidget(restore_);
   row->addWidget(now);
@@ -98,41 +104,37 @@ void BackupsDialog::show_words(const QString& sentence) {
   words_->setAccessibleName(sentence);
 }
 
+bool BackupsDialog::is_sound(int row) const {
+  const auto& all = backups_.backups();
+  return row >= 0 && row < static_cast<int>(all.size()) && all[static_cast<std::size_t>(row)].is_sound();
+}
+
 void BackupsDialog::refresh() {
-  backups_ = study::backups_of(learner_.file());
-  sound_.assign(backups_.size(), false);
+  backups_.refresh();
+  const auto& all = backups_.backups();
   restore_->setEnabled(false);
-  table_->setRowCount(static_cast<int>(backups_.size()));
+  table_->setRowCount(static_cast<int>(all.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
-    table_->setItem(row, kKind, new QTableWidgetItem(kind_of(backups_[static_cast<std::size_t>(row)])));
+    table_->setItem(row, kKind, new QTableWidgetItem(kind_of(all[static_cast<std::size_t>(row)])));
     for (int column = kLast; column < kColumns; ++column)
       table_->setItem(row, column, new QTableWidgetItem(QStringLiteral("…")));
   }
   show_words(
-      backups_.empty()
+      all.empty()
           ? tr("There is no backup yet. One is made by itself on each day of study, when Nazori opens.")
           : tr("One is made by itself on each day of study; seven are kept. Of what a backup replaced, the "
                "last three are kept."));
-  const std::uint64_t reading = ++reading_;
-  for (std::size_t i = 0; i < backups_.size(); ++i) {
-    worker_.post([this, file = backups_[i].file, row = static_cast<int>(i), reading] {
-      auto contents = study::look_into(file);
-      worker_.answer([this, contents = std::move(contents), row, reading] {
-        if (reading == reading_) show_contents(row, contents);
-      });
-    });
-  }
-  if (!backups_.empty()) table_->setCurrentCell(0, 0);
+  if (!all.empty()) table_->setCurrentCell(0, 0);
 }
 
-void BackupsDialog::show_contents(int row, const base::Result<study::BackupContents>& contents) {
+void BackupsDialog::show_contents(int row) {
   const QLocale locale;
-  if (contents) {
-    sound_[static_cast<std::size_t>(row)] = true;
+  if (is_sound(row)) {
+    const study::BackupContents& contents = **backups_.backups()[static_cast<std::size_t>(row)].contents;
     table_->item(row, kLast)
-        ->setText(contents->last_day ? StudyCharts::date(*contents->last_day) : QStringLiteral("–"));
-    table_->item(row, kWritings)->setText(locale.toString(contents->writings));
-    table_->item(row, kCharacters)->setText(locale.toString(contents->characters));
+        ->setText(contents.last_day ? StudyCharts::date(*contents.last_day) : QStringLiteral("–"));
+    table_->item(row, kWritings)->setText(locale.toString(contents.writings));
+    table_->item(row, kCharacters)->setText(locale.toString(contents.characters));
   } else {
     table_->item(row, kLast)->setText(tr("cannot be used"));
     table_->item(row, kWritings)->setText(QStringLiteral("–"));
@@ -144,17 +146,17 @@ void BackupsDialog::show_contents(int row, const base::Result<study::BackupConte
                             .arg(cells[kKind], cells[kLast], cells[kWritings], cells[kCharacters]);
   for (int column = 0; column < kColumns; ++column)
     table_->item(row, column)->setData(Qt::AccessibleTextRole, words);
-  if (table_->currentRow() == row) restore_->setEnabled(sound_[static_cast<std::size_t>(row)]);
+  if (table_->currentRow() == row) restore_->setEnabled(is_sound(row));
 }
 
 void BackupsDialog::restore() {
   const int row = table_->currentRow();
-  if (row < 0 || row >= static_cast<int>(backups_.size()) || !sound_[static_cast<std::size_t>(row)]) return;
-  const study::Backup backup = backups_[static_cast<std::size_t>(row)];
+  if (!is_sound(row)) return;
+  const study::Backup backup = backups_.backups()[static_cast<std::size_t>(row)].backup;
   QMessageBox question(
       QMessageBox::Question, tr("Restore from a backup"),
       tr("Put this backup in the place of what %1 has done so far? %2")
-          .arg(learner_.profile(), table_->item(row, 0)->data(Qt::AccessibleTextRole).toString()),
+          .arg(to_text(learner_.profile()), table_->item(row, 0)->data(Qt::AccessibleTextRole).toString()),
       QMessageBox::Cancel, this);
   question.setObjectName(QStringLiteral("backup_question"));
   question.setInformativeText(tr("What stands there now is kept as a backup, so this can be taken back."));

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <QDialog>
-#include <vector>
 
-#include "learners/learner_exchange.h"
-#include "nazori/study/backups.h"
-#include "study/learner.h"
-#include "worker.h"
+#include "nazori/practice/backup_list.h"
+#include "nazori/practice/learner.h"
+#include "nazori/practice/learner_exchange.h"
 
 class QLabel;
 class QPushButton;
@@ -15,28 +13,30 @@ class QTableWidget;
 
 namespace nazori::ui {
 
+class ExchangeProgress;
+
 /// The backups of the present learner, each with its day and what it holds; one can be put in place of the
-/// store, and one made. They are read on a thread of their own.
+/// store, and one made.
 class BackupsDialog final : public QDialog {
   Q_OBJECT
  public:
-  BackupsDialog(Learner& learner, LearnerExchange& exchange, QWidget* parent);
+  /// @param progress  of the exchange; its sentences are shown here, too.
+  BackupsDialog(base::Inbox& inbox, practice::Learner& learner, practice::LearnerExchange& exchange,
+                const ExchangeProgress& progress, QWidget* parent);
 
  private:
   void refresh();
-  void show_contents(int row, const base::Result<study::BackupContents>& contents);
+  void show_contents(int row);
+  [[nodiscard]] bool is_sound(int row) const;
   void restore();
   void show_words(const QString& sentence);
 
-  Learner& learner_;
-  LearnerExchange& exchange_;
+  practice::Learner& learner_;
+  practice::LearnerExchange& exchange_;
+  practice::BackupList backups_;
   QTableWidget* table_;
   QLabel* words_;
   QPushButton* restore_;
-  std::vector<study::Backup> backups_;
-  std::vector<bool> sound_;
-  std::uint64_t reading_ = 0;
-  Worker worker_{QStringLiteral("backups")};  // last: stops before what it uses goes
 };
 
 }  // namespace nazori::ui

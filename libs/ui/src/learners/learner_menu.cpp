@@ -6,29 +6,34 @@
 #include <QStandardPaths>
 
 #include "desk.h"
+#include "kanji_text.h"
 #include "learners/anki_dialog.h"
 #include "learners/backups_dialog.h"
+#include "learners/exchange_progress.h"
 #include "learners/learner_actions.h"
 #include "learners/learners_dialog.h"
+#include "study/learner_words.h"
 
 namespace nazori::ui {
+
+using Format = practice::LearnerExchange::Format;
 
 LearnerMenu::LearnerMenu(Desk& desk)
     : QObject(&desk.window()),
       desk_(desk),
       actions_(new LearnerActions(&desk.window())),
-      exchange_(new LearnerExchange(desk.learner(), &desk.window())) {
+      progress_(new ExchangeProgress(desk.exchange(), &desk.window())) {
   const auto on = [this](QAction* action, auto&& what) {
     connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
   };
   on(actions_->learners, [this] { show_learners(); });
-  on(actions_->back_up, [this] { exchange_->back_up(); });
+  on(actions_->back_up, [this] { desk_.exchange().back_up(); });
   on(actions_->restore, [this] { show_backups(); });
-  on(actions_->export_json, [this] { ask_and_write(LearnerExchange::Kind::json); });
-  on(actions_->export_csv, [this] { ask_and_write(LearnerExchange::Kind::csv); });
-  on(actions_->export_anki, [this] { ask_and_write(LearnerExchange::Kind::anki); });
+  on(actions_->export_json, [this] { ask_and_write(Format::json); });
+  on(actions_->export_csv, [this] { ask_and_write(Format::csv); });
+  on(actions_->export_anki, [this] { ask_and_write(Format::anki); });
   on(actions_->import_json, [this] { ask_and_read(); });
-  connect(exchange_, &LearnerExchange::said, &desk_, &Desk::say);
+  connect(progress_, &ExchangeProgress::said, &desk_, &Desk::say);
 }
 
 void LearnerMenu::show_learners() {
@@ -39,7 +44,7 @@ void LearnerMenu::show_learners() {
 }
 
 void LearnerMenu::show_backups() {
-  BackupsDialog dialog(desk_.learner(), *exchange_, &desk_.window());
+  BackupsDialog dialog(desk_.inbox(), desk_.learner(), desk_.exchange(), *progress_, &desk_.window());
   dialog.exec();
   desk_.focus_tablet();
 }
@@ -54,34 +59,34 @@ void LearnerMenu::remember_folder_of(const QString& path) {
   desk_.save_later();
 }
 
-void LearnerMenu::ask_and_write(LearnerExchange::Kind kind) {
+void LearnerMenu::ask_and_write(Format format) {
   const auto& store = desk_.learner().store();
-  AnkiChoice choice;
+  practice::AnkiChoice choice;
   QString suffix = QStringLiteral("json");
   QString filter = tr("Everything of a learner (*.json)");
-  if (kind == LearnerExchange::Kind::csv) {
+  if (format == Format::csv) {
     suffix = QStringLiteral("csv");
     filter = tr("Tables (*.csv)");
-  } else if (kind == LearnerExchange::Kind::anki) {
+  } else if (format == Format::anki) {
     suffix = QStringLiteral("apkg");
     filter = tr("Anki packages (*.apkg)");
     AnkiDialog dialog(store, &desk_.window());
     if (dialog.exec() != QDialog::Accepted) return desk_.focus_tablet();
     choice = dialog.choice();
   }
-  if (store.last_entry() == 0 && kind != LearnerExchange::Kind::anki) {
-    const QString& trouble = desk_.learner().trouble();
+  if (store.last_entry() == 0 && format != Format::anki) {
+    const QString trouble = LearnerWords::sentence(desk_.learner().trouble());
     desk_.say(trouble.isEmpty() ? Feedback::advice : Feedback::wrong,
               trouble.isEmpty() ? tr("Nothing is studied yet: there is nothing to export.") : trouble);
     return;
   }
   QString path = QFileDialog::getSaveFileName(
       &desk_.window(), tr("Export"),
-      QStringLiteral("%1/%2.%3").arg(folder(), desk_.learner().profile(), suffix), filter);
+      QStringLiteral("%1/%2.%3").arg(folder(), to_text(desk_.learner().profile()), suffix), filter);
   if (!path.isEmpty()) {
     if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
     remember_folder_of(path);
-    exchange_->write(kind, path, choice);
+    desk_.exchange().write(format, path.toStdString(), choice);
   }
   desk_.focus_tablet();
 }
@@ -91,7 +96,7 @@ void LearnerMenu::ask_and_read() {
                                                     tr("Everything of a learner (*.json);;All files (*)"));
   if (!path.isEmpty()) {
     remember_folder_of(path);
-    exchange_->read(path);
+    desk_.exchange().read(path.toStdString());
   }
   desk_.focus_tablet();
 }

@@ -3,11 +3,12 @@
 
 #include <QObject>
 
-#include "learners/learner_exchange.h"
+#include "nazori/practice/learner_exchange.h"
 
 namespace nazori::ui {
 
 class Desk;
+class ExchangeProgress;
 class LearnerActions;
 
 /// The menu "Learner": opens its dialogs, asks for files, and says how it went.
@@ -17,19 +18,18 @@ class LearnerMenu final : public QObject {
   explicit LearnerMenu(Desk& desk);
 
   [[nodiscard]] LearnerActions& actions() const { return *actions_; }
-  [[nodiscard]] LearnerExchange& exchange() const { return *exchange_; }
 
  private:
   void show_learners();
   void show_backups();
-  void ask_and_write(LearnerExchange::Kind kind);
+  void ask_and_write(practice::LearnerExchange::Format format);
   void ask_and_read();
   [[nodiscard]] QString folder() const;
   void remember_folder_of(const QString& path);
 
   Desk& desk_;
   LearnerActions* actions_;
-  LearnerExchange* exchange_;
+  ExchangeProgress* progress_;
 };
 
 }  // namespace nazori::ui

@@ -17,7 +17,7 @@
 
 namespace nazori::ui {
 
-LearnersDialog::LearnersDialog(Learner& learner, QWidget* parent)
+LearnersDialog::LearnersDialog(practice::Learner& learner, QWidget* parent)
     : QDialog(parent),
       learner_(learner),
       list_(new QListWidget(this)),
@@ -89,11 +89,11 @@ QString LearnersDialog::chosen() const {
 void LearnersDialog::refresh() {
   list_->clear();
   std::vector<std::string> names = study::profiles(learner_.folder());
-  const std::string current = learner_.profile().toStdString();
+  const std::string& current = learner_.profile();
   if (std::find(names.begin(), names.end(), current) == names.end()) names.insert(names.begin(), current);
   for (const std::string& one : names) {
     const QString name = to_text(one);
-    const bool studies = name == learner_.profile();
+    const bool studies = one == current;
     auto* item = new QListWidgetItem(studies ? tr("✓ %1 (studies now)").arg(name) : name, list_);
     item->setData(Qt::UserRole, name);
     if (studies) list_->setCurrentItem(item);
@@ -120,14 +120,14 @@ QString LearnersDialog::typed_name() {
 void LearnersDialog::choose() {
   const QString name = chosen();
   if (name.isEmpty()) return;
-  if (name != learner_.profile() && learner_.switch_profile(name))
+  if (name.toStdString() != learner_.profile() && learner_.switch_profile(name.toStdString()))
     emit said(Feedback::good, tr("%1 studies now.").arg(name));
   accept();
 }
 
 void LearnersDialog::add() {
   const QString name = typed_name();
-  if (name.isEmpty() || !learner_.switch_profile(name)) return;
+  if (name.isEmpty() || !learner_.switch_profile(name.toStdString())) return;
   name_->clear();
   refresh();
   show_words(tr("%1 studies now.").arg(name));
@@ -140,14 +140,14 @@ void LearnersDialog::rename() {
   const QString to = typed_name();
   if (to.isEmpty()) return;
   base::Result<void> done;
-  const auto work = [&] {
+  const auto work = [&]() -> std::string {
     done = study::rename_profile(learner_.folder(), from.toStdString(), to.toStdString());
-    return done ? to : QString();
+    return done ? to.toStdString() : std::string();
   };
-  if (from == learner_.profile())
+  if (from.toStdString() == learner_.profile())
     learner_.while_closed(work);
   else
-    work();
+    (void)work();
   refresh();
   if (!done) {
     show_words(tr("%1 keeps its name: %2.").arg(from, reason(done.error())));
@@ -173,13 +173,13 @@ void LearnersDialog::remove() {
   question.exec();
   if (question.clickedButton() != yes) return;
   base::Result<std::filesystem::path> kept;
-  const auto work = [&]() -> QString {
+  const auto work = [&]() -> std::string {
     kept = study::remove_profile(learner_.folder(), name.toStdString());
     if (!kept) return {};
     const auto left = study::profiles(learner_.folder());
-    return left.empty() ? to_text(study::kDefaultProfile) : to_text(left.front());
+    return left.empty() ? std::string(study::kDefaultProfile) : left.front();
   };
-  if (name == learner_.profile())
+  if (name.toStdString() == learner_.profile())
     learner_.while_closed(work);
   else
     (void)work();

@@ -3,7 +3,8 @@
 
 #include <QDialog>
 
-#include "study/learner.h"
+#include "feedback_line.h"
+#include "nazori/practice/learner.h"
 
 class QLabel;
 class QLineEdit;
@@ -17,7 +18,7 @@ namespace nazori::ui {
 class LearnersDialog final : public QDialog {
   Q_OBJECT
  public:
-  LearnersDialog(Learner& learner, QWidget* parent);
+  LearnersDialog(practice::Learner& learner, QWidget* parent);
 
  signals:
   void said(nazori::ui::Feedback kind, QString sentence);
@@ -33,7 +34,7 @@ class LearnersDialog final : public QDialog {
   void remove();
   void show_words(const QString& sentence);
 
-  Learner& learner_;
+  practice::Learner& learner_;
   QListWidget* list_;
   QLineEdit* name_;
   QLabel* words_;

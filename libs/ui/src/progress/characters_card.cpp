@@ -10,6 +10,7 @@
 
 #include "error_text.h"
 #include "kanji_text.h"
+#include "nazori/practice/list_members.h"
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
 #include "study/list_choice.h"
@@ -67,7 +68,7 @@ void CharactersCard::show_characters(const study::Statistics& statistics, study:
   QString trouble;
   if (list_->list().isEmpty()) {
     states = statistics.characters;
-  } else if (const auto members = ListChoice::members(wanted_, lists, store); !members) {
+  } else if (const auto members = practice::list_members(wanted_.toStdString(), lists, store); !members) {
     trouble = tr("The list cannot be read: %1").arg(reason(members.error()));
   } else {
     for (const char32_t character : *members) {

@@ -7,16 +7,19 @@
 
 #include "desk.h"
 #include "error_text.h"
+#include "kanji_text.h"
 #include "progress/characters_card.h"
 #include "progress/progress_actions.h"
 #include "progress/progress_page.h"
+#include "signals.h"
 
 namespace nazori::ui {
 
 Progress::Progress(Desk& desk)
     : Workplace(desk),
       actions_(new ProgressActions(&desk.window())),
-      page_(new ProgressPage(desk.learner(), &desk.window())) {
+      page_(new ProgressPage(desk.learner(), &desk.window())),
+      reader_(desk.inbox()) {
   QSettings settings(desk.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
   page_->set_time_shown(static_cast<ProgressPage::TimeShown>(
@@ -28,12 +31,12 @@ Progress::Progress(Desk& desk)
           [this](char32_t character) { this->desk().show_character(character); });
   connect(page_, &ProgressPage::copy_wanted, this, [this](const ChartCard* card) { copy(*card); });
   connect(page_, &ProgressPage::time_changed, this, [this] { this->desk().save_later(); });
-  connect(&reader_, &StatisticsReader::came_along, page_, &ProgressPage::show_work);
-  connect(&reader_, &StatisticsReader::ready, this, [this](const SharedStatistics& statistics) {
+  subscribe(reader_.progressed, page_, [this](double done) { page_->show_work(done); });
+  subscribe(reader_.ready, this, [this](const practice::SharedStatistics& statistics) {
     page_->show_statistics(statistics);
     this->desk().note_opened();
   });
-  connect(&reader_, &StatisticsReader::failed, this, [this](const base::Error& error) {
+  subscribe(reader_.failed, this, [this](const base::Error& error) {
     page_->show_trouble(tr("The statistics could not be read: %1.").arg(reason(error)));
     this->desk().note_opened();
   });
@@ -41,8 +44,8 @@ Progress::Progress(Desk& desk)
     stale_ = true;
     if (entered_) read();
   };
-  connect(&desk.learner(), &Learner::changed, this, note);
-  connect(&desk.learner(), &Learner::profile_changed, this, [this] { emit title_changed(); });
+  subscribe(desk.learner().changed, this, note);
+  subscribe(desk.learner().profile_changed, this, [this] { emit title_changed(); });
 }
 
 Progress::~Progress() = default;
@@ -51,7 +54,7 @@ QString Progress::id() const { return QStringLiteral("progress"); }
 QString Progress::name() const { return tr("P&rogress"); }
 QString Progress::purpose() const { return tr("What study has brought: charts and numbers"); }
 Icon Progress::drawing() const { return Icon::progress; }
-QString Progress::title() const { return tr("Progress of %1").arg(desk().learner().profile()); }
+QString Progress::title() const { return tr("Progress of %1").arg(to_text(desk().learner().profile())); }
 QWidget* Progress::page() const { return page_; }
 ActionSet* Progress::actions() const { return actions_; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "progress/statistics_reader.h"
+#include "nazori/practice/statistics_reader.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -40,7 +40,7 @@ class Progress final : public Workplace {
 
   ProgressActions* actions_;
   ProgressPage* page_;
-  StatisticsReader reader_;
+  practice::StatisticsReader reader_;
   bool entered_ = false;
   bool stale_ = true;
 };

@@ -25,7 +25,7 @@ constexpr int kLettersForTwoColumns = 100;
 
 }  // namespace
 
-ProgressPage::ProgressPage(Learner& learner, QWidget* parent)
+ProgressPage::ProgressPage(practice::Learner& learner, QWidget* parent)
     : QWidget(parent),
       learner_(learner),
       scroll_(new QScrollArea(this)),
@@ -114,7 +114,7 @@ ProgressPage::ProgressPage(Learner& learner, QWidget* parent)
 // The card that has the keyboard goes after the list of cards, and then the keyboard goes elsewhere.
 ProgressPage::~ProgressPage() { disconnect(qApp, nullptr, this, nullptr); }
 
-void ProgressPage::show_statistics(const SharedStatistics& statistics) {
+void ProgressPage::show_statistics(const practice::SharedStatistics& statistics) {
   statistics_ = statistics;
   show_work(1);
   show_trouble({});

@@ -4,9 +4,9 @@
 #include <QList>
 #include <QWidget>
 
+#include "nazori/practice/learner.h"
+#include "nazori/practice/statistics_reader.h"
 #include "progress/chart_card.h"
-#include "progress/statistics_reader.h"
-#include "study/learner.h"
 
 class QComboBox;
 class QGridLayout;
@@ -26,10 +26,10 @@ class ProgressPage final : public QWidget {
   /// How far back the charts of time go. The number is that of days; everything: 0.
   enum class TimeShown { month = 31, season = 92, year = 366, everything = 0 };
 
-  explicit ProgressPage(Learner& learner, QWidget* parent = nullptr);
+  explicit ProgressPage(practice::Learner& learner, QWidget* parent = nullptr);
   ~ProgressPage() override;
 
-  void show_statistics(const SharedStatistics& statistics);
+  void show_statistics(const practice::SharedStatistics& statistics);
   /// One sentence in place of everything; empty: the cards again.
   void show_trouble(const QString& sentence);
   /// While the log is added up: 0..1; 1 hides it.
@@ -65,8 +65,8 @@ class ProgressPage final : public QWidget {
   void note_focus(QWidget* now);
   void scroll_to(ChartCard* card);
 
-  Learner& learner_;
-  SharedStatistics statistics_;
+  practice::Learner& learner_;
+  practice::SharedStatistics statistics_;
   QScrollArea* scroll_;
   QWidget* content_;
   QLabel* trouble_;

@@ -2,6 +2,7 @@
 #include "study/home.h"
 
 #include "desk.h"
+#include "signals.h"
 #include "study/home_page.h"
 #include "study/study_dialogs.h"
 
@@ -46,11 +47,10 @@ Home::Home(Desk& desk)
     ask_study_settings(this->desk());
     this->desk().focus_tablet();
   });
-  connect(&desk.learner(), &Learner::changed, this, &Home::refresh);
-  connect(&desk.session(), &StudySession::ended, this,
-          [this] { page_->show_summary(this->desk().session().summary()); });
+  subscribe(desk.learner().changed, this, [this] { refresh(); });
+  subscribe(desk.session().ended, this, [this] { page_->show_summary(this->desk().session().summary()); });
   // After the session of the learner before has ended, which shows what it came to.
-  connect(&desk.learner(), &Learner::profile_changed, this, [this] { page_->show_summary({}); });
+  subscribe(desk.learner().profile_changed, this, [this] { page_->show_summary({}); });
   connect(&look_, &QTimer::timeout, this, &Home::refresh);
 }
 

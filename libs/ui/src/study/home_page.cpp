@@ -20,6 +20,7 @@
 #include "kanji_text.h"
 #include "preferences.h"
 #include "sentence_label.h"
+#include "study/learner_words.h"
 #include "study/study_words.h"
 
 namespace nazori::ui {
@@ -39,7 +40,7 @@ QString in_a_row(const std::vector<char32_t>& characters) {
 
 }  // namespace
 
-HomePage::HomePage(Learner& learner, const StudySession& session, QWidget* parent)
+HomePage::HomePage(practice::Learner& learner, const practice::StudySession& session, QWidget* parent)
     : QScrollArea(parent), learner_(learner), session_(session), content_(new QWidget(this)) {
   setObjectName(QStringLiteral("home_page"));
   setAccessibleName(tr("Today"));
@@ -195,9 +196,10 @@ void HomePage::refresh() {
   if (keyboard != nullptr && !isAncestorOf(keyboard)) keyboard = nullptr;
   const auto& store = learner_.store();
   const QString day = StudyWords::day(store.today());
-  day_->setText(learner_.profile() == Preferences().profile ? day
-                                                            : tr("%1 · %2").arg(day, learner_.profile()));
-  set_text(trouble_, learner_.trouble().isEmpty() ? learner_.backup_trouble() : learner_.trouble());
+  const QString profile = to_text(learner_.profile());
+  day_->setText(profile == Preferences().profile ? day : tr("%1 · %2").arg(day, profile));
+  set_text(trouble_,
+           LearnerWords::sentence(learner_.trouble() ? learner_.trouble() : learner_.backup_trouble()));
   again_->setVisible(!learner_.can_write());
   const auto plan = learner_.plan();
   if (!plan) {
@@ -247,7 +249,7 @@ void HomePage::refresh() {
   });
 }
 
-void HomePage::show_summary(const SessionSummary& summary) {
+void HomePage::show_summary(const practice::SessionSummary& summary) {
   QStringList said;
   if (summary.reviews > 0) {
     said.append(tr("Done: %n written from memory.", nullptr, summary.reviews));

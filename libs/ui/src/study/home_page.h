@@ -4,9 +4,9 @@
 #include <QScrollArea>
 #include <array>
 
+#include "nazori/practice/learner.h"
+#include "nazori/practice/study_session.h"
 #include "nazori/study/statistics.h"
-#include "study/learner.h"
-#include "study/study_session.h"
 
 class QFrame;
 class QGridLayout;
@@ -19,14 +19,14 @@ namespace nazori::ui {
 class HomePage final : public QScrollArea {
   Q_OBJECT
  public:
-  HomePage(Learner& learner, const StudySession& session, QWidget* parent = nullptr);
+  HomePage(practice::Learner& learner, const practice::StudySession& session, QWidget* parent = nullptr);
 
   /// Looks at the day anew.
   void refresh();
   /// As of then: there is something to begin or to go on with.
   [[nodiscard]] bool can_start() const { return can_start_; }
   /// What the last session came to stands on top until the next begins.
-  void show_summary(const SessionSummary& summary);
+  void show_summary(const practice::SessionSummary& summary);
 
  signals:
   void start_wanted();
@@ -54,8 +54,8 @@ class HomePage final : public QScrollArea {
   void set_text(QLabel* label, const QString& text);
   void fit();
 
-  Learner& learner_;
-  const StudySession& session_;
+  practice::Learner& learner_;
+  const practice::StudySession& session_;
   bool can_start_ = false;
   QWidget* content_;
   QLabel* day_;

@@ -51,17 +51,4 @@ void ListChoice::fill(const study::LearnerStore& store) {
 
 void ListChoice::set_list(const QString& id) { setCurrentIndex(std::max(0, findData(id))); }
 
-base::Result<std::vector<char32_t>> ListChoice::members(const QString& id, study::CharacterLists* lists,
-                                                        const study::LearnerStore& store) {
-  if (!id.isEmpty()) {
-    if (lists == nullptr)
-      return base::fail(base::Errc::not_found, "there is no kanji database to take it from",
-                        id.toStdString());
-    return lists->members(id.toStdString(), store);
-  }
-  std::vector<char32_t> met;
-  for (const auto& [character, card] : store.cards()) met.push_back(character);
-  return met;
-}
-
 }  // namespace nazori::ui

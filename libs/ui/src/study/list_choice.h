@@ -17,15 +17,10 @@ class ListChoice final : public QComboBox {
   /// Fills it anew; what was chosen stays where it is still there. Where lists and tags of one's own cannot
   /// be read a line that cannot be chosen says so. Emits nothing.
   void fill(const study::LearnerStore& store);
-  /// As CharacterLists::members() takes it.
+  /// As practice::list_members() reads it.
   [[nodiscard]] QString list() const { return currentData().toString(); }
   void set_list(const QString& id);
 
-  /// Its members; those met so far where no list is chosen. @param lists  may be nullptr.
-  /// @return Errc::not_found for a list that is gone; else as LearnerStore::lists() says.
-  [[nodiscard]] static base::Result<std::vector<char32_t>> members(const QString& id,
-                                                                   study::CharacterLists* lists,
-                                                                   const study::LearnerStore& store);
   /// "School grade 1", "Own list: street", by the id of a list.
   [[nodiscard]] static QString name_of(const QString& id);
 };

@@ -19,7 +19,7 @@ constexpr std::size_t kLargestFile = 1'000'000;
 
 }  // namespace
 
-NewListDialog::NewListDialog(Learner& learner, QWidget* parent)
+NewListDialog::NewListDialog(practice::Learner& learner, QWidget* parent)
     : QDialog(parent),
       learner_(learner),
       name_(new QLineEdit(this)),

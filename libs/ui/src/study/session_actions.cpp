@@ -37,13 +37,14 @@ SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
   add_group(tr("St&udy"), all);
 }
 
-void SessionActions::show_state(const StudySession& session, bool can_write) {
+void SessionActions::show_state(const practice::StudySession& session, bool can_write) {
   const bool running = session.is_running();
   const auto state = session.state();
-  go_on->setEnabled(running && (session.is_away() || state == StudySession::State::offered ||
-                                state == StudySession::State::judged));
+  go_on->setEnabled(running && (session.is_away() || state == practice::StudySession::State::offered ||
+                                state == practice::StudySession::State::judged));
   give_keys();
-  for (auto* one : rate) one->setEnabled(state == StudySession::State::judged && !session.is_away());
+  for (auto* one : rate)
+    one->setEnabled(state == practice::StudySession::State::judged && !session.is_away());
   start->setEnabled(!running && can_write);
   end->setEnabled(running);
   for (auto* one : {undo, postpone, pause, reset, tags}) one->setEnabled(can_write);

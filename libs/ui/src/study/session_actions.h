@@ -4,8 +4,8 @@
 #include <array>
 
 #include "action_set.h"
+#include "nazori/practice/study_session.h"
 #include "preferences.h"
-#include "study/study_session.h"
 
 namespace nazori::ui {
 
@@ -21,7 +21,7 @@ class SessionActions final : public ActionSet {
   QAction *tags, *settings;
 
   /// Which of them mean something now.
-  void show_state(const StudySession& session, bool can_write);
+  void show_state(const practice::StudySession& session, bool can_write);
   /// Return, and what else `done` has, is `go_on`'s while there is something to go on to and nothing is
   /// written that waits to be judged: two actions with one key would both be dead. Adds keys that one
   /// hand reaches while the other writes, also to `hint`, `undo_stroke` and `done`.

@@ -46,8 +46,8 @@ QString readings_of(const kanji::DictionaryEntry& entry) {
 
 }  // namespace
 
-SessionBar::SessionBar(const StudySession& session, const SessionActions& actions, const Learner& learner,
-                       QWidget* parent)
+SessionBar::SessionBar(const practice::StudySession& session, const SessionActions& actions,
+                       const practice::Learner& learner, QWidget* parent)
     : QFrame(parent),
       session_(session),
       actions_(actions),
@@ -165,7 +165,7 @@ void SessionBar::refresh() {
 }
 
 void SessionBar::show_ratings() {
-  const bool judged = session_.state() == StudySession::State::judged && !session_.is_away();
+  const bool judged = session_.state() == practice::StudySession::State::judged && !session_.is_away();
   ratings_->setVisible(judged);
   task_->setVisible(!judged);
   if (!judged) return;
@@ -191,7 +191,7 @@ void SessionBar::show_ratings() {
 }
 
 void SessionBar::show_next() {
-  const bool offered = session_.state() == StudySession::State::offered;
+  const bool offered = session_.state() == practice::StudySession::State::offered;
   next_->setVisible(session_.is_away() || offered);
   if (session_.is_away())
     next_->setText(tr("Back to the session  ⏎"));

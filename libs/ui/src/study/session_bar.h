@@ -19,8 +19,8 @@ namespace nazori::ui {
 class SessionBar final : public QFrame {
   Q_OBJECT
  public:
-  SessionBar(const StudySession& session, const SessionActions& actions, const Learner& learner,
-             QWidget* parent);
+  SessionBar(const practice::StudySession& session, const SessionActions& actions,
+             const practice::Learner& learner, QWidget* parent);
 
   /// Shows where the session is. @param sheet  of the session's character; null while it is on its way.
   void show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet);
@@ -37,9 +37,9 @@ class SessionBar final : public QFrame {
   [[nodiscard]] QString question(const practice::CharacterSheet& sheet) const;
   void fit();
 
-  const StudySession& session_;
+  const practice::StudySession& session_;
   const SessionActions& actions_;
-  const Learner& learner_;
+  const practice::Learner& learner_;
   std::shared_ptr<const practice::CharacterSheet> sheet_;  ///< shown last
   QLabel* progress_;
   QProgressBar* line_;

@@ -10,6 +10,7 @@
 #include "flow_layout.h"
 #include "kanji_text.h"
 #include "study/ink_gallery.h"
+#include "study/session_words.h"
 #include "study/study_words.h"
 
 namespace nazori::ui {
@@ -31,8 +32,8 @@ QLabel* label(const char* name, const char* role, QWidget* parent) {
 
 }  // namespace
 
-SessionPanel::SessionPanel(const StudySession& session, const SessionActions& actions, Learner& learner,
-                           QWidget* parent)
+SessionPanel::SessionPanel(const practice::StudySession& session, const SessionActions& actions,
+                           practice::Learner& learner, QWidget* parent)
     : QWidget(parent), session_(session), learner_(learner) {
   setObjectName(QStringLiteral("session_panel"));
   setAccessibleName(tr("The character that is studied"));
@@ -140,7 +141,7 @@ QString SessionPanel::hard_strokes() const {
 }
 
 QString SessionPanel::help_used() const {
-  if (session_.state() != StudySession::State::judged || session_.is_away()) return {};
+  if (session_.state() != practice::StudySession::State::judged || session_.is_away()) return {};
   const auto& result = session_.result();
   if (!result.accepted) return {};
   QStringList used;
@@ -154,7 +155,7 @@ QString SessionPanel::help_used() const {
 
 void SessionPanel::show_ink() {
   std::vector<InkGallery::Piece> pieces;
-  if (session_.state() == StudySession::State::judged && !session_.is_away()) {
+  if (session_.state() == practice::StudySession::State::judged && !session_.is_away()) {
     if (!session_.ink().strokes.empty()) pieces.push_back({session_.ink(), tr("now")});
     const auto& store = learner_.store();
     const auto writings = store.writings_of(session_.character());
@@ -199,8 +200,9 @@ void SessionPanel::show_state(const std::shared_ptr<const practice::CharacterShe
   const QString help = help_used();
   help_->setText(help);
   help_->setVisible(!help.isEmpty());
-  note_->setText(session_.note());
-  note_->setVisible(!session_.note().isEmpty());
+  const QString note = SessionWords::sentence(session_.last_event());
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
   const bool secret = session_.asks_from_memory();
   const QString hard = secret ? QString() : hard_strokes();
   faults_->setText(hard);

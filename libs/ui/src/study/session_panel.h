@@ -17,7 +17,8 @@ class InkGallery;
 class SessionPanel final : public QWidget {
   Q_OBJECT
  public:
-  SessionPanel(const StudySession& session, const SessionActions& actions, Learner& learner, QWidget* parent);
+  SessionPanel(const practice::StudySession& session, const SessionActions& actions,
+               practice::Learner& learner, QWidget* parent);
 
   void show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet);
   /// The same again in the colours and the text size of now.
@@ -31,8 +32,8 @@ class SessionPanel final : public QWidget {
   [[nodiscard]] QString help_used() const;
   void show_ink();
 
-  const StudySession& session_;
-  Learner& learner_;
+  const practice::StudySession& session_;
+  practice::Learner& learner_;
   std::shared_ptr<const practice::CharacterSheet> sheet_;  ///< shown last
   QLabel* kind_;
   QLabel* steps_;

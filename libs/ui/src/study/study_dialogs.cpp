@@ -8,7 +8,7 @@
 #include "desk.h"
 #include "error_text.h"
 #include "kanji_text.h"
-#include "study/settings_change.h"
+#include "study/settings_progress.h"
 #include "study/study_settings_dialog.h"
 
 namespace nazori::ui {
@@ -22,12 +22,12 @@ void ask_study_settings(Desk& desk) {
   desk.note_study_settings();
   const auto wanted = dialog.settings();
   if (learner.can_write() && wanted != learner.store().settings()) {
-    if (SettingsChange::takes_long(learner.store(), wanted)) {
-      auto* change = new SettingsChange(learner, wanted, &desk.window());
-      QObject::connect(change, &SettingsChange::said, &desk, &Desk::say);
+    if (practice::SettingsChange::takes_long(learner.store(), wanted)) {
+      auto* change = new SettingsProgress(desk.settings_change(), wanted, &desk.window());
+      QObject::connect(change, &SettingsProgress::said, &desk, &Desk::say);
       return;
     }
-    if (!learner.take(learner.store().change_settings(wanted))) return;
+    if (!learner.report(learner.store().change_settings(wanted))) return;
   }
   desk.say(Feedback::good, QCoreApplication::translate("nazori::ui::StudySettingsDialog",
                                                        "The study settings hold from now on."));
@@ -51,7 +51,7 @@ void ask_tags(Desk& desk, char32_t character) {
   static const QRegularExpression commas(QStringLiteral("[,、，]"));
   for (const auto& part : text.split(commas, Qt::SkipEmptyParts))
     if (const QString tag = part.trimmed(); !tag.isEmpty()) tags.push_back(tag.toStdString());
-  if (learner.take(learner.store().set_tags(character, tags))) learner.note_lists();
+  if (learner.report(learner.store().set_tags(character, tags))) learner.renew_order();
 }
 
 }  // namespace nazori::ui

@@ -25,6 +25,7 @@
 #include "flow_layout.h"
 #include "kanji_text.h"
 #include "nazori/study/statistics.h"
+#include "study/learner_words.h"
 #include "study/list_choice.h"
 
 namespace nazori::ui {
@@ -42,7 +43,8 @@ QLabel* sentence(const char* name, QWidget* parent) {
 
 }  // namespace
 
-StudySettingsDialog::StudySettingsDialog(Learner& learner, const Preferences& preferences, QWidget* parent)
+StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Preferences& preferences,
+                                         QWidget* parent)
     : QDialog(parent),
       learner_(learner),
       before_(learner.store().settings()),
@@ -68,7 +70,7 @@ StudySettingsDialog::StudySettingsDialog(Learner& learner, const Preferences& pr
   column->addWidget(tabs_, 1);
   if (!learner.can_write()) {
     auto* trouble = sentence("study_settings_trouble", this);
-    trouble->setText(learner.trouble());
+    trouble->setText(LearnerWords::sentence(learner.trouble()));
     column->addWidget(trouble);
   }
   column->addWidget(buttons);
@@ -382,7 +384,7 @@ void StudySettingsDialog::new_list() {
     choice_->setText(reason(saved.error()));
     return;
   }
-  learner_.note_lists();
+  learner_.renew_order();
   show_lists();
   const QString id = QStringLiteral("list:") + to_text(dialog.list().name);
   for (int row = 0; row < lists_->count(); ++row)
@@ -405,7 +407,7 @@ void StudySettingsDialog::remove_list() {
   if (box.exec() != QMessageBox::Ok) return;
   const auto removed = learner_.store().remove_list(id.mid(5).toStdString());
   if (!removed) choice_->setText(reason(removed.error()));
-  learner_.note_lists();
+  learner_.renew_order();
   show_lists();
 }
 
@@ -428,7 +430,7 @@ void StudySettingsDialog::for_list(const std::function<base::Result<void>(std::s
     return;
   }
   const auto result = what(*members);
-  if (!learner_.take(result)) {
+  if (!learner_.report(result)) {
     choice_->setText(reason(result.error()));
     return;
   }

@@ -3,9 +3,9 @@
 
 #include <QDialog>
 
+#include "nazori/practice/learner.h"
 #include "nazori/study/pace.h"
 #include "preferences.h"
-#include "study/learner.h"
 
 class QCheckBox;
 class QComboBox;
@@ -23,7 +23,7 @@ class NumberSlider;
 class StudySettingsDialog final : public QDialog {
   Q_OBJECT
  public:
-  StudySettingsDialog(Learner& learner, const Preferences& preferences, QWidget* parent);
+  StudySettingsDialog(practice::Learner& learner, const Preferences& preferences, QWidget* parent);
 
   /// As chosen.
   [[nodiscard]] study::Settings settings() const;
@@ -51,7 +51,7 @@ class StudySettingsDialog final : public QDialog {
                 const std::function<QString(int)>& done);
   [[nodiscard]] QString current_list() const;
 
-  Learner& learner_;
+  practice::Learner& learner_;
   study::Settings before_;
   study::Pace pace_;  ///< for the expected workload
   study::FsrsWeights weights_;
@@ -74,14 +74,14 @@ class StudySettingsDialog final : public QDialog {
 class NewListDialog final : public QDialog {
   Q_OBJECT
  public:
-  NewListDialog(Learner& learner, QWidget* parent);
+  NewListDialog(practice::Learner& learner, QWidget* parent);
   [[nodiscard]] const study::CustomList& list() const { return list_; }
 
  private:
   void read_file();
   void take();
 
-  Learner& learner_;
+  practice::Learner& learner_;
   study::CustomList list_;
   class QLineEdit* name_;
   class QPlainTextEdit* text_;

@@ -4,7 +4,7 @@
 
 #include "session_under_test.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 using std::chrono::milliseconds;
@@ -17,30 +17,30 @@ using Session = SessionTest;
 
 TEST_F(Session, AStageCountsWholeUpToTenMinutesAndNoLonger) {
   ASSERT_TRUE(session_->start());
-  passed_ += minutes(10) - milliseconds(1);
-  session_->take_practice(Stage::watch, {});
+  clock_.advance(minutes(10) - milliseconds(1));
+  session_->finish_stage(Stage::watch, {});
   EXPECT_EQ(session_->summary().time, minutes(10) - milliseconds(1));
   session_->go_on();
-  passed_ += minutes(10) + milliseconds(1);
-  session_->take_practice(Stage::trace, {});
+  clock_.advance(minutes(10) + milliseconds(1));
+  session_->finish_stage(Stage::trace, {});
   EXPECT_EQ(session_->summary().time, minutes(20) - milliseconds(1));
 }
 
 TEST_F(Session, WritingFromMemoryEndsWithItsLastStrokeWhateverIsThoughtAfterwards) {
   ASSERT_TRUE(session_->start());
   practise();
-  passed_ += seconds(8);
-  session_->note_stroke();
-  passed_ += seconds(30);
-  session_->take_judgement(grade(true), hand());
+  clock_.advance(seconds(8));
+  session_->add_stroke();
+  clock_.advance(seconds(30));
+  session_->judge(grade(true), hand());
   EXPECT_EQ(session_->result().duration, seconds(8));
 }
 
 TEST_F(Session, GivingUpBeforeTheFirstStrokeCountsTheThinking) {
   ASSERT_TRUE(session_->start());
   practise();
-  passed_ += seconds(30);
-  session_->take_surrender({});
+  clock_.advance(seconds(30));
+  session_->give_up({});
   EXPECT_EQ(session_->result().duration, seconds(30));
 }
 
@@ -48,7 +48,7 @@ TEST_F(Session, AStrokeThatWasShownHasAllItsTriesAgain) {
   ASSERT_TRUE(session_->start());
   constexpr std::array kReplies{MissReply::try_again, MissReply::hint, MissReply::show};
   for (int round = 0; round < 2; ++round)
-    for (const MissReply reply : kReplies) EXPECT_EQ(session_->note_miss(0), reply) << "round " << round;
+    for (const MissReply reply : kReplies) EXPECT_EQ(session_->add_mistake(0), reply) << "round " << round;
 }
 
 TEST_F(Session, ACharacterThatIsTakenBackIsStillToDo) {
@@ -58,7 +58,7 @@ TEST_F(Session, ACharacterThatIsTakenBackIsStillToDo) {
   session_->rate(Rating::easy);
   const char32_t second = session_->character();
   ASSERT_EQ(session_->done(), 1);
-  session_->take_practice(Stage::watch, {});
+  session_->finish_stage(Stage::watch, {});
   session_->undo();
   EXPECT_EQ(session_->character(), second);
   EXPECT_EQ(session_->done(), 1) << "the one before is done all the same";
@@ -80,4 +80,4 @@ TEST_F(Session, ACharacterOfAnEarlierSessionThatIsTakenBackWasNeverDoneInThisOne
 }
 
 }  // namespace
-}  // namespace nazori::ui
+}  // namespace nazori::practice

@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/study_session.h"
+#include "nazori/practice/study_session.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
-#include "kanji_text.h"
-#include "study/study_words.h"
-#include "study/writing_results.h"
+#include "nazori/base/utf8.h"
+#include "nazori/practice/writing_results.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 using std::chrono::milliseconds;
 using study::Stage;
+using Kind = SessionFeedback::Kind;
 
-/// Who takes longer for one stage has left the desk meanwhile.
+/// Longer than this means that the learner walked away, so the time is not counted.
 constexpr milliseconds kLongest{10 * 60 * 1000};
 /// Of the reviews of characters that have words, one in so many asks by a word.
 constexpr int kEveryWord = 3;
 
-milliseconds steady_time() {
-  return std::chrono::duration_cast<milliseconds>(std::chrono::steady_clock::now().time_since_epoch());
-}
-
 }  // namespace
 
-StudySession::StudySession(Learner& learner, Stopwatch stopwatch)
-    : learner_(learner), stopwatch_(stopwatch ? std::move(stopwatch) : steady_time) {
-  connect(&learner_, &Learner::profile_changed, this, [this] {
+StudySession::StudySession(Learner& learner, const base::Clock& clock) : learner_(learner), clock_(clock) {
+  profile_changed_ = learner_.profile_changed.connect([this] {
     if (is_running()) end();
   });
 }
@@ -36,23 +32,22 @@ StudySession::~StudySession() = default;
 
 bool StudySession::start(bool leeches) {
   if (!learner_.can_write()) {
-    emit said(Feedback::wrong, learner_.trouble());
+    announce(Kind::not_writable);
     return false;
   }
   const auto plan = learner_.plan();
   if (!plan) {
-    emit said(Feedback::wrong,
-              tr("What is due cannot be told: %1.").arg(to_text(base::to_line(plan.error()))));
+    announce(Kind::no_plan, plan.error());
     return false;
   }
   if (leeches ? plan->leeches.empty() : plan->now.empty()) {
-    emit said(Feedback::hint, tr("Nothing is due now."));
+    announce(Kind::nothing_due);
     return false;
   }
   leech_lesson_ = leeches;
   leeches_ = leeches ? plan->leeches : std::vector<char32_t>();
   done_ = 0;
-  note_.clear();
+  last_event_.reset();
   summary_ = {};
   state_ = State::doing;
   next_task();
@@ -66,12 +61,9 @@ void StudySession::end(bool done) {
   sheet_.reset();
   word_.reset();
   away_ = false;
-  emit changed();
-  emit ended();
-  if (done)
-    emit said(Feedback::good, tr("That was all for now. Everything is kept."));
-  else
-    emit said(Feedback::hint, tr("The session has ended. Everything that was rated is kept."));
+  changed();
+  ended();
+  announce(done ? Kind::all_done : Kind::ended);
 }
 
 void StudySession::measure(const study::DayPlan& plan) {
@@ -83,7 +75,7 @@ void StudySession::measure(const study::DayPlan& plan) {
 void StudySession::next_task() {
   const auto plan = learner_.plan();
   if (!plan) {
-    emit said(Feedback::wrong, to_text(base::to_line(plan.error())));
+    announce(Kind::plan_lost, plan.error());
     end(true);
     return;
   }
@@ -112,40 +104,40 @@ void StudySession::next_task() {
 void StudySession::present(const study::StudyTask& task) {
   task_ = task;
   reviewed_ = false;
-  peeked_ = false;
+  looked_ = false;
   sheet_.reset();
   word_.reset();
   ink_ = {};
   away_ = false;
   begin_stage(task.stage);
-  emit character_wanted(task.character);
+  character_wanted(task.character);
 }
 
 void StudySession::begin_stage(Stage stage) {
   stage_ = stage;
   state_ = State::doing;
-  since_ = stopwatch_();
+  since_ = clock_.steady();
   last_stroke_ = milliseconds(0);
   hints_ = misses_ = shown_ = 0;
   missed_stroke_ = -1;
   misses_of_stroke_ = 0;
   ink_ = {};
   final_ = false;
-  emit changed();
+  changed();
 }
 
 double StudySession::help() const { return store().card(task_.character).help; }
 
-void StudySession::take_sheet(const std::shared_ptr<const practice::CharacterSheet>& sheet) {
+void StudySession::set_sheet(const std::shared_ptr<const CharacterSheet>& sheet) {
   if (!is_running()) return;
   away_ = !sheet || sheet->character.code_point != task_.character;
   if (away_ && state_ == State::judged) final_ = true;
   if (!away_) {
     sheet_ = sheet;
     choose_word();
-    since_ = stopwatch_();
+    since_ = clock_.steady();
   }
-  emit changed();
+  changed();
 }
 
 void StudySession::choose_word() {
@@ -153,11 +145,12 @@ void StudySession::choose_word() {
   const auto card = store().card(task_.character);
   if (!asks_by_words_ || task_.kind == study::TaskKind::fresh) return;
   if ((card.memory.reps + static_cast<int>(task_.character)) % kEveryWord != 0) return;
-  const QString own = to_text(task_.character);
+  const std::string own = base::encode_utf8(task_.character);
   for (const auto& word : sheet_->words) {
-    const QString text = to_text(word.text);
     // A word of this character alone, or one that has it twice, asks for too little or too much.
-    if (!word.common || word.glosses.empty() || text.size() < own.size() + 1 || text.count(own) != 1)
+    const auto at = word.text.find(own);
+    if (!word.common || word.glosses.empty() || word.text.size() <= own.size() || at == std::string::npos ||
+        word.text.find(own, at + own.size()) != std::string::npos)
       continue;
     word_ = word;
     return;
@@ -173,19 +166,21 @@ void StudySession::enter_stage(Stage stage) {
   }
   // To look at the strokes before a review is to be shown them all.
   if (task_.kind != study::TaskKind::fresh && asks_from_memory() && stage != Stage::memory && !reviewed_)
-    peeked_ = true;
+    looked_ = true;
   if (stage == stage_ && state_ == State::doing) {
-    since_ = stopwatch_();
+    since_ = clock_.steady();
     return;
   }
   begin_stage(stage);
 }
 
-milliseconds StudySession::elapsed() const { return std::min(kLongest, stopwatch_() - since_); }
+milliseconds StudySession::elapsed() const {
+  return std::min(kLongest, std::chrono::duration_cast<milliseconds>(clock_.steady() - since_));
+}
 
-void StudySession::note_stroke() { last_stroke_ = elapsed(); }
+void StudySession::add_stroke() { last_stroke_ = elapsed(); }
 
-study::MissReply StudySession::note_miss(int stroke) {
+study::MissReply StudySession::add_mistake(int stroke) {
   ++misses_;
   misses_of_stroke_ = stroke == missed_stroke_ ? misses_of_stroke_ + 1 : 1;
   missed_stroke_ = stroke;
@@ -197,7 +192,7 @@ study::MissReply StudySession::note_miss(int stroke) {
   return reply;
 }
 
-bool StudySession::keep(Stage stage, study::Rating rating, study::Rating proposed,
+bool StudySession::save(Stage stage, study::Rating rating, study::Rating proposed,
                         const study::WritingResult& result, const study::Ink& ink) {
   study::Writing writing;
   writing.stage = stage;
@@ -208,7 +203,7 @@ bool StudySession::keep(Stage stage, study::Rating rating, study::Rating propose
   const int strokes = std::max<int>(1, sheet_ ? static_cast<int>(sheet_->character.strokes.size()) : 1);
   const auto kept = store().add_writing(task_.character, strokes, writing, ink);
   if (!kept) {
-    (void)learner_.take(kept);
+    (void)learner_.report(kept);
     return false;
   }
   summary_.time += result.duration;
@@ -221,30 +216,30 @@ bool StudySession::keep(Stage stage, study::Rating rating, study::Rating propose
   } else {
     ++summary_.practices;
   }
-  return learner_.take(kept);
+  return learner_.report(kept);
 }
 
-void StudySession::take_practice(Stage stage, study::WritingResult result) {
+void StudySession::finish_stage(Stage stage, study::WritingResult result) {
   if (state_ != State::doing || away_ || stage != stage_) return;
   result.hints = hints_;
   result.shown_strokes = std::max(result.shown_strokes, shown_);
   result.misses = std::max(result.misses, misses_);
   result.duration = elapsed();
-  if (!keep(stage, study::Rating::good, study::Rating::good, result, {})) return;
+  if (!save(stage, study::Rating::good, study::Rating::good, result, {})) return;
   const auto card = store().card(task_.character);
   stage_ = card.next_stage;
   // Enough for today: a review that failed is practised, not asked for again at once.
   const bool over = (reviewed_ || leech_lesson_) && stage_ == Stage::memory;
   state_ = State::offered;
   if (over) reviewed_ = true;
-  emit changed();
+  changed();
 }
 
-void StudySession::judge(study::WritingResult result, const std::vector<practice::HandStroke>& strokes) {
+void StudySession::propose(study::WritingResult result, const std::vector<HandStroke>& strokes) {
   result.hints = hints_;
   result.misses = misses_;
   result.shown_strokes = shown_;
-  if (peeked_)
+  if (looked_)
     result.shown_strokes = std::max<int>(1, sheet_ ? static_cast<int>(sheet_->character.strokes.size()) : 1);
   result.duration = last_stroke_.count() > 0 ? last_stroke_ : elapsed();
   result_ = std::move(result);
@@ -253,30 +248,29 @@ void StudySession::judge(study::WritingResult result, const std::vector<practice
   if (!usual) learner_.announce_unread(usual.error());
   proposed_ = study::proposed_rating(result_, usual.value_or(study::UsualWriting{}));
   state_ = State::judged;
-  emit changed();
+  changed();
 }
 
-void StudySession::take_judgement(const writing::Grade& grade,
-                                  const std::vector<practice::HandStroke>& strokes) {
+void StudySession::judge(const writing::Grade& grade, const std::vector<HandStroke>& strokes) {
   if (!is_running() || away_ || stage_ != Stage::memory || state_ == State::offered || final_) return;
-  judge(to_result(grade), strokes);
+  propose(to_result(grade), strokes);
 }
 
-void StudySession::take_surrender(const std::vector<practice::HandStroke>& strokes) {
+void StudySession::give_up(const std::vector<HandStroke>& strokes) {
   if (!is_running() || away_ || stage_ != Stage::memory || state_ == State::offered || final_) return;
   study::WritingResult result;
   result.accepted = false;
   result.score = 0;
   shown_ = std::max<int>(1, sheet_ ? static_cast<int>(sheet_->character.strokes.size()) : 1);
-  judge(result, strokes);
+  propose(result, strokes);
 }
 
-void StudySession::take_back_judgement() {
+void StudySession::reopen() {
   if (state_ != State::judged || final_) return;
-  // Who corrects what the judge refused had a miss.
+  // Correcting a rejected writing counts as one mistake.
   if (!result_.accepted) ++misses_;
   state_ = State::doing;
-  emit changed();
+  changed();
 }
 
 base::Result<study::Card> StudySession::after(study::Rating rating) const {
@@ -285,22 +279,20 @@ base::Result<study::Card> StudySession::after(study::Rating rating) const {
 
 void StudySession::rate(study::Rating rating) {
   if (state_ != State::judged) return;
-  if (!keep(Stage::memory, rating, proposed_, result_, ink_)) return;
+  if (!save(Stage::memory, rating, proposed_, result_, ink_)) return;
   reviewed_ = true;
   const auto card = store().card(task_.character);
-  const QString next = StudyWords::comes_again(card, store().now(), store().today());
-  if (card.leech)
-    tell(Feedback::advice, tr("%1 is forgotten often. It is set apart: Home offers another lesson for it.")
-                               .arg(to_text(task_.character)));
-  else
-    tell(
-        Feedback::good,
-        tr("Kept: %1 is “%2” and comes %3.").arg(to_text(task_.character), StudyWords::rating(rating), next));
+  SessionFeedback event = about_character(card.leech ? Kind::set_apart : Kind::rated);
+  event.rating = rating;
+  event.card = card;
+  event.now = store().now();
+  event.today = store().today();
+  announce_event(std::move(event));
   if (card.next_stage != Stage::memory && !card.leech) {
     // Where it failed it is practised now, with the help that the error asks for.
     stage_ = card.next_stage;
     begin_stage(stage_);
-    emit stage_wanted(stage_);
+    stage_wanted(stage_);
     return;
   }
   finish_task();
@@ -315,7 +307,7 @@ void StudySession::finish_task() {
 void StudySession::go_on() {
   if (!is_running()) return;
   if (away_) {
-    emit character_wanted(task_.character);
+    character_wanted(task_.character);
     return;
   }
   switch (state_) {
@@ -328,59 +320,34 @@ void StudySession::go_on() {
     case State::offered:
       if (is_over()) {
         if (leech_lesson_) {
-          if (!learner_.take(store().leech_met(std::span(&task_.character, 1)))) return;
+          if (!learner_.report(store().leech_met(std::span(&task_.character, 1)))) return;
           summary_.lessons.push_back(task_.character);
         }
         finish_task();
         return;
       }
       begin_stage(stage_);
-      emit stage_wanted(stage_);
+      stage_wanted(stage_);
       return;
   }
 }
 
 void StudySession::undo() {
   if (!learner_.can_write()) {
-    emit said(Feedback::wrong, learner_.trouble());
+    announce(Kind::not_writable);
     return;
   }
   const auto undone = store().undo();
-  if (!learner_.take(undone)) return;
+  if (!learner_.report(undone)) return;
   if (!*undone) {
-    emit said(Feedback::hint, tr("There is nothing to take back."));
+    announce(Kind::nothing_to_undo);
     return;
   }
-  QString about;
-  for (const char32_t one : (*undone)->characters) {
-    if (about.size() > 20) {
-      about += QStringLiteral("…");
-      break;
-    }
-    about += to_text(one);
-  }
-  QString sentence;
-  switch ((*undone)->kind) {
-    case study::EntryKind::writing:
-      sentence = tr("Taken back: the last writing of %1.");
-      break;
-    case study::EntryKind::postpone:
-      sentence = tr("Taken back: %1 is not postponed.");
-      break;
-    case study::EntryKind::pause:
-      sentence = tr("Taken back: %1 is not paused.");
-      break;
-    case study::EntryKind::resume:
-      sentence = tr("Taken back: %1 is paused again.");
-      break;
-    case study::EntryKind::reset:
-      sentence = tr("Taken back: what was learnt of %1 is there again.");
-      break;
-    default:
-      sentence = tr("Taken back: %1.");
-      break;
-  }
-  tell(Feedback::hint, sentence.arg(about));
+  SessionFeedback event;
+  event.kind = Kind::undone;
+  event.characters = (*undone)->characters;
+  event.entry = (*undone)->kind;
+  announce_event(std::move(event));
   if (!is_running()) return;
   if ((*undone)->kind != study::EntryKind::leech_met && (*undone)->characters.size() == 1) {
     const char32_t back = (*undone)->characters.front();
@@ -399,14 +366,29 @@ void StudySession::undo() {
   }
 }
 
-void StudySession::tell(Feedback kind, const QString& sentence) {
-  note_ = sentence;
-  emit said(kind, sentence);
+SessionFeedback StudySession::about_character(SessionFeedback::Kind kind) const {
+  SessionFeedback event;
+  event.kind = kind;
+  event.characters = {task_.character};
+  return event;
 }
 
-void StudySession::put_aside(const base::Result<void>& done, const QString& sentence) {
-  if (!learner_.take(done)) return;
-  tell(Feedback::hint, tr("%1 Ctrl+Shift+Z takes it back.").arg(sentence));
+void StudySession::announce(SessionFeedback::Kind kind, const base::Error& error) {
+  SessionFeedback event;
+  event.kind = kind;
+  event.error = error;
+  if (kind == Kind::not_writable) event.trouble = learner_.trouble();
+  announced(event);
+}
+
+void StudySession::announce_event(SessionFeedback event) {
+  last_event_ = event;
+  announced(event);
+}
+
+void StudySession::put_aside(const base::Result<void>& done, SessionFeedback::Kind kind) {
+  if (!learner_.report(done)) return;
+  announce_event(about_character(kind));
   if (leech_lesson_) std::erase(leeches_, task_.character);
   next_task();
 }
@@ -414,19 +396,17 @@ void StudySession::put_aside(const base::Result<void>& done, const QString& sent
 void StudySession::postpone() {
   if (!is_running()) return;
   put_aside(store().postpone(std::span(&task_.character, 1), store().today() + std::chrono::days(1)),
-            tr("%1 comes tomorrow.").arg(to_text(task_.character)));
+            Kind::postponed);
 }
 
 void StudySession::pause() {
   if (!is_running()) return;
-  put_aside(store().pause(std::span(&task_.character, 1)),
-            tr("%1 is paused until it is asked for.").arg(to_text(task_.character)));
+  put_aside(store().pause(std::span(&task_.character, 1)), Kind::paused);
 }
 
 void StudySession::reset() {
   if (!is_running()) return;
-  put_aside(store().reset(std::span(&task_.character, 1)),
-            tr("%1 is new again.").arg(to_text(task_.character)));
+  put_aside(store().reset(std::span(&task_.character, 1)), Kind::reset);
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

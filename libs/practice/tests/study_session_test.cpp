@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <QFile>
-#include <QSignalSpy>
+#include <fstream>
+#include <iterator>
 
 #include "session_under_test.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 using study::Rating;
@@ -33,7 +33,7 @@ TEST_F(Session, WhatFailsIsPractisedAtOnceWithHelpAndComesAgain) {
   const char32_t first = session_->character();
   learn();
   session_->rate(Rating::good);
-  now_ += std::chrono::minutes(11);
+  clock_.advance(std::chrono::minutes(11));
   session_->end();
   ASSERT_TRUE(session_->start());
   ASSERT_EQ(session_->character(), first);
@@ -45,7 +45,7 @@ TEST_F(Session, WhatFailsIsPractisedAtOnceWithHelpAndComesAgain) {
   EXPECT_EQ(session_->character(), first) << "practised before anything else comes";
   EXPECT_EQ(session_->stage(), Stage::guided);
   EXPECT_GT(session_->help(), 0.5);
-  session_->take_practice(Stage::guided, {});
+  session_->finish_stage(Stage::guided, {});
   EXPECT_TRUE(session_->is_over());
   session_->go_on();
   EXPECT_NE(session_->character(), first);
@@ -95,7 +95,7 @@ TEST_F(Session, LookingBeforeWritingFromMemoryCostsLookingAfterwardsDoesNot) {
   ASSERT_TRUE(session_->start());
   learn();
   session_->rate(Rating::good);
-  now_ += std::chrono::minutes(11);
+  clock_.advance(std::chrono::minutes(11));
   session_->end();
   ASSERT_TRUE(session_->start());
   ASSERT_EQ(session_->task().kind, study::TaskKind::step);
@@ -117,11 +117,11 @@ TEST_F(Session, LookingBeforeWritingFromMemoryCostsLookingAfterwardsDoesNot) {
 
 TEST_F(Session, AfterTheSetMissesAStrokeIsShownAndThatCosts) {
   ASSERT_TRUE(session_->start());
-  EXPECT_EQ(session_->note_miss(0), study::MissReply::try_again);
-  EXPECT_EQ(session_->note_miss(0), study::MissReply::hint);
-  EXPECT_EQ(session_->note_miss(1), study::MissReply::try_again) << "another stroke counts anew";
-  EXPECT_EQ(session_->note_miss(1), study::MissReply::hint);
-  EXPECT_EQ(session_->note_miss(1), study::MissReply::show);
+  EXPECT_EQ(session_->add_mistake(0), study::MissReply::try_again);
+  EXPECT_EQ(session_->add_mistake(0), study::MissReply::hint);
+  EXPECT_EQ(session_->add_mistake(1), study::MissReply::try_again) << "another stroke counts anew";
+  EXPECT_EQ(session_->add_mistake(1), study::MissReply::hint);
+  EXPECT_EQ(session_->add_mistake(1), study::MissReply::show);
 }
 
 TEST_F(Session, ACorrectionAfterTheJudgementIsAMiss) {
@@ -129,11 +129,11 @@ TEST_F(Session, ACorrectionAfterTheJudgementIsAMiss) {
   learn();
   session_->rate(Rating::good);
   session_->end();
-  now_ += std::chrono::minutes(11);
+  clock_.advance(std::chrono::minutes(11));
   ASSERT_TRUE(session_->start());
   write(false);
   EXPECT_EQ(session_->proposed(), Rating::again);
-  session_->take_back_judgement();
+  session_->reopen();
   EXPECT_EQ(session_->state(), State::doing);
   write(true);
   EXPECT_EQ(session_->proposed(), Rating::hard);
@@ -158,17 +158,18 @@ TEST_F(Session, EndsWithWhatWasDoneWhenNothingIsLeft) {
   settings.new_per_day = 1;
   ASSERT_TRUE(learner_->store().change_settings(settings));
   ASSERT_TRUE(session_->start());
-  const QSignalSpy ended(session_.get(), &StudySession::ended);
+  int ended = 0;
+  session_->ended.connect([&ended] { ++ended; });
   learn();
   session_->rate(Rating::easy);
-  EXPECT_EQ(ended.count(), 1);
+  EXPECT_EQ(ended, 1);
   EXPECT_FALSE(session_->is_running());
   EXPECT_EQ(session_->summary().reviews, 1);
   EXPECT_EQ(session_->summary().ratings[3], 1);
   EXPECT_EQ(session_->summary().practices, 3);
   EXPECT_EQ(session_->summary().met.size(), 1U);
   EXPECT_FALSE(session_->start());
-  EXPECT_EQ(said_.last(), QStringLiteral("Nothing is due now."));
+  EXPECT_EQ(events_.back().kind, SessionFeedback::Kind::nothing_due);
 }
 
 TEST_F(Session, OfALeechEndsWithoutAReview) {
@@ -181,13 +182,13 @@ TEST_F(Session, OfALeechEndsWithoutAReview) {
   learn();
   session_->rate(Rating::easy);
   while (!learner_->store().card(first).leech) {
-    now_ += std::chrono::days(40);
+    clock_.advance(std::chrono::days(40));
     study::Writing again;
     again.stage = Stage::memory;
     again.rating = Rating::again;
     again.result.accepted = false;
     ASSERT_TRUE(learner_->store().add_writing(first, 1, again));
-    now_ += std::chrono::minutes(15);
+    clock_.advance(std::chrono::minutes(15));
     again.rating = Rating::good;
     again.result.accepted = true;
     ASSERT_TRUE(learner_->store().add_writing(first, 1, again));
@@ -198,7 +199,7 @@ TEST_F(Session, OfALeechEndsWithoutAReview) {
   EXPECT_TRUE(session_->is_leech_lesson());
   for (const Stage stage : {Stage::watch, Stage::trace, Stage::guided}) {
     EXPECT_FALSE(session_->is_over());
-    session_->take_practice(stage, {});
+    session_->finish_stage(stage, {});
     EXPECT_EQ(session_->is_over(), stage == Stage::guided);
     session_->go_on();
   }
@@ -208,15 +209,20 @@ TEST_F(Session, OfALeechEndsWithoutAReview) {
 }
 
 TEST_F(Session, IsRefusedWhereAnotherWindowHoldsTheStore) {
-  Learner second(Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
-  QStringList said;
-  QObject::connect(&second, &Learner::said, [&said](Feedback, const QString& s) { said.append(s); });
-  EXPECT_FALSE(second.switch_profile(QStringLiteral("learner")));
+  Learner second(inbox_, place());
+  std::vector<LearnerEvent> announced;
+  second.announced.connect([&announced](const LearnerEvent& event) { announced.push_back(event); });
+  EXPECT_FALSE(second.switch_profile("learner"));
   EXPECT_FALSE(second.can_write());
-  ASSERT_EQ(said.size(), 1);
-  EXPECT_TRUE(said.first().contains(QStringLiteral("another window"))) << said.first().toStdString();
-  StudySession of_second(second);
+  ASSERT_EQ(announced.size(), 1U);
+  EXPECT_EQ(announced.front().kind, LearnerEvent::Kind::in_use);
+  StudySession of_second(second, clock_);
+  std::vector<SessionFeedback> refused;
+  of_second.announced.connect([&refused](const SessionFeedback& event) { refused.push_back(event); });
   EXPECT_FALSE(of_second.start());
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_EQ(refused.front().kind, SessionFeedback::Kind::not_writable);
+  EXPECT_EQ(refused.front().trouble, second.trouble());
   session_.reset();
   learner_.reset();
   EXPECT_TRUE(second.open_again());
@@ -227,17 +233,16 @@ TEST_F(Session, ADamagedStoreIsLeftByteForByte) {
   const auto path = learner_->file();
   session_.reset();
   learner_.reset();
-  QFile file(QString::fromStdString(path.string()));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write(QByteArray(5000, 'x'));
-  file.close();
-  Learner learner(Learner::Place{folder_.path().toStdString(), kanji_db(), [this] { return now_; }});
-  EXPECT_FALSE(learner.switch_profile(QStringLiteral("learner")));
-  EXPECT_TRUE(learner.trouble().contains(QStringLiteral("damaged"))) << learner.trouble().toStdString();
-  StudySession session(learner);
+  const std::string damaged(5000, 'x');
+  std::ofstream(path, std::ios::binary) << damaged;
+  Learner learner(inbox_, place());
+  EXPECT_FALSE(learner.switch_profile("learner"));
+  ASSERT_TRUE(learner.trouble());
+  EXPECT_EQ(learner.trouble()->kind, LearnerEvent::Kind::damaged);
+  StudySession session(learner, clock_);
   EXPECT_FALSE(session.start());
-  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  EXPECT_EQ(file.readAll(), QByteArray(5000, 'x'));
+  std::ifstream in(path, std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), damaged);
 }
 
 TEST_F(Session, AnotherProfileIsAnotherLearnerAndABadNameChangesNothing) {
@@ -245,15 +250,15 @@ TEST_F(Session, AnotherProfileIsAnotherLearnerAndABadNameChangesNothing) {
   const char32_t first = session_->character();
   learn();
   session_->rate(Rating::good);
-  EXPECT_TRUE(learner_->switch_profile(QStringLiteral("花子")));
+  EXPECT_TRUE(learner_->switch_profile("花子"));
   EXPECT_FALSE(session_->is_running());
   EXPECT_FALSE(learner_->store().cards().contains(first));
-  EXPECT_FALSE(learner_->switch_profile(QStringLiteral("../x")));
-  EXPECT_EQ(learner_->profile(), QStringLiteral("花子"));
+  EXPECT_FALSE(learner_->switch_profile("../x"));
+  EXPECT_EQ(learner_->profile(), "花子");
   EXPECT_TRUE(learner_->can_write());
-  EXPECT_TRUE(learner_->switch_profile(QStringLiteral("learner")));
+  EXPECT_TRUE(learner_->switch_profile("learner"));
   EXPECT_TRUE(learner_->store().cards().contains(first));
 }
 
 }  // namespace
-}  // namespace nazori::ui
+}  // namespace nazori::practice

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/writing_results.h"
+#include "nazori/practice/writing_results.h"
 
 #include "nazori/geometry/frames.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 study::FaultKind to_study(writing::FaultKind kind) {
@@ -52,7 +52,7 @@ study::WritingResult to_result(const writing::Grade& grade) {
   return result;
 }
 
-study::Ink to_study_ink(const std::vector<practice::HandStroke>& strokes) {
+study::Ink to_study_ink(const std::vector<HandStroke>& strokes) {
   study::Ink ink;
   if (strokes.empty() || strokes.front().empty()) return ink;
   const double zero_s = strokes.front().front().time_s;
@@ -73,4 +73,4 @@ study::Ink to_study_ink(const std::vector<practice::HandStroke>& strokes) {
   return ink;
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

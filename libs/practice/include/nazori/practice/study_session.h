@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QObject>
 #include <array>
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "nazori/base/clock.h"
+#include "nazori/base/signal.h"
 #include "nazori/practice/character_library.h"
+#include "nazori/practice/learner.h"
 #include "nazori/practice/pen_recorder.h"
+#include "nazori/practice/session_feedback.h"
 #include "nazori/study/day_plan.h"
 #include "nazori/writing/grade.h"
-#include "study/learner.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 
 /// What a session came to.
 struct SessionSummary {
@@ -28,30 +29,29 @@ struct SessionSummary {
   std::chrono::milliseconds time{0};
 };
 
-/// Goes through what is due, character by character and stage by stage. Knows no widgets: it is told what was
-/// done on the tablet, keeps it in the learner's store, and says what comes next. Everything that is kept is
-/// kept at once, so a session can end, or be killed, at any moment. Thread: interface.
-class StudySession final : public QObject {
-  Q_OBJECT
+/// Goes through what is due, character by character and stage by stage: what was done on the tablet goes in
+/// and is saved in the learner's store, what comes next goes out. Everything is saved at once, so a session
+/// can end, or be killed, at any moment. Thread: that of the learner.
+class StudySession {
  public:
   enum class State : std::uint8_t {
     idle,     ///< no session
     doing,    ///< the learner is at a stage
-    offered,  ///< the stage is done and kept; go_on() goes to the next
-    judged,   ///< written from memory: rate() keeps it
+    offered,  ///< the stage is done and saved; go_on() goes to the next
+    judged,   ///< written from memory: rate() saves it
   };
 
-  /// Goes on evenly from any beginning, whatever is done to the computer's clock.
-  using Stopwatch = std::function<std::chrono::milliseconds()>;
-
-  /// @param stopwatch  how long a stage takes; empty: the computer's.
-  explicit StudySession(Learner& learner, Stopwatch stopwatch = {});
-  ~StudySession() override;
+  /// @param learner  outlives this, as `clock` does.
+  /// @param clock  how long a stage takes.
+  StudySession(Learner& learner, const base::Clock& clock);
+  ~StudySession();
+  StudySession(const StudySession&) = delete;
+  StudySession& operator=(const StudySession&) = delete;
 
   /// Begins with what is due now; with the characters set apart where `leeches`.
-  /// @return false where nothing is due, or nothing can be kept; it is said why.
+  /// @return false where nothing is due, or nothing can be saved; why is announced.
   bool start(bool leeches = false);
-  /// Ends it; what is not rated is not kept. @param done  there is nothing more to do.
+  /// Ends it; what is not rated is not saved. @param done  there is nothing more to do.
   void end(bool done = false);
 
   [[nodiscard]] State state() const { return state_; }
@@ -80,8 +80,8 @@ class StudySession final : public QObject {
   [[nodiscard]] const kanji::Word* word() const { return word_ ? &*word_ : nullptr; }
   void set_asks_by_words(bool on) { asks_by_words_ = on; }
 
-  /// What was kept or taken back last, as a sentence; empty: nothing yet in this session.
-  [[nodiscard]] const QString& note() const { return note_; }
+  /// What was saved or undone last; nothing yet in this session where it is empty.
+  [[nodiscard]] const std::optional<SessionFeedback>& last_event() const { return last_event_; }
 
   // When judged.
   [[nodiscard]] study::Rating proposed() const { return proposed_; }
@@ -91,21 +91,24 @@ class StudySession final : public QObject {
   [[nodiscard]] const study::Ink& ink() const { return ink_; }
 
   // What happens on the tablet. Ignored unless it is about the session's character.
-  /// The character came to the desk, or left it for another one.
-  void take_sheet(const std::shared_ptr<const practice::CharacterSheet>& sheet);
+  /// The tablet shows a character now; nullptr: none.
+  void set_sheet(const std::shared_ptr<const CharacterSheet>& sheet);
   /// The tablet shows another character than the session's.
   [[nodiscard]] bool is_away() const { return is_running() && away_; }
   /// The learner, or the session, went to a stage.
   void enter_stage(study::Stage stage);
-  void note_stroke();
-  void note_hint() { ++hints_; }
+  void add_stroke();
+  void add_hint() { ++hints_; }
   /// A stroke was tried and refused. @return what to do about it.
-  study::MissReply note_miss(int stroke);
-  void take_practice(study::Stage stage, study::WritingResult result);
-  void take_judgement(const writing::Grade& grade, const std::vector<practice::HandStroke>& strokes);
-  void take_surrender(const std::vector<practice::HandStroke>& strokes);
+  study::MissReply add_mistake(int stroke);
+  /// A stage other than memory was done.
+  void finish_stage(study::Stage stage, study::WritingResult result);
+  /// What was written from memory was judged.
+  void judge(const writing::Grade& grade, const std::vector<HandStroke>& strokes);
+  /// The learner asked for the answer.
+  void give_up(const std::vector<HandStroke>& strokes);
   /// What was judged goes on being written.
-  void take_back_judgement();
+  void reopen();
 
   // What the learner decides.
   void rate(study::Rating rating);
@@ -116,14 +119,13 @@ class StudySession final : public QObject {
   void pause();
   void reset();
 
- signals:
   /// Something of the above is different.
-  void changed();
-  /// A character must come to the desk. It is to be done at stage().
-  void character_wanted(char32_t character);
-  void stage_wanted(nazori::study::Stage stage);
-  void ended();
-  void said(nazori::ui::Feedback kind, QString sentence);
+  base::Signal<> changed;
+  /// The tablet must show this character. It is to be done at stage().
+  base::Signal<char32_t> character_wanted;
+  base::Signal<study::Stage> stage_wanted;
+  base::Signal<> ended;
+  base::Signal<const SessionFeedback&> announced;
 
  private:
   void next_task();
@@ -132,15 +134,18 @@ class StudySession final : public QObject {
   void begin_stage(study::Stage stage);
   void measure(const study::DayPlan& plan);
   void choose_word();
-  bool keep(study::Stage stage, study::Rating rating, study::Rating proposed,
+  bool save(study::Stage stage, study::Rating rating, study::Rating proposed,
             const study::WritingResult& result, const study::Ink& ink);
-  void judge(study::WritingResult result, const std::vector<practice::HandStroke>& strokes);
+  void propose(study::WritingResult result, const std::vector<HandStroke>& strokes);
   [[nodiscard]] std::chrono::milliseconds elapsed() const;
   [[nodiscard]] study::LearnerStore& store() const { return learner_.store(); }
-  /// Takes the present character out of the day by an action of the store.
-  void put_aside(const base::Result<void>& done, const QString& sentence);
-  /// Says it, and keeps it for who looks later: the next task has words of its own at once.
-  void tell(Feedback kind, const QString& sentence);
+  /// Takes the present character out of the day, if the action of the store is `done`.
+  void put_aside(const base::Result<void>& done, SessionFeedback::Kind kind);
+  /// Feedback about the present character.
+  [[nodiscard]] SessionFeedback about_character(SessionFeedback::Kind kind) const;
+  void announce(SessionFeedback::Kind kind, const base::Error& error = {});
+  /// Announces it, and keeps it for those who look later: the next task may have feedback of its own at once.
+  void announce_event(SessionFeedback event);
 
   Learner& learner_;
   State state_ = State::idle;
@@ -150,14 +155,14 @@ class StudySession final : public QObject {
   std::vector<char32_t> leeches_;  ///< still to do
   bool away_ = false;
   bool reviewed_ = false;  ///< the present task was written from memory
-  bool peeked_ = false;    ///< the learner looked before writing from memory
+  bool looked_ = false;    ///< the learner looked before writing from memory
   bool final_ = false;     ///< the judgement stays whatever is written still
   bool asks_by_words_ = true;
-  std::shared_ptr<const practice::CharacterSheet> sheet_;
+  std::shared_ptr<const CharacterSheet> sheet_;
   std::optional<kanji::Word> word_;
 
-  Stopwatch stopwatch_;
-  std::chrono::milliseconds since_{0};  ///< on the stopwatch: the stage began
+  const base::Clock& clock_;
+  base::Clock::Steady since_{};  ///< the stage began
   std::chrono::milliseconds last_stroke_{0};
   int hints_ = 0;
   int misses_ = 0;
@@ -168,11 +173,12 @@ class StudySession final : public QObject {
   study::Rating proposed_ = study::Rating::good;
   study::Ink ink_;
 
-  QString note_;
+  std::optional<SessionFeedback> last_event_;
   int done_ = 0;
   int left_ = 0;
   std::chrono::milliseconds time_left_{0};
   SessionSummary summary_;
+  base::Connection profile_changed_;
 };
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

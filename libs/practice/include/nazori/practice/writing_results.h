@@ -8,13 +8,13 @@
 #include "nazori/study/writing_result.h"
 #include "nazori/writing/grade.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 
-/// What the judge said, as the learner's log keeps it: faults by stroke of the model where that is known,
+/// A grade as the study history saves it: faults by stroke of the model where that is known,
 /// endings whether they count or are advice.
 [[nodiscard]] study::WritingResult to_result(const writing::Grade& grade);
 
-/// What the hand wrote, as the learner's log keeps it; no more of it than may be kept.
-[[nodiscard]] study::Ink to_study_ink(const std::vector<practice::HandStroke>& strokes);
+/// What the hand wrote, as the study history saves it; no more of it than may be saved.
+[[nodiscard]] study::Ink to_study_ink(const std::vector<HandStroke>& strokes);
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

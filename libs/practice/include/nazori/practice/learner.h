@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nazori/base/result.h"
+#include "nazori/base/signal.h"
+#include "nazori/practice/learner_event.h"
+#include "nazori/practice/store_upkeep.h"
+#include "nazori/study/character_lists.h"
+#include "nazori/study/day_plan.h"
+#include "nazori/study/learner_store.h"
+
+namespace nazori::practice {
+
+/// The learner who studies: the profile's store, open for writing where that is possible. Where it is not
+/// (another program has it open, the folder is read-only, the file is damaged or of a newer version) nothing
+/// is written: can_write() is false, trouble() says why, and store() has what can be read, or is empty.
+/// Thread: the owner of the inbox.
+class Learner {
+ public:
+  /// Where the study data and the dictionary are, and the learner's time.
+  struct Place {
+    std::filesystem::path folder;    ///< of all profiles; empty: study::profiles_folder()
+    std::filesystem::path database;  ///< kanji.db, for lists and their order
+    study::Clock clock;              ///< empty: the computer's
+  };
+
+  /// No profile is open yet: the store is an empty one in memory.
+  Learner(base::Inbox& inbox, Place place);
+  ~Learner();
+  Learner(const Learner&) = delete;
+  Learner& operator=(const Learner&) = delete;
+
+  /// Opens a profile; one that is not there yet is a new learner. Emits profile_changed in any case.
+  /// @return whether it can be written. A name that no learner can have changes nothing.
+  bool switch_profile(const std::string& name);
+  /// Opens the same profile once more, after another program has closed it.
+  bool open_again();
+  /// Closes the file while `work` is done (a profile renamed), then opens the profile that it returns;
+  /// empty: the same again.
+  void while_closed(const std::function<std::string()>& work);
+  /// Closes the file, for another thread to work on it; trouble() is of this kind until the profile, or
+  /// another one, is opened again.
+  void let_go(LearnerEvent::Kind why);
+
+  [[nodiscard]] const std::string& profile() const { return profile_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// The learner.db of the profile.
+  [[nodiscard]] std::filesystem::path file() const;
+
+  /// Valid until a profile is opened or closed.
+  [[nodiscard]] study::LearnerStore& store() { return *store_; }
+  [[nodiscard]] const study::LearnerStore& store() const { return *store_; }
+  /// Whether what is done can be saved. Ask before every action.
+  [[nodiscard]] bool can_write() const { return can_write_; }
+  /// Why it cannot; nothing while it can, and before a profile is opened.
+  [[nodiscard]] const std::optional<LearnerEvent>& trouble() const { return trouble_; }
+
+  /// What an action of the store returned: emits changed, or announces that it was not saved.
+  /// @return whether it was done.
+  template <class T>
+  bool report(const base::Result<T>& result) {
+    if (!result) {
+      announce_unsaved(result.error());
+      return false;
+    }
+    changed();
+    return true;
+  }
+
+  /// That today's backup could not be made; nothing where it was.
+  [[nodiscard]] const std::optional<LearnerEvent>& backup_trouble() const { return backup_trouble_; }
+  /// Announces that something of the store could not be read.
+  void announce_unread(const base::Error& error);
+
+  /// Characters and lists of the kanji database; nullptr where that cannot be read.
+  [[nodiscard]] study::CharacterLists* lists() { return lists_.get(); }
+  /// kanji.db, for another thread to open.
+  [[nodiscard]] const std::filesystem::path& database_file() const { return database_file_; }
+  [[nodiscard]] const kanji::KanjiDatabase* database() const { return database_ ? &*database_ : nullptr; }
+  /// What today holds. A few milliseconds, however long the history is.
+  [[nodiscard]] base::Result<study::DayPlan> plan();
+  /// Notices a new study day. To be called every minute.
+  void tick();
+  /// Whether the file is still being checked and backed up behind.
+  [[nodiscard]] bool keeps_up() const { return upkeep_.is_busy(); }
+  /// Lists or tags have changed: what is learnt next is worked out again, and `changed` follows.
+  void renew_order();
+
+  /// Something was done, undone or set; a new study day has begun.
+  base::Signal<> changed;
+  /// Another learner, or the same one opened again. `changed` follows.
+  base::Signal<> profile_changed;
+  base::Signal<const LearnerEvent&> announced;
+
+ private:
+  bool open();
+  void close();
+  void close_for(LearnerEvent trouble);
+  void announce_unsaved(const base::Error& error);
+  [[nodiscard]] LearnerEvent event(LearnerEvent::Kind kind, base::Error error = {}) const;
+  [[nodiscard]] LearnerEvent trouble_with(const base::Error& error) const;
+  void handle_upkeep(const study::UpkeepReport& report);
+  void handle_damage(const base::Error& error);
+
+  std::filesystem::path folder_;
+  std::filesystem::path database_file_;
+  study::Clock clock_;
+  std::string profile_;
+  std::optional<kanji::KanjiDatabase> database_;
+  std::unique_ptr<study::CharacterLists> lists_;
+  std::optional<study::LearnerStore> store_;
+  bool can_write_ = false;
+  std::optional<LearnerEvent> trouble_;
+  std::optional<LearnerEvent> backup_trouble_;
+  std::optional<std::vector<char32_t>> order_;  ///< of learning, while its settings hold
+  study::Settings ordered_by_;
+  study::Day day_{};
+  StoreUpkeep upkeep_;
+};
+
+}  // namespace nazori::practice

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "nazori/base/latest.h"
+#include "nazori/base/result.h"
+#include "nazori/base/signal.h"
+#include "nazori/study/statistics.h"
+
+namespace nazori::practice {
+
+/// Statistics that several readers share; nobody changes them.
+using SharedStatistics = std::shared_ptr<const study::Statistics>;
+
+/// Adds a learner's study history up on a thread of its own, through a second connection that only reads, so
+/// that nobody waits. Of several requests the newest is answered; what runs for an older one stops.
+/// Thread: the owner of the inbox.
+class StatisticsReader {
+ public:
+  explicit StatisticsReader(base::Inbox& inbox);
+
+  /// @param now  the present of the learner's clock.
+  void request(const std::filesystem::path& learner, study::Time now);
+  [[nodiscard]] bool is_busy() const { return work_.is_busy(); }
+
+  /// How much of the newest request is done, 0..1.
+  base::Signal<double> progressed;
+  base::Signal<const SharedStatistics&> ready;
+  base::Signal<const base::Error&> failed;
+
+ private:
+  struct Request {
+    std::filesystem::path learner;
+    study::Time now{};
+  };
+  using Answer = base::Result<SharedStatistics>;
+
+  base::Latest<Request, Answer> work_;  // declared last, so that it ends before what it uses
+};
+
+}  // namespace nazori::practice

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/settings_progress.h"
+
+#include <QProgressDialog>
+
+#include "error_text.h"
+#include "signals.h"
+#include "work_dialog.h"
+
+namespace nazori::ui {
+
+SettingsProgress::SettingsProgress(practice::SettingsChange& change, const study::Settings& wanted,
+                                   QWidget* window)
+    : QObject(window) {
+  dialog_ = make_work_dialog(QStringLiteral("settings_progress"), tr("Working out every character anew…"),
+                             tr("Stop"), window);
+  connect(dialog_, &QProgressDialog::canceled, this, [&change] { change.stop(); });
+  subscribe(change.progressed(), this, [this](int percent) {
+    if (dialog_ != nullptr) dialog_->setValue(percent);
+  });
+  subscribe(change.finished, this, [this](const base::Result<void>& changed) { finish(changed); });
+  change.start(wanted);
+}
+
+void SettingsProgress::finish(const base::Result<void>& changed) {
+  if (dialog_ != nullptr) dialog_->deleteLater();
+  if (changed)
+    emit said(Feedback::good, tr("The study settings hold from now on."));
+  else if (changed.error().code == base::Errc::cancelled)
+    emit said(Feedback::hint, tr("Stopped. The study settings are as they were."));
+  else
+    emit said(
+        Feedback::wrong,
+        tr("The study settings were not kept: %1. They are as they were.").arg(reason(changed.error())));
+  deleteLater();
+}
+
+}  // namespace nazori::ui
