@@ -193,9 +193,8 @@ void MainWindow::Inside::connect_recording() {
 void MainWindow::Inside::connect_sound() {
   auto& preferences = desk.preferences();
   auto& controller = desk.controller();
-  QObject::connect(&sound, &StrokeSound::failed, &window,
-                   [this](const base::Error& error) { desk.tell(Feedback::advice, no_sound(error)); });
-  QObject::connect(&controller.stylus(), &Stylus::sampled, &sound,
+  sound.on_failure([this](const base::Error& error) { desk.tell(Feedback::advice, no_sound(error)); });
+  QObject::connect(&controller.stylus(), &Stylus::sampled, &window,
                    [this, &controller](std::span<const haptics::ServoSample> samples) {
                      const auto& tablet = controller.tablet();
                      sound.follow(samples, tablet ? tablet->shape() : geometry::TabletShape{});
