@@ -13,6 +13,7 @@
 #include "key_list_dialog.h"
 #include "main_window_inside.h"
 #include "panes.h"
+#include "signals.h"
 #include "status_line.h"
 #include "tablet_window.h"
 #include "tool_bar.h"
@@ -194,11 +195,11 @@ void MainWindow::Inside::connect_sound() {
   auto& preferences = desk.preferences();
   auto& controller = desk.controller();
   sound.on_failure([this](const base::Error& error) { desk.tell(Feedback::advice, no_sound(error)); });
-  QObject::connect(&controller.stylus(), &Stylus::sampled, &window,
-                   [this, &controller](std::span<const haptics::ServoSample> samples) {
-                     const auto& tablet = controller.tablet();
-                     sound.follow(samples, tablet ? tablet->shape() : geometry::TabletShape{});
-                   });
+  subscribe(controller.stylus().sampled, &window,
+            [this, &controller](std::span<const haptics::ServoSample> samples) {
+              const auto& tablet = controller.tablet();
+              sound.follow(samples, tablet ? tablet->shape() : geometry::TabletShape{});
+            });
   QObject::connect(actions->groove_sound, &QAction::toggled, &window, [this](bool on) {
     desk.preferences().groove_sound = on;
     sound.set_on(on);

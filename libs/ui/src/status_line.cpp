@@ -10,6 +10,7 @@
 
 #include "device_text.h"
 #include "session_recording.h"
+#include "signals.h"
 #include "tablet_controller.h"
 
 namespace nazori::ui {
@@ -51,7 +52,7 @@ StatusLine::StatusLine(TabletController& controller, const SessionRecording& rec
   since_.start();
   show_device();
   show_recording();
-  connect(&controller_.stylus(), &Stylus::changed, this, [this] {
+  subscribe(controller_.stylus().changed, this, [this] {
     ticks_ = 0;
     show_device();
     look();

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "nazori/devices/simulated_device.h"
+#include "signals.h"
 
 namespace nazori::ui {
 namespace {
@@ -30,8 +31,8 @@ TabletController::TabletController(QObject* parent) : QObject(parent), mouse_dep
   pump_timer_.setInterval(kIdlePump_ms);
   pump_timer_.setTimerType(Qt::CoarseTimer);
   connect(&pump_timer_, &QTimer::timeout, this, &TabletController::pump);
-  connect(&stylus_, &Stylus::leaving, this, &TabletController::pump);
-  connect(&stylus_, &Stylus::changed, this, [this] {
+  subscribe(stylus_.leaving, this, [this] { pump(); });
+  subscribe(stylus_.changed, this, [this] {
     if (guides_ && guides_->leading) hand_over_scene();
     send();
   });

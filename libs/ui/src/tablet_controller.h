@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "ink_tracker.h"
+#include "nazori/devices/slope_gain.h"
 #include "nazori/tablet/carved_tablet.h"
 #include "nazori/view/tablet_view.h"
-#include "slope_gain.h"
 #include "stylus.h"
 
 namespace nazori::ui {
@@ -167,7 +167,7 @@ class TabletController final : public QObject {
   std::vector<view::WrittenStroke> writing_;
   std::vector<view::WrittenStroke> drawn_writing_;  ///< that, and what is missing of strokes left open
   haptics::Material material_;
-  SlopeGain slope_gain_;
+  devices::SlopeGain slope_gain_;
   bool slope_help_ = false;
   bool judged_ = false;
   haptics::Vec3 axis_{0};  ///< of the pen, from its tip to the hand; zero: not known

@@ -265,7 +265,7 @@ TEST(TabletController, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
   // Out of the middle groove.
   const auto slide = [&] {
     controller.move_stylus({0, 0}, false);
-    nazori::ui::SlopeGain help;
+    nazori::devices::SlopeGain help;
     for (int step = 0; step <= 20; ++step) {
       hand = {0, step * 0.00025};
       helped = help.follow(hand, surface);
@@ -290,7 +290,7 @@ TEST(TabletController, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
 
 TEST(TabletController, TicksThatCannotBeTrustedDoNotEndAStroke) {
   using nazori::haptics::Vec3;
-  const auto script = std::make_shared<nazori::ui::test::Script>();
+  const auto script = std::make_shared<nazori::devices::test::Script>();
   const auto ticks_pass = [&](std::uint64_t count) {
     const std::uint64_t from = script->ticks;
     return QTest::qWaitFor([&] { return script->ticks > from + count; }, 20'000);
@@ -298,7 +298,7 @@ TEST(TabletController, TicksThatCannotBeTrustedDoNotEndAStroke) {
   TabletController controller;
   const auto tablet = three();
   controller.set_tablet(tablet);
-  controller.stylus().set_devices(nazori::ui::test::only(script), tablet->shape(), {});
+  controller.stylus().set_devices(nazori::devices::test::only(script), tablet->shape(), {});
   ASSERT_TRUE(controller.start());
   controller.stylus().choose("scripted:arm");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.stylus().is_pointer(); }, 20'000));

@@ -121,9 +121,9 @@ TEST_F(Drawn, AreTheStrokesThatWereWrittenAndTheInkOfADemonstration) {
 }
 
 TEST_F(Drawn, AStrokeThatIsLeftBeforeItsEndShowsWhatIsMissingUntilItIsTakenBack) {
-  const auto script = std::make_shared<test::Script>();
+  const auto script = std::make_shared<devices::test::Script>();
   const auto tablet = controller_.tablet();
-  controller_.stylus().set_devices(test::only(script), tablet->shape(), {});
+  controller_.stylus().set_devices(devices::test::only(script), tablet->shape(), {});
   ASSERT_TRUE(controller_.start());
   controller_.stylus().choose("scripted:arm");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !controller_.stylus().is_pointer(); }, 20'000));

@@ -14,10 +14,8 @@
 #include <thread>
 #include <vector>
 
-#include "device_search.h"
 #include "functions/plotter.h"
 #include "library.h"
-#include "nazori/devices/device_catalogue.h"
 #include "progress/statistics_reader.h"
 #include "worker.h"
 #include "workshop.h"
@@ -152,30 +150,6 @@ TEST(WindowThreads, APlotIsStoppedByTheNextAndByItsEnd) {
   plotter.stop();
   EXPECT_TRUE(comes_true([&] { return !plotter.is_busy(); }));
   plotter.draw(request("y = sin(1/x)"));
-}
-
-TEST(WindowThreads, DevicesAreLookedForCancelledAndOpenedAgain) {
-  DeviceSearch::BackEnds back_ends;
-  back_ends.push_back(devices::simulated_back_end());
-  back_ends.push_back(devices::pointer_back_end());
-  DeviceSearch search(std::move(back_ends), {});
-  std::vector<devices::BackEndFindings> findings;
-  search.find([&](auto found) { findings = std::move(found); });
-  int heard = 0;
-  std::string id;
-  for (int i = 0; i < 20; ++i) {
-    search.open({"simulated:touch", true, {}}, {}, [&](DeviceFind found) {
-      ++heard;
-      if (found.opened) id = found.opened->id;
-      if (found.opened) search.close(std::move(*found.opened));
-    });
-    if (i == 10) search.cancel();
-  }
-  EXPECT_TRUE(comes_true([&] { return !id.empty(); }));
-  EXPECT_EQ(id, "simulated:touch");
-  EXPECT_EQ(heard, 1);
-  EXPECT_EQ(findings.size(), 2U);
-  search.open({"simulated:touch", true, {}}, {}, [](const DeviceFind&) {});  // ended before it is heard
 }
 
 TEST(WindowThreads, OfManyRequestsForStatisticsTheNewestIsAnswered) {

@@ -95,7 +95,7 @@ TEST_F(Device, ButtonsStepThroughTheStrokesAndCanBeGivenOtherMeanings) {
   click(2);
   EXPECT_TRUE(at_stroke(0));
   press(Qt::Key_2, Qt::AltModifier);
-  find<QComboBox>("stylus_button_1")->setCurrentIndex(static_cast<int>(ButtonDoes::previous_stroke));
+  find<QComboBox>("stylus_button_1")->setCurrentIndex(static_cast<int>(devices::ButtonDoes::previous_stroke));
   press(Qt::Key_1, Qt::AltModifier);
   click(1);
   EXPECT_TRUE(at_stroke(6)) << controller().current_stroke();
@@ -163,12 +163,12 @@ TEST_F(Device, TheStatusLineTellsDeviceRateAndMissedTicks) {
 
 TEST_F(Device, ALimitThatIsRememberedAboveTheDevicesOwnRaisesNothing) {
   haptics::DeviceLimits own;
-  DeviceSettings bold;
+  devices::DeviceSettings bold;
   bold.max_force_n = 50;
   bold.max_stiffness_n_m = 90'000;
-  EXPECT_EQ(limited(own, bold).max_force_n, own.max_force_n);
-  EXPECT_EQ(limited(own, bold).max_stiffness_n_m, own.max_stiffness_n_m);
-  EXPECT_LE(limited(own, bold).continuous_force_n, own.continuous_force_n);
+  EXPECT_EQ(devices::limited(own, bold).max_force_n, own.max_force_n);
+  EXPECT_EQ(devices::limited(own, bold).max_stiffness_n_m, own.max_stiffness_n_m);
+  EXPECT_LE(devices::limited(own, bold).continuous_force_n, own.continuous_force_n);
 }
 
 TEST_F(Device, ChoiceAndMaterialAreRemembered) {

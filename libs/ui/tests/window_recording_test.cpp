@@ -13,7 +13,7 @@
 #include "device/device_place.h"
 #include "nazori/recording/recording_file.h"
 #include "nazori/recording/sample_csv.h"
-#include "scripted_device.h"
+#include "signals.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -62,8 +62,8 @@ class Recording : public WindowTest {
     desk_under_test->controller().pump();
     std::size_t seen = 0;
     QObject context;
-    QObject::connect(&desk_under_test->controller().stylus(), &Stylus::sampled, &context,
-                     [&seen](std::span<const haptics::ServoSample> some) { seen += some.size(); });
+    subscribe(desk_under_test->controller().stylus().sampled, &context,
+              [&seen](std::span<const haptics::ServoSample> some) { seen += some.size(); });
     return QTest::qWaitFor([&] { return seen >= count; }, 10000);
   }
 };
@@ -72,10 +72,9 @@ TEST_F(Recording, HoldsEveryMomentThatTheServoSaw) {
   const QString path = folder_.filePath(QStringLiteral("session.nzr"));
   std::vector<haptics::ServoSample> seen;
   auto& stylus = desk_under_test->controller().stylus();
-  QObject::connect(&stylus, &Stylus::sampled, window_.get(),
-                   [&seen](std::span<const haptics::ServoSample> some) {
-                     seen.insert(seen.end(), some.begin(), some.end());
-                   });
+  subscribe(stylus.sampled, window_.get(), [&seen](std::span<const haptics::ServoSample> some) {
+    seen.insert(seen.end(), some.begin(), some.end());
+  });
   record_to(path);
   EXPECT_TRUE(action("record")->isChecked());
   EXPECT_TRUE(find("recording")->isVisible());

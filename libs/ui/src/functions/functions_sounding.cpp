@@ -11,6 +11,7 @@
 #include "functions/plot_panel.h"
 #include "functions/plot_words.h"
 #include "functions/points_panel.h"
+#include "signals.h"
 
 namespace nazori::ui {
 namespace {
@@ -56,7 +57,7 @@ void FunctionsWorkplace::connect_sound() {
   };
   auto& controller = desk().controller();
   connect(&controller, &TabletController::depth_changed, this, follow);
-  connect(&controller.stylus(), &Stylus::changed, this, follow);
+  subscribe(controller.stylus().changed, this, follow);
 }
 
 void FunctionsWorkplace::follow_stylus() {

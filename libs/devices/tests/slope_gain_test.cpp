@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "slope_gain.h"
+#include "nazori/devices/slope_gain.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "nazori/tablet/carved_tablet.h"
 
-namespace nazori::ui {
+namespace nazori::devices {
 namespace {
 
 /// One level groove through the middle.
@@ -52,4 +52,4 @@ TEST(SlopeGain, LeavingAGrooveTakesALongerWayOfTheHandThanWithoutAndNeverStraysF
 }
 
 }  // namespace
-}  // namespace nazori::ui
+}  // namespace nazori::devices
