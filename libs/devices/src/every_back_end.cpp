@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -70,7 +71,7 @@ std::unique_ptr<BackEnd> make_pantograph(const Settings& settings) {
 using Make = std::unique_ptr<BackEnd> (*)(const Settings& settings);
 
 /// Best first.
-constexpr std::array<Make, 7> kBackEnds{
+constexpr Make kBackEnds[]{
     make_openhaptics,
     make_force_dimension,
     make_inverse_service,
@@ -94,7 +95,7 @@ Settings back_end_settings(Settings stored) {
 
 std::vector<std::unique_ptr<BackEnd>> every_back_end(const Settings& settings) {
   std::vector<std::unique_ptr<BackEnd>> all;
-  all.reserve(kBackEnds.size());
+  all.reserve(std::size(kBackEnds));
   for (const Make make : kBackEnds) all.push_back(make(settings));
   return all;
 }
