@@ -15,8 +15,8 @@
 #include "device/button_lines.h"
 #include "device/device_actions.h"
 #include "device/feel_panel.h"
-#include "device/number_slider.h"
 #include "device/seat_panel.h"
+#include "number_slider.h"
 #include "stylus.h"
 
 namespace nazori::ui {

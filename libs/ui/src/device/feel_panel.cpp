@@ -12,9 +12,9 @@
 #include <glm/geometric.hpp>
 
 #include "device/device_actions.h"
-#include "device/number_slider.h"
 #include "flow_layout.h"
 #include "nazori/devices/tablet_device.h"
+#include "number_slider.h"
 
 namespace nazori::ui {
 namespace {

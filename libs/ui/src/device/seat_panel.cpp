@@ -14,9 +14,9 @@
 
 #include "device/button_lines.h"
 #include "device/device_actions.h"
-#include "device/number_slider.h"
 #include "device_text.h"
 #include "kanji_text.h"
+#include "number_slider.h"
 
 namespace nazori::ui {
 namespace {
