@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stroke_sound.h"
+#include "nazori/audio/stroke_sound.h"
 
 #include <gtest/gtest.h>
 
-#include <QSignalSpy>
+#include <cstdlib>
+#include <vector>
 
-namespace nazori::ui {
+#include "with_driver.h"
+
+namespace nazori::audio {
 namespace {
 
 haptics::ServoSample at(double time_s, haptics::Vec3 proxy_m, double deeper_m = 0.0075) {
@@ -15,6 +18,25 @@ haptics::ServoSample at(double time_s, haptics::Vec3 proxy_m, double deeper_m = 
   made.device_m = proxy_m - haptics::Vec3(0, 0, deeper_m);
   made.touching = true;
   return made;
+}
+
+haptics::ServoSample lifted(haptics::ServoSample sample) {
+  sample.touching = false;
+  return sample;
+}
+
+TEST(GrooveMotion, KnowsSpeedPressureAndWhetherTheStylusIsInAGroove) {
+  const geometry::TabletShape shape;
+  const auto in = groove_motion(at(1, {0, 0, -0.01}, 0.0075), at(1.01, {0.001, 0, -0.01}, 0.0075), shape);
+  EXPECT_NEAR(in.speed_m_s, 0.1, 1e-6);
+  EXPECT_NEAR(in.pressure, 0.5, 1e-6);
+  EXPECT_TRUE(in.on_stroke);
+  EXPECT_NEAR(in.pan, 0.02, 1e-6);
+  const auto beside = groove_motion(at(1, {0, 0, 0}, 0.001), at(1.01, {0.001, 0, 0}, 0.001), shape);
+  EXPECT_FALSE(beside.on_stroke);
+  const auto in_the_air = groove_motion(lifted(at(1, {0, 0, 0}, 0)), at(1.01, {0.001, 0, 0}, 0), shape);
+  EXPECT_EQ(in_the_air.speed_m_s, 0);
+  EXPECT_EQ(in_the_air.pressure, 0);
 }
 
 TEST(GrooveMotion, SpeedIsTheWayByItsTime) {
@@ -53,12 +75,8 @@ TEST(GrooveMotion, IsHeardOnItsSide) {
 TEST(GrooveMotion, WithoutATouchOrTimeThereIsNone) {
   const auto before = at(1, {0, 0, 0});
   const auto now = at(2, {0.01, 0, 0});
-  auto lifted = now;
-  lifted.touching = false;
-  auto lifted_before = before;
-  lifted_before.touching = false;
   for (const auto& motion :
-       {groove_motion(before, lifted, {}), groove_motion(lifted_before, now, {}),
+       {groove_motion(before, lifted(now), {}), groove_motion(lifted(before), now, {}),
         groove_motion(before, at(1, {0.01, 0, 0}), {}), groove_motion(now, before, {})}) {
     EXPECT_EQ(motion.speed_m_s, 0);
     EXPECT_EQ(motion.pressure, 0);
@@ -66,28 +84,27 @@ TEST(GrooveMotion, WithoutATouchOrTimeThereIsNone) {
 }
 
 TEST(StrokeSound, WithoutASoundCardItIsSaidOnce) {
-  const QByteArray before = qgetenv("SDL_AUDIODRIVER");
-  qputenv("SDL_AUDIODRIVER", "no such driver");
+  const WithDriver none("no such driver");
   StrokeSound sound;
   EXPECT_FALSE(sound.is_on());
-  const QSignalSpy failed(&sound, &StrokeSound::failed);
+  int failed = 0;
+  sound.on_failure([&](const base::Error&) { ++failed; });
   sound.set_on(true);
   EXPECT_TRUE(sound.is_on());
-  EXPECT_EQ(failed.count(), 1);
+  EXPECT_EQ(failed, 1);
   sound.set_on(false);
   EXPECT_FALSE(sound.is_on());
   sound.set_on(true);
-  EXPECT_EQ(failed.count(), 1);
+  EXPECT_EQ(failed, 1);
   const std::vector some{at(1, {0, 0, 0})};
   sound.follow(some, {});
-  qputenv("SDL_AUDIODRIVER", "dummy");
+  const WithDriver dummy("dummy");
   sound.set_on(true);
   sound.follow({}, {});
   sound.follow(some, {});
-  EXPECT_EQ(failed.count(), 1);
+  EXPECT_EQ(failed, 1);
   sound.set_on(false);
-  before.isNull() ? qunsetenv("SDL_AUDIODRIVER") : qputenv("SDL_AUDIODRIVER", before);
 }
 
 }  // namespace
-}  // namespace nazori::ui
+}  // namespace nazori::audio

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stroke_sound.h"
+#include "nazori/audio/stroke_sound.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
-namespace nazori::ui {
+namespace nazori::audio {
 namespace {
 
 constexpr double kFullPress_m = 0.015;  // as deep in the material as the hardest press of a pen
@@ -14,9 +14,9 @@ constexpr double kInGroove = 0.1;       // of the tablet's depth
 
 }  // namespace
 
-audio::GrooveMotion groove_motion(const haptics::ServoSample& before, const haptics::ServoSample& now,
-                                  const geometry::TabletShape& shape) {
-  audio::GrooveMotion motion;
+GrooveMotion groove_motion(const haptics::ServoSample& before, const haptics::ServoSample& now,
+                           const geometry::TabletShape& shape) {
+  GrooveMotion motion;
   if (!now.touching || !before.touching) return motion;
   const double elapsed_s = now.time_s - before.time_s;
   if (!(elapsed_s > 0)) return motion;
@@ -28,9 +28,11 @@ audio::GrooveMotion groove_motion(const haptics::ServoSample& before, const hapt
   return motion;
 }
 
-StrokeSound::StrokeSound(QObject* parent) : QObject(parent) {}
+StrokeSound::StrokeSound() = default;
 
 StrokeSound::~StrokeSound() = default;
+
+void StrokeSound::on_failure(std::function<void(const base::Error&)> failed) { failed_ = std::move(failed); }
 
 void StrokeSound::set_on(bool on) {
   on_ = on;
@@ -40,11 +42,11 @@ void StrokeSound::set_on(bool on) {
     return;
   }
   if (output_) return;
-  auto opened = audio::Output::open(sound_);
+  auto opened = Output::open(sound_);
   if (opened) {
     output_ = std::move(*opened);
-  } else if (!std::exchange(told_, true)) {
-    emit failed(opened.error());
+  } else if (!std::exchange(reported_, true) && failed_) {
+    failed_(opened.error());
   }
 }
 
@@ -57,4 +59,4 @@ void StrokeSound::follow(std::span<const haptics::ServoSample> samples, const ge
   last_ = samples.back();
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::audio

@@ -6,7 +6,7 @@
 #include "nazori/geometry/point.h"
 #include "nazori/haptics/tablet_surface.h"
 
-namespace nazori::ui {
+namespace nazori::devices {
 
 /// Lets the eye feel what the hand cannot: the stylus of a mouse goes slower up a slope and faster down, so
 /// it stays in a groove as if held. Over the plateau nothing changes. The stylus never strays farther than
@@ -32,4 +32,4 @@ class SlopeGain {
   geometry::TabletPoint stylus_{};
 };
 
-}  // namespace nazori::ui
+}  // namespace nazori::devices

@@ -11,7 +11,7 @@
 #include "nazori/devices/back_end.h"
 #include "nazori/devices/rt_thread.h"
 
-namespace nazori::ui::test {
+namespace nazori::devices::test {
 
 /// What a test does with a device, and what the device was told to do. Outlives it.
 struct Script {
@@ -66,31 +66,28 @@ class ScriptedDevice final : public haptics::HapticDevice {
  private:
   std::shared_ptr<Script> script_;
   double last_s_ = 0;  // of the tick before; the clock thread's
-  devices::RtThread clock_;
+  RtThread clock_;
 };
 
-class ScriptedBackEnd final : public devices::BackEnd {
+class ScriptedBackEnd final : public BackEnd {
  public:
   explicit ScriptedBackEnd(std::shared_ptr<Script> script) : script_(std::move(script)) {}
   [[nodiscard]] std::string_view id() const override { return "scripted"; }
-  [[nodiscard]] devices::BackEndFindings find() override {
+  [[nodiscard]] BackEndFindings find() override {
     if (!script_->plugged_in)
       return {"Scripts", {}, {{haptics::DeviceTrouble::device_absent, {base::Errc::device, "none", "", ""}}}};
     return {"Scripts", {{"scripted:arm", "Scripted arm", true, true}}, std::nullopt};
   }
-  [[nodiscard]] devices::DeviceResult<devices::OpenedDevice> open(
-      std::string_view, const devices::OpenRequest& request) override {
+  [[nodiscard]] DeviceResult<OpenedDevice> open(std::string_view, const OpenRequest& request) override {
     if (!script_->plugged_in)
-      return devices::no_device(haptics::DeviceTrouble::device_absent, "nothing is plugged in", "Scripts",
-                                "");
+      return no_device(haptics::DeviceTrouble::device_absent, "nothing is plugged in", "Scripts", "");
     ++script_->opened;
     script_->asked_tilt_rad = request.posture.tilt_rad;
     script_->asked_calibrated = request.calibration.has_value();
-    return devices::OpenedDevice{
-        "scripted:arm",
-        std::make_unique<ScriptedDevice>(script_),
-        request.calibration.value_or(devices::WorkspaceCalibration{1, {}, request.posture, 0}),
-        {}};
+    return OpenedDevice{"scripted:arm",
+                        std::make_unique<ScriptedDevice>(script_),
+                        request.calibration.value_or(WorkspaceCalibration{1, {}, request.posture, 0}),
+                        {}};
   }
 
  private:
@@ -98,10 +95,10 @@ class ScriptedBackEnd final : public devices::BackEnd {
 };
 
 /// Back ends that know nothing but this device.
-inline std::vector<std::unique_ptr<devices::BackEnd>> only(std::shared_ptr<Script> script) {
-  std::vector<std::unique_ptr<devices::BackEnd>> all;
+inline std::vector<std::unique_ptr<BackEnd>> only(std::shared_ptr<Script> script) {
+  std::vector<std::unique_ptr<BackEnd>> all;
   all.push_back(std::make_unique<ScriptedBackEnd>(std::move(script)));
   return all;
 }
 
-}  // namespace nazori::ui::test
+}  // namespace nazori::devices::test

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "slope_gain.h"
+#include "nazori/devices/slope_gain.h"
 
 #include <gtest/gtest.h>
 
-#include <QtGlobal>
 #include <cmath>
 
 #include "nazori/tablet/carved_tablet.h"
-#include "stroke_sound.h"
 
-namespace nazori::ui {
+namespace nazori::devices {
 namespace {
 
 /// One level groove through the middle.
@@ -53,46 +51,5 @@ TEST(SlopeGain, LeavingAGrooveTakesALongerWayOfTheHandThanWithoutAndNeverStraysF
   EXPECT_GT(hand_m, 1.3 * at.y);
 }
 
-haptics::ServoSample sample(double time_s, haptics::Vec3 proxy_m, double below_m, bool touching = true) {
-  haptics::ServoSample s;
-  s.time_s = time_s;
-  s.proxy_m = proxy_m;
-  s.device_m = proxy_m - haptics::Vec3(0, 0, below_m);
-  s.touching = touching;
-  return s;
-}
-
-TEST(GrooveMotion, KnowsSpeedPressureAndWhetherTheStylusIsInAGroove) {
-  const geometry::TabletShape shape;
-  const auto in =
-      groove_motion(sample(1, {0, 0, -0.01}, 0.0075), sample(1.01, {0.001, 0, -0.01}, 0.0075), shape);
-  EXPECT_NEAR(in.speed_m_s, 0.1, 1e-6);
-  EXPECT_NEAR(in.pressure, 0.5, 1e-6);
-  EXPECT_TRUE(in.on_stroke);
-  EXPECT_NEAR(in.pan, 0.02, 1e-6);
-  const auto beside = groove_motion(sample(1, {0, 0, 0}, 0.001), sample(1.01, {0.001, 0, 0}, 0.001), shape);
-  EXPECT_FALSE(beside.on_stroke);
-  const auto lifted = groove_motion(sample(1, {0, 0, 0}, 0, false), sample(1.01, {0.001, 0, 0}, 0), shape);
-  EXPECT_EQ(lifted.speed_m_s, 0);
-  EXPECT_EQ(lifted.pressure, 0);
-}
-
-TEST(StrokeSound, WithoutASoundCardItSaysSoOnceAndNothingElseHappens) {
-  qputenv("SDL_AUDIODRIVER", "no-such-driver");
-  StrokeSound sound;
-  int told = 0;
-  QObject::connect(&sound, &StrokeSound::failed, [&told](const base::Error&) { ++told; });
-  sound.set_on(true);
-  sound.set_on(false);
-  sound.set_on(true);
-  const auto s = sample(1, {0, 0, 0}, 0.001);
-  sound.follow({&s, 1}, {});
-  EXPECT_EQ(told, 1);
-  qputenv("SDL_AUDIODRIVER", "dummy");
-  StrokeSound heard;
-  heard.set_on(true);
-  heard.follow({&s, 1}, {});
-}
-
 }  // namespace
-}  // namespace nazori::ui
+}  // namespace nazori::devices

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "slope_gain.h"
+#include "nazori/devices/slope_gain.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nazori::ui {
+namespace nazori::devices {
 namespace {
 
 constexpr double kStep_m = 0.0003;  // finer than a groove's wall
@@ -45,4 +45,4 @@ geometry::TabletPoint SlopeGain::follow(geometry::TabletPoint pointer,
   return stylus_;
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::devices

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/number_slider.h"
+#include "number_slider.h"
 
 #include <QLabel>
 #include <QLocale>
