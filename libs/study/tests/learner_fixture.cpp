@@ -30,7 +30,8 @@ Writing review(Rating rating) {
   writing.proposed = rating;
   writing.result.accepted = rating != Rating::again;
   writing.result.score = rating == Rating::again ? 40 : 85;
-  if (rating <= Rating::hard) writing.result.faults = {{FaultKind::wrong, 2}, {FaultKind::ending, 0}};
+  if (rating <= Rating::hard)
+    writing.result.mistakes = {{kanji::MistakeKind::wrong, 2}, {kanji::MistakeKind::ending, 0}};
   writing.result.duration = std::chrono::milliseconds(12'345);
   return writing;
 }

@@ -285,7 +285,7 @@ TEST_F(SmallWidgets, PiecesOfWritingStandInRowsWithTheirWords) {
   EXPECT_TRUE(gallery.isHidden());
 }
 
-TEST_F(SmallWidgets, AReportTellsPointsFaultsAndHowThePenMoved) {
+TEST_F(SmallWidgets, AReportTellsPointsMistakesAndHowThePenMoved) {
   WritingReport report(nullptr);
   const auto label = [&report](const char* name) {
     return report.findChild<QLabel*>(QString::fromLatin1(name));

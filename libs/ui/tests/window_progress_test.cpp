@@ -71,7 +71,7 @@ class ProgressTest : public WindowTest {
         writing.proposed = writing.rating;
         writing.result.accepted = writing.rating != Rating::again;
         writing.result.duration = std::chrono::seconds(12);
-        if (character == U'二') writing.result.faults = {{study::FaultKind::wrong, 1}};
+        if (character == U'二') writing.result.mistakes = {{kanji::MistakeKind::wrong, 1}};
         ASSERT_TRUE(store->add_writing(character, strokes, writing, straight_ink()));
         now_ += minutes(1);
       }

@@ -91,11 +91,11 @@ TEST(WritingJudge, WhatIsStillBeingWrittenLacksNothing) {
   asked.ink.strokes.pop_back();
   judge.judge(asked);
   ASSERT_TRUE(judged.wait(20000));
-  EXPECT_EQ(judged.at(0).at(1).value<writing::Grade>().faults.size(), 1U);
+  EXPECT_EQ(judged.at(0).at(1).value<writing::Grade>().mistakes.size(), 1U);
   asked.finished = false;
   judge.judge(asked);
   ASSERT_TRUE(judged.wait(20000));
-  EXPECT_TRUE(judged.at(1).at(1).value<writing::Grade>().faults.empty());
+  EXPECT_TRUE(judged.at(1).at(1).value<writing::Grade>().mistakes.empty());
 }
 
 TEST(WritingJudge, TheFailureHasTheNumberOfItsQuestion) {

@@ -17,61 +17,58 @@ TEST(WritingResults, InkGoesOnInTimeWhereTheClockBeginsAnew) {
   EXPECT_TRUE(study::pack(ink)) << "it can be kept";
 }
 
-TEST(WritingResults, EveryFaultIsKeptUnderItsName) {
-  using writing::FaultKind;
-  const std::pair<FaultKind, study::FaultKind> kinds[] = {
-      {FaultKind::order, study::FaultKind::order},     {FaultKind::reversed, study::FaultKind::reversed},
-      {FaultKind::missing, study::FaultKind::missing}, {FaultKind::extra, study::FaultKind::extra},
-      {FaultKind::joined, study::FaultKind::joined},   {FaultKind::split, study::FaultKind::split},
-      {FaultKind::wrong, study::FaultKind::wrong},     {FaultKind::other, study::FaultKind::other},
-      {FaultKind::ending, study::FaultKind::ending}};
+TEST(WritingResults, EveryMistakeIsKeptUnderItsName) {
+  using kanji::MistakeKind;
+  const MistakeKind kinds[] = {MistakeKind::order, MistakeKind::reversed, MistakeKind::missing,
+                               MistakeKind::extra, MistakeKind::joined,   MistakeKind::split,
+                               MistakeKind::wrong, MistakeKind::other,    MistakeKind::ending};
   writing::Grade grade;
   grade.accepted = true;
   grade.score = 63;
-  for (const auto& [kind, kept] : kinds) {
-    writing::Fault fault;
-    fault.kind = kind;
-    grade.faults.push_back(fault);
+  for (const MistakeKind kind : kinds) {
+    writing::Mistake mistake;
+    mistake.kind = kind;
+    grade.mistakes.push_back(mistake);
   }
   const auto result = to_result(grade);
   EXPECT_TRUE(result.accepted);
   EXPECT_EQ(result.score, 63);
-  ASSERT_EQ(result.faults.size(), std::size(kinds));
-  for (std::size_t i = 0; i < std::size(kinds); ++i) EXPECT_EQ(result.faults[i].kind, kinds[i].second) << i;
+  ASSERT_EQ(result.mistakes.size(), std::size(kinds));
+  for (std::size_t i = 0; i < std::size(kinds); ++i) EXPECT_EQ(result.mistakes[i].kind, kinds[i]) << i;
   grade.accepted = false;
   EXPECT_FALSE(to_result(grade).accepted);
 }
 
-TEST(WritingResults, AFaultIsKeptByTheStrokeOfTheModelWhereThatIsKnown) {
+TEST(WritingResults, AMistakeIsKeptByTheStrokeOfTheModelWhereThatIsKnown) {
   writing::Grade grade;
   grade.strokes.resize(3);
   grade.strokes[1].matched = 4;
-  const auto kept = [&grade](writing::FaultKind kind, int stroke, std::vector<int> model) {
-    writing::Fault fault;
-    fault.kind = kind;
-    fault.stroke = stroke;
-    fault.model = std::move(model);
-    grade.faults = {fault};
-    return to_result(grade).faults.front().stroke;
+  const auto kept = [&grade](kanji::MistakeKind kind, int stroke, std::vector<int> model) {
+    writing::Mistake mistake;
+    mistake.kind = kind;
+    mistake.stroke = stroke;
+    mistake.model = std::move(model);
+    grade.mistakes = {mistake};
+    return to_result(grade).mistakes.front().stroke;
   };
-  using writing::FaultKind;
-  EXPECT_EQ(kept(FaultKind::missing, 1, {2}), 1) << "a missing stroke is one of the model";
-  EXPECT_EQ(kept(FaultKind::wrong, 1, {2, 3}), 2) << "the first that it is about";
-  EXPECT_EQ(kept(FaultKind::wrong, 1, {}), 4) << "what it matches";
-  EXPECT_EQ(kept(FaultKind::extra, 2, {}), 2) << "as drawn";
-  EXPECT_EQ(kept(FaultKind::extra, 3, {}), 3) << "without a verdict";
+  using kanji::MistakeKind;
+  EXPECT_EQ(kept(MistakeKind::missing, 1, {2}), 1) << "a missing stroke is one of the model";
+  EXPECT_EQ(kept(MistakeKind::wrong, 1, {2, 3}), 2) << "the first that it is about";
+  EXPECT_EQ(kept(MistakeKind::wrong, 1, {}), 4) << "what it matches";
+  EXPECT_EQ(kept(MistakeKind::extra, 2, {}), 2) << "as drawn";
+  EXPECT_EQ(kept(MistakeKind::extra, 3, {}), 3) << "without a verdict";
 }
 
 TEST(WritingResults, OfAdviceOnlyEndingsAreKept) {
   writing::Grade grade;
-  writing::Fault advice;
-  advice.kind = writing::FaultKind::order;
+  writing::Mistake advice;
+  advice.kind = kanji::MistakeKind::order;
   grade.advice.push_back(advice);
-  advice.kind = writing::FaultKind::ending;
+  advice.kind = kanji::MistakeKind::ending;
   advice.stroke = 5;
   grade.advice.push_back(advice);
   const auto result = to_result(grade);
-  EXPECT_EQ(result.faults, (std::vector<study::StrokeFault>{{study::FaultKind::ending, 5}}));
+  EXPECT_EQ(result.mistakes, (std::vector<study::StrokeMistake>{{kanji::MistakeKind::ending, 5}}));
 }
 
 TEST(WritingResults, InkIsKeptInTheGlyphFrame) {

@@ -271,8 +271,8 @@ TEST(Lookalikes, WritingOneIsNotAcceptedForTheOther) {
         ASSERT_TRUE(g);
         EXPECT_EQ(g->accepted, asked == written)
             << base::encode_utf8(written) << " for " << base::encode_utf8(asked);
-        const bool named = std::any_of(g->faults.begin(), g->faults.end(),
-                                       [](const Fault& f) { return f.kind == FaultKind::other; });
+        const bool named = std::any_of(g->mistakes.begin(), g->mistakes.end(),
+                                       [](const Mistake& f) { return f.kind == kanji::MistakeKind::other; });
         if (named) {
           EXPECT_LE(g->score, 70) << "the strokes of another character earn nothing";
         }

@@ -128,11 +128,11 @@ Ink shaken(Ink ink, double sigma, std::uint32_t seed) {
   return ink;
 }
 
-std::vector<std::string> fault_names(const Grade& grade) {
+std::vector<std::string> mistake_names(const Grade& grade) {
   static const char* const kNames[] = {"order", "reversed", "missing", "extra", "joined",
                                        "split", "wrong",    "other",   "ending"};
   std::vector<std::string> names;
-  for (const auto& f : grade.faults)
+  for (const auto& f : grade.mistakes)
     names.push_back(std::string(kNames[static_cast<std::size_t>(f.kind)]) + "@" + std::to_string(f.stroke));
   return names;
 }

@@ -40,8 +40,8 @@ Ink mapped(Ink ink, double a, double b, double c, double d, double e, double f);
 /// Every point moved by a normal deviate of `sigma`.
 Ink shaken(Ink ink, double sigma, std::uint32_t seed);
 
-/// Faults as "order@1": kind and stroke from 0.
-std::vector<std::string> fault_names(const Grade& grade);
+/// Mistakes as "order@1": kind and stroke from 0.
+std::vector<std::string> mistake_names(const Grade& grade);
 
 /// grade() that must succeed.
 Grade graded(const Ink& ink, const Model& model, double strictness = kNormal);

@@ -60,7 +60,7 @@ void demand(bool holds) {
 void look_over(const base::Result<writing::Grade>& grade, const writing::Ink& ink) {
   if (!grade) return demand(grade.error().code == base::Errc::bad_argument);
   demand(grade->strokes.size() == ink.strokes.size());
-  demand(grade->accepted == grade->faults.empty());
+  demand(grade->accepted == grade->mistakes.empty());
   demand(grade->score >= 0 && grade->score <= 100);
   for (const auto& s : grade->strokes)
     demand(std::isfinite(s.offset_x) && std::isfinite(s.offset_y) && std::isfinite(s.size) &&

@@ -19,7 +19,7 @@ TEST(GradeLive, VerdictsAreThoseOfTheMoment) {
   ink.strokes[1] = reversed(ink.strokes[1]);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("reversed@1"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("reversed@1"));
   for (const std::size_t k : {0U, 2U, 3U, 4U, 5U}) EXPECT_TRUE(live->strokes[k].ok) << k;
 }
 
@@ -28,7 +28,7 @@ TEST(GradeLive, AStrokeLeftOutIsNamedAndTheNextOnesStayRight) {
   ink.strokes.erase(ink.strokes.begin() + 1);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("missing@1"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("missing@1"));
   EXPECT_FALSE(live->accepted);
 }
 
@@ -38,7 +38,7 @@ TEST(GradeLive, AtTheEndTwoStrokesInOneAreCalledThat) {
   ink.strokes.erase(ink.strokes.begin() + 4);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("joined@3"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("joined@3"));
   for (const std::size_t k : {0U, 1U, 2U, 4U}) EXPECT_TRUE(live->strokes[k].ok) << k;
 }
 
@@ -61,12 +61,12 @@ TEST(GradeLive, AStrokeDrawnTooEarlyIsToldOnce) {
   std::rotate(ink.strokes.begin(), ink.strokes.begin() + 4, ink.strokes.begin() + 5);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("order@0"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("order@0"));
   auto unfinished = ink;
   unfinished.strokes.pop_back();
   const auto before = grade_live(unfinished, model_of(rest()), {kNormal, true});
   ASSERT_TRUE(before);
-  EXPECT_THAT(fault_names(*before), ElementsAre("order@0"));
+  EXPECT_THAT(mistake_names(*before), ElementsAre("order@0"));
 }
 
 /// What is told of the last stroke, as the window asks for it after each.
@@ -81,15 +81,15 @@ TEST(GradeLive, AStrokeThatPassesOverAnotherIsToldSoAtOnceAndNotAgain) {
   std::swap(ink.strokes[4], ink.strokes[5]);
   ink.strokes.pop_back();
   const auto early = told(ink, rest());
-  EXPECT_THAT(fault_names(early), ElementsAre("order@4"));
-  EXPECT_FALSE(early.faults[0].second);
-  EXPECT_THAT(early.faults[0].model, ElementsAre(5, 4)) << "the stroke drawn, the one that comes first";
+  EXPECT_THAT(mistake_names(early), ElementsAre("order@4"));
+  EXPECT_FALSE(early.mistakes[0].second);
+  EXPECT_THAT(early.mistakes[0].model, ElementsAre(5, 4)) << "the stroke drawn, the one that comes first";
   EXPECT_FALSE(early.strokes[4].ok);
   EXPECT_EQ(early.strokes[4].matched, 5);
   EXPECT_FALSE(early.accepted);
   ink.strokes.push_back(trace(rest()).strokes[4]);
   const auto late = told(ink, rest());
-  EXPECT_THAT(fault_names(late), ElementsAre("order@4")) << "once";
+  EXPECT_THAT(mistake_names(late), ElementsAre("order@4")) << "once";
   EXPECT_FALSE(late.strokes[4].ok);
   EXPECT_TRUE(late.strokes[5].ok) << "it is what was asked for";
   EXPECT_EQ(late.strokes[5].matched, 4);
@@ -100,8 +100,8 @@ TEST(GradeLive, OnlyTheStrokeThatPassesOverAnotherIsBlamed) {
   ink.strokes.erase(ink.strokes.begin() + 1);
   ink.strokes.resize(3);
   const auto live = told(ink, rest());
-  EXPECT_THAT(fault_names(live), ElementsAre("order@1"));
-  EXPECT_THAT(live.faults[0].model, ElementsAre(2, 1));
+  EXPECT_THAT(mistake_names(live), ElementsAre("order@1"));
+  EXPECT_THAT(live.mistakes[0].model, ElementsAre(2, 1));
   EXPECT_TRUE(live.strokes[2].ok) << "the one after it follows rightly";
 }
 
@@ -110,8 +110,8 @@ TEST(GradeLive, OfSeveralPassedOverTheFirstIsNamed) {
   ink.strokes.erase(ink.strokes.begin() + 1, ink.strokes.begin() + 3);
   ink.strokes.resize(2);
   const auto live = told(ink, rest());
-  ASSERT_THAT(fault_names(live), ElementsAre("order@1"));
-  EXPECT_THAT(live.faults[0].model, ElementsAre(3, 1));
+  ASSERT_THAT(mistake_names(live), ElementsAre("order@1"));
+  EXPECT_THAT(live.mistakes[0].model, ElementsAre(3, 1));
 }
 
 TEST(GradeLive, PassingOverAStrokeIsAdviceWhenLenient) {
@@ -119,9 +119,9 @@ TEST(GradeLive, PassingOverAStrokeIsAdviceWhenLenient) {
   ink.strokes.erase(ink.strokes.begin());
   ink.strokes.resize(1);
   const auto live = told(ink, rest(), kLenient);
-  EXPECT_THAT(live.faults, IsEmpty());
+  EXPECT_THAT(live.mistakes, IsEmpty());
   ASSERT_EQ(live.advice.size(), 1U);
-  EXPECT_EQ(live.advice[0].kind, FaultKind::order);
+  EXPECT_EQ(live.advice[0].kind, kanji::MistakeKind::order);
   EXPECT_TRUE(live.strokes[0].ok);
 }
 
@@ -131,16 +131,16 @@ TEST(GradeLive, AListedOrderIsNotTakenForPassingOver) {
   auto ink = trace(c);
   ink.strokes.erase(ink.strokes.begin() + 1);
   const auto live = told(ink, c);
-  EXPECT_THAT(live.faults, IsEmpty());
+  EXPECT_THAT(live.mistakes, IsEmpty());
   EXPECT_TRUE(live.strokes[1].ok);
-  EXPECT_THAT(fault_names(told(ink, soil())), ElementsAre("order@1"));
+  EXPECT_THAT(mistake_names(told(ink, soil())), ElementsAre("order@1"));
 }
 
 TEST(GradeLive, AStrangeStrokeDoesNotPassOverAnything) {
   auto ink = trace(rest());
   ink.strokes.resize(3);
   ink.strokes[2] = InkStroke{{{60, 20}, {90, 25}, {62, 50}, {90, 90}, {58, 70}}, {}, {}};
-  for (const auto& fault : told(ink, rest()).faults) EXPECT_NE(fault.kind, FaultKind::order);
+  for (const auto& mistake : told(ink, rest()).mistakes) EXPECT_NE(mistake.kind, kanji::MistakeKind::order);
 }
 
 TEST(GradeLive, AStrangeStrokeIsNotRightWhateverItWasTakenForAtFirst) {
@@ -149,7 +149,7 @@ TEST(GradeLive, AStrangeStrokeIsNotRightWhateverItWasTakenForAtFirst) {
   ink.strokes[0] = InkStroke{{{60, 20}, {62, 50}, {58, 70}}, {}, {}};
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("wrong@0"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("wrong@0"));
   EXPECT_FALSE(live->strokes[0].ok);
   EXPECT_FALSE(told(ink, rest()).strokes[0].ok);
 }
@@ -163,7 +163,7 @@ TEST(GradeLive, AStrokeDrawnOverOneThatWasRightIsTheOneTooMany) {
   ink.strokes.push_back(ink.strokes[1]);
   for (auto& p : ink.strokes[1].points) p = {p.x + 4, p.y - 3};
   const auto live = told(ink, person);
-  EXPECT_THAT(fault_names(live), ElementsAre("extra@2"));
+  EXPECT_THAT(mistake_names(live), ElementsAre("extra@2"));
   EXPECT_TRUE(live.strokes[1].ok);
   EXPECT_EQ(live.strokes[1].matched, 1);
   EXPECT_FALSE(live.strokes[2].ok);
@@ -180,7 +180,7 @@ TEST(GradeLive, AWarningThatTheWholeDoesNotBearOutIsTakenBack) {
     const auto live = grade_live(ink, model, {kNormal, true});
     ASSERT_TRUE(whole && live);
     if (!whole->accepted) continue;
-    for (const auto& fault : live->faults) EXPECT_NE(fault.kind, FaultKind::order) << shift;
+    for (const auto& mistake : live->mistakes) EXPECT_NE(mistake.kind, kanji::MistakeKind::order) << shift;
   }
 }
 
@@ -189,7 +189,7 @@ TEST(GradeLive, AtTheEndAStrokeLeftOutIsMissingAndTheStrokeThatPassedOverItIsRig
   ink.strokes.erase(ink.strokes.begin() + 1);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("missing@1"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("missing@1"));
   for (const auto& s : live->strokes) EXPECT_TRUE(s.ok);
 }
 
@@ -198,8 +198,8 @@ TEST(GradeLive, AtTheEndAnExchangeIsToldWithBothStrokes) {
   std::swap(ink.strokes[4], ink.strokes[5]);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  ASSERT_THAT(fault_names(*live), ElementsAre("order@4"));
-  EXPECT_EQ(live->faults[0].second, 5);
+  ASSERT_THAT(mistake_names(*live), ElementsAre("order@4"));
+  EXPECT_EQ(live->mistakes[0].second, 5);
   EXPECT_FALSE(live->strokes[4].ok);
   EXPECT_TRUE(live->strokes[5].ok);
 }
@@ -217,7 +217,7 @@ TEST(GradeLive, AStrokeAloneIsTheSameStrokeInBothWays) {
       ASSERT_TRUE(live && whole);
       EXPECT_EQ(whole->strokes[0].matched, static_cast<int>(k));
       EXPECT_EQ(live->strokes[0].matched, static_cast<int>(k));
-      EXPECT_EQ(fault_names(*live), fault_names(*whole));
+      EXPECT_EQ(mistake_names(*live), mistake_names(*whole));
     }
   }
 }
@@ -251,7 +251,7 @@ TEST(GradeLive, TheBeginningIsNotBlamedForWhatFollows) {
   ink.strokes.resize(3);
   const auto g = grade(ink, model_of(rest()), {kNormal, true});
   ASSERT_TRUE(g);
-  EXPECT_THAT(fault_names(*g), IsEmpty());
+  EXPECT_THAT(mistake_names(*g), IsEmpty());
   for (const auto& s : g->strokes) EXPECT_TRUE(s.ok);
 }
 

@@ -30,25 +30,25 @@ TEST(Grade, TheModelItselfIsAcceptedWithFullScore) {
   }
 }
 
-TEST(Grade, TwoStrokesExchangedAreAnOrderFaultOfThoseTwoOnly) {
+TEST(Grade, TwoStrokesExchangedAreAnOrderMistakeOfThoseTwoOnly) {
   auto ink = trace(rest());
   std::swap(ink.strokes[2], ink.strokes[3]);
   const auto g = graded(ink, model_of(rest()));
   EXPECT_FALSE(g.accepted);
-  EXPECT_THAT(fault_names(g), ElementsAre("order@2"));
-  EXPECT_EQ(g.faults[0].second, 3);
-  EXPECT_THAT(g.faults[0].model, ElementsAre(3, 2));
+  EXPECT_THAT(mistake_names(g), ElementsAre("order@2"));
+  EXPECT_EQ(g.mistakes[0].second, 3);
+  EXPECT_THAT(g.mistakes[0].model, ElementsAre(3, 2));
   for (const std::size_t k : {0U, 1U, 4U, 5U}) EXPECT_TRUE(g.strokes[k].ok) << k;
   EXPECT_EQ(g.strokes[2].matched, 3);
   EXPECT_EQ(g.strokes[3].matched, 2);
 }
 
-TEST(Grade, AStrokeMovedToTheEndIsOneFaultNotMany) {
+TEST(Grade, AStrokeMovedToTheEndIsOneMistakeNotMany) {
   auto ink = trace(rest());
   std::rotate(ink.strokes.begin() + 1, ink.strokes.begin() + 2, ink.strokes.end());
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_EQ(g.faults.size(), 1U);
-  EXPECT_EQ(g.faults[0].kind, FaultKind::order);
+  EXPECT_EQ(g.mistakes.size(), 1U);
+  EXPECT_EQ(g.mistakes[0].kind, kanji::MistakeKind::order);
   for (std::size_t k = 0; k < 5; ++k) EXPECT_TRUE(g.strokes[k].ok) << k;
   EXPECT_FALSE(g.strokes[5].ok);
 }
@@ -56,20 +56,20 @@ TEST(Grade, AStrokeMovedToTheEndIsOneFaultNotMany) {
 TEST(Grade, ParallelBarsInTheWrongOrderAreSeen) {
   auto ink = trace(three());
   std::swap(ink.strokes[0], ink.strokes[1]);
-  EXPECT_THAT(fault_names(graded(ink, model_of(three()))), ElementsAre("order@0"));
+  EXPECT_THAT(mistake_names(graded(ink, model_of(three()))), ElementsAre("order@0"));
   auto eyes = trace(eye());
   std::swap(eyes.strokes[2], eyes.strokes[3]);
-  EXPECT_THAT(fault_names(graded(eyes, model_of(eye()))), ElementsAre("order@2"));
+  EXPECT_THAT(mistake_names(graded(eyes, model_of(eye()))), ElementsAre("order@2"));
 }
 
 TEST(Grade, AStrokeDrawnBackwardsSaysWhereItStarts) {
   auto ink = trace(rest());
   ink.strokes[3] = reversed(ink.strokes[3]);
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_THAT(fault_names(g), ElementsAre("reversed@3"));
+  EXPECT_THAT(mistake_names(g), ElementsAre("reversed@3"));
   EXPECT_TRUE(g.strokes[3].reversed);
   EXPECT_FALSE(g.strokes[3].ok);
-  EXPECT_EQ(g.faults[0].start, Side::top);
+  EXPECT_EQ(g.mistakes[0].start, Side::top);
 }
 
 TEST(Grade, AMissingStrokeDoesNotBlameThoseAfterIt) {
@@ -77,7 +77,7 @@ TEST(Grade, AMissingStrokeDoesNotBlameThoseAfterIt) {
     auto ink = trace(rest());
     ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(gone));
     const auto g = graded(ink, model_of(rest()));
-    EXPECT_THAT(fault_names(g), ElementsAre("missing@" + std::to_string(gone)));
+    EXPECT_THAT(mistake_names(g), ElementsAre("missing@" + std::to_string(gone)));
     for (const auto& s : g.strokes) EXPECT_TRUE(s.ok);
   }
 }
@@ -86,7 +86,7 @@ TEST(Grade, AnExtraStrokeIsNamed) {
   auto ink = trace(rest());
   ink.strokes.insert(ink.strokes.begin() + 2, InkStroke{{{70, 90}, {100, 95}}, {}, {}});
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_THAT(fault_names(g), ElementsAre("extra@2"));
+  EXPECT_THAT(mistake_names(g), ElementsAre("extra@2"));
   EXPECT_EQ(g.strokes[2].matched, std::nullopt);
   EXPECT_TRUE(g.strokes[3].ok);
 }
@@ -96,8 +96,8 @@ TEST(Grade, TwoStrokesWithoutLiftingThePenAreJoined) {
   ink.strokes[4] = joined(ink.strokes[4], ink.strokes[5]);
   ink.strokes.pop_back();
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_THAT(fault_names(g), ElementsAre("joined@4"));
-  EXPECT_THAT(g.faults[0].model, ElementsAre(4, 5));
+  EXPECT_THAT(mistake_names(g), ElementsAre("joined@4"));
+  EXPECT_THAT(g.mistakes[0].model, ElementsAre(4, 5));
 }
 
 TEST(Grade, AStrokeThatCoversOneOfTwoIsNotBothOfThem) {
@@ -109,8 +109,8 @@ TEST(Grade, AStrokeThatCoversOneOfTwoIsNotBothOfThem) {
         auto ink = trace(c);
         ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(gone));
         for (auto& s : ink.strokes) s = resampled(s, 4);
-        for (const auto& fault : graded(shaken(ink, 5, seed), model).faults)
-          EXPECT_NE(fault.kind, FaultKind::joined) << "without " << gone << ", seed " << seed;
+        for (const auto& mistake : graded(shaken(ink, 5, seed), model).mistakes)
+          EXPECT_NE(mistake.kind, kanji::MistakeKind::joined) << "without " << gone << ", seed " << seed;
       }
   }
 }
@@ -144,9 +144,9 @@ TEST(Grade, ALineWithItsCornersCutIsTwoStrokesWhileItIsAboutAsLongAsBoth) {
     if (std::abs(shorter - longer - kAllowed) < kTooNearToTell) continue;
     auto ink = bars;
     ink.strokes = {drawn, bars.strokes[2]};
-    const auto faults = graded(ink, model).faults;
-    const bool is_joined =
-        std::any_of(faults.begin(), faults.end(), [](const Fault& f) { return f.kind == FaultKind::joined; });
+    const auto mistakes = graded(ink, model).mistakes;
+    const bool is_joined = std::any_of(mistakes.begin(), mistakes.end(),
+                                       [](const Mistake& f) { return f.kind == kanji::MistakeKind::joined; });
     EXPECT_EQ(is_joined, shorter < longer + kAllowed) << cut << ": " << shorter << ", " << longer;
     ++(is_joined ? both : one);
   }
@@ -160,13 +160,13 @@ TEST(Grade, OneStrokeInTwoPiecesIsSplit) {
   ink.strokes[2].points.assign(whole.points.begin(), whole.points.begin() + 11);
   ink.strokes.insert(ink.strokes.begin() + 3,
                      InkStroke{{whole.points.begin() + 11, whole.points.end()}, {}, {}});
-  EXPECT_THAT(fault_names(graded(ink, model_of(rest()))), ElementsAre("split@2"));
+  EXPECT_THAT(mistake_names(graded(ink, model_of(rest()))), ElementsAre("split@2"));
 }
 
 TEST(Grade, AStrangeStrokeInThePlaceOfARightOneIsWrong) {
   auto ink = trace(rest());
   ink.strokes[2] = InkStroke{{{60, 20}, {62, 50}, {58, 70}}, {}, {}};
-  EXPECT_THAT(fault_names(graded(ink, model_of(rest()))), ElementsAre("wrong@2"));
+  EXPECT_THAT(mistake_names(graded(ink, model_of(rest()))), ElementsAre("wrong@2"));
 }
 
 TEST(Grade, PlaceAndSizeOfTheWholeDoNotCount) {
@@ -232,7 +232,7 @@ TEST(Grade, AnotherOrderIsAdviceWhenLenient) {
   const auto g = graded(ink, model_of(rest()), kLenient);
   EXPECT_TRUE(g.accepted);
   ASSERT_EQ(g.advice.size(), 1U);
-  EXPECT_EQ(g.advice[0].kind, FaultKind::order);
+  EXPECT_EQ(g.advice[0].kind, kanji::MistakeKind::order);
   EXPECT_FALSE(graded(ink, model_of(rest()), kNormal).accepted);
 }
 
@@ -254,7 +254,7 @@ TEST(Grade, StrictnessIsContinuous) {
   }
 }
 
-TEST(Grade, EndingsAreAdviceAndFaultsOnlyWhenStrict) {
+TEST(Grade, EndingsAreAdviceAndMistakesOnlyWhenStrict) {
   auto c = rest();
   auto ink = trace(c);
   auto& bar = ink.strokes[2].points;
@@ -262,10 +262,10 @@ TEST(Grade, EndingsAreAdviceAndFaultsOnlyWhenStrict) {
   const auto g = graded(ink, model_of(c));
   EXPECT_TRUE(g.accepted);
   ASSERT_EQ(g.advice.size(), 1U);
-  EXPECT_EQ(g.advice[0].kind, FaultKind::ending);
-  EXPECT_THAT(fault_names(graded(ink, model_of(c), kStrict)), ElementsAre("ending@2"));
+  EXPECT_EQ(g.advice[0].kind, kanji::MistakeKind::ending);
+  EXPECT_THAT(mistake_names(graded(ink, model_of(c), kStrict)), ElementsAre("ending@2"));
   for (auto& s : c.strokes) s.line.ending = kanji::StrokeEnding::either;
-  EXPECT_THAT(graded(ink, model_of(c), kStrict).faults, IsEmpty());
+  EXPECT_THAT(graded(ink, model_of(c), kStrict).mistakes, IsEmpty());
 }
 
 TEST(Grade, LookalikesAreNotTakenForEachOther) {

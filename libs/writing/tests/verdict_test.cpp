@@ -133,8 +133,8 @@ TEST(Verdict, SaysByHowMuchAStrokeIsTurned) {
   back.strokes[2] = reversed(back.strokes[2]);
   EXPECT_NEAR(graded(back, model).strokes[2].angle_rad, 0.15, 0.15) << "of the stroke as it should run";
   const auto far = graded(turned(1.0), model);
-  ASSERT_THAT(fault_names(far), ElementsAre("wrong@2"));
-  EXPECT_EQ(far.faults[0].deviation, Deviation::direction);
+  ASSERT_THAT(mistake_names(far), ElementsAre("wrong@2"));
+  EXPECT_EQ(far.mistakes[0].deviation, Deviation::direction);
   // A loop has no direction.
   auto loop = trace(rest());
   loop.strokes[2].points = {{45, 40}, {80, 30}, {85, 42}, {60, 48}, {46, 41}};
@@ -150,8 +150,8 @@ TEST(Verdict, AStrokeDrawnBackwardsStartsAtTheOtherSide) {
     auto ink = trace(c);
     ink.strokes[k] = reversed(ink.strokes[k]);
     const auto g = graded(ink, model_of(c));
-    ASSERT_THAT(fault_names(g), ElementsAre("reversed@" + std::to_string(k)));
-    EXPECT_EQ(g.faults[0].start, sides[k]) << k;
+    ASSERT_THAT(mistake_names(g), ElementsAre("reversed@" + std::to_string(k)));
+    EXPECT_EQ(g.mistakes[0].start, sides[k]) << k;
   }
 }
 
@@ -162,9 +162,9 @@ TEST(Verdict, OfASplitStrokeIsThatOfBothPieces) {
   ink.strokes.insert(ink.strokes.begin() + 3,
                      InkStroke{{whole.points.begin() + 11, whole.points.end()}, {}, {}});
   const auto g = graded(ink, model_of(rest()));
-  ASSERT_THAT(fault_names(g), ElementsAre("split@2"));
-  EXPECT_EQ(g.faults[0].second, 3);
-  EXPECT_THAT(g.faults[0].model, ElementsAre(2));
+  ASSERT_THAT(mistake_names(g), ElementsAre("split@2"));
+  EXPECT_EQ(g.mistakes[0].second, 3);
+  EXPECT_THAT(g.mistakes[0].model, ElementsAre(2));
   EXPECT_EQ(g.strokes[2].matched, 2);
   EXPECT_EQ(g.strokes[3].matched, 2);
   EXPECT_FALSE(g.strokes[2].ok);
@@ -173,14 +173,14 @@ TEST(Verdict, OfASplitStrokeIsThatOfBothPieces) {
   EXPECT_NEAR(g.parts.strokes, 6 / 7.0, 1e-9);
 }
 
-TEST(Verdict, FaultsComeInTheOrderOfTheStrokes) {
+TEST(Verdict, MistakesComeInTheOrderOfTheStrokes) {
   auto ink = trace(rest());
   ink.strokes[4] = reversed(ink.strokes[4]);
   ink.strokes.erase(ink.strokes.begin() + 1);
   ink.strokes.push_back(InkStroke{{{70, 90}, {100, 95}}, {}, {}});
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_TRUE(std::is_sorted(g.faults.begin(), g.faults.end(),
-                             [](const Fault& a, const Fault& b) { return a.stroke < b.stroke; }));
+  EXPECT_TRUE(std::is_sorted(g.mistakes.begin(), g.mistakes.end(),
+                             [](const Mistake& a, const Mistake& b) { return a.stroke < b.stroke; }));
 }
 
 TEST(Verdict, TheBoxOfTheWritingMayLieAnywhere) {
@@ -188,10 +188,10 @@ TEST(Verdict, TheBoxOfTheWritingMayLieAnywhere) {
   for (std::size_t gone = 0; gone < 3; ++gone) {
     auto ink = trace(three());
     ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(gone));
-    const auto expected = fault_names(graded(ink, model_of(three())));
+    const auto expected = mistake_names(graded(ink, model_of(three())));
     auto far = mapped(ink, 0.05, 0, 0, 0.05, 30, -7);
     far.box = WritingBox{{30, -7}, 0.05 * 109};
-    EXPECT_EQ(fault_names(graded(far, model_of(three()))), expected);
+    EXPECT_EQ(mistake_names(graded(far, model_of(three()))), expected);
     EXPECT_THAT(expected, ElementsAre("missing@" + std::to_string(gone)));
   }
 }
@@ -234,8 +234,8 @@ TEST(Verdict, WritingOfAnotherCharacterLosesThePointsOfItsStrokes) {
     const auto alone = grade(ink, model_of(soil()));
     const auto beside = grade(ink, model_of(soil()), {}, lookalikes);
     ASSERT_TRUE(alone && beside);
-    const bool is_other = std::any_of(beside->faults.begin(), beside->faults.end(),
-                                      [](const Fault& f) { return f.kind == FaultKind::other; });
+    const bool is_other = std::any_of(beside->mistakes.begin(), beside->mistakes.end(),
+                                      [](const Mistake& f) { return f.kind == kanji::MistakeKind::other; });
     if (!is_other) {
       EXPECT_EQ(beside->accepted, alone->accepted) << part;
       EXPECT_LT(part, 0.8);
@@ -243,9 +243,9 @@ TEST(Verdict, WritingOfAnotherCharacterLosesThePointsOfItsStrokes) {
     }
     EXPECT_TRUE(alone->accepted) << part;
     EXPECT_FALSE(beside->accepted) << part;
-    EXPECT_EQ(beside->faults.size(), 1U);
-    EXPECT_EQ(beside->faults[0].character, U'士');
-    EXPECT_FALSE(beside->strokes[static_cast<std::size_t>(beside->faults[0].stroke)].ok);
+    EXPECT_EQ(beside->mistakes.size(), 1U);
+    EXPECT_EQ(beside->mistakes[0].character, U'士');
+    EXPECT_FALSE(beside->strokes[static_cast<std::size_t>(beside->mistakes[0].stroke)].ok);
     EXPECT_EQ(beside->parts.strokes, 0);
     EXPECT_EQ(beside->score, alone->score - 30);
     EXPECT_GT(part, 0.5) << "on the other's side of the middle";

@@ -237,7 +237,7 @@ void MemoryStage::take_grade(std::uint64_t ticket, const writing::Grade& grade) 
   if (!tell_) return;
   tell_ = false;
   const bool complete = actions().judge_each->isChecked() &&
-                        static_cast<int>(strokes_.size()) == stroke_count() && grade.faults.empty() &&
+                        static_cast<int>(strokes_.size()) == stroke_count() && grade.mistakes.empty() &&
                         missing_strokes(grade, stroke_count()).empty();
   if (complete)
     ask(true);
@@ -253,12 +253,12 @@ void MemoryStage::tell_last_stroke() {
   }
   const bool is_wrong = static_cast<std::size_t>(last) < grade_.strokes.size() &&
                         !grade_.strokes[static_cast<std::size_t>(last)].ok;
-  for (const auto& fault : grade_.faults) {
+  for (const auto& mistake : grade_.mistakes) {
     // An exchange may show only with its second stroke, where both are alike.
-    const bool is_about_it = fault.stroke == last || (is_wrong && fault.second == last);
-    if (!is_about_it || fault.kind == writing::FaultKind::missing) continue;
-    tell_miss(to_text(writing::explain(fault, grade_, writing_language())),
-              fault.kind != writing::FaultKind::order);
+    const bool is_about_it = mistake.stroke == last || (is_wrong && mistake.second == last);
+    if (!is_about_it || mistake.kind == kanji::MistakeKind::missing) continue;
+    tell_miss(to_text(writing::explain(mistake, grade_, writing_language())),
+              mistake.kind != kanji::MistakeKind::order);
     return;
   }
   if (is_wrong) {

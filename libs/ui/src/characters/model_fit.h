@@ -29,7 +29,7 @@ struct ModelFit {
 [[nodiscard]] view::WrittenStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit,
                                              double opacity);
 
-/// What colour and sign each written stroke gets: a fault is wrong, advice or an accepted slip nearly.
+/// What colour and sign each written stroke gets: a mistake is wrong, advice or an accepted slip nearly.
 [[nodiscard]] std::vector<view::Verdict> verdicts(const writing::Grade& grade, std::size_t strokes);
 
 /// Strokes of the model that no written stroke is, from 0.

@@ -6,36 +6,12 @@
 namespace nazori::ui {
 namespace {
 
-study::FaultKind to_study(writing::FaultKind kind) {
-  switch (kind) {
-    case writing::FaultKind::order:
-      return study::FaultKind::order;
-    case writing::FaultKind::reversed:
-      return study::FaultKind::reversed;
-    case writing::FaultKind::missing:
-      return study::FaultKind::missing;
-    case writing::FaultKind::extra:
-      return study::FaultKind::extra;
-    case writing::FaultKind::joined:
-      return study::FaultKind::joined;
-    case writing::FaultKind::split:
-      return study::FaultKind::split;
-    case writing::FaultKind::wrong:
-      return study::FaultKind::wrong;
-    case writing::FaultKind::other:
-      return study::FaultKind::other;
-    case writing::FaultKind::ending:
-      return study::FaultKind::ending;
-  }
-  return study::FaultKind::wrong;
-}
-
-int stroke_of(const writing::Fault& fault, const writing::Grade& grade) {
-  if (fault.kind == writing::FaultKind::missing) return fault.stroke;
-  if (!fault.model.empty()) return fault.model.front();
-  const auto drawn = static_cast<std::size_t>(fault.stroke);
+int stroke_of(const writing::Mistake& mistake, const writing::Grade& grade) {
+  if (mistake.kind == kanji::MistakeKind::missing) return mistake.stroke;
+  if (!mistake.model.empty()) return mistake.model.front();
+  const auto drawn = static_cast<std::size_t>(mistake.stroke);
   if (drawn < grade.strokes.size() && grade.strokes[drawn].matched) return *grade.strokes[drawn].matched;
-  return fault.stroke;
+  return mistake.stroke;
 }
 
 }  // namespace
@@ -44,11 +20,11 @@ study::WritingResult to_result(const writing::Grade& grade) {
   study::WritingResult result;
   result.accepted = grade.accepted;
   result.score = grade.score;
-  for (const auto& fault : grade.faults)
-    result.faults.push_back({to_study(fault.kind), stroke_of(fault, grade)});
+  for (const auto& mistake : grade.mistakes)
+    result.mistakes.push_back({mistake.kind, stroke_of(mistake, grade)});
   for (const auto& advice : grade.advice)
-    if (advice.kind == writing::FaultKind::ending)
-      result.faults.push_back({study::FaultKind::ending, stroke_of(advice, grade)});
+    if (advice.kind == kanji::MistakeKind::ending)
+      result.mistakes.push_back({kanji::MistakeKind::ending, stroke_of(advice, grade)});
   return result;
 }
 

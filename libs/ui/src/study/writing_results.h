@@ -10,7 +10,7 @@
 
 namespace nazori::ui {
 
-/// What the judge said, as the learner's log keeps it: faults by stroke of the model where that is known,
+/// What the judge said, as the learner's log keeps it: mistakes by stroke of the model where that is known,
 /// endings whether they count or are advice.
 [[nodiscard]] study::WritingResult to_result(const writing::Grade& grade);
 
