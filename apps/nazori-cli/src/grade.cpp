@@ -130,9 +130,10 @@ Json grade_json(const writing::Grade& grade, const std::string& character) {
   return json;
 }
 
-bool is_timed(const writing::Ink& ink) {
+bool is_timed(const writing::WrittenCharacter& ink) {
   for (const auto& s : ink.strokes)
-    if (!s.times_s.empty() || !s.pressures.empty()) return true;
+    for (const auto& point : s)
+      if (point.time_s || point.pressure) return true;
   return false;
 }
 

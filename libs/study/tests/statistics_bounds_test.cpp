@@ -27,7 +27,7 @@ struct Learner {
   MovedClock clock{"2026-01-01T09:00:00Z"};
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
   Learner() { use_zone(store, "UTC"); }
-  void write(char32_t c, Rating rating, Stage stage = Stage::memory, const Ink& ink = {}) {
+  void write(char32_t c, Rating rating, Stage stage = Stage::memory, const Handwriting& ink = {}) {
     Writing writing = review(rating);
     writing.stage = stage;
     (void)must(store.add_writing(c, 4, writing, ink));

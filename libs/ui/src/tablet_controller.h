@@ -80,7 +80,7 @@ class TabletController final : public QObject {
   /// Whether the device that has the tablet can take the hand along.
   [[nodiscard]] bool can_lead() const { return stylus_.describe().has_force; }
   /// Flat ink on the tablet, drawn as given.
-  void set_writing(std::vector<view::WrittenStroke> writing);
+  void set_writing(std::vector<view::InkedStroke> writing);
   /// Shown in place of the learner's ink, and of the stylus while the brush moves or the stylus is away.
   void set_demonstration(std::optional<Demonstration> demonstration);
 
@@ -164,8 +164,8 @@ class TabletController final : public QObject {
   view::Style style_ = view::Style::wood;
   std::optional<TabletGuides> guides_;
   std::optional<Demonstration> demonstration_;
-  std::vector<view::WrittenStroke> writing_;
-  std::vector<view::WrittenStroke> drawn_writing_;  ///< that, and what is missing of strokes left open
+  std::vector<view::InkedStroke> writing_;
+  std::vector<view::InkedStroke> drawn_writing_;  ///< that, and what is missing of strokes left open
   haptics::Material material_;
   SlopeGain slope_gain_;
   bool slope_help_ = false;

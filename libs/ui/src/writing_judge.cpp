@@ -59,7 +59,7 @@ struct WritingJudge::Reader {
     return {};
   }
 
-  base::Result<std::vector<writing::Candidate>> read(const writing::Ink& ink, int limit) {
+  base::Result<std::vector<writing::Candidate>> read(const writing::WrittenCharacter& ink, int limit) {
     if (auto learnt = learn(); !learnt) return tl::unexpected(learnt.error());
     const auto ends_here = recogniser->recognise(ink, {.limit = limit, .unfinished = false});
     if (!ends_here) return tl::unexpected(ends_here.error());
@@ -107,7 +107,7 @@ std::uint64_t WritingJudge::judge(const JudgeRequest& request) {
   return ticket;
 }
 
-std::uint64_t WritingJudge::recognise(const writing::Ink& ink, int limit) {
+std::uint64_t WritingJudge::recognise(const writing::WrittenCharacter& ink, int limit) {
   const std::uint64_t ticket = ++newest_recognition_;
   recogniser_.post([this, ink, limit, ticket, reader = reader_] {
     if (ticket != newest_recognition_) return;

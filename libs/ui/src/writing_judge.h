@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "nazori/writing/grade.h"
-#include "nazori/writing/ink.h"
 #include "nazori/writing/motion_remarks.h"
 #include "nazori/writing/recogniser.h"
+#include "nazori/writing/written_character.h"
 #include "worker.h"
 
 namespace nazori::ui {
@@ -19,7 +19,7 @@ namespace nazori::ui {
 /// How writing is to be judged.
 struct JudgeRequest {
   char32_t character = 0;  ///< that was asked for
-  writing::Ink ink;
+  writing::WrittenCharacter ink;
   double strictness = writing::kNormal;
   bool finished = true;  ///< false: stroke by stroke, more may follow
 };
@@ -42,7 +42,7 @@ class WritingJudge final : public QObject {
   /// @return the number that comes back with the answer.
   std::uint64_t judge(const JudgeRequest& request);
   /// Of characters that may end here and those that may go on, the likeliest by turns.
-  std::uint64_t recognise(const writing::Ink& ink, int limit);
+  std::uint64_t recognise(const writing::WrittenCharacter& ink, int limit);
   /// Lets the recogniser learn now what it needs, so that the first answer comes as soon as the others.
   void prepare_recogniser();
 

@@ -88,7 +88,7 @@ TEST(ModelFit, TheLineOfTheModelHasItsPlaceAndIsToldFromWriting) {
   EXPECT_NEAR(line.points[0].at.x, -0.005, 1e-12);
   EXPECT_NEAR(line.points[1].at.x, 0.025, 1e-12);
   EXPECT_NEAR(line.points[1].at.y, 0.02, 1e-12);
-  EXPECT_GT(line.points[1].half_width_m, 0);
+  EXPECT_GT(line.half_width_m.value_or(0), 0);
 }
 
 TEST(Verdicts, OfAStrokeThatIsNotThereNothingIsMarked) {

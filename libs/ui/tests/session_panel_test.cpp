@@ -106,9 +106,9 @@ TEST_F(SessionPanelTest, SaysWhatHelpLoweredTheProposal) {
 
 TEST_F(SessionPanelTest, ShowsTheLastThreeWritingsFromMemoryBesideTodays) {
   const auto ink_of = [](int length) {
-    study::InkStroke stroke;
-    for (int i = 0; i < length; ++i) stroke.push_back(study::ink_point({10.0 + i, 50}, i * 10, 0.5));
-    return study::Ink{{stroke}};
+    study::HandwritingStroke stroke;
+    for (int i = 0; i < length; ++i) stroke.push_back({{10.0 + i, 50}, i * 0.01, 0.5});
+    return study::Handwriting{stroke};
   };
   study::Writing writing;
   writing.rating = Rating::easy;

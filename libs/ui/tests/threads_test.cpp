@@ -105,7 +105,7 @@ TEST(WindowThreads, TheJudgeAnswersTheNewestOfManyRequestsAndMayBeEndedBefore) {
   request.character = U'木';
   for (const auto& line : kanji::KanjiDatabase::open(database())->find(U'木')->lines()) {
     auto& stroke = request.ink.strokes.emplace_back();
-    for (const auto& p : line.points) stroke.points.push_back({p.x, p.y});
+    for (const auto& p : line.points) stroke.push_back({{p.x, p.y}});
   }
   for (int round = 0; round < 2; ++round) {
     WritingJudge judge(database());

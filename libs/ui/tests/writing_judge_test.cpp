@@ -23,7 +23,7 @@ JudgeRequest request(char32_t asked, char32_t written) {
   made.character = asked;
   for (const auto& line : nazori::kanji::KanjiDatabase::open(database())->find(written)->lines()) {
     auto& stroke = made.ink.strokes.emplace_back();
-    for (const auto& p : line.points) stroke.points.push_back({p.x, p.y});
+    for (const auto& p : line.points) stroke.push_back({{p.x, p.y}});
   }
   return made;
 }
@@ -71,9 +71,9 @@ TEST(WritingJudge, HowThePenMovedIsToldBeforeTheVerdictOfFinishedWritingOnly) {
                    [&](std::uint64_t ticket) { order.append(QStringLiteral("judged %1").arg(ticket)); });
   auto asked = request(U'十', U'十');
   for (auto& stroke : asked.ink.strokes)
-    for (std::size_t i = 0; i < stroke.points.size(); ++i) {
-      stroke.times_s.push_back(0.05 * static_cast<double>(i) + (&stroke == &asked.ink.strokes[0] ? 0 : 10));
-      stroke.pressures.push_back(0.5);
+    for (std::size_t i = 0; i < stroke.size(); ++i) {
+      stroke[i].time_s = 0.05 * static_cast<double>(i) + (&stroke == &asked.ink.strokes[0] ? 0 : 10);
+      stroke[i].pressure = 0.5;
     }
   const auto first = judge.judge(asked);
   ASSERT_TRUE(judged.wait(20000));

@@ -6,14 +6,14 @@
 namespace nazori::ui {
 namespace {
 
-TEST(WritingResults, InkGoesOnInTimeWhereTheClockBeginsAnew) {
+TEST(WritingResults, HandwritingGoesOnInTimeWhereTheClockBeginsAgain) {
   const std::vector<HandStroke> strokes{{{{0, 0}, 5.0, 0.5}, {{0.01, 0}, 5.1, 0.5}},
                                         {{{0, 0.01}, 0.02, 0.5}, {{0, 0.02}, 5.25, 0.5}}};
-  const study::Ink ink = to_study_ink(strokes);
-  std::vector<std::int32_t> times_ms;
-  for (const auto& stroke : ink.strokes)
-    for (const auto& point : stroke) times_ms.push_back(point.time_ms);
-  EXPECT_EQ(times_ms, (std::vector<std::int32_t>{0, 100, 100, 250}));
+  const study::Handwriting ink = to_handwriting(strokes);
+  std::vector<double> times_s;
+  for (const auto& stroke : ink)
+    for (const auto& point : stroke) times_s.push_back(point.time_s.value_or(-1));
+  EXPECT_EQ(times_s, (std::vector{0, 0.1, 0.1, 0.25}));
   EXPECT_TRUE(study::pack(ink)) << "it can be kept";
 }
 
@@ -71,23 +71,22 @@ TEST(WritingResults, OfAdviceOnlyEndingsAreKept) {
   EXPECT_EQ(result.mistakes, (std::vector<study::StrokeMistake>{{kanji::MistakeKind::ending, 5}}));
 }
 
-TEST(WritingResults, InkIsKeptInTheGlyphFrame) {
-  const study::Ink ink = to_study_ink({{{{-0.05, 0.05}, 1, 0}, {{0, 0}, 1.5, 1}}});
-  ASSERT_EQ(ink.strokes.size(), 1U);
-  EXPECT_EQ(ink.strokes[0],
-            (study::InkStroke{study::ink_point({0, 0}, 0, 0), study::ink_point({54.5, 54.5}, 500, 1)}));
-  EXPECT_TRUE(to_study_ink({}).strokes.empty());
-  EXPECT_TRUE(to_study_ink({{}, {{{0, 0}, 1, 0}}}).strokes.empty());
-  EXPECT_EQ(to_study_ink({{{{0, 0}, 1, 0}}, {}}).strokes.size(), 1U);
+TEST(WritingResults, HandwritingIsSavedInTheGlyphFrameInItsSteps) {
+  const study::Handwriting ink = to_handwriting({{{{-0.05, 0.05}, 1, 0}, {{0, 0}, 1.5, 1}}});
+  ASSERT_EQ(ink.size(), 1U);
+  EXPECT_EQ(ink[0], (study::HandwritingStroke{{{0, 0}, 0, 0}, {{54.5, 54.5}, 0.5, 1}}));
+  EXPECT_TRUE(to_handwriting({}).empty());
+  EXPECT_TRUE(to_handwriting({{}, {{{0, 0}, 1, 0}}}).empty());
+  EXPECT_EQ(to_handwriting({{{{0, 0}, 1, 0}}, {}}).size(), 1U);
 }
 
-TEST(WritingResults, NoMoreInkIsKeptThanMayBe) {
+TEST(WritingResults, NoMoreHandwritingIsSavedThanMayBe) {
   const HandStroke stroke(3, HandPoint{{0, 0}, 1, 0});
-  EXPECT_EQ(to_study_ink(std::vector(study::kMostInkStrokes + 1, stroke)).strokes.size(),
-            study::kMostInkStrokes);
-  const HandStroke long_one(study::kMostInkPoints - 3, HandPoint{{0, 0}, 1, 0});
-  EXPECT_EQ(to_study_ink({long_one, stroke}).strokes.size(), 2U) << "as many as may be";
-  EXPECT_EQ(to_study_ink({long_one, stroke, {{{0, 0}, 1, 0}}}).strokes.size(), 2U);
+  EXPECT_EQ(to_handwriting(std::vector(study::kMostSavedStrokes + 1, stroke)).size(),
+            study::kMostSavedStrokes);
+  const HandStroke long_one(study::kMostSavedPoints - 3, HandPoint{{0, 0}, 1, 0});
+  EXPECT_EQ(to_handwriting({long_one, stroke}).size(), 2U) << "as many as may be";
+  EXPECT_EQ(to_handwriting({long_one, stroke, {{{0, 0}, 1, 0}}}).size(), 2U);
 }
 
 }  // namespace

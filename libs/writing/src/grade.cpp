@@ -309,12 +309,12 @@ struct Prepared {
   std::optional<Affine> box;
 };
 
-base::Result<Prepared> prepare(const Ink& ink, const GradeOptions& options) {
+base::Result<Prepared> prepare(const WrittenCharacter& ink, const GradeOptions& options) {
   if (auto good = check(ink); !good) return tl::unexpected(good.error());
   if (!(options.strictness >= 0 && options.strictness <= 1))
     return base::fail(base::Errc::bad_argument, "The strictness is not between 0 and 1.", "strictness");
   Prepared p;
-  for (const auto& s : ink.strokes) p.drawn.push_back(make_shape<InkFrame>(s.points));
+  for (const auto& s : ink.strokes) p.drawn.push_back(make_shape<WritingFrame>(geometry::line_of(s)));
   if (ink.box) p.box = box_map(*ink.box);
   return p;
 }
@@ -380,14 +380,14 @@ void finish_live(Grade& live, const Grade& whole) {
 
 }  // namespace
 
-base::Result<Grade> grade(const Ink& ink, const Model& model, const GradeOptions& options,
+base::Result<Grade> grade(const WrittenCharacter& ink, const Model& model, const GradeOptions& options,
                           std::span<const Model> lookalikes) {
   const auto p = prepare(ink, options);
   if (!p) return tl::unexpected(p.error());
   return grade_shapes(p->drawn, p->box, model.inside(), options, lookalikes);
 }
 
-base::Result<Grade> grade_live(const Ink& ink, const Model& model, const GradeOptions& options,
+base::Result<Grade> grade_live(const WrittenCharacter& ink, const Model& model, const GradeOptions& options,
                                std::span<const Model> lookalikes) {
   const auto p = prepare(ink, options);
   if (!p) return tl::unexpected(p.error());

@@ -50,7 +50,7 @@ TEST(Explanation, NumbersAreTheModelsEvenAfterAMissingStroke) {
 
 TEST(Explanation, SaysInWhichDirectionAStrokeIsOff) {
   auto ink = trace(rest());
-  for (auto& p : ink.strokes[2].points) p.y += 30;
+  for (auto& p : ink.strokes[2]) p.at.y += 30;
   EXPECT_THAT(explain(graded(ink, model_of(rest())), Language::english), ElementsAre("Stroke 3 is too low."));
 }
 
@@ -74,7 +74,7 @@ TEST(Explanation, ThePartsOfTheScoreAddUpToIt) {
   auto ink = trace(rest());
   std::swap(ink.strokes[1], ink.strokes[2]);
   ink.strokes.pop_back();
-  for (auto& p : ink.strokes[3].points) p.x += 7;
+  for (auto& p : ink.strokes[3]) p.at.x += 7;
   for (const auto& g : {graded(ink, model_of(rest())), graded(trace(rest()), model_of(rest()))}) {
     const auto sentences = explain_score(g, Language::english);
     ASSERT_EQ(sentences.size(), 5U);

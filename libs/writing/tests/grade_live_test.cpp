@@ -45,7 +45,7 @@ TEST(GradeLive, AtTheEndTwoStrokesInOneAreCalledThat) {
 TEST(GradeLive, AFirstStrokeOfOnePointNextToZeroIsJudgedInFiniteNumbers) {
   auto ink = trace(soil());
   ink.strokes.resize(2);
-  ink.strokes[0] = InkStroke{{{1.3108082146925777e-39, 1.7345692780951883e-40}}, {}, {}};
+  ink.strokes[0] = along({{1.3108082146925777e-39, 1.7345692780951883e-40}});
   ink.box.reset();
   const auto live = grade_live(ink, model_of(soil()));
   ASSERT_TRUE(live);
@@ -70,7 +70,7 @@ TEST(GradeLive, AStrokeDrawnTooEarlyIsToldOnce) {
 }
 
 /// What is told of the last stroke, as the window asks for it after each.
-Grade told(const Ink& ink, const kanji::Character& c, double strictness = kNormal) {
+Grade told(const WrittenCharacter& ink, const kanji::Character& c, double strictness = kNormal) {
   const auto live = grade_live(ink, model_of(c), {strictness, true});
   EXPECT_TRUE(live);
   return live.value_or(Grade{});
@@ -139,14 +139,14 @@ TEST(GradeLive, AListedOrderIsNotTakenForPassingOver) {
 TEST(GradeLive, AStrangeStrokeDoesNotPassOverAnything) {
   auto ink = trace(rest());
   ink.strokes.resize(3);
-  ink.strokes[2] = InkStroke{{{60, 20}, {90, 25}, {62, 50}, {90, 90}, {58, 70}}, {}, {}};
+  ink.strokes[2] = along({{60, 20}, {90, 25}, {62, 50}, {90, 90}, {58, 70}});
   for (const auto& mistake : told(ink, rest()).mistakes) EXPECT_NE(mistake.kind, kanji::MistakeKind::order);
 }
 
 TEST(GradeLive, AStrangeStrokeIsNotRightWhateverItWasTakenForAtFirst) {
   // Alone it looks like the fourth stroke, drawn too early. Among the others it only stands for the first.
   auto ink = trace(rest());
-  ink.strokes[0] = InkStroke{{{60, 20}, {62, 50}, {58, 70}}, {}, {}};
+  ink.strokes[0] = along({{60, 20}, {62, 50}, {58, 70}});
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
   EXPECT_THAT(mistake_names(*live), ElementsAre("wrong@0"));
@@ -161,7 +161,7 @@ TEST(GradeLive, AStrokeDrawnOverOneThatWasRightIsTheOneTooMany) {
                         "㇏|M46,54.25c6.12,6,25.51,22.24,35.52,29.72c3.66,2.73,6.94,4.64,11.48,5.53"});
   auto ink = trace(person);
   ink.strokes.push_back(ink.strokes[1]);
-  for (auto& p : ink.strokes[1].points) p = {p.x + 4, p.y - 3};
+  for (auto& p : ink.strokes[1]) p.at = {p.at.x + 4, p.at.y - 3};
   const auto live = told(ink, person);
   EXPECT_THAT(mistake_names(live), ElementsAre("extra@2"));
   EXPECT_TRUE(live.strokes[1].ok);
@@ -175,7 +175,7 @@ TEST(GradeLive, AWarningThatTheWholeDoesNotBearOutIsTakenBack) {
   const auto model = model_of(three());
   for (double shift = -30; shift <= 30; shift += 1) {
     auto ink = trace(three());
-    for (auto& p : ink.strokes[0].points) p.y += shift;
+    for (auto& p : ink.strokes[0]) p.at.y += shift;
     const auto whole = grade(ink, model, {kNormal, true});
     const auto live = grade_live(ink, model, {kNormal, true});
     ASSERT_TRUE(whole && live);
@@ -209,7 +209,7 @@ TEST(GradeLive, AStrokeAloneIsTheSameStrokeInBothWays) {
     const auto model = model_of(c);
     const auto all = trace(c);
     for (std::size_t k = 0; k < all.strokes.size(); ++k) {
-      Ink ink;
+      WrittenCharacter ink;
       ink.box = all.box;
       ink.strokes = {all.strokes[k]};
       const auto live = grade_live(ink, model);

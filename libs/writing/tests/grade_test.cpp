@@ -84,7 +84,7 @@ TEST(Grade, AMissingStrokeDoesNotBlameThoseAfterIt) {
 
 TEST(Grade, AnExtraStrokeIsNamed) {
   auto ink = trace(rest());
-  ink.strokes.insert(ink.strokes.begin() + 2, InkStroke{{{70, 90}, {100, 95}}, {}, {}});
+  ink.strokes.insert(ink.strokes.begin() + 2, along({{70, 90}, {100, 95}}));
   const auto g = graded(ink, model_of(rest()));
   EXPECT_THAT(mistake_names(g), ElementsAre("extra@2"));
   EXPECT_EQ(g.strokes[2].matched, std::nullopt);
@@ -120,16 +120,16 @@ TEST(Grade, ALineWithItsCornersCutIsTwoStrokesWhileItIsAboutAsLongAsBoth) {
   const auto model = model_of(three());
   const auto bars = trace(three());
   const auto zigzag = resampled(joined(bars.strokes[0], bars.strokes[1]), 40);
-  const auto length = [](const InkStroke& s) {
-    return geometry::arc_length(std::span<const InkPoint>(s.points));
+  const auto length = [](const WrittenStroke& s) {
+    return geometry::arc_length<WritingFrame>(geometry::line_of(s));
   };
   int both = 0, one = 0;
   for (int step = 0; step <= 200; ++step) {
     const double cut = step / 200.0;
-    InkStroke drawn = zigzag;
-    const InkPoint from = drawn.points.front(), to = drawn.points.back();
-    for (std::size_t i = 0; i < drawn.points.size(); ++i) {
-      auto& p = drawn.points[i];
+    WrittenStroke drawn = zigzag;
+    const WritingPoint from = drawn.front().at, to = drawn.back().at;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      auto& p = drawn[i].at;
       const double way = static_cast<double>(i) / 39;
       p = {p.x + cut * (from.x + way * (to.x - from.x) - p.x),
            p.y + cut * (from.y + way * (to.y - from.y) - p.y)};
@@ -157,15 +157,14 @@ TEST(Grade, ALineWithItsCornersCutIsTwoStrokesWhileItIsAboutAsLongAsBoth) {
 TEST(Grade, OneStrokeInTwoPiecesIsSplit) {
   auto ink = trace(rest());
   const auto whole = resampled(ink.strokes[2], 21);
-  ink.strokes[2].points.assign(whole.points.begin(), whole.points.begin() + 11);
-  ink.strokes.insert(ink.strokes.begin() + 3,
-                     InkStroke{{whole.points.begin() + 11, whole.points.end()}, {}, {}});
+  ink.strokes[2].assign(whole.begin(), whole.begin() + 11);
+  ink.strokes.insert(ink.strokes.begin() + 3, WrittenStroke(whole.begin() + 11, whole.end()));
   EXPECT_THAT(mistake_names(graded(ink, model_of(rest()))), ElementsAre("split@2"));
 }
 
 TEST(Grade, AStrangeStrokeInThePlaceOfARightOneIsWrong) {
   auto ink = trace(rest());
-  ink.strokes[2] = InkStroke{{{60, 20}, {62, 50}, {58, 70}}, {}, {}};
+  ink.strokes[2] = along({{60, 20}, {62, 50}, {58, 70}});
   EXPECT_THAT(mistake_names(graded(ink, model_of(rest()))), ElementsAre("wrong@2"));
 }
 
@@ -196,15 +195,15 @@ TEST(Grade, ThreePointsOrThousandsAreAsGood) {
 
 TEST(Grade, AVerticalWithoutAnyWidthIsAVertical) {
   auto ink = trace(rest());
-  ink.strokes[1].points = {{27, 43}, {27, 60}, {27, 93}};
+  ink.strokes[1] = along({{27, 43}, {27, 60}, {27, 93}});
   EXPECT_TRUE(graded(ink, model_of(rest())).accepted);
 }
 
 TEST(Grade, RepeatedPointsAndASinglePointAreNoTrouble) {
   auto ink = trace(rest());
-  ink.strokes[0].points.insert(ink.strokes[0].points.begin(), 50, ink.strokes[0].points.front());
+  ink.strokes[0].insert(ink.strokes[0].begin(), 50, ink.strokes[0].front());
   EXPECT_TRUE(graded(ink, model_of(rest())).accepted);
-  ink.strokes[2].points = {{50, 40}};
+  ink.strokes[2] = along({{50, 40}});
   const auto g = graded(ink, model_of(rest()));
   EXPECT_FALSE(g.accepted);
   EXPECT_FALSE(g.strokes[2].ok);
@@ -244,7 +243,7 @@ TEST(Grade, StrictnessIsContinuous) {
     double limit = 0;
     for (double shift = 0; shift < 40; shift += 0.5) {
       auto ink = trace(rest());
-      for (auto& p : ink.strokes[2].points) p.y += shift;
+      for (auto& p : ink.strokes[2]) p.at.y += shift;
       if (!graded(ink, model, strictness).accepted) break;
       limit = shift;
     }
@@ -257,8 +256,8 @@ TEST(Grade, StrictnessIsContinuous) {
 TEST(Grade, EndingsAreAdviceAndMistakesOnlyWhenStrict) {
   auto c = rest();
   auto ink = trace(c);
-  auto& bar = ink.strokes[2].points;
-  bar.push_back({bar.back().x - 3, bar.back().y + 7});
+  auto& bar = ink.strokes[2];
+  bar.push_back({{bar.back().at.x - 3, bar.back().at.y + 7}});
   const auto g = graded(ink, model_of(c));
   EXPECT_TRUE(g.accepted);
   ASSERT_EQ(g.advice.size(), 1U);
@@ -280,23 +279,23 @@ TEST(Grade, LookalikesAreNotTakenForEachOther) {
 
 TEST(Grade, BadInkIsRefusedWithTheStrokeAtFault) {
   const auto model = model_of(rest());
-  const auto refused = [&model](const Ink& ink) {
+  const auto refused = [&model](const WrittenCharacter& ink) {
     const auto g = grade(ink, model);
     return !g && g.error().code == base::Errc::bad_argument;
   };
   EXPECT_TRUE(refused({}));
-  EXPECT_TRUE(refused({{InkStroke{}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}}, {}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {1, 1}}, {}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {std::nan(""), 1}}, {}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {std::numeric_limits<double>::infinity(), 1}}, {}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {2, 1}}, {0.5}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{geometry::Polyline<InkFrame>(100'000, {1, 2}), {}, {}}}, {}}));
+  EXPECT_TRUE(refused({{WrittenStroke{}}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}})}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}, {1, 1}})}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}, {std::nan(""), 1}})}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}, {std::numeric_limits<double>::infinity(), 1}})}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}, {2, 1}}, {0.5})}, {}}));
+  EXPECT_TRUE(refused({{along(geometry::Polyline<WritingFrame>(100'000, {1, 2}))}, {}}));
   auto boxed = trace(rest());
   boxed.box->side = 0;
   EXPECT_TRUE(refused(boxed));
   auto second = trace(rest());
-  second.strokes[1].points[0].x = std::nan("");
+  second.strokes[1][0].at.x = std::nan("");
   EXPECT_EQ(grade(second, model).error().where, "stroke 2");
   EXPECT_FALSE(grade(trace(rest()), model, {1.5, false}));
 }

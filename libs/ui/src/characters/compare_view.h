@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "characters/stroke_player.h"
+#include "nazori/view/inked_stroke.h"
 #include "pen_recorder.h"
 #include "workshop.h"
 

@@ -44,7 +44,7 @@ class GuidedStage final : public CharacterStage {
   void take_samples(std::span<const haptics::ServoSample> samples);
 
   PenRecorder recorder_;
-  std::vector<view::WrittenStroke> written_;
+  std::vector<view::InkedStroke> written_;
   char32_t character_ = 0;
   int successes_ = 0;
   std::optional<double> help_;

@@ -409,14 +409,15 @@ void MemoryStage::give_up() {
 
 void MemoryStage::show_writing() {
   if (!is_entered()) return;
-  std::vector<view::WrittenStroke> all;
+  std::vector<view::InkedStroke> all;
   const auto said = verdicts(grade_, strokes_.size());
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
     const HandStroke shown =
-        replayed_s_ < 0 ? strokes_[i] : until(strokes_[i], strokes_.front().front().time_s + replayed_s_);
-    if (!shown.empty()) all.push_back(to_written(shown, seen_[i] ? said[i] : view::Verdict::none));
+        replayed_s_ < 0 ? strokes_[i]
+                        : until(strokes_[i], strokes_.front().front().time_s.value_or(0) + replayed_s_);
+    if (!shown.empty()) all.push_back(view::inked(shown, seen_[i] ? said[i] : view::Verdict::none));
   }
-  if (!recorder_.current().empty()) all.push_back(to_written(recorder_.current(), view::Verdict::none));
+  if (!recorder_.current().empty()) all.push_back(view::inked(recorder_.current(), view::Verdict::none));
   if (lesson().tablet) {
     const auto& paths = lesson().tablet->paths();
     const ModelFit fit =

@@ -72,11 +72,12 @@ ModelFit fit_model(const std::vector<HandStroke>& written, const writing::Grade&
   return fit;
 }
 
-view::WrittenStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit, double opacity) {
-  view::WrittenStroke line;
+view::InkedStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit, double opacity) {
+  view::InkedStroke line;
   line.verdict = view::Verdict::shown;
   line.opacity = opacity;
-  for (const auto& p : line_of(stroke)) line.points.push_back({fit.apply(p), kLineHalfWidth_m});
+  line.half_width_m = kLineHalfWidth_m;
+  for (const auto& p : line_of(stroke)) line.points.push_back({fit.apply(p)});
   return line;
 }
 

@@ -155,7 +155,7 @@ QString SessionPanel::help_used() const {
 void SessionPanel::show_ink() {
   std::vector<InkGallery::Piece> pieces;
   if (session_.state() == StudySession::State::judged && !session_.is_away()) {
-    if (!session_.ink().strokes.empty()) pieces.push_back({session_.ink(), tr("now")});
+    if (!session_.ink().empty()) pieces.push_back({session_.ink(), tr("now")});
     const auto& store = learner_.store();
     const auto writings = store.writings_of(session_.character());
     if (!writings) {

@@ -28,25 +28,26 @@ study::WritingResult to_result(const writing::Grade& grade) {
   return result;
 }
 
-study::Ink to_study_ink(const std::vector<HandStroke>& strokes) {
-  study::Ink ink;
-  if (strokes.empty() || strokes.front().empty()) return ink;
-  const double zero_s = strokes.front().front().time_s;
-  double latest_ms = 0;
+study::Handwriting to_handwriting(const std::vector<HandStroke>& strokes) {
+  study::Handwriting saved;
+  if (strokes.empty() || strokes.front().empty()) return saved;
+  const double zero_s = strokes.front().front().time_s.value_or(0);
+  double latest_s = 0;
   std::size_t points = 0;
   for (const auto& stroke : strokes) {
-    if (ink.strokes.size() == study::kMostInkStrokes || points + stroke.size() > study::kMostInkPoints) break;
+    if (saved.size() == study::kMostSavedStrokes || points + stroke.size() > study::kMostSavedPoints) break;
+    if (stroke.empty()) continue;
     points += stroke.size();
-    study::InkStroke kept;
-    for (const auto& point : stroke) {
-      // The servo's clock begins anew when another device takes the tablet.
-      latest_ms = std::max(latest_ms, (point.time_s - zero_s) * 1000);
-      kept.push_back(study::ink_point(geometry::tablet_to_glyph(point.at, geometry::TabletShape{}), latest_ms,
-                                      point.pressure));
+    auto& kept = saved.emplace_back(geometry::in_frame<geometry::GlyphFrame>(
+        stroke, [](auto at) { return geometry::tablet_to_glyph(at, geometry::TabletShape{}); }));
+    for (auto& point : kept) {
+      // The servo's clock starts again from 0 when another device takes over the tablet.
+      latest_s = std::max(latest_s, point.time_s.value_or(0) - zero_s);
+      point.time_s = latest_s;
+      point = study::saved_point(point);
     }
-    if (!kept.empty()) ink.strokes.push_back(std::move(kept));
   }
-  return ink;
+  return saved;
 }
 
 }  // namespace nazori::ui

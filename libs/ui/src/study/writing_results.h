@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "nazori/study/ink.h"
+#include "nazori/study/handwriting.h"
 #include "nazori/study/writing_result.h"
 #include "nazori/writing/grade.h"
 #include "pen_recorder.h"
@@ -15,6 +15,6 @@ namespace nazori::ui {
 [[nodiscard]] study::WritingResult to_result(const writing::Grade& grade);
 
 /// What the hand wrote, as the learner's log keeps it; no more of it than may be kept.
-[[nodiscard]] study::Ink to_study_ink(const std::vector<HandStroke>& strokes);
+[[nodiscard]] study::Handwriting to_handwriting(const std::vector<HandStroke>& strokes);
 
 }  // namespace nazori::ui

@@ -11,8 +11,8 @@
 #include "nazori/kanji/character.h"
 #include "nazori/kanji/mistake_kind.h"
 #include "nazori/kanji/stroke.h"
-#include "nazori/writing/ink.h"
 #include "nazori/writing/model.h"
+#include "nazori/writing/written_character.h"
 
 namespace nazori::writing {
 
@@ -101,15 +101,16 @@ inline constexpr std::size_t kMaxInkPoints = 50'000;
 inline constexpr std::size_t kMaxInkStrokes = 100;
 
 /// Errc::bad_argument for ink without strokes, with a stroke without points, with all points equal, with
-/// coordinates that are not finite or beyond 1e9, with too much of it, or with times or pressures of another
-/// number than points.
-[[nodiscard]] base::Result<void> check(const Ink& ink);
+/// coordinates that are not finite or beyond 1e9, with too much of it, or with a stroke of which only
+/// some points have times or pressures.
+[[nodiscard]] base::Result<void> check(const WrittenCharacter& ink);
 
 /// Judges what was written when `model` was asked for. `lookalikes` are characters with as many strokes that
 /// differ from it only in proportions: they are compared before it is accepted.
 /// Thread-safe; 0.1 ms for 12 strokes.
 /// @return the errors of check(); Errc::bad_argument for a strictness outside 0..1.
-[[nodiscard]] base::Result<Grade> grade(const Ink& ink, const Model& model, const GradeOptions& options = {},
+[[nodiscard]] base::Result<Grade> grade(const WrittenCharacter& ink, const Model& model,
+                                        const GradeOptions& options = {},
                                         std::span<const Model> lookalikes = {});
 
 /// Judges stroke by stroke: the verdict on each stroke is the one that was given when it ended, and does not
@@ -118,7 +119,7 @@ inline constexpr std::size_t kMaxInkStrokes = 100;
 /// is the last of `model`); the one that comes late then is right. A stroke told right stays so when another
 /// is drawn over it: the newest is the one too many. Mistakes that only the end shows (missing strokes) come
 /// at the end.
-[[nodiscard]] base::Result<Grade> grade_live(const Ink& ink, const Model& model,
+[[nodiscard]] base::Result<Grade> grade_live(const WrittenCharacter& ink, const Model& model,
                                              const GradeOptions& options = {},
                                              std::span<const Model> lookalikes = {});
 
