@@ -46,7 +46,7 @@ base::Result<OwnTablet> load_own(const QString& map_path, const QString& strokes
     const QString name = QFileInfo(strokes_path).fileName();
     own.name = own.name.isEmpty() ? name : own.name + QStringLiteral(" + ") + name;
   }
-  auto tablet = map ? tablet::CarvedTablet::from_height_map(std::move(*map), std::move(lines))
+  auto tablet = map ? tablet::CarvedTablet::from_height_map(std::move(*map), tablet::tablet_lines(lines))
                     : tablet::CarvedTablet::from_lines(std::move(lines), Workshop::kSize);
   if (!tablet) return tl::unexpected(tablet.error());
   own.tablet = std::move(*tablet);
@@ -57,11 +57,11 @@ base::Result<void> save_tablet(const tablet::CarvedTablet& carved, const QString
                                int size, bool own_map) {
   if (own_map) size = carved.height_map().size();
   if (format == FileFormat::strokes)
-    return kanji::StrokeOrder::from_lines(carved.lines(), size).save(to_path(path));
+    return kanji::StrokeOrder::from_lines(tablet::stroke_lines(carved.lines()), size).save(to_path(path));
   const surface::HeightMap* map = &carved.height_map();
   surface::HeightMap again;
   if (!own_map && map->size() != size) {
-    auto result = carving::carve(carved.lines(), size);
+    auto result = carving::carve(tablet::stroke_lines(carved.lines()), size);
     if (!result) return tl::unexpected(result.error());
     again = std::move(*result);
     map = &again;

@@ -158,12 +158,12 @@ void WatchStage::tell_stroke(int stroke) {
   told_ = stroke;
   const QString which = tr("Stroke %1 of %2").arg(stroke).arg(player_.stroke_count());
   const auto& line = lesson().tablet->lines()[static_cast<std::size_t>(stroke - 1)];
+  const auto ending = line.ending.value_or(kanji::StrokeEnding::stop);
   QString name;
   if (lesson().sheet && static_cast<std::size_t>(stroke) <= lesson().sheet->character.strokes.size())
     name = StrokeWords::name(lesson().sheet->character.strokes[static_cast<std::size_t>(stroke - 1)].type);
-  desk().say(Feedback::hint, name.isEmpty()
-                                 ? tr("%1. %2").arg(which, StrokeWords::ending(line.ending))
-                                 : tr("%1: %2. %3").arg(which, name, StrokeWords::ending(line.ending)));
+  desk().say(Feedback::hint, name.isEmpty() ? tr("%1. %2").arg(which, StrokeWords::ending(ending))
+                                            : tr("%1: %2. %3").arg(which, name, StrokeWords::ending(ending)));
 }
 
 void WatchStage::show_place() {

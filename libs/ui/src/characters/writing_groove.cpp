@@ -20,8 +20,9 @@ void WritingGroove::carve(std::vector<int> strokes) {
   std::sort(strokes.begin(), strokes.end());
   if (strokes == carved_) return;
   carved_ = strokes;
+  const auto all = tablet::stroke_lines(model_->lines());
   std::vector<kanji::StrokeLine> lines;
-  for (const int n : strokes) lines.push_back(model_->lines()[static_cast<std::size_t>(n)]);
+  for (const int n : strokes) lines.push_back(all[static_cast<std::size_t>(n)]);
   if (lines.empty()) {
     controller_.set_tablet(blank_tablet());
     return;
