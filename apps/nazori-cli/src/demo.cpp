@@ -159,7 +159,7 @@ base::Result<void> paint(const tablet::CarvedTablet& tablet, const TabletTrace& 
   for (const StrokeTrace& stroke : trace.strokes) ink.push_back(stroke.traced_share);
   view::Overlay overlay;
   overlay.strokes_visible = false;
-  overlay.ink = ink;
+  overlay.groove_ink = ink;
   return view::save_png(painter->paint(tablet, overlay), path);
 }
 

@@ -41,8 +41,8 @@ base::Result<double> read_strictness(const std::string& text) {
                     "give lenient, normal, strict or a number 0..1");
 }
 
-std::string_view kind_name(writing::FaultKind kind) {
-  using enum writing::FaultKind;
+std::string_view kind_name(kanji::MistakeKind kind) {
+  using enum kanji::MistakeKind;
   switch (kind) {
     case order:
       return "order";
@@ -66,18 +66,18 @@ std::string_view kind_name(writing::FaultKind kind) {
 
 double rounded(double v) { return std::round(v * 1e4) / 1e4; }
 
-Json fault_json(const writing::Fault& fault) {
-  Json json{{"kind", kind_name(fault.kind)}, {"stroke", fault.stroke}};
-  if (fault.second) json["second"] = *fault.second;
-  if (!fault.model.empty()) json["model"] = fault.model;
-  if (fault.kind == writing::FaultKind::split) json["split"] = true;
-  if (fault.character != 0) json["resembles"] = base::encode_utf8(fault.character);
+Json mistake_json(const writing::Mistake& mistake) {
+  Json json{{"kind", kind_name(mistake.kind)}, {"stroke", mistake.stroke}};
+  if (mistake.second) json["second"] = *mistake.second;
+  if (!mistake.model.empty()) json["model"] = mistake.model;
+  if (mistake.kind == kanji::MistakeKind::split) json["split"] = true;
+  if (mistake.character != 0) json["resembles"] = base::encode_utf8(mistake.character);
   return json;
 }
 
-Json faults_json(const std::vector<writing::Fault>& faults) {
+Json mistakes_json(const std::vector<writing::Mistake>& mistakes) {
   Json array = Json::array();
-  for (const auto& fault : faults) array.push_back(fault_json(fault));
+  for (const auto& mistake : mistakes) array.push_back(mistake_json(mistake));
   return array;
 }
 
@@ -116,8 +116,8 @@ Json grade_json(const writing::Grade& grade, const std::string& character) {
   Json json{{"char", character},
             {"accepted", grade.accepted},
             {"strokes", std::move(strokes)},
-            {"errors", faults_json(grade.faults)},
-            {"advice", faults_json(grade.advice)},
+            {"errors", mistakes_json(grade.mistakes)},
+            {"advice", mistakes_json(grade.advice)},
             {"score", grade.score},
             {"parts",
              {{"strokes", rounded(p.strokes)},
@@ -130,9 +130,10 @@ Json grade_json(const writing::Grade& grade, const std::string& character) {
   return json;
 }
 
-bool is_timed(const writing::Ink& ink) {
+bool is_timed(const writing::WrittenCharacter& ink) {
   for (const auto& s : ink.strokes)
-    if (!s.times_s.empty() || !s.pressures.empty()) return true;
+    for (const auto& point : s)
+      if (point.time_s || point.pressure) return true;
   return false;
 }
 

@@ -23,8 +23,9 @@ std::optional<std::vector<double>> read_numbers(const Json& array) {
   return numbers;
 }
 
-base::Result<void> read_per_point(const Json& request, const char* name, double scale, writing::Ink& ink,
-                                  std::vector<double> writing::InkStroke::*member) {
+base::Result<void> read_per_point(const Json& request, const char* name, double scale,
+                                  writing::WrittenCharacter& ink,
+                                  std::optional<double> writing::WrittenPoint::*value) {
   const auto found = request.find(name);
   if (found == request.end()) return {};
   if (!found->is_array() || found->size() != ink.strokes.size())
@@ -32,16 +33,20 @@ base::Result<void> read_per_point(const Json& request, const char* name, double 
   for (std::size_t i = 0; i < ink.strokes.size(); ++i) {
     auto numbers = read_numbers((*found)[i]);
     if (!numbers) return fail(Errc::parse, "is not an array of numbers", fmt::format("{}[{}]", name, i));
-    for (double& n : *numbers) n *= scale;
-    ink.strokes[i].*member = std::move(*numbers);
+    auto& stroke = ink.strokes[i];
+    if (numbers->empty()) continue;
+    if (numbers->size() != stroke.size())
+      return fail(Errc::bad_argument, fmt::format("A stroke has not as many {} as points.", name),
+                  fmt::format("stroke {}", i + 1));
+    for (std::size_t k = 0; k < stroke.size(); ++k) stroke[k].*value = (*numbers)[k] * scale;
   }
   return {};
 }
 
-bool lies_in_unit_box(const writing::Ink& ink) {
+bool lies_in_unit_box(const writing::WrittenCharacter& ink) {
   for (const auto& stroke : ink.strokes)
-    for (const auto& p : stroke.points)
-      if (!(p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1)) return false;
+    for (const auto& [x, y] : geometry::line_of(stroke))
+      if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return false;
   return true;
 }
 
@@ -61,26 +66,26 @@ std::string to_one_line(const Json& json) {
 
 }  // namespace
 
-base::Result<writing::Ink> read_ink(const Json& request) {
+base::Result<writing::WrittenCharacter> read_ink(const Json& request) {
   const auto strokes = request.find("strokes");
   if (strokes == request.end() || !strokes->is_array())
     return fail(Errc::parse, "is missing or is not an array", "strokes", "give [[[x, y], ...], ...]");
-  writing::Ink ink;
+  writing::WrittenCharacter ink;
   for (const auto& stroke : *strokes) {
     const auto name = fmt::format("strokes[{}]", ink.strokes.size());
     if (!stroke.is_array()) return fail(Errc::parse, "is not an array of points", name);
-    auto& points = ink.strokes.emplace_back().points;
+    auto& points = ink.strokes.emplace_back();
     for (const auto& point : stroke) {
       if (!point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number())
         return fail(Errc::parse, "is not a pair of numbers", fmt::format("{}[{}]", name, points.size()));
-      points.push_back({point[0].get<double>(), point[1].get<double>()});
+      points.push_back({{point[0].get<double>(), point[1].get<double>()}});
     }
   }
   constexpr double kSecondsPerMillisecond = 1e-3;
-  if (auto r = read_per_point(request, "times", kSecondsPerMillisecond, ink, &writing::InkStroke::times_s);
+  if (auto r = read_per_point(request, "times", kSecondsPerMillisecond, ink, &writing::WrittenPoint::time_s);
       !r)
     return tl::unexpected(r.error());
-  if (auto r = read_per_point(request, "pressures", 1, ink, &writing::InkStroke::pressures); !r)
+  if (auto r = read_per_point(request, "pressures", 1, ink, &writing::WrittenPoint::pressure); !r)
     return tl::unexpected(r.error());
   if (const auto box = request.find("box"); box != request.end()) {
     const auto numbers = read_numbers(*box);

@@ -6,7 +6,7 @@
 #include "character_json.h"
 #include "console.h"
 #include "nazori/base/result.h"
-#include "nazori/writing/ink.h"
+#include "nazori/writing/written_character.h"
 
 namespace nazori::cli {
 
@@ -20,6 +20,6 @@ namespace nazori::cli {
 /// The strokes of a request: "strokes" [[[x, y], ...], ...], and where given "times" [[ms, ...], ...],
 /// "pressures" [[0..1, ...], ...] and "box" [left, top, side]. Without a box, coordinates that are all within
 /// 0..1 are those of a box of side 1.
-[[nodiscard]] base::Result<writing::Ink> read_ink(const Json& request);
+[[nodiscard]] base::Result<writing::WrittenCharacter> read_ink(const Json& request);
 
 }  // namespace nazori::cli

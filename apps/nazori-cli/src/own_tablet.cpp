@@ -29,7 +29,7 @@ base::Result<std::shared_ptr<const tablet::CarvedTablet>> own_tablet(const OwnTa
     if (!order) return tl::unexpected(order.error());
     lines = order->to_lines(grid);
   }
-  if (map) return tablet::CarvedTablet::from_height_map(std::move(*map), std::move(lines));
+  if (map) return tablet::CarvedTablet::from_height_map(std::move(*map), tablet::tablet_lines(lines));
   return tablet::CarvedTablet::from_lines(std::move(lines), carved_size, brush);
 }
 

@@ -22,7 +22,7 @@ struct ReviewSettings {
   std::string stage = "memory";
   bool rejected = false;
   int score = 85;
-  std::vector<std::string> faults;
+  std::vector<std::string> mistakes;
   int hints = 0;
   int misses = 0;
   int shown = 0;
@@ -36,15 +36,15 @@ struct UndoSettings {
 };
 
 /// "wrong:3": the third stroke.
-base::Result<study::StrokeFault> parse_fault(const std::string& text) {
+base::Result<study::StrokeMistake> parse_mistake(const std::string& text) {
   const std::size_t colon = text.find(':');
-  const auto kind = study::fault_named(text.substr(0, colon));
+  const auto kind = kanji::mistake_named(text.substr(0, colon));
   int stroke = 0;
   if (kind && colon != std::string::npos) {
     const char* const end = text.data() + text.size();
     const auto [at, error] = std::from_chars(text.data() + colon + 1, end, stroke);
     if (error == std::errc() && at == end && stroke >= 1 && stroke <= 1'000) {
-      return study::StrokeFault{*kind, stroke - 1};
+      return study::StrokeMistake{*kind, stroke - 1};
     }
   }
   return base::fail(
@@ -69,16 +69,16 @@ int review(Console& console, const ReviewSettings& settings) {
   study::WritingResult& result = writing.result;
   result.accepted = !settings.rejected && settings.rating != "again";
   result.score = settings.score;
-  for (const std::string& text : settings.faults) {
-    const auto fault = parse_fault(text);
-    if (!fault) return console.refuse(fault.error());
+  for (const std::string& text : settings.mistakes) {
+    const auto mistake = parse_mistake(text);
+    if (!mistake) return console.refuse(mistake.error());
     // What was one stroke too many is counted among the written ones, all else among those of the character.
-    if (fault->kind != study::FaultKind::extra && fault->stroke >= strokes) {
+    if (mistake->kind != kanji::MistakeKind::extra && mistake->stroke >= strokes) {
       return console.refuse({base::Errc::bad_argument,
                              fmt::format("{} has {}", settings.character, counted(strokes, "stroke")), text,
                              fmt::format("give a stroke from 1 to {}", strokes)});
     }
-    result.faults.push_back(*fault);
+    result.mistakes.push_back(*mistake);
   }
   result.hints = settings.hints;
   result.misses = settings.misses;
@@ -152,7 +152,7 @@ void add_review(CLI::App& study, Action& chosen) {
       ->check(within(0, 100))
       ->capture_default_str()
       ->type_name("N");
-  verb->add_option("--fault", settings->faults, "A fault and its stroke from 1: wrong:3; may be repeated")
+  verb->add_option("--fault", settings->mistakes, "A fault and its stroke from 1: wrong:3; may be repeated")
       ->type_name("KIND:STROKE");
   verb->add_option("--hints", settings->hints, "Hints asked for")->check(within(0, 1'000))->type_name("N");
   verb->add_option("--misses", settings->misses, "Strokes tried and refused")

@@ -22,9 +22,9 @@ Json retention_json(const study::Retention& retention) {
           {"predicted", retention.reviews > 0 ? Json(retention.predicted) : Json()}};
 }
 
-Json faults_json(const std::map<study::FaultKind, int>& kinds) {
+Json mistakes_json(const std::map<kanji::MistakeKind, int>& kinds) {
   Json json = Json::object();
-  for (const auto& [kind, count] : kinds) json[std::string(study::name_of(kind))] = count;
+  for (const auto& [kind, count] : kinds) json[std::string(kanji::name_of(kind))] = count;
   return json;
 }
 
@@ -72,9 +72,9 @@ Json statistics_json(const Statistics& statistics) {
   for (const auto& one : statistics.hard_strokes) {
     json["hard_strokes"].push_back({{"character", base::encode_utf8(one.character)},
                                     {"stroke", one.stroke + 1},
-                                    {"faults", one.faults},
+                                    {"faults", one.mistakes},
                                     {"writings", one.writings},
-                                    {"kinds", faults_json(one.kinds)}});
+                                    {"kinds", mistakes_json(one.kinds)}});
   }
   for (const auto& day : statistics.motion) {
     json["motion"].push_back({{"day", study::to_text(day.day)},
@@ -110,8 +110,8 @@ std::string statistics_text(const Statistics& statistics) {
   text += "\n";
   for (const auto& one : statistics.hard_strokes) {
     text += fmt::format("hard        {} stroke {}: {} of {}", base::encode_utf8(one.character),
-                        one.stroke + 1, one.faults, counted(one.writings, "writing"));
-    for (const auto& [kind, count] : one.kinds) text += fmt::format(", {} {}", study::name_of(kind), count);
+                        one.stroke + 1, one.mistakes, counted(one.writings, "writing"));
+    for (const auto& [kind, count] : one.kinds) text += fmt::format(", {} {}", kanji::name_of(kind), count);
     text += "\n";
   }
   return text;

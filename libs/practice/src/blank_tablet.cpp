@@ -11,7 +11,7 @@ constexpr int kBlankSize = 64;
 
 }  // namespace
 
-Tablet blank_tablet(std::vector<kanji::StrokeLine> lines) {
+Tablet blank_tablet(std::vector<tablet::TabletLine> lines) {
   auto map = surface::HeightMap::create(kBlankSize);
   assert(map);
   auto tablet = tablet::CarvedTablet::from_height_map(std::move(*map), std::move(lines));

@@ -180,11 +180,11 @@ void GuidedStage::record(std::span<const haptics::ServoSample> samples) {
     const auto event = recorder_.follow(sample);
     has_changed = has_changed || event != PenRecorder::Event::none;
     if (event == PenRecorder::Event::ended)
-      written_.push_back(to_written(recorder_.take(), view::Verdict::none));
+      written_.push_back(view::inked(recorder_.take(), view::Verdict::none));
   }
   if (!has_changed) return;
   auto all = written_;
-  if (!recorder_.current().empty()) all.push_back(to_written(recorder_.current(), view::Verdict::none));
+  if (!recorder_.current().empty()) all.push_back(view::inked(recorder_.current(), view::Verdict::none));
   tablet().set_writing(std::move(all));
 }
 

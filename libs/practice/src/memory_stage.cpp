@@ -250,7 +250,7 @@ void MemoryStage::use_grade(std::uint64_t number, const writing::Grade& grade) {
   show_writing();
   if (!std::exchange(awaits_report_, false)) return;
   const bool is_complete = options_.judges_each && static_cast<int>(strokes_.size()) == stroke_count() &&
-                           grade.faults.empty() && missing_strokes(grade, stroke_count()).empty();
+                           grade.mistakes.empty() && missing_strokes(grade, stroke_count()).empty();
   if (is_complete)
     ask(true);
   else
@@ -267,11 +267,11 @@ void MemoryStage::report_last_stroke() {
                                   ? &grade_.strokes[static_cast<std::size_t>(last)]
                                   : nullptr;
   const bool is_wrong = verdict != nullptr && !verdict->ok;
-  for (const auto& fault : grade_.faults) {
+  for (const auto& mistake : grade_.mistakes) {
     // An exchange may show only with its second stroke, where both are alike.
-    const bool is_about_it = fault.stroke == last || (is_wrong && fault.second == last);
-    if (!is_about_it || fault.kind == writing::FaultKind::missing) continue;
-    report_mistake({.event = StageEvent::mistake, .mistake = fault}, fault.kind != writing::FaultKind::order);
+    const bool is_about_it = mistake.stroke == last || (is_wrong && mistake.second == last);
+    if (!is_about_it || mistake.kind == kanji::MistakeKind::missing) continue;
+    report_mistake({.event = StageEvent::mistake, .mistake = mistake}, mistake.kind != kanji::MistakeKind::order);
     return;
   }
   if (is_wrong) {
@@ -417,14 +417,14 @@ void MemoryStage::show_moment(std::optional<double> time_s) {
 
 void MemoryStage::show_writing() {
   if (!is_entered()) return;
-  std::vector<view::WrittenStroke> all;
+  std::vector<view::InkedStroke> all;
   const auto of_strokes = verdicts(grade_, strokes_.size());
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
     const HandStroke shown =
-        moment_s_ ? until(strokes_[i], strokes_.front().front().time_s + *moment_s_) : strokes_[i];
-    if (!shown.empty()) all.push_back(to_written(shown, seen_[i] ? of_strokes[i] : view::Verdict::none));
+        moment_s_ ? until(strokes_[i], strokes_.front().front().time_s.value_or(0) + *moment_s_) : strokes_[i];
+    if (!shown.empty()) all.push_back(view::inked(shown, seen_[i] ? of_strokes[i] : view::Verdict::none));
   }
-  if (!recorder_.current().empty()) all.push_back(to_written(recorder_.current(), view::Verdict::none));
+  if (!recorder_.current().empty()) all.push_back(view::inked(recorder_.current(), view::Verdict::none));
   if (subject().tablet) {
     const auto& paths = subject().tablet->paths();
     const ModelFit fit =

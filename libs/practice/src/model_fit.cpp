@@ -72,11 +72,12 @@ ModelFit fit_model(const std::vector<HandStroke>& written, const writing::Grade&
   return fit;
 }
 
-view::WrittenStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit, double opacity) {
-  view::WrittenStroke line;
+view::InkedStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit, double opacity) {
+  view::InkedStroke line;
   line.verdict = view::Verdict::shown;
   line.opacity = opacity;
-  for (const auto& p : line_of(stroke)) line.points.push_back({fit.apply(p), kLineHalfWidth_m});
+  line.half_width_m = kLineHalfWidth_m;
+  for (const auto& p : line_of(stroke)) line.points.push_back({fit.apply(p)});
   return line;
 }
 
@@ -84,13 +85,13 @@ std::vector<view::Verdict> verdicts(const writing::Grade& grade, std::size_t str
   std::vector<view::Verdict> out(strokes, view::Verdict::none);
   for (std::size_t i = 0; i < strokes && i < grade.strokes.size(); ++i)
     out[i] = grade.strokes[i].ok ? view::Verdict::right : view::Verdict::wrong;
-  const auto mark = [&out](const writing::Fault& fault, view::Verdict verdict) {
-    if (fault.kind == writing::FaultKind::missing) return;
-    if (fault.stroke >= 0 && static_cast<std::size_t>(fault.stroke) < out.size())
-      out[static_cast<std::size_t>(fault.stroke)] = verdict;
+  const auto mark = [&out](const writing::Mistake& mistake, view::Verdict verdict) {
+    if (mistake.kind == kanji::MistakeKind::missing) return;
+    if (mistake.stroke >= 0 && static_cast<std::size_t>(mistake.stroke) < out.size())
+      out[static_cast<std::size_t>(mistake.stroke)] = verdict;
   };
   for (const auto& advice : grade.advice) mark(advice, view::Verdict::nearly);
-  for (const auto& fault : grade.faults) mark(fault, view::Verdict::wrong);
+  for (const auto& mistake : grade.mistakes) mark(mistake, view::Verdict::wrong);
   return out;
 }
 

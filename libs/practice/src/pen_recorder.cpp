@@ -7,9 +7,6 @@
 namespace nazori::practice {
 namespace {
 
-constexpr double kThinnest_m = 0.0004;
-constexpr double kWidest_m = 0.0020;
-constexpr double kLaidFlat = 0.6;  // of its width more, of a brush on its side
 constexpr double kArrived_m = 0.0008;
 constexpr double kTurnedAway_m = 0.0002;
 
@@ -60,7 +57,7 @@ PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
   last_ = {at, sample.time_s, pressure, lean_rad_};
   if (!current_.empty() && geometry::distance(current_.back().at, at) < kStep_m) {
     // The pen rests: the width there is that of the firmest press.
-    current_.back().pressure = std::max(current_.back().pressure, pressure);
+    current_.back().pressure = std::max(current_.back().pressure.value_or(0), pressure);
     return Event::none;
   }
   current_.push_back(last_);
@@ -72,53 +69,37 @@ void PenRecorder::drop() {
   dropped_ = touching_;
 }
 
-writing::Ink to_ink(const std::vector<HandStroke>& strokes, const geometry::TabletShape& shape) {
-  writing::Ink ink;
-  for (const auto& stroke : strokes) {
-    auto& out = ink.strokes.emplace_back();
-    for (const auto& point : stroke) {
-      const auto glyph = geometry::tablet_to_glyph(point.at, shape);
-      out.points.push_back({glyph.x, glyph.y});
-      out.times_s.push_back(point.time_s);
-      out.pressures.push_back(point.pressure);
-    }
-  }
+writing::WrittenCharacter to_ink(const std::vector<HandStroke>& strokes, const geometry::TabletShape& shape) {
+  writing::WrittenCharacter ink;
+  for (const auto& stroke : strokes)
+    ink.strokes.push_back(geometry::in_frame<writing::WritingFrame>(stroke, [&shape](auto at) {
+      const auto glyph = geometry::tablet_to_glyph(at, shape);
+      return writing::WritingPoint{glyph.x, glyph.y};
+    }));
   ink.box = writing::WritingBox{{0, 0}, geometry::kGlyphSide};
   return ink;
 }
 
 HandStroke until(const HandStroke& stroke, double time_s) {
   HandStroke part;
+  const auto between = [](const std::optional<double>& from, const std::optional<double>& to, double share) {
+    return from.value_or(0) + (to.value_or(0) - from.value_or(0)) * share;
+  };
   for (const auto& point : stroke) {
-    if (point.time_s <= time_s) {
+    if (point.time_s.value_or(0) <= time_s) {
       part.push_back(point);
       continue;
     }
     if (part.empty()) break;
     const auto& last = part.back();
-    const double share = (time_s - last.time_s) / (point.time_s - last.time_s);
+    const double last_s = last.time_s.value_or(0);
+    const double share = (time_s - last_s) / (point.time_s.value_or(0) - last_s);
     part.push_back({last.at + (point.at - last.at) * share, time_s,
-                    last.pressure + (point.pressure - last.pressure) * share,
-                    last.lean_rad + (point.lean_rad - last.lean_rad) * share});
+                    between(last.pressure, point.pressure, share),
+                    between(last.lean_rad, point.lean_rad, share)});
     break;
   }
   return part;
-}
-
-double ink_half_width_m(const HandPoint& point) {
-  const double upright_m = kThinnest_m + (kWidest_m - kThinnest_m) * std::clamp(point.pressure, 0.0, 1.0);
-  return upright_m * (1 + kLaidFlat * std::sin(point.lean_rad));
-}
-
-view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict) {
-  view::WrittenStroke written;
-  written.verdict = verdict;
-  written.points.reserve(stroke.size());
-  for (const auto& point : stroke)
-    // The pen at rest draws nothing.
-    if (written.points.empty() || written.points.back().at != point.at)
-      written.points.push_back({point.at, ink_half_width_m(point)});
-  return written;
 }
 
 }  // namespace nazori::practice

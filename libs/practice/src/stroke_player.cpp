@@ -50,7 +50,7 @@ double turn_at(const std::vector<Vec3>& points, std::size_t i) {
 }  // namespace
 
 void StrokePlayer::set_strokes(std::span<const haptics::StrokePath> paths,
-                               std::span<const kanji::StrokeLine> lines) {
+                               std::span<const tablet::TabletLine> lines) {
   strokes_.clear();
   double clock_s = kLeastTravel_s;
   for (std::size_t n = 0; n < paths.size() && n < lines.size(); ++n) {
@@ -62,7 +62,7 @@ void StrokePlayer::set_strokes(std::span<const haptics::StrokePath> paths,
     for (std::size_t i = 1; i < points.size(); ++i)
       stroke.along_m[i] = stroke.along_m[i - 1] + glm::length(glm::dvec2(points[i] - points[i - 1]));
     const double length_m = stroke.along_m.back();
-    const auto ending = lines[n].ending;
+    const auto ending = lines[n].ending.value_or(kanji::StrokeEnding::stop);
     const bool stops = ending == kanji::StrokeEnding::stop || ending == kanji::StrokeEnding::either;
     if (n > 0) {
       const double way_m = glm::distance(strokes_.back().points.back(), points.front());

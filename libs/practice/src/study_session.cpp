@@ -193,7 +193,7 @@ study::MissReply StudySession::add_mistake(int stroke) {
 }
 
 bool StudySession::save(Stage stage, study::Rating rating, study::Rating proposed,
-                        const study::WritingResult& result, const study::Ink& ink) {
+                        const study::WritingResult& result, const study::Handwriting& ink) {
   study::Writing writing;
   writing.stage = stage;
   writing.rating = rating;
@@ -243,7 +243,7 @@ void StudySession::propose(study::WritingResult result, const std::vector<HandSt
     result.shown_strokes = std::max<int>(1, sheet_ ? static_cast<int>(sheet_->character.strokes.size()) : 1);
   result.duration = last_stroke_.count() > 0 ? last_stroke_ : elapsed();
   result_ = std::move(result);
-  ink_ = to_study_ink(strokes);
+  ink_ = to_handwriting(strokes);
   const auto usual = store().usual_writing(task_.character);
   if (!usual) learner_.announce_unread(usual.error());
   proposed_ = study::proposed_rating(result_, usual.value_or(study::UsualWriting{}));

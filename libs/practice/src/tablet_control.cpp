@@ -99,7 +99,7 @@ void TabletControl::set_guides(const std::optional<TabletGuides>& guides) {
   picture_changed();
 }
 
-void TabletControl::set_writing(std::vector<view::WrittenStroke> writing) {
+void TabletControl::set_writing(std::vector<view::InkedStroke> writing) {
   writing_ = std::move(writing);
   lay_out_writing();
   picture_changed();
@@ -109,10 +109,11 @@ void TabletControl::lay_out_writing() {
   drawn_writing_ = writing_;
   if (guides_ && !guides_->traced) return;
   for (const int stroke : ink_.left_open()) {
-    view::WrittenStroke bit;
+    view::InkedStroke bit;
     bit.verdict = view::Verdict::shown;
     bit.opacity = kBitOpacity;
-    for (const auto& point : ink_.missing_bit(stroke)) bit.points.push_back({point, kBitHalfWidth_m});
+    bit.half_width_m = kBitHalfWidth_m;
+    for (const auto& point : ink_.missing_bit(stroke)) bit.points.push_back({point});
     drawn_writing_.push_back(std::move(bit));
   }
 }
@@ -270,7 +271,7 @@ view::Overlay TabletControl::overlay() {
   overlay.numbers_visible = guides_ ? guides_->numbers : numbers_visible_;
   overlay.lines_opacity = guides_ ? guides_->lines_opacity : 1.0;
   overlay.current_stroke = current_;
-  overlay.ink = demonstration_ ? demonstration_->ink : ink_.progress();
+  overlay.groove_ink = demonstration_ ? demonstration_->ink : ink_.progress();
   overlay.writing = drawn_writing_;
   if (demonstration_) overlay.cursor = demonstration_->brush;
   shown_s_ = 0;

@@ -52,7 +52,7 @@ base::Result<OwnTablet> load_own(const std::filesystem::path& map_path,
     const std::string name = strokes_path.filename().string();
     own.name = own.name.empty() ? name : own.name + std::string(kBetweenNames) + name;
   }
-  auto tablet = map ? tablet::CarvedTablet::from_height_map(std::move(*map), std::move(lines))
+  auto tablet = map ? tablet::CarvedTablet::from_height_map(std::move(*map), tablet::tablet_lines(lines))
                     : tablet::CarvedTablet::from_lines(std::move(lines), TabletWorkshop::kSize);
   if (!tablet) return tl::unexpected(tablet.error());
   own.tablet = std::move(*tablet);
@@ -62,11 +62,11 @@ base::Result<OwnTablet> load_own(const std::filesystem::path& map_path,
 base::Result<void> save_tablet(const tablet::CarvedTablet& carved, const std::filesystem::path& path,
                                FileFormat format, int size, bool own_map) {
   if (own_map) size = carved.height_map().size();
-  if (format == FileFormat::strokes) return kanji::StrokeOrder::from_lines(carved.lines(), size).save(path);
+  if (format == FileFormat::strokes) return kanji::StrokeOrder::from_lines(tablet::stroke_lines(carved.lines()), size).save(path);
   const surface::HeightMap* map = &carved.height_map();
   surface::HeightMap again;
   if (!own_map && map->size() != size) {
-    auto result = carving::carve(carved.lines(), size);
+    auto result = carving::carve(tablet::stroke_lines(carved.lines()), size);
     if (!result) return tl::unexpected(result.error());
     again = std::move(*result);
     map = &again;

@@ -123,7 +123,7 @@ void WatchStage::report_stroke(int stroke) {
   reported_ = stroke;
   const auto i = static_cast<std::size_t>(stroke - 1);
   StageFeedback what{.event = StageEvent::stroke_watched, .stroke = stroke, .count = player_.stroke_count()};
-  what.ending = subject().tablet->lines()[i].ending;
+  what.ending = subject().tablet->lines()[i].ending.value_or(kanji::StrokeEnding::stop);
   if (subject().sheet && i < subject().sheet->character.strokes.size())
     what.type = subject().sheet->character.strokes[i].type;
   report(what);

@@ -46,7 +46,8 @@ void WritingGroove::carve(std::vector<int> strokes) {
     return;
   }
   std::vector<std::pair<int, kanji::StrokeLine>> lines;
-  for (const int n : strokes) lines.emplace_back(n, model_->lines()[static_cast<std::size_t>(n)]);
+  const auto all = tablet::stroke_lines(model_->lines());
+  for (const int n : strokes) lines.emplace_back(n, all[static_cast<std::size_t>(n)]);
   carver_.request(std::move(lines));
 }
 

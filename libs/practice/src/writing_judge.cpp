@@ -68,7 +68,7 @@ struct Reader {
     return {};
   }
 
-  base::Result<std::vector<writing::Candidate>> read(const writing::Ink& ink, int limit) {
+  base::Result<std::vector<writing::Candidate>> read(const writing::WrittenCharacter& ink, int limit) {
     if (auto learned = learn(); !learned) return tl::unexpected(learned.error());
     const auto ends_here = recogniser->recognise(ink, {.limit = limit, .unfinished = false});
     if (!ends_here) return tl::unexpected(ends_here.error());
@@ -91,7 +91,7 @@ struct Reader {
 };
 
 struct InkToRead {
-  writing::Ink ink;
+  writing::WrittenCharacter ink;
   int limit;
 };
 
@@ -149,7 +149,7 @@ WritingJudge::~WritingJudge() = default;
 
 std::uint64_t WritingJudge::judge(const JudgeRequest& request) { return inside_->grader.request(request); }
 
-std::uint64_t WritingJudge::recognise(const writing::Ink& ink, int limit) {
+std::uint64_t WritingJudge::recognise(const writing::WrittenCharacter& ink, int limit) {
   return inside_->recogniser.request({ink, limit});
 }
 

@@ -6,36 +6,12 @@
 namespace nazori::practice {
 namespace {
 
-study::FaultKind to_study(writing::FaultKind kind) {
-  switch (kind) {
-    case writing::FaultKind::order:
-      return study::FaultKind::order;
-    case writing::FaultKind::reversed:
-      return study::FaultKind::reversed;
-    case writing::FaultKind::missing:
-      return study::FaultKind::missing;
-    case writing::FaultKind::extra:
-      return study::FaultKind::extra;
-    case writing::FaultKind::joined:
-      return study::FaultKind::joined;
-    case writing::FaultKind::split:
-      return study::FaultKind::split;
-    case writing::FaultKind::wrong:
-      return study::FaultKind::wrong;
-    case writing::FaultKind::other:
-      return study::FaultKind::other;
-    case writing::FaultKind::ending:
-      return study::FaultKind::ending;
-  }
-  return study::FaultKind::wrong;
-}
-
-int stroke_of(const writing::Fault& fault, const writing::Grade& grade) {
-  if (fault.kind == writing::FaultKind::missing) return fault.stroke;
-  if (!fault.model.empty()) return fault.model.front();
-  const auto drawn = static_cast<std::size_t>(fault.stroke);
+int stroke_of(const writing::Mistake& mistake, const writing::Grade& grade) {
+  if (mistake.kind == kanji::MistakeKind::missing) return mistake.stroke;
+  if (!mistake.model.empty()) return mistake.model.front();
+  const auto drawn = static_cast<std::size_t>(mistake.stroke);
   if (drawn < grade.strokes.size() && grade.strokes[drawn].matched) return *grade.strokes[drawn].matched;
-  return fault.stroke;
+  return mistake.stroke;
 }
 
 }  // namespace
@@ -44,33 +20,34 @@ study::WritingResult to_result(const writing::Grade& grade) {
   study::WritingResult result;
   result.accepted = grade.accepted;
   result.score = grade.score;
-  for (const auto& fault : grade.faults)
-    result.faults.push_back({to_study(fault.kind), stroke_of(fault, grade)});
+  for (const auto& mistake : grade.mistakes)
+    result.mistakes.push_back({mistake.kind, stroke_of(mistake, grade)});
   for (const auto& advice : grade.advice)
-    if (advice.kind == writing::FaultKind::ending)
-      result.faults.push_back({study::FaultKind::ending, stroke_of(advice, grade)});
+    if (advice.kind == kanji::MistakeKind::ending)
+      result.mistakes.push_back({kanji::MistakeKind::ending, stroke_of(advice, grade)});
   return result;
 }
 
-study::Ink to_study_ink(const std::vector<HandStroke>& strokes) {
-  study::Ink ink;
-  if (strokes.empty() || strokes.front().empty()) return ink;
-  const double zero_s = strokes.front().front().time_s;
-  double latest_ms = 0;
+study::Handwriting to_handwriting(const std::vector<HandStroke>& strokes) {
+  study::Handwriting saved;
+  if (strokes.empty() || strokes.front().empty()) return saved;
+  const double zero_s = strokes.front().front().time_s.value_or(0);
+  double latest_s = 0;
   std::size_t points = 0;
   for (const auto& stroke : strokes) {
-    if (ink.strokes.size() == study::kMostInkStrokes || points + stroke.size() > study::kMostInkPoints) break;
+    if (saved.size() == study::kMostSavedStrokes || points + stroke.size() > study::kMostSavedPoints) break;
+    if (stroke.empty()) continue;
     points += stroke.size();
-    study::InkStroke kept;
-    for (const auto& point : stroke) {
-      // The servo's clock begins anew when another device takes the tablet.
-      latest_ms = std::max(latest_ms, (point.time_s - zero_s) * 1000);
-      kept.push_back(study::ink_point(geometry::tablet_to_glyph(point.at, geometry::TabletShape{}), latest_ms,
-                                      point.pressure));
+    auto& kept = saved.emplace_back(geometry::in_frame<geometry::GlyphFrame>(
+        stroke, [](auto at) { return geometry::tablet_to_glyph(at, geometry::TabletShape{}); }));
+    for (auto& point : kept) {
+      // The servo's clock starts again from 0 when another device takes over the tablet.
+      latest_s = std::max(latest_s, point.time_s.value_or(0) - zero_s);
+      point.time_s = latest_s;
+      point = study::saved_point(point);
     }
-    if (!kept.empty()) ink.strokes.push_back(std::move(kept));
   }
-  return ink;
+  return saved;
 }
 
 }  // namespace nazori::practice

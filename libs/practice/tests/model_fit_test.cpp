@@ -8,6 +8,7 @@ namespace {
 using nazori::haptics::StrokePath;
 using nazori::practice::HandStroke;
 using nazori::view::Verdict;
+namespace kanji = nazori::kanji;
 namespace writing = nazori::writing;
 
 writing::Grade matched(std::vector<std::optional<int>> to, std::vector<bool> reversed) {
@@ -87,37 +88,37 @@ TEST(ModelFit, TheLineOfTheModelHasItsPlaceAndIsToldFromWriting) {
   EXPECT_NEAR(line.points[0].at.x, -0.005, 1e-12);
   EXPECT_NEAR(line.points[1].at.x, 0.025, 1e-12);
   EXPECT_NEAR(line.points[1].at.y, 0.02, 1e-12);
-  EXPECT_GT(line.points[1].half_width_m, 0);
+  EXPECT_GT(line.half_width_m.value_or(0), 0);
 }
 
 TEST(Verdicts, OfAStrokeThatIsNotThereNothingIsMarked) {
   auto grade = matched({std::nullopt, 1}, {false, false});
-  writing::Fault before;
-  before.kind = writing::FaultKind::extra;
+  writing::Mistake before;
+  before.kind = kanji::MistakeKind::extra;
   before.stroke = -1;
-  writing::Fault beyond = before;
+  writing::Mistake beyond = before;
   beyond.stroke = 2;
-  grade.faults = {before, beyond};
+  grade.mistakes = {before, beyond};
   EXPECT_EQ(nazori::practice::verdicts(grade, 2), (std::vector{Verdict::wrong, Verdict::right}));
   EXPECT_EQ(nazori::practice::verdicts(grade, 1), std::vector{Verdict::wrong});
-  writing::Fault both;
-  both.kind = writing::FaultKind::wrong;
+  writing::Mistake both;
+  both.kind = kanji::MistakeKind::wrong;
   both.stroke = 1;
-  grade.faults = {both};
+  grade.mistakes = {both};
   grade.advice = {both};
   EXPECT_EQ(nazori::practice::verdicts(grade, 2)[1], Verdict::wrong) << "a fault outweighs advice";
 }
 
-TEST(Verdicts, FaultsAreWrongAdviceIsNearlyAndTheRestRight) {
+TEST(Verdicts, MistakesAreWrongAdviceIsNearlyAndTheRestRight) {
   auto grade = matched({0, 1, 2}, {false, false, false});
-  const auto fault = [](writing::FaultKind kind, int stroke) {
-    writing::Fault made;
+  const auto mistake = [](kanji::MistakeKind kind, int stroke) {
+    writing::Mistake made;
     made.kind = kind;
     made.stroke = stroke;
     return made;
   };
-  grade.faults = {fault(writing::FaultKind::wrong, 1), fault(writing::FaultKind::missing, 0)};
-  grade.advice = {fault(writing::FaultKind::ending, 2)};
+  grade.mistakes = {mistake(kanji::MistakeKind::wrong, 1), mistake(kanji::MistakeKind::missing, 0)};
+  grade.advice = {mistake(kanji::MistakeKind::ending, 2)};
   EXPECT_EQ(nazori::practice::verdicts(grade, 4),
             (std::vector{Verdict::right, Verdict::wrong, Verdict::nearly, Verdict::none}));
 }

@@ -10,12 +10,12 @@ namespace {
 using nazori::haptics::StrokePath;
 using nazori::haptics::Vec3;
 using nazori::kanji::StrokeEnding;
-using nazori::kanji::StrokeLine;
+using nazori::tablet::TabletLine;
 using nazori::practice::StrokePlayer;
 
 StrokePlayer player(const std::vector<std::vector<Vec3>>& points, std::vector<StrokeEnding> endings) {
   std::vector<StrokePath> paths;
-  std::vector<StrokeLine> lines;
+  std::vector<TabletLine> lines;
   for (std::size_t i = 0; i < points.size(); ++i) {
     paths.push_back({points[i]});
     lines.emplace_back().ending = endings[i];

@@ -107,11 +107,11 @@ TEST(WritingJudge, UnfinishedWritingIsNotBlamedForWhatIsMissing) {
   asked.ink.strokes.pop_back();
   court.judge.judge(asked);
   court.wait_for(court.judged, 1);
-  EXPECT_EQ(court.judged[0].second.faults.size(), 1U);
+  EXPECT_EQ(court.judged[0].second.mistakes.size(), 1U);
   asked.finished = false;
   court.judge.judge(asked);
   court.wait_for(court.judged, 2);
-  EXPECT_TRUE(court.judged[1].second.faults.empty());
+  EXPECT_TRUE(court.judged[1].second.mistakes.empty());
 }
 
 TEST(WritingJudge, AFailureHasTheNumberOfItsRequest) {

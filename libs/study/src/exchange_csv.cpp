@@ -41,9 +41,10 @@ base::Result<void> export_csv(const LearnerStore& learner, const TextSink& sink,
     if (entry.kind != EntryKind::writing) return true;
     const Writing& writing = entry.writing;
     const WritingResult& result = writing.result;
-    std::string faults;
-    for (const StrokeFault& fault : result.faults) {
-      faults += fmt::format("{}{}:{}", faults.empty() ? "" : " ", name_of(fault.kind), fault.stroke + 1);
+    std::string mistakes;
+    for (const StrokeMistake& mistake : result.mistakes) {
+      mistakes +=
+          fmt::format("{}{}:{}", mistakes.empty() ? "" : " ", name_of(mistake.kind), mistake.stroke + 1);
     }
     // A comma or a quotation mark can be studied too.
     std::string character = base::encode_utf8(entry.character);
@@ -51,8 +52,8 @@ base::Result<void> export_csv(const LearnerStore& learner, const TextSink& sink,
     text.add(fmt::format("{},{},{},\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", entry.id,
                          to_text(entry.at), to_text(entry.day), character, name_of(writing.stage),
                          name_of(writing.rating), name_of(writing.proposed), result.accepted ? 1 : 0,
-                         result.score, faults, result.hints, result.misses, result.shown_strokes, result.help,
-                         result.duration.count(), entry.strokes,
+                         result.score, mistakes, result.hints, result.misses, result.shown_strokes,
+                         result.help, result.duration.count(), entry.strokes,
                          entry.interval_days ? std::to_string(*entry.interval_days) : "",
                          logged.motion ? fmt::format("{:.3f}", logged.motion->speed) : "",
                          logged.motion ? fmt::format("{:.4f}", logged.motion->smoothness) : "",

@@ -32,8 +32,8 @@ Json entry_json(const LogEntry& entry, std::span<const std::uint8_t> ink) {
       json["accepted"] = result.accepted;
       json["score"] = result.score;
       json["faults"] = Json::array();
-      for (const StrokeFault& fault : result.faults) {
-        json["faults"].push_back({{"kind", name_of(fault.kind)}, {"stroke", fault.stroke}});
+      for (const StrokeMistake& mistake : result.mistakes) {
+        json["faults"].push_back({{"kind", name_of(mistake.kind)}, {"stroke", mistake.stroke}});
       }
       json["hints"] = result.hints;
       json["misses"] = result.misses;

@@ -58,9 +58,9 @@ void read_writing(JsonReader::Object& object, ReadEntry& one) {
   writing.proposed = named(object, "proposed", Rating::good, rating_named);
   result.accepted = object.truth("accepted");
   result.score = static_cast<int>(object.whole("score", 0, 100));
-  object.each("faults", [&](JsonReader::Object& fault) {
-    result.faults.push_back({named(fault, "kind", FaultKind::wrong, fault_named),
-                             static_cast<int>(fault.whole("stroke", 0, 1'000))});
+  object.each("faults", [&](JsonReader::Object& mistake) {
+    result.mistakes.push_back({named(mistake, "kind", kanji::MistakeKind::wrong, kanji::mistake_named),
+                               static_cast<int>(mistake.whole("stroke", 0, 1'000))});
   });
   result.hints = static_cast<int>(object.whole("hints", 0, 1'000'000));
   result.misses = static_cast<int>(object.whole("misses", 0, 1'000'000));

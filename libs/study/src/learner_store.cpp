@@ -52,12 +52,12 @@ base::Result<std::vector<LearnerStore::LoggedEntry>> LearnerStore::writings_of(c
   });
 }
 
-base::Result<Ink> LearnerStore::ink_of(std::int64_t entry) const {
-  return inside_->guarded([&]() -> base::Result<Ink> {
+base::Result<Handwriting> LearnerStore::ink_of(std::int64_t entry) const {
+  return inside_->guarded([&]() -> base::Result<Handwriting> {
     SQLite::Statement row(inside_->db, "SELECT packed FROM ink WHERE entry = ?");
     row.bind(1, entry);
-    if (!row.executeStep()) return Ink{};
-    return unpack_ink(bytes_of(row.getColumn(0)));
+    if (!row.executeStep()) return Handwriting{};
+    return unpack_handwriting(bytes_of(row.getColumn(0)));
   });
 }
 

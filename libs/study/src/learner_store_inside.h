@@ -91,7 +91,8 @@ struct LearnerStore::Inside {
     }
   }
   /// Adds one entry for each character as one action and refreshes their cards.
-  [[nodiscard]] base::Result<void> act(std::span<const char32_t> characters, LogEntry entry, const Ink* ink);
+  [[nodiscard]] base::Result<void> act(std::span<const char32_t> characters, LogEntry entry,
+                                       const Handwriting* ink);
 };
 
 // Rows. All throw SQLite::Exception.

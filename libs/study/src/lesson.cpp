@@ -40,7 +40,7 @@ double error_of(const WritingResult& result, int strokes) {
   assert(strokes >= 1);
   if (!result.accepted) return 1;
   const double shown = result.shown_strokes + 0.5 * (result.misses + result.hints) +
-                       0.25 * static_cast<double>(result.faults.size());
+                       0.25 * static_cast<double>(result.mistakes.size());
   return std::clamp(2 * shown / strokes, 0.0, 1.0);
 }
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "nazori/study/ink.h"
+#include "saved_point.h"
 
 namespace nazori::study {
 namespace {
@@ -20,20 +20,37 @@ constexpr double kShortestS = 0.08;
 // A stroke that rests longer is cut there: its end is no movement.
 constexpr double kLongestS = 20;
 
-double length_of(const InkStroke& stroke) {
+/// A point as it is saved, so that an imported history has the same measures.
+struct TimedPoint {
+  geometry::GlyphPoint at;
+  std::int32_t time_ms = 0;
+};
+using TimedStroke = std::vector<TimedPoint>;
+
+TimedStroke as_saved(const HandwritingStroke& written) {
+  TimedStroke stroke;
+  stroke.reserve(written.size());
+  for (const HandwritingPoint& point : written) {
+    const SavedPoint steps = in_steps(point);
+    stroke.push_back({from_steps(steps).at, steps.time_ms});
+  }
+  return stroke;
+}
+
+double length_of(const TimedStroke& stroke) {
   double length = 0;
   for (std::size_t i = 1; i < stroke.size(); ++i) {
-    length += geometry::distance(position_of(stroke[i - 1]), position_of(stroke[i]));
+    length += geometry::distance(stroke[i - 1].at, stroke[i].at);
   }
   return length;
 }
 
-double duration_s(const InkStroke& stroke) {
+double duration_s(const TimedStroke& stroke) {
   return stroke.empty() ? 0 : (stroke.back().time_ms - stroke.front().time_ms) / 1000.0;
 }
 
 /// Speed in samples of 10 ms. The pen's points come unevenly, so the drawn length is read off between them.
-std::vector<double> speed_profile(const InkStroke& stroke) {
+std::vector<double> speed_profile(const TimedStroke& stroke) {
   const auto samples = static_cast<std::size_t>(std::min(duration_s(stroke), kLongestS) / kSampleS);
   std::vector<double> speed(samples);
   std::size_t next = 1;
@@ -42,14 +59,14 @@ std::vector<double> speed_profile(const InkStroke& stroke) {
   for (std::size_t i = 0; i < samples; ++i) {
     const double at_ms = stroke.front().time_ms + static_cast<double>(i + 1) * kSampleS * 1000;
     while (next + 1 < stroke.size() && stroke[next].time_ms < at_ms) {
-      passed += geometry::distance(position_of(stroke[next - 1]), position_of(stroke[next]));
+      passed += geometry::distance(stroke[next - 1].at, stroke[next].at);
       ++next;
     }
-    const InkPoint& a = stroke[next - 1];
-    const InkPoint& b = stroke[next];
+    const TimedPoint& a = stroke[next - 1];
+    const TimedPoint& b = stroke[next];
     const double gap = std::max(1, b.time_ms - a.time_ms);
     const double share = std::clamp((at_ms - a.time_ms) / gap, 0.0, 1.0);
-    const double length = passed + share * geometry::distance(position_of(a), position_of(b));
+    const double length = passed + share * geometry::distance(a.at, b.at);
     speed[i] = (length - before) / kSampleS;
     before = length;
   }
@@ -125,12 +142,13 @@ double spectral_arc_length(const std::vector<double>& speed) {
 
 }  // namespace
 
-std::optional<PenMotion> motion_of(const Ink& ink) {
+std::optional<PenMotion> motion_of(const Handwriting& ink) {
   double length = 0;
   double seconds = 0;
   double arcs = 0;
   int counted = 0;
-  for (const InkStroke& stroke : ink.strokes) {
+  for (const HandwritingStroke& written : ink) {
+    const TimedStroke stroke = as_saved(written);
     const double own_length = length_of(stroke);
     const double own_s = duration_s(stroke);
     if (own_length < kShortestLength || own_s < kShortestS) continue;

@@ -53,14 +53,14 @@ class Summing {
     statistics.retention = finished(all_);
     statistics.last_30_days = finished(recent_);
     for (const auto& [key, stroke] : strokes_) {
-      if (stroke.faults < 2) continue;
+      if (stroke.mistakes < 2) continue;
       statistics.hard_strokes.push_back(stroke);
       statistics.hard_strokes.back().writings = writings_.at(stroke.character);
     }
     std::sort(statistics.hard_strokes.begin(), statistics.hard_strokes.end(),
               [](const HardStroke& a, const HardStroke& b) {
-                return std::tuple(-a.faults, a.writings, a.character, a.stroke) <
-                       std::tuple(-b.faults, b.writings, b.character, b.stroke);
+                return std::tuple(-a.mistakes, a.writings, a.character, a.stroke) <
+                       std::tuple(-b.mistakes, b.writings, b.character, b.stroke);
               });
     if (statistics.hard_strokes.size() > kMostHardStrokes) statistics.hard_strokes.resize(kMostHardStrokes);
     for (const auto& [day, sum] : motion_) {
@@ -96,7 +96,7 @@ class Summing {
     }
     if (written.stage != Stage::watch) {
       ++writings_[entry.character];
-      faults(entry);
+      mistakes(entry);
     }
     if (logged.motion) {
       DayMotion& sum = motion_[entry.day];
@@ -120,14 +120,14 @@ class Summing {
     }
   }
 
-  void faults(const LogEntry& entry) {
+  void mistakes(const LogEntry& entry) {
     std::set<int> seen;
-    for (const StrokeFault& fault : entry.writing.result.faults) {
-      HardStroke& stroke = strokes_[{entry.character, fault.stroke}];
+    for (const StrokeMistake& mistake : entry.writing.result.mistakes) {
+      HardStroke& stroke = strokes_[{entry.character, mistake.stroke}];
       stroke.character = entry.character;
-      stroke.stroke = fault.stroke;
-      ++stroke.kinds[fault.kind];
-      if (seen.insert(fault.stroke).second) ++stroke.faults;
+      stroke.stroke = mistake.stroke;
+      ++stroke.kinds[mistake.kind];
+      if (seen.insert(mistake.stroke).second) ++stroke.mistakes;
     }
   }
 

@@ -85,7 +85,7 @@ std::optional<Card> LearnerStore::Inside::refresh_row(char32_t character) {
 }
 
 base::Result<void> LearnerStore::Inside::act(std::span<const char32_t> characters, LogEntry entry,
-                                             const Ink* ink) {
+                                             const Handwriting* ink) {
   std::vector<std::uint8_t> packed;
   std::optional<PenMotion> motion;
   if (ink != nullptr) {
@@ -116,7 +116,7 @@ base::Result<void> LearnerStore::Inside::act(std::span<const char32_t> character
 }
 
 base::Result<Card> LearnerStore::add_writing(char32_t character, int strokes, const Writing& writing,
-                                             const Ink& ink) {
+                                             const Handwriting& ink) {
   if (auto fine = check_writing(character, strokes, writing); !fine) {
     return tl::unexpected(std::move(fine.error()));
   }

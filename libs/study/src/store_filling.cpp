@@ -16,7 +16,7 @@ using base::Errc;
 class LogCheck {
  public:
   /// @param has_ink  the entry brings ink; @param ink  what could be read of it.
-  base::Result<void> next(const LogEntry& entry, bool has_ink, const base::Result<Ink>& ink) {
+  base::Result<void> next(const LogEntry& entry, bool has_ink, const base::Result<Handwriting>& ink) {
     const auto refuse = [&id = entry.id](const char* what) -> base::Result<void> {
       return base::fail(Errc::bad_argument, what, "entry " + std::to_string(id));
     };
@@ -71,7 +71,7 @@ LearnerStore::Filling::~Filling() = default;
 
 base::Result<void> LearnerStore::Filling::add(const LogEntry& entry,
                                               std::span<const std::uint8_t> packed_ink) {
-  const auto ink = unpack_ink(packed_ink);
+  const auto ink = unpack_handwriting(packed_ink);
   if (auto fine = parts_->check.next(entry, !packed_ink.empty(), ink); !fine) return fine;
   if (parts_->log) parts_->log->add(entry, motion_of(*ink), packed_ink);
   return {};

@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr int kMostFaults = 1'000;
+constexpr int kMostMistakes = 1'000;
 
 /// Binds values one after another; nullopt becomes NULL.
 class Binder {
@@ -95,30 +95,30 @@ class RowReader {
   bool ok_ = true;
 };
 
-std::string faults_text(const std::vector<StrokeFault>& faults) {
+std::string mistakes_text(const std::vector<StrokeMistake>& mistakes) {
   std::string text;
-  for (const StrokeFault& fault : faults) {
-    text += fmt::format("{}{}:{}", text.empty() ? "" : " ", name_of(fault.kind), fault.stroke);
+  for (const StrokeMistake& mistake : mistakes) {
+    text += fmt::format("{}{}:{}", text.empty() ? "" : " ", name_of(mistake.kind), mistake.stroke);
   }
   return text;
 }
 
-std::optional<std::vector<StrokeFault>> read_faults(std::string_view text) {
-  std::vector<StrokeFault> faults;
+std::optional<std::vector<StrokeMistake>> read_mistakes(std::string_view text) {
+  std::vector<StrokeMistake> mistakes;
   while (!text.empty()) {
     const std::string_view word = text.substr(0, text.find(' '));
     text.remove_prefix(std::min(text.size(), word.size() + 1));
     const std::size_t colon = word.find(':');
     if (colon == std::string_view::npos) return std::nullopt;
-    const auto kind = fault_named(word.substr(0, colon));
-    StrokeFault fault;
+    const auto kind = kanji::mistake_named(word.substr(0, colon));
+    StrokeMistake mistake;
     const char* const end = word.data() + word.size();
-    const auto read = std::from_chars(word.data() + colon + 1, end, fault.stroke);
+    const auto read = std::from_chars(word.data() + colon + 1, end, mistake.stroke);
     if (!kind || read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    fault.kind = *kind;
-    faults.push_back(fault);
+    mistake.kind = *kind;
+    mistakes.push_back(mistake);
   }
-  return faults;
+  return mistakes;
 }
 
 void read_writing(RowReader& row, LogEntry& entry) {
@@ -129,8 +129,8 @@ void read_writing(RowReader& row, LogEntry& entry) {
   writing.proposed = row.one_of<Rating>();
   result.accepted = row.integer(0, 1) == 1;
   result.score = row.integer(0, 100);
-  if (auto faults = read_faults(row.text())) {
-    result.faults = *std::move(faults);
+  if (auto mistakes = read_mistakes(row.text())) {
+    result.mistakes = *std::move(mistakes);
   } else {
     row.refuse();
   }
@@ -198,8 +198,9 @@ void LogWriter::add(const LogEntry& entry, const std::optional<PenMotion>& motio
     const WritingResult& result = writing.result;
     bind << static_cast<int>(writing.stage) << static_cast<int>(writing.rating)
          << static_cast<int>(writing.proposed) << result.accepted << result.score
-         << faults_text(result.faults) << result.hints << result.misses << result.shown_strokes << result.help
-         << static_cast<std::int64_t>(result.duration.count()) << entry.strokes << entry.interval_days;
+         << mistakes_text(result.mistakes) << result.hints << result.misses << result.shown_strokes
+         << result.help << static_cast<std::int64_t>(result.duration.count()) << entry.strokes
+         << entry.interval_days;
   } else {
     bind.skip(13);
   }
@@ -285,9 +286,9 @@ base::Result<void> check_writing(char32_t character, int strokes, const Writing&
   if (result.duration < milliseconds(0) || result.duration > std::chrono::hours(24)) {
     return refuse("is outside a day", "duration");
   }
-  if (result.faults.size() > kMostFaults) return refuse("are too many", "faults");
-  for (const StrokeFault& fault : result.faults) {
-    if (fault.stroke < 0 || fault.stroke > 1'000) return refuse("names no stroke", "fault");
+  if (result.mistakes.size() > kMostMistakes) return refuse("are too many", "faults");
+  for (const StrokeMistake& mistake : result.mistakes) {
+    if (mistake.stroke < 0 || mistake.stroke > 1'000) return refuse("names no stroke", "fault");
   }
   return {};
 }

@@ -3,34 +3,7 @@
 
 #include <algorithm>
 
-#include "named_values.h"
-
 namespace nazori::study {
-std::string_view name_of(FaultKind kind) {
-  switch (kind) {
-    case FaultKind::order:
-      return "order";
-    case FaultKind::reversed:
-      return "reversed";
-    case FaultKind::missing:
-      return "missing";
-    case FaultKind::extra:
-      return "extra";
-    case FaultKind::joined:
-      return "joined";
-    case FaultKind::split:
-      return "split";
-    case FaultKind::wrong:
-      return "wrong";
-    case FaultKind::other:
-      return "other";
-    case FaultKind::ending:
-      return "ending";
-  }
-  return {};
-}
-
-std::optional<FaultKind> fault_named(std::string_view name) { return value_named<FaultKind>(name); }
 
 Rating proposed_rating(const WritingResult& result, const UsualWriting& usual, const RatingRule& rule) {
   if (!result.accepted || result.shown_strokes > 0 || result.hints > rule.most_hints ||
@@ -42,13 +15,14 @@ Rating proposed_rating(const WritingResult& result, const UsualWriting& usual, c
                                             static_cast<double>(usual.duration.count())
                                       : 1;
   const bool structural =
-      std::any_of(result.faults.begin(), result.faults.end(),
-                  [](const StrokeFault& fault) { return fault.kind != FaultKind::ending; });
+      std::any_of(result.mistakes.begin(), result.mistakes.end(),
+                  [](const StrokeMistake& mistake) { return mistake.kind != kanji::MistakeKind::ending; });
   if (result.hints > 0 || result.misses > 0 || result.help > rule.free_help || structural ||
       result.score < rule.score_for_good || pace > rule.slow) {
     return Rating::hard;
   }
-  if (result.faults.empty() && result.score >= rule.score_for_easy && duration_counts && pace <= rule.quick) {
+  if (result.mistakes.empty() && result.score >= rule.score_for_easy && duration_counts &&
+      pace <= rule.quick) {
     return Rating::easy;
   }
   return Rating::good;

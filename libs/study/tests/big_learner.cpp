@@ -11,25 +11,25 @@ namespace nazori::study::test {
 namespace {
 
 /// Eight strokes of a hand that trembles, as large as those of a real kanji when they are packed.
-Ink written_ink(unsigned seed) {
+Handwriting written_ink(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> tremble(-0.2, 0.2);
-  Ink ink;
+  Handwriting ink;
   double time_ms = 0;
   for (int stroke = 0; stroke < 8; ++stroke) {
-    InkStroke points;
+    HandwritingStroke points;
     for (int i = 0; i < 45; ++i, time_ms += 8) {
-      points.push_back(ink_point({10 + 2.0 * i + tremble(random), 10 + 11.0 * stroke + tremble(random)},
-                                 time_ms, 0.6 + tremble(random)));
+      const geometry::GlyphPoint at{10 + 2.0 * i + tremble(random), 10 + 11.0 * stroke + tremble(random)};
+      points.push_back({at, time_ms / 1000, 0.6 + tremble(random)});
     }
     time_ms += 250;
-    ink.strokes.push_back(points);
+    ink.push_back(points);
   }
   return ink;
 }
 
 /// The ink as an export has it.
-std::string in_base64(const Ink& ink) {
+std::string in_base64(const Handwriting& ink) {
   auto store = LearnerStore::in_memory([] { return Time{}; });
   Writing writing;
   if (!store || !store->add_writing(U'休', 6, writing, ink)) std::abort();

@@ -290,7 +290,7 @@ TEST(Statistics, AddUpWhatWasDone) {
   trace.stage = Stage::trace;
   (void)must(learner.store.add_writing(U'二', 2, trace, test::some_ink()));
   learner.clock.advance(days(8));
-  learner.write(U'一', Rating::hard);  // faults: wrong at the third stroke, ending at the first
+  learner.write(U'一', Rating::hard);  // mistakes: wrong at the third stroke, ending at the first
   learner.clock.advance(days(1));
   learner.write(U'一', Rating::again);
   learner.write(U'三', Rating::easy);
@@ -305,7 +305,7 @@ TEST(Statistics, AddUpWhatWasDone) {
   EXPECT_NEAR(statistics.retention.predicted, (0.9024733 + Fsrs().retrievability(26.70418346, 1)) / 2, 1e-6);
   ASSERT_EQ(statistics.hard_strokes.size(), 2U);
   EXPECT_EQ(statistics.hard_strokes[1].stroke, 2);
-  EXPECT_EQ(statistics.hard_strokes[1].kinds.at(FaultKind::wrong), 2);
+  EXPECT_EQ(statistics.hard_strokes[1].kinds.at(kanji::MistakeKind::wrong), 2);
   EXPECT_EQ(statistics.hard_strokes[1].writings, 3);
   ASSERT_EQ(statistics.motion.size(), 1U);
   EXPECT_GT(statistics.motion[0].speed, 0);

@@ -30,7 +30,7 @@ TEST(ExportCsv, EachColumnHoldsWhatItsHeadSays) {
   writing.proposed = Rating::hard;
   writing.result = {false,
                     7,
-                    {{FaultKind::split, 0}, {FaultKind::other, 9}},
+                    {{kanji::MistakeKind::split, 0}, {kanji::MistakeKind::other, 9}},
                     3,
                     4,
                     5,

@@ -27,7 +27,7 @@ json small_export() {
   settings.fuzz = true;
   EXPECT_TRUE(store.change_settings(settings));
   Writing writing = review(Rating::good);
-  writing.result.faults = {{FaultKind::wrong, 2}};
+  writing.result.mistakes = {{kanji::MistakeKind::wrong, 2}};
   (void)must(store.add_writing(U'休', 6, writing, some_ink()));
   EXPECT_TRUE(store.postpone(std::array{U'休'}, *parse_day("2026-01-05")));
   EXPECT_TRUE(must(store.undo()));
@@ -77,7 +77,7 @@ TEST(ImportLimits, NumbersOfAWritingHaveTheirRanges) {
   EXPECT_THAT(with(kWriting, "accepted", 1), HasSubstr("accepted"));
 }
 
-TEST(ImportLimits, AFaultNamesAStrokeUpToTheThousandth) {
+TEST(ImportLimits, AMistakeNamesAStrokeUpToTheThousandth) {
   const auto with_stroke = [](const json& stroke) {
     json all = small_export();
     all["entries"][kWriting]["faults"][0]["stroke"] = stroke;

@@ -30,22 +30,23 @@ Writing review(Rating rating) {
   writing.proposed = rating;
   writing.result.accepted = rating != Rating::again;
   writing.result.score = rating == Rating::again ? 40 : 85;
-  if (rating <= Rating::hard) writing.result.faults = {{FaultKind::wrong, 2}, {FaultKind::ending, 0}};
+  if (rating <= Rating::hard)
+    writing.result.mistakes = {{kanji::MistakeKind::wrong, 2}, {kanji::MistakeKind::ending, 0}};
   writing.result.duration = std::chrono::milliseconds(12'345);
   return writing;
 }
 
-Ink some_ink(int seed) {
-  Ink ink;
+Handwriting some_ink(int seed) {
+  Handwriting ink;
   int time = 0;
   for (int stroke = 0; stroke < 2; ++stroke) {
-    InkStroke points;
+    HandwritingStroke points;
     for (int i = 0; i < 60; ++i, time += 8) {
-      points.push_back(
-          ink_point({20 + i + 3 * std::sin(i * 0.1 * seed), 30.0 + 20 * stroke}, time, 0.5 + 0.004 * i));
+      points.push_back(saved_point(
+          {{20 + i + 3 * std::sin(i * 0.1 * seed), 30.0 + 20 * stroke}, time / 1000.0, 0.5 + 0.004 * i}));
     }
     time += 200;
-    ink.strokes.push_back(points);
+    ink.push_back(points);
   }
   return ink;
 }
@@ -92,8 +93,8 @@ void study_at_random(LearnerStore& store, MovedClock& clock, unsigned seed, int 
       default: {
         Writing writing = review(kRatings[random() % 4]);
         writing.stage = kStages[random() % 8 < 2 ? random() % 3 : 3];
-        (void)must(store.add_writing(one, 5, writing,
-                                     random() % 3 == 0 ? some_ink(static_cast<int>(random() % 9)) : Ink{}));
+        (void)must(store.add_writing(
+            one, 5, writing, random() % 3 == 0 ? some_ink(static_cast<int>(random() % 9)) : Handwriting{}));
       }
     }
   }

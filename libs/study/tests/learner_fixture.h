@@ -42,7 +42,7 @@ class MovedClock {
 /// A review from memory with this rating.
 Writing review(Rating rating);
 /// Ink of two strokes with times.
-Ink some_ink(int seed = 1);
+Handwriting some_ink(int seed = 1);
 
 /// The value, or a failed test and an abort.
 template <class T>

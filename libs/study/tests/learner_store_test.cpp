@@ -346,7 +346,7 @@ std::vector<Enum> all_of() {
   return all;
 }
 
-TEST(LearnerStore, EveryStageRatingAndFaultThereIsComesBack) {
+TEST(LearnerStore, EveryStageRatingAndMistakeThereIsComesBack) {
   const TemporaryFolder folder;
   const MovedClock clock("2026-01-01T09:00:00Z");
   std::vector<Writing> written;
@@ -356,8 +356,9 @@ TEST(LearnerStore, EveryStageRatingAndFaultThereIsComesBack) {
       for (const Rating rating : all_of<Rating>()) {
         Writing& writing = written.emplace_back(review(rating));
         writing.stage = stage;
-        writing.result.faults.clear();
-        for (const FaultKind kind : all_of<FaultKind>()) writing.result.faults.push_back({kind, 1});
+        writing.result.mistakes.clear();
+        for (const kanji::MistakeKind kind : all_of<kanji::MistakeKind>())
+          writing.result.mistakes.push_back({kind, 1});
         (void)must(store.add_writing(kRest, 6, writing));
       }
     }

@@ -31,7 +31,7 @@ TEST(ProposedRating, FlawlessAndNotSlowIsEasyOnceThePaceIsKnown) {
 
 TEST(ProposedRating, EndingsAreAdviceOnly) {
   WritingResult result = good(95);
-  result.faults = {{FaultKind::ending, 1}};
+  result.mistakes = {{kanji::MistakeKind::ending, 1}};
   EXPECT_EQ(proposed_rating(result, kTenSeconds), Rating::good);
 }
 
@@ -46,8 +46,9 @@ TEST(ProposedRating, EachThingThatWentWrongMakesItHard) {
   EXPECT_EQ(with([](auto& r) { r.help = 0.2; }), Rating::hard);
   EXPECT_EQ(with([](auto& r) { r.score = 69; }), Rating::hard);
   EXPECT_EQ(with([](auto& r) { r.duration = seconds(21); }), Rating::hard);
-  for (const FaultKind kind : {FaultKind::order, FaultKind::reversed, FaultKind::joined, FaultKind::split}) {
-    EXPECT_EQ(with([kind](auto& r) { r.faults = {{kind, 0}}; }), Rating::hard) << name_of(kind);
+  for (const kanji::MistakeKind kind : {kanji::MistakeKind::order, kanji::MistakeKind::reversed,
+                                        kanji::MistakeKind::joined, kanji::MistakeKind::split}) {
+    EXPECT_EQ(with([kind](auto& r) { r.mistakes = {{kind, 0}}; }), Rating::hard) << name_of(kind);
   }
 }
 
@@ -142,7 +143,7 @@ TEST(Lesson, ErrorsAreSharesOfTheCharacter) {
   half.shown_strokes = 3;
   EXPECT_EQ(error_of(half, 6), 1);
   half.shown_strokes = 0;
-  half.faults = {{FaultKind::wrong, 0}, {FaultKind::order, 1}};
+  half.mistakes = {{kanji::MistakeKind::wrong, 0}, {kanji::MistakeKind::order, 1}};
   EXPECT_NEAR(error_of(half, 4), 0.25, 1e-12);
 }
 
@@ -171,19 +172,20 @@ TEST(ProposedRating, EachBoundIsWhereTheManualSays) {
   EXPECT_EQ(with([](auto& r) { r.duration = seconds(99); }, {seconds(10), 2}), Rating::good);
 }
 
-TEST(ProposedRating, OneFaultOfAnotherKindAmongEndingsIsEnough) {
+TEST(ProposedRating, OneMistakeOfAnotherKindAmongEndingsIsEnough) {
   WritingResult result = good(95);
-  result.faults = {{FaultKind::ending, 0}, {FaultKind::wrong, 1}};
+  result.mistakes = {{kanji::MistakeKind::ending, 0}, {kanji::MistakeKind::wrong, 1}};
   EXPECT_EQ(proposed_rating(result, kTenSeconds), Rating::hard);
-  for (const FaultKind kind : {FaultKind::missing, FaultKind::extra, FaultKind::other, FaultKind::wrong}) {
-    result.faults = {{kind, 0}};
+  for (const kanji::MistakeKind kind : {kanji::MistakeKind::missing, kanji::MistakeKind::extra,
+                                        kanji::MistakeKind::other, kanji::MistakeKind::wrong}) {
+    result.mistakes = {{kind, 0}};
     EXPECT_EQ(proposed_rating(result, kTenSeconds), Rating::hard) << name_of(kind);
   }
 }
 
-TEST(ProposedRating, AWritingBeginsWithoutAnyFault) {
+TEST(ProposedRating, AWritingBeginsWithoutAnyMistake) {
   EXPECT_EQ(WritingResult(), (WritingResult{true, 100, {}, 0, 0, 0, 0, milliseconds(0)}));
-  EXPECT_EQ(StrokeFault(), (StrokeFault{FaultKind::wrong, 0}));
+  EXPECT_EQ(StrokeMistake(), (StrokeMistake{kanji::MistakeKind::wrong, 0}));
   EXPECT_EQ(UsualWriting().count, 0);
   EXPECT_EQ(UsualWriting().duration, milliseconds(0));
 }
@@ -191,11 +193,12 @@ TEST(ProposedRating, AWritingBeginsWithoutAnyFault) {
 TEST(Lesson, NamesAreReadBack) {
   for (const Stage stage : kStages) EXPECT_EQ(stage_named(name_of(stage)), stage);
   EXPECT_FALSE(stage_named("sleep"));
-  for (const FaultKind kind :
-       {FaultKind::order, FaultKind::reversed, FaultKind::missing, FaultKind::extra, FaultKind::joined,
-        FaultKind::split, FaultKind::wrong, FaultKind::other, FaultKind::ending})
-    EXPECT_EQ(fault_named(name_of(kind)), kind);
-  EXPECT_FALSE(fault_named(""));
+  for (const kanji::MistakeKind kind :
+       {kanji::MistakeKind::order, kanji::MistakeKind::reversed, kanji::MistakeKind::missing,
+        kanji::MistakeKind::extra, kanji::MistakeKind::joined, kanji::MistakeKind::split,
+        kanji::MistakeKind::wrong, kanji::MistakeKind::other, kanji::MistakeKind::ending})
+    EXPECT_EQ(kanji::mistake_named(name_of(kind)), kind);
+  EXPECT_FALSE(kanji::mistake_named(""));
 }
 
 TEST(Lesson, BeginsWithAllTheHelpAndNoFailure) {
@@ -290,7 +293,7 @@ TEST(Lesson, HelpAndErrorStayBetweenNoneAndAll) {
   EXPECT_EQ(faded_help(0, 0), 0);
 }
 
-TEST(Lesson, AMissOrHintIsHalfAShownStrokeAndAFaultAQuarter) {
+TEST(Lesson, AMissOrHintIsHalfAShownStrokeAndAMistakeAQuarter) {
   const auto error = [](auto change) {
     WritingResult result = good();
     change(result);
@@ -299,10 +302,10 @@ TEST(Lesson, AMissOrHintIsHalfAShownStrokeAndAFaultAQuarter) {
   EXPECT_EQ(error([](auto& r) { r.shown_strokes = 1; }), 0.25);
   EXPECT_EQ(error([](auto& r) { r.misses = 1; }), 0.125);
   EXPECT_EQ(error([](auto& r) { r.hints = 1; }), 0.125);
-  EXPECT_EQ(error([](auto& r) { r.faults = {{FaultKind::wrong, 0}}; }), 0.0625);
+  EXPECT_EQ(error([](auto& r) { r.mistakes = {{kanji::MistakeKind::wrong, 0}}; }), 0.0625);
   EXPECT_EQ(error([](auto& r) {
               r.shown_strokes = r.misses = r.hints = 1;
-              r.faults = {{FaultKind::wrong, 0}};
+              r.mistakes = {{kanji::MistakeKind::wrong, 0}};
             }),
             0.5625);
   EXPECT_EQ(error([](auto& r) { r.shown_strokes = 8; }), 1);

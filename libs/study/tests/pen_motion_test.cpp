@@ -8,25 +8,23 @@
 #include <numbers>
 #include <vector>
 
-#include "nazori/study/ink.h"
+#include "nazori/study/handwriting.h"
 
 namespace nazori::study {
 namespace {
 
 /// A point on the x axis, in units.
-InkPoint at(double x, int time_ms) {
-  return {static_cast<std::int32_t>(std::lround(x * InkPoint::kStepsPerUnit)), 0, time_ms, 255};
-}
+HandwritingPoint at(double x, int time_ms) { return {{x, 0}, time_ms / 1000.0, 1.0}; }
 
 /// A stroke whose speed, in units a second, is given for each 10 ms. Speeds of whole 100 / 32 are exact.
-InkStroke with_speeds(const std::vector<int>& steps) {
-  InkStroke stroke{at(0, 0)};
-  std::int32_t x = 0;
+HandwritingStroke with_speeds(const std::vector<int>& steps) {
+  HandwritingStroke stroke{at(0, 0)};
+  int x = 0;
   int time = 0;
   for (const int one : steps) {
     x += one;
     time += 10;
-    stroke.push_back({x, 0, time, 255});
+    stroke.push_back(at(x / 32.0, time));
   }
   return stroke;
 }
@@ -66,7 +64,7 @@ TEST(PenMotion, SmoothnessIsTheSpectralArcLengthOfTheSpeed) {
   profiles.push_back(two);
   profiles.push_back(uneven);
   for (const std::vector<int>& steps : profiles) {
-    const auto motion = motion_of(Ink{{with_speeds(steps)}});
+    const auto motion = motion_of(Handwriting{with_speeds(steps)});
     ASSERT_TRUE(motion);
     EXPECT_NEAR(motion->smoothness, arc_length_of(steps), 1e-9);
     double length = 0;
@@ -89,25 +87,25 @@ TEST(PenMotion, OfConstantSpeedHasTheSpectrumOfAPulse) {
   double arc = 0;
   for (std::size_t i = 1; i < amplitudes.size(); ++i)
     arc += std::hypot(1.0 / static_cast<double>(amplitudes.size() - 1), amplitudes[i] - amplitudes[i - 1]);
-  const auto motion = motion_of(Ink{{with_speeds(std::vector(kSamples, 32))}});
+  const auto motion = motion_of(Handwriting{with_speeds(std::vector(kSamples, 32))});
   ASSERT_TRUE(motion);
   EXPECT_NEAR(motion->smoothness, -arc, 1e-9);
 }
 
 TEST(PenMotion, IsTheSameHoweverUnevenlyThePointsCome) {
   // 4 units in 40 ms, then 1 unit in 60 ms, then 6 units in 100 ms: read off every 10 ms.
-  const InkStroke few{at(0, 500), at(4, 540), at(5, 600), at(11, 700)};
+  const HandwritingStroke few{at(0, 500), at(4, 540), at(5, 600), at(11, 700)};
   std::vector<double> speed(4, 100.0);
   speed.insert(speed.end(), 6, 1 / 0.06);
   speed.insert(speed.end(), 10, 60.0);
-  const auto motion = motion_of(Ink{{few}});
+  const auto motion = motion_of(Handwriting{few});
   ASSERT_TRUE(motion);
   EXPECT_NEAR(motion->smoothness, arc_length(speed), 1e-9);
   EXPECT_NEAR(motion->speed, 11 / 0.2, 1e-9);
   // Points between the samples, one of them twice at the same moment.
-  const InkStroke many{at(0, 0),  at(0.5, 5), at(1.5, 15),  at(1.5, 15),
-                       at(4, 40), at(5, 100), at(5.5, 108), at(11, 200)};
-  const auto again = motion_of(Ink{{many}});
+  const HandwritingStroke many{at(0, 0),  at(0.5, 5), at(1.5, 15),  at(1.5, 15),
+                               at(4, 40), at(5, 100), at(5.5, 108), at(11, 200)};
+  const auto again = motion_of(Handwriting{many});
   ASSERT_TRUE(again);
   std::vector<double> other(4, 100.0);
   other.insert(other.end(), 6, 1 / 0.06);
@@ -118,7 +116,7 @@ TEST(PenMotion, IsTheSameHoweverUnevenlyThePointsCome) {
 }
 
 TEST(PenMotion, OfAStrokeThatTurnsGoesByItsLength) {
-  Ink ink{{{{0, 0, 0, 9}, {96, 128, 50, 9}, {0, 0, 100, 9}}}};
+  const Handwriting ink{{{{0, 0}, 0.0}, {{3, 4}, 0.05}, {{0, 0}, 0.1}}};
   const auto motion = motion_of(ink);
   ASSERT_TRUE(motion);
   EXPECT_NEAR(motion->speed, 10 / 0.1, 1e-9) << "there and back, five units each";
@@ -126,20 +124,20 @@ TEST(PenMotion, OfAStrokeThatTurnsGoesByItsLength) {
 
 TEST(PenMotion, TakesStrokesFromTwoUnitsAndEightyMillisecondsOn) {
   const auto counts = [](double length, int time_ms) {
-    return motion_of(Ink{{{at(0, 0), at(length, time_ms)}}}).has_value();
+    return motion_of(Handwriting{{at(0, 0), at(length, time_ms)}}).has_value();
   };
   EXPECT_TRUE(counts(2, 80));
   EXPECT_FALSE(counts(2, 79));
   EXPECT_FALSE(counts(2 - 1.0 / 32, 80));
-  EXPECT_FALSE(motion_of(Ink{{{}}}));
-  EXPECT_FALSE(motion_of(Ink{{{at(0, 0)}}}));
+  EXPECT_FALSE(motion_of(Handwriting(1)));
+  EXPECT_FALSE(motion_of(Handwriting{{at(0, 0)}}));
 }
 
 TEST(PenMotion, IsTheMeanOverStrokesAndTheSpeedOverTheirLength) {
   const std::vector<int> slow(40, 8);
   std::vector<int> uneven;
   for (int i = 0; i < 20; ++i) uneven.push_back(10 + 30 * (i % 2));
-  const Ink ink{{with_speeds(slow), {at(0, 0), at(0.5, 300)}, with_speeds(uneven)}};
+  const Handwriting ink{with_speeds(slow), {at(0, 0), at(0.5, 300)}, with_speeds(uneven)};
   const auto motion = motion_of(ink);
   ASSERT_TRUE(motion);
   EXPECT_NEAR(motion->smoothness, (arc_length_of(slow) + arc_length_of(uneven)) / 2, 1e-9);
@@ -150,12 +148,12 @@ TEST(PenMotion, WhatRestsIsCutAfterTwentySeconds) {
   // Five times a second fast and slow.
   std::vector<int> steps;
   for (int i = 0; i < 2'000; ++i) steps.push_back(i / 10 % 2 == 0 ? 1 : 5);
-  InkStroke stroke = with_speeds(steps);
-  ASSERT_EQ(stroke.back().time_ms, 20'000);
-  const double whole = motion_of(Ink{{stroke}})->smoothness;
+  HandwritingStroke stroke = with_speeds(steps);
+  ASSERT_EQ(stroke.back().time_s, 20);
+  const double whole = motion_of(Handwriting{stroke})->smoothness;
   EXPECT_NEAR(whole, arc_length_of(steps), 1e-6);
-  stroke.push_back({stroke.back().x + 3'200, 0, 27'000, 255});
-  EXPECT_NEAR(motion_of(Ink{{stroke}})->smoothness, whole, 1e-9);
+  stroke.push_back(at(stroke.back().at.x + 100, 27'000));
+  EXPECT_NEAR(motion_of(Handwriting{stroke})->smoothness, whole, 1e-9);
 }
 
 }  // namespace

@@ -27,15 +27,15 @@ struct Learner {
   MovedClock clock{"2026-01-01T09:00:00Z"};
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
   Learner() { use_zone(store, "UTC"); }
-  void write(char32_t c, Rating rating, Stage stage = Stage::memory, const Ink& ink = {}) {
+  void write(char32_t c, Rating rating, Stage stage = Stage::memory, const Handwriting& ink = {}) {
     Writing writing = review(rating);
     writing.stage = stage;
     (void)must(store.add_writing(c, 4, writing, ink));
   }
-  void write_with_faults(char32_t c, std::vector<StrokeFault> faults, Stage stage = Stage::memory) {
+  void write_with_mistakes(char32_t c, std::vector<StrokeMistake> mistakes, Stage stage = Stage::memory) {
     Writing writing = review(Rating::good);
     writing.stage = stage;
-    writing.result.faults = std::move(faults);
+    writing.result.mistakes = std::move(mistakes);
     (void)must(store.add_writing(c, 4, writing));
   }
   [[nodiscard]] Statistics statistics() const { return must(statistics_of(store)); }
@@ -152,16 +152,16 @@ TEST(StatisticsActivity, BeginsWithNothing) {
 
 TEST(StatisticsStrokes, ThatWentWrongTwiceComeWorstFirst) {
   Learner learner;
-  const auto wrong = [](int stroke) { return StrokeFault{FaultKind::wrong, stroke}; };
-  for (int i = 0; i < 3; ++i) learner.write_with_faults(U'一', {wrong(1), wrong(0)});
-  for (int i = 0; i < 2; ++i) learner.write_with_faults(U'二', {wrong(5)});
-  for (int i = 0; i < 2; ++i) learner.write_with_faults(U'三', {wrong(5)}, Stage::trace);
-  learner.write_with_faults(U'二', {});
-  learner.write_with_faults(U'四', {wrong(0)});                                            // once only
-  for (int i = 0; i < 2; ++i) learner.write_with_faults(U'五', {wrong(0)}, Stage::watch);  // only watched
+  const auto wrong = [](int stroke) { return StrokeMistake{kanji::MistakeKind::wrong, stroke}; };
+  for (int i = 0; i < 3; ++i) learner.write_with_mistakes(U'一', {wrong(1), wrong(0)});
+  for (int i = 0; i < 2; ++i) learner.write_with_mistakes(U'二', {wrong(5)});
+  for (int i = 0; i < 2; ++i) learner.write_with_mistakes(U'三', {wrong(5)}, Stage::trace);
+  learner.write_with_mistakes(U'二', {});
+  learner.write_with_mistakes(U'四', {wrong(0)});                                            // once only
+  for (int i = 0; i < 2; ++i) learner.write_with_mistakes(U'五', {wrong(0)}, Stage::watch);  // only watched
   std::vector<std::tuple<char32_t, int, int, int>> hard;
   for (const HardStroke& one : learner.statistics().hard_strokes)
-    hard.emplace_back(one.character, one.stroke, one.faults, one.writings);
+    hard.emplace_back(one.character, one.stroke, one.mistakes, one.writings);
   using Hard = std::tuple<char32_t, int, int, int>;
   EXPECT_THAT(hard, ElementsAre(Hard(U'一', 0, 3, 3), Hard(U'一', 1, 3, 3), Hard(U'三', 5, 2, 2),
                                 Hard(U'二', 5, 2, 3)));
@@ -169,9 +169,9 @@ TEST(StatisticsStrokes, ThatWentWrongTwiceComeWorstFirst) {
 
 TEST(StatisticsStrokes, AreAHundredAtMost) {
   Learner learner;
-  std::vector<StrokeFault> faults;
-  for (int stroke = 0; stroke < 101; ++stroke) faults.push_back({FaultKind::order, stroke});
-  for (int i = 0; i < 2; ++i) learner.write_with_faults(U'一', faults);
+  std::vector<StrokeMistake> mistakes;
+  for (int stroke = 0; stroke < 101; ++stroke) mistakes.push_back({kanji::MistakeKind::order, stroke});
+  for (int i = 0; i < 2; ++i) learner.write_with_mistakes(U'一', mistakes);
   const auto hard = learner.statistics().hard_strokes;
   ASSERT_EQ(hard.size(), 100U);
   EXPECT_EQ(hard.back().stroke, 99);

@@ -157,18 +157,19 @@ TEST(Statistics, TheLastThirtyDaysAreTodayAndTheTwentyNineBefore) {
   }
 }
 
-TEST(Statistics, TwoFaultsOfAStrokeInOneWritingAreOneWritingThatWentWrong) {
+TEST(Statistics, TwoMistakesOfAStrokeInOneWritingAreOneWritingThatWentWrong) {
   Learner learner;
   Writing writing = review(Rating::hard);
-  writing.result.faults = {{FaultKind::wrong, 2}, {FaultKind::ending, 2}};
+  writing.result.mistakes = {{kanji::MistakeKind::wrong, 2}, {kanji::MistakeKind::ending, 2}};
   for (int i = 0; i < 2; ++i) (void)must(learner.store.add_writing(U'一', 4, writing));
   const Statistics statistics = must(statistics_of(learner.store));
   ASSERT_EQ(statistics.hard_strokes.size(), 1U);
   EXPECT_EQ(statistics.hard_strokes[0].stroke, 2);
-  EXPECT_EQ(statistics.hard_strokes[0].faults, 2);
+  EXPECT_EQ(statistics.hard_strokes[0].mistakes, 2);
   EXPECT_EQ(statistics.hard_strokes[0].writings, 2);
-  EXPECT_EQ(statistics.hard_strokes[0].kinds,
-            (std::map<FaultKind, int>{{FaultKind::wrong, 2}, {FaultKind::ending, 2}}));
+  EXPECT_EQ(
+      statistics.hard_strokes[0].kinds,
+      (std::map<kanji::MistakeKind, int>{{kanji::MistakeKind::wrong, 2}, {kanji::MistakeKind::ending, 2}}));
 }
 
 TEST(Statistics, CanBeStopped) {

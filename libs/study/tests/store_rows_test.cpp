@@ -75,17 +75,17 @@ TEST(WritingLimits, NothingIsCountedBelowNone) {
   }
 }
 
-TEST(WritingLimits, AThousandFaultsOfAThousandStrokesAreTaken) {
-  const auto faults = [](std::size_t count, int stroke) {
-    return refused([=](Writing& w) { w.result.faults.assign(count, {FaultKind::wrong, stroke}); });
+TEST(WritingLimits, AThousandMistakesOfAThousandStrokesAreTaken) {
+  const auto mistakes = [](std::size_t count, int stroke) {
+    return refused([=](Writing& w) { w.result.mistakes.assign(count, {kanji::MistakeKind::wrong, stroke}); });
   };
-  EXPECT_EQ(faults(1'000, 0), "");
-  EXPECT_EQ(faults(1'001, 0), "faults");
-  EXPECT_EQ(faults(1, 1'000), "");
-  EXPECT_EQ(faults(1, 1'001), "fault");
-  EXPECT_EQ(faults(1, -1), "fault");
+  EXPECT_EQ(mistakes(1'000, 0), "");
+  EXPECT_EQ(mistakes(1'001, 0), "faults");
+  EXPECT_EQ(mistakes(1, 1'000), "");
+  EXPECT_EQ(mistakes(1, 1'001), "fault");
+  EXPECT_EQ(mistakes(1, -1), "fault");
   EXPECT_EQ(refused([](Writing& w) {
-              w.result.faults = {{FaultKind::wrong, 1}, {FaultKind::wrong, -1}};
+              w.result.mistakes = {{kanji::MistakeKind::wrong, 1}, {kanji::MistakeKind::wrong, -1}};
             }),
             "fault");
 }
@@ -96,7 +96,7 @@ class ChangedFile {
   ChangedFile() {
     LearnerStore store = opened();
     Writing writing = review(Rating::good);
-    writing.result.faults = {{FaultKind::wrong, 2}, {FaultKind::ending, 0}};
+    writing.result.mistakes = {{kanji::MistakeKind::wrong, 2}, {kanji::MistakeKind::ending, 0}};
     (void)must(store.add_writing(kRest, 6, writing, some_ink()));
     (void)must(store.add_writing(kRest, 6, writing, some_ink()));
     EXPECT_TRUE(must(store.undo()));
@@ -317,8 +317,14 @@ TEST(StoreRows, EveryMemberOfAWritingIsKept) {
   writing.stage = Stage::guided;
   writing.rating = Rating::again;
   writing.proposed = Rating::easy;
-  writing.result = {
-      false, 7, {{FaultKind::split, 11}, {FaultKind::other, 12}}, 3, 4, 5, 0.125, milliseconds(678)};
+  writing.result = {false,
+                    7,
+                    {{kanji::MistakeKind::split, 11}, {kanji::MistakeKind::other, 12}},
+                    3,
+                    4,
+                    5,
+                    0.125,
+                    milliseconds(678)};
   {
     LearnerStore store = must(LearnerStore::open(folder / "learner.db", Access::write, clock.clock()));
     (void)must(store.add_writing(kRest, 6, writing));

@@ -26,7 +26,7 @@ struct Place {
 };
 
 /// The line with all its bends kept and no two neighbours further apart than `step`.
-std::vector<Place> walk(const StrokeLine& line, double step) {
+std::vector<Place> walk(const TabletLine& line, double step) {
   std::vector<Place> places;
   if (line.points.empty()) return places;
   places.push_back({line.points.front(), 0});
@@ -46,9 +46,9 @@ std::vector<Place> walk(const StrokeLine& line, double step) {
 }
 
 /// The distance between places for all strokes together.
-double step_for(std::span<const StrokeLine> lines) {
+double step_for(std::span<const TabletLine> lines) {
   double length = 0;
-  for (const StrokeLine& line : lines) length += geometry::arc_length<geometry::GlyphFrame>(line.points);
+  for (const TabletLine& line : lines) length += geometry::arc_length<geometry::GlyphFrame>(line.points);
   return std::max(kStep, length / kMostSteps);
 }
 
@@ -57,17 +57,17 @@ haptics::Vec3 in_tablet(GlyphPoint p, double z_m, const geometry::TabletShape& s
   return {at.x, at.y, z_m};
 }
 
-/// One path for each line; `depth_at` gives the depth of a line's groove as a function of the place, as a
+/// One path for each line; `depth_of_line` gives, by a line's index, the depth of its groove at a place, as a
 /// fraction of the tablet's depth.
 template <class DepthOfLine>
-std::vector<haptics::StrokePath> paths_of(std::span<const StrokeLine> lines,
+std::vector<haptics::StrokePath> paths_of(std::span<const TabletLine> lines,
                                           const geometry::TabletShape& shape, DepthOfLine depth_of_line) {
   const double step = step_for(lines);
   std::vector<haptics::StrokePath> paths;
   paths.reserve(lines.size());
-  for (const StrokeLine& line : lines) {
+  for (const TabletLine& line : lines) {
     const std::vector<Place> places = walk(line, step);
-    const auto depth_at = depth_of_line(line, places.empty() ? 0.0 : places.back().s);
+    const auto depth_at = depth_of_line(paths.size(), places.empty() ? 0.0 : places.back().s);
     haptics::StrokePath path;
     path.points.reserve(places.size());
     for (const Place& place : places) {
@@ -87,7 +87,7 @@ base::Result<void> check_shape(const geometry::TabletShape& shape) {
   return {};
 }
 
-base::Result<void> check_lines(std::span<const StrokeLine> lines) {
+base::Result<void> check_lines(std::span<const TabletLine> lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (const GlyphPoint p : lines[i].points) {
       if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
@@ -112,21 +112,21 @@ base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_lines(
 
   std::shared_ptr<CarvedTablet> tablet(new CarvedTablet);
   const carving::Brush carved = carving::fitted(brush, lines);
-  tablet->paths_ = paths_of(lines, shape, [&](const StrokeLine& line, double length) {
-    const double hook = carving::hook_length(line);
-    return [&carved, ending = line.ending, length, hook](const Place& place) {
+  tablet->lines_ = tablet_lines(lines);
+  tablet->paths_ = paths_of(tablet->lines_, shape, [&](std::size_t line, double length) {
+    const double hook = carving::hook_length(lines[line]);
+    return [&carved, ending = lines[line].ending, length, hook](const Place& place) {
       return carving::brush_at(carved, ending, place.s, length, hook).depth;
     };
   });
   tablet->map_ = std::move(*map);
-  tablet->lines_ = std::move(lines);
   tablet->shape_ = shape;
   tablet->surface_ = std::move(*surface);
   return tablet;
 }
 
 base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_height_map(
-    surface::HeightMap map, std::vector<StrokeLine> lines, const geometry::TabletShape& shape,
+    surface::HeightMap map, std::vector<TabletLine> lines, const geometry::TabletShape& shape,
     std::shared_ptr<const haptics::FrictionZones> friction) {
   if (auto ok = check_shape(shape); !ok) return tl::unexpected(std::move(ok.error()));
   if (auto ok = check_lines(lines); !ok) return tl::unexpected(std::move(ok.error()));
@@ -138,7 +138,7 @@ base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_height_map(
 
   std::shared_ptr<CarvedTablet> tablet(new CarvedTablet);
   const int size = map.size();
-  tablet->paths_ = paths_of(lines, shape, [&](const StrokeLine&, double) {
+  tablet->paths_ = paths_of(lines, shape, [&](std::size_t, double) {
     return [&relief = **surface, size](const Place& place) {
       const geometry::GridPoint at = geometry::glyph_to_grid(place.point, size);
       return std::clamp(1 - relief.at(at.x, at.y).height, 0.0, 1.0);

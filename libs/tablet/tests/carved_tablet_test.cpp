@@ -138,7 +138,7 @@ TEST(CarvedTablet, ThePathsRiseByTheLengthWalkedRoundEveryBend) {
   }
   EXPECT_EQ(tablet->shape().width_m, 0.3);
   EXPECT_EQ(tablet->shape().depth_m, 0.02);
-  EXPECT_EQ(tablet->lines(), lines);
+  EXPECT_EQ(tablet->lines(), tablet_lines(lines));
   EXPECT_EQ(tablet->height_map(), *carving::carve(lines, 128));
   EXPECT_EQ(tablet->friction(), nullptr);
 }

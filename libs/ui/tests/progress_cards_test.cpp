@@ -52,8 +52,8 @@ class ProgressCards : public SessionTest {
                     {U'二', Strength::young, 0.9},
                     {U'三', Strength::learning, 0.8},
                     {U'四', Strength::young, 0.7}};
-    s.hard_strokes = {{U'休', 2, 4, 9, {{study::FaultKind::wrong, 4}}},
-                      {U'人', 0, 2, 5, {{study::FaultKind::order, 2}}}};
+    s.hard_strokes = {{U'休', 2, 4, 9, {{kanji::MistakeKind::wrong, 4}}},
+                      {U'人', 0, 2, 5, {{kanji::MistakeKind::order, 2}}}};
     s.streak = {3, 12, true, false};
     s.reviews = 1234;
     s.time = std::chrono::minutes(75);

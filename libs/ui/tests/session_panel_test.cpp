@@ -58,16 +58,16 @@ TEST_F(SessionPanelTest, SaysWhyACharacterComesAndWhichStageItIsAt) {
 
 TEST_F(SessionPanelTest, TellsWhatWasForgottenAndWhichThreeStrokesWentWrongMost) {
   study::WritingResult result;
-  using study::FaultKind;
-  result.faults = {{FaultKind::wrong, 0},
-                   {FaultKind::order, 1},
-                   {FaultKind::wrong, 3},
-                   {FaultKind::wrong, 2},
-                   {FaultKind::ending, 4}};
+  using kanji::MistakeKind;
+  result.mistakes = {{MistakeKind::wrong, 0},
+                     {MistakeKind::order, 1},
+                     {MistakeKind::wrong, 3},
+                     {MistakeKind::wrong, 2},
+                     {MistakeKind::ending, 4}};
   know(U'八', Rating::easy, result);
-  result.faults = {{FaultKind::wrong, 0}, {FaultKind::wrong, 1},  {FaultKind::wrong, 2},
-                   {FaultKind::wrong, 2}, {FaultKind::ending, 4}, {FaultKind::wrong, 5},
-                   {FaultKind::wrong, 5}};
+  result.mistakes = {{MistakeKind::wrong, 0}, {MistakeKind::wrong, 1},  {MistakeKind::wrong, 2},
+                     {MistakeKind::wrong, 2}, {MistakeKind::ending, 4}, {MistakeKind::wrong, 5},
+                     {MistakeKind::wrong, 5}};
   know(U'八', Rating::again, result);
   learn_from({});
   ASSERT_TRUE(session_->start());
@@ -107,9 +107,9 @@ TEST_F(SessionPanelTest, SaysWhatHelpLoweredTheProposal) {
 
 TEST_F(SessionPanelTest, ShowsTheLastThreeWritingsFromMemoryBesideTodays) {
   const auto ink_of = [](int length) {
-    study::InkStroke stroke;
-    for (int i = 0; i < length; ++i) stroke.push_back(study::ink_point({10.0 + i, 50}, i * 10, 0.5));
-    return study::Ink{{stroke}};
+    study::HandwritingStroke stroke;
+    for (int i = 0; i < length; ++i) stroke.push_back({{10.0 + i, 50}, i * 0.01, 0.5});
+    return study::Handwriting{stroke};
   };
   study::Writing writing;
   writing.rating = Rating::easy;

@@ -63,9 +63,9 @@ class SessionTest : public testing::Test {
     made.accepted = accepted;
     made.score = accepted ? 85 : 30;
     if (!accepted) {
-      writing::Fault missing;
-      missing.kind = writing::FaultKind::missing;
-      made.faults.push_back(missing);
+      writing::Mistake missing;
+      missing.kind = kanji::MistakeKind::missing;
+      made.mistakes.push_back(missing);
     }
     return made;
   }

@@ -259,9 +259,9 @@ TEST_F(SmallWidgets, TheGlyphIsLargeAndInTheMiddleAlsoDrawnFromStrokes) {
 TEST_F(SmallWidgets, PiecesOfWritingStandInRowsWithTheirWords) {
   InkGallery gallery;
   EXPECT_EQ(gallery.heightForWidth(500), 0);
-  study::InkStroke stroke;
-  for (int i = 0; i <= 20; ++i) stroke.push_back(study::ink_point({20 + 3.45 * i, 54.5}, i * 10, 0.5));
-  const InkGallery::Piece piece{{{stroke}}, QStringLiteral("2 Mar 2026\nEasy")};
+  study::HandwritingStroke stroke;
+  for (int i = 0; i <= 20; ++i) stroke.push_back({{20 + 3.45 * i, 54.5}, i * 0.01, 0.5});
+  const InkGallery::Piece piece{{stroke}, QStringLiteral("2 Mar 2026\nEasy")};
   gallery.show_pieces({piece, piece, piece});
   EXPECT_EQ(gallery.accessibleDescription(),
             QStringLiteral("2 Mar 2026\nEasy; 2 Mar 2026\nEasy; 2 Mar 2026\nEasy"));
@@ -285,7 +285,7 @@ TEST_F(SmallWidgets, PiecesOfWritingStandInRowsWithTheirWords) {
   EXPECT_TRUE(gallery.isHidden());
 }
 
-TEST_F(SmallWidgets, AReportTellsPointsFaultsAndHowThePenMoved) {
+TEST_F(SmallWidgets, AReportTellsPointsMistakesAndHowThePenMoved) {
   WritingReport report(nullptr);
   const auto label = [&report](const char* name) {
     return report.findChild<QLabel*>(QString::fromLatin1(name));

@@ -26,27 +26,27 @@ class StudyChartsBounds : public testing::Test {
 
 std::string text(const QString& words) { return words.toStdString(); }
 
-TEST_F(StudyChartsBounds, EveryStrengthAndEveryFaultHasItsWords) {
+TEST_F(StudyChartsBounds, EveryStrengthAndEveryMistakeHasItsWords) {
   using study::Strength;
   const std::map<Strength, std::string> strengths{
       {Strength::unseen, "not met"}, {Strength::learning, "learning"}, {Strength::young, "young"},
       {Strength::mature, "firm"},    {Strength::leech, "set apart"},   {Strength::paused, "paused"}};
   for (const auto& [strength, words] : strengths) EXPECT_EQ(text(StudyCharts::strength(strength)), words);
-  using study::FaultKind;
-  const std::map<FaultKind, std::string> faults{
-      {FaultKind::order, "out of turn"},          {FaultKind::reversed, "drawn backwards"},
-      {FaultKind::missing, "left out"},           {FaultKind::extra, "one too many"},
-      {FaultKind::joined, "joined with another"}, {FaultKind::split, "drawn in pieces"},
-      {FaultKind::wrong, "wrong shape or place"}, {FaultKind::other, "of another character"},
-      {FaultKind::ending, "wrong ending"}};
-  for (const auto& [fault, words] : faults) EXPECT_EQ(text(StudyCharts::fault(fault)), words);
+  using kanji::MistakeKind;
+  const std::map<MistakeKind, std::string> mistakes{
+      {MistakeKind::order, "out of turn"},          {MistakeKind::reversed, "drawn backwards"},
+      {MistakeKind::missing, "left out"},           {MistakeKind::extra, "one too many"},
+      {MistakeKind::joined, "joined with another"}, {MistakeKind::split, "drawn in pieces"},
+      {MistakeKind::wrong, "wrong shape or place"}, {MistakeKind::other, "of another character"},
+      {MistakeKind::ending, "wrong ending"}};
+  for (const auto& [mistake, words] : mistakes) EXPECT_EQ(text(StudyCharts::mistake(mistake)), words);
 }
 
-TEST_F(StudyChartsBounds, FaultsThatAreAsFrequentStandInTheirOwnOrder) {
-  using study::FaultKind;
+TEST_F(StudyChartsBounds, MistakesThatAreAsFrequentStandInTheirOwnOrder) {
+  using kanji::MistakeKind;
   const study::HardStroke stroke{
-      U'休', 0, 3, 3, {{FaultKind::reversed, 1}, {FaultKind::order, 1}, {FaultKind::wrong, 2}}};
-  EXPECT_EQ(text(StudyCharts::faults(stroke)),
+      U'休', 0, 3, 3, {{MistakeKind::reversed, 1}, {MistakeKind::order, 1}, {MistakeKind::wrong, 2}}};
+  EXPECT_EQ(text(StudyCharts::mistakes(stroke)),
             "wrong shape or place (2), out of turn (1), drawn backwards (1)");
 }
 

@@ -32,7 +32,7 @@ study::Statistics some_statistics() {
   for (int i = 0; i < study::kForecastDays; ++i)
     s.forecast.push_back({s.today + days(i), i % 7 == 2 ? 4 : 1});
   s.motion = {{day("2026-03-10"), 10, 109, -2.5}, {day("2026-03-20"), 7, 218, -1.75}};
-  s.hard_strokes = {{U'休', 2, 4, 9, {{study::FaultKind::wrong, 1}, {study::FaultKind::order, 3}}}};
+  s.hard_strokes = {{U'休', 2, 4, 9, {{kanji::MistakeKind::wrong, 1}, {kanji::MistakeKind::order, 3}}}};
   return s;
 }
 
@@ -104,7 +104,7 @@ TEST_F(StudyChartsTest, ThePenIsMeasuredInCharacterWidths) {
 
 TEST_F(StudyChartsTest, AHardStrokeSaysWhatGoesWrongMostFirst) {
   const auto s = some_statistics();
-  EXPECT_EQ(StudyCharts::faults(s.hard_strokes[0]),
+  EXPECT_EQ(StudyCharts::mistakes(s.hard_strokes[0]),
             QStringLiteral("out of turn (3), wrong shape or place (1)"));
   const Numbers numbers = StudyCharts::hard_strokes(s);
   ASSERT_EQ(numbers.rows.size(), 1);

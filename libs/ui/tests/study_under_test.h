@@ -90,7 +90,7 @@ class StudyTest : public WindowTest {
       double time_s = 0;
       for (const auto& line : test::model(character)) {
         const practice::HandStroke stroke = test::hand_stroke(line, time_s);
-        time_s = stroke.back().time_s;
+        time_s = stroke.back().time_s.value_or(0);
         the_characters->findChild<MemoryStage*>()->add_stroke(stroke);
       }
     }

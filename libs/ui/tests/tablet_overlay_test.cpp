@@ -104,20 +104,20 @@ TEST_F(Drawn, EveryChangeAsksForAPicture) {
 }
 
 TEST_F(Drawn, AreTheStrokesThatWereWrittenAndTheInkOfADemonstration) {
-  view::WrittenStroke stroke;
+  view::InkedStroke stroke;
   stroke.opacity = 0.5;
   controller_.set_writing({stroke, stroke});
   EXPECT_EQ(controller_.overlay().writing.size(), 2U);
-  EXPECT_EQ(controller_.overlay().ink.size(), 2U);
+  EXPECT_EQ(controller_.overlay().groove_ink.size(), 2U);
   Demonstration demonstration;
   demonstration.ink = {1, 0.25};
   controller_.set_demonstration(demonstration);
   const auto overlay = controller_.overlay();
-  ASSERT_EQ(overlay.ink.size(), 2U);
-  EXPECT_EQ(overlay.ink[1], 0.25);
+  ASSERT_EQ(overlay.groove_ink.size(), 2U);
+  EXPECT_EQ(overlay.groove_ink[1], 0.25);
   EXPECT_TRUE(overlay.cursor);
   controller_.set_demonstration({});
-  EXPECT_EQ(controller_.overlay().ink[1], 0);
+  EXPECT_EQ(controller_.overlay().groove_ink[1], 0);
 }
 
 TEST_F(Drawn, AStrokeThatIsLeftBeforeItsEndShowsWhatIsMissingUntilItIsTakenBack) {

@@ -114,7 +114,7 @@ TEST_F(PenAndFingers, APenWithoutTiltIsHeldAsAHandHoldsIt) {
 
 TEST_F(PenAndFingers, InkOfAFirmerOrFlatterBrushIsBroader) {
   const auto width = [](double pressure, double lean_rad) {
-    return practice::ink_half_width_m(practice::HandPoint{{}, 0, pressure, lean_rad});
+    return view::ink_half_width_m(practice::HandPoint{{}, 0, pressure, lean_rad});
   };
   EXPECT_GT(width(0.8, 0), width(0.2, 0));
   EXPECT_GT(width(0.5, 1.0), width(0.5, 0.5));

@@ -41,7 +41,7 @@ class Watching : public Practice {
   }
   static std::vector<double> ink() {
     const auto overlay = controller().overlay();
-    return {overlay.ink.begin(), overlay.ink.end()};
+    return {overlay.groove_ink.begin(), overlay.groove_ink.end()};
   }
   std::string place() { return text("watch_label").toStdString(); }
 };

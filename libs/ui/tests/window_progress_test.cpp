@@ -36,10 +36,10 @@ std::unique_ptr<Workplace> make_progress(Desk& desk) {
   return made;
 }
 
-study::Ink straight_ink() {
-  study::InkStroke stroke;
-  for (int i = 0; i < 40; ++i) stroke.push_back(study::ink_point({20.0 + i, 50}, i * 10, 0.5));
-  return {{stroke}};
+study::Handwriting straight_ink() {
+  study::HandwritingStroke stroke;
+  for (int i = 0; i < 40; ++i) stroke.push_back({{20.0 + i, 50}, i * 0.01, 0.5});
+  return {stroke};
 }
 
 class ProgressTest : public WindowTest {
@@ -71,7 +71,7 @@ class ProgressTest : public WindowTest {
         writing.proposed = writing.rating;
         writing.result.accepted = writing.rating != Rating::again;
         writing.result.duration = std::chrono::seconds(12);
-        if (character == U'二') writing.result.faults = {{study::FaultKind::wrong, 1}};
+        if (character == U'二') writing.result.mistakes = {{kanji::MistakeKind::wrong, 1}};
         ASSERT_TRUE(store->add_writing(character, strokes, writing, straight_ink()));
         now_ += minutes(1);
       }

@@ -51,7 +51,7 @@ struct Stage {
     view->set_camera(Camera::resting());
     overlay.strokes_visible = true;
     overlay.cursor = Cursor{};
-    overlay.ink = ink;
+    overlay.groove_ink = ink;
     draw();
   }
   void draw() {

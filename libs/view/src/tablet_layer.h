@@ -26,7 +26,7 @@ class TabletLayer {
   void set_look(const surface::HeightMap& map, const Look& look, DrawStatistics& statistics);
 
   /// Background, shadow and tablet inside `box` of the framebuffer bound.
-  /// @param ink  texture of InkLayer, 0 for none.
+  /// @param ink  texture of GrooveInk, 0 for none.
   void draw(const Projection& projection, const PixelBox& box, GLuint ink);
 
   /// Texture of heights over the face, 255 the plateau.

@@ -11,7 +11,7 @@
 
 #include "canvas.h"
 #include "cursor_layer.h"
-#include "ink_layer.h"
+#include "groove_ink.h"
 #include "projection.h"
 #include "relief.h"
 #include "stroke_layer.h"
@@ -93,7 +93,7 @@ PixelBox box_around(std::span<const glm::vec3> discs_m, const Projection& projec
 struct TabletView::Inside {
   DrawStatistics statistics;
   TabletLayer tablet;
-  InkLayer ink;
+  GrooveInk ink;
   StrokeLayer strokes;
   WritingLayer writing;
   CursorLayer cursor;
@@ -113,7 +113,7 @@ struct TabletView::Inside {
   bool in_motion = false;  ///< the last picture was drawn from another place than the one before
   bool drawn_quickly = false;
 
-  Inside(DrawStatistics counted, TabletLayer tablet_layer, InkLayer ink_layer, StrokeLayer stroke_layer,
+  Inside(DrawStatistics counted, TabletLayer tablet_layer, GrooveInk ink_layer, StrokeLayer stroke_layer,
          WritingLayer writing_layer, CursorLayer cursor_layer)
       : statistics(counted),
         tablet(std::move(tablet_layer)),
@@ -153,10 +153,11 @@ void TabletView::Inside::update_picture(const Projection& projection, const Over
   choice.text_scale = std::clamp(overlay.text_scale, kMinTextScale, kMaxTextScale);
   const PictureKey key{projection.width, projection.height, camera, look, choice, content};
 
-  InkLayer::Change change;
+  GrooveInk::Change change;
   const bool inkable = look.style != Style::classic && !tablet.is_empty() && count > 0;
   if (inkable)
-    change = ink.update(overlay.ink, choice.current, tablet.height_texture(), tablet.face_from_square());
+    change =
+        ink.update(overlay.groove_ink, choice.current, tablet.height_texture(), tablet.face_from_square());
   // The first picture from a new place is a full one; from the second in a row on the camera is in motion.
   const bool turned = drawn.content == content && !same_camera(camera, drawn.camera);
   const bool quick = refinement == Refinement::when_still && turned && in_motion;
@@ -193,7 +194,7 @@ base::Result<std::unique_ptr<TabletView>> TabletView::create() {
   DrawStatistics statistics;
   auto tablet = TabletLayer::create();
   if (!tablet) return tl::unexpected(tablet.error());
-  auto ink = InkLayer::create();
+  auto ink = GrooveInk::create();
   if (!ink) return tl::unexpected(ink.error());
   auto strokes = StrokeLayer::create();
   if (!strokes) return tl::unexpected(strokes.error());

@@ -99,13 +99,15 @@ const Colour& colour_of(const WritingColours& colours, Verdict verdict) {
   return colours.unjudged;
 }
 
-bool has_sign(const WrittenStroke& stroke) {
+bool has_sign(const InkedStroke& stroke) {
   return (stroke.verdict == Verdict::right || stroke.verdict == Verdict::nearly ||
           stroke.verdict == Verdict::wrong) &&
          !stroke.points.empty();
 }
 
-glm::vec2 place_of(const WrittenPoint& point) { return {point.at.x, point.at.y}; }
+glm::vec2 place_of(const geometry::WrittenPoint<geometry::TabletFrame>& point) {
+  return {point.at.x, point.at.y};
+}
 
 }  // namespace
 
@@ -127,8 +129,8 @@ base::Result<WritingLayer> WritingLayer::create() {
   return WritingLayer(std::move(*ink), std::move(*sign));
 }
 
-void WritingLayer::draw(const Projection& projection, std::span<const WrittenStroke> strokes,
-                        const Look& look, double scale, double text_scale, DrawStatistics& statistics) {
+void WritingLayer::draw(const Projection& projection, std::span<const InkedStroke> strokes, const Look& look,
+                        double scale, double text_scale, DrawStatistics& statistics) {
   signs_.clear();
   if (strokes.empty()) return;
   const WritingColours& colours = writing_colours(look.style, look.theme);
@@ -137,9 +139,11 @@ void WritingLayer::draw(const Projection& projection, std::span<const WrittenStr
     const glm::vec4 colour(colour_of(colours, stroke.verdict), static_cast<float>(stroke.opacity));
     for (std::size_t i = 0; i < stroke.points.size(); ++i) {
       if (i == 0 && stroke.points.size() > 1) continue;
-      const WrittenPoint& from = stroke.points[i == 0 ? 0 : i - 1];
-      const WrittenPoint& to = stroke.points[i];
-      pieces.push_back({place_of(from), place_of(to), {from.half_width_m, to.half_width_m}, colour});
+      const auto& from = stroke.points[i == 0 ? 0 : i - 1];
+      const auto& to = stroke.points[i];
+      const glm::vec2 radius_m(stroke.half_width_m.value_or(ink_half_width_m(from)),
+                               stroke.half_width_m.value_or(ink_half_width_m(to)));
+      pieces.push_back({place_of(from), place_of(to), radius_m, colour});
     }
   }
   glEnable(GL_BLEND);
@@ -160,10 +164,10 @@ void WritingLayer::draw(const Projection& projection, std::span<const WrittenStr
   glBindVertexArray(0);
 }
 
-void WritingLayer::place_signs(const Projection& projection, std::span<const WrittenStroke> strokes,
+void WritingLayer::place_signs(const Projection& projection, std::span<const InkedStroke> strokes,
                                double radius) {
   for (std::size_t i = 0; i < strokes.size(); ++i) {
-    const WrittenStroke& stroke = strokes[i];
+    const InkedStroke& stroke = strokes[i];
     if (!has_sign(stroke)) continue;
     const glm::dvec2 start = projection.pixel({stroke.points.front().at.x, stroke.points.front().at.y, 0});
     const glm::dvec2 end = projection.pixel({stroke.points.back().at.x, stroke.points.back().at.y, 0});

@@ -17,7 +17,7 @@ class WritingLayer {
   [[nodiscard]] static base::Result<WritingLayer> create();
 
   /// @param scale  device pixels per logical pixel.
-  void draw(const Projection& projection, std::span<const WrittenStroke> strokes, const Look& look,
+  void draw(const Projection& projection, std::span<const InkedStroke> strokes, const Look& look,
             double scale, double text_scale, DrawStatistics& statistics);
   /// The signs of the last draw.
   [[nodiscard]] std::span<const SignPlace> signs() const { return signs_; }
@@ -32,7 +32,7 @@ class WritingLayer {
     friend bool operator==(const Piece&, const Piece&) = default;
   };
   WritingLayer(ShaderProgram ink, ShaderProgram sign);
-  void place_signs(const Projection& projection, std::span<const WrittenStroke> strokes, double radius);
+  void place_signs(const Projection& projection, std::span<const InkedStroke> strokes, double radius);
   void draw_sign(const Projection& projection, const SignPlace& place, const Look& look, double scale);
 
   ShaderProgram ink_;

@@ -61,7 +61,7 @@ TEST_P(Golden, LooksAsItDidWhenAPersonLookedAtIt) {
   std::array<double, 6> ink{};
   for (std::size_t i = 0; i < ink.size(); ++i)
     ink[i] = std::clamp(scene.traced - static_cast<double>(i), 0.0, 1.0);
-  overlay.ink = ink;
+  overlay.groove_ink = ink;
   if (scene.current > 0 || scene.style == Style::classic) {
     overlay.cursor = Cursor{{0.012, 0.004, -0.006}, {0.018, -0.004, -0.010}, true, {}};
   }

@@ -34,7 +34,7 @@ TEST_P(InkInEveryLook, InkAddedPieceByPieceGivesThePictureOfInkAddedAtOnce) {
   overlay.strokes_visible = true;
   overlay.current_stroke = 4;
   std::array<double, 6> ink{};
-  overlay.ink = ink;
+  overlay.groove_ink = ink;
   for (std::size_t stroke = 0; stroke < 4; ++stroke) {
     for (int step = 0; step <= 7; ++step) {
       ink[stroke] = step / 8.0;
@@ -62,7 +62,7 @@ TEST_P(InkInEveryLook, InkGrowsWithTheShareTraced) {
   Overlay overlay;
   const Picture bare = studio.shoot(overlay);
   std::array<double, 6> ink{};
-  overlay.ink = ink;
+  overlay.groove_ink = ink;
   int last = 0;
   for (int step = 1; step <= 8; ++step) {
     ink[3] = step / 8.0;
@@ -86,7 +86,7 @@ TEST(Ink, InkFollowsTheStrokeFromItsStartByArcLength) {
   Overlay overlay;
   const Picture bare = studio.shoot(overlay);
   const std::array<double, 1> ink{0.5};
-  overlay.ink = ink;
+  overlay.groove_ink = ink;
   const Picture half = studio.shoot(overlay);
   const auto inked = [&](double x) {
     const glm::dvec2 at = seen(studio, {x, 54}, -0.010);
@@ -105,7 +105,7 @@ TEST(Ink, InkStaysInTheGroove) {
   Overlay overlay;
   const Picture bare = studio.shoot(overlay);
   const std::array<double, 6> ink{1, 1, 1, 1, 1, 1};
-  overlay.ink = ink;
+  overlay.groove_ink = ink;
   const Picture full = studio.shoot(overlay);
   const auto map = carved(rest());
   for (int row = 4; row < 252; row += 6) {
@@ -131,7 +131,7 @@ TEST(Ink, InkStaysInTheGrooveWhereThePlateauIsLower) {
   Overlay overlay;
   const Picture bare = studio.shoot(overlay);
   const std::array<double, 1> ink{0.8};
-  overlay.ink = ink;
+  overlay.groove_ink = ink;
   const Picture inked = studio.shoot(overlay);
   const auto change = [&](geometry::GlyphPoint p, double z_m) {
     const glm::dvec2 at = seen(studio, p, z_m);
@@ -154,13 +154,13 @@ TEST(Ink, OfTheCharacterBeforeNothingIsLeft) {
   Studio studio(500, 500);
   studio.view->set_height_map(carved(before));
   studio.view->set_strokes(before);
-  overlay.ink = full;
+  overlay.groove_ink = full;
   (void)studio.shoot(overlay);
   studio.view->set_height_map(carved(after));
   studio.view->set_strokes(after);
-  overlay.ink = none;
+  overlay.groove_ink = none;
   (void)studio.shoot(overlay);
-  overlay.ink = one;
+  overlay.groove_ink = one;
   const Picture picture = studio.shoot(overlay);
 
   Studio fresh(500, 500);
@@ -177,7 +177,7 @@ TEST(Ink, TheCurrentStrokeIsVermilionAndFinishedStrokesAreNot) {
   Overlay overlay;
   overlay.current_stroke = 2;
   const std::array<double, 2> ink{1, 1};
-  overlay.ink = ink;
+  overlay.groove_ink = ink;
   const Picture picture = studio.shoot(overlay);
   const Rgb finished = pixel(picture, seen(studio, {55, 30}, -0.01));
   const Rgb current = pixel(picture, seen(studio, {55, 80}, -0.01));

@@ -103,7 +103,7 @@ TEST(TabletView, NothingIsSentAgainWhileTracingAndOrbiting) {
   overlay.strokes_visible = true;
   overlay.cursor = Cursor{};
   std::array<double, 6> ink{};
-  overlay.ink = ink;
+  overlay.groove_ink = ink;
   (void)studio.shoot(overlay);
   const DrawStatistics before = studio.view->statistics();
   for (int frame = 0; frame < 40; ++frame) {

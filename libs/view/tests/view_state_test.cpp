@@ -32,11 +32,12 @@ class Everything : public testing::Test {
     studio_.view->set_height_map(carved(rest()));
     studio_.view->set_strokes(rest());
     stroke_.verdict = Verdict::right;
-    stroke_.points = {{{-0.02, 0.01}, 0.001}, {{0.02, 0.01}, 0.001}};
+    stroke_.points = {{{-0.02, 0.01}}, {{0.02, 0.01}}};
+    stroke_.half_width_m = 0.001;
     writing_ = {stroke_};
     overlay_.strokes_visible = true;
     overlay_.cursor = Cursor{};
-    overlay_.ink = ink_;
+    overlay_.groove_ink = ink_;
     overlay_.writing = writing_;
   }
   /// The same picture without anything kept of those before.
@@ -46,8 +47,8 @@ class Everything : public testing::Test {
   }
   static inline std::unique_ptr<Studio> shared_;
   Studio& studio_ = *shared_;
-  WrittenStroke stroke_;
-  std::vector<WrittenStroke> writing_;
+  InkedStroke stroke_;
+  std::vector<InkedStroke> writing_;
   std::array<double, 6> ink_{1, 0.5, 0, 0, 0, 0};
   Overlay overlay_;
 };
@@ -197,11 +198,11 @@ TEST_F(Everything, InkIsHeldWithinItsStrokeAndWhatIsNoNumberIsNone) {
   ink_[3] = -1;
   EXPECT_EQ(changed_pixels(full, studio_.shoot(overlay_), 0), 0);
   const DrawStatistics before = studio_.view->statistics();
-  overlay_.ink = std::span(ink_).first(1);  // the second stroke has none any more
+  overlay_.groove_ink = std::span(ink_).first(1);  // the second stroke has none any more
   const Picture fewer = studio_.shoot(overlay_);
   EXPECT_GT(changed_pixels(full, fewer), 20);
   EXPECT_EQ(studio_.view->statistics().full_redraws, before.full_redraws + 1);
-  overlay_.ink = ink_;
+  overlay_.groove_ink = ink_;
   EXPECT_EQ(changed_pixels(full, studio_.shoot(overlay_), 6), 0);
   EXPECT_EQ(studio_.view->statistics().full_redraws, before.full_redraws + 1) << "fresh ink is drawn alone";
   EXPECT_EQ(studio_.view->statistics().partial_redraws, before.partial_redraws + 1);
@@ -237,7 +238,7 @@ TEST_F(Everything, FreshInkIsDrawnInItsBoxAloneAsIfAllWereDrawn) {
        {Camera{}, Camera{2.2, 0.9, 2, {0.01, 0.01}}, Camera{-1, 0.5, 6, {-0.02, 0.02}}}) {
     studio_.view->set_camera(camera);
     std::array<double, 6> ink{};
-    overlay.ink = ink;
+    overlay.groove_ink = ink;
     (void)studio_.shoot(overlay);
     (void)studio_.shoot(overlay);
     for (int step = 1; step <= 10; ++step)

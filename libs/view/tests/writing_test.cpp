@@ -19,11 +19,12 @@ using fixtures::Studio;
 
 surface::HeightMap blank() { return surface::HeightMap::create(64).value(); }
 
-WrittenStroke level(double glyph_y, Verdict verdict, double half_width_m = 0.002) {
-  WrittenStroke stroke;
+InkedStroke level(double glyph_y, Verdict verdict, double half_width_m = 0.002) {
+  InkedStroke stroke;
   stroke.verdict = verdict;
   for (const double x : {30.0, 50.0, 80.0})
-    stroke.points.push_back({geometry::glyph_to_tablet({x, glyph_y}, {}), half_width_m});
+    stroke.points.push_back({geometry::glyph_to_tablet({x, glyph_y}, {})});
+  stroke.half_width_m = half_width_m;
   return stroke;
 }
 
@@ -105,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(View, WritingInEveryLook,
                          testing::Combine(testing::Values(Style::classic, Style::wood, Style::slate),
                                           testing::Values(Theme::light, Theme::dark)));
 
-TEST(Writing, PressureIsTheWidthOfTheLine) {
+TEST(Writing, IsAsWideAsItsLineOrAsItWasPressed) {
   Studio studio(500, 500);
   studio.view->set_height_map(blank());
   const Picture bare = studio.shoot();
@@ -118,6 +119,17 @@ TEST(Writing, PressureIsTheWidthOfTheLine) {
   const double thin = inked(0.0005);
   const double wide = inked(0.002);
   EXPECT_NEAR(wide / thin, 4.0, 0.8);
+  const auto pressed = [&](double pressure) {
+    InkedStroke stroke = level(54, Verdict::none);
+    stroke.half_width_m.reset();
+    for (auto& point : stroke.points) point.pressure = pressure;
+    const std::vector writing{stroke};
+    Overlay overlay;
+    overlay.writing = writing;
+    return changed_pixels(bare, studio.shoot(overlay));
+  };
+  EXPECT_NEAR(pressed(1), wide, 0.02 * wide) << "2 mm";
+  EXPECT_LT(pressed(0), thin) << "0.4 mm";
 }
 
 TEST(Writing, SignsOfStrokesThatStartTogetherDoNotHideEachOther) {
@@ -138,11 +150,11 @@ TEST(Writing, SignsOfStrokesThatStartTogetherDoNotHideEachOther) {
 TEST(Writing, ASignStandsBeforeTheStartOnTheLineOfItsStroke) {
   Studio studio(500, 500);
   studio.view->set_height_map(blank());
-  WrittenStroke slanted = level(54, Verdict::wrong);
-  slanted.points = {{{0, 0}, 0.001}, {{0.02, 0.01}, 0.001}, {{0.03, -0.04}, 0.001}};
-  WrittenStroke point = level(54, Verdict::right);
-  point.points = {{{-0.03, 0.03}, 0.001}};
-  WrittenStroke none = level(54, Verdict::right);
+  InkedStroke slanted = level(54, Verdict::wrong, 0.001);
+  slanted.points = {{{0, 0}}, {{0.02, 0.01}}, {{0.03, -0.04}}};
+  InkedStroke point = level(54, Verdict::right, 0.001);
+  point.points = {{{-0.03, 0.03}}};
+  InkedStroke none = level(54, Verdict::right);
   none.points.clear();
   const std::vector writing{level(20, Verdict::none), slanted, none, point, level(100, Verdict::shown)};
   Overlay overlay;

@@ -22,16 +22,16 @@ const kanji::KanjiDatabase* database() {
 }
 
 /// 番 and others of 12 strokes, shaken by 2 % of the box.
-Ink shaken(char32_t character) {
+WrittenCharacter shaken(char32_t character) {
   std::mt19937 random(1);
   std::normal_distribution<double> deviate(0, 2.2);
-  Ink ink;
+  WrittenCharacter ink;
   const auto model = database()->find(character);
   for (const auto& s : model->strokes) {
-    auto& points = ink.strokes.emplace_back().points;
+    auto& stroke = ink.strokes.emplace_back();
     const double dx = deviate(random);
     const double dy = deviate(random);
-    for (const auto& p : s.line.points) points.push_back({p.x + dx, p.y + dy});
+    for (const auto& p : s.line.points) stroke.push_back({{p.x + dx, p.y + dy}});
   }
   return ink;
 }

@@ -3,8 +3,9 @@
 
 namespace nazori::writing {
 
-std::vector<Fault> ending_faults(std::span<const Shape> drawn, const Alignment& alignment, const Form& form) {
-  std::vector<Fault> faults;
+std::vector<Mistake> ending_mistakes(std::span<const Shape> drawn, const Alignment& alignment,
+                                     const Form& form) {
+  std::vector<Mistake> mistakes;
   for (const auto& link : alignment.links) {
     if (link.drawn_count != 1 || link.model_count != 1 || link.difference.reversed) continue;
     const auto j = static_cast<std::size_t>(link.model);
@@ -16,11 +17,11 @@ std::vector<Fault> ending_faults(std::span<const Shape> drawn, const Alignment& 
     const bool missing = ending == kanji::StrokeEnding::hook && model.kicked && !kick;
     const bool needless = ending == kanji::StrokeEnding::stop && !model.kicked && kick;
     if (!missing && !needless) continue;
-    Fault fault{FaultKind::ending, link.drawn, {}, {link.model}};
-    fault.expected = ending;
-    faults.push_back(std::move(fault));
+    Mistake mistake{kanji::MistakeKind::ending, link.drawn, {}, {link.model}};
+    mistake.expected = ending;
+    mistakes.push_back(std::move(mistake));
   }
-  return faults;
+  return mistakes;
 }
 
 }  // namespace nazori::writing

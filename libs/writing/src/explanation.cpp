@@ -34,8 +34,8 @@ Text text_of_start(Side side) {
   return Text::starts_top;
 }
 
-Text text_of_wrong(const Fault& fault, const StrokeVerdict& verdict) {
-  switch (fault.deviation) {
+Text text_of_wrong(const Mistake& mistake, const StrokeVerdict& verdict) {
+  switch (mistake.deviation) {
     case Deviation::place:
       if (std::abs(verdict.offset_x) > std::abs(verdict.offset_y))
         return verdict.offset_x > 0 ? Text::too_far_right : Text::too_far_left;
@@ -59,35 +59,35 @@ std::string order_words(const kanji::AlternativeOrder& order) {
 
 }  // namespace
 
-std::string explain(const Fault& fault, const Grade& grade, Language language) {
-  const auto stroke = number(fault.model.empty() ? fault.stroke : fault.model.front());
-  switch (fault.kind) {
-    case FaultKind::order:
-      if (fault.model.size() == 2 && !fault.second)
-        return fill(Text::comes_first, language, number(fault.model[1]));
-      if (fault.model.size() == 2)
-        return fill(Text::order, language, number(fault.model[0]), number(fault.model[1]));
+std::string explain(const Mistake& mistake, const Grade& grade, Language language) {
+  const auto stroke = number(mistake.model.empty() ? mistake.stroke : mistake.model.front());
+  switch (mistake.kind) {
+    case kanji::MistakeKind::order:
+      if (mistake.model.size() == 2 && !mistake.second)
+        return fill(Text::comes_first, language, number(mistake.model[1]));
+      if (mistake.model.size() == 2)
+        return fill(Text::order, language, number(mistake.model[0]), number(mistake.model[1]));
       break;
-    case FaultKind::reversed:
-      return fill(text_of_start(fault.start), language, stroke);
-    case FaultKind::missing:
+    case kanji::MistakeKind::reversed:
+      return fill(text_of_start(mistake.start), language, stroke);
+    case kanji::MistakeKind::missing:
       return fill(Text::missing, language, stroke);
-    case FaultKind::extra:
-      return fill(Text::extra, language, number(fault.stroke));
-    case FaultKind::joined:
-      if (fault.model.size() == 2)
-        return fill(Text::joined, language, number(fault.model[0]), number(fault.model[1]));
+    case kanji::MistakeKind::extra:
+      return fill(Text::extra, language, number(mistake.stroke));
+    case kanji::MistakeKind::joined:
+      if (mistake.model.size() == 2)
+        return fill(Text::joined, language, number(mistake.model[0]), number(mistake.model[1]));
       break;
-    case FaultKind::split:
+    case kanji::MistakeKind::split:
       return fill(Text::split, language, stroke);
-    case FaultKind::other:
-      return fill(Text::other_character, language, base::encode_utf8(fault.character), stroke);
-    case FaultKind::ending:
-      return fill(fault.expected == kanji::StrokeEnding::hook ? Text::kick_missing : Text::kick_needless,
+    case kanji::MistakeKind::other:
+      return fill(Text::other_character, language, base::encode_utf8(mistake.character), stroke);
+    case kanji::MistakeKind::ending:
+      return fill(mistake.expected == kanji::StrokeEnding::hook ? Text::kick_missing : Text::kick_needless,
                   language, stroke);
-    case FaultKind::wrong:
-      if (static_cast<std::size_t>(fault.stroke) < grade.strokes.size())
-        return fill(text_of_wrong(fault, grade.strokes[static_cast<std::size_t>(fault.stroke)]), language,
+    case kanji::MistakeKind::wrong:
+      if (static_cast<std::size_t>(mistake.stroke) < grade.strokes.size())
+        return fill(text_of_wrong(mistake, grade.strokes[static_cast<std::size_t>(mistake.stroke)]), language,
                     stroke);
       break;
   }
@@ -102,7 +102,7 @@ std::vector<std::string> explain(const Grade& grade, Language language) {
                                                 : Text::right;
     sentences.push_back(fill(which, language, grade.alternative ? order_words(*grade.alternative) : ""));
   }
-  for (const auto& fault : grade.faults) sentences.push_back(explain(fault, grade, language));
+  for (const auto& mistake : grade.mistakes) sentences.push_back(explain(mistake, grade, language));
   for (const auto& advice : grade.advice) sentences.push_back(explain(advice, grade, language));
   return sentences;
 }

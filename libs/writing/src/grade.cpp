@@ -12,7 +12,7 @@
 #include "model_inside.h"
 #include "placement.h"
 #include "residue.h"
-#include "stroke_order_faults.h"
+#include "stroke_order_mistakes.h"
 
 namespace nazori::writing {
 namespace {
@@ -117,18 +117,18 @@ class Judge {
       if (link.drawn_count == 2) {
         auto& second = grade_.strokes[static_cast<std::size_t>(link.drawn) + 1];
         second = verdict;
-        add({FaultKind::split, link.drawn, link.drawn + 1, {link.model}});
+        add({kanji::MistakeKind::split, link.drawn, link.drawn + 1, {link.model}});
       } else if (link.model_count == 2) {
-        add({FaultKind::joined, link.drawn, {}, {link.model, link.model + 1}});
+        add({kanji::MistakeKind::joined, link.drawn, {}, {link.model, link.model + 1}});
       } else if (judged.deviation > (link.difference.reversed ? kCertainly * limit : limit)) {
         auto most = judged.most;
         if (most == Deviation::shape && std::abs(verdict.angle_rad) > std::numbers::pi / 5)
           most = Deviation::direction;
-        add({FaultKind::wrong, link.drawn, {}, {link.model}, most});
+        add({kanji::MistakeKind::wrong, link.drawn, {}, {link.model}, most});
       } else if (link.difference.reversed) {
-        Fault fault{FaultKind::reversed, link.drawn, {}, {link.model}};
-        fault.start = start_of(form_.shapes[static_cast<std::size_t>(link.model)].whole);
-        add(std::move(fault));
+        Mistake mistake{kanji::MistakeKind::reversed, link.drawn, {}, {link.model}};
+        mistake.start = start_of(form_.shapes[static_cast<std::size_t>(link.model)].whole);
+        add(std::move(mistake));
       } else {
         verdict.ok = true;
       }
@@ -153,8 +153,8 @@ class Judge {
   }
 
   void judge_count() {
-    for (const int i : alignment_.extra) add({FaultKind::extra, i, {}, {}});
-    for (const int j : alignment_.missing) add({FaultKind::missing, j, {}, {j}});
+    for (const int i : alignment_.extra) add({kanji::MistakeKind::extra, i, {}, {}});
+    for (const int j : alignment_.missing) add({kanji::MistakeKind::missing, j, {}, {j}});
   }
 
   void judge_order() {
@@ -166,21 +166,21 @@ class Judge {
       return;
     }
     const bool advice = options_.strictness <= kOrderIsAdvice;
-    const auto tell = [&](Fault fault, std::span<const int> to_blame) {
+    const auto tell = [&](Mistake mistake, std::span<const int> to_blame) {
       for (const int i : to_blame) {
         ++out_of_turn_;
         if (!advice) grade_.strokes[static_cast<std::size_t>(i)].ok = false;
       }
       if (advice)
-        grade_.advice.push_back(std::move(fault));
+        grade_.advice.push_back(std::move(mistake));
       else
-        add(std::move(fault));
+        add(std::move(mistake));
     };
     for (const auto& turn : turns) {
-      Fault fault{FaultKind::order, turn.drawn, turn.before, {}};
+      Mistake mistake{kanji::MistakeKind::order, turn.drawn, turn.before, {}};
       for (const int i : {turn.drawn, turn.before})
-        if (const auto m = grade_.strokes[static_cast<std::size_t>(i)].matched) fault.model.push_back(*m);
-      tell(std::move(fault), turn.misplaced);
+        if (const auto m = grade_.strokes[static_cast<std::size_t>(i)].matched) mistake.model.push_back(*m);
+      tell(std::move(mistake), turn.misplaced);
     }
     if (too_early) tell(*too_early, std::span(&too_early->stroke, 1));
   }
@@ -188,7 +188,7 @@ class Judge {
   /// While the character is being written: the last stroke, if the one right before it in the model is not
   /// there yet. Only a stroke that is right in all else is told so: of a strange one nobody knows which it
   /// is.
-  std::optional<Fault> passed_over() const {
+  std::optional<Mistake> passed_over() const {
     if (!options_.unfinished || alignment_.links.empty()) return {};
     const auto& last = alignment_.links.back();
     if (last.drawn + last.drawn_count != static_cast<int>(drawn_.size()) || !grade_.strokes.back().ok)
@@ -200,7 +200,7 @@ class Judge {
     int first = last.model;
     while (first > 0 && is_missing(first - 1)) --first;
     if (first == last.model) return {};
-    return Fault{FaultKind::order, last.drawn, {}, {last.model, first}};
+    return Mistake{kanji::MistakeKind::order, last.drawn, {}, {last.model, first}};
   }
 
   /// The listed order that was followed from the first stroke to the last drawn one.
@@ -216,26 +216,26 @@ class Judge {
     return nullptr;
   }
 
-  void add(Fault fault) { grade_.faults.push_back(std::move(fault)); }
+  void add(Mistake mistake) { grade_.mistakes.push_back(std::move(mistake)); }
 
   void finish() {
     const auto strict_endings = options_.strictness >= kEndingsCount;
-    for (auto& fault : ending_faults(drawn_, alignment_, form_)) {
-      if (!grade_.strokes[static_cast<std::size_t>(fault.stroke)].ok) continue;
+    for (auto& mistake : ending_mistakes(drawn_, alignment_, form_)) {
+      if (!grade_.strokes[static_cast<std::size_t>(mistake.stroke)].ok) continue;
       if (strict_endings) {
-        grade_.strokes[static_cast<std::size_t>(fault.stroke)].ok = false;
-        add(std::move(fault));
+        grade_.strokes[static_cast<std::size_t>(mistake.stroke)].ok = false;
+        add(std::move(mistake));
       } else {
-        grade_.advice.push_back(std::move(fault));
+        grade_.advice.push_back(std::move(mistake));
       }
     }
-    std::stable_sort(grade_.faults.begin(), grade_.faults.end(),
-                     [](const Fault& a, const Fault& b) { return a.stroke < b.stroke; });
+    std::stable_sort(grade_.mistakes.begin(), grade_.mistakes.end(),
+                     [](const Mistake& a, const Mistake& b) { return a.stroke < b.stroke; });
     if (options_.unfinished) {
       // A stroke of the model may still follow; that it was passed over is already in the turns.
-      std::erase_if(grade_.faults, [](const Fault& f) { return f.kind == FaultKind::missing; });
+      std::erase_if(grade_.mistakes, [](const Mistake& f) { return f.kind == kanji::MistakeKind::missing; });
     }
-    grade_.accepted = grade_.faults.empty();
+    grade_.accepted = grade_.mistakes.empty();
     score();
   }
 
@@ -246,10 +246,11 @@ class Judge {
     const double found = std::min(static_cast<double>(alignment_.links.size()), count);
     double present = 0;
     double backwards = 0;
-    for (const auto& f : grade_.faults) {
-      if (f.kind == FaultKind::reversed) ++backwards;
-      if (f.kind == FaultKind::missing || f.kind == FaultKind::extra || f.kind == FaultKind::wrong ||
-          f.kind == FaultKind::joined || f.kind == FaultKind::split)
+    for (const auto& f : grade_.mistakes) {
+      if (f.kind == kanji::MistakeKind::reversed) ++backwards;
+      if (f.kind == kanji::MistakeKind::missing || f.kind == kanji::MistakeKind::extra ||
+          f.kind == kanji::MistakeKind::wrong || f.kind == kanji::MistakeKind::joined ||
+          f.kind == kanji::MistakeKind::split)
         ++present;
     }
     auto& p = grade_.parts;
@@ -293,9 +294,9 @@ Grade grade_shapes(std::span<const Shape> drawn, const std::optional<Affine>& bo
     if (const auto mistaken = mistaken_for(drawn, model.main, lookalikes)) {
       best.accepted = false;
       best.strokes[static_cast<std::size_t>(mistaken->stroke)].ok = false;
-      Fault fault{FaultKind::other, mistaken->stroke, {}, {mistaken->stroke}};
-      fault.character = mistaken->character;
-      best.faults.push_back(std::move(fault));
+      Mistake mistake{kanji::MistakeKind::other, mistaken->stroke, {}, {mistaken->stroke}};
+      mistake.character = mistaken->character;
+      best.mistakes.push_back(std::move(mistake));
       best.parts.strokes = 0;  // however well they were written, they are not this character's
       best.score = points_of(best.parts);
     }
@@ -308,38 +309,41 @@ struct Prepared {
   std::optional<Affine> box;
 };
 
-base::Result<Prepared> prepare(const Ink& ink, const GradeOptions& options) {
+base::Result<Prepared> prepare(const WrittenCharacter& ink, const GradeOptions& options) {
   if (auto good = check(ink); !good) return tl::unexpected(good.error());
   if (!(options.strictness >= 0 && options.strictness <= 1))
     return base::fail(base::Errc::bad_argument, "The strictness is not between 0 and 1.", "strictness");
   Prepared p;
-  for (const auto& s : ink.strokes) p.drawn.push_back(make_shape<InkFrame>(s.points));
+  for (const auto& s : ink.strokes) p.drawn.push_back(make_shape<WritingFrame>(geometry::line_of(s)));
   if (ink.box) p.box = box_map(*ink.box);
   return p;
 }
 
 /// Whether the stroke is one of the model's, if perhaps out of turn, backwards or with another ending.
 bool is_a_stroke_of_its_own(int stroke, const Grade& whole) {
-  return std::none_of(whole.faults.begin(), whole.faults.end(), [stroke](const Fault& f) {
-    return f.stroke == stroke && f.kind != FaultKind::missing && f.kind != FaultKind::order &&
-           f.kind != FaultKind::reversed && f.kind != FaultKind::ending;
+  return std::none_of(whole.mistakes.begin(), whole.mistakes.end(), [stroke](const Mistake& f) {
+    return f.stroke == stroke && f.kind != kanji::MistakeKind::missing &&
+           f.kind != kanji::MistakeKind::order && f.kind != kanji::MistakeKind::reversed &&
+           f.kind != kanji::MistakeKind::ending;
   });
 }
 
-bool is_warning_of_the_moment(const Fault& fault) { return fault.kind == FaultKind::order && !fault.second; }
+bool is_warning_of_the_moment(const Mistake& mistake) {
+  return mistake.kind == kanji::MistakeKind::order && !mistake.second;
+}
 
 /// A stroke that was told right does not become the one too many because of a stroke written after it: that
 /// is the newest then. @return whether it is.
 bool blame_the_newest(Grade& now, const Grade& told) {
   const int newest = static_cast<int>(now.strokes.size()) - 1;
-  const auto extra = std::find_if(now.faults.begin(), now.faults.end(), [&](const Fault& f) {
-    return f.kind == FaultKind::extra && f.stroke != newest &&
+  const auto extra = std::find_if(now.mistakes.begin(), now.mistakes.end(), [&](const Mistake& f) {
+    return f.kind == kanji::MistakeKind::extra && f.stroke != newest &&
            told.strokes[static_cast<std::size_t>(f.stroke)].ok;
   });
-  const bool is_told = std::any_of(now.faults.begin(), now.faults.end(), [newest](const Fault& f) {
+  const bool is_told = std::any_of(now.mistakes.begin(), now.mistakes.end(), [newest](const Mistake& f) {
     return f.stroke == newest || f.second == newest;
   });
-  if (extra == now.faults.end() || is_told) return false;
+  if (extra == now.mistakes.end() || is_told) return false;
   std::swap(now.strokes[static_cast<std::size_t>(extra->stroke)], now.strokes.back());
   extra->stroke = newest;
   return true;
@@ -350,45 +354,47 @@ bool blame_the_newest(Grade& now, const Grade& told) {
 void finish_live(Grade& live, const Grade& whole) {
   // A stroke that was too early either has its exchange in the whole, or what it passed over is missing
   // there.
-  for (const auto& f : live.faults) {
-    const auto names_it = [&f](const Fault& other) {
-      return other.kind != FaultKind::missing && (other.stroke == f.stroke || other.second == f.stroke);
+  for (const auto& f : live.mistakes) {
+    const auto names_it = [&f](const Mistake& other) {
+      return other.kind != kanji::MistakeKind::missing &&
+             (other.stroke == f.stroke || other.second == f.stroke);
     };
-    if (is_warning_of_the_moment(f) && std::none_of(whole.faults.begin(), whole.faults.end(), names_it))
+    if (is_warning_of_the_moment(f) && std::none_of(whole.mistakes.begin(), whole.mistakes.end(), names_it))
       live.strokes[static_cast<std::size_t>(f.stroke)].ok = true;
   }
-  std::erase_if(live.faults, is_warning_of_the_moment);
+  std::erase_if(live.mistakes, is_warning_of_the_moment);
   if (whole.accepted) return;
-  const auto touch = [](const Fault& a, const Fault& b) {
+  const auto touch = [](const Mistake& a, const Mistake& b) {
     const auto both_have = [&b](int stroke) { return b.stroke == stroke || b.second == stroke; };
     return both_have(a.stroke) || (a.second && both_have(*a.second));
   };
-  std::erase_if(live.faults, [&](const Fault& before) {
-    return std::any_of(whole.faults.begin(), whole.faults.end(),
-                       [&](const Fault& f) { return f.kind != FaultKind::missing && touch(before, f); });
+  std::erase_if(live.mistakes, [&](const Mistake& before) {
+    return std::any_of(whole.mistakes.begin(), whole.mistakes.end(), [&](const Mistake& f) {
+      return f.kind != kanji::MistakeKind::missing && touch(before, f);
+    });
   });
-  live.faults.insert(live.faults.end(), whole.faults.begin(), whole.faults.end());
-  std::stable_sort(live.faults.begin(), live.faults.end(),
-                   [](const Fault& a, const Fault& b) { return a.stroke < b.stroke; });
+  live.mistakes.insert(live.mistakes.end(), whole.mistakes.begin(), whole.mistakes.end());
+  std::stable_sort(live.mistakes.begin(), live.mistakes.end(),
+                   [](const Mistake& a, const Mistake& b) { return a.stroke < b.stroke; });
 }
 
 }  // namespace
 
-base::Result<Grade> grade(const Ink& ink, const Model& model, const GradeOptions& options,
+base::Result<Grade> grade(const WrittenCharacter& ink, const Model& model, const GradeOptions& options,
                           std::span<const Model> lookalikes) {
   const auto p = prepare(ink, options);
   if (!p) return tl::unexpected(p.error());
   return grade_shapes(p->drawn, p->box, model.inside(), options, lookalikes);
 }
 
-base::Result<Grade> grade_live(const Ink& ink, const Model& model, const GradeOptions& options,
+base::Result<Grade> grade_live(const WrittenCharacter& ink, const Model& model, const GradeOptions& options,
                                std::span<const Model> lookalikes) {
   const auto p = prepare(ink, options);
   if (!p) return tl::unexpected(p.error());
   const std::span<const Shape> drawn(p->drawn);
   const auto whole = grade_shapes(drawn, p->box, model.inside(), options, lookalikes);
   auto live = whole;
-  live.faults.clear();
+  live.mistakes.clear();
   auto beginning = options;
   beginning.unfinished = true;
   for (std::size_t n = 1; n <= drawn.size(); ++n) {
@@ -401,23 +407,23 @@ base::Result<Grade> grade_live(const Ink& ink, const Model& model, const GradeOp
     // Which stroke a first bar is shows only when the others are there.
     if (in_the_whole && !is_extra && is_a_stroke_of_its_own(stroke, whole)) verdict.matched = in_the_whole;
     bool is_blamed = false;
-    for (auto& f : now.faults) {
+    for (auto& f : now.mistakes) {
       if (f.stroke != stroke && f.second != stroke) continue;
       if (is_warning_of_the_moment(f) && verdict.matched != f.model.front()) continue;
       // Once is enough for a stroke drawn too early, however many come after it; and those that come late
       // are what it was told to wait for.
-      const bool said = f.kind == FaultKind::order &&
-                        std::any_of(live.faults.begin(), live.faults.end(), [&f](const Fault& before) {
-                          return before.kind == FaultKind::order && before.stroke == f.stroke;
+      const bool said = f.kind == kanji::MistakeKind::order &&
+                        std::any_of(live.mistakes.begin(), live.mistakes.end(), [&f](const Mistake& before) {
+                          return before.kind == kanji::MistakeKind::order && before.stroke == f.stroke;
                         });
       if (said) continue;
       is_blamed = true;
-      live.faults.push_back(std::move(f));
+      live.mistakes.push_back(std::move(f));
     }
     if (!is_blamed && verdict.matched) verdict.ok = true;
   }
   if (!options.unfinished) finish_live(live, whole);
-  live.accepted = live.faults.empty();
+  live.accepted = live.mistakes.empty();
   return live;
 }
 

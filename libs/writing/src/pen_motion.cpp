@@ -16,14 +16,34 @@ constexpr double kShortestPause_s = 0.15;
 constexpr double kRestShare = 0.05;  // of the greatest speed: below it the pen rests
 constexpr std::size_t kMostSteps = 60'000;
 
+/// A stroke by columns: times and pressures of each point, or none.
+struct Columns {
+  geometry::Polyline<WritingFrame> points;
+  std::vector<double> times_s;
+  std::vector<double> pressures;
+};
+
+std::vector<double> column(const WrittenStroke& stroke, std::optional<double> WrittenPoint::*value) {
+  std::vector<double> numbers;
+  for (const WrittenPoint& point : stroke)
+    if (const std::optional<double>& number = point.*value) numbers.push_back(*number);
+  if (numbers.size() != stroke.size()) numbers.clear();
+  return numbers;
+}
+
+Columns columns_of(const WrittenStroke& stroke) {
+  return {geometry::line_of(stroke), column(stroke, &WrittenPoint::time_s),
+          column(stroke, &WrittenPoint::pressure)};
+}
+
 /// Speed at even steps of time, smoothed.
-std::vector<double> speeds(const InkStroke& s) {
+std::vector<double> speeds(const Columns& s) {
   const double begin = s.times_s.front();
   const double duration = s.times_s.back() - begin;
   // Times that run backwards, or are no numbers, tell no speed.
   if (!(duration >= 3 * kStep_s)) return {};
   const auto steps = static_cast<std::size_t>(std::min(duration / kStep_s, static_cast<double>(kMostSteps)));
-  std::vector<InkPoint> at;
+  std::vector<WritingPoint> at;
   at.reserve(steps + 1);
   std::size_t i = 0;
   for (std::size_t k = 0; k <= steps; ++k) {
@@ -104,8 +124,8 @@ PenLift lift_of(const std::vector<double>& speed, const PenMotion& motion) {
 }
 
 /// Mean over the last tenth of the path.
-double pressure_at_end(const InkStroke& s) {
-  const double length = geometry::arc_length<InkFrame>(s.points);
+double pressure_at_end(const Columns& s) {
+  const double length = geometry::arc_length<WritingFrame>(s.points);
   double from_end = 0;
   double sum = s.pressures.back();
   int count = 1;
@@ -120,23 +140,24 @@ double pressure_at_end(const InkStroke& s) {
 
 }  // namespace
 
-std::vector<PenMotion> pen_motion(const Ink& ink) {
+std::vector<PenMotion> pen_motion(const WrittenCharacter& ink) {
   std::vector<PenMotion> result;
   std::optional<double> last_end;
-  for (const auto& s : ink.strokes) {
+  for (const auto& stroke : ink.strokes) {
+    const Columns s = columns_of(stroke);
     PenMotion m;
     std::vector<double> speed;
-    if (s.times_s.size() >= 2 && s.times_s.size() == s.points.size()) {
+    if (s.times_s.size() >= 2) {
       m.duration_s = s.times_s.back() - s.times_s.front();
       if (last_end) m.pause_before_s = s.times_s.front() - *last_end;
       last_end = s.times_s.back();
-      if (m.duration_s > 0) m.mean_speed = geometry::arc_length<InkFrame>(s.points) / m.duration_s;
+      if (m.duration_s > 0) m.mean_speed = geometry::arc_length<WritingFrame>(s.points) / m.duration_s;
       speed = speeds(s);
       m.speed_peaks = count_peaks(speed);
       m.pauses = find_pauses(speed);
       m.speed_at_end = speed_at_end(speed);
     }
-    if (!s.pressures.empty() && s.pressures.size() == s.points.size()) {
+    if (!s.pressures.empty()) {
       m.pressure = std::accumulate(s.pressures.begin(), s.pressures.end(), 0.0) /
                    static_cast<double>(s.pressures.size());
       m.pressure_at_end = pressure_at_end(s);

@@ -92,12 +92,12 @@ struct Drawn {
   Picture picture{};
 };
 
-Drawn look_at(const Ink& ink) {
+Drawn look_at(const WrittenCharacter& ink) {
   Drawn d;
   std::vector<std::vector<float>> flat;
   std::vector<ThreePoints> points;
   for (const auto& s : ink.strokes) {
-    d.shapes.push_back(make_shape<InkFrame>(s.points));
+    d.shapes.push_back(make_shape<WritingFrame>(geometry::line_of(s)));
     const auto& whole = d.shapes.back().whole;
     auto& line = flat.emplace_back();
     for (std::size_t k = 0; k < kSamples; ++k) {
@@ -277,7 +277,7 @@ base::Result<Recogniser> Recogniser::make(const std::vector<kanji::Character>& c
 
 int Recogniser::size() const { return static_cast<int>(inside_->characters.size()); }
 
-base::Result<std::vector<Candidate>> Recogniser::recognise(const Ink& ink,
+base::Result<std::vector<Candidate>> Recogniser::recognise(const WrittenCharacter& ink,
                                                            const RecogniseOptions& options) const {
   if (auto good = check(ink); !good) return tl::unexpected(good.error());
   if (options.limit < 1) return base::fail(base::Errc::bad_argument, "The limit is below 1.", "limit");

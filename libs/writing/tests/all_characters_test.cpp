@@ -83,7 +83,7 @@ class AllCharacters : public testing::Test {
     for (const auto& summary : sampled()) {
       const auto entry = library().find(summary.code_point);
       ASSERT_TRUE(entry);
-      const auto accepted = [&entry](const Ink& ink) {
+      const auto accepted = [&entry](const WrittenCharacter& ink) {
         const auto g = grade(ink, (*entry)->model, {}, (*entry)->lookalikes);
         EXPECT_TRUE(g);
         return g && g->accepted;
@@ -97,13 +97,13 @@ class AllCharacters : public testing::Test {
 TEST_F(AllCharacters, AreThoseOfTheDatabase) { EXPECT_EQ(database().list(kanji::List::all).size(), 6702U); }
 
 TEST_F(AllCharacters, AreAcceptedAsDrawn) {
-  each([&](const kanji::Character& c, const Ink& ink, const auto& accepted) {
+  each([&](const kanji::Character& c, const WrittenCharacter& ink, const auto& accepted) {
     EXPECT_TRUE(accepted(ink)) << base::encode_utf8(c.code_point);
   });
 }
 
 TEST_F(AllCharacters, AreNotAcceptedWithAStrokeReversed) {
-  each([&](const kanji::Character& c, Ink ink, const auto& accepted) {
+  each([&](const kanji::Character& c, WrittenCharacter ink, const auto& accepted) {
     const auto k = chosen(c.code_point, 1, ink.strokes.size());
     if (indistinguishable_reversed(c, k)) return;
     ink.strokes[k] = reversed(ink.strokes[k]);
@@ -112,7 +112,7 @@ TEST_F(AllCharacters, AreNotAcceptedWithAStrokeReversed) {
 }
 
 TEST_F(AllCharacters, AreNotAcceptedWithAStrokeMissing) {
-  each([&](const kanji::Character& c, Ink ink, const auto& accepted) {
+  each([&](const kanji::Character& c, WrittenCharacter ink, const auto& accepted) {
     const auto k = chosen(c.code_point, 2, ink.strokes.size());
     if (ink.strokes.size() < 2 || indistinguishable_without(c, k)) return;
     ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(k));
@@ -121,7 +121,7 @@ TEST_F(AllCharacters, AreNotAcceptedWithAStrokeMissing) {
 }
 
 TEST_F(AllCharacters, AreNotAcceptedWithTwoStrokesExchanged) {
-  each([&](const kanji::Character& c, Ink ink, const auto& accepted) {
+  each([&](const kanji::Character& c, WrittenCharacter ink, const auto& accepted) {
     if (ink.strokes.size() < 2) return;
     const auto k = chosen(c.code_point, 3, ink.strokes.size() - 1);
     if (indistinguishable_exchanged(c, k)) return;
@@ -132,7 +132,7 @@ TEST_F(AllCharacters, AreNotAcceptedWithTwoStrokesExchanged) {
 }
 
 TEST_F(AllCharacters, AreNotAcceptedWithAStrokeShortenedToAThird) {
-  each([&](const kanji::Character& c, Ink ink, const auto& accepted) {
+  each([&](const kanji::Character& c, WrittenCharacter ink, const auto& accepted) {
     const auto k = chosen(c.code_point, 4, ink.strokes.size());
     if (indistinguishable_shortened(database(), c, k)) return;
     ink.strokes[k] = shortened(ink.strokes[k], 1.0 / 3);
@@ -155,9 +155,9 @@ TEST_F(AllCharacters, NoneIsListedAsIndistinguishableThatIsTold) {
 TEST_F(AllCharacters, WhatIsListedAsMostlyKickHasALastPartOfAFifthOrMore) {
   // Of the line alone: the straight way is left for good where the rest turns by more than 40 degrees.
   const auto last_part = [](const geometry::Polyline<geometry::GlyphFrame>& line) {
-    InkStroke stroke;
-    for (const auto& p : line) stroke.points.push_back({p.x, p.y});
-    const auto points = resampled(stroke, 61).points;
+    WrittenStroke stroke;
+    for (const auto& p : line) stroke.push_back({{p.x, p.y}});
+    const auto points = geometry::line_of(resampled(stroke, 61));
     double best = 0;
     for (std::size_t k = 30; k < 58; ++k) {
       const auto in = points[k] - points[k - 12];
@@ -178,7 +178,7 @@ TEST_F(AllCharacters, AreAcceptedElsewhereLargerSlantedAndShaken) {
   std::uint32_t seed = 1;
   int refused = 0;
   int count = 0;
-  each([&](const kanji::Character&, Ink ink, const auto& accepted) {
+  each([&](const kanji::Character&, WrittenCharacter ink, const auto& accepted) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (auto& s : ink.strokes) s = resampled(s, 16);
@@ -271,8 +271,8 @@ TEST(Lookalikes, WritingOneIsNotAcceptedForTheOther) {
         ASSERT_TRUE(g);
         EXPECT_EQ(g->accepted, asked == written)
             << base::encode_utf8(written) << " for " << base::encode_utf8(asked);
-        const bool named = std::any_of(g->faults.begin(), g->faults.end(),
-                                       [](const Fault& f) { return f.kind == FaultKind::other; });
+        const bool named = std::any_of(g->mistakes.begin(), g->mistakes.end(),
+                                       [](const Mistake& f) { return f.kind == kanji::MistakeKind::other; });
         if (named) {
           EXPECT_LE(g->score, 70) << "the strokes of another character earn nothing";
         }
@@ -280,7 +280,7 @@ TEST(Lookalikes, WritingOneIsNotAcceptedForTheOther) {
 }
 
 /// Whether the character is among the ten likeliest.
-bool is_found(const Recogniser& recogniser, const Ink& ink, char32_t character) {
+bool is_found(const Recogniser& recogniser, const WrittenCharacter& ink, char32_t character) {
   const auto found = recogniser.recognise(ink);
   return found && std::any_of(found->begin(), found->end(),
                               [&](const Candidate& c) { return c.character == character; });

@@ -73,71 +73,79 @@ kanji::Character eye() {
 }
 // clang-format on
 
-Ink trace(const kanji::Character& character) {
-  Ink ink;
+WrittenCharacter trace(const kanji::Character& character) {
+  WrittenCharacter ink;
   for (const auto& s : character.strokes) {
-    InkStroke stroke;
-    for (const auto& p : s.line.points) stroke.points.push_back({p.x, p.y});
-    ink.strokes.push_back(std::move(stroke));
+    WrittenStroke& stroke = ink.strokes.emplace_back();
+    for (const auto& p : s.line.points) stroke.push_back({{p.x, p.y}});
   }
   ink.box = WritingBox{{0, 0}, geometry::kGlyphSide};
   return ink;
 }
 
-InkStroke shortened(const InkStroke& stroke, double share) {
-  const std::span<const InkPoint> line(stroke.points);
+WrittenStroke along(const geometry::Polyline<WritingFrame>& line, const std::vector<double>& times_s,
+                    const std::vector<double>& pressures) {
+  WrittenStroke stroke = geometry::written_along(line);
+  for (std::size_t i = 0; i < times_s.size(); ++i) stroke.at(i).time_s = times_s[i];
+  for (std::size_t i = 0; i < pressures.size(); ++i) stroke.at(i).pressure = pressures[i];
+  return stroke;
+}
+
+WrittenStroke shortened(const WrittenStroke& stroke, double share) {
+  const auto whole = geometry::line_of(stroke);
+  const std::span<const WritingPoint> line(whole);
   const double length = geometry::arc_length(line) * share;
-  InkStroke out{{line.front()}, {}, {}};
+  geometry::Polyline<WritingFrame> out{line.front()};
   double walked = 0;
   for (std::size_t i = 1; i < line.size(); ++i) {
     walked += geometry::distance(line[i - 1], line[i]);
     if (walked >= length) break;
-    out.points.push_back(line[i]);
+    out.push_back(line[i]);
   }
-  out.points.push_back(geometry::point_at(line, length));
+  out.push_back(geometry::point_at(line, length));
+  return along(out);
+}
+
+WrittenStroke joined(const WrittenStroke& first, const WrittenStroke& second) {
+  WrittenStroke out = first;
+  out.insert(out.end(), second.begin(), second.end());
   return out;
 }
 
-InkStroke joined(const InkStroke& first, const InkStroke& second) {
-  InkStroke out{first.points, {}, {}};
-  out.points.insert(out.points.end(), second.points.begin(), second.points.end());
-  return out;
-}
-
-InkStroke reversed(InkStroke stroke) {
-  std::reverse(stroke.points.begin(), stroke.points.end());
+WrittenStroke reversed(WrittenStroke stroke) {
+  std::reverse(stroke.begin(), stroke.end());
   return stroke;
 }
 
-InkStroke resampled(const InkStroke& stroke, std::size_t count) {
-  return {geometry::resample<InkFrame>(stroke.points, count), {}, {}};
+WrittenStroke resampled(const WrittenStroke& stroke, std::size_t count) {
+  return along(geometry::resample<WritingFrame>(geometry::line_of(stroke), count));
 }
 
-Ink mapped(Ink ink, double a, double b, double c, double d, double e, double f) {
+WrittenCharacter mapped(WrittenCharacter ink, double a, double b, double c, double d, double e, double f) {
   for (auto& s : ink.strokes)
-    for (auto& p : s.points) p = {a * p.x + b * p.y + e, c * p.x + d * p.y + f};
+    for (auto& p : s) p.at = {a * p.at.x + b * p.at.y + e, c * p.at.x + d * p.at.y + f};
   ink.box.reset();
   return ink;
 }
 
-Ink shaken(Ink ink, double sigma, std::uint32_t seed) {
+WrittenCharacter shaken(WrittenCharacter ink, double sigma, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> deviate(0, sigma);
   for (auto& s : ink.strokes)
-    for (auto& p : s.points) p = {p.x + deviate(random), p.y + deviate(random)};
+    for (auto& p : s) p.at = {p.at.x + deviate(random), p.at.y + deviate(random)};
   return ink;
 }
 
-std::vector<std::string> fault_names(const Grade& grade) {
+std::vector<std::string> mistake_names(const Grade& grade) {
   static const char* const kNames[] = {"order", "reversed", "missing", "extra", "joined",
                                        "split", "wrong",    "other",   "ending"};
   std::vector<std::string> names;
-  for (const auto& f : grade.faults)
+  for (const auto& f : grade.mistakes)
     names.push_back(std::string(kNames[static_cast<std::size_t>(f.kind)]) + "@" + std::to_string(f.stroke));
   return names;
 }
 
-Grade graded(const Ink& ink, const Model& model, double strictness) {
+Grade graded(const WrittenCharacter& ink, const Model& model, double strictness) {
   const auto result = grade(ink, model, {strictness, false});
   EXPECT_TRUE(result) << base::to_line(result.error());
   return result ? *result : Grade{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ink made from models, and what a hand does to it.
+// Writing made from models, and what a hand does to it.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 #include "nazori/kanji/character.h"
 #include "nazori/writing/grade.h"
-#include "nazori/writing/ink.h"
+#include "nazori/writing/written_character.h"
 
 namespace nazori::writing::test {
 
@@ -25,26 +25,30 @@ kanji::Character three();    // 三
 kanji::Character eye();      // 目
 
 /// The model's own lines, in the box of the model.
-Ink trace(const kanji::Character& character);
+WrittenCharacter trace(const kanji::Character& character);
+
+/// A stroke along a line; times and pressures of its first points, where given.
+WrittenStroke along(const geometry::Polyline<WritingFrame>& line, const std::vector<double>& times_s = {},
+                    const std::vector<double>& pressures = {});
 
 /// The first `share` of the length.
-InkStroke shortened(const InkStroke& stroke, double share);
+WrittenStroke shortened(const WrittenStroke& stroke, double share);
 /// Both without lifting the pen.
-InkStroke joined(const InkStroke& first, const InkStroke& second);
-InkStroke reversed(InkStroke stroke);
+WrittenStroke joined(const WrittenStroke& first, const WrittenStroke& second);
+WrittenStroke reversed(WrittenStroke stroke);
 /// `count` points at even steps.
-InkStroke resampled(const InkStroke& stroke, std::size_t count);
+WrittenStroke resampled(const WrittenStroke& stroke, std::size_t count);
 
 /// Every point through x' = a x + b y + e, y' = c x + d y + f; the box is forgotten.
-Ink mapped(Ink ink, double a, double b, double c, double d, double e, double f);
+WrittenCharacter mapped(WrittenCharacter ink, double a, double b, double c, double d, double e, double f);
 /// Every point moved by a normal deviate of `sigma`.
-Ink shaken(Ink ink, double sigma, std::uint32_t seed);
+WrittenCharacter shaken(WrittenCharacter ink, double sigma, std::uint32_t seed);
 
-/// Faults as "order@1": kind and stroke from 0.
-std::vector<std::string> fault_names(const Grade& grade);
+/// Mistakes as "order@1": kind and stroke from 0.
+std::vector<std::string> mistake_names(const Grade& grade);
 
 /// grade() that must succeed.
-Grade graded(const Ink& ink, const Model& model, double strictness = kNormal);
+Grade graded(const WrittenCharacter& ink, const Model& model, double strictness = kNormal);
 
 /// A model that must succeed.
 Model model_of(const kanji::Character& character);

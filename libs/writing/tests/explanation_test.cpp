@@ -50,7 +50,7 @@ TEST(Explanation, NumbersAreTheModelsEvenAfterAMissingStroke) {
 
 TEST(Explanation, SaysInWhichDirectionAStrokeIsOff) {
   auto ink = trace(rest());
-  for (auto& p : ink.strokes[2].points) p.y += 30;
+  for (auto& p : ink.strokes[2]) p.at.y += 30;
   EXPECT_THAT(explain(graded(ink, model_of(rest())), Language::english), ElementsAre("Stroke 3 is too low."));
 }
 
@@ -74,7 +74,7 @@ TEST(Explanation, ThePartsOfTheScoreAddUpToIt) {
   auto ink = trace(rest());
   std::swap(ink.strokes[1], ink.strokes[2]);
   ink.strokes.pop_back();
-  for (auto& p : ink.strokes[3].points) p.x += 7;
+  for (auto& p : ink.strokes[3]) p.at.x += 7;
   for (const auto& g : {graded(ink, model_of(rest())), graded(trace(rest()), model_of(rest()))}) {
     const auto sentences = explain_score(g, Language::english);
     ASSERT_EQ(sentences.size(), 5U);
@@ -97,7 +97,7 @@ TEST(Explanation, SaysOfAWrongStrokeWhatDeviatesMost) {
   Grade g;
   g.strokes.resize(1);
   const auto said = [&g](Deviation deviation) {
-    return explain(Fault{FaultKind::wrong, 0, {}, {1}, deviation}, g, Language::english);
+    return explain(Mistake{kanji::MistakeKind::wrong, 0, {}, {1}, deviation}, g, Language::english);
   };
   auto& v = g.strokes[0];
   v.offset_x = 0.2, v.offset_y = 0.1;
@@ -115,44 +115,45 @@ TEST(Explanation, SaysOfAWrongStrokeWhatDeviatesMost) {
   EXPECT_EQ(said(Deviation::direction), "Stroke 2 goes in another direction.");
   EXPECT_EQ(said(Deviation::shape), "Stroke 2 has another shape.");
   EXPECT_EQ(said(Deviation::none), "Stroke 2 has another shape.");
-  EXPECT_EQ(explain(Fault{FaultKind::wrong, 1, {}, {1}, Deviation::length}, g, Language::english),
+  EXPECT_EQ(explain(Mistake{kanji::MistakeKind::wrong, 1, {}, {1}, Deviation::length}, g, Language::english),
             "Stroke 2 has another shape.")
       << "a stroke that nobody looked at";
 }
 
-TEST(Explanation, EachFaultHasItsOwnWords) {
+TEST(Explanation, EachMistakeHasItsOwnWords) {
   Grade g;
-  const auto said = [&g](const Fault& fault) { return explain(fault, g, Language::english); };
-  EXPECT_EQ(said({FaultKind::order, 0, 1, {4, 2}}), "Stroke 5 was drawn before stroke 3.");
-  EXPECT_EQ(said({FaultKind::order, 0, {}, {4, 2}}), "Stroke 3 comes first.");
-  EXPECT_EQ(said({FaultKind::order, 0, 1, {4}}), "Stroke 5 has another shape.");
-  EXPECT_EQ(said({FaultKind::joined, 0, {}, {4, 5}}),
+  const auto said = [&g](const Mistake& mistake) { return explain(mistake, g, Language::english); };
+  EXPECT_EQ(said({kanji::MistakeKind::order, 0, 1, {4, 2}}), "Stroke 5 was drawn before stroke 3.");
+  EXPECT_EQ(said({kanji::MistakeKind::order, 0, {}, {4, 2}}), "Stroke 3 comes first.");
+  EXPECT_EQ(said({kanji::MistakeKind::order, 0, 1, {4}}), "Stroke 5 has another shape.");
+  EXPECT_EQ(said({kanji::MistakeKind::joined, 0, {}, {4, 5}}),
             "Strokes 5 and 6 are two strokes: lift the pen between them.");
-  EXPECT_EQ(said({FaultKind::joined, 0, {}, {4}}), "Stroke 5 has another shape.");
-  EXPECT_EQ(said({FaultKind::extra, 3, {}, {}}), "The stroke you wrote as number 4 does not belong here.");
-  EXPECT_EQ(said({FaultKind::missing, 3, {}, {}}), "Stroke 4 is missing.")
+  EXPECT_EQ(said({kanji::MistakeKind::joined, 0, {}, {4}}), "Stroke 5 has another shape.");
+  EXPECT_EQ(said({kanji::MistakeKind::extra, 3, {}, {}}),
+            "The stroke you wrote as number 4 does not belong here.");
+  EXPECT_EQ(said({kanji::MistakeKind::missing, 3, {}, {}}), "Stroke 4 is missing.")
       << "by its own number where none is named";
-  Fault fault{FaultKind::reversed, 0, {}, {1}};
+  Mistake mistake{kanji::MistakeKind::reversed, 0, {}, {1}};
   const std::pair<Side, std::string> sides[] = {
       {Side::top, "top"}, {Side::bottom, "bottom"}, {Side::left, "left"}, {Side::right, "right"}};
   for (const auto& [side, word] : sides) {
-    fault.start = side;
-    EXPECT_EQ(said(fault), "Stroke 2 starts at the " + word + ".");
+    mistake.start = side;
+    EXPECT_EQ(said(mistake), "Stroke 2 starts at the " + word + ".");
   }
-  Fault ending{FaultKind::ending, 0, {}, {1}};
+  Mistake ending{kanji::MistakeKind::ending, 0, {}, {1}};
   ending.expected = kanji::StrokeEnding::hook;
   EXPECT_EQ(said(ending), "Stroke 2 ends with a small kick.");
   ending.expected = kanji::StrokeEnding::stop;
   EXPECT_EQ(said(ending), "Stroke 2 stops without a kick.");
-  Fault other{FaultKind::other, 0, {}, {1}};
+  Mistake other{kanji::MistakeKind::other, 0, {}, {1}};
   other.character = U'士';
   EXPECT_EQ(said(other), "This looks like 士: mind stroke 2.");
 }
 
-TEST(Explanation, SaysFaultsBeforeAdviceAndWhichFormWasRight) {
+TEST(Explanation, SaysMistakesBeforeAdviceAndWhichFormWasRight) {
   Grade g;
-  g.faults = {{FaultKind::missing, 0, {}, {0}}, {FaultKind::missing, 1, {}, {1}}};
-  g.advice = {{FaultKind::missing, 2, {}, {2}}};
+  g.mistakes = {{kanji::MistakeKind::missing, 0, {}, {0}}, {kanji::MistakeKind::missing, 1, {}, {1}}};
+  g.advice = {{kanji::MistakeKind::missing, 2, {}, {2}}};
   EXPECT_THAT(explain(g, Language::english),
               ElementsAre("Stroke 1 is missing.", "Stroke 2 is missing.", "Stroke 3 is missing."));
   Grade other;
@@ -173,15 +174,15 @@ TEST(Explanation, ThePointsThatRoundingCutGoToThePartsThatLostMost) {
                   testing::StartsWith("Place: 7 of 15")));
 }
 
-TEST(Explanation, EveryKindOfFaultIsASentenceInEveryLanguage) {
+TEST(Explanation, EveryKindOfMistakeIsASentenceInEveryLanguage) {
   Grade g;
   g.strokes.resize(3);
-  for (int kind = 0; kind <= static_cast<int>(FaultKind::ending); ++kind) {
+  for (int kind = 0; kind <= static_cast<int>(kanji::MistakeKind::ending); ++kind) {
     for (int deviation = 0; deviation <= static_cast<int>(Deviation::length); ++deviation) {
-      Fault fault{static_cast<FaultKind>(kind), 1, 2, {1, 2}, static_cast<Deviation>(deviation)};
-      fault.character = U'士';
-      const auto english = explain(fault, g, Language::english);
-      const auto japanese = explain(fault, g, Language::japanese);
+      Mistake mistake{static_cast<kanji::MistakeKind>(kind), 1, 2, {1, 2}, static_cast<Deviation>(deviation)};
+      mistake.character = U'士';
+      const auto english = explain(mistake, g, Language::english);
+      const auto japanese = explain(mistake, g, Language::japanese);
       EXPECT_TRUE(english.ends_with('.')) << english;
       EXPECT_TRUE(japanese.ends_with("。")) << japanese;
       EXPECT_EQ(english.find('{'), std::string::npos) << english;

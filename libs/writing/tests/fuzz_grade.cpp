@@ -30,8 +30,8 @@ kanji::Character cross() {
 
 /// Any bytes as ink: a byte with the high bit begins a stroke; else 8 bytes are a point, as two floats of any
 /// kind or as a small grid.
-writing::Ink ink_of(const std::uint8_t* data, std::size_t size) {
-  writing::Ink ink;
+writing::WrittenCharacter ink_of(const std::uint8_t* data, std::size_t size) {
+  writing::WrittenCharacter ink;
   std::size_t i = 0;
   while (i + 3 < size) {
     const std::uint8_t kind = data[i++];
@@ -41,13 +41,13 @@ writing::Ink ink_of(const std::uint8_t* data, std::size_t size) {
       float xy[2];
       std::memcpy(xy, data + i, sizeof xy);
       i += sizeof xy;
-      stroke.points.push_back({static_cast<double>(xy[0]), static_cast<double>(xy[1])});
+      stroke.push_back({{static_cast<double>(xy[0]), static_cast<double>(xy[1])}});
     } else {
-      stroke.points.push_back({data[i] / 255.0, data[i + 1] / 255.0});
+      stroke.push_back({{data[i] / 255.0, data[i + 1] / 255.0}});
       i += 2;
     }
-    if ((kind & 0x20U) != 0) stroke.times_s.push_back(static_cast<double>(kind & 0x1FU) / 10);
-    if ((kind & 0x10U) != 0) stroke.pressures.push_back(static_cast<double>(kind & 0x0FU) / 15);
+    if ((kind & 0x20U) != 0) stroke.back().time_s = static_cast<double>(kind & 0x1FU) / 10;
+    if ((kind & 0x10U) != 0) stroke.back().pressure = static_cast<double>(kind & 0x0FU) / 15;
   }
   if (size % 3 == 0) ink.box = writing::WritingBox{};
   return ink;
@@ -57,10 +57,10 @@ void demand(bool holds) {
   if (!holds) std::abort();
 }
 
-void look_over(const base::Result<writing::Grade>& grade, const writing::Ink& ink) {
+void look_over(const base::Result<writing::Grade>& grade, const writing::WrittenCharacter& ink) {
   if (!grade) return demand(grade.error().code == base::Errc::bad_argument);
   demand(grade->strokes.size() == ink.strokes.size());
-  demand(grade->accepted == grade->faults.empty());
+  demand(grade->accepted == grade->mistakes.empty());
   demand(grade->score >= 0 && grade->score <= 100);
   for (const auto& s : grade->strokes)
     demand(std::isfinite(s.offset_x) && std::isfinite(s.offset_y) && std::isfinite(s.size) &&

@@ -19,7 +19,7 @@ TEST(GradeLive, VerdictsAreThoseOfTheMoment) {
   ink.strokes[1] = reversed(ink.strokes[1]);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("reversed@1"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("reversed@1"));
   for (const std::size_t k : {0U, 2U, 3U, 4U, 5U}) EXPECT_TRUE(live->strokes[k].ok) << k;
 }
 
@@ -28,7 +28,7 @@ TEST(GradeLive, AStrokeLeftOutIsNamedAndTheNextOnesStayRight) {
   ink.strokes.erase(ink.strokes.begin() + 1);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("missing@1"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("missing@1"));
   EXPECT_FALSE(live->accepted);
 }
 
@@ -38,14 +38,14 @@ TEST(GradeLive, AtTheEndTwoStrokesInOneAreCalledThat) {
   ink.strokes.erase(ink.strokes.begin() + 4);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("joined@3"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("joined@3"));
   for (const std::size_t k : {0U, 1U, 2U, 4U}) EXPECT_TRUE(live->strokes[k].ok) << k;
 }
 
 TEST(GradeLive, AFirstStrokeOfOnePointNextToZeroIsJudgedInFiniteNumbers) {
   auto ink = trace(soil());
   ink.strokes.resize(2);
-  ink.strokes[0] = InkStroke{{{1.3108082146925777e-39, 1.7345692780951883e-40}}, {}, {}};
+  ink.strokes[0] = along({{1.3108082146925777e-39, 1.7345692780951883e-40}});
   ink.box.reset();
   const auto live = grade_live(ink, model_of(soil()));
   ASSERT_TRUE(live);
@@ -61,16 +61,16 @@ TEST(GradeLive, AStrokeDrawnTooEarlyIsToldOnce) {
   std::rotate(ink.strokes.begin(), ink.strokes.begin() + 4, ink.strokes.begin() + 5);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("order@0"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("order@0"));
   auto unfinished = ink;
   unfinished.strokes.pop_back();
   const auto before = grade_live(unfinished, model_of(rest()), {kNormal, true});
   ASSERT_TRUE(before);
-  EXPECT_THAT(fault_names(*before), ElementsAre("order@0"));
+  EXPECT_THAT(mistake_names(*before), ElementsAre("order@0"));
 }
 
 /// What is told of the last stroke, as the window asks for it after each.
-Grade told(const Ink& ink, const kanji::Character& c, double strictness = kNormal) {
+Grade told(const WrittenCharacter& ink, const kanji::Character& c, double strictness = kNormal) {
   const auto live = grade_live(ink, model_of(c), {strictness, true});
   EXPECT_TRUE(live);
   return live.value_or(Grade{});
@@ -81,15 +81,15 @@ TEST(GradeLive, AStrokeThatPassesOverAnotherIsToldSoAtOnceAndNotAgain) {
   std::swap(ink.strokes[4], ink.strokes[5]);
   ink.strokes.pop_back();
   const auto early = told(ink, rest());
-  EXPECT_THAT(fault_names(early), ElementsAre("order@4"));
-  EXPECT_FALSE(early.faults[0].second);
-  EXPECT_THAT(early.faults[0].model, ElementsAre(5, 4)) << "the stroke drawn, the one that comes first";
+  EXPECT_THAT(mistake_names(early), ElementsAre("order@4"));
+  EXPECT_FALSE(early.mistakes[0].second);
+  EXPECT_THAT(early.mistakes[0].model, ElementsAre(5, 4)) << "the stroke drawn, the one that comes first";
   EXPECT_FALSE(early.strokes[4].ok);
   EXPECT_EQ(early.strokes[4].matched, 5);
   EXPECT_FALSE(early.accepted);
   ink.strokes.push_back(trace(rest()).strokes[4]);
   const auto late = told(ink, rest());
-  EXPECT_THAT(fault_names(late), ElementsAre("order@4")) << "once";
+  EXPECT_THAT(mistake_names(late), ElementsAre("order@4")) << "once";
   EXPECT_FALSE(late.strokes[4].ok);
   EXPECT_TRUE(late.strokes[5].ok) << "it is what was asked for";
   EXPECT_EQ(late.strokes[5].matched, 4);
@@ -100,8 +100,8 @@ TEST(GradeLive, OnlyTheStrokeThatPassesOverAnotherIsBlamed) {
   ink.strokes.erase(ink.strokes.begin() + 1);
   ink.strokes.resize(3);
   const auto live = told(ink, rest());
-  EXPECT_THAT(fault_names(live), ElementsAre("order@1"));
-  EXPECT_THAT(live.faults[0].model, ElementsAre(2, 1));
+  EXPECT_THAT(mistake_names(live), ElementsAre("order@1"));
+  EXPECT_THAT(live.mistakes[0].model, ElementsAre(2, 1));
   EXPECT_TRUE(live.strokes[2].ok) << "the one after it follows rightly";
 }
 
@@ -110,8 +110,8 @@ TEST(GradeLive, OfSeveralPassedOverTheFirstIsNamed) {
   ink.strokes.erase(ink.strokes.begin() + 1, ink.strokes.begin() + 3);
   ink.strokes.resize(2);
   const auto live = told(ink, rest());
-  ASSERT_THAT(fault_names(live), ElementsAre("order@1"));
-  EXPECT_THAT(live.faults[0].model, ElementsAre(3, 1));
+  ASSERT_THAT(mistake_names(live), ElementsAre("order@1"));
+  EXPECT_THAT(live.mistakes[0].model, ElementsAre(3, 1));
 }
 
 TEST(GradeLive, PassingOverAStrokeIsAdviceWhenLenient) {
@@ -119,9 +119,9 @@ TEST(GradeLive, PassingOverAStrokeIsAdviceWhenLenient) {
   ink.strokes.erase(ink.strokes.begin());
   ink.strokes.resize(1);
   const auto live = told(ink, rest(), kLenient);
-  EXPECT_THAT(live.faults, IsEmpty());
+  EXPECT_THAT(live.mistakes, IsEmpty());
   ASSERT_EQ(live.advice.size(), 1U);
-  EXPECT_EQ(live.advice[0].kind, FaultKind::order);
+  EXPECT_EQ(live.advice[0].kind, kanji::MistakeKind::order);
   EXPECT_TRUE(live.strokes[0].ok);
 }
 
@@ -131,25 +131,25 @@ TEST(GradeLive, AListedOrderIsNotTakenForPassingOver) {
   auto ink = trace(c);
   ink.strokes.erase(ink.strokes.begin() + 1);
   const auto live = told(ink, c);
-  EXPECT_THAT(live.faults, IsEmpty());
+  EXPECT_THAT(live.mistakes, IsEmpty());
   EXPECT_TRUE(live.strokes[1].ok);
-  EXPECT_THAT(fault_names(told(ink, soil())), ElementsAre("order@1"));
+  EXPECT_THAT(mistake_names(told(ink, soil())), ElementsAre("order@1"));
 }
 
 TEST(GradeLive, AStrangeStrokeDoesNotPassOverAnything) {
   auto ink = trace(rest());
   ink.strokes.resize(3);
-  ink.strokes[2] = InkStroke{{{60, 20}, {90, 25}, {62, 50}, {90, 90}, {58, 70}}, {}, {}};
-  for (const auto& fault : told(ink, rest()).faults) EXPECT_NE(fault.kind, FaultKind::order);
+  ink.strokes[2] = along({{60, 20}, {90, 25}, {62, 50}, {90, 90}, {58, 70}});
+  for (const auto& mistake : told(ink, rest()).mistakes) EXPECT_NE(mistake.kind, kanji::MistakeKind::order);
 }
 
 TEST(GradeLive, AStrangeStrokeIsNotRightWhateverItWasTakenForAtFirst) {
   // Alone it looks like the fourth stroke, drawn too early. Among the others it only stands for the first.
   auto ink = trace(rest());
-  ink.strokes[0] = InkStroke{{{60, 20}, {62, 50}, {58, 70}}, {}, {}};
+  ink.strokes[0] = along({{60, 20}, {62, 50}, {58, 70}});
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("wrong@0"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("wrong@0"));
   EXPECT_FALSE(live->strokes[0].ok);
   EXPECT_FALSE(told(ink, rest()).strokes[0].ok);
 }
@@ -161,9 +161,9 @@ TEST(GradeLive, AStrokeDrawnOverOneThatWasRightIsTheOneTooMany) {
                         "㇏|M46,54.25c6.12,6,25.51,22.24,35.52,29.72c3.66,2.73,6.94,4.64,11.48,5.53"});
   auto ink = trace(person);
   ink.strokes.push_back(ink.strokes[1]);
-  for (auto& p : ink.strokes[1].points) p = {p.x + 4, p.y - 3};
+  for (auto& p : ink.strokes[1]) p.at = {p.at.x + 4, p.at.y - 3};
   const auto live = told(ink, person);
-  EXPECT_THAT(fault_names(live), ElementsAre("extra@2"));
+  EXPECT_THAT(mistake_names(live), ElementsAre("extra@2"));
   EXPECT_TRUE(live.strokes[1].ok);
   EXPECT_EQ(live.strokes[1].matched, 1);
   EXPECT_FALSE(live.strokes[2].ok);
@@ -175,12 +175,12 @@ TEST(GradeLive, AWarningThatTheWholeDoesNotBearOutIsTakenBack) {
   const auto model = model_of(three());
   for (double shift = -30; shift <= 30; shift += 1) {
     auto ink = trace(three());
-    for (auto& p : ink.strokes[0].points) p.y += shift;
+    for (auto& p : ink.strokes[0]) p.at.y += shift;
     const auto whole = grade(ink, model, {kNormal, true});
     const auto live = grade_live(ink, model, {kNormal, true});
     ASSERT_TRUE(whole && live);
     if (!whole->accepted) continue;
-    for (const auto& fault : live->faults) EXPECT_NE(fault.kind, FaultKind::order) << shift;
+    for (const auto& mistake : live->mistakes) EXPECT_NE(mistake.kind, kanji::MistakeKind::order) << shift;
   }
 }
 
@@ -189,7 +189,7 @@ TEST(GradeLive, AtTheEndAStrokeLeftOutIsMissingAndTheStrokeThatPassedOverItIsRig
   ink.strokes.erase(ink.strokes.begin() + 1);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  EXPECT_THAT(fault_names(*live), ElementsAre("missing@1"));
+  EXPECT_THAT(mistake_names(*live), ElementsAre("missing@1"));
   for (const auto& s : live->strokes) EXPECT_TRUE(s.ok);
 }
 
@@ -198,8 +198,8 @@ TEST(GradeLive, AtTheEndAnExchangeIsToldWithBothStrokes) {
   std::swap(ink.strokes[4], ink.strokes[5]);
   const auto live = grade_live(ink, model_of(rest()));
   ASSERT_TRUE(live);
-  ASSERT_THAT(fault_names(*live), ElementsAre("order@4"));
-  EXPECT_EQ(live->faults[0].second, 5);
+  ASSERT_THAT(mistake_names(*live), ElementsAre("order@4"));
+  EXPECT_EQ(live->mistakes[0].second, 5);
   EXPECT_FALSE(live->strokes[4].ok);
   EXPECT_TRUE(live->strokes[5].ok);
 }
@@ -209,7 +209,7 @@ TEST(GradeLive, AStrokeAloneIsTheSameStrokeInBothWays) {
     const auto model = model_of(c);
     const auto all = trace(c);
     for (std::size_t k = 0; k < all.strokes.size(); ++k) {
-      Ink ink;
+      WrittenCharacter ink;
       ink.box = all.box;
       ink.strokes = {all.strokes[k]};
       const auto live = grade_live(ink, model);
@@ -217,7 +217,7 @@ TEST(GradeLive, AStrokeAloneIsTheSameStrokeInBothWays) {
       ASSERT_TRUE(live && whole);
       EXPECT_EQ(whole->strokes[0].matched, static_cast<int>(k));
       EXPECT_EQ(live->strokes[0].matched, static_cast<int>(k));
-      EXPECT_EQ(fault_names(*live), fault_names(*whole));
+      EXPECT_EQ(mistake_names(*live), mistake_names(*whole));
     }
   }
 }
@@ -251,7 +251,7 @@ TEST(GradeLive, TheBeginningIsNotBlamedForWhatFollows) {
   ink.strokes.resize(3);
   const auto g = grade(ink, model_of(rest()), {kNormal, true});
   ASSERT_TRUE(g);
-  EXPECT_THAT(fault_names(*g), IsEmpty());
+  EXPECT_THAT(mistake_names(*g), IsEmpty());
   for (const auto& s : g->strokes) EXPECT_TRUE(s.ok);
 }
 

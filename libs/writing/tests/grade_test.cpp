@@ -30,25 +30,25 @@ TEST(Grade, TheModelItselfIsAcceptedWithFullScore) {
   }
 }
 
-TEST(Grade, TwoStrokesExchangedAreAnOrderFaultOfThoseTwoOnly) {
+TEST(Grade, TwoStrokesExchangedAreAnOrderMistakeOfThoseTwoOnly) {
   auto ink = trace(rest());
   std::swap(ink.strokes[2], ink.strokes[3]);
   const auto g = graded(ink, model_of(rest()));
   EXPECT_FALSE(g.accepted);
-  EXPECT_THAT(fault_names(g), ElementsAre("order@2"));
-  EXPECT_EQ(g.faults[0].second, 3);
-  EXPECT_THAT(g.faults[0].model, ElementsAre(3, 2));
+  EXPECT_THAT(mistake_names(g), ElementsAre("order@2"));
+  EXPECT_EQ(g.mistakes[0].second, 3);
+  EXPECT_THAT(g.mistakes[0].model, ElementsAre(3, 2));
   for (const std::size_t k : {0U, 1U, 4U, 5U}) EXPECT_TRUE(g.strokes[k].ok) << k;
   EXPECT_EQ(g.strokes[2].matched, 3);
   EXPECT_EQ(g.strokes[3].matched, 2);
 }
 
-TEST(Grade, AStrokeMovedToTheEndIsOneFaultNotMany) {
+TEST(Grade, AStrokeMovedToTheEndIsOneMistakeNotMany) {
   auto ink = trace(rest());
   std::rotate(ink.strokes.begin() + 1, ink.strokes.begin() + 2, ink.strokes.end());
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_EQ(g.faults.size(), 1U);
-  EXPECT_EQ(g.faults[0].kind, FaultKind::order);
+  EXPECT_EQ(g.mistakes.size(), 1U);
+  EXPECT_EQ(g.mistakes[0].kind, kanji::MistakeKind::order);
   for (std::size_t k = 0; k < 5; ++k) EXPECT_TRUE(g.strokes[k].ok) << k;
   EXPECT_FALSE(g.strokes[5].ok);
 }
@@ -56,20 +56,20 @@ TEST(Grade, AStrokeMovedToTheEndIsOneFaultNotMany) {
 TEST(Grade, ParallelBarsInTheWrongOrderAreSeen) {
   auto ink = trace(three());
   std::swap(ink.strokes[0], ink.strokes[1]);
-  EXPECT_THAT(fault_names(graded(ink, model_of(three()))), ElementsAre("order@0"));
+  EXPECT_THAT(mistake_names(graded(ink, model_of(three()))), ElementsAre("order@0"));
   auto eyes = trace(eye());
   std::swap(eyes.strokes[2], eyes.strokes[3]);
-  EXPECT_THAT(fault_names(graded(eyes, model_of(eye()))), ElementsAre("order@2"));
+  EXPECT_THAT(mistake_names(graded(eyes, model_of(eye()))), ElementsAre("order@2"));
 }
 
 TEST(Grade, AStrokeDrawnBackwardsSaysWhereItStarts) {
   auto ink = trace(rest());
   ink.strokes[3] = reversed(ink.strokes[3]);
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_THAT(fault_names(g), ElementsAre("reversed@3"));
+  EXPECT_THAT(mistake_names(g), ElementsAre("reversed@3"));
   EXPECT_TRUE(g.strokes[3].reversed);
   EXPECT_FALSE(g.strokes[3].ok);
-  EXPECT_EQ(g.faults[0].start, Side::top);
+  EXPECT_EQ(g.mistakes[0].start, Side::top);
 }
 
 TEST(Grade, AMissingStrokeDoesNotBlameThoseAfterIt) {
@@ -77,16 +77,16 @@ TEST(Grade, AMissingStrokeDoesNotBlameThoseAfterIt) {
     auto ink = trace(rest());
     ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(gone));
     const auto g = graded(ink, model_of(rest()));
-    EXPECT_THAT(fault_names(g), ElementsAre("missing@" + std::to_string(gone)));
+    EXPECT_THAT(mistake_names(g), ElementsAre("missing@" + std::to_string(gone)));
     for (const auto& s : g.strokes) EXPECT_TRUE(s.ok);
   }
 }
 
 TEST(Grade, AnExtraStrokeIsNamed) {
   auto ink = trace(rest());
-  ink.strokes.insert(ink.strokes.begin() + 2, InkStroke{{{70, 90}, {100, 95}}, {}, {}});
+  ink.strokes.insert(ink.strokes.begin() + 2, along({{70, 90}, {100, 95}}));
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_THAT(fault_names(g), ElementsAre("extra@2"));
+  EXPECT_THAT(mistake_names(g), ElementsAre("extra@2"));
   EXPECT_EQ(g.strokes[2].matched, std::nullopt);
   EXPECT_TRUE(g.strokes[3].ok);
 }
@@ -96,8 +96,8 @@ TEST(Grade, TwoStrokesWithoutLiftingThePenAreJoined) {
   ink.strokes[4] = joined(ink.strokes[4], ink.strokes[5]);
   ink.strokes.pop_back();
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_THAT(fault_names(g), ElementsAre("joined@4"));
-  EXPECT_THAT(g.faults[0].model, ElementsAre(4, 5));
+  EXPECT_THAT(mistake_names(g), ElementsAre("joined@4"));
+  EXPECT_THAT(g.mistakes[0].model, ElementsAre(4, 5));
 }
 
 TEST(Grade, AStrokeThatCoversOneOfTwoIsNotBothOfThem) {
@@ -109,8 +109,8 @@ TEST(Grade, AStrokeThatCoversOneOfTwoIsNotBothOfThem) {
         auto ink = trace(c);
         ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(gone));
         for (auto& s : ink.strokes) s = resampled(s, 4);
-        for (const auto& fault : graded(shaken(ink, 5, seed), model).faults)
-          EXPECT_NE(fault.kind, FaultKind::joined) << "without " << gone << ", seed " << seed;
+        for (const auto& mistake : graded(shaken(ink, 5, seed), model).mistakes)
+          EXPECT_NE(mistake.kind, kanji::MistakeKind::joined) << "without " << gone << ", seed " << seed;
       }
   }
 }
@@ -120,16 +120,16 @@ TEST(Grade, ALineWithItsCornersCutIsTwoStrokesWhileItIsAboutAsLongAsBoth) {
   const auto model = model_of(three());
   const auto bars = trace(three());
   const auto zigzag = resampled(joined(bars.strokes[0], bars.strokes[1]), 40);
-  const auto length = [](const InkStroke& s) {
-    return geometry::arc_length(std::span<const InkPoint>(s.points));
+  const auto length = [](const WrittenStroke& s) {
+    return geometry::arc_length<WritingFrame>(geometry::line_of(s));
   };
   int both = 0, one = 0;
   for (int step = 0; step <= 200; ++step) {
     const double cut = step / 200.0;
-    InkStroke drawn = zigzag;
-    const InkPoint from = drawn.points.front(), to = drawn.points.back();
-    for (std::size_t i = 0; i < drawn.points.size(); ++i) {
-      auto& p = drawn.points[i];
+    WrittenStroke drawn = zigzag;
+    const WritingPoint from = drawn.front().at, to = drawn.back().at;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      auto& p = drawn[i].at;
       const double way = static_cast<double>(i) / 39;
       p = {p.x + cut * (from.x + way * (to.x - from.x) - p.x),
            p.y + cut * (from.y + way * (to.y - from.y) - p.y)};
@@ -144,9 +144,9 @@ TEST(Grade, ALineWithItsCornersCutIsTwoStrokesWhileItIsAboutAsLongAsBoth) {
     if (std::abs(shorter - longer - kAllowed) < kTooNearToTell) continue;
     auto ink = bars;
     ink.strokes = {drawn, bars.strokes[2]};
-    const auto faults = graded(ink, model).faults;
-    const bool is_joined =
-        std::any_of(faults.begin(), faults.end(), [](const Fault& f) { return f.kind == FaultKind::joined; });
+    const auto mistakes = graded(ink, model).mistakes;
+    const bool is_joined = std::any_of(mistakes.begin(), mistakes.end(),
+                                       [](const Mistake& f) { return f.kind == kanji::MistakeKind::joined; });
     EXPECT_EQ(is_joined, shorter < longer + kAllowed) << cut << ": " << shorter << ", " << longer;
     ++(is_joined ? both : one);
   }
@@ -157,16 +157,15 @@ TEST(Grade, ALineWithItsCornersCutIsTwoStrokesWhileItIsAboutAsLongAsBoth) {
 TEST(Grade, OneStrokeInTwoPiecesIsSplit) {
   auto ink = trace(rest());
   const auto whole = resampled(ink.strokes[2], 21);
-  ink.strokes[2].points.assign(whole.points.begin(), whole.points.begin() + 11);
-  ink.strokes.insert(ink.strokes.begin() + 3,
-                     InkStroke{{whole.points.begin() + 11, whole.points.end()}, {}, {}});
-  EXPECT_THAT(fault_names(graded(ink, model_of(rest()))), ElementsAre("split@2"));
+  ink.strokes[2].assign(whole.begin(), whole.begin() + 11);
+  ink.strokes.insert(ink.strokes.begin() + 3, WrittenStroke(whole.begin() + 11, whole.end()));
+  EXPECT_THAT(mistake_names(graded(ink, model_of(rest()))), ElementsAre("split@2"));
 }
 
 TEST(Grade, AStrangeStrokeInThePlaceOfARightOneIsWrong) {
   auto ink = trace(rest());
-  ink.strokes[2] = InkStroke{{{60, 20}, {62, 50}, {58, 70}}, {}, {}};
-  EXPECT_THAT(fault_names(graded(ink, model_of(rest()))), ElementsAre("wrong@2"));
+  ink.strokes[2] = along({{60, 20}, {62, 50}, {58, 70}});
+  EXPECT_THAT(mistake_names(graded(ink, model_of(rest()))), ElementsAre("wrong@2"));
 }
 
 TEST(Grade, PlaceAndSizeOfTheWholeDoNotCount) {
@@ -196,15 +195,15 @@ TEST(Grade, ThreePointsOrThousandsAreAsGood) {
 
 TEST(Grade, AVerticalWithoutAnyWidthIsAVertical) {
   auto ink = trace(rest());
-  ink.strokes[1].points = {{27, 43}, {27, 60}, {27, 93}};
+  ink.strokes[1] = along({{27, 43}, {27, 60}, {27, 93}});
   EXPECT_TRUE(graded(ink, model_of(rest())).accepted);
 }
 
 TEST(Grade, RepeatedPointsAndASinglePointAreNoTrouble) {
   auto ink = trace(rest());
-  ink.strokes[0].points.insert(ink.strokes[0].points.begin(), 50, ink.strokes[0].points.front());
+  ink.strokes[0].insert(ink.strokes[0].begin(), 50, ink.strokes[0].front());
   EXPECT_TRUE(graded(ink, model_of(rest())).accepted);
-  ink.strokes[2].points = {{50, 40}};
+  ink.strokes[2] = along({{50, 40}});
   const auto g = graded(ink, model_of(rest()));
   EXPECT_FALSE(g.accepted);
   EXPECT_FALSE(g.strokes[2].ok);
@@ -232,7 +231,7 @@ TEST(Grade, AnotherOrderIsAdviceWhenLenient) {
   const auto g = graded(ink, model_of(rest()), kLenient);
   EXPECT_TRUE(g.accepted);
   ASSERT_EQ(g.advice.size(), 1U);
-  EXPECT_EQ(g.advice[0].kind, FaultKind::order);
+  EXPECT_EQ(g.advice[0].kind, kanji::MistakeKind::order);
   EXPECT_FALSE(graded(ink, model_of(rest()), kNormal).accepted);
 }
 
@@ -244,7 +243,7 @@ TEST(Grade, StrictnessIsContinuous) {
     double limit = 0;
     for (double shift = 0; shift < 40; shift += 0.5) {
       auto ink = trace(rest());
-      for (auto& p : ink.strokes[2].points) p.y += shift;
+      for (auto& p : ink.strokes[2]) p.at.y += shift;
       if (!graded(ink, model, strictness).accepted) break;
       limit = shift;
     }
@@ -254,18 +253,18 @@ TEST(Grade, StrictnessIsContinuous) {
   }
 }
 
-TEST(Grade, EndingsAreAdviceAndFaultsOnlyWhenStrict) {
+TEST(Grade, EndingsAreAdviceAndMistakesOnlyWhenStrict) {
   auto c = rest();
   auto ink = trace(c);
-  auto& bar = ink.strokes[2].points;
-  bar.push_back({bar.back().x - 3, bar.back().y + 7});
+  auto& bar = ink.strokes[2];
+  bar.push_back({{bar.back().at.x - 3, bar.back().at.y + 7}});
   const auto g = graded(ink, model_of(c));
   EXPECT_TRUE(g.accepted);
   ASSERT_EQ(g.advice.size(), 1U);
-  EXPECT_EQ(g.advice[0].kind, FaultKind::ending);
-  EXPECT_THAT(fault_names(graded(ink, model_of(c), kStrict)), ElementsAre("ending@2"));
+  EXPECT_EQ(g.advice[0].kind, kanji::MistakeKind::ending);
+  EXPECT_THAT(mistake_names(graded(ink, model_of(c), kStrict)), ElementsAre("ending@2"));
   for (auto& s : c.strokes) s.line.ending = kanji::StrokeEnding::either;
-  EXPECT_THAT(graded(ink, model_of(c), kStrict).faults, IsEmpty());
+  EXPECT_THAT(graded(ink, model_of(c), kStrict).mistakes, IsEmpty());
 }
 
 TEST(Grade, LookalikesAreNotTakenForEachOther) {
@@ -280,23 +279,23 @@ TEST(Grade, LookalikesAreNotTakenForEachOther) {
 
 TEST(Grade, BadInkIsRefusedWithTheStrokeAtFault) {
   const auto model = model_of(rest());
-  const auto refused = [&model](const Ink& ink) {
+  const auto refused = [&model](const WrittenCharacter& ink) {
     const auto g = grade(ink, model);
     return !g && g.error().code == base::Errc::bad_argument;
   };
   EXPECT_TRUE(refused({}));
-  EXPECT_TRUE(refused({{InkStroke{}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}}, {}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {1, 1}}, {}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {std::nan(""), 1}}, {}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {std::numeric_limits<double>::infinity(), 1}}, {}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{{{1, 1}, {2, 1}}, {0.5}, {}}}, {}}));
-  EXPECT_TRUE(refused({{InkStroke{geometry::Polyline<InkFrame>(100'000, {1, 2}), {}, {}}}, {}}));
+  EXPECT_TRUE(refused({{WrittenStroke{}}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}})}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}, {1, 1}})}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}, {std::nan(""), 1}})}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}, {std::numeric_limits<double>::infinity(), 1}})}, {}}));
+  EXPECT_TRUE(refused({{along({{1, 1}, {2, 1}}, {0.5})}, {}}));
+  EXPECT_TRUE(refused({{along(geometry::Polyline<WritingFrame>(100'000, {1, 2}))}, {}}));
   auto boxed = trace(rest());
   boxed.box->side = 0;
   EXPECT_TRUE(refused(boxed));
   auto second = trace(rest());
-  second.strokes[1].points[0].x = std::nan("");
+  second.strokes[1][0].at.x = std::nan("");
   EXPECT_EQ(grade(second, model).error().where, "stroke 2");
   EXPECT_FALSE(grade(trace(rest()), model, {1.5, false}));
 }

@@ -134,31 +134,30 @@ TEST(Model, AVariantIsAcceptedAndNamed) {
   EXPECT_FALSE(graded(other, *both).accepted);
 }
 
-/// Ink of so many strokes of so many points each.
-Ink ink_of(std::size_t strokes, std::size_t points) {
-  Ink ink;
+/// Writing of so many strokes of so many points each.
+WrittenCharacter ink_of(std::size_t strokes, std::size_t points) {
+  WrittenCharacter ink;
   for (std::size_t i = 0; i < strokes; ++i) {
-    InkStroke s;
-    for (std::size_t k = 0; k < points; ++k)
-      s.points.push_back({static_cast<double>(k), static_cast<double>(i)});
+    WrittenStroke s;
+    for (std::size_t k = 0; k < points; ++k) s.push_back({{static_cast<double>(k), static_cast<double>(i)}});
     ink.strokes.push_back(std::move(s));
   }
   return ink;
 }
 
-TEST(Ink, HasAtMostAHundredStrokesAndFiftyThousandPoints) {
+TEST(WrittenCharacter, HasAtMostAHundredStrokesAndFiftyThousandPoints) {
   EXPECT_TRUE(check(ink_of(100, 2)));
   EXPECT_EQ(
       check(ink_of(101, 2)).error(),
       (base::Error{base::Errc::bad_argument, "There are too many strokes.", "101", "give at most 100"}));
   EXPECT_TRUE(check(ink_of(50, 1000)));
   auto more = ink_of(50, 1000);
-  more.strokes[20].points.push_back({1, 1});
+  more.strokes[20].push_back({{1, 1}});
   EXPECT_EQ(check(more).error(), (base::Error{base::Errc::bad_argument, "There are too many points.",
                                               "stroke 50", "give at most 50000"}));
 }
 
-TEST(Ink, IsCalledBadByWhatIsWrongWithIt) {
+TEST(WrittenCharacter, IsCalledBadByWhatIsWrongWithIt) {
   const auto wrong = [](auto spoil) {
     auto ink = ink_of(3, 3);
     ink.box = WritingBox{{0, 0}, 100};
@@ -166,44 +165,53 @@ TEST(Ink, IsCalledBadByWhatIsWrongWithIt) {
     const auto good = check(ink);
     return good ? std::string() : base::to_line(good.error());
   };
-  EXPECT_EQ(wrong([](Ink&) {}), "");
-  EXPECT_EQ(wrong([](Ink& i) { i.strokes.clear(); }), "There are no strokes.");
-  EXPECT_EQ(wrong([](Ink& i) { i.strokes[1].points.clear(); }), "stroke 2: A stroke has no points.");
-  EXPECT_EQ(wrong([](Ink& i) {
-              i.strokes[2].times_s = {1, 2};
+  EXPECT_EQ(wrong([](WrittenCharacter&) {}), "");
+  EXPECT_EQ(wrong([](WrittenCharacter& i) { i.strokes.clear(); }), "There are no strokes.");
+  EXPECT_EQ(wrong([](WrittenCharacter& i) { i.strokes[1].clear(); }), "stroke 2: A stroke has no points.");
+  EXPECT_EQ(wrong([](WrittenCharacter& i) {
+              i.strokes[2][0].time_s = 1;
+              i.strokes[2][1].time_s = 2;
             }),
             "stroke 3: A stroke has not as many times as points.");
-  EXPECT_EQ(wrong([](Ink& i) { i.strokes[2].times_s = {1, 2, 3}; }), "");
-  EXPECT_EQ(wrong([](Ink& i) {
-              i.strokes[0].pressures = {1, 2, 3, 4};
+  EXPECT_EQ(wrong([](WrittenCharacter& i) {
+              for (auto& p : i.strokes[2]) p.time_s = 1;
             }),
+            "");
+  EXPECT_EQ(wrong([](WrittenCharacter& i) { i.strokes[0].back().pressure = 1; }),
             "stroke 1: A stroke has not as many pressures as points.");
-  EXPECT_EQ(wrong([](Ink& i) { i.strokes[0].pressures = {1, 1, 1}; }), "");
+  EXPECT_EQ(wrong([](WrittenCharacter& i) {
+              for (auto& p : i.strokes[0]) p.pressure = 1;
+            }),
+            "");
   const double largest = 1e9, beyond = std::nextafter(largest, 2e9);
   for (const double v : {largest, -largest}) {
-    EXPECT_EQ(wrong([v](Ink& i) { i.strokes[0].points[1].x = v; }), "");
-    EXPECT_EQ(wrong([v](Ink& i) { i.strokes[0].points[1].y = v; }), "");
-    EXPECT_EQ(wrong([v](Ink& i) { i.box->corner = {v, v}; }), "");
+    EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.strokes[0][1].at.x = v; }), "");
+    EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.strokes[0][1].at.y = v; }), "");
+    EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.box->corner = {v, v}; }), "");
   }
   for (const double v : {beyond, -beyond, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    EXPECT_EQ(wrong([v](Ink& i) { i.strokes[1].points[1].x = v; }),
+    EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.strokes[1][1].at.x = v; }),
               "stroke 2: A coordinate is not a usable number.");
-    EXPECT_EQ(wrong([v](Ink& i) { i.strokes[2].points[2].y = v; }),
+    EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.strokes[2][2].at.y = v; }),
               "stroke 3: A coordinate is not a usable number.");
-    EXPECT_EQ(wrong([v](Ink& i) { i.box->corner.x = v; }), "The writing box is not a square with a size.");
-    EXPECT_EQ(wrong([v](Ink& i) { i.box->corner.y = v; }), "The writing box is not a square with a size.");
-    EXPECT_EQ(wrong([v](Ink& i) { i.box->side = v; }), "The writing box is not a square with a size.");
+    EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.box->corner.x = v; }),
+              "The writing box is not a square with a size.");
+    EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.box->corner.y = v; }),
+              "The writing box is not a square with a size.");
+    EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.box->side = v; }),
+              "The writing box is not a square with a size.");
   }
-  EXPECT_EQ(wrong([](Ink& i) { i.box->side = -1; }), "The writing box is not a square with a size.");
-  EXPECT_EQ(wrong([](Ink& i) {
+  EXPECT_EQ(wrong([](WrittenCharacter& i) { i.box->side = -1; }),
+            "The writing box is not a square with a size.");
+  EXPECT_EQ(wrong([](WrittenCharacter& i) {
               for (auto& s : i.strokes)
-                for (auto& p : s.points) p = {4, 5};
+                for (auto& p : s) p.at = {4, 5};
             }),
             "All points are equal.");
-  EXPECT_EQ(wrong([](Ink& i) {
+  EXPECT_EQ(wrong([](WrittenCharacter& i) {
               for (auto& s : i.strokes)
-                for (auto& p : s.points) p = {4, 5};
-              i.strokes[2].points[2].y = 6;
+                for (auto& p : s) p.at = {4, 5};
+              i.strokes[2][2].at.y = 6;
             }),
             "");
 }

@@ -31,16 +31,16 @@ double rests_half_way(double t) {
   return t < 0.7 ? 0.5 : 0.5 + stops((t - 0.7) / 0.3) / 2;
 }
 
-InkStroke timed(const InkStroke& stroke, double begin_s, double duration_s, const Pace& pace,
-                const Pace& pressure = {}) {
+WrittenStroke timed(const WrittenStroke& stroke, double begin_s, double duration_s, const Pace& pace,
+                    const Pace& pressure = {}) {
   const auto way = resampled(stroke, 400);
-  InkStroke out;
+  WrittenStroke out;
   constexpr int kSteps = 200;
   for (int k = 0; k <= kSteps; ++k) {
     const double t = static_cast<double>(k) / kSteps;
-    out.points.push_back(way.points[static_cast<std::size_t>(std::lround(pace(t) * 399))]);
-    out.times_s.push_back(begin_s + t * duration_s);
-    if (pressure) out.pressures.push_back(pressure(t));
+    out.push_back(way[static_cast<std::size_t>(std::lround(pace(t) * 399))]);
+    out.back().time_s = begin_s + t * duration_s;
+    if (pressure) out.back().pressure = pressure(t);
   }
   return out;
 }
@@ -59,7 +59,7 @@ struct Told {
   std::vector<MotionRemark> remarks;
 };
 
-Told told(const Ink& ink) {
+Told told(const WrittenCharacter& ink) {
   const auto model = model_of(rest_with_endings());
   Told t;
   t.motions = pen_motion(ink);
@@ -68,7 +68,7 @@ Told told(const Ink& ink) {
 }
 
 /// Each stroke takes 0.7 s, one begins every second.
-Ink written_with_endings() {
+WrittenCharacter written_with_endings() {
   auto ink = trace(rest());
   const auto character = rest_with_endings();
   for (std::size_t k = 0; k < ink.strokes.size(); ++k) {

@@ -22,15 +22,16 @@ using testing::IsEmpty;
 struct Pace {
   double speed, seconds;
 };
-InkStroke paced(const std::vector<Pace>& paces, double begin_s = 0) {
-  InkStroke s{{{0, 0}}, {begin_s}, {}};
+WrittenStroke paced(const std::vector<Pace>& paces, double begin_s = 0) {
+  WrittenStroke s = along({{0, 0}}, {begin_s});
   double x = 0;
+  double time_s = begin_s;
   for (const auto& [speed, seconds] : paces) {
     const int steps = static_cast<int>(std::lround(seconds * 200));
     for (int k = 0; k < steps; ++k) {
       x += speed / 200;
-      s.points.push_back({x, 0});
-      s.times_s.push_back(s.times_s.back() + 0.005);
+      time_s += 0.005;
+      s.push_back({{x, 0}, time_s});
     }
   }
   return s;
@@ -84,9 +85,9 @@ TEST(SpeedPeaks, RiseATenthOfTheGreatestSpeedAboveTheValleysBesideThem) {
 }
 
 TEST(SpeedPeaks, NeedThreeHundredthsOfASecond) {
-  InkStroke s{{{0, 0}, {5, 0}}, {1, 1.029}, {}};
+  WrittenStroke s = along({{0, 0}, {5, 0}}, {1, 1.029});
   EXPECT_EQ(pen_motion({{s}, {}}).front().speed_peaks, 0);
-  s.times_s[1] = 1.031;
+  s[1].time_s = 1.031;
   EXPECT_EQ(pen_motion({{s}, {}}).front().speed_peaks, 1);
 }
 
@@ -96,12 +97,12 @@ TEST(EndSpeed, IsTheLastByTheMean) {
   EXPECT_NEAR(motion_of({{100, 0.9}, {0, 0.1}}).speed_at_end, 0, 1e-6);
   EXPECT_EQ(motion_of({{0, 0.5}}).speed_at_end, 0);
   // Points at uneven times: 500 a second for a fifth of the time, then 100.
-  const InkStroke uneven{{{0, 0}, {100, 0}, {180, 0}}, {3, 3.2, 4}, {}};
+  const WrittenStroke uneven = along({{0, 0}, {100, 0}, {180, 0}}, {3, 3.2, 4});
   const auto m = pen_motion({{uneven}, {}}).front();
   EXPECT_NEAR(m.speed_at_end, 100 / 180.0, 0.01);
   EXPECT_NEAR(m.mean_speed, 180, 1e-6);
   EXPECT_NEAR(m.duration_s, 1, 1e-12);
-  const InkStroke standing{{{0, 0}, {50, 0}, {50, 0}, {100, 0}}, {0, 0.5, 0.5, 1}, {}};
+  const WrittenStroke standing = along({{0, 0}, {50, 0}, {50, 0}, {100, 0}}, {0, 0.5, 0.5, 1});
   EXPECT_NEAR(pen_motion({{standing}, {}}).front().speed_at_end, 1, 1e-3) << "two points of one time";
 }
 
@@ -113,10 +114,9 @@ TEST(PenLifts, AreSweptWhereThePenMovesFasterThanTwoFifthsOfTheMean) {
 
 TEST(PenLifts, AreSweptWhereThePressureFadesToHalfTheMean) {
   const auto motion = [](double at_end) {
-    InkStroke s;
+    WrittenStroke s;
     for (int k = 0; k <= 100; ++k) {
-      s.points.push_back({static_cast<double>(k), 0});
-      s.pressures.push_back(k < 90 ? 0.8 : at_end);
+      s.push_back({{static_cast<double>(k), 0}, {}, k < 90 ? 0.8 : at_end});
     }
     return pen_motion({{s}, {}}).front();
   };
@@ -131,8 +131,8 @@ TEST(PenLifts, AreSweptWhereThePressureFadesToHalfTheMean) {
 }
 
 TEST(PausesBefore, AreBetweenTimedStrokes) {
-  const std::vector<InkStroke> strokes{paced({{100, 1}}, 2), InkStroke{{{0, 0}, {1, 1}}, {}, {}},
-                                       paced({{100, 1}}, 3.5)};
+  const std::vector<WrittenStroke> strokes{paced({{100, 1}}, 2), along({{0, 0}, {1, 1}}),
+                                           paced({{100, 1}}, 3.5)};
   const auto m = pen_motion({strokes, {}});
   EXPECT_EQ(m[0].pause_before_s, 0);
   EXPECT_EQ(m[1].pause_before_s, 0);

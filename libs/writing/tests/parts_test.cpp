@@ -12,7 +12,7 @@
 #include "assignment.h"
 #include "fit.h"
 #include "shape.h"
-#include "stroke_order_faults.h"
+#include "stroke_order_mistakes.h"
 #include "stroke_picture.h"
 
 namespace nazori::writing::test {
@@ -112,35 +112,35 @@ TEST(StrokesOutOfTurn, NamesTheFewest) {
 
 TEST(StrokesOutOfTurn, OfEquallyFewTheLaterDrawnAreNamed) {
   // Either of the first two may be the one out of turn, beside the last: no single exchange mends it.
-  const auto faults = strokes_out_of_turn(links({1, 0, 2, 4, 5, 3}));
-  ASSERT_EQ(faults.size(), 2U);
-  EXPECT_THAT(faults[0].misplaced, ElementsAre(1));
-  EXPECT_EQ(faults[0].drawn, 0);
-  EXPECT_EQ(faults[0].before, 1);
-  EXPECT_THAT(faults[1].misplaced, ElementsAre(5));
-  EXPECT_EQ(faults[1].drawn, 3);
-  EXPECT_EQ(faults[1].before, 5);
+  const auto mistakes = strokes_out_of_turn(links({1, 0, 2, 4, 5, 3}));
+  ASSERT_EQ(mistakes.size(), 2U);
+  EXPECT_THAT(mistakes[0].misplaced, ElementsAre(1));
+  EXPECT_EQ(mistakes[0].drawn, 0);
+  EXPECT_EQ(mistakes[0].before, 1);
+  EXPECT_THAT(mistakes[1].misplaced, ElementsAre(5));
+  EXPECT_EQ(mistakes[1].drawn, 3);
+  EXPECT_EQ(mistakes[1].before, 5);
 }
 
 /// What is told of the order, by the definition: the fewest strokes are moved.
 TEST(StrokesOutOfTurn, AreTheFewestThatMendTheOrderWhateverItIs) {
   std::vector<int> order{0, 1, 2, 3, 4, 5};
   do {
-    const auto faults = strokes_out_of_turn(links(order));
+    const auto mistakes = strokes_out_of_turn(links(order));
     std::vector<std::size_t> off;
     for (std::size_t i = 0; i < order.size(); ++i)
       if (order[i] != static_cast<int>(i)) off.push_back(i);
     if (off.empty()) {
-      EXPECT_TRUE(faults.empty());
+      EXPECT_TRUE(mistakes.empty());
       continue;
     }
     const std::string name = testing::PrintToString(order);
     if (off.size() == 2) {
       const int first = static_cast<int>(off[0]), second = static_cast<int>(off[1]);
-      ASSERT_EQ(faults.size(), 1U) << name;
-      EXPECT_EQ(faults[0].drawn, first) << name;
-      EXPECT_EQ(faults[0].before, second) << name;
-      EXPECT_THAT(faults[0].misplaced, ElementsAre(first, second)) << name;
+      ASSERT_EQ(mistakes.size(), 1U) << name;
+      EXPECT_EQ(mistakes[0].drawn, first) << name;
+      EXPECT_EQ(mistakes[0].before, second) << name;
+      EXPECT_THAT(mistakes[0].misplaced, ElementsAre(first, second)) << name;
       continue;
     }
     // The longest ascending sequence by trying all of them; of those equally long the one whose strokes came
@@ -157,9 +157,9 @@ TEST(StrokesOutOfTurn, AreTheFewestThatMendTheOrderWhateverItIs) {
         }
       if (ascends && length(set) > length(best)) best = set;
     }
-    ASSERT_EQ(faults.size(), 6U - static_cast<std::size_t>(length(best))) << name;
+    ASSERT_EQ(mistakes.size(), 6U - static_cast<std::size_t>(length(best))) << name;
     unsigned kept = 63;
-    for (const auto& f : faults) {
+    for (const auto& f : mistakes) {
       ASSERT_EQ(f.misplaced.size(), 1U) << name;
       kept &= ~(1U << static_cast<unsigned>(f.misplaced[0]));
     }
@@ -169,7 +169,7 @@ TEST(StrokesOutOfTurn, AreTheFewestThatMendTheOrderWhateverItIs) {
       EXPECT_GT(order[i], last) << name << ": what is left is in order";
       last = order[i];
     }
-    for (const auto& f : faults) {
+    for (const auto& f : mistakes) {
       const auto moved = static_cast<std::size_t>(f.misplaced[0]);
       // Said of the stroke that came too early: the first in order that should have come after the one moved,
       // or the one moved itself and the last that should have come before it.
@@ -190,19 +190,19 @@ TEST(StrokesOutOfTurn, AreTheFewestThatMendTheOrderWhateverItIs) {
 
 TEST(StrokesOutOfTurn, OfTwoThatMayHaveComeFirstTheOneDrawnFirstIsInItsTurn) {
   // Both 2 and 1 may stand before 3 and 4; 2 was drawn first, so 1 is the one that is late.
-  const auto faults = strokes_out_of_turn(links({2, 1, 3, 0, 4}));
-  ASSERT_EQ(faults.size(), 2U);
-  EXPECT_THAT(faults[0].misplaced, ElementsAre(1));
-  EXPECT_THAT(faults[1].misplaced, ElementsAre(3));
+  const auto mistakes = strokes_out_of_turn(links({2, 1, 3, 0, 4}));
+  ASSERT_EQ(mistakes.size(), 2U);
+  EXPECT_THAT(mistakes[0].misplaced, ElementsAre(1));
+  EXPECT_THAT(mistakes[1].misplaced, ElementsAre(3));
 }
 
 TEST(StrokesOutOfTurn, AreNamedByTheirDrawnNumbersAfterASplitOrAnExtraStroke) {
   std::vector<Link> some{{0, 2, 1, 1, {}}, {2, 1, 2, 1, {}}, {5, 1, 0, 1, {}}};
-  const auto faults = strokes_out_of_turn(some);
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].drawn, 0);
-  EXPECT_EQ(faults[0].before, 5);
-  EXPECT_THAT(faults[0].misplaced, ElementsAre(5));
+  const auto mistakes = strokes_out_of_turn(some);
+  ASSERT_EQ(mistakes.size(), 1U);
+  EXPECT_EQ(mistakes[0].drawn, 0);
+  EXPECT_EQ(mistakes[0].before, 5);
+  EXPECT_THAT(mistakes[0].misplaced, ElementsAre(5));
   EXPECT_TRUE(strokes_out_of_turn({}).empty());
 }
 

@@ -8,16 +8,17 @@
 #include <functional>
 #include <numbers>
 
+#include "drawing.h"
+
 namespace nazori::writing::test {
 namespace {
 
 /// A stroke along x at the given place at each time, sampled at 200 Hz.
-InkStroke motion(double duration_s, const std::function<double(double)>& place) {
-  InkStroke s;
+WrittenStroke motion(double duration_s, const std::function<double(double)>& place) {
+  WrittenStroke s;
   for (int k = 0; k <= static_cast<int>(duration_s * 200); ++k) {
     const double t = k / 200.0;
-    s.points.push_back({place(t), 0});
-    s.times_s.push_back(t);
+    s.push_back({{place(t), 0}, t});
   }
   return s;
 }
@@ -52,10 +53,9 @@ TEST(PenMotion, ASweepEndsInMotion) {
 }
 
 TEST(PenMotion, PressureTellsWhereThereAreNoTimes) {
-  InkStroke s;
+  WrittenStroke s;
   for (int k = 0; k <= 100; ++k) {
-    s.points.push_back({static_cast<double>(k), 0});
-    s.pressures.push_back(k < 80 ? 0.8 : 0.8 * (100 - k) / 20.0);
+    s.push_back({{static_cast<double>(k), 0}, {}, k < 80 ? 0.8 : 0.8 * (100 - k) / 20.0});
   }
   const auto m = pen_motion({{s}, {}});
   EXPECT_EQ(m[0].lift, PenLift::swept);
@@ -64,15 +64,15 @@ TEST(PenMotion, PressureTellsWhereThereAreNoTimes) {
 }
 
 TEST(PenMotion, WithoutTimesAndPressuresNothingIsClaimed) {
-  const auto m = pen_motion({{InkStroke{{{0, 0}, {1, 0}}, {}, {}}}, {}});
+  const auto m = pen_motion({{along({{0, 0}, {1, 0}})}, {}});
   EXPECT_EQ(m[0].lift, PenLift::unknown);
   EXPECT_FALSE(m[0].pressure);
 }
 
 TEST(PenMotion, TimesThatStandStillOrRunBackwardsAreSurvived) {
-  InkStroke s{{{0, 0}, {5, 0}, {9, 0}}, {1, 1, 1}, {}};
+  WrittenStroke s = along({{0, 0}, {5, 0}, {9, 0}}, {1, 1, 1});
   EXPECT_EQ(pen_motion({{s}, {}})[0].speed_peaks, 0);
-  s.times_s = {3, 2, 1};
+  s = along({{0, 0}, {5, 0}, {9, 0}}, {3, 2, 1});
   EXPECT_EQ(pen_motion({{s}, {}})[0].speed_peaks, 0);
 }
 

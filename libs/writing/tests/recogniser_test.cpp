@@ -15,7 +15,7 @@ Recogniser small() {
   return std::move(*made);
 }
 
-char32_t first(const Recogniser& recogniser, const Ink& ink) {
+char32_t first(const Recogniser& recogniser, const WrittenCharacter& ink) {
   const auto found = recogniser.recognise(ink);
   EXPECT_TRUE(found);
   return found && !found->empty() ? found->front().character : 0;
@@ -39,7 +39,7 @@ TEST(Recogniser, PutsUpWithAMissingAnExtraAndAJoinedStroke) {
   missing.strokes.erase(missing.strokes.begin() + 1);
   EXPECT_EQ(first(recogniser, missing), U'休');
   auto extra = trace(rest());
-  extra.strokes.push_back(InkStroke{{{80, 20}, {85, 30}}, {}, {}});
+  extra.strokes.push_back(along({{80, 20}, {85, 30}}));
   EXPECT_EQ(first(recogniser, extra), U'休');
   auto together = trace(rest());
   together.strokes[4] = joined(together.strokes[4], together.strokes[5]);

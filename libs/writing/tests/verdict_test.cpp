@@ -21,7 +21,7 @@ TEST(ScoreParts, AreSharesOfAllStrokes) {
   const auto model = model_of(rest());
   struct Case {
     std::string what;
-    Ink ink;
+    WrittenCharacter ink;
     double strokes, order, direction;
   };
   std::vector<Case> cases;
@@ -40,14 +40,14 @@ TEST(ScoreParts, AreSharesOfAllStrokes) {
   backwards.strokes[3] = reversed(backwards.strokes[3]);
   cases.push_back({"backwards", backwards, 1, 1, 5 / 6.0});
   auto extra = all;
-  extra.strokes.insert(extra.strokes.begin() + 2, InkStroke{{{70, 90}, {100, 95}}, {}, {}});
+  extra.strokes.insert(extra.strokes.begin() + 2, along({{70, 90}, {100, 95}}));
   cases.push_back({"extra", extra, 6 / 7.0, 6 / 7.0, 6 / 7.0});
   auto together = all;
   together.strokes[4] = joined(together.strokes[4], together.strokes[5]);
   together.strokes.pop_back();
   cases.push_back({"joined", together, 5 / 6.0, 5 / 6.0, 5 / 6.0});
   auto strange = all;
-  strange.strokes[2] = InkStroke{{{60, 20}, {62, 50}, {58, 70}}, {}, {}};
+  strange.strokes[2] = along({{60, 20}, {62, 50}, {58, 70}});
   cases.push_back({"wrong", strange, 5 / 6.0, 1, 1});
   for (const auto& c : cases) {
     const auto g = graded(c.ink, model);
@@ -81,14 +81,14 @@ TEST(ScoreParts, ShapeAndPlaceFallWithTheirDeviations) {
   double before = 2;
   for (const double shift : {0.0, 5.0, 10.0, 20.0}) {
     auto ink = trace(rest());
-    for (auto& p : ink.strokes[2].points) p.y += shift;
+    for (auto& p : ink.strokes[2]) p.at.y += shift;
     const auto g = graded(ink, model);
     EXPECT_LT(g.parts.place, before) << shift;
     EXPECT_GT(g.parts.shape, 0.85) << shift;
     before = g.parts.place;
   }
   auto bent = trace(rest());
-  bent.strokes[2].points = {{37, 39}, {50, 25}, {65, 50}, {91, 35}};
+  bent.strokes[2] = along({{37, 39}, {50, 25}, {65, 50}, {91, 35}});
   const auto g = graded(bent, model);
   EXPECT_LT(g.parts.shape, 0.95);
   EXPECT_GT(g.parts.place, g.parts.shape);
@@ -97,7 +97,7 @@ TEST(ScoreParts, ShapeAndPlaceFallWithTheirDeviations) {
 TEST(Verdict, SaysWhereAndHowLargeAStrokeIs) {
   const auto model = model_of(eye());
   auto ink = trace(eye());
-  for (auto& p : ink.strokes[3].points) p = {p.x + 6, p.y - 4};
+  for (auto& p : ink.strokes[3]) p.at = {p.at.x + 6, p.at.y - 4};
   const auto g = graded(ink, model);
   // Of the box; the laying over takes a part of it.
   EXPECT_NEAR(g.strokes[3].offset_x, 6 / 109.0, 0.02);
@@ -116,11 +116,11 @@ TEST(Verdict, SaysWhereAndHowLargeAStrokeIs) {
 }
 
 /// The third stroke of 休 turned about its middle, clockwise.
-Ink turned(double angle) {
+WrittenCharacter turned(double angle) {
   auto ink = trace(rest());
-  for (auto& p : ink.strokes[2].points) {
-    const double x = p.x - 64, y = p.y - 37;
-    p = {64 + x * std::cos(angle) - y * std::sin(angle), 37 + x * std::sin(angle) + y * std::cos(angle)};
+  for (auto& p : ink.strokes[2]) {
+    const double x = p.at.x - 64, y = p.at.y - 37;
+    p.at = {64 + x * std::cos(angle) - y * std::sin(angle), 37 + x * std::sin(angle) + y * std::cos(angle)};
   }
   return ink;
 }
@@ -133,11 +133,11 @@ TEST(Verdict, SaysByHowMuchAStrokeIsTurned) {
   back.strokes[2] = reversed(back.strokes[2]);
   EXPECT_NEAR(graded(back, model).strokes[2].angle_rad, 0.15, 0.15) << "of the stroke as it should run";
   const auto far = graded(turned(1.0), model);
-  ASSERT_THAT(fault_names(far), ElementsAre("wrong@2"));
-  EXPECT_EQ(far.faults[0].deviation, Deviation::direction);
+  ASSERT_THAT(mistake_names(far), ElementsAre("wrong@2"));
+  EXPECT_EQ(far.mistakes[0].deviation, Deviation::direction);
   // A loop has no direction.
   auto loop = trace(rest());
-  loop.strokes[2].points = {{45, 40}, {80, 30}, {85, 42}, {60, 48}, {46, 41}};
+  loop.strokes[2] = along({{45, 40}, {80, 30}, {85, 42}, {60, 48}, {46, 41}});
   EXPECT_EQ(graded(loop, model).strokes[2].angle_rad, 0);
 }
 
@@ -150,21 +150,20 @@ TEST(Verdict, AStrokeDrawnBackwardsStartsAtTheOtherSide) {
     auto ink = trace(c);
     ink.strokes[k] = reversed(ink.strokes[k]);
     const auto g = graded(ink, model_of(c));
-    ASSERT_THAT(fault_names(g), ElementsAre("reversed@" + std::to_string(k)));
-    EXPECT_EQ(g.faults[0].start, sides[k]) << k;
+    ASSERT_THAT(mistake_names(g), ElementsAre("reversed@" + std::to_string(k)));
+    EXPECT_EQ(g.mistakes[0].start, sides[k]) << k;
   }
 }
 
 TEST(Verdict, OfASplitStrokeIsThatOfBothPieces) {
   auto ink = trace(rest());
   const auto whole = resampled(ink.strokes[2], 21);
-  ink.strokes[2].points.assign(whole.points.begin(), whole.points.begin() + 11);
-  ink.strokes.insert(ink.strokes.begin() + 3,
-                     InkStroke{{whole.points.begin() + 11, whole.points.end()}, {}, {}});
+  ink.strokes[2].assign(whole.begin(), whole.begin() + 11);
+  ink.strokes.insert(ink.strokes.begin() + 3, WrittenStroke(whole.begin() + 11, whole.end()));
   const auto g = graded(ink, model_of(rest()));
-  ASSERT_THAT(fault_names(g), ElementsAre("split@2"));
-  EXPECT_EQ(g.faults[0].second, 3);
-  EXPECT_THAT(g.faults[0].model, ElementsAre(2));
+  ASSERT_THAT(mistake_names(g), ElementsAre("split@2"));
+  EXPECT_EQ(g.mistakes[0].second, 3);
+  EXPECT_THAT(g.mistakes[0].model, ElementsAre(2));
   EXPECT_EQ(g.strokes[2].matched, 2);
   EXPECT_EQ(g.strokes[3].matched, 2);
   EXPECT_FALSE(g.strokes[2].ok);
@@ -173,14 +172,14 @@ TEST(Verdict, OfASplitStrokeIsThatOfBothPieces) {
   EXPECT_NEAR(g.parts.strokes, 6 / 7.0, 1e-9);
 }
 
-TEST(Verdict, FaultsComeInTheOrderOfTheStrokes) {
+TEST(Verdict, MistakesComeInTheOrderOfTheStrokes) {
   auto ink = trace(rest());
   ink.strokes[4] = reversed(ink.strokes[4]);
   ink.strokes.erase(ink.strokes.begin() + 1);
-  ink.strokes.push_back(InkStroke{{{70, 90}, {100, 95}}, {}, {}});
+  ink.strokes.push_back(along({{70, 90}, {100, 95}}));
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_TRUE(std::is_sorted(g.faults.begin(), g.faults.end(),
-                             [](const Fault& a, const Fault& b) { return a.stroke < b.stroke; }));
+  EXPECT_TRUE(std::is_sorted(g.mistakes.begin(), g.mistakes.end(),
+                             [](const Mistake& a, const Mistake& b) { return a.stroke < b.stroke; }));
 }
 
 TEST(Verdict, TheBoxOfTheWritingMayLieAnywhere) {
@@ -188,10 +187,10 @@ TEST(Verdict, TheBoxOfTheWritingMayLieAnywhere) {
   for (std::size_t gone = 0; gone < 3; ++gone) {
     auto ink = trace(three());
     ink.strokes.erase(ink.strokes.begin() + static_cast<std::ptrdiff_t>(gone));
-    const auto expected = fault_names(graded(ink, model_of(three())));
+    const auto expected = mistake_names(graded(ink, model_of(three())));
     auto far = mapped(ink, 0.05, 0, 0, 0.05, 30, -7);
     far.box = WritingBox{{30, -7}, 0.05 * 109};
-    EXPECT_EQ(fault_names(graded(far, model_of(three()))), expected);
+    EXPECT_EQ(mistake_names(graded(far, model_of(three()))), expected);
     EXPECT_THAT(expected, ElementsAre("missing@" + std::to_string(gone)));
   }
 }
@@ -205,8 +204,8 @@ TEST(Verdict, InHastyWritingMoreIsForgiven) {
       auto ink = trace(rest());
       for (std::size_t k = 0; k < 6; ++k)
         if (k != 2)
-          for (auto& p : ink.strokes[k].points) p = {p.x + (k % 2 == 0 ? shake : -shake), p.y};
-      for (auto& p : ink.strokes[2].points) p.y += shift;
+          for (auto& p : ink.strokes[k]) p.at = {p.at.x + (k % 2 == 0 ? shake : -shake), p.at.y};
+      for (auto& p : ink.strokes[2]) p.at.y += shift;
       const auto g = graded(ink, model);
       if (!g.strokes[2].ok) break;
     }
@@ -221,21 +220,21 @@ TEST(Verdict, WritingOfAnotherCharacterLosesThePointsOfItsStrokes) {
   const std::vector<Model> lookalikes{model_of(samurai())};
   // Between the two: still accepted as soil where nothing looks like it.
   for (double part = 0; part <= 1; part += 0.05) {
-    Ink ink = trace(soil());
+    WrittenCharacter ink = trace(soil());
     const auto other = trace(samurai());
     for (std::size_t k = 0; k < 3; ++k) {
       ink.strokes[k] = resampled(ink.strokes[k], 12);
       const auto towards = resampled(other.strokes[k], 12);
       for (std::size_t i = 0; i < 12; ++i) {
-        auto& p = ink.strokes[k].points[i];
-        p = p + (towards.points[i] - p) * part;
+        auto& p = ink.strokes[k][i].at;
+        p = p + (towards[i].at - p) * part;
       }
     }
     const auto alone = grade(ink, model_of(soil()));
     const auto beside = grade(ink, model_of(soil()), {}, lookalikes);
     ASSERT_TRUE(alone && beside);
-    const bool is_other = std::any_of(beside->faults.begin(), beside->faults.end(),
-                                      [](const Fault& f) { return f.kind == FaultKind::other; });
+    const bool is_other = std::any_of(beside->mistakes.begin(), beside->mistakes.end(),
+                                      [](const Mistake& f) { return f.kind == kanji::MistakeKind::other; });
     if (!is_other) {
       EXPECT_EQ(beside->accepted, alone->accepted) << part;
       EXPECT_LT(part, 0.8);
@@ -243,9 +242,9 @@ TEST(Verdict, WritingOfAnotherCharacterLosesThePointsOfItsStrokes) {
     }
     EXPECT_TRUE(alone->accepted) << part;
     EXPECT_FALSE(beside->accepted) << part;
-    EXPECT_EQ(beside->faults.size(), 1U);
-    EXPECT_EQ(beside->faults[0].character, U'士');
-    EXPECT_FALSE(beside->strokes[static_cast<std::size_t>(beside->faults[0].stroke)].ok);
+    EXPECT_EQ(beside->mistakes.size(), 1U);
+    EXPECT_EQ(beside->mistakes[0].character, U'士');
+    EXPECT_FALSE(beside->strokes[static_cast<std::size_t>(beside->mistakes[0].stroke)].ok);
     EXPECT_EQ(beside->parts.strokes, 0);
     EXPECT_EQ(beside->score, alone->score - 30);
     EXPECT_GT(part, 0.5) << "on the other's side of the middle";

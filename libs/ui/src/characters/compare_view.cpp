@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "icons.h"
 #include "palette.h"
@@ -78,7 +80,9 @@ void CompareView::show_writing(const std::vector<practice::HandStroke>& strokes,
 }
 
 double CompareView::own_duration_s() const {
-  return strokes_.empty() ? 0.0 : strokes_.back().back().time_s - strokes_.front().front().time_s;
+  return strokes_.empty()
+             ? 0.0
+             : strokes_.back().back().time_s.value_or(0) - strokes_.front().front().time_s.value_or(0);
 }
 
 double CompareView::duration_s() const { return std::max(own_duration_s(), player_.duration_s()); }
@@ -104,7 +108,10 @@ int CompareView::points_shown() const {
   int count = 0;
   for (const auto& stroke : strokes_)
     for (const auto& point : stroke)
-      count += time_s_ < 0 || point.time_s - strokes_.front().front().time_s <= time_s_ ? 1 : 0;
+      count +=
+          time_s_ < 0 || point.time_s.value_or(0) - strokes_.front().front().time_s.value_or(0) <= time_s_
+              ? 1
+              : 0;
   return count;
 }
 
@@ -140,10 +147,10 @@ void CompareView::paint_own(QPainter& painter, const QRectF& box) const {
     const auto& stroke = strokes_[i];
     const auto verdict = i < verdicts_.size() ? verdicts_[i] : view::Verdict::none;
     const QColor colour = colour_of(verdict);
-    const double zero_s = strokes_.front().front().time_s;
+    const double zero_s = strokes_.front().front().time_s.value_or(0);
     for (std::size_t k = 1; k < stroke.size(); ++k) {
-      if (time_s_ >= 0 && stroke[k].time_s - zero_s > time_s_) return;
-      painter.setPen(QPen(colour, std::max(2 * per_m * practice::ink_half_width_m(stroke[k]), 1.5),
+      if (time_s_ >= 0 && stroke[k].time_s.value_or(0) - zero_s > time_s_) return;
+      painter.setPen(QPen(colour, std::max(2 * per_m * view::ink_half_width_m(stroke[k]), 1.5),
                           Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawLine(place(stroke[k - 1].at, box), place(stroke[k].at, box));
     }

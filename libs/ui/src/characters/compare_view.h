@@ -9,6 +9,7 @@
 #include "nazori/practice/pen_recorder.h"
 #include "nazori/practice/stroke_player.h"
 #include "nazori/practice/tablet_workshop.h"
+#include "nazori/view/inked_stroke.h"
 
 class QPainter;
 

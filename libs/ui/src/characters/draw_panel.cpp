@@ -86,8 +86,8 @@ void DrawPanel::begin() {
 }
 
 void DrawPanel::ask() {
-  writing::Ink ink = pad_->ink();
-  std::erase_if(ink.strokes, [](const writing::InkStroke& stroke) { return stroke.points.size() < 2; });
+  writing::WrittenCharacter ink = pad_->ink();
+  std::erase_if(ink.strokes, [](const writing::WrittenStroke& stroke) { return stroke.size() < 2; });
   if (ink.strokes.empty()) {
     ticket_ = 0;
     candidates_->clear();

@@ -46,11 +46,9 @@ void DrawingPad::clear() {
 void DrawingPad::add(QPointF at, double pressure) {
   auto& stroke = ink_.strokes.back();
   const double side = std::max(std::min(width(), height()), 1);
-  const writing::InkPoint point{at.x() / side, at.y() / side};
-  if (!stroke.points.empty() && geometry::distance(stroke.points.back(), point) < kStep) return;
-  stroke.points.push_back(point);
-  stroke.times_s.push_back(static_cast<double>(clock_.nsecsElapsed()) / 1e9);
-  stroke.pressures.push_back(pressure);
+  const writing::WritingPoint point{at.x() / side, at.y() / side};
+  if (!stroke.empty() && geometry::distance(stroke.back().at, point) < kStep) return;
+  stroke.push_back({point, static_cast<double>(clock_.nsecsElapsed()) / 1e9, pressure});
   update();
   emit drawn();
 }
@@ -69,7 +67,7 @@ void DrawingPad::finish() {
   if (!down_) return;
   down_ = false;
   // A tap without a way is no stroke.
-  if (ink_.strokes.back().points.size() < 2) ink_.strokes.pop_back();
+  if (ink_.strokes.back().size() < 2) ink_.strokes.pop_back();
   update();
   emit drawn();
 }
@@ -119,10 +117,11 @@ void DrawingPad::paintEvent(QPaintEvent* /*event*/) {
     if (room.contains(painter.boundingRect(room, how, words))) painter.drawText(room, how, words);
   }
   for (const auto& stroke : ink_.strokes)
-    for (std::size_t i = 1; i < stroke.points.size(); ++i) {
-      painter.setPen(QPen(c.ink, side * (0.012 + 0.024 * stroke.pressures[i]), Qt::SolidLine, Qt::RoundCap));
-      painter.drawLine(QPointF(stroke.points[i - 1].x, stroke.points[i - 1].y) * side,
-                       QPointF(stroke.points[i].x, stroke.points[i].y) * side);
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+      const double pressure = stroke[i].pressure.value_or(0);
+      painter.setPen(QPen(c.ink, side * (0.012 + 0.024 * pressure), Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(QPointF(stroke[i - 1].at.x, stroke[i - 1].at.y) * side,
+                       QPointF(stroke[i].at.x, stroke[i].at.y) * side);
     }
 }
 

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "nazori/writing/ink.h"
+#include "nazori/writing/written_character.h"
 
 namespace nazori::ui {
 
@@ -15,7 +15,7 @@ class DrawingPad final : public QWidget {
  public:
   explicit DrawingPad(QWidget* parent = nullptr);
 
-  [[nodiscard]] const writing::Ink& ink() const { return ink_; }
+  [[nodiscard]] const writing::WrittenCharacter& ink() const { return ink_; }
   void undo();
   void clear();
 
@@ -40,7 +40,7 @@ class DrawingPad final : public QWidget {
   void finish();
   void add(QPointF at, double pressure);
 
-  writing::Ink ink_;  ///< in sides of the pad
+  writing::WrittenCharacter ink_;  ///< in sides of the pad
   bool down_ = false;
   QElapsedTimer clock_;
 };

@@ -27,7 +27,7 @@ WritingReport::WritingReport(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
   points_ = add_label("report_points", "title");
-  faults_ = add_label("report_faults", "");
+  mistakes_ = add_label("report_faults", "");
   parts_ = add_label("report_parts", "muted");
   pen_ = add_label("report_pen", "");
 }
@@ -43,7 +43,7 @@ void WritingReport::show_grade(const writing::Grade& grade, const practice::PenR
   const auto language = writing_language();
   points_->setText(grade.accepted ? tr("Accepted: %1 of 100 points").arg(grade.score)
                                   : tr("Not yet: %1 of 100 points").arg(grade.score));
-  faults_->setText(lines(writing::explain(grade, language)));
+  mistakes_->setText(lines(writing::explain(grade, language)));
   parts_->setText(lines(writing::explain_score(grade, language)));
   auto motion = writing::explain(pen.remarks, language);
   if (auto pace = writing::explain_pace(pen.motions, pen.remarks, language); !pace.empty())

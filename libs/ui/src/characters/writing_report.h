@@ -24,7 +24,7 @@ class WritingReport final : public QWidget {
   QLabel* add_label(const char* name, const char* role);
 
   QLabel* points_;
-  QLabel* faults_;
+  QLabel* mistakes_;
   QLabel* parts_;
   QLabel* pen_;
 };

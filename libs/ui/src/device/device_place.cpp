@@ -30,7 +30,7 @@ std::shared_ptr<const tablet::CarvedTablet> wall_and_groove(const geometry::Tabl
     const double height = std::min(wall, 1 - 0.8 * std::exp(-off * off));
     for (int row = 0; row < kSize; ++row) map->set(column, row, static_cast<float>(height));
   }
-  kanji::StrokeLine line;
+  tablet::TabletLine line;
   line.points = {{0.68 * geometry::kGlyphSide, 15}, {0.68 * geometry::kGlyphSide, 94}};
   auto made = tablet::CarvedTablet::from_height_map(std::move(*map), {line}, shape);
   return made ? *made : nullptr;

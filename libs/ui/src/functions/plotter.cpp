@@ -53,9 +53,9 @@ base::Result<std::shared_ptr<Drawing>> finish(const PlotRequest& request, functi
     });
     curves.resize(kMostLines);
   }
-  std::vector<kanji::StrokeLine> lines;
+  std::vector<tablet::TabletLine> lines;
   for (const auto& curve : curves) {
-    kanji::StrokeLine line;
+    tablet::TabletLine line;
     for (const auto point : curve.points) line.points.push_back(geometry::tablet_to_glyph(point, shape));
     lines.push_back(std::move(line));
     drawing->statements.push_back(curve.statement);

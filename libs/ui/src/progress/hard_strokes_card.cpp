@@ -105,9 +105,9 @@ void HardStrokesCard::show_strokes(const study::Statistics& statistics,
     const QString words = tr("Stroke %1 of %2 went wrong in %3 of %4 writings: %5")
                               .arg(stroke.stroke + 1)
                               .arg(to_text(stroke.character))
-                              .arg(stroke.faults)
+                              .arg(stroke.mistakes)
                               .arg(stroke.writings)
-                              .arg(StudyCharts::faults(stroke));
+                              .arg(StudyCharts::mistakes(stroke));
     auto* item = new QListWidgetItem(words, list_);
     item->setData(HardStrokeDelegate::kCharacterRole, static_cast<uint>(stroke.character));
     item->setData(HardStrokeDelegate::kStrokeRole, stroke.stroke);

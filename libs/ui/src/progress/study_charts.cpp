@@ -113,37 +113,37 @@ QString StudyCharts::strength(study::Strength strength) {
   return {};
 }
 
-QString StudyCharts::fault(study::FaultKind kind) {
+QString StudyCharts::mistake(kanji::MistakeKind kind) {
   switch (kind) {
-    case study::FaultKind::order:
+    case kanji::MistakeKind::order:
       return tr("out of turn");
-    case study::FaultKind::reversed:
+    case kanji::MistakeKind::reversed:
       return tr("drawn backwards");
-    case study::FaultKind::missing:
+    case kanji::MistakeKind::missing:
       return tr("left out");
-    case study::FaultKind::extra:
+    case kanji::MistakeKind::extra:
       return tr("one too many");
-    case study::FaultKind::joined:
+    case kanji::MistakeKind::joined:
       return tr("joined with another");
-    case study::FaultKind::split:
+    case kanji::MistakeKind::split:
       return tr("drawn in pieces");
-    case study::FaultKind::wrong:
+    case kanji::MistakeKind::wrong:
       return tr("wrong shape or place");
-    case study::FaultKind::other:
+    case kanji::MistakeKind::other:
       return tr("of another character");
-    case study::FaultKind::ending:
+    case kanji::MistakeKind::ending:
       return tr("wrong ending");
   }
   return {};
 }
 
-QString StudyCharts::faults(const study::HardStroke& stroke) {
-  std::vector<std::pair<study::FaultKind, int>> kinds(stroke.kinds.begin(), stroke.kinds.end());
+QString StudyCharts::mistakes(const study::HardStroke& stroke) {
+  std::vector<std::pair<kanji::MistakeKind, int>> kinds(stroke.kinds.begin(), stroke.kinds.end());
   std::stable_sort(kinds.begin(), kinds.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   QStringList words;
   for (const auto& [kind, count] : kinds)
-    words.append(tr("%1 (%2)", "a fault, how often").arg(fault(kind)).arg(count));
+    words.append(tr("%1 (%2)", "a fault, how often").arg(mistake(kind)).arg(count));
   return words.join(QStringLiteral(", "));
 }
 
@@ -277,8 +277,8 @@ Numbers StudyCharts::hard_strokes(const study::Statistics& statistics) {
   numbers.head = {tr("Character"), tr("Stroke"), tr("Wrong in"), tr("Writings"), tr("How")};
   for (const auto& stroke : statistics.hard_strokes)
     numbers.rows.append({to_text(stroke.character), QLocale().toString(stroke.stroke + 1),
-                         QLocale().toString(stroke.faults), QLocale().toString(stroke.writings),
-                         faults(stroke)});
+                         QLocale().toString(stroke.mistakes), QLocale().toString(stroke.writings),
+                         mistakes(stroke)});
   return numbers;
 }
 

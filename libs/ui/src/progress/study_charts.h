@@ -25,8 +25,8 @@ class StudyCharts {
   [[nodiscard]] static Numbers hard_strokes(const study::Statistics& statistics);
 
   /// "wrong shape 3, wrong turn 1".
-  [[nodiscard]] static QString faults(const study::HardStroke& stroke);
-  [[nodiscard]] static QString fault(study::FaultKind kind);
+  [[nodiscard]] static QString mistakes(const study::HardStroke& stroke);
+  [[nodiscard]] static QString mistake(kanji::MistakeKind kind);
   [[nodiscard]] static QString strength(study::Strength strength);
   /// "91 %".
   [[nodiscard]] static QString percent(double share);

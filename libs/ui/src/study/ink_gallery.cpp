@@ -20,7 +20,7 @@ constexpr int kFew = 2;  ///< pieces in a row at least
 constexpr int kWordsFlags = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
 constexpr double kPen = 0.03;  ///< width of the ink, of the side
 
-void paint_piece(QPainter& painter, const study::Ink& ink, const QRectF& box) {
+void paint_piece(QPainter& painter, const study::Handwriting& ink, const QRectF& box) {
   const Colours& c = current_colours();
   painter.setPen(QPen(c.line, 1));
   painter.setBrush(c.surface);
@@ -28,10 +28,9 @@ void paint_piece(QPainter& painter, const study::Ink& ink, const QRectF& box) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(c.ink, std::max(box.width() * kPen, 1.5), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   const double scale = box.width() / geometry::kGlyphSide;
-  for (const auto& stroke : ink.strokes) {
+  for (const auto& stroke : ink) {
     QPainterPath path;
-    for (const auto& point : stroke) {
-      const auto at = study::position_of(point);
+    for (const auto& at : geometry::line_of(stroke)) {
       const QPointF to = box.topLeft() + QPointF(at.x, at.y) * scale;
       if (path.elementCount() == 0)
         path.moveTo(to);

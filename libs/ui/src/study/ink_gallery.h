@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "nazori/study/ink.h"
+#include "nazori/study/handwriting.h"
 
 namespace nazori::ui {
 
@@ -15,7 +15,7 @@ class InkGallery final : public QWidget {
   Q_OBJECT
  public:
   struct Piece {
-    study::Ink ink;
+    study::Handwriting ink;
     QString words;  ///< "today, Good"
   };
 

@@ -47,7 +47,7 @@ SessionPanel::SessionPanel(const practice::StudySession& session, const SessionA
   kind_ = label("session_kind", nullptr, content);
   steps_ = label("session_steps", "muted", content);
   history_ = label("session_history", nullptr, content);
-  faults_ = label("session_faults", nullptr, content);
+  mistakes_ = label("session_faults", nullptr, content);
   parts_ = label("session_parts", nullptr, content);
   help_ = label("session_help", nullptr, content);
   note_ = label("session_note", "muted", this);
@@ -59,7 +59,7 @@ SessionPanel::SessionPanel(const practice::StudySession& session, const SessionA
   column->setSpacing(10);
   for (QWidget* one :
        {static_cast<QWidget*>(kind_), static_cast<QWidget*>(steps_), static_cast<QWidget*>(history_),
-        static_cast<QWidget*>(faults_), static_cast<QWidget*>(parts_), static_cast<QWidget*>(help_),
+        static_cast<QWidget*>(mistakes_), static_cast<QWidget*>(parts_), static_cast<QWidget*>(help_),
         static_cast<QWidget*>(ink_heading_), static_cast<QWidget*>(gallery_)})
     column->addWidget(one);
   column->addStretch(1);
@@ -127,8 +127,8 @@ QString SessionPanel::hard_strokes() const {
   }
   std::map<int, int> wrong;
   for (const auto& one : *writings)
-    for (const auto& fault : one.entry.writing.result.faults)
-      if (fault.kind != study::FaultKind::ending) ++wrong[fault.stroke];
+    for (const auto& mistake : one.entry.writing.result.mistakes)
+      if (mistake.kind != kanji::MistakeKind::ending) ++wrong[mistake.stroke];
   std::vector<std::pair<int, int>> worst;
   for (const auto& [stroke, times] : wrong)
     if (times > 1) worst.emplace_back(times, stroke);
@@ -156,7 +156,7 @@ QString SessionPanel::help_used() const {
 void SessionPanel::show_ink() {
   std::vector<InkGallery::Piece> pieces;
   if (session_.state() == practice::StudySession::State::judged && !session_.is_away()) {
-    if (!session_.ink().strokes.empty()) pieces.push_back({session_.ink(), tr("now")});
+    if (!session_.ink().empty()) pieces.push_back({session_.ink(), tr("now")});
     const auto& store = learner_.store();
     const auto writings = store.writings_of(session_.character());
     if (!writings) {
@@ -205,8 +205,8 @@ void SessionPanel::show_state(const std::shared_ptr<const practice::CharacterShe
   note_->setVisible(!note.isEmpty());
   const bool secret = session_.asks_from_memory();
   const QString hard = secret ? QString() : hard_strokes();
-  faults_->setText(hard);
-  faults_->setVisible(!hard.isEmpty());
+  mistakes_->setText(hard);
+  mistakes_->setVisible(!hard.isEmpty());
   QStringList parts;
   if (!secret && sheet && sheet->character.code_point == session_.character())
     for (const auto& part : sheet->parts)

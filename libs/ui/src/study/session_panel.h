@@ -38,7 +38,7 @@ class SessionPanel final : public QWidget {
   QLabel* kind_;
   QLabel* steps_;
   QLabel* history_;
-  QLabel* faults_;
+  QLabel* mistakes_;
   QLabel* parts_;
   QLabel* help_;
   QLabel* note_;

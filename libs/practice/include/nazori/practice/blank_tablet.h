@@ -6,7 +6,7 @@
 namespace nazori::practice {
 
 /// A tablet with nothing carved, on which strokes lie that only hold the stylus; none: just a face.
-[[nodiscard]] Tablet blank_tablet(std::vector<kanji::StrokeLine> lines = {});
+[[nodiscard]] Tablet blank_tablet(std::vector<tablet::TabletLine> lines = {});
 
 /// The same relief without the strokes: it is felt, but neither drawn nor followed.
 [[nodiscard]] Tablet without_strokes(const Tablet& tablet);

@@ -54,7 +54,7 @@ class GuidedStage final : public PracticeStage {
   Guide guide_ = Guide::groove;
   bool leading_ = false;
   PenRecorder recorder_;
-  std::vector<view::WrittenStroke> written_;
+  std::vector<view::InkedStroke> written_;
   char32_t character_ = 0;
   int successes_ = 0;
   std::optional<double> help_;

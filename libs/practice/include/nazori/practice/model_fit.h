@@ -26,10 +26,10 @@ struct ModelFit {
                                  std::span<const haptics::StrokePath> model);
 
 /// A stroke of the model as a line over the writing. @param opacity 0..1
-[[nodiscard]] view::WrittenStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit,
-                                             double opacity);
+[[nodiscard]] view::InkedStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit,
+                                           double opacity);
 
-/// What colour and sign each written stroke gets: a fault is wrong, advice or an accepted slip nearly.
+/// What colour and sign each written stroke gets: a mistake is wrong, advice or an accepted slip nearly.
 [[nodiscard]] std::vector<view::Verdict> verdicts(const writing::Grade& grade, std::size_t strokes);
 
 /// Strokes of the model that no written stroke is, from 0.

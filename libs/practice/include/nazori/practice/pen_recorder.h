@@ -8,20 +8,15 @@
 #include <vector>
 
 #include "nazori/geometry/frames.h"
+#include "nazori/geometry/written_stroke.h"
 #include "nazori/haptics/servo.h"
-#include "nazori/view/tablet_view.h"
-#include "nazori/writing/ink.h"
+#include "nazori/writing/written_character.h"
 
 namespace nazori::practice {
 
-/// A point of a stroke as the hand wrote it.
-struct HandPoint {
-  geometry::TabletPoint at;  ///< [m]
-  double time_s = 0;         ///< of the servo's clock
-  double pressure = 0;       ///< 0..1
-  double lean_rad = 0;       ///< of the pen from upright; 0 where that is not known
-};
-using HandStroke = std::vector<HandPoint>;
+/// A stroke as the hand wrote it on the tablet [m], with times of the servo's clock, pressure and lean.
+using HandPoint = geometry::WrittenPoint<geometry::TabletFrame>;
+using HandStroke = geometry::WrittenStroke<geometry::TabletFrame>;
 
 /// Makes strokes of what the servo saw: one from each touch of the tablet to the next lift.
 class PenRecorder {
@@ -73,15 +68,10 @@ class PenRecorder {
 };
 
 /// Ink for the judge, in the glyph frame, with times and pressures and the tablet as its box.
-[[nodiscard]] writing::Ink to_ink(const std::vector<HandStroke>& strokes, const geometry::TabletShape& shape);
+[[nodiscard]] writing::WrittenCharacter to_ink(const std::vector<HandStroke>& strokes,
+                                               const geometry::TabletShape& shape);
 
 /// What of a stroke was written by a moment of its clock; the last piece is cut where the pen was.
 [[nodiscard]] HandStroke until(const HandStroke& stroke, double time_s);
-
-/// Ink for the eye: pressure and lean are width.
-[[nodiscard]] view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict);
-
-/// Half of the width of a point's ink [m]: more for a firmer press, and for a brush that lies flatter.
-[[nodiscard]] double ink_half_width_m(const HandPoint& point);
 
 }  // namespace nazori::practice

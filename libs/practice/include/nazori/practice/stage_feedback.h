@@ -111,7 +111,7 @@ struct StageFeedback {
   MistakeHelp more = MistakeHelp::none;
   std::string type;  ///< of a stroke, as KanjiVG names it; empty where it has none
   kanji::StrokeEnding ending = kanji::StrokeEnding::stop;
-  std::optional<writing::Fault> mistake;
+  std::optional<writing::Mistake> mistake;
   std::optional<base::Error> error;
 };
 

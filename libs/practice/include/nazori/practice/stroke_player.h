@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "nazori/haptics/haptic_scene.h"
-#include "nazori/kanji/stroke.h"
+#include "nazori/tablet/tablet_line.h"
 
 namespace nazori::practice {
 
@@ -22,7 +22,7 @@ class StrokePlayer {
 
   /// @param paths  centre lines [m], z the bottom of the groove. @param lines  the same strokes, for how they
   /// end; as many.
-  void set_strokes(std::span<const haptics::StrokePath> paths, std::span<const kanji::StrokeLine> lines);
+  void set_strokes(std::span<const haptics::StrokePath> paths, std::span<const tablet::TabletLine> lines);
 
   /// Where the brush is.
   struct Pose {

@@ -88,7 +88,7 @@ class StudySession {
   [[nodiscard]] const study::WritingResult& result() const { return result_; }
   /// The card as it would be after a rating.
   [[nodiscard]] base::Result<study::Card> after(study::Rating rating) const;
-  [[nodiscard]] const study::Ink& ink() const { return ink_; }
+  [[nodiscard]] const study::Handwriting& ink() const { return ink_; }
 
   // What happens on the tablet. Ignored unless it is about the session's character.
   /// The tablet shows a character now; nullptr: none.
@@ -135,7 +135,7 @@ class StudySession {
   void measure(const study::DayPlan& plan);
   void choose_word();
   bool save(study::Stage stage, study::Rating rating, study::Rating proposed,
-            const study::WritingResult& result, const study::Ink& ink);
+            const study::WritingResult& result, const study::Handwriting& ink);
   void propose(study::WritingResult result, const std::vector<HandStroke>& strokes);
   [[nodiscard]] std::chrono::milliseconds elapsed() const;
   [[nodiscard]] study::LearnerStore& store() const { return learner_.store(); }
@@ -171,7 +171,7 @@ class StudySession {
   int misses_of_stroke_ = 0;
   study::WritingResult result_;
   study::Rating proposed_ = study::Rating::good;
-  study::Ink ink_;
+  study::Handwriting ink_;
 
   std::optional<SessionFeedback> last_event_;
   int done_ = 0;

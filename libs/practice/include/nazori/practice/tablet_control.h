@@ -90,7 +90,7 @@ class TabletControl {
   /// Whether the device that has the tablet can take the hand along.
   [[nodiscard]] bool can_lead() const { return device_.describe().has_force; }
   /// Flat ink on the tablet, drawn as given.
-  void set_writing(std::vector<view::WrittenStroke> writing);
+  void set_writing(std::vector<view::InkedStroke> writing);
   /// Shown in place of the learner's ink, and of the stylus while the brush moves or the stylus is away.
   void set_demonstration(std::optional<Demonstration> demonstration);
 
@@ -179,8 +179,8 @@ class TabletControl {
   view::Style style_ = view::Style::wood;
   std::optional<TabletGuides> guides_;
   std::optional<Demonstration> demonstration_;
-  std::vector<view::WrittenStroke> writing_;
-  std::vector<view::WrittenStroke> drawn_writing_;  ///< that, and what is missing of strokes left open
+  std::vector<view::InkedStroke> writing_;
+  std::vector<view::InkedStroke> drawn_writing_;  ///< that, and what is missing of strokes left open
   haptics::Material material_;
   devices::SlopeGain slope_gain_;
   bool slope_help_ = false;

@@ -10,7 +10,7 @@
 #include "nazori/base/result.h"
 #include "nazori/base/signal.h"
 #include "nazori/writing/grade.h"
-#include "nazori/writing/ink.h"
+#include "nazori/writing/written_character.h"
 #include "nazori/writing/motion_remarks.h"
 #include "nazori/writing/recogniser.h"
 
@@ -19,7 +19,7 @@ namespace nazori::practice {
 /// How writing is to be judged.
 struct JudgeRequest {
   char32_t character = 0;  ///< that was asked for
-  writing::Ink ink;
+  writing::WrittenCharacter ink;
   double strictness = writing::kNormal;
   bool finished = true;  ///< false: stroke by stroke, more may follow
 };
@@ -45,7 +45,7 @@ class WritingJudge {
   std::uint64_t judge(const JudgeRequest& request);
   /// Asks for characters that end where the ink ends, and such that go on, the likeliest of both in turn.
   /// @return the number that comes back with the answer. @param limit  most candidates, >= 1.
-  std::uint64_t recognise(const writing::Ink& ink, int limit);
+  std::uint64_t recognise(const writing::WrittenCharacter& ink, int limit);
   /// Lets the recogniser learn now what it needs, so that the first answer is as fast as the others.
   void prepare_recogniser();
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "nazori/practice/pen_recorder.h"
-#include "nazori/study/ink.h"
+#include "nazori/study/handwriting.h"
 #include "nazori/study/writing_result.h"
 #include "nazori/writing/grade.h"
 
@@ -15,6 +15,6 @@ namespace nazori::practice {
 [[nodiscard]] study::WritingResult to_result(const writing::Grade& grade);
 
 /// What the hand wrote, as the study history saves it; no more of it than may be saved.
-[[nodiscard]] study::Ink to_study_ink(const std::vector<HandStroke>& strokes);
+[[nodiscard]] study::Handwriting to_handwriting(const std::vector<HandStroke>& strokes);
 
 }  // namespace nazori::practice

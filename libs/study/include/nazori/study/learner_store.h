@@ -16,7 +16,7 @@
 #include "nazori/base/result.h"
 #include "nazori/study/calendar.h"
 #include "nazori/study/card.h"
-#include "nazori/study/ink.h"
+#include "nazori/study/handwriting.h"
 #include "nazori/study/settings.h"
 #include "nazori/study/study_days.h"
 
@@ -107,7 +107,7 @@ class LearnerStore {
   /// @param strokes  of the character, >= 1.
   /// @return the card as it is now.
   [[nodiscard]] base::Result<Card> add_writing(char32_t character, int strokes, const Writing& writing,
-                                               const Ink& ink = {});
+                                               const Handwriting& ink = {});
   /// The card as it would be after a review with `rating` now, fuzz and load balance included; for
   /// "good: in 4 days" on a button.
   [[nodiscard]] base::Result<Card> preview(char32_t character, Rating rating) const;
@@ -157,7 +157,7 @@ class LearnerStore {
   /// The writings of one character that are in force, oldest first.
   [[nodiscard]] base::Result<std::vector<LoggedEntry>> writings_of(char32_t character) const;
   /// The ink of an entry; empty where none was kept.
-  [[nodiscard]] base::Result<Ink> ink_of(std::int64_t entry) const;
+  [[nodiscard]] base::Result<Handwriting> ink_of(std::int64_t entry) const;
   /// Duration of the last ten accepted writings from memory.
   [[nodiscard]] base::Result<UsualWriting> usual_writing(char32_t character) const;
   [[nodiscard]] std::int64_t last_entry() const;  ///< id of the last entry, 0 for an empty log

@@ -35,14 +35,14 @@ struct LessonRules {
 };
 
 /// The help of the next try: f * help + g * error, within 0..1.
-/// @param error  0 no fault .. 1 wholly failed.
+/// @param error  0 no mistake .. 1 wholly failed.
 /// @source J. L. Emken, R. Benitez, A. Sideris, J. E. Bobrow, D. J. Reinkensmeyer, "Motor adaptation as a
 /// greedy optimization of error and effort", J. Neurophysiol. 97 (2007): the law by which assistance that is
 /// given as needed fades.
 [[nodiscard]] double faded_help(double help, double error, const LessonRules& rules = {});
 
 /// How far a try was from a good one: 0..1. One for a try that was not accepted or where strokes were shown
-/// for half of the strokes; a miss or a hint counts as half of a shown stroke, a fault as a quarter.
+/// for half of the strokes; a miss or a hint counts as half of a shown stroke, a mistake as a quarter.
 [[nodiscard]] double error_of(const WritingResult& result, int strokes);
 
 /// What to do after a miss of one stroke.
@@ -66,7 +66,7 @@ class Lesson {
   ///
   /// watch -> trace. trace -> guided when it was accepted without a shown stroke, else trace again, and back
   /// to watch after two failures in a row. guided -> memory when the help has faded to `help_is_over` or a
-  /// try had no fault and no miss at all; back to trace after two failures in a row. memory: done when
+  /// try had no mistake and no miss at all; back to trace after two failures in a row. memory: done when
   /// accepted without a shown stroke; else back to guided with the help that the error asks for.
   void finish(Stage stage, const WritingResult& result, int strokes);
 

@@ -76,9 +76,9 @@ struct CharacterState {
 struct HardStroke {
   char32_t character = 0;
   int stroke = 0;    ///< from 0
-  int faults = 0;    ///< writings in which it went wrong
+  int mistakes = 0;  ///< writings in which it went wrong
   int writings = 0;  ///< of the character
-  std::map<FaultKind, int> kinds;
+  std::map<kanji::MistakeKind, int> kinds;
 
   friend bool operator==(const HardStroke&, const HardStroke&) = default;
 };
@@ -114,7 +114,7 @@ struct Statistics {
   Streak streak;
   std::vector<CharacterState> characters;  ///< every one ever met, by code point
   std::vector<HardStroke>
-      hard_strokes;               ///< the worst first, at most 100; with faults in two writings or more
+      hard_strokes;               ///< the worst first, at most 100; with mistakes in two writings or more
   std::vector<DayMotion> motion;  ///< oldest first
   Pace pace;
   int reviews = 0;

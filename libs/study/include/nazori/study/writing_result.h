@@ -3,44 +3,26 @@
 
 #include <chrono>
 #include <cstdint>
-#include <optional>
-#include <string_view>
 #include <vector>
 
+#include "nazori/kanji/mistake_kind.h"
 #include "nazori/study/fsrs.h"
 
 namespace nazori::study {
 
-/// What was wrong with a stroke, as the judge of the writing names it.
-enum class FaultKind : std::uint8_t {
-  order,     ///< right stroke, wrong turn
-  reversed,  ///< drawn from its end
-  missing,   ///< not drawn
-  extra,     ///< not in the model
-  joined,    ///< two strokes in one
-  split,     ///< one stroke in two
-  wrong,     ///< another shape, size or place
-  other,     ///< the strokes of another character
-  ending,    ///< stop, kick or taper
-};
-
-/// "order", "reversed", ...
-[[nodiscard]] std::string_view name_of(FaultKind kind);
-[[nodiscard]] std::optional<FaultKind> fault_named(std::string_view name);
-
-/// One fault of one stroke.
-struct StrokeFault {
-  FaultKind kind = FaultKind::wrong;
+/// One mistake in one stroke.
+struct StrokeMistake {
+  kanji::MistakeKind kind = kanji::MistakeKind::wrong;
   int stroke = 0;  ///< of the model where it is known, else as drawn; from 0
 
-  friend bool operator==(const StrokeFault&, const StrokeFault&) = default;
+  friend bool operator==(const StrokeMistake&, const StrokeMistake&) = default;
 };
 
 /// How a character was written once, judged.
 struct WritingResult {
   bool accepted = true;  ///< the judge takes it for the character
   int score = 100;       ///< 0..100
-  std::vector<StrokeFault> faults;
+  std::vector<StrokeMistake> mistakes;
   int hints = 0;                          ///< hints that the learner asked for
   int misses = 0;                         ///< strokes tried and refused while writing
   int shown_strokes = 0;                  ///< strokes that were shown after too many misses
@@ -71,9 +53,10 @@ struct RatingRule {
 /// The rating that writing deserves; the learner may give another.
 ///
 /// again: not accepted, a stroke had to be shown, more than `most_hints` hints, or help over `most_help`.
-/// hard:  accepted, but with a hint, a miss, help over `free_help`, any fault but an ending, a score under
+/// hard:  accepted, but with a hint, a miss, help over `free_help`, any mistake but an ending, a score under
 ///        `score_for_good`, or more than `slow` times the usual duration.
-/// easy:  nothing of these, no fault, a score from `score_for_easy` on, and not slower than `quick` times the
+/// easy:  nothing of these, no mistake, a score from `score_for_easy` on, and not slower than `quick` times
+/// the
 ///        usual duration, which must be known.
 /// good:  all else.
 [[nodiscard]] Rating proposed_rating(const WritingResult& result, const UsualWriting& usual,

@@ -12,13 +12,14 @@
 #include "nazori/kanji/stroke.h"
 #include "nazori/surface/height_map.h"
 #include "nazori/surface/smooth_surface.h"
+#include "nazori/tablet/tablet_line.h"
 
 namespace nazori::tablet {
 
-/// What stands before the learner: a relief and the strokes that lie in it, ready to be seen (height map and
+/// What stands before the learner: a relief and the lines that lie in it, ready to be seen (height map and
 /// lines), felt (surface and paths) and saved. Made from a character's strokes, or from a height map and
-/// strokes of one's own. Immutable after creation. Thread-safe: yes. Made on a worker thread (milliseconds),
-/// never on the servo thread.
+/// lines in it: strokes of one's own, or the curves of a plot. Immutable after creation. Thread-safe: yes.
+/// Made on a worker thread (milliseconds), never on the servo thread.
 class CarvedTablet {
  public:
   /// Carves `lines` at `size` samples a side.
@@ -27,15 +28,15 @@ class CarvedTablet {
       std::vector<kanji::StrokeLine> lines, int size, const carving::Brush& brush = {},
       const geometry::TabletShape& shape = {});
 
-  /// A relief that exists, with strokes that may be none; the strokes' depth is read from the relief.
+  /// A relief that exists, with lines that may be none; the lines' depth is read from the relief.
   /// @param friction  of parts of it, of as many samples as the map; null: that of the material everywhere.
   /// @return Errc::bad_argument for an empty map, and for zones of another size.
   [[nodiscard]] static base::Result<std::shared_ptr<const CarvedTablet>> from_height_map(
-      surface::HeightMap map, std::vector<kanji::StrokeLine> lines, const geometry::TabletShape& shape = {},
+      surface::HeightMap map, std::vector<TabletLine> lines, const geometry::TabletShape& shape = {},
       std::shared_ptr<const haptics::FrictionZones> friction = nullptr);
 
   [[nodiscard]] const surface::HeightMap& height_map() const { return map_; }
-  [[nodiscard]] const std::vector<kanji::StrokeLine>& lines() const { return lines_; }
+  [[nodiscard]] const std::vector<TabletLine>& lines() const { return lines_; }
   [[nodiscard]] const geometry::TabletShape& shape() const { return shape_; }
   [[nodiscard]] const std::shared_ptr<const surface::SmoothSurface>& surface() const { return surface_; }
   /// Centre lines in metres, z at the bottom of the groove: the kick and the taper rise as they are carved.
@@ -52,7 +53,7 @@ class CarvedTablet {
  private:
   CarvedTablet() = default;
   surface::HeightMap map_;
-  std::vector<kanji::StrokeLine> lines_;
+  std::vector<TabletLine> lines_;
   geometry::TabletShape shape_;
   std::shared_ptr<const surface::SmoothSurface> surface_;
   std::vector<haptics::StrokePath> paths_;

@@ -15,6 +15,7 @@
 #include "nazori/kanji/stroke.h"
 #include "nazori/surface/height_map.h"
 #include "nazori/view/camera.h"
+#include "nazori/view/inked_stroke.h"
 
 namespace nazori::view {
 
@@ -36,29 +37,6 @@ struct Cursor {
   glm::dvec3 axis{0};
 };
 
-/// What is said of a stroke that the learner wrote. Each has a colour, and the first three a sign beside the
-/// stroke's start, so that nothing hangs on colour alone.
-enum class Verdict : std::uint8_t {
-  none,    ///< not judged: plain ink
-  right,   ///< a tick
-  nearly,  ///< an exclamation mark
-  wrong,   ///< a cross
-  shown,   ///< not the learner's: the model, laid over or given as a hint
-};
-
-/// A point of a stroke as written.
-struct WrittenPoint {
-  geometry::TabletPoint at;  ///< [m]
-  double half_width_m = 0;   ///< of the ink there
-};
-
-/// A stroke as written, from its start.
-struct WrittenStroke {
-  std::vector<WrittenPoint> points;
-  Verdict verdict = Verdict::none;
-  double opacity = 1;  ///< 0..1
-};
-
 /// A sign as it stands in a picture.
 struct SignPlace {
   int stroke = 0;  ///< index into Overlay::writing
@@ -77,9 +55,9 @@ struct Overlay {
   int current_stroke = 0;  ///< 0: all strokes are drawn, n: only stroke n, as the current one
   /// Part of each stroke's length that has been traced, 0..1; ink fills the groove so far. Missing entries
   /// count as 0.
-  std::span<const double> ink;
+  std::span<const double> groove_ink;
   /// Flat ink on the tablet's face, in this order: the learner's own writing, and models laid over it.
-  std::span<const WrittenStroke> writing;
+  std::span<const InkedStroke> writing;
   std::optional<Cursor> cursor;
   /// Size of interface text relative to 12 pt: numbers, arrowheads and lines grow with it. 0.5..4.
   double text_scale = 1;

@@ -9,24 +9,12 @@
 
 #include "nazori/base/result.h"
 #include "nazori/kanji/character.h"
+#include "nazori/kanji/mistake_kind.h"
 #include "nazori/kanji/stroke.h"
-#include "nazori/writing/ink.h"
 #include "nazori/writing/model.h"
+#include "nazori/writing/written_character.h"
 
 namespace nazori::writing {
-
-/// What can be wrong with writing.
-enum class FaultKind : std::uint8_t {
-  order,     ///< right strokes in another order than the model and its listed alternatives
-  reversed,  ///< a stroke drawn from its end to its beginning
-  missing,   ///< a stroke of the model was not drawn
-  extra,     ///< a stroke that the model does not have
-  joined,    ///< two strokes of the model in one, without lifting the pen
-  split,     ///< one stroke of the model in two
-  wrong,     ///< in the place of a stroke stands one of another shape, size or place
-  other,     ///< the strokes are those of another character: 土 for 士
-  ending,    ///< a kick is missing, or there is one where the stroke stops
-};
 
 /// Why a stroke is wrong: what deviates most.
 enum class Deviation : std::uint8_t { none, place, shape, direction, length };
@@ -35,8 +23,8 @@ enum class Deviation : std::uint8_t { none, place, shape, direction, length };
 enum class Side : std::uint8_t { top, bottom, left, right };
 
 /// One thing to say about the writing.
-struct Fault {
-  FaultKind kind = FaultKind::wrong;
+struct Mistake {
+  kanji::MistakeKind kind = kanji::MistakeKind::wrong;
   int stroke = 0;             ///< drawn stroke, from 0; missing: stroke of the model
   std::optional<int> second;  ///< order: the drawn stroke that should have come before it, none while that is
                               ///< still to be drawn; joined, split: see `model`
@@ -47,7 +35,7 @@ struct Fault {
 
   Side start = Side::top;  ///< reversed: where the stroke should start
 
-  friend bool operator==(const Fault&, const Fault&) = default;
+  friend bool operator==(const Mistake&, const Mistake&) = default;
 };
 
 /// How one drawn stroke compares with the model. Deviations are those left once all of the writing has been
@@ -86,8 +74,8 @@ inline constexpr int kPointsForPlace = 15;
 struct Grade {
   bool accepted = false;
   std::vector<StrokeVerdict> strokes;                  ///< one for each drawn stroke
-  std::vector<Fault> faults;                           ///< what keeps it from being accepted, by stroke
-  std::vector<Fault> advice;                           ///< what could be better
+  std::vector<Mistake> mistakes;                       ///< what keeps it from being accepted, by stroke
+  std::vector<Mistake> advice;                         ///< what could be better
   std::optional<kanji::AlternativeOrder> alternative;  ///< the listed order that was used, if not the first
   std::string variant;  ///< the form of the model that fitted; empty: the main one
   ScoreParts parts;
@@ -103,7 +91,8 @@ struct GradeOptions {
 inline constexpr double kLenient = 0.0;
 inline constexpr double kNormal = 0.5;
 inline constexpr double kStrict = 1.0;
-/// At or below it another order with right strokes is advice; at or above `kEndingsCount` endings are faults.
+/// At or below it another order with right strokes is advice; at or above `kEndingsCount` endings are
+/// mistakes.
 inline constexpr double kOrderIsAdvice = 0.25;
 inline constexpr double kEndingsCount = 0.85;
 
@@ -112,24 +101,25 @@ inline constexpr std::size_t kMaxInkPoints = 50'000;
 inline constexpr std::size_t kMaxInkStrokes = 100;
 
 /// Errc::bad_argument for ink without strokes, with a stroke without points, with all points equal, with
-/// coordinates that are not finite or beyond 1e9, with too much of it, or with times or pressures of another
-/// number than points.
-[[nodiscard]] base::Result<void> check(const Ink& ink);
+/// coordinates that are not finite or beyond 1e9, with too much of it, or with a stroke of which only
+/// some points have times or pressures.
+[[nodiscard]] base::Result<void> check(const WrittenCharacter& ink);
 
 /// Judges what was written when `model` was asked for. `lookalikes` are characters with as many strokes that
 /// differ from it only in proportions: they are compared before it is accepted.
 /// Thread-safe; 0.1 ms for 12 strokes.
 /// @return the errors of check(); Errc::bad_argument for a strictness outside 0..1.
-[[nodiscard]] base::Result<Grade> grade(const Ink& ink, const Model& model, const GradeOptions& options = {},
+[[nodiscard]] base::Result<Grade> grade(const WrittenCharacter& ink, const Model& model,
+                                        const GradeOptions& options = {},
                                         std::span<const Model> lookalikes = {});
 
 /// Judges stroke by stroke: the verdict on each stroke is the one that was given when it ended, and does not
 /// change by what follows; only which stroke of the model it is (`matched`) is what all strokes so far show.
 /// A stroke that passes over another is told so at once (`order` without `second`, the stroke to come first
 /// is the last of `model`); the one that comes late then is right. A stroke told right stays so when another
-/// is drawn over it: the newest is the one too many. Faults that only the end shows (missing strokes) come at
-/// the end.
-[[nodiscard]] base::Result<Grade> grade_live(const Ink& ink, const Model& model,
+/// is drawn over it: the newest is the one too many. Mistakes that only the end shows (missing strokes) come
+/// at the end.
+[[nodiscard]] base::Result<Grade> grade_live(const WrittenCharacter& ink, const Model& model,
                                              const GradeOptions& options = {},
                                              std::span<const Model> lookalikes = {});
 

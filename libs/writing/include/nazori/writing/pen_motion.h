@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "nazori/writing/ink.h"
+#include "nazori/writing/written_character.h"
 
 namespace nazori::writing {
 
@@ -41,6 +41,6 @@ struct PenMotion {
 /// above the valleys beside them.
 /// @source number of velocity peaks as a measure of fluency: H. L. Teulings et al., "Parkinsonism reduces
 /// coordination of fingers, wrist, and arm in fine motor control", Experimental Neurology 146 (1997).
-[[nodiscard]] std::vector<PenMotion> pen_motion(const Ink& ink);
+[[nodiscard]] std::vector<PenMotion> pen_motion(const WrittenCharacter& ink);
 
 }  // namespace nazori::writing

@@ -7,7 +7,7 @@
 #include "nazori/base/result.h"
 #include "nazori/kanji/character.h"
 #include "nazori/kanji/kanji_database.h"
-#include "nazori/writing/ink.h"
+#include "nazori/writing/written_character.h"
 
 namespace nazori::writing {
 
@@ -42,7 +42,7 @@ class Recogniser {
 
   /// The likeliest characters, best first. 3 ms for 12 strokes and all characters.
   /// @return the errors of check(ink); Errc::bad_argument for a limit below 1.
-  [[nodiscard]] base::Result<std::vector<Candidate>> recognise(const Ink& ink,
+  [[nodiscard]] base::Result<std::vector<Candidate>> recognise(const WrittenCharacter& ink,
                                                                const RecogniseOptions& options = {}) const;
 
   /// How many characters are known.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nazori/writing/ink.h"
+#include "nazori/writing/written_character.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "nazori/writing/grade.h"
@@ -13,11 +15,17 @@ constexpr double kLargest = 1e9;
 
 bool usable(double v) { return std::isfinite(v) && std::abs(v) <= kLargest; }
 
+bool all_or_none(const WrittenStroke& stroke, std::optional<double> WrittenPoint::*value) {
+  const auto known = std::count_if(stroke.begin(), stroke.end(),
+                                   [value](const WrittenPoint& p) { return (p.*value).has_value(); });
+  return known == 0 || known == std::ssize(stroke);
+}
+
 std::string stroke_name(std::size_t index) { return "stroke " + std::to_string(index + 1); }
 
 }  // namespace
 
-base::Result<void> check(const Ink& ink) {
+base::Result<void> check(const WrittenCharacter& ink) {
   using base::Errc;
   using base::fail;
   if (ink.strokes.empty()) return fail(Errc::bad_argument, "There are no strokes.");
@@ -29,23 +37,24 @@ base::Result<void> check(const Ink& ink) {
     return fail(Errc::bad_argument, "The writing box is not a square with a size.");
   std::size_t count = 0;
   bool apart = false;
-  const InkPoint* first = nullptr;
+  const WritingPoint* first = nullptr;
   for (std::size_t i = 0; i < ink.strokes.size(); ++i) {
     const auto& s = ink.strokes[i];
-    if (s.points.empty()) return fail(Errc::bad_argument, "A stroke has no points.", stroke_name(i));
-    if (!s.times_s.empty() && s.times_s.size() != s.points.size())
+    if (s.empty()) return fail(Errc::bad_argument, "A stroke has no points.", stroke_name(i));
+    if (!all_or_none(s, &WrittenPoint::time_s))
       return fail(Errc::bad_argument, "A stroke has not as many times as points.", stroke_name(i));
-    if (!s.pressures.empty() && s.pressures.size() != s.points.size())
+    if (!all_or_none(s, &WrittenPoint::pressure))
       return fail(Errc::bad_argument, "A stroke has not as many pressures as points.", stroke_name(i));
-    count += s.points.size();
+    count += s.size();
     if (count > kMaxInkPoints)
       return fail(Errc::bad_argument, "There are too many points.", stroke_name(i),
                   "give at most " + std::to_string(kMaxInkPoints));
-    for (const auto& p : s.points) {
-      if (!usable(p.x) || !usable(p.y))
+    for (const WrittenPoint& p : s) {
+      const WritingPoint& at = p.at;
+      if (!usable(at.x) || !usable(at.y))
         return fail(Errc::bad_argument, "A coordinate is not a usable number.", stroke_name(i));
-      if (first == nullptr) first = &p;
-      apart = apart || !(p == *first);
+      if (first == nullptr) first = &at;
+      apart = apart || !(at == *first);
     }
   }
   if (!apart) return fail(Errc::bad_argument, "All points are equal.");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ink_layer.h"
+#include "groove_ink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,7 @@ void main() {
 
 }  // namespace
 
-InkLayer::InkLayer(ShaderProgram brush) : brush_(std::move(brush)) {
+GrooveInk::GrooveInk(ShaderProgram brush) : brush_(std::move(brush)) {
   allocate(texture_, GL_RG8, GL_RG, kTextureSize, kTextureSize);
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -78,14 +78,14 @@ InkLayer::InkLayer(ShaderProgram brush) : brush_(std::move(brush)) {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
-base::Result<InkLayer> InkLayer::create() {
+base::Result<GrooveInk> GrooveInk::create() {
   auto brush = ShaderProgram::compile("ink", kVertex, kFragment);
   if (!brush) return tl::unexpected(brush.error());
-  return InkLayer(std::move(*brush));
+  return GrooveInk(std::move(*brush));
 }
 
-void InkLayer::set_strokes(const StrokeGeometry& strokes, const geometry::TabletShape& shape,
-                           DrawStatistics& statistics) {
+void GrooveInk::set_strokes(const StrokeGeometry& strokes, const geometry::TabletShape& shape,
+                            DrawStatistics& statistics) {
   shapes_ = strokes.ink;
   plateau_ = strokes.plateau;
   ranges_ = strokes.ink_ranges;
@@ -95,7 +95,7 @@ void InkLayer::set_strokes(const StrokeGeometry& strokes, const geometry::Tablet
   upload(pieces_, GL_ARRAY_BUFFER, std::span<const InkPiece>(shapes_), statistics);
 }
 
-void InkLayer::draw_stroke(std::size_t stroke, double from, double to, bool current) {
+void GrooveInk::draw_stroke(std::size_t stroke, double from, double to, bool current) {
   const InkRange& range = ranges_[stroke];
   const double from_m = from * range.length_m;
   const double to_m = to * range.length_m;
@@ -113,8 +113,8 @@ void InkLayer::draw_stroke(std::size_t stroke, double from, double to, bool curr
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(last - first));
 }
 
-InkLayer::Change InkLayer::update(std::span<const double> ink, int current_stroke, GLuint heights,
-                                  glm::vec2 face_from_square) {
+GrooveInk::Change GrooveInk::update(std::span<const double> ink, int current_stroke, GLuint heights,
+                                    glm::vec2 face_from_square) {
   std::vector<double> wanted(ranges_.size(), 0.0);
   for (std::size_t i = 0; i < wanted.size() && i < ink.size(); ++i)
     wanted[i] = std::isfinite(ink[i]) ? std::clamp(ink[i], 0.0, 1.0) : 0.0;

@@ -13,9 +13,9 @@ namespace nazori::view {
 
 /// Ink on the tablet's face, as a texture into which the brush is drawn: red is sumi, green the vermilion of
 /// the current stroke. Fresh ink is added without touching what has dried.
-class InkLayer {
+class GrooveInk {
  public:
-  [[nodiscard]] static base::Result<InkLayer> create();
+  [[nodiscard]] static base::Result<GrooveInk> create();
 
   void set_strokes(const StrokeGeometry& strokes, const geometry::TabletShape& shape,
                    DrawStatistics& statistics);
@@ -36,7 +36,7 @@ class InkLayer {
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
 
  private:
-  explicit InkLayer(ShaderProgram brush);
+  explicit GrooveInk(ShaderProgram brush);
   void draw_stroke(std::size_t stroke, double from, double to, bool current);
 
   ShaderProgram brush_;

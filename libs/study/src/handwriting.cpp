@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nazori/study/ink.h"
+#include "nazori/study/handwriting.h"
 
 #include <zlib.h>
 
@@ -7,12 +7,14 @@
 #include <cassert>
 #include <cmath>
 
+#include "saved_point.h"
+
 namespace nazori::study {
 namespace {
 
 constexpr std::uint8_t kVersion = 1;
 // Four varints of at most five bytes a point, and one a stroke.
-constexpr std::size_t kMostBytes = kMostInkPoints * 20 + kMostInkStrokes * 5 + 8;
+constexpr std::size_t kMostBytes = kMostSavedPoints * 20 + kMostSavedStrokes * 5 + 8;
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -59,30 +61,36 @@ bool within(std::int64_t value, std::int64_t lowest, std::int64_t highest) {
   return value >= lowest && value <= highest;
 }
 
-bool may_be_kept(const Ink& ink) {
+/// Whether a number is rounded to a whole one of this range.
+bool rounds_into(double value, std::int32_t lowest, std::int32_t highest) {
+  return value > lowest - 0.5 && value < highest + 0.5;
+}
+
+bool may_be_saved(const Handwriting& ink) {
+  constexpr std::int32_t kFarthest = SavedPoint::kFarthest;
   std::size_t points = 0;
-  std::int32_t time = 0;
-  for (const InkStroke& stroke : ink.strokes) {
+  std::int32_t time_ms = 0;
+  for (const HandwritingStroke& stroke : ink) {
     points += stroke.size();
-    for (const InkPoint& point : stroke) {
-      if (!within(point.x, -InkPoint::kFarthest, InkPoint::kFarthest) ||
-          !within(point.y, -InkPoint::kFarthest, InkPoint::kFarthest) ||
-          !within(point.time_ms, time, InkPoint::kLatest)) {
+    for (const HandwritingPoint& point : stroke) {
+      if (!rounds_into(point.at.x * kSavedStepsPerUnit, -kFarthest, kFarthest) ||
+          !rounds_into(point.at.y * kSavedStepsPerUnit, -kFarthest, kFarthest) ||
+          !rounds_into(point.time_s.value_or(0) * 1'000, time_ms, SavedPoint::kLatest)) {
         return false;
       }
-      time = point.time_ms;
+      time_ms = in_steps(point).time_ms;
     }
   }
-  return ink.strokes.size() <= kMostInkStrokes && points <= kMostInkPoints;
+  return ink.size() <= kMostSavedStrokes && points <= kMostSavedPoints;
 }
 
 tl::unexpected<base::Error> not_ink() { return base::fail(base::Errc::parse, "is no ink that can be read"); }
 
-base::Result<Ink> read_strokes(std::span<const std::uint8_t> bytes) {
+base::Result<Handwriting> read_strokes(std::span<const std::uint8_t> bytes) {
   VarintReader reader(bytes);
-  Ink ink;
+  Handwriting ink;
   const std::uint32_t strokes = reader.number();
-  if (strokes > kMostInkStrokes) return not_ink();
+  if (strokes > kMostSavedStrokes) return not_ink();
   std::int64_t x = 0;
   std::int64_t y = 0;
   std::int64_t time = 0;
@@ -91,20 +99,20 @@ base::Result<Ink> read_strokes(std::span<const std::uint8_t> bytes) {
   for (std::uint32_t i = 0; i < strokes && reader.ok(); ++i) {
     const std::uint32_t count = reader.number();
     points += count;
-    if (points > kMostInkPoints) return not_ink();
-    InkStroke& stroke = ink.strokes.emplace_back();
+    if (points > kMostSavedPoints) return not_ink();
+    HandwritingStroke& stroke = ink.emplace_back();
     for (std::uint32_t k = 0; k < count && reader.ok(); ++k) {
       x += reader.difference();
       y += reader.difference();
       time += reader.number();
       pressure += reader.difference();
-      if (!within(x, -InkPoint::kFarthest, InkPoint::kFarthest) ||
-          !within(y, -InkPoint::kFarthest, InkPoint::kFarthest) || !within(time, 0, InkPoint::kLatest) ||
-          !within(pressure, 0, 255)) {
+      if (!within(x, -SavedPoint::kFarthest, SavedPoint::kFarthest) ||
+          !within(y, -SavedPoint::kFarthest, SavedPoint::kFarthest) ||
+          !within(time, 0, SavedPoint::kLatest) || !within(pressure, 0, 255)) {
         return not_ink();
       }
-      stroke.push_back({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y),
-                        static_cast<std::int32_t>(time), static_cast<std::uint8_t>(pressure)});
+      stroke.push_back(from_steps({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y),
+                                   static_cast<std::int32_t>(time), static_cast<std::uint8_t>(pressure)}));
     }
   }
   if (!reader.ok() || !reader.at_end()) return not_ink();
@@ -113,37 +121,41 @@ base::Result<Ink> read_strokes(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-InkPoint ink_point(geometry::GlyphPoint at, double time_ms, double pressure) {
+SavedPoint in_steps(const HandwritingPoint& point) {
+  constexpr double kFarthest = SavedPoint::kFarthest;
   const auto whole = [](double value, double lowest, double highest) {
     return std::isfinite(value) ? std::lround(std::clamp(value, lowest, highest)) : 0;
   };
-  InkPoint point;
-  point.x = static_cast<std::int32_t>(
-      whole(at.x * InkPoint::kStepsPerUnit, -InkPoint::kFarthest, InkPoint::kFarthest));
-  point.y = static_cast<std::int32_t>(
-      whole(at.y * InkPoint::kStepsPerUnit, -InkPoint::kFarthest, InkPoint::kFarthest));
-  point.time_ms = static_cast<std::int32_t>(whole(time_ms, 0, InkPoint::kLatest));
-  point.pressure = static_cast<std::uint8_t>(whole(pressure * 255, 0, 255));
-  return point;
+  SavedPoint steps;
+  steps.x = static_cast<std::int32_t>(whole(point.at.x * kSavedStepsPerUnit, -kFarthest, kFarthest));
+  steps.y = static_cast<std::int32_t>(whole(point.at.y * kSavedStepsPerUnit, -kFarthest, kFarthest));
+  steps.time_ms = static_cast<std::int32_t>(whole(point.time_s.value_or(0) * 1'000, 0, SavedPoint::kLatest));
+  steps.pressure = static_cast<std::uint8_t>(whole(point.pressure.value_or(0) * 255, 0, 255));
+  return steps;
 }
 
-geometry::GlyphPoint position_of(const InkPoint& point) {
-  return {static_cast<double>(point.x) / InkPoint::kStepsPerUnit,
-          static_cast<double>(point.y) / InkPoint::kStepsPerUnit};
+HandwritingPoint from_steps(const SavedPoint& point) {
+  return {
+      {static_cast<double>(point.x) / kSavedStepsPerUnit, static_cast<double>(point.y) / kSavedStepsPerUnit},
+      point.time_ms / 1'000.0,
+      point.pressure / 255.0};
 }
 
-base::Result<Bytes> pack(const Ink& ink) {
-  if (ink.strokes.empty()) return Bytes();
-  if (!may_be_kept(ink)) {
+HandwritingPoint saved_point(const HandwritingPoint& point) { return from_steps(in_steps(point)); }
+
+base::Result<Bytes> pack(const Handwriting& ink) {
+  if (ink.empty()) return Bytes();
+  if (!may_be_saved(ink)) {
     return base::fail(base::Errc::bad_argument, "is too much, too far out, or its times go back", "ink",
                       "give at most 100 strokes and 50000 points");
   }
   Bytes plain;
-  put(plain, static_cast<std::uint32_t>(ink.strokes.size()));
-  InkPoint last;
-  for (const InkStroke& stroke : ink.strokes) {
+  put(plain, static_cast<std::uint32_t>(ink.size()));
+  SavedPoint last;
+  for (const HandwritingStroke& stroke : ink) {
     put(plain, static_cast<std::uint32_t>(stroke.size()));
-    for (const InkPoint& point : stroke) {
+    for (const HandwritingPoint& written : stroke) {
+      const SavedPoint point = in_steps(written);
       put_difference(plain, point.x - last.x);
       put_difference(plain, point.y - last.y);
       put(plain, static_cast<std::uint32_t>(point.time_ms - last.time_ms));
@@ -161,8 +173,8 @@ base::Result<Bytes> pack(const Ink& ink) {
   return packed;
 }
 
-base::Result<Ink> unpack_ink(std::span<const std::uint8_t> bytes) {
-  if (bytes.empty()) return Ink{};
+base::Result<Handwriting> unpack_handwriting(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return Handwriting{};
   if (bytes.front() != kVersion || bytes.size() > kMostBytes) return not_ink();
   const std::span<const std::uint8_t> packed = bytes.subspan(1);
   // Room for what ink usually holds; DEFLATE can hold a thousand times as much.

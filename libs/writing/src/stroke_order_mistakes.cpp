@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stroke_order_faults.h"
+#include "stroke_order_mistakes.h"
 
 #include <algorithm>
 #include <utility>
@@ -49,17 +49,17 @@ std::vector<OutOfTurn> strokes_out_of_turn(std::span<const Link> links) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (kept[i] != 0) continue;
     // Say it of the stroke that came too early, whichever of the two was moved.
-    OutOfTurn fault{links[i].drawn, links[i].drawn, {links[i].drawn}};
+    OutOfTurn mistake{links[i].drawn, links[i].drawn, {links[i].drawn}};
     for (std::size_t k = 0; k < links.size(); ++k) {
       if (kept[k] == 0) continue;
-      if (k > i && links[k].model < links[i].model) fault.before = links[k].drawn;
+      if (k > i && links[k].model < links[i].model) mistake.before = links[k].drawn;
       if (k < i && links[k].model > links[i].model) {
-        fault.drawn = links[k].drawn;
-        fault.before = links[i].drawn;
+        mistake.drawn = links[k].drawn;
+        mistake.before = links[i].drawn;
         break;
       }
     }
-    if (fault.drawn != fault.before) result.push_back(std::move(fault));
+    if (mistake.drawn != mistake.before) result.push_back(std::move(mistake));
   }
   return result;
 }
