@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "device_search.h"
-#include "functions/plotter.h"
 #include "library.h"
 #include "nazori/devices/device_catalogue.h"
 #include "progress/statistics_reader.h"
@@ -131,27 +130,6 @@ TEST(WindowThreads, TabletsAreCarvedOneAfterTheOther) {
   EXPECT_TRUE(comes_true([&] { return newest == U'一'; }));
   EXPECT_TRUE(tablet);
   workshop.carve(*database_file->find(U'二'));  // ended in the middle
-}
-
-TEST(WindowThreads, APlotIsStoppedByTheNextAndByItsEnd) {
-  const auto request = [](const char* text) {
-    PlotRequest made;
-    made.plot = *functions::parse(text);
-    made.plate.size = 64;
-    return made;
-  };
-  Plotter plotter;
-  SharedDrawing last;
-  QObject::connect(&plotter, &Plotter::drawn, &plotter,
-                   [&](const SharedDrawing& drawing) { last = drawing; });
-  plotter.draw(request("y = sin(100 x)"));
-  plotter.draw(request("y = x"));
-  EXPECT_TRUE(comes_true([&] { return last && last->final; }));
-  EXPECT_EQ(last->asked.plot.statements.size(), 1U);
-  plotter.draw(request("y = sin(x)"));
-  plotter.stop();
-  EXPECT_TRUE(comes_true([&] { return !plotter.is_busy(); }));
-  plotter.draw(request("y = sin(1/x)"));
 }
 
 TEST(WindowThreads, DevicesAreLookedForCancelledAndOpenedAgain) {
