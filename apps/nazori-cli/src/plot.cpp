@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "character_json.h"
+#include "nazori/functions/curve_kinds.h"
 #include "nazori/functions/plate.h"
 #include "nazori/functions/points.h"
 #include "nazori/functions/print_picture.h"
@@ -77,25 +78,7 @@ base::Result<functions::Plot> read(const PlotSettings& s) {
   return std::move(*plot);
 }
 
-std::string kind_name(functions::StatementKind kind) {
-  switch (kind) {
-    case functions::StatementKind::explicit_y:
-    case functions::StatementKind::explicit_x:
-      return "explicit";
-    case functions::StatementKind::implicit:
-      return "implicit";
-    case functions::StatementKind::inequality:
-      return "inequality";
-    case functions::StatementKind::parametric:
-      return "parametric";
-    case functions::StatementKind::polar:
-    case functions::StatementKind::polar_implicit:
-      return "polar";
-    case functions::StatementKind::surface:
-      return "surface";
-  }
-  return "";
-}
+std::string kind_name(functions::StatementKind kind) { return std::string(functions::curve_kind(kind).name); }
 
 std::string key_of(PointKind kind) {
   std::string name = functions::in_words(kind, functions::Language::english);

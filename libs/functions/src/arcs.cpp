@@ -1,44 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arcs.h"
 
+#include <utility>
+
+#include "nazori/functions/curve_kinds.h"
+
 namespace nazori::functions {
 
 std::optional<Arc> arc_of(const Statement& s, const Window& w, double m) {
-  switch (s.kind) {
-    case StatementKind::explicit_y:
-      return Arc{variable(Variable::x), s.terms[0], Variable::x, w.x(-m), w.x(1 + m), false};
-    case StatementKind::explicit_x:
-      return Arc{s.terms[0], variable(Variable::y), Variable::y, w.y(-m), w.y(1 + m), false};
-    case StatementKind::parametric:
-      return Arc{s.terms[0],           s.terms[1], Variable::t,    constant_value(s.from),
-                 constant_value(s.to), true,       s.from_is_open, s.to_is_open};
-    case StatementKind::polar: {
-      const Expression angle = variable(Variable::theta);
-      return Arc{binary(NodeKind::multiply, s.terms[0], call(Function::cos, {angle})),
-                 binary(NodeKind::multiply, s.terms[0], call(Function::sin, {angle})),
-                 Variable::theta,
-                 constant_value(s.from),
-                 constant_value(s.to),
-                 true,
-                 s.from_is_open,
-                 s.to_is_open};
-    }
-    default:
-      return std::nullopt;
+  const CurveKind& kind = curve_kind(s.kind);
+  if (kind.course == nullptr) return std::nullopt;
+  Course course = kind.course(s);
+  Arc arc;
+  arc.x = std::move(course.x);
+  arc.y = std::move(course.y);
+  arc.parameter = kind.parameter;
+  if (kind.has_own_parameter()) {
+    arc.from = constant_value(s.from);
+    arc.to = constant_value(s.to);
+    arc.ends_are_real = true;
+    arc.from_is_open = s.from_is_open;
+    arc.to_is_open = s.to_is_open;
+  } else {
+    const bool along_x = kind.parameter == Variable::x;
+    arc.from = along_x ? w.x(-m) : w.y(-m);
+    arc.to = along_x ? w.x(1 + m) : w.y(1 + m);
   }
+  return arc;
 }
 
 Expression equation_of(const Statement& s) {
-  switch (s.kind) {
-    case StatementKind::explicit_y:
-      return binary(NodeKind::subtract, variable(Variable::y), s.terms[0]);
-    case StatementKind::explicit_x:
-      return binary(NodeKind::subtract, variable(Variable::x), s.terms[0]);
-    case StatementKind::implicit:
-      return binary(NodeKind::subtract, s.terms[0], s.terms[1]);
-    default:
-      return nullptr;
-  }
+  const CurveKind& kind = curve_kind(s.kind);
+  return kind.equation != nullptr ? kind.equation(s) : nullptr;
 }
 
 }  // namespace nazori::functions

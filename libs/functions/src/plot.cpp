@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "nazori/functions/curve_kinds.h"
 #include "parser.h"
 
 namespace nazori::functions {
@@ -27,13 +28,12 @@ bool is_equation(const Relation& r) {
 bool falls(Comparison c) { return c == Comparison::greater || c == Comparison::greater_equal; }
 
 /// "0 <= t <= 2pi" or its mirror image.
-bool is_range(const Relation& r) {
+bool is_range_of(const Relation& r, Variable v) {
   if (r.terms.size() != 3) return false;
   for (const Comparison c : r.comparisons) {
     if (c == Comparison::equal || falls(c) != falls(r.comparisons[0])) return false;
   }
-  return (is_variable(r.terms[1], Variable::t) || is_variable(r.terms[1], Variable::theta)) &&
-         variables_of(r.terms[0]).empty() && variables_of(r.terms[2]).empty();
+  return is_variable(r.terms[1], v) && variables_of(r.terms[0]).empty() && variables_of(r.terms[2]).empty();
 }
 
 /// Turns relations into statements, one after the other.
@@ -89,7 +89,7 @@ class Reader {
   /// @return how many relations the statement took.
   tl::expected<std::size_t, SyntaxError> read(std::span<const Relation> rest) {
     const Relation& r = rest[0];
-    if (is_range(r)) {
+    if (is_range_of(r, Variable::t) || is_range_of(r, Variable::theta)) {
       return refuse(r, SyntaxFault::range_misplaced);
     }
     if (const auto used = parametric(rest); !used || *used > 0) return used;
@@ -118,7 +118,7 @@ class Reader {
         if (v != Variable::t) return 0;
       }
     }
-    const bool has_range = rest.size() > 2 && is_range(rest[2]) && is_variable(rest[2].terms[1], Variable::t);
+    const bool has_range = rest.size() > 2 && is_range_of(rest[2], Variable::t);
     if (!has_range && !depends_on(first, Variable::t) && !depends_on(second, Variable::t)) return 0;
     Statement& s = add(StatementKind::parametric, rest[0],
                        x_first ? std::vector{first, second} : std::vector{second, first});
@@ -151,8 +151,7 @@ class Reader {
       s = &add(StatementKind::polar_implicit, r, r.terms);
       s->comparisons = r.comparisons;
     }
-    const bool has_range =
-        rest.size() > 1 && is_range(rest[1]) && is_variable(rest[1].terms[1], Variable::theta);
+    const bool has_range = rest.size() > 1 && is_range_of(rest[1], Variable::theta);
     const auto ranged = set_range(*s, has_range ? &rest[1] : nullptr);
     if (!ranged) return tl::unexpected(ranged.error());
     return has_range ? 2 : 1;
@@ -222,28 +221,16 @@ tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions&
 }
 
 std::string canonical(const Statement& s) {
-  switch (s.kind) {
-    case StatementKind::explicit_y:
-      return "y = " + to_text(s.terms[0]);
-    case StatementKind::explicit_x:
-      return "x = " + to_text(s.terms[0]);
-    case StatementKind::surface:
-      return "z = " + to_text(s.terms[0]);
-    case StatementKind::parametric:
-      return "x = " + to_text(s.terms[0]) + "; y = " + to_text(s.terms[1]) + range_text(s, Variable::t);
-    case StatementKind::polar:
-      return "r = " + to_text(s.terms[0]) + range_text(s, Variable::theta);
-    case StatementKind::implicit:
-    case StatementKind::inequality:
-    case StatementKind::polar_implicit:
-      break;
+  const CurveKind& kind = curve_kind(s.kind);
+  std::string text;
+  for (std::size_t i = 0; i < s.terms.size(); ++i) {
+    if (kind.left[0])
+      text += (i > 0 ? "; " : "") + std::string(name_of(*kind.left[i])) + " = ";
+    else if (i > 0)
+      text += sign_of(s.comparisons[i - 1]);
+    text += to_text(s.terms[i]);
   }
-  std::string text = to_text(s.terms[0]);
-  for (std::size_t i = 1; i < s.terms.size(); ++i)
-    text += sign_of(s.comparisons[i - 1]) + to_text(s.terms[i]);
-  const bool ranged =
-      s.kind == StatementKind::polar_implicit || (s.kind == StatementKind::inequality && s.range_given);
-  return ranged ? text + range_text(s, Variable::theta) : text;
+  return kind.says_range(s) ? text + range_text(s, kind.parameter) : text;
 }
 
 std::string canonical(const Plot& plot) {

@@ -10,6 +10,7 @@
 #include "algebra.h"
 #include "arc_probe.h"
 #include "arcs.h"
+#include "nazori/functions/curve_kinds.h"
 #include "newton.h"
 #include "polyline_crossings.h"
 #include "roots.h"
@@ -33,7 +34,7 @@ class PointFinder {
       statement_ = static_cast<int>(i);
       if (const auto arc = arc_of(s, window_, 0.02)) {
         walk(*arc);
-      } else if (s.kind == StatementKind::implicit) {
+      } else if (equation_of(s)) {
         intercepts(s);
       }
     }
@@ -81,7 +82,7 @@ class PointFinder {
 
   void walk(const Arc& arc) {
     ArcProbe probe(arc);
-    const StatementKind kind = plot_.statements[static_cast<std::size_t>(statement_)].kind;
+    const CurveKind& kind = curve_kind(plot_.statements[static_cast<std::size_t>(statement_)].kind);
     const double flat = 1e-12 * std::max(std::abs(window_.y0), std::abs(window_.y1));
     for (const Branch& b : tracing_.branches) {
       if (b.statement != statement_ || !b.has_parameter) continue;
@@ -90,28 +91,28 @@ class PointFinder {
           [&](double t, bool) { add(PointKind::zero, probe.at(t).x, 0, t); });
       for (const CurvePoint* end : {&b.points.front(), &b.points.back()}) {
         if (arc.is_open_end(end->parameter)) continue;
-        if (std::abs(probe.at(end->parameter).y) <= flat && kind != StatementKind::explicit_y)
+        if (std::abs(probe.at(end->parameter).y) <= flat && !kind.is_graph_of_x())
           add(PointKind::zero, probe.at(end->parameter).x, 0, end->parameter);
       }
-      if (kind != StatementKind::explicit_x) {
+      if (!kind.is_graph_of_y()) {
         sign_changes(
             b.points, [&](double t) { return beyond_rounding(probe.at(t).slope_y, probe.slope_y(t)); },
             [&](double t, bool rising) {
               const auto v = probe.at(t);
-              const bool least = kind == StatementKind::explicit_y ? rising : is_least(probe, t);
+              const bool least = kind.is_graph_of_x() ? rising : is_least(probe, t);
               const double y = std::isfinite(v.y) ? v.y : near_value(probe, t);
               if (std::abs(y) <= flat) add(PointKind::zero, v.x, 0, t);
               add(least ? PointKind::minimum : PointKind::maximum, v.x, std::abs(y) <= flat ? 0 : y, t);
             });
       }
-      if (kind == StatementKind::explicit_y) inflections(b, probe);
-      if (kind != StatementKind::explicit_y) {
+      if (kind.is_graph_of_x()) inflections(b, probe);
+      if (!kind.is_graph_of_x()) {
         sign_changes(
             b.points, [&](double t) { return probe.at(t).x; },
             [&](double t, bool) { add(PointKind::y_intercept, 0, probe.at(t).y, t); });
       }
     }
-    if (kind == StatementKind::explicit_y) {
+    if (kind.is_graph_of_x()) {
       const auto v = probe.at(0);
       if (window_.x0 <= 0 && window_.x1 >= 0 && std::isfinite(v.y)) add(PointKind::y_intercept, 0, v.y, 0);
     }
@@ -171,11 +172,11 @@ class PointFinder {
 
   void add(const Event& e) {
     statement_ = e.statement;
-    const StatementKind kind = plot_.statements[static_cast<std::size_t>(e.statement)].kind;
+    const CurveKind& kind = curve_kind(plot_.statements[static_cast<std::size_t>(e.statement)].kind);
     switch (e.kind) {
       case EventKind::pole:
-        if (kind == StatementKind::explicit_y) add(PointKind::vertical_asymptote, e.x, kNaN, e.parameter);
-        if (kind == StatementKind::explicit_x) add(PointKind::horizontal_asymptote, kNaN, e.y, e.parameter);
+        if (kind.is_graph_of_x()) add(PointKind::vertical_asymptote, e.x, kNaN, e.parameter);
+        if (kind.is_graph_of_y()) add(PointKind::horizontal_asymptote, kNaN, e.y, e.parameter);
         break;
       case EventKind::hole:
         add(PointKind::hole, e.x, e.y, e.parameter);
@@ -258,8 +259,7 @@ class PointFinder {
 
   void self_crossings() {
     for (std::size_t i = 0; i < plot_.statements.size(); ++i) {
-      const StatementKind kind = plot_.statements[i].kind;
-      if (kind != StatementKind::parametric && kind != StatementKind::polar) continue;
+      if (!curve_kind(plot_.statements[i].kind).has_own_parameter()) continue;
       statement_ = static_cast<int>(i);
       const auto arc = arc_of(plot_.statements[i], window_, 0);
       if (!arc) continue;

@@ -39,7 +39,7 @@ Statement in_the_plane(const Statement& s) {
 }
 
 std::vector<Condition> angle_bounds(const Statement& s) {
-  if (s.kind != StatementKind::inequality || !s.range_given) return {};
+  if (!s.range_given) return {};
   const Expression at = angle(s);
   return {{binary(NodeKind::subtract, at, s.from), s.from_is_open},
           {binary(NodeKind::subtract, s.to, at), s.to_is_open}};

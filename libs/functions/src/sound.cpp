@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "arcs.h"
+#include "nazori/functions/curve_kinds.h"
 #include "voice.h"
 
 namespace nazori::functions {
@@ -112,7 +113,7 @@ class Sweeper {
       if (!first) synthesizer_.silence(kGapSeconds);
       first = false;
       const Statement& s = plot_.statements[i];
-      if (s.kind == StatementKind::explicit_y) {
+      if (curve_kind(s.kind).is_graph_of_x()) {
         across(s, static_cast<int>(i));
       } else {
         along(static_cast<int>(i));

@@ -12,7 +12,9 @@
 
 #include "algebra.h"
 #include "arc_tracer.h"
+#include "arcs.h"
 #include "equation.h"
+#include "nazori/functions/curve_kinds.h"
 #include "plane_tracer.h"
 #include "polar_region.h"
 #include "region_tracer.h"
@@ -51,24 +53,16 @@ class PlotTracer {
 
  private:
   bool draw(const Statement& s) {
-    const std::array<Expression, 2> axes{variable(Variable::x), variable(Variable::y)};
-    switch (s.kind) {
-      case StatementKind::explicit_y:
-        return draw(Arc{axes[0], s.terms[0], Variable::x, low_[0], high_[0], false});
-      case StatementKind::explicit_x:
-        return draw(Arc{s.terms[0], axes[1], Variable::y, low_[1], high_[1], false});
-      case StatementKind::parametric:
-        return draw(Arc{s.terms[0], s.terms[1], Variable::t, constant_value(s.from), constant_value(s.to),
-                        true, s.from_is_open, s.to_is_open});
-      case StatementKind::polar:
-        return draw(polar_arc(s, s.terms[0]));
-      case StatementKind::polar_implicit:
+    switch (curve_kind(s.kind).drawn_by) {
+      case DrawnBy::course:
+        return draw(*arc_of(s, out_.window, settings_.margin));
+      case DrawnBy::polar_equation:
         return draw_polar(s);
-      case StatementKind::implicit:
+      case DrawnBy::equation:
         return draw_equation(s.terms[0], s.terms[1]);
-      case StatementKind::inequality:
+      case DrawnBy::region:
         return draw_region(s);
-      case StatementKind::surface:
+      case DrawnBy::heights:
         return true;
     }
     return true;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "nazori/functions/curve_kinds.h"
 #include "nazori/functions/plot.h"
 #include "strength.h"
 
@@ -189,27 +190,16 @@ std::string in_words(const Statement& s, Language language) {
     const std::string& out = s.from_is_open ? from : to;
     return text + (english ? fmt::format(", {} excluded", out) : fmt::format("、{} を除く", out));
   };
-  switch (s.kind) {
-    case StatementKind::explicit_y:
-      return "y" + equals + in_words(s.terms[0], language);
-    case StatementKind::explicit_x:
-      return "x" + equals + in_words(s.terms[0], language);
-    case StatementKind::surface:
-      return "z" + equals + in_words(s.terms[0], language);
-    case StatementKind::parametric:
-      return "x" + equals + in_words(s.terms[0], language) + (english ? " and y" : "、y") + equals +
-             in_words(s.terms[1], language) + range("t");
-    case StatementKind::polar:
-      return "r" + equals + in_words(s.terms[0], language) + range(english ? "theta" : "シータ");
-    default:
-      break;
+  const CurveKind& kind = curve_kind(s.kind);
+  std::string text;
+  for (std::size_t i = 0; i < s.terms.size(); ++i) {
+    if (kind.left[0])
+      text += (i == 0 ? "" : english ? " and " : "、") + in_words(variable(*kind.left[i]), language) + equals;
+    else if (i > 0)
+      text += comparison(s.comparisons[i - 1], language);
+    text += in_words(s.terms[i], language);
   }
-  std::string text = in_words(s.terms[0], language);
-  for (std::size_t i = 1; i < s.terms.size(); ++i)
-    text += comparison(s.comparisons[i - 1], language) + in_words(s.terms[i], language);
-  const bool ranged =
-      s.kind == StatementKind::polar_implicit || (s.kind == StatementKind::inequality && s.range_given);
-  return ranged ? text + range(english ? "theta" : "シータ") : text;
+  return kind.says_range(s) ? text + range(in_words(variable(kind.parameter), language)) : text;
 }
 
 std::string in_words(const Plot& plot, Language language) {

@@ -9,6 +9,7 @@
 #include "signals.h"
 #include "study/learner_words.h"
 #include "study/session_words.h"
+#include "stored_settings.h"
 
 namespace nazori::ui {
 namespace {
@@ -25,7 +26,7 @@ Desk::Desk(QWidget& window, const std::filesystem::path& database, QString setti
       preferences_(Preferences::load(settings_file_)),
       library_(inbox(), database),
       judge_(inbox(), database),
-      recording_(tablet_.device(), settings_file_),
+      recording_(inbox(), tablet_.device(), unfinished_recordings(settings_file_)),
       learner_(inbox(), learner),
       practice_({inbox(), clock_, tablet_, library_, workshop_, judge_, session_}) {
   tablet_.set_style(preferences_.style);

@@ -17,8 +17,8 @@
 #include "nazori/practice/tablet_workshop.h"
 #include "nazori/practice/writing_judge.h"
 #include "preferences.h"
-#include "session_recording.h"
 #include "window_tablet.h"
+#include "nazori/practice/tablet_recording.h"
 
 namespace nazori::ui {
 
@@ -42,7 +42,7 @@ class Desk final : public QObject {
   [[nodiscard]] WindowTablet& tablet() { return tablet_; }
   [[nodiscard]] practice::CharacterPractice& practice() { return practice_; }
   [[nodiscard]] practice::WritingJudge& judge() { return judge_; }
-  [[nodiscard]] SessionRecording& recording() { return recording_; }
+  [[nodiscard]] practice::TabletRecording& recording() { return recording_; }
   [[nodiscard]] practice::Learner& learner() { return learner_; }
   [[nodiscard]] practice::LearnerExchange& exchange() { return exchange_; }
   [[nodiscard]] practice::SettingsChange& settings_change() { return settings_change_; }
@@ -100,7 +100,7 @@ class Desk final : public QObject {
   practice::TabletWorkshop workshop_{inbox_.inbox()};
   practice::WritingJudge judge_;
   WindowTablet tablet_;
-  SessionRecording recording_;
+  practice::TabletRecording recording_;
   practice::Learner learner_;
   practice::LearnerExchange exchange_{inbox(), learner_};
   practice::SettingsChange settings_change_{inbox(), learner_};

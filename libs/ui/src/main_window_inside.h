@@ -72,6 +72,7 @@ struct MainWindow::Inside {
 
   std::vector<kanji::Source> sources;
   QTimer save_timer;
+  QTimer disk_timer;  ///< looks whether the disk of a recording is full
 };
 
 }  // namespace nazori::ui

@@ -17,8 +17,19 @@
 #include "status_line.h"
 #include "tablet_window.h"
 #include "tool_bar.h"
+#include "kanji_text.h"
 
 namespace nazori::ui {
+namespace {
+
+QString names(const std::vector<std::filesystem::path>& files) {
+  QStringList list;
+  for (const auto& file : files) list.append(to_text(file.string()));
+  return list.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
 namespace {
 
 constexpr double kTurnStep_px = 40;
@@ -165,30 +176,33 @@ void MainWindow::Inside::take_appearance() {
 
 void MainWindow::Inside::connect_recording() {
   auto& recording = desk.recording();
-  QObject::connect(&recording, &SessionRecording::changed, &window,
-                   [this, &recording] { actions->record->setChecked(recording.is_on()); });
-  QObject::connect(&recording, &SessionRecording::moved_on, &window, [this](const QString& path) {
-    desk.tell(Feedback::hint, MainWindow::tr("Another device: the recording goes on in %1.").arg(path));
+  subscribe(recording.changed, &window,
+            [this, &recording] { actions->record->setChecked(recording.is_on()); });
+  using Path = std::filesystem::path;
+  subscribe(recording.moved_on, &window, [this](const Path& path) {
+    desk.tell(Feedback::hint,
+              MainWindow::tr("Another device: the recording goes on in %1.").arg(to_text(path.string())));
   });
-  QObject::connect(&recording, &SessionRecording::failed, &window,
-                   [this](const QString& path, const base::Error& error) {
-                     desk.tell(Feedback::wrong,
-                               MainWindow::tr("The recording %1 has ended: %2.").arg(path, reason(error)));
-                   });
-  QObject::connect(&recording, &SessionRecording::exported, &window, [this](const QString& path) {
-    desk.tell(Feedback::good, MainWindow::tr("Recorded: %1.").arg(path));
+  subscribe(recording.failed, &window, [this](const Path& path, const base::Error& error) {
+    desk.tell(Feedback::wrong, MainWindow::tr("The recording %1 has ended: %2.")
+                                   .arg(to_text(path.string()), reason(error)));
   });
-  QObject::connect(
-      &recording, &SessionRecording::recovered, &window, [this](const SessionRecording::Recovered& found) {
-        if (!found.files.isEmpty())
-          desk.tell(Feedback::good, MainWindow::tr("A recording had broken off. It is complete now: %1.")
-                                        .arg(found.files.join(QStringLiteral(", "))));
-        if (!found.broken.isEmpty())
-          desk.tell(
-              Feedback::advice,
-              MainWindow::tr("A recording had broken off with the computer. It may lack its last second: %1.")
-                  .arg(found.broken.join(QStringLiteral(", "))));
-      });
+  subscribe(recording.exported, &window, [this](const Path& path) {
+    desk.tell(Feedback::good, MainWindow::tr("Recorded: %1.").arg(to_text(path.string())));
+  });
+  subscribe(recording.recovered, &window, [this](const practice::TabletRecording::Recovered& found) {
+    if (!found.files.empty())
+      desk.tell(Feedback::good,
+                MainWindow::tr("A recording had broken off. It is complete now: %1.").arg(names(found.files)));
+    if (!found.broken.empty())
+      desk.tell(
+          Feedback::advice,
+          MainWindow::tr("A recording had broken off with the computer. It may lack its last second: %1.")
+              .arg(names(found.broken)));
+  });
+  disk_timer.setInterval(1000);
+  QObject::connect(&disk_timer, &QTimer::timeout, &window, [&recording] { recording.tick(); });
+  disk_timer.start();
   recording.recover();
 }
 
@@ -234,9 +248,9 @@ void MainWindow::Inside::record(bool on) {
     if (written && recording.is_exporting())
       desk.say(
           Feedback::hint,
-          MainWindow::tr("The recording has ended. Writing %1.").arg(written->join(QStringLiteral(", "))));
+          MainWindow::tr("The recording has ended. Writing %1.").arg(names(*written)));
     else if (written)
-      desk.say(Feedback::good, MainWindow::tr("Recorded: %1.").arg(written->join(QStringLiteral(", "))));
+      desk.say(Feedback::good, MainWindow::tr("Recorded: %1.").arg(names(*written)));
     else
       desk.say(Feedback::wrong,
                MainWindow::tr("The recording is not whole: %1.").arg(reason(written.error())));
@@ -262,7 +276,7 @@ void MainWindow::Inside::record(bool on) {
   const QString path = dialog.selectedFiles().front();
   const auto& tablet = desk.tablet().tablet();
   const auto started =
-      recording.start(path, current->title(), tablet ? tablet->shape() : geometry::TabletShape{});
+      recording.start(path.toStdString(), current->title().toStdString(), tablet ? tablet->shape() : geometry::TabletShape{});
   if (!started) {
     desk.say(Feedback::wrong,
              MainWindow::tr("%1: %2. Nothing is recorded.").arg(path, reason(started.error())));

@@ -10,7 +10,8 @@
 
 #include "device_text.h"
 #include "nazori/practice/tablet_control.h"
-#include "session_recording.h"
+#include "nazori/practice/tablet_recording.h"
+#include "kanji_text.h"
 #include "signals.h"
 
 namespace nazori::ui {
@@ -22,7 +23,7 @@ constexpr int kGap = 8;
 
 }  // namespace
 
-StatusLine::StatusLine(practice::TabletControl& controller, const SessionRecording& recording,
+StatusLine::StatusLine(practice::TabletControl& controller, practice::TabletRecording& recording,
                        QWidget* parent)
     : QStatusBar(parent),
       controller_(controller),
@@ -58,12 +59,12 @@ StatusLine::StatusLine(practice::TabletControl& controller, const SessionRecordi
     show_device();
     look();
   });
-  connect(&recording_, &SessionRecording::changed, this, &StatusLine::show_recording);
-  connect(&recording_, &SessionRecording::export_came_along, this, [this](const QString& path, double done) {
+  subscribe(recording_.changed, this, [this] { show_recording(); });
+  subscribe(recording_.export_progressed, this, [this](const std::filesystem::path& path, double done) {
     if (recording_.is_on()) return;
-    record_->setText(
-        tr("Writing %1: %2 %").arg(QFileInfo(path).fileName(), QLocale().toString(100 * done, 'f', 0)));
-    record_->setToolTip(path);
+    record_->setText(tr("Writing %1: %2 %")
+                         .arg(to_text(path.filename().string()), QLocale().toString(100 * done, 'f', 0)));
+    record_->setToolTip(to_text(path.string()));
     fit();
   });
   connect(&timer_, &QTimer::timeout, this, &StatusLine::look);
@@ -84,13 +85,13 @@ void StatusLine::show_recording() {
   }
   const auto status = recording_.status();
   const double seconds = static_cast<double>(status.samples) / controller_.device().describe().rate_hz;
-  const QString file = QFileInfo(recording_.path()).fileName();
+  const QString file = to_text(recording_.path().filename().string());
   const QString words = tr("● %1, %2 s").arg(file, QLocale().toString(seconds, 'f', 0));
   record_->setText(
       status.lost == 0
           ? words
           : tr("%1, %2 lost").arg(words, QLocale().toString(static_cast<qulonglong>(status.lost))));
-  record_->setToolTip(tr("The session is being recorded to %1").arg(recording_.path()));
+  record_->setToolTip(tr("The session is being recorded to %1").arg(to_text(recording_.path().string())));
   fit();
 }
 

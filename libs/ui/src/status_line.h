@@ -10,18 +10,18 @@ class QLabel;
 
 namespace nazori::practice {
 class TabletControl;
+class TabletRecording;
 }
 
 namespace nazori::ui {
 
-class SessionRecording;
 
 /// The device, the rate its servo really runs at, how long a tick takes and how late it comes, how old the
 /// drawn stylus is, and what was missed. Looks once a second.
 class StatusLine final : public QStatusBar {
   Q_OBJECT
  public:
-  StatusLine(practice::TabletControl& controller, const SessionRecording& recording, QWidget* parent);
+  StatusLine(practice::TabletControl& controller, practice::TabletRecording& recording, QWidget* parent);
 
   void show_depth(double depth_m);
 
@@ -36,7 +36,7 @@ class StatusLine final : public QStatusBar {
   void show_recording();
 
   practice::TabletControl& controller_;
-  const SessionRecording& recording_;
+  practice::TabletRecording& recording_;
   QLabel* record_;
   QLabel* device_;
   QLabel* rate_;

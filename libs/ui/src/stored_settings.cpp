@@ -21,4 +21,24 @@ void write_settings(QSettings& settings, const base::Settings& values) {
       settings.setValue(to_text(key), to_text(value));
 }
 
+practice::TabletRecording::UnfinishedFiles unfinished_recordings(const QString& settings_file) {
+  static const QString kKey = QStringLiteral("recording/unfinished");
+  const auto read = [settings_file] {
+    std::vector<std::string> files;
+    for (const QString& file : QSettings(settings_file, QSettings::IniFormat).value(kKey).toStringList())
+      files.push_back(file.toStdString());
+    return files;
+  };
+  const auto write = [settings_file](const std::vector<std::string>& files) {
+    QSettings settings(settings_file, QSettings::IniFormat);
+    QStringList list;
+    for (const auto& file : files) list.append(to_text(file));
+    if (list.isEmpty())
+      settings.remove(kKey);
+    else
+      settings.setValue(kKey, list);
+  };
+  return {read, write};
+}
+
 }  // namespace nazori::ui

@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include "nazori/base/settings.h"
+#include "nazori/practice/tablet_recording.h"
 
 namespace nazori::ui {
 
@@ -12,5 +13,8 @@ namespace nazori::ui {
 
 /// Makes that group hold `values`. Keys that are not among them go; what has not changed is not written.
 void write_settings(QSettings& settings, const base::Settings& values);
+
+/// The list of recordings that are not finished, in the settings file. Thread: interface.
+[[nodiscard]] practice::TabletRecording::UnfinishedFiles unfinished_recordings(const QString& settings_file);
 
 }  // namespace nazori::ui

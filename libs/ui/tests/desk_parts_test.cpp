@@ -15,6 +15,7 @@
 #include "nazori/practice/tablet_workshop.h"
 #include "palette.h"
 #include "status_line.h"
+#include "stored_settings.h"
 
 namespace nazori::ui {
 namespace {
@@ -102,7 +103,10 @@ TEST_F(NewsOfTheDesk, NothingIsSaidWhereThereIsNothingToSay) {
 TEST(StatusLine, TellsDepthInMillimetresWhileThereIsAny) {
   const QTemporaryDir folder;
   WindowTablet controller;
-  const SessionRecording recording(controller.device(), folder.filePath(QStringLiteral("nazori.ini")));
+  EventLoopInbox loop;
+  practice::TabletRecording recording(
+      loop.inbox(), controller.device(),
+      unfinished_recordings(folder.filePath(QStringLiteral("nazori.ini"))));
   StatusLine line(controller, recording, nullptr);
   line.resize(2000, 30);
   line.show();

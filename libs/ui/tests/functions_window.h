@@ -70,7 +70,8 @@ class FunctionsWindow : public WindowTest {
     QCoreApplication::processEvents();
   }
 
-  [[nodiscard]] const Drawing& shown() const { return *the_functions->shown(); }
+  [[nodiscard]] const functions::Drawing& shown() const { return *the_functions->shown(); }
+  [[nodiscard]] const tablet::CarvedTablet& carved() const { return *the_functions->tablet(); }
 };
 
 }  // namespace nazori::ui::test

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "functions/plot_export.h"
-
 namespace nazori::ui {
 namespace {
 
@@ -49,17 +47,50 @@ TEST(PlotWords, ANumberHasAsManyDigitsAsAskedFor) {
   EXPECT_EQ(number_text(-2), QStringLiteral("-2"));
 }
 
-TEST(PlotWords, EachKindOfFileHasItsEndingAndItsFilter) {
-  const std::pair<PlotFile, std::pair<const char*, const char*>> all[] = {
-      {PlotFile::document, {"json", "Plots (*.json)"}},
-      {PlotFile::raw, {"raw", "Height maps (*.raw)"}},
-      {PlotFile::png, {"png", "Pictures (*.png)"}},
-      {PlotFile::print, {"png", "Pictures (*.png)"}},
-      {PlotFile::sound, {"wav", "Sounds (*.wav)"}}};
+TEST(PlotWords, EachKindOfFileHasItsFilter) {
+  const std::pair<functions::PlotFile, const char*> all[] = {
+      {functions::PlotFile::document, "Plots (*.json)"},
+      {functions::PlotFile::raw, "Height maps (*.raw)"},
+      {functions::PlotFile::png, "Pictures (*.png)"},
+      {functions::PlotFile::print, "Pictures (*.png)"},
+      {functions::PlotFile::sound, "Sounds (*.wav)"}};
   for (const auto& [kind, words] : all) {
-    EXPECT_EQ(PlotExport::suffix(kind), QString::fromLatin1(words.first));
-    EXPECT_EQ(PlotExport::filter(kind), QString::fromLatin1(words.second));
+    EXPECT_EQ(file_filter(kind), QString::fromLatin1(words));
+    const auto extension = functions::extension_of(kind);
+    EXPECT_TRUE(file_filter(kind).contains(QStringLiteral("*.%1)").arg(
+        QString::fromLatin1(extension.data(), static_cast<qsizetype>(extension.size())))));
   }
+}
+
+TEST(PlotWords, EveryEventHasASentence) {
+  using Kind = functions::PlotEventKind;
+  const functions::Plot plot = *functions::parse("y = x; y = 2");
+  functions::PlotEvent event;
+  event.location = functions::PlotLocation{{0.5, 0.5}, 1, -2, 0, {}};
+  event.statement = 1;
+  event.number = 3;
+  event.count = 7;
+  event.slope = 0.5;
+  event.window = {-6, 6, -4, 4};
+  const auto words = [&](Kind kind) {
+    event.kind = kind;
+    return event_words(event, plot);
+  };
+  EXPECT_EQ(words(Kind::here), QStringLiteral("x = 1; y = minus 2."));
+  EXPECT_EQ(words(Kind::next_branch), QStringLiteral("Next piece: x = 1; y = minus 2."));
+  EXPECT_EQ(words(Kind::end_of_branch), QStringLiteral("End: x = 1; y = minus 2."));
+  EXPECT_EQ(words(Kind::other_branch), QStringLiteral("y equals 2: x = 1; y = minus 2."));
+  EXPECT_EQ(words(Kind::beacon_reached), QStringLiteral("Beacon 3: x = 1; y = minus 2."));
+  EXPECT_EQ(words(Kind::beacon_dropped), QStringLiteral("Beacon 3 is here: x = 1; y = minus 2."));
+  EXPECT_EQ(words(Kind::slope), QStringLiteral("slope 0.5"));
+  EXPECT_EQ(words(Kind::curve_alone), QStringLiteral("Curve 2 alone: y equals 2."));
+  EXPECT_EQ(words(Kind::groove), QStringLiteral("Piece 3 of 7: y equals 2"));
+  EXPECT_EQ(words(Kind::speed), QStringLiteral("Speed 3 of 7"));
+  EXPECT_TRUE(words(Kind::window_changed).startsWith(QStringLiteral("x from minus 6 to 6, one tick is")));
+  for (auto kind = static_cast<int>(Kind::here); kind <= static_cast<int>(Kind::window_limit); ++kind)
+    EXPECT_FALSE(words(static_cast<Kind>(kind)).isEmpty()) << kind;
+  event.point = functions::PointOfInterest{functions::PointKind::zero, 0, -1, 1, 0, 0, "1", "0"};
+  EXPECT_EQ(words(Kind::point_reached), point_words(*event.point) + QLatin1Char('.'));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ class PointsTable : public testing::Test {
 };
 
 TEST_F(PointsTable, OfADrawingStandInItsOrderWithKindAndPlace) {
-  const auto drawing = test::draw("y = x^2 - 1", {-3, 3, -3, 3});
+  const auto drawing = functions::test::draw("y = x^2 - 1", {-3, 3, -3, 3});
   panel_.show_drawing(drawing);
   ASSERT_EQ(table()->rowCount(), static_cast<int>(drawing->points.size()));
   ASSERT_GE(table()->rowCount(), 3);
@@ -61,7 +61,7 @@ TEST_F(PointsTable, OfADrawingStandInItsOrderWithKindAndPlace) {
 }
 
 TEST_F(PointsTable, OfSeveralCurvesNameTheirCurvesFrom1) {
-  const auto drawing = test::draw("y = x; y = 2 - x", {-3, 3, -3, 3});
+  const auto drawing = functions::test::draw("y = x; y = 2 - x", {-3, 3, -3, 3});
   panel_.show_drawing(drawing);
   QStringList kinds;
   for (int i = 0; i < table()->rowCount(); ++i) kinds.append(row(i)[0]);
@@ -71,9 +71,9 @@ TEST_F(PointsTable, OfSeveralCurvesNameTheirCurvesFrom1) {
 }
 
 TEST_F(PointsTable, WhereThereAreNoneThatIsSaidInPlaceOfTheTable) {
-  panel_.show_drawing(test::draw("y = x", {-3, 3, -3, 3}));
+  panel_.show_drawing(functions::test::draw("y = x", {-3, 3, -3, 3}));
   ASSERT_TRUE(table()->isVisible());
-  const auto drawing = test::draw("y = 1", {1, 2, 0, 3});
+  const auto drawing = functions::test::draw("y = 1", {1, 2, 0, 3});
   ASSERT_TRUE(drawing->points.empty());
   panel_.show_drawing(drawing);
   EXPECT_FALSE(table()->isVisible());
@@ -83,7 +83,7 @@ TEST_F(PointsTable, WhereThereAreNoneThatIsSaidInPlaceOfTheTable) {
 }
 
 TEST_F(PointsTable, OfAStoppedDrawingWereNotLookedFor) {
-  const auto drawing = test::draw("y = 1", {1, 2, 0, 3});
+  const auto drawing = functions::test::draw("y = 1", {1, 2, 0, 3});
   drawing->final = false;
   panel_.show_drawing(drawing);
   EXPECT_EQ(summary()->text(),
@@ -99,7 +99,7 @@ TEST_F(PointsTable, BeforeTheFirstDrawingNothingIsToldOfOne) {
 }
 
 TEST_F(PointsTable, AreGoneToByClickAndByKey) {
-  panel_.show_drawing(test::draw("y = x^2 - 1", {-3, 3, -3, 3}));
+  panel_.show_drawing(functions::test::draw("y = x^2 - 1", {-3, 3, -3, 3}));
   QSignalSpy chosen(&panel_, &PointsPanel::point_chosen);
   const auto middle = [&](int number) { return table()->visualItemRect(table()->item(number, 0)).center(); };
   QTest::mouseClick(table()->viewport(), Qt::LeftButton, {}, middle(1));
@@ -119,7 +119,7 @@ TEST_F(PointsTable, TheKeyboardComesToTheRowItLeft) {
   panel_.show_drawing({});
   panel_.focus_table();
   EXPECT_TRUE(summary()->hasFocus()) << "there is no row";
-  panel_.show_drawing(test::draw("y = x^2 - 1", {-3, 3, -3, 3}));
+  panel_.show_drawing(functions::test::draw("y = x^2 - 1", {-3, 3, -3, 3}));
   panel_.focus_table();
   EXPECT_TRUE(table()->hasFocus());
   EXPECT_EQ(table()->currentRow(), 0);
@@ -130,7 +130,7 @@ TEST_F(PointsTable, TheKeyboardComesToTheRowItLeft) {
 }
 
 TEST_F(PointsTable, StandInColumnsWhereThereIsRoomAndElseUnderEachOther) {
-  panel_.show_drawing(test::draw("y = x^2 - 1", {-3, 3, -3, 3}));
+  panel_.show_drawing(functions::test::draw("y = x^2 - 1", {-3, 3, -3, 3}));
   const auto stacked = [&] {
     QCoreApplication::processEvents();
     EXPECT_EQ(table()->isColumnHidden(1), table()->isColumnHidden(2));
@@ -150,7 +150,7 @@ TEST_F(PointsTable, StandInColumnsWhereThereIsRoomAndElseUnderEachOther) {
 }
 
 TEST_F(PointsTable, ALongSentenceGivesWayToTheTable) {
-  const auto drawing = test::draw("y = x^2 - 1", {-3, 3, -3, 3});
+  const auto drawing = functions::test::draw("y = x^2 - 1", {-3, 3, -3, 3});
   drawing->summary = std::string(3000, 'a');
   for (std::size_t i = 8; i < drawing->summary.size(); i += 9) drawing->summary[i] = ' ';
   panel_.resize(300, 400);

@@ -29,13 +29,13 @@ using test::the_functions;
 
 TEST_F(FunctionsWindow, AnExpressionIsCarvedWhileItIsTyped) {
   type(QStringLiteral("y = x^2"));
-  EXPECT_EQ(shown().asked.plot.statements.size(), 1U);
+  EXPECT_EQ(shown().request.plot.statements.size(), 1U);
   EXPECT_EQ(text("expression_words"), QStringLiteral("y equals x squared"));
   EXPECT_TRUE(text("plot_summary").startsWith(QStringLiteral("y equals x squared: 1 piece")))
       << text("plot_summary").toStdString();
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("y = x^2 – Nazori"));
   // Where the parabola is the plate is cut, beside it not. (Window -6..6 by -4..4, samples from the top.)
-  const auto& map = shown().tablet->height_map();
+  const auto& map = carved().height_map();
   const auto at = [&map](double x, double y) {
     const double n = map.size();
     return map.at(static_cast<int>((x + 6) / 12 * n), static_cast<int>((4 - y) / 8 * n));
@@ -54,14 +54,14 @@ TEST_F(FunctionsWindow, AnErrorNamesColumnAndExpectationAndThePlateStays) {
       << text("expression_error").toStdString();
   EXPECT_TRUE(text("expression_error").contains(QStringLiteral("expected")));
   QTest::qWait(200);
-  EXPECT_EQ(functions::canonical(shown().asked.plot), "y = x");
+  EXPECT_EQ(functions::canonical(shown().request.plot), "y = x");
   QTest::keyClick(line, Qt::Key_Return);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Column 8: ")));
   QTest::keyClicks(line, QStringLiteral(" 1"));
   EXPECT_EQ(line->marked_column(), 0);
   EXPECT_FALSE(find("expression_error")->isVisible());
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_EQ(functions::canonical(shown().asked.plot), "y = x + 1");
+  EXPECT_EQ(functions::canonical(shown().request.plot), "y = x + 1");
 }
 
 TEST_F(FunctionsWindow, EveryAsymptoteOfTheTangentStandsInTheTable) {
@@ -87,9 +87,9 @@ TEST_F(FunctionsWindow, ARowOfTheTableIsGoneToWithEnterAndTold) {
     if (table->item(row, 0)->text() != QLatin1String("minimum")) continue;
     table->setCurrentCell(row, 0);
     QTest::keyClick(table, Qt::Key_Return);
-    ASSERT_TRUE(the_functions->place());
-    EXPECT_NEAR(the_functions->place()->x, 0, 1e-12);
-    EXPECT_NEAR(the_functions->place()->y, -1, 1e-12);
+    ASSERT_TRUE(the_functions->location());
+    EXPECT_NEAR(the_functions->location()->x, 0, 1e-12);
+    EXPECT_NEAR(the_functions->location()->y, -1, 1e-12);
     EXPECT_EQ(feedback(), QStringLiteral("minimum at x = 0; y = minus 1."));
     return;
   }
@@ -99,39 +99,39 @@ TEST_F(FunctionsWindow, ARowOfTheTableIsGoneToWithEnterAndTold) {
 TEST_F(FunctionsWindow, ArrowsWalkAlongTheCurveOnlyFromTheTablet) {
   type(QStringLiteral("y = x"));
   press(Qt::Key_Right);
-  EXPECT_FALSE(the_functions->place());
+  EXPECT_FALSE(the_functions->location());
   to_tablet();
   press(Qt::Key_Right);
-  ASSERT_TRUE(the_functions->place());
-  const double x = the_functions->place()->x;
+  ASSERT_TRUE(the_functions->location());
+  const double x = the_functions->location()->x;
   press(Qt::Key_Right);
-  EXPECT_GT(the_functions->place()->x, x);
+  EXPECT_GT(the_functions->location()->x, x);
   press(Qt::Key_Left);
-  EXPECT_NEAR(the_functions->place()->x, x, 1e-9);
+  EXPECT_NEAR(the_functions->location()->x, x, 1e-9);
   EXPECT_TRUE(feedback().contains(QStringLiteral("x = "))) << feedback().toStdString();
   press(Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_NEAR(std::remainder(the_functions->place()->x, 1.0), 0, 1e-3);
+  EXPECT_NEAR(std::remainder(the_functions->location()->x, 1.0), 0, 1e-3);
   press(Qt::Key_End);
-  EXPECT_GT(the_functions->place()->x, 3.9);
+  EXPECT_GT(the_functions->location()->x, 3.9);
   press(Qt::Key_Home);
-  EXPECT_LT(the_functions->place()->x, -3.9);
+  EXPECT_LT(the_functions->location()->x, -3.9);
 }
 
 TEST_F(FunctionsWindow, TabGoesFromPointToPointOnTheTabletAndFromFieldToFieldElsewhere) {
   type(QStringLiteral("y = x^2 - 1"));
   to_tablet();
   press(Qt::Key_Tab);
-  ASSERT_TRUE(the_functions->place());
+  ASSERT_TRUE(the_functions->location());
   EXPECT_TRUE(find("tablet")->hasFocus());
-  const double first = the_functions->place()->x;
+  const double first = the_functions->location()->x;
   press(Qt::Key_Tab);
   press(Qt::Key_Backtab, Qt::ShiftModifier);
-  EXPECT_DOUBLE_EQ(the_functions->place()->x, first);
+  EXPECT_DOUBLE_EQ(the_functions->location()->x, first);
   press(Qt::Key_L, Qt::ControlModifier);
   EXPECT_TRUE(find("expression")->hasFocus());
   press(Qt::Key_Tab);
   EXPECT_FALSE(find("expression")->hasFocus());
-  EXPECT_DOUBLE_EQ(the_functions->place()->x, first);
+  EXPECT_DOUBLE_EQ(the_functions->location()->x, first);
 }
 
 TEST_F(FunctionsWindow, CoordinatesSlopeSummaryAndBeaconsAreTold) {
@@ -147,7 +147,7 @@ TEST_F(FunctionsWindow, CoordinatesSlopeSummaryAndBeaconsAreTold) {
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Beacon 1 is here"))) << feedback().toStdString();
   press(Qt::Key_Home);
   press(Qt::Key_G);
-  EXPECT_NEAR(the_functions->place()->x, 2, 1e-3);
+  EXPECT_NEAR(the_functions->location()->x, 2, 1e-3);
   press(Qt::Key_S);
   EXPECT_TRUE(feedback().contains(QStringLiteral("x from minus 6 to 6, one tick is ")))
       << feedback().toStdString();
@@ -158,20 +158,20 @@ TEST_F(FunctionsWindow, ZoomIsAboutThePointAndDrawsAnew) {
   type(QStringLiteral("y = x^2 - 1"));
   to_tablet();
   press(Qt::Key_Tab);
-  const double x = the_functions->place()->x;
-  const auto before = shown().asked.window;
+  const double x = the_functions->location()->x;
+  const auto before = shown().request.window;
   press(Qt::Key_Z);
   ASSERT_TRUE(wait_for_drawing());
-  const auto after = shown().asked.window;
+  const auto after = shown().request.window;
   EXPECT_NEAR(after.x1 - after.x0, (before.x1 - before.x0) / 2, 1e-12);
   EXPECT_NEAR(after.u(x), before.u(x), 1e-12);
   press(Qt::Key_Z, Qt::ShiftModifier);
   press(Qt::Key_Right, Qt::ShiftModifier);
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_NEAR(shown().asked.window.x0, -3, 1e-12);
+  EXPECT_NEAR(shown().request.window.x0, -3, 1e-12);
   press(Qt::Key_W);
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_EQ(shown().asked.window, (functions::Window{-6, 6, -4, 4}));
+  EXPECT_EQ(shown().request.window, (functions::Window{-6, 6, -4, 4}));
 }
 
 TEST_F(FunctionsWindow, BordersAreTypedAsNumbersOrExpressions) {
@@ -181,7 +181,7 @@ TEST_F(FunctionsWindow, BordersAreTypedAsNumbersOrExpressions) {
   QTest::keyClicks(border, QStringLiteral("2pi"));
   QTest::keyClick(border, Qt::Key_Return);
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_NEAR(shown().asked.window.x1, 2 * 3.14159265358979, 1e-12);
+  EXPECT_NEAR(shown().request.window.x1, 2 * 3.14159265358979, 1e-12);
   border->setFocus();
   border->selectAll();
   QTest::keyClicks(border, QStringLiteral("-7"));
@@ -192,15 +192,15 @@ TEST_F(FunctionsWindow, BordersAreTypedAsNumbersOrExpressions) {
   QTest::keyClicks(border, QStringLiteral("wide"));
   QTest::keyClick(border, Qt::Key_Return);
   EXPECT_TRUE(feedback().contains(QStringLiteral("is no number"))) << feedback().toStdString();
-  EXPECT_NEAR(shown().asked.window.x1, 2 * 3.14159265358979, 1e-12);
+  EXPECT_NEAR(shown().request.window.x1, 2 * 3.14159265358979, 1e-12);
 }
 
 TEST_F(FunctionsWindow, CurvesHoldTheStylusAsStrokesDo) {
   type(QStringLiteral("y = 1; y = -1"));
-  EXPECT_EQ(shown().tablet->lines().size(), 2U);
-  EXPECT_EQ(shown().tablet->paths().size(), 2U);
+  EXPECT_EQ(carved().lines().size(), 2U);
+  EXPECT_EQ(carved().paths().size(), 2U);
   // The second curve, y = -1 of -4..4, lies an eighth of the tablet below its middle.
-  const auto& path = shown().tablet->paths()[1];
+  const auto& path = carved().paths()[1];
   for (const auto& point : path.points) EXPECT_NEAR(point.y, -0.0125, 0.0002);
   to_tablet();
   press(Qt::Key_F);
@@ -230,17 +230,17 @@ TEST_F(FunctionsWindow, APlotIsSavedAndOpenedAgain) {
   find<QCheckBox>("layer_grid")->click();
   ASSERT_TRUE(wait_for_drawing());
   const QString path = folder_.filePath(QStringLiteral("cubic.json"));
-  the_functions->write(PlotFile::document, path);
+  the_functions->write(functions::PlotFile::document, path);
   ASSERT_TRUE(QTest::qWaitFor([&path] { return QFile::exists(path); }, 10000));
   type(QStringLiteral("y = 1"));
   press(Qt::Key_1, Qt::AltModifier);
   window_->open_files({path});
   ASSERT_TRUE(QTest::qWaitFor(
-      [] { return the_functions->shown()->final && the_functions->shown()->asked.window.x1 == 3; }, 30000));
+      [] { return the_functions->shown()->final && the_functions->shown()->request.window.x1 == 3; }, 30000));
   ASSERT_TRUE(wait_for_drawing());
   EXPECT_EQ(find<QLineEdit>("expression")->text(), QStringLiteral("y = x^3 - 3x"));
   EXPECT_TRUE(find<QCheckBox>("layer_grid")->isChecked());
-  EXPECT_TRUE(shown().asked.plate.layers.grid);
+  EXPECT_TRUE(shown().request.plate.layers.grid);
 }
 
 TEST_F(FunctionsWindow, AFileThatIsNoPlotLeavesThePlateAsItIs) {
@@ -257,10 +257,10 @@ TEST_F(FunctionsWindow, AFileThatIsNoPlotLeavesThePlateAsItIs) {
 
 TEST_F(FunctionsWindow, HeightMapsPrintsAndSoundsAreWritten) {
   type(QStringLiteral("y = x"));
-  const std::pair<PlotFile, const char*> kinds[] = {{PlotFile::raw, "plot.raw"},
-                                                    {PlotFile::png, "plot.png"},
-                                                    {PlotFile::print, "print.png"},
-                                                    {PlotFile::sound, "plot.wav"}};
+  const std::pair<functions::PlotFile, const char*> kinds[] = {{functions::PlotFile::raw, "plot.raw"},
+                                                               {functions::PlotFile::png, "plot.png"},
+                                                               {functions::PlotFile::print, "print.png"},
+                                                               {functions::PlotFile::sound, "plot.wav"}};
   for (const auto& [kind, name] : kinds) {
     const QString path = folder_.filePath(QString::fromLatin1(name));
     the_functions->write(kind, path);
@@ -311,7 +311,7 @@ TEST_F(FunctionsWindow, AnExampleIsAPlotWithItsWindow) {
   emit examples->activated(1);
   ASSERT_TRUE(wait_for_drawing());
   EXPECT_EQ(find<QLineEdit>("expression")->text(), QStringLiteral("y = sin x"));
-  EXPECT_EQ(shown().asked.window, (functions::Window{-5, 5, -5, 5}));
+  EXPECT_EQ(shown().request.window, (functions::Window{-5, 5, -5, 5}));
 }
 
 TEST_F(FunctionsWindow, EveryExampleCanBeReadAndDrawn) {
@@ -331,7 +331,7 @@ TEST_F(FunctionsWindow, ANewerExpressionStopsAnOlderOne) {
   line->setText(QStringLiteral("e^(sin x + cos y) = sin(e^(x + y))"));
   line->setText(QStringLiteral("y = 1"));
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_EQ(shown().asked.plot.statements[0].kind, functions::StatementKind::explicit_y);
+  EXPECT_EQ(shown().request.plot.statements[0].kind, functions::StatementKind::explicit_y);
 }
 
 TEST_F(FunctionsWindow, NoKeyIsGivenTwiceAndEveryFieldHasAName) {
@@ -372,21 +372,21 @@ TEST_F(FunctionsWindow, OneCurveCanBeFeltAndHeardAlone) {
   press(Qt::Key_O, Qt::ShiftModifier);
   ASSERT_TRUE(wait_for_drawing());
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Curve 1 alone: y equals 1"))) << feedback().toStdString();
-  EXPECT_EQ(shown().tablet->lines().size(), 1U);
+  EXPECT_EQ(carved().lines().size(), 1U);
   press(Qt::Key_O, Qt::ShiftModifier);
   ASSERT_TRUE(wait_for_drawing());
-  ASSERT_EQ(shown().tablet->lines().size(), 1U);
-  for (const auto& point : shown().tablet->paths()[0].points) EXPECT_LT(point.y, 0);
+  ASSERT_EQ(carved().lines().size(), 1U);
+  for (const auto& point : carved().paths()[0].points) EXPECT_LT(point.y, 0);
   EXPECT_TRUE(shown().summary.find("y equals minus 1: 1 piece") == 0) << shown().summary;
   press(Qt::Key_O);
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_EQ(shown().tablet->lines().size(), 2U);
+  EXPECT_EQ(carved().lines().size(), 2U);
   EXPECT_EQ(feedback(), QStringLiteral("All curves are shown."));
 }
 
 TEST_F(FunctionsWindow, EachCurveHasAFrictionOfItsOwn) {
   type(QStringLiteral("y = 1; y = -1"));
-  const auto& zones = shown().tablet->friction();
+  const auto& zones = carved().friction();
   ASSERT_NE(zones, nullptr);
   const int n = zones->size;
   const auto at = [&](double y) {
@@ -398,7 +398,7 @@ TEST_F(FunctionsWindow, EachCurveHasAFrictionOfItsOwn) {
   EXPECT_EQ(at(2.5), 0);
   ASSERT_EQ(zones->added.size(), 2U);
   EXPECT_GT(std::abs(zones->added[0] - zones->added[1]), 0.1);
-  const auto scene = shown().tablet->scene({}, {});
+  const auto scene = carved().scene({}, {});
   EXPECT_EQ(scene->friction_zones, zones);
 }
 
@@ -426,7 +426,7 @@ TEST_F(FunctionsWindow, ASurfaceHasARangeOfHeights) {
   }
   ASSERT_TRUE(wait_for_drawing());
   // x = 6 at the right border is three quarters of the way from -12 to 12.
-  const auto& heights = shown().picture.plate.heights;
+  const auto& heights = carved().height_map();
   EXPECT_NEAR(heights.at(heights.size() - 1, heights.size() / 2), 0.75, 2e-3);
 }
 

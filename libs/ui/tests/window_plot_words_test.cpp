@@ -20,7 +20,7 @@ using test::the_functions_desk;
 
 class PlotWordsInTheWindow : public test::FunctionsWindow {
  protected:
-  practice::TabletControl& controller() { return the_functions_desk->controller(); }
+  practice::TabletControl& controller() { return the_functions_desk->tablet(); }
   void set_up_with(const QList<std::pair<const char*, QVariant>>& kept) {
     window_->close();
     QSettings settings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat);
@@ -39,8 +39,8 @@ class PlotWordsInTheWindow : public test::FunctionsWindow {
   }
   geometry::TabletPoint on_tablet(double x, double y) {
     const auto& drawing = shown();
-    return functions::tablet_place({drawing.asked.window.u(x), drawing.asked.window.v(y)},
-                                   drawing.picture.plate.heights.size(), drawing.tablet->shape());
+    return functions::tablet_place({drawing.request.window.u(x), drawing.request.window.v(y)},
+                                   drawing.picture.plate.heights.size(), carved().shape());
   }
 };
 
@@ -57,9 +57,9 @@ TEST_F(PlotWordsInTheWindow, TheEndOfACurveAndTheNextPieceAreSaid) {
   press(Qt::Key_Right);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Next piece: x = about 0.25")))
       << feedback().toStdString();
-  EXPECT_GT(the_functions->place()->x, 0);
+  EXPECT_GT(the_functions->location()->x, 0);
   press(Qt::Key_Left, Qt::ControlModifier);
-  EXPECT_LT(the_functions->place()->x, 0);
+  EXPECT_LT(the_functions->location()->x, 0);
 }
 
 TEST_F(PlotWordsInTheWindow, ControlWithTheArrowsGoesFromTickToTickBothWays) {
@@ -68,27 +68,27 @@ TEST_F(PlotWordsInTheWindow, ControlWithTheArrowsGoesFromTickToTickBothWays) {
   press(Qt::Key_Right);
   press(Qt::Key_Right, Qt::ControlModifier);
   press(Qt::Key_Right, Qt::ControlModifier);
-  const double second = the_functions->place()->x;
+  const double second = the_functions->location()->x;
   press(Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_GT(the_functions->place()->x, second);
+  EXPECT_GT(the_functions->location()->x, second);
   press(Qt::Key_Left, Qt::ControlModifier);
-  EXPECT_EQ(the_functions->place()->x, second);
+  EXPECT_EQ(the_functions->location()->x, second);
 }
 
 TEST_F(PlotWordsInTheWindow, AnotherCurveIsNamedWhereItIsEntered) {
   type(QStringLiteral("y = 1; y = -1; y = 2"));
   to_tablet();
   press(Qt::Key_Right);
-  std::vector<int> seen{the_functions->place()->statement};
+  std::vector<int> seen{the_functions->location()->statement};
   for (const auto key : {Qt::Key_Up, Qt::Key_Up, Qt::Key_Down}) {
     press(key);
-    seen.push_back(the_functions->place()->statement);
+    seen.push_back(the_functions->location()->statement);
   }
   EXPECT_EQ(seen[1], (seen[0] + 1) % 3);
   EXPECT_EQ(seen[2], (seen[0] + 2) % 3);
   EXPECT_EQ(seen[3], seen[1]);
   press(Qt::Key_Up);
-  while (the_functions->place()->statement != 1) press(Qt::Key_Up);
+  while (the_functions->location()->statement != 1) press(Qt::Key_Up);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("y equals minus 1: "))) << feedback().toStdString();
   type(QStringLiteral("y = 1"));
   to_tablet();
@@ -154,7 +154,7 @@ TEST_F(PlotWordsInTheWindow, EachCurveAloneAndThenAllAgain) {
   type(QStringLiteral("y = 1; y = -1"));
   to_tablet();
   press(Qt::Key_Right);
-  while (the_functions->place()->statement != 1) press(Qt::Key_Up);
+  while (the_functions->location()->statement != 1) press(Qt::Key_Up);
   press(Qt::Key_O);
   EXPECT_EQ(feedback(), QStringLiteral("Curve 2 alone: y equals minus 1."));
   EXPECT_TRUE(action("curve_alone")->isChecked());
@@ -165,7 +165,7 @@ TEST_F(PlotWordsInTheWindow, EachCurveAloneAndThenAllAgain) {
   EXPECT_EQ(feedback(), QStringLiteral("Curve 1 alone: y equals 1."));
   type(QStringLiteral("y = 3; y = 2"));
   EXPECT_FALSE(action("curve_alone")->isChecked()) << "another plot is shown whole";
-  EXPECT_EQ(shown().tablet->lines().size(), 2U);
+  EXPECT_EQ(carved().lines().size(), 2U);
 }
 
 TEST_F(PlotWordsInTheWindow, VolumeGoesInTensFrom0To100) {
@@ -263,18 +263,18 @@ TEST_F(PlotWordsInTheWindow, TheWindowIsMovedByAQuarterAndSaid) {
     press(key, Qt::ShiftModifier);
     EXPECT_EQ(feedback(), window_words(window) + u'.');
     ASSERT_TRUE(wait_for_drawing());
-    EXPECT_EQ(shown().asked.window, window);
+    EXPECT_EQ(shown().request.window, window);
   }
   press(Qt::Key_Z, Qt::ShiftModifier);
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_EQ(shown().asked.window, (functions::Window{-12, 12, -8, 8})) << "about the middle";
+  EXPECT_EQ(shown().request.window, (functions::Window{-12, 12, -8, 8})) << "about the middle";
   EXPECT_EQ(find<QLineEdit>("window_x0")->text(), QStringLiteral("-12"));
   window(-2, 2, -1, 3);
   to_tablet();
   press(Qt::Key_Z);
   press(Qt::Key_W);
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_EQ(shown().asked.window, (functions::Window{-2, 2, -1, 3})) << "as it was typed";
+  EXPECT_EQ(shown().request.window, (functions::Window{-2, 2, -1, 3})) << "as it was typed";
   EXPECT_EQ(kept("y1").toDouble(), 3);
 }
 
@@ -315,14 +315,14 @@ TEST_F(PlotWordsInTheWindow, WhatWasKeptIsHeldWithinWhatItCanBe) {
   set_up_with({{"half_width", 1.0}, {"size", 5}, {"speed", 99}, {"x0", 5}, {"x1", -5}});
   EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("groove_width")->value(), 10);
   EXPECT_EQ(find<QComboBox>("plate_size")->currentText(), QStringLiteral("128"));
-  EXPECT_EQ(shown().asked.window, (functions::Window{-6, 6, -4, 4})) << "this one cannot be";
+  EXPECT_EQ(shown().request.window, (functions::Window{-6, 6, -4, 4})) << "this one cannot be";
   to_tablet();
   press(Qt::Key_Plus);
   EXPECT_EQ(feedback(), QStringLiteral("Speed 10 of 10"));
   set_up_with({{"half_width", 1e-5}, {"size", 256}, {"speed", -4}, {"x0", 0}, {"x1", QStringLiteral("nan")}});
   EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("groove_width")->value(), 0.4);
-  EXPECT_EQ(shown().asked.plate.size, 256);
-  EXPECT_EQ(shown().asked.window, (functions::Window{0, 6, -4, 4})) << "the other border is as at first";
+  EXPECT_EQ(shown().request.plate.size, 256);
+  EXPECT_EQ(shown().request.window, (functions::Window{0, 6, -4, 4})) << "the other border is as at first";
   to_tablet();
   press(Qt::Key_Minus);
   EXPECT_EQ(feedback(), QStringLiteral("Speed 1 of 10"));
@@ -360,11 +360,11 @@ TEST_F(PlotWordsInTheWindow, KeysPutTheStylusIntoTheGrooveAndAHandTakesItOver) {
         20'000);
   };
   press(Qt::Key_Tab);
-  EXPECT_TRUE(lies_at(the_functions->place()->x, the_functions->place()->y));
+  EXPECT_TRUE(lies_at(the_functions->location()->x, the_functions->location()->y));
   press(Qt::Key_End);
-  EXPECT_TRUE(lies_at(the_functions->place()->x, the_functions->place()->y));
+  EXPECT_TRUE(lies_at(the_functions->location()->x, the_functions->location()->y));
   for (int i = 0; i < 3; ++i) press(Qt::Key_Left);
-  EXPECT_TRUE(lies_at(the_functions->place()->x, the_functions->place()->y));
+  EXPECT_TRUE(lies_at(the_functions->location()->x, the_functions->location()->y));
   const QString before = feedback();
   const auto zero = on_tablet(-1, 0);
   controller().move_stylus(zero, false);

@@ -15,6 +15,7 @@
 #include "nazori/recording/sample_csv.h"
 #include "signals.h"
 #include "window_under_test.h"
+#include "stored_settings.h"
 
 namespace nazori::ui {
 namespace {
@@ -147,8 +148,9 @@ TEST_F(Recording, OfAWindowThatWasKilledIsCompletedByTheNextOneWhichSaysSo) {
   ASSERT_GE(child, 0);
   if (child == 0) {
     WindowTablet stylus;
-    SessionRecording recorder(stylus, settings);
-    const bool started = stylus.start() && recorder.start(path, QStringLiteral("休"), {});
+    EventLoopInbox loop;
+    practice::TabletRecording recorder(loop.inbox(), stylus.device(), unfinished_recordings(settings));
+    const bool started = stylus.start() && recorder.start(path.toStdString(), "休", {});
     std::uint64_t samples = 0;
     while (started && samples < 300) samples = recorder.status().samples;
     (void)!write(told[1], &samples, sizeof samples);

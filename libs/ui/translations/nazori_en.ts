@@ -2,16 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>nazori::ui::FunctionsWorkplace</name>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n piece</numerusform>
-            <numerusform>%n pieces</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::HomePage</name>
     <message numerus="yes">
         <source>Done for now. %n characters come once more, the first at %1.</source>
@@ -321,6 +311,16 @@
         <translation>
             <numerusform>The one stroke. Space plays it again; F6 goes on to tracing.</numerusform>
             <numerusform>All %n strokes. Space plays them again; F6 goes on to tracing.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::plot_words</name>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n piece</numerusform>
+            <numerusform>%n pieces</numerusform>
         </translation>
     </message>
 </context>

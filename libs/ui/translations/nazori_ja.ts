@@ -1836,30 +1836,6 @@ Columns and rows:</source>
         <translation>「%1」は数ではありません。範囲は変わっていません。</translation>
     </message>
     <message>
-        <source>There is no other curve or branch.</source>
-        <translation>ほかの曲線や枝はありません。</translation>
-    </message>
-    <message>
-        <source>There is no slope here.</source>
-        <translation>ここには傾きがありません。</translation>
-    </message>
-    <message>
-        <source>Beacon %1 is here: %2.</source>
-        <translation>目印 %1 をここに置きました: %2。</translation>
-    </message>
-    <message>
-        <source>Go to a place on a curve first, with the arrow keys.</source>
-        <translation>まず矢印キーで曲線上の場所へ移ってください。</translation>
-    </message>
-    <message>
-        <source>Beacon %1</source>
-        <translation>目印 %1</translation>
-    </message>
-    <message>
-        <source>There is no beacon yet. B drops one.</source>
-        <translation>目印はまだありません。B で置けます。</translation>
-    </message>
-    <message>
         <source>Curves hold the stylus.</source>
         <translation>曲線がペンを引き寄せます。</translation>
     </message>
@@ -1896,26 +1872,6 @@ Columns and rows:</source>
         <translation>%1 を保存できませんでした: %2。</translation>
     </message>
     <message>
-        <source>The window cannot be changed any further.</source>
-        <translation>範囲はこれ以上変えられません。</translation>
-    </message>
-    <message>
-        <source>Next piece</source>
-        <translation>次の部分</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>端</translation>
-    </message>
-    <message>
-        <source>There is no curve to follow here.</source>
-        <translation>ここにはたどる曲線がありません。</translation>
-    </message>
-    <message>
-        <source>There are no points of interest in this window.</source>
-        <translation>この範囲に注目点はありません。</translation>
-    </message>
-    <message>
         <source>A surface has no curve to play.</source>
         <translation>曲面には鳴らす曲線がありません。</translation>
     </message>
@@ -1924,26 +1880,12 @@ Columns and rows:</source>
         <translation>音は切れています。M で入ります。</translation>
     </message>
     <message>
-        <source>Speed %1 of %2</source>
-        <translation>速さ %2 段階の %1</translation>
-    </message>
-    <message>
         <source>The sound is off.</source>
         <translation>音を切りました。</translation>
     </message>
     <message>
         <source>The sound is on.</source>
         <translation>音を入れました。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>曲線 %n 本</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Piece %1 of %2: %3</source>
-        <translation>%2 本中 %1 本目: %3</translation>
     </message>
     <message>
         <source>%1 was not opened: %2. The plate is as it was.</source>
@@ -1972,18 +1914,6 @@ Columns and rows:</source>
     <message>
         <source>“%1” is no range of heights. The range is as it was.</source>
         <translation>「%1」は高さの範囲ではありません。範囲は前のままです。</translation>
-    </message>
-    <message>
-        <source>There is only one curve.</source>
-        <translation>曲線は一本だけです。</translation>
-    </message>
-    <message>
-        <source>All curves are shown.</source>
-        <translation>すべての曲線を表示しています。</translation>
-    </message>
-    <message>
-        <source>Curve %1 alone: %2.</source>
-        <translation>曲線 %1 だけ: %2。</translation>
     </message>
     <message>
         <source>y = 0 lies outside the window.</source>
@@ -3165,25 +3095,6 @@ Columns and rows:</source>
         <source>%1: %2</source>
         <comment>a row of a table, its numbers</comment>
         <translation>%1：%2</translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::PlotExport</name>
-    <message>
-        <source>Plots (*.json)</source>
-        <translation>グラフ (*.json)</translation>
-    </message>
-    <message>
-        <source>Height maps (*.raw)</source>
-        <translation>高さマップ (*.raw)</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>画像 (*.png)</translation>
-    </message>
-    <message>
-        <source>Sounds (*.wav)</source>
-        <translation>音声 (*.wav)</translation>
     </message>
 </context>
 <context>
@@ -5070,6 +4981,92 @@ Columns and rows:</source>
     <message>
         <source>x from %1 to %2, one tick is %3; y from %4 to %5, one tick is %6</source>
         <translation>x は %1 から %2、1 目盛りは %3。y は %4 から %5、1 目盛りは %6</translation>
+    </message>
+    <message>
+        <source>There is no other curve or branch.</source>
+        <translation>ほかの曲線や枝はありません。</translation>
+    </message>
+    <message>
+        <source>Next piece</source>
+        <translation>次の部分</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>端</translation>
+    </message>
+    <message>
+        <source>Beacon %1</source>
+        <translation>目印 %1</translation>
+    </message>
+    <message>
+        <source>Beacon %1 is here: %2.</source>
+        <translation>目印 %1 をここに置きました: %2。</translation>
+    </message>
+    <message>
+        <source>Curve %1 alone: %2.</source>
+        <translation>曲線 %1 だけ: %2。</translation>
+    </message>
+    <message>
+        <source>All curves are shown.</source>
+        <translation>すべての曲線を表示しています。</translation>
+    </message>
+    <message>
+        <source>Piece %1 of %2: %3</source>
+        <translation>%2 本中 %1 本目: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>曲線 %n 本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Speed %1 of %2</source>
+        <translation>速さ %2 段階の %1</translation>
+    </message>
+    <message>
+        <source>There is no curve to follow here.</source>
+        <translation>ここにはたどる曲線がありません。</translation>
+    </message>
+    <message>
+        <source>There are no points of interest in this window.</source>
+        <translation>この範囲に注目点はありません。</translation>
+    </message>
+    <message>
+        <source>Go to a place on a curve first, with the arrow keys.</source>
+        <translation>まず矢印キーで曲線上の場所へ移ってください。</translation>
+    </message>
+    <message>
+        <source>There is no slope here.</source>
+        <translation>ここには傾きがありません。</translation>
+    </message>
+    <message>
+        <source>There is no beacon yet. B drops one.</source>
+        <translation>目印はまだありません。B で置けます。</translation>
+    </message>
+    <message>
+        <source>There is only one curve.</source>
+        <translation>曲線は一本だけです。</translation>
+    </message>
+    <message>
+        <source>The window cannot be changed any further.</source>
+        <translation>範囲はこれ以上変えられません。</translation>
+    </message>
+    <message>
+        <source>Plots (*.json)</source>
+        <translation>グラフ (*.json)</translation>
+    </message>
+    <message>
+        <source>Height maps (*.raw)</source>
+        <translation>高さマップ (*.raw)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Sounds (*.wav)</source>
+        <translation>音声 (*.wav)</translation>
     </message>
 </context>
 <context>

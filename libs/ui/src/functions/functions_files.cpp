@@ -3,8 +3,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
-#include <algorithm>
-#include <cmath>
 
 #include "desk.h"
 #include "error_text.h"
@@ -14,29 +12,12 @@
 #include "functions/plot_words.h"
 
 namespace nazori::ui {
-functions::PlotDocument FunctionsWorkplace::document() const {
-  functions::PlotDocument document;
-  document.expression = expression_.toStdString();
-  document.reading.decimal_comma = uses_decimal_comma();
-  document.window = window_;
-  document.plate = plate_;
-  document.sound = sound_settings();
-  return document;
-}
 
-void FunctionsWorkplace::take_document(const functions::PlotDocument& document) {
-  window_ = first_window_ = document.window;
-  plate_ = document.plate;
-  speed_ = std::clamp(static_cast<int>(std::lround(12.0 / document.sound.seconds)) - 1, kSlowest, kFastest);
-  panel_->show_window(window_);
-  panel_->show_plate(plate_);
+void FunctionsWorkplace::open(const functions::PlotDocument& document) {
+  const QString text = QString::fromStdString(model_.open(document, {uses_decimal_comma()}));
+  panel_->show_window(model_.window());
+  panel_->show_plate(model_.plate());
   auto* line = panel_->line();
-  QString text = QString::fromStdString(document.expression);
-  if (document.reading.decimal_comma != uses_decimal_comma()) {
-    // Written where commas mean another thing: the text that means the same everywhere.
-    if (const auto plot = functions::parse(document.expression, document.reading))
-      text = QString::fromStdString(functions::canonical(*plot));
-  }
   line->remember(text);
   if (line->text() == text)
     read_expression();
@@ -56,37 +37,39 @@ void FunctionsWorkplace::open_files(const QStringList& paths) {
     return;
   }
   if (!entered_) emit wants_to_be_entered();
-  take_document(*document);
+  open(*document);
   desk().say(Feedback::good, tr("%1 is on the desk.").arg(QFileInfo(paths.front()).fileName()));
 }
 
 void FunctionsWorkplace::ask_and_open() {
   const QString path =
       QFileDialog::getOpenFileName(&desk().window(), tr("Open a plot"), desk().preferences().folder,
-                                   PlotExport::filter(PlotFile::document));
+                                   file_filter(functions::PlotFile::document));
   if (path.isEmpty()) return;
   desk().preferences().folder = QFileInfo(path).absolutePath();
   open_files({path});
 }
 
-void FunctionsWorkplace::ask_and_save() { ask_and_write(PlotFile::document); }
+void FunctionsWorkplace::ask_and_save() { ask_and_write(functions::PlotFile::document); }
 
-void FunctionsWorkplace::ask_and_write(PlotFile kind) {
-  if (!drawing_ || !drawing_->final) {
+void FunctionsWorkplace::ask_and_write(functions::PlotFile kind) {
+  if (!shown() || !shown()->final) {
     desk().say(Feedback::advice, tr("There is no plot to save yet."));
     return;
   }
-  if (drawing_->asked.plot.is_surface() && (kind == PlotFile::print || kind == PlotFile::sound)) {
-    desk().answer(Feedback::advice, kind == PlotFile::print ? tr("A surface has no lines to print.")
-                                                            : tr("A surface has no curve to play."));
+  if (!functions::can_be_written(shown()->request.plot, kind)) {
+    desk().answer(Feedback::advice, kind == functions::PlotFile::print
+                                        ? tr("A surface has no lines to print.")
+                                        : tr("A surface has no curve to play."));
     return;
   }
   QString folder = desk().preferences().folder;
   if (folder.isEmpty()) folder = QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
-  const QString suffix = PlotExport::suffix(kind);
+  const auto extension = functions::extension_of(kind);
+  const QString suffix = QString::fromLatin1(extension.data(), static_cast<qsizetype>(extension.size()));
   QString path = QFileDialog::getSaveFileName(&desk().window(), tr("Save as"),
                                               QStringLiteral("%1/%2.%3").arg(folder, tr("plot"), suffix),
-                                              PlotExport::filter(kind));
+                                              file_filter(kind));
   desk().focus_tablet();
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
@@ -95,8 +78,8 @@ void FunctionsWorkplace::ask_and_write(PlotFile kind) {
   write(kind, path);
 }
 
-void FunctionsWorkplace::write(PlotFile kind, const QString& path) {
-  export_->write(kind, path, drawing_, document());
+void FunctionsWorkplace::write(functions::PlotFile kind, const QString& path) {
+  export_.write(kind, path.toStdString(), shown(), model_.document({uses_decimal_comma()}));
 }
 
 }  // namespace nazori::ui

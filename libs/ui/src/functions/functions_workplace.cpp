@@ -20,7 +20,6 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kTouch_ms = 25;
-constexpr functions::Window kFirstWindow{-6, 6, -4, 4};
 
 }  // namespace
 
@@ -29,11 +28,7 @@ FunctionsWorkplace::FunctionsWorkplace(Desk& desk)
       actions_(new FunctionActions(&desk.window())),
       panel_(new PlotPanel(&desk.window())),
       points_(new PointsPanel(&desk.window())),
-      sound_(new FunctionSound(this)),
-      plotter_(new Plotter(this)),
-      export_(new PlotExport(this)),
-      window_(kFirstWindow),
-      first_window_(kFirstWindow) {
+      sound_(new FunctionSound(this)) {
   touch_timer_.setInterval(kTouch_ms);
   QSettings settings(desk.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
@@ -52,7 +47,7 @@ QString FunctionsWorkplace::id() const { return QStringLiteral("functions"); }
 QString FunctionsWorkplace::name() const { return tr("F&unctions"); }
 QString FunctionsWorkplace::purpose() const { return tr("Curves to see, feel and hear"); }
 Icon FunctionsWorkplace::drawing() const { return Icon::curve; }
-QString FunctionsWorkplace::title() const { return expression_; }
+QString FunctionsWorkplace::title() const { return QString::fromStdString(model_.expression()); }
 
 Workplace::Panel FunctionsWorkplace::left() const {
   return {panel_, tr("&Expression and window"), tr("Show or fold away the expression")};
@@ -92,17 +87,17 @@ void FunctionsWorkplace::load(const QSettings& settings) {
     const double value = settings.value(QString::fromLatin1(key)).toDouble(&good);
     return good && std::isfinite(value) ? value : otherwise;
   };
-  const functions::Window window{number("x0", kFirstWindow.x0), number("x1", kFirstWindow.x1),
-                                 number("y0", kFirstWindow.y0), number("y1", kFirstWindow.y1)};
-  if (window.check()) window_ = window;
-  first_window_ = window_;
+  const functions::Window& first = functions::PlotModel::kFirstWindow;
+  const functions::Window window{number("x0", first.x0), number("x1", first.x1), number("y0", first.y0),
+                                 number("y1", first.y1)};
   const auto flag = [&settings](const char* key, bool otherwise) {
     return settings.value(QString::fromLatin1(key), otherwise).toBool();
   };
-  plate_.layers = {flag("axes", true), flag("ticks", true), flag("grid", false), flag("rim", true)};
-  plate_.half_width = std::clamp(number("half_width", plate_.half_width), 0.002, 0.05);
-  plate_.size = std::clamp(settings.value(QStringLiteral("size"), plate_.size).toInt(), 128, 2048);
-  speed_ = std::clamp(settings.value(QStringLiteral("speed"), speed_).toInt(), kSlowest, kFastest);
+  functions::PlateSettings plate;
+  plate.layers = {flag("axes", true), flag("ticks", true), flag("grid", false), flag("rim", true)};
+  plate.half_width = number("half_width", plate.half_width);
+  plate.size = settings.value(QStringLiteral("size"), plate.size).toInt();
+  model_.restore(window, plate, settings.value(QStringLiteral("speed"), model_.speed()).toInt());
   snapping_ = flag("snapping", false);
   sound_->set_volume(settings.value(QStringLiteral("volume"), 50).toInt());
   sound_->set_muted(flag("muted", false));
@@ -111,27 +106,30 @@ void FunctionsWorkplace::load(const QSettings& settings) {
   line->setText(
       settings.value(QStringLiteral("expression"), QStringLiteral("y = tan(x); y = sin x")).toString());
   line->setCursorPosition(0);
-  panel_->show_window(window_);
-  panel_->show_plate(plate_);
+  panel_->show_window(model_.window());
+  panel_->show_plate(model_.plate());
   panel_->show_volume(sound_->volume(), sound_->muted());
   actions_->mute->setChecked(sound_->muted());
 }
 
 void FunctionsWorkplace::save(QSettings& settings) const {
-  settings.setValue(QStringLiteral("expression"),
-                    expression_.isEmpty() ? panel_->line()->text() : expression_);
+  const auto& window = model_.window();
+  const auto& plate = model_.plate();
+  settings.setValue(QStringLiteral("expression"), model_.expression().empty()
+                                                      ? panel_->line()->text()
+                                                      : QString::fromStdString(model_.expression()));
   settings.setValue(QStringLiteral("history"), panel_->line()->history());
-  settings.setValue(QStringLiteral("x0"), window_.x0);
-  settings.setValue(QStringLiteral("x1"), window_.x1);
-  settings.setValue(QStringLiteral("y0"), window_.y0);
-  settings.setValue(QStringLiteral("y1"), window_.y1);
-  settings.setValue(QStringLiteral("axes"), plate_.layers.axes);
-  settings.setValue(QStringLiteral("ticks"), plate_.layers.ticks);
-  settings.setValue(QStringLiteral("grid"), plate_.layers.grid);
-  settings.setValue(QStringLiteral("rim"), plate_.layers.rim);
-  settings.setValue(QStringLiteral("half_width"), plate_.half_width);
-  settings.setValue(QStringLiteral("size"), plate_.size);
-  settings.setValue(QStringLiteral("speed"), speed_);
+  settings.setValue(QStringLiteral("x0"), window.x0);
+  settings.setValue(QStringLiteral("x1"), window.x1);
+  settings.setValue(QStringLiteral("y0"), window.y0);
+  settings.setValue(QStringLiteral("y1"), window.y1);
+  settings.setValue(QStringLiteral("axes"), plate.layers.axes);
+  settings.setValue(QStringLiteral("ticks"), plate.layers.ticks);
+  settings.setValue(QStringLiteral("grid"), plate.layers.grid);
+  settings.setValue(QStringLiteral("rim"), plate.layers.rim);
+  settings.setValue(QStringLiteral("half_width"), plate.half_width);
+  settings.setValue(QStringLiteral("size"), plate.size);
+  settings.setValue(QStringLiteral("speed"), model_.speed());
   settings.setValue(QStringLiteral("snapping"), snapping_);
   settings.setValue(QStringLiteral("volume"), sound_->volume());
   settings.setValue(QStringLiteral("muted"), sound_->muted());
@@ -147,11 +145,11 @@ void FunctionsWorkplace::enter() {
   controller.set_arrows_visible(false);
   controller.set_snapping(snapping_);
   actions_->snap->setChecked(snapping_);
-  controller.set_tablet(drawing_ ? drawing_->tablet : nullptr);
+  controller.set_tablet(tablet_);
   QCoreApplication::instance()->installEventFilter(this);
   touch_timer_.start();
   panel_->take_appearance();
-  if (!drawing_)
+  if (!shown())
     read_expression();
   else
     desk().say(Feedback::hint, what_is_shown());
@@ -161,7 +159,7 @@ void FunctionsWorkplace::leave() {
   entered_ = false;
   QCoreApplication::instance()->removeEventFilter(this);
   touch_timer_.stop();
-  export_->forget_sound();
+  export_.forget_sound();
   sound_->stop();
   auto& controller = desk().tablet();
   controller.lift_stylus();
@@ -186,13 +184,13 @@ void FunctionsWorkplace::connect_panels() {
     desk().save_later();
     desk().close_drawers();
     desk().focus_tablet();
-    if (drawing_ && drawing_->final && !plotter_->is_busy())
-      desk().say(Feedback::good, localised(drawing_->summary));
+    if (shown() && shown()->final && !plotter_.is_busy())
+      desk().say(Feedback::good, localised(shown()->summary));
   });
   connect(panel_, &PlotPanel::example_chosen, this,
           [this, line](const QString& expression, const functions::Window& window) {
-            window_ = first_window_ = window;
-            panel_->show_window(window);
+            (void)model_.start_with(window);
+            panel_->show_window(model_.window());
             line->remember(expression);
             if (line->text() == expression)
               draw();
@@ -200,13 +198,12 @@ void FunctionsWorkplace::connect_panels() {
               line->setText(expression);
           });
   connect(panel_, &PlotPanel::window_typed, this, [this](const functions::Window& window) {
-    if (const auto good = window.check(); !good) {
-      desk().say(Feedback::wrong, tr("This window cannot be shown: %1.").arg(reason(good.error())));
-      panel_->show_window(window_);
+    if (const auto started = model_.start_with(window); !started) {
+      desk().say(Feedback::wrong, tr("This window cannot be shown: %1.").arg(reason(started.error())));
+      panel_->show_window(model_.window());
       return;
     }
-    first_window_ = window;
-    set_window(window);
+    show_window(model_.reset_window());
   });
   connect(panel_, &PlotPanel::window_refused, this, [this](const QString& text) {
     desk().say(Feedback::wrong, tr("“%1” is no number. The window is as it was.").arg(text));
@@ -215,17 +212,15 @@ void FunctionsWorkplace::connect_panels() {
     desk().say(Feedback::wrong, tr("“%1” is no range of heights. The range is as it was.").arg(text));
   });
   connect(panel_, &PlotPanel::plate_changed, this, [this](const functions::PlateSettings& plate) {
-    const int alone = plate_.alone;
-    plate_ = plate;
-    plate_.alone = alone;
+    model_.set_plate(plate);
     desk().save_later();
     draw();
   });
   connect(panel_, &PlotPanel::volume_changed, this, &FunctionsWorkplace::set_volume);
   connect(panel_, &PlotPanel::mute_changed, this, &FunctionsWorkplace::set_muted);
   connect(points_, &PointsPanel::point_chosen, this, [this](int row) {
-    if (drawing_ && row >= 0 && row < static_cast<int>(drawing_->points.size()))
-      go_to_point(&drawing_->points[static_cast<std::size_t>(row)]);
+    if (shown() && row >= 0 && row < static_cast<int>(shown()->points.size()))
+      announce(explorer_.go_to_point(static_cast<std::size_t>(row)));
   });
 }
 
@@ -243,50 +238,48 @@ void FunctionsWorkplace::connect_window() {
     desk().window().activateWindow();
     points_->focus_table();
   });
-  on(actions_->zoom_in, [this] { zoom(2); });
-  on(actions_->zoom_out, [this] { zoom(0.5); });
-  on(actions_->pan_left, [this] { pan(-0.25, 0); });
-  on(actions_->pan_right, [this] { pan(0.25, 0); });
-  on(actions_->pan_up, [this] { pan(0, 0.25); });
-  on(actions_->pan_down, [this] { pan(0, -0.25); });
-  on(actions_->reset_window, [this] { set_window(first_window_); });
-  on(actions_->export_raw, [this] { ask_and_write(PlotFile::raw); });
-  on(actions_->export_png, [this] { ask_and_write(PlotFile::png); });
-  on(actions_->export_print, [this] { ask_and_write(PlotFile::print); });
-  on(actions_->export_sound, [this] { ask_and_write(PlotFile::sound); });
+  on(actions_->zoom_in, [this] { show_window(model_.zoom(explorer_.location(), 2)); });
+  on(actions_->zoom_out, [this] { show_window(model_.zoom(explorer_.location(), 0.5)); });
+  on(actions_->pan_left, [this] { show_window(model_.pan(-0.25, 0)); });
+  on(actions_->pan_right, [this] { show_window(model_.pan(0.25, 0)); });
+  on(actions_->pan_up, [this] { show_window(model_.pan(0, 0.25)); });
+  on(actions_->pan_down, [this] { show_window(model_.pan(0, -0.25)); });
+  on(actions_->reset_window, [this] { show_window(model_.reset_window()); });
+  on(actions_->export_raw, [this] { ask_and_write(functions::PlotFile::raw); });
+  on(actions_->export_png, [this] { ask_and_write(functions::PlotFile::png); });
+  on(actions_->export_print, [this] { ask_and_write(functions::PlotFile::print); });
+  on(actions_->export_sound, [this] { ask_and_write(functions::PlotFile::sound); });
 }
 
 void FunctionsWorkplace::connect_work() {
-  connect(plotter_, &Plotter::drawn, this, &FunctionsWorkplace::take_drawing);
-  connect(plotter_, &Plotter::progressed, panel_, &PlotPanel::show_progress);
-  connect(plotter_, &Plotter::rested, this, [this] { panel_->show_progress(-1); });
-  connect(plotter_, &Plotter::failed, this, [this](const base::Error& error) {
+  plotter_.drawn.connect([this](const practice::TabletPlot& plot) { show_plot(plot); });
+  plotter_.progressed.connect([this](double done) { panel_->show_progress(done); });
+  plotter_.rested.connect([this] { panel_->show_progress(-1); });
+  plotter_.failed.connect([this](const base::Error& error) {
     desk().say(Feedback::wrong, tr("This cannot be drawn: %1. The plate is as it was.").arg(reason(error)));
   });
-  connect(export_, &PlotExport::composed, this,
-          [this](const functions::Sound& sound) { sound_->play(sound); });
-  connect(export_, &PlotExport::written, this, [this](const QString& path) {
-    desk().say(Feedback::good, tr("%1 is saved.").arg(QFileInfo(path).fileName()));
+  const auto name_of = [](const std::filesystem::path& path) {
+    return QFileInfo(QString::fromStdString(path.string())).fileName();
+  };
+  export_.composed.connect([this](const functions::Sound& sound) { sound_->play(sound); });
+  export_.written.connect([this, name_of](const std::filesystem::path& path) {
+    desk().say(Feedback::good, tr("%1 is saved.").arg(name_of(path)));
   });
-  connect(export_, &PlotExport::failed, this, [this](const QString& path, const base::Error& error) {
-    desk().say(Feedback::wrong, tr("%1 was not saved: %2.").arg(QFileInfo(path).fileName(), reason(error)));
+  export_.failed.connect([this, name_of](const std::filesystem::path& path, const base::Error& error) {
+    desk().say(Feedback::wrong, tr("%1 was not saved: %2.").arg(name_of(path), reason(error)));
   });
 }
 
 void FunctionsWorkplace::read_expression() {
-  const QString text = panel_->line()->text();
-  auto plot = functions::parse(text.toStdString(), {uses_decimal_comma()});
-  if (!plot) {
-    panel_->show_error(plot.error());
+  if (const auto read = model_.read(panel_->line()->text().toStdString(), {uses_decimal_comma()}); !read) {
+    panel_->show_error(read.error());
     return;
   }
-  panel_->show_words(localised(functions::in_words(*plot, plot_language())));
-  plot_ = std::move(*plot);
-  expression_ = text;
-  tell_summary_ = true;
-  plate_.alone = -1;
+  const auto& plot = *model_.plot();
+  panel_->show_words(localised(functions::in_words(plot, plot_language())));
+  announce_summary_ = true;
   actions_->alone->setChecked(false);
-  panel_->show_surface(plot_->is_surface());
+  panel_->show_surface(plot.is_surface());
   emit title_changed();
   desk().save_later();
   draw();
@@ -294,47 +287,34 @@ void FunctionsWorkplace::read_expression() {
 
 void FunctionsWorkplace::draw() {
   // Nothing is drawn for a workplace that nobody looks at; enter() does it.
-  if (!plot_ || !entered_) return;
+  if (!model_.plot() || !entered_) return;
   panel_->show_progress(0);
-  plotter_->draw({*plot_, window_, plate_, plot_language()});
+  plotter_.draw(model_.request(plot_language()));
 }
 
-void FunctionsWorkplace::set_window(const functions::Window& window) {
-  if (!window.check()) {
-    desk().answer(Feedback::advice, tr("The window cannot be changed any further."));
+void FunctionsWorkplace::show_window(const functions::PlotEvent& event) {
+  if (event.kind == functions::PlotEventKind::window_limit) {
+    desk().answer(Feedback::advice, event_words(event, {}));
     return;
   }
-  window_ = window;
-  panel_->show_window(window);
+  panel_->show_window(event.window);
   desk().save_later();
-  tell_summary_ = false;
+  announce_summary_ = false;
   draw();
-  desk().answer(Feedback::hint, window_words(window) + QLatin1Char('.'));
+  desk().answer(Feedback::hint, event_words(event, {}));
 }
 
-void FunctionsWorkplace::zoom(double times) {
-  const auto& place = tracer_.place();
-  const functions::PlatePoint about = place ? functions::PlatePoint{window_.u(place->x), window_.v(place->y)}
-                                            : functions::PlatePoint{0.5, 0.5};
-  // Window::zoomed: above 1 the window is drawn larger, so it shows a smaller part.
-  set_window(window_.zoomed(about, times));
-}
-
-void FunctionsWorkplace::pan(double du, double dv) { set_window(window_.moved(du, dv)); }
-
-void FunctionsWorkplace::take_drawing(const SharedDrawing& drawing) {
-  drawing_ = drawing;
-  touched_ = nullptr;
-  if (drawing->final) {
-    tracer_.set_drawing(drawing);
-    points_->show_drawing(drawing);
-  }
+void FunctionsWorkplace::show_plot(const practice::TabletPlot& plot) {
+  const auto& drawing = *plot.drawing;
+  tablet_ = plot.tablet;
+  explorer_.show(plot.drawing);
+  if (drawing.final) points_->show_drawing(plot.drawing);
   if (!entered_) return;
-  desk().tablet().set_tablet(drawing->tablet);
-  if (drawing->final) {
-    if (put_ && tracer_.place()) put_stylus();
-    if (tell_summary_ && !panel_->line()->hasFocus()) desk().say(Feedback::hint, localised(drawing->summary));
-  }
+  desk().tablet().set_tablet(tablet_);
+  if (!drawing.final) return;
+  if (put_ && explorer_.location()) put_stylus();
+  if (announce_summary_ && !panel_->line()->hasFocus())
+    desk().say(Feedback::hint, localised(drawing.summary));
 }
 
 }  // namespace nazori::ui

@@ -4,9 +4,11 @@
 #include <QTimer>
 #include <optional>
 
-#include "functions/curve_tracer.h"
-#include "functions/plot_export.h"
-#include "functions/plotter.h"
+#include "event_loop_inbox.h"
+#include "nazori/practice/tablet_plot.h"
+#include "nazori/functions/plot_explorer.h"
+#include "nazori/functions/plot_export.h"
+#include "nazori/functions/plot_model.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -47,11 +49,15 @@ class FunctionsWorkplace final : public Workplace {
   void ask_and_save() override;
 
   /// What is on the plate now; null before the first picture.
-  [[nodiscard]] const SharedDrawing& shown() const { return drawing_; }
-  [[nodiscard]] bool is_drawing() const { return plotter_->is_busy(); }
-  [[nodiscard]] const std::optional<TracePlace>& place() const { return tracer_.place(); }
+  [[nodiscard]] const functions::SharedDrawing& shown() const { return explorer_.drawing(); }
+  /// The tablet of what is shown; null before the first picture.
+  [[nodiscard]] const Tablet& tablet() const { return tablet_; }
+  [[nodiscard]] bool is_drawing() const { return plotter_.is_busy(); }
+  [[nodiscard]] const std::optional<functions::PlotLocation>& location() const {
+    return explorer_.location();
+  }
   /// Writes without asking for a name.
-  void write(PlotFile kind, const QString& path);
+  void write(functions::PlotFile kind, const QString& path);
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -65,40 +71,28 @@ class FunctionsWorkplace final : public Workplace {
 
   void read_expression();
   void draw();
-  void set_window(const functions::Window& window);
-  void zoom(double times);
-  void pan(double du, double dv);
-  void take_drawing(const SharedDrawing& drawing);
-  void take_document(const functions::PlotDocument& document);
-  [[nodiscard]] functions::PlotDocument document() const;
-  [[nodiscard]] functions::SoundSettings sound_settings() const;
-  void ask_and_write(PlotFile kind);
+  void show_window(const functions::PlotEvent& event);
+  void show_plot(const practice::TabletPlot& plot);
+  void open(const functions::PlotDocument& document);
+  void ask_and_write(functions::PlotFile kind);
 
-  /// The hand is at another place by key: stylus, tone and words follow.
-  /// @param point  what is there; nullptr: the point of interest that is nearest.
-  void show_place(const QString& before = {}, const functions::PointOfInterest* point = nullptr);
+  /// What a key has done on the shown plot; where the hand has moved, tone and stylus follow.
+  void announce(const functions::PlotEvent& event);
   void put_stylus();
-  void show_step(CurveTracer::Step step);
-  void go_to_point(const functions::PointOfInterest* point);
   void follow_stylus();
-  void sound_touched(functions::PlatePoint hand);
   void hear();
   /// The tone of y = 0, to compare with.
   void play_reference();
-  void change_speed(int by);
   void set_volume(int percent);
   void set_muted(bool muted);
-  void show_piece();
-  [[nodiscard]] bool has_curve() const;
+  void show_groove();
   /// Says why not, where nothing can be heard.
   [[nodiscard]] bool can_be_heard() const;
   /// The summary, or why there is none. Only while something is shown.
   [[nodiscard]] QString what_is_shown() const;
-  /// One statement without the others; -1: all.
-  void show_alone(int statement);
+  /// Draws and announces one curve or all of them, after the model has changed.
+  void show_alone(const functions::PlotEvent& event);
 
-  static constexpr int kSlowest = 1;
-  static constexpr int kFastest = 10;
   struct TabletSwitches {
     bool strokes, numbers, arrows, snapping;
   };
@@ -107,24 +101,19 @@ class FunctionsWorkplace final : public Workplace {
   PlotPanel* panel_;
   PointsPanel* points_;
   FunctionSound* sound_;
-  Plotter* plotter_;
-  PlotExport* export_;
-
   bool entered_ = false;
   std::optional<TabletSwitches> before_;  ///< what the tablet showed before this workplace had it
-  std::optional<functions::Plot> plot_;   ///< the last that could be read
-  QString expression_;                    ///< as typed, of plot_
-  functions::Window window_;
-  functions::Window first_window_;
-  functions::PlateSettings plate_;
-  int speed_ = 2;
+  functions::PlotModel model_;
+  functions::PlotExplorer explorer_;
+  Tablet tablet_;  ///< of the drawing that is shown
   bool snapping_ = false;
-  bool tell_summary_ = true;  ///< the next picture is of another expression
-  SharedDrawing drawing_;
-  CurveTracer tracer_;
+  bool announce_summary_ = true;              ///< the next picture is of another expression
   std::optional<geometry::TabletPoint> put_;  ///< where keys have put the stylus
-  const functions::PointOfInterest* touched_ = nullptr;
   QTimer touch_timer_;
+  EventLoopInbox inbox_;
+  // Declared last, so that their threads end before what they use.
+  functions::Plotter<practice::TabletPlot> plotter_{inbox_.inbox(), practice::on_tablet};
+  functions::PlotExport export_{inbox_.inbox()};
 };
 
 }  // namespace nazori::ui

@@ -23,6 +23,21 @@ QString spoken(double value) {
   return shown < 0 ? say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "minus %1")).arg(digits) : digits;
 }
 
+/// The curve of this index in words.
+QString curve_words(const functions::Plot& plot, int statement) {
+  return localised(
+      functions::in_words(plot.statements[static_cast<std::size_t>(statement)], plot_language()));
+}
+
+/// What is at the location of an event.
+QString spot_words(const functions::PlotEvent& event) {
+  return event.point ? point_words(*event.point) : location_words(*event.location);
+}
+
+QString arrival_words(const QString& before, const functions::PlotEvent& event) {
+  return QStringLiteral("%1: %2.").arg(before, spot_words(event));
+}
+
 }  // namespace
 
 functions::Language plot_language() {
@@ -60,8 +75,8 @@ QString coordinate_text(double value, const std::string& exact_name) {
   return QStringLiteral("%1 ≈ %2").arg(name, number);
 }
 
-QString place_words(const TracePlace& place) {
-  return localised(functions::place_in_words(place.x, place.y, plot_language()));
+QString location_words(const functions::PlotLocation& location) {
+  return localised(functions::place_in_words(location.x, location.y, plot_language()));
 }
 
 QString point_words(const functions::PointOfInterest& point) {
@@ -81,6 +96,83 @@ QString window_words(const functions::Window& window) {
                                "x from %1 to %2, one tick is %3; y from %4 to %5, one tick is %6"))
       .arg(spoken(window.x0), spoken(window.x1), spoken(functions::tick_step(window.x0, window.x1)),
            spoken(window.y0), spoken(window.y1), spoken(functions::tick_step(window.y0, window.y1)));
+}
+
+QString event_words(const functions::PlotEvent& event, const functions::Plot& plot) {
+  using Kind = functions::PlotEventKind;
+  switch (event.kind) {
+    case Kind::here:
+    case Kind::point_reached:
+      return spot_words(event) + QLatin1Char('.');
+    case Kind::next_branch:
+      return arrival_words(say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Next piece")), event);
+    case Kind::end_of_branch:
+      return arrival_words(say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "End")), event);
+    case Kind::other_branch:
+      return arrival_words(curve_words(plot, event.statement), event);
+    case Kind::beacon_reached:
+      return arrival_words(say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Beacon %1")).arg(event.number),
+                           event);
+    case Kind::beacon_dropped:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Beacon %1 is here: %2."))
+          .arg(event.number)
+          .arg(spot_words(event));
+    case Kind::slope:
+      return slope_words(event.slope);
+    case Kind::curve_alone:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Curve %1 alone: %2."))
+          .arg(event.statement + 1)
+          .arg(curve_words(plot, event.statement));
+    case Kind::all_curves:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "All curves are shown."));
+    case Kind::groove:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Piece %1 of %2: %3"))
+          .arg(event.number)
+          .arg(event.count)
+          .arg(curve_words(plot, event.statement));
+    case Kind::all_grooves:
+      return QCoreApplication::translate("nazori::ui::plot_words", "%n pieces", nullptr, event.count);
+    case Kind::speed:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Speed %1 of %2"))
+          .arg(event.number)
+          .arg(event.count);
+    case Kind::window_changed:
+      return window_words(event.window) + QLatin1Char('.');
+    case Kind::no_curve:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no curve to follow here."));
+    case Kind::no_other_branch:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no other curve or branch."));
+    case Kind::no_point:
+      return say(
+          QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There are no points of interest in this window."));
+    case Kind::no_location:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words",
+                                   "Go to a place on a curve first, with the arrow keys."));
+    case Kind::no_slope:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no slope here."));
+    case Kind::no_beacon:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no beacon yet. B drops one."));
+    case Kind::only_one_curve:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is only one curve."));
+    case Kind::window_limit:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "The window cannot be changed any further."));
+  }
+  return {};
+}
+
+QString file_filter(functions::PlotFile kind) {
+  switch (kind) {
+    case functions::PlotFile::document:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Plots (*.json)"));
+    case functions::PlotFile::raw:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Height maps (*.raw)"));
+    case functions::PlotFile::png:
+    case functions::PlotFile::print:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Pictures (*.png)"));
+    case functions::PlotFile::sound:
+      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Sounds (*.wav)"));
+  }
+  return {};
 }
 
 }  // namespace nazori::ui

@@ -3,7 +3,8 @@
 
 #include <QString>
 
-#include "functions/curve_tracer.h"
+#include "nazori/functions/plot_event.h"
+#include "nazori/functions/plot_export.h"
 
 namespace nazori::ui {
 
@@ -23,11 +24,16 @@ namespace nazori::ui {
 [[nodiscard]] QString no_coordinate();
 
 /// For the ear: "x = 1.5; y = minus 2".
-[[nodiscard]] QString place_words(const TracePlace& place);
+[[nodiscard]] QString location_words(const functions::PlotLocation& location);
 [[nodiscard]] QString point_words(const functions::PointOfInterest& point);
 [[nodiscard]] QString kind_words(functions::PointKind kind);
 [[nodiscard]] QString slope_words(double slope);
 /// "x from minus 6 to 6, one tick is 1; y from minus 4 to 4, one tick is 1".
 [[nodiscard]] QString window_words(const functions::Window& window);
+/// The sentence that announces an event. @param plot  that the event belongs to.
+[[nodiscard]] QString event_words(const functions::PlotEvent& event, const functions::Plot& plot);
+
+/// For the file dialog: "Plots (*.json)".
+[[nodiscard]] QString file_filter(functions::PlotFile kind);
 
 }  // namespace nazori::ui

@@ -134,7 +134,7 @@ PointsPanel::PointsPanel(QWidget* parent)
   column->addStretch(0);
 }
 
-void PointsPanel::show_drawing(const SharedDrawing& drawing) {
+void PointsPanel::show_drawing(const functions::SharedDrawing& drawing) {
   const bool stopped = drawing && !drawing->final;
   summary_->setText(!drawing  ? QString()
                     : stopped ? tr("The drawing was stopped before points of interest were looked for.")
@@ -145,7 +145,7 @@ void PointsPanel::show_drawing(const SharedDrawing& drawing) {
   for (int row = 0; row < count; ++row) {
     const auto& point = drawing->points[static_cast<std::size_t>(row)];
     QString kind = kind_words(point.kind);
-    const auto& statements = drawing->asked.plot.statements;
+    const auto& statements = drawing->request.plot.statements;
     if (statements.size() > 1) {
       kind += point.other >= 0 ? tr(", curves %1 and %2").arg(point.statement + 1).arg(point.other + 1)
                                : tr(", curve %1").arg(point.statement + 1);

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "functions/plotter.h"
+#include "nazori/functions/drawing.h"
 
 class QAbstractItemDelegate;
 class QLabel;
@@ -17,7 +17,7 @@ class PointsPanel final : public QWidget {
  public:
   explicit PointsPanel(QWidget* parent = nullptr);
 
-  void show_drawing(const SharedDrawing& drawing);
+  void show_drawing(const functions::SharedDrawing& drawing);
   void set_current(int row);
   void focus_table();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "functions/curve_tracer.h"
+#include "nazori/functions/curve_follower.h"
 
 #include <algorithm>
 #include <array>
@@ -9,19 +9,14 @@
 #include <optional>
 #include <utility>
 
+#include "nazori/functions/curve_kinds.h"
 #include "nazori/functions/dual.h"
 #include "nazori/functions/tape.h"
 
-namespace nazori::ui {
+namespace nazori::functions {
 namespace {
 
-using functions::Branch;
-using functions::CurvePlace;
-using functions::PlatePoint;
-using functions::PointOfInterest;
-using functions::StatementKind;
-using functions::Variable;
-using Slope = functions::Dual<double, 1>;
+using Slope = Dual<double, 1>;
 
 /// Of the plate: lines are drawn to within a sixteenth of a cell.
 constexpr double kSamePlace = 1e-3;
@@ -33,14 +28,14 @@ bool is_in_window(PlatePoint p) {
 }
 
 /// The place farthest from `from` on the way of `length` along the curve that is still in the window.
-CurvePlace last_in_window(const functions::Tracing& tracing, const CurvePlace& from, double length) {
+CurvePlace last_in_window(const Tracing& tracing, const CurvePlace& from, double length) {
   double inside = 0;
   double outside = length;
   for (int i = 0; i < 50; ++i) {
     const double middle = (inside + outside) / 2;
-    (is_in_window(functions::step_along(tracing, from, middle).at) ? inside : outside) = middle;
+    (is_in_window(step_along(tracing, from, middle).at) ? inside : outside) = middle;
   }
-  return functions::step_along(tracing, from, inside);
+  return step_along(tracing, from, inside);
 }
 
 /// The part of the straight piece from p to q that lies in the window, as shares of its length.
@@ -72,90 +67,72 @@ double parameter_at(const Branch& branch, const CurvePlace& place) {
   return p.parameter + (q.parameter - p.parameter) * std::clamp(share, 0.0, 1.0);
 }
 
-Slope value_of(const functions::Expression& e, Variable v, double at) {
-  const std::array<functions::Expression, 1> outputs{e};
-  const std::array<Variable, 1> inputs{v};
-  const std::array<Slope, 1> values{Slope(at, 0)};
-  return functions::Tape::compile(outputs, inputs).evaluate_one<Slope>(values);
-}
-
 struct Position {
   Slope x;
   Slope y;
 };
 
 /// x and y as the expression itself gives them, with their slopes by the parameter.
-std::optional<Position> position_of(const functions::Statement& s, double parameter) {
-  switch (s.kind) {
-    case StatementKind::explicit_y:
-      return Position{Slope(parameter, 0), value_of(s.terms[0], Variable::x, parameter)};
-    case StatementKind::explicit_x:
-      return Position{value_of(s.terms[0], Variable::y, parameter), Slope(parameter, 0)};
-    case StatementKind::parametric:
-      return Position{value_of(s.terms[0], Variable::t, parameter),
-                      value_of(s.terms[1], Variable::t, parameter)};
-    case StatementKind::polar: {
-      const Slope r = value_of(s.terms[0], Variable::theta, parameter);
-      const double c = std::cos(parameter);
-      const double d = std::sin(parameter);
-      Position at{Slope(r.value * c), Slope(r.value * d)};
-      at.x.slopes[0] = r.slopes[0] * c - r.value * d;
-      at.y.slopes[0] = r.slopes[0] * d + r.value * c;
-      return at;
-    }
-    default:
-      return std::nullopt;
-  }
+std::optional<Position> position_of(const Statement& s, double parameter) {
+  const CurveKind& kind = curve_kind(s.kind);
+  if (kind.course == nullptr) return std::nullopt;
+  const Course course = kind.course(s);
+  const std::array<Expression, 2> outputs{course.x, course.y};
+  const std::array<Variable, 1> inputs{kind.parameter};
+  const Tape tape = Tape::compile(outputs, inputs);
+  std::vector<Slope> registers(tape.size());
+  tape.evaluate<Slope>(std::array{Slope(parameter, 0)}, registers);
+  return Position{registers[tape.output(0)], registers[tape.output(1)]};
 }
 
 }  // namespace
 
-void CurveTracer::set_drawing(SharedDrawing drawing) {
-  const bool same = drawing_ && drawing &&
-                    functions::canonical(drawing_->asked.plot) == functions::canonical(drawing->asked.plot);
+void CurveFollower::set_drawing(SharedDrawing drawing) {
+  const bool same =
+      drawing_ && drawing && canonical(drawing_->request.plot) == canonical(drawing->request.plot);
   drawing_ = std::move(drawing);
   point_ = -1;
-  if (!place_) return;
-  const TracePlace before = *place_;
+  if (!location_) return;
+  const PlotLocation before = *location_;
   const double x = before.x;
   const double y = before.y;
-  place_.reset();
+  location_.reset();
   if (!drawing_) return;
   const auto& window = tracing().window;
   const PlatePoint was{window.u(x), window.v(y)};
   if (was.u < 0 || was.u > 1 || was.v < 0 || was.v > 1) return;
   const auto near = nearest(was);
   if (!near || !(distance(near->at, was) < 0.2)) return;
-  place_ = near;
+  location_ = near;
   // The same curve in another window: not even a hair beside where the hand was, or zooming in and out again
   // would end elsewhere.
   if (!same || !(distance(near->at, was) < kSamePlace)) return;
-  place_->at = was;
-  place_->x = x;
-  place_->y = y;
-  place_->statement = before.statement;
+  location_->at = was;
+  location_->x = x;
+  location_->y = y;
+  location_->statement = before.statement;
 }
 
-std::optional<TracePlace> CurveTracer::nearest(PlatePoint hand) const {
+std::optional<PlotLocation> CurveFollower::nearest(PlatePoint hand) const {
   if (!drawing_) return std::nullopt;
-  const auto on = functions::nearest_place(tracing(), hand);
+  const auto on = nearest_place(tracing(), hand);
   if (!on) return std::nullopt;
-  TracePlace place = described(*on);
+  PlotLocation place = described(*on);
   place.on->distance = on->distance;
   return place;
 }
 
-TracePlace CurveTracer::described(const CurvePlace& on) const {
+PlotLocation CurveFollower::described(const CurvePlace& on) const {
   const Branch& branch = tracing().branches[on.branch];
   const auto& window = tracing().window;
-  TracePlace place;
+  PlotLocation place;
   place.on = on;
   place.at = on.at;
   place.statement = branch.statement;
   place.x = window.x(on.at.u);
   place.y = window.y(on.at.v);
   if (!branch.has_parameter) return place;
-  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(branch.statement)];
+  const auto& statement = drawing_->request.plot.statements[static_cast<std::size_t>(branch.statement)];
   if (const auto exact = position_of(statement, parameter_at(branch, on))) {
     const PlatePoint at{window.u(exact->x.value), window.v(exact->y.value)};
     // Beside a hole or a jump the expression may have another value than the line.
@@ -167,17 +144,17 @@ TracePlace CurveTracer::described(const CurvePlace& on) const {
   return place;
 }
 
-bool CurveTracer::runs_left(std::size_t branch) const {
+bool CurveFollower::runs_left(std::size_t branch) const {
   const Branch& b = tracing().branches[branch];
   if (b.closed || b.points.size() < 2) return false;
-  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(b.statement)];
-  // A curve with a parameter of its own is walked as the parameter grows.
-  if (statement.kind == StatementKind::parametric || statement.kind == StatementKind::polar)
+  const auto& statement = drawing_->request.plot.statements[static_cast<std::size_t>(b.statement)];
+  // A curve with a parameter of its own is followed as the parameter grows.
+  if (curve_kind(statement.kind).has_own_parameter())
     return b.points.front().parameter > b.points.back().parameter;
   return b.points.front().u > b.points.back().u;
 }
 
-std::vector<std::size_t> CurveTracer::order() const {
+std::vector<std::size_t> CurveFollower::order() const {
   const auto& branches = tracing().branches;
   std::vector<std::size_t> order;
   std::vector<PlatePoint> corner;
@@ -200,7 +177,7 @@ std::vector<std::size_t> CurveTracer::order() const {
   return order;
 }
 
-CurvePlace CurveTracer::end_of(std::size_t branch, bool last) const {
+CurvePlace CurveFollower::end_of(std::size_t branch, bool last) const {
   const Branch& b = tracing().branches[branch];
   CurvePlace place;
   place.branch = branch;
@@ -214,72 +191,73 @@ CurvePlace CurveTracer::end_of(std::size_t branch, bool last) const {
   const double back = last ? -kStep : kStep;
   CurvePlace before = place;
   for (int i = 0; i < 100; ++i) {
-    const CurvePlace next = functions::step_along(tracing(), before, back);
+    const CurvePlace next = step_along(tracing(), before, back);
     if (is_in_window(next.at)) return last_in_window(tracing(), next, -back);
     before = next;
   }
   return place;
 }
 
-bool CurveTracer::begin() {
+bool CurveFollower::begin() {
   if (!drawing_) return false;
-  if (place_ && place_->on) return true;
-  const auto near = nearest(place_ ? place_->at : PlatePoint{0.5, 0.5});
+  if (location_ && location_->on) return true;
+  const auto near = nearest(location_ ? location_->at : PlatePoint{0.5, 0.5});
   if (!near) return false;
-  place_ = near;
+  location_ = near;
   return true;
 }
 
-CurveTracer::Step CurveTracer::pass_end(Way way) {
+CurveFollower::Step CurveFollower::pass_end(Way way) {
   const auto all = order();
-  const auto here = std::find(all.begin(), all.end(), place_->on->branch);
+  const auto here = std::find(all.begin(), all.end(), location_->on->branch);
   if (here == all.end()) return Step::end;
   const auto index = here - all.begin() + static_cast<std::ptrdiff_t>(way);
   if (index < 0 || index >= static_cast<std::ptrdiff_t>(all.size())) return Step::end;
   const std::size_t next = all[static_cast<std::size_t>(index)];
-  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(place_->statement)];
+  const auto& statement = drawing_->request.plot.statements[static_cast<std::size_t>(location_->statement)];
   // Only y = f(x) goes on from left to right where it was broken off.
-  if (tracing().branches[next].statement != place_->statement || statement.kind != StatementKind::explicit_y)
+  if (tracing().branches[next].statement != location_->statement ||
+      !curve_kind(statement.kind).is_graph_of_x())
     return Step::end;
-  place_ = described(end_of(next, (way == Way::back) != runs_left(next)));
+  location_ = described(end_of(next, (way == Way::back) != runs_left(next)));
   return Step::next_branch;
 }
 
-CurveTracer::Step CurveTracer::step(Way way) {
-  const bool had = place_.has_value();
+CurveFollower::Step CurveFollower::step(Way way) {
+  const bool had = location_.has_value();
   if (!begin()) return Step::end;
   if (!had) return Step::done;
-  const double sign = (way == Way::on) != runs_left(place_->on->branch) ? 1 : -1;
-  auto next = functions::step_along(tracing(), *place_->on, sign * kStep);
-  if (!is_in_window(next.at)) next = last_in_window(tracing(), *place_->on, sign * kStep);
-  if (distance(next.at, place_->at) < 1e-9) return pass_end(way);
-  place_ = described(next);
+  const double sign = (way == Way::on) != runs_left(location_->on->branch) ? 1 : -1;
+  auto next = step_along(tracing(), *location_->on, sign * kStep);
+  if (!is_in_window(next.at)) next = last_in_window(tracing(), *location_->on, sign * kStep);
+  if (distance(next.at, location_->at) < 1e-9) return pass_end(way);
+  location_ = described(next);
   return Step::done;
 }
 
-CurveTracer::Step CurveTracer::step_to_tick(Way way) {
+CurveFollower::Step CurveFollower::step_to_tick(Way way) {
   if (!begin()) return Step::end;
   const auto& window = tracing().window;
-  const double tick = functions::tick_step(window.x0, window.x1);
-  const double sign = (way == Way::on) != runs_left(place_->on->branch) ? 1 : -1;
+  const double tick = tick_step(window.x0, window.x1);
+  const double sign = (way == Way::on) != runs_left(location_->on->branch) ? 1 : -1;
   constexpr double kFine = 0.001;
   constexpr double kNear = 1e-9;
-  CurvePlace at = *place_->on;
+  CurvePlace at = *location_->on;
   const double tick_u = tick / (window.x1 - window.x0);
   const double zero_u = window.u(0);
   bool moved = false;
   // Once round the longest curve is a thousand windows: enough.
   for (int i = 0; i < 100'000; ++i) {
-    const CurvePlace next = functions::step_along(tracing(), at, sign * kFine);
+    const CurvePlace next = step_along(tracing(), at, sign * kFine);
     if (distance(next.at, at.at) < kNear) break;
     const double before = (at.at.u - zero_u) / tick_u;
     const double after = (next.at.u - zero_u) / tick_u;
     const double line = after > before ? std::floor(before + 1 + kNear) : std::ceil(before - 1 - kNear);
     if (after > before ? line <= after : (after < before && line >= after)) {
       const double share = (line - before) / (after - before);
-      const CurvePlace there = functions::step_along(tracing(), at, sign * kFine * share);
-      if (distance(there.at, place_->at) > kFine / 10 && is_in_window(there.at)) {
-        place_ = described(there);
+      const CurvePlace there = step_along(tracing(), at, sign * kFine * share);
+      if (distance(there.at, location_->at) > kFine / 10 && is_in_window(there.at)) {
+        location_ = described(there);
         stand_on_tick(line * tick);
         return Step::done;
       }
@@ -291,30 +269,32 @@ CurveTracer::Step CurveTracer::step_to_tick(Way way) {
     if (leaves) break;
   }
   if (!moved) return pass_end(way);
-  place_ = described(at);
+  location_ = described(at);
   return Step::end;
 }
 
-void CurveTracer::stand_on_tick(double x) {
-  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(place_->statement)];
-  if (statement.kind != StatementKind::explicit_y) return;
-  const double y = value_of(statement.terms[0], Variable::x, x).value;
-  if (!(std::abs(tracing().window.v(y) - place_->at.v) < 0.5 * kStep)) return;
-  place_->x = x;
-  place_->y = y;
+void CurveFollower::stand_on_tick(double x) {
+  const auto& statement = drawing_->request.plot.statements[static_cast<std::size_t>(location_->statement)];
+  if (!curve_kind(statement.kind).is_graph_of_x()) return;
+  const auto exact = position_of(statement, x);
+  if (!exact) return;
+  const double y = exact->y.value;
+  if (!(std::abs(tracing().window.v(y) - location_->at.v) < 0.5 * kStep)) return;
+  location_->x = x;
+  location_->y = y;
 }
 
-void CurveTracer::go_to_end(Way way) {
+void CurveFollower::go_to_end(Way way) {
   if (!begin()) return;
-  const std::size_t branch = place_->on->branch;
-  place_ = described(end_of(branch, (way == Way::on) != runs_left(branch)));
+  const std::size_t branch = location_->on->branch;
+  location_ = described(end_of(branch, (way == Way::on) != runs_left(branch)));
 }
 
-bool CurveTracer::change_branch(Way way) {
+bool CurveFollower::change_branch(Way way) {
   if (!begin()) return false;
   const auto all = order();
   if (all.size() < 2) return false;
-  const auto here = std::find(all.begin(), all.end(), place_->on->branch);
+  const auto here = std::find(all.begin(), all.end(), location_->on->branch);
   const auto count = static_cast<std::ptrdiff_t>(all.size());
   const auto from = here == all.end() ? 0 : here - all.begin();
   const auto next = all[static_cast<std::size_t>((from + static_cast<std::ptrdiff_t>(way) + count) % count)];
@@ -328,9 +308,9 @@ bool CurveTracer::change_branch(Way way) {
     const auto part = part_in_window({p.u, p.v}, {q.u, q.v});
     if (!part) continue;
     const double du = q.u - p.u;
-    const double share = std::clamp(du != 0 ? (place_->at.u - p.u) / du : 0.0, part->first, part->second);
+    const double share = std::clamp(du != 0 ? (location_->at.u - p.u) / du : 0.0, part->first, part->second);
     const PlatePoint at{p.u + share * du, p.v + share * (q.v - p.v)};
-    const double off = std::abs(at.u - place_->at.u) * 1000 + std::abs(at.v - place_->at.v);
+    const double off = std::abs(at.u - location_->at.u) * 1000 + std::abs(at.v - location_->at.v);
     if (off < best_off) {
       best_off = off;
       best = CurvePlace{next, i, at, 0};
@@ -338,11 +318,11 @@ bool CurveTracer::change_branch(Way way) {
   }
   if (!best) return false;
   best->at = {std::clamp(best->at.u, 0.0, 1.0), std::clamp(best->at.v, 0.0, 1.0)};
-  place_ = described(*best);
+  location_ = described(*best);
   return true;
 }
 
-const PointOfInterest* CurveTracer::next_point(Way way) {
+const PointOfInterest* CurveFollower::next_point(Way way) {
   if (!drawing_ || drawing_->points.empty()) return nullptr;
   const auto count = static_cast<std::ptrdiff_t>(drawing_->points.size());
   if (point_ < 0 && way == Way::back) point_ = 0;
@@ -352,7 +332,7 @@ const PointOfInterest* CurveTracer::next_point(Way way) {
   return &point;
 }
 
-void CurveTracer::go_to(const PointOfInterest& point) {
+void CurveFollower::go_to(const PointOfInterest& point) {
   if (!drawing_) return;
   for (std::size_t i = 0; i < drawing_->points.size(); ++i)
     if (&drawing_->points[i] == &point) point_ = static_cast<std::ptrdiff_t>(i);
@@ -360,32 +340,31 @@ void CurveTracer::go_to(const PointOfInterest& point) {
   // An asymptote has one coordinate; the other is the middle of the window.
   const double x = std::isnan(point.x) ? window.x(0.5) : point.x;
   const double y = std::isnan(point.y) ? window.y(0.5) : point.y;
-  TracePlace place;
+  PlotLocation place;
   place.at = {window.u(x), window.v(y)};
   place.statement = point.statement;
-  if (const auto on = functions::nearest_place(tracing(), place.at, point.statement);
-      on && on->distance < 0.5 * kStep)
+  if (const auto on = nearest_place(tracing(), place.at, point.statement); on && on->distance < 0.5 * kStep)
     place.on = on;
   place.x = x;
   place.y = y;
-  place_ = place;
+  location_ = place;
 }
 
-void CurveTracer::go_to(double x, double y) {
+void CurveFollower::go_to(double x, double y) {
   if (!drawing_) return;
   const auto& window = tracing().window;
-  if (const auto near = nearest({window.u(x), window.v(y)})) place_ = near;
+  if (const auto near = nearest({window.u(x), window.v(y)})) location_ = near;
 }
 
-const PointOfInterest* CurveTracer::point_here() const {
-  if (!place_ || !drawing_) return nullptr;
+const PointOfInterest* CurveFollower::point_here() const {
+  if (!location_ || !drawing_) return nullptr;
   const auto& window = tracing().window;
   const PointOfInterest* best = nullptr;
   double nearest_m = 0.5 * kStep + 1e-12;
   for (const auto& point : drawing_->points) {
-    if (point.statement != place_->statement && point.other != place_->statement) continue;
+    if (point.statement != location_->statement && point.other != location_->statement) continue;
     if (std::isnan(point.x) || std::isnan(point.y)) continue;
-    const double off = distance({window.u(point.x), window.v(point.y)}, place_->at);
+    const double off = distance({window.u(point.x), window.v(point.y)}, location_->at);
     if (off < nearest_m) {
       nearest_m = off;
       best = &point;
@@ -394,24 +373,25 @@ const PointOfInterest* CurveTracer::point_here() const {
   return best;
 }
 
-std::optional<double> CurveTracer::slope() const {
-  if (!place_ || !place_->on) return std::nullopt;
-  const Branch& branch = tracing().branches[place_->on->branch];
+std::optional<double> CurveFollower::slope() const {
+  if (!location_ || !location_->on) return std::nullopt;
+  const Branch& branch = tracing().branches[location_->on->branch];
   const auto& window = tracing().window;
   double dx = 0;
   double dy = 0;
-  const auto& statement = drawing_->asked.plot.statements[static_cast<std::size_t>(branch.statement)];
-  // On a tick or a point of interest the place is known better than from the drawn line.
-  const double parameter = statement.kind == StatementKind::explicit_y   ? place_->x
-                           : statement.kind == StatementKind::explicit_x ? place_->y
-                                                                         : parameter_at(branch, *place_->on);
+  const auto& statement = drawing_->request.plot.statements[static_cast<std::size_t>(branch.statement)];
+  // On a tick or a point of interest the location is known better than from the drawn line.
+  const CurveKind& kind = curve_kind(statement.kind);
+  const double parameter = kind.is_graph_of_x()   ? location_->x
+                           : kind.is_graph_of_y() ? location_->y
+                                                  : parameter_at(branch, *location_->on);
   const auto exact = branch.has_parameter ? position_of(statement, parameter) : std::optional<Position>();
   if (exact && std::isfinite(exact->x.slopes[0]) && std::isfinite(exact->y.slopes[0])) {
     dx = exact->x.slopes[0];
     dy = exact->y.slopes[0];
   } else {
-    const auto& p = branch.points[place_->on->piece];
-    const auto& q = branch.points[(place_->on->piece + 1) % branch.points.size()];
+    const auto& p = branch.points[location_->on->piece];
+    const auto& q = branch.points[(location_->on->piece + 1) % branch.points.size()];
     dx = (q.u - p.u) * (window.x1 - window.x0);
     dy = (q.v - p.v) * (window.y1 - window.y0);
     if (std::abs(dx) < 1e-9 * (window.x1 - window.x0)) dx = 0;
@@ -420,17 +400,17 @@ std::optional<double> CurveTracer::slope() const {
   return dx == 0 ? std::copysign(std::numeric_limits<double>::infinity(), dy) : dy / dx;
 }
 
-void CurveTracer::drop_beacon() {
-  if (!place_) return;
-  beacons_.push_back({place_->x, place_->y});
+void CurveFollower::drop_beacon() {
+  if (!location_) return;
+  beacons_.push_back({location_->x, location_->y});
   beacon_ = beacons_.size() - 1;
 }
 
-int CurveTracer::go_to_next_beacon() {
+int CurveFollower::go_to_next_beacon() {
   if (beacons_.empty() || !drawing_) return 0;
   beacon_ = (beacon_ + 1) % beacons_.size();
   go_to(beacons_[beacon_].x, beacons_[beacon_].y);
   return static_cast<int>(beacon_) + 1;
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::functions

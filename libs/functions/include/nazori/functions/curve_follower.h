@@ -5,31 +5,30 @@
 #include <optional>
 #include <vector>
 
-#include "functions/plotter.h"
-#include "nazori/functions/tablet_curves.h"
+#include "nazori/functions/drawing.h"
 
-namespace nazori::ui {
+namespace nazori::functions {
 
-/// Where the hand is on a plot.
-struct TracePlace {
-  functions::PlatePoint at;
+/// A location on a plot.
+struct PlotLocation {
+  PlatePoint at;
   double x = 0;  ///< in the units of the window, by the expression itself where it gives them
   double y = 0;
   int statement = 0;
-  std::optional<functions::CurvePlace> on;  ///< nothing: a single point beside the curves
+  std::optional<CurvePlace> on;  ///< nothing: a single point beside the curves
 };
 
-/// Walks along the curves of a drawing, step by step, as keys ask for it. Branches come in the order of their
+/// Follows the curves of a drawing step by step, as keys ask for it. Branches come in the order of their
 /// statements, then from left to right, lower ones first. Thread: one.
-class CurveTracer {
+class CurveFollower {
  public:
   /// One hundredth of the window.
   static constexpr double kStep = 0.01;
 
-  /// Another drawing: the place stays where it was in the plane, on the nearest curve.
+  /// Another drawing: the location stays where it was in the plane, on the nearest curve.
   void set_drawing(SharedDrawing drawing);
   /// Nothing before the first move, and where there is no curve.
-  [[nodiscard]] const std::optional<TracePlace>& place() const { return place_; }
+  [[nodiscard]] const std::optional<PlotLocation>& location() const { return location_; }
 
   enum class Way { back = -1, on = 1 };
   enum class Step { done, next_branch, end };
@@ -41,13 +40,13 @@ class CurveTracer {
   /// To another branch, at the same x where it has that.
   bool change_branch(Way way);
   /// The next point of interest in the order of the table; round.
-  const functions::PointOfInterest* next_point(Way way);
-  void go_to(const functions::PointOfInterest& point);
+  const PointOfInterest* next_point(Way way);
+  void go_to(const PointOfInterest& point);
   void go_to(double x, double y);
 
-  /// The point of interest within half a step of the place.
-  [[nodiscard]] const functions::PointOfInterest* point_here() const;
-  /// dy/dx at the place; infinite where the curve is upright, nothing where it has no slope.
+  /// The point of interest within half a step of the location; of the drawing.
+  [[nodiscard]] const PointOfInterest* point_here() const;
+  /// dy/dx at the location; infinite where the curve is upright, nothing where it has no slope.
   [[nodiscard]] std::optional<double> slope() const;
 
   void drop_beacon();
@@ -55,8 +54,8 @@ class CurveTracer {
   int go_to_next_beacon();
   [[nodiscard]] std::size_t beacon_count() const { return beacons_.size(); }
 
-  /// The place in the plane nearest to a point of the plate, for a hand that touches.
-  [[nodiscard]] std::optional<TracePlace> nearest(functions::PlatePoint hand) const;
+  /// The location on a curve nearest to a point of the plate, for a hand that touches.
+  [[nodiscard]] std::optional<PlotLocation> nearest(PlatePoint hand) const;
 
  private:
   struct Beacon {
@@ -64,22 +63,22 @@ class CurveTracer {
     double y;
   };
 
-  [[nodiscard]] const functions::Tracing& tracing() const { return drawing_->picture.tracing; }
+  [[nodiscard]] const Tracing& tracing() const { return drawing_->picture.tracing; }
   [[nodiscard]] std::vector<std::size_t> order() const;
   [[nodiscard]] bool runs_left(std::size_t branch) const;
-  [[nodiscard]] functions::CurvePlace end_of(std::size_t branch, bool last) const;
-  [[nodiscard]] TracePlace described(const functions::CurvePlace& on) const;
-  /// The first place, where there is none yet: the curve nearest to the middle of the window.
+  [[nodiscard]] CurvePlace end_of(std::size_t branch, bool last) const;
+  [[nodiscard]] PlotLocation described(const CurvePlace& on) const;
+  /// The first location, where there is none yet: the curve nearest to the middle of the window.
   bool begin();
   Step pass_end(Way way);
   /// The hand is next to a tick: exactly on it, where y is known there.
   void stand_on_tick(double x);
 
   SharedDrawing drawing_;
-  std::optional<TracePlace> place_;
+  std::optional<PlotLocation> location_;
   std::ptrdiff_t point_ = -1;  ///< of interest, the last one gone to
   std::vector<Beacon> beacons_;
   std::size_t beacon_ = 0;
 };
 
-}  // namespace nazori::ui
+}  // namespace nazori::functions

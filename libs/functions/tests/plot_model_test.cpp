@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/functions/plot_model.h"
+
+#include <gtest/gtest.h>
+
+namespace nazori::functions {
+namespace {
+
+using Kind = PlotEventKind;
+
+TEST(PlotModel, WhatCannotBeReadChangesNothing) {
+  PlotModel model;
+  EXPECT_FALSE(model.plot());
+  ASSERT_TRUE(model.read("y = x; y = 1", {}));
+  model.show_alone(1);
+  EXPECT_FALSE(model.read("y = x +", {}));
+  EXPECT_EQ(model.expression(), "y = x; y = 1");
+  EXPECT_EQ(model.plot()->statements.size(), 2U);
+  EXPECT_EQ(model.plate().alone, 1);
+  ASSERT_TRUE(model.read("y = 2", {}));
+  EXPECT_EQ(model.plate().alone, -1) << "another expression is shown whole";
+}
+
+TEST(PlotModel, AWindowZoomsAboutTheLocationAndComesBack) {
+  PlotModel model;
+  ASSERT_TRUE(model.start_with({-4, 4, -2, 2}));
+  PlotLocation location;
+  location.x = 1;
+  location.y = -1;
+  const auto event = model.zoom(location, 2);
+  EXPECT_EQ(event.kind, Kind::window_changed);
+  EXPECT_EQ(event.window, (Window{-1.5, 2.5, -1.5, 0.5}));
+  EXPECT_EQ(model.window(), event.window);
+  EXPECT_EQ(model.pan(0.25, -0.25).window, (Window{-0.5, 3.5, -2, 0}));
+  EXPECT_EQ(model.reset_window().window, (Window{-4, 4, -2, 2}));
+  EXPECT_EQ(model.zoom({}, 0.5).window, (Window{-8, 8, -4, 4}));
+}
+
+TEST(PlotModel, AWindowThatDoublesCannotHoldIsRefused) {
+  PlotModel model;
+  Kind last = Kind::window_changed;
+  for (int i = 0; i < 2000 && last == Kind::window_changed; ++i) last = model.zoom({}, 2).kind;
+  EXPECT_EQ(last, Kind::window_limit);
+  EXPECT_TRUE(model.window().check()) << "the last good one stays";
+  const auto before = model.window();
+  EXPECT_FALSE(model.start_with({3, -3, -1, 1}));
+  EXPECT_EQ(model.window(), before);
+}
+
+TEST(PlotModel, OneCurveAfterTheOtherIsAloneThenAll) {
+  PlotModel model;
+  ASSERT_TRUE(model.read("y = x; y = 1", {}));
+  auto event = model.show_next_alone();
+  EXPECT_EQ(event.kind, Kind::curve_alone);
+  EXPECT_EQ(event.statement, 0);
+  EXPECT_EQ(model.show_next_alone().statement, 1);
+  EXPECT_EQ(model.request(Language::english).plate.alone, 1);
+  PlateSettings plate = model.plate();
+  plate.alone = -1;
+  plate.size = 256;
+  model.set_plate(plate);
+  EXPECT_EQ(model.plate().alone, 1) << "other settings for the same curve";
+  EXPECT_EQ(model.plate().size, 256);
+  EXPECT_EQ(model.show_next_alone().kind, Kind::all_curves);
+  ASSERT_TRUE(model.read("y = x", {}));
+  EXPECT_EQ(model.show_alone(0).kind, Kind::only_one_curve);
+  EXPECT_EQ(model.plate().alone, -1);
+}
+
+TEST(PlotModel, TheSpeedStaysBetweenOneAndTen) {
+  PlotModel model;
+  for (int i = 0; i < 20; ++i) model.change_speed(-1);
+  EXPECT_EQ(model.speed(), 1);
+  EXPECT_DOUBLE_EQ(model.sound().seconds, 6);
+  const auto event = model.change_speed(2);
+  EXPECT_EQ(event.kind, Kind::speed);
+  EXPECT_EQ(event.number, 3);
+  EXPECT_EQ(event.count, 10);
+  EXPECT_DOUBLE_EQ(model.sound().seconds, 3);
+  for (int i = 0; i < 20; ++i) model.change_speed(1);
+  EXPECT_EQ(model.speed(), 10);
+}
+
+TEST(PlotModel, ComesBackFromItsDocument) {
+  PlotModel model;
+  ASSERT_TRUE(model.read("y = 1,5x; y = x", {true}));
+  ASSERT_TRUE(model.start_with({-1, 2, -3, 4}));
+  model.show_alone(1);
+  model.change_speed(3);
+  const auto document = model.document({true});
+  PlotModel other;
+  EXPECT_EQ(other.open(document, {true}), "y = 1,5x; y = x");
+  EXPECT_EQ(other.window(), model.window());
+  EXPECT_EQ(other.plate().alone, 1);
+  EXPECT_EQ(other.speed(), 5);
+  const std::string here = other.open(document, {false});
+  const auto plot = parse(here, {false});
+  ASSERT_TRUE(plot) << here;
+  EXPECT_EQ(canonical(*plot), canonical(*model.plot())) << "where a comma has another meaning";
+}
+
+TEST(PlotModel, SettingsOfAnEarlierDayAreBroughtIntoTheirRange) {
+  PlotModel model;
+  PlateSettings plate;
+  plate.size = 7;
+  plate.half_width = 3;
+  model.restore({3, -3, 0, 1}, plate, 99);
+  EXPECT_EQ(model.window(), PlotModel::kFirstWindow);
+  EXPECT_EQ(model.plate().size, 128);
+  EXPECT_EQ(model.plate().half_width, 0.05);
+  EXPECT_EQ(model.speed(), 10);
+  plate.size = 9999;
+  plate.half_width = 0;
+  model.restore({-2, 2, -1, 1}, plate, -4);
+  EXPECT_EQ(model.window(), (Window{-2, 2, -1, 1}));
+  EXPECT_EQ(model.reset_window().window, (Window{-2, 2, -1, 1}));
+  EXPECT_EQ(model.plate().size, 2048);
+  EXPECT_EQ(model.plate().half_width, 0.002);
+  EXPECT_EQ(model.speed(), 1);
+}
+
+}  // namespace
+}  // namespace nazori::functions

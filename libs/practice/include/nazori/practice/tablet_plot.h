@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "nazori/functions/plotter.h"
+#include "nazori/practice/tablet_workshop.h"
+
+namespace nazori::practice {
+
+/// A plot that was drawn, and the tablet that it is carved into.
+struct TabletPlot {
+  functions::SharedDrawing drawing;
+  Tablet tablet;
+};
+
+/// Makes a tablet of a drawing: its plate is the relief, its grooves are the strokes. Any thread.
+/// @return the errors of CarvedTablet::from_height_map.
+[[nodiscard]] base::Result<TabletPlot> on_tablet(functions::Drawing&& drawing);
+
+}  // namespace nazori::practice
