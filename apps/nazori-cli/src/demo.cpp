@@ -12,6 +12,7 @@
 
 #include "character_json.h"
 #include "characters.h"
+#include "followed_tablet.h"
 #include "nazori/base/utf8.h"
 #include "nazori/devices/simulated_device.h"
 #include "nazori/tablet/carved_tablet.h"
@@ -19,7 +20,6 @@
 #include "output_files.h"
 #include "statistics_json.h"
 #include "tablet_picture.h"
-#include "tracing.h"
 #include "verbs.h"
 
 namespace nazori::cli {
@@ -43,21 +43,21 @@ constexpr int kMapSize = 512;
 double mm(double metres) { return metres * 1000; }
 double percent(double share) { return share * 100; }
 
-Json stroke_json(const StrokeTrace& trace) {
-  return {{"stroke", trace.stroke},
-          {"length_m", trace.length_m},
-          {"duration_s", trace.duration_s},
-          {"aim_rms_m", trace.aim_rms_m},
-          {"aim_max_m", trace.aim_max_m},
-          {"tip_rms_m", trace.tip_rms_m},
-          {"tip_max_m", trace.tip_max_m},
-          {"mean_force_n", trace.mean_force_n},
-          {"peak_force_n", trace.peak_force_n},
-          {"contact_share", trace.contact_share},
-          {"snapped_share", trace.snapped_share},
-          {"mean_depth_m", trace.mean_depth_m},
-          {"slips", trace.slips},
-          {"traced_share", trace.traced_share}};
+Json stroke_json(const devices::FollowedStroke& followed) {
+  return {{"stroke", followed.stroke},
+          {"length_m", followed.length_m},
+          {"duration_s", followed.duration_s},
+          {"aim_rms_m", followed.aim_rms_m},
+          {"aim_max_m", followed.aim_max_m},
+          {"tip_rms_m", followed.tip_rms_m},
+          {"tip_max_m", followed.tip_max_m},
+          {"mean_force_n", followed.mean_force_n},
+          {"peak_force_n", followed.peak_force_n},
+          {"contact_share", followed.contact_share},
+          {"snapped_share", followed.snapped_share},
+          {"mean_depth_m", followed.mean_depth_m},
+          {"slips", followed.slips},
+          {"traced_share", followed.followed_share}};
 }
 
 /// How far the tip was held from the lines, over all strokes.
@@ -65,10 +65,10 @@ struct Tracking {
   double rms_m = 0;
   double max_m = 0;
 };
-Tracking tracking_of(const TabletTrace& trace) {
+Tracking tracking_of(const devices::HandReport& hand) {
   Tracking tracking;
   double squares = 0, weights = 0;
-  for (const StrokeTrace& stroke : trace.strokes) {
+  for (const devices::FollowedStroke& stroke : hand.strokes) {
     const double weight = stroke.duration_s * stroke.contact_share;
     squares += weight * stroke.tip_rms_m * stroke.tip_rms_m;
     weights += weight;
@@ -78,15 +78,16 @@ Tracking tracking_of(const TabletTrace& trace) {
   return tracking;
 }
 
-std::string_view scheduling_of(const TabletTrace& trace) {
-  return trace.clock.real_time ? "SCHED_FIFO" : "SCHED_OTHER";
+std::string_view scheduling_of(const devices::HandReport& hand) {
+  return hand.clock.real_time ? "SCHED_FIFO" : "SCHED_OTHER";
 }
 
-Json trace_json(const kanji::Character& character, const TabletTrace& trace, const DemoSettings& settings,
-                const std::filesystem::path& picture) {
+Json tablet_json(const kanji::Character& character, const FollowedTablet& followed,
+                 const DemoSettings& settings, const std::filesystem::path& picture) {
+  const devices::HandReport& hand = followed.hand;
   Json strokes = Json::array();
-  for (const StrokeTrace& stroke : trace.strokes) strokes.push_back(stroke_json(stroke));
-  const Tracking tracking = tracking_of(trace);
+  for (const devices::FollowedStroke& stroke : hand.strokes) strokes.push_back(stroke_json(stroke));
+  const Tracking tracking = tracking_of(hand);
   Json json{{"character", base::encode_utf8(character.code_point)},
             {"code_point", kanji::code_point_text(character.code_point)},
             {"variant", character.variant},
@@ -96,67 +97,68 @@ Json trace_json(const kanji::Character& character, const TabletTrace& trace, con
             {"snapping", settings.snap},
             {"tracking_rms_m", tracking.rms_m},
             {"tracking_max_m", tracking.max_m},
-            {"work_on_hand_j", trace.work_on_hand_j},
-            {"dissipated_j", -trace.work_on_hand_j},
-            {"samples", statistics_json(trace.samples)},
+            {"work_on_hand_j", hand.work_on_hand_j},
+            {"dissipated_j", -hand.work_on_hand_j},
+            {"samples", statistics_json(followed.samples)},
             {"strokes", std::move(strokes)}};
   if (settings.real_time) {
-    json["timing"] = Json{{"real_time_scheduling", trace.clock.real_time},
-                          {"scheduling", scheduling_of(trace)},
-                          {"ticks", trace.timing.ticks},
-                          {"p999_tick_s", trace.p999_tick_s},
-                          {"p999_lateness_s", trace.p999_lateness_s},
-                          {"skipped_periods", trace.clock.missed},
-                          {"late_ticks", trace.timing.late_ticks},
-                          {"missed_ticks", trace.timing.missed_ticks},
-                          {"mean_tick_s", trace.timing.mean_tick_s},
-                          {"max_tick_s", trace.timing.max_tick_s},
-                          {"max_lateness_s", trace.timing.max_lateness_s}};
+    json["timing"] = Json{{"real_time_scheduling", hand.clock.real_time},
+                          {"scheduling", scheduling_of(hand)},
+                          {"ticks", hand.timing.ticks},
+                          {"p999_tick_s", hand.p999_tick_s},
+                          {"p999_lateness_s", hand.p999_lateness_s},
+                          {"skipped_periods", hand.clock.missed},
+                          {"late_ticks", hand.timing.late_ticks},
+                          {"missed_ticks", hand.timing.missed_ticks},
+                          {"mean_tick_s", hand.timing.mean_tick_s},
+                          {"max_tick_s", hand.timing.max_tick_s},
+                          {"max_lateness_s", hand.timing.max_lateness_s}};
   }
   return json;
 }
 
-std::string describe(const std::string& name, const TabletTrace& trace, const DemoSettings& settings) {
+std::string describe(const std::string& name, const FollowedTablet& followed, const DemoSettings& settings) {
+  const devices::HandReport& hand = followed.hand;
   std::string text = fmt::format(
       "{}  {} stroke{}, traced by a simulated hand through the servo at {:g} kHz, snapping {}\ndevice: {}\n"
       "                   hand aims off     tip held off        force\n"
       "stroke    length    rms     most      rms     most     mean    peak    contact     depth  slips  "
       "traced\n",
-      name, trace.strokes.size(), trace.strokes.size() == 1 ? "" : "s", settings.hardware.rate_hz / 1000,
+      name, hand.strokes.size(), hand.strokes.size() == 1 ? "" : "s", settings.hardware.rate_hz / 1000,
       settings.snap ? "on" : "off", settings.hardware.name);
-  for (const StrokeTrace& s : trace.strokes) {
+  for (const devices::FollowedStroke& s : hand.strokes) {
     text += fmt::format(
         "{:6} {:6.1f} mm   {:4.2f}  {:4.2f} mm     {:4.2f}  {:4.2f} mm     {:4.2f}  {:4.2f} N     {:4.0f} %  "
         " {:4.1f} mm  {:5}  {:4.0f} %\n",
         s.stroke, mm(s.length_m), mm(s.aim_rms_m), mm(s.aim_max_m), mm(s.tip_rms_m), mm(s.tip_max_m),
         s.mean_force_n, s.peak_force_n, percent(s.contact_share), mm(s.mean_depth_m), s.slips,
-        percent(s.traced_share));
+        percent(s.followed_share));
   }
-  const Tracking tracking = tracking_of(trace);
+  const Tracking tracking = tracking_of(hand);
   text += fmt::format(
       "all strokes: tip off the line {:.2f} mm rms, {:.2f} mm at most; force {:.2f} N mean, {:.2f} N peak\n"
       "energy: {} {:.3f} mJ {} the hand\n",
-      mm(tracking.rms_m), mm(tracking.max_m), trace.samples.mean_force_n(), trace.samples.peak_force_n,
-      trace.work_on_hand_j > 0 ? "the motors did" : "the tablet dissipated",
-      std::abs(trace.work_on_hand_j) * 1e3, trace.work_on_hand_j > 0 ? "of work on" : "from");
+      mm(tracking.rms_m), mm(tracking.max_m), followed.samples.mean_force_n(), followed.samples.peak_force_n,
+      hand.work_on_hand_j > 0 ? "the motors did" : "the tablet dissipated",
+      std::abs(hand.work_on_hand_j) * 1e3, hand.work_on_hand_j > 0 ? "of work on" : "from");
   if (settings.real_time) {
     text += fmt::format(
         "clock thread, {}: {} ticks, {} late, {} missed; a tick took {:.1f} us, 99.9 % at most {:.1f} us, "
         "all "
         "at most {:.1f} us; 99.9 % at most {:.3f} ms late, all at most {:.3f} ms\n",
-        scheduling_of(trace), trace.timing.ticks, trace.timing.late_ticks, trace.timing.missed_ticks,
-        trace.timing.mean_tick_s * 1e6, trace.p999_tick_s * 1e6, trace.timing.max_tick_s * 1e6,
-        trace.p999_lateness_s * 1e3, trace.timing.max_lateness_s * 1e3);
+        scheduling_of(hand), hand.timing.ticks, hand.timing.late_ticks, hand.timing.missed_ticks,
+        hand.timing.mean_tick_s * 1e6, hand.p999_tick_s * 1e6, hand.timing.max_tick_s * 1e6,
+        hand.p999_lateness_s * 1e3, hand.timing.max_lateness_s * 1e3);
   }
   return text;
 }
 
-base::Result<void> paint(const tablet::CarvedTablet& tablet, const TabletTrace& trace, const Look& look,
-                         const std::filesystem::path& path) {
+base::Result<void> paint(const tablet::CarvedTablet& tablet, const devices::HandReport& hand,
+                         const Look& look, const std::filesystem::path& path) {
   auto painter = TabletPainter::create(look);
   if (!painter) return tl::unexpected(painter.error());
   std::vector<double> ink;
-  for (const StrokeTrace& stroke : trace.strokes) ink.push_back(stroke.traced_share);
+  for (const devices::FollowedStroke& stroke : hand.strokes) ink.push_back(stroke.followed_share);
   view::Overlay overlay;
   overlay.strokes_visible = false;
   overlay.groove_ink = ink;
@@ -198,21 +200,22 @@ int run(Console& console, const DemoSettings& settings) {
     std::optional<Record> record;
     if (!recordings.empty()) record = Record{recordings[i], name};
     const auto all = static_cast<double>(characters->size());
-    const auto traced =
-        trace(**tablet, settings.hardware, settings.snap, settings.real_time ? Pace::real_time : Pace::fast,
-              record, [&](double done, std::string_view step) {
-                return progress.show((static_cast<double>(i) + done) / all, fmt::format("{} {}", step, name));
-              });
+    const auto followed = follow_strokes(
+        **tablet, settings.hardware, settings.snap,
+        settings.real_time ? devices::HandClock::real_time : devices::HandClock::none, record,
+        [&](double done, std::string_view step) {
+          return progress.show((static_cast<double>(i) + done) / all, fmt::format("{} {}", step, name));
+        });
     progress.clear();
-    if (!traced) return console.refuse(traced.error());
+    if (!followed) return console.refuse(followed.error());
     const bool tells = !settings.json && !(*paths)[i].is_console();
-    if (tells) console.print((i == 0 ? "" : "\n") + describe(name, *traced, settings));
+    if (tells) console.print((i == 0 ? "" : "\n") + describe(name, *followed, settings));
     const OutputPlace& picture = (*paths)[i];
-    auto drawn = paint(**tablet, *traced, settings.look, picture.path());
+    auto drawn = paint(**tablet, followed->hand, settings.look, picture.path());
     if (drawn) drawn = picture.deliver(console);
     if (!drawn) return console.refuse(drawn.error());
     if (settings.json) {
-      document.push_back(trace_json(character, *traced, settings, picture.path()));
+      document.push_back(tablet_json(character, *followed, settings, picture.path()));
     } else if (tells) {
       console.print(fmt::format("picture {}\n", picture.name()));
       if (record) console.print(fmt::format("recording {}\n", record->path.string()));

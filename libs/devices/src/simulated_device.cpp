@@ -22,7 +22,7 @@ double to_step(double value, double step) { return step > 0 ? std::round(value /
 }  // namespace
 
 struct SimulatedDevice::Inside {
-  Inside(SimulatedHardware h, SimulatedHand grip) : hardware(std::move(h)), hand(grip) {
+  Inside(SimulatedHardware h, HandGrip held) : hardware(std::move(h)), grip(held) {
     const double delay = std::max(0.0, hardware.limits.delay_s) * hardware.rate_hz;
     underway.assign(static_cast<std::size_t>(std::lround(delay)) + 1, Vec3(0));
   }
@@ -31,7 +31,7 @@ struct SimulatedDevice::Inside {
   void move(const Vec3& force, const Vec3& from, const Vec3& to) noexcept;
 
   const SimulatedHardware hardware;
-  const SimulatedHand hand;
+  const HandGrip grip;
   haptics::LatestValue<Vec3> wanted{kRest};
   Vec3 tip = kRest, velocity{0, 0, 0}, target = kRest;
   std::vector<Vec3> underway;  // forces on their way to the motors
@@ -54,9 +54,9 @@ Vec3 SimulatedDevice::Inside::step(double time, haptics::ServoCallback& servo) n
     force = std::isfinite(size) ? force * (hardware.limits.max_force_n / size) : Vec3(0);
 
   const double t = static_cast<double>(++ticks) / hardware.rate_hz;
-  const double turn = 2 * std::numbers::pi * hand.tremor_hz * t;
+  const double turn = 2 * std::numbers::pi * grip.tremor_hz * t;
   const Vec3 tremor =
-      hand.tremor_m * Vec3(std::sin(turn), std::sin(1.13 * turn + 1), std::sin(0.91 * turn + 2));
+      grip.tremor_m * Vec3(std::sin(turn), std::sin(1.13 * turn + 1), std::sin(0.91 * turn + 2));
   const Vec3 to = wanted.latest() + tremor;
   move(force, target, to);
   target = to;
@@ -66,11 +66,11 @@ Vec3 SimulatedDevice::Inside::step(double time, haptics::ServoCallback& servo) n
 void SimulatedDevice::Inside::move(const Vec3& force, const Vec3& from, const Vec3& to) noexcept {
   const double dt = 1 / (hardware.rate_hz * kSubsteps);
   const Vec3 pace = (to - from) * hardware.rate_hz;
-  const double damping = hardware.limits.own_damping_n_s_m + hand.damping_n_s_m;
+  const double damping = hardware.limits.own_damping_n_s_m + grip.damping_n_s_m;
   const double lag = damping * dt / (2 * hardware.mass_kg);
   for (int i = 0; i < kSubsteps; ++i) {
     const Vec3 at = from + (to - from) * ((i + 0.5) / kSubsteps);
-    const Vec3 pull = hand.stiffness_n_m * (at - tip - 0.5 * dt * velocity) + hand.damping_n_s_m * pace;
+    const Vec3 pull = grip.stiffness_n_m * (at - tip - 0.5 * dt * velocity) + grip.damping_n_s_m * pace;
     Vec3 next = (velocity * (1 - lag) + (force + pull) * (dt / hardware.mass_kg)) / (1 + lag);
     const double speed = glm::length(next);
     const double dry = hardware.coulomb_n * dt / hardware.mass_kg;
@@ -82,8 +82,8 @@ void SimulatedDevice::Inside::move(const Vec3& force, const Vec3& from, const Ve
   }
 }
 
-SimulatedDevice::SimulatedDevice(SimulatedHardware hardware, SimulatedHand hand)
-    : inside_(std::make_unique<Inside>(std::move(hardware), hand)) {}
+SimulatedDevice::SimulatedDevice(SimulatedHardware hardware, HandGrip grip)
+    : inside_(std::make_unique<Inside>(std::move(hardware), grip)) {}
 SimulatedDevice::~SimulatedDevice() { stop(); }
 
 haptics::DeviceDescription SimulatedDevice::describe() const {

@@ -39,8 +39,8 @@ std::shared_ptr<const tablet::CarvedTablet> character() {
 /// A hand at a device with a servo, and what happened.
 class Session {
  public:
-  Session(const SimulatedHardware& hardware, SimulatedHand hand, const Guiding& guiding)
-      : device(hardware, hand), servo(device.describe()), period_s(1 / hardware.rate_hz) {
+  Session(const SimulatedHardware& hardware, HandGrip grip, const Guiding& guiding)
+      : device(hardware, grip), servo(device.describe()), period_s(1 / hardware.rate_hz) {
     guide(guiding);
     device.place({-0.03, 0.04, 0.006});
   }
@@ -80,7 +80,7 @@ class Follower {
   Vec3 want_;
 };
 
-constexpr SimulatedHand kLoose{60, 1.5, 5e-5, 9};
+constexpr HandGrip kLoose{60, 1.5, 5e-5, 9};
 
 Guiding lead(double strength = 1) {
   Guiding g;

@@ -10,6 +10,8 @@
 #include <string>
 #include <system_error>
 
+#include "nazori/geometry/polyline.h"
+
 namespace nazori::geometry {
 namespace {
 
@@ -228,13 +230,6 @@ class PathReader {
   std::optional<GlyphPoint> quadratic_control_;  ///< control point of a Q or T just before
   bool started_ = false;
 };
-
-double distance_to_segment(GlyphPoint p, GlyphPoint a, GlyphPoint b) {
-  const GlyphPoint along = b - a;
-  const double squared = dot(along, along);
-  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return distance(a + along * t, p);
-}
 
 void append(Polyline<GlyphFrame>& line, GlyphPoint p) {
   if (line.back() != p) line.push_back(p);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "nazori/geometry/polyline.h"
+
 namespace nazori::haptics {
 namespace {
 
@@ -33,30 +35,29 @@ GuidancePlan::GuidancePlan(std::span<const StrokePath> strokes, double speed_m_s
   }
   lines_ = StrokeIndex(flat, 0);
   const double most_step = std::max(kStep_m, total / kMostSpeeds);
-  pace_from_.push_back(0);
   for (std::int32_t n = 1; n <= static_cast<std::int32_t>(strokes.size()); ++n) {
     const StrokeIndex::Hit start = lines_.at_length(n, 0);
-    lengths_m_.push_back(start.segment >= 0 ? lines_.stroke_length_m(start.segment) : 0);
-    if (start.segment >= 0) set_pace(n, speed_m_s, most_step);
-    pace_from_.push_back(pace_m_s_.size());
+    paces_.push_back(start.segment < 0
+                         ? geometry::StrokePace()
+                         : pace_of(n, lines_.stroke_length_m(start.segment), speed_m_s, most_step));
   }
 }
 
-void GuidancePlan::set_pace(std::int32_t stroke, double speed_m_s, double most_step_m) {
-  const double length = length_m(stroke);
-  const auto count = static_cast<std::size_t>(std::ceil(length / most_step_m)) + 1;
-  const double step = count > 1 ? length / static_cast<double>(count - 1) : 0;
+geometry::StrokePace GuidancePlan::pace_of(std::int32_t stroke, double length_m, double speed_m_s,
+                                           double most_step_m) const {
+  const auto count = static_cast<std::size_t>(std::ceil(length_m / most_step_m)) + 1;
+  const double step = count > 1 ? length_m / static_cast<double>(count - 1) : 0;
   std::vector<double> squared(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double s = std::min(length, step * static_cast<double>(i));
-    const double w = std::min({kWindow_m, s, length - s});
+    const double s = std::min(length_m, step * static_cast<double>(i));
+    const double w = std::min({kWindow_m, s, length_m - s});
     double part = 1;  // what the bend leaves of the speed
     if (w > kSame_m) {
       const Vec3 at = lines_.at_length(stroke, s).point;
       const Vec3 before = at - lines_.at_length(stroke, s - w).point;
       const Vec3 after = lines_.at_length(stroke, s + w).point - at;
-      const double turn =
-          std::abs(std::atan2(before.x * after.y - before.y * after.x, glm::dot(before, after)));
+      const double turn = geometry::angle_between(geometry::TabletPoint{before.x, before.y},
+                                                  geometry::TabletPoint{after.x, after.y});
       const double radius = turn > 1e-9 ? w / turn : 1e9;
       part = std::cbrt(radius / (radius + kBend_m));
     }
@@ -67,7 +68,13 @@ void GuidancePlan::set_pace(std::int32_t stroke, double speed_m_s, double most_s
   const double gain = 2 * kAcceleration_m_s2 * step;
   for (std::size_t i = 1; i < count; ++i) squared[i] = std::min(squared[i], squared[i - 1] + gain);
   for (std::size_t i = count - 1; i-- > 0;) squared[i] = std::min(squared[i], squared[i + 1] + gain);
-  for (const double v2 : squared) pace_m_s_.push_back(static_cast<float>(std::sqrt(v2)));
+  geometry::StrokePace pace;
+  if (count == 1) pace.move(0, std::sqrt(slowest));
+  for (std::size_t i = 1; i < count; ++i) {
+    const double to = i + 1 < count ? step * static_cast<double>(i) : length_m;
+    pace.move(to, std::sqrt(squared[i - 1]), std::sqrt(squared[i]));
+  }
+  return pace;
 }
 
 }  // namespace nazori::haptics

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "nazori/geometry/stroke_pace.h"
 #include "nazori/haptics/haptic_scene.h"
 #include "nazori/haptics/stroke_index.h"
 
@@ -36,13 +37,13 @@ class GuidancePlan {
   GuidancePlan(std::span<const StrokePath> strokes, double speed_m_s);
 
   /// Strokes handed over, with those that have no points.
-  [[nodiscard]] std::int32_t strokes() const noexcept { return static_cast<std::int32_t>(lengths_m_.size()); }
+  [[nodiscard]] std::int32_t strokes() const noexcept { return static_cast<std::int32_t>(paces_.size()); }
   /// First stroke with points from number `from` on; 0 none.
   [[nodiscard]] std::int32_t stroke_from(std::int32_t from) const noexcept;
   /// Lines at z = 0.
   [[nodiscard]] const StrokeIndex& lines() const noexcept { return lines_; }
   [[nodiscard]] double length_m(std::int32_t stroke) const noexcept {
-    return lengths_m_[static_cast<std::size_t>(stroke) - 1];
+    return paces_[static_cast<std::size_t>(stroke) - 1].length();
   }
   /// Depth of the groove at a place of lines().
   [[nodiscard]] double depth_m(const StrokeIndex::Hit& hit) const noexcept {
@@ -50,19 +51,21 @@ class GuidancePlan {
     return d.from + hit.along * (d.to - d.from);
   }
   /// The teacher's speed at `arc_m` of `stroke`.
-  [[nodiscard]] double speed_m_s(std::int32_t stroke, double arc_m) const noexcept;
+  [[nodiscard]] double speed_m_s(std::int32_t stroke, double arc_m) const noexcept {
+    return paces_[static_cast<std::size_t>(stroke) - 1].speed_at(arc_m);
+  }
 
  private:
   struct Depth {
     double from, to;
   };
-  void set_pace(std::int32_t stroke, double speed_m_s, double most_step_m);
+  [[nodiscard]] geometry::StrokePace pace_of(std::int32_t stroke, double length_m, double speed_m_s,
+                                             double most_step_m) const;
 
   StrokeIndex lines_;
-  std::vector<Depth> depths_m_;         // by segment of lines_
-  std::vector<double> lengths_m_;       // by stroke
-  std::vector<std::size_t> pace_from_;  // by stroke: first of its speeds, and one past the last
-  std::vector<float> pace_m_s_;         // at even arc lengths, both ends among them
+  std::vector<Depth> depths_m_;  // by segment of lines_
+  // By stroke: speeds at even arc lengths, both ends among them, and evenly between; empty without points.
+  std::vector<geometry::StrokePace> paces_;
 };
 
 }  // namespace nazori::haptics

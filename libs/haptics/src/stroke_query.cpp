@@ -5,17 +5,20 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "nazori/geometry/follow_line.h"
 #include "nazori/haptics/stroke_index.h"
 
 namespace nazori::haptics {
 namespace {
 
-constexpr double kLookPast_m = 0.004;
+// Who cuts the corner of a sharp kick comes to its other leg.
+constexpr geometry::LookPast kLookPast{2, 0.004};
 
 }  // namespace
 
 void StrokeIndex::test(const Vec3& p, std::size_t i, Hit& best) const noexcept {
   const Segment& s = segments_[i];
+  // As geometry::nearest_share, with the division done when the index was made: this is asked at every tick.
   const double t = std::clamp(glm::dot(p - s.from, s.along) * s.per_squared, 0.0, 1.0);
   const Vec3 point = s.from + t * s.along;
   const Vec3 away = p - point;
@@ -36,22 +39,16 @@ StrokeIndex::Hit StrokeIndex::nearest(const Vec3& p, double reach_m) const noexc
 
 StrokeIndex::Hit StrokeIndex::follow(const Vec3& p, std::int32_t segment) const noexcept {
   Hit best;
-  test(p, static_cast<std::size_t>(segment), best);
   const Segment& s = segments_[static_cast<std::size_t>(segment)];
-  // Uphill neighbours end the walk, so that a stroke that comes back near itself is not jumped over to. Two
-  // segments and kLookPast_m are looked past: who cuts the corner of a sharp kick comes to its other leg.
-  for (const int way : {1, -1}) {
-    int worse = 0;
-    double worse_m = 0;
-    for (std::int32_t i = segment + way; i >= s.first && i <= s.last && (worse < 2 || worse_m < kLookPast_m);
-         i += way) {
-      const double before = best.squared_m2;
-      test(p, static_cast<std::size_t>(i), best);
-      const bool nearer = best.squared_m2 < before;
-      worse = nearer ? 0 : worse + 1;
-      worse_m = nearer ? 0 : worse_m + segments_[static_cast<std::size_t>(i)].length_m;
-    }
-  }
+  const auto nearer = [&](std::int32_t i) noexcept {
+    const double before = best.squared_m2;
+    test(p, static_cast<std::size_t>(i), best);
+    return best.squared_m2 < before;
+  };
+  const auto length_m = [this](std::int32_t i) noexcept {
+    return segments_[static_cast<std::size_t>(i)].length_m;
+  };
+  geometry::walk_to_nearest(segment, s.first, s.last, kLookPast, nearer, length_m);
   return best;
 }
 
@@ -72,6 +69,8 @@ StrokeIndex::Hit StrokeIndex::at_length(std::int32_t stroke, double arc_m) const
   const std::int32_t first = first_[static_cast<std::size_t>(stroke) - 1];
   if (first < 0) return hit;
   std::int32_t low = first, high = segments_[static_cast<std::size_t>(first)].last;
+  // As geometry::place_at, whose lengths lie in a row by themselves; here they stand in the segments, near
+  // what a tick reads next.
   while (low < high) {  // the last segment that begins at or before arc_m
     const std::int32_t middle = low + (high - low + 1) / 2;
     if (segments_[static_cast<std::size_t>(middle)].before_m <= arc_m)

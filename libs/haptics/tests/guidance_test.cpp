@@ -9,7 +9,6 @@
 
 #include "../src/guidance.h"
 #include "alloc_guard.h"
-#include "nazori/haptics/fading.h"
 #include "nazori/haptics/servo.h"
 #include "nazori/haptics/stroke_index.h"
 #include "relief.h"
@@ -509,19 +508,6 @@ TEST(Disturbance, PushesOnlyWhileAStrokeIsWrittenAndIsTheSameForTheSameSeed) {
     }
     EXPECT_LT(2 * std::hypot(re, im) / n, 0.01) << hz;
   }
-}
-
-TEST(Fading, HelpVanishesAsTheErrorDoesAndStaysWhereErrorsStay) {
-  double help = 1;
-  for (int i = 0; i < 100; ++i) help = next_help(help, 0, 0.85, 0.3);
-  EXPECT_NEAR(help, std::pow(0.85, 100), 1e-15);
-  for (int i = 0; i < 200; ++i) help = next_help(help, 0.2, 0.85, 0.3);
-  EXPECT_NEAR(help, 0.3 * 0.2 / 0.15, 1e-9);  // g e / (1 - f)
-  EXPECT_EQ(next_help(1, 1), 1) << "held to 1";
-  EXPECT_EQ(next_help(0.5, -0.5, 0.5, 0.5), next_help(0.5, 0.5, 0.5, 0.5));
-  EXPECT_EQ(next_help(0, 0), 0);
-  EXPECT_EQ(next_help(std::nan(""), std::nan("")), 0);
-  EXPECT_LE(next_help(1e9, 1e9, 1e9, 1e9), 1);
 }
 
 TEST(Guidance, NeverAllocatesInATick) {

@@ -8,6 +8,7 @@
 
 #include "nazori/base/file.h"
 #include "nazori/geometry/frames.h"
+#include "nazori/geometry/polyline.h"
 
 namespace nazori::kanji {
 namespace {
@@ -53,13 +54,6 @@ void append(std::vector<std::uint8_t>& bytes, std::int32_t value) {
   for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(bits >> (8U * i)));
 }
 
-double distance_to_segment(geometry::GridPoint p, geometry::GridPoint a, geometry::GridPoint b) {
-  const auto along = b - a;
-  const double squared = geometry::dot(along, along);
-  const double t = squared > 0 ? std::clamp(geometry::dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return geometry::distance(p, a + along * t);
-}
-
 /// The points of a line that are needed to stay within `tolerance` of all of them.
 /// @source D. Douglas, T. Peucker, Algorithms for the reduction of the number of points, 1973.
 std::vector<geometry::GridPoint> simplify(const std::vector<geometry::GridPoint>& line, double tolerance) {
@@ -73,7 +67,7 @@ std::vector<geometry::GridPoint> simplify(const std::vector<geometry::GridPoint>
     double worst = tolerance;
     std::size_t split = 0;
     for (std::size_t i = first + 1; i < last; ++i) {
-      const double d = distance_to_segment(line[i], line[first], line[last]);
+      const double d = geometry::distance_to_segment(line[i], line[first], line[last]);
       if (d > worst) {
         worst = d;
         split = i;

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "nazori/geometry/follow_line.h"
+
 namespace nazori::practice {
 namespace {
 
@@ -58,9 +60,8 @@ void StrokePlayer::set_strokes(std::span<const haptics::StrokePath> paths,
     stroke.points = resampled(paths[n].points);
     if (stroke.points.empty()) stroke.points.push_back(Vec3(0));
     const auto& points = stroke.points;
-    stroke.along_m.assign(points.size(), 0.0);
-    for (std::size_t i = 1; i < points.size(); ++i)
-      stroke.along_m[i] = stroke.along_m[i - 1] + glm::length(glm::dvec2(points[i] - points[i - 1]));
+    stroke.along_m = geometry::arc_lengths<Vec3>(
+        points, [](const Vec3& a, const Vec3& b) { return glm::length(glm::dvec2(b - a)); });
     const double length_m = stroke.along_m.back();
     const auto ending = lines[n].ending.value_or(kanji::StrokeEnding::stop);
     const bool stops = ending == kanji::StrokeEnding::stop || ending == kanji::StrokeEnding::either;
@@ -69,7 +70,7 @@ void StrokePlayer::set_strokes(std::span<const haptics::StrokePath> paths,
       clock_s += std::max(way_m / kTravel_m_s, kLeastTravel_s);
     }
     stroke.start_s = clock_s;
-    stroke.times_s.assign(points.size(), kPress_s);
+    stroke.pace.rest(kPress_s);
     for (std::size_t i = 1; i < points.size(); ++i) {
       const double at_m = (stroke.along_m[i - 1] + stroke.along_m[i]) / 2;
       double pace = std::min(kSlowest + (1 - kSlowest) * at_m / kRamp_m, 1.0);
@@ -81,10 +82,9 @@ void StrokePlayer::set_strokes(std::span<const haptics::StrokePath> paths,
       // Any turn of a quarter of a circle or more is taken at the slowest pace.
       const double turn = std::min(turn_at(points, i) * 2, 1.0);
       pace *= 1 - (1 - kSlowest) * turn;
-      stroke.times_s[i] =
-          stroke.times_s[i - 1] + (stroke.along_m[i] - stroke.along_m[i - 1]) / (kSpeed_m_s * pace);
+      stroke.pace.move(stroke.along_m[i], kSpeed_m_s * pace);
     }
-    clock_s += stroke.times_s.back() + (stops ? kRest_s : 0.0);
+    clock_s += stroke.pace.duration_s() + (stops ? kRest_s : 0.0);
     strokes_.push_back(std::move(stroke));
   }
 }
@@ -99,21 +99,15 @@ double StrokePlayer::start_s(int stroke) const {
 
 double StrokePlayer::end_s(int stroke) const {
   const auto& timed = strokes_[static_cast<std::size_t>(stroke - 1)];
-  return timed.start_s + timed.times_s.back();
+  return timed.start_s + timed.pace.duration_s();
 }
 
 double StrokePlayer::share_at(int stroke, double time_s) const {
   const auto& timed = strokes_[static_cast<std::size_t>(stroke - 1)];
   const double since_s = time_s - timed.start_s;
   const double length_m = timed.along_m.back();
-  if (since_s <= timed.times_s.front() || length_m <= 0) return since_s >= timed.times_s.back() ? 1.0 : 0.0;
-  if (since_s >= timed.times_s.back()) return 1.0;
-  const auto next =
-      std::upper_bound(timed.times_s.begin(), timed.times_s.end(), since_s) - timed.times_s.begin();
-  const auto i = static_cast<std::size_t>(next);
-  const double part =
-      (since_s - timed.times_s[i - 1]) / std::max(timed.times_s[i] - timed.times_s[i - 1], 1e-9);
-  return (timed.along_m[i - 1] + part * (timed.along_m[i] - timed.along_m[i - 1])) / length_m;
+  if (since_s >= timed.pace.duration_s()) return 1.0;
+  return length_m > 0 ? timed.pace.at(since_s).along / length_m : 0.0;
 }
 
 StrokePlayer::Pose StrokePlayer::at(double time_s) const {
@@ -137,14 +131,7 @@ StrokePlayer::Pose StrokePlayer::at(double time_s) const {
     pose.share = share_at(n, time_s);
     if (time_s <= end_s(n)) {
       const double at_m = pose.share * timed.along_m.back();
-      const auto next =
-          std::lower_bound(timed.along_m.begin(), timed.along_m.end(), at_m) - timed.along_m.begin();
-      const auto i = std::min(static_cast<std::size_t>(next), timed.points.size() - 1);
-      const double before_m = i > 0 ? timed.along_m[i - 1] : 0;
-      const double piece_m = timed.along_m[i] - before_m;
-      pose.tip_m = i > 0 && piece_m > 0
-                       ? glm::mix(timed.points[i - 1], timed.points[i], (at_m - before_m) / piece_m)
-                       : timed.points[i];
+      pose.tip_m = geometry::point_on<Vec3>(timed.points, geometry::place_at(timed.along_m, at_m));
       pose.writing = true;
       return pose;
     }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "nazori/geometry/polyline.h"
+
 namespace nazori::view {
 namespace {
 
@@ -18,13 +20,6 @@ constexpr int kSide = static_cast<int>(geometry::kGlyphSide + 2 * ClearanceGrid:
 int cell_of(double coordinate) {
   const double cell = std::floor(coordinate + ClearanceGrid::kReach);
   return static_cast<int>(std::clamp(cell, -1.0, static_cast<double>(kSide)));
-}
-
-double distance_to_piece(GlyphPoint place, GlyphPoint from, GlyphPoint to) {
-  const GlyphPoint along = to - from;
-  const double squared = geometry::dot(along, along);
-  const double t = squared > 0 ? std::clamp(geometry::dot(place - from, along) / squared, 0.0, 1.0) : 0.0;
-  return geometry::distance(from + along * t, place);
 }
 
 /// From a coordinate to the nearest one within [low, low + 1].
@@ -79,7 +74,7 @@ double ClearanceGrid::in_cell(int column, int row, GlyphPoint place, double leas
   if (one.count == kCrowd) return to_cell;
   for (std::size_t i = 0; i < one.count; ++i) {
     const Piece& piece = pieces_[one.pieces[i]];
-    least = std::min(least, distance_to_piece(place, piece.from, piece.to));
+    least = std::min(least, geometry::distance_to_segment(place, piece.from, piece.to));
   }
   return least;
 }

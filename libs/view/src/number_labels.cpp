@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <string_view>
+
+#include "nazori/geometry/polyline.h"
 #include FT_FREETYPE_H
 
 namespace nazori::view {
@@ -74,10 +76,8 @@ Glyph built_in_glyph(int digit, int pixels) {
       double nearest = 1e9;
       for (const auto& piece : built_in_figure(digit)) {
         const glm::dvec2 from = piece[0] * unit;
-        const glm::dvec2 along = piece[1] * unit - from;
-        const double squared = glm::dot(along, along);
-        const double t = squared > 0 ? std::clamp(glm::dot(p - from, along) / squared, 0.0, 1.0) : 0;
-        nearest = std::min(nearest, glm::distance(p, from + along * t));
+        const glm::dvec2 to = piece[1] * unit;
+        nearest = std::min(nearest, geometry::distance_to_segment(p, from, to));
       }
       glyph.coverage.push_back(
           static_cast<std::uint8_t>(std::lround(std::clamp(half + 0.5 - nearest, 0.0, 1.0) * 255)));

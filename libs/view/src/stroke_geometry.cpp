@@ -9,6 +9,7 @@
 
 #include "clearance_grid.h"
 #include "hidden_lines.h"
+#include "nazori/geometry/follow_line.h"
 #include "nazori/geometry/polyline.h"
 
 namespace nazori::view {
@@ -44,25 +45,9 @@ GlyphLine without_repeats(std::span<const GlyphPoint> line) {
   return kept;
 }
 
-std::vector<double> arc_lengths(std::span<const GlyphPoint> line) {
-  std::vector<double> along{0};
-  for (std::size_t i = 1; i < line.size(); ++i)
-    along.push_back(along.back() + geometry::distance(line[i - 1], line[i]));
-  return along;
-}
-
-double angle_between(GlyphPoint a, GlyphPoint b) {
-  return std::atan2(std::abs(a.x * b.y - a.y * b.x), geometry::dot(a, b));
-}
-
 /// The point at arc length `s`, held within the line. @param along  arc length at each of its points.
 GlyphPoint point_at(std::span<const GlyphPoint> line, std::span<const double> along, double s) {
-  const auto after = std::upper_bound(along.begin(), along.end(), s);
-  if (after == along.end()) return line.back();
-  if (after == along.begin()) return line.front();
-  const auto i = static_cast<std::size_t>(after - along.begin());
-  const double piece = along[i] - along[i - 1];
-  return line[i - 1] + (line[i] - line[i - 1]) * (piece > 0 ? (s - along[i - 1]) / piece : 0.0);
+  return geometry::point_on(line, geometry::place_at(along, s));
 }
 
 GlyphPoint direction_into(std::span<const GlyphPoint> line, std::span<const double> along, double s,
@@ -185,7 +170,7 @@ void append_ink(StrokeGeometry& geometry, const GlyphLine& line, double step, co
 
 void append_heads(StrokeGeometry& geometry, const GlyphLine& line, float number,
                   const geometry::TabletShape& shape) {
-  const auto along = arc_lengths(line);
+  const auto along = geometry::arc_lengths<geometry::GlyphFrame>(line);
   double run_start = 0;
   for (const std::size_t end : run_ends(line)) {
     const double reach = std::min(kHeadReach, (along[end] - run_start) * 0.8);
@@ -206,7 +191,7 @@ void append_heads(StrokeGeometry& geometry, const GlyphLine& line, float number,
 glm::dvec2 clear_side(std::span<const GlyphLine> lines, const ClearanceGrid& grid, std::size_t stroke) {
   const GlyphLine& line = lines[stroke];
   const GlyphPoint start = line.front();
-  const GlyphPoint ahead = direction_into(line, arc_lengths(line), 8.0, 8.0);
+  const GlyphPoint ahead = direction_into(line, geometry::arc_lengths<geometry::GlyphFrame>(line), 8.0, 8.0);
   constexpr int kWays = 24;
   double best_score = -std::numeric_limits<double>::infinity();
   GlyphPoint best{0, -1};
@@ -239,7 +224,7 @@ glm::dvec2 clear_side(std::span<const GlyphLine> lines, const ClearanceGrid& gri
 std::vector<std::size_t> run_ends(std::span<const GlyphPoint> points) {
   std::vector<std::size_t> ends;
   if (points.size() < 2) return ends;
-  const auto along = arc_lengths(points);
+  const auto along = geometry::arc_lengths<geometry::GlyphFrame>(points);
   const double length = along.back();
   if (length <= 0) return ends;
   struct Corner {

@@ -9,6 +9,7 @@
 
 #include "disc_shader.h"
 #include "gl_upload.h"
+#include "nazori/geometry/polyline.h"
 
 namespace nazori::view {
 namespace {
@@ -366,12 +367,9 @@ void StrokeLayer::draw_disc(const Projection& projection, const NumberPlace& pla
 void StrokeLayer::draw_numbers_again(const Projection& projection, const Look& look,
                                      const StrokeChoice& choice, glm::dvec2 from, glm::dvec2 to,
                                      double reach) {
-  const glm::dvec2 way = to - from;
-  const double squared = glm::dot(way, way);
   bool prepared = false;
   for (const NumberPlace& place : numbers_) {
-    const double t = squared > 0 ? std::clamp(glm::dot(place.pixel - from, way) / squared, 0.0, 1.0) : 0.0;
-    if (glm::distance(place.pixel, from + way * t) > reach + place.radius) continue;
+    if (geometry::distance_to_segment(place.pixel, from, to) > reach + place.radius) continue;
     if (!prepared) {
       glEnable(GL_BLEND);
       glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);

@@ -37,8 +37,8 @@ struct SimulatedHardware {
   [[nodiscard]] static std::vector<SimulatedHardware> presets();
 };
 
-/// The hand that holds the stylus: a spring and damper from the tip to where it wants to be, and a tremor.
-struct SimulatedHand {
+/// How a hand holds the stylus: a spring and damper from the tip to where it wants to be, and a tremor.
+struct HandGrip {
   double stiffness_n_m = 100;  ///< 0: nobody holds it
   double damping_n_s_m = 2;    ///< against motion relative to the target
   double tremor_m = 0;         ///< amplitude of the physiological tremor; 5e-5 is a calm hand
@@ -56,7 +56,7 @@ class SimulatedDevice final : public haptics::HapticDevice {
  public:
   static constexpr int kSubsteps = 20;
 
-  explicit SimulatedDevice(SimulatedHardware hardware = SimulatedHardware::touch(), SimulatedHand hand = {});
+  explicit SimulatedDevice(SimulatedHardware hardware = SimulatedHardware::touch(), HandGrip grip = {});
   ~SimulatedDevice() override;
 
   [[nodiscard]] haptics::DeviceDescription describe() const override;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -28,6 +29,29 @@ template <class Frame>
   return sum;
 }
 
+/// Angle between two directions, 0..pi; 0 where one of them has no length.
+template <class Frame>
+[[nodiscard]] double angle_between(Point2<Frame> a, Point2<Frame> b) {
+  return std::abs(std::atan2(a.x * b.y - a.y * b.x, dot(a, b)));
+}
+
+/// The share of the segment from `from` to `to`, 0..1, at which it comes closest to `p`; 0 where it has no
+/// length.
+/// @param p,from,to  of any type with +, -, * a number and dot(), in the plane or in space.
+template <class Point>
+[[nodiscard]] double nearest_share(const Point& p, const Point& from, const Point& to) {
+  const Point along = to - from;
+  const double squared = dot(along, along);
+  return squared > 0 ? std::clamp(dot(p - from, along) / squared, 0.0, 1.0) : 0.0;
+}
+
+/// Distance of `p` from the segment from `from` to `to`. @param p,from,to  as nearest_share(), with
+/// distance().
+template <class Point>
+[[nodiscard]] double distance_to_segment(const Point& p, const Point& from, const Point& to) {
+  return distance(from + (to - from) * nearest_share(p, from, to), p);
+}
+
 /// Closest point of a polyline to `p`; of several at the same distance the first. One point counts as a
 /// segment of length 0.
 /// @param line  at least one point.
@@ -38,11 +62,10 @@ template <class Frame>
   double before = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const auto along = line[i + 1] - line[i];
-    const double squared = dot(along, along);
-    const double t = squared > 0 ? std::clamp(dot(p - line[i], along) / squared, 0.0, 1.0) : 0.0;
+    const double t = nearest_share(p, line[i], line[i + 1]);
     const auto candidate = line[i] + along * t;
     const double d = distance(candidate, p);
-    const double segment = std::sqrt(squared);
+    const double segment = std::sqrt(dot(along, along));
     if (d < best.distance) best = {candidate, d, before + t * segment, i};
     before += segment;
   }

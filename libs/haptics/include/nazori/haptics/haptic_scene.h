@@ -63,7 +63,7 @@ enum class GuidingMode : std::uint8_t {
 /// strength may change in the middle of a stroke; any other starts the lesson anew.
 struct Guiding {
   GuidingMode mode = GuidingMode::off;
-  /// 0..1, scales every force of guidance, the disturbance too. 0: unaided, events only. See next_help().
+  /// 0..1, scales every force of guidance, the disturbance too. 0: unaided, events only.
   double strength = 1;
   int stroke = 1;              ///< first to be written, from 1; beyond the last there is nothing to write
   std::uint32_t attempt = 0;   ///< another number starts the lesson anew

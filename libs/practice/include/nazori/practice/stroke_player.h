@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "nazori/geometry/stroke_pace.h"
 #include "nazori/haptics/haptic_scene.h"
 #include "nazori/tablet/tablet_line.h"
 
@@ -46,7 +47,7 @@ class StrokePlayer {
     double start_s = 0;
     std::vector<haptics::Vec3> points;
     std::vector<double> along_m;
-    std::vector<double> times_s;  ///< since start_s
+    geometry::StrokePace pace;  ///< since start_s
   };
   std::vector<Timed> strokes_;
 };

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nazori::cli {
+namespace nazori::devices {
 
-/// When each tick of devices::RtThread was due. That thread leaves out the whole periods that have passed
+/// When each tick of RtThread was due. That thread leaves out the whole periods that have passed
 /// when a tick ends, so a tick that comes five periods late is told as five periods late, not folded into
 /// one.
 class DueTimes {
@@ -31,4 +31,4 @@ class DueTimes {
   double due_ = 0;  // in periods since the start
 };
 
-}  // namespace nazori::cli
+}  // namespace nazori::devices

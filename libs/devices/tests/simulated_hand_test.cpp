@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/devices/simulated_hand.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "nazori/tablet/carved_tablet.h"
+
+namespace nazori::devices {
+namespace {
+
+using kanji::StrokeEnding;
+
+/// A stroke across of 60 glyph units, and a dot.
+std::shared_ptr<const tablet::CarvedTablet> across_and_dot() {
+  return *tablet::CarvedTablet::from_lines(
+      {{{{20, 40}, {80, 40}}, StrokeEnding::stop, {}}, {{{60, 75}, {66, 81}}, StrokeEnding::stop, {}}}, 256);
+}
+
+std::vector<std::shared_ptr<const haptics::HapticScene>> scenes_of(const tablet::CarvedTablet& tablet,
+                                                                   bool snapping) {
+  std::vector<std::shared_ptr<const haptics::HapticScene>> scenes;
+  for (int stroke = 0; stroke <= static_cast<int>(tablet.paths().size()); ++stroke) {
+    haptics::Snapping snap;
+    snap.enabled = snapping && stroke > 0;
+    snap.stroke = stroke;
+    scenes.push_back(tablet.scene({}, snap));
+  }
+  return scenes;
+}
+
+const SimulatedHardware kTouch = SimulatedHardware::touch();
+
+TEST(SimulatedHand, FollowsEveryStrokeInItsGroove) {
+  const auto tablet = across_and_dot();
+  SimulatedHand hand(tablet->paths(), scenes_of(*tablet, false), kTouch);
+  double last = -1;
+  const auto ended = hand.run(HandClock::none, [&](double done) {
+    EXPECT_GE(done, last);
+    last = done;
+    return true;
+  });
+  ASSERT_TRUE(ended);
+  EXPECT_TRUE(*ended);
+  const HandReport report = hand.report();
+  ASSERT_EQ(report.strokes.size(), 2U);
+  const FollowedStroke& across = report.strokes[0];
+  EXPECT_EQ(across.stroke, 1);
+  EXPECT_NEAR(across.length_m, 0.1 * 60 / 109, 0.002);
+  // One movement from rest to rest, half as long again as at the even speed, and a halt.
+  EXPECT_NEAR(across.duration_s, 1.5 * across.length_m / HandHabits{}.speed_m_s + 0.15, 1e-9);
+  EXPECT_GT(across.followed_share, 0.9);
+  EXPECT_LT(across.tip_rms_m, 0.003);
+  EXPECT_GT(across.aim_rms_m, 0.0002);
+  EXPECT_GT(across.contact_share, 0.9);
+  EXPECT_EQ(across.snapped_share, 0);
+  EXPECT_EQ(across.slips, 0);
+  EXPECT_GT(across.mean_depth_m, 0.002);
+  EXPECT_LE(report.strokes[1].peak_force_n, kTouch.limits.max_force_n + 1e-9);
+  EXPECT_LT(report.work_on_hand_j, 0) << "a tablet takes energy";
+  EXPECT_FALSE(report.clock.real_time);
+}
+
+TEST(SimulatedHand, IsHeldByTheStrokeThatItIsAtWhereItsSceneSnaps) {
+  const auto tablet = across_and_dot();
+  SimulatedHand hand(tablet->paths(), scenes_of(*tablet, true), kTouch);
+  ASSERT_TRUE(hand.run(HandClock::none, [](double) { return true; }));
+  for (const FollowedStroke& stroke : hand.report().strokes) EXPECT_GT(stroke.snapped_share, 0.9);
+}
+
+TEST(SimulatedHand, ShowsEveryTickToItsObserverAndDoesTheSameAgain) {
+  struct Sums final : HandObserver {
+    void see(const haptics::ServoSample& sample) noexcept override {
+      ++ticks;
+      x_m += sample.proxy_m.x;
+    }
+    std::uint64_t ticks = 0;
+    double x_m = 0;
+  };
+  const auto tablet = across_and_dot();
+  const auto follow = [&] {
+    Sums sums;
+    SimulatedHand hand(tablet->paths(), scenes_of(*tablet, false), kTouch, &sums);
+    EXPECT_TRUE(hand.run(HandClock::none, [](double) { return true; }));
+    EXPECT_EQ(sums.ticks, hand.report().timing.ticks);
+    return sums;
+  };
+  const Sums once = follow();
+  const Sums again = follow();
+  EXPECT_GT(once.ticks, 1000U);
+  EXPECT_EQ(once.ticks, again.ticks);
+  EXPECT_EQ(once.x_m, again.x_m);
+}
+
+TEST(SimulatedHand, StopsWhenItIsToldTo) {
+  const auto tablet = across_and_dot();
+  SimulatedHand hand(tablet->paths(), scenes_of(*tablet, false), kTouch);
+  const auto ended = hand.run(HandClock::none, [](double done) { return done < 0.3; });
+  ASSERT_TRUE(ended);
+  EXPECT_FALSE(*ended);
+  EXPECT_EQ(hand.report().strokes[1].contact_share, 0) << "it did not come to the second stroke";
+}
+
+TEST(SimulatedHand, WithoutStrokesOrPointsNothingFails) {
+  const auto tablet = across_and_dot();
+  const auto scene = tablet->scene({}, {});
+  SimulatedHand none({}, {scene}, kTouch);
+  EXPECT_TRUE(none.report().strokes.empty());
+  const std::vector<haptics::StrokePath> empty(1);
+  SimulatedHand dot(empty, {scene, scene}, kTouch);
+  ASSERT_TRUE(dot.run(HandClock::none, [](double) { return true; }));
+  EXPECT_EQ(dot.report().strokes[0].length_m, 0);
+}
+
+TEST(SimulatedHand, OnTheClockThreadItCanBeStopped) {
+  const auto tablet = across_and_dot();
+  SimulatedHand hand(tablet->paths(), scenes_of(*tablet, false), kTouch);
+  const auto ended = hand.run(HandClock::real_time, [](double done) { return done < 0.01; });
+  ASSERT_TRUE(ended);
+  EXPECT_FALSE(*ended);
+  EXPECT_GT(hand.report().timing.ticks, 0U);
+}
+
+}  // namespace
+}  // namespace nazori::devices
