@@ -10,8 +10,8 @@ namespace {
 using nazori::haptics::StrokePath;
 using nazori::haptics::Vec3;
 using nazori::kanji::StrokeEnding;
-using nazori::tablet::TabletLine;
 using nazori::practice::StrokePlayer;
+using nazori::tablet::TabletLine;
 
 StrokePlayer player(const std::vector<std::vector<Vec3>>& points, std::vector<StrokeEnding> endings) {
   std::vector<StrokePath> paths;

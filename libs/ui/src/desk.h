@@ -14,11 +14,11 @@
 #include "nazori/practice/learner_exchange.h"
 #include "nazori/practice/settings_change.h"
 #include "nazori/practice/study_session.h"
+#include "nazori/practice/tablet_recording.h"
 #include "nazori/practice/tablet_workshop.h"
 #include "nazori/practice/writing_judge.h"
 #include "preferences.h"
 #include "window_tablet.h"
-#include "nazori/practice/tablet_recording.h"
 
 namespace nazori::ui {
 

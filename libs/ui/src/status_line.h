@@ -11,10 +11,9 @@ class QLabel;
 namespace nazori::practice {
 class TabletControl;
 class TabletRecording;
-}
+}  // namespace nazori::practice
 
 namespace nazori::ui {
-
 
 /// The device, the rate its servo really runs at, how long a tick takes and how late it comes, how old the
 /// drawn stylus is, and what was missed. Looks once a second.

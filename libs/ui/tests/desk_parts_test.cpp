@@ -104,9 +104,8 @@ TEST(StatusLine, TellsDepthInMillimetresWhileThereIsAny) {
   const QTemporaryDir folder;
   WindowTablet controller;
   EventLoopInbox loop;
-  practice::TabletRecording recording(
-      loop.inbox(), controller.device(),
-      unfinished_recordings(folder.filePath(QStringLiteral("nazori.ini"))));
+  practice::TabletRecording recording(loop.inbox(), controller.device(),
+                                      unfinished_recordings(folder.filePath(QStringLiteral("nazori.ini"))));
   StatusLine line(controller, recording, nullptr);
   line.resize(2000, 30);
   line.show();

@@ -4,9 +4,12 @@
 
 #include <map>
 
+#include "characters/stage_words.h"
 #include "characters/stroke_counter.h"
+#include "feedback_tone.h"
 #include "hand_under_test.h"
 #include "language.h"
+#include "nazori/practice/tracing_feedback.h"
 
 namespace nazori::ui {
 namespace {
@@ -69,7 +72,7 @@ TEST_F(StrokeWordsTest, EveryEndHasItsSentence) {
 }
 
 /// Three level strokes on a tablet.
-class StrokeTellerTest : public StrokeWordsTest {
+class StageWordsTest : public StrokeWordsTest {
  protected:
   void put_three() {
     std::vector<kanji::StrokeLine> lines(3);
@@ -79,48 +82,50 @@ class StrokeTellerTest : public StrokeWordsTest {
   static test::Points line(int stroke, double to) {
     return {{20, 24.5 + 30 * stroke}, {to, 24.5 + 30 * stroke}};
   }
-  void expect(const StrokeTeller::Sentence& said, Feedback kind, const char* text) const {
-    EXPECT_EQ(said.text.toStdString(), text);
-    EXPECT_EQ(said.kind, kind) << text;
+  void expect(const std::optional<practice::StageFeedback>& said, Feedback kind, const char* text) const {
+    ASSERT_TRUE(said);
+    EXPECT_EQ(StageWords::sentence(*said).toStdString(), text);
+    EXPECT_EQ(to_feedback(said->tone), kind) << text;
   }
-  [[nodiscard]] StrokeTeller::Sentence about(practice::TraceEvent event, int stroke) const {
-    return StrokeTeller::about(event, stroke, controller_);
+  [[nodiscard]] std::optional<practice::StageFeedback> about(practice::TraceEvent event, int stroke) const {
+    return practice::tracing_feedback(event, stroke, controller_);
   }
   WindowTablet controller_;
 };
 
-TEST_F(StrokeTellerTest, InvitesByWhatIsToBeSeen) {
-  expect(StrokeTeller::invitation(controller_), Feedback::hint,
+TEST_F(StageWordsTest, InvitesByWhatIsToBeSeen) {
+  expect(practice::tracing_invitation(controller_), Feedback::hint,
          "Press the left button to touch the tablet; the right button turns it.");
   put_three();
-  expect(StrokeTeller::invitation(controller_), Feedback::hint,
+  expect(practice::tracing_invitation(controller_), Feedback::hint,
          "Hold the left button at number 1 and draw along the groove.");
-  expect(StrokeTeller::stroke_shown(controller_), Feedback::hint,
+  expect(practice::shown_stroke_feedback(controller_), Feedback::hint,
          "Hold the left button at number 1 and draw along the groove.");
   controller_.set_current_stroke(2);
-  expect(StrokeTeller::stroke_shown(controller_), Feedback::hint, "Stroke 2 of 3. Draw it from its number.");
+  expect(practice::shown_stroke_feedback(controller_), Feedback::hint,
+         "Stroke 2 of 3. Draw it from its number.");
   controller_.set_strokes_visible(false);
-  expect(StrokeTeller::stroke_shown(controller_), Feedback::advice,
+  expect(practice::shown_stroke_feedback(controller_), Feedback::advice,
          "Stroke 2 is chosen, but the strokes are hidden: press S.");
-  expect(StrokeTeller::invitation(controller_), Feedback::hint,
+  expect(practice::tracing_invitation(controller_), Feedback::hint,
          "Press the left button in a groove and follow it. S shows the strokes.");
 }
 
-TEST_F(StrokeTellerTest, SaysWhetherStrokesHoldTheStylus) {
+TEST_F(StageWordsTest, SaysWhetherStrokesHoldTheStylus) {
   put_three();
   controller_.set_snapping(false);
-  expect(StrokeTeller::snapping(controller_), Feedback::hint, "The stylus is free.");
+  expect(practice::snapping_feedback(controller_), Feedback::hint, "The stylus is free.");
   controller_.set_snapping(true);
-  expect(StrokeTeller::snapping(controller_), Feedback::hint,
+  expect(practice::snapping_feedback(controller_), Feedback::hint,
          "Strokes now hold the stylus. Pull away firmly to leave one.");
   controller_.set_strokes_visible(false);
-  expect(StrokeTeller::snapping(controller_), Feedback::advice,
+  expect(practice::snapping_feedback(controller_), Feedback::advice,
          "Strokes hold the stylus only while they are shown: press S.");
 }
 
-TEST_F(StrokeTellerTest, ToldInTurnOutOfTurnAndLeftOpen) {
+TEST_F(StageWordsTest, ToldInTurnOutOfTurnAndLeftOpen) {
   put_three();
-  EXPECT_TRUE(about(practice::TraceEvent::none, 1).text.isEmpty());
+  EXPECT_FALSE(about(practice::TraceEvent::none, 1));
   expect(about(practice::TraceEvent::began, 1), Feedback::hint, "Stroke 1: follow the groove to its end.");
   expect(about(practice::TraceEvent::from_the_end, 1), Feedback::advice,
          "Stroke 1 begins at its other end, where its number stands.");
@@ -133,11 +138,11 @@ TEST_F(StrokeTellerTest, ToldInTurnOutOfTurnAndLeftOpen) {
   expect(about(practice::TraceEvent::finished, 2), Feedback::good,
          "Stroke 2 is written. The full stop key (.) shows the next.");
   controller_.set_current_stroke(0);
-  EXPECT_TRUE(StrokeTeller::is_miss(practice::TraceEvent::from_the_end, controller_));
-  EXPECT_TRUE(StrokeTeller::is_miss(practice::TraceEvent::too_early, controller_));
+  EXPECT_TRUE(practice::is_mistake(practice::TraceEvent::from_the_end, controller_));
+  EXPECT_TRUE(practice::is_mistake(practice::TraceEvent::too_early, controller_));
   for (const auto event : {practice::TraceEvent::none, practice::TraceEvent::began,
                            practice::TraceEvent::finished, practice::TraceEvent::left_open})
-    EXPECT_FALSE(StrokeTeller::is_miss(event, controller_));
+    EXPECT_FALSE(practice::is_mistake(event, controller_));
 
   ASSERT_TRUE(controller_.start());
   test::write(controller_, line(0, 60));
@@ -146,9 +151,8 @@ TEST_F(StrokeTellerTest, ToldInTurnOutOfTurnAndLeftOpen) {
          "Stroke 1 is not finished: draw the blue bit first.");
   expect(about(practice::TraceEvent::finished, 2), Feedback::advice,
          "Stroke 2 is written, but stroke 1 is not finished: the blue bit is missing.");
-  EXPECT_FALSE(StrokeTeller::is_miss(practice::TraceEvent::too_early, controller_))
-      << "only a bit is missing";
-  EXPECT_TRUE(StrokeTeller::is_miss(practice::TraceEvent::from_the_end, controller_));
+  EXPECT_FALSE(practice::is_mistake(practice::TraceEvent::too_early, controller_)) << "only a bit is missing";
+  EXPECT_TRUE(practice::is_mistake(practice::TraceEvent::from_the_end, controller_));
   test::write(controller_, {{60, 24.5}, {89, 24.5}});
   ASSERT_EQ(controller_.ink().next_stroke(), 2);
   expect(about(practice::TraceEvent::finished, 1), Feedback::good, "Stroke 1 is written. Stroke 2 is next.");
@@ -158,7 +162,7 @@ TEST_F(StrokeTellerTest, ToldInTurnOutOfTurnAndLeftOpen) {
          "All 3 strokes are written. Delete clears the tablet.");
 }
 
-TEST_F(StrokeTellerTest, TheCounterNamesTheStrokeAndKeepsItsWidth) {
+TEST_F(StageWordsTest, TheCounterNamesTheStrokeAndKeepsItsWidth) {
   StrokeCounter counter(controller_);
   counter.refresh();
   EXPECT_EQ(counter.text(), QStringLiteral("no strokes"));

@@ -4,7 +4,6 @@
 #include <QPushButton>
 
 #include "characters/characters.h"
-#include "characters/memory_stage.h"
 #include "desk.h"
 #include "hand_under_test.h"
 #include "study/home.h"
@@ -91,7 +90,7 @@ class StudyTest : public WindowTest {
       for (const auto& line : test::model(character)) {
         const practice::HandStroke stroke = test::hand_stroke(line, time_s);
         time_s = stroke.back().time_s.value_or(0);
-        the_characters->findChild<MemoryStage*>()->add_stroke(stroke);
+        the_desk->practice().memory().add_stroke(stroke);
       }
     }
     ASSERT_TRUE(

@@ -26,8 +26,7 @@ class CameraByHand : public testing::Test {
     controller_.set_tablet(*tablet::CarvedTablet::from_lines(lines, 64));
     window_.resize(800, 600);
     window_.set_reduced_motion(true);
-    QObject::connect(&controller_, &practice::TabletControl::pressed, &controller_,
-                     [this](const geometry::TabletPoint& at) { pressed_ = at; });
+    controller_.pressed.connect([this](const geometry::TabletPoint& at) { pressed_ = at; });
   }
   void mouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons down,
              Qt::KeyboardModifiers modifiers = Qt::NoModifier) {

@@ -128,12 +128,13 @@ TEST_F(PenAndFingers, InkOfAFirmerOrFlatterBrushIsBroader) {
 }
 
 TEST_F(PenAndFingers, TheOtherEndOfThePenTakesBackAndWritesNothing) {
-  QSignalSpy erased(&controller_, &practice::TabletControl::eraser_used);
+  int erased = 0;
+  controller_.eraser_used.connect([&] { ++erased; });
   pen(QEvent::TabletPress, middle_, 0.5, {}, &eraser_);
   pen(QEvent::TabletMove, middle_ + QPointF(20, 0), 0.5, {}, &eraser_);
   EXPECT_FALSE(controller_.is_pressed());
   pen(QEvent::TabletRelease, middle_, 0, {}, &eraser_);
-  EXPECT_EQ(erased.count(), 1) << "once for each touch";
+  EXPECT_EQ(erased, 1) << "once for each touch";
 }
 
 TEST_F(PenAndFingers, AButtonOnTheBarrelDoesNotEndTheStroke) {
@@ -176,10 +177,9 @@ TEST_F(PenAndFingers, EveryMoveOfAFastPenReachesTheServoInItsOwnTime) {
   const QPointF from = middle_ - QPointF(100, 0);
   pen(QEvent::TabletPress, from, 0.5);
   std::vector<double> seen_x_m;
-  QObject::connect(&controller_, &practice::TabletControl::sampled, &window_,
-                   [&](std::span<const haptics::ServoSample> samples) {
-                     for (const auto& sample : samples) seen_x_m.push_back(sample.device_m.x);
-                   });
+  controller_.sampled.connect([&](std::span<const haptics::ServoSample> samples) {
+    for (const auto& sample : samples) seen_x_m.push_back(sample.device_m.x);
+  });
   // There and back: whoever keeps the last event only sees no stroke at all.
   for (const double x : {40., 80., 120., 160., 200., 160., 120., 80., 40., 0.})
     pen(QEvent::TabletMove, from + QPointF(x, 0), 0.5);

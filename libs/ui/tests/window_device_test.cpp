@@ -220,12 +220,10 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
   auto& tablet = controller();
   double strongest_n = 0;
   std::uint64_t samples = 0;
-  QObject::connect(&tablet, &practice::TabletControl::sampled, window_.get(),
-                   [&](std::span<const haptics::ServoSample> taken) {
-                     samples += taken.size();
-                     for (const auto& one : taken)
-                       strongest_n = std::max(strongest_n, glm::length(one.force_n));
-                   });
+  subscribe(tablet.sampled, window_.get(), [&](std::span<const haptics::ServoSample> taken) {
+    samples += taken.size();
+    for (const auto& one : taken) strongest_n = std::max(strongest_n, glm::length(one.force_n));
+  });
   /// The most that is felt of the simulation in so many ticks, while the hand rests in the air, away from the
   /// stroke. The force rises and fades in its own time: where a busy machine loses ticks meanwhile, it is
   /// tried again until `least_n` is reached.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said of a stroke out of its turn, at once and by the numbers of the model.
 #include "characters/characters.h"
-#include "characters/memory_stage.h"
 #include "desk.h"
 #include "hand_under_test.h"
 #include "window_under_test.h"
@@ -33,7 +32,7 @@ class Order : public WindowTest {
     for (double at = 0; at <= geometry::arc_length<geometry::GlyphFrame>(line); at += 1)
       made.push_back({geometry::glyph_to_tablet(geometry::point_at<geometry::GlyphFrame>(line, at), {}),
                       time_s_ += 0.01, 0.5});
-    the_characters->findChild<MemoryStage*>()->add_stroke(made);
+    the_desk->practice().memory().add_stroke(made);
   }
 
   bool says(const char* words) {

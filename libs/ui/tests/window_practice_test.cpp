@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Watching, tracing and being guided, step by step: what is shown, held and said.
 #include "characters/characters.h"
-#include "characters/guided_stage.h"
-#include "characters/trace_stage.h"
-#include "characters/watch_stage.h"
 #include "desk.h"
 #include "hand_under_test.h"
 #include "window_under_test.h"
@@ -22,10 +19,13 @@ class Practice : public WindowTest {
     characters_of_practice = made.get();
     return made;
   }
-  static practice::TabletControl& controller() { return desk_of_practice->controller(); }
-  template <class Stage>
-  static Stage& stage() {
-    return *characters_of_practice->findChild<Stage*>();
+  static practice::TabletControl& controller() { return desk_of_practice->tablet(); }
+  static practice::CharacterPractice& characters() { return desk_of_practice->practice(); }
+  /// How often a stage was gone through to its end, from now on.
+  static std::shared_ptr<int> count_finished(practice::PracticeStage& stage) {
+    auto count = std::make_shared<int>(0);
+    stage.finished.connect([count](const study::WritingResult&) { ++*count; });
+    return count;
   }
   std::string said() { return feedback().toStdString(); }
   static inline Desk* desk_of_practice = nullptr;
@@ -48,7 +48,7 @@ class Watching : public Practice {
 
 TEST_F(Watching, StepsStopAtTheBeginningAndAtTheEndOfEachStroke) {
   begin(U'二');
-  const QSignalSpy finished(&stage<WatchStage>(), &CharacterStage::finished);
+  const auto finished = count_finished(characters().watch());
   using Ink = std::vector<double>;
   EXPECT_EQ(ink(), (Ink{0, 0}));
   EXPECT_EQ(place(), "1 of 2 · × 1");
@@ -59,11 +59,11 @@ TEST_F(Watching, StepsStopAtTheBeginningAndAtTheEndOfEachStroke) {
   EXPECT_EQ(step("step_on"), (Ink{0, 0})) << "where the first begins";
   EXPECT_EQ(said(), "Stroke 1 of 2: horizontal line. It stops at the end.");
   EXPECT_EQ(step("step_on"), (Ink{1, 0}));
-  EXPECT_EQ(finished.count(), 0);
+  EXPECT_EQ(*finished, 0);
   EXPECT_EQ(step("step_on"), (Ink{1, 1}));
   EXPECT_EQ(said(), "Stroke 2 of 2: horizontal line. It stops at the end.");
   EXPECT_EQ(place(), "2 of 2 · × 1");
-  EXPECT_EQ(finished.count(), 1);
+  EXPECT_EQ(*finished, 1);
   EXPECT_EQ(step("step_on"), (Ink{1, 1}));
   EXPECT_EQ(step("step_back"), (Ink{1, 0}));
   EXPECT_EQ(said(), "Stroke 1 of 2: horizontal line. It stops at the end.");
@@ -89,19 +89,19 @@ TEST_F(Watching, SpeedGoesInEvenStepsFromAQuarterToFourTimes) {
 
 TEST_F(Watching, AtTheEndItStopsOrBeginsAgain) {
   begin(U'二');
-  auto& watch = stage<WatchStage>();
-  QSignalSpy finished(&watch, &CharacterStage::finished);
+  auto& watch = characters().watch();
+  const auto finished = count_finished(watch);
   watch.show_moment(watch.player().duration_s() - 0.05);
   action("play")->trigger();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !action("play")->isChecked(); }, 10'000));
-  EXPECT_EQ(finished.count(), 1);
+  EXPECT_EQ(*finished, 1);
   EXPECT_EQ(said(), "All 2 strokes. Space plays them again; F6 goes on to tracing.");
   EXPECT_EQ(ink(), (std::vector<double>{1, 1}));
   action("play")->trigger();
   EXPECT_EQ(ink()[0], 0) << "from the beginning again";
   action("loop")->setChecked(true);
   watch.show_moment(watch.player().duration_s() - 0.05);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() == 2; }, 10'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return *finished == 2; }, 10'000));
   EXPECT_TRUE(action("play")->isChecked());
   EXPECT_LT(ink()[0], 1);
   action("trace")->trigger();
@@ -165,34 +165,34 @@ TEST_F(Tracing, AfterTheMissesOfALessonAStrokeIsShownAlone) {
   begin(U'二');
   std::vector<int> missed;
   MissReply reply = MissReply::try_again;
-  stage<TraceStage>().set_on_miss([&](int stroke) {
+  characters().trace().set_on_mistake([&](int stroke) {
     missed.push_back(stroke);
     return reply;
   });
-  emit controller().stroke_event(practice::TraceEvent::too_early, 2);
+  controller().stroke_event(practice::TraceEvent::too_early, 2);
   EXPECT_EQ(said(), "Stroke 1 comes before stroke 2.");
   EXPECT_EQ(controller().current_stroke(), 0);
-  emit controller().stroke_event(practice::TraceEvent::began, 1);
+  controller().stroke_event(practice::TraceEvent::began, 1);
   EXPECT_EQ(missed, std::vector{0}) << "that was none";
   reply = MissReply::show;
-  emit controller().stroke_event(practice::TraceEvent::from_the_end, 1);
+  controller().stroke_event(practice::TraceEvent::from_the_end, 1);
   EXPECT_EQ(missed, (std::vector{0, 0}));
   EXPECT_EQ(controller().current_stroke(), 1);
   EXPECT_EQ(said(), "Stroke 1 of 2. Draw it from its number.");
-  emit controller().stroke_event(practice::TraceEvent::finished, 1);
+  controller().stroke_event(practice::TraceEvent::finished, 1);
   EXPECT_EQ(controller().current_stroke(), 0) << "all are there again";
   action("next_stroke")->trigger();
-  emit controller().stroke_event(practice::TraceEvent::finished, 1);
+  controller().stroke_event(practice::TraceEvent::finished, 1);
   EXPECT_EQ(controller().current_stroke(), 1) << "the learner chose it";
 }
 
 TEST_F(Tracing, TheLastStrokeEndsItAndTheEraserTakesItBack) {
   begin(U'一');
-  const QSignalSpy finished(&stage<TraceStage>(), &CharacterStage::finished);
+  const auto finished = count_finished(characters().trace());
   test::write(controller(), test::model(U'一').front());
-  EXPECT_EQ(finished.count(), 1);
+  EXPECT_EQ(*finished, 1);
   ASSERT_EQ(controller().ink().next_stroke(), 0);
-  emit controller().eraser_used();
+  controller().eraser_used();
   EXPECT_EQ(controller().ink().next_stroke(), 1);
   test::write(controller(), test::model(U'一').front());
   action("clear_ink")->trigger();
@@ -207,7 +207,7 @@ class Guided : public Practice {
     action("guided")->trigger();
   }
   static view::Overlay seen() { return controller().overlay(); }
-  GuidedStage& guided() { return stage<GuidedStage>(); }
+  practice::GuidedStage& guided() { return characters().guided(); }
   void help(double much) {
     guided().set_help(much);
     action("by_groove")->trigger();
@@ -243,7 +243,7 @@ TEST_F(Guided, HelpFadesWithEveryTracingWithoutASlip) {
 
 TEST_F(Guided, ASlipCostsTheSuccessUntilTheTabletIsCleared) {
   begin(U'一');
-  emit controller().stroke_event(practice::TraceEvent::from_the_end, 1);
+  controller().stroke_event(practice::TraceEvent::from_the_end, 1);
   test::write(controller(), test::model(U'一').front());
   EXPECT_EQ(said(), "All strokes are there, not all at their turn. Delete clears the tablet.");
   EXPECT_EQ(guided().successes(), 0);
@@ -269,27 +269,27 @@ TEST_F(Guided, InALessonHelpIsWhatTheCourseGives) {
   help(0.6);
   QSignalSpy finished(&guided(), &CharacterStage::finished);
   test::write(controller(), test::model(U'一').front());
-  ASSERT_EQ(finished.count(), 1);
+  ASSERT_EQ(*finished, 1);
   EXPECT_EQ(finished.at(0).at(0).value<study::WritingResult>().help, 0.6);
   EXPECT_EQ(said(), "Without a slip.");
   EXPECT_EQ(guided().successes(), 0);
   help(0.6);
-  emit controller().stroke_event(practice::TraceEvent::from_the_end, 1);
+  controller().stroke_event(practice::TraceEvent::from_the_end, 1);
   test::write(controller(), test::model(U'一').front());
   EXPECT_EQ(said(), "All strokes are there, not all at their turn.");
-  EXPECT_EQ(finished.count(), 2);
+  EXPECT_EQ(*finished, 2);
 }
 
 TEST_F(Guided, AStrokeThatIsShownStandsOutUntilItIsWritten) {
   begin(U'二');
-  guided().set_on_miss([](int stroke) { return stroke == 0 ? MissReply::show : MissReply::try_again; });
-  emit controller().stroke_event(practice::TraceEvent::too_early, 2);
+  guided().set_on_mistake([](int stroke) { return stroke == 0 ? MissReply::show : MissReply::try_again; });
+  controller().stroke_event(practice::TraceEvent::too_early, 2);
   EXPECT_EQ(said(), "Stroke 1 is shown. Draw it from its number.");
   EXPECT_EQ(seen().lines_opacity, 1);
   EXPECT_EQ(controller().current_stroke(), 1);
-  emit controller().stroke_event(practice::TraceEvent::finished, 2);
+  controller().stroke_event(practice::TraceEvent::finished, 2);
   EXPECT_EQ(controller().current_stroke(), 1) << "another one";
-  emit controller().stroke_event(practice::TraceEvent::finished, 1);
+  controller().stroke_event(practice::TraceEvent::finished, 1);
   EXPECT_EQ(controller().current_stroke(), 0);
   EXPECT_LT(seen().lines_opacity, 1);
 }
@@ -311,16 +311,16 @@ TEST_F(Guided, LeadingNeedsADeviceWithForceAndIsRemembered) {
 TEST_F(Guided, ThatTheStylusGivesWayIsSaidOnce) {
   begin(U'一');
   std::vector<haptics::ServoSample> samples(3);
-  emit controller().sampled(samples);
+  controller().sampled(samples);
   EXPECT_EQ(said(), "Follow the groove.");
   samples[1].events = static_cast<std::uint16_t>(haptics::ServoEvent::resisted);
-  emit controller().sampled(samples);
+  controller().sampled(samples);
   EXPECT_EQ(said(), "The stylus gives way. Go on a little by yourself, and it leads again.");
   desk_of_practice->say(Feedback::hint, QStringLiteral("x"));
-  emit controller().sampled(samples);
+  controller().sampled(samples);
   EXPECT_EQ(said(), "x");
   action("clear_ink")->trigger();
-  emit controller().sampled(samples);
+  controller().sampled(samples);
   EXPECT_NE(said(), "Follow the groove.") << "again for the next time";
 }
 
@@ -337,19 +337,19 @@ TEST_F(Guided, OnABlankTabletTheInkOfTheHandIsSeen) {
     samples.push_back(s);
   };
   for (int i = 0; i <= 10; ++i) add(0.001 * i, true);
-  emit controller().sampled(samples);
+  controller().sampled(samples);
   EXPECT_EQ(seen().writing.size(), 1U) << "while it is written";
   add(0.01, false);
   for (int i = 0; i <= 10; ++i) add(0.02 + 0.001 * i, true);
   add(0.03, false);
-  emit controller().sampled(std::span(samples).subspan(11));
+  controller().sampled(std::span(samples).subspan(11));
   EXPECT_EQ(seen().writing.size(), 2U);
-  emit controller().eraser_used();
+  controller().eraser_used();
   EXPECT_EQ(seen().writing.size(), 1U);
   action("clear_ink")->trigger();
   EXPECT_TRUE(seen().writing.empty());
   action("by_groove")->trigger();
-  emit controller().sampled(samples);
+  controller().sampled(samples);
   EXPECT_TRUE(seen().writing.empty()) << "in a groove the ink is the groove's";
 }
 

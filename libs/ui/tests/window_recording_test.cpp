@@ -14,8 +14,8 @@
 #include "nazori/recording/recording_file.h"
 #include "nazori/recording/sample_csv.h"
 #include "signals.h"
-#include "window_under_test.h"
 #include "stored_settings.h"
+#include "window_under_test.h"
 
 namespace nazori::ui {
 namespace {

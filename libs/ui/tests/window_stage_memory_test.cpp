@@ -11,7 +11,7 @@ class StageMemory : public StudyTest {
     window_->show_character(character);
     ASSERT_TRUE(QTest::qWaitFor([&] { return on_desk_ == character; }, 20'000));
   }
-  static MemoryStage& memory() { return *the_characters->findChild<MemoryStage*>(); }
+  static practice::MemoryStage& memory() { return the_desk->practice().memory(); }
   /// Writes from memory and waits for what is said of it.
   void put(const test::Points& line) {
     the_desk->say(Feedback::hint, QStringLiteral("not judged yet"));

@@ -159,7 +159,7 @@ TEST_F(Study, AStrokeRefusedThreeTimesIsShownAndTheLessonGoesOn) {
     go_on();
   }
   ASSERT_TRUE(is_on_desk());
-  auto* memory = the_characters->findChild<MemoryStage*>();
+  auto* memory = &the_desk->practice().memory();
   practice::HandStroke down;
   for (int i = 0; i <= 40; ++i) down.push_back({{0.01, 0.03 - i * 0.0015}, i * 0.01, 0.5});
   for (int miss = 1; miss <= 3; ++miss) {

@@ -11,7 +11,6 @@
 
 #include "characters/character_actions.h"
 #include "characters/characters.h"
-#include "characters/memory_stage.h"
 #include "desk.h"
 #include "hand_under_test.h"
 #include "study/home.h"
@@ -71,7 +70,7 @@ class Unrated : public WindowTest {
   }
 
   static practice::StudySession& session() { return the_desk->session(); }
-  static MemoryStage& memory() { return *the_characters->findChild<MemoryStage*>(); }
+  static practice::MemoryStage& memory() { return the_desk->practice().memory(); }
   static std::size_t lines_on_tablet() { return the_desk->tablet().overlay().writing.size(); }
   static int reps() { return the_desk->learner().store().card(U'人').memory.reps; }
 

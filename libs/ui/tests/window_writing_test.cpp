@@ -10,7 +10,6 @@
 #include "characters/characters.h"
 #include "characters/draw_panel.h"
 #include "characters/drawing_pad.h"
-#include "characters/memory_stage.h"
 #include "desk.h"
 #include "hand_under_test.h"
 #include "kanji_text.h"
@@ -28,7 +27,7 @@ class Writing : public WindowTest {
     characters_of_writing = made.get();
     return made;
   }
-  static MemoryStage& memory() { return *characters_of_writing->findChild<MemoryStage*>(); }
+  static practice::MemoryStage& memory() { return desk_of_writing->practice().memory(); }
   std::string said() { return feedback().toStdString(); }
   void begin(char32_t character) {
     show(character);
@@ -103,7 +102,7 @@ TEST_F(Writing, JudgedAtTheEndNothingIsMarkedBefore) {
   EXPECT_EQ(said(), "The writing is judged at the end: press Enter.");
   put(U'十', 0);
   EXPECT_EQ(said(), "1 stroke is written. Enter judges it.");
-  const auto verdict = [] { return desk_of_writing->controller().overlay().writing.front().verdict; };
+  const auto verdict = [] { return desk_of_writing->tablet().overlay().writing.front().verdict; };
   EXPECT_EQ(verdict(), view::Verdict::none);
   action("judge_each")->trigger();
   EXPECT_EQ(said(), "Every stroke is judged as it ends.");
@@ -126,20 +125,21 @@ TEST_F(Writing, ATabletThatIsFullTakesNoMore) {
   EXPECT_EQ(said(), "The tablet is full. Delete clears it.");
   action("clear_ink")->trigger();
   EXPECT_TRUE(memory().strokes().empty());
-  EXPECT_TRUE(desk_of_writing->controller().overlay().writing.empty());
+  EXPECT_TRUE(desk_of_writing->tablet().overlay().writing.empty());
 }
 
 TEST_F(Writing, TheEraserAndTheKeyTakeBackOneStrokeEach) {
   begin(U'十');
   put(U'十', 0);
   memory().add_stroke(test::hand_stroke(test::model(U'休')[0], 5));
-  emit desk_of_writing->controller().eraser_used();
+  desk_of_writing->tablet().eraser_used();
   EXPECT_EQ(said(), "Taken back. 1 stroke is written.");
   EXPECT_EQ(memory().strokes().size(), 1U);
-  QSignalSpy back(&memory(), &MemoryStage::taken_back);
+  int back = 0;
+  const base::Connection counting = memory().continued.connect([&] { ++back; });
   action("undo_stroke")->trigger();
-  emit desk_of_writing->controller().eraser_used();
-  EXPECT_EQ(back.count(), 1) << "there was nothing left";
+  desk_of_writing->tablet().eraser_used();
+  EXPECT_EQ(back, 1) << "there was nothing left";
 }
 
 TEST_F(Writing, HowItIsJudgedIsChosenAndRemembered) {

@@ -17,6 +17,7 @@
 #include "characters/writing_panel.h"
 #include "desk.h"
 #include "error_text.h"
+#include "feedback_tone.h"
 #include "file_exchange.h"
 #include "kanji_text.h"
 #include "signals.h"

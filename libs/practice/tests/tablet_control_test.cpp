@@ -3,18 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include <QSignalSpy>
-#include <QTest>
 #include <glm/common.hpp>
 #include <limits>
 
+#include "running_tablet.h"
 #include "scripted_device.h"
 
 namespace {
 
 using nazori::geometry::TabletPoint;
+using nazori::practice::TabletControl;
 using nazori::practice::TraceEvent;
-using nazori::ui::TabletController;
+using RunningTablet = nazori::practice::test::RunningTablet;
 
 /// Three level strokes, the middle one through the centre of the tablet.
 std::shared_ptr<const nazori::tablet::CarvedTablet> three() {
@@ -24,8 +24,8 @@ std::shared_ptr<const nazori::tablet::CarvedTablet> three() {
   return *nazori::tablet::CarvedTablet::from_lines(lines, 128);
 }
 
-TEST(practice::TabletControl, SteppingForwardsGoesThroughEveryStrokeAndWrapsThroughAll) {
-  WindowTablet controller;
+TEST(TabletControl, SteppingForwardsGoesThroughEveryStrokeAndWrapsThroughAll) {
+  RunningTablet controller;
   controller.set_tablet(three());
   std::vector<int> seen;
   for (int i = 0; i < 5; ++i) {
@@ -35,8 +35,8 @@ TEST(practice::TabletControl, SteppingForwardsGoesThroughEveryStrokeAndWrapsThro
   EXPECT_EQ(seen, (std::vector{1, 2, 3, 0, 1}));
 }
 
-TEST(practice::TabletControl, SteppingBackwardsWrapsThroughAllToTheLast) {
-  WindowTablet controller;
+TEST(TabletControl, SteppingBackwardsWrapsThroughAllToTheLast) {
+  RunningTablet controller;
   controller.set_tablet(three());
   std::vector<int> seen;
   for (int i = 0; i < 5; ++i) {
@@ -46,20 +46,20 @@ TEST(practice::TabletControl, SteppingBackwardsWrapsThroughAllToTheLast) {
   EXPECT_EQ(seen, (std::vector{3, 2, 1, 0, 3}));
 }
 
-TEST(practice::TabletControl, WithoutStrokesSteppingStaysAtAll) {
-  WindowTablet controller;
+TEST(TabletControl, WithoutStrokesSteppingStaysAtAll) {
+  RunningTablet controller;
   controller.next_stroke();
   controller.previous_stroke();
   EXPECT_EQ(controller.current_stroke(), 0);
 }
 
-TEST(practice::TabletControl, ABrushThatWritesByItselfIsSeenThoughAStylusIsNear) {
-  WindowTablet controller;
+TEST(TabletControl, ABrushThatWritesByItselfIsSeenThoughAStylusIsNear) {
+  RunningTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   controller.move_stylus(TabletPoint{0, 0}, false);
   ASSERT_TRUE(controller.stylus_in_range());
-  nazori::ui::Demonstration demonstration;
+  nazori::practice::Demonstration demonstration;
   demonstration.brush.proxy_m = {0.01, 0.02, 0};
   demonstration.moving = true;
   controller.set_demonstration(demonstration);
@@ -73,28 +73,28 @@ TEST(practice::TabletControl, ABrushThatWritesByItselfIsSeenThoughAStylusIsNear)
   EXPECT_NE(controller.overlay().cursor->proxy_m, demonstration.brush.proxy_m);
 }
 
-TEST(practice::TabletControl, ADrawnStylusIsAsOldAsTheMomentOfFeelingItShows) {
-  WindowTablet controller;
+TEST(TabletControl, ADrawnStylusIsAsOldAsTheMomentOfFeelingItShows) {
+  RunningTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   (void)controller.overlay();
   controller.note_drawn();
   EXPECT_EQ(controller.take_drawn_age_s(), 0) << "no stylus in the picture";
   controller.move_stylus(TabletPoint{0, 0}, false);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().begun_s > 0; }));
+  ASSERT_TRUE(controller.wait_for([&] { return controller.latest().begun_s > 0; }));
   (void)controller.overlay();
-  QTest::qSleep(30);
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
   controller.note_drawn();
   EXPECT_GE(controller.take_drawn_age_s(), 0.030);
   EXPECT_EQ(controller.take_drawn_age_s(), 0);
 }
 
-bool rests(practice::TabletControl& controller) {
-  return QTest::qWaitFor([&] { return controller.device().is_resting(); }, 20'000);
+bool rests(RunningTablet& controller) {
+  return controller.wait_for([&] { return controller.device().is_resting(); }, 20'000);
 }
 
-TEST(practice::TabletControl, TheServoStandsStillWhileNothingMovesAndGoesOnWithTheNextMove) {
-  WindowTablet controller;
+TEST(TabletControl, TheServoStandsStillWhileNothingMovesAndGoesOnWithTheNextMove) {
+  RunningTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   controller.move_stylus(TabletPoint{0, 0}, false);
@@ -102,29 +102,30 @@ TEST(practice::TabletControl, TheServoStandsStillWhileNothingMovesAndGoesOnWithT
   controller.pump();
   const auto before = controller.device().timing();
   const double then_s = controller.latest().time_s;
-  QTest::qSleep(50);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_EQ(controller.device().timing().ticks, before.ticks);
   controller.move_stylus(TabletPoint{0.01, 0}, true);
   EXPECT_FALSE(controller.device().is_resting());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().touching; }, 20'000));
+  ASSERT_TRUE(controller.wait_for([&] { return controller.latest().touching; }, 20'000));
   EXPECT_GE(controller.latest().time_s, then_s + 0.05) << "time goes on over the rest";
   EXPECT_LT(controller.device().timing().missed_ticks, before.missed_ticks + 1'000)
       << "a rest misses no tick";
 }
 
-TEST(practice::TabletControl, APressedStylusKeepsTheServoAwake) {
-  WindowTablet controller;
+TEST(TabletControl, APressedStylusKeepsTheServoAwake) {
+  RunningTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   controller.move_stylus(TabletPoint{0, 0}, true);
   // Twice as long as a rest takes to begin.
   const auto ticks = controller.device().timing().ticks;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.device().timing().ticks > ticks + 2'000; }, 60'000));
+  ASSERT_TRUE(
+      controller.wait_for([&] { return controller.device().timing().ticks > ticks + 2'000; }, 60'000));
   EXPECT_FALSE(controller.device().is_resting());
 }
 
-TEST(practice::TabletControl, ANewTabletReachesARestingServoSoThatOldOnesAreLetGo) {
-  WindowTablet controller;
+TEST(TabletControl, ANewTabletReachesARestingServoSoThatOldOnesAreLetGo) {
+  RunningTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   ASSERT_TRUE(rests(controller));
@@ -133,20 +134,21 @@ TEST(practice::TabletControl, ANewTabletReachesARestingServoSoThatOldOnesAreLetG
   EXPECT_TRUE(rests(controller));
 }
 
-TEST(practice::TabletControl, ARecordingKeepsTheServoAwake) {
-  WindowTablet controller;
+TEST(TabletControl, ARecordingKeepsTheServoAwake) {
+  RunningTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   ASSERT_TRUE(rests(controller));
   controller.device().set_awake(true);
   const auto ticks = controller.device().timing().ticks;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.device().timing().ticks > ticks + 2'000; }, 60'000));
+  ASSERT_TRUE(
+      controller.wait_for([&] { return controller.device().timing().ticks > ticks + 2'000; }, 60'000));
   controller.device().set_awake(false);
   EXPECT_TRUE(rests(controller));
 }
 
-TEST(practice::TabletControl, ANewTabletBeginsWithAllStrokesAndNoInk) {
-  WindowTablet controller;
+TEST(TabletControl, ANewTabletBeginsWithAllStrokesAndNoInk) {
+  RunningTablet controller;
   controller.set_tablet(three());
   controller.next_stroke();
   controller.set_tablet(three());
@@ -154,8 +156,8 @@ TEST(practice::TabletControl, ANewTabletBeginsWithAllStrokesAndNoInk) {
   EXPECT_EQ(controller.ink().progress(), (std::vector<double>{0, 0, 0}));
 }
 
-TEST(practice::TabletControl, StrokesHoldTheStylusOnlyWhileTheyAreShown) {
-  WindowTablet controller;
+TEST(TabletControl, StrokesHoldTheStylusOnlyWhileTheyAreShown) {
+  RunningTablet controller;
   controller.set_tablet(three());
   controller.set_snapping(true);
   EXPECT_TRUE(controller.snapping_in_effect());
@@ -164,76 +166,76 @@ TEST(practice::TabletControl, StrokesHoldTheStylusOnlyWhileTheyAreShown) {
   EXPECT_TRUE(controller.snapping()) << "remembered for when they are shown again";
 }
 
-TEST(practice::TabletControl, ChangesAreToldOnceAndOnlyWhenTheyAreChanges) {
-  WindowTablet controller;
+TEST(TabletControl, ChangesAreToldOnceAndOnlyWhenTheyAreChanges) {
+  RunningTablet controller;
   controller.set_tablet(three());
-  const QSignalSpy told(&controller, &practice::TabletControl::state_changed);
+  int told = 0;
+  controller.state_changed.connect([&] { ++told; });
   controller.set_numbers_visible(true);
-  EXPECT_EQ(told.count(), 0);
+  EXPECT_EQ(told, 0);
   controller.set_numbers_visible(false);
-  EXPECT_EQ(told.count(), 1);
+  EXPECT_EQ(told, 1);
 }
 
-TEST(practice::TabletControl, PressingInAGrooveTouchesItsBottomAndNotThrough) {
-  WindowTablet controller;
+TEST(TabletControl, PressingInAGrooveTouchesItsBottomAndNotThrough) {
+  RunningTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   controller.move_stylus({0, 0}, true);
   controller.push_stylus(100);
-  EXPECT_TRUE(QTest::qWaitFor(
+  EXPECT_TRUE(controller.wait_for(
       [&] { return controller.latest().touching && controller.latest().proxy_m.z < -0.008; }, 3000));
   EXPECT_GE(controller.latest().proxy_m.z, -0.0101);
   EXPECT_LT(controller.latest().device_m.z, controller.latest().proxy_m.z) << "the device itself is deeper";
 }
 
-TEST(practice::TabletControl, DrawingAlongAGrooveInksItAndReportsItsEnd) {
-  WindowTablet controller;
+TEST(TabletControl, DrawingAlongAGrooveInksItAndReportsItsEnd) {
+  RunningTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
-  QSignalSpy events(&controller, &practice::TabletControl::stroke_event);
+  bool finished = false;
+  controller.stroke_event.connect(
+      [&](TraceEvent event, int) { finished = finished || event == TraceEvent::finished; });
   const auto at = [](double glyph_x) {
     return nazori::geometry::glyph_to_tablet({glyph_x, 24.5}, nazori::geometry::TabletShape{});
   };
   controller.move_stylus(at(20), true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().touching; }, 3000));
+  ASSERT_TRUE(controller.wait_for([&] { return controller.latest().touching; }, 3000));
   for (double x = 20; x <= 89.5; x += 0.5) {
     controller.move_stylus(at(x), true);
-    QTest::qWait(4);
+    controller.let_ticks_pass(4);
   }
-  EXPECT_TRUE(QTest::qWaitFor(
+  EXPECT_TRUE(controller.wait_for(
       [&] {
         controller.pump();
         return controller.ink().is_finished(1);
       },
       3000))
       << controller.ink().progress()[0];
-  bool finished = false;
-  for (const auto& event : events)
-    finished = finished || event.at(0).value<TraceEvent>() == TraceEvent::finished;
   EXPECT_TRUE(finished);
   EXPECT_EQ(controller.ink().next_stroke(), 2);
 }
 
-TEST(practice::TabletControl, WithSnappingTheProxyStaysOnTheStroke) {
-  WindowTablet controller;
+TEST(TabletControl, WithSnappingTheProxyStaysOnTheStroke) {
+  RunningTablet controller;
   controller.set_tablet(three());
   controller.set_snapping(true);
   ASSERT_TRUE(controller.start());
   controller.move_stylus({0, 0.0015}, true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().stroke == 2; }, 3000));
+  ASSERT_TRUE(controller.wait_for([&] { return controller.latest().stroke == 2; }, 3000));
   EXPECT_NEAR(controller.latest().proxy_m.y, 0.0, 1e-4) << "stroke 2 lies on y = 0, the device beside it";
 }
 
-TEST(practice::TabletControl, WhatIsPressedOutsideTheTabletDoesNotTouchIt) {
-  WindowTablet controller;
+TEST(TabletControl, WhatIsPressedOutsideTheTabletDoesNotTouchIt) {
+  RunningTablet controller;
   controller.set_tablet(three());
   controller.move_stylus({0.2, 0}, true);
   EXPECT_FALSE(controller.is_pressed());
   EXPECT_FALSE(controller.stylus_in_range());
 }
 
-TEST(practice::TabletControl, PenPressureGivesTheDepth) {
-  WindowTablet controller;
+TEST(TabletControl, PenPressureGivesTheDepth) {
+  RunningTablet controller;
   controller.set_tablet(three());
   controller.move_stylus({0, 0}, true, 0.2);
   const double light_m = controller.depth_m();
@@ -242,8 +244,8 @@ TEST(practice::TabletControl, PenPressureGivesTheDepth) {
   EXPECT_NEAR(controller.depth_m(), 4 * light_m, 1e-9);
 }
 
-TEST(practice::TabletControl, TheWheelChangesTheDepthOnlyWhilePressed) {
-  WindowTablet controller;
+TEST(TabletControl, TheWheelChangesTheDepthOnlyWhilePressed) {
+  RunningTablet controller;
   controller.set_tablet(three());
   controller.push_stylus(1);
   EXPECT_EQ(controller.depth_m(), 0.0);
@@ -255,8 +257,8 @@ TEST(practice::TabletControl, TheWheelChangesTheDepthOnlyWhilePressed) {
   EXPECT_GT(controller.depth_m(), 0.0);
 }
 
-TEST(practice::TabletControl, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
-  WindowTablet controller;
+TEST(TabletControl, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
+  RunningTablet controller;
   const auto tablet = three();
   controller.set_tablet(tablet);
   controller.set_slope_help(true);
@@ -274,7 +276,7 @@ TEST(practice::TabletControl, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
     }
   };
   const auto comes_to = [&](const TabletPoint& to) {
-    return QTest::qWaitFor(
+    return controller.wait_for(
         [&] {
           const auto& at = controller.latest().device_m;
           return nazori::geometry::distance(TabletPoint{at.x, at.y}, to) < 1e-6;
@@ -289,29 +291,27 @@ TEST(practice::TabletControl, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
   EXPECT_TRUE(comes_to(hand));
 }
 
-TEST(practice::TabletControl, TicksThatCannotBeTrustedDoNotEndAStroke) {
+TEST(TabletControl, TicksThatCannotBeTrustedDoNotEndAStroke) {
   using nazori::haptics::Vec3;
   const auto script = std::make_shared<nazori::devices::test::Script>();
   const auto ticks_pass = [&](std::uint64_t count) {
     const std::uint64_t from = script->ticks;
-    return QTest::qWaitFor([&] { return script->ticks > from + count; }, 20'000);
+    return controller.wait_for([&] { return script->ticks > from + count; }, 20'000);
   };
-  WindowTablet controller;
+  RunningTablet controller;
   const auto tablet = three();
   controller.set_tablet(tablet);
   controller.device().set_devices(nazori::devices::test::only(script), tablet->shape(), {});
   ASSERT_TRUE(controller.start());
   controller.device().choose("scripted:arm");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.device().is_pointer(); }, 20'000));
+  ASSERT_TRUE(controller.wait_for([&] { return !controller.device().is_pointer(); }, 20'000));
   std::vector<std::pair<TraceEvent, int>> events;
-  QObject::connect(&controller, &practice::TabletControl::stroke_event, &controller,
-                   [&](TraceEvent event, int stroke) { events.emplace_back(event, stroke); });
+  controller.stroke_event.connect([&](TraceEvent event, int stroke) { events.emplace_back(event, stroke); });
   int distrusted = 0;
-  QObject::connect(&controller, &practice::TabletControl::sampled, &controller,
-                   [&](std::span<const nazori::haptics::ServoSample> samples) {
-                     for (const auto& one : samples)
-                       distrusted += nazori::haptics::has(one.events, nazori::haptics::ServoEvent::fault);
-                   });
+  controller.sampled.connect([&](std::span<const nazori::haptics::ServoSample> samples) {
+    for (const auto& one : samples)
+      distrusted += nazori::haptics::has(one.events, nazori::haptics::ServoEvent::fault);
+  });
   const auto hold = [&](const Vec3& at) {
     script->x_m = at.x;
     script->y_m = at.y;

@@ -2,15 +2,14 @@
 // What the controller says is to be drawn, and where it lets a pointer be.
 #include <gtest/gtest.h>
 
-#include <QSignalSpy>
-#include <QTest>
 #include <cmath>
 #include <numbers>
 
 #include "nazori/practice/tablet_control.h"
+#include "running_tablet.h"
 #include "scripted_device.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 using geometry::TabletPoint;
@@ -25,7 +24,7 @@ std::shared_ptr<const tablet::CarvedTablet> two_level_strokes() {
 class Drawn : public testing::Test {
  protected:
   Drawn() { controller_.set_tablet(two_level_strokes()); }
-  WindowTablet controller_;
+  RunningTablet controller_;
 };
 
 TEST_F(Drawn, AreTheSwitchesOfTheLearner) {
@@ -53,7 +52,7 @@ TEST_F(Drawn, AreTheSwitchesOfTheLearner) {
 }
 
 TEST_F(Drawn, AreTheGuidesOfAStageInPlaceOfTheSwitches) {
-  practice::TabletGuides guides;
+  TabletGuides guides;
   guides.lines_opacity = 0.4;
   guides.numbers = true;
   controller_.set_guides(guides);
@@ -75,12 +74,14 @@ TEST_F(Drawn, AreTheGuidesOfAStageInPlaceOfTheSwitches) {
 }
 
 TEST_F(Drawn, EveryChangeAsksForAPicture) {
-  const QSignalSpy pictures(&controller_, &practice::TabletControl::picture_changed);
-  const QSignalSpy states(&controller_, &practice::TabletControl::state_changed);
+  int pictures = 0;
+  controller_.picture_changed.connect([&] { ++pictures; });
+  int states = 0;
+  controller_.state_changed.connect([&] { ++states; });
   auto asks = [&, before = qsizetype(0), told = qsizetype(0)](bool state) mutable {
-    const bool asked = pictures.count() > before && (states.count() > told) == state;
-    before = pictures.count();
-    told = states.count();
+    const bool asked = pictures > before && (states > told) == state;
+    before = pictures;
+    told = states;
     return asked;
   };
   controller_.set_arrows_visible(false);
@@ -89,7 +90,7 @@ TEST_F(Drawn, EveryChangeAsksForAPicture) {
   EXPECT_TRUE(asks(true));
   controller_.set_snapping(true);
   EXPECT_TRUE(asks(true));
-  controller_.set_guides(practice::TabletGuides{});
+  controller_.set_guides(TabletGuides{});
   EXPECT_TRUE(asks(false));
   controller_.set_writing({});
   EXPECT_TRUE(asks(false));
@@ -126,13 +127,13 @@ TEST_F(Drawn, AStrokeThatIsLeftBeforeItsEndShowsWhatIsMissingUntilItIsTakenBack)
   controller_.device().set_devices(devices::test::only(script), tablet->shape(), {});
   ASSERT_TRUE(controller_.start());
   controller_.device().choose("scripted:arm");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller_.device().is_pointer(); }, 20'000));
+  ASSERT_TRUE(controller_.wait_for([&] { return !controller_.device().is_pointer(); }, 20'000));
   const auto hold = [&](const haptics::Vec3& at) {
     script->x_m = at.x;
     script->y_m = at.y;
     script->z_m = at.z;
     const std::uint64_t from = script->ticks;
-    return QTest::qWaitFor([&] { return script->ticks > from + 2; }, 20'000);
+    return controller_.wait_for([&] { return script->ticks > from + 2; }, 20'000);
   };
   const auto& path = tablet->paths().front().points;
   const haptics::Vec3 below(0, 0, -0.001);
@@ -141,7 +142,7 @@ TEST_F(Drawn, AStrokeThatIsLeftBeforeItsEndShowsWhatIsMissingUntilItIsTakenBack)
     ASSERT_TRUE(
         hold(path.front() + (path.back() - path.front()) * (static_cast<double>(step) / kSteps) + below));
   script->z_m = 0.02;
-  ASSERT_TRUE(QTest::qWaitFor(
+  ASSERT_TRUE(controller_.wait_for(
       [&] {
         controller_.pump();
         return !controller_.ink().left_open().empty();
@@ -152,7 +153,7 @@ TEST_F(Drawn, AStrokeThatIsLeftBeforeItsEndShowsWhatIsMissingUntilItIsTakenBack)
   EXPECT_EQ(bit.verdict, view::Verdict::shown);
   EXPECT_FALSE(bit.points.empty());
   EXPECT_NEAR(controller_.ink().progress()[0], 2.0 / 3, 0.05);
-  practice::TabletGuides untraced;
+  TabletGuides untraced;
   controller_.set_guides(untraced);
   EXPECT_TRUE(controller_.overlay().writing.empty()) << "nobody traces";
   untraced.traced = true;
@@ -167,12 +168,10 @@ class PointerOnTheTablet : public testing::Test {
  protected:
   PointerOnTheTablet() {
     controller_.set_tablet(two_level_strokes());
-    QObject::connect(&controller_, &practice::TabletControl::pressed, &controller_,
-                     [this](const TabletPoint& at) { pressed_.push_back(at); });
-    QObject::connect(&controller_, &practice::TabletControl::depth_changed, &controller_,
-                     [this](double depth_m) { told_m_ = depth_m; });
+    controller_.pressed.connect([this](const TabletPoint& at) { pressed_.push_back(at); });
+    controller_.depth_changed.connect([this](double depth_m) { told_m_ = depth_m; });
   }
-  WindowTablet controller_;
+  RunningTablet controller_;
   std::vector<TabletPoint> pressed_;
   double told_m_ = -1;
   const geometry::TabletShape shape_;
@@ -200,7 +199,7 @@ TEST_F(PointerOnTheTablet, ThatWasPressedStaysPressedBeyondTheEdgeAndIsHeldThere
   EXPECT_TRUE(controller_.is_pressed());
   EXPECT_TRUE(controller_.stylus_in_range());
   const double edge_m = 0.56 * shape_.width_m;
-  EXPECT_TRUE(QTest::qWaitFor(
+  EXPECT_TRUE(controller_.wait_for(
       [&] {
         const auto& at = controller_.latest().device_m;
         return std::hypot(at.x - edge_m, at.y + edge_m) < 1e-4;
@@ -282,4 +281,4 @@ TEST_F(PointerOnTheTablet, LeansAsFarAsPensDoAndNoFurther) {
 }
 
 }  // namespace
-}  // namespace nazori::ui
+}  // namespace nazori::practice

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <thread>
+
+#include "nazori/base/clock.h"
+#include "nazori/practice/tablet_control.h"
+
+namespace nazori::practice::test {
+
+/// What a tablet with a servo needs around it: a base class, so that it is made first.
+struct TabletLoop {
+  base::Inbox inbox;
+  base::SystemClock clock;
+};
+
+/// A tablet that runs by the clock of the computer, on the thread of the test.
+class RunningTablet : private TabletLoop, public TabletControl {
+ public:
+  RunningTablet() : TabletControl(inbox, clock, {}) {}
+
+  /// What an event loop does, until `wish` comes true. @return false where it has not within `limit_ms`.
+  template <class Wish>
+  bool wait_for(Wish wish, int limit_ms = 20'000) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(limit_ms);
+    while (!wish()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      while (inbox.run_one()) {
+      }
+      device().update();
+      pump();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+  /// Lets the servo see at least so many more samples.
+  void let_ticks_pass(std::uint64_t count) {
+    const auto from = device().timing().ticks;
+    wait_for([&] { return device().timing().ticks >= from + count; });
+  }
+};
+
+}  // namespace nazori::practice::test
