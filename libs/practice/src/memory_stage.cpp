@@ -220,14 +220,14 @@ void MemoryStage::add_stroke(HandStroke stroke) {
   changed();
 }
 
-void MemoryStage::ask(bool finished) {
+void MemoryStage::ask(bool as_a_whole) {
   if (!subject().sheet) return;
   JudgeRequest request;
   request.character = subject().sheet->character.code_point;
   request.ink = to_ink(strokes_, geometry::TabletShape{});
   request.strictness = options_.strictness;
-  request.finished = finished;
-  (finished ? whole_number_ : live_number_) = judge_.judge(request);
+  request.finished = as_a_whole;
+  (as_a_whole ? whole_number_ : live_number_) = judge_.judge(request);
 }
 
 void MemoryStage::finish_writing() {

@@ -172,10 +172,10 @@ void TabletControl::set_material(const haptics::Material& material) {
   hand_over_scene();
 }
 
-void TabletControl::move_stylus(geometry::TabletPoint at, bool pressed, std::optional<double> pressure,
+void TabletControl::move_stylus(geometry::TabletPoint at, bool is_down, std::optional<double> pressure,
                                 std::optional<double> event_s) {
   const geometry::TabletShape shape = tablet_ ? tablet_->shape() : geometry::TabletShape{};
-  if (!pressed || pressure || !slope_help_ || judged_)
+  if (!is_down || pressure || !slope_help_ || judged_)
     slope_gain_.reset();
   else if (tablet_)
     at = slope_gain_.follow(at, haptics::TabletSurface(*tablet_->surface(), shape));
@@ -184,10 +184,10 @@ void TabletControl::move_stylus(geometry::TabletPoint at, bool pressed, std::opt
   pointer_.x_m = std::clamp(at.x, -edge_m, edge_m);
   pointer_.y_m = std::clamp(at.y, -edge_m, edge_m);
   const bool over = std::abs(at.x) <= edge_m && std::abs(at.y) <= edge_m;
-  const bool began = pressed && !pointer_.pressed;
+  const bool began = is_down && !pointer_.pressed;
   if (began && !pressure) mouse_depth_ = kUsualDepth;
-  if (began && over) this->pressed({pointer_.x_m, pointer_.y_m});
-  pointer_.pressed = pressed && (over || pointer_.pressed);
+  if (began && over) pressed({pointer_.x_m, pointer_.y_m});
+  pointer_.pressed = is_down && (over || pointer_.pressed);
   pointer_.in_range = over || pointer_.pressed;
   const double fraction = pressure ? std::clamp(*pressure, 0.0, 1.0) * kDeepest : mouse_depth_;
   pointer_.depth_m = pointer_.pressed ? fraction * shape.depth_m : 0;

@@ -98,7 +98,7 @@ void TabletRecording::export_table(const Path& path) {
   });
 }
 
-void TabletRecording::finish_export(const Path& path, const base::Result<void>& result) {
+void TabletRecording::finish_export(const Path& path, const base::Result<recording::RecordingEnd>& result) {
   --exports_;
   if (result) {
     std::error_code ignored;

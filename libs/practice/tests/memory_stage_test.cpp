@@ -311,11 +311,11 @@ TEST_F(MemoryStageTest, TheModelLiesOverTheWritingWhileItIsAskedForAndAReplaySho
   memory_.set_model_over(true);
   EXPECT_EQ(tablet_.overlay().writing.size(), 3U) << "one written, two of the model";
   memory_.set_model_over(false);
-  const auto whole = tablet_.overlay().writing.at(0).points.size();
+  const auto whole = tablet_.overlay().writing[0].points.size();
   memory_.show_moment(0.1);
-  EXPECT_LT(tablet_.overlay().writing.at(0).points.size(), whole);
+  EXPECT_LT(tablet_.overlay().writing[0].points.size(), whole);
   memory_.show_moment(std::nullopt);
-  EXPECT_EQ(tablet_.overlay().writing.at(0).points.size(), whole);
+  EXPECT_EQ(tablet_.overlay().writing[0].points.size(), whole);
   int stopped = 0;
   memory_.replay_stopped.connect([&] { ++stopped; });
   memory_.set_model_over(true);

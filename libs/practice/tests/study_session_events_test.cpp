@@ -195,7 +195,7 @@ TEST_F(SessionEvents, WhoGivesUpHadEveryStrokeShown) {
   EXPECT_EQ(session_->result().score, 0);
   EXPECT_EQ(session_->result().shown_strokes, 1);
   EXPECT_EQ(session_->proposed(), Rating::again);
-  EXPECT_EQ(session_->ink().strokes.size(), 1U);
+  EXPECT_EQ(session_->ink().size(), 1U);
   session_->go_on();
   EXPECT_EQ(session_->summary().ratings[0], 1) << "going on takes the proposal";
 }

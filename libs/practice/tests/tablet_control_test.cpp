@@ -294,11 +294,11 @@ TEST(TabletControl, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
 TEST(TabletControl, TicksThatCannotBeTrustedDoNotEndAStroke) {
   using nazori::haptics::Vec3;
   const auto script = std::make_shared<nazori::devices::test::Script>();
+  RunningTablet controller;
   const auto ticks_pass = [&](std::uint64_t count) {
     const std::uint64_t from = script->ticks;
     return controller.wait_for([&] { return script->ticks > from + count; }, 20'000);
   };
-  RunningTablet controller;
   const auto tablet = three();
   controller.set_tablet(tablet);
   controller.device().set_devices(nazori::devices::test::only(script), tablet->shape(), {});

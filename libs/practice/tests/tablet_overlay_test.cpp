@@ -12,6 +12,8 @@
 namespace nazori::practice {
 namespace {
 
+using test::RunningTablet;
+
 using geometry::TabletPoint;
 
 std::shared_ptr<const tablet::CarvedTablet> two_level_strokes() {
@@ -78,7 +80,7 @@ TEST_F(Drawn, EveryChangeAsksForAPicture) {
   controller_.picture_changed.connect([&] { ++pictures; });
   int states = 0;
   controller_.state_changed.connect([&] { ++states; });
-  auto asks = [&, before = qsizetype(0), told = qsizetype(0)](bool state) mutable {
+  auto asks = [&, before = int(0), told = int(0)](bool state) mutable {
     const bool asked = pictures > before && (states > told) == state;
     before = pictures;
     told = states;
@@ -263,18 +265,18 @@ TEST_F(PointerOnTheTablet, ThatIsLiftedIsGone) {
 }
 
 TEST_F(PointerOnTheTablet, LeansAsFarAsPensDoAndNoFurther) {
-  controller_.lean_stylus(QPointF(75, 0));
+  controller_.lean_stylus(PenTilt{75, 0});
   EXPECT_NEAR(controller_.lean_rad(), 75 * std::numbers::pi / 180, 1e-12);
-  controller_.lean_stylus(QPointF(89, 0));
+  controller_.lean_stylus(PenTilt{89, 0});
   EXPECT_NEAR(controller_.lean_rad(), 75 * std::numbers::pi / 180, 1e-12);
-  controller_.lean_stylus(QPointF(-89, 0));
+  controller_.lean_stylus(PenTilt{-89, 0});
   EXPECT_NEAR(controller_.lean_rad(), 75 * std::numbers::pi / 180, 1e-12);
-  controller_.lean_stylus(QPointF(0, std::nan("")));
+  controller_.lean_stylus(PenTilt{0, std::nan("")});
   EXPECT_NEAR(controller_.lean_rad(), 0, 1e-12);
-  controller_.lean_stylus(QPointF(0, 0));
+  controller_.lean_stylus(PenTilt{0, 0});
   EXPECT_NEAR(controller_.lean_rad(), 0, 1e-12) << "upright, by a pen that has tilt";
   // 45 degrees both ways: its axis goes one to the right and one down for one up.
-  controller_.lean_stylus(QPointF(45, 45));
+  controller_.lean_stylus(PenTilt{45, 45});
   EXPECT_NEAR(controller_.lean_rad(), std::acos(1 / std::sqrt(3.0)), 1e-12);
   controller_.lean_stylus({});
   EXPECT_EQ(controller_.lean_rad(), 0);

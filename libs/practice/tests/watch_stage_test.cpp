@@ -18,6 +18,10 @@ class WatchStageTest : public StageTest {
       watch_.advance();
     }
   }
+  [[nodiscard]] std::vector<double> ink() {
+    const auto overlay = tablet_.overlay();
+    return {overlay.groove_ink.begin(), overlay.groove_ink.end()};
+  }
   WatchStage watch_{tablet_, clock_};
 };
 
@@ -44,7 +48,7 @@ TEST_F(WatchStageTest, GoesByTheClockAndTwiceAsFastAtTwiceTheSpeed) {
   watch_.enter(three());
   clock_.advance(milliseconds{700});
   watch_.advance();
-  const auto usual = tablet_.overlay().groove_ink;
+  const auto usual = ink();
   watch_.set_playing(false);
   watch_.show_moment(0);
   watch_.faster();
@@ -109,7 +113,7 @@ TEST_F(WatchStageTest, WithReducedMotionNothingMovesUntilItIsAskedFor) {
   EXPECT_FALSE(watch_.is_playing());
   clock_.advance(milliseconds{5000});
   watch_.advance();
-  EXPECT_EQ(tablet_.overlay().groove_ink, std::vector<double>(3, 0.0));
+  EXPECT_EQ(ink(), std::vector<double>(3, 0.0));
   watch_.set_playing(true);
   clock_.advance(milliseconds{1000});
   watch_.advance();
@@ -121,7 +125,7 @@ TEST_F(WatchStageTest, PlayingAgainAtTheEndStartsFromTheBeginning) {
   play(60);
   (void)events();
   watch_.set_playing(true);
-  EXPECT_EQ(tablet_.overlay().groove_ink, std::vector<double>(3, 0.0));
+  EXPECT_EQ(ink(), std::vector<double>(3, 0.0));
   play(60);
   EXPECT_EQ(events().size(), 4U);
 }
@@ -150,7 +154,7 @@ TEST_F(WatchStageTest, LeavingStopsTheBrushAndTakesItAway) {
   watch_.advance();
   watch_.leave();
   EXPECT_FALSE(watch_.is_playing());
-  EXPECT_EQ(tablet_.overlay().groove_ink, std::vector<double>(3, 0.0)) << "the learner's own ink";
+  EXPECT_EQ(ink(), std::vector<double>(3, 0.0)) << "the learner's own ink";
 }
 
 }  // namespace

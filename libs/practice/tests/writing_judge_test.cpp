@@ -20,7 +20,7 @@ JudgeRequest request(char32_t asked, char32_t written) {
   made.character = asked;
   for (const auto& line : kanji::KanjiDatabase::open(database())->find(written)->lines()) {
     auto& stroke = made.ink.strokes.emplace_back();
-    for (const auto& p : line.points) stroke.points.push_back({p.x, p.y});
+    for (const auto& p : line.points) stroke.push_back({{p.x, p.y}});
   }
   return made;
 }
@@ -89,9 +89,9 @@ TEST(WritingJudge, HowThePenMovedIsReportedBeforeTheVerdictOfFinishedWritingOnly
   Court court;
   auto asked = request(U'十', U'十');
   for (auto& stroke : asked.ink.strokes)
-    for (std::size_t i = 0; i < stroke.points.size(); ++i) {
-      stroke.times_s.push_back(0.05 * static_cast<double>(i) + (&stroke == &asked.ink.strokes[0] ? 0 : 10));
-      stroke.pressures.push_back(0.5);
+    for (std::size_t i = 0; i < stroke.size(); ++i) {
+      stroke[i].time_s = 0.05 * static_cast<double>(i) + (&stroke == &asked.ink.strokes[0] ? 0 : 10);
+      stroke[i].pressure = 0.5;
     }
   court.judge.judge(asked);
   court.wait_for(court.judged, 1);

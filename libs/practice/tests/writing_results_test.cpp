@@ -13,7 +13,7 @@ TEST(WritingResults, HandwritingGoesOnInTimeWhereTheClockBeginsAgain) {
   std::vector<double> times_s;
   for (const auto& stroke : ink)
     for (const auto& point : stroke) times_s.push_back(point.time_s.value_or(-1));
-  EXPECT_EQ(times_s, (std::vector{0, 0.1, 0.1, 0.25}));
+  EXPECT_EQ(times_s, (std::vector<double>{0, 0.1, 0.1, 0.25}));
   EXPECT_TRUE(study::pack(ink)) << "it can be kept";
 }
 

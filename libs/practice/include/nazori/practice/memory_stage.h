@@ -110,7 +110,7 @@ class MemoryStage final : public PracticeStage {
   void clear();
   void invite();
   void record(std::span<const haptics::ServoSample> samples);
-  void ask(bool finished);
+  void ask(bool as_a_whole);
   void use_grade(std::uint64_t number, const writing::Grade& grade);
   void report_last_stroke();
   void report_mistake(StageFeedback what, bool can_be_tried_again);

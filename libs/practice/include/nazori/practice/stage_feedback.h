@@ -109,10 +109,10 @@ struct StageFeedback {
   double value = 0;
   Leading leading = Leading::none;
   MistakeHelp more = MistakeHelp::none;
-  std::string type;  ///< of a stroke, as KanjiVG names it; empty where it has none
+  std::string type = {};  ///< of a stroke, as KanjiVG names it; empty where it has none
   kanji::StrokeEnding ending = kanji::StrokeEnding::stop;
-  std::optional<writing::Mistake> mistake;
-  std::optional<base::Error> error;
+  std::optional<writing::Mistake> mistake = {};
+  std::optional<base::Error> error = {};
 };
 
 }  // namespace nazori::practice

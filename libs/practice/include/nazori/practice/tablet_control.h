@@ -102,7 +102,7 @@ class TabletControl {
   /// The stylus over the tablet. @param pressure  0..1 of a pen; nothing for a mouse, whose depth the wheel
   /// sets.
   /// @param event_s  when, on the clock of the window system; nothing: now.
-  void move_stylus(geometry::TabletPoint at, bool pressed, std::optional<double> pressure = {},
+  void move_stylus(geometry::TabletPoint at, bool is_down, std::optional<double> pressure = {},
                    std::optional<double> event_s = {});
   void lift_stylus();
   /// How a pen is held from now on; nothing for what has no tilt.

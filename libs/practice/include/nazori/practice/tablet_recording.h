@@ -73,7 +73,7 @@ class TabletRecording {
   base::Result<void> begin(const Path& path);
   base::Result<void> close();
   void export_table(const Path& path);
-  void finish_export(const Path& path, const base::Result<void>& result);
+  void finish_export(const Path& path, const base::Result<recording::RecordingEnd>& result);
   void recover_file(const Path& path);
   void finish_recovery(const Path& path, const base::Result<recording::Recovery>& result);
   void move_on();
