@@ -122,6 +122,20 @@ TEST(Latest, AnAnswerMayEndIt) {
   inbox.run_until([&] { return latest == nullptr; });
 }
 
+TEST(Latest, TwoMayShareAThreadAndTheEndOfOneLeavesTheOther) {
+  Inbox inbox;
+  const auto background = std::make_shared<Background>("shared", inbox);
+  const auto same = [](int number, const auto&) { return number; };
+  int heard = 0;
+  auto first = std::make_unique<Latest<int, int>>(background, same, [](int) { FAIL() << "it is gone"; });
+  Latest<int, int> second(background, same, [&](int number) { heard = number; });
+  first->request(1);
+  second.request(2);
+  first.reset();
+  inbox.run_until([&] { return !second.is_busy(); });
+  EXPECT_EQ(heard, 2);
+}
+
 TEST(Latest, ItsEndStopsTheWorkAndWaitsForIt) {
   Inbox inbox;
   std::atomic<bool> begun{false}, ended{false};

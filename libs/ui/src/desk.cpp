@@ -17,8 +17,8 @@ Desk::Desk(QWidget& window, const std::filesystem::path& database, QString setti
     : window_(window),
       settings_file_(settings_file.isEmpty() ? Preferences::default_file() : std::move(settings_file)),
       preferences_(Preferences::load(settings_file_)),
-      library_(database),
-      judge_(database),
+      library_(inbox(), database),
+      judge_(inbox(), database),
       recording_(controller_.stylus(), settings_file_),
       learner_(learner) {
   controller_.set_style(preferences_.style);

@@ -5,15 +5,16 @@
 #include <QObject>
 #include <utility>
 
+#include "event_loop_inbox.h"
 #include "feedback_line.h"
-#include "library.h"
+#include "nazori/practice/character_library.h"
+#include "nazori/practice/tablet_workshop.h"
+#include "nazori/practice/writing_judge.h"
 #include "preferences.h"
 #include "session_recording.h"
 #include "study/learner.h"
 #include "study/study_session.h"
 #include "tablet_controller.h"
-#include "workshop.h"
-#include "writing_judge.h"
 
 namespace nazori::ui {
 
@@ -30,10 +31,12 @@ class Desk final : public QObject {
   [[nodiscard]] QWidget& window() const { return window_; }
   [[nodiscard]] const QString& settings_file() const { return settings_file_; }
   [[nodiscard]] Preferences& preferences() { return preferences_; }
-  [[nodiscard]] Library& library() { return library_; }
-  [[nodiscard]] Workshop& workshop() { return workshop_; }
+  /// Where tasks of other threads for that of the window arrive.
+  [[nodiscard]] base::Inbox& inbox() { return inbox_.inbox(); }
+  [[nodiscard]] practice::CharacterLibrary& library() { return library_; }
+  [[nodiscard]] practice::TabletWorkshop& workshop() { return workshop_; }
   [[nodiscard]] TabletController& controller() { return controller_; }
-  [[nodiscard]] WritingJudge& judge() { return judge_; }
+  [[nodiscard]] practice::WritingJudge& judge() { return judge_; }
   [[nodiscard]] SessionRecording& recording() { return recording_; }
   [[nodiscard]] Learner& learner() { return learner_; }
   [[nodiscard]] StudySession& session() { return session_; }
@@ -85,9 +88,10 @@ class Desk final : public QObject {
   QWidget& window_;
   QString settings_file_;
   Preferences preferences_;
-  Library library_;
-  Workshop workshop_;
-  WritingJudge judge_;
+  EventLoopInbox inbox_;  // before all that answer through it
+  practice::CharacterLibrary library_;
+  practice::TabletWorkshop workshop_{inbox_.inbox()};
+  practice::WritingJudge judge_;
   TabletController controller_;
   SessionRecording recording_;
   Learner learner_;

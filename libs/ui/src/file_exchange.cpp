@@ -8,30 +8,32 @@
 #include <QStandardPaths>
 
 #include "error_text.h"
+#include "kanji_text.h"
 #include "nazori/kanji/stroke_order.h"
 #include "save_dialog.h"
+#include "signals.h"
 
 namespace nazori::ui {
 
-FileExchange::FileExchange(Workshop* workshop, QWidget* window)
+FileExchange::FileExchange(practice::TabletWorkshop* workshop, QWidget* window)
     : QObject(window), workshop_(workshop), window_(window) {
-  connect(workshop_, &Workshop::failed, this, [this](const QString& path, const base::Error& error) {
-    const QString name = path.isEmpty() ? tr("The character") : QFileInfo(path).fileName();
+  subscribe(workshop_->failed, this, [this](const std::filesystem::path& path, const base::Error& error) {
+    const QString name = path.empty() ? tr("The character") : to_text(path.filename().string());
     emit say(Feedback::wrong, tr("%1: %2. The tablet is as it was.").arg(name, reason(error)));
   });
-  connect(workshop_, &Workshop::saved, this, [this](const QString& path) {
-    emit say(Feedback::good, tr("Saved as %1.").arg(QDir::toNativeSeparators(path)));
+  subscribe(workshop_->saved, this, [this](const std::filesystem::path& path) {
+    emit say(Feedback::good, tr("Saved as %1.").arg(QDir::toNativeSeparators(to_text(path.string()))));
   });
 }
 
-bool FileExchange::ask_and_open(const OwnTablet& onto) {
+bool FileExchange::ask_and_open(const practice::OwnTablet& onto) {
   const QStringList paths =
       QFileDialog::getOpenFileNames(window_, tr("Open a height map, a stroke order, or both"), folder_,
                                     tr("Height maps and stroke orders (*.raw *.png *.str);;All files (*)"));
   return !paths.isEmpty() && open(paths, onto);
 }
 
-bool FileExchange::open(const QStringList& paths, const OwnTablet& onto) {
+bool FileExchange::open(const QStringList& paths, const practice::OwnTablet& onto) {
   QString map;
   QString strokes;
   for (const QString& path : paths) {
@@ -55,13 +57,13 @@ bool FileExchange::open(const QStringList& paths, const OwnTablet& onto) {
   int grid = 0;
   if (map.isEmpty() && onto.map_size == 0) {
     // A stroke file does not say its grid. One that cannot be read at all is reported by the workshop.
-    const auto guess = Workshop::guess_grid(strokes);
+    const auto guess = practice::TabletWorkshop::guess_grid(strokes.toStdString());
     if (guess && !guess->certain) {
       grid = ask_grid(strokes, guess->side);
       if (grid == 0) return false;
     }
   }
-  workshop_->load(map, strokes, onto, grid);
+  workshop_->load(map.toStdString(), strokes.toStdString(), onto, grid);
   return true;
 }
 
@@ -79,7 +81,8 @@ int FileExchange::ask_grid(const QString& path, int proposed) {
   return ok ? side : 0;
 }
 
-void FileExchange::ask_and_save(const Tablet& tablet, const OwnTablet& own, const QString& name) {
+void FileExchange::ask_and_save(const practice::Tablet& tablet, const practice::OwnTablet& own,
+                                const QString& name) {
   if (!tablet) {
     emit say(Feedback::advice, tr("There is no tablet to save yet."));
     return;
@@ -95,7 +98,7 @@ void FileExchange::ask_and_save(const Tablet& tablet, const OwnTablet& own, cons
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
   remember_folder_of(path);
-  workshop_->save(tablet, path, dialog.format(), dialog.size(), own.map_size > 0);
+  workshop_->save(tablet, path.toStdString(), dialog.format(), dialog.size(), own.map_size > 0);
 }
 
 }  // namespace nazori::ui

@@ -5,7 +5,7 @@
 #include <QStringList>
 
 #include "feedback_line.h"
-#include "workshop.h"
+#include "nazori/practice/tablet_workshop.h"
 
 class QWidget;
 
@@ -16,19 +16,19 @@ namespace nazori::ui {
 class FileExchange final : public QObject {
   Q_OBJECT
  public:
-  FileExchange(Workshop* workshop, QWidget* window);
+  FileExchange(practice::TabletWorkshop* workshop, QWidget* window);
 
   /// Where file dialogs begin.
   void set_folder(const QString& folder) { folder_ = folder; }
 
   /// @return as open().
-  bool ask_and_open(const OwnTablet& onto);
+  bool ask_and_open(const practice::OwnTablet& onto);
   /// At most one height map (RAW, PNG) and one stroke order (.str) of the list.
   /// @return whether they are being loaded; false where they were refused or nothing was chosen.
-  bool open(const QStringList& paths, const OwnTablet& onto);
+  bool open(const QStringList& paths, const practice::OwnTablet& onto);
   /// @param own  what was loaded; an empty one: the tablet is a carved character. @param name  proposed for
   /// the file.
-  void ask_and_save(const Tablet& tablet, const OwnTablet& own, const QString& name);
+  void ask_and_save(const practice::Tablet& tablet, const practice::OwnTablet& own, const QString& name);
 
  signals:
   void say(nazori::ui::Feedback kind, QString sentence);
@@ -39,7 +39,7 @@ class FileExchange final : public QObject {
   void remember_folder_of(const QString& path);
   int ask_grid(const QString& path, int proposed);
 
-  Workshop* workshop_;
+  practice::TabletWorkshop* workshop_;
   QWidget* window_;
   QString folder_;
 };

@@ -133,9 +133,9 @@ void MainWindow::Inside::connect_desk() {
   QObject::connect(&desk, &Desk::study_settings_changed, &window,
                    [this] { panes->set_mirrored(desk.preferences().left_handed); });
   QObject::connect(&desk, &Desk::opened, &window, &MainWindow::opened);
-  QObject::connect(&desk.library(), &Library::opened, &window,
-                   [this](const std::vector<kanji::Source>& read) { sources = read; });
-  QObject::connect(&desk.library(), &Library::failed, &window, [this](const base::Error& error) {
+  subscribe(desk.library().opened, &window,
+            [this](const std::vector<kanji::Source>& read) { sources = read; });
+  subscribe(desk.library().failed, &window, [this](const base::Error& error) {
     desk.say(Feedback::wrong, MainWindow::tr("The kanji database: %1.").arg(reason(error)));
   });
   QObject::connect(panes, &Panes::opened, &window, [this](bool left, bool right) {

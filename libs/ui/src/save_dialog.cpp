@@ -13,19 +13,19 @@ SaveDialog::SaveDialog(int fixed_size, bool has_strokes, QWidget* parent)
   setObjectName(QStringLiteral("save_dialog"));
   setWindowTitle(tr("Save the tablet"));
   format_->setObjectName(QStringLiteral("save_format"));
-  format_->addItem(tr("Height map, 8-bit RAW as in 2005"), static_cast<int>(FileFormat::raw));
-  format_->addItem(tr("Height map, 16-bit PNG"), static_cast<int>(FileFormat::png));
+  format_->addItem(tr("Height map, 8-bit RAW as in 2005"), static_cast<int>(practice::FileFormat::raw));
+  format_->addItem(tr("Height map, 16-bit PNG"), static_cast<int>(practice::FileFormat::png));
   if (has_strokes)
-    format_->addItem(tr("Stroke order, .str as in 2005"), static_cast<int>(FileFormat::strokes));
+    format_->addItem(tr("Stroke order, .str as in 2005"), static_cast<int>(practice::FileFormat::strokes));
   size_->setObjectName(QStringLiteral("save_size"));
   if (fixed_size > 0) {
     size_->addItem(tr("%1 × %1").arg(fixed_size), fixed_size);
     size_->setEnabled(false);
   } else {
     for (const int side : {128, 256, 512, 1024, 2048})
-      size_->addItem(
-          side == Workshop::kClassicSize ? tr("%1 × %1, as in 2005").arg(side) : tr("%1 × %1").arg(side),
-          side);
+      size_->addItem(side == practice::TabletWorkshop::kClassicSize ? tr("%1 × %1, as in 2005").arg(side)
+                                                                    : tr("%1 × %1").arg(side),
+                     side);
   }
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   auto* choose = buttons->addButton(tr("Choose the file…"), QDialogButtonBox::AcceptRole);
@@ -40,29 +40,31 @@ SaveDialog::SaveDialog(int fixed_size, bool has_strokes, QWidget* parent)
   form->addRow(buttons);
 }
 
-FileFormat SaveDialog::format() const { return static_cast<FileFormat>(format_->currentData().toInt()); }
+practice::FileFormat SaveDialog::format() const {
+  return static_cast<practice::FileFormat>(format_->currentData().toInt());
+}
 
 int SaveDialog::size() const { return size_->currentData().toInt(); }
 
-QString SaveDialog::filter(FileFormat format) {
+QString SaveDialog::filter(practice::FileFormat format) {
   switch (format) {
-    case FileFormat::raw:
+    case practice::FileFormat::raw:
       return tr("Height maps (*.raw)");
-    case FileFormat::png:
+    case practice::FileFormat::png:
       return tr("Pictures (*.png)");
-    case FileFormat::strokes:
+    case practice::FileFormat::strokes:
       return tr("Stroke orders (*.str)");
   }
   return {};
 }
 
-QString SaveDialog::suffix(FileFormat format) {
+QString SaveDialog::suffix(practice::FileFormat format) {
   switch (format) {
-    case FileFormat::raw:
+    case practice::FileFormat::raw:
       return QStringLiteral("raw");
-    case FileFormat::png:
+    case practice::FileFormat::png:
       return QStringLiteral("png");
-    case FileFormat::strokes:
+    case practice::FileFormat::strokes:
       return QStringLiteral("str");
   }
   return {};

@@ -3,7 +3,7 @@
 
 #include <QDialog>
 
-#include "workshop.h"
+#include "nazori/practice/tablet_workshop.h"
 
 class QComboBox;
 
@@ -16,11 +16,11 @@ class SaveDialog final : public QDialog {
   /// @param fixed_size  side of a map of one's own, which keeps its size; 0: the size can be chosen.
   SaveDialog(int fixed_size, bool has_strokes, QWidget* parent);
 
-  [[nodiscard]] FileFormat format() const;
+  [[nodiscard]] practice::FileFormat format() const;
   [[nodiscard]] int size() const;
   /// "*.raw" and what it is, for the file dialog.
-  [[nodiscard]] static QString filter(FileFormat format);
-  [[nodiscard]] static QString suffix(FileFormat format);
+  [[nodiscard]] static QString filter(practice::FileFormat format);
+  [[nodiscard]] static QString suffix(practice::FileFormat format);
 
  private:
   QComboBox* format_;

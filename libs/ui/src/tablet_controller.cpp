@@ -247,8 +247,8 @@ void TabletController::pump() {
       // A tick that came too late drops the touch, which says nothing of the hand.
       if (haptics::has(sample.events, haptics::ServoEvent::fault)) continue;
       const auto step = ink_.follow(sample.proxy_m, sample.touching, current_);
-      inked = inked || step.inked || step.event == InkEvent::left_open;
-      if (step.event != InkEvent::none) emit stroke_event(step.event, step.stroke);
+      inked = inked || step.inked || step.event == practice::TraceEvent::left_open;
+      if (step.event != practice::TraceEvent::none) emit stroke_event(step.event, step.stroke);
     }
     if (count < samples.size()) break;
   }

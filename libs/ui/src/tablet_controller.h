@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "ink_tracker.h"
 #include "nazori/devices/slope_gain.h"
+#include "nazori/practice/traced_ink.h"
 #include "nazori/tablet/carved_tablet.h"
 #include "nazori/view/tablet_view.h"
 #include "stylus.h"
@@ -87,7 +87,7 @@ class TabletController final : public QObject {
   void clear_ink();
   /// Takes the ink off the stroke that took it up last.
   void undo_ink();
-  [[nodiscard]] const InkTracker& ink() const { return ink_; }
+  [[nodiscard]] const practice::TracedInk& ink() const { return ink_; }
 
   /// The stylus over the tablet. @param pressure  0..1 of a pen; nothing for a mouse, whose depth the wheel
   /// sets.
@@ -135,7 +135,7 @@ class TabletController final : public QObject {
   void tablet_changed();
   void state_changed();  ///< stroke shown, toggles, style
   void picture_changed();
-  void stroke_event(nazori::ui::InkEvent event, int stroke);
+  void stroke_event(practice::TraceEvent event, int stroke);
   void depth_changed(double depth_m);
   /// What the servo has seen since the last time, in order.
   void sampled(std::span<const nazori::haptics::ServoSample> samples);
@@ -153,7 +153,7 @@ class TabletController final : public QObject {
   void change(T& value, T to, bool felt);
 
   std::shared_ptr<const tablet::CarvedTablet> tablet_;
-  InkTracker ink_;
+  practice::TracedInk ink_;
   int current_ = 0;
   int led_from_ = 1;  ///< first stroke to be led along
   std::uint32_t led_times_ = 0;

@@ -33,13 +33,13 @@ class ChosenSessionTest : public SessionTest {
     const auto& store = learner_->store();
     now_ += store.card(character).due_day.value_or(store.today()) - store.today() + std::chrono::days(1);
   }
-  [[nodiscard]] std::shared_ptr<CharacterSheet> sheet() const {
-    auto made = std::make_shared<CharacterSheet>();
+  [[nodiscard]] std::shared_ptr<practice::CharacterSheet> sheet() const {
+    auto made = std::make_shared<practice::CharacterSheet>();
     made->character = *kanji::KanjiDatabase::open(kanji_db())->find(session_->character());
     return made;
   }
   /// The same without what a dictionary says.
-  [[nodiscard]] std::shared_ptr<CharacterSheet> bare_sheet() const {
+  [[nodiscard]] std::shared_ptr<practice::CharacterSheet> bare_sheet() const {
     auto made = sheet();
     made->character.entry = {};
     return made;

@@ -12,9 +12,9 @@
 #include "appearance.h"
 #include "desk.h"
 #include "nazori/kanji/stroke_order.h"
+#include "nazori/practice/tablet_workshop.h"
 #include "palette.h"
 #include "status_line.h"
-#include "workshop.h"
 
 namespace nazori::ui {
 namespace {
@@ -97,109 +97,6 @@ TEST_F(NewsOfTheDesk, NothingIsSaidWhereThereIsNothingToSay) {
   emit desk_.character_shown(U'一');
   desk_.say(Feedback::hint, {});
   EXPECT_TRUE(said_.isEmpty());
-}
-
-class OwnFiles : public testing::Test {
- protected:
-  OwnFiles() {
-    QObject::connect(&workshop_, &Workshop::loaded, &workshop_,
-                     [this](const OwnTablet& own) { loaded_.push_back(own); });
-  }
-  [[nodiscard]] QString path(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
-  /// A stroke file whose farthest point lies there.
-  QString strokes(const char* name, std::int32_t x, std::int32_t y) {
-    kanji::StrokeOrder order;
-    order.add_stroke({{10, 10}, {x, y}});
-    EXPECT_TRUE(order.save(path(name).toStdString()));
-    return path(name);
-  }
-  OwnTablet load(const QString& map, const QString& order, const OwnTablet& onto = {}, int grid = 0) {
-    loaded_.clear();
-    workshop_.load(map, order, onto, grid);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !loaded_.empty(); }, 30'000));
-    return loaded_.empty() ? OwnTablet{} : loaded_.front();
-  }
-  QTemporaryDir folder_;
-  Workshop workshop_;
-  std::vector<OwnTablet> loaded_;
-};
-
-TEST_F(OwnFiles, TheGridOfAStrokeFileIsThePowerOfTwoThatHoldsIt) {
-  struct Expected {
-    std::int32_t x, y;
-    int side;
-    bool certain;
-  };
-  const Expected all[] = {{63, 20, 128, false},  {64, 20, 128, true},    {20, 64, 128, true},
-                          {127, 127, 128, true}, {128, 20, 256, false},  {20, 255, 256, false},
-                          {256, 20, 512, false}, {20, 1000, 1024, false}};
-  for (const auto& [x, y, side, certain] : all) {
-    const auto guess = Workshop::guess_grid(strokes("a.str", x, y));
-    ASSERT_TRUE(guess);
-    EXPECT_EQ(guess->side, side) << x << ' ' << y;
-    EXPECT_EQ(guess->certain, certain) << x << ' ' << y;
-  }
-  EXPECT_FALSE(Workshop::guess_grid(path("none.str")));
-}
-
-TEST_F(OwnFiles, StrokesAloneAreCarvedInTheWindowsSizeOnTheirGrid) {
-  const auto own = load({}, strokes("a.str", 64, 64));
-  ASSERT_TRUE(own.tablet);
-  EXPECT_EQ(own.name, QStringLiteral("a.str"));
-  EXPECT_TRUE(own.has_strokes);
-  EXPECT_EQ(own.map_size, 0);
-  EXPECT_EQ(own.tablet->height_map().size(), Workshop::kSize);
-  // The same points on a grid of twice the side lie half as far.
-  const auto wide = load({}, path("a.str"), {}, 256);
-  ASSERT_TRUE(wide.tablet);
-  const auto end = own.tablet->lines()[0].points.back();
-  const auto wide_end = wide.tablet->lines()[0].points.back();
-  EXPECT_NEAR(wide_end.x / end.x, 0.5, 0.02);
-}
-
-TEST_F(OwnFiles, AMapHasItsNameAndSizeAndStrokesAreLaidOverIt) {
-  auto map = surface::HeightMap::create(64);
-  ASSERT_TRUE(map);
-  ASSERT_TRUE(surface::save_raw(*map, path("m.raw").toStdString()));
-  const auto own = load(path("m.raw"), {});
-  EXPECT_EQ(own.name, QStringLiteral("m.raw"));
-  EXPECT_EQ(own.map_size, 64);
-  EXPECT_FALSE(own.has_strokes);
-  EXPECT_TRUE(own.tablet->lines().empty());
-  const auto both = load({}, strokes("a.str", 40, 40), own);
-  EXPECT_EQ(both.name, QStringLiteral("m.raw + a.str"));
-  EXPECT_EQ(both.map_size, 64);
-  EXPECT_EQ(both.tablet->height_map().size(), 64);
-  EXPECT_EQ(both.tablet->lines().size(), 1U);
-  const auto other = load({}, strokes("b.str", 50, 50), both);
-  EXPECT_EQ(other.name, QStringLiteral("m.raw + b.str")) << "in place of those before";
-  QSignalSpy failed(&workshop_, &Workshop::failed);
-  workshop_.load({}, strokes("c.str", 64, 64), own);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, 30'000)) << "they do not fit on the map";
-  EXPECT_EQ(failed.at(0).at(0).toString(), path("c.str"));
-}
-
-TEST_F(OwnFiles, ATabletIsWrittenInTheSizeThatIsAskedForAndAMapInItsOwn) {
-  const auto own = load({}, strokes("a.str", 100, 100));
-  QSignalSpy saved(&workshop_, &Workshop::saved);
-  const auto save = [&](const char* name, const OwnTablet& what, FileFormat format, int size) {
-    workshop_.save(what.tablet, path(name), format, size, what.map_size > 0);
-    const auto before = saved.count();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return saved.count() > before; }, 30'000));
-    return path(name).toStdString();
-  };
-  const auto raw = surface::load_raw(save("b.raw", own, FileFormat::raw, 128));
-  ASSERT_TRUE(raw);
-  EXPECT_EQ(raw->size(), 128);
-  const auto png = surface::load_png(save("b.png", own, FileFormat::png, 256));
-  ASSERT_TRUE(png);
-  EXPECT_EQ(png->size(), 256);
-  const auto order = kanji::StrokeOrder::load(save("b.str", own, FileFormat::strokes, 128), 128);
-  ASSERT_TRUE(order);
-  ASSERT_EQ(order->count(), 1U);
-  EXPECT_NEAR(order->stroke(1).back().x, 100, 1);
-  const auto map = load(path("b.raw"), {});
-  EXPECT_EQ(surface::load_raw(save("c.raw", map, FileFormat::raw, 512))->size(), 128);
 }
 
 TEST(StatusLine, TellsDepthInMillimetresWhileThereIsAny) {

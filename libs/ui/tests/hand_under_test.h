@@ -10,7 +10,7 @@
 #include "nazori/geometry/frames.h"
 #include "nazori/geometry/polyline.h"
 #include "nazori/kanji/kanji_database.h"
-#include "pen_recorder.h"
+#include "nazori/practice/pen_recorder.h"
 #include "tablet_controller.h"
 
 namespace nazori::ui::test {
@@ -27,8 +27,8 @@ inline std::vector<Points> model(char32_t character) {
 }
 
 /// What a hand would have written along a line, a point each 10 ms, without waiting for a hand.
-inline HandStroke hand_stroke(const Points& line, double begin_s = 0) {
-  HandStroke stroke;
+inline practice::HandStroke hand_stroke(const Points& line, double begin_s = 0) {
+  practice::HandStroke stroke;
   for (double at = 0; at <= geometry::arc_length<geometry::GlyphFrame>(line); at += 1)
     stroke.push_back({geometry::glyph_to_tablet(geometry::point_at<geometry::GlyphFrame>(line, at), {}),
                       begin_s += 0.01, 0.5});

@@ -23,13 +23,13 @@ class InformationPanelTest : public testing::Test {
     panel_.resize(700, 500);
     panel_.show();
   }
-  static std::shared_ptr<CharacterSheet> sheet(char32_t character, std::size_t strokes = 2) {
-    auto made = std::make_shared<CharacterSheet>();
+  static std::shared_ptr<practice::CharacterSheet> sheet(char32_t character, std::size_t strokes = 2) {
+    auto made = std::make_shared<practice::CharacterSheet>();
     made->character.code_point = character;
     made->character.strokes.resize(strokes);
     return made;
   }
-  void show(const std::shared_ptr<CharacterSheet>& sheet) { panel_.show_character(sheet); }
+  void show(const std::shared_ptr<practice::CharacterSheet>& sheet) { panel_.show_character(sheet); }
   QString text(const char* name) { return panel_.findChild<QLabel*>(QString::fromLatin1(name))->text(); }
   QStringList texts(const char* name) {
     QStringList all;

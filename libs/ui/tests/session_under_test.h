@@ -42,13 +42,13 @@ class SessionTest : public testing::Test {
 
   /// The character comes to the desk.
   void bring(char32_t character) {
-    auto sheet = std::make_shared<CharacterSheet>();
+    auto sheet = std::make_shared<practice::CharacterSheet>();
     sheet->character = *kanji::KanjiDatabase::open(kanji_db())->find(character);
     session_->take_sheet(sheet);
   }
 
-  static std::vector<HandStroke> hand() {
-    HandStroke stroke;
+  static std::vector<practice::HandStroke> hand() {
+    practice::HandStroke stroke;
     for (int i = 0; i < 20; ++i) stroke.push_back({{i * 0.002 - 0.02, 0}, i * 0.01, 0.5});
     return {stroke};
   }

@@ -87,7 +87,7 @@ TEST_F(SessionWidgets, TheQuestionHasFourMeaningsAndTwoReadingsOfEachKindAndNoCh
   EXPECT_EQ(all.question(), words);
   all.bar.show_state(nullptr);
   EXPECT_EQ(all.question(), QString()) << "it is on its way";
-  auto other = std::make_shared<CharacterSheet>(*asked);
+  auto other = std::make_shared<practice::CharacterSheet>(*asked);
   other->character.code_point = U'雨';
   all.bar.show_state(other);
   EXPECT_EQ(all.question(), QString());

@@ -148,15 +148,15 @@ TEST_F(SmallWidgets, TheTileOfTheCharacterOnTheDeskStandsOutFromTheOthers) {
 }
 
 /// A level stroke through the middle, from 0.5 s to 1.5 s, and one below it from 2 s to 3 s.
-std::vector<HandStroke> two_strokes() {
-  HandStroke first, second;
+std::vector<practice::HandStroke> two_strokes() {
+  practice::HandStroke first, second;
   for (int i = 0; i <= 10; ++i) {
     first.push_back({{-0.03 + 0.006 * i, 0}, 0.5 + 0.1 * i, 0.5});
     second.push_back({{-0.03 + 0.006 * i, -0.03}, 2 + 0.1 * i, 0.5});
   }
   return {first, second};
 }
-Tablet upright_model() {
+practice::Tablet upright_model() {
   kanji::StrokeLine line;
   line.points = {{54.5, 20}, {54.5, 89}};
   return *tablet::CarvedTablet::from_lines({line}, 128);
@@ -187,7 +187,7 @@ TEST_F(SmallWidgets, ComparingReplaysTheWritingAtItsOwnSpeed) {
 
 TEST_F(SmallWidgets, AReplayBeginsAtNothingAndEndsWithAll) {
   CompareView view;
-  HandStroke quick{{{0, 0}, 1, 0.5}, {{0.01, 0}, 1.01, 0.5}};
+  practice::HandStroke quick{{{0, 0}, 1, 0.5}, {{0.01, 0}, 1.01, 0.5}};
   kanji::StrokeLine dot;
   dot.points = {{50, 50}, {51, 50}};
   view.show_writing({quick}, {}, *tablet::CarvedTablet::from_lines({dot}, 128));
@@ -234,11 +234,11 @@ TEST_F(SmallWidgets, TheGlyphIsLargeAndInTheMiddleAlsoDrawnFromStrokes) {
   GlyphView view;
   view.resize(200, 200);
   EXPECT_TRUE(box_of(picture_of(view), current_colours().ink).isNull());
-  auto sheet = std::make_shared<CharacterSheet>();
+  auto sheet = std::make_shared<practice::CharacterSheet>();
   sheet->character.code_point = U'田';
   view.show_character(sheet);
   EXPECT_EQ(view.accessibleName(), QStringLiteral("田"));
-  auto drawn = std::make_shared<CharacterSheet>();
+  auto drawn = std::make_shared<practice::CharacterSheet>();
   drawn->character.code_point = 0x10FFFD;  // in no font
   kanji::Stroke stroke;
   stroke.line.points = {{20, 20}, {89, 20}, {89, 89}};
@@ -300,7 +300,7 @@ TEST_F(SmallWidgets, AReportTellsPointsFaultsAndHowThePenMoved) {
   EXPECT_TRUE(label("report_pen")->isHidden());
   grade.accepted = false;
   grade.score = 12;
-  PenReport pen;
+  practice::PenReport pen;
   pen.motions = {writing::PenMotion{}};
   report.show_grade(grade, pen);
   EXPECT_EQ(label("report_points")->text(), QStringLiteral("Not yet: 12 of 100 points"));

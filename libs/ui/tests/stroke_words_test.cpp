@@ -84,7 +84,7 @@ class StrokeTellerTest : public StrokeWordsTest {
     EXPECT_EQ(said.text.toStdString(), text);
     EXPECT_EQ(said.kind, kind) << text;
   }
-  [[nodiscard]] StrokeTeller::Sentence about(InkEvent event, int stroke) const {
+  [[nodiscard]] StrokeTeller::Sentence about(practice::TraceEvent event, int stroke) const {
     return StrokeTeller::about(event, stroke, controller_);
   }
   TabletController controller_;
@@ -121,39 +121,41 @@ TEST_F(StrokeTellerTest, SaysWhetherStrokesHoldTheStylus) {
 
 TEST_F(StrokeTellerTest, ToldInTurnOutOfTurnAndLeftOpen) {
   put_three();
-  EXPECT_TRUE(about(InkEvent::none, 1).text.isEmpty());
-  expect(about(InkEvent::began, 1), Feedback::hint, "Stroke 1: follow the groove to its end.");
-  expect(about(InkEvent::from_the_end, 1), Feedback::advice,
+  EXPECT_TRUE(about(practice::TraceEvent::none, 1).text.isEmpty());
+  expect(about(practice::TraceEvent::began, 1), Feedback::hint, "Stroke 1: follow the groove to its end.");
+  expect(about(practice::TraceEvent::from_the_end, 1), Feedback::advice,
          "Stroke 1 begins at its other end, where its number stands.");
-  expect(about(InkEvent::left_open, 1), Feedback::advice,
+  expect(about(practice::TraceEvent::left_open, 1), Feedback::advice,
          "Stroke 1 is not finished: the blue bit is missing. Draw on from there.");
-  expect(about(InkEvent::too_early, 2), Feedback::advice, "Stroke 1 comes before stroke 2.");
-  expect(about(InkEvent::finished, 2), Feedback::advice,
+  expect(about(practice::TraceEvent::too_early, 2), Feedback::advice, "Stroke 1 comes before stroke 2.");
+  expect(about(practice::TraceEvent::finished, 2), Feedback::advice,
          "Stroke 2 is written, but stroke 1 comes first. Write it now.");
   controller_.set_current_stroke(2);
-  expect(about(InkEvent::finished, 2), Feedback::good,
+  expect(about(practice::TraceEvent::finished, 2), Feedback::good,
          "Stroke 2 is written. The full stop key (.) shows the next.");
   controller_.set_current_stroke(0);
-  EXPECT_TRUE(StrokeTeller::is_miss(InkEvent::from_the_end, controller_));
-  EXPECT_TRUE(StrokeTeller::is_miss(InkEvent::too_early, controller_));
-  for (const auto event : {InkEvent::none, InkEvent::began, InkEvent::finished, InkEvent::left_open})
+  EXPECT_TRUE(StrokeTeller::is_miss(practice::TraceEvent::from_the_end, controller_));
+  EXPECT_TRUE(StrokeTeller::is_miss(practice::TraceEvent::too_early, controller_));
+  for (const auto event : {practice::TraceEvent::none, practice::TraceEvent::began,
+                           practice::TraceEvent::finished, practice::TraceEvent::left_open})
     EXPECT_FALSE(StrokeTeller::is_miss(event, controller_));
 
   ASSERT_TRUE(controller_.start());
   test::write(controller_, line(0, 60));
   ASSERT_EQ(controller_.ink().left_open(), std::vector{1});
-  expect(about(InkEvent::too_early, 2), Feedback::advice,
+  expect(about(practice::TraceEvent::too_early, 2), Feedback::advice,
          "Stroke 1 is not finished: draw the blue bit first.");
-  expect(about(InkEvent::finished, 2), Feedback::advice,
+  expect(about(practice::TraceEvent::finished, 2), Feedback::advice,
          "Stroke 2 is written, but stroke 1 is not finished: the blue bit is missing.");
-  EXPECT_FALSE(StrokeTeller::is_miss(InkEvent::too_early, controller_)) << "only a bit is missing";
-  EXPECT_TRUE(StrokeTeller::is_miss(InkEvent::from_the_end, controller_));
+  EXPECT_FALSE(StrokeTeller::is_miss(practice::TraceEvent::too_early, controller_))
+      << "only a bit is missing";
+  EXPECT_TRUE(StrokeTeller::is_miss(practice::TraceEvent::from_the_end, controller_));
   test::write(controller_, {{60, 24.5}, {89, 24.5}});
   ASSERT_EQ(controller_.ink().next_stroke(), 2);
-  expect(about(InkEvent::finished, 1), Feedback::good, "Stroke 1 is written. Stroke 2 is next.");
+  expect(about(practice::TraceEvent::finished, 1), Feedback::good, "Stroke 1 is written. Stroke 2 is next.");
   test::write(controller_, line(1, 89));
   test::write(controller_, line(2, 89));
-  expect(about(InkEvent::finished, 3), Feedback::good,
+  expect(about(practice::TraceEvent::finished, 3), Feedback::good,
          "All 3 strokes are written. Delete clears the tablet.");
 }
 

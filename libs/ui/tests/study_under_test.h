@@ -89,7 +89,7 @@ class StudyTest : public WindowTest {
     } else {
       double time_s = 0;
       for (const auto& line : test::model(character)) {
-        const HandStroke stroke = test::hand_stroke(line, time_s);
+        const practice::HandStroke stroke = test::hand_stroke(line, time_s);
         time_s = stroke.back().time_s;
         the_characters->findChild<MemoryStage*>()->add_stroke(stroke);
       }

@@ -13,7 +13,7 @@
 namespace {
 
 using nazori::geometry::TabletPoint;
-using nazori::ui::InkEvent;
+using nazori::practice::TraceEvent;
 using nazori::ui::TabletController;
 
 /// Three level strokes, the middle one through the centre of the tablet.
@@ -208,7 +208,8 @@ TEST(TabletController, DrawingAlongAGrooveInksItAndReportsItsEnd) {
       3000))
       << controller.ink().progress()[0];
   bool finished = false;
-  for (const auto& event : events) finished = finished || event.at(0).value<InkEvent>() == InkEvent::finished;
+  for (const auto& event : events)
+    finished = finished || event.at(0).value<TraceEvent>() == TraceEvent::finished;
   EXPECT_TRUE(finished);
   EXPECT_EQ(controller.ink().next_stroke(), 2);
 }
@@ -302,9 +303,9 @@ TEST(TabletController, TicksThatCannotBeTrustedDoNotEndAStroke) {
   ASSERT_TRUE(controller.start());
   controller.stylus().choose("scripted:arm");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.stylus().is_pointer(); }, 20'000));
-  std::vector<std::pair<InkEvent, int>> events;
+  std::vector<std::pair<TraceEvent, int>> events;
   QObject::connect(&controller, &TabletController::stroke_event, &controller,
-                   [&](InkEvent event, int stroke) { events.emplace_back(event, stroke); });
+                   [&](TraceEvent event, int stroke) { events.emplace_back(event, stroke); });
   int distrusted = 0;
   QObject::connect(&controller, &TabletController::sampled, &controller,
                    [&](std::span<const nazori::haptics::ServoSample> samples) {
@@ -333,7 +334,8 @@ TEST(TabletController, TicksThatCannotBeTrustedDoNotEndAStroke) {
   script->z_m = 0.02;
   ASSERT_TRUE(ticks_pass(2));
   controller.pump();
-  EXPECT_EQ(events, (std::vector<std::pair<InkEvent, int>>{{InkEvent::began, 1}, {InkEvent::finished, 1}}));
+  EXPECT_EQ(events,
+            (std::vector<std::pair<TraceEvent, int>>{{TraceEvent::began, 1}, {TraceEvent::finished, 1}}));
 }
 
 }  // namespace

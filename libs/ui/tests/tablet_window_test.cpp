@@ -16,8 +16,8 @@
 #include <span>
 #include <vector>
 
+#include "nazori/practice/pen_recorder.h"
 #include "nazori/view/point_under.h"
-#include "pen_recorder.h"
 #include "tablet_controller.h"
 
 namespace nazori::ui {
@@ -114,12 +114,12 @@ TEST_F(PenAndFingers, APenWithoutTiltIsHeldAsAHandHoldsIt) {
 
 TEST_F(PenAndFingers, InkOfAFirmerOrFlatterBrushIsBroader) {
   const auto width = [](double pressure, double lean_rad) {
-    return ink_half_width_m(HandPoint{{}, 0, pressure, lean_rad});
+    return practice::ink_half_width_m(practice::HandPoint{{}, 0, pressure, lean_rad});
   };
   EXPECT_GT(width(0.8, 0), width(0.2, 0));
   EXPECT_GT(width(0.5, 1.0), width(0.5, 0.5));
   EXPECT_GT(width(0.5, 0.5), width(0.5, 0));
-  PenRecorder recorder;
+  practice::PenRecorder recorder;
   recorder.lean(0.7);
   haptics::ServoSample sample;
   sample.touching = true;

@@ -15,11 +15,8 @@
 #include <vector>
 
 #include "functions/plotter.h"
-#include "library.h"
 #include "progress/statistics_reader.h"
 #include "worker.h"
-#include "workshop.h"
-#include "writing_judge.h"
 
 namespace nazori::ui {
 namespace {
@@ -80,55 +77,6 @@ TEST(WindowThreads, AnAnswerMayEndItsWorkerAndNothingIsHeardAfterwards) {
   EXPECT_TRUE(comes_true([&] { return worker == nullptr; }));
   for (int i = 0; i < 20; ++i) QCoreApplication::processEvents();
   EXPECT_FALSE(after);
-}
-
-TEST(WindowThreads, TheLibraryIsAskedWhileItOpensAndEndedWhileItAnswers) {
-  for (int round = 0; round < 3; ++round) {
-    Library library(database());
-    int sheets = 0, found = 0;
-    QObject::connect(&library, &Library::sheet_ready, &library, [&] { ++sheets; });
-    QObject::connect(&library, &Library::found, &library, [&] { ++found; });
-    for (const char32_t character : {U'休', U'木', U'人', U'永'}) {
-      library.request_search(QStringLiteral("mountain"));
-      library.request_sheet(character);
-    }
-    if (round == 0) continue;  // ended at once
-    EXPECT_TRUE(comes_true([&] { return sheets > 0 && found > 0; }));
-    library.request_sheet(U'休');
-  }
-}
-
-TEST(WindowThreads, TheJudgeAnswersTheNewestOfManyRequestsAndMayBeEndedBefore) {
-  JudgeRequest request;
-  request.character = U'木';
-  for (const auto& line : kanji::KanjiDatabase::open(database())->find(U'木')->lines()) {
-    auto& stroke = request.ink.strokes.emplace_back();
-    for (const auto& p : line.points) stroke.points.push_back({p.x, p.y});
-  }
-  for (int round = 0; round < 2; ++round) {
-    WritingJudge judge(database());
-    std::uint64_t answered = 0, asked = 0;
-    QObject::connect(&judge, &WritingJudge::judged, &judge, [&](std::uint64_t ticket) { answered = ticket; });
-    for (int i = 0; i < 30; ++i) asked = judge.judge(request);
-    if (round == 0) continue;
-    EXPECT_TRUE(comes_true([&] { return answered == asked; }));
-  }
-}
-
-TEST(WindowThreads, TabletsAreCarvedOneAfterTheOther) {
-  const auto database_file = kanji::KanjiDatabase::open(database());
-  ASSERT_TRUE(database_file);
-  Workshop workshop;
-  char32_t newest = 0;
-  Tablet tablet;
-  QObject::connect(&workshop, &Workshop::carved, &workshop, [&](char32_t character, const Tablet& carved) {
-    newest = character;
-    tablet = carved;
-  });
-  for (const char32_t character : {U'一', U'人', U'一'}) workshop.carve(*database_file->find(character));
-  EXPECT_TRUE(comes_true([&] { return newest == U'一'; }));
-  EXPECT_TRUE(tablet);
-  workshop.carve(*database_file->find(U'二'));  // ended in the middle
 }
 
 TEST(WindowThreads, APlotIsStoppedByTheNextAndByItsEnd) {

@@ -7,9 +7,9 @@
 #include <QUrl>
 
 #include "nazori/kanji/stroke_order.h"
+#include "nazori/practice/tablet_workshop.h"
 #include "nazori/surface/height_map.h"
 #include "window_under_test.h"
-#include "workshop.h"
 
 namespace nazori::ui {
 namespace {
@@ -139,41 +139,6 @@ TEST_F(Files, ChoosingACharacterComesBackFromAMapOfOnesOwn) {
   open({write("own.raw", QByteArray(64 * 64, '\x80'))});
   show(U'木');
   EXPECT_EQ(text("stroke_label"), QStringLiteral("all 4 strokes"));
-}
-
-TEST(Saving, ACarvedTabletIsWrittenInEachFormatAndReadAgain) {
-  const QTemporaryDir folder;
-  std::vector<kanji::StrokeLine> lines(1);
-  lines[0].points = {{20, 54.5}, {89, 54.5}};
-  const Tablet tablet = *tablet::CarvedTablet::from_lines(lines, 256);
-  Workshop workshop;
-  QSignalSpy saved(&workshop, &Workshop::saved);
-  const auto path = [&folder](const char* name) { return folder.filePath(QString::fromLatin1(name)); };
-  workshop.save(tablet, path("a.raw"), FileFormat::raw, 128, false);
-  workshop.save(tablet, path("a.png"), FileFormat::png, 512, false);
-  workshop.save(tablet, path("a.str"), FileFormat::strokes, 128, false);
-  ASSERT_TRUE(QTest::qWaitFor([&saved] { return saved.count() == 3; }, 10000));
-  const auto raw = surface::load_raw(path("a.raw").toStdString());
-  ASSERT_TRUE(raw);
-  EXPECT_EQ(raw->size(), 128);
-  EXPECT_LT(raw->at(64, 63), 0.2F) << "the groove";
-  EXPECT_GT(raw->at(64, 10), 0.99F) << "the plateau";
-  const auto png = surface::load_png(path("a.png").toStdString());
-  ASSERT_TRUE(png);
-  EXPECT_EQ(png->size(), 512);
-  const auto order = kanji::StrokeOrder::load(path("a.str").toStdString(), 128);
-  ASSERT_TRUE(order);
-  EXPECT_EQ(order->count(), 1U);
-}
-
-TEST(Saving, AFolderThatCannotBeWrittenIsReported) {
-  std::vector<kanji::StrokeLine> lines(1);
-  lines[0].points = {{20, 54.5}, {89, 54.5}};
-  const Tablet tablet = *tablet::CarvedTablet::from_lines(lines, 64);
-  Workshop workshop;
-  QSignalSpy failed(&workshop, &Workshop::failed);
-  workshop.save(tablet, QStringLiteral("/nonexistent/a.raw"), FileFormat::raw, 64, false);
-  EXPECT_TRUE(failed.wait(10000));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class Order : public WindowTest {
     for (const int number : numbers) add(lines[static_cast<std::size_t>(number - 1)]);
   }
   void add(const test::Points& line) {
-    HandStroke made;
+    practice::HandStroke made;
     for (double at = 0; at <= geometry::arc_length<geometry::GlyphFrame>(line); at += 1)
       made.push_back({geometry::glyph_to_tablet(geometry::point_at<geometry::GlyphFrame>(line, at), {}),
                       time_s_ += 0.01, 0.5});

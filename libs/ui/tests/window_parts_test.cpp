@@ -326,7 +326,8 @@ TEST(SaveDialog, OffersEachFormatAndSizeForACarvedTablet) {
   auto* format = dialog.findChild<QComboBox*>(QStringLiteral("save_format"));
   auto* size = dialog.findChild<QComboBox*>(QStringLiteral("save_size"));
   ASSERT_EQ(format->count(), 3);
-  const FileFormat formats[] = {FileFormat::raw, FileFormat::png, FileFormat::strokes};
+  const practice::FileFormat formats[] = {practice::FileFormat::raw, practice::FileFormat::png,
+                                          practice::FileFormat::strokes};
   const char* suffixes[] = {"raw", "png", "str"};
   const char* filters[] = {"Height maps (*.raw)", "Pictures (*.png)", "Stroke orders (*.str)"};
   for (int i = 0; i < 3; ++i) {

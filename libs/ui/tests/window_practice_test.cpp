@@ -169,20 +169,20 @@ TEST_F(Tracing, AfterTheMissesOfALessonAStrokeIsShownAlone) {
     missed.push_back(stroke);
     return reply;
   });
-  emit controller().stroke_event(InkEvent::too_early, 2);
+  emit controller().stroke_event(practice::TraceEvent::too_early, 2);
   EXPECT_EQ(said(), "Stroke 1 comes before stroke 2.");
   EXPECT_EQ(controller().current_stroke(), 0);
-  emit controller().stroke_event(InkEvent::began, 1);
+  emit controller().stroke_event(practice::TraceEvent::began, 1);
   EXPECT_EQ(missed, std::vector{0}) << "that was none";
   reply = MissReply::show;
-  emit controller().stroke_event(InkEvent::from_the_end, 1);
+  emit controller().stroke_event(practice::TraceEvent::from_the_end, 1);
   EXPECT_EQ(missed, (std::vector{0, 0}));
   EXPECT_EQ(controller().current_stroke(), 1);
   EXPECT_EQ(said(), "Stroke 1 of 2. Draw it from its number.");
-  emit controller().stroke_event(InkEvent::finished, 1);
+  emit controller().stroke_event(practice::TraceEvent::finished, 1);
   EXPECT_EQ(controller().current_stroke(), 0) << "all are there again";
   action("next_stroke")->trigger();
-  emit controller().stroke_event(InkEvent::finished, 1);
+  emit controller().stroke_event(practice::TraceEvent::finished, 1);
   EXPECT_EQ(controller().current_stroke(), 1) << "the learner chose it";
 }
 
@@ -243,7 +243,7 @@ TEST_F(Guided, HelpFadesWithEveryTracingWithoutASlip) {
 
 TEST_F(Guided, ASlipCostsTheSuccessUntilTheTabletIsCleared) {
   begin(U'一');
-  emit controller().stroke_event(InkEvent::from_the_end, 1);
+  emit controller().stroke_event(practice::TraceEvent::from_the_end, 1);
   test::write(controller(), test::model(U'一').front());
   EXPECT_EQ(said(), "All strokes are there, not all at their turn. Delete clears the tablet.");
   EXPECT_EQ(guided().successes(), 0);
@@ -274,7 +274,7 @@ TEST_F(Guided, InALessonHelpIsWhatTheCourseGives) {
   EXPECT_EQ(said(), "Without a slip.");
   EXPECT_EQ(guided().successes(), 0);
   help(0.6);
-  emit controller().stroke_event(InkEvent::from_the_end, 1);
+  emit controller().stroke_event(practice::TraceEvent::from_the_end, 1);
   test::write(controller(), test::model(U'一').front());
   EXPECT_EQ(said(), "All strokes are there, not all at their turn.");
   EXPECT_EQ(finished.count(), 2);
@@ -283,13 +283,13 @@ TEST_F(Guided, InALessonHelpIsWhatTheCourseGives) {
 TEST_F(Guided, AStrokeThatIsShownStandsOutUntilItIsWritten) {
   begin(U'二');
   guided().set_on_miss([](int stroke) { return stroke == 0 ? MissReply::show : MissReply::try_again; });
-  emit controller().stroke_event(InkEvent::too_early, 2);
+  emit controller().stroke_event(practice::TraceEvent::too_early, 2);
   EXPECT_EQ(said(), "Stroke 1 is shown. Draw it from its number.");
   EXPECT_EQ(seen().lines_opacity, 1);
   EXPECT_EQ(controller().current_stroke(), 1);
-  emit controller().stroke_event(InkEvent::finished, 2);
+  emit controller().stroke_event(practice::TraceEvent::finished, 2);
   EXPECT_EQ(controller().current_stroke(), 1) << "another one";
-  emit controller().stroke_event(InkEvent::finished, 1);
+  emit controller().stroke_event(practice::TraceEvent::finished, 1);
   EXPECT_EQ(controller().current_stroke(), 0);
   EXPECT_LT(seen().lines_opacity, 1);
 }

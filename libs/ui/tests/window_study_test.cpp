@@ -160,7 +160,7 @@ TEST_F(Study, AStrokeRefusedThreeTimesIsShownAndTheLessonGoesOn) {
   }
   ASSERT_TRUE(is_on_desk());
   auto* memory = the_characters->findChild<MemoryStage*>();
-  HandStroke down;
+  practice::HandStroke down;
   for (int i = 0; i <= 40; ++i) down.push_back({{0.01, 0.03 - i * 0.0015}, i * 0.01, 0.5});
   for (int miss = 1; miss <= 3; ++miss) {
     the_desk->say(Feedback::hint, QStringLiteral("not judged yet"));

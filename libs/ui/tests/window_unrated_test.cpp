@@ -90,8 +90,8 @@ class Unrated : public WindowTest {
     ASSERT_TRUE(action("memory")->isChecked());
   }
 
-  static HandStroke stroke(int number) {
-    HandStroke made;
+  static practice::HandStroke stroke(int number) {
+    practice::HandStroke made;
     const auto line = test::model(U'人')[static_cast<std::size_t>(number - 1)];
     double time_s = number;
     for (double at = 0; at <= geometry::arc_length<geometry::GlyphFrame>(line); at += 1)

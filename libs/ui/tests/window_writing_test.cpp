@@ -118,7 +118,7 @@ TEST_F(Writing, JudgedAtTheEndNothingIsMarkedBefore) {
 
 TEST_F(Writing, ATabletThatIsFullTakesNoMore) {
   begin(U'十');
-  const HandStroke stroke{{{0, 0}, 0, 0.5}, {{0.01, 0}, 0.1, 0.5}};
+  const practice::HandStroke stroke{{{0, 0}, 0, 0.5}, {{0.01, 0}, 0.1, 0.5}};
   for (std::size_t i = 0; i < writing::kMaxInkStrokes; ++i) memory().add_stroke(stroke);
   EXPECT_EQ(memory().strokes().size(), writing::kMaxInkStrokes);
   memory().add_stroke(stroke);

@@ -7,8 +7,8 @@ namespace nazori::ui {
 namespace {
 
 TEST(WritingResults, InkGoesOnInTimeWhereTheClockBeginsAnew) {
-  const std::vector<HandStroke> strokes{{{{0, 0}, 5.0, 0.5}, {{0.01, 0}, 5.1, 0.5}},
-                                        {{{0, 0.01}, 0.02, 0.5}, {{0, 0.02}, 5.25, 0.5}}};
+  const std::vector<practice::HandStroke> strokes{{{{0, 0}, 5.0, 0.5}, {{0.01, 0}, 5.1, 0.5}},
+                                                  {{{0, 0.01}, 0.02, 0.5}, {{0, 0.02}, 5.25, 0.5}}};
   const study::Ink ink = to_study_ink(strokes);
   std::vector<std::int32_t> times_ms;
   for (const auto& stroke : ink.strokes)
@@ -85,10 +85,10 @@ TEST(WritingResults, InkIsKeptInTheGlyphFrame) {
 }
 
 TEST(WritingResults, NoMoreInkIsKeptThanMayBe) {
-  const HandStroke stroke(3, HandPoint{{0, 0}, 1, 0});
+  const practice::HandStroke stroke(3, practice::HandPoint{{0, 0}, 1, 0});
   EXPECT_EQ(to_study_ink(std::vector(study::kMostInkStrokes + 1, stroke)).strokes.size(),
             study::kMostInkStrokes);
-  const HandStroke long_one(study::kMostInkPoints - 3, HandPoint{{0, 0}, 1, 0});
+  const practice::HandStroke long_one(study::kMostInkPoints - 3, practice::HandPoint{{0, 0}, 1, 0});
   EXPECT_EQ(to_study_ink({long_one, stroke}).strokes.size(), 2U) << "as many as may be";
   EXPECT_EQ(to_study_ink({long_one, stroke, {{{0, 0}, 1, 0}}}).strokes.size(), 2U);
 }

@@ -7,7 +7,7 @@
 
 namespace nazori::ui {
 
-void CharacterListModel::set_characters(Summaries characters) {
+void CharacterListModel::set_characters(practice::Summaries characters) {
   beginResetModel();
   characters_ = std::move(characters);
   endResetModel();

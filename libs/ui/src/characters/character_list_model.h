@@ -4,7 +4,7 @@
 #include <QAbstractListModel>
 #include <vector>
 
-#include "library.h"
+#include "nazori/practice/character_library.h"
 
 namespace nazori::ui {
 
@@ -16,7 +16,7 @@ class CharacterListModel final : public QAbstractListModel {
 
   using QAbstractListModel::QAbstractListModel;
 
-  void set_characters(Summaries characters);
+  void set_characters(practice::Summaries characters);
   [[nodiscard]] int row_of(char32_t code_point) const;  ///< -1 where it is not in the list
   [[nodiscard]] char32_t at(int row) const;             ///< 0 outside
 
@@ -24,7 +24,7 @@ class CharacterListModel final : public QAbstractListModel {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
  private:
-  Summaries characters_;
+  practice::Summaries characters_;
 };
 
 }  // namespace nazori::ui

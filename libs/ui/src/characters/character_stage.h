@@ -8,7 +8,7 @@
 
 #include "characters/character_actions.h"
 #include "desk.h"
-#include "library.h"
+#include "nazori/practice/character_library.h"
 #include "nazori/study/lesson.h"
 #include "workplace.h"
 
@@ -16,8 +16,8 @@ namespace nazori::ui {
 
 /// What a stage works on.
 struct Lesson {
-  std::shared_ptr<const CharacterSheet> sheet;  ///< null: a tablet of the learner's own
-  Tablet tablet;
+  std::shared_ptr<const practice::CharacterSheet> sheet;  ///< null: a tablet of the learner's own
+  practice::Tablet tablet;
 };
 
 /// One way of meeting the character on the desk: watching, tracing, being led, writing from memory. Between

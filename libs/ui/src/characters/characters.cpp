@@ -19,6 +19,7 @@
 #include "error_text.h"
 #include "file_exchange.h"
 #include "kanji_text.h"
+#include "signals.h"
 #include "study/session_actions.h"
 #include "study/session_bar.h"
 #include "study/session_panel.h"
@@ -101,7 +102,7 @@ Icon Characters::drawing() const { return Icon::strokes; }
 
 QString Characters::title() const {
   if (stage_->hides_character()) return tr("Write from memory");
-  return own_.tablet ? own_.name : tablet_ ? to_text(desk().preferences().kanji) : QString();
+  return own_.tablet ? to_text(own_.name) : tablet_ ? to_text(desk().preferences().kanji) : QString();
 }
 
 Workplace::Panel Characters::left() const {
@@ -232,7 +233,7 @@ void Characters::ask_and_open() {
 
 void Characters::ask_and_save() {
   const QString file_name =
-      own_.tablet ? own_.name.section(QLatin1Char('.'), 0, 0) : to_text(desk().preferences().kanji);
+      own_.tablet ? to_text(own_.name).section(QLatin1Char('.'), 0, 0) : to_text(desk().preferences().kanji);
   files_->ask_and_save(tablet_, own_, file_name);
 }
 
@@ -268,17 +269,17 @@ void Characters::connect_work() {
     choose(code_point, true);
     emit wants_to_be_entered();
   });
-  connect(&desk().library(), &Library::sheet_ready, this,
-          [this](const std::shared_ptr<const CharacterSheet>& sheet) { take_sheet(sheet); });
-  connect(&desk().library(), &Library::sheet_missing, this, [this](char32_t code_point) {
+  subscribe(desk().library().sheet_ready, this,
+            [this](const std::shared_ptr<const practice::CharacterSheet>& sheet) { take_sheet(sheet); });
+  subscribe(desk().library().sheet_missing, this, [this](char32_t code_point) {
     desk().say(Feedback::advice,
                tr("%1 has no strokes in the database. The tablet is as it was.").arg(to_text(code_point)));
     if (!tablet_ && code_point != U'休') choose(U'休', false);
   });
-  connect(&desk().workshop(), &Workshop::carved, this,
-          [this](char32_t code_point, const Tablet& tablet) { take_tablet(code_point, tablet); });
-  connect(&desk().workshop(), &Workshop::loaded, this, [this](const OwnTablet& loaded) { take_own(loaded); });
-  connect(&desk().workshop(), &Workshop::failed, this, [this] {
+  subscribe(desk().workshop().carved, this,
+            [this](char32_t code_point, const practice::Tablet& tablet) { take_tablet(code_point, tablet); });
+  subscribe(desk().workshop().loaded, this, [this](const practice::OwnTablet& loaded) { take_own(loaded); });
+  subscribe(desk().workshop().failed, this, [this](const std::filesystem::path&, const base::Error&) {
     // Files that could not be opened leave the tablet as it was; there is none yet when the window opens.
     if (entered_ && !tablet_ && awaited_ == 0) choose(desk().preferences().kanji, true);
   });
@@ -323,14 +324,14 @@ void Characters::travel(int by) {
   choose(path_[step_], false);
 }
 
-void Characters::take_sheet(const std::shared_ptr<const CharacterSheet>& sheet) {
+void Characters::take_sheet(const std::shared_ptr<const practice::CharacterSheet>& sheet) {
   if (sheet->character.code_point != awaited_) return;
   coming_ = sheet;
   searching_ = false;
   desk().workshop().carve(sheet->character);
 }
 
-void Characters::take_tablet(char32_t code_point, const Tablet& tablet) {
+void Characters::take_tablet(char32_t code_point, const practice::Tablet& tablet) {
   if (!coming_ || coming_->character.code_point != code_point) return;
   own_ = {};
   tablet_ = tablet;
@@ -352,7 +353,7 @@ void Characters::take_tablet(char32_t code_point, const Tablet& tablet) {
   if (entered_) emit desk().character_shown(code_point);
 }
 
-void Characters::take_own(const OwnTablet& loaded) {
+void Characters::take_own(const practice::OwnTablet& loaded) {
   own_ = loaded;
   tablet_ = own_.tablet;
   sheet_ = nullptr;
@@ -363,11 +364,12 @@ void Characters::take_own(const OwnTablet& loaded) {
     if (entry.action == actions_->trace && entry.stage != stage_) enter_stage(entry.stage);
   begin_lesson();
   desk().session().take_sheet(nullptr);
-  information_panel_->show_own(own_.name, own_.map_size, desk().controller().stroke_count());
+  information_panel_->show_own(to_text(own_.name), own_.map_size, desk().controller().stroke_count());
   show_hiding();
-  desk().say(Feedback::good, own_.has_strokes
-                                 ? tr("%1 is on the desk.").arg(own_.name)
-                                 : tr("%1 is on the desk. A .str file adds its strokes.").arg(own_.name));
+  desk().say(Feedback::good,
+             own_.has_strokes
+                 ? tr("%1 is on the desk.").arg(to_text(own_.name))
+                 : tr("%1 is on the desk. A .str file adds its strokes.").arg(to_text(own_.name)));
 }
 
 }  // namespace nazori::ui

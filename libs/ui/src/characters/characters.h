@@ -5,9 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "nazori/practice/character_library.h"
+#include "nazori/practice/tablet_workshop.h"
 #include "nazori/study/lesson.h"
 #include "workplace.h"
-#include "workshop.h"
 
 namespace nazori::ui {
 
@@ -23,7 +24,6 @@ class SessionActions;
 class SessionBar;
 class SessionPanel;
 class WritingPanel;
-struct CharacterSheet;
 
 /// The workplace for characters: those to choose from on the left, all about the one on the desk on the
 /// right.
@@ -61,9 +61,9 @@ class Characters final : public Workplace {
   void connect_work();
   void choose(char32_t code_point, bool remember);
   void travel(int step);
-  void take_sheet(const std::shared_ptr<const CharacterSheet>& sheet);
-  void take_tablet(char32_t code_point, const Tablet& tablet);
-  void take_own(const OwnTablet& loaded);
+  void take_sheet(const std::shared_ptr<const practice::CharacterSheet>& sheet);
+  void take_tablet(char32_t code_point, const practice::Tablet& tablet);
+  void take_own(const practice::OwnTablet& loaded);
   void enter_stage(CharacterStage* stage);
   void begin_lesson();
   void show_hiding();
@@ -100,12 +100,12 @@ class Characters final : public Workplace {
 
   bool entered_ = false;
   bool returns_ = false;  ///< while the page is entered again
-  std::shared_ptr<const CharacterSheet>
+  std::shared_ptr<const practice::CharacterSheet>
       sheet_;             ///< of the character on the desk; null: a tablet of one's own
   char32_t awaited_ = 0;  ///< whose sheet was asked for last, 0 for none
-  std::shared_ptr<const CharacterSheet> coming_;  ///< of the one being carved
-  Tablet tablet_;               ///< what is on the desk here, kept while another workplace has the tablet
-  OwnTablet own_;               ///< loaded from files; empty while a character is on the desk
+  std::shared_ptr<const practice::CharacterSheet> coming_;  ///< of the one being carved
+  practice::Tablet tablet_;     ///< what is on the desk here, kept while another workplace has the tablet
+  practice::OwnTablet own_;     ///< loaded from files; empty while a character is on the desk
   std::vector<char32_t> path_;  ///< characters visited
   std::size_t step_ = 0;        ///< where in `path_` we are
   bool searching_ = false;      ///< the list stands in the session's place

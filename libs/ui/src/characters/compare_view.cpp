@@ -66,8 +66,8 @@ CompareView::CompareView(QWidget* parent) : QWidget(parent) {
   });
 }
 
-void CompareView::show_writing(const std::vector<HandStroke>& strokes,
-                               const std::vector<view::Verdict>& verdicts, const Tablet& model) {
+void CompareView::show_writing(const std::vector<practice::HandStroke>& strokes,
+                               const std::vector<view::Verdict>& verdicts, const practice::Tablet& model) {
   strokes_ = strokes;
   verdicts_ = verdicts;
   if (model != model_) {
@@ -143,8 +143,8 @@ void CompareView::paint_own(QPainter& painter, const QRectF& box) const {
     const double zero_s = strokes_.front().front().time_s;
     for (std::size_t k = 1; k < stroke.size(); ++k) {
       if (time_s_ >= 0 && stroke[k].time_s - zero_s > time_s_) return;
-      painter.setPen(QPen(colour, std::max(2 * per_m * ink_half_width_m(stroke[k]), 1.5), Qt::SolidLine,
-                          Qt::RoundCap, Qt::RoundJoin));
+      painter.setPen(QPen(colour, std::max(2 * per_m * practice::ink_half_width_m(stroke[k]), 1.5),
+                          Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawLine(place(stroke[k - 1].at, box), place(stroke[k].at, box));
     }
     if (time_s_ >= 0 || verdict == view::Verdict::none) continue;

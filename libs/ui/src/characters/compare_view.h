@@ -6,9 +6,9 @@
 #include <QWidget>
 #include <vector>
 
-#include "characters/stroke_player.h"
-#include "pen_recorder.h"
-#include "workshop.h"
+#include "nazori/practice/pen_recorder.h"
+#include "nazori/practice/stroke_player.h"
+#include "nazori/practice/tablet_workshop.h"
 
 class QPainter;
 
@@ -21,8 +21,8 @@ class CompareView final : public QWidget {
  public:
   explicit CompareView(QWidget* parent = nullptr);
 
-  void show_writing(const std::vector<HandStroke>& strokes, const std::vector<view::Verdict>& verdicts,
-                    const Tablet& model);
+  void show_writing(const std::vector<practice::HandStroke>& strokes,
+                    const std::vector<view::Verdict>& verdicts, const practice::Tablet& model);
   void set_playing(bool playing);
   /// Both as they were at a moment since the start [s].
   void show_moment(double time_s);
@@ -47,10 +47,10 @@ class CompareView final : public QWidget {
   void paint_model(QPainter& painter, const QRectF& box) const;
   [[nodiscard]] double own_duration_s() const;
 
-  std::vector<HandStroke> strokes_;
+  std::vector<practice::HandStroke> strokes_;
   std::vector<view::Verdict> verdicts_;
-  Tablet model_;
-  StrokePlayer player_;
+  practice::Tablet model_;
+  practice::StrokePlayer player_;
   QTimer timer_;
   QElapsedTimer since_;
   double time_s_ = -1;  ///< below 0: all

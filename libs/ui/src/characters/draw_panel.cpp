@@ -14,6 +14,7 @@
 #include "error_text.h"
 #include "flow_layout.h"
 #include "kanji_text.h"
+#include "signals.h"
 
 namespace nazori::ui {
 
@@ -65,16 +66,15 @@ DrawPanel::DrawPanel(Desk& desk, QWidget* parent)
   connect(pad_, &DrawingPad::drawn, this, &DrawPanel::ask);
   connect(candidates_, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { choose(candidates_->row(item)); });
-  connect(&desk_.judge(), &WritingJudge::recognised, this,
-          [this](std::uint64_t ticket, const std::vector<writing::Candidate>& candidates) {
-            if (ticket == ticket_) show_candidates(candidates);
-          });
-  connect(&desk_.judge(), &WritingJudge::failed, this,
-          [this](std::uint64_t ticket, const base::Error& error) {
-            // A stroke of one point is no drawing yet.
-            if (ticket == ticket_ && error.code != base::Errc::bad_argument)
-              desk_.say(Feedback::wrong, tr("The drawing could not be read: %1.").arg(reason(error)));
-          });
+  subscribe(desk_.judge().recognised, this,
+            [this](std::uint64_t ticket, const std::vector<writing::Candidate>& candidates) {
+              if (ticket == ticket_) show_candidates(candidates);
+            });
+  subscribe(desk_.judge().recognising_failed, this, [this](std::uint64_t ticket, const base::Error& error) {
+    // A stroke of one point is no drawing yet.
+    if (ticket == ticket_ && error.code != base::Errc::bad_argument)
+      desk_.say(Feedback::wrong, tr("The drawing could not be read: %1.").arg(reason(error)));
+  });
   fit();
 }
 

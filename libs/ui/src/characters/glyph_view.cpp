@@ -15,7 +15,7 @@ GlyphView::GlyphView(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
-void GlyphView::show_character(std::shared_ptr<const CharacterSheet> sheet) {
+void GlyphView::show_character(std::shared_ptr<const practice::CharacterSheet> sheet) {
   sheet_ = std::move(sheet);
   setAccessibleName(sheet_ ? to_text(sheet_->character.code_point) : QString());
   update();

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "library.h"
+#include "nazori/practice/character_library.h"
 
 namespace nazori::ui {
 
@@ -13,7 +13,7 @@ class GlyphView final : public QWidget {
   Q_OBJECT
  public:
   explicit GlyphView(QWidget* parent = nullptr);
-  void show_character(std::shared_ptr<const CharacterSheet> sheet);
+  void show_character(std::shared_ptr<const practice::CharacterSheet> sheet);
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -21,7 +21,7 @@ class GlyphView final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  std::shared_ptr<const CharacterSheet> sheet_;
+  std::shared_ptr<const practice::CharacterSheet> sheet_;
 };
 
 }  // namespace nazori::ui

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "characters/blank_tablet.h"
 #include "characters/stroke_teller.h"
+#include "nazori/practice/blank_tablet.h"
 
 namespace nazori::ui {
 namespace {
@@ -39,9 +39,10 @@ GuidedStage::GuidedStage(Desk& desk, CharacterActions& actions) : CharacterStage
     clear();
     invite();
   });
-  connect(&controller(), &TabletController::stroke_event, this, [this](InkEvent event, int stroke) {
-    if (is_entered()) take(event, stroke);
-  });
+  connect(&controller(), &TabletController::stroke_event, this,
+          [this](practice::TraceEvent event, int stroke) {
+            if (is_entered()) take(event, stroke);
+          });
   connect(&controller(), &TabletController::eraser_used, this, [this] {
     if (!is_entered()) return;
     controller().undo_ink();
@@ -111,7 +112,7 @@ void GuidedStage::lay_out() {
   if (!lesson().tablet)
     controller().set_tablet(nullptr);
   else
-    controller().set_tablet(starts ? blank_tablet(lesson().tablet->lines()) : lesson().tablet);
+    controller().set_tablet(starts ? practice::blank_tablet(lesson().tablet->lines()) : lesson().tablet);
   clear();
 }
 
@@ -141,7 +142,7 @@ void GuidedStage::invite() {
   desk().say(Feedback::hint, sentence);
 }
 
-void GuidedStage::take(InkEvent event, int stroke) {
+void GuidedStage::take(practice::TraceEvent event, int stroke) {
   const int next = controller().ink().next_stroke();
   if (StrokeTeller::is_miss(event, controller())) {
     slipped_ = true;
@@ -151,8 +152,8 @@ void GuidedStage::take(InkEvent event, int stroke) {
       return;
     }
   }
-  if (event == InkEvent::finished && shown_alone_ == stroke) show_alone(0);
-  if (event == InkEvent::finished && next == 0) {
+  if (event == practice::TraceEvent::finished && shown_alone_ == stroke) show_alone(0);
+  if (event == practice::TraceEvent::finished && next == 0) {
     if (help_) {
       study::WritingResult result;
       result.help = *help_;
@@ -190,13 +191,14 @@ void GuidedStage::take_samples(std::span<const haptics::ServoSample> samples) {
   bool changed = false;
   for (const auto& sample : samples) {
     const auto event = recorder_.follow(sample);
-    changed = changed || event != PenRecorder::Event::none;
-    if (event == PenRecorder::Event::ended)
-      written_.push_back(to_written(recorder_.take(), view::Verdict::none));
+    changed = changed || event != practice::PenRecorder::Event::none;
+    if (event == practice::PenRecorder::Event::ended)
+      written_.push_back(practice::to_written(recorder_.take(), view::Verdict::none));
   }
   if (!changed) return;
   auto all = written_;
-  if (!recorder_.current().empty()) all.push_back(to_written(recorder_.current(), view::Verdict::none));
+  if (!recorder_.current().empty())
+    all.push_back(practice::to_written(recorder_.current(), view::Verdict::none));
   controller().set_writing(std::move(all));
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "characters/character_stage.h"
-#include "ink_tracker.h"
-#include "pen_recorder.h"
+#include "nazori/practice/pen_recorder.h"
+#include "nazori/practice/traced_ink.h"
 
 class QSettings;
 
@@ -39,11 +39,11 @@ class GuidedStage final : public CharacterStage {
   void show_alone(int stroke);
   void clear();
   void invite();
-  void take(InkEvent event, int stroke);
+  void take(practice::TraceEvent event, int stroke);
   void note_giving_way(std::span<const haptics::ServoSample> samples);
   void take_samples(std::span<const haptics::ServoSample> samples);
 
-  PenRecorder recorder_;
+  practice::PenRecorder recorder_;
   std::vector<view::WrittenStroke> written_;
   char32_t character_ = 0;
   int successes_ = 0;

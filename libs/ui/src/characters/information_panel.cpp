@@ -143,7 +143,7 @@ QLabel* InformationPanel::add_label(FlowLayout* flow, const QString& text, doubl
   return label;
 }
 
-void InformationPanel::show_character(std::shared_ptr<const CharacterSheet> sheet) {
+void InformationPanel::show_character(std::shared_ptr<const practice::CharacterSheet> sheet) {
   sheet_ = std::move(sheet);
   rebuild();
   verticalScrollBar()->setValue(0);
@@ -259,8 +259,8 @@ void InformationPanel::fill_radical() {
   // The form it has in this character, where that is another one.
   const auto& parts = sheet_->parts;
   for (const auto& form : radical.variant_forms) {
-    const bool here =
-        std::any_of(parts.begin(), parts.end(), [&form](const Part& p) { return p.element == form; });
+    const bool here = std::any_of(parts.begin(), parts.end(),
+                                  [&form](const practice::Part& p) { return p.element == form; });
     if (here)
       add_label(radical_.flow, to_text(form), 1.4, true)->setObjectName(QStringLiteral("radical_variant"));
   }

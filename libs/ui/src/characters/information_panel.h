@@ -4,7 +4,7 @@
 #include <QScrollArea>
 #include <memory>
 
-#include "library.h"
+#include "nazori/practice/character_library.h"
 
 class QBoxLayout;
 class QLabel;
@@ -22,7 +22,7 @@ class InformationPanel final : public QScrollArea {
  public:
   explicit InformationPanel(QWidget* parent = nullptr);
 
-  void show_character(std::shared_ptr<const CharacterSheet> sheet);
+  void show_character(std::shared_ptr<const practice::CharacterSheet> sheet);
   /// A tablet of the learner's own: its name, and how large it is.
   void show_own(const QString& name, int map_size, int strokes);
 
@@ -54,7 +54,7 @@ class InformationPanel final : public QScrollArea {
   void fit();
   QLabel* add_label(FlowLayout* flow, const QString& text, double scale, bool textbook, bool muted = false);
 
-  std::shared_ptr<const CharacterSheet> sheet_;
+  std::shared_ptr<const practice::CharacterSheet> sheet_;
   bool hides_character_ = false;
   bool is_narrow_ = false;  ///< large text in little room
   QWidget* content_;

@@ -18,10 +18,12 @@
 #include "characters/character_tile_delegate.h"
 #include "icons.h"
 #include "palette.h"
+#include "kanji_text.h"
+#include "signals.h"
 
 namespace nazori::ui {
 
-LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
+LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
     : QWidget(parent),
       library_(library),
       model_(new CharacterListModel(this)),
@@ -116,11 +118,11 @@ LibraryPanel::LibraryPanel(Library* library, QWidget* parent)
   };
   connect(grid_, &QListView::clicked, this, choose);
   connect(grid_, &QListView::activated, this, choose);
-  connect(library_, &Library::listed, this, [this](kanji::List which, const Summaries& characters) {
+  subscribe(library_->listed, this, [this](kanji::List which, const practice::Summaries& characters) {
     if (which == list_ && search_->text().trimmed().isEmpty()) show_characters(characters);
   });
-  connect(library_, &Library::found, this, [this](const QString& text, const Summaries& characters) {
-    if (text == search_->text().trimmed()) show_characters(characters);
+  subscribe(library_->found, this, [this](const std::string& text, const practice::Summaries& characters) {
+    if (to_text(text) == search_->text().trimmed()) show_characters(characters);
   });
   fit_tiles();
 }
@@ -137,10 +139,10 @@ void LibraryPanel::search(const QString& text) {
   if (wanted.isEmpty())
     library_->request_list(list_);
   else
-    library_->request_search(wanted);
+    library_->request_search(wanted.toStdString());
 }
 
-void LibraryPanel::show_characters(const Summaries& characters) {
+void LibraryPanel::show_characters(const practice::Summaries& characters) {
   model_->set_characters(characters);
   const auto count = static_cast<int>(characters->size());
   const QString wanted = search_->text().trimmed();

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "characters/character_list_model.h"
-#include "library.h"
+#include "nazori/practice/character_library.h"
 
 class QAction;
 class QBoxLayout;
@@ -22,7 +22,7 @@ class CharacterTileDelegate;
 class LibraryPanel final : public QWidget {
   Q_OBJECT
  public:
-  explicit LibraryPanel(Library* library, QWidget* parent = nullptr);
+  explicit LibraryPanel(practice::CharacterLibrary* library, QWidget* parent = nullptr);
 
   void show_list(kanji::List list);
   [[nodiscard]] kanji::List list() const { return list_; }
@@ -45,13 +45,13 @@ class LibraryPanel final : public QWidget {
 
  private:
   void search(const QString& text);
-  void show_characters(const Summaries& characters);
+  void show_characters(const practice::Summaries& characters);
   void fit_row();
   void fit_tiles();
   void draw_lens();
   void choose_first();
 
-  Library* library_;
+  practice::CharacterLibrary* library_;
   CharacterListModel* model_;
   CharacterTileDelegate* delegate_;
   QLineEdit* search_;

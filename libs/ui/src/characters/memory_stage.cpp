@@ -100,7 +100,7 @@ void MemoryStage::end() {
   live_ticket_ = whole_ticket_ = 0;
   set_playing(false);
   panel_->hide();
-  groove_.leave();
+  groove_.end();
   put_aside();
   character_ = 0;
   strokes_.clear();
@@ -133,10 +133,10 @@ void MemoryStage::start_over() {
 
 void MemoryStage::put_groove() {
   if (!is_entered() || !lesson().tablet) return;
-  groove_.put(shows_groove()                          ? WritingGroove::Way::shown
-              : actions().groove_appears->isChecked() ? WritingGroove::Way::appears
-                                                      : WritingGroove::Way::hidden,
-              lesson().tablet);
+  groove_.begin(shows_groove()                          ? practice::WritingGroove::Mode::shown
+                : actions().groove_appears->isChecked() ? practice::WritingGroove::Mode::appears
+                                                        : practice::WritingGroove::Mode::hidden,
+                lesson().tablet);
   groove_.carve(right_strokes());
 }
 
@@ -183,13 +183,13 @@ void MemoryStage::take_samples(std::span<const haptics::ServoSample> samples) {
   bool grew = false;
   for (const auto& sample : samples) {
     const auto event = recorder_.follow(sample);
-    grew = grew || event != PenRecorder::Event::none;
-    if (event == PenRecorder::Event::ended) add_stroke(recorder_.take());
+    grew = grew || event != practice::PenRecorder::Event::none;
+    if (event == practice::PenRecorder::Event::ended) add_stroke(recorder_.take());
   }
   if (grew) show_writing();
 }
 
-void MemoryStage::add_stroke(HandStroke stroke) {
+void MemoryStage::add_stroke(practice::HandStroke stroke) {
   set_playing(false);
   if (strokes_.size() >= writing::kMaxInkStrokes) {
     desk().say(Feedback::advice, tr("The tablet is full. Delete clears it."));
@@ -215,9 +215,9 @@ void MemoryStage::add_stroke(HandStroke stroke) {
 
 void MemoryStage::ask(bool finished) {
   if (!lesson().sheet) return;
-  JudgeRequest request;
+  practice::JudgeRequest request;
   request.character = lesson().sheet->character.code_point;
-  request.ink = to_ink(strokes_, geometry::TabletShape{});
+  request.ink = practice::to_ink(strokes_, geometry::TabletShape{});
   request.strictness = panel_->strictness().strictness();
   request.finished = finished;
   (finished ? whole_ticket_ : live_ticket_) = desk().judge().judge(request);
@@ -238,7 +238,7 @@ void MemoryStage::take_grade(std::uint64_t ticket, const writing::Grade& grade) 
   tell_ = false;
   const bool complete = actions().judge_each->isChecked() &&
                         static_cast<int>(strokes_.size()) == stroke_count() && grade.faults.empty() &&
-                        missing_strokes(grade, stroke_count()).empty();
+                        practice::missing_strokes(grade, stroke_count()).empty();
   if (complete)
     ask(true);
   else
@@ -275,7 +275,7 @@ void MemoryStage::tell_last_stroke() {
   const int number =
       (is_known ? grade_.strokes[static_cast<std::size_t>(last)].matched.value_or(last) : last) + 1;
   // What was passed over is named as long as it is missing.
-  const auto missing = missing_strokes(grade_, stroke_count());
+  const auto missing = practice::missing_strokes(grade_, stroke_count());
   if (!missing.empty() && missing.front() + 1 < number) {
     desk().say(Feedback::advice,
                tr("Stroke %1 is right. Stroke %2 is still missing.").arg(number).arg(missing.front() + 1));
@@ -290,7 +290,7 @@ void MemoryStage::tell_miss(const QString& why, bool can_be_tried_again) {
   // The stroke that should have come: the first that was missing before this one.
   writing::Grade before = grade_;
   if (before.strokes.size() == strokes_.size()) before.strokes.pop_back();
-  const auto missing = missing_strokes(before, stroke_count());
+  const auto missing = practice::missing_strokes(before, stroke_count());
   const int expected = missing.empty() ? 0 : missing.front();
   missed_ = is_taught() && can_be_tried_again;
   switch (reply_to_miss(expected)) {
@@ -320,7 +320,7 @@ void MemoryStage::clear_miss() {
 
 void MemoryStage::finish() {
   seen_.assign(strokes_.size(), true);
-  hinted_ = missing_strokes(grade_, stroke_count());
+  hinted_ = practice::missing_strokes(grade_, stroke_count());
   set_state(State::judged);
   show_writing();
   tell_grade();
@@ -379,7 +379,7 @@ void MemoryStage::undo() {
 }
 
 void MemoryStage::give_hint() {
-  const auto missing = missing_strokes(grade_, stroke_count());
+  const auto missing = practice::missing_strokes(grade_, stroke_count());
   if (missing.empty()) {
     desk().say(Feedback::hint, tr("Every stroke is there. Enter is done."));
     return;
@@ -410,22 +410,26 @@ void MemoryStage::give_up() {
 void MemoryStage::show_writing() {
   if (!is_entered()) return;
   std::vector<view::WrittenStroke> all;
-  const auto said = verdicts(grade_, strokes_.size());
+  const auto said = practice::verdicts(grade_, strokes_.size());
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
-    const HandStroke shown =
-        replayed_s_ < 0 ? strokes_[i] : until(strokes_[i], strokes_.front().front().time_s + replayed_s_);
-    if (!shown.empty()) all.push_back(to_written(shown, seen_[i] ? said[i] : view::Verdict::none));
+    const practice::HandStroke shown =
+        replayed_s_ < 0 ? strokes_[i]
+                        : practice::until(strokes_[i], strokes_.front().front().time_s + replayed_s_);
+    if (!shown.empty()) all.push_back(practice::to_written(shown, seen_[i] ? said[i] : view::Verdict::none));
   }
-  if (!recorder_.current().empty()) all.push_back(to_written(recorder_.current(), view::Verdict::none));
+  if (!recorder_.current().empty())
+    all.push_back(practice::to_written(recorder_.current(), view::Verdict::none));
   if (lesson().tablet) {
     const auto& paths = lesson().tablet->paths();
-    const ModelFit fit =
-        actions().groove_hidden->isChecked() ? fit_model(strokes_, grade_, paths) : ModelFit{};
+    const practice::ModelFit fit = actions().groove_hidden->isChecked()
+                                       ? practice::fit_model(strokes_, grade_, paths)
+                                       : practice::ModelFit{};
     const bool over = actions().compare_over->isChecked();
     for (int n = 0; n < stroke_count(); ++n) {
       const bool hinted = std::find(hinted_.begin(), hinted_.end(), n) != hinted_.end();
       if (over || hinted)
-        all.push_back(model_line(paths[static_cast<std::size_t>(n)], fit, over ? kModelOver : kModelHint));
+        all.push_back(
+            practice::model_line(paths[static_cast<std::size_t>(n)], fit, over ? kModelOver : kModelHint));
     }
     compare_->show_writing(strokes_, said, lesson().tablet);
   }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "characters/character_stage.h"
-#include "characters/model_fit.h"
-#include "characters/writing_groove.h"
-#include "pen_recorder.h"
+#include "nazori/practice/model_fit.h"
+#include "nazori/practice/pen_recorder.h"
+#include "nazori/practice/writing_groove.h"
 
 class QSettings;
 
@@ -34,7 +34,7 @@ class MemoryStage final : public CharacterStage {
   void load(const QSettings& settings);
   void save(QSettings& settings) const;
 
-  [[nodiscard]] const std::vector<HandStroke>& strokes() const { return strokes_; }
+  [[nodiscard]] const std::vector<practice::HandStroke>& strokes() const { return strokes_; }
   /// Whether the next lesson on the character that was written last goes on with that writing, judged or not.
   /// @param unrated  the session waits for the rating of a writing: it is kept whatever is written meanwhile.
   void set_resumes(bool resumes, bool unrated) {
@@ -46,7 +46,7 @@ class MemoryStage final : public CharacterStage {
   /// Whether something is written that is not judged as a whole.
   [[nodiscard]] bool has_unjudged() const { return state_ == State::writing && !strokes_.empty(); }
   /// A stroke as if it had just been written.
-  void add_stroke(HandStroke stroke);
+  void add_stroke(practice::HandStroke stroke);
 
  signals:
   /// The writing was judged as a whole.
@@ -95,9 +95,9 @@ class MemoryStage final : public CharacterStage {
   /// A writing whose character left the tablet.
   struct Aside {
     char32_t character = 0;
-    std::vector<HandStroke> strokes;
+    std::vector<practice::HandStroke> strokes;
     writing::Grade grade;
-    PenReport pen;
+    practice::PenReport pen;
     std::vector<bool> seen;
     std::vector<int> hinted;
     int hints = 0;
@@ -107,10 +107,10 @@ class MemoryStage final : public CharacterStage {
 
   WritingPanel* panel_;
   CompareView* compare_;
-  PenRecorder recorder_;
-  std::vector<HandStroke> strokes_;
+  practice::PenRecorder recorder_;
+  std::vector<practice::HandStroke> strokes_;
   writing::Grade grade_;     ///< the newest; its strokes may lag behind
-  PenReport pen_;            ///< of the writing judged last as a whole
+  practice::PenReport pen_;  ///< of the writing judged last as a whole
   std::vector<bool> seen_;   ///< strokes whose verdict the learner may see
   std::vector<int> hinted_;  ///< strokes of the model that are shown
   std::uint64_t live_ticket_ = 0;
@@ -125,7 +125,7 @@ class MemoryStage final : public CharacterStage {
   bool taught_ = false;     ///< the lesson is one of a session
   bool missed_ = false;     ///< the last stroke was refused and goes when another is written
   double replayed_s_ = -1;  ///< moment of the replay; below 0: all is shown
-  WritingGroove groove_;
+  practice::WritingGroove groove_;
 };
 
 }  // namespace nazori::ui

@@ -8,11 +8,15 @@
 #include "characters/strictness_slider.h"
 #include "characters/writing_panel.h"
 #include "error_text.h"
+#include "signals.h"
 
 namespace nazori::ui {
 
 MemoryStage::MemoryStage(Desk& desk, CharacterActions& actions, WritingPanel* panel)
-    : CharacterStage(desk, actions), panel_(panel), compare_(&panel->compare()), groove_(desk.controller()) {
+    : CharacterStage(desk, actions),
+      panel_(panel),
+      compare_(&panel->compare()),
+      groove_(desk.inbox(), [this](const practice::Tablet& tablet) { controller().set_tablet(tablet); }) {
   actions.judge_each->setChecked(true);
   actions.groove_hidden->setChecked(true);
   connect_judging();
@@ -59,14 +63,13 @@ MemoryStage::MemoryStage(Desk& desk, CharacterActions& actions, WritingPanel* pa
 MemoryStage::~MemoryStage() = default;
 
 void MemoryStage::connect_judging() {
-  connect(&desk().judge(), &WritingJudge::judged, this, &MemoryStage::take_grade);
-  connect(&desk().judge(), &WritingJudge::failed, this,
-          [this](std::uint64_t ticket, const base::Error& error) {
-            if (ticket == live_ticket_ || ticket == whole_ticket_)
-              desk().say(Feedback::wrong,
-                         tr("The writing could not be judged: %1. It is kept.").arg(reason(error)));
-          });
-  connect(&desk().judge(), &WritingJudge::pen_told, this, [this](std::uint64_t ticket, const PenReport& pen) {
+  subscribe(desk().judge().judged, this,
+            [this](std::uint64_t ticket, const writing::Grade& grade) { take_grade(ticket, grade); });
+  subscribe(desk().judge().judging_failed, this, [this](std::uint64_t ticket, const base::Error& error) {
+    if (ticket == live_ticket_ || ticket == whole_ticket_)
+      desk().say(Feedback::wrong, tr("The writing could not be judged: %1. It is kept.").arg(reason(error)));
+  });
+  subscribe(desk().judge().pen_reported, this, [this](std::uint64_t ticket, const practice::PenReport& pen) {
     if (ticket == whole_ticket_) pen_ = pen;
   });
   auto& slider = panel_->strictness();

@@ -20,19 +20,21 @@ bool StrokeTeller::is_left_open(int stroke, const TabletController& controller) 
   return std::find(open.begin(), open.end(), stroke) != open.end();
 }
 
-bool StrokeTeller::is_miss(InkEvent event, const TabletController& controller) {
-  return event == InkEvent::from_the_end ||
-         (event == InkEvent::too_early && !is_left_open(controller.ink().next_stroke(), controller));
+bool StrokeTeller::is_miss(practice::TraceEvent event, const TabletController& controller) {
+  return event == practice::TraceEvent::from_the_end ||
+         (event == practice::TraceEvent::too_early &&
+          !is_left_open(controller.ink().next_stroke(), controller));
 }
 
-StrokeTeller::Sentence StrokeTeller::about(InkEvent event, int stroke, const TabletController& controller) {
+StrokeTeller::Sentence StrokeTeller::about(practice::TraceEvent event, int stroke,
+                                           const TabletController& controller) {
   const int next = controller.ink().next_stroke();
   switch (event) {
-    case InkEvent::none:
+    case practice::TraceEvent::none:
       return {};
-    case InkEvent::began:
+    case practice::TraceEvent::began:
       return {Feedback::hint, tr("Stroke %1: follow the groove to its end.").arg(stroke)};
-    case InkEvent::finished:
+    case practice::TraceEvent::finished:
       if (next == 0)
         return {Feedback::good, tr("All %n strokes are written. Delete clears the tablet.", nullptr,
                                    controller.stroke_count())};
@@ -49,14 +51,14 @@ StrokeTeller::Sentence StrokeTeller::about(InkEvent event, int stroke, const Tab
                       .arg(next)
                 : tr("Stroke %1 is written, but stroke %2 comes first. Write it now.").arg(stroke).arg(next)};
       return {Feedback::good, tr("Stroke %1 is written. Stroke %2 is next.").arg(stroke).arg(next)};
-    case InkEvent::left_open:
+    case practice::TraceEvent::left_open:
       return {Feedback::advice,
               tr("Stroke %1 is not finished: the blue bit is missing. Draw on from there.").arg(stroke)};
-    case InkEvent::too_early:
+    case practice::TraceEvent::too_early:
       if (is_left_open(next, controller))
         return {Feedback::advice, tr("Stroke %1 is not finished: draw the blue bit first.").arg(next)};
       return {Feedback::advice, tr("Stroke %1 comes before stroke %2.").arg(next).arg(stroke)};
-    case InkEvent::from_the_end:
+    case practice::TraceEvent::from_the_end:
       return {Feedback::advice,
               tr("Stroke %1 begins at its other end, where its number stands.").arg(stroke)};
   }

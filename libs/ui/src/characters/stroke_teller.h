@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "feedback_line.h"
-#include "ink_tracker.h"
+#include "nazori/practice/traced_ink.h"
 
 namespace nazori::ui {
 
@@ -21,9 +21,10 @@ class StrokeTeller {
   };
 
   [[nodiscard]] static Sentence invitation(const TabletController& controller);
-  [[nodiscard]] static Sentence about(InkEvent event, int stroke, const TabletController& controller);
+  [[nodiscard]] static Sentence about(practice::TraceEvent event, int stroke,
+                                      const TabletController& controller);
   /// Whether it is a mistake. Going on where a bit of a stroke begun before is missing is none.
-  [[nodiscard]] static bool is_miss(InkEvent event, const TabletController& controller);
+  [[nodiscard]] static bool is_miss(practice::TraceEvent event, const TabletController& controller);
   [[nodiscard]] static Sentence snapping(const TabletController& controller);
   [[nodiscard]] static Sentence stroke_shown(const TabletController& controller);
 

@@ -57,7 +57,7 @@ TraceStage::TraceStage(Desk& desk, CharacterActions& actions)
     show_state();
     this->desk().save_later();
   });
-  connect(&tablet, &TabletController::stroke_event, this, [this](InkEvent event, int stroke) {
+  connect(&tablet, &TabletController::stroke_event, this, [this](practice::TraceEvent event, int stroke) {
     if (is_entered()) take(event, stroke);
   });
 }
@@ -88,7 +88,7 @@ void TraceStage::begin() {
   tell(StrokeTeller::invitation(controller()));
 }
 
-void TraceStage::take(InkEvent event, int stroke) {
+void TraceStage::take(practice::TraceEvent event, int stroke) {
   auto& tablet = controller();
   const int next = tablet.ink().next_stroke();
   if (StrokeTeller::is_miss(event, controller())) {
@@ -99,10 +99,10 @@ void TraceStage::take(InkEvent event, int stroke) {
       return;
     }
   }
-  if (event == InkEvent::finished && std::exchange(shown_alone_, 0) == stroke && next != 0)
+  if (event == practice::TraceEvent::finished && std::exchange(shown_alone_, 0) == stroke && next != 0)
     tablet.set_current_stroke(0);
   tell(StrokeTeller::about(event, stroke, tablet));
-  if (event == InkEvent::finished && next == 0) emit finished({});
+  if (event == practice::TraceEvent::finished && next == 0) emit finished({});
 }
 
 void TraceStage::tell(const StrokeTeller::Sentence& sentence) { desk().say(sentence.kind, sentence.text); }

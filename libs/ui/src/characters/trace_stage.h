@@ -20,7 +20,7 @@ class TraceStage final : public CharacterStage {
   void begin() override;
 
  private:
-  void take(InkEvent event, int stroke);
+  void take(practice::TraceEvent event, int stroke);
   void tell(const StrokeTeller::Sentence& sentence);
   void show_state();
 

@@ -5,7 +5,7 @@
 #include <QTimer>
 
 #include "characters/character_stage.h"
-#include "characters/stroke_player.h"
+#include "nazori/practice/stroke_player.h"
 
 class QLabel;
 
@@ -21,7 +21,7 @@ class WatchStage final : public CharacterStage {
 
   /// Goes to a moment of the writing, as a timer does [s]. For tests, too.
   void show_moment(double time_s);
-  [[nodiscard]] const StrokePlayer& player() const { return player_; }
+  [[nodiscard]] const practice::StrokePlayer& player() const { return player_; }
 
  protected:
   void begin() override;
@@ -35,7 +35,7 @@ class WatchStage final : public CharacterStage {
   void tell_stroke(int stroke);
   void show_place();
 
-  StrokePlayer player_;
+  practice::StrokePlayer player_;
   QLabel* place_label_;
   QAction* place_;
   QTimer timer_;

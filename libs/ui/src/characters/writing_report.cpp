@@ -39,7 +39,7 @@ QLabel* WritingReport::add_label(const char* name, const char* role) {
   return label;
 }
 
-void WritingReport::show_grade(const writing::Grade& grade, const PenReport& pen) {
+void WritingReport::show_grade(const writing::Grade& grade, const practice::PenReport& pen) {
   const auto language = writing_language();
   points_->setText(grade.accepted ? tr("Accepted: %1 of 100 points").arg(grade.score)
                                   : tr("Not yet: %1 of 100 points").arg(grade.score));

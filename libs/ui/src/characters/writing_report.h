@@ -4,8 +4,8 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "nazori/practice/writing_judge.h"
 #include "nazori/writing/grade.h"
-#include "writing_judge.h"
 
 class QLabel;
 
@@ -18,7 +18,7 @@ class WritingReport final : public QWidget {
  public:
   explicit WritingReport(QWidget* parent);
 
-  void show_grade(const writing::Grade& grade, const PenReport& pen);
+  void show_grade(const writing::Grade& grade, const practice::PenReport& pen);
 
  private:
   QLabel* add_label(const char* name, const char* role);

@@ -10,8 +10,8 @@
 
 #include "nazori/functions/plate.h"
 #include "nazori/functions/points.h"
+#include "nazori/practice/tablet_workshop.h"
 #include "worker.h"
-#include "workshop.h"
 
 namespace nazori::ui {
 
@@ -27,7 +27,7 @@ struct PlotRequest {
 struct Drawing {
   PlotRequest asked;
   functions::Picture picture;
-  Tablet tablet;
+  practice::Tablet tablet;
   std::vector<int> statements;                     ///< of each line of the tablet
   std::vector<functions::PointOfInterest> points;  ///< of a final drawing
   std::string summary;                             ///< of a final drawing

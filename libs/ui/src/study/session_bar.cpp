@@ -102,7 +102,7 @@ SessionBar::SessionBar(const StudySession& session, const SessionActions& action
   fit();
 }
 
-QString SessionBar::question(const CharacterSheet& sheet) const {
+QString SessionBar::question(const practice::CharacterSheet& sheet) const {
   const auto& character = sheet.character;
   const double large = QFontInfo(font()).pointSizeF() * kLarge;
   const QString muted = current_colours().muted.name();
@@ -141,7 +141,7 @@ QString SessionBar::question(const CharacterSheet& sheet) const {
   return asked;
 }
 
-void SessionBar::show_state(const std::shared_ptr<const CharacterSheet>& sheet) {
+void SessionBar::show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet) {
   sheet_ = sheet;
   setVisible(session_.is_running());
   if (!session_.is_running()) return;
@@ -161,7 +161,7 @@ void SessionBar::show_state(const std::shared_ptr<const CharacterSheet>& sheet) 
 
 void SessionBar::refresh() {
   fit();
-  if (isVisibleTo(parentWidget())) show_state(std::shared_ptr<const CharacterSheet>(sheet_));
+  if (isVisibleTo(parentWidget())) show_state(std::shared_ptr<const practice::CharacterSheet>(sheet_));
 }
 
 void SessionBar::show_ratings() {

@@ -23,7 +23,7 @@ class SessionBar final : public QFrame {
              QWidget* parent);
 
   /// Shows where the session is. @param sheet  of the session's character; null while it is on its way.
-  void show_state(const std::shared_ptr<const CharacterSheet>& sheet);
+  void show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet);
   /// The same again in the colours and the text size of now.
   void refresh();
 
@@ -34,13 +34,13 @@ class SessionBar final : public QFrame {
  private:
   void show_ratings();
   void show_next();
-  [[nodiscard]] QString question(const CharacterSheet& sheet) const;
+  [[nodiscard]] QString question(const practice::CharacterSheet& sheet) const;
   void fit();
 
   const StudySession& session_;
   const SessionActions& actions_;
   const Learner& learner_;
-  std::shared_ptr<const CharacterSheet> sheet_;  ///< shown last
+  std::shared_ptr<const practice::CharacterSheet> sheet_;  ///< shown last
   QLabel* progress_;
   QProgressBar* line_;
   QWidget* task_;  ///< question and next step

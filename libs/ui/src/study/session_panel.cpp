@@ -180,7 +180,7 @@ void SessionPanel::show_ink() {
   gallery_->show_pieces(std::move(pieces));
 }
 
-void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet) {
+void SessionPanel::show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet) {
   sheet_ = sheet;
   if (!session_.is_running()) return;
   QFont large = font();
@@ -216,6 +216,6 @@ void SessionPanel::show_state(const std::shared_ptr<const CharacterSheet>& sheet
   show_ink();
 }
 
-void SessionPanel::refresh() { show_state(std::shared_ptr<const CharacterSheet>(sheet_)); }
+void SessionPanel::refresh() { show_state(std::shared_ptr<const practice::CharacterSheet>(sheet_)); }
 
 }  // namespace nazori::ui

@@ -19,7 +19,7 @@ class SessionPanel final : public QWidget {
  public:
   SessionPanel(const StudySession& session, const SessionActions& actions, Learner& learner, QWidget* parent);
 
-  void show_state(const std::shared_ptr<const CharacterSheet>& sheet);
+  void show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet);
   /// The same again in the colours and the text size of now.
   void refresh();
 
@@ -33,7 +33,7 @@ class SessionPanel final : public QWidget {
 
   const StudySession& session_;
   Learner& learner_;
-  std::shared_ptr<const CharacterSheet> sheet_;  ///< shown last
+  std::shared_ptr<const practice::CharacterSheet> sheet_;  ///< shown last
   QLabel* kind_;
   QLabel* steps_;
   QLabel* history_;

@@ -136,7 +136,7 @@ void StudySession::begin_stage(Stage stage) {
 
 double StudySession::help() const { return store().card(task_.character).help; }
 
-void StudySession::take_sheet(const std::shared_ptr<const CharacterSheet>& sheet) {
+void StudySession::take_sheet(const std::shared_ptr<const practice::CharacterSheet>& sheet) {
   if (!is_running()) return;
   away_ = !sheet || sheet->character.code_point != task_.character;
   if (away_ && state_ == State::judged) final_ = true;
@@ -240,7 +240,7 @@ void StudySession::take_practice(Stage stage, study::WritingResult result) {
   emit changed();
 }
 
-void StudySession::judge(study::WritingResult result, const std::vector<HandStroke>& strokes) {
+void StudySession::judge(study::WritingResult result, const std::vector<practice::HandStroke>& strokes) {
   result.hints = hints_;
   result.misses = misses_;
   result.shown_strokes = shown_;
@@ -256,12 +256,13 @@ void StudySession::judge(study::WritingResult result, const std::vector<HandStro
   emit changed();
 }
 
-void StudySession::take_judgement(const writing::Grade& grade, const std::vector<HandStroke>& strokes) {
+void StudySession::take_judgement(const writing::Grade& grade,
+                                  const std::vector<practice::HandStroke>& strokes) {
   if (!is_running() || away_ || stage_ != Stage::memory || state_ == State::offered || final_) return;
   judge(to_result(grade), strokes);
 }
 
-void StudySession::take_surrender(const std::vector<HandStroke>& strokes) {
+void StudySession::take_surrender(const std::vector<practice::HandStroke>& strokes) {
   if (!is_running() || away_ || stage_ != Stage::memory || state_ == State::offered || final_) return;
   study::WritingResult result;
   result.accepted = false;

@@ -9,10 +9,10 @@
 #include <optional>
 #include <vector>
 
-#include "library.h"
+#include "nazori/practice/character_library.h"
+#include "nazori/practice/pen_recorder.h"
 #include "nazori/study/day_plan.h"
 #include "nazori/writing/grade.h"
-#include "pen_recorder.h"
 #include "study/learner.h"
 
 namespace nazori::ui {
@@ -92,7 +92,7 @@ class StudySession final : public QObject {
 
   // What happens on the tablet. Ignored unless it is about the session's character.
   /// The character came to the desk, or left it for another one.
-  void take_sheet(const std::shared_ptr<const CharacterSheet>& sheet);
+  void take_sheet(const std::shared_ptr<const practice::CharacterSheet>& sheet);
   /// The tablet shows another character than the session's.
   [[nodiscard]] bool is_away() const { return is_running() && away_; }
   /// The learner, or the session, went to a stage.
@@ -102,8 +102,8 @@ class StudySession final : public QObject {
   /// A stroke was tried and refused. @return what to do about it.
   study::MissReply note_miss(int stroke);
   void take_practice(study::Stage stage, study::WritingResult result);
-  void take_judgement(const writing::Grade& grade, const std::vector<HandStroke>& strokes);
-  void take_surrender(const std::vector<HandStroke>& strokes);
+  void take_judgement(const writing::Grade& grade, const std::vector<practice::HandStroke>& strokes);
+  void take_surrender(const std::vector<practice::HandStroke>& strokes);
   /// What was judged goes on being written.
   void take_back_judgement();
 
@@ -134,7 +134,7 @@ class StudySession final : public QObject {
   void choose_word();
   bool keep(study::Stage stage, study::Rating rating, study::Rating proposed,
             const study::WritingResult& result, const study::Ink& ink);
-  void judge(study::WritingResult result, const std::vector<HandStroke>& strokes);
+  void judge(study::WritingResult result, const std::vector<practice::HandStroke>& strokes);
   [[nodiscard]] std::chrono::milliseconds elapsed() const;
   [[nodiscard]] study::LearnerStore& store() const { return learner_.store(); }
   /// Takes the present character out of the day by an action of the store.
@@ -153,7 +153,7 @@ class StudySession final : public QObject {
   bool peeked_ = false;    ///< the learner looked before writing from memory
   bool final_ = false;     ///< the judgement stays whatever is written still
   bool asks_by_words_ = true;
-  std::shared_ptr<const CharacterSheet> sheet_;
+  std::shared_ptr<const practice::CharacterSheet> sheet_;
   std::optional<kanji::Word> word_;
 
   Stopwatch stopwatch_;

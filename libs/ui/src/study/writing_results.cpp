@@ -52,7 +52,7 @@ study::WritingResult to_result(const writing::Grade& grade) {
   return result;
 }
 
-study::Ink to_study_ink(const std::vector<HandStroke>& strokes) {
+study::Ink to_study_ink(const std::vector<practice::HandStroke>& strokes) {
   study::Ink ink;
   if (strokes.empty() || strokes.front().empty()) return ink;
   const double zero_s = strokes.front().front().time_s;

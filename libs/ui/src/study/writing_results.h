@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "nazori/practice/pen_recorder.h"
 #include "nazori/study/ink.h"
 #include "nazori/study/writing_result.h"
 #include "nazori/writing/grade.h"
-#include "pen_recorder.h"
 
 namespace nazori::ui {
 
@@ -15,6 +15,6 @@ namespace nazori::ui {
 [[nodiscard]] study::WritingResult to_result(const writing::Grade& grade);
 
 /// What the hand wrote, as the learner's log keeps it; no more of it than may be kept.
-[[nodiscard]] study::Ink to_study_ink(const std::vector<HandStroke>& strokes);
+[[nodiscard]] study::Ink to_study_ink(const std::vector<practice::HandStroke>& strokes);
 
 }  // namespace nazori::ui

@@ -46,14 +46,18 @@ class Latest {
   /// On the owner's thread.
   using Reported = std::function<void(Part part)>;
 
-  /// @param name  of the thread, for debuggers.
-  /// @param work  outlives nothing: it holds what it needs, and is the only one that uses it.
+  /// With a thread of its own. @param name  of the thread, for debuggers. @param inbox  outlives this.
+  /// @param work  is called by that thread alone, and holds what it uses.
   Latest(const std::string& name, Inbox& inbox, Work work, Answered answered, Reported reported = {})
+      : Latest(std::make_shared<Background>(name, inbox), std::move(work), std::move(answered),
+               std::move(reported)) {}
+  /// With a thread that it shares with others.
+  Latest(std::shared_ptr<Background> background, Work work, Answered answered, Reported reported = {})
       : work_(std::make_shared<const Work>(std::move(work))),
         answered_(std::move(answered)),
         reported_(std::move(reported)),
-        background_(name, inbox) {}
-  /// Asks what is running to stop, and waits until it has.
+        background_(std::move(background)) {}
+  /// Asks what is running to stop. Waits until it has, unless others share the thread.
   ~Latest() { ++*newest_; }
   Latest(const Latest&) = delete;
   Latest& operator=(const Latest&) = delete;
@@ -64,16 +68,19 @@ class Latest {
     Run run;
     run.newest_ = newest_;
     run.ticket_ = ++*newest_;
-    run.report_ = [this, ticket = run.ticket_](Part part) {
-      background_.answer([this, ticket, part = std::move(part)]() mutable {
-        if (*newest_ == ticket && reported_) reported_(std::move(part));
+    // The thread that runs it belongs to the background, which therefore outlives it.
+    run.report_ = [this, background = background_.get(), alive = std::weak_ptr(alive_),
+                   ticket = run.ticket_](Part part) {
+      background->answer([this, alive, ticket, part = std::move(part)]() mutable {
+        if (!alive.expired() && *newest_ == ticket && reported_) reported_(std::move(part));
       });
     };
     is_busy_ = true;
-    background_.post([this, run = std::move(run), work = work_, request = std::move(request)] {
+    background_->post([this, background = background_.get(), alive = std::weak_ptr(alive_),
+                       run = std::move(run), work = work_, request = std::move(request)] {
       if (!run.is_wanted()) return;
-      background_.answer([this, ticket = run.ticket_, answer = (*work)(request, run)]() mutable {
-        if (*newest_ != ticket) return;
+      background->answer([this, alive, ticket = run.ticket_, answer = (*work)(request, run)]() mutable {
+        if (alive.expired() || *newest_ != ticket) return;
         is_busy_ = false;
         // A copy: the answer may be the end of this object.
         const auto answered = answered_;
@@ -91,7 +98,7 @@ class Latest {
   void cancel_and_wait() {
     cancel();
     std::atomic<bool> is_idle{false};
-    background_.post([&is_idle] {
+    background_->post([&is_idle] {
       is_idle = true;
       is_idle.notify_one();
     });
@@ -102,11 +109,13 @@ class Latest {
 
  private:
   std::shared_ptr<std::atomic<std::uint64_t>> newest_ = std::make_shared<std::atomic<std::uint64_t>>(0);
+  std::shared_ptr<const int> alive_ =
+      std::make_shared<const int>(0);  ///< looked at by the owner's thread only
   std::shared_ptr<const Work> work_;
   Answered answered_;
   Reported reported_;
   bool is_busy_ = false;
-  Background background_;  // declared last, so that its thread ends first
+  std::shared_ptr<Background> background_;  // declared last, so that its thread ends first
 };
 
 }  // namespace nazori::base

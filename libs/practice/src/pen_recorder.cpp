@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pen_recorder.h"
+#include "nazori/practice/pen_recorder.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 constexpr double kThinnest_m = 0.0004;
@@ -121,4 +121,4 @@ view::WrittenStroke to_written(const HandStroke& stroke, view::Verdict verdict) 
   return written;
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

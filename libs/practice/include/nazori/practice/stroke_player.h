@@ -7,7 +7,7 @@
 #include "nazori/haptics/haptic_scene.h"
 #include "nazori/kanji/stroke.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 
 /// How a teacher's brush writes a character: the time of every point. Slow where a stroke starts, at corners,
 /// before a kick and where it stops; flowing between and where it is swept out; lifted on the way to the next
@@ -51,4 +51,4 @@ class StrokePlayer {
   std::vector<Timed> strokes_;
 };
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

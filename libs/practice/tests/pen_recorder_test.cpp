@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pen_recorder.h"
+#include "nazori/practice/pen_recorder.h"
 
 #include <gtest/gtest.h>
 
 namespace {
 
 using nazori::haptics::ServoSample;
-using nazori::ui::PenRecorder;
+using nazori::practice::PenRecorder;
 using Event = PenRecorder::Event;
 
 ServoSample sample(double time_s, double x_m, double depth_m, bool touching = true) {
@@ -58,7 +58,7 @@ TEST(PenRecorder, HowLongThePenRestedBeforeTheLiftIsKept) {
   ASSERT_EQ(stroke.size(), 12U);
   EXPECT_DOUBLE_EQ(stroke.back().time_s, 0.4);
   EXPECT_DOUBLE_EQ(stroke.back().at.x, 0.01);
-  EXPECT_EQ(nazori::ui::to_written(stroke, nazori::view::Verdict::none).points.size(), 11U)
+  EXPECT_EQ(nazori::practice::to_written(stroke, nazori::view::Verdict::none).points.size(), 11U)
       << "rest draws nothing";
 }
 
@@ -75,13 +75,13 @@ TEST(PenRecorder, ATickThatComesTooLateDoesNotCutAStrokeInTwo) {
 }
 
 TEST(PenRecorder, AStrokeUntilAMomentEndsWhereThePenWas) {
-  const nazori::ui::HandStroke stroke{{{0, 0}, 1, 0.2}, {{0.01, 0}, 2, 0.4}, {{0.01, 0.02}, 3, 0.4}};
-  EXPECT_TRUE(nazori::ui::until(stroke, 0.5).empty());
-  const auto part = nazori::ui::until(stroke, 1.5);
+  const nazori::practice::HandStroke stroke{{{0, 0}, 1, 0.2}, {{0.01, 0}, 2, 0.4}, {{0.01, 0.02}, 3, 0.4}};
+  EXPECT_TRUE(nazori::practice::until(stroke, 0.5).empty());
+  const auto part = nazori::practice::until(stroke, 1.5);
   ASSERT_EQ(part.size(), 2U);
   EXPECT_DOUBLE_EQ(part.back().at.x, 0.005);
   EXPECT_DOUBLE_EQ(part.back().pressure, 0.3);
-  EXPECT_EQ(nazori::ui::until(stroke, 9).size(), 3U);
+  EXPECT_EQ(nazori::practice::until(stroke, 9).size(), 3U);
 }
 
 TEST(PenRecorder, WhatIsDroppedDoesNotComeBackWhenThePenIsLifted) {
@@ -110,7 +110,7 @@ TEST(PenRecorder, AHandThatMovedOnBeforeTheStylusArrivedLosesNoMoreThanTheWayThe
 
 TEST(PenRecorder, InkForTheJudgeLiesInTheGlyphFrameWithTheTabletAsItsBox) {
   const nazori::geometry::TabletShape shape;
-  const auto ink = nazori::ui::to_ink({{{{-0.05, 0.05}, 0, 0.5}, {{0.05, -0.05}, 1, 0.7}}}, shape);
+  const auto ink = nazori::practice::to_ink({{{{-0.05, 0.05}, 0, 0.5}, {{0.05, -0.05}, 1, 0.7}}}, shape);
   ASSERT_EQ(ink.strokes.size(), 1U);
   EXPECT_NEAR(ink.strokes[0].points[0].x, 0, 1e-9);
   EXPECT_NEAR(ink.strokes[0].points[0].y, 0, 1e-9);

@@ -8,10 +8,10 @@
 #include "nazori/geometry/point.h"
 #include "nazori/haptics/haptic_scene.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 
 /// What following the stylus brought to light.
-enum class InkEvent : std::uint8_t {
+enum class TraceEvent : std::uint8_t {
   none,
   began,         ///< the stylus came down on a stroke's start or where its ink ends
   finished,      ///< its end was reached
@@ -26,7 +26,7 @@ enum class InkEvent : std::uint8_t {
 /// A hand that traces with care lifts a little before the end as often as after it, and a stylus with
 /// friction lags behind the hand. So a stroke is finished as the stylus comes very near its end, or is lifted
 /// near it.
-class InkTracker {
+class TracedInk {
  public:
   /// How far beside the line still counts as on it, and how far ahead of the ink the stylus may be [m].
   static constexpr double kReach_m = 0.0055;
@@ -36,7 +36,7 @@ class InkTracker {
   static constexpr double kLeftShare = 0.25;
 
   struct Step {
-    InkEvent event = InkEvent::none;
+    TraceEvent event = TraceEvent::none;
     int stroke = 0;      ///< the stroke it is about, from 1
     bool inked = false;  ///< ink moved on
   };
@@ -94,4 +94,4 @@ class InkTracker {
   bool was_touching_ = false;  ///< advice is given only as the stylus comes down
 };
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "characters/model_fit.h"
+#include "nazori/practice/model_fit.h"
 
 #include <gtest/gtest.h>
 
 namespace {
 
 using nazori::haptics::StrokePath;
-using nazori::ui::HandStroke;
+using nazori::practice::HandStroke;
 using nazori::view::Verdict;
 namespace writing = nazori::writing;
 
@@ -34,14 +34,14 @@ HandStroke small(std::size_t stroke, bool backwards) {
 
 TEST(ModelFit, TheModelIsLaidOverWritingOfAnotherSizeAndPlaceWhateverItsDirection) {
   const auto fit =
-      nazori::ui::fit_model({small(1, true), small(0, false)}, matched({1, 0}, {true, false}), kCross);
+      nazori::practice::fit_model({small(1, true), small(0, false)}, matched({1, 0}, {true, false}), kCross);
   EXPECT_NEAR(fit.scale, 0.5, 1e-9);
   EXPECT_NEAR(fit.x_m, 0.01, 1e-9);
   EXPECT_NEAR(fit.y_m, -0.02, 1e-9);
 }
 
 TEST(ModelFit, WithoutAMatchTheModelStaysWhereItIs) {
-  const auto fit = nazori::ui::fit_model({small(0, false)}, matched({std::nullopt}, {false}), kCross);
+  const auto fit = nazori::practice::fit_model({small(0, false)}, matched({std::nullopt}, {false}), kCross);
   EXPECT_EQ(fit.scale, 1);
   EXPECT_EQ(fit.x_m, 0);
 }
@@ -50,7 +50,7 @@ TEST(ModelFit, TheModelIsNeverLaidOverSmallerThanAFifthOrLargerThanTwice) {
   const auto scaled = [](double by) {
     HandStroke hand;
     for (const auto& p : kCross[0].points) hand.push_back({{p.x * by + 0.01, p.y * by}, 0, 0.5});
-    return nazori::ui::fit_model({hand}, matched({0}, {false}), kCross);
+    return nazori::practice::fit_model({hand}, matched({0}, {false}), kCross);
   };
   EXPECT_NEAR(scaled(0.21).scale, 0.21, 1e-9);
   EXPECT_NEAR(scaled(0.1).scale, 0.2, 1e-9);
@@ -64,8 +64,8 @@ TEST(ModelFit, StrokesThatDoNotMatchAreLeftOut) {
   for (int i = 0; i < 5; ++i) far.push_back({{0.04, 0.01 * i}, 0, 0.5});
   // Unmatched, matched to a stroke that the model has not, without points, and beyond the verdicts.
   const auto fit =
-      nazori::ui::fit_model({far, far, {}, small(0, false), far},
-                            matched({std::nullopt, 2, 1, 0}, {false, false, false, false}), kCross);
+      nazori::practice::fit_model({far, far, {}, small(0, false), far},
+                                  matched({std::nullopt, 2, 1, 0}, {false, false, false, false}), kCross);
   EXPECT_NEAR(fit.scale, 0.5, 1e-9);
   EXPECT_NEAR(fit.x_m, 0.01, 1e-9);
   EXPECT_NEAR(fit.y_m, -0.02, 1e-9);
@@ -73,14 +73,14 @@ TEST(ModelFit, StrokesThatDoNotMatchAreLeftOut) {
 
 TEST(ModelFit, APointIsLaidOnItsPlaceWithoutBeingSized) {
   const std::vector<StrokePath> dot{{{{0.01, 0.02, 0}, {0.01, 0.02, 0}}}};
-  const auto fit = nazori::ui::fit_model({{{{0.03, 0.01}, 0, 0.5}}}, matched({0}, {false}), dot);
+  const auto fit = nazori::practice::fit_model({{{{0.03, 0.01}, 0, 0.5}}}, matched({0}, {false}), dot);
   EXPECT_EQ(fit.scale, 1);
   EXPECT_NEAR(fit.x_m, 0.02, 1e-12);
   EXPECT_NEAR(fit.y_m, -0.01, 1e-12);
 }
 
 TEST(ModelFit, TheLineOfTheModelHasItsPlaceAndIsToldFromWriting) {
-  const auto line = nazori::ui::model_line(kCross[0], {0.5, 0.01, 0.02}, 0.75);
+  const auto line = nazori::practice::model_line(kCross[0], {0.5, 0.01, 0.02}, 0.75);
   EXPECT_EQ(line.verdict, Verdict::shown);
   EXPECT_EQ(line.opacity, 0.75);
   ASSERT_EQ(line.points.size(), 2U);
@@ -98,14 +98,14 @@ TEST(Verdicts, OfAStrokeThatIsNotThereNothingIsMarked) {
   writing::Fault beyond = before;
   beyond.stroke = 2;
   grade.faults = {before, beyond};
-  EXPECT_EQ(nazori::ui::verdicts(grade, 2), (std::vector{Verdict::wrong, Verdict::right}));
-  EXPECT_EQ(nazori::ui::verdicts(grade, 1), std::vector{Verdict::wrong});
+  EXPECT_EQ(nazori::practice::verdicts(grade, 2), (std::vector{Verdict::wrong, Verdict::right}));
+  EXPECT_EQ(nazori::practice::verdicts(grade, 1), std::vector{Verdict::wrong});
   writing::Fault both;
   both.kind = writing::FaultKind::wrong;
   both.stroke = 1;
   grade.faults = {both};
   grade.advice = {both};
-  EXPECT_EQ(nazori::ui::verdicts(grade, 2)[1], Verdict::wrong) << "a fault outweighs advice";
+  EXPECT_EQ(nazori::practice::verdicts(grade, 2)[1], Verdict::wrong) << "a fault outweighs advice";
 }
 
 TEST(Verdicts, FaultsAreWrongAdviceIsNearlyAndTheRestRight) {
@@ -118,12 +118,12 @@ TEST(Verdicts, FaultsAreWrongAdviceIsNearlyAndTheRestRight) {
   };
   grade.faults = {fault(writing::FaultKind::wrong, 1), fault(writing::FaultKind::missing, 0)};
   grade.advice = {fault(writing::FaultKind::ending, 2)};
-  EXPECT_EQ(nazori::ui::verdicts(grade, 4),
+  EXPECT_EQ(nazori::practice::verdicts(grade, 4),
             (std::vector{Verdict::right, Verdict::wrong, Verdict::nearly, Verdict::none}));
 }
 
 TEST(Verdicts, MissingStrokesAreThoseThatNothingMatches) {
-  EXPECT_EQ(nazori::ui::missing_strokes(matched({2, std::nullopt}, {false, false}), 4),
+  EXPECT_EQ(nazori::practice::missing_strokes(matched({2, std::nullopt}, {false, false}), 4),
             (std::vector{0, 1, 3}));
 }
 

@@ -1,82 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ink_tracker.h"
+#include "nazori/practice/traced_ink.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "hand_under_test.h"
+#include "database_under_test.h"
 #include "nazori/geometry/polyline.h"
 
 namespace {
 
 using nazori::haptics::StrokePath;
 using nazori::haptics::Vec3;
-using nazori::ui::InkEvent;
-using nazori::ui::InkTracker;
+using nazori::practice::TracedInk;
+using nazori::practice::TraceEvent;
 
 /// A cross: a level stroke from left to right, then an upright one from top to bottom, each 60 mm long.
-InkTracker cross() {
+TracedInk cross() {
   const StrokePath level{{Vec3(-0.03, 0, -0.01), Vec3(0.03, 0, -0.01)}};
   const StrokePath upright{{Vec3(0, 0.03, -0.01), Vec3(0, -0.03, -0.01)}};
-  InkTracker ink;
+  TracedInk ink;
   ink.set_strokes(std::vector{level, upright});
   return ink;
 }
 
 /// Draws a straight line as a hand would, a sample each 0.1 mm; returns the last event that was not none.
-InkTracker::Step draw(InkTracker& ink, Vec3 from, Vec3 to, int only = 0) {
-  InkTracker::Step last;
+TracedInk::Step draw(TracedInk& ink, Vec3 from, Vec3 to, int only = 0) {
+  TracedInk::Step last;
   constexpr int kSamples = 600;
   for (int i = 0; i <= kSamples; ++i) {
     const auto step = ink.follow(from + (to - from) * (static_cast<double>(i) / kSamples), true, only);
-    if (step.event != InkEvent::none && step.event != InkEvent::began) last = step;
+    if (step.event != TraceEvent::none && step.event != TraceEvent::began) last = step;
   }
   ink.follow(to, false, only);
   return last;
 }
 
-TEST(InkTracker, InkFlowsAsFarAsTheStylusHasCome) {
+TEST(TracedInk, InkFlowsAsFarAsTheStylusHasCome) {
   auto ink = cross();
   draw(ink, {-0.03, 0, 0}, {0, 0, 0});
   EXPECT_NEAR(ink.progress()[0], 0.5, 0.01);
   EXPECT_EQ(ink.progress()[1], 0.0);
 }
 
-TEST(InkTracker, AStrokeDrawnToItsEndIsFinishedAndTheNextIsDue) {
+TEST(TracedInk, AStrokeDrawnToItsEndIsFinishedAndTheNextIsDue) {
   auto ink = cross();
   const auto step = draw(ink, {-0.03, 0, 0}, {0.03, 0, 0});
-  EXPECT_EQ(step.event, InkEvent::finished);
+  EXPECT_EQ(step.event, TraceEvent::finished);
   EXPECT_EQ(step.stroke, 1);
   EXPECT_TRUE(ink.is_finished(1));
   EXPECT_EQ(ink.next_stroke(), 2);
 }
 
-TEST(InkTracker, CrossingAGrooveLeavesNoInkOnIt) {
+TEST(TracedInk, CrossingAGrooveLeavesNoInkOnIt) {
   auto ink = cross();
   draw(ink, {-0.03, 0, 0}, {0.03, 0, 0});
   EXPECT_EQ(ink.progress()[1], 0.0);
 }
 
-TEST(InkTracker, AStrokeDrawnBackwardsTakesNoInkAndIsAdvisedAgainst) {
+TEST(TracedInk, AStrokeDrawnBackwardsTakesNoInkAndIsAdvisedAgainst) {
   auto ink = cross();
   const auto step = draw(ink, {0.03, 0, 0}, {-0.02, 0, 0});
-  EXPECT_EQ(step.event, InkEvent::from_the_end);
+  EXPECT_EQ(step.event, TraceEvent::from_the_end);
   EXPECT_EQ(step.stroke, 1);
   EXPECT_EQ(ink.progress()[0], 0.0);
 }
 
-TEST(InkTracker, ALaterStrokeDrawnFirstIsWrittenWithAdvice) {
+TEST(TracedInk, ALaterStrokeDrawnFirstIsWrittenWithAdvice) {
   auto ink = cross();
   const auto early = ink.follow({0, 0.03, 0}, true, 0);
-  EXPECT_EQ(early.event, InkEvent::too_early);
+  EXPECT_EQ(early.event, TraceEvent::too_early);
   EXPECT_EQ(early.stroke, 2);
   draw(ink, {0, 0.03, 0}, {0, -0.03, 0});
   EXPECT_TRUE(ink.is_finished(2));
   EXPECT_EQ(ink.next_stroke(), 1);
 }
 
-TEST(InkTracker, WithOneStrokeShownTheOthersTakeNoInk) {
+TEST(TracedInk, WithOneStrokeShownTheOthersTakeNoInk) {
   auto ink = cross();
   draw(ink, {-0.03, 0, 0}, {0.03, 0, 0}, 2);
   EXPECT_EQ(ink.progress()[0], 0.0);
@@ -84,23 +84,23 @@ TEST(InkTracker, WithOneStrokeShownTheOthersTakeNoInk) {
   EXPECT_TRUE(ink.is_finished(2));
 }
 
-TEST(InkTracker, AfterALiftTheStrokeGoesOnWhereItsInkEnds) {
+TEST(TracedInk, AfterALiftTheStrokeGoesOnWhereItsInkEnds) {
   auto ink = cross();
   draw(ink, {-0.03, 0, 0}, {-0.01, 0, 0});
-  EXPECT_EQ(ink.follow({0.02, 0, 0}, true, 0).event, InkEvent::none) << "far ahead of the ink";
+  EXPECT_EQ(ink.follow({0.02, 0, 0}, true, 0).event, TraceEvent::none) << "far ahead of the ink";
   ink.follow({0.02, 0, 0}, false, 0);
   draw(ink, {-0.01, 0, 0}, {0.03, 0, 0});
   EXPECT_TRUE(ink.is_finished(1));
 }
 
-TEST(InkTracker, DriftingFarBesideTheGrooveStopsTheInk) {
+TEST(TracedInk, DriftingFarBesideTheGrooveStopsTheInk) {
   auto ink = cross();
   draw(ink, {-0.03, 0.012, 0}, {0.03, 0.012, 0});
   EXPECT_EQ(ink.progress()[0], 0.0);
 }
 
-TEST(InkTracker, WhoStraysTwiceTheReachFromTheInkMustComeBackToIt) {
-  constexpr double kReach = InkTracker::kReach_m;
+TEST(TracedInk, WhoStraysTwiceTheReachFromTheInkMustComeBackToIt) {
+  constexpr double kReach = TracedInk::kReach_m;
   for (const double away : {1.8, 2.2, 2.5, 4.0}) {
     auto ink = cross();
     const Vec3 front(-0.01, 0, 0);
@@ -125,23 +125,23 @@ TEST(InkTracker, WhoStraysTwiceTheReachFromTheInkMustComeBackToIt) {
   }
 }
 
-TEST(InkTracker, ALoopThatReturnsToItsStartIsNotFinishedByStandingThere) {
+TEST(TracedInk, ALoopThatReturnsToItsStartIsNotFinishedByStandingThere) {
   StrokePath circle;
   for (int i = 0; i <= 60; ++i)
     circle.points.emplace_back(0.02 * std::cos(i * 0.1047), 0.02 * std::sin(i * 0.1047), -0.01);
-  InkTracker ink;
+  TracedInk ink;
   ink.set_strokes(std::vector{circle});
   for (int i = 0; i < 100; ++i) ink.follow({0.02, 0, 0}, true, 0);
   EXPECT_LT(ink.progress()[0], 0.1);
 }
 
-TEST(InkTracker, AHoveringStylusLeavesNoInk) {
+TEST(TracedInk, AHoveringStylusLeavesNoInk) {
   auto ink = cross();
   for (int i = 0; i <= 60; ++i) ink.follow({-0.03 + i * 0.001, 0, 0.005}, false, 0);
   EXPECT_EQ(ink.progress()[0], 0.0);
 }
 
-TEST(InkTracker, UndoTakesTheInkOffTheStrokeThatTookItUpLast) {
+TEST(TracedInk, UndoTakesTheInkOffTheStrokeThatTookItUpLast) {
   auto ink = cross();
   draw(ink, {0, 0.03, 0}, {0, -0.03, 0}, 2);
   draw(ink, {-0.03, 0, 0}, {0, 0, 0});
@@ -154,18 +154,18 @@ TEST(InkTracker, UndoTakesTheInkOffTheStrokeThatTookItUpLast) {
   EXPECT_EQ(ink.progress(), (std::vector<double>{0, 0}));
 }
 
-TEST(InkTracker, WhoRestsAtTheEndOfTheLastStrokeWhileItIsClearedHasNotBegunThere) {
-  InkTracker ink;
+TEST(TracedInk, WhoRestsAtTheEndOfTheLastStrokeWhileItIsClearedHasNotBegunThere) {
+  TracedInk ink;
   ink.set_strokes(std::vector{StrokePath{{Vec3(-0.03, 0, -0.01), Vec3(0.03, 0, -0.01)}}});
   for (int i = 0; i <= 600; ++i) (void)ink.follow(Vec3(-0.03 + i * 0.0001, 0, 0), true, 0);
   ASSERT_EQ(ink.next_stroke(), 0);
   ink.clear();
-  EXPECT_EQ(ink.follow(Vec3(0.03, 0, 0), true, 0).event, InkEvent::none);
+  EXPECT_EQ(ink.follow(Vec3(0.03, 0, 0), true, 0).event, TraceEvent::none);
   (void)ink.follow(Vec3(0.03, 0, 0), false, 0);
-  EXPECT_EQ(ink.follow(Vec3(0.03, 0, 0), true, 0).event, InkEvent::from_the_end) << "now it has";
+  EXPECT_EQ(ink.follow(Vec3(0.03, 0, 0), true, 0).event, TraceEvent::from_the_end) << "now it has";
 }
 
-TEST(InkTracker, ClearingTakesAllInkAway) {
+TEST(TracedInk, ClearingTakesAllInkAway) {
   auto ink = cross();
   draw(ink, {-0.03, 0, 0}, {0.03, 0, 0});
   ink.clear();
@@ -174,10 +174,10 @@ TEST(InkTracker, ClearingTakesAllInkAway) {
 }
 
 /// Draws a bent line with a sample each 0.2 mm and lifts. @return all events but none.
-std::vector<InkTracker::Step> draw_along(InkTracker& ink, const std::vector<Vec3>& line) {
-  std::vector<InkTracker::Step> told;
-  const auto take = [&told](const InkTracker::Step& step) {
-    if (step.event != InkEvent::none) told.push_back(step);
+std::vector<TracedInk::Step> draw_along(TracedInk& ink, const std::vector<Vec3>& line) {
+  std::vector<TracedInk::Step> told;
+  const auto take = [&told](const TracedInk::Step& step) {
+    if (step.event != TraceEvent::none) told.push_back(step);
   };
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const Vec3 way = line[k + 1] - line[k];
@@ -189,20 +189,20 @@ std::vector<InkTracker::Step> draw_along(InkTracker& ink, const std::vector<Vec3
   return told;
 }
 
-TEST(InkTracker, LiftedALittleBeforeTheEndAStrokeIsFinished) {
+TEST(TracedInk, LiftedALittleBeforeTheEndAStrokeIsFinished) {
   auto ink = cross();
   const auto told = draw_along(ink, {{-0.03, 0, 0}, {0.0255, 0, 0}});
   ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[1].event, InkEvent::finished);
+  EXPECT_EQ(told[1].event, TraceEvent::finished);
   EXPECT_EQ(told[1].stroke, 1);
   EXPECT_EQ(ink.progress()[0], 1.0);
 }
 
-TEST(InkTracker, LiftedEarlierAStrokeIsLeftOpenAndShowsWhatIsMissing) {
+TEST(TracedInk, LiftedEarlierAStrokeIsLeftOpenAndShowsWhatIsMissing) {
   auto ink = cross();
   const auto told = draw_along(ink, {{-0.03, 0, 0}, {0.0235, 0, 0}});
   ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[1].event, InkEvent::left_open);
+  EXPECT_EQ(told[1].event, TraceEvent::left_open);
   EXPECT_EQ(told[1].stroke, 1);
   EXPECT_FALSE(ink.is_finished(1));
   EXPECT_EQ(ink.left_open(), std::vector{1});
@@ -216,8 +216,8 @@ TEST(InkTracker, LiftedEarlierAStrokeIsLeftOpenAndShowsWhatIsMissing) {
   EXPECT_TRUE(ink.missing_bit(1).empty());
 }
 
-TEST(InkTracker, OfAShortStrokeNoMoreThanAQuarterMayBeLeft) {
-  InkTracker ink;
+TEST(TracedInk, OfAShortStrokeNoMoreThanAQuarterMayBeLeft) {
+  TracedInk ink;
   ink.set_strokes(std::vector{StrokePath{{Vec3(0, 0, -0.01), Vec3(0.012, 0, -0.01)}}});
   draw_along(ink, {{0, 0, 0}, {0.0085, 0, 0}});
   EXPECT_FALSE(ink.is_finished(1));
@@ -226,15 +226,15 @@ TEST(InkTracker, OfAShortStrokeNoMoreThanAQuarterMayBeLeft) {
   EXPECT_TRUE(ink.is_finished(1));
 }
 
-TEST(InkTracker, AStrokeThatWasOnlyTouchedIsNotCalledLeft) {
+TEST(TracedInk, AStrokeThatWasOnlyTouchedIsNotCalledLeft) {
   auto ink = cross();
   const auto told = draw_along(ink, {{-0.03, 0, 0}, {-0.0285, 0, 0}});
   ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].event, InkEvent::began);
+  EXPECT_EQ(told[0].event, TraceEvent::began);
   EXPECT_TRUE(ink.left_open().empty());
 }
 
-TEST(InkTracker, UndoAndClearForgetWhatWasLeftOpen) {
+TEST(TracedInk, UndoAndClearForgetWhatWasLeftOpen) {
   auto ink = cross();
   draw_along(ink, {{-0.03, 0, 0}, {0, 0, 0}});
   EXPECT_EQ(ink.undo(), 1);
@@ -245,32 +245,32 @@ TEST(InkTracker, UndoAndClearForgetWhatWasLeftOpen) {
 }
 
 /// From one point: first a stroke to the right, then one downwards, each 40 mm long.
-InkTracker corner() {
+TracedInk corner() {
   const StrokePath level{{Vec3(0, 0, -0.01), Vec3(0.04, 0, -0.01)}};
   const StrokePath upright{{Vec3(0, 0, -0.01), Vec3(0, -0.04, -0.01)}};
-  InkTracker ink;
+  TracedInk ink;
   ink.set_strokes(std::vector{level, upright});
   return ink;
 }
 
-TEST(InkTracker, WhereTwoStrokesBeginTogetherTheHandShowsWhichItFollows) {
+TEST(TracedInk, WhereTwoStrokesBeginTogetherTheHandShowsWhichItFollows) {
   auto ink = corner();
   const auto told = draw_along(ink, {{0, 0, 0}, {0, -0.04, 0}});
   EXPECT_EQ(ink.progress(), (std::vector<double>{0, 1})) << "the first takes back the ink it was given";
   ASSERT_EQ(told.size(), 3U);
-  EXPECT_EQ(told[1].event, InkEvent::too_early) << "told as soon as it shows";
+  EXPECT_EQ(told[1].event, TraceEvent::too_early) << "told as soon as it shows";
   EXPECT_EQ(told[1].stroke, 2);
-  EXPECT_EQ(told[2].event, InkEvent::finished);
+  EXPECT_EQ(told[2].event, TraceEvent::finished);
   EXPECT_EQ(told[2].stroke, 2);
   EXPECT_EQ(ink.undo(), 2) << "the first has no ink to be taken off";
   EXPECT_EQ(ink.undo(), 0);
 }
 
-TEST(InkTracker, ABitLeftOpenDoesNotSwallowTheStrokeThatBeginsBesideIt) {
+TEST(TracedInk, ABitLeftOpenDoesNotSwallowTheStrokeThatBeginsBesideIt) {
   // The first stroke ends where the second begins.
   const StrokePath level{{Vec3(-0.04, 0, -0.01), Vec3(0, 0, -0.01)}};
   const StrokePath upright{{Vec3(0, 0, -0.01), Vec3(0, -0.04, -0.01)}};
-  InkTracker ink;
+  TracedInk ink;
   ink.set_strokes(std::vector{level, upright});
   draw_along(ink, {{-0.04, 0, 0}, {-0.0055, 0, 0}});
   ASSERT_EQ(ink.left_open(), std::vector{1});
@@ -281,9 +281,9 @@ TEST(InkTracker, ABitLeftOpenDoesNotSwallowTheStrokeThatBeginsBesideIt) {
   EXPECT_EQ(ink.left_open(), std::vector{1});
 }
 
-TEST(InkTracker, OfTwoShortStrokesFromOnePointTheOneIsFinishedThatEndsAtTheLift) {
+TEST(TracedInk, OfTwoShortStrokesFromOnePointTheOneIsFinishedThatEndsAtTheLift) {
   for (const bool level_is_written : {true, false}) {
-    InkTracker ink;
+    TracedInk ink;
     ink.set_strokes(std::vector{StrokePath{{Vec3(0, 0, -0.01), Vec3(0.01, 0, -0.01)}},
                                 StrokePath{{Vec3(0, 0, -0.01), Vec3(0.005, -0.009, -0.01)}}});
     draw_along(ink, {{0, 0, 0}, level_is_written ? Vec3(0.01, 0, 0) : Vec3(0.005, -0.009, 0)});
@@ -293,33 +293,33 @@ TEST(InkTracker, OfTwoShortStrokesFromOnePointTheOneIsFinishedThatEndsAtTheLift)
   }
 }
 
-TEST(InkTracker, GoingOnALittlePastTheEndLeavesNoInkOnTheNextStroke) {
+TEST(TracedInk, GoingOnALittlePastTheEndLeavesNoInkOnTheNextStroke) {
   const StrokePath level{{Vec3(-0.04, 0, -0.01), Vec3(0, 0, -0.01)}};
   const StrokePath further{{Vec3(0, 0, -0.01), Vec3(0.04, 0.002, -0.01)}};
-  InkTracker ink;
+  TracedInk ink;
   ink.set_strokes(std::vector{level, further});
   const auto told = draw_along(ink, {{-0.04, 0, 0}, {0.003, 0, 0}});
   EXPECT_EQ(ink.progress(), (std::vector<double>{1, 0}));
-  EXPECT_EQ(told.back().event, InkEvent::finished) << "nothing is said of the next";
+  EXPECT_EQ(told.back().event, TraceEvent::finished) << "nothing is said of the next";
   draw_along(ink, {{0, 0, 0}, {0.04, 0.002, 0}});
   EXPECT_EQ(ink.next_stroke(), 0);
 }
 
-TEST(InkTracker, WrittenInOneGoWithoutALiftTheNextStrokeKeepsItsInk) {
+TEST(TracedInk, WrittenInOneGoWithoutALiftTheNextStrokeKeepsItsInk) {
   const StrokePath level{{Vec3(-0.04, 0, -0.01), Vec3(0, 0, -0.01)}};
   const StrokePath further{{Vec3(0, 0, -0.01), Vec3(0.04, 0.002, -0.01)}};
-  InkTracker ink;
+  TracedInk ink;
   ink.set_strokes(std::vector{level, further});
   draw_along(ink, {{-0.04, 0, 0}, {0.02, 0, 0}});
   EXPECT_NEAR(ink.progress()[1], 0.5, 0.03);
 }
 
-TEST(InkTracker, InTurnTheFirstOfTwoThatBeginTogetherIsWrittenWithoutAdvice) {
+TEST(TracedInk, InTurnTheFirstOfTwoThatBeginTogetherIsWrittenWithoutAdvice) {
   auto ink = corner();
   const auto told = draw_along(ink, {{0, 0, 0}, {0.04, 0, 0}});
   ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[0].event, InkEvent::began);
-  EXPECT_EQ(told[1].event, InkEvent::finished);
+  EXPECT_EQ(told[0].event, TraceEvent::began);
+  EXPECT_EQ(told[1].event, TraceEvent::finished);
   EXPECT_EQ(ink.progress(), (std::vector<double>{1, 0}));
 }
 
@@ -372,13 +372,13 @@ std::vector<Vec3> careful(const std::vector<Vec3>& line, Shake& shake) {
   return out;
 }
 
-TEST(InkTracker, NineteenOfTwentyCarefulTracingsAreTaken) {
+TEST(TracedInk, NineteenOfTwentyCarefulTracingsAreTaken) {
   int tracings = 0;
   int taken = 0;
   for (const char32_t character : std::u32string(U"休年人木水火花書国四心必川女子食あうおかけこさすたなぬねは"
                                                  U"ふほまむやらるれろをアキケシツネヒホモ")) {
     std::vector<StrokePath> strokes;
-    for (const auto& line : nazori::ui::test::model(character)) {
+    for (const auto& line : nazori::practice::test::model(character)) {
       StrokePath path;
       for (const auto& point : line) {
         const auto p = nazori::geometry::glyph_to_tablet(point, {});
@@ -387,7 +387,7 @@ TEST(InkTracker, NineteenOfTwentyCarefulTracingsAreTaken) {
       strokes.push_back(path);
     }
     for (std::uint32_t seed = 1; seed <= 10; ++seed) {
-      InkTracker ink;
+      TracedInk ink;
       ink.set_strokes(strokes);
       Shake shake(seed * 7919U + static_cast<std::uint32_t>(character));
       for (const auto& stroke : strokes) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "characters/model_fit.h"
+#include "nazori/practice/model_fit.h"
 
 #include <algorithm>
 
 #include "nazori/geometry/polyline.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 using geometry::TabletFrame;
@@ -104,4 +104,4 @@ std::vector<int> missing_strokes(const writing::Grade& grade, int model_strokes)
   return missing;
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "pen_recorder.h"
+#include "nazori/practice/pen_recorder.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 using Event = PenRecorder::Event;
@@ -161,4 +161,4 @@ TEST(PenRecorderBounds, WrittenInkHasThePlacesTheWidthsAndTheVerdict) {
 }
 
 }  // namespace
-}  // namespace nazori::ui
+}  // namespace nazori::practice

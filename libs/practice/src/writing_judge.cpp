@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "writing_judge.h"
+#include "nazori/practice/writing_judge.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
+#include "nazori/base/latest.h"
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/writing/model_library.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
+namespace {
 
-struct WritingJudge::Books {
+/// The grader's database and models.
+struct Books {
+  explicit Books(std::filesystem::path from) : path(std::move(from)) {}
+
   std::filesystem::path path;
   std::optional<kanji::KanjiDatabase> database;
   std::optional<writing::ModelLibrary> models;
@@ -18,6 +23,7 @@ struct WritingJudge::Books {
   struct Answer {
     writing::Grade grade;
     PenReport pen;
+    bool finished = true;
   };
 
   base::Result<Answer> grade(const JudgeRequest& request) {
@@ -36,7 +42,7 @@ struct WritingJudge::Books {
                            ? writing::grade(request.ink, (*entry)->model, options, (*entry)->lookalikes)
                            : writing::grade_live(request.ink, (*entry)->model, options, (*entry)->lookalikes);
     if (!grade) return tl::unexpected(grade.error());
-    Answer answer{*grade, {}};
+    Answer answer{*grade, {}, request.finished};
     if (request.finished) {
       answer.pen.motions = writing::pen_motion(request.ink);
       answer.pen.remarks = writing::motion_remarks(answer.pen.motions, *grade, (*entry)->model);
@@ -45,7 +51,10 @@ struct WritingJudge::Books {
   }
 };
 
-struct WritingJudge::Reader {
+/// The recogniser, once it has learned.
+struct Reader {
+  explicit Reader(std::filesystem::path from) : path(std::move(from)) {}
+
   std::filesystem::path path;
   std::optional<writing::Recogniser> recogniser;
 
@@ -60,7 +69,7 @@ struct WritingJudge::Reader {
   }
 
   base::Result<std::vector<writing::Candidate>> read(const writing::Ink& ink, int limit) {
-    if (auto learnt = learn(); !learnt) return tl::unexpected(learnt.error());
+    if (auto learned = learn(); !learned) return tl::unexpected(learned.error());
     const auto ends_here = recogniser->recognise(ink, {.limit = limit, .unfinished = false});
     if (!ends_here) return tl::unexpected(ends_here.error());
     const auto goes_on = recogniser->recognise(ink, {.limit = limit, .unfinished = true});
@@ -81,51 +90,72 @@ struct WritingJudge::Reader {
   }
 };
 
-WritingJudge::WritingJudge(std::filesystem::path database, QObject* parent)
-    : QObject(parent), books_(std::make_shared<Books>()), reader_(std::make_shared<Reader>()) {
-  books_->path = database;
-  reader_->path = std::move(database);
-}
+struct InkToRead {
+  writing::Ink ink;
+  int limit;
+};
+
+/// An answer with the number of its request.
+template <class Found>
+struct Numbered {
+  std::uint64_t number;
+  base::Result<Found> found;
+};
+
+using Judgement = Numbered<Books::Answer>;
+using Reading = Numbered<std::vector<writing::Candidate>>;
+
+}  // namespace
+
+struct WritingJudge::Inside {
+  Inside(WritingJudge& judge, base::Inbox& inbox, const std::filesystem::path& database)
+      : grader(
+            "grader", inbox,
+            [books = std::make_shared<Books>(database)](const JudgeRequest& request, const auto& run) {
+              return Judgement{run.ticket(), books->grade(request)};
+            },
+            [&judge](const Judgement& answer) {
+              if (!answer.found) {
+                judge.judging_failed(answer.number, answer.found.error());
+                return;
+              }
+              if (answer.found->finished) judge.pen_reported(answer.number, answer.found->pen);
+              judge.judged(answer.number, answer.found->grade);
+            }),
+        reader(std::make_shared<Reader>(database)),
+        recogniser_thread(std::make_shared<base::Background>("recogniser", inbox)),
+        recogniser(
+            recogniser_thread,
+            [reader = reader](const InkToRead& request, const auto& run) {
+              return Reading{run.ticket(), reader->read(request.ink, request.limit)};
+            },
+            [&judge](const Reading& answer) {
+              if (answer.found)
+                judge.recognised(answer.number, *answer.found);
+              else
+                judge.recognising_failed(answer.number, answer.found.error());
+            }) {}
+
+  base::Latest<JudgeRequest, Judgement> grader;
+  std::shared_ptr<Reader> reader;  ///< used by its thread only
+  std::shared_ptr<base::Background> recogniser_thread;
+  base::Latest<InkToRead, Reading> recogniser;
+};
+
+WritingJudge::WritingJudge(base::Inbox& inbox, const std::filesystem::path& database)
+    : inside_(std::make_unique<Inside>(*this, inbox, database)) {}
 
 WritingJudge::~WritingJudge() = default;
 
-std::uint64_t WritingJudge::judge(const JudgeRequest& request) {
-  const std::uint64_t ticket = ++newest_judgement_;
-  grader_.post([this, request, ticket, books = books_] {
-    if (ticket != newest_judgement_) return;
-    auto answer = books->grade(request);
-    grader_.answer([this, ticket, finished = request.finished, answer = std::move(answer)] {
-      if (ticket != newest_judgement_) return;
-      if (!answer) {
-        emit failed(ticket, answer.error());
-        return;
-      }
-      if (finished) emit pen_told(ticket, answer->pen);
-      emit judged(ticket, answer->grade);
-    });
-  });
-  return ticket;
-}
+std::uint64_t WritingJudge::judge(const JudgeRequest& request) { return inside_->grader.request(request); }
 
 std::uint64_t WritingJudge::recognise(const writing::Ink& ink, int limit) {
-  const std::uint64_t ticket = ++newest_recognition_;
-  recogniser_.post([this, ink, limit, ticket, reader = reader_] {
-    if (ticket != newest_recognition_) return;
-    auto candidates = reader->read(ink, limit);
-    recogniser_.answer([this, ticket, candidates = std::move(candidates)] {
-      if (ticket != newest_recognition_) return;
-      if (candidates)
-        emit recognised(ticket, *candidates);
-      else
-        emit failed(ticket, candidates.error());
-    });
-  });
-  return ticket;
+  return inside_->recogniser.request({ink, limit});
 }
 
 void WritingJudge::prepare_recogniser() {
-  // A failure is told when something is asked.
-  recogniser_.post([reader = reader_] { (void)reader->learn(); });
+  // A failure is reported when something is asked.
+  inside_->recogniser_thread->post([reader = inside_->reader] { (void)reader->learn(); });
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ink_tracker.h"
+#include "nazori/practice/traced_ink.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 using haptics::StrokePath;
@@ -15,40 +15,40 @@ using haptics::Vec3;
 
 StrokePath line(Vec3 from, Vec3 to) { return {{from, to}}; }
 
-InkTracker tracker(const std::vector<StrokePath>& strokes) {
-  InkTracker ink;
+TracedInk tracker(const std::vector<StrokePath>& strokes) {
+  TracedInk ink;
   ink.set_strokes(strokes);
   return ink;
 }
 
 /// A level stroke of 60 mm, then an upright one.
-InkTracker cross() { return tracker({line({-0.03, 0, 0}, {0.03, 0, 0}), line({0, 0.03, 0}, {0, -0.03, 0})}); }
+TracedInk cross() { return tracker({line({-0.03, 0, 0}, {0.03, 0, 0}), line({0, 0.03, 0}, {0, -0.03, 0})}); }
 
 /// Moves the pressed stylus in steps of at most 0.1 mm. @return the last event but none and began.
-InkTracker::Step go(InkTracker& ink, Vec3 from, Vec3 to, int only = 0) {
-  InkTracker::Step told;
+TracedInk::Step go(TracedInk& ink, Vec3 from, Vec3 to, int only = 0) {
+  TracedInk::Step told;
   const int steps =
       std::max(1, static_cast<int>(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / 0.0001)));
   for (int i = 0; i <= steps; ++i) {
     const auto step = ink.follow(from + (to - from) * (static_cast<double>(i) / steps), true, only);
-    if (step.event != InkEvent::none && step.event != InkEvent::began) told = step;
+    if (step.event != TraceEvent::none && step.event != TraceEvent::began) told = step;
   }
   return told;
 }
 
-InkTracker::Step lift(InkTracker& ink, Vec3 at = {}) { return ink.follow(at, false, 0); }
+TracedInk::Step lift(TracedInk& ink, Vec3 at = {}) { return ink.follow(at, false, 0); }
 
-TEST(InkTrackerBounds, AStrokeIsFinishedWithoutALiftOneAndAHalfMillimetresBeforeItsEnd) {
+TEST(TracedInkBounds, AStrokeIsFinishedWithoutALiftOneAndAHalfMillimetresBeforeItsEnd) {
   auto ink = cross();
-  EXPECT_EQ(go(ink, {-0.03, 0, 0}, {0.0284, 0, 0}).event, InkEvent::none);
+  EXPECT_EQ(go(ink, {-0.03, 0, 0}, {0.0284, 0, 0}).event, TraceEvent::none);
   EXPECT_EQ(ink.next_stroke(), 1);
   const auto step = go(ink, {0.0284, 0, 0}, {0.0286, 0, 0});
-  EXPECT_EQ(step.event, InkEvent::finished);
+  EXPECT_EQ(step.event, TraceEvent::finished);
   EXPECT_EQ(step.stroke, 1);
   EXPECT_TRUE(step.inked);
 }
 
-TEST(InkTrackerBounds, OfAShortStrokeATenthIsNearEnoughToTheEnd) {
+TEST(TracedInkBounds, OfAShortStrokeATenthIsNearEnoughToTheEnd) {
   auto ink = tracker({line({0, 0, 0}, {0.01, 0, 0})});
   go(ink, {0, 0, 0}, {0.0088, 0, 0});
   EXPECT_FALSE(ink.is_finished(1));
@@ -56,135 +56,135 @@ TEST(InkTrackerBounds, OfAShortStrokeATenthIsNearEnoughToTheEnd) {
   EXPECT_TRUE(ink.is_finished(1));
 }
 
-TEST(InkTrackerBounds, ADotIsFinishedByATouch) {
+TEST(TracedInkBounds, ADotIsFinishedByATouch) {
   auto ink = tracker({line({0, 0, 0}, {0, 0, 0})});
-  EXPECT_EQ(ink.follow({0, 0, 0}, true, 0).event, InkEvent::began);
-  EXPECT_EQ(ink.follow({0, 0, 0}, true, 0).event, InkEvent::finished);
+  EXPECT_EQ(ink.follow({0, 0, 0}, true, 0).event, TraceEvent::began);
+  EXPECT_EQ(ink.follow({0, 0, 0}, true, 0).event, TraceEvent::finished);
   EXPECT_EQ(ink.progress(), std::vector{1.0});
   EXPECT_EQ(ink.undo(), 0) << "nothing flowed along it";
 }
 
-TEST(InkTrackerBounds, WhileALongerStrokeMayBeMeantTheLiftDecides) {
+TEST(TracedInkBounds, WhileALongerStrokeMayBeMeantTheLiftDecides) {
   // The first lies wholly on the second.
   auto ink = tracker({line({0, 0, 0}, {0.02, 0, 0}), line({0, 0, 0}, {0.04, 0, 0})});
   go(ink, {0, 0, 0}, {0.02, 0, 0});
   EXPECT_FALSE(ink.is_finished(1));
   EXPECT_GT(ink.progress()[0], 0.99);
   const auto step = lift(ink, {0.02, 0, 0});
-  EXPECT_EQ(step.event, InkEvent::finished);
+  EXPECT_EQ(step.event, TraceEvent::finished);
   EXPECT_EQ(step.stroke, 1);
   EXPECT_EQ(ink.progress(), (std::vector{1.0, 0.0}));
 }
 
-TEST(InkTrackerBounds, TwoMillimetresOfInkMakeAStrokeThatWasLeft) {
+TEST(TracedInkBounds, TwoMillimetresOfInkMakeAStrokeThatWasLeft) {
   for (const double drawn_m : {0.0018, 0.0022}) {
     auto ink = cross();
     go(ink, {-0.03, 0, 0}, {-0.03 + drawn_m, 0, 0});
-    EXPECT_EQ(lift(ink).event, drawn_m > 0.002 ? InkEvent::left_open : InkEvent::none) << drawn_m;
+    EXPECT_EQ(lift(ink).event, drawn_m > 0.002 ? TraceEvent::left_open : TraceEvent::none) << drawn_m;
     EXPECT_EQ(ink.left_open().size(), drawn_m > 0.002 ? 1U : 0U) << drawn_m;
   }
 }
 
-TEST(InkTrackerBounds, FiveMillimetresMayBeMissingAtALift) {
+TEST(TracedInkBounds, FiveMillimetresMayBeMissingAtALift) {
   for (const double left_m : {0.0048, 0.0052}) {
     auto ink = cross();
     go(ink, {-0.03, 0, 0}, {0.03 - left_m, 0, 0});
-    EXPECT_EQ(lift(ink).event, left_m < 0.005 ? InkEvent::finished : InkEvent::left_open) << left_m;
+    EXPECT_EQ(lift(ink).event, left_m < 0.005 ? TraceEvent::finished : TraceEvent::left_open) << left_m;
   }
 }
 
-TEST(InkTrackerBounds, WhoPassesOverABeginningWritesThereAfterEightMillimetres) {
+TEST(TracedInkBounds, WhoPassesOverABeginningWritesThereAfterEightMillimetres) {
   for (const double past_m : {0.0077, 0.0083}) {
     auto ink = tracker({line({-0.04, 0, 0}, {0, 0, 0}), line({0, 0, 0}, {0.04, 0, 0})});
     go(ink, {-0.04, 0, 0}, {past_m, 0, 0});
     const auto step = lift(ink, {past_m, 0, 0});
     EXPECT_EQ(step.stroke, 2);
     if (past_m < 0.008) {
-      EXPECT_EQ(step.event, InkEvent::none);
+      EXPECT_EQ(step.event, TraceEvent::none);
       EXPECT_TRUE(step.inked) << "its ink went away";
       EXPECT_EQ(ink.progress(), (std::vector{1.0, 0.0}));
       EXPECT_TRUE(ink.left_open().empty());
     } else {
-      EXPECT_EQ(step.event, InkEvent::left_open);
+      EXPECT_EQ(step.event, TraceEvent::left_open);
       EXPECT_NEAR(ink.progress()[1], past_m / 0.04, 1e-6);
     }
   }
 }
 
-TEST(InkTrackerBounds, AStrokeBeginsWithinTheReachOfItsStart) {
-  constexpr double kReach = InkTracker::kReach_m;
+TEST(TracedInkBounds, AStrokeBeginsWithinTheReachOfItsStart) {
+  constexpr double kReach = TracedInk::kReach_m;
   for (const auto& [away_m, event] :
-       {std::pair(kReach - 1e-4, InkEvent::began), std::pair(kReach + 1e-4, InkEvent::none)}) {
+       {std::pair(kReach - 1e-4, TraceEvent::began), std::pair(kReach + 1e-4, TraceEvent::none)}) {
     auto ink = cross();
     const auto step = ink.follow({-0.03, away_m, 0}, true, 0);
     EXPECT_EQ(step.event, event) << away_m;
-    EXPECT_EQ(step.stroke, event == InkEvent::began ? 1 : 0) << away_m;
+    EXPECT_EQ(step.stroke, event == TraceEvent::began ? 1 : 0) << away_m;
     EXPECT_FALSE(step.inked);
   }
 }
 
-TEST(InkTrackerBounds, OnlyALongStrokeWithoutInkIsSaidToBeTakenUpFromItsEnd) {
-  constexpr double kReach = InkTracker::kReach_m;
+TEST(TracedInkBounds, OnlyALongStrokeWithoutInkIsSaidToBeTakenUpFromItsEnd) {
+  constexpr double kReach = TracedInk::kReach_m;
   const auto at_the_end_of = [](double length_m, double beside_m) {
     auto ink = tracker({line({0, 0, 0}, {length_m, 0, 0})});
     return ink.follow({length_m, beside_m, 0}, true, 0).event;
   };
-  EXPECT_EQ(at_the_end_of(2 * kReach + 2e-4, 0), InkEvent::from_the_end);
-  EXPECT_EQ(at_the_end_of(2 * kReach - 2e-4, 0), InkEvent::none);
-  EXPECT_EQ(at_the_end_of(0.04, kReach - 1e-4), InkEvent::from_the_end);
-  EXPECT_EQ(at_the_end_of(0.04, kReach + 1e-4), InkEvent::none);
+  EXPECT_EQ(at_the_end_of(2 * kReach + 2e-4, 0), TraceEvent::from_the_end);
+  EXPECT_EQ(at_the_end_of(2 * kReach - 2e-4, 0), TraceEvent::none);
+  EXPECT_EQ(at_the_end_of(0.04, kReach - 1e-4), TraceEvent::from_the_end);
+  EXPECT_EQ(at_the_end_of(0.04, kReach + 1e-4), TraceEvent::none);
   auto begun = tracker({line({0, 0, 0}, {0.04, 0, 0})});
   go(begun, {0, 0, 0}, {0.01, 0, 0});
   lift(begun);
-  EXPECT_EQ(begun.follow({0.04, 0, 0}, true, 0).event, InkEvent::none) << "it has ink";
+  EXPECT_EQ(begun.follow({0.04, 0, 0}, true, 0).event, TraceEvent::none) << "it has ink";
 }
 
-TEST(InkTrackerBounds, TheEndOfAnotherStrokeThanTheNextIsNoBeginning) {
+TEST(TracedInkBounds, TheEndOfAnotherStrokeThanTheNextIsNoBeginning) {
   auto ink = cross();
-  EXPECT_EQ(ink.follow({0, -0.03, 0}, true, 0).event, InkEvent::none);
+  EXPECT_EQ(ink.follow({0, -0.03, 0}, true, 0).event, TraceEvent::none);
   lift(ink);
   const auto step = ink.follow({0, -0.03, 0}, true, 2);
-  EXPECT_EQ(step.event, InkEvent::from_the_end) << "it is the one that is shown";
+  EXPECT_EQ(step.event, TraceEvent::from_the_end) << "it is the one that is shown";
   EXPECT_EQ(step.stroke, 2);
   lift(ink);
-  EXPECT_EQ(ink.follow({0, -0.03, 0}, true, 3).event, InkEvent::none) << "there is no third";
+  EXPECT_EQ(ink.follow({0, -0.03, 0}, true, 3).event, TraceEvent::none) << "there is no third";
 }
 
-TEST(InkTrackerBounds, AFinishedStrokeIsNotTakenUpAgain) {
+TEST(TracedInkBounds, AFinishedStrokeIsNotTakenUpAgain) {
   auto ink = cross();
   go(ink, {-0.03, 0, 0}, {0.03, 0, 0});
   lift(ink);
-  EXPECT_EQ(ink.follow({-0.03, 0, 0}, true, 1).event, InkEvent::none);
+  EXPECT_EQ(ink.follow({-0.03, 0, 0}, true, 1).event, TraceEvent::none);
   lift(ink);
-  EXPECT_EQ(ink.follow({0.03, 0, 0}, true, 1).event, InkEvent::none);
+  EXPECT_EQ(ink.follow({0.03, 0, 0}, true, 1).event, TraceEvent::none);
 }
 
-TEST(InkTrackerBounds, AloneOnTheTabletNoStrokeIsTooEarly) {
+TEST(TracedInkBounds, AloneOnTheTabletNoStrokeIsTooEarly) {
   auto ink = cross();
-  EXPECT_EQ(ink.follow({0, 0.03, 0}, true, 2).event, InkEvent::began);
+  EXPECT_EQ(ink.follow({0, 0.03, 0}, true, 2).event, TraceEvent::began);
 }
 
-TEST(InkTrackerBounds, OfSeveralThatBeginTogetherTheNextComesFirstElseTheNearest) {
+TEST(TracedInkBounds, OfSeveralThatBeginTogetherTheNextComesFirstElseTheNearest) {
   const std::vector<StrokePath> strokes{line({0.03, 0.03, 0}, {0.03, -0.03, 0}),
                                         line({0, 0, 0}, {-0.03, 0.01, 0}),
                                         line({0.003, 0, 0}, {0.003, -0.03, 0})};
   auto ink = tracker(strokes);
   const auto early = ink.follow({0.003, 0, 0}, true, 0);
-  EXPECT_EQ(early.event, InkEvent::too_early);
+  EXPECT_EQ(early.event, TraceEvent::too_early);
   EXPECT_EQ(early.stroke, 3) << "the nearest";
   lift(ink);
   go(ink, {0.03, 0.03, 0}, {0.03, -0.03, 0});
   lift(ink);
   const auto next = ink.follow({0.003, 0, 0}, true, 0);
-  EXPECT_EQ(next.event, InkEvent::began);
+  EXPECT_EQ(next.event, TraceEvent::began);
   EXPECT_EQ(next.stroke, 2) << "it is its turn";
 }
 
-TEST(InkTrackerBounds, OfThreeThatBeginTogetherTheOneTakesTheInkThatTheHandFollowsFurthest) {
+TEST(TracedInkBounds, OfThreeThatBeginTogetherTheOneTakesTheInkThatTheHandFollowsFurthest) {
   auto ink = tracker({line({0, 0, 0}, {0.04, 0, 0}), line({0, 0, 0}, {-0.0283, -0.0283, 0}),
                       line({0, 0, 0}, {0, -0.04, 0})});
   const auto step = go(ink, {0, 0, 0}, {0, -0.0115, 0});
-  EXPECT_EQ(step.event, InkEvent::too_early);
+  EXPECT_EQ(step.event, TraceEvent::too_early);
   EXPECT_EQ(step.stroke, 3);
   EXPECT_TRUE(step.inked);
   EXPECT_EQ(ink.progress()[0], 0);
@@ -192,14 +192,14 @@ TEST(InkTrackerBounds, OfThreeThatBeginTogetherTheOneTakesTheInkThatTheHandFollo
   EXPECT_NEAR(ink.progress()[2], 0.0115 / 0.04, 0.003);
 }
 
-TEST(InkTrackerBounds, WhenOneStrokeIsShownAloneTheOthersAreFollowedNoMore) {
+TEST(TracedInkBounds, WhenOneStrokeIsShownAloneTheOthersAreFollowedNoMore) {
   auto ink = tracker({line({0, 0, 0}, {0.04, 0, 0}), line({0, 0, 0}, {0, -0.04, 0})});
   (void)ink.follow({0, 0, 0}, true, 0);
   go(ink, {0, 0, 0}, {0.005, 0, 0}, 2);
   EXPECT_EQ(ink.progress(), (std::vector{0.0, 0.0}));
 }
 
-TEST(InkTrackerBounds, EachStepTellsWhetherInkFlowed) {
+TEST(TracedInkBounds, EachStepTellsWhetherInkFlowed) {
   auto ink = cross();
   (void)ink.follow({-0.03, 0, 0}, true, 0);
   const auto on = ink.follow({-0.029, 0, 0}, true, 0);
@@ -210,34 +210,34 @@ TEST(InkTrackerBounds, EachStepTellsWhetherInkFlowed) {
   EXPECT_NEAR(ink.progress()[0], 0.001 / 0.06, 1e-9);
 }
 
-TEST(InkTrackerBounds, WhatIsUndoneOrClearedInTheMiddleOfATouchIsNotGoneOnWith) {
+TEST(TracedInkBounds, WhatIsUndoneOrClearedInTheMiddleOfATouchIsNotGoneOnWith) {
   for (const bool undone : {true, false}) {
     auto ink = cross();
     go(ink, {-0.03, 0, 0}, {-0.01, 0, 0});
     undone ? void(ink.undo()) : ink.clear();
     go(ink, {-0.01, 0, 0}, {0.01, 0, 0});
     EXPECT_EQ(ink.progress(), (std::vector{0.0, 0.0}));
-    EXPECT_EQ(lift(ink).event, InkEvent::none);
+    EXPECT_EQ(lift(ink).event, TraceEvent::none);
     // The same where the stylus had gone astray.
     go(ink, {-0.03, 0, 0}, {-0.01, 0, 0});
     go(ink, {-0.01, 0, 0}, {-0.01, -0.02, 0});
     undone ? void(ink.undo()) : ink.clear();
-    EXPECT_EQ(lift(ink).event, InkEvent::none);
+    EXPECT_EQ(lift(ink).event, TraceEvent::none);
     EXPECT_TRUE(ink.left_open().empty());
   }
 }
 
-TEST(InkTrackerBounds, WhoGoesAstrayAndLiftsHasLeftTheStroke) {
+TEST(TracedInkBounds, WhoGoesAstrayAndLiftsHasLeftTheStroke) {
   auto ink = cross();
   go(ink, {-0.03, 0, 0}, {-0.01, 0, 0});
   go(ink, {-0.01, 0, 0}, {-0.01, -0.02, 0});
   const auto step = lift(ink, {-0.01, -0.02, 0});
-  EXPECT_EQ(step.event, InkEvent::left_open);
+  EXPECT_EQ(step.event, TraceEvent::left_open);
   EXPECT_EQ(step.stroke, 1);
-  EXPECT_EQ(lift(ink).event, InkEvent::none) << "told once";
+  EXPECT_EQ(lift(ink).event, TraceEvent::none) << "told once";
 }
 
-TEST(InkTrackerBounds, WhatIsLeftOpenIsListedOnceInTheOrderOfTheStrokes) {
+TEST(TracedInkBounds, WhatIsLeftOpenIsListedOnceInTheOrderOfTheStrokes) {
   auto ink = cross();
   go(ink, {0, 0.03, 0}, {0, 0.01, 0}, 2);
   lift(ink);
@@ -248,7 +248,7 @@ TEST(InkTrackerBounds, WhatIsLeftOpenIsListedOnceInTheOrderOfTheStrokes) {
   EXPECT_EQ(ink.left_open(), (std::vector{1, 2}));
 }
 
-TEST(InkTrackerBounds, TheMissingBitGoesInStepsOfAMillimetreAtMostFromTheInkToTheEnd) {
+TEST(TracedInkBounds, TheMissingBitGoesInStepsOfAMillimetreAtMostFromTheInkToTheEnd) {
   auto ink = tracker({line({0, 0, 0}, {0.0105, 0, 0})});
   const auto whole = ink.missing_bit(1);
   ASSERT_EQ(whole.size(), 12U);
@@ -264,15 +264,15 @@ TEST(InkTrackerBounds, TheMissingBitGoesInStepsOfAMillimetreAtMostFromTheInkToTh
   EXPECT_TRUE(ink.missing_bit(2).empty());
 }
 
-TEST(InkTrackerBounds, AStrokeThatIsNotThereIsNotFinished) {
+TEST(TracedInkBounds, AStrokeThatIsNotThereIsNotFinished) {
   auto ink = tracker({line({0, 0, 0}, {0, 0, 0})});
   (void)ink.follow({0, 0, 0}, true, 0);
   (void)ink.follow({0, 0, 0}, true, 0);
   EXPECT_TRUE(ink.is_finished(1));
   EXPECT_FALSE(ink.is_finished(0));
   EXPECT_FALSE(ink.is_finished(2));
-  EXPECT_EQ(InkTracker().next_stroke(), 0);
+  EXPECT_EQ(TracedInk().next_stroke(), 0);
 }
 
 }  // namespace
-}  // namespace nazori::ui
+}  // namespace nazori::practice

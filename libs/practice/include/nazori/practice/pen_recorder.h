@@ -12,7 +12,7 @@
 #include "nazori/view/tablet_view.h"
 #include "nazori/writing/ink.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 
 /// A point of a stroke as the hand wrote it.
 struct HandPoint {
@@ -84,4 +84,4 @@ class PenRecorder {
 /// Half of the width of a point's ink [m]: more for a firmer press, and for a brush that lies flatter.
 [[nodiscard]] double ink_half_width_m(const HandPoint& point);
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

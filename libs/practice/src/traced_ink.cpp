@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ink_tracker.h"
+#include "nazori/practice/traced_ink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "nazori/geometry/polyline.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 constexpr double kDone = 1.0;
@@ -23,7 +23,7 @@ using Points = std::span<const TabletPoint>;
 
 }  // namespace
 
-void InkTracker::set_strokes(std::span<const haptics::StrokePath> strokes) {
+void TracedInk::set_strokes(std::span<const haptics::StrokePath> strokes) {
   lines_.clear();
   for (const auto& stroke : strokes) {
     Line line;
@@ -35,7 +35,7 @@ void InkTracker::set_strokes(std::span<const haptics::StrokePath> strokes) {
   clear();
 }
 
-void InkTracker::clear() {
+void TracedInk::clear() {
   progress_.assign(lines_.size(), 0.0);
   inked_.clear();
   left_open_.clear();
@@ -44,7 +44,7 @@ void InkTracker::clear() {
   // The stylus may still rest at the end of the last stroke: that does not start a new one.
 }
 
-int InkTracker::undo() {
+int TracedInk::undo() {
   if (inked_.empty()) return 0;
   const int stroke = inked_.back();
   set_ink(stroke, 0);
@@ -54,28 +54,28 @@ int InkTracker::undo() {
   return stroke;
 }
 
-bool InkTracker::is_finished(int stroke) const {
+bool TracedInk::is_finished(int stroke) const {
   return stroke >= 1 && static_cast<std::size_t>(stroke) <= progress_.size() &&
          progress_[static_cast<std::size_t>(stroke - 1)] >= kDone;
 }
 
-int InkTracker::next_stroke() const {
+int TracedInk::next_stroke() const {
   const auto open = std::find_if(progress_.begin(), progress_.end(), [](double p) { return p < kDone; });
   return open == progress_.end() ? 0 : static_cast<int>(open - progress_.begin()) + 1;
 }
 
-double InkTracker::inked_m(int stroke) const {
+double TracedInk::inked_m(int stroke) const {
   return progress_[static_cast<std::size_t>(stroke - 1)] * line_of(stroke).length_m;
 }
 
-void InkTracker::set_ink(int stroke, double front_m) {
+void TracedInk::set_ink(int stroke, double front_m) {
   double& progress = progress_[static_cast<std::size_t>(stroke - 1)];
   if (progress == 0 && front_m > 0) inked_.push_back(stroke);
   progress = line_of(stroke).length_m > 0 ? std::min(front_m / line_of(stroke).length_m, kDone) : 0;
   if (progress == 0) std::erase(inked_, stroke);
 }
 
-InkTracker::Step InkTracker::follow(const haptics::Vec3& proxy_m, bool touching, int only) {
+TracedInk::Step TracedInk::follow(const haptics::Vec3& proxy_m, bool touching, int only) {
   if (!touching) return std::exchange(was_touching_, false) ? lift() : Step{};
   const bool coming_down = !was_touching_;
   was_touching_ = true;
@@ -84,7 +84,7 @@ InkTracker::Step InkTracker::follow(const haptics::Vec3& proxy_m, bool touching,
   return followed_.empty() ? take_up(at_, only, coming_down) : advance(at_, only);
 }
 
-InkTracker::Step InkTracker::take_up(TabletPoint at, int only, bool coming_down) {
+TracedInk::Step TracedInk::take_up(TabletPoint at, int only, bool coming_down) {
   const int next = next_stroke();
   std::vector<std::pair<double, Candidate>> near;
   for (int n = 1; n <= static_cast<int>(lines_.size()); ++n) {
@@ -99,7 +99,7 @@ InkTracker::Step InkTracker::take_up(TabletPoint at, int only, bool coming_down)
   if (!followed_.empty()) {
     const int stroke = followed_.front().stroke;
     const bool early = only == 0 && next != 0 && stroke > next;
-    return {!coming_down ? InkEvent::none : early ? InkEvent::too_early : InkEvent::began, stroke};
+    return {!coming_down ? TraceEvent::none : early ? TraceEvent::too_early : TraceEvent::began, stroke};
   }
   const int candidate = only != 0 ? only : next;
   if (!coming_down || candidate == 0 || static_cast<std::size_t>(candidate) > lines_.size() ||
@@ -108,12 +108,12 @@ InkTracker::Step InkTracker::take_up(TabletPoint at, int only, bool coming_down)
   const auto& line = line_of(candidate);
   if (!line.points.empty() && inked_m(candidate) == 0.0 && line.length_m > 2 * kReach_m &&
       geometry::distance(line.points.back(), at) < kReach_m)
-    return {InkEvent::from_the_end, candidate};
+    return {TraceEvent::from_the_end, candidate};
   return {};
 }
 
 /// @return whether the stylus is still near the stroke.
-bool InkTracker::follow_on(Candidate& candidate, TabletPoint at) const {
+bool TracedInk::follow_on(Candidate& candidate, TabletPoint at) const {
   const auto& line = line_of(candidate.stroke);
   // Only the piece just ahead is looked at: a line that comes back near itself must not be jumped.
   const double front_m = candidate.front_m;
@@ -126,7 +126,7 @@ bool InkTracker::follow_on(Candidate& candidate, TabletPoint at) const {
   return geometry::distance(geometry::point_at<TabletFrame>(line.points, front_m), at) <= 2 * kReach_m;
 }
 
-InkTracker::Step InkTracker::advance(TabletPoint at, int only) {
+TracedInk::Step TracedInk::advance(TabletPoint at, int only) {
   const Candidate shown = followed_.front();
   std::erase_if(followed_, [&](Candidate& c) { return !follow_on(c, at); });
   Step step;
@@ -142,7 +142,7 @@ InkTracker::Step InkTracker::advance(TabletPoint at, int only) {
     });
     const int next = next_stroke();
     const int stroke = followed_.front().stroke;
-    if (only == 0 && next != 0 && stroke > next) step = {InkEvent::too_early, stroke};
+    if (only == 0 && next != 0 && stroke > next) step = {TraceEvent::too_early, stroke};
     step.inked = true;
   }
   const auto& now = followed_.front();
@@ -158,21 +158,21 @@ InkTracker::Step InkTracker::advance(TabletPoint at, int only) {
   return step;
 }
 
-InkTracker::Step InkTracker::finish(int stroke) {
+TracedInk::Step TracedInk::finish(int stroke) {
   set_ink(stroke, line_of(stroke).length_m);
   progress_[static_cast<std::size_t>(stroke - 1)] = kDone;
   std::erase(left_open_, stroke);
   followed_.clear();
   lost_ = {};
-  return {InkEvent::finished, stroke, true};
+  return {TraceEvent::finished, stroke, true};
 }
 
-bool InkTracker::may_end(const Candidate& candidate) const {
+bool TracedInk::may_end(const Candidate& candidate) const {
   const auto& line = line_of(candidate.stroke);
   return line.length_m - candidate.front_m <= std::min(kLeft_m, line.length_m * kLeftShare);
 }
 
-InkTracker::Step InkTracker::lift() {
+TracedInk::Step TracedInk::lift() {
   const Candidate shown = followed_.empty() ? lost_ : followed_.front();
   const auto others = std::exchange(followed_, {});
   lost_ = {};
@@ -193,15 +193,15 @@ InkTracker::Step InkTracker::lift() {
   }
   if (!shown.is_meant && shown.front_m - shown.before_m < kPassing_m) {
     set_ink(shown.stroke, shown.before_m);
-    return {InkEvent::none, shown.stroke, true};
+    return {TraceEvent::none, shown.stroke, true};
   }
   if (inked_m(shown.stroke) < kNoTouch_m) return {};
   const auto place = std::lower_bound(left_open_.begin(), left_open_.end(), shown.stroke);
   if (place == left_open_.end() || *place != shown.stroke) left_open_.insert(place, shown.stroke);
-  return {InkEvent::left_open, shown.stroke};
+  return {TraceEvent::left_open, shown.stroke};
 }
 
-geometry::Polyline<TabletFrame> InkTracker::missing_bit(int stroke) const {
+geometry::Polyline<TabletFrame> TracedInk::missing_bit(int stroke) const {
   geometry::Polyline<TabletFrame> bit;
   if (stroke < 1 || static_cast<std::size_t>(stroke) > lines_.size() || is_finished(stroke)) return bit;
   constexpr double kStep_m = 0.001;
@@ -214,4 +214,4 @@ geometry::Polyline<TabletFrame> InkTracker::missing_bit(int stroke) const {
   return bit;
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "characters/blank_tablet.h"
+#include "nazori/practice/blank_tablet.h"
 
 #include <cassert>
 #include <utility>
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 constexpr int kBlankSize = 64;
@@ -25,4 +25,4 @@ Tablet without_strokes(const Tablet& tablet) {
   return *bare;
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "characters/stroke_player.h"
+#include "nazori/practice/stroke_player.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-namespace nazori::ui {
+namespace nazori::practice {
 namespace {
 
 using haptics::Vec3;
@@ -155,4 +155,4 @@ StrokePlayer::Pose StrokePlayer::at(double time_s) const {
   return pose;
 }
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "characters/stroke_player.h"
+#include "nazori/practice/stroke_player.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ using nazori::haptics::StrokePath;
 using nazori::haptics::Vec3;
 using nazori::kanji::StrokeEnding;
 using nazori::kanji::StrokeLine;
-using nazori::ui::StrokePlayer;
+using nazori::practice::StrokePlayer;
 
 StrokePlayer player(const std::vector<std::vector<Vec3>>& points, std::vector<StrokeEnding> endings) {
   std::vector<StrokePath> paths;

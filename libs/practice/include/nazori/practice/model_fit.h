@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "nazori/haptics/haptic_scene.h"
+#include "nazori/practice/pen_recorder.h"
 #include "nazori/view/tablet_view.h"
 #include "nazori/writing/grade.h"
-#include "pen_recorder.h"
 
-namespace nazori::ui {
+namespace nazori::practice {
 
 /// The model moved and sized to lie over what was written.
 struct ModelFit {
@@ -35,4 +35,4 @@ struct ModelFit {
 /// Strokes of the model that no written stroke is, from 0.
 [[nodiscard]] std::vector<int> missing_strokes(const writing::Grade& grade, int model_strokes);
 
-}  // namespace nazori::ui
+}  // namespace nazori::practice

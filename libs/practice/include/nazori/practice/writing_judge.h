@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "nazori/base/executor.h"
+#include "nazori/base/result.h"
+#include "nazori/base/signal.h"
+#include "nazori/writing/grade.h"
+#include "nazori/writing/ink.h"
+#include "nazori/writing/motion_remarks.h"
+#include "nazori/writing/recogniser.h"
+
+namespace nazori::practice {
+
+/// How writing is to be judged.
+struct JudgeRequest {
+  char32_t character = 0;  ///< that was asked for
+  writing::Ink ink;
+  double strictness = writing::kNormal;
+  bool finished = true;  ///< false: stroke by stroke, more may follow
+};
+
+/// How the pen moved, and what of it is worth a remark.
+struct PenReport {
+  std::vector<writing::PenMotion> motions;
+  std::vector<writing::MotionRemark> remarks;
+};
+
+/// Judging and recognising behind threads of their own: requests return at once, answers come as signals. Of
+/// several requests of one kind only the newest is answered. The recogniser learns all characters when it is
+/// first asked. Thread: the owner of the inbox.
+class WritingJudge {
+ public:
+  /// @param inbox  outlives this. @param database  path of kanji.db.
+  WritingJudge(base::Inbox& inbox, const std::filesystem::path& database);
+  ~WritingJudge();
+  WritingJudge(const WritingJudge&) = delete;
+  WritingJudge& operator=(const WritingJudge&) = delete;
+
+  /// @return the number that comes back with the answer.
+  std::uint64_t judge(const JudgeRequest& request);
+  /// Asks for characters that end where the ink ends, and such that go on, the likeliest of both in turn.
+  /// @return the number that comes back with the answer. @param limit  most candidates, >= 1.
+  std::uint64_t recognise(const writing::Ink& ink, int limit);
+  /// Lets the recogniser learn now what it needs, so that the first answer is as fast as the others.
+  void prepare_recogniser();
+
+  /// How finished writing was written; just before `judged` with the same number.
+  base::Signal<std::uint64_t, const PenReport&> pen_reported;
+  base::Signal<std::uint64_t, const writing::Grade&> judged;
+  base::Signal<std::uint64_t, const std::vector<writing::Candidate>&> recognised;
+  /// Nothing was judged.
+  base::Signal<std::uint64_t, const base::Error&> judging_failed;
+  /// Nothing was recognised.
+  base::Signal<std::uint64_t, const base::Error&> recognising_failed;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace nazori::practice

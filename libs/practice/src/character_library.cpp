@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/practice/character_library.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "nazori/base/latest.h"
+#include "nazori/base/utf8.h"
+
+namespace nazori::practice {
+namespace {
+
+std::optional<char32_t> single(const std::string& text) {
+  const auto points = base::decode_utf8(text);
+  if (!points || points->size() != 1) return std::nullopt;
+  return points->front();
+}
+
+void collect(const kanji::Component& node, std::vector<Part>& parts) {
+  for (const auto& child : node.children) {
+    if (!child.element.empty()) {
+      const bool known = std::any_of(parts.begin(), parts.end(),
+                                     [&child](const Part& part) { return part.element == child.element; });
+      if (!known) parts.push_back({child.element, 0, child.original, {}});
+    }
+    collect(child, parts);
+  }
+}
+
+std::string first_english(const kanji::DictionaryEntry& entry) {
+  for (const auto& meaning : entry.meanings)
+    if (meaning.language == "en") return meaning.text;
+  return {};
+}
+
+std::vector<Part> parts_of(const kanji::KanjiDatabase& database, const kanji::Character& character) {
+  std::vector<Part> parts;
+  collect(character.components, parts);
+  std::erase_if(parts,
+                [&character](const Part& part) { return single(part.element) == character.code_point; });
+  for (auto& part : parts) {
+    for (const auto& text : {part.element, part.original}) {
+      const auto code_point = single(text);
+      if (!code_point) continue;
+      const auto target = database.find(*code_point);
+      if (!target) continue;
+      if (part.target == 0 && !target->strokes.empty()) part.target = *code_point;
+      if (part.meaning.empty()) part.meaning = first_english(target->entry);
+    }
+  }
+  return parts;
+}
+
+/// What was found, and the damage of the database that became known meanwhile.
+template <class Found>
+struct Answer {
+  Found found;
+  std::optional<base::Error> trouble;
+};
+
+using Sheet = std::shared_ptr<const CharacterSheet>;
+using Database = std::optional<kanji::KanjiDatabase>;
+
+struct SearchAnswer {
+  std::string text;
+  Summaries characters;
+};
+
+struct ListAnswer {
+  kanji::List which;
+  Summaries characters;
+};
+
+struct SheetAnswer {
+  char32_t code_point;
+  Sheet sheet;  ///< null: no strokes
+};
+
+Summaries shared(std::vector<kanji::Summary> characters) {
+  return std::make_shared<const std::vector<kanji::Summary>>(std::move(characters));
+}
+
+Sheet sheet_of(const kanji::KanjiDatabase& database, char32_t code_point) {
+  auto character = database.find(code_point);
+  if (!character || character->strokes.empty()) return nullptr;
+  auto sheet = std::make_shared<CharacterSheet>();
+  sheet->parts = parts_of(database, *character);
+  if (character->entry.radical) sheet->radical = database.radical(*character->entry.radical);
+  sheet->words = database.words(code_point, CharacterLibrary::kMaxWords);
+  sheet->character = std::move(*character);
+  return sheet;
+}
+
+}  // namespace
+
+struct CharacterLibrary::Inside {
+  Inside(CharacterLibrary& owner, base::Inbox& inbox);
+
+  /// Has `find` answer where the database is open; otherwise nothing is answered.
+  template <class Request, class Found, class Find, class Answered>
+  [[nodiscard]] auto latest(Find find, Answered answered) {
+    using Answered_ = std::optional<Answer<Found>>;
+    return std::make_unique<base::Latest<Request, Answered_>>(
+        background,
+        [database = database, find](const Request& request, const auto&) -> Answered_ {
+          if (!*database) return std::nullopt;
+          Answer<Found> answer{find(**database, request), {}};
+          answer.trouble = (*database)->trouble();
+          return answer;
+        },
+        [this, answered](Answered_ answer) {
+          if (!answer) return;
+          // Reported first, so that nothing found is not mistaken for the answer.
+          if (answer->trouble && !std::exchange(has_reported_trouble, true)) owner.failed(*answer->trouble);
+          answered(answer->found);
+        });
+  }
+
+  CharacterLibrary& owner;
+  bool has_reported_trouble = false;
+  std::shared_ptr<Database> database = std::make_shared<Database>();  ///< used by the background only
+  std::shared_ptr<base::Background> background;
+  std::unique_ptr<base::Latest<kanji::List, std::optional<Answer<ListAnswer>>>> lists;
+  std::unique_ptr<base::Latest<std::string, std::optional<Answer<SearchAnswer>>>> searches;
+  std::unique_ptr<base::Latest<char32_t, std::optional<Answer<SheetAnswer>>>> sheets;
+};
+
+CharacterLibrary::Inside::Inside(CharacterLibrary& library, base::Inbox& inbox)
+    : owner(library), background(std::make_shared<base::Background>("library", inbox)) {
+  using kanji::KanjiDatabase;
+  lists = latest<kanji::List, ListAnswer>(
+      [](const KanjiDatabase& from, kanji::List which) {
+        return ListAnswer{which, shared(from.list(which))};
+      },
+      [this](const ListAnswer& answer) { owner.listed(answer.which, answer.characters); });
+  searches = latest<std::string, SearchAnswer>(
+      [](const KanjiDatabase& from, const std::string& text) {
+        kanji::Query query;
+        query.text = text;
+        return SearchAnswer{text, shared(from.search(query))};
+      },
+      [this](const SearchAnswer& answer) { owner.found(answer.text, answer.characters); });
+  sheets = latest<char32_t, SheetAnswer>(
+      [](const KanjiDatabase& from, char32_t code_point) {
+        return SheetAnswer{code_point, sheet_of(from, code_point)};
+      },
+      [this](const SheetAnswer& answer) {
+        if (answer.sheet)
+          owner.sheet_ready(answer.sheet);
+        else
+          owner.sheet_missing(answer.code_point);
+      });
+}
+
+CharacterLibrary::CharacterLibrary(base::Inbox& inbox, std::filesystem::path path)
+    : inside_(std::make_unique<Inside>(*this, inbox)) {
+  base::Background& background = *inside_->background;
+  background.post([this, &background, opened_database = inside_->database, path = std::move(path)] {
+    auto database = kanji::KanjiDatabase::open(path);
+    if (!database) {
+      background.answer([this, error = database.error()] { failed(error); });
+      return;
+    }
+    opened_database->emplace(std::move(*database));
+    background.answer([this, sources = (*opened_database)->sources()] { opened(sources); });
+  });
+}
+
+CharacterLibrary::~CharacterLibrary() = default;
+
+void CharacterLibrary::request_list(kanji::List which) { inside_->lists->request(which); }
+
+void CharacterLibrary::request_search(const std::string& text) { inside_->searches->request(text); }
+
+void CharacterLibrary::request_sheet(char32_t code_point) { inside_->sheets->request(code_point); }
+
+}  // namespace nazori::practice

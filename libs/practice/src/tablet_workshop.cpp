@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/practice/tablet_workshop.h"
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "nazori/base/latest.h"
+#include "nazori/carving/carve.h"
+#include "nazori/kanji/stroke_order.h"
+#include "nazori/surface/height_map_file.h"
+
+namespace nazori::practice {
+namespace {
+
+using std::filesystem::path;
+
+constexpr std::size_t kRecent = 6;
+constexpr std::string_view kBetweenNames = " + ";
+
+base::Result<OwnTablet> load_own(const std::filesystem::path& map_path,
+                                 const std::filesystem::path& strokes_path, const OwnTablet& onto,
+                                 int grid_size) {
+  OwnTablet own;
+  std::optional<surface::HeightMap> map;
+  if (!map_path.empty()) {
+    auto loaded = surface::load_height_map(map_path);
+    if (!loaded) return tl::unexpected(loaded.error());
+    map = std::move(*loaded);
+    own.name = map_path.filename().string();
+  } else if (onto.tablet && onto.map_size > 0) {
+    map = onto.tablet->height_map();
+    own.name = onto.name.substr(0, onto.name.find(kBetweenNames));
+  }
+  own.map_size = map ? map->size() : 0;
+  std::vector<kanji::StrokeLine> lines;
+  if (!strokes_path.empty()) {
+    int side = grid_size > 0 ? grid_size : own.map_size;
+    if (side == 0) {
+      const auto guess = TabletWorkshop::guess_grid(strokes_path);
+      if (!guess) return tl::unexpected(guess.error());
+      side = guess->side;
+    }
+    auto order = kanji::StrokeOrder::load(strokes_path, side);
+    if (!order) return tl::unexpected(order.error());
+    lines = order->to_lines(side);
+    own.has_strokes = true;
+    const std::string name = strokes_path.filename().string();
+    own.name = own.name.empty() ? name : own.name + std::string(kBetweenNames) + name;
+  }
+  auto tablet = map ? tablet::CarvedTablet::from_height_map(std::move(*map), std::move(lines))
+                    : tablet::CarvedTablet::from_lines(std::move(lines), TabletWorkshop::kSize);
+  if (!tablet) return tl::unexpected(tablet.error());
+  own.tablet = std::move(*tablet);
+  return own;
+}
+
+base::Result<void> save_tablet(const tablet::CarvedTablet& carved, const std::filesystem::path& path,
+                               FileFormat format, int size, bool own_map) {
+  if (own_map) size = carved.height_map().size();
+  if (format == FileFormat::strokes) return kanji::StrokeOrder::from_lines(carved.lines(), size).save(path);
+  const surface::HeightMap* map = &carved.height_map();
+  surface::HeightMap again;
+  if (!own_map && map->size() != size) {
+    auto result = carving::carve(carved.lines(), size);
+    if (!result) return tl::unexpected(result.error());
+    again = std::move(*result);
+    map = &again;
+  }
+  return format == FileFormat::raw ? surface::save_raw(*map, path)
+                                   : surface::save_png(*map, path, surface::PngDepth::bits_16);
+}
+
+struct CarveRequest {
+  char32_t code_point;
+  std::vector<kanji::StrokeLine> lines;
+};
+
+struct LoadRequest {
+  path map_path, strokes_path;
+  OwnTablet onto;
+  int grid_size;
+};
+
+struct CarvedCharacter {
+  char32_t code_point;
+  Tablet tablet;
+};
+
+struct Failure {
+  path file;
+  base::Error error;
+};
+
+using Request = std::variant<CarveRequest, LoadRequest>;
+using Answer = std::variant<CarvedCharacter, OwnTablet, Failure>;
+
+/// The tablets that were carved last, newest first.
+using Recent = std::deque<CarvedCharacter>;
+
+Answer answer_to(const CarveRequest& request, Recent& recent) {
+  const auto known = std::find_if(recent.begin(), recent.end(), [&request](const CarvedCharacter& c) {
+    return c.code_point == request.code_point;
+  });
+  if (known != recent.end()) return *known;
+  auto made = tablet::CarvedTablet::from_lines(request.lines, TabletWorkshop::kSize);
+  if (!made) return Failure{{}, made.error()};
+  recent.push_front({request.code_point, std::move(*made)});
+  if (recent.size() > kRecent) recent.pop_back();
+  return recent.front();
+}
+
+Answer answer_to(const LoadRequest& request, Recent&) {
+  auto own = load_own(request.map_path, request.strokes_path, request.onto, request.grid_size);
+  if (!own) return Failure{request.map_path.empty() ? request.strokes_path : request.map_path, own.error()};
+  return std::move(*own);
+}
+
+}  // namespace
+
+struct TabletWorkshop::Inside {
+  Inside(TabletWorkshop& workshop, base::Inbox& inbox)
+      : background(std::make_shared<base::Background>("workshop", inbox)),
+        latest(
+            background,
+            [recent = std::make_shared<Recent>()](const Request& request, const auto&) {
+              return std::visit([&recent](const auto& one) { return answer_to(one, *recent); }, request);
+            },
+            [&workshop](const Answer& answer) {
+              if (const auto* character = std::get_if<CarvedCharacter>(&answer))
+                workshop.carved(character->code_point, character->tablet);
+              else if (const auto* own = std::get_if<OwnTablet>(&answer))
+                workshop.loaded(*own);
+              else if (const auto* failure = std::get_if<Failure>(&answer))
+                workshop.failed(failure->file, failure->error);
+            }) {}
+
+  std::shared_ptr<base::Background> background;
+  base::Latest<Request, Answer> latest;
+};
+
+base::Result<TabletWorkshop::GridGuess> TabletWorkshop::guess_grid(
+    const std::filesystem::path& strokes_path) {
+  const auto order = kanji::StrokeOrder::load(strokes_path, kanji::StrokeOrder::kMaxGrid);
+  if (!order) return tl::unexpected(order.error());
+  int farthest = 0;
+  for (const auto& stroke : order->all())
+    for (const auto& point : stroke) farthest = std::max({farthest, point.x, point.y});
+  GridGuess guess;
+  while (guess.side <= farthest) guess.side *= 2;
+  guess.certain = guess.side == kClassicSize && farthest >= kClassicSize / 2;
+  return guess;
+}
+
+TabletWorkshop::TabletWorkshop(base::Inbox& inbox) : inside_(std::make_unique<Inside>(*this, inbox)) {}
+
+TabletWorkshop::~TabletWorkshop() = default;
+
+void TabletWorkshop::carve(const kanji::Character& character) {
+  inside_->latest.request(CarveRequest{character.code_point, character.lines()});
+}
+
+void TabletWorkshop::load(const path& map_path, const path& strokes_path, const OwnTablet& onto,
+                          int grid_size) {
+  inside_->latest.request(LoadRequest{map_path, strokes_path, onto, grid_size});
+}
+
+void TabletWorkshop::save(const Tablet& tablet, const path& path, FileFormat format, int size, bool own_map) {
+  base::Background& background = *inside_->background;
+  background.post([this, &background, tablet, path, format, size, own_map] {
+    const auto result = save_tablet(*tablet, path, format, size, own_map);
+    background.answer([this, path, result] {
+      if (result)
+        saved(path);
+      else
+        failed(path, result.error());
+    });
+  });
+}
+
+}  // namespace nazori::practice
