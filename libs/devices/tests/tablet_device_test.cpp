@@ -212,7 +212,7 @@ TEST_F(TabletDeviceTest, TheLearnersLimitsAndTheStrengthHoldBackTheDevice) {
   const auto own = device_.own_description().limits;
   EXPECT_EQ(device_.describe().limits.max_force_n, own.max_force_n);
   remembered_["scripted:arm"].max_force_n = own.max_force_n / 2;
-  device_.take_limits();
+  device_.apply_limits();
   EXPECT_EQ(device_.describe().limits.max_force_n, own.max_force_n / 2);
   device_.set_strength(0.1);
   EXPECT_DOUBLE_EQ(device_.describe().limits.max_force_n, own.max_force_n / 20);
