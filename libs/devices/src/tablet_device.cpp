@@ -247,7 +247,7 @@ base::Result<void> TabletDevice::start(DeviceRun& run) const {
   return device.start(*run.servo);
 }
 
-void TabletDevice::take_limits() {
+void TabletDevice::apply_limits() {
   if (!device_) return;
   const bool has_tablet = !is_pointer();
   if (has_tablet) leaving();
@@ -260,7 +260,7 @@ void TabletDevice::take_limits() {
 
 void TabletDevice::set_strength(double strength) {
   strength = std::clamp(strength, 0.05, 1.0);
-  if (std::exchange(strength_, strength) != strength) take_limits();
+  if (std::exchange(strength_, strength) != strength) apply_limits();
 }
 
 void TabletDevice::close_device() {

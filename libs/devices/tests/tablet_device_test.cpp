@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <thread>
@@ -13,7 +14,6 @@ namespace nazori::devices {
 namespace {
 
 using namespace std::chrono_literals;
-using enum DeviceEventKind;
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
 
@@ -21,6 +21,8 @@ using haptics::DeviceTrouble;
 /// servos run in real time.
 class TabletDeviceTest : public testing::Test {
  protected:
+  using enum DeviceEventKind;
+
   TabletDeviceTest() {
     device_.happened.connect([this](const DeviceEvent& event) { events_.push_back(event); });
     device_.set_devices(test::only(script_), {}, [this] { return remembered_; });
@@ -72,7 +74,7 @@ TEST_F(TabletDeviceTest, ADeviceThatIsFoundInTheMiddleOfAStrokeWaitsForItsEnd) {
   ASSERT_TRUE(device_.start());
   bool is_pressed = false;
   device_.sampled.connect(
-      [&](std::span<const haptics::ServoSample> taken) { is_pressed = taken.back().buttons != 0; });
+      [&](std::span<const haptics::ServoSample> some) { is_pressed = some.back().buttons != 0; });
   device_.move({0, 0, 0.01, true, true});
   ASSERT_TRUE(comes([&] { return is_pressed; }));
   device_.choose("scripted:arm");
@@ -212,7 +214,7 @@ TEST_F(TabletDeviceTest, TheLearnersLimitsAndTheStrengthHoldBackTheDevice) {
   const auto own = device_.own_description().limits;
   EXPECT_EQ(device_.describe().limits.max_force_n, own.max_force_n);
   remembered_["scripted:arm"].max_force_n = own.max_force_n / 2;
-  device_.take_limits();
+  device_.apply_limits();
   EXPECT_EQ(device_.describe().limits.max_force_n, own.max_force_n / 2);
   device_.set_strength(0.1);
   EXPECT_DOUBLE_EQ(device_.describe().limits.max_force_n, own.max_force_n / 20);

@@ -154,7 +154,7 @@ void DevicePlace::connect_panels() {
     auto& of_device = settings();
     of_device.max_force_n = force_n;
     of_device.max_stiffness_n_m = stiffness_n_m;
-    stylus_.take_limits();
+    stylus_.apply_limits();
     desk().save_later();
   });
   connect(seat_panel_, &SeatPanel::corner_shown, this, [this] { take_corner(); });

@@ -120,7 +120,7 @@ class TabletDevice {
   /// The device that is being opened again; empty: none.
   [[nodiscard]] const std::string& reopening() const { return reopening_; }
   /// Its limits have changed: it is started again, with a ramp.
-  void take_limits();
+  void apply_limits();
   /// Share of its limits that the device is given, 0.05..1: less than 1 while something new is tried. It
   /// is started again, with a ramp.
   void set_strength(double strength);
