@@ -38,8 +38,6 @@ AboutDialog::AboutDialog(const std::vector<kanji::Source>& sources, QWidget* par
                               "<a href=\"https://www.edrdg.org\">www.edrdg.org</a>"));
   html += item(tr("Textbook face: Klee One, © Fontworks Inc."), QStringLiteral("SIL Open Font License 1.1"));
   html += item(tr("Interface toolkit: Qt %1").arg(QLatin1String(qVersion())), QStringLiteral("LGPL 3"));
-  html += item(tr("Charts: Qt Charts %1").arg(QLatin1String(qVersion())),
-               tr("GPL 3, and so is the built program as a whole"));
   if (!sources.empty()) {
     html += QStringLiteral("<h3>%1</h3>").arg(tr("Sources of the kanji database"));
     for (const auto& source : sources)

@@ -6,13 +6,12 @@
 #include <QLocale>
 #include <QTranslator>
 
-// Outside any namespace, as Qt asks: the resource lies in a static library.
-static void take_resources() { Q_INIT_RESOURCE(nazori_ui); }
+#include "resources.h"
 
 namespace nazori::ui {
 
 QString install_language(const QString& language) {
-  take_resources();
+  open_resources();
   static QTranslator own;
   static QTranslator qt;
   QCoreApplication::removeTranslator(&own);

@@ -7,8 +7,8 @@
 
 namespace nazori::ui {
 
-/// The whole look of the window's widgets: flat surfaces, thin lines, a focus ring of 2 px. Sizes that follow
-/// the text are in em, so 12 to 28 points fit alike.
+/// The whole look of the window's widgets, resources/window.qss, in these colours: flat surfaces, thin lines,
+/// a focus ring of 2 px. No size of text is set, so 12 to 28 points fit alike.
 [[nodiscard]] QString style_sheet(const Colours& colours);
 
 }  // namespace nazori::ui

@@ -1,39 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chart as it is drawn: its axes, its bars and lines, and the row that is read.
+// A chart as it is painted: where bars, lines and names stand, and the row that is read.
 #include "progress/day_chart.h"
 
 #include <gtest/gtest.h>
 
-#include <QBarSeries>
-#include <QBarSet>
-#include <QCategoryAxis>
-#include <QGraphicsLineItem>
-#include <QLegendMarker>
-#include <QLineSeries>
-#include <QScatterSeries>
+#include <QImage>
 #include <QSignalSpy>
 #include <QTest>
-#include <QValueAxis>
+#include <QVBoxLayout>
 #include <QWheelEvent>
-#include <memory>
+
+#include "palette.h"
+#include "progress/role_colours.h"
 
 namespace nazori::ui {
 namespace {
 
-using Form = ChartSeries::Form;
-using Side = ChartSeries::Axis;
+using practice::Series;
+using practice::Side;
 
-Chart chart_of(QList<ChartSeries> series, QList<double> places = {}) {
-  Chart chart;
-  chart.series = std::move(series);
-  const auto rows = chart.series.isEmpty() ? 0 : chart.series.front().values.size();
-  for (qsizetype row = 0; row < rows; ++row)
-    chart.places.append(places.isEmpty() ? static_cast<double>(row) : places[row]);
-  for (qsizetype row = 0; row < rows; ++row) chart.row_names.append(QStringLiteral("%1 Mar").arg(row + 1));
+struct Drawn {
+  std::vector<double> values;
+  practice::SeriesLook look = practice::first_line_look();
+  Side side = Side::left;
+};
+
+practice::Chart chart_of(const std::vector<Drawn>& series, std::vector<double> positions = {}) {
+  practice::Chart chart;
+  for (const Drawn& one : series) {
+    chart.series.push_back({chart.columns.size(), one.look, one.side});
+    chart.columns.push_back({practice::Quantity::reviews, one.values});
+  }
+  const auto rows = series.empty() ? 0 : series.front().values.size();
+  for (std::size_t row = 0; row < rows; ++row)
+    chart.positions.push_back(positions.empty() ? static_cast<double>(row) : positions[row]);
   return chart;
 }
-ChartSeries series(QList<double> values, Form form = Form::line, Side side = Side::left) {
-  return {QStringLiteral("Reviews"), form, side, std::move(values)};
+
+ChartText text_of(const practice::Chart& chart) {
+  ChartText text;
+  for (int row = 0; row < practice::row_count(chart); ++row)
+    text.row_names.append(QStringLiteral("%1 Mar").arg(row + 1));
+  for (std::size_t i = 0; i < chart.series.size(); ++i)
+    text.series_names.append(QStringLiteral("Series %1").arg(i));
+  return text;
 }
 
 class DayChartTest : public testing::Test {
@@ -42,159 +52,171 @@ class DayChartTest : public testing::Test {
     parent_.resize(900, 400);
     view_->setGeometry(0, 0, 900, 400);
   }
-  [[nodiscard]] QList<QAbstractAxis*> axes(Qt::Orientation way) const { return view_->chart()->axes(way); }
-  [[nodiscard]] QValueAxis* axis(Qt::Alignment at = Qt::AlignLeft) const {
-    for (auto* one : axes(Qt::Vertical))
-      if (one->alignment() == at) return qobject_cast<QValueAxis*>(one);
-    return nullptr;
+  void show(const practice::Chart& chart) { view_->show_chart(chart, text_of(chart)); }
+
+  [[nodiscard]] QImage painted() const {
+    QImage picture(view_->size(), QImage::Format_ARGB32);
+    picture.fill(Qt::white);
+    view_->render(&picture, {}, {}, QWidget::DrawChildren);
+    return picture;
   }
-  /// "0..4 5 %.0f": range, ticks and numbers of the left axis for values.
-  QString scale(QList<double> values, Form form = Form::line) {
-    view_->show_chart(chart_of({series(std::move(values), form)}));
-    return QStringLiteral("%1..%2 %3 %4")
-        .arg(axis()->min())
-        .arg(axis()->max())
-        .arg(axis()->tickCount())
-        .arg(axis()->labelFormat());
+  static bool is(QRgb pixel, const QColor& colour) {
+    return std::abs(qRed(pixel) - colour.red()) + std::abs(qGreen(pixel) - colour.green()) +
+               std::abs(qBlue(pixel) - colour.blue()) <
+           12;
   }
-  [[nodiscard]] QCategoryAxis* days() const {
-    return qobject_cast<QCategoryAxis*>(axes(Qt::Horizontal).at(0));
+  /// A place in the plot as a pixel: shares of its width from the left and of its height from below.
+  [[nodiscard]] QPoint at(double along, double up) const {
+    const QRectF plot = view_->plot_area();
+    return QPointF(plot.left() + plot.width() * along, plot.bottom() - plot.height() * up).toPoint();
   }
-  [[nodiscard]] const QGraphicsLineItem* mark() const {
-    for (auto* item : view_->chart()->childItems())
-      if (auto* line = dynamic_cast<QGraphicsLineItem*>(item); line != nullptr && line->zValue() == 20)
-        return line;
-    return nullptr;
+  /// Pixels of a colour in the part of the picture.
+  static int count(const QImage& picture, const QColor& colour, const QRect& part) {
+    int found = 0;
+    for (int y = part.top(); y <= part.bottom(); ++y)
+      for (int x = part.left(); x <= part.right(); ++x)
+        found += picture.rect().contains(x, y) && is(picture.pixel(x, y), colour) ? 1 : 0;
+    return found;
   }
 
+  const Colours& colours_ = current_colours();
+  const QColor bars_ = colour_of(practice::bars_look().fill, colours_);
   QWidget parent_;
   DayChart* view_;
 };
 
-TEST_F(DayChartTest, AnAxisEndsAtARoundNumberOverTheGreatest) {
-  EXPECT_EQ(scale({0, 0}), QStringLiteral("0..1 5 %.2f"));
-  EXPECT_EQ(scale({1, 1}), QStringLiteral("0..1 5 %.2f"));
-  EXPECT_EQ(scale({1, 1.5}), QStringLiteral("0..2 5 %.1f"));
-  EXPECT_EQ(scale({2, 3}), QStringLiteral("0..4 5 %.0f"));
-  EXPECT_EQ(scale({4.5, 0}), QStringLiteral("0..5 5 %.2f"));
-  EXPECT_EQ(scale({5.5, 0}), QStringLiteral("0..10 5 %.1f"));
-  EXPECT_EQ(scale({10, 0}), QStringLiteral("0..10 5 %.1f"));
-  EXPECT_EQ(scale({35, 0}), QStringLiteral("0..40 5 %.0f"));
-  EXPECT_EQ(scale({0.3, 0}), QStringLiteral("0..0.4 5 %.1f"));
-}
-
-TEST_F(DayChartTest, WhatIsCountedHasWholeNumbersOnly) {
-  EXPECT_EQ(scale({0, 0}, Form::bars), QStringLiteral("0..1 2 %.0f"));
-  EXPECT_EQ(scale({0, 1}, Form::bars), QStringLiteral("0..1 2 %.0f"));
-  EXPECT_EQ(scale({0, 2}, Form::bars), QStringLiteral("0..2 3 %.0f"));
-  EXPECT_EQ(scale({0, 3}, Form::bars), QStringLiteral("0..4 5 %.0f"));
-  EXPECT_EQ(scale({0, 13}, Form::bars), QStringLiteral("0..20 5 %.0f"));
-}
-
-TEST_F(DayChartTest, BelowNothingTheAxisGoesDown) {
-  EXPECT_EQ(scale({-2.5, -1.75}), QStringLiteral("-4..0 5 %.0f"));
-  EXPECT_EQ(scale({-1.5, 3}), QStringLiteral("-2..4 5 %.1f"));
-}
-
-TEST_F(DayChartTest, ARangeThatIsGivenHoldsForTheLeftAxisOnly) {
-  Chart chart = chart_of({series({90, 80}), series({1, 2}, Form::line, Side::right)});
-  chart.series[0].unit = QStringLiteral(" %%");
-  chart.left_range = {80, 100};
-  view_->show_chart(chart);
-  EXPECT_EQ(axis()->min(), 80);
-  EXPECT_EQ(axis()->max(), 100);
-  EXPECT_EQ(axis()->labelFormat(), QStringLiteral("%.0f %%"));
-  EXPECT_TRUE(axis()->isGridLineVisible());
-  ASSERT_NE(axis(Qt::AlignRight), nullptr);
-  EXPECT_EQ(axis(Qt::AlignRight)->min(), 0);
-  EXPECT_EQ(axis(Qt::AlignRight)->max(), 2);
-  EXPECT_FALSE(axis(Qt::AlignRight)->isGridLineVisible()) << "two grids would cross";
-}
-
-TEST_F(DayChartTest, SeriesOfOneSideShareItsAxis) {
-  view_->show_chart(chart_of({series({1, 2}), series({2, 1})}));
-  EXPECT_EQ(axes(Qt::Vertical).size(), 1);
-  EXPECT_EQ(axes(Qt::Horizontal).size(), 1);
-  for (auto* one : view_->chart()->series()) EXPECT_EQ(one->attachedAxes().size(), 2);
-}
-
 TEST_F(DayChartTest, BarsStandAtTheirDaysWithNothingBetween) {
-  view_->show_chart(chart_of({series({5, 6, 7}, Form::bars)}, {0, 1, 3}));
-  ASSERT_EQ(view_->chart()->series().size(), 1);
-  const auto* bars = qobject_cast<QBarSeries*>(view_->chart()->series().at(0));
-  ASSERT_NE(bars, nullptr);
-  const auto* set = bars->barSets().at(0);
-  QList<double> heights;
-  for (int i = 0; i < set->count(); ++i) heights.append(set->at(i));
-  EXPECT_EQ(heights, (QList<double>{5, 6, 0, 7}));
-  EXPECT_EQ(set->label(), QStringLiteral("Reviews"));
-  EXPECT_EQ(days()->min(), -0.5);
-  EXPECT_EQ(days()->max(), 3.5);
-  EXPECT_FALSE(view_->chart()->legend()->isVisible());
+  show(chart_of({{{5, 10, 7.5}, practice::bars_look()}}, {0, 1, 3}));
+  const QImage picture = painted();
+  const auto height = [&](double along) {
+    int last = -1;
+    for (int percent = 1; percent < 100; ++percent)
+      if (is(picture.pixel(at(along, percent / 100.0)), bars_)) last = percent;
+    return last;
+  };
+  EXPECT_NEAR(height(0.125), 50, 2);
+  EXPECT_NEAR(height(0.375), 100, 2);
+  EXPECT_EQ(height(0.625), -1) << "a day without study";
+  EXPECT_NEAR(height(0.875), 75, 2);
+  for (const double between : {0.005, 0.25, 0.5, 0.75})
+    EXPECT_EQ(height(between), -1) << "bars do not touch: " << between;
+  EXPECT_FALSE(view_->has_legend()) << "the title names it";
+}
+
+TEST_F(DayChartTest, ALineGoesFromRowToRowOnItsOwnAxis) {
+  show(chart_of({{{0, 10}}, {{2, 1}, practice::second_line_look(), Side::right}}, {0, 4}));
+  const QImage picture = painted();
+  EXPECT_TRUE(is(picture.pixel(at(0.1, 0)), colours_.ink)) << "0 of 10, at the left";
+  EXPECT_TRUE(is(picture.pixel(at(0.9, 1)), colours_.ink));
+  EXPECT_TRUE(is(picture.pixel(at(0.5, 0.5)), colours_.ink)) << "straight between them";
+  const auto around = [&](double along, double up) {
+    return QRect(at(along, up) - QPoint(6, 6), QSize(13, 13));
+  };
+  EXPECT_GT(count(picture, colours_.indigo, around(0.1, 1)), 4) << "2 of 2, at the right axis";
+  EXPECT_GT(count(picture, colours_.indigo, around(0.9, 0.5)), 4);
 }
 
 TEST_F(DayChartTest, LinesAreToldApartByDashesAndMarks) {
-  view_->show_chart(chart_of({series({5, 6}), series({7, 8})}, {0, 4}));
-  const auto all = view_->chart()->series();
-  ASSERT_EQ(all.size(), 4);
-  const auto* first = qobject_cast<QLineSeries*>(all[0]);
-  const auto* marks = qobject_cast<QScatterSeries*>(all[1]);
-  const auto* second = qobject_cast<QLineSeries*>(all[2]);
-  const auto* other_marks = qobject_cast<QScatterSeries*>(all[3]);
-  ASSERT_TRUE(first != nullptr && marks != nullptr && second != nullptr && other_marks != nullptr);
-  EXPECT_EQ(first->points(), (QList<QPointF>{{0, 5}, {4, 6}}));
-  EXPECT_EQ(marks->points(), first->points());
-  EXPECT_EQ(other_marks->points(), second->points());
-  EXPECT_EQ(first->pen().style(), Qt::SolidLine);
-  EXPECT_EQ(second->pen().style(), Qt::DashLine);
-  EXPECT_NE(marks->markerShape(), other_marks->markerShape());
-  EXPECT_EQ(first->name(), QStringLiteral("Reviews"));
-  EXPECT_TRUE(view_->chart()->legend()->isVisible());
-  int told = 0;
-  for (const auto* marker : view_->chart()->legend()->markers()) told += marker->isVisible() ? 1 : 0;
-  EXPECT_EQ(told, 2) << "each line once";
+  const auto ink_along = [&](const practice::SeriesLook& look) {
+    show(chart_of({{{10, 10}, look}}, {0, 19}));
+    const QImage picture = painted();
+    const QColor colour = colour_of(look.edge, colours_);
+    const int y = at(0, 1).y();
+    int drawn = 0, all = 0;
+    for (int x = at(0.1, 1).x(); x < at(0.9, 1).x(); ++x, ++all)
+      drawn += count(picture, colour, QRect(x, y - 1, 1, 3)) > 0 ? 1 : 0;
+    return static_cast<double>(drawn) / all;
+  };
+  EXPECT_EQ(ink_along(practice::first_line_look()), 1) << "solid";
+  const double dashed = ink_along(practice::second_line_look());
+  EXPECT_GT(dashed, 0.5);
+  EXPECT_LT(dashed, 0.9);
+
+  show(chart_of({{{10, 10}}, {{5, 5}, practice::second_line_look()}}, {0, 4}));
+  const QImage marks = painted();
+  const QPoint disc = at(0.1, 1);
+  const QPoint square = at(0.1, 0.5);
+  EXPECT_TRUE(is(marks.pixel(disc), colours_.ink));
+  EXPECT_TRUE(is(marks.pixel(square), colours_.surface)) << "hollow";
+  EXPECT_FALSE(is(marks.pixel(disc + QPoint(-3, -3)), colours_.ink)) << "a disc has no corners";
+  EXPECT_TRUE(view_->has_legend());
+}
+
+TEST_F(DayChartTest, EachSeriesIsNamedBelowWithItsSign) {
+  show(chart_of({{{5, 6}, practice::bars_look()}, {{7, 8}, practice::first_line_look(), Side::right}}));
+  const QImage picture = painted();
+  const QRect below(0, static_cast<int>(view_->plot_area().bottom()) + 2 * view_->fontMetrics().height(), 900,
+                    400);
+  EXPECT_GT(count(picture, bars_, below & picture.rect()), 20) << "the sign of bars";
+  EXPECT_GT(count(picture, colours_.ink, below & picture.rect()), 20) << "the line, and the names";
+  show(chart_of({{{5, 6}, practice::bars_look()}}));
+  EXPECT_EQ(count(painted(), bars_, QRect(0, static_cast<int>(view_->plot_area().bottom()) + 2, 900, 400)),
+            0);
 }
 
 TEST_F(DayChartTest, ALineOfManyRowsHasNoMarks) {
-  view_->show_chart(chart_of({series(QList<double>(62, 1.0))}));
-  EXPECT_EQ(view_->chart()->series().size(), 2);
-  view_->show_chart(chart_of({series(QList<double>(63, 1.0))}));
-  EXPECT_EQ(view_->chart()->series().size(), 1);
+  const auto thickness = [&](std::size_t rows) {
+    show(chart_of({{std::vector<double>(rows, 5.0)}}));
+    const QImage picture = painted();
+    const QPoint middle = at(practice::share_of_row(chart_of({{std::vector<double>(rows, 5.0)}}), 5), 1);
+    return count(picture, colours_.ink, QRect(middle - QPoint(0, 6), QSize(1, 13)));
+  };
+  EXPECT_GE(thickness(62), 7);
+  EXPECT_LE(thickness(63), 3);
+}
+
+TEST_F(DayChartTest, OnlyTheLeftAxisHasAGrid) {
+  show(chart_of({{{10, 10}, practice::first_line_look(), Side::right}}));
+  EXPECT_EQ(count(painted(), colours_.line, QRect(at(0.5, 0.5) - QPoint(0, 5), QSize(1, 11))), 0);
+  show(chart_of({{{10, 10}}}));
+  EXPECT_GT(count(painted(), colours_.line, QRect(at(0.5, 0.5) - QPoint(0, 5), QSize(1, 11))), 0);
+}
+
+TEST_F(DayChartTest, AxesWithTheirNumbersHaveRoomBesideThePlot) {
+  show(chart_of({{{10, 10}}}));
+  const QRectF alone = view_->plot_area();
+  const double widest = view_->fontMetrics().horizontalAdvance(QStringLiteral("10.0"));
+  EXPECT_GT(alone.left(), widest);
+  EXPECT_LT(900 - alone.right(), widest);
+  show(chart_of({{{10, 10}}, {{10, 10}, practice::second_line_look(), Side::right}}));
+  EXPECT_GT(900 - view_->plot_area().right(), widest);
+  EXPECT_GT(400 - view_->plot_area().bottom(), 2 * view_->fontMetrics().height()) << "days and legend";
+  EXPECT_GT(view_->plot_area().top(), view_->fontMetrics().height() / 2.0);
 }
 
 TEST_F(DayChartTest, DaysAreNamedAsOftenAsThereIsRoomFromTheFirstOn) {
   parent_.show();
-  view_->show_chart(chart_of({series(QList<double>(30, 1.0), Form::bars)}));
-  const auto named = [this] { return days()->categoriesLabels(); };
+  show(chart_of({{std::vector<double>(30, 1.0), practice::bars_look()}}));
   const double widest = view_->fontMetrics().horizontalAdvance(QStringLiteral("30 Mar"));
-  int before = 0;
+  std::size_t before = 0;
   for (const int width : {60, 500, 900, 3000}) {
     view_->resize(width, 400);
     QCoreApplication::processEvents();
-    ASSERT_FALSE(named().isEmpty()) << width;
-    EXPECT_EQ(named().front(), QStringLiteral("1 Mar"));
-    EXPECT_GE(named().size(), before) << width;
-    before = static_cast<int>(named().size());
-    if (named().size() > 2 && width >= 500) {
-      const double apart = days()->endValue(named()[1]) - days()->endValue(named()[0]);
-      EXPECT_GT(apart * view_->chart()->plotArea().width() / 30, widest) << width;
+    const auto named = view_->named_rows();
+    ASSERT_FALSE(named.empty()) << width;
+    EXPECT_EQ(named.front(), 0);
+    EXPECT_GE(named.size(), before) << width;
+    before = named.size();
+    if (named.size() > 2 && width >= 500) {
+      const int apart = named[1] - named[0];
+      EXPECT_GT(apart * view_->plot_area().width() / 30, widest) << width;
     }
   }
-  EXPECT_EQ(before, 30) << "all where there is room";
+  EXPECT_EQ(before, 30U) << "all where there is room";
 }
 
 TEST_F(DayChartTest, DaysOfOneNameAreAllThere) {
-  Chart chart = chart_of({series({1, 2, 3}, Form::bars)});
-  chart.row_names = {QStringLiteral("2 Mar"), QStringLiteral("2 Mar"), QStringLiteral("2 Mar")};
+  const auto chart = chart_of({{{1, 2, 3}, practice::bars_look()}});
+  ChartText text = text_of(chart);
+  text.row_names = {QStringLiteral("2 Mar"), QStringLiteral("2 Mar"), QStringLiteral("2 Mar")};
   view_->resize(2000, 300);
-  view_->show_chart(chart);
-  EXPECT_EQ(days()->categoriesLabels().size(), 3);
+  view_->show_chart(chart, text);
+  EXPECT_EQ(view_->named_rows().size(), 3U);
 }
 
 TEST_F(DayChartTest, KeysGoFromRowToRowAndStopAtTheEnds) {
-  view_->show_chart(chart_of({series({1, 2, 3}, Form::bars)}));
+  show(chart_of({{{1, 2, 3}, practice::bars_look()}}));
   EXPECT_EQ(view_->row(), -1);
-  EXPECT_FALSE(mark()->isVisible());
   const QSignalSpy changed(view_, &DayChart::row_changed);
   const auto press = [this](Qt::Key key) {
     QTest::keyClick(view_, key);
@@ -209,27 +231,32 @@ TEST_F(DayChartTest, KeysGoFromRowToRowAndStopAtTheEnds) {
   EXPECT_EQ(press(Qt::Key_End), 2);
   EXPECT_EQ(changed.count(), 5) << "told only where it went on";
   EXPECT_EQ(changed.last().at(0).toInt(), 2);
-  EXPECT_TRUE(mark()->isVisible());
-  view_->show_chart(chart_of({series({1, 2, 3}, Form::bars)}));
+  show(chart_of({{{1, 2, 3}, practice::bars_look()}}));
   EXPECT_EQ(view_->row(), -1);
   EXPECT_EQ(press(Qt::Key_Right), 0) << "from nowhere to the first";
-  view_->show_chart(Chart{});
+  show({});
   EXPECT_EQ(press(Qt::Key_End), -1);
 }
 
 TEST_F(DayChartTest, TheMarkStandsAtTheMiddleOfItsDay) {
   parent_.show();
-  view_->show_chart(chart_of({series({1, 2, 3}, Form::bars)}, {0, 1, 4}));
+  // The bar of the last day is far from the mark's colour, so that only the mark is counted.
+  show(chart_of({{{1, 2, 0}, practice::bars_look()}}, {0, 1, 4}));
   QCoreApplication::processEvents();
+  const auto marked = [&] {
+    const QPoint middle = at(0.9, 0.5);
+    return count(painted(), colours_.indigo,
+                 QRect(middle.x() - 2, static_cast<int>(view_->plot_area().top()), 5,
+                       static_cast<int>(view_->plot_area().height())));
+  };
+  EXPECT_EQ(marked(), 0) << "no row is read";
   view_->set_row(2);
-  const QRectF plot = view_->chart()->plotArea();
-  EXPECT_NEAR(mark()->line().x1(), plot.left() + plot.width() * 0.9, 1e-6);
-  EXPECT_EQ(mark()->line().x1(), mark()->line().x2());
-  EXPECT_EQ(mark()->line().y1(), plot.top());
-  EXPECT_EQ(mark()->line().y2(), plot.bottom());
-  // The nearest day is taken by the pointer.
+  EXPECT_GT(marked(), 50);
+  const QRectF plot = view_->plot_area();
+  EXPECT_NEAR(view_->mark_x(), plot.left() + plot.width() * 0.9, 1e-6);
+  // The pointer reads the nearest day.
   const auto click = [&](double share) {
-    QTest::mouseClick(view_->viewport(), Qt::LeftButton, {},
+    QTest::mouseClick(view_, Qt::LeftButton, {},
                       QPoint(static_cast<int>(plot.left() + plot.width() * share), 100));
     return view_->row();
   };
@@ -239,16 +266,22 @@ TEST_F(DayChartTest, TheMarkStandsAtTheMiddleOfItsDay) {
   EXPECT_EQ(click(0.65), 2);
   view_->resize(500, 300);
   QCoreApplication::processEvents();
-  const QRectF smaller = view_->chart()->plotArea();
-  EXPECT_NEAR(mark()->line().x1(), smaller.left() + smaller.width() * 0.9, 1e-6) << "also in another size";
+  const QRectF smaller = view_->plot_area();
+  EXPECT_NEAR(view_->mark_x(), smaller.left() + smaller.width() * 0.9, 1e-6) << "also in another size";
 }
 
 TEST_F(DayChartTest, TheWheelIsThePages) {
-  view_->show_chart(chart_of({series({1, 2, 3}, Form::bars)}));
+  show(chart_of({{{1, 2, 3}, practice::bars_look()}}));
   QWheelEvent wheel({10, 10}, {10, 10}, {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
   wheel.accept();
-  QCoreApplication::sendEvent(view_->viewport(), &wheel);
+  QCoreApplication::sendEvent(view_, &wheel);
   EXPECT_FALSE(wheel.isAccepted());
+}
+
+TEST_F(DayChartTest, TooLittleRoomPaintsNothing) {
+  show(chart_of({{{1, 2, 3}, practice::bars_look()}}));
+  view_->resize(12, 9);
+  EXPECT_EQ(count(painted(), bars_, QRect(0, 0, 12, 9)), 0);
 }
 
 }  // namespace

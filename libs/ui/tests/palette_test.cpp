@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "resources.h"
 #include "style_sheet.h"
 
 namespace {
@@ -31,6 +32,17 @@ TEST_P(PaletteColours, ThePaletteIsRecognisedAsLightOrDark) {
 
 TEST_P(PaletteColours, TheStyleSheetNamesNoColourThatIsMissing) {
   EXPECT_FALSE(style_sheet(colours()).contains(QLatin1Char('@')));
+}
+
+TEST_P(PaletteColours, TheArrowsOfTheStyleSheetAreInTheColourOfSecondRank) {
+  // A style sheet cannot give its pictures a colour.
+  for (const char* arrow : {"down", "up"}) {
+    const auto file =
+        QStringLiteral("%1-%2.svg")
+            .arg(QLatin1String(arrow), GetParam() ? QStringLiteral("dark") : QStringLiteral("light"));
+    EXPECT_TRUE(style_sheet(colours()).contains(QStringLiteral(":/nazori/") + file)) << arrow;
+    EXPECT_TRUE(read_resource(file).contains(colours().muted.name().toLatin1())) << arrow;
+  }
 }
 
 TEST_P(PaletteColours, EachRoleOfTheWindowHasItsColour) {

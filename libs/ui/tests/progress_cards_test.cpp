@@ -14,6 +14,7 @@
 #include <QToolButton>
 
 #include "language.h"
+#include "nazori/practice/study_charts.h"
 #include "progress/characters_card.h"
 #include "progress/day_chart.h"
 #include "progress/hard_strokes_card.h"
@@ -66,10 +67,11 @@ TEST_F(ProgressCards, ACardShowsItsChartItsNumbersOrWhatMakesSome) {
   QWidget window;
   ChartCard card(QStringLiteral("x"), &window);
   window.show();
-  Chart chart;
-  chart.title = QStringLiteral("T");
-  chart.empty = QStringLiteral("Do this.");
-  card.show_chart(chart);
+  practice::Chart chart;
+  ChartText words;
+  words.title = QStringLiteral("T");
+  words.empty = QStringLiteral("Do this.");
+  card.show_chart(chart, words);
   EXPECT_EQ(text(card, "x_heading"), QStringLiteral("T"));
   EXPECT_TRUE(card.findChild<QLabel*>(QStringLiteral("x_summary"))->isHidden());
   EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_empty"));
@@ -83,14 +85,16 @@ TEST_F(ProgressCards, ACardShowsItsChartItsNumbersOrWhatMakesSome) {
   EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_empty")) << "there are none";
   card.set_shows_numbers(false);
 
-  chart.summary = QStringLiteral("S.");
-  chart.places = {0, 1};
-  chart.row_names = {QStringLiteral("a"), QStringLiteral("b")};
-  chart.series = {{QStringLiteral("N"), ChartSeries::Form::bars, ChartSeries::Axis::left, {1, 2}}};
-  chart.numbers.head = {QStringLiteral("Day"), QStringLiteral("N")};
-  chart.numbers.rows = {{QStringLiteral("d1"), QStringLiteral("1")},
+  words.summary = QStringLiteral("S.");
+  words.row_names = {QStringLiteral("a"), QStringLiteral("b")};
+  words.series_names = {QStringLiteral("N")};
+  words.numbers.head = {QStringLiteral("Day"), QStringLiteral("N")};
+  words.numbers.rows = {{QStringLiteral("d1"), QStringLiteral("1")},
                         {QStringLiteral("d2"), QStringLiteral("2")}};
-  card.show_chart(chart);
+  chart.positions = {0, 1};
+  chart.columns = {{practice::Quantity::reviews, {1, 2}}};
+  chart.series = {{0, practice::bars_look(), practice::Side::left}};
+  card.show_chart(chart, words);
   EXPECT_FALSE(numbers->isHidden());
   EXPECT_FALSE(copy->isHidden());
   EXPECT_EQ(numbers->accessibleName(), QStringLiteral("Numbers of T"));
@@ -117,7 +121,7 @@ TEST_F(ProgressCards, ACardShowsItsChartItsNumbersOrWhatMakesSome) {
   EXPECT_EQ(table->horizontalHeaderItem(1)->text(), QStringLiteral("N"));
   EXPECT_EQ(table->item(1, 0)->text(), QStringLiteral("d2"));
   EXPECT_EQ(table->item(1, 1)->data(Qt::AccessibleTextRole).toString(), QStringLiteral("d2: N 2"));
-  card.show_chart(chart);
+  card.show_chart(chart, words);
   EXPECT_EQ(shown(card), table) << "the numbers stay chosen";
   EXPECT_TRUE(reading->isHidden());
   card.set_shows_numbers(false);
@@ -131,7 +135,8 @@ TEST_F(ProgressCards, ACardShowsItsChartItsNumbersOrWhatMakesSome) {
 TEST_F(ProgressCards, TheKeyboardStaysOnWhatTakesThePlaceOfTheChart) {
   QWidget window;
   ChartCard card(QStringLiteral("x"), &window);
-  card.show_chart(StudyCharts::forecast(statistics()));
+  const auto chart = practice::build_chart(practice::ChartId::forecast, statistics());
+  card.show_chart(chart, StudyCharts::text(chart));
   window.show();
   window.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window));

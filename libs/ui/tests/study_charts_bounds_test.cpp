@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of the charts one by one, and where days become weeks and weeks become months.
+// The words of the charts one by one, and how days, weeks and months are named.
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "language.h"
+#include "nazori/practice/study_charts.h"
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
 
 namespace nazori::ui {
 namespace {
 
+using practice::ChartId;
 using std::chrono::days;
 using std::chrono::milliseconds;
 using std::chrono::minutes;
@@ -23,6 +25,10 @@ class StudyChartsBounds : public testing::Test {
  protected:
   void SetUp() override { install_language(QStringLiteral("en")); }
 };
+
+ChartText chart_text(ChartId id, const study::Statistics& statistics, Day first = {}) {
+  return StudyCharts::text(practice::build_chart(id, statistics, first));
+}
 
 std::string text(const QString& words) { return words.toStdString(); }
 
@@ -72,121 +78,85 @@ TEST_F(StudyChartsBounds, DatesAreThoseOfTheLanguage) {
   study::Statistics s;
   s.today = kToday;
   s.days = {{kToday, 1, 0, 0, minutes(1)}};
-  EXPECT_EQ(StudyCharts::activity(s, Day()).row_names, QStringList{QStringLiteral("3/20")});
+  EXPECT_EQ(chart_text(ChartId::activity, s, Day()).row_names, QStringList{QStringLiteral("3/20")});
   s.days.insert(s.days.begin(), {kToday - days(900), 1, 0, 0, minutes(1)});
-  EXPECT_EQ(StudyCharts::activity(s, Day()).row_names.back(), QStringLiteral("2026/3"));
+  EXPECT_EQ(chart_text(ChartId::activity, s, Day()).row_names.back(), QStringLiteral("2026/3"));
   install_language(QStringLiteral("en"));
-  EXPECT_EQ(text(StudyCharts::activity(s, Day()).row_names.back()), "Mar 26");
+  EXPECT_EQ(text(chart_text(ChartId::activity, s, Day()).row_names.back()), "Mar 26");
   s.days.erase(s.days.begin());
-  EXPECT_EQ(text(StudyCharts::activity(s, Day()).row_names.back()), "20 Mar");
+  EXPECT_EQ(text(chart_text(ChartId::activity, s, Day()).row_names.back()), "20 Mar");
 }
 
 /// A chart's first head where the first row lies so many days back, today counted.
-std::string head(Chart (*chart)(const study::Statistics&, Day), int day_count, Day first = {}) {
+std::string head(ChartId chart, int day_count, Day first = {}) {
   const Day begin = kToday - days(day_count - 1);
   study::Statistics s;
   s.today = kToday;
   s.days = {{begin, 1, 0, 0, minutes(1)}, {kToday, 1, 0, 0, minutes(1)}};
   s.retention_days = {{begin, {1, 1, 0.9}}, {kToday, {1, 1, 0.9}}};
   s.motion = {{begin, 1, 109, -2}, {kToday, 1, 109, -2}};
-  return text(chart(s, first).numbers.head[0]);
+  return text(chart_text(chart, s, first).numbers.head[0]);
 }
 
 TEST_F(StudyChartsBounds, ASeasonIsShownByDaysAndTwoYearsByWeeks) {
-  for (const auto chart : {&StudyCharts::activity, &StudyCharts::motion}) {
+  for (const auto chart : {ChartId::activity, ChartId::motion}) {
     EXPECT_EQ(head(chart, 92), "Day");
     EXPECT_EQ(head(chart, 93), "Week from");
     EXPECT_EQ(head(chart, 800), "Week from");
     EXPECT_EQ(head(chart, 801), "Month from");
     EXPECT_EQ(head(chart, 801, kToday - days(91)), "Day") << "less is shown";
   }
-  EXPECT_EQ(head(&StudyCharts::retention, 31), "Day");
-  EXPECT_EQ(head(&StudyCharts::retention, 32), "Week from");
-  EXPECT_EQ(head(&StudyCharts::retention, 801), "Month from");
-  EXPECT_EQ(head(&StudyCharts::retention, 801, kToday - days(30)), "Day");
-}
-
-TEST_F(StudyChartsBounds, RowsLieAsFarApartAsTheirWeeksAndMonths) {
-  study::Statistics s;
-  s.today = kToday;
-  s.retention_days = {{*study::parse_day("2025-12-31"), {1, 1, 0.9}},
-                      {*study::parse_day("2026-01-05"), {1, 1, 0.9}},
-                      {*study::parse_day("2026-01-18"), {1, 1, 0.9}},
-                      {kToday, {1, 1, 0.9}}};
-  // Mondays: 29 December, 5 and 12 January, 16 March.
-  EXPECT_EQ(StudyCharts::retention(s, Day()).places, (QList<double>{0, 1, 2, 11}));
-  s.retention_days[0].day = *study::parse_day("2023-12-31");
-  EXPECT_EQ(StudyCharts::retention(s, Day()).places, (QList<double>{0, 25, 27}));
+  EXPECT_EQ(head(ChartId::retention, 31), "Day");
+  EXPECT_EQ(head(ChartId::retention, 32), "Week from");
+  EXPECT_EQ(head(ChartId::retention, 801), "Month from");
+  EXPECT_EQ(head(ChartId::retention, 801, kToday - days(30)), "Day");
 }
 
 TEST_F(StudyChartsBounds, OfReviewsToComeTheFirstOfTheFullestDaysIsNamed) {
   study::Statistics s;
   s.today = kToday;
   for (const int reviews : {2, 5, 1, 5}) s.forecast.push_back({kToday + days(s.forecast.size()), reviews});
-  const Chart chart = StudyCharts::forecast(s);
+  const ChartText chart = chart_text(ChartId::forecast, s);
   EXPECT_EQ(text(chart.summary), "In 30 days: 13, today: 2. Most on 21 Mar 2026: 5.");
-  EXPECT_EQ(chart.places, (QList<double>{0, 1, 2, 3}));
   EXPECT_EQ(text(chart.row_names[1]), "21 Mar");
-  EXPECT_EQ(chart.series[0].form, ChartSeries::Form::bars);
-  EXPECT_EQ(chart.series[0].axis, ChartSeries::Axis::left);
-  EXPECT_FALSE(chart.left_range);
   s.forecast.front().reviews = 5;
-  EXPECT_TRUE(StudyCharts::forecast(s).summary.contains(QStringLiteral("Most on 20 Mar 2026")));
+  EXPECT_TRUE(chart_text(ChartId::forecast, s).summary.contains(QStringLiteral("Most on 20 Mar 2026")));
 }
 
 TEST_F(StudyChartsBounds, MinutesHaveAnAxisOfTheirOwn) {
   study::Statistics s;
   s.today = kToday;
   s.days = {{kToday - days(1), 3, 2, 1, milliseconds(90'000)}, {kToday, 6, 0, 0, seconds(15)}};
-  const Chart chart = StudyCharts::activity(s, Day());
-  ASSERT_EQ(chart.series.size(), 2);
-  EXPECT_EQ(text(chart.series[0].name), "Reviews");
-  EXPECT_EQ(chart.series[0].form, ChartSeries::Form::bars);
-  EXPECT_EQ(chart.series[0].axis, ChartSeries::Axis::left);
-  EXPECT_EQ(text(chart.series[1].name), "Minutes");
-  EXPECT_EQ(chart.series[1].form, ChartSeries::Form::line);
-  EXPECT_EQ(chart.series[1].axis, ChartSeries::Axis::right);
-  EXPECT_EQ(chart.series[1].values, (QList<double>{1.5, 0.25}));
+  const ChartText chart = chart_text(ChartId::activity, s, Day());
+  EXPECT_EQ(chart.series_names, (QStringList{QStringLiteral("Reviews"), QStringLiteral("Minutes")}));
   EXPECT_EQ(chart.numbers.row_text(0).toStdString(),
             "19 Mar 2026: Reviews 3, Practice 2, New 1, Minutes 1.5");
   EXPECT_TRUE(
       chart.summary.startsWith(QStringLiteral("Reviews: 9 in 2 min. Days of study: 2, each with about")));
-  const Chart last = StudyCharts::activity(s, kToday);
+  const ChartText last = chart_text(ChartId::activity, s, kToday);
   EXPECT_TRUE(
       last.summary.startsWith(QStringLiteral("Reviews: 6 in 0 min. Days of study: 1, each with about 6 ")));
 }
 
-TEST_F(StudyChartsBounds, RecalledIsDrawnFromTheTensBelowTheLeast) {
+TEST_F(StudyChartsBounds, RecalledAndPredictedAreMeansOverTheReviews) {
   study::Statistics s;
   s.today = kToday;
   s.retention_days = {{kToday - days(1), {4, 3, 0.62}}, {kToday, {2, 2, 0.92}}};
-  const Chart chart = StudyCharts::retention(s, Day());
-  ASSERT_TRUE(chart.left_range);
-  EXPECT_EQ(*chart.left_range, (std::pair{60.0, 100.0}));
-  for (const auto& series : chart.series) {
-    EXPECT_EQ(text(series.unit), " %%");
-    EXPECT_EQ(series.axis, ChartSeries::Axis::left);
-    EXPECT_EQ(series.form, ChartSeries::Form::line);
-  }
-  EXPECT_EQ(text(chart.series[0].name), "Recalled");
-  EXPECT_EQ(text(chart.series[1].name), "Predicted");
+  const ChartText chart = chart_text(ChartId::retention, s, Day());
+  EXPECT_EQ(chart.series_names, (QStringList{QStringLiteral("Recalled"), QStringLiteral("Predicted")}));
   // (4 * 0.62 + 2 * 0.92) / 6 = 0.72
   EXPECT_EQ(text(chart.summary), "Reviews after a day or more: 6. Recalled 83 %, predicted 72 %.");
-  s.retention_days = {{kToday, {4, 2, 0.9}}};
-  EXPECT_EQ(StudyCharts::retention(s, Day()).left_range->first, 50);
 }
 
 TEST_F(StudyChartsBounds, OfThePenTheFirstAndTheLastAreSaid) {
   study::Statistics s;
   s.today = kToday;
   s.motion = {{kToday - days(2), 1, 109, -2.5}, {kToday - days(1), 1, 545, -9}, {kToday, 1, 218, -1.75}};
-  const Chart chart = StudyCharts::motion(s, Day());
+  const ChartText chart = chart_text(ChartId::motion, s, Day());
   EXPECT_EQ(
       text(chart.summary),
       "Speed 1.00 at first, 2.00 now, in character widths a second. Smoothness -2.50 at first, -1.75 now; "
       "nearer to 0 is smoother.");
-  EXPECT_EQ(chart.series[0].axis, ChartSeries::Axis::left);
-  EXPECT_EQ(chart.series[1].axis, ChartSeries::Axis::right);
 }
 
 TEST_F(StudyChartsBounds, ARowOutsideTheTableHasNoWords) {

@@ -8,12 +8,14 @@
 #include <set>
 
 #include "language.h"
+#include "nazori/practice/study_charts.h"
 #include "palette.h"
 #include "progress/strength_grid.h"
 
 namespace nazori::ui {
 namespace {
 
+using practice::ChartId;
 using std::chrono::days;
 using std::chrono::minutes;
 using study::Day;
@@ -36,6 +38,10 @@ study::Statistics some_statistics() {
   return s;
 }
 
+ChartText chart_text(ChartId id, const study::Statistics& statistics, Day first = {}) {
+  return StudyCharts::text(practice::build_chart(id, statistics, first));
+}
+
 class StudyChartsTest : public testing::Test {
  protected:
   void SetUp() override { install_language(QStringLiteral("en")); }
@@ -43,11 +49,10 @@ class StudyChartsTest : public testing::Test {
 
 TEST_F(StudyChartsTest, ForecastHasARowForEachOfThirtyDays) {
   const auto s = some_statistics();
-  const Chart chart = StudyCharts::forecast(s);
-  ASSERT_EQ(chart.places.size(), 30);
+  const ChartText chart = chart_text(ChartId::forecast, s);
+  ASSERT_EQ(chart.row_names.size(), 30);
   ASSERT_EQ(chart.numbers.rows.size(), 30);
   for (int i = 0; i < 30; ++i) {
-    EXPECT_EQ(chart.series[0].values[i], s.forecast[static_cast<std::size_t>(i)].reviews);
     EXPECT_EQ(chart.numbers.rows[i][1].toInt(), s.forecast[static_cast<std::size_t>(i)].reviews);
   }
   EXPECT_EQ(chart.summary, QStringLiteral("In 30 days: 42, today: 1. Most on 22 Mar 2026: 4."));
@@ -55,49 +60,37 @@ TEST_F(StudyChartsTest, ForecastHasARowForEachOfThirtyDays) {
 }
 
 TEST_F(StudyChartsTest, ActivityCountsDaysWithoutStudyToo) {
-  const Chart chart = StudyCharts::activity(some_statistics(), Day());
-  ASSERT_EQ(chart.places.size(), 20);
-  EXPECT_EQ(chart.series[0].values[9], 10);
-  EXPECT_EQ(chart.series[1].values[9], 4);
-  EXPECT_EQ(chart.series[0].values[10], 0);
+  const ChartText chart = chart_text(ChartId::activity, some_statistics(), Day());
+  ASSERT_EQ(chart.row_names.size(), 20);
   EXPECT_EQ(chart.numbers.rows[9],
             (QStringList{QStringLiteral("10 Mar 2026"), QStringLiteral("10"), QStringLiteral("1"),
                          QStringLiteral("0"), QStringLiteral("4.0")}));
   EXPECT_EQ(chart.summary,
             QStringLiteral("Reviews: 19 in 17 min. Days of study: 4, each with about 5 reviews in 4 min."));
-  EXPECT_EQ(StudyCharts::activity(some_statistics(), day("2026-03-05")).places.size(), 11);
+  EXPECT_EQ(chart_text(ChartId::activity, some_statistics(), day("2026-03-05")).row_names.size(), 11);
 }
 
 TEST_F(StudyChartsTest, ALongTimeIsTakenTogetherByWeekAndByMonth) {
   auto s = some_statistics();
   s.days.insert(s.days.begin(), {day("2025-11-03"), 3, 0, 0, minutes(1)});
-  const Chart weeks = StudyCharts::activity(s, Day());
+  const ChartText weeks = chart_text(ChartId::activity, s, Day());
   EXPECT_EQ(weeks.numbers.head[0], QStringLiteral("Week from"));
-  EXPECT_EQ(weeks.places.size(), 20);  // Mondays from 3 November to 16 March
-  EXPECT_EQ(weeks.places.back(), 19);
+  EXPECT_EQ(weeks.row_names.size(), 20);  // Mondays from 3 November to 16 March
   s.days.front().day = day("2023-06-15");
-  const Chart months = StudyCharts::activity(s, Day());
+  const ChartText months = chart_text(ChartId::activity, s, Day());
   EXPECT_EQ(months.numbers.head[0], QStringLiteral("Month from"));
-  EXPECT_EQ(months.places.size(), 34);
-  EXPECT_EQ(months.places.back(), 33);
+  EXPECT_EQ(months.row_names.size(), 34);
 }
 
 TEST_F(StudyChartsTest, RetentionShowsTrueBesidePredicted) {
-  const Chart chart = StudyCharts::retention(some_statistics(), Day());
-  ASSERT_EQ(chart.series.size(), 2);
-  EXPECT_EQ(chart.places, (QList<double>{0, 10}));
-  EXPECT_NEAR(chart.series[0].values[0], 90, 1e-9);
-  EXPECT_NEAR(chart.series[1].values[1], 89, 1e-9);
-  EXPECT_EQ(chart.left_range->first, 80);
+  const ChartText chart = chart_text(ChartId::retention, some_statistics(), Day());
   EXPECT_EQ(chart.numbers.row_text(1),
             QStringLiteral("20 Mar 2026: Reviews 5, Recalled 80 %, Predicted 89 %"));
   EXPECT_EQ(chart.summary, QStringLiteral("Reviews after a day or more: 15. Recalled 87 %, predicted 90 %."));
 }
 
 TEST_F(StudyChartsTest, ThePenIsMeasuredInCharacterWidths) {
-  const Chart chart = StudyCharts::motion(some_statistics(), Day());
-  EXPECT_EQ(chart.series[0].values, (QList<double>{1, 2}));
-  EXPECT_EQ(chart.series[1].values, (QList<double>{-2.5, -1.75}));
+  const ChartText chart = chart_text(ChartId::motion, some_statistics(), Day());
   EXPECT_EQ(chart.numbers.row_text(0),
             QStringLiteral("10 Mar 2026: Writings 10, Speed 1.00, Smoothness -2.50"));
 }
@@ -115,17 +108,38 @@ TEST_F(StudyChartsTest, AHardStrokeSaysWhatGoesWrongMostFirst) {
 TEST_F(StudyChartsTest, WithoutStudyEveryChartSaysWhatToDo) {
   study::Statistics none;
   none.today = day("2026-03-20");
-  for (const Chart& chart : {StudyCharts::forecast(none), StudyCharts::activity(none, Day()),
-                             StudyCharts::retention(none, Day()), StudyCharts::motion(none, Day())}) {
-    EXPECT_TRUE(chart.places.isEmpty()) << chart.id.toStdString();
+  for (const ChartText& chart :
+       {chart_text(ChartId::forecast, none), chart_text(ChartId::activity, none, Day()),
+        chart_text(ChartId::retention, none, Day()), chart_text(ChartId::motion, none, Day())}) {
+    EXPECT_TRUE(chart.row_names.isEmpty()) << chart.id.toStdString();
     EXPECT_TRUE(chart.numbers.rows.isEmpty());
     EXPECT_GT(chart.empty.size(), 20);
     EXPECT_FALSE(chart.title.isEmpty());
   }
 }
 
+TEST_F(StudyChartsTest, EveryChartHasWordsOfItsOwn) {
+  QSet<QString> ids, titles, menu;
+  for (const auto& kind : practice::chart_kinds()) {
+    const ChartText text = chart_text(kind.id, some_statistics());
+    ids.insert(text.id);
+    titles.insert(text.title);
+    menu.insert(StudyCharts::menu_text(kind.id));
+    EXPECT_EQ(text.id.toStdString(), kind.name);
+    EXPECT_FALSE(text.summary.isEmpty()) << kind.name;
+    EXPECT_FALSE(text.series_names.isEmpty()) << kind.name;
+    EXPECT_FALSE(StudyCharts::menu_tip(kind.id).isEmpty()) << kind.name;
+    for (const QString& name : text.numbers.head + text.series_names)
+      EXPECT_FALSE(name.isEmpty()) << kind.name;
+  }
+  const auto count = static_cast<qsizetype>(practice::chart_kinds().size());
+  EXPECT_EQ(ids.size(), count);
+  EXPECT_EQ(titles.size(), count);
+  EXPECT_EQ(menu.size(), count);
+}
+
 TEST_F(StudyChartsTest, NumbersAreCopiedAsASpreadsheetTakesThem) {
-  const QString text = StudyCharts::retention(some_statistics(), Day()).numbers.as_text();
+  const QString text = chart_text(ChartId::retention, some_statistics(), Day()).numbers.as_text();
   EXPECT_EQ(text, QStringLiteral("Day\tReviews\tRecalled\tPredicted\n10 Mar 2026\t10\t90 %\t91 %\n"
                                  "20 Mar 2026\t5\t80 %\t89 %\n"));
 }

@@ -39,14 +39,6 @@
         <source>Sources of the kanji database</source>
         <translation>漢字データベースの出典</translation>
     </message>
-    <message>
-        <source>Charts: Qt Charts %1</source>
-        <translation>グラフ：Qt Charts %1</translation>
-    </message>
-    <message>
-        <source>GPL 3, and so is the built program as a whole</source>
-        <translation>GPL 3。組み立てたプログラム全体も GPL 3 になります</translation>
-    </message>
 </context>
 <context>
     <name>nazori::ui::Actions</name>
@@ -3289,8 +3281,8 @@ Columns and rows:</source>
         <translation>一か月が最短です。</translation>
     </message>
     <message>
-        <source>1 to 6 go to a chart, N shows its numbers, Ctrl+C copies them.</source>
-        <translation>1～6 でグラフへ、N で数字を表示、Ctrl+C でコピー。</translation>
+        <source>1 to %1 go to a chart, N shows its numbers, Ctrl+C copies them.</source>
+        <translation>1～%1 でグラフへ、N で数字を表示、Ctrl+C でコピー。</translation>
     </message>
     <message>
         <source>%1: there are no numbers yet.</source>
@@ -3303,38 +3295,6 @@ Columns and rows:</source>
 </context>
 <context>
     <name>nazori::ui::ProgressActions</name>
-    <message>
-        <source>Reviews to &amp;come</source>
-        <translation>これからの復習(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Go to the reviews to come</source>
-        <translation>これからの復習へ</translation>
-    </message>
-    <message>
-        <source>&amp;Recalled, and predicted</source>
-        <translation>思い出せた率と予測(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Go to what was recalled and predicted</source>
-        <translation>思い出せた率と予測へ</translation>
-    </message>
-    <message>
-        <source>Reviews and &amp;minutes</source>
-        <translation>復習と時間(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Go to the reviews and minutes</source>
-        <translation>復習と時間へ</translation>
-    </message>
-    <message>
-        <source>&amp;Speed and smoothness</source>
-        <translation>速さとなめらかさ(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Go to how the pen moved</source>
-        <translation>筆の動きへ</translation>
-    </message>
     <message>
         <source>&amp;Every character</source>
         <translation>文字ごとの状態(&amp;E)</translation>
@@ -4436,6 +4396,38 @@ Columns and rows:</source>
     <message>
         <source>How</source>
         <translation>どのように</translation>
+    </message>
+    <message>
+        <source>Reviews to &amp;come</source>
+        <translation>これからの復習(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Go to the reviews to come</source>
+        <translation>これからの復習へ</translation>
+    </message>
+    <message>
+        <source>&amp;Recalled, and predicted</source>
+        <translation>思い出せた率と予測(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Go to what was recalled and predicted</source>
+        <translation>思い出せた率と予測へ</translation>
+    </message>
+    <message>
+        <source>Reviews and &amp;minutes</source>
+        <translation>復習と時間(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Go to the reviews and minutes</source>
+        <translation>復習と時間へ</translation>
+    </message>
+    <message>
+        <source>&amp;Speed and smoothness</source>
+        <translation>速さとなめらかさ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Go to how the pen moved</source>
+        <translation>筆の動きへ</translation>
     </message>
 </context>
 <context>

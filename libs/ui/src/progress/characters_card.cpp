@@ -5,23 +5,16 @@
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <array>
-#include <map>
 
 #include "error_text.h"
 #include "kanji_text.h"
 #include "nazori/practice/list_members.h"
+#include "nazori/practice/strengths.h"
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
 #include "study/list_choice.h"
 
 namespace nazori::ui {
-namespace {
-
-constexpr std::array kStrengths{study::Strength::mature, study::Strength::young,  study::Strength::learning,
-                                study::Strength::leech,  study::Strength::paused, study::Strength::unseen};
-
-}  // namespace
 
 CharactersCard::CharactersCard(QWidget* parent) : CharactersCard(new QWidget, parent) {}
 
@@ -62,48 +55,36 @@ void CharactersCard::show_characters(const study::Statistics& statistics, study:
     const QSignalBlocker quiet(list_);
     list_->set_list(wanted_);
   }
-  std::map<char32_t, study::CharacterState> met;
-  for (const auto& state : statistics.characters) met.emplace(state.character, state);
   std::vector<study::CharacterState> states;
   QString trouble;
-  if (list_->list().isEmpty()) {
+  if (list_->list().isEmpty())
     states = statistics.characters;
-  } else if (const auto members = practice::list_members(wanted_.toStdString(), lists, store); !members) {
+  else if (const auto members = practice::list_members(wanted_.toStdString(), lists, store); !members)
     trouble = tr("The list cannot be read: %1").arg(reason(members.error()));
-  } else {
-    for (const char32_t character : *members) {
-      const auto found = met.find(character);
-      states.push_back(found != met.end() ? found->second
-                                          : study::CharacterState{character, study::Strength::unseen, 0});
-    }
-  }
-  Chart chart;
-  chart.id = QStringLiteral("characters");
-  chart.title = tr("Every character");
-  chart.empty = trouble.isEmpty()
-                    ? tr("Characters you have met stand here, each with how firmly you know it.")
-                    : trouble;
-  chart.numbers.head = {tr("Character"), tr("Strength"), tr("Chance to recall it now")};
-  std::map<study::Strength, int> counts;
-  for (const auto& state : states) {
-    ++counts[state.strength];
-    chart.numbers.rows.append({to_text(state.character), StudyCharts::strength(state.strength),
-                               state.strength == study::Strength::unseen
-                                   ? QStringLiteral("–")
-                                   : StudyCharts::percent(state.retrievability)});
-  }
+  else
+    states = practice::states_of(*members, statistics);
+  ChartText text;
+  text.id = QStringLiteral("characters");
+  text.title = tr("Every character");
+  text.empty = trouble.isEmpty() ? tr("Characters you have met stand here, each with how firmly you know it.")
+                                 : trouble;
+  text.numbers.head = {tr("Character"), tr("Strength"), tr("Chance to recall it now")};
+  for (const auto& state : states)
+    text.numbers.rows.append({to_text(state.character), StudyCharts::strength(state.strength),
+                              state.strength == study::Strength::unseen
+                                  ? QStringLiteral("–")
+                                  : StudyCharts::percent(state.retrievability)});
   QStringList words;
-  for (const auto strength : kStrengths)
-    if (const auto found = counts.find(strength); found != counts.end())
-      words.append(QStringLiteral("%1 %2 %3")
-                       .arg(look_of(strength, current_colours()).sign, StudyCharts::strength(strength),
-                            QLocale().toString(found->second))
-                       .trimmed());
-  chart.summary = words.join(QStringLiteral("  ·  "));
-  grid_->setAccessibleName(chart.title);
-  grid_->setAccessibleDescription(tr("%1. Enter opens a character.").arg(chart.summary));
+  for (const auto& [strength, count] : practice::count_by_strength(states))
+    words.append(QStringLiteral("%1 %2 %3")
+                     .arg(look_of(strength, current_colours()).sign, StudyCharts::strength(strength),
+                          QLocale().toString(count))
+                     .trimmed());
+  text.summary = words.join(QStringLiteral("  ·  "));
+  grid_->setAccessibleName(text.title);
+  grid_->setAccessibleDescription(tr("%1. Enter opens a character.").arg(text.summary));
   grid_->show_states(std::move(states));
-  show_words(chart);
+  show_text(text);
 }
 
 }  // namespace nazori::ui

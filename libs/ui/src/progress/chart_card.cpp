@@ -93,36 +93,36 @@ void ChartCard::build(const QString& id, QWidget* drawing) {
   take_appearance();
 }
 
-void ChartCard::show_chart(const Chart& chart) {
-  if (day_chart_ != nullptr) day_chart_->show_chart(chart);
-  show_words(chart);
+void ChartCard::show_chart(const practice::Chart& chart, const ChartText& text) {
+  if (day_chart_ != nullptr) day_chart_->show_chart(chart, text);
+  show_text(text);
 }
 
-void ChartCard::show_words(const Chart& chart) {
-  chart_ = chart;
-  const bool any = !chart_.numbers.rows.isEmpty();
-  heading_->setText(chart_.title);
-  summary_->setText(chart_.summary);
-  summary_->setVisible(!chart_.summary.isEmpty());
-  empty_->setText(chart_.empty);
+void ChartCard::show_text(const ChartText& text) {
+  text_ = text;
+  const bool any = !text_.numbers.rows.isEmpty();
+  heading_->setText(text_.title);
+  summary_->setText(text_.summary);
+  summary_->setVisible(!text_.summary.isEmpty());
+  empty_->setText(text_.empty);
   empty_->setFocusPolicy(any ? Qt::NoFocus : Qt::StrongFocus);
-  empty_->setAccessibleName(QStringLiteral("%1. %2").arg(chart_.title, chart_.empty));
-  setAccessibleName(chart_.title);
-  drawing_->setAccessibleName(chart_.title);
+  empty_->setAccessibleName(QStringLiteral("%1. %2").arg(text_.title, text_.empty));
+  setAccessibleName(text_.title);
+  drawing_->setAccessibleName(text_.title);
   drawing_->setAccessibleDescription(
-      tr("%1 Left and right go from row to row, N shows all numbers.").arg(chart_.summary));
+      tr("%1 Left and right go from row to row, N shows all numbers.").arg(text_.summary));
   numbers_->setVisible(any);
-  numbers_->setAccessibleName(tr("Numbers of %1").arg(chart_.title));
+  numbers_->setAccessibleName(tr("Numbers of %1").arg(text_.title));
   copy_->setVisible(any);
-  copy_->setAccessibleName(tr("Copy the numbers of %1").arg(chart_.title));
-  table_->setAccessibleName(tr("Numbers of %1").arg(chart_.title));
+  copy_->setAccessibleName(tr("Copy the numbers of %1").arg(text_.title));
+  table_->setAccessibleName(tr("Numbers of %1").arg(text_.title));
   fill_table();
   read_row(-1);
   stack_->setCurrentWidget(!any ? empty_ : numbers_->isChecked() ? static_cast<QWidget*>(table_) : drawing_);
 }
 
 void ChartCard::fill_table() {
-  const Numbers& numbers = chart_.numbers;
+  const Numbers& numbers = text_.numbers;
   table_->clear();
   table_->setColumnCount(static_cast<int>(numbers.head.size()));
   table_->setHorizontalHeaderLabels(numbers.head);
@@ -144,9 +144,9 @@ void ChartCard::fit_table() {
 }
 
 void ChartCard::read_row(int row) {
-  const QString words = chart_.numbers.row_text(row);
+  const QString words = text_.numbers.row_text(row);
   reading_->setText(words.isEmpty() ? tr("Left and right read it row by row.") : words);
-  reading_->setVisible(day_chart_ != nullptr && !chart_.places.isEmpty() && !numbers_->isChecked());
+  reading_->setVisible(day_chart_ != nullptr && !text_.row_names.isEmpty() && !numbers_->isChecked());
   if (words.isEmpty()) return;
   drawing_->setAccessibleDescription(words);
   QAccessibleEvent event(drawing_, QAccessible::DescriptionChanged);

@@ -3,7 +3,8 @@
 
 #include <QFrame>
 
-#include "progress/chart.h"
+#include "nazori/practice/chart.h"
+#include "progress/chart_text.h"
 
 class QLabel;
 class QStackedWidget;
@@ -22,11 +23,13 @@ class ChartCard : public QFrame {
   /// @param id  of the object names: "forecast_card", "forecast_table", ...
   ChartCard(const QString& id, QWidget* parent);
 
-  void show_chart(const Chart& chart);
-  [[nodiscard]] const Chart& shown() const { return chart_; }
+  /// @param text  the words of `chart`.
+  void show_chart(const practice::Chart& chart, const ChartText& text);
+  /// What the card says.
+  [[nodiscard]] const ChartText& shown() const { return text_; }
   [[nodiscard]] bool shows_numbers() const;
   void set_shows_numbers(bool numbers);
-  [[nodiscard]] QString title() const { return chart_.title; }
+  [[nodiscard]] QString title() const { return text_.title; }
   /// The keyboard goes to what is drawn, or to the table.
   void focus_content();
   void take_appearance();
@@ -37,7 +40,7 @@ class ChartCard : public QFrame {
  protected:
   /// Without a chart: what is drawn is the derived class's.
   ChartCard(const QString& id, QWidget* drawing, QWidget* parent);
-  void show_words(const Chart& chart);
+  void show_text(const ChartText& text);
 
  private:
   void build(const QString& id, QWidget* drawing);
@@ -45,7 +48,7 @@ class ChartCard : public QFrame {
   void fit_table();
   void read_row(int row);
 
-  Chart chart_;
+  ChartText text_;
   QLabel* heading_;
   QLabel* summary_;
   QLabel* reading_;

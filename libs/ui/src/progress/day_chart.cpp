@@ -1,268 +1,278 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "progress/day_chart.h"
 
-#include <QBarLegendMarker>
-#include <QBarSeries>
-#include <QBarSet>
-#include <QCategoryAxis>
 #include <QFontMetricsF>
-#include <QGraphicsLayout>
-#include <QGraphicsLineItem>
 #include <QKeyEvent>
-#include <QLegendMarker>
-#include <QLineSeries>
 #include <QMouseEvent>
-#include <QScatterSeries>
-#include <QValueAxis>
+#include <QPainter>
 #include <algorithm>
-#include <cmath>
 
 #include "palette.h"
+#include "progress/role_colours.h"
+#include "progress/study_charts.h"
 
 namespace nazori::ui {
 namespace {
 
-constexpr int kMostMarks = 62;
+using practice::Series;
+using practice::SeriesLook;
+using practice::Side;
+using practice::ValueAxis;
+
+constexpr double kMargin_px = 4;
+constexpr double kTick_px = 4;
+constexpr double kLabelGap_px = 3;
 constexpr double kLine_px = 2.5;
 constexpr double kMark_px = 8;
+constexpr double kBarShare = 0.8;
 constexpr double kRoomBetweenLabels = 1.6;
+constexpr double kLegendSign_px = 14;  // one dash of a dashed line and its gap
+constexpr double kLegendSignGap_px = 5;
+constexpr double kLegendGap_px = 10;
 
-/// A top of an axis that divides well: 1, 2, 4 or 5 times a power of ten over the value.
-double nice_over(double value, bool whole) {
-  if (value <= 0) return 1;
-  const double power = std::pow(10, std::floor(std::log10(value)));
-  for (const double factor : {1.0, 2.0, 4.0, 5.0, 10.0})
-    if (factor * power >= value) return whole ? std::max(1.0, std::ceil(factor * power)) : factor * power;
-  return 10 * power;
+double row_names_gap(const QFontMetricsF& metrics) { return metrics.descent() + 2; }
+double legend_height(const QFontMetricsF& metrics) { return metrics.height() + 2 * kLegendGap_px; }
+
+QPen line_pen(const Series& series, const Colours& colours) {
+  return {colour_of(series.look.edge, colours), kLine_px, series.look.dashed ? Qt::DashLine : Qt::SolidLine};
+}
+
+void paint_mark(QPainter& painter, SeriesLook::Mark mark, const QPointF& at) {
+  const QRectF box(at.x() - kMark_px / 2, at.y() - kMark_px / 2, kMark_px, kMark_px);
+  if (mark == SeriesLook::Mark::disc)
+    painter.drawEllipse(box);
+  else if (mark == SeriesLook::Mark::square)
+    painter.drawRect(box);
 }
 
 }  // namespace
 
-DayChart::DayChart(QWidget* parent) : QChartView(parent) {
-  setRenderHint(QPainter::Antialiasing);
+DayChart::DayChart(QWidget* parent) : QFrame(parent) {
+  setProperty("role", QStringLiteral("chart"));
   setFocusPolicy(Qt::StrongFocus);
-  setFrameShape(QFrame::NoFrame);
-  setBackgroundBrush(Qt::NoBrush);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
-void DayChart::show_chart(const Chart& chart) {
+void DayChart::show_chart(const practice::Chart& chart, const ChartText& text) {
   chart_ = chart;
+  row_names_ = text.row_names;
+  series_names_ = text.series_names;
   row_ = -1;
-  draw();
+  update();
 }
 
-void DayChart::draw() {
-  auto* drawn = new QChart;
-  const Colours& c = current_colours();
-  drawn->setBackgroundVisible(false);
-  drawn->setMargins(QMargins(4, 6, 4, 4));
-  drawn->layout()->setContentsMargins(0, 0, 0, 0);
-  drawn->legend()->setVisible(chart_.series.size() > 1);
-  drawn->legend()->setAlignment(Qt::AlignBottom);
-  drawn->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
-  drawn->legend()->setFont(font());
-  drawn->legend()->setLabelColor(c.ink);
-  days_ = new QCategoryAxis;
-  days_->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-  days_->setLabelsFont(font());
-  days_->setLabelsColor(c.muted);
-  days_->setGridLineVisible(false);
-  days_->setLinePenColor(c.line);
-  const double last = chart_.places.isEmpty() ? 0 : chart_.places.back();
-  days_->setStartValue(-0.5);
-  days_->setRange(-0.5, last + 0.5);
-  drawn->addAxis(days_, Qt::AlignBottom);
-  QValueAxis* axes[2] = {nullptr, nullptr};
-  const auto axis_for = [&](const ChartSeries& series) {
-    QValueAxis*& axis = axes[series.axis == ChartSeries::Axis::right ? 1 : 0];
-    if (axis != nullptr) return axis;
-    axis = new QValueAxis;
-    const auto [least, most] = std::minmax_element(series.values.begin(), series.values.end());
-    const bool whole = series.form == ChartSeries::Form::bars;
-    double low = std::min(0.0, *least < 0 ? -nice_over(-*least, false) : 0.0);
-    double high = *most <= 0 && low < 0 ? 0.0 : nice_over(*most, whole);
-    if (series.axis == ChartSeries::Axis::left && chart_.left_range) {
-      low = chart_.left_range->first;
-      high = chart_.left_range->second;
-    }
-    axis->setRange(low, high);
-    const double span = high - low;
-    axis->setTickCount(whole && span < 4 ? static_cast<int>(span) + 1 : 5);
-    const double step = span / (axis->tickCount() - 1);
-    const auto divides = [step](double by) { return std::abs(by * step - std::round(by * step)) < 1e-9; };
-    const QString number = divides(1)    ? QStringLiteral("%.0f")
-                           : divides(10) ? QStringLiteral("%.1f")
-                                         : QStringLiteral("%.2f");
-    axis->setLabelFormat(number + series.unit);
-    axis->setLabelsFont(font());
-    axis->setLabelsColor(c.muted);
-    axis->setLinePenColor(c.line);
-    axis->setGridLineColor(c.line);
-    axis->setGridLineVisible(series.axis == ChartSeries::Axis::left);
-    drawn->addAxis(axis, series.axis == ChartSeries::Axis::right ? Qt::AlignRight : Qt::AlignLeft);
-    return axis;
-  };
-  bool second = false;
-  for (const ChartSeries& series : chart_.series) {
-    auto* axis = axis_for(series);
-    const auto before = drawn->series().size();
-    if (series.form == ChartSeries::Form::bars)
-      add_bars(*drawn, series);
-    else
-      add_line(*drawn, series, std::exchange(second, true));
-    const auto all = drawn->series();
-    for (auto i = before; i < all.size(); ++i) {
-      all[i]->attachAxis(days_);
-      all[i]->attachAxis(axis);
-    }
-  }
-  // The sign of bars is drawn without their colour otherwise, and is not seen on dark paper.
-  for (auto* marker : drawn->legend()->markers())
-    if (qobject_cast<QBarLegendMarker*>(marker) != nullptr) {
-      marker->setShape(QLegend::MarkerShapeRectangle);
-      marker->setBrush(blend(c.surface, c.indigo, 0.55));
-      marker->setPen(c.indigo);
-    }
-  // Attaching bars spreads the axis over them; it is ours to say.
-  days_->setRange(-0.5, last + 0.5);
-  auto* old = chart();
-  setChart(drawn);
-  delete old;
-  mark_ = new QGraphicsLineItem(drawn);
-  mark_->setPen(QPen(c.indigo, 2, Qt::DotLine));
-  mark_->setZValue(20);
-  label_days();
-  mark_row();
+QString DayChart::label(const ValueAxis& axis, int tick) const {
+  const QString number = QString::number(axis.value(tick), 'f', axis.numbers.decimals);
+  return axis.numbers.percent ? StudyCharts::tr("%1 %").arg(number) : number;
 }
 
-void DayChart::add_bars(QChart& chart, const ChartSeries& series) {
-  const Colours& c = current_colours();
-  auto* set = new QBarSet(series.name);
-  // Bars stand at 0, 1, 2, ...: rows that are left out are empty ones.
-  qsizetype row = 0;
-  for (int place = 0; row < series.values.size(); ++place)
-    set->append(std::lround(chart_.places[row]) == place ? series.values[row++] : 0.0);
-  set->setColor(blend(c.surface, c.indigo, 0.55));
-  set->setBorderColor(c.indigo);
-  auto* bars = new QBarSeries;
-  bars->setBarWidth(0.8);
-  bars->append(set);
-  chart.addSeries(bars);
-}
-
-void DayChart::add_line(QChart& chart, const ChartSeries& series, bool second) {
-  const Colours& c = current_colours();
-  const QColor colour = second ? c.indigo : c.ink;
-  auto* line = new QLineSeries;
-  line->setName(series.name);
-  for (qsizetype row = 0; row < series.values.size(); ++row)
-    line->append(chart_.places[row], series.values[row]);
-  line->setPen(QPen(colour, kLine_px, second ? Qt::DashLine : Qt::SolidLine));
-  chart.addSeries(line);
-  if (series.values.size() > kMostMarks) return;
-  auto* marks = new QScatterSeries;
-  marks->setMarkerShape(second ? QScatterSeries::MarkerShapeRectangle : QScatterSeries::MarkerShapeCircle);
-  marks->setMarkerSize(kMark_px);
-  marks->setColor(second ? c.surface : colour);
-  marks->setBorderColor(colour);
-  marks->append(line->points());
-  chart.addSeries(marks);
-  for (auto* marker : chart.legend()->markers(marks)) marker->setVisible(false);
-}
-
-void DayChart::label_days() {
-  if (days_ == nullptr || chart_.row_names.isEmpty()) return;
-  for (const QString& label : days_->categoriesLabels()) days_->remove(label);
-  double widest = 1;
+double DayChart::label_room(Side side) const {
+  const auto axis = practice::value_axis(chart_, side);
+  if (!axis) return 0;
   const QFontMetricsF metrics(font());
-  for (const QString& name : chart_.row_names) widest = std::max(widest, metrics.horizontalAdvance(name));
+  double widest = 0;
+  for (int tick = 0; tick < axis->ticks; ++tick)
+    widest = std::max(widest, metrics.horizontalAdvance(label(*axis, tick)));
+  return widest + kTick_px + kLabelGap_px;
+}
+
+QRectF DayChart::plot_area() const {
+  const QFontMetricsF metrics(font());
+  // The uppermost label stands half above the plot.
+  const double above = kMargin_px + metrics.height() / 2;
+  const double below =
+      row_names_gap(metrics) + metrics.height() + kMargin_px + (has_legend() ? legend_height(metrics) : 0);
+  return QRectF(contentsRect())
+      .adjusted(kMargin_px + label_room(Side::left), above, -kMargin_px - label_room(Side::right), -below);
+}
+
+std::vector<int> DayChart::named_rows() const {
+  const QFontMetricsF metrics(font());
+  double widest = 1;
+  for (const QString& name : row_names_) widest = std::max(widest, metrics.horizontalAdvance(name));
   const double room = std::max(1.0, width() - 6 * widest / kRoomBetweenLabels);
-  const int most = std::max(2, static_cast<int>(room / (widest * kRoomBetweenLabels)));
-  // Rows need not lie evenly: days without study may be left out.
-  const double apart = (chart_.places.back() + 1) / most;
-  double next = chart_.places.front();
-  for (qsizetype row = 0; row < chart_.row_names.size(); ++row) {
-    if (chart_.places[row] < next) continue;
-    next = chart_.places[row] + apart;
-    // Rows of equal names (the same day in two years) would be one label.
-    QString name = chart_.row_names[row];
-    while (days_->categoriesLabels().contains(name)) name += QChar(0x200B);
-    days_->append(name, chart_.places[row]);
+  return practice::named_rows(chart_, std::max(2, static_cast<int>(room / (widest * kRoomBetweenLabels))));
+}
+
+double DayChart::mark_x() const {
+  const QRectF plot = plot_area();
+  return plot.left() + plot.width() * practice::share_of_row(chart_, row_);
+}
+
+QPointF DayChart::point(const Series& series, const ValueAxis& axis, int row) const {
+  const QRectF plot = plot_area();
+  const double value = chart_.columns[series.column].values[static_cast<std::size_t>(row)];
+  return {plot.left() + plot.width() * practice::share_of_row(chart_, row),
+          plot.bottom() - plot.height() * (value - axis.low) / (axis.high - axis.low)};
+}
+
+void DayChart::paintEvent(QPaintEvent* event) {
+  QFrame::paintEvent(event);
+  const QRectF plot = plot_area();
+  if (practice::row_count(chart_) == 0 || plot.width() <= 0 || plot.height() <= 0) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(font());
+  paint_axis(painter, Side::left);
+  paint_axis(painter, Side::right);
+  paint_row_names(painter);
+  painter.save();
+  // A second series on an axis may go beyond it.
+  const double room = kMark_px / 2 + 1;
+  painter.setClipRect(plot.adjusted(-room, -room, room, room));
+  for (const Series& series : chart_.series) {
+    if (series.look.form == SeriesLook::Form::bars)
+      paint_bars(painter, series);
+    else
+      paint_line(painter, series);
+  }
+  painter.restore();
+  if (has_legend()) paint_legend(painter);
+  if (row_ < 0) return;
+  painter.setPen(QPen(current_colours().indigo, 2, Qt::DotLine));
+  painter.drawLine(QPointF(mark_x(), plot.top()), QPointF(mark_x(), plot.bottom()));
+}
+
+void DayChart::paint_axis(QPainter& painter, Side side) const {
+  const auto axis = practice::value_axis(chart_, side);
+  if (!axis) return;
+  const Colours& c = current_colours();
+  const QRectF plot = plot_area();
+  const bool left = side == Side::left;
+  const double x = left ? plot.left() : plot.right();
+  const double out = left ? -1 : 1;
+  const double half = QFontMetricsF(font()).height() / 2;
+  const QPen line(c.line, 1);
+  painter.setPen(line);
+  painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+  for (int tick = 0; tick < axis->ticks; ++tick) {
+    const double y = plot.bottom() - plot.height() * tick / (axis->ticks - 1);
+    painter.setPen(line);
+    painter.drawLine(QPointF(x + out * kTick_px, y), QPointF(axis->grid ? plot.right() : x, y));
+    painter.setPen(c.muted);
+    const double from = x + out * (kTick_px + kLabelGap_px);
+    const QRectF room =
+        left ? QRectF(0, y - half, from, 2 * half) : QRectF(from, y - half, width() - from, 2 * half);
+    painter.drawText(room, Qt::AlignVCenter | Qt::TextDontClip | (left ? Qt::AlignRight : Qt::AlignLeft),
+                     label(*axis, tick));
+  }
+}
+
+void DayChart::paint_row_names(QPainter& painter) const {
+  const Colours& c = current_colours();
+  const QRectF plot = plot_area();
+  const QFontMetricsF metrics(font());
+  painter.setPen(QPen(c.line, 1));
+  painter.drawLine(plot.bottomLeft(), plot.bottomRight());
+  for (const int row : named_rows()) {
+    const double x = plot.left() + plot.width() * practice::share_of_row(chart_, row);
+    const QString name = row_names_.value(row);
+    const double wide = metrics.horizontalAdvance(name);
+    // The first and the last name stay inside the frame.
+    const double left =
+        std::max<double>(contentsRect().left(), std::min(x - wide / 2, contentsRect().right() - wide));
+    painter.setPen(QPen(c.line, 1));
+    painter.drawLine(QPointF(x, plot.bottom()), QPointF(x, plot.bottom() + kTick_px));
+    painter.setPen(c.muted);
+    painter.drawText(QPointF(left, plot.bottom() + row_names_gap(metrics) + metrics.ascent()), name);
+  }
+}
+
+void DayChart::paint_bars(QPainter& painter, const Series& series) const {
+  const auto axis = practice::value_axis(chart_, series.side);
+  if (!axis) return;
+  const Colours& c = current_colours();
+  const QRectF plot = plot_area();
+  const double wide = plot.width() * practice::share_of_period(chart_) * kBarShare;
+  painter.setPen(QPen(colour_of(series.look.edge, c), 1));
+  painter.setBrush(colour_of(series.look.fill, c));
+  for (int row = 0; row < practice::row_count(chart_); ++row) {
+    const QPointF top = point(series, *axis, row);
+    if (top.y() < plot.bottom())
+      painter.drawRect(QRectF(top.x() - wide / 2, top.y(), wide, plot.bottom() - top.y()));
+  }
+}
+
+void DayChart::paint_line(QPainter& painter, const Series& series) const {
+  const auto axis = practice::value_axis(chart_, series.side);
+  if (!axis) return;
+  const Colours& c = current_colours();
+  QPolygonF line;
+  for (int row = 0; row < practice::row_count(chart_); ++row) line.append(point(series, *axis, row));
+  painter.setPen(line_pen(series, c));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPolyline(line);
+  if (!practice::has_marks(chart_, series)) return;
+  painter.setPen(QPen(colour_of(series.look.edge, c), 1));
+  painter.setBrush(colour_of(series.look.fill, c));
+  for (const QPointF& at : line) paint_mark(painter, series.look.mark, at);
+}
+
+void DayChart::paint_legend(QPainter& painter) const {
+  const Colours& c = current_colours();
+  const QFontMetricsF metrics(font());
+  const auto width_of = [&](const QString& name) {
+    return kLegendSign_px + kLegendSignGap_px + metrics.horizontalAdvance(name);
+  };
+  double all = kLegendGap_px * static_cast<double>(series_names_.size() - 1);
+  for (const QString& name : series_names_) all += width_of(name);
+  const QRectF inside(contentsRect());
+  double x = std::max(inside.left(), inside.center().x() - all / 2);
+  const double y = inside.bottom() - kMargin_px - legend_height(metrics) / 2;
+  for (std::size_t i = 0; i < chart_.series.size(); ++i) {
+    const Series& series = chart_.series[i];
+    const QString name = series_names_.value(static_cast<qsizetype>(i));
+    if (series.look.form == SeriesLook::Form::bars) {
+      const double side = metrics.ascent() * 0.6;
+      painter.setPen(QPen(colour_of(series.look.edge, c), 1));
+      painter.setBrush(colour_of(series.look.fill, c));
+      painter.drawRect(QRectF(x + kLegendSign_px - side, y - side / 2, side, side));
+    } else {
+      painter.setPen(line_pen(series, c));
+      painter.drawLine(QPointF(x, y), QPointF(x + kLegendSign_px, y));
+    }
+    painter.setPen(c.ink);
+    painter.drawText(
+        QPointF(x + kLegendSign_px + kLegendSignGap_px, y + (metrics.ascent() - metrics.descent()) / 2),
+        name);
+    x += width_of(name) + kLegendGap_px;
   }
 }
 
 void DayChart::set_row(int row) {
-  const int last = static_cast<int>(chart_.places.size()) - 1;
+  const int last = practice::row_count(chart_) - 1;
   row = last < 0 ? -1 : std::clamp(row, 0, last);
   if (row == row_) return;
   row_ = row;
-  mark_row();
+  update();
   emit row_changed(row_);
 }
 
-void DayChart::mark_row() {
-  if (mark_ == nullptr) return;
-  mark_->setVisible(row_ >= 0);
-  if (row_ < 0) return;
-  const QRectF plot = chart()->plotArea();
-  const double span = chart_.places.back() + 1;
-  const double x = plot.left() + plot.width() * (chart_.places[row_] + 0.5) / span;
-  mark_->setLine(x, plot.top(), x, plot.bottom());
-}
-
 void DayChart::keyPressEvent(QKeyEvent* event) {
-  const int last = static_cast<int>(chart_.places.size()) - 1;
+  using practice::RowStep;
+  const auto step = [this](RowStep by) { set_row(practice::row_after(chart_, row_, by)); };
   switch (event->key()) {
     case Qt::Key_Left:
-      set_row(row_ < 0 ? last : row_ - 1);
+      step(RowStep::previous);
       return;
     case Qt::Key_Right:
-      set_row(row_ < 0 ? 0 : row_ + 1);
+      step(RowStep::next);
       return;
     case Qt::Key_Home:
-      set_row(0);
+      step(RowStep::first);
       return;
     case Qt::Key_End:
-      set_row(last);
+      step(RowStep::last);
       return;
     default:
-      // Not the view's own keys, which scroll.
-      QWidget::keyPressEvent(event);
+      QFrame::keyPressEvent(event);
   }
 }
 
 void DayChart::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
-  const QRectF plot = chart()->plotArea();
-  if (chart_.places.isEmpty() || plot.width() <= 0) return;
-  const double x = (event->position().x() - plot.left()) / plot.width() * (chart_.places.back() + 1) - 0.5;
-  const auto nearest = std::min_element(chart_.places.begin(), chart_.places.end(), [x](double a, double b) {
-    return std::abs(a - x) < std::abs(b - x);
-  });
-  set_row(static_cast<int>(nearest - chart_.places.begin()));
-}
-
-void DayChart::resizeEvent(QResizeEvent* event) {
-  QChartView::resizeEvent(event);
-  label_days();
-  mark_row();
-}
-
-void DayChart::focusInEvent(QFocusEvent* event) {
-  QChartView::focusInEvent(event);
-  parentWidget()->update();
-}
-
-void DayChart::focusOutEvent(QFocusEvent* event) {
-  QChartView::focusOutEvent(event);
-  parentWidget()->update();
-}
-
-void DayChart::wheelEvent(QWheelEvent* event) {
-  // The page scrolls, not the chart.
-  event->ignore();
+  const QRectF plot = plot_area();
+  if (plot.width() > 0)
+    set_row(practice::row_near(chart_, (event->position().x() - plot.left()) / plot.width()));
 }
 
 }  // namespace nazori::ui

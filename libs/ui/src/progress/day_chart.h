@@ -1,50 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QChartView>
+#include <QFrame>
+#include <vector>
 
-#include "progress/chart.h"
-
-class QCategoryAxis;
-class QGraphicsLineItem;
+#include "nazori/practice/chart.h"
+#include "progress/chart_text.h"
 
 namespace nazori::ui {
 
-/// Draws a chart by Qt Charts, in the colours of the desk. What a series is told apart by is its form, its
-/// dashes and its marks; its colour only adds to that. Left, Right, Home, End and the pointer go from row to
-/// row.
-class DayChart final : public QChartView {
+/// Paints a chart in the colours of the palette. Left, Right, Home, End and the pointer go from row to row.
+/// Thread: interface.
+class DayChart final : public QFrame {
   Q_OBJECT
  public:
   explicit DayChart(QWidget* parent = nullptr);
 
-  void show_chart(const Chart& chart);
+  /// @param text  the names of its rows and series.
+  void show_chart(const practice::Chart& chart, const ChartText& text);
   /// Draws it again in the colours and the text size in force.
-  void take_appearance() { draw(); }
+  void take_appearance() { update(); }
   [[nodiscard]] int row() const { return row_; }
   void set_row(int row);
+
+  /// Where bars and lines lie, between the axes; in the widget's own pixels.
+  [[nodiscard]] QRectF plot_area() const;
+  /// The rows that are named below the plot, as far as there is room.
+  [[nodiscard]] std::vector<int> named_rows() const;
+  /// Whether the series are named below: one alone is named by the title.
+  [[nodiscard]] bool has_legend() const { return chart_.series.size() > 1; }
+  /// Where the mark of the row that is read stands; in the widget's own pixels.
+  [[nodiscard]] double mark_x() const;
 
  signals:
   void row_changed(int row);
 
  protected:
+  void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-  void focusInEvent(QFocusEvent* event) override;
-  void focusOutEvent(QFocusEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
 
  private:
-  void draw();
-  void add_bars(QChart& chart, const ChartSeries& series);
-  void add_line(QChart& chart, const ChartSeries& series, bool second);
-  void label_days();
-  void mark_row();
+  [[nodiscard]] QString label(const practice::ValueAxis& axis, int tick) const;
+  [[nodiscard]] double label_room(practice::Side side) const;
+  [[nodiscard]] QPointF point(const practice::Series& series, const practice::ValueAxis& axis, int row) const;
+  void paint_axis(QPainter& painter, practice::Side side) const;
+  void paint_row_names(QPainter& painter) const;
+  void paint_bars(QPainter& painter, const practice::Series& series) const;
+  void paint_line(QPainter& painter, const practice::Series& series) const;
+  void paint_legend(QPainter& painter) const;
 
-  Chart chart_;
-  QCategoryAxis* days_ = nullptr;
-  QGraphicsLineItem* mark_ = nullptr;
+  practice::Chart chart_;
+  QStringList row_names_;
+  QStringList series_names_;
   int row_ = -1;
 };
 

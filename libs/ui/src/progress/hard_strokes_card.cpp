@@ -112,17 +112,17 @@ void HardStrokesCard::show_strokes(const study::Statistics& statistics,
     item->setData(HardStrokeDelegate::kCharacterRole, static_cast<uint>(stroke.character));
     item->setData(HardStrokeDelegate::kStrokeRole, stroke.stroke);
   }
-  Chart chart;
-  chart.id = QStringLiteral("hard_strokes");
-  chart.title = tr("Hardest strokes");
-  chart.empty = tr("No stroke has gone wrong twice. Those that do will stand here.");
-  chart.numbers = StudyCharts::hard_strokes(statistics);
+  ChartText text;
+  text.id = QStringLiteral("hard_strokes");
+  text.title = tr("Hardest strokes");
+  text.empty = tr("No stroke has gone wrong twice. Those that do will stand here.");
+  text.numbers = StudyCharts::hard_strokes(statistics);
   if (!statistics.hard_strokes.empty())
-    chart.summary = tr("Strokes that went wrong more than once: %1. Enter opens the character.")
-                        .arg(QLocale().toString(static_cast<qlonglong>(statistics.hard_strokes.size())));
-  list_->setAccessibleName(chart.title);
+    text.summary = tr("Strokes that went wrong more than once: %1. Enter opens the character.")
+                       .arg(QLocale().toString(static_cast<qlonglong>(statistics.hard_strokes.size())));
+  list_->setAccessibleName(text.title);
   list_->setCurrentRow(0);
-  show_words(chart);
+  show_text(text);
 }
 
 }  // namespace nazori::ui

@@ -61,12 +61,8 @@ ActionSet* Progress::actions() const { return actions_; }
 QList<Tool> Progress::tools() const { return {{actions_->numbers, true}, {actions_->copy, true}}; }
 
 void Progress::connect_actions() {
-  const std::pair<QAction*, const char*> places[] = {
-      {actions_->forecast, "forecast"},     {actions_->retention, "retention"},
-      {actions_->activity, "activity"},     {actions_->motion, "motion"},
-      {actions_->characters, "characters"}, {actions_->hard_strokes, "hard_strokes"}};
-  for (const auto& [action, id] : places)
-    connect(action, &QAction::triggered, this, [this, id = QString::fromLatin1(id)] { page_->go_to(id); });
+  for (const auto& place : actions_->places)
+    connect(place.action, &QAction::triggered, this, [this, id = place.id] { page_->go_to(id); });
   connect(actions_->numbers, &QAction::triggered, this, [this] {
     auto* card = page_->card_at_hand();
     card->set_shows_numbers(!card->shows_numbers());
@@ -87,7 +83,9 @@ void Progress::enter() {
     read();
   else
     desk().note_opened();
-  desk().say(Feedback::hint, tr("1 to 6 go to a chart, N shows its numbers, Ctrl+C copies them."));
+  desk().say(
+      Feedback::hint,
+      tr("1 to %1 go to a chart, N shows its numbers, Ctrl+C copies them.").arg(actions_->places.size()));
 }
 
 void Progress::leave() { entered_ = false; }

@@ -11,7 +11,12 @@ class ProgressActions final : public ActionSet {
  public:
   explicit ProgressActions(QWidget* window);
 
-  QAction *forecast, *activity, *retention, *motion, *characters, *hard_strokes;
+  /// Goes to a card of the page.
+  struct Place {
+    QString id;  ///< of the card
+    QAction* action;
+  };
+  QList<Place> places;  ///< in the page's order; their keys are 1, 2, 3, ...
   QAction *numbers, *copy, *longer, *shorter;
 };
 

@@ -10,8 +10,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <map>
 
+#include "nazori/practice/study_charts.h"
 #include "progress/characters_card.h"
 #include "progress/hard_strokes_card.h"
 #include "progress/study_charts.h"
@@ -22,6 +22,13 @@ namespace {
 constexpr int kMargin = 16;
 constexpr int kGap = 14;
 constexpr int kLettersForTwoColumns = 100;
+
+QList<ChartCard*> chart_cards(QWidget* parent) {
+  QList<ChartCard*> cards;
+  for (const practice::ChartKind& kind : practice::chart_kinds())
+    cards.append(new ChartCard(StudyCharts::id(kind.id), parent));
+  return cards;
+}
 
 }  // namespace
 
@@ -35,14 +42,11 @@ ProgressPage::ProgressPage(practice::Learner& learner, QWidget* parent)
       time_(new QComboBox(content_)),
       work_(new QProgressBar(content_)),
       grid_(new QGridLayout),
-      forecast_(new ChartCard(QStringLiteral("forecast"), content_)),
-      retention_(new ChartCard(QStringLiteral("retention"), content_)),
-      activity_(new ChartCard(QStringLiteral("activity"), content_)),
-      motion_(new ChartCard(QStringLiteral("motion"), content_)),
+      charts_(chart_cards(content_)),
       characters_(new CharactersCard(content_)),
       hard_strokes_(new HardStrokesCard(content_)),
-      cards_{forecast_, retention_, activity_, motion_, characters_, hard_strokes_},
-      at_hand_(forecast_) {
+      cards_(charts_ + QList<ChartCard*>{characters_, hard_strokes_}),
+      at_hand_(cards_.front()) {
   setObjectName(QStringLiteral("progress_page"));
   setAccessibleName(tr("Progress"));
   setFocusPolicy(Qt::StrongFocus);
@@ -95,7 +99,7 @@ ProgressPage::ProgressPage(practice::Learner& learner, QWidget* parent)
   all->addWidget(trouble_, 1);
 
   connect(time_, &QComboBox::currentIndexChanged, this, [this] {
-    show_charts();
+    show_charts(false);
     emit time_changed();
   });
   connect(characters_, &CharactersCard::list_changed, this, [this] {
@@ -119,8 +123,7 @@ void ProgressPage::show_statistics(const practice::SharedStatistics& statistics)
   show_work(1);
   show_trouble({});
   show_figures();
-  show_charts();
-  forecast_->show_chart(StudyCharts::forecast(*statistics_));
+  show_charts(true);
   show_characters();
   hard_strokes_->show_strokes(*statistics_, learner_.database());
   arrange();
@@ -130,12 +133,17 @@ void ProgressPage::show_characters() {
   characters_->show_characters(*statistics_, learner_.lists(), learner_.store());
 }
 
-void ProgressPage::show_charts() {
+void ProgressPage::show_charts(bool all) {
   const int days = static_cast<int>(time_shown());
   const study::Day first = days == 0 ? study::Day() : statistics_->today - std::chrono::days(days - 1);
-  retention_->show_chart(StudyCharts::retention(*statistics_, first));
-  activity_->show_chart(StudyCharts::activity(*statistics_, first));
-  motion_->show_chart(StudyCharts::motion(*statistics_, first));
+  auto card = charts_.begin();
+  for (const practice::ChartKind& kind : practice::chart_kinds()) {
+    if (all || kind.looks_back) {
+      const practice::Chart chart = kind.build(*statistics_, first);
+      (*card)->show_chart(chart, StudyCharts::text(chart));
+    }
+    ++card;
+  }
 }
 
 void ProgressPage::show_figures() {
@@ -205,7 +213,7 @@ bool ProgressPage::change_time_shown(int by) {
 ChartCard* ProgressPage::card(const QString& id) const {
   const auto found = std::find_if(cards_.begin(), cards_.end(),
                                   [&](const ChartCard* card) { return card->shown().id == id; });
-  return found == cards_.end() ? forecast_ : *found;
+  return found == cards_.end() ? cards_.front() : *found;
 }
 
 ChartCard* ProgressPage::card_at_hand() const { return at_hand_; }

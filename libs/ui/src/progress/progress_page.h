@@ -42,7 +42,7 @@ class ProgressPage final : public QWidget {
   bool change_time_shown(int by);
 
   [[nodiscard]] CharactersCard& characters() const { return *characters_; }
-  /// By the id of its chart; never nullptr for the six there are.
+  /// By the id of what it shows; never nullptr: the first where there is no such card.
   [[nodiscard]] ChartCard* card(const QString& id) const;
   /// The card that has the keyboard, or had it last.
   [[nodiscard]] ChartCard* card_at_hand() const;
@@ -60,7 +60,8 @@ class ProgressPage final : public QWidget {
  private:
   void arrange();
   void show_figures();
-  void show_charts();
+  /// @param all  also those that do not look back.
+  void show_charts(bool all);
   void show_characters();
   void note_focus(QWidget* now);
   void scroll_to(ChartCard* card);
@@ -74,13 +75,11 @@ class ProgressPage final : public QWidget {
   QComboBox* time_;
   QProgressBar* work_;
   QGridLayout* grid_;
-  ChartCard* forecast_;
-  ChartCard* retention_;
-  ChartCard* activity_;
-  ChartCard* motion_;
+  /// Those of practice::chart_kinds(), in its order.
+  QList<ChartCard*> charts_;
   CharactersCard* characters_;
   HardStrokesCard* hard_strokes_;
-  QList<ChartCard*> cards_;
+  QList<ChartCard*> cards_;  ///< the charts, then the others
   ChartCard* at_hand_;
   int columns_ = 0;
 };

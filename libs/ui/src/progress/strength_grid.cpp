@@ -6,26 +6,16 @@
 #include <QScrollBar>
 
 #include "kanji_text.h"
+#include "nazori/practice/strengths.h"
+#include "progress/role_colours.h"
 #include "progress/study_charts.h"
 
 namespace nazori::ui {
 
 StrengthLook look_of(study::Strength strength, const Colours& c) {
-  switch (strength) {
-    case study::Strength::unseen:
-      return {c.surface, c.muted, {}};
-    case study::Strength::learning:
-      return {blend(c.surface, c.indigo, 0.10), c.ink, QStringLiteral("◔")};
-    case study::Strength::young:
-      return {blend(c.surface, c.indigo, 0.30), c.ink, QStringLiteral("◑")};
-    case study::Strength::mature:
-      return {c.indigo, c.surface, QStringLiteral("●")};
-    case study::Strength::leech:
-      return {blend(c.surface, c.vermilion, 0.22), c.ink, QStringLiteral("!")};
-    case study::Strength::paused:
-      return {c.paper, c.muted, QStringLiteral("‖")};
-  }
-  return {};
+  const auto look = practice::look_of(strength);
+  return {colour_of(look.fill, c), colour_of(look.text, c), look.sign == 0 ? QString() : to_text(look.sign),
+          look.dashed};
 }
 
 void StrengthModel::set_states(std::vector<study::CharacterState> states) {
@@ -82,8 +72,8 @@ void StrengthDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
   const QRectF tile = QRectF(option.rect).adjusted(2, 2, -2, -2);
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
-  const bool open = strength == study::Strength::unseen || strength == study::Strength::paused;
-  painter->setPen(QPen(here ? c.ink : c.line, here ? 3 : 1, open && !here ? Qt::DashLine : Qt::SolidLine));
+  painter->setPen(
+      QPen(here ? c.ink : c.line, here ? 3 : 1, look.dashed && !here ? Qt::DashLine : Qt::SolidLine));
   painter->setBrush(look.fill);
   painter->drawRoundedRect(tile, 5, 5);
   painter->setPen(look.text);

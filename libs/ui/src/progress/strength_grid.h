@@ -11,11 +11,12 @@
 
 namespace nazori::ui {
 
-/// How a strength looks: a fill whose lightness alone tells it, and a sign.
+/// practice::StrengthLook in the colours of a palette.
 struct StrengthLook {
   QColor fill;
   QColor text;
-  QString sign;  ///< one character: ◔ ◑ ● ! ‖, nothing for one not met
+  QString sign;         ///< one character: ◔ ◑ ● ! ‖, nothing for one not met
+  bool dashed = false;  ///< the edge
 };
 [[nodiscard]] StrengthLook look_of(study::Strength strength, const Colours& colours);
 

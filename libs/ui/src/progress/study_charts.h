@@ -3,24 +3,24 @@
 
 #include <QCoreApplication>
 
-#include "nazori/study/periods.h"
+#include "nazori/practice/chart.h"
 #include "nazori/study/statistics.h"
-#include "progress/chart.h"
+#include "progress/chart_text.h"
 
 namespace nazori::ui {
 
-/// What a learner's statistics look like as charts, with their words. Pure: no widget.
+/// The words of a learner's statistics and of their charts. Pure: no widget.
 class StudyCharts {
   Q_DECLARE_TR_FUNCTIONS(nazori::ui::StudyCharts)
  public:
-  /// Reviews that fall due on each of 30 days.
-  [[nodiscard]] static Chart forecast(const study::Statistics& statistics);
-  /// Reviews and minutes of each day, week or month from `first` on.
-  [[nodiscard]] static Chart activity(const study::Statistics& statistics, study::Day first);
-  /// True and predicted retention.
-  [[nodiscard]] static Chart retention(const study::Statistics& statistics, study::Day first);
-  /// Speed and smoothness of the pen.
-  [[nodiscard]] static Chart motion(const study::Statistics& statistics, study::Day first);
+  /// Title, summary, names and numbers of a chart.
+  [[nodiscard]] static ChartText text(const practice::Chart& chart);
+  /// "forecast": never translated.
+  [[nodiscard]] static QString id(practice::ChartId chart);
+  /// What the menu calls a chart, with its mnemonic: "Reviews to &come".
+  [[nodiscard]] static QString menu_text(practice::ChartId chart);
+  /// What its menu item does: "Go to the reviews to come".
+  [[nodiscard]] static QString menu_tip(practice::ChartId chart);
   /// The hardest strokes as numbers only.
   [[nodiscard]] static Numbers hard_strokes(const study::Statistics& statistics);
 
@@ -28,6 +28,8 @@ class StudyCharts {
   [[nodiscard]] static QString mistakes(const study::HardStroke& stroke);
   [[nodiscard]] static QString mistake(kanji::MistakeKind kind);
   [[nodiscard]] static QString strength(study::Strength strength);
+  /// "12.5", "91 %".
+  [[nodiscard]] static QString number(double value, practice::NumberFormat format);
   /// "91 %".
   [[nodiscard]] static QString percent(double share);
   /// "20 Nov 2026".

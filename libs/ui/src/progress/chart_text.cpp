@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "progress/chart.h"
+#include "progress/chart_text.h"
 
 #include <QCoreApplication>
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "nazori/practice/chart.h"
+#include "nazori/study/statistics.h"
+
+namespace nazori::practice {
+
+/// How a strength looks in the grid of characters. The lightness of the fill alone tells how well a character
+/// is known.
+struct StrengthLook {
+  Colour fill;
+  Colour text;
+  char32_t sign = 0;    ///< ◔ ◑ ● ! ‖; 0: none, not studied
+  bool dashed = false;  ///< the edge: not studied or suspended
+};
+[[nodiscard]] StrengthLook look_of(study::Strength strength);
+
+/// The characters of a list with their states: as unseen those that the statistics do not know.
+[[nodiscard]] std::vector<study::CharacterState> states_of(std::span<const char32_t> characters,
+                                                           const study::Statistics& statistics);
+
+/// How many characters have each strength, the firmest first; strengths without any are left out.
+[[nodiscard]] std::vector<std::pair<study::Strength, int>> count_by_strength(
+    std::span<const study::CharacterState> states);
+
+}  // namespace nazori::practice
