@@ -82,7 +82,7 @@ base::Result<void> carve_one(Console& console, const kanji::Character& character
 
 Json carved_json(const kanji::Character& character, const Target& target, const CarveSettings& settings) {
   return {{"character", base::encode_utf8(character.code_point)},
-          {"code_point", code_point_text(character.code_point)},
+          {"code_point", kanji::code_point_text(character.code_point)},
           {"variant", character.variant},
           {"file", target.map.name()},
           {"size", settings.size},
@@ -94,7 +94,7 @@ std::string carved_text(const kanji::Character& character, const Target& target,
                         const CarveSettings& settings) {
   // Nothing is mixed with a file on standard output.
   if (target.map.is_console() || (target.strokes && target.strokes->is_console())) return {};
-  const std::string name = name_of(character).text();
+  const std::string name = kanji::name_of(character).text();
   std::string text = fmt::format("{}  {}  {} x {}\n", name, target.map.name(), settings.size, settings.size);
   if (target.strokes)
     text += fmt::format("{}  {}  {} strokes\n", name, target.strokes->name(), character.strokes.size());
@@ -102,7 +102,7 @@ std::string carved_text(const kanji::Character& character, const Target& target,
 }
 
 int run(Console& console, const CarveSettings& settings) {
-  const auto names = parse_characters(settings.characters);
+  const auto names = kanji::parse_characters(settings.characters);
   if (!names) return console.refuse(names.error());
   const auto targets = targets_of(settings, *names);
   if (!targets) return console.refuse(targets.error());
@@ -112,7 +112,7 @@ int run(Console& console, const CarveSettings& settings) {
   Json document = Json::array();
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   for (std::size_t i = 0; i < characters->size(); ++i) {
-    const std::string name = name_of((*characters)[i]).text();
+    const std::string name = kanji::name_of((*characters)[i]).text();
     if (!progress.show(static_cast<double>(i) / static_cast<double>(characters->size()), "carving " + name)) {
       return console.refuse({base::Errc::cancelled, "stopped", name, ""});
     }

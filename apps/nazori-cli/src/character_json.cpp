@@ -103,7 +103,7 @@ Json to_json(const kanji::Character& character, const std::optional<kanji::Radic
   const kanji::DictionaryEntry& entry = character.entry;
   return {
       {"character", base::encode_utf8(character.code_point)},
-      {"code_point", code_point_text(character.code_point)},
+      {"code_point", kanji::code_point_text(character.code_point)},
       {"variant", character.variant},
       {"stroke_count", character.strokes.size()},
       {"dictionary_stroke_counts", entry.stroke_counts},
@@ -123,7 +123,7 @@ Json to_json(const kanji::Character& character, const std::optional<kanji::Radic
 
 Json to_json(const kanji::Summary& summary) {
   return {{"character", base::encode_utf8(summary.code_point)},
-          {"code_point", code_point_text(summary.code_point)},
+          {"code_point", kanji::code_point_text(summary.code_point)},
           {"meaning", summary.meaning},
           {"reading", summary.reading},
           {"stroke_count", summary.strokes},

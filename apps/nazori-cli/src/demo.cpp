@@ -88,7 +88,7 @@ Json trace_json(const kanji::Character& character, const TabletTrace& trace, con
   for (const StrokeTrace& stroke : trace.strokes) strokes.push_back(stroke_json(stroke));
   const Tracking tracking = tracking_of(trace);
   Json json{{"character", base::encode_utf8(character.code_point)},
-            {"code_point", code_point_text(character.code_point)},
+            {"code_point", kanji::code_point_text(character.code_point)},
             {"variant", character.variant},
             {"picture", picture.string()},
             {"device", settings.hardware.name},
@@ -164,7 +164,7 @@ base::Result<void> paint(const tablet::CarvedTablet& tablet, const TabletTrace& 
 }
 
 int run(Console& console, const DemoSettings& settings) {
-  const auto names = parse_characters(settings.characters);
+  const auto names = kanji::parse_characters(settings.characters);
   if (!names) return console.refuse(names.error());
   if (auto size = parse_picture_size(settings.look.size); !size) return console.refuse(size.error());
   const auto paths = output_files({"--output", settings.output, {".png"}}, *names);
@@ -192,7 +192,7 @@ int run(Console& console, const DemoSettings& settings) {
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   for (std::size_t i = 0; i < characters->size(); ++i) {
     const kanji::Character& character = (*characters)[i];
-    const std::string name = name_of(character).text();
+    const std::string name = kanji::name_of(character).text();
     const auto tablet = tablet::CarvedTablet::from_lines(character.lines(), kMapSize, settings.brush);
     if (!tablet) return console.refuse(tablet.error());
     std::optional<Record> record;

@@ -149,7 +149,7 @@ int test(Console& console, devices::DeviceCatalogue& catalogue, const DevicesSet
 }
 
 int run(Console& console, const DevicesSettings& settings) {
-  devices::DeviceCatalogue catalogue(devices::every_back_end(devices::BackEndSettings::from_environment()));
+  devices::DeviceCatalogue catalogue(devices::every_back_end(devices::back_end_settings()));
   if (settings.test_s > 0) return test(console, catalogue, settings);
   if (settings.device.empty()) return list(console, catalogue, settings);
   return console.refuse({base::Errc::bad_argument, "without --test there is nothing to do with it",

@@ -72,7 +72,7 @@ tl::expected<Subject, int> subject_of(Console& console, const FeelSettings& sett
     return Subject{settings.own.height_map.empty() ? settings.own.strokes : settings.own.height_map,
                    std::move(*tablet)};
   }
-  const auto names = parse_characters(settings.characters);
+  const auto names = kanji::parse_characters(settings.characters);
   if (!names) return tl::unexpected(console.refuse(names.error()));
   if (names->size() > 1) {
     return tl::unexpected(console.refuse({base::Errc::bad_argument, "one hand feels one character at a time",

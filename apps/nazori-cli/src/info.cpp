@@ -45,7 +45,7 @@ std::string grade_text(int grade) {
 }
 
 std::string headline(const kanji::Character& character) {
-  std::vector<std::string> parts{code_point_text(character.code_point)};
+  std::vector<std::string> parts{kanji::code_point_text(character.code_point)};
   const std::size_t drawn = character.strokes.size();
   const auto& counts = character.entry.stroke_counts;
   const std::size_t count = drawn > 0 || counts.empty() ? drawn : static_cast<std::size_t>(counts.front());
@@ -56,7 +56,7 @@ std::string headline(const kanji::Character& character) {
     parts.push_back(fmt::format("{} in the dictionary", counts.front()));
   }
   if (character.entry.grade) parts.push_back(grade_text(*character.entry.grade));
-  return fmt::format("{}  {}\n", name_of(character).text(), fmt::join(parts, " · "));
+  return fmt::format("{}  {}\n", kanji::name_of(character).text(), fmt::join(parts, " · "));
 }
 
 std::string radical_text(const kanji::Radical& radical) {
@@ -152,7 +152,7 @@ std::string describe(const kanji::Character& character, const std::optional<kanj
 }
 
 int run(Console& console, const InfoSettings& settings) {
-  const auto names = parse_characters(settings.characters);
+  const auto names = kanji::parse_characters(settings.characters);
   if (!names) return console.refuse(names.error());
   const auto database = open_database(settings.database);
   if (!database) return console.refuse(database.error());

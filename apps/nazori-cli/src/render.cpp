@@ -88,7 +88,7 @@ int run_own(Console& console, const RenderSettings& settings) {
 }
 
 int run_characters(Console& console, const RenderSettings& settings) {
-  const auto names = parse_characters(settings.characters);
+  const auto names = kanji::parse_characters(settings.characters);
   if (!names) return console.refuse(names.error());
   const auto paths = output_files({"--output", settings.output, {".png"}}, *names);
   if (!paths) return console.refuse(paths.error());
@@ -103,7 +103,7 @@ int run_characters(Console& console, const RenderSettings& settings) {
   Json document = Json::array();
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   for (std::size_t i = 0; i < characters->size(); ++i) {
-    const std::string name = name_of((*characters)[i]).text();
+    const std::string name = kanji::name_of((*characters)[i]).text();
     if (!progress.show(static_cast<double>(i) / static_cast<double>(characters->size()), "drawing " + name)) {
       return console.refuse({base::Errc::cancelled, "stopped", name, ""});
     }

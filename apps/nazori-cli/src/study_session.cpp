@@ -131,7 +131,7 @@ base::Result<std::vector<char32_t>> StudySession::characters(const std::vector<s
     characters.insert(characters.end(), members->begin(), members->end());
   }
   if (!named.empty()) {
-    const auto names = parse_characters(named);
+    const auto names = kanji::parse_characters(named);
     if (!names) return tl::unexpected(names.error());
     std::vector<CharacterName> missing;
     for (const CharacterName& name : *names) {

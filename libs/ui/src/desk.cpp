@@ -25,9 +25,10 @@ Desk::Desk(QWidget& window, const std::filesystem::path& database, QString setti
       preferences_(Preferences::load(settings_file_)),
       library_(inbox(), database),
       judge_(inbox(), database),
-      recording_(controller_.stylus(), settings_file_),
-      learner_(inbox(), learner) {
-  controller_.set_style(preferences_.style);
+      recording_(tablet_.device(), settings_file_),
+      learner_(inbox(), learner),
+      practice_({inbox(), clock_, tablet_, library_, workshop_, judge_, session_}) {
+  tablet_.set_style(preferences_.style);
   connect(this, &Desk::character_shown, this, &Desk::note_opened);
   QTimer::singleShot(kSettled_ms, this, &Desk::note_opened);
   subscribe(learner_.announced, this, [this](const practice::LearnerEvent& event) {

@@ -9,6 +9,7 @@
 #include "event_loop_inbox.h"
 #include "feedback_line.h"
 #include "nazori/practice/character_library.h"
+#include "nazori/practice/character_practice.h"
 #include "nazori/practice/learner.h"
 #include "nazori/practice/learner_exchange.h"
 #include "nazori/practice/settings_change.h"
@@ -17,7 +18,7 @@
 #include "nazori/practice/writing_judge.h"
 #include "preferences.h"
 #include "session_recording.h"
-#include "tablet_controller.h"
+#include "window_tablet.h"
 
 namespace nazori::ui {
 
@@ -38,7 +39,8 @@ class Desk final : public QObject {
   [[nodiscard]] base::Inbox& inbox() { return inbox_.inbox(); }
   [[nodiscard]] practice::CharacterLibrary& library() { return library_; }
   [[nodiscard]] practice::TabletWorkshop& workshop() { return workshop_; }
-  [[nodiscard]] TabletController& controller() { return controller_; }
+  [[nodiscard]] WindowTablet& tablet() { return tablet_; }
+  [[nodiscard]] practice::CharacterPractice& practice() { return practice_; }
   [[nodiscard]] practice::WritingJudge& judge() { return judge_; }
   [[nodiscard]] SessionRecording& recording() { return recording_; }
   [[nodiscard]] practice::Learner& learner() { return learner_; }
@@ -46,8 +48,8 @@ class Desk final : public QObject {
   [[nodiscard]] practice::SettingsChange& settings_change() { return settings_change_; }
   [[nodiscard]] practice::StudySession& session() { return session_; }
   /// The ways to haptic devices, for who opens them.
-  [[nodiscard]] Stylus::BackEnds take_back_ends() { return std::move(back_ends_); }
-  void set_back_ends(Stylus::BackEnds back_ends) { back_ends_ = std::move(back_ends); }
+  [[nodiscard]] devices::TabletDevice::BackEnds take_back_ends() { return std::move(back_ends_); }
+  void set_back_ends(devices::TabletDevice::BackEnds back_ends) { back_ends_ = std::move(back_ends); }
 
   /// One sentence in the feedback line, also to the screen reader.
   void say(Feedback kind, const QString& sentence);
@@ -97,7 +99,7 @@ class Desk final : public QObject {
   practice::CharacterLibrary library_;
   practice::TabletWorkshop workshop_{inbox_.inbox()};
   practice::WritingJudge judge_;
-  TabletController controller_;
+  WindowTablet tablet_;
   SessionRecording recording_;
   practice::Learner learner_;
   practice::LearnerExchange exchange_{inbox(), learner_};
@@ -105,7 +107,8 @@ class Desk final : public QObject {
   QTimer day_timer_;
   base::SystemClock clock_;
   practice::StudySession session_{learner_, clock_};
-  Stylus::BackEnds back_ends_;
+  practice::CharacterPractice practice_;
+  devices::TabletDevice::BackEnds back_ends_;
   bool settled_ = false;
   QList<std::pair<Feedback, QString>> news_;
 };

@@ -18,39 +18,16 @@ QString to_text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
 
-KunReading split_kun(std::string_view reading) {
-  KunReading out;
-  QString text = to_text(reading);
-  if (text.startsWith(QLatin1Char('-'))) {
-    out.as_suffix = true;
-    text.remove(0, 1);
-  }
-  if (text.endsWith(QLatin1Char('-'))) {
-    out.as_prefix = true;
-    text.chop(1);
-  }
-  const auto dot = text.indexOf(QLatin1Char('.'));
-  out.stem = dot < 0 ? text : text.left(dot);
-  if (dot >= 0) out.okurigana = text.mid(dot + 1);
-  return out;
-}
+QString kun_plain(const kanji::KunReading& r) { return to_text(kanji::kun_text(r)); }
 
-QString kun_plain(const KunReading& r) {
-  QString text = r.as_suffix ? QStringLiteral("～") : QString();
-  text += r.stem;
-  if (!r.okurigana.isEmpty()) text += QStringLiteral("・") + r.okurigana;
-  if (r.as_prefix) text += QStringLiteral("～");
-  return text;
-}
-
-QString kun_rich(const KunReading& r, const QColor& muted) {
+QString kun_rich(const kanji::KunReading& r, const QColor& muted) {
   const auto faint = [&muted](const QString& text) {
     return text.isEmpty()
                ? QString()
                : QStringLiteral("<span style=\"color:%1\">%2</span>").arg(muted.name(), text.toHtmlEscaped());
   };
-  return faint(r.as_suffix ? QStringLiteral("～") : QString()) + r.stem.toHtmlEscaped() +
-         faint(r.okurigana.isEmpty() ? QString() : QStringLiteral("・") + r.okurigana) +
+  return faint(r.as_suffix ? QStringLiteral("～") : QString()) + to_text(r.stem).toHtmlEscaped() +
+         faint(r.okurigana.empty() ? QString() : QStringLiteral("・") + to_text(r.okurigana)) +
          faint(r.as_prefix ? QStringLiteral("～") : QString());
 }
 

@@ -175,7 +175,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   window.addToolBar(Qt::TopToolBarArea, tool_bar);
   window.setContextMenuPolicy(Qt::NoContextMenu);
   feedback = new FeedbackLine(&window);
-  status = new StatusLine(desk.controller(), desk.recording(), &window);
+  status = new StatusLine(desk.tablet(), desk.recording(), &window);
   window.setStatusBar(status);
   build_tablet(setup.draws_tablet);
 
@@ -229,7 +229,7 @@ void MainWindow::Inside::build(const Setup& setup) {
 
 void MainWindow::Inside::build_tablet(bool draws_tablet) {
   if (draws_tablet && TabletWindow::is_possible()) {
-    tablet_window = new TabletWindow(&desk.controller());
+    tablet_window = new TabletWindow(&desk.tablet());
     tablet_place = QWidget::createWindowContainer(tablet_window, &window);
     tablet_place->setFocusPolicy(Qt::StrongFocus);
   } else {
@@ -292,7 +292,7 @@ void MainWindow::Inside::show_title() {
 
 void MainWindow::Inside::show_state() {
   const auto& preferences = desk.preferences();
-  const auto style = desk.controller().style();
+  const auto style = desk.tablet().style();
   const std::pair<QAction*, bool> states[] = {
       {actions->wood, style == view::Style::wood},
       {actions->slate, style == view::Style::slate},
@@ -382,7 +382,7 @@ void MainWindow::Inside::save_preferences() {
   }
   preferences.left_open = panes->left_wanted();
   preferences.right_open = panes->right_wanted();
-  preferences.style = desk.controller().style();
+  preferences.style = desk.tablet().style();
   const bool saved = preferences.save(desk.settings_file());
   QSettings settings(desk.settings_file(), QSettings::IniFormat);
   for (const auto& workplace : workplaces) {

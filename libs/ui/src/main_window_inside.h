@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "desk.h"
+#include "nazori/audio/stroke_sound.h"
 #include "nazori/ui/main_window.h"
-#include "stroke_sound.h"
 #include "workplace.h"
 
 class QStackedWidget;
@@ -54,6 +54,7 @@ struct MainWindow::Inside {
 
   MainWindow& window;
   Appearance& appearance;
+  audio::StrokeSound sound;  ///< hears the stylus of the desk, so it outlives it
   Desk desk;
   std::vector<std::unique_ptr<Workplace>> workplaces;
   Workplace* current = nullptr;
@@ -71,7 +72,6 @@ struct MainWindow::Inside {
 
   std::vector<kanji::Source> sources;
   QTimer save_timer;
-  StrokeSound sound;
 };
 
 }  // namespace nazori::ui

@@ -67,7 +67,7 @@ void MainWindow::Inside::connect_actions() {
   });
   on(actions->quit, [this] { window.close(); });
 
-  auto* controller = &desk.controller();
+  auto* controller = &desk.tablet();
   on(actions->wood, [controller] { controller->set_style(view::Style::wood); });
   on(actions->slate, [controller] { controller->set_style(view::Style::slate); });
   on(actions->classic, [controller] { controller->set_style(view::Style::classic); });
@@ -89,6 +89,7 @@ void MainWindow::Inside::connect_actions() {
   on(actions->text_usual, [this] { set_text_size(Preferences::kMinText_pt); });
   on(actions->reduced_motion, [this](bool reduced) {
     desk.preferences().reduced_motion = reduced;
+    desk.practice().watch().set_reduced_motion(reduced);
     if (tablet_window != nullptr) tablet_window->set_reduced_motion(reduced);
     save_later();
   });
@@ -143,11 +144,11 @@ void MainWindow::Inside::connect_desk() {
     actions->right_panel->setChecked(right);
     save_later();
   });
-  QObject::connect(&desk.controller(), &TabletController::state_changed, &window, [this] {
+  subscribe(desk.tablet().state_changed, &window, [this] {
     show_state();
     save_later();
   });
-  QObject::connect(&desk.controller(), &TabletController::depth_changed, status, &StatusLine::show_depth);
+  subscribe(desk.tablet().depth_changed, status, [this](double depth_m) { status->show_depth(depth_m); });
   QObject::connect(&appearance, &Appearance::changed, &window, [this] { take_appearance(); });
 }
 
@@ -193,14 +194,13 @@ void MainWindow::Inside::connect_recording() {
 
 void MainWindow::Inside::connect_sound() {
   auto& preferences = desk.preferences();
-  auto& controller = desk.controller();
-  QObject::connect(&sound, &StrokeSound::failed, &window,
-                   [this](const base::Error& error) { desk.tell(Feedback::advice, no_sound(error)); });
-  QObject::connect(&controller.stylus(), &Stylus::sampled, &sound,
-                   [this, &controller](std::span<const haptics::ServoSample> samples) {
-                     const auto& tablet = controller.tablet();
-                     sound.follow(samples, tablet ? tablet->shape() : geometry::TabletShape{});
-                   });
+  auto& controller = desk.tablet();
+  sound.on_failure([this](const base::Error& error) { desk.tell(Feedback::advice, no_sound(error)); });
+  subscribe(controller.device().sampled, &window,
+            [this, &controller](std::span<const haptics::ServoSample> samples) {
+              const auto& tablet = controller.tablet();
+              sound.follow(samples, tablet ? tablet->shape() : geometry::TabletShape{});
+            });
   QObject::connect(actions->groove_sound, &QAction::toggled, &window, [this](bool on) {
     desk.preferences().groove_sound = on;
     sound.set_on(on);
@@ -260,7 +260,7 @@ void MainWindow::Inside::record(bool on) {
   dialog.selectFile(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HHmm")));
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
   const QString path = dialog.selectedFiles().front();
-  const auto& tablet = desk.controller().tablet();
+  const auto& tablet = desk.tablet().tablet();
   const auto started =
       recording.start(path, current->title(), tablet ? tablet->shape() : geometry::TabletShape{});
   if (!started) {
@@ -285,7 +285,7 @@ void MainWindow::Inside::connect_tablet() {
   }
   connect_recording();
   connect_sound();
-  if (const auto started = desk.controller().start(); !started)
+  if (const auto started = desk.tablet().start(); !started)
     desk.say(Feedback::wrong, MainWindow::tr("The stylus does not work: %1.").arg(reason(started.error())));
 }
 

@@ -7,7 +7,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "stylus.h"
+#include "nazori/devices/tablet_device.h"
+#include "signals.h"
 
 namespace nazori::ui {
 namespace {
@@ -30,9 +31,9 @@ QString numbered(const QString& path, qsizetype number) {
 
 }  // namespace
 
-SessionRecording::SessionRecording(Stylus& stylus, QString settings_file, QObject* parent)
+SessionRecording::SessionRecording(devices::TabletDevice& stylus, QString settings_file, QObject* parent)
     : QObject(parent), stylus_(stylus), settings_file_(std::move(settings_file)) {
-  connect(&stylus_, &Stylus::leaving, this, [this] {
+  subscribe(stylus_.leaving, this, [this] {
     if (!recorder_) return;
     going_on_ = true;
     if (const auto closed = close(); !closed) emit failed(path_, closed.error());
@@ -43,7 +44,7 @@ SessionRecording::SessionRecording(Stylus& stylus, QString settings_file, QObjec
     const QString path = path_;
     if (const auto ended = finish(); !ended) emit failed(path, ended.error());
   });
-  connect(&stylus_, &Stylus::changed, this, [this] { move_on(); });
+  subscribe(stylus_.changed, this, [this] { move_on(); });
 }
 
 SessionRecording::~SessionRecording() {

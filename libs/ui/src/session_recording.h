@@ -13,9 +13,11 @@
 #include "nazori/recording/session_recorder.h"
 #include "worker.h"
 
-namespace nazori::ui {
+namespace nazori::devices {
+class TabletDevice;
+}  // namespace nazori::devices
 
-class Stylus;
+namespace nazori::ui {
 
 /// Records every moment of feeling to a file, whatever device has the tablet. Another device goes on in a
 /// file of its own, numbered, because a recording says of which device it is. Which file is being written is
@@ -24,7 +26,7 @@ class Stylus;
 class SessionRecording final : public QObject {
   Q_OBJECT
  public:
-  SessionRecording(Stylus& stylus, QString settings_file, QObject* parent = nullptr);
+  SessionRecording(devices::TabletDevice& stylus, QString settings_file, QObject* parent = nullptr);
   ~SessionRecording() override;
 
   /// @param path  .nzr or .csv. @param character  what lies on the desk.
@@ -66,7 +68,7 @@ class SessionRecording final : public QObject {
   void remember(const QString& path) const;
   void forget(const QString& path) const;
 
-  Stylus& stylus_;
+  devices::TabletDevice& stylus_;
   QString settings_file_;
   QString first_path_;
   QString path_;

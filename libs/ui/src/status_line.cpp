@@ -9,8 +9,9 @@
 #include <cmath>
 
 #include "device_text.h"
+#include "nazori/practice/tablet_control.h"
 #include "session_recording.h"
-#include "tablet_controller.h"
+#include "signals.h"
 
 namespace nazori::ui {
 namespace {
@@ -21,7 +22,8 @@ constexpr int kGap = 8;
 
 }  // namespace
 
-StatusLine::StatusLine(TabletController& controller, const SessionRecording& recording, QWidget* parent)
+StatusLine::StatusLine(practice::TabletControl& controller, const SessionRecording& recording,
+                       QWidget* parent)
     : QStatusBar(parent),
       controller_(controller),
       recording_(recording),
@@ -51,7 +53,7 @@ StatusLine::StatusLine(TabletController& controller, const SessionRecording& rec
   since_.start();
   show_device();
   show_recording();
-  connect(&controller_.stylus(), &Stylus::changed, this, [this] {
+  subscribe(controller_.device().changed, this, [this] {
     ticks_ = 0;
     show_device();
     look();
@@ -70,7 +72,7 @@ StatusLine::StatusLine(TabletController& controller, const SessionRecording& rec
 }
 
 void StatusLine::show_device() {
-  const auto device = controller_.stylus().describe();
+  const auto device = controller_.device().describe();
   const QString name = device_name(device.name);
   device_->setText(device.has_force ? name : tr("%1, without force").arg(name));
 }
@@ -81,7 +83,7 @@ void StatusLine::show_recording() {
     return;
   }
   const auto status = recording_.status();
-  const double seconds = static_cast<double>(status.samples) / controller_.stylus().describe().rate_hz;
+  const double seconds = static_cast<double>(status.samples) / controller_.device().describe().rate_hz;
   const QString file = QFileInfo(recording_.path()).fileName();
   const QString words = tr("● %1, %2 s").arg(file, QLocale().toString(seconds, 'f', 0));
   record_->setText(
@@ -132,9 +134,9 @@ void StatusLine::fit() {
 
 void StatusLine::look() {
   show_recording();
-  const auto timing = controller_.stylus().timing();
+  const auto timing = controller_.device().timing();
   const double seconds = static_cast<double>(since_.restart()) / 1000;
-  if (controller_.stylus().is_resting()) {
+  if (controller_.device().is_resting()) {
     rate_->setText(tr("at rest"));
   } else if (ticks_ > 0 && seconds > 0.2) {
     // To tens: the last digit is only the stopwatch.

@@ -8,17 +8,20 @@
 
 class QLabel;
 
+namespace nazori::practice {
+class TabletControl;
+}
+
 namespace nazori::ui {
 
 class SessionRecording;
-class TabletController;
 
 /// The device, the rate its servo really runs at, how long a tick takes and how late it comes, how old the
 /// drawn stylus is, and what was missed. Looks once a second.
 class StatusLine final : public QStatusBar {
   Q_OBJECT
  public:
-  StatusLine(TabletController& controller, const SessionRecording& recording, QWidget* parent);
+  StatusLine(practice::TabletControl& controller, const SessionRecording& recording, QWidget* parent);
 
   void show_depth(double depth_m);
 
@@ -32,7 +35,7 @@ class StatusLine final : public QStatusBar {
   void show_device();
   void show_recording();
 
-  TabletController& controller_;
+  practice::TabletControl& controller_;
   const SessionRecording& recording_;
   QLabel* record_;
   QLabel* device_;

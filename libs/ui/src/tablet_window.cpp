@@ -21,6 +21,7 @@
 #include <glm/geometric.hpp>
 
 #include "nazori/view/point_under.h"
+#include "signals.h"
 
 namespace nazori::ui {
 namespace {
@@ -52,16 +53,16 @@ QStringList local_files(const QMimeData* data) {
 
 }  // namespace
 
-TabletWindow::TabletWindow(TabletController* controller)
+TabletWindow::TabletWindow(practice::TabletControl* controller)
     : controller_(controller), style_(controller->style()), camera_(home(style_)) {
   setObjectName(QStringLiteral("tablet_window"));
   setFormat(surface_format());
   frame_timer_.setSingleShot(true);
   frame_timer_.setTimerType(Qt::PreciseTimer);
   connect(&frame_timer_, &QTimer::timeout, this, qOverload<>(&QPaintDeviceWindow::update));
-  connect(controller_, &TabletController::picture_changed, this, &TabletWindow::request_frame);
-  connect(controller_, &TabletController::state_changed, this, &TabletWindow::take_style);
-  connect(controller_, &TabletController::tablet_changed, this, [this] { tablet_stale_ = true; });
+  subscribe(controller_->picture_changed, this, [this] { request_frame(); });
+  subscribe(controller_->state_changed, this, [this] { take_style(); });
+  subscribe(controller_->tablet_changed, this, [this] { tablet_stale_ = true; });
   still_timer_.setSingleShot(true);
   still_timer_.setInterval(kStill_ms);
   connect(&still_timer_, &QTimer::timeout, this, &TabletWindow::request_frame);
@@ -279,7 +280,7 @@ void TabletWindow::tabletEvent(QTabletEvent* event) {
   since_pen_.start();
   const QPointF at = event->position();
   if (event->pointingDevice()->hasCapability(QInputDevice::Capability::XTilt))
-    controller_->lean_stylus(QPointF(event->xTilt(), event->yTilt()));
+    controller_->lean_stylus(practice::PenTilt{event->xTilt(), event->yTilt()});
   // Qt's left button is the tip. The buttons on the barrel do what those of a mouse do, while the tip is up:
   // one that is pressed in the middle of a stroke is an accident of the hand.
   const bool is_tip = event->button() == Qt::LeftButton;
@@ -288,7 +289,7 @@ void TabletWindow::tabletEvent(QTabletEvent* event) {
       if (event->button() == Qt::RightButton) begin_drag(Drag::orbit, at);
       if (event->button() == Qt::MiddleButton) begin_drag(Drag::pan, at);
     } else if (is_tip && event->pointerType() == QPointingDevice::PointerType::Eraser) {
-      emit controller_->eraser_used();
+      controller_->eraser_used();
     } else if (is_tip && drag_ == Drag::none) {
       pen_down_ = true;
     }

@@ -10,8 +10,8 @@
 #include <memory>
 #include <optional>
 
+#include "nazori/practice/tablet_control.h"
 #include "nazori/view/tablet_view.h"
-#include "tablet_controller.h"
 
 namespace nazori::ui {
 
@@ -26,7 +26,7 @@ namespace nazori::ui {
 class TabletWindow final : public QOpenGLWindow {
   Q_OBJECT
  public:
-  explicit TabletWindow(TabletController* controller);
+  explicit TabletWindow(practice::TabletControl* controller);
   ~TabletWindow() override;
 
   /// OpenGL 3.3 core as the scene needs it.
@@ -80,7 +80,7 @@ class TabletWindow final : public QOpenGLWindow {
   void begin_drag(Drag drag, QPointF position);
   void release_graphics();
 
-  TabletController* controller_;
+  practice::TabletControl* controller_;
   std::unique_ptr<view::TabletView> view_;
   view::Theme theme_ = view::Theme::light;
   view::Style style_;

@@ -101,8 +101,8 @@ TEST_F(NewsOfTheDesk, NothingIsSaidWhereThereIsNothingToSay) {
 
 TEST(StatusLine, TellsDepthInMillimetresWhileThereIsAny) {
   const QTemporaryDir folder;
-  TabletController controller;
-  const SessionRecording recording(controller.stylus(), folder.filePath(QStringLiteral("nazori.ini")));
+  WindowTablet controller;
+  const SessionRecording recording(controller.device(), folder.filePath(QStringLiteral("nazori.ini")));
   StatusLine line(controller, recording, nullptr);
   line.resize(2000, 30);
   line.show();

@@ -15,9 +15,9 @@
 #include "device/button_lines.h"
 #include "device/device_actions.h"
 #include "device/feel_panel.h"
-#include "device/number_slider.h"
 #include "device/seat_panel.h"
-#include "stylus.h"
+#include "number_slider.h"
+#include "window_tablet.h"
 
 namespace nazori::ui {
 namespace {
@@ -213,9 +213,9 @@ TEST_F(Seat, ShowsWhatIsRememberedOfADeviceAndTellsNothingOfIt) {
   QSignalSpy posture(&panel_, &SeatPanel::posture_changed);
   QSignalSpy limits(&panel_, &SeatPanel::limits_changed);
   QSignalSpy buttons(&panel_, &SeatPanel::buttons_changed);
-  DeviceSettings settings;
+  devices::DeviceSettings settings;
   settings.posture = {30 * kDegree, -20 * kDegree, devices::WritingHand::left};
-  settings.buttons = {ButtonDoes::clear_ink, ButtonDoes::previous_stroke};
+  settings.buttons = {devices::ButtonDoes::clear_ink, devices::ButtonDoes::previous_stroke};
   settings.max_force_n = 1.5;
   settings.max_stiffness_n_m = 200;
   panel_.show_device(settings, arm(), 1.256);
@@ -262,14 +262,15 @@ TEST_F(Seat, TellsEachSettingThatAHandChanges) {
   find<QSlider>("tilt")->setValue(100);
   EXPECT_NEAR(postures.back().tilt_rad, 90 * kDegree, 1e-12);
 
-  std::vector<std::pair<ButtonDoes, ButtonDoes>> buttons;
-  QObject::connect(&panel_, &SeatPanel::buttons_changed, &panel_,
-                   [&](ButtonDoes first, ButtonDoes second) { buttons.emplace_back(first, second); });
+  std::vector<std::pair<devices::ButtonDoes, devices::ButtonDoes>> buttons;
+  QObject::connect(
+      &panel_, &SeatPanel::buttons_changed, &panel_,
+      [&](devices::ButtonDoes first, devices::ButtonDoes second) { buttons.emplace_back(first, second); });
   find<QComboBox>("stylus_button_1")->setCurrentIndex(0);
   find<QComboBox>("stylus_button_2")->setCurrentIndex(4);
-  using enum ButtonDoes;
-  EXPECT_EQ(buttons,
-            (std::vector<std::pair<ButtonDoes, ButtonDoes>>{{nothing, all_strokes}, {nothing, clear_ink}}));
+  using enum devices::ButtonDoes;
+  EXPECT_EQ(buttons, (std::vector<std::pair<devices::ButtonDoes, devices::ButtonDoes>>{
+                         {nothing, all_strokes}, {nothing, clear_ink}}));
 
   std::vector<std::pair<double, double>> limits;
   QObject::connect(&panel_, &SeatPanel::limits_changed, &panel_, [&](double force_n, double stiffness_n_m) {
@@ -356,7 +357,7 @@ class Feel : public testing::Test {
 
   QWidget window_;
   DeviceActions actions_{&window_};
-  Stylus stylus_;
+  WindowTablet stylus_;
   FeelPanel panel_{stylus_, actions_, nullptr};
   std::vector<haptics::Material> told_;
 };

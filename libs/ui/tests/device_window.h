@@ -27,7 +27,7 @@ class Device : public WindowTest {
     workplaces_ = {make_place<Characters>, make_place<DevicePlace>};
     back_ends_ = [script = script_] {
       std::vector<std::unique_ptr<devices::BackEnd>> all;
-      all.push_back(std::make_unique<ScriptedBackEnd>(script));
+      all.push_back(std::make_unique<devices::test::ScriptedBackEnd>(script));
       all.push_back(devices::pointer_back_end());
       return all;
     };
@@ -45,8 +45,8 @@ class Device : public WindowTest {
     };
     open_window();
   }
-  TabletController& controller() { return desk_under_test->controller(); }
-  Stylus& stylus() { return controller().stylus(); }
+  practice::TabletControl& controller() { return desk_under_test->tablet(); }
+  devices::TabletDevice& stylus() { return controller().device(); }
   bool says(const QString& part) {
     return QTest::qWaitFor([&] { return feedback().contains(part); }, 5000);
   }
@@ -64,7 +64,7 @@ class Device : public WindowTest {
     return QTest::qWaitFor([&] { return script_->ticks >= from + count; }, 60'000);
   }
 
-  std::shared_ptr<Script> script_ = std::make_shared<Script>();
+  std::shared_ptr<devices::test::Script> script_ = std::make_shared<devices::test::Script>();
 };
 
 }  // namespace nazori::ui::test

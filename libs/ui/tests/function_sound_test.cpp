@@ -47,26 +47,6 @@ TEST(FunctionSound, WithoutASoundCardOneMessageIsGivenAndAllElseGoesOn) {
   sound.stop();
 }
 
-TEST(FunctionSound, ASweepPlaysToItsEnd) {
-  const WithDriver dummy("dummy");
-  FunctionSound sound;
-  sound.play(half_a_second());
-  EXPECT_TRUE(sound.is_playing());
-  EXPECT_TRUE(QTest::qWaitFor([&sound] { return !sound.is_playing(); }, 20000));
-}
-
-TEST(FunctionSound, StopEndsASweepAtOnce) {
-  const WithDriver dummy("dummy");
-  FunctionSound sound;
-  functions::Sound minute;
-  minute.samples.assign(60 * 2 * 44'100, 0.1F);
-  sound.play(minute);
-  sound.play(minute);
-  EXPECT_TRUE(sound.is_playing());
-  sound.stop();
-  EXPECT_FALSE(sound.is_playing());
-}
-
 TEST(FunctionSound, AHandThatTouchesTakesOverFromABriefToneWhoseEndNoLongerMatters) {
   const WithDriver dummy("dummy");
   FunctionSound sound;
@@ -84,25 +64,6 @@ TEST(FunctionSound, ABriefToneEndsByItself) {
   FunctionSound sound;
   sound.touch_briefly({440, 0, 0, 1});
   EXPECT_TRUE(QTest::qWaitFor([&sound] { return !sound.is_playing(); }, 20000));
-}
-
-TEST(FunctionSound, MutedItDoesNotEvenAskForASoundCard) {
-  const WithDriver none("no such driver");
-  FunctionSound sound;
-  sound.set_muted(true);
-  QSignalSpy said(&sound, &FunctionSound::unavailable);
-  sound.play(half_a_second());
-  sound.touch({440, 0, 0, 1});
-  EXPECT_EQ(said.count(), 0);
-  EXPECT_FALSE(sound.is_playing());
-}
-
-TEST(FunctionSound, TheVolumeIsHeldBetweenNothingAndAll) {
-  FunctionSound sound;
-  sound.set_volume(120);
-  EXPECT_EQ(sound.volume(), 100);
-  sound.set_volume(-1);
-  EXPECT_EQ(sound.volume(), 0);
 }
 
 }  // namespace

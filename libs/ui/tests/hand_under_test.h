@@ -11,7 +11,7 @@
 #include "nazori/geometry/polyline.h"
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/practice/pen_recorder.h"
-#include "tablet_controller.h"
+#include "nazori/practice/tablet_control.h"
 
 namespace nazori::ui::test {
 
@@ -36,7 +36,7 @@ inline practice::HandStroke hand_stroke(const Points& line, double begin_s = 0) 
 }
 
 /// The pen goes along a line on the tablet, at the pace of a hand.
-inline void write(TabletController& controller, const Points& line) {
+inline void write(practice::TabletControl& controller, const Points& line) {
   const auto put = [&](geometry::GlyphPoint p, bool down) {
     controller.move_stylus(geometry::glyph_to_tablet(p, {}), down);
   };

@@ -5,29 +5,8 @@
 
 namespace {
 
-using nazori::ui::kun_plain;
+using nazori::kanji::split_kun;
 using nazori::ui::kun_rich;
-using nazori::ui::split_kun;
-
-TEST(KunReading, TheDotPartsTheStemFromTheOkurigana) {
-  const auto reading = split_kun("やす.む");
-  EXPECT_EQ(reading.stem, QStringLiteral("やす"));
-  EXPECT_EQ(reading.okurigana, QStringLiteral("む"));
-  EXPECT_EQ(kun_plain(reading), QStringLiteral("やす・む"));
-}
-
-TEST(KunReading, WithoutADotAllOfItIsTheStem) {
-  const auto reading = split_kun("ひと");
-  EXPECT_EQ(reading.stem, QStringLiteral("ひと"));
-  EXPECT_TRUE(reading.okurigana.isEmpty());
-  EXPECT_EQ(kun_plain(reading), QStringLiteral("ひと"));
-}
-
-TEST(KunReading, HyphensBecomeWaveDashesOnTheirSide) {
-  EXPECT_EQ(kun_plain(split_kun("-び")), QStringLiteral("～び"));
-  EXPECT_EQ(kun_plain(split_kun("ひと-")), QStringLiteral("ひと～"));
-  EXPECT_EQ(kun_plain(split_kun("-づか.い")), QStringLiteral("～づか・い"));
-}
 
 TEST(KunReading, OnlyTheOkuriganaIsMuted) {
   const QString rich = kun_rich(split_kun("やす.まる"), QColor(0x625C52));
@@ -41,13 +20,8 @@ TEST(KunReading, EveryMarkOfAReadingIsMutedAndItsSignsAreNoMarkup) {
   EXPECT_EQ(kun_rich(split_kun("ひと"), QColor(0x102030)), QStringLiteral("ひと"));
 }
 
-TEST(KunReading, TellsOnWhichSideItIsJoined) {
-  EXPECT_TRUE(split_kun("-び").as_suffix);
-  EXPECT_FALSE(split_kun("-び").as_prefix);
-  EXPECT_TRUE(split_kun("ひと-").as_prefix);
-  EXPECT_FALSE(split_kun("ひと-").as_suffix);
-  EXPECT_EQ(split_kun("-び").stem, QStringLiteral("び"));
-  EXPECT_EQ(split_kun("ひと-").stem, QStringLiteral("ひと"));
+TEST(KunReading, IsTheSameInTheWindow) {
+  EXPECT_EQ(nazori::ui::kun_plain(split_kun("-づか.い")), QStringLiteral("～づか・い"));
 }
 
 TEST(KanjiText, ACharacterBeyondTheFirstPlaneIsWhole) {

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "characters/stroke_counter.h"
-#include "characters/stroke_teller.h"
 #include "hand_under_test.h"
 #include "language.h"
 
@@ -87,7 +86,7 @@ class StrokeTellerTest : public StrokeWordsTest {
   [[nodiscard]] StrokeTeller::Sentence about(practice::TraceEvent event, int stroke) const {
     return StrokeTeller::about(event, stroke, controller_);
   }
-  TabletController controller_;
+  WindowTablet controller_;
 };
 
 TEST_F(StrokeTellerTest, InvitesByWhatIsToBeSeen) {

@@ -111,7 +111,7 @@ class StudyTest : public WindowTest {
         break;
       case study::Stage::trace:
       case study::Stage::guided:
-        for (const auto& line : test::model(session().character())) test::write(the_desk->controller(), line);
+        for (const auto& line : test::model(session().character())) test::write(the_desk->tablet(), line);
         break;
       case study::Stage::memory:
         write_from_memory(true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tablet_controller.h"
+#include "nazori/practice/tablet_control.h"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ std::shared_ptr<const nazori::tablet::CarvedTablet> three() {
   return *nazori::tablet::CarvedTablet::from_lines(lines, 128);
 }
 
-TEST(TabletController, SteppingForwardsGoesThroughEveryStrokeAndWrapsThroughAll) {
-  TabletController controller;
+TEST(practice::TabletControl, SteppingForwardsGoesThroughEveryStrokeAndWrapsThroughAll) {
+  WindowTablet controller;
   controller.set_tablet(three());
   std::vector<int> seen;
   for (int i = 0; i < 5; ++i) {
@@ -35,8 +35,8 @@ TEST(TabletController, SteppingForwardsGoesThroughEveryStrokeAndWrapsThroughAll)
   EXPECT_EQ(seen, (std::vector{1, 2, 3, 0, 1}));
 }
 
-TEST(TabletController, SteppingBackwardsWrapsThroughAllToTheLast) {
-  TabletController controller;
+TEST(practice::TabletControl, SteppingBackwardsWrapsThroughAllToTheLast) {
+  WindowTablet controller;
   controller.set_tablet(three());
   std::vector<int> seen;
   for (int i = 0; i < 5; ++i) {
@@ -46,15 +46,15 @@ TEST(TabletController, SteppingBackwardsWrapsThroughAllToTheLast) {
   EXPECT_EQ(seen, (std::vector{3, 2, 1, 0, 3}));
 }
 
-TEST(TabletController, WithoutStrokesSteppingStaysAtAll) {
-  TabletController controller;
+TEST(practice::TabletControl, WithoutStrokesSteppingStaysAtAll) {
+  WindowTablet controller;
   controller.next_stroke();
   controller.previous_stroke();
   EXPECT_EQ(controller.current_stroke(), 0);
 }
 
-TEST(TabletController, ABrushThatWritesByItselfIsSeenThoughAStylusIsNear) {
-  TabletController controller;
+TEST(practice::TabletControl, ABrushThatWritesByItselfIsSeenThoughAStylusIsNear) {
+  WindowTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   controller.move_stylus(TabletPoint{0, 0}, false);
@@ -73,8 +73,8 @@ TEST(TabletController, ABrushThatWritesByItselfIsSeenThoughAStylusIsNear) {
   EXPECT_NE(controller.overlay().cursor->proxy_m, demonstration.brush.proxy_m);
 }
 
-TEST(TabletController, ADrawnStylusIsAsOldAsTheMomentOfFeelingItShows) {
-  TabletController controller;
+TEST(practice::TabletControl, ADrawnStylusIsAsOldAsTheMomentOfFeelingItShows) {
+  WindowTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   (void)controller.overlay();
@@ -89,64 +89,64 @@ TEST(TabletController, ADrawnStylusIsAsOldAsTheMomentOfFeelingItShows) {
   EXPECT_EQ(controller.take_drawn_age_s(), 0);
 }
 
-bool rests(TabletController& controller) {
-  return QTest::qWaitFor([&] { return controller.stylus().is_resting(); }, 20'000);
+bool rests(practice::TabletControl& controller) {
+  return QTest::qWaitFor([&] { return controller.device().is_resting(); }, 20'000);
 }
 
-TEST(TabletController, TheServoStandsStillWhileNothingMovesAndGoesOnWithTheNextMove) {
-  TabletController controller;
+TEST(practice::TabletControl, TheServoStandsStillWhileNothingMovesAndGoesOnWithTheNextMove) {
+  WindowTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   controller.move_stylus(TabletPoint{0, 0}, false);
   ASSERT_TRUE(rests(controller));
   controller.pump();
-  const auto before = controller.stylus().timing();
+  const auto before = controller.device().timing();
   const double then_s = controller.latest().time_s;
   QTest::qSleep(50);
-  EXPECT_EQ(controller.stylus().timing().ticks, before.ticks);
+  EXPECT_EQ(controller.device().timing().ticks, before.ticks);
   controller.move_stylus(TabletPoint{0.01, 0}, true);
-  EXPECT_FALSE(controller.stylus().is_resting());
+  EXPECT_FALSE(controller.device().is_resting());
   ASSERT_TRUE(QTest::qWaitFor([&] { return controller.latest().touching; }, 20'000));
   EXPECT_GE(controller.latest().time_s, then_s + 0.05) << "time goes on over the rest";
-  EXPECT_LT(controller.stylus().timing().missed_ticks, before.missed_ticks + 1'000)
+  EXPECT_LT(controller.device().timing().missed_ticks, before.missed_ticks + 1'000)
       << "a rest misses no tick";
 }
 
-TEST(TabletController, APressedStylusKeepsTheServoAwake) {
-  TabletController controller;
+TEST(practice::TabletControl, APressedStylusKeepsTheServoAwake) {
+  WindowTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   controller.move_stylus(TabletPoint{0, 0}, true);
   // Twice as long as a rest takes to begin.
-  const auto ticks = controller.stylus().timing().ticks;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.stylus().timing().ticks > ticks + 2'000; }, 60'000));
-  EXPECT_FALSE(controller.stylus().is_resting());
+  const auto ticks = controller.device().timing().ticks;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.device().timing().ticks > ticks + 2'000; }, 60'000));
+  EXPECT_FALSE(controller.device().is_resting());
 }
 
-TEST(TabletController, ANewTabletReachesARestingServoSoThatOldOnesAreLetGo) {
-  TabletController controller;
+TEST(practice::TabletControl, ANewTabletReachesARestingServoSoThatOldOnesAreLetGo) {
+  WindowTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   ASSERT_TRUE(rests(controller));
   controller.set_tablet(three());
-  EXPECT_FALSE(controller.stylus().is_resting());
+  EXPECT_FALSE(controller.device().is_resting());
   EXPECT_TRUE(rests(controller));
 }
 
-TEST(TabletController, ARecordingKeepsTheServoAwake) {
-  TabletController controller;
+TEST(practice::TabletControl, ARecordingKeepsTheServoAwake) {
+  WindowTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   ASSERT_TRUE(rests(controller));
-  controller.stylus().set_awake(true);
-  const auto ticks = controller.stylus().timing().ticks;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.stylus().timing().ticks > ticks + 2'000; }, 60'000));
-  controller.stylus().set_awake(false);
+  controller.device().set_awake(true);
+  const auto ticks = controller.device().timing().ticks;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.device().timing().ticks > ticks + 2'000; }, 60'000));
+  controller.device().set_awake(false);
   EXPECT_TRUE(rests(controller));
 }
 
-TEST(TabletController, ANewTabletBeginsWithAllStrokesAndNoInk) {
-  TabletController controller;
+TEST(practice::TabletControl, ANewTabletBeginsWithAllStrokesAndNoInk) {
+  WindowTablet controller;
   controller.set_tablet(three());
   controller.next_stroke();
   controller.set_tablet(three());
@@ -154,8 +154,8 @@ TEST(TabletController, ANewTabletBeginsWithAllStrokesAndNoInk) {
   EXPECT_EQ(controller.ink().progress(), (std::vector<double>{0, 0, 0}));
 }
 
-TEST(TabletController, StrokesHoldTheStylusOnlyWhileTheyAreShown) {
-  TabletController controller;
+TEST(practice::TabletControl, StrokesHoldTheStylusOnlyWhileTheyAreShown) {
+  WindowTablet controller;
   controller.set_tablet(three());
   controller.set_snapping(true);
   EXPECT_TRUE(controller.snapping_in_effect());
@@ -164,18 +164,18 @@ TEST(TabletController, StrokesHoldTheStylusOnlyWhileTheyAreShown) {
   EXPECT_TRUE(controller.snapping()) << "remembered for when they are shown again";
 }
 
-TEST(TabletController, ChangesAreToldOnceAndOnlyWhenTheyAreChanges) {
-  TabletController controller;
+TEST(practice::TabletControl, ChangesAreToldOnceAndOnlyWhenTheyAreChanges) {
+  WindowTablet controller;
   controller.set_tablet(three());
-  const QSignalSpy told(&controller, &TabletController::state_changed);
+  const QSignalSpy told(&controller, &practice::TabletControl::state_changed);
   controller.set_numbers_visible(true);
   EXPECT_EQ(told.count(), 0);
   controller.set_numbers_visible(false);
   EXPECT_EQ(told.count(), 1);
 }
 
-TEST(TabletController, PressingInAGrooveTouchesItsBottomAndNotThrough) {
-  TabletController controller;
+TEST(practice::TabletControl, PressingInAGrooveTouchesItsBottomAndNotThrough) {
+  WindowTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   controller.move_stylus({0, 0}, true);
@@ -186,11 +186,11 @@ TEST(TabletController, PressingInAGrooveTouchesItsBottomAndNotThrough) {
   EXPECT_LT(controller.latest().device_m.z, controller.latest().proxy_m.z) << "the device itself is deeper";
 }
 
-TEST(TabletController, DrawingAlongAGrooveInksItAndReportsItsEnd) {
-  TabletController controller;
+TEST(practice::TabletControl, DrawingAlongAGrooveInksItAndReportsItsEnd) {
+  WindowTablet controller;
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
-  QSignalSpy events(&controller, &TabletController::stroke_event);
+  QSignalSpy events(&controller, &practice::TabletControl::stroke_event);
   const auto at = [](double glyph_x) {
     return nazori::geometry::glyph_to_tablet({glyph_x, 24.5}, nazori::geometry::TabletShape{});
   };
@@ -214,8 +214,8 @@ TEST(TabletController, DrawingAlongAGrooveInksItAndReportsItsEnd) {
   EXPECT_EQ(controller.ink().next_stroke(), 2);
 }
 
-TEST(TabletController, WithSnappingTheProxyStaysOnTheStroke) {
-  TabletController controller;
+TEST(practice::TabletControl, WithSnappingTheProxyStaysOnTheStroke) {
+  WindowTablet controller;
   controller.set_tablet(three());
   controller.set_snapping(true);
   ASSERT_TRUE(controller.start());
@@ -224,16 +224,16 @@ TEST(TabletController, WithSnappingTheProxyStaysOnTheStroke) {
   EXPECT_NEAR(controller.latest().proxy_m.y, 0.0, 1e-4) << "stroke 2 lies on y = 0, the device beside it";
 }
 
-TEST(TabletController, WhatIsPressedOutsideTheTabletDoesNotTouchIt) {
-  TabletController controller;
+TEST(practice::TabletControl, WhatIsPressedOutsideTheTabletDoesNotTouchIt) {
+  WindowTablet controller;
   controller.set_tablet(three());
   controller.move_stylus({0.2, 0}, true);
   EXPECT_FALSE(controller.is_pressed());
   EXPECT_FALSE(controller.stylus_in_range());
 }
 
-TEST(TabletController, PenPressureGivesTheDepth) {
-  TabletController controller;
+TEST(practice::TabletControl, PenPressureGivesTheDepth) {
+  WindowTablet controller;
   controller.set_tablet(three());
   controller.move_stylus({0, 0}, true, 0.2);
   const double light_m = controller.depth_m();
@@ -242,8 +242,8 @@ TEST(TabletController, PenPressureGivesTheDepth) {
   EXPECT_NEAR(controller.depth_m(), 4 * light_m, 1e-9);
 }
 
-TEST(TabletController, TheWheelChangesTheDepthOnlyWhilePressed) {
-  TabletController controller;
+TEST(practice::TabletControl, TheWheelChangesTheDepthOnlyWhilePressed) {
+  WindowTablet controller;
   controller.set_tablet(three());
   controller.push_stylus(1);
   EXPECT_EQ(controller.depth_m(), 0.0);
@@ -255,8 +255,8 @@ TEST(TabletController, TheWheelChangesTheDepthOnlyWhilePressed) {
   EXPECT_GT(controller.depth_m(), 0.0);
 }
 
-TEST(TabletController, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
-  TabletController controller;
+TEST(practice::TabletControl, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
+  WindowTablet controller;
   const auto tablet = three();
   controller.set_tablet(tablet);
   controller.set_slope_help(true);
@@ -266,7 +266,7 @@ TEST(TabletController, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
   // Out of the middle groove.
   const auto slide = [&] {
     controller.move_stylus({0, 0}, false);
-    nazori::ui::SlopeGain help;
+    nazori::devices::SlopeGain help;
     for (int step = 0; step <= 20; ++step) {
       hand = {0, step * 0.00025};
       helped = help.follow(hand, surface);
@@ -289,25 +289,25 @@ TEST(TabletController, WhileWritingIsJudgedOnlyTheHandMovesTheStylus) {
   EXPECT_TRUE(comes_to(hand));
 }
 
-TEST(TabletController, TicksThatCannotBeTrustedDoNotEndAStroke) {
+TEST(practice::TabletControl, TicksThatCannotBeTrustedDoNotEndAStroke) {
   using nazori::haptics::Vec3;
-  const auto script = std::make_shared<nazori::ui::test::Script>();
+  const auto script = std::make_shared<nazori::devices::test::Script>();
   const auto ticks_pass = [&](std::uint64_t count) {
     const std::uint64_t from = script->ticks;
     return QTest::qWaitFor([&] { return script->ticks > from + count; }, 20'000);
   };
-  TabletController controller;
+  WindowTablet controller;
   const auto tablet = three();
   controller.set_tablet(tablet);
-  controller.stylus().set_devices(nazori::ui::test::only(script), tablet->shape(), {});
+  controller.device().set_devices(nazori::devices::test::only(script), tablet->shape(), {});
   ASSERT_TRUE(controller.start());
-  controller.stylus().choose("scripted:arm");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.stylus().is_pointer(); }, 20'000));
+  controller.device().choose("scripted:arm");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.device().is_pointer(); }, 20'000));
   std::vector<std::pair<TraceEvent, int>> events;
-  QObject::connect(&controller, &TabletController::stroke_event, &controller,
+  QObject::connect(&controller, &practice::TabletControl::stroke_event, &controller,
                    [&](TraceEvent event, int stroke) { events.emplace_back(event, stroke); });
   int distrusted = 0;
-  QObject::connect(&controller, &TabletController::sampled, &controller,
+  QObject::connect(&controller, &practice::TabletControl::sampled, &controller,
                    [&](std::span<const nazori::haptics::ServoSample> samples) {
                      for (const auto& one : samples)
                        distrusted += nazori::haptics::has(one.events, nazori::haptics::ServoEvent::fault);

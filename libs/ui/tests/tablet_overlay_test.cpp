@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "nazori/practice/tablet_control.h"
 #include "scripted_device.h"
-#include "tablet_controller.h"
 
 namespace nazori::ui {
 namespace {
@@ -25,7 +25,7 @@ std::shared_ptr<const tablet::CarvedTablet> two_level_strokes() {
 class Drawn : public testing::Test {
  protected:
   Drawn() { controller_.set_tablet(two_level_strokes()); }
-  TabletController controller_;
+  WindowTablet controller_;
 };
 
 TEST_F(Drawn, AreTheSwitchesOfTheLearner) {
@@ -53,7 +53,7 @@ TEST_F(Drawn, AreTheSwitchesOfTheLearner) {
 }
 
 TEST_F(Drawn, AreTheGuidesOfAStageInPlaceOfTheSwitches) {
-  TabletGuides guides;
+  practice::TabletGuides guides;
   guides.lines_opacity = 0.4;
   guides.numbers = true;
   controller_.set_guides(guides);
@@ -75,8 +75,8 @@ TEST_F(Drawn, AreTheGuidesOfAStageInPlaceOfTheSwitches) {
 }
 
 TEST_F(Drawn, EveryChangeAsksForAPicture) {
-  const QSignalSpy pictures(&controller_, &TabletController::picture_changed);
-  const QSignalSpy states(&controller_, &TabletController::state_changed);
+  const QSignalSpy pictures(&controller_, &practice::TabletControl::picture_changed);
+  const QSignalSpy states(&controller_, &practice::TabletControl::state_changed);
   auto asks = [&, before = qsizetype(0), told = qsizetype(0)](bool state) mutable {
     const bool asked = pictures.count() > before && (states.count() > told) == state;
     before = pictures.count();
@@ -89,7 +89,7 @@ TEST_F(Drawn, EveryChangeAsksForAPicture) {
   EXPECT_TRUE(asks(true));
   controller_.set_snapping(true);
   EXPECT_TRUE(asks(true));
-  controller_.set_guides(TabletGuides{});
+  controller_.set_guides(practice::TabletGuides{});
   EXPECT_TRUE(asks(false));
   controller_.set_writing({});
   EXPECT_TRUE(asks(false));
@@ -121,12 +121,12 @@ TEST_F(Drawn, AreTheStrokesThatWereWrittenAndTheInkOfADemonstration) {
 }
 
 TEST_F(Drawn, AStrokeThatIsLeftBeforeItsEndShowsWhatIsMissingUntilItIsTakenBack) {
-  const auto script = std::make_shared<test::Script>();
+  const auto script = std::make_shared<devices::test::Script>();
   const auto tablet = controller_.tablet();
-  controller_.stylus().set_devices(test::only(script), tablet->shape(), {});
+  controller_.device().set_devices(devices::test::only(script), tablet->shape(), {});
   ASSERT_TRUE(controller_.start());
-  controller_.stylus().choose("scripted:arm");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller_.stylus().is_pointer(); }, 20'000));
+  controller_.device().choose("scripted:arm");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller_.device().is_pointer(); }, 20'000));
   const auto hold = [&](const haptics::Vec3& at) {
     script->x_m = at.x;
     script->y_m = at.y;
@@ -152,7 +152,7 @@ TEST_F(Drawn, AStrokeThatIsLeftBeforeItsEndShowsWhatIsMissingUntilItIsTakenBack)
   EXPECT_EQ(bit.verdict, view::Verdict::shown);
   EXPECT_FALSE(bit.points.empty());
   EXPECT_NEAR(controller_.ink().progress()[0], 2.0 / 3, 0.05);
-  TabletGuides untraced;
+  practice::TabletGuides untraced;
   controller_.set_guides(untraced);
   EXPECT_TRUE(controller_.overlay().writing.empty()) << "nobody traces";
   untraced.traced = true;
@@ -167,12 +167,12 @@ class PointerOnTheTablet : public testing::Test {
  protected:
   PointerOnTheTablet() {
     controller_.set_tablet(two_level_strokes());
-    QObject::connect(&controller_, &TabletController::pressed, &controller_,
+    QObject::connect(&controller_, &practice::TabletControl::pressed, &controller_,
                      [this](const TabletPoint& at) { pressed_.push_back(at); });
-    QObject::connect(&controller_, &TabletController::depth_changed, &controller_,
+    QObject::connect(&controller_, &practice::TabletControl::depth_changed, &controller_,
                      [this](double depth_m) { told_m_ = depth_m; });
   }
-  TabletController controller_;
+  WindowTablet controller_;
   std::vector<TabletPoint> pressed_;
   double told_m_ = -1;
   const geometry::TabletShape shape_;

@@ -12,7 +12,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "tablet_controller.h"
+#include "nazori/practice/tablet_control.h"
 #include "tablet_window.h"
 
 namespace nazori::ui {
@@ -26,7 +26,7 @@ class CameraByHand : public testing::Test {
     controller_.set_tablet(*tablet::CarvedTablet::from_lines(lines, 64));
     window_.resize(800, 600);
     window_.set_reduced_motion(true);
-    QObject::connect(&controller_, &TabletController::pressed, &controller_,
+    QObject::connect(&controller_, &practice::TabletControl::pressed, &controller_,
                      [this](const geometry::TabletPoint& at) { pressed_ = at; });
   }
   void mouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons down,
@@ -55,7 +55,7 @@ class CameraByHand : public testing::Test {
   }
 
   geometry::TabletPoint pressed_;
-  TabletController controller_;
+  WindowTablet controller_;
   TabletWindow window_{&controller_};
 };
 

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "nazori/practice/pen_recorder.h"
+#include "nazori/practice/tablet_control.h"
 #include "nazori/view/point_under.h"
-#include "tablet_controller.h"
 
 namespace nazori::ui {
 namespace {
@@ -75,7 +75,7 @@ class PenAndFingers : public testing::Test {
       device(QInputDevice::DeviceType::TouchScreen, PointerType::Finger, 9, Capability::Position);
   const QPointF middle_{400, 300};
   quint64 now_ms_ = 1000;
-  TabletController controller_;
+  WindowTablet controller_;
   TabletWindow window_{&controller_};
 };
 
@@ -128,7 +128,7 @@ TEST_F(PenAndFingers, InkOfAFirmerOrFlatterBrushIsBroader) {
 }
 
 TEST_F(PenAndFingers, TheOtherEndOfThePenTakesBackAndWritesNothing) {
-  QSignalSpy erased(&controller_, &TabletController::eraser_used);
+  QSignalSpy erased(&controller_, &practice::TabletControl::eraser_used);
   pen(QEvent::TabletPress, middle_, 0.5, {}, &eraser_);
   pen(QEvent::TabletMove, middle_ + QPointF(20, 0), 0.5, {}, &eraser_);
   EXPECT_FALSE(controller_.is_pressed());
@@ -176,7 +176,7 @@ TEST_F(PenAndFingers, EveryMoveOfAFastPenReachesTheServoInItsOwnTime) {
   const QPointF from = middle_ - QPointF(100, 0);
   pen(QEvent::TabletPress, from, 0.5);
   std::vector<double> seen_x_m;
-  QObject::connect(&controller_, &TabletController::sampled, &window_,
+  QObject::connect(&controller_, &practice::TabletControl::sampled, &window_,
                    [&](std::span<const haptics::ServoSample> samples) {
                      for (const auto& sample : samples) seen_x_m.push_back(sample.device_m.x);
                    });

@@ -95,7 +95,7 @@ TEST_F(Device, ButtonsStepThroughTheStrokesAndCanBeGivenOtherMeanings) {
   click(2);
   EXPECT_TRUE(at_stroke(0));
   press(Qt::Key_2, Qt::AltModifier);
-  find<QComboBox>("stylus_button_1")->setCurrentIndex(static_cast<int>(ButtonDoes::previous_stroke));
+  find<QComboBox>("stylus_button_1")->setCurrentIndex(static_cast<int>(devices::ButtonDoes::previous_stroke));
   press(Qt::Key_1, Qt::AltModifier);
   click(1);
   EXPECT_TRUE(at_stroke(6)) << controller().current_stroke();
@@ -163,12 +163,12 @@ TEST_F(Device, TheStatusLineTellsDeviceRateAndMissedTicks) {
 
 TEST_F(Device, ALimitThatIsRememberedAboveTheDevicesOwnRaisesNothing) {
   haptics::DeviceLimits own;
-  DeviceSettings bold;
+  devices::DeviceSettings bold;
   bold.max_force_n = 50;
   bold.max_stiffness_n_m = 90'000;
-  EXPECT_EQ(limited(own, bold).max_force_n, own.max_force_n);
-  EXPECT_EQ(limited(own, bold).max_stiffness_n_m, own.max_stiffness_n_m);
-  EXPECT_LE(limited(own, bold).continuous_force_n, own.continuous_force_n);
+  EXPECT_EQ(devices::limited(own, bold).max_force_n, own.max_force_n);
+  EXPECT_EQ(devices::limited(own, bold).max_stiffness_n_m, own.max_stiffness_n_m);
+  EXPECT_LE(devices::limited(own, bold).continuous_force_n, own.continuous_force_n);
 }
 
 TEST_F(Device, ChoiceAndMaterialAreRemembered) {
@@ -220,7 +220,7 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
   auto& tablet = controller();
   double strongest_n = 0;
   std::uint64_t samples = 0;
-  QObject::connect(&tablet, &TabletController::sampled, window_.get(),
+  QObject::connect(&tablet, &practice::TabletControl::sampled, window_.get(),
                    [&](std::span<const haptics::ServoSample> taken) {
                      samples += taken.size();
                      for (const auto& one : taken)
@@ -230,8 +230,8 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
   /// stroke. The force rises and fades in its own time: where a busy machine loses ticks meanwhile, it is
   /// tried again until `least_n` is reached.
   const auto felt = [&](std::uint64_t ticks, double least_n) {
-    tablet.stylus().choose("simulated:touch");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !tablet.stylus().is_pointer(); }, 20'000));
+    tablet.device().choose("simulated:touch");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !tablet.device().is_pointer(); }, 20'000));
     tablet.move_stylus({0.03, -0.03}, false);
     tablet.pump();
     strongest_n = 0;
@@ -247,8 +247,8 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
         },
         60'000))
         << strongest_n << " N";
-    tablet.stylus().choose("pointer");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return tablet.stylus().is_pointer(); }, 20'000));
+    tablet.device().choose("pointer");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return tablet.device().is_pointer(); }, 20'000));
     return strongest_n;
   };
   press(Qt::Key_F7);

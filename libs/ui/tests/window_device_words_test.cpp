@@ -165,14 +165,14 @@ TEST_F(DevicesOnTheirPage, APostureIsTakenUpOnceItsSliderRests) {
 }
 
 TEST_F(DevicesOnTheirPage, EachButtonDoesWhatItWasGiven) {
-  const auto give = [&](ButtonDoes first, ButtonDoes second) {
+  const auto give = [&](devices::ButtonDoes first, devices::ButtonDoes second) {
     press(Qt::Key_2, Qt::AltModifier);
     find<QComboBox>("stylus_button_1")->setCurrentIndex(static_cast<int>(first));
     find<QComboBox>("stylus_button_2")->setCurrentIndex(static_cast<int>(second));
     press(Qt::Key_1, Qt::AltModifier);
     EXPECT_TRUE(ticks_pass(20));
   };
-  using enum ButtonDoes;
+  using enum devices::ButtonDoes;
   give(previous_stroke, all_strokes);
   click(1);
   EXPECT_TRUE(at_stroke(6));
@@ -185,7 +185,7 @@ TEST_F(DevicesOnTheirPage, EachButtonDoesWhatItWasGiven) {
   click(2);
   EXPECT_TRUE(at_stroke(1)) << "by the second alone";
   give(clear_ink, nothing);
-  QSignalSpy pictures(&controller(), &TabletController::picture_changed);
+  QSignalSpy pictures(&controller(), &practice::TabletControl::picture_changed);
   click(1);
   click(4);
   EXPECT_TRUE(QTest::qWaitFor([&] { return pictures.count() > 0; }));

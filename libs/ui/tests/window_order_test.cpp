@@ -41,7 +41,7 @@ class Order : public WindowTest {
   }
   std::vector<view::Verdict> seen_verdicts() {
     std::vector<view::Verdict> out;
-    for (const auto& stroke : the_desk->controller().overlay().writing) out.push_back(stroke.verdict);
+    for (const auto& stroke : the_desk->tablet().overlay().writing) out.push_back(stroke.verdict);
     return out;
   }
 
@@ -100,7 +100,7 @@ TEST_F(Order, TracedTheStrokeToComeFirstStaysNamedWhenTheStrokeEnds) {
             said.append(QStringLiteral("%1 %2").arg(static_cast<int>(kind)).arg(sentence));
         });
     const auto lines = test::model(U'十');
-    test::write(the_desk->controller(), lines[1]);
+    test::write(the_desk->tablet(), lines[1]);
     EXPECT_EQ(feedback(), QStringLiteral("Stroke 2 is written, but stroke 1 comes first. Write it now."));
     const QString advice = QStringLiteral("%1 ").arg(static_cast<int>(Feedback::advice));
     EXPECT_EQ(said, (QStringList{advice + QStringLiteral("Stroke 1 comes before stroke 2."),
@@ -119,21 +119,21 @@ TEST_F(Order, ATracedStrokeThatIsLeftBeforeItsEndIsNotPraisedAndItsBitIsShown) {
   test::Points most;
   for (double at = 0; at <= length - 14; at += 1)
     most.push_back(geometry::point_at<geometry::GlyphFrame>(half, at));
-  test::write(the_desk->controller(), most);
+  test::write(the_desk->tablet(), most);
   EXPECT_EQ(feedback(),
             QStringLiteral("Stroke 1 is not finished: the blue bit is missing. Draw on from there."));
   ASSERT_EQ(seen_verdicts(), (std::vector{view::Verdict::shown}));
-  const auto& bit = the_desk->controller().overlay().writing.front().points;
+  const auto& bit = the_desk->tablet().overlay().writing.front().points;
   const auto end = geometry::glyph_to_tablet(lines[0].back(), {});
   EXPECT_NEAR(geometry::distance(bit.back().at, end), 0, 1e-4);
   EXPECT_NEAR(geometry::distance(bit.front().at, end), 0.013, 0.004);
-  test::write(the_desk->controller(), lines[1]);
+  test::write(the_desk->tablet(), lines[1]);
   EXPECT_EQ(feedback(),
             QStringLiteral("Stroke 2 is written, but stroke 1 is not finished: the blue bit is missing."));
   test::Points rest;
   for (double at = length - 14; at <= length; at += 1)
     rest.push_back(geometry::point_at<geometry::GlyphFrame>(half, at));
-  test::write(the_desk->controller(), rest);
+  test::write(the_desk->tablet(), rest);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("All 2 strokes are written"))) << feedback().toStdString();
   EXPECT_TRUE(seen_verdicts().empty());
 }

@@ -20,7 +20,7 @@ using test::the_functions_desk;
 
 class PlotWordsInTheWindow : public test::FunctionsWindow {
  protected:
-  TabletController& controller() { return the_functions_desk->controller(); }
+  practice::TabletControl& controller() { return the_functions_desk->controller(); }
   void set_up_with(const QList<std::pair<const char*, QVariant>>& kept) {
     window_->close();
     QSettings settings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat);

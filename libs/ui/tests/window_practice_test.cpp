@@ -22,7 +22,7 @@ class Practice : public WindowTest {
     characters_of_practice = made.get();
     return made;
   }
-  static TabletController& controller() { return desk_of_practice->controller(); }
+  static practice::TabletControl& controller() { return desk_of_practice->controller(); }
   template <class Stage>
   static Stage& stage() {
     return *characters_of_practice->findChild<Stage*>();

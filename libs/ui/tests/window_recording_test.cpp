@@ -13,7 +13,7 @@
 #include "device/device_place.h"
 #include "nazori/recording/recording_file.h"
 #include "nazori/recording/sample_csv.h"
-#include "scripted_device.h"
+#include "signals.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -59,11 +59,11 @@ class Recording : public WindowTest {
 
   /// Waits until the servo has given `count` more samples. What had queued up before does not count.
   bool samples_come(std::size_t count) {
-    desk_under_test->controller().pump();
+    desk_under_test->tablet().pump();
     std::size_t seen = 0;
     QObject context;
-    QObject::connect(&desk_under_test->controller().stylus(), &Stylus::sampled, &context,
-                     [&seen](std::span<const haptics::ServoSample> some) { seen += some.size(); });
+    subscribe(desk_under_test->tablet().device().sampled, &context,
+              [&seen](std::span<const haptics::ServoSample> some) { seen += some.size(); });
     return QTest::qWaitFor([&] { return seen >= count; }, 10000);
   }
 };
@@ -71,24 +71,23 @@ class Recording : public WindowTest {
 TEST_F(Recording, HoldsEveryMomentThatTheServoSaw) {
   const QString path = folder_.filePath(QStringLiteral("session.nzr"));
   std::vector<haptics::ServoSample> seen;
-  auto& stylus = desk_under_test->controller().stylus();
-  QObject::connect(&stylus, &Stylus::sampled, window_.get(),
-                   [&seen](std::span<const haptics::ServoSample> some) {
-                     seen.insert(seen.end(), some.begin(), some.end());
-                   });
+  auto& stylus = desk_under_test->tablet().device();
+  subscribe(stylus.sampled, window_.get(), [&seen](std::span<const haptics::ServoSample> some) {
+    seen.insert(seen.end(), some.begin(), some.end());
+  });
   record_to(path);
   EXPECT_TRUE(action("record")->isChecked());
   EXPECT_TRUE(find("recording")->isVisible());
   EXPECT_TRUE(text("recording").contains(QStringLiteral("session.nzr"))) << text("recording").toStdString();
   for (int i = 0; i < 60; ++i) {
-    desk_under_test->controller().move_stylus({0.0005 * i, 0.0}, i > 10);
+    desk_under_test->tablet().move_stylus({0.0005 * i, 0.0}, i > 10);
     QTest::qWait(5);
   }
   action("record")->trigger();
   EXPECT_FALSE(action("record")->isChecked());
   EXPECT_FALSE(find("recording")->isVisible());
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Recorded: "))) << feedback().toStdString();
-  desk_under_test->controller().pump();
+  desk_under_test->tablet().pump();
 
   recording::RecordingEnd end;
   const auto recorded = read_all(path, &end);
@@ -125,7 +124,7 @@ TEST_F(Recording, GoesOnInAFileOfItsOwnWhereAnotherDeviceTakesTheTablet) {
   const QString path = folder_.filePath(QStringLiteral("session.nzr"));
   record_to(path);
   ASSERT_TRUE(samples_come(50));
-  desk_under_test->controller().stylus().choose("simulated:touch");
+  desk_under_test->tablet().device().choose("simulated:touch");
   ASSERT_TRUE(samples_come(50));
   action("record")->trigger();
   const auto second =
@@ -147,7 +146,7 @@ TEST_F(Recording, OfAWindowThatWasKilledIsCompletedByTheNextOneWhichSaysSo) {
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
-    Stylus stylus;
+    WindowTablet stylus;
     SessionRecording recorder(stylus, settings);
     const bool started = stylus.start() && recorder.start(path, QStringLiteral("休"), {});
     std::uint64_t samples = 0;

@@ -21,11 +21,11 @@ class StageMemory : public StudyTest {
 };
 
 TEST_F(StageMemory, HelpThatFadedForOneCharacterIsWholeAgainForAnother) {
-  const auto lines = [] { return the_desk->controller().overlay().lines_opacity; };
+  const auto lines = [] { return the_desk->tablet().overlay().lines_opacity; };
   bring(U'一');
   action("guided")->trigger();
   const double whole = lines();
-  test::write(the_desk->controller(), test::model(U'一').front());
+  test::write(the_desk->tablet(), test::model(U'一').front());
   ASSERT_TRUE(feedback().startsWith(QStringLiteral("Without a slip"))) << feedback().toStdString();
   const double faded = lines();
   ASSERT_LT(faded, whole);

@@ -30,14 +30,14 @@ class Stages : public WindowTest {
   Stages() { workplaces_ = {make_characters}; }
 
   static std::vector<Points> model(char32_t character) { return test::model(character); }
-  static void write(const Points& line) { test::write(the_desk->controller(), line); }
+  static void write(const Points& line) { test::write(the_desk->tablet(), line); }
 
   bool says(const char* words) {
     return QTest::qWaitFor([&] { return feedback().contains(QString::fromUtf8(words)); }, 10000);
   }
   std::vector<view::Verdict> seen_verdicts() {
     std::vector<view::Verdict> out;
-    for (const auto& stroke : the_desk->controller().overlay().writing) out.push_back(stroke.verdict);
+    for (const auto& stroke : the_desk->tablet().overlay().writing) out.push_back(stroke.verdict);
     return out;
   }
 };
@@ -122,7 +122,7 @@ TEST_F(Stages, TheGrooveIsHiddenShownOrComesWithEachRightStroke) {
   show(U'十');
   press(Qt::Key_F8);
   const auto carved = [] {
-    const auto& map = the_desk->controller().tablet()->height_map();
+    const auto& map = the_desk->tablet().tablet()->height_map();
     return *std::min_element(map.samples().begin(), map.samples().end()) < 0.5F;
   };
   EXPECT_FALSE(carved());
@@ -175,7 +175,7 @@ TEST_F(Stages, TheWritingIsReplayedOnTheTabletAtItsOwnSpeed) {
   ASSERT_TRUE(says("is right"));
   const auto points = [] {
     std::size_t count = 0;
-    for (const auto& stroke : the_desk->controller().overlay().writing) count += stroke.points.size();
+    for (const auto& stroke : the_desk->tablet().overlay().writing) count += stroke.points.size();
     return count;
   };
   const auto all = points();
@@ -258,7 +258,7 @@ TEST_F(Stages, WatchingNamesTheStrokesAndStepsThroughThem) {
   press(Qt::Key_Right);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Stroke 2 of 6: vertical line. It stops")))
       << feedback().toStdString();
-  const auto overlay = the_desk->controller().overlay();
+  const auto overlay = the_desk->tablet().overlay();
   ASSERT_EQ(overlay.ink.size(), 6U);
   EXPECT_EQ(overlay.ink[1], 1);
   EXPECT_EQ(overlay.ink[2], 0);
@@ -272,25 +272,25 @@ TEST_F(Stages, WatchingNamesTheStrokesAndStepsThroughThem) {
 
 TEST_F(Stages, GuidedShowsOnlyTheGrooveOrOnlyTheStartsAndHoldsTheStylus) {
   press(Qt::Key_F7);
-  EXPECT_TRUE(the_desk->controller().snapping_in_effect());
-  EXPECT_LT(the_desk->controller().overlay().lines_opacity, 0.5);
+  EXPECT_TRUE(the_desk->tablet().snapping_in_effect());
+  EXPECT_LT(the_desk->tablet().overlay().lines_opacity, 0.5);
   action("by_starts")->trigger();
-  const auto& map = the_desk->controller().tablet()->height_map();
+  const auto& map = the_desk->tablet().tablet()->height_map();
   EXPECT_GT(*std::min_element(map.samples().begin(), map.samples().end()), 0.99F);
-  EXPECT_TRUE(the_desk->controller().overlay().numbers_visible);
+  EXPECT_TRUE(the_desk->tablet().overlay().numbers_visible);
   press(Qt::Key_F6);
-  EXPECT_FALSE(the_desk->controller().snapping_in_effect()) << "the learner's own switch counts again";
+  EXPECT_FALSE(the_desk->tablet().snapping_in_effect()) << "the learner's own switch counts again";
 }
 
 TEST_F(Stages, KeysOfOneStageDoNothingInAnother) {
   press(Qt::Key_F8);
   press(Qt::Key_N);
-  EXPECT_TRUE(the_desk->controller().numbers_visible());
+  EXPECT_TRUE(the_desk->tablet().numbers_visible());
   press(Qt::Key_F6);
   press(Qt::Key_H);
   EXPECT_FALSE(feedback().contains(QStringLiteral("blue")));
   press(Qt::Key_N);
-  EXPECT_FALSE(the_desk->controller().numbers_visible());
+  EXPECT_FALSE(the_desk->tablet().numbers_visible());
 }
 
 TEST_F(Stages, SpaceOnAButtonPressesTheButton) {

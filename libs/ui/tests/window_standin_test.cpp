@@ -15,7 +15,11 @@
 #include "characters/characters.h"
 #include "desk.h"
 #include "device/device_place.h"
-#include "nazori/devices/every_back_end.h"
+#include "nazori/devices/force_dimension.h"
+#include "nazori/devices/game_controllers.h"
+#include "nazori/devices/inverse_service.h"
+#include "nazori/devices/openhaptics.h"
+#include "signals.h"
 #include "standins/dhd_standin.h"
 #include "standins/hd_standin.h"
 #include "standins/inverse_standin.h"
@@ -77,8 +81,8 @@ class StandIn : public WindowTest {
     return reinterpret_cast<Stage* (*)()>(dlsym(handle, function.c_str()))();
   }
 
-  TabletController& controller() { return desk_under_test->controller(); }
-  Stylus& stylus() { return controller().stylus(); }
+  practice::TabletControl& controller() { return desk_under_test->tablet(); }
+  devices::TabletDevice& stylus() { return controller().device(); }
   template <class Truth>
   static bool comes(Truth truth) {
     return QTest::qWaitFor(truth, kPatience_ms);
@@ -140,11 +144,10 @@ class StandIn : public WindowTest {
   }
   /// Collects the forces of the servo that takes the tablet next.
   void watch_ramp() {
-    QObject::connect(&stylus(), &Stylus::changed, window_.get(), [this] { ramp_.clear(); });
-    QObject::connect(&stylus(), &Stylus::sampled, window_.get(),
-                     [this](std::span<const haptics::ServoSample> samples) {
-                       for (const auto& s : samples) ramp_.emplace_back(s.time_s, glm::length(s.force_n));
-                     });
+    subscribe(stylus().changed, window_.get(), [this] { ramp_.clear(); });
+    subscribe(stylus().sampled, window_.get(), [this](std::span<const haptics::ServoSample> samples) {
+      for (const auto& s : samples) ramp_.emplace_back(s.time_s, glm::length(s.force_n));
+    });
   }
   /// Whether the force of a device that was just opened came within 0.3 s from its start, not at once.
   void expect_ramp() {
@@ -156,7 +159,11 @@ class StandIn : public WindowTest {
     }
   }
 
-  devices::BackEndSettings where_;
+  struct {
+    devices::OpenHapticsSettings openhaptics;
+    devices::ForceDimensionSettings force_dimension;
+    devices::InverseServiceSettings inverse_service;
+  } where_;
   devices::standin::HdStage* hd_ = nullptr;
   devices::standin::DhdStage* dhd_ = nullptr;
   bool with_pads_ = false;

@@ -145,7 +145,7 @@ TEST_F(Study, GivingUpIsAgainAndLeadsToGuidedWritingWithHelp) {
   go_on();
   EXPECT_EQ(session().character(), U'一');
   EXPECT_TRUE(action("guided")->isChecked());
-  EXPECT_GT(the_desk->controller().overlay().lines_opacity, 0.2);
+  EXPECT_GT(the_desk->tablet().overlay().lines_opacity, 0.2);
   do_stage();
   go_on();
   EXPECT_EQ(store().card(U'一').memory.lapses, 1);

@@ -72,7 +72,7 @@ class Unrated : public WindowTest {
 
   static practice::StudySession& session() { return the_desk->session(); }
   static MemoryStage& memory() { return *the_characters->findChild<MemoryStage*>(); }
-  static std::size_t lines_on_tablet() { return the_desk->controller().overlay().writing.size(); }
+  static std::size_t lines_on_tablet() { return the_desk->tablet().overlay().writing.size(); }
   static int reps() { return the_desk->learner().store().card(U'人').memory.reps; }
 
   /// As far as the question, without the stages before it.

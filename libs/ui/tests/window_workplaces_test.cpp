@@ -42,7 +42,7 @@ class Sundial final : public Workplace {
   [[nodiscard]] ActionSet* actions() const override { return actions_; }
   [[nodiscard]] QList<Tool> tools() const override { return {{actions_->turn, true}}; }
   void enter() override {
-    desk().controller().set_tablet(nullptr);
+    desk().tablet().set_tablet(nullptr);
     desk().say(Feedback::hint, QStringLiteral("It is %1.").arg(turns_));
   }
   void save(QSettings& settings) const override { settings.setValue(QStringLiteral("turns"), turns_); }

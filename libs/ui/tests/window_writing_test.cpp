@@ -68,7 +68,8 @@ TEST_F(Writing, EveryStepHasItsActionsAndItsSentence) {
           ->entry;
   EXPECT_EQ(feedback(),
             QStringLiteral("%1, %2: Write the character of 2 strokes. H gives a hint, Enter is done.")
-                .arg(kun_plain(split_kun(entry.kun_readings.front())), to_text(entry.meanings.front().text)));
+                .arg(kun_plain(kanji::split_kun(entry.kun_readings.front())),
+                     to_text(entry.meanings.front().text)));
   EXPECT_EQ(enabled(), QStringLiteral("done hint give_up"));
   action("done")->trigger();
   EXPECT_EQ(said(), "Nothing is written yet. H shows the first stroke.");

@@ -37,7 +37,7 @@ QVariant CharacterListModel::data(const QModelIndex& index, int role) const {
   const auto describe = [&summary](const QString& separator) {
     QStringList words{to_text(summary.code_point)};
     if (!summary.meaning.empty()) words.append(to_text(summary.meaning));
-    if (!summary.reading.empty()) words.append(kun_plain(split_kun(summary.reading)));
+    if (!summary.reading.empty()) words.append(kun_plain(kanji::split_kun(summary.reading)));
     return words.join(separator);
   };
   switch (role) {

@@ -8,12 +8,12 @@
 
 #include "characters/character_actions.h"
 #include "characters/draw_panel.h"
-#include "characters/guided_stage.h"
+#include "characters/guided_page.h"
 #include "characters/information_panel.h"
 #include "characters/library_panel.h"
-#include "characters/memory_stage.h"
-#include "characters/trace_stage.h"
-#include "characters/watch_stage.h"
+#include "characters/memory_page.h"
+#include "characters/trace_page.h"
+#include "characters/watch_page.h"
 #include "characters/writing_panel.h"
 #include "desk.h"
 #include "error_text.h"
@@ -47,6 +47,7 @@ QWidget* stack_up(const char* name, const QList<QWidget*>& pieces, QWidget* wind
 
 Characters::Characters(Desk& desk)
     : Workplace(desk),
+      practice_(desk.practice()),
       actions_(new CharacterActions(&desk.window())),
       session_actions_(new SessionActions(&desk.window())),
       library_panel_(new LibraryPanel(&desk.library(), &desk.window())),
@@ -59,38 +60,46 @@ Characters::Characters(Desk& desk)
       right_side_(stack_up("right_side", {writing_panel_, information_panel_}, &desk.window())),
       files_(new FileExchange(&desk.workshop(), &desk.window())) {
   const Preferences& preferences = desk.preferences();
-  auto& controller = desk.controller();
-  controller.set_strokes_visible(preferences.strokes_visible);
-  controller.set_numbers_visible(preferences.numbers_visible);
-  controller.set_arrows_visible(preferences.arrows_visible);
-  controller.set_snapping(preferences.snapping);
+  auto& tablet = desk.tablet();
+  tablet.set_strokes_visible(preferences.strokes_visible);
+  tablet.set_numbers_visible(preferences.numbers_visible);
+  tablet.set_arrows_visible(preferences.arrows_visible);
+  tablet.set_snapping(preferences.snapping);
+  practice_.watch().set_reduced_motion(preferences.reduced_motion);
+  practice_.set_first_character(preferences.kanji);
   files_->set_folder(preferences.folder);
   library_panel_->show_list(preferences.list);
-
-  memory_ = new MemoryStage(desk, *actions_, writing_panel_);
-  auto* trace = new TraceStage(desk, *actions_);
-  guided_ = new GuidedStage(desk, *actions_);
-  stages_ = {{QStringLiteral("watch"), actions_->watch, new WatchStage(desk, *actions_), study::Stage::watch},
-             {QStringLiteral("trace"), actions_->trace, trace, study::Stage::trace},
-             {QStringLiteral("guided"), actions_->guided, guided_, study::Stage::guided},
-             {QStringLiteral("memory"), actions_->memory, memory_, study::Stage::memory}};
-  QSettings settings(desk.settings_file(), QSettings::IniFormat);
-  settings.beginGroup(id());
-  memory_->load(settings);
-  guided_->load(settings);
-  const QString last = settings.value(QStringLiteral("stage")).toString();
-  stage_ = trace;
-  for (const auto& entry : stages_) {
-    entry.stage->setParent(this);
-    if (entry.id == last) stage_ = entry.stage;
-    connect(entry.action, &QAction::triggered, this, [this, stage = entry.stage] { enter_stage(stage); });
-    connect(entry.stage, &CharacterStage::hiding_changed, this, &Characters::show_hiding);
-  }
+  make_pages();
   actions_->adopt(*session_actions_);
   connect_actions();
+  connect_practice();
   connect_work();
   connect_session();
   connect_study_actions();
+}
+
+void Characters::make_pages() {
+  memory_page_ = new MemoryPage(practice_.memory(), desk(), *actions_, writing_panel_);
+  stages_ = {{QStringLiteral("watch"), actions_->watch, new WatchPage(practice_.watch(), desk(), *actions_)},
+             {QStringLiteral("trace"), actions_->trace, new TracePage(practice_.trace(), desk(), *actions_)},
+             {QStringLiteral("guided"), actions_->guided, new GuidedPage(practice_.guided(), desk(), *actions_)},
+             {QStringLiteral("memory"), actions_->memory, memory_page_}};
+  QSettings settings(desk().settings_file(), QSettings::IniFormat);
+  settings.beginGroup(id());
+  const QString last = settings.value(QStringLiteral("stage")).toString();
+  for (const auto& entry : stages_) {
+    entry.page->setParent(this);
+    entry.page->load(settings);
+    if (entry.id == last) practice_.enter_stage(entry.page->stage());
+    connect(entry.action, &QAction::triggered, this,
+            [this, page = entry.page] { practice_.enter_stage(page->stage()); });
+  }
+}
+
+const Characters::StageEntry& Characters::current() const {
+  return *std::find_if(stages_.begin(), stages_.end(), [this](const StageEntry& entry) {
+    return &entry.page->stage() == &practice_.current_stage();
+  });
 }
 
 Characters::~Characters() = default;
@@ -101,8 +110,9 @@ QString Characters::purpose() const { return tr("Carved characters to see, feel 
 Icon Characters::drawing() const { return Icon::strokes; }
 
 QString Characters::title() const {
-  if (stage_->hides_character()) return tr("Write from memory");
-  return own_.tablet ? to_text(own_.name) : tablet_ ? to_text(desk().preferences().kanji) : QString();
+  if (practice_.current_stage().hides_character()) return tr("Write from memory");
+  if (practice_.own().tablet) return to_text(practice_.own().name);
+  return practice_.tablet() ? to_text(desk().preferences().kanji) : QString();
 }
 
 Workplace::Panel Characters::left() const {
@@ -121,7 +131,7 @@ QList<Tool> Characters::tools() const {
   QList<Tool> tools;
   for (const auto& entry : stages_) tools.append({entry.action, true});
   tools.append(Tool{});
-  tools.append(stage_->tools());
+  tools.append(current().page->tools());
   return tools;
 }
 
@@ -132,63 +142,54 @@ QString Characters::tablet_description() const {
 }
 
 void Characters::enter() {
-  entered_ = true;
-  const auto& session = desk().session();
-  // Back from another page: what was written goes on.
-  returns_ = true;
-  enter_stage(session.is_running() && !session.is_away() ? stage_for(session.stage()) : stage_);
-  returns_ = false;
+  practice_.enter();
   show_session();
-  if (!tablet_ && path_.empty() && !desk().session().is_running()) choose(desk().preferences().kanji, true);
 }
 
 void Characters::leave() {
-  stage_->leave();
+  practice_.leave();
   session_bar_->hide();
-  desk().controller().set_guides({});
-  entered_ = false;
 }
 
-void Characters::enter_stage(CharacterStage* stage) {
-  stage_->leave();
-  stage_ = stage;
-  for (const auto& entry : stages_) {
-    for (auto* action : entry.stage->own_actions()) action->setEnabled(false);
-    if (entry.stage == stage) entry.action->setChecked(true);
-  }
-  for (auto* action : stage->own_actions()) action->setEnabled(true);
+void Characters::show_stage() {
   for (const auto& entry : stages_)
-    if (entry.stage == stage && entered_) desk().session().enter_stage(entry.name);
-  begin_lesson();
-  show_hiding();
+    for (auto* action : entry.page->own_actions()) action->setEnabled(false);
+  current().action->setChecked(true);
+  for (auto* action : current().page->own_actions()) action->setEnabled(true);
   emit tools_changed();
   desk().save_later();
 }
 
-void Characters::begin_lesson() {
-  const auto& session = desk().session();
-  const bool taught = session.is_running() && !session.is_away();
-  guided_->set_help(taught ? std::optional(session.help()) : std::nullopt);
-  for (const auto& entry : stages_)
-    entry.stage->set_on_miss(taught ? [this](int stroke) { return desk().session().add_mistake(stroke); }
-                                    : CharacterStage::OnMiss());
-  const bool unrated = session.state() == practice::StudySession::State::judged;
-  memory_->set_resumes(returns_ || (taught && unrated), unrated);
-  stage_->enter({sheet_, tablet_});
-}
-
 void Characters::show_hiding() {
-  const bool hidden = stage_->hides_character();
+  const bool hidden = practice_.current_stage().hides_character();
+  const auto& sheet = practice_.sheet();
   information_panel_->set_hidden_character(hidden);
-  library_panel_->set_current(hidden || !sheet_ ? 0 : sheet_->character.code_point);
+  library_panel_->set_current(hidden || !sheet ? 0 : sheet->character.code_point);
   emit title_changed();
 }
 
+void Characters::show_character() {
+  const auto& sheet = practice_.sheet();
+  searching_ = false;
+  desk().preferences().kanji = sheet->character.code_point;
+  practice_.set_first_character(sheet->character.code_point);
+  desk().save_later();
+  for (const auto& entry : stages_) entry.action->setEnabled(true);
+  information_panel_->show_character(sheet);
+}
+
+void Characters::show_own() {
+  const auto& own = practice_.own();
+  const QString name = to_text(own.name);
+  information_panel_->show_own(name, own.map_size, desk().tablet().stroke_count());
+  desk().say(Feedback::good, own.has_strokes
+                                 ? tr("%1 is on the desk.").arg(name)
+                                 : tr("%1 is on the desk. A .str file adds its strokes.").arg(name));
+}
+
 void Characters::save(QSettings& settings) const {
-  for (const auto& entry : stages_)
-    if (entry.stage == stage_) settings.setValue(QStringLiteral("stage"), entry.id);
-  memory_->save(settings);
-  guided_->save(settings);
+  settings.setValue(QStringLiteral("stage"), current().id);
+  for (const auto& entry : stages_) entry.page->save(settings);
 }
 
 void Characters::open_drawing(bool open) {
@@ -223,18 +224,18 @@ bool Characters::opens(const QStringList& paths) const {
 }
 
 void Characters::open_files(const QStringList& paths) {
-  // A character that was asked for before must not come after the files.
-  if (files_->open(paths, own_)) awaited_ = 0;
+  if (files_->open(paths, practice_.own())) practice_.expect_files();
 }
 
 void Characters::ask_and_open() {
-  if (files_->ask_and_open(own_)) awaited_ = 0;
+  if (files_->ask_and_open(practice_.own())) practice_.expect_files();
 }
 
 void Characters::ask_and_save() {
-  const QString file_name =
-      own_.tablet ? to_text(own_.name).section(QLatin1Char('.'), 0, 0) : to_text(desk().preferences().kanji);
-  files_->ask_and_save(tablet_, own_, file_name);
+  const auto& own = practice_.own();
+  const QString file_name = own.tablet ? to_text(own.name).section(QLatin1Char('.'), 0, 0)
+                                       : to_text(desk().preferences().kanji);
+  files_->ask_and_save(practice_.tablet(), own, file_name);
 }
 
 void Characters::connect_actions() {
@@ -249,13 +250,13 @@ void Characters::connect_actions() {
     library_panel_->focus_search();
   });
   on(actions_->next_character, [this] {
-    if (const char32_t next = library_panel_->neighbour(+1)) choose(next, true);
+    if (const char32_t next = library_panel_->neighbour(+1)) practice_.show(next);
   });
   on(actions_->previous_character, [this] {
-    if (const char32_t before = library_panel_->neighbour(-1)) choose(before, true);
+    if (const char32_t before = library_panel_->neighbour(-1)) practice_.show(before);
   });
-  on(actions_->back, [this] { travel(-1); });
-  on(actions_->forward, [this] { travel(+1); });
+  on(actions_->back, [this] { practice_.travel(-1); });
+  on(actions_->forward, [this] { practice_.travel(+1); });
   on(actions_->draw_to_find, [this](bool open) {
     if (open)
       open_drawing(true);
@@ -264,24 +265,31 @@ void Characters::connect_actions() {
   });
 }
 
+void Characters::connect_practice() {
+  subscribe(practice_.stage_changed, this, [this] { show_stage(); });
+  subscribe(practice_.hiding_changed, this, [this] { show_hiding(); });
+  subscribe(practice_.character_arrived, this, [this](char32_t) { show_character(); });
+  subscribe(practice_.character_shown, this,
+            [this](char32_t character) { emit desk().character_shown(character); });
+  subscribe(practice_.character_missing, this, [this](char32_t character) {
+    desk().say(Feedback::advice,
+               tr("%1 has no strokes in the database. The tablet is as it was.").arg(to_text(character)));
+  });
+  subscribe(practice_.own_arrived, this, [this] {
+    for (const auto& entry : stages_) entry.action->setEnabled(entry.action == actions_->trace);
+  });
+  subscribe(practice_.own_shown, this, [this] { show_own(); });
+  subscribe(practice_.wanted, this, [this] { emit wants_to_be_entered(); });
+  subscribe(practice_.feedback, this,
+            [this](const practice::PracticeStage&, const practice::StageFeedback& feedback) {
+              desk().say(to_feedback(feedback.tone), StageWords::sentence(feedback, &practice_.memory()));
+            });
+}
+
 void Characters::connect_work() {
   connect(&desk(), &Desk::character_wanted, this, [this](char32_t code_point) {
-    choose(code_point, true);
+    practice_.show(code_point);
     emit wants_to_be_entered();
-  });
-  subscribe(desk().library().sheet_ready, this,
-            [this](const std::shared_ptr<const practice::CharacterSheet>& sheet) { take_sheet(sheet); });
-  subscribe(desk().library().sheet_missing, this, [this](char32_t code_point) {
-    desk().say(Feedback::advice,
-               tr("%1 has no strokes in the database. The tablet is as it was.").arg(to_text(code_point)));
-    if (!tablet_ && code_point != U'休') choose(U'休', false);
-  });
-  subscribe(desk().workshop().carved, this,
-            [this](char32_t code_point, const practice::Tablet& tablet) { take_tablet(code_point, tablet); });
-  subscribe(desk().workshop().loaded, this, [this](const practice::OwnTablet& loaded) { take_own(loaded); });
-  subscribe(desk().workshop().failed, this, [this](const std::filesystem::path&, const base::Error&) {
-    // Files that could not be opened leave the tablet as it was; there is none yet when the window opens.
-    if (entered_ && !tablet_ && awaited_ == 0) choose(desk().preferences().kanji, true);
   });
   connect(files_, &FileExchange::say, &desk(), &Desk::say);
   connect(files_, &FileExchange::folder_changed, this, [this](const QString& folder) {
@@ -289,7 +297,7 @@ void Characters::connect_work() {
     desk().save_later();
   });
   connect(library_panel_, &LibraryPanel::character_chosen, this, [this](char32_t code_point) {
-    choose(code_point, true);
+    practice_.show(code_point);
     desk().close_drawers();
   });
   connect(library_panel_, &LibraryPanel::list_changed, this, [this](kanji::List list) {
@@ -297,79 +305,13 @@ void Characters::connect_work() {
     desk().save_later();
   });
   connect(information_panel_, &InformationPanel::character_chosen, this,
-          [this](char32_t code_point) { choose(code_point, true); });
+          [this](char32_t code_point) { practice_.show(code_point); });
   connect(draw_panel_, &DrawPanel::closed, this, &Characters::close_drawing);
   connect(draw_panel_, &DrawPanel::character_chosen, this, [this](char32_t code_point) {
     open_drawing(false);
-    choose(code_point, true);
+    practice_.show(code_point);
     desk().close_drawers();
   });
-}
-
-void Characters::choose(char32_t code_point, bool remember) {
-  if (remember && (path_.empty() || path_[step_] != code_point)) {
-    // A new way from here: what lay ahead is forgotten.
-    if (!path_.empty()) path_.resize(step_ + 1);
-    path_.push_back(code_point);
-    step_ = path_.size() - 1;
-  }
-  awaited_ = code_point;
-  desk().library().request_sheet(code_point);
-}
-
-void Characters::travel(int by) {
-  const auto to = static_cast<std::ptrdiff_t>(step_) + by;
-  if (to < 0 || to >= static_cast<std::ptrdiff_t>(path_.size())) return;
-  step_ = static_cast<std::size_t>(to);
-  choose(path_[step_], false);
-}
-
-void Characters::take_sheet(const std::shared_ptr<const practice::CharacterSheet>& sheet) {
-  if (sheet->character.code_point != awaited_) return;
-  coming_ = sheet;
-  searching_ = false;
-  desk().workshop().carve(sheet->character);
-}
-
-void Characters::take_tablet(char32_t code_point, const practice::Tablet& tablet) {
-  if (!coming_ || coming_->character.code_point != code_point) return;
-  own_ = {};
-  tablet_ = tablet;
-  sheet_ = coming_;
-  desk().preferences().kanji = code_point;
-  desk().save_later();
-  for (const auto& entry : stages_) entry.action->setEnabled(true);
-  information_panel_->show_character(sheet_);
-  auto& session = desk().session();
-  session.set_sheet(sheet_);
-  if (entered_) {
-    // For who studies, at the stage that is due; else at the one at hand.
-    if (session.is_running() && !session.is_away() && stage_for(session.stage()) != stage_)
-      enter_stage(stage_for(session.stage()));
-    else
-      begin_lesson();
-  }
-  show_hiding();
-  if (entered_) emit desk().character_shown(code_point);
-}
-
-void Characters::take_own(const practice::OwnTablet& loaded) {
-  own_ = loaded;
-  tablet_ = own_.tablet;
-  sheet_ = nullptr;
-  emit wants_to_be_entered();
-  // What no dictionary knows can only be traced.
-  for (const auto& entry : stages_) entry.action->setEnabled(entry.action == actions_->trace);
-  for (const auto& entry : stages_)
-    if (entry.action == actions_->trace && entry.stage != stage_) enter_stage(entry.stage);
-  begin_lesson();
-  desk().session().set_sheet(nullptr);
-  information_panel_->show_own(to_text(own_.name), own_.map_size, desk().controller().stroke_count());
-  show_hiding();
-  desk().say(Feedback::good,
-             own_.has_strokes
-                 ? tr("%1 is on the desk.").arg(to_text(own_.name))
-                 : tr("%1 is on the desk. A .str file adds its strokes.").arg(to_text(own_.name)));
 }
 
 }  // namespace nazori::ui

@@ -3,9 +3,8 @@
 #include <QFontInfo>
 
 #include "characters/characters.h"
-#include "characters/guided_stage.h"
 #include "characters/library_panel.h"
-#include "characters/memory_stage.h"
+#include "characters/memory_page.h"
 #include "desk.h"
 #include "kanji_text.h"
 #include "signals.h"
@@ -16,47 +15,14 @@
 
 namespace nazori::ui {
 
-CharacterStage* Characters::stage_for(study::Stage stage) const {
-  for (const auto& entry : stages_)
-    if (entry.name == stage) return entry.stage;
-  return stage_;
-}
-
-char32_t Characters::studied_character() const {
-  const auto& session = desk().session();
-  if (session.is_running() && !session.is_away()) return session.character();
-  return sheet_ ? sheet_->character.code_point : 0;
-}
-
 void Characters::connect_session() {
   auto& session = desk().session();
   subscribe(session.changed, this, [this] { show_session(); });
-  subscribe(session.character_wanted, this, [this](char32_t character) {
-    choose(character, false);
-    emit wants_to_be_entered();
-  });
-  subscribe(session.stage_wanted, this, [this](study::Stage stage) {
-    if (entered_) enter_stage(stage_for(stage));
-  });
-  subscribe(session.ended, this, [this] {
-    if (entered_) begin_lesson();
-    desk().go_to(QStringLiteral("home"));
-  });
-  for (const auto& entry : stages_)
-    connect(entry.stage, &CharacterStage::finished, this,
-            [&session, name = entry.name](const study::WritingResult& result) {
-              session.finish_stage(name, result);
-            });
-  connect(memory_, &MemoryStage::judged, this,
-          [this, &session](const writing::Grade& grade) { session.judge(grade, memory_->strokes()); });
-  connect(memory_, &MemoryStage::given_up, this, [this, &session] { session.give_up(memory_->strokes()); });
-  connect(memory_, &MemoryStage::taken_back, this, [&session] { session.reopen(); });
-  connect(memory_, &MemoryStage::stroke_added, this, [&session] { session.add_stroke(); });
-  connect(memory_, &MemoryStage::writing_changed, this,
-          [this] { session_actions_->set_has_unjudged(memory_->has_unjudged()); });
-  connect(memory_, &MemoryStage::hint_given, this, [&session] { session.add_hint(); });
+  subscribe(session.ended, this, [this] { desk().go_to(QStringLiteral("home")); });
+  connect(memory_page_, &MemoryPage::writing_changed, this,
+          [this] { session_actions_->set_has_unjudged(practice_.memory().has_unjudged()); });
   subscribe(desk().learner().changed, this, [this] { show_session(); });
-  subscribe(desk().learner().profile_changed, memory_, [this] { memory_->forget(); });
+  subscribe(desk().learner().profile_changed, this, [this] { practice_.memory().forget(); });
   connect(&desk(), &Desk::study_settings_changed, this, [this] {
     session_actions_->set_one_hand(desk().preferences().one_hand, actions_->hint, actions_->undo_stroke,
                                    actions_->done);
@@ -88,7 +54,7 @@ void Characters::connect_study_actions() {
     desk().focus_tablet();
   });
   on(session_actions_->tags, [this] {
-    if (const char32_t character = studied_character(); character != 0) ask_tags(desk(), character);
+    if (const char32_t character = practice_.studied_character(); character != 0) ask_tags(desk(), character);
     desk().focus_tablet();
   });
   // Within the session for what it asks for, else for the character on the desk.
@@ -98,7 +64,7 @@ void Characters::connect_study_actions() {
       auto& running = desk().session();
       if (running.is_running() && !running.is_away())
         (running.*within)();
-      else if (const char32_t character = studied_character(); character != 0)
+      else if (const char32_t character = practice_.studied_character(); character != 0)
         outside(character);
     });
   };
@@ -131,9 +97,9 @@ void Characters::show_session() {
   const bool studied = session.is_running() && !searching_;
   session_panel_->setVisible(studied && !drawing);
   library_panel_->setVisible(!studied && !drawing);
-  if (!entered_) return;
-  session_bar_->show_state(sheet_);
-  session_panel_->show_state(sheet_);
+  if (!practice_.is_entered()) return;
+  session_bar_->show_state(practice_.sheet());
+  session_panel_->show_state(practice_.sheet());
 }
 
 }  // namespace nazori::ui

@@ -13,6 +13,7 @@
 #include "characters/glyph_view.h"
 #include "flow_layout.h"
 #include "kanji_text.h"
+#include "nazori/kanji/kana.h"
 #include "palette.h"
 
 namespace nazori::ui {
@@ -198,11 +199,17 @@ void InformationPanel::fill_facts() {
   const auto& entry = character.entry;
   const QString meanings = meanings_of(entry);
   const QString letter = [&character] {
-    const char32_t c = character.code_point;
-    if (c >= 0x3041 && c <= 0x309F) return tr("Hiragana");
-    if (c >= 0x30A0 && c <= 0x30FF) return tr("Katakana");
-    if (c < 0x250 || (c >= 0xFF01 && c <= 0xFF5E)) return tr("Letter or digit");
-    return tr("No meaning is recorded");
+    switch (kanji::script_of(character.code_point)) {
+      case kanji::Script::hiragana:
+        return tr("Hiragana");
+      case kanji::Script::katakana:
+        return tr("Katakana");
+      case kanji::Script::latin:
+        return tr("Letter or digit");
+      case kanji::Script::other:
+        return tr("No meaning is recorded");
+    }
+    return QString();
   }();
   meanings_->setText(meanings.isEmpty() ? letter : meanings);
 
@@ -230,14 +237,14 @@ void InformationPanel::fill_readings() {
   for (const auto& on : entry.on_readings)
     add_label(on_.flow, to_text(on), 1.25, true)->setObjectName(QStringLiteral("on_reading"));
   for (const auto& kun : entry.kun_readings) {
-    const KunReading reading = split_kun(kun);
+    const kanji::KunReading reading = kanji::split_kun(kun);
     auto* label = add_label(kun_.flow, kun_rich(reading, muted), 1.25, true);
     label->setTextFormat(Qt::RichText);
     label->setObjectName(QStringLiteral("kun_reading"));
     label->setAccessibleName(kun_plain(reading));
-    if (!reading.okurigana.isEmpty())
-      label->setToolTip(
-          tr("The kanji stands for %1; %2 follows it in kana").arg(reading.stem, reading.okurigana));
+    if (!reading.okurigana.empty())
+      label->setToolTip(tr("The kanji stands for %1; %2 follows it in kana")
+                            .arg(to_text(reading.stem), to_text(reading.okurigana)));
   }
   on_.box->setVisible(!entry.on_readings.empty());
   kun_.box->setVisible(!entry.kun_readings.empty());

@@ -5,7 +5,7 @@
 #include <QFontInfo>
 #include <algorithm>
 
-#include "tablet_controller.h"
+#include "nazori/practice/tablet_control.h"
 
 namespace nazori::ui {
 namespace {
@@ -14,7 +14,7 @@ constexpr int kMostStrokes = 28;
 
 }  // namespace
 
-StrokeCounter::StrokeCounter(const TabletController& controller) : controller_(controller) {
+StrokeCounter::StrokeCounter(const practice::TabletControl& controller) : controller_(controller) {
   setObjectName(QStringLiteral("stroke_label"));
   setAlignment(Qt::AlignCenter);
   fit();

@@ -3,16 +3,18 @@
 
 #include <QLabel>
 
-namespace nazori::ui {
+namespace nazori::practice {
+class TabletControl;
+}
 
-class TabletController;
+namespace nazori::ui {
 
 /// Which stroke is shown, as a label of the toolbar. Keeps its width while stepping, so that the buttons
 /// beside it stay under the pointer.
 class StrokeCounter final : public QLabel {
   Q_OBJECT
  public:
-  explicit StrokeCounter(const TabletController& controller);
+  explicit StrokeCounter(const practice::TabletControl& controller);
   void refresh();
 
  protected:
@@ -21,7 +23,7 @@ class StrokeCounter final : public QLabel {
  private:
   void fit();
 
-  const TabletController& controller_;
+  const practice::TabletControl& controller_;
 };
 
 }  // namespace nazori::ui

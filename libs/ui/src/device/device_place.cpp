@@ -13,6 +13,8 @@
 #include "device_text.h"
 #include "error_text.h"
 #include "kanji_text.h"
+#include "signals.h"
+#include "stored_settings.h"
 
 namespace nazori::ui {
 
@@ -36,20 +38,20 @@ std::shared_ptr<const tablet::CarvedTablet> wall_and_groove(const geometry::Tabl
 
 DevicePlace::DevicePlace(Desk& desk)
     : Workplace(desk),
-      stylus_(desk.controller().stylus()),
+      stylus_(desk.tablet().device()),
       actions_(new DeviceActions(&desk.window())),
       seat_panel_(new SeatPanel(*actions_, &desk.window())),
       feel_panel_(new FeelPanel(stylus_, *actions_, &desk.window())) {
   QSettings settings(desk.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
-  memory_.load(settings);
-  desk.controller().set_material(memory_.material);
+  memory_.load(read_settings(settings));
+  desk.tablet().set_material(memory_.material);
   feel_panel_->show_material(memory_.material);
   connect_actions();
   connect_panels();
   connect_stylus();
   // Once the window is there.
-  QTimer::singleShot(0, this, [this] { stylus_.choose(memory_.chosen.toStdString()); });
+  QTimer::singleShot(0, this, [this] { stylus_.choose(memory_.chosen); });
 }
 
 DevicePlace::~DevicePlace() = default;
@@ -80,7 +82,7 @@ QString DevicePlace::tablet_description() const {
 void DevicePlace::enter() {
   entered_ = true;
   if (!trial_tablet_) trial_tablet_ = wall_and_groove({});
-  desk().controller().set_tablet(trial_tablet_);
+  desk().tablet().set_tablet(trial_tablet_);
   // With another strength it starts anew, and knows nothing of its trouble for a moment.
   const auto status = stylus_.status();
   set_strength(kTrialStep);
@@ -107,7 +109,11 @@ void DevicePlace::leave() {
   set_strength(1);
 }
 
-void DevicePlace::save(QSettings& settings) const { memory_.save(settings); }
+void DevicePlace::save(QSettings& settings) const {
+  auto values = read_settings(settings);
+  memory_.save(values);
+  write_settings(settings, values);
+}
 
 void DevicePlace::connect_actions() {
   connect(actions_->look_again, &QAction::triggered, this, [this] {
@@ -139,10 +145,11 @@ void DevicePlace::connect_panels() {
   posture_timer_.setInterval(kPostureRest_ms);
   connect(&posture_timer_, &QTimer::timeout, this,
           [this] { reopen(tr("The tablet stands as you set it.")); });
-  connect(seat_panel_, &SeatPanel::buttons_changed, this, [this](ButtonDoes first, ButtonDoes second) {
-    settings().buttons = {first, second};
-    desk().save_later();
-  });
+  connect(seat_panel_, &SeatPanel::buttons_changed, this,
+          [this](devices::ButtonDoes first, devices::ButtonDoes second) {
+            settings().buttons = {first, second};
+            desk().save_later();
+          });
   connect(seat_panel_, &SeatPanel::limits_changed, this, [this](double force_n, double stiffness_n_m) {
     auto& of_device = settings();
     of_device.max_force_n = force_n;
@@ -153,58 +160,69 @@ void DevicePlace::connect_panels() {
   connect(seat_panel_, &SeatPanel::corner_shown, this, [this] { take_corner(); });
   connect(feel_panel_, &FeelPanel::material_changed, this, [this](const haptics::Material& material) {
     memory_.material = material;
-    desk().controller().set_material(material);
+    desk().tablet().set_material(material);
     desk().save_later();
   });
 }
 
 void DevicePlace::connect_stylus() {
   stylus_.set_devices(desk().take_back_ends(), {}, [this] { return memory_.devices; });
-  connect(&stylus_, &Stylus::found, this, &DevicePlace::show_findings);
-  connect(&stylus_, &Stylus::searched, this, [this] {
-    if (untold_) desk().tell(Feedback::advice, tr("%1 Until then mouse and pen write.").arg(trouble_));
-    untold_ = false;
-    trouble_.clear();
-    fitted_.clear();
-    refresh();
+  subscribe(stylus_.found, this, [this](const auto& findings) { show_findings(findings); });
+  subscribe(stylus_.changed, this, [this] { show_device(); });
+  // Not in the middle of taking samples: what a button does may open the device again.
+  subscribe(stylus_.button_pressed, this, [this](int number) {
+    QMetaObject::invokeMethod(
+        this, [this, number] { press_button(number); }, Qt::QueuedConnection);
   });
-  connect(&stylus_, &Stylus::changed, this, [this] { show_device(); });
-  // Not in the middle of taking samples: what a button does may open the device anew.
-  connect(
-      &stylus_, &Stylus::button_pressed, this, [this](int number) { press_button(number); },
-      Qt::QueuedConnection);
-  connect(&stylus_, &Stylus::device_taken, this, [this](const QString& name, bool again) {
-    const QString device = device_name(name.toStdString());
-    untold_ = false;
-    if (again) trouble_.clear();
-    if (!fitted_.isEmpty())
-      desk().tell(Feedback::good, fitted_);
-    else if (again)
-      desk().tell(Feedback::good, tr("%1 goes on. What was written is still there.").arg(device));
-    else if (trouble_.isEmpty())
-      desk().tell(Feedback::good, tr("%1 has the tablet.").arg(device));
-    else
-      desk().tell(Feedback::advice, tr("%1 Until then %2 has the tablet.").arg(trouble_, device));
-    if (!stylus_.is_searching()) refresh();
-  });
-  const auto trouble = [this](const QString& name, haptics::DeviceTrouble what, const QString&) {
-    trouble_ = trouble_text(what, device_name(name.toStdString()));
-    desk().tell(Feedback::advice, tr("%1 Until then mouse and pen write.").arg(trouble_));
-  };
-  connect(&stylus_, &Stylus::device_paused, this, trouble);
-  connect(&stylus_, &Stylus::device_lost, this, trouble);
-  connect(&stylus_, &Stylus::device_refused, this,
-          [this](const QString& id, haptics::DeviceTrouble what, const QString& message) {
-            fitted_.clear();
-            trouble_ = trouble_text(what, device_name(id.toStdString()), message);
-            untold_ = true;  // what takes its place belongs into the same sentence
-          });
+  subscribe(stylus_.happened, this, [this](const devices::DeviceEvent& event) { report(event); });
+}
+
+void DevicePlace::report(const devices::DeviceEvent& event) {
+  const QString device = device_name(event.device);
+  using enum devices::DeviceEventKind;
+  switch (event.kind) {
+    case taken:
+    case resumed:
+      report_taken(device, event.kind == resumed);
+      return;
+    case paused:
+    case lost:
+      trouble_ = trouble_text(event.trouble, device);
+      desk().tell(Feedback::advice, tr("%1 Until then mouse and pen write.").arg(trouble_));
+      return;
+    case refused:
+      fitted_.clear();
+      trouble_ = trouble_text(event.trouble, device, to_text(event.message));
+      untold_ = true;  // what takes its place belongs into the same sentence
+      return;
+    case searched:
+      if (untold_) desk().tell(Feedback::advice, tr("%1 Until then mouse and pen write.").arg(trouble_));
+      untold_ = false;
+      trouble_.clear();
+      fitted_.clear();
+      refresh();
+      return;
+  }
+}
+
+void DevicePlace::report_taken(const QString& device, bool again) {
+  untold_ = false;
+  if (again) trouble_.clear();
+  if (!fitted_.isEmpty())
+    desk().tell(Feedback::good, fitted_);
+  else if (again)
+    desk().tell(Feedback::good, tr("%1 goes on. What was written is still there.").arg(device));
+  else if (trouble_.isEmpty())
+    desk().tell(Feedback::good, tr("%1 has the tablet.").arg(device));
+  else
+    desk().tell(Feedback::advice, tr("%1 Until then %2 has the tablet.").arg(trouble_, device));
+  if (!stylus_.is_searching()) refresh();
 }
 
 void DevicePlace::choose(const QString& id) {
-  memory_.chosen = id;
+  memory_.chosen = id.toStdString();
   desk().save_later();
-  stylus_.choose(id.toStdString());
+  stylus_.choose(memory_.chosen);
   if (stylus_.is_searching()) seat_panel_->show_searching();
 }
 
@@ -223,7 +241,7 @@ void DevicePlace::look_again() {
 
 void DevicePlace::show_findings(const std::vector<devices::BackEndFindings>& findings) {
   const auto* opened = stylus_.opened();
-  seat_panel_->show_findings(findings, memory_.chosen,
+  seat_panel_->show_findings(findings, to_text(memory_.chosen),
                              opened != nullptr ? to_text(opened->id) : QStringLiteral("pointer"),
                              device_name(stylus_.own_description().name));
 }
@@ -240,9 +258,10 @@ void DevicePlace::show_device() {
   if (!stylus_.reopening().empty()) return;
   const auto* opened = stylus_.opened();
   const auto own = stylus_.own_description();
-  const QString id = opened != nullptr ? to_text(opened->id) : QStringLiteral("pointer");
+  const std::string id = opened != nullptr ? opened->id : "pointer";
   const bool has_force = opened != nullptr;
-  seat_panel_->show_device(memory_.devices.value(id), own, opened != nullptr ? opened->calibration.scale : 1);
+  seat_panel_->show_device(devices::settings_of(memory_.devices, id), own,
+                           opened != nullptr ? opened->calibration.scale : 1);
   feel_panel_->show_strength(stylus_.strength(), has_force);
   for (auto* action : {actions_->calibrate, actions_->fit}) action->setEnabled(has_force);
   const double strength = stylus_.strength();
@@ -255,11 +274,11 @@ void DevicePlace::set_strength(double strength) {
   show_device();
 }
 
-DeviceSettings& DevicePlace::settings() {
+devices::DeviceSettings& DevicePlace::settings() {
   const auto* opened = stylus_.opened();
-  if (opened != nullptr) return memory_.devices[to_text(opened->id)];
+  if (opened != nullptr) return memory_.devices[opened->id];
   const std::string& reopening = stylus_.reopening();
-  return memory_.devices[reopening.empty() ? QStringLiteral("pointer") : to_text(reopening)];
+  return memory_.devices[reopening.empty() ? "pointer" : reopening];
 }
 
 void DevicePlace::calibrate() {
@@ -268,7 +287,7 @@ void DevicePlace::calibrate() {
     return;
   }
   // Nothing pushes while the hand shows where the tablet is to be.
-  desk().controller().set_tablet(nullptr);
+  desk().tablet().set_tablet(nullptr);
   corner_ = 0;
   seat_panel_->show_step(tr("1 of 3: hold the tip where the bottom left corner is to be."));
   desk().say(Feedback::hint, tr("Show three corners of the tablet in the air or on the desk."));
@@ -308,7 +327,7 @@ void DevicePlace::take_corner() {
 void DevicePlace::end_calibration(const QString& sentence, Feedback kind) {
   corner_ = -1;
   seat_panel_->show_step({});
-  if (entered_) desk().controller().set_tablet(trial_tablet_);
+  if (entered_) desk().tablet().set_tablet(trial_tablet_);
   desk().say(kind, sentence);
 }
 
@@ -318,22 +337,22 @@ void DevicePlace::press_button(int number) {
     return;
   }
   if (stylus_.opened() == nullptr) return;
-  const auto buttons = memory_.devices.value(to_text(stylus_.opened()->id)).buttons;
+  const auto buttons = devices::settings_of(memory_.devices, stylus_.opened()->id).buttons;
   if (number < 0 || number >= static_cast<int>(buttons.size())) return;
-  auto& controller = desk().controller();
+  auto& controller = desk().tablet();
   switch (buttons[static_cast<std::size_t>(number)]) {
-    case ButtonDoes::nothing:
+    case devices::ButtonDoes::nothing:
       return;
-    case ButtonDoes::next_stroke:
+    case devices::ButtonDoes::next_stroke:
       controller.next_stroke();
       return;
-    case ButtonDoes::previous_stroke:
+    case devices::ButtonDoes::previous_stroke:
       controller.previous_stroke();
       return;
-    case ButtonDoes::all_strokes:
+    case devices::ButtonDoes::all_strokes:
       controller.set_current_stroke(0);
       return;
-    case ButtonDoes::clear_ink:
+    case devices::ButtonDoes::clear_ink:
       controller.clear_ink();
       return;
   }

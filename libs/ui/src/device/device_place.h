@@ -4,7 +4,8 @@
 #include <QTimer>
 
 #include "desk.h"
-#include "device_settings.h"
+#include "nazori/devices/device_settings.h"
+#include "nazori/devices/tablet_device.h"
 #include "workplace.h"
 
 namespace nazori::ui {
@@ -45,6 +46,8 @@ class DevicePlace final : public Workplace {
   void connect_actions();
   void connect_panels();
   void connect_stylus();
+  void report(const devices::DeviceEvent& event);
+  void report_taken(const QString& device, bool again);
   void choose(const QString& id);
   /// The device is opened anew with what is remembered of it now. @param sentence  said once it is.
   void reopen(const QString& sentence);
@@ -54,14 +57,14 @@ class DevicePlace final : public Workplace {
   void show_device();
   void set_strength(double strength);
   /// What is remembered of the device in use, to be changed; made where there is none.
-  DeviceSettings& settings();
+  devices::DeviceSettings& settings();
   void calibrate();
   void take_corner();
   void end_calibration(const QString& sentence, Feedback kind);
   void press_button(int number);
 
-  Stylus& stylus_;
-  DeviceMemory memory_;
+  devices::TabletDevice& stylus_;
+  devices::DeviceMemory memory_;
   DeviceActions* actions_;
   SeatPanel* seat_panel_;
   FeelPanel* feel_panel_;

@@ -12,9 +12,9 @@
 #include <glm/geometric.hpp>
 
 #include "device/device_actions.h"
-#include "device/number_slider.h"
 #include "flow_layout.h"
-#include "stylus.h"
+#include "nazori/devices/tablet_device.h"
+#include "number_slider.h"
 
 namespace nazori::ui {
 namespace {
@@ -35,7 +35,7 @@ QLabel* heading(const QString& text, QWidget* parent) {
 
 }  // namespace
 
-FeelPanel::FeelPanel(Stylus& stylus, const DeviceActions& actions, QWidget* parent)
+FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions, QWidget* parent)
     : QScrollArea(parent), stylus_(stylus), content_(new QWidget(this)) {
   setObjectName(QStringLiteral("feel_panel"));
   setAccessibleName(tr("What the stylus feels"));

@@ -11,17 +11,20 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 
+namespace nazori::devices {
+class TabletDevice;
+}  // namespace nazori::devices
+
 namespace nazori::ui {
 
 class DeviceActions;
 class NumberSlider;
-class Stylus;
 
 /// What the stylus is doing now, how hard the trial pushes, and what the tablet is made of.
 class FeelPanel final : public QScrollArea {
   Q_OBJECT
  public:
-  FeelPanel(Stylus& stylus, const DeviceActions& actions, QWidget* parent);
+  FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions, QWidget* parent);
 
   /// Looks at the stylus ten times a second while `on`.
   void watch(bool on);
@@ -37,7 +40,7 @@ class FeelPanel final : public QScrollArea {
   void look();
   void tell_material();
 
-  Stylus& stylus_;
+  devices::TabletDevice& stylus_;
   QWidget* content_;
   std::array<QLabel*, line_count> lines_{};
   QLabel* strength_;

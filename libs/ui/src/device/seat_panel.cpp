@@ -14,9 +14,9 @@
 
 #include "device/button_lines.h"
 #include "device/device_actions.h"
-#include "device/number_slider.h"
 #include "device_text.h"
 #include "kanji_text.h"
+#include "number_slider.h"
 
 namespace nazori::ui {
 namespace {
@@ -123,8 +123,8 @@ SeatPanel::SeatPanel(const DeviceActions& actions, QWidget* parent)
     only_with_force_.push_back(buttons_[i]);
     connect(buttons_[i], &QComboBox::currentIndexChanged, this, [this] {
       if (!showing_)
-        emit buttons_changed(static_cast<ButtonDoes>(buttons_[0]->currentIndex()),
-                             static_cast<ButtonDoes>(buttons_[1]->currentIndex()));
+        emit buttons_changed(static_cast<devices::ButtonDoes>(buttons_[0]->currentIndex()),
+                             static_cast<devices::ButtonDoes>(buttons_[1]->currentIndex()));
     });
   }
 
@@ -239,7 +239,7 @@ void SeatPanel::show_findings(const std::vector<devices::BackEndFindings>& findi
   if (had_focus && group_->checkedButton() != nullptr) group_->checkedButton()->setFocus();
 }
 
-void SeatPanel::show_device(const DeviceSettings& settings, const haptics::DeviceDescription& own,
+void SeatPanel::show_device(const devices::DeviceSettings& settings, const haptics::DeviceDescription& own,
                             double scale) {
   showing_ = true;
   for (auto* widget : only_with_force_) widget->setVisible(own.has_force);

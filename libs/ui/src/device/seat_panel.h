@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "device_settings.h"
 #include "nazori/devices/back_end.h"
+#include "nazori/devices/device_settings.h"
 
 class QAction;
 class QButtonGroup;
@@ -35,14 +35,15 @@ class SeatPanel final : public QScrollArea {
   void show_findings(const std::vector<devices::BackEndFindings>& findings, const QString& chosen,
                      const QString& in_use, const QString& in_use_name);
   /// @param own  limits of the device; without force there is nothing to fit or limit.
-  void show_device(const DeviceSettings& settings, const haptics::DeviceDescription& own, double scale);
+  void show_device(const devices::DeviceSettings& settings, const haptics::DeviceDescription& own,
+                   double scale);
   /// What to do next in the calibration; empty: none is going on.
   void show_step(const QString& text);
 
  signals:
   void chosen(QString id);
   void posture_changed(nazori::devices::TabletPosture posture);
-  void buttons_changed(nazori::ui::ButtonDoes first, nazori::ui::ButtonDoes second);
+  void buttons_changed(nazori::devices::ButtonDoes first, nazori::devices::ButtonDoes second);
   void limits_changed(double max_force_n, double max_stiffness_n_m);
   void corner_shown();
 
@@ -63,7 +64,7 @@ class SeatPanel final : public QScrollArea {
   QComboBox* hand_;
   NumberSlider* tilt_;
   NumberSlider* yaw_;
-  std::array<QComboBox*, DeviceSettings::kButtons> buttons_{};
+  std::array<QComboBox*, devices::DeviceSettings::kButtons> buttons_{};
   NumberSlider* force_;
   NumberSlider* stiffness_;
   std::vector<QWidget*> only_with_force_;

@@ -11,6 +11,7 @@
 #include "functions/plot_panel.h"
 #include "functions/plot_words.h"
 #include "functions/points_panel.h"
+#include "signals.h"
 
 namespace nazori::ui {
 namespace {
@@ -54,15 +55,15 @@ void FunctionsWorkplace::connect_sound() {
   const auto follow = [this] {
     if (entered_ && !touch_timer_.isActive()) touch_timer_.start();
   };
-  auto& controller = desk().controller();
-  connect(&controller, &TabletController::depth_changed, this, follow);
-  connect(&controller.stylus(), &Stylus::changed, this, follow);
+  auto& controller = desk().tablet();
+  subscribe(controller.depth_changed, this, [follow](double) { follow(); });
+  subscribe(controller.device().changed, this, follow);
 }
 
 void FunctionsWorkplace::follow_stylus() {
-  auto& controller = desk().controller();
+  auto& controller = desk().tablet();
   // Its next move begins this again.
-  if (controller.stylus().is_resting()) touch_timer_.stop();
+  if (controller.device().is_resting()) touch_timer_.stop();
   const auto& sample = controller.latest();
   const geometry::TabletPoint tip{sample.proxy_m.x, sample.proxy_m.y};
   if (put_) {

@@ -97,7 +97,7 @@ void FunctionsWorkplace::connect_trace() {
     const int count = plot_ ? static_cast<int>(plot_->statements.size()) : 0;
     show_alone(plate_.alone + 1 < count ? plate_.alone + 1 : -1);
   });
-  auto& controller = desk().controller();
+  auto& controller = desk().tablet();
   on(actions_->curve_on, [this, &controller] {
     controller.next_stroke();
     show_piece();
@@ -181,7 +181,7 @@ void FunctionsWorkplace::put_stylus() {
   const auto size = drawing_->picture.plate.heights.size();
   const auto from = put_;
   put_ = functions::tablet_place(tracer_.place()->at, size, drawing_->tablet->shape());
-  auto& controller = desk().controller();
+  auto& controller = desk().tablet();
   if (from && std::hypot(from->x - put_->x, from->y - put_->y) < kSlide_m) {
     controller.move_stylus(*put_, true);
     return;
@@ -189,7 +189,7 @@ void FunctionsWorkplace::put_stylus() {
   // Over walls a stylus is lifted; pressed, it would stay behind one.
   controller.move_stylus(*put_, false);
   QTimer::singleShot(kLift_ms, this, [this, to = *put_] {
-    if (entered_ && put_ && put_->x == to.x && put_->y == to.y) desk().controller().move_stylus(to, true);
+    if (entered_ && put_ && put_->x == to.x && put_->y == to.y) desk().tablet().move_stylus(to, true);
   });
 }
 
@@ -204,7 +204,7 @@ void FunctionsWorkplace::go_to_point(const functions::PointOfInterest* point) {
 }
 
 void FunctionsWorkplace::show_piece() {
-  const auto& controller = desk().controller();
+  const auto& controller = desk().tablet();
   const int piece = controller.current_stroke();
   if (piece == 0 || !drawing_) {
     desk().answer(Feedback::hint, tr("%n pieces", nullptr, controller.stroke_count()));

@@ -139,7 +139,7 @@ void FunctionsWorkplace::save(QSettings& settings) const {
 
 void FunctionsWorkplace::enter() {
   entered_ = true;
-  auto& controller = desk().controller();
+  auto& controller = desk().tablet();
   before_ = TabletSwitches{controller.strokes_visible(), controller.numbers_visible(),
                            controller.arrows_visible(), controller.snapping()};
   controller.set_strokes_visible(true);
@@ -163,7 +163,7 @@ void FunctionsWorkplace::leave() {
   touch_timer_.stop();
   export_->forget_sound();
   sound_->stop();
-  auto& controller = desk().controller();
+  auto& controller = desk().tablet();
   controller.lift_stylus();
   if (!before_) return;
   controller.set_strokes_visible(before_->strokes);
@@ -330,7 +330,7 @@ void FunctionsWorkplace::take_drawing(const SharedDrawing& drawing) {
     points_->show_drawing(drawing);
   }
   if (!entered_) return;
-  desk().controller().set_tablet(drawing->tablet);
+  desk().tablet().set_tablet(drawing->tablet);
   if (drawing->final) {
     if (put_ && tracer_.place()) put_stylus();
     if (tell_summary_ && !panel_->line()->hasFocus()) desk().say(Feedback::hint, localised(drawing->summary));

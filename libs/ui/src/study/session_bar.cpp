@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "kanji_text.h"
+#include "nazori/kanji/kana.h"
 #include "palette.h"
 #include "study/study_words.h"
 
@@ -37,7 +38,7 @@ QString readings_of(const kanji::DictionaryEntry& entry) {
     if (all.size() < kMostReadings) all.append(to_text(on));
   QStringList kun;
   for (const auto& one : entry.kun_readings) {
-    const auto reading = split_kun(one);
+    const auto reading = kanji::split_kun(one);
     if (!reading.as_suffix && !reading.as_prefix && kun.size() < kMostReadings)
       kun.append(kun_plain(reading));
   }
@@ -129,14 +130,13 @@ QString SessionBar::question(const practice::CharacterSheet& sheet) const {
   if (!readings.isEmpty()) asked += in_hand(readings);
   if (meanings.isEmpty() && readings.isEmpty()) {
     // Kana have no dictionary entry; one syllabary asks for the other.
-    constexpr char32_t kBetweenKana = 0x60;
-    const char32_t own = character.code_point;
-    if (own >= 0x3041 && own <= 0x3096)
-      asked += tr("hiragana for %1").arg(in_hand(to_text(own + kBetweenKana)));
-    else if (own >= 0x30A1 && own <= 0x30F6)
-      asked += tr("katakana for %1").arg(in_hand(to_text(own - kBetweenKana)));
-    else
+    const char32_t other = kanji::in_other_syllabary(character.code_point);
+    if (other == 0)
       asked += tr("a character of %n strokes", nullptr, static_cast<int>(character.strokes.size()));
+    else if (kanji::script_of(character.code_point) == kanji::Script::hiragana)
+      asked += tr("hiragana for %1").arg(in_hand(to_text(other)));
+    else
+      asked += tr("katakana for %1").arg(in_hand(to_text(other)));
   }
   return asked;
 }

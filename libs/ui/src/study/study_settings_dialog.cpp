@@ -20,11 +20,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "device/number_slider.h"
 #include "error_text.h"
 #include "flow_layout.h"
 #include "kanji_text.h"
 #include "nazori/study/statistics.h"
+#include "number_slider.h"
 #include "study/learner_words.h"
 #include "study/list_choice.h"
 

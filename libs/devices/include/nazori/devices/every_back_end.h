@@ -4,30 +4,26 @@
 #include <memory>
 #include <vector>
 
+#include "nazori/base/settings.h"
 #include "nazori/devices/back_end.h"
-#include "nazori/devices/force_dimension.h"
-#include "nazori/devices/game_controllers.h"
-#include "nazori/devices/inverse_service.h"
-#include "nazori/devices/openhaptics.h"
-#include "nazori/devices/pantograph.h"
 
 namespace nazori::devices {
 
-/// Where every back end looks. Plain values, for the window's settings.
-struct BackEndSettings {
-  OpenHapticsSettings openhaptics;
-  ForceDimensionSettings force_dimension;
-  InverseServiceSettings inverse_service;
-  PantographSettings pantograph;
-
-  /// The defaults, changed by NAZORI_LIBHD and NAZORI_LIBDHD (paths of the libraries),
-  /// NAZORI_OPENHAPTICS_DEVICE (name), NAZORI_INVERSE_PORT, NAZORI_PANTOGRAPH_PORT (path) and
-  /// NAZORI_PANTOGRAPH_BUTTON (anything but 0: it has one) where these are set.
-  [[nodiscard]] static BackEndSettings from_environment();
-};
+/// Where back ends look: `stored`, changed by the environment.
+///
+/// | setting | environment | |
+/// |---|---|---|
+/// | openhaptics_library | NAZORI_LIBHD | path of the library |
+/// | openhaptics_device | NAZORI_OPENHAPTICS_DEVICE | name of the device |
+/// | forcedimension_library | NAZORI_LIBDHD | path of the library |
+/// | inverse_port | NAZORI_INVERSE_PORT | number of the service's port |
+/// | pantograph_port | NAZORI_PANTOGRAPH_PORT | path of the serial port |
+/// | pantograph_button | NAZORI_PANTOGRAPH_BUTTON | it has one, unless empty, 0 or false |
+[[nodiscard]] base::Settings back_end_settings(base::Settings stored = {});
 
 /// All of them, best first: OpenHaptics, Force Dimension, Inverse Service, pantograph, joysticks and pads,
-/// pointer, simulations.
-[[nodiscard]] std::vector<std::unique_ptr<BackEnd>> every_back_end(const BackEndSettings& settings);
+/// pointer, simulations. Nothing is loaded or looked for yet.
+/// @param settings  the settings of back_end_settings(); what is not there or makes no sense has its default.
+[[nodiscard]] std::vector<std::unique_ptr<BackEnd>> every_back_end(const base::Settings& settings);
 
 }  // namespace nazori::devices

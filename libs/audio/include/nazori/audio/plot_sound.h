@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "nazori/audio/output.h"
+#include "nazori/base/result.h"
+#include "nazori/functions/tone_generator.h"
+
+namespace nazori::audio {
+
+/// What is heard of a plot through the loudspeakers: the tone under the hand, the signs of points of
+/// interest, and the sweep of whole curves, with one volume. The sound card is opened when the first sound is
+/// to be heard. Thread: one (interface).
+class PlotSound {
+ public:
+  PlotSound();
+  ~PlotSound();
+  PlotSound(const PlotSound&) = delete;
+  PlotSound& operator=(const PlotSound&) = delete;
+
+  /// @param failed  called once if there is no sound card, from the call that wanted to be heard; everything
+  ///   else goes on.
+  void on_failure(std::function<void(const base::Error&)> failed);
+
+  /// 0 to 100; what is beyond is held to that.
+  void set_volume(int percent);
+  [[nodiscard]] int volume() const { return volume_; }
+  void set_muted(bool muted);
+  [[nodiscard]] bool muted() const { return muted_; }
+
+  /// What is under the hand, until the next call. A loudness of 0 is silence.
+  void touch(const functions::Cue& cue, bool trembles = false);
+  /// The sign of a point of interest. @param pan  -1 left to 1 right.
+  void sign(functions::PointKind kind, double pan);
+  /// Plays a sweep from its start, in place of the one before.
+  void play(functions::Sound sound);
+  /// Ends every sound.
+  void stop();
+  /// Whether the sound card is open.
+  [[nodiscard]] bool is_open() const { return output_ != nullptr; }
+  /// Whether a sweep is heard and has not come to its end.
+  [[nodiscard]] bool is_playing() const;
+  /// There is no sound card: nothing can be heard from this object.
+  [[nodiscard]] bool is_refused() const { return refused_; }
+
+ private:
+  class Heard;
+  [[nodiscard]] bool ready();
+  void apply_volume();
+
+  int volume_ = 50;
+  bool muted_ = false;
+  bool refused_ = false;
+  std::function<void(const base::Error&)> failed_;
+  std::unique_ptr<Heard> heard_;
+  std::unique_ptr<Output> output_;  // declared last, so that it ends before the sound that it asks for
+};
+
+}  // namespace nazori::audio

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "nazori/base/settings.h"
+#include "nazori/devices/workspace_mapping.h"
+#include "nazori/haptics/haptic_scene.h"
+
+namespace nazori::devices {
+
+/// What a button of the stylus does.
+enum class ButtonDoes : std::uint8_t { nothing, next_stroke, previous_stroke, all_strokes, clear_ink };
+
+/// What is remembered of one device.
+struct DeviceSettings {
+  static constexpr std::size_t kButtons = 2;
+
+  TabletPosture posture;
+  std::optional<WorkspaceCalibration> calibration;  ///< nothing: the largest tablet that fits
+  double max_force_n = 0;                           ///< the learner's own limit; 0: the device's
+  double max_stiffness_n_m = 0;                     ///< likewise
+  std::array<ButtonDoes, kButtons> buttons{ButtonDoes::next_stroke, ButtonDoes::all_strokes};
+};
+
+/// What is remembered of each device, by its id.
+using RememberedDevices = std::map<std::string, DeviceSettings, std::less<>>;
+
+/// The settings of a device; of one that is not remembered, those of a device that is used for the first
+/// time.
+[[nodiscard]] DeviceSettings settings_of(const RememberedDevices& devices, std::string_view id);
+
+/// The device that was chosen, what is remembered of each, and the material of the tablet.
+struct DeviceMemory {
+  std::string chosen;  ///< id; empty: the best that is there; "pointer": mouse, pen or finger
+  RememberedDevices devices;
+  haptics::Material material;
+
+  /// Reads stored settings; what makes no sense keeps its default. Keys: "chosen", "material_stiffness" (and
+  /// the other numbers of haptics::Material, and "material_texture"), "known/ID/KEY" with ID as the
+  /// hexadecimal digits of a device's id, because ids hold characters that a key may not have.
+  void load(const base::Settings& settings);
+  /// Stores all that load() reads; other keys stay as they are.
+  void save(base::Settings& settings) const;
+};
+
+/// The limits of a device with those of the learner: never above its own.
+[[nodiscard]] haptics::DeviceLimits limited(haptics::DeviceLimits own, const DeviceSettings& settings);
+
+}  // namespace nazori::devices

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "nazori/practice/pen_recorder.h"
+#include "nazori/practice/practice_stage.h"
+#include "nazori/practice/writing_groove.h"
+#include "nazori/practice/writing_judge.h"
+
+namespace nazori::practice {
+
+/// Writing from memory, judged stroke by stroke or at the end. Nothing that was written goes away unless the
+/// learner undoes it: a wrong stroke is marked and explained, and writing goes on. A writing is kept while
+/// the learner looks at something else.
+class MemoryStage final : public PracticeStage {
+ public:
+  /// What the learner chose.
+  struct Options {
+    bool judges_each = true;  ///< every stroke as it ends; false: the writing at its end
+    WritingGroove::Mode groove = WritingGroove::Mode::hidden;
+    double strictness = writing::kNormal;  ///< 0..1
+  };
+  enum class State : std::uint8_t { writing, judged, answer_shown };
+
+  /// @param inbox, tablet, judge  outlive this.
+  MemoryStage(base::Inbox& inbox, TabletControl& tablet, WritingJudge& judge);
+
+  [[nodiscard]] study::Stage stage() const override { return study::Stage::memory; }
+  [[nodiscard]] bool hides_character() const override;
+
+  [[nodiscard]] const Options& options() const { return options_; }
+  void set_judges_each(bool on);
+  void set_groove(WritingGroove::Mode mode);
+  /// Judges what is written again.
+  void set_strictness(double strictness);
+  /// Takes over what was saved, without a report.
+  void set_options(const Options& options) { options_ = options; }
+
+  /// Whether entering the stage with the character that was written last goes on with that writing, judged or
+  /// not.
+  /// @param unrated  the session waits for the rating of a writing: it is kept whatever is written meanwhile.
+  void set_resumes(bool resumes, bool unrated) {
+    resumes_ = resumes;
+    is_unrated_ = unrated;
+  }
+  /// Another learner: nothing that was written is shown to them.
+  void forget();
+
+  // What the learner does.
+  /// A stroke as if it had just been written.
+  void add_stroke(HandStroke stroke);
+  void undo();
+  /// Begins the character again.
+  void start_over();
+  /// Has the writing judged as a whole.
+  void finish_writing();
+  void give_hint();
+  void show_answer();
+
+  [[nodiscard]] State state() const { return state_; }
+  [[nodiscard]] const std::vector<HandStroke>& strokes() const { return strokes_; }
+  /// Whether something is written that is not judged as a whole.
+  [[nodiscard]] bool has_unjudged() const { return state_ == State::writing && !strokes_.empty(); }
+  /// The newest judgement; its strokes may lag behind what is written.
+  [[nodiscard]] const writing::Grade& grade() const { return grade_; }
+  /// How the pen moved in the writing that was judged last as a whole.
+  [[nodiscard]] const PenReport& pen_report() const { return pen_; }
+
+  /// Lays the model over the writing.
+  void set_model_over(bool on);
+  /// Shows the writing as it was at a moment after its beginning [s]; nothing: all of it.
+  void show_moment(std::optional<double> time_s);
+
+  /// The writing was judged as a whole.
+  base::Signal<const writing::Grade&> judged;
+  /// What was judged, or shown, goes on being written.
+  base::Signal<> continued;
+  base::Signal<> stroke_added;
+  base::Signal<> hint_given;
+  base::Signal<> answer_was_shown;
+  /// The writing on the tablet changed: strokes, verdicts, or the moment that is shown.
+  base::Signal<> writing_shown;
+  /// A replay of the writing must stop.
+  base::Signal<> replay_stopped;
+  /// The tablet is empty for the character: comparisons with the model are over.
+  base::Signal<> started_over;
+
+ protected:
+  void begin() override;
+  void end() override;
+
+ private:
+  /// A writing whose character left the tablet.
+  struct Aside {
+    char32_t character = 0;
+    std::vector<HandStroke> strokes;
+    writing::Grade grade;
+    PenReport pen;
+    std::vector<bool> seen;
+    std::vector<int> hinted;
+    int hints = 0;
+    State state = State::writing;
+    bool unrated = false;
+  };
+
+  void clear();
+  void invite();
+  void record(std::span<const haptics::ServoSample> samples);
+  void ask(bool finished);
+  void use_grade(std::uint64_t number, const writing::Grade& grade);
+  void report_last_stroke();
+  void report_mistake(StageFeedback what, bool can_be_tried_again);
+  void drop_mistake();
+  void finish();
+  [[nodiscard]] Tone tone_of_judgement() const;
+  void put_aside();
+  void resume();
+  void set_state(State state);
+  [[nodiscard]] bool shows_groove() const;
+  void put_groove();
+  [[nodiscard]] std::vector<int> right_strokes() const;
+  void show_writing();
+
+  WritingJudge& judge_;
+  Options options_;
+  PenRecorder recorder_;
+  std::vector<HandStroke> strokes_;
+  writing::Grade grade_;
+  PenReport pen_;
+  std::vector<bool> seen_;   ///< strokes whose verdict the learner may see
+  std::vector<int> hinted_;  ///< strokes of the model that are shown
+  std::uint64_t live_number_ = 0;
+  std::uint64_t whole_number_ = 0;
+  bool awaits_report_ = false;  ///< the answer to come is about a stroke just written
+  State state_ = State::writing;
+  int hints_ = 0;
+  char32_t character_ = 0;  ///< that is being written
+  std::optional<Aside> aside_;
+  bool resumes_ = false;
+  bool is_unrated_ = false;
+  bool was_lesson_ = false;     ///< what is written is part of a lesson
+  bool is_refused_ = false;     ///< the last stroke goes when another is written
+  bool is_model_over_ = false;  ///< the model lies over the writing
+  std::optional<double> moment_s_;
+  WritingGroove groove_;
+  base::Connection judged_, failed_, reported_, pressed_, sampled_, erased_;
+};
+
+}  // namespace nazori::practice

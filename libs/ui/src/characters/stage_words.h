@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+
+#include "nazori/practice/memory_stage.h"
+#include "nazori/practice/stage_feedback.h"
+
+namespace nazori::ui {
+
+/// The sentences of the practice stages, in the language of the interface: short, kind, exact.
+class StageWords {
+  Q_DECLARE_TR_FUNCTIONS(nazori::ui::StageWords)
+ public:
+  /// What a stage reports; empty where it is not worth a sentence.
+  /// @param memory  the stage whose grade is meant, for StageEvent::judged and mistakes; else nullptr.
+  [[nodiscard]] static QString sentence(const practice::StageFeedback& feedback,
+                                        const practice::MemoryStage* memory = nullptr);
+
+ private:
+  [[nodiscard]] static QString watching(const practice::StageFeedback& feedback);
+  [[nodiscard]] static QString tracing(const practice::StageFeedback& feedback);
+  [[nodiscard]] static QString switches(const practice::StageFeedback& feedback);
+  [[nodiscard]] static QString guiding(const practice::StageFeedback& feedback);
+  [[nodiscard]] static QString invitation(const practice::StageFeedback& feedback);
+  [[nodiscard]] static QString writing(const practice::StageFeedback& feedback,
+                                       const practice::MemoryStage& memory);
+  [[nodiscard]] static QString invitation_to_write(int strokes, const practice::MemoryStage& memory);
+  [[nodiscard]] static QString mistake(const practice::StageFeedback& feedback,
+                                       const practice::MemoryStage& memory);
+  [[nodiscard]] static QString judgement(const practice::MemoryStage& memory);
+};
+
+}  // namespace nazori::ui
