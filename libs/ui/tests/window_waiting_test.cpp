@@ -17,7 +17,6 @@
 #include "progress/progress.h"
 #include "study/home.h"
 #include "study/learner_words.h"
-#include "study/settings_change.h"
 #include "watchdog.h"
 #include "window_under_test.h"
 

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "kanji_text.h"
+#include "nazori/practice/day_outlook.h"
 #include "preferences.h"
 #include "sentence_label.h"
 #include "study/learner_words.h"
@@ -25,8 +26,6 @@
 
 namespace nazori::ui {
 namespace {
-
-using std::chrono::days;
 
 constexpr int kMargin = 28;
 constexpr int kWidest_em = 60;  ///< longer lines are hard to read
@@ -134,36 +133,28 @@ void HomePage::set_text(QLabel* label, const QString& text) {
   label->setVisible(!text.isEmpty());
 }
 
-study::Streak HomePage::streak_now() const {
-  std::vector<study::Day> all;
-  if (const auto days = learner_.store().study_days())
-    for (const study::StudyDay& day : *days) all.push_back(day.day);
-  return study::streak_of(all, learner_.store().today());
-}
-
 QString HomePage::after_the_work(const study::DayPlan& plan) const {
+  using Kind = practice::DayOutlook::Kind;
   const auto& store = learner_.store();
-  if (!plan.later_today.empty())
-    return tr("Done for now. %n characters come once more, the first at %1.", nullptr,
-              static_cast<int>(plan.later_today.size()))
-        .arg(StudyWords::minute(plan.later_today.front().due, store.calendar()));
-  const study::Day next_day = plan.day + days(1);
-  const auto tomorrow = std::count_if(store.cards().begin(), store.cards().end(), [&](const auto& one) {
-    const study::Card& card = one.second;
-    if (card.paused || card.leech || card.postponed_until > next_day) return false;
-    if (card.postponed_until != next_day) return card.due_day == next_day;
-    return card.memory.reps > 0 && card.due_day.value_or(next_day) <= next_day;
-  });
-  if (plan.held_back > 0)
-    return tr("Done for today: your limit is reached. %n reviews wait for tomorrow.", nullptr,
-              plan.held_back);
-  if (store.cards().empty())
-    return tr("There is nothing to learn yet. Choose lists and new characters a day in the study settings.");
-  if (tomorrow > 0)
-    return tr("Done for today. Tomorrow %n reviews are due.", nullptr, static_cast<int>(tomorrow));
-  return store.settings().new_per_day > 0
-             ? tr("Done for today. Tomorrow new characters come, and no reviews.")
-             : tr("Done for today. Nothing is due tomorrow.");
+  const auto outlook = practice::outlook_of(store, plan);
+  switch (outlook.kind) {
+    case Kind::later_today:
+      return tr("Done for now. %n characters come once more, the first at %1.", nullptr, outlook.characters)
+          .arg(StudyWords::minute(outlook.first, store.calendar()));
+    case Kind::limit_reached:
+      return tr("Done for today: your limit is reached. %n reviews wait for tomorrow.", nullptr,
+                outlook.characters);
+    case Kind::nothing_to_learn:
+      return tr(
+          "There is nothing to learn yet. Choose lists and new characters a day in the study settings.");
+    case Kind::reviews_tomorrow:
+      return tr("Done for today. Tomorrow %n reviews are due.", nullptr, outlook.characters);
+    case Kind::new_tomorrow:
+      return tr("Done for today. Tomorrow new characters come, and no reviews.");
+    case Kind::nothing_tomorrow:
+      return tr("Done for today. Nothing is due tomorrow.");
+  }
+  return {};
 }
 
 QString HomePage::advice(const study::DayPlan& plan) const {
@@ -215,7 +206,7 @@ void HomePage::refresh() {
   const auto rounded = std::chrono::round<std::chrono::minutes>(plan->estimate).count();
   const int whole = plan->now.empty() ? 0 : std::max(1, static_cast<int>(rounded));
   show_tile(minutes, locale.toString(whole), tr("minutes, about", nullptr, whole));
-  const auto run = streak_now();
+  const auto run = practice::streak_now(store);
   show_tile(streak, locale.toString(run.days),
             run.days == 0      ? tr("days in a row", nullptr, 0)
             : run.day_off_used ? tr("days in a row; this week's day off is used", nullptr, run.days)

@@ -50,7 +50,6 @@ class HomePage final : public QScrollArea {
   void show_tile(TileName which, const QString& number, const QString& words);
   [[nodiscard]] QString advice(const study::DayPlan& plan) const;
   [[nodiscard]] QString after_the_work(const study::DayPlan& plan) const;
-  [[nodiscard]] study::Streak streak_now() const;
   void set_text(QLabel* label, const QString& text);
   void fit();
 

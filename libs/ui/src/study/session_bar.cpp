@@ -14,35 +14,20 @@
 
 #include "kanji_text.h"
 #include "nazori/kanji/kana.h"
+#include "nazori/practice/session_question.h"
 #include "palette.h"
 #include "study/study_words.h"
 
 namespace nazori::ui {
 namespace {
 
-constexpr int kMostMeanings = 4;
 constexpr int kWide_em = 36;
-constexpr int kMostReadings = 2;
 constexpr double kLarge = 1.25;  ///< of the size of other letters: what is asked for
 
-QString meanings_of(const kanji::DictionaryEntry& entry) {
+QString joined(const std::vector<std::string>& texts, const QString& between) {
   QStringList all;
-  for (const auto& meaning : entry.meanings)
-    if (meaning.language == "en" && all.size() < kMostMeanings) all.append(to_text(meaning.text));
-  return all.join(QStringLiteral(", "));
-}
-
-QString readings_of(const kanji::DictionaryEntry& entry) {
-  QStringList all;
-  for (const auto& on : entry.on_readings)
-    if (all.size() < kMostReadings) all.append(to_text(on));
-  QStringList kun;
-  for (const auto& one : entry.kun_readings) {
-    const auto reading = kanji::split_kun(one);
-    if (!reading.as_suffix && !reading.as_prefix && kun.size() < kMostReadings)
-      kun.append(kun_plain(reading));
-  }
-  return (all + kun).join(QStringLiteral("、"));
+  for (const auto& text : texts) all.append(to_text(text));
+  return all.join(between);
 }
 
 }  // namespace
@@ -103,7 +88,7 @@ SessionBar::SessionBar(const practice::StudySession& session, const SessionActio
 }
 
 QString SessionBar::question(const practice::CharacterSheet& sheet) const {
-  const auto& character = sheet.character;
+  const auto asks = practice::question_of(session_, sheet);
   const double large = QFontInfo(font()).pointSizeF() * kLarge;
   const QString muted = current_colours().muted.name();
   const auto in_hand = [&](const QString& text) {
@@ -111,32 +96,23 @@ QString SessionBar::question(const practice::CharacterSheet& sheet) const {
         .arg(large)
         .arg(text.toHtmlEscaped());
   };
-  if (const auto* word = session_.word(); word != nullptr && session_.stage() == study::Stage::memory) {
-    QString gap = to_text(word->text);
-    gap.replace(to_text(character.code_point), QStringLiteral("◯"));
-    QStringList glosses;
-    for (const auto& gloss : word->glosses)
-      if (glosses.size() < 3) glosses.append(to_text(gloss));
+  if (!asks.gap.empty())
     return QStringLiteral("%1 &nbsp;<span style=\"color:%2\">%3</span> &nbsp;%4")
-        .arg(in_hand(gap), muted, to_text(word->reading).toHtmlEscaped(),
-             glosses.join(QStringLiteral("; ")).toHtmlEscaped());
-  }
-  const QString meanings = meanings_of(character.entry);
-  const QString readings = readings_of(character.entry);
-  QString asked = session_.asks_from_memory()
-                      ? QString()
-                      : in_hand(to_text(character.code_point)) + QStringLiteral(" &nbsp;");
-  if (!meanings.isEmpty()) asked += QStringLiteral("<b>%1</b> &nbsp;").arg(meanings.toHtmlEscaped());
-  if (!readings.isEmpty()) asked += in_hand(readings);
-  if (meanings.isEmpty() && readings.isEmpty()) {
-    // Kana have no dictionary entry; one syllabary asks for the other.
-    const char32_t other = kanji::in_other_syllabary(character.code_point);
-    if (other == 0)
-      asked += tr("a character of %n strokes", nullptr, static_cast<int>(character.strokes.size()));
-    else if (kanji::script_of(character.code_point) == kanji::Script::hiragana)
-      asked += tr("hiragana for %1").arg(in_hand(to_text(other)));
+        .arg(in_hand(to_text(asks.gap)), muted, to_text(asks.reading).toHtmlEscaped(),
+             joined(asks.meanings, QStringLiteral("; ")).toHtmlEscaped());
+  QString asked;
+  if (asks.shown != 0) asked = in_hand(to_text(asks.shown)) + QStringLiteral(" &nbsp;");
+  if (!asks.meanings.empty())
+    asked +=
+        QStringLiteral("<b>%1</b> &nbsp;").arg(joined(asks.meanings, QStringLiteral(", ")).toHtmlEscaped());
+  if (!asks.readings.empty()) asked += in_hand(joined(asks.readings, QStringLiteral("、")));
+  if (asks.meanings.empty() && asks.readings.empty()) {
+    if (asks.other_kana == 0)
+      asked += tr("a character of %n strokes", nullptr, asks.strokes);
+    else if (kanji::script_of(asks.other_kana) == kanji::Script::katakana)
+      asked += tr("hiragana for %1").arg(in_hand(to_text(asks.other_kana)));
     else
-      asked += tr("katakana for %1").arg(in_hand(to_text(other)));
+      asked += tr("katakana for %1").arg(in_hand(to_text(asks.other_kana)));
   }
   return asked;
 }

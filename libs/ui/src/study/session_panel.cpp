@@ -5,10 +5,10 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
-#include <map>
 
 #include "flow_layout.h"
 #include "kanji_text.h"
+#include "nazori/practice/character_history.h"
 #include "study/ink_gallery.h"
 #include "study/session_words.h"
 #include "study/study_words.h"
@@ -18,8 +18,8 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr int kGap = 6;
-constexpr int kMostEarlier = 3;
-constexpr int kMostHardStrokes = 3;
+constexpr std::size_t kMostEarlier = 3;
+constexpr std::size_t kMostHardStrokes = 3;
 
 QLabel* label(const char* name, const char* role, QWidget* parent) {
   auto* made = new QLabel(parent);
@@ -120,23 +120,9 @@ QString SessionPanel::history() const {
 }
 
 QString SessionPanel::hard_strokes() const {
-  const auto writings = learner_.store().writings_of(session_.character());
-  if (!writings) {
-    learner_.announce_unread(writings.error());
-    return {};
-  }
-  std::map<int, int> wrong;
-  for (const auto& one : *writings)
-    for (const auto& mistake : one.entry.writing.result.mistakes)
-      if (mistake.kind != kanji::MistakeKind::ending) ++wrong[mistake.stroke];
-  std::vector<std::pair<int, int>> worst;
-  for (const auto& [stroke, times] : wrong)
-    if (times > 1) worst.emplace_back(times, stroke);
-  std::sort(worst.rbegin(), worst.rend());
   QStringList lines;
-  for (const auto& [times, stroke] : worst)
-    if (lines.size() < kMostHardStrokes)
-      lines.append(tr("Stroke %1 went wrong %n times.", nullptr, times).arg(stroke + 1));
+  for (const auto& hard : practice::hard_strokes(learner_, session_.character(), kMostHardStrokes))
+    lines.append(tr("Stroke %1 went wrong %n times.", nullptr, hard.times).arg(hard.stroke + 1));
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -157,25 +143,11 @@ void SessionPanel::show_ink() {
   std::vector<InkGallery::Piece> pieces;
   if (session_.state() == practice::StudySession::State::judged && !session_.is_away()) {
     if (!session_.ink().empty()) pieces.push_back({session_.ink(), tr("now")});
-    const auto& store = learner_.store();
-    const auto writings = store.writings_of(session_.character());
-    if (!writings) {
-      learner_.announce_unread(writings.error());
-    } else {
-      int earlier = 0;
-      for (auto one = writings->rbegin(); one != writings->rend() && earlier < kMostEarlier; ++one) {
-        if (!one->has_ink || one->entry.writing.stage != study::Stage::memory) continue;
-        const auto ink = store.ink_of(one->entry.id);
-        if (!ink) {
-          learner_.announce_unread(ink.error());
-          continue;
-        }
-        ++earlier;
-        pieces.push_back({*ink, QStringLiteral("%1\n%2").arg(StudyWords::short_day(one->entry.day),
-                                                             StudyWords::rating(one->entry.writing.rating))});
-      }
-      if (earlier == 0) pieces.clear();
-    }
+    const auto earlier = practice::earlier_writings(learner_, session_.character(), kMostEarlier);
+    for (const auto& one : earlier)
+      pieces.push_back({one.ink, QStringLiteral("%1\n%2").arg(StudyWords::short_day(one.day),
+                                                              StudyWords::rating(one.rating))});
+    if (earlier.empty()) pieces.clear();
   }
   ink_heading_->setVisible(!pieces.empty());
   gallery_->show_pieces(std::move(pieces));
