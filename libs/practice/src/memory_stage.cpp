@@ -271,7 +271,8 @@ void MemoryStage::report_last_stroke() {
     // An exchange may show only with its second stroke, where both are alike.
     const bool is_about_it = mistake.stroke == last || (is_wrong && mistake.second == last);
     if (!is_about_it || mistake.kind == kanji::MistakeKind::missing) continue;
-    report_mistake({.event = StageEvent::mistake, .mistake = mistake}, mistake.kind != kanji::MistakeKind::order);
+    report_mistake({.event = StageEvent::mistake, .mistake = mistake},
+                   mistake.kind != kanji::MistakeKind::order);
     return;
   }
   if (is_wrong) {
@@ -421,7 +422,8 @@ void MemoryStage::show_writing() {
   const auto of_strokes = verdicts(grade_, strokes_.size());
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
     const HandStroke shown =
-        moment_s_ ? until(strokes_[i], strokes_.front().front().time_s.value_or(0) + *moment_s_) : strokes_[i];
+        moment_s_ ? until(strokes_[i], strokes_.front().front().time_s.value_or(0) + *moment_s_)
+                  : strokes_[i];
     if (!shown.empty()) all.push_back(view::inked(shown, seen_[i] ? of_strokes[i] : view::Verdict::none));
   }
   if (!recorder_.current().empty()) all.push_back(view::inked(recorder_.current(), view::Verdict::none));

@@ -62,7 +62,8 @@ base::Result<OwnTablet> load_own(const std::filesystem::path& map_path,
 base::Result<void> save_tablet(const tablet::CarvedTablet& carved, const std::filesystem::path& path,
                                FileFormat format, int size, bool own_map) {
   if (own_map) size = carved.height_map().size();
-  if (format == FileFormat::strokes) return kanji::StrokeOrder::from_lines(tablet::stroke_lines(carved.lines()), size).save(path);
+  if (format == FileFormat::strokes)
+    return kanji::StrokeOrder::from_lines(tablet::stroke_lines(carved.lines()), size).save(path);
   const surface::HeightMap* map = &carved.height_map();
   surface::HeightMap again;
   if (!own_map && map->size() != size) {

@@ -21,8 +21,9 @@ class CharacterHistory : public SessionTest {
     study::Writing writing;
     writing.rating = rating;
     writing.result.mistakes = std::move(faults);
-    const auto ink = has_ink ? study::Handwriting{{{study::ink_point({1, 1}, 0, 0), study::ink_point({9, 9}, 10, 0)}}}
-                             : study::Handwriting{};
+    const auto ink =
+        has_ink ? study::Handwriting{{{study::ink_point({1, 1}, 0, 0), study::ink_point({9, 9}, 10, 0)}}}
+                : study::Handwriting{};
     ASSERT_TRUE(learner_->store().add_writing(U'休', 6, writing, ink));
     clock_.advance(std::chrono::days(1));
   }

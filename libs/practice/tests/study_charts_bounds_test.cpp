@@ -21,7 +21,11 @@ const Day kToday = *study::parse_day("2026-03-20");
 TEST(StudyChartsBounds, FaultsThatAreAsFrequentStandInTheirOwnOrder) {
   using kanji::MistakeKind;
   const study::HardStroke stroke{
-      U'休', 0, 3, 3, {{kanji::MistakeKind::reversed, 1}, {kanji::MistakeKind::order, 1}, {kanji::MistakeKind::wrong, 2}}};
+      U'休',
+      0,
+      3,
+      3,
+      {{kanji::MistakeKind::reversed, 1}, {kanji::MistakeKind::order, 1}, {kanji::MistakeKind::wrong, 2}}};
   EXPECT_THAT(mistakes_by_count(stroke),
               ElementsAre(std::pair(kanji::MistakeKind::wrong, 2), std::pair(kanji::MistakeKind::order, 1),
                           std::pair(kanji::MistakeKind::reversed, 1)));

@@ -7,9 +7,9 @@
 
 #include "kanji_text.h"
 #include "signals.h"
+#include "stored_settings.h"
 #include "study/learner_words.h"
 #include "study/session_words.h"
-#include "stored_settings.h"
 
 namespace nazori::ui {
 namespace {

@@ -10,6 +10,7 @@
 #include "appearance.h"
 #include "error_text.h"
 #include "feedback_line.h"
+#include "kanji_text.h"
 #include "key_list_dialog.h"
 #include "main_window_inside.h"
 #include "panes.h"
@@ -17,7 +18,6 @@
 #include "status_line.h"
 #include "tablet_window.h"
 #include "tool_bar.h"
-#include "kanji_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -184,16 +184,17 @@ void MainWindow::Inside::connect_recording() {
               MainWindow::tr("Another device: the recording goes on in %1.").arg(to_text(path.string())));
   });
   subscribe(recording.failed, &window, [this](const Path& path, const base::Error& error) {
-    desk.tell(Feedback::wrong, MainWindow::tr("The recording %1 has ended: %2.")
-                                   .arg(to_text(path.string()), reason(error)));
+    desk.tell(Feedback::wrong,
+              MainWindow::tr("The recording %1 has ended: %2.").arg(to_text(path.string()), reason(error)));
   });
   subscribe(recording.exported, &window, [this](const Path& path) {
     desk.tell(Feedback::good, MainWindow::tr("Recorded: %1.").arg(to_text(path.string())));
   });
   subscribe(recording.recovered, &window, [this](const practice::TabletRecording::Recovered& found) {
     if (!found.files.empty())
-      desk.tell(Feedback::good,
-                MainWindow::tr("A recording had broken off. It is complete now: %1.").arg(names(found.files)));
+      desk.tell(
+          Feedback::good,
+          MainWindow::tr("A recording had broken off. It is complete now: %1.").arg(names(found.files)));
     if (!found.broken.empty())
       desk.tell(
           Feedback::advice,
@@ -246,9 +247,7 @@ void MainWindow::Inside::record(bool on) {
   if (!on) {
     const auto written = recording.finish();
     if (written && recording.is_exporting())
-      desk.say(
-          Feedback::hint,
-          MainWindow::tr("The recording has ended. Writing %1.").arg(names(*written)));
+      desk.say(Feedback::hint, MainWindow::tr("The recording has ended. Writing %1.").arg(names(*written)));
     else if (written)
       desk.say(Feedback::good, MainWindow::tr("Recorded: %1.").arg(names(*written)));
     else
@@ -275,8 +274,8 @@ void MainWindow::Inside::record(bool on) {
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
   const QString path = dialog.selectedFiles().front();
   const auto& tablet = desk.tablet().tablet();
-  const auto started =
-      recording.start(path.toStdString(), current->title().toStdString(), tablet ? tablet->shape() : geometry::TabletShape{});
+  const auto started = recording.start(path.toStdString(), current->title().toStdString(),
+                                       tablet ? tablet->shape() : geometry::TabletShape{});
   if (!started) {
     desk.say(Feedback::wrong,
              MainWindow::tr("%1: %2. Nothing is recorded.").arg(path, reason(started.error())));

@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "device_text.h"
+#include "kanji_text.h"
 #include "nazori/practice/tablet_control.h"
 #include "nazori/practice/tablet_recording.h"
-#include "kanji_text.h"
 #include "signals.h"
 
 namespace nazori::ui {

@@ -81,10 +81,11 @@ Characters::Characters(Desk& desk)
 
 void Characters::make_pages() {
   memory_page_ = new MemoryPage(practice_.memory(), desk(), *actions_, writing_panel_);
-  stages_ = {{QStringLiteral("watch"), actions_->watch, new WatchPage(practice_.watch(), desk(), *actions_)},
-             {QStringLiteral("trace"), actions_->trace, new TracePage(practice_.trace(), desk(), *actions_)},
-             {QStringLiteral("guided"), actions_->guided, new GuidedPage(practice_.guided(), desk(), *actions_)},
-             {QStringLiteral("memory"), actions_->memory, memory_page_}};
+  stages_ = {
+      {QStringLiteral("watch"), actions_->watch, new WatchPage(practice_.watch(), desk(), *actions_)},
+      {QStringLiteral("trace"), actions_->trace, new TracePage(practice_.trace(), desk(), *actions_)},
+      {QStringLiteral("guided"), actions_->guided, new GuidedPage(practice_.guided(), desk(), *actions_)},
+      {QStringLiteral("memory"), actions_->memory, memory_page_}};
   QSettings settings(desk().settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
   const QString last = settings.value(QStringLiteral("stage")).toString();
@@ -234,8 +235,8 @@ void Characters::ask_and_open() {
 
 void Characters::ask_and_save() {
   const auto& own = practice_.own();
-  const QString file_name = own.tablet ? to_text(own.name).section(QLatin1Char('.'), 0, 0)
-                                       : to_text(desk().preferences().kanji);
+  const QString file_name =
+      own.tablet ? to_text(own.name).section(QLatin1Char('.'), 0, 0) : to_text(desk().preferences().kanji);
   files_->ask_and_save(practice_.tablet(), own, file_name);
 }
 

@@ -150,8 +150,8 @@ void CompareView::paint_own(QPainter& painter, const QRectF& box) const {
     const double zero_s = strokes_.front().front().time_s.value_or(0);
     for (std::size_t k = 1; k < stroke.size(); ++k) {
       if (time_s_ >= 0 && stroke[k].time_s.value_or(0) - zero_s > time_s_) return;
-      painter.setPen(QPen(colour, std::max(2 * per_m * view::ink_half_width_m(stroke[k]), 1.5),
-                          Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter.setPen(QPen(colour, std::max(2 * per_m * view::ink_half_width_m(stroke[k]), 1.5), Qt::SolidLine,
+                          Qt::RoundCap, Qt::RoundJoin));
       painter.drawLine(place(stroke[k - 1].at, box), place(stroke[k].at, box));
     }
     if (time_s_ >= 0 || verdict == view::Verdict::none) continue;

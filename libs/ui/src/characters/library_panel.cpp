@@ -17,8 +17,8 @@
 
 #include "characters/character_tile_delegate.h"
 #include "icons.h"
-#include "palette.h"
 #include "kanji_text.h"
+#include "palette.h"
 #include "signals.h"
 
 namespace nazori::ui {

@@ -97,9 +97,8 @@ void MemoryPage::connect_comparing() {
     if (on) desk().say(Feedback::hint, tr("Your writing beside the model. Space replays both."));
   });
   on(actions().play, [this] { set_playing(actions().play->isChecked()); });
-  connect(compare_, &CompareView::moment_shown, this, [this](double time_s) {
-    memory_.show_moment(time_s < 0 ? std::nullopt : std::optional(time_s));
-  });
+  connect(compare_, &CompareView::moment_shown, this,
+          [this](double time_s) { memory_.show_moment(time_s < 0 ? std::nullopt : std::optional(time_s)); });
   connect(compare_, &CompareView::finished, this, [this] {
     if (is_entered()) actions().play->setChecked(false);
   });

@@ -9,8 +9,8 @@ namespace nazori::ui {
 class CompareView;
 class WritingPanel;
 
-/// The actions of writing from memory, and the panel beside the tablet: strictness, comparison with the model, and
-/// what was found.
+/// The actions of writing from memory, and the panel beside the tablet: strictness, comparison with the
+/// model, and what was found.
 class MemoryPage final : public StagePage {
   Q_OBJECT
  public:

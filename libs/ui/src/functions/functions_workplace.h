@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "event_loop_inbox.h"
-#include "nazori/practice/tablet_plot.h"
 #include "nazori/functions/plot_explorer.h"
 #include "nazori/functions/plot_export.h"
 #include "nazori/functions/plot_model.h"
+#include "nazori/practice/tablet_plot.h"
 #include "workplace.h"
 
 namespace nazori::ui {

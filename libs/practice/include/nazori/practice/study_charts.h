@@ -27,6 +27,7 @@ struct ChartKind {
 [[nodiscard]] Chart build_chart(ChartId id, const study::Statistics& statistics, study::Day first = {});
 
 /// What goes wrong with a stroke, the most frequent first; as often in the order of kanji::MistakeKind.
-[[nodiscard]] std::vector<std::pair<kanji::MistakeKind, int>> mistakes_by_count(const study::HardStroke& stroke);
+[[nodiscard]] std::vector<std::pair<kanji::MistakeKind, int>> mistakes_by_count(
+    const study::HardStroke& stroke);
 
 }  // namespace nazori::practice

@@ -17,10 +17,10 @@
 
 namespace nazori::practice {
 
-/// Records every moment of feeling to a file, whatever device has the tablet. Another device goes on in a file of
-/// its own, numbered, because a recording says of which device it is. Which file is being written is remembered, so
-/// that the next start can complete it after a crash. Tables are written and broken recordings completed behind the
-/// thread that asks. Thread: the owner of the inbox.
+/// Records every moment of feeling to a file, whatever device has the tablet. Another device goes on in a
+/// file of its own, numbered, because a recording says of which device it is. Which file is being written is
+/// remembered, so that the next start can complete it after a crash. Tables are written and broken recordings
+/// completed behind the thread that asks. Thread: the owner of the inbox.
 class TabletRecording {
  public:
   using Path = std::filesystem::path;

@@ -10,9 +10,9 @@
 #include "nazori/base/result.h"
 #include "nazori/base/signal.h"
 #include "nazori/writing/grade.h"
-#include "nazori/writing/written_character.h"
 #include "nazori/writing/motion_remarks.h"
 #include "nazori/writing/recogniser.h"
+#include "nazori/writing/written_character.h"
 
 namespace nazori::practice {
 
