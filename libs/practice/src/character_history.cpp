@@ -15,8 +15,8 @@ std::vector<HardStroke> hard_strokes(Learner& learner, char32_t character, std::
   }
   std::map<int, int> wrong;
   for (const auto& one : *writings)
-    for (const auto& fault : one.entry.writing.result.mistakes)
-      if (fault.kind != study::FaultKind::ending) ++wrong[fault.stroke];
+    for (const auto& mistake : one.entry.writing.result.mistakes)
+      if (mistake.kind != kanji::MistakeKind::ending) ++wrong[mistake.stroke];
   std::vector<HardStroke> worst;
   for (const auto& [stroke, times] : wrong)
     if (times > 1) worst.push_back({stroke, times});

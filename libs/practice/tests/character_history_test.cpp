@@ -9,20 +9,20 @@
 namespace nazori::practice {
 namespace {
 
-using study::FaultKind;
+using kanji::MistakeKind;
 using study::Rating;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
 class CharacterHistory : public SessionTest {
  protected:
-  void write_with(std::vector<study::StrokeFault> faults, Rating rating = Rating::good,
+  void write_with(std::vector<study::StrokeMistake> mistakes, Rating rating = Rating::good,
                   bool has_ink = false) {
     study::Writing writing;
     writing.rating = rating;
-    writing.result.mistakes = std::move(faults);
+    writing.result.mistakes = std::move(mistakes);
     const auto ink =
-        has_ink ? study::Handwriting{{{study::ink_point({1, 1}, 0, 0), study::ink_point({9, 9}, 10, 0)}}}
+        has_ink ? study::Handwriting{{{{1, 1}, 0.0, 0.0}, {{9, 9}, 0.01, 0.0}}}
                 : study::Handwriting{};
     ASSERT_TRUE(learner_->store().add_writing(U'休', 6, writing, ink));
     clock_.advance(std::chrono::days(1));
@@ -31,11 +31,11 @@ class CharacterHistory : public SessionTest {
 
 TEST_F(CharacterHistory, NamesTheStrokesThatWentWrongMoreThanOnceTheWorstFirst) {
   EXPECT_THAT(hard_strokes(*learner_, U'休', 3), IsEmpty());
-  write_with({{FaultKind::wrong, 1}, {FaultKind::order, 4}, {FaultKind::ending, 5}, {FaultKind::wrong, 0}});
-  write_with({{FaultKind::missing, 1}, {FaultKind::order, 4}, {FaultKind::ending, 5}, {FaultKind::wrong, 2}});
+  write_with({{MistakeKind::wrong, 1}, {MistakeKind::order, 4}, {MistakeKind::ending, 5}, {MistakeKind::wrong, 0}});
+  write_with({{MistakeKind::missing, 1}, {MistakeKind::order, 4}, {MistakeKind::ending, 5}, {MistakeKind::wrong, 2}});
   EXPECT_THAT(hard_strokes(*learner_, U'休', 3), ElementsAre(HardStroke{4, 2}, HardStroke{1, 2}))
       << "endings do not count, once is not often";
-  write_with({{FaultKind::reversed, 1}, {FaultKind::wrong, 2}, {FaultKind::wrong, 0}});
+  write_with({{MistakeKind::reversed, 1}, {MistakeKind::wrong, 2}, {MistakeKind::wrong, 0}});
   EXPECT_THAT(hard_strokes(*learner_, U'休', 3),
               ElementsAre(HardStroke{1, 3}, HardStroke{4, 2}, HardStroke{2, 2}));
   EXPECT_THAT(hard_strokes(*learner_, U'休', 1), ElementsAre(HardStroke{1, 3}));
@@ -52,7 +52,7 @@ TEST_F(CharacterHistory, ShowsTheNewestWritingsThatWereSaved) {
   EXPECT_EQ(two[0].rating, Rating::easy);
   EXPECT_EQ(two[1].rating, Rating::good);
   EXPECT_EQ(two[0].day, two[1].day + std::chrono::days(1));
-  EXPECT_EQ(two[0].ink.strokes.size(), 1U);
+  EXPECT_EQ(two[0].ink.size(), 1U);
   const auto all = earlier_writings(*learner_, U'休', 9);
   ASSERT_EQ(all.size(), 3U) << "one was saved without its handwriting";
   EXPECT_EQ(all[2].rating, Rating::again);

@@ -439,7 +439,7 @@ TEST(StoreSafety, AFileOfVersionOneIsRead) {
   EXPECT_EQ(card.memory.stability, 8.2956);
   EXPECT_EQ(card.due_day, *parse_day("2026-01-09"));
   EXPECT_EQ(store.settings().new_per_day, 9);
-  EXPECT_EQ(must(store.ink_of(2)).strokes.size(), 1U);
+  EXPECT_EQ(must(store.ink_of(2)).size(), 1U);
   EXPECT_EQ(must(store.lists()).at(0).name, "trees");
   EXPECT_EQ(must(store.rebuild()).differences, 0);
 }

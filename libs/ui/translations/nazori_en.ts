@@ -123,37 +123,6 @@
     </message>
 </context>
 <context>
-    <name>nazori::ui::MemoryStage</name>
-    <message numerus="yes">
-        <source>Write the character of %n strokes.</source>
-        <translation>
-            <numerusform>Write the character of %n stroke.</numerusform>
-            <numerusform>Write the character of %n strokes.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n strokes are written. Enter judges them.</source>
-        <translation>
-            <numerusform>%n stroke is written. Enter judges it.</numerusform>
-            <numerusform>%n strokes are written. Enter judges them.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Stroke %1 is right. %n to go.</source>
-        <translation>
-            <numerusform>Stroke %1 is right. %n to go.</numerusform>
-            <numerusform>Stroke %1 is right. %n to go.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Taken back. %n strokes are written.</source>
-        <translation>
-            <numerusform>Taken back. %n stroke is written.</numerusform>
-            <numerusform>Taken back. %n strokes are written.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::SessionBar</name>
     <message numerus="yes">
         <source>a character of %n strokes</source>
@@ -209,22 +178,57 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::StageWords</name>
+    <message numerus="yes">
+        <source>All %n strokes. Space plays them again; F6 goes on to tracing.</source>
+        <translation>
+            <numerusform>The one stroke. Space plays it again; F6 goes on to tracing.</numerusform>
+            <numerusform>All %n strokes. Space plays them again; F6 goes on to tracing.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n strokes are written. Delete clears the tablet.</source>
+        <translation>
+            <numerusform>The one stroke is written. Delete clears the tablet.</numerusform>
+            <numerusform>All %n strokes are written. Delete clears the tablet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes are written. Enter judges them.</source>
+        <translation>
+            <numerusform>%n stroke is written. Enter judges it.</numerusform>
+            <numerusform>%n strokes are written. Enter judges them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stroke %1 is right. %n to go.</source>
+        <translation>
+            <numerusform>Stroke %1 is right. %n to go.</numerusform>
+            <numerusform>Stroke %1 is right. %n to go.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Taken back. %n strokes are written.</source>
+        <translation>
+            <numerusform>Taken back. %n stroke is written.</numerusform>
+            <numerusform>Taken back. %n strokes are written.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Write the character of %n strokes.</source>
+        <translation>
+            <numerusform>Write the character of %n stroke.</numerusform>
+            <numerusform>Write the character of %n strokes.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::StrokeCounter</name>
     <message numerus="yes">
         <source>all %n strokes</source>
         <translation>
             <numerusform>one stroke</numerusform>
             <numerusform>all %n strokes</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::StrokeTeller</name>
-    <message numerus="yes">
-        <source>All %n strokes are written. Delete clears the tablet.</source>
-        <translation>
-            <numerusform>The one stroke is written. Delete clears the tablet.</numerusform>
-            <numerusform>All %n strokes are written. Delete clears the tablet.</numerusform>
         </translation>
     </message>
 </context>
@@ -301,16 +305,6 @@
         <translation>
             <numerusform>about %n minute</numerusform>
             <numerusform>about %n minutes</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::WatchStage</name>
-    <message numerus="yes">
-        <source>All %n strokes. Space plays them again; F6 goes on to tracing.</source>
-        <translation>
-            <numerusform>The one stroke. Space plays it again; F6 goes on to tracing.</numerusform>
-            <numerusform>All %n strokes. Space plays them again; F6 goes on to tracing.</numerusform>
         </translation>
     </message>
 </context>

@@ -1256,6 +1256,69 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::ExchangeProgress</name>
+    <message>
+        <source>Something is being written or read already. Wait for it, or stop it.</source>
+        <translation>すでに書き出しか読み込みの途中です。終わるまで待つか、止めてください。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>止める</translation>
+    </message>
+    <message>
+        <source>Stopped. Everything is as it was.</source>
+        <translation>止めました。すべて元のままです。</translation>
+    </message>
+    <message>
+        <source>%1: %2. Everything is as it was.</source>
+        <translation>%1：%2。すべて元のままです。</translation>
+    </message>
+    <message>
+        <source>Writing %1…</source>
+        <translation>%1 を書き出し中…</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>%1 に保存しました。</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 を読み込み中…</translation>
+    </message>
+    <message>
+        <source>Imported for %1: characters %2. %1 studies now.</source>
+        <translation>%1 に読み込みました。文字 %2。いまの学習者は %1 です。</translation>
+    </message>
+    <message>
+        <source>Nothing is studied yet: there is nothing to back up.</source>
+        <translation>まだ何も学習していないので、バックアップするものがありません。</translation>
+    </message>
+    <message>
+        <source>Making a backup…</source>
+        <translation>バックアップ中…</translation>
+    </message>
+    <message>
+        <source>Backed up as %1.</source>
+        <translation>%1 としてバックアップしました。</translation>
+    </message>
+    <message>
+        <source>No backup was made: %1.</source>
+        <translation>バックアップできませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>Putting the backup in place…</source>
+        <translation>バックアップから元に戻しています…</translation>
+    </message>
+    <message>
+        <source>The backup is in place. What stood there is kept.</source>
+        <translation>バックアップに戻しました。前の記録は残してあります。</translation>
+    </message>
+    <message>
+        <source>The backup was not put in place: %1. Everything is as it was.</source>
+        <translation>バックアップに戻せませんでした：%1。すべて元のままです。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::FeedbackLine</name>
     <message>
         <source>What just happened</source>
@@ -1921,57 +1984,6 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::GuidedStage</name>
-    <message>
-        <source>All strokes are there, not all at their turn. Delete clears the tablet.</source>
-        <translation>全部の画が書けましたが、順番や向きが違う画がありました。Delete で消してもう一度書けます。</translation>
-    </message>
-    <message>
-        <source>Without a slip, and without help. F8 goes on to writing from memory.</source>
-        <translation>助けなしで間違いなく書けました。F8 で覚えて書く練習に進めます。</translation>
-    </message>
-    <message>
-        <source>Without a slip. There is less help now: write it again.</source>
-        <translation>間違いなく書けました。助けを減らします。もう一度書きましょう。</translation>
-    </message>
-    <message>
-        <source>Write each stroke from its number.</source>
-        <translation>番号のところから一画ずつ書きましょう。</translation>
-    </message>
-    <message>
-        <source>Follow the groove.</source>
-        <translation>溝に沿って書きましょう。</translation>
-    </message>
-    <message>
-        <source>%1 Without a slip so far: %2.</source>
-        <translation>%1これまで %2 回、間違いなく書けました。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is shown. Draw it from its number.</source>
-        <translation>%1画目を示しました。番号のところから書いてください。</translation>
-    </message>
-    <message>
-        <source>All strokes are there, not all at their turn.</source>
-        <translation>すべての画がありますが、順番どおりではないものがあります。</translation>
-    </message>
-    <message>
-        <source>Without a slip.</source>
-        <translation>間違いなく書けました。</translation>
-    </message>
-    <message>
-        <source>Let the stylus take the hand along; hold back, and it gives way.</source>
-        <translation>ペンが手を導くのに任せましょう。逆らうと力をゆるめます。</translation>
-    </message>
-    <message>
-        <source>%1 Only a device with force leads the hand; here strokes hold it.</source>
-        <translation>%1 手を導けるのは力覚デバイスだけです。ここでは画が引き寄せます。</translation>
-    </message>
-    <message>
-        <source>The stylus gives way. Go on a little by yourself, and it leads again.</source>
-        <translation>ペンが力をゆるめました。少し自分で進むと、また導きます。</translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::HardStrokesCard</name>
     <message>
         <source>Stroke %1 of %2 went wrong in %3 of %4 writings: %5</source>
@@ -2373,65 +2385,6 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::LearnerWords</name>
-    <message>
-        <source>The study data cannot be read: %1.</source>
-        <translation>学習データを読めません：%1。</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be the name of a learner: up to 60 bytes, no “/”, and no dot at its beginning.</source>
-        <translation>「%1」は学習者の名前にできません。60 バイトまでで、「/」を含まず、点で始まらないものにしてください。</translation>
-    </message>
-    <message>
-        <source>No folder for learners is known: set NAZORI_LEARNERS. Nothing is kept.</source>
-        <translation>学習者のフォルダーが分かりません。NAZORI_LEARNERS を設定してください。何も保存されません。</translation>
-    </message>
-    <message>
-        <source>Today&apos;s backup could not be made: %1. Studying works.</source>
-        <translation>今日のバックアップを作れませんでした：%1。学習はできます。</translation>
-    </message>
-    <message>
-        <source>The store of %1 was written by a newer Nazori or another program: %2. Nothing was changed, and nothing is kept.</source>
-        <translation>%1 の記録は新しい版の Nazori か別のプログラムのものです：%2。何も変えていません。何も保存されません。</translation>
-    </message>
-    <message>
-        <source>The store of %1 is damaged: %2. Nothing was changed. A backup can be put in its place.</source>
-        <translation>%1 の記録が壊れています：%2。何も変えていません。バックアップから戻せます。</translation>
-    </message>
-    <message>
-        <source>The store of %1 cannot be written: %2. Nothing is kept.</source>
-        <translation>%1 の記録に書き込めません：%2。何も保存されません。</translation>
-    </message>
-    <message>
-        <source>It could not be kept: %1.</source>
-        <translation>保存できませんでした：%1。</translation>
-    </message>
-    <message>
-        <source>“%1” is open here now: everything is kept.</source>
-        <translation>「%1」をここで開きました。すべて保存されます。</translation>
-    </message>
-    <message>
-        <source>“%1” is open in another window of Nazori. Close it there; until then nothing is kept here.</source>
-        <translation>「%1」は別の Nazori の窓で開いています。そちらを閉じてください。それまでここでは何も保存されません。</translation>
-    </message>
-    <message>
-        <source>the disk is full. Make room; what was kept before is safe</source>
-        <translation>ディスクがいっぱいです。空きを作ってください。前に保存したものは無事です</translation>
-    </message>
-    <message>
-        <source>%1 may not be written. Check the permissions of the folder</source>
-        <translation>%1 に書き込めません。フォルダーの権限を確かめてください</translation>
-    </message>
-    <message>
-        <source>Every character of %1 is being worked out anew. Nothing is kept until that is done.</source>
-        <translation>%1 のすべての漢字を計算し直しています。終わるまで、書いたものは保存されません。</translation>
-    </message>
-    <message>
-        <source>Something is being put in the place of what %1 has done. Nothing is kept until it is there.</source>
-        <translation>%1 の記録を置き換えています。終わるまで、書いたものは保存されません。</translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::LearnerActions</name>
     <message>
         <source>&amp;Who studies…</source>
@@ -2495,69 +2448,6 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::ExchangeProgress</name>
-    <message>
-        <source>Something is being written or read already. Wait for it, or stop it.</source>
-        <translation>すでに書き出しか読み込みの途中です。終わるまで待つか、止めてください。</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>止める</translation>
-    </message>
-    <message>
-        <source>Stopped. Everything is as it was.</source>
-        <translation>止めました。すべて元のままです。</translation>
-    </message>
-    <message>
-        <source>%1: %2. Everything is as it was.</source>
-        <translation>%1：%2。すべて元のままです。</translation>
-    </message>
-    <message>
-        <source>Writing %1…</source>
-        <translation>%1 を書き出し中…</translation>
-    </message>
-    <message>
-        <source>Saved as %1.</source>
-        <translation>%1 に保存しました。</translation>
-    </message>
-    <message>
-        <source>Reading %1…</source>
-        <translation>%1 を読み込み中…</translation>
-    </message>
-    <message>
-        <source>Imported for %1: characters %2. %1 studies now.</source>
-        <translation>%1 に読み込みました。文字 %2。いまの学習者は %1 です。</translation>
-    </message>
-    <message>
-        <source>Nothing is studied yet: there is nothing to back up.</source>
-        <translation>まだ何も学習していないので、バックアップするものがありません。</translation>
-    </message>
-    <message>
-        <source>Making a backup…</source>
-        <translation>バックアップ中…</translation>
-    </message>
-    <message>
-        <source>Backed up as %1.</source>
-        <translation>%1 としてバックアップしました。</translation>
-    </message>
-    <message>
-        <source>No backup was made: %1.</source>
-        <translation>バックアップできませんでした：%1。</translation>
-    </message>
-    <message>
-        <source>Putting the backup in place…</source>
-        <translation>バックアップから元に戻しています…</translation>
-    </message>
-    <message>
-        <source>The backup is in place. What stood there is kept.</source>
-        <translation>バックアップに戻しました。前の記録は残してあります。</translation>
-    </message>
-    <message>
-        <source>The backup was not put in place: %1. Everything is as it was.</source>
-        <translation>バックアップに戻せませんでした：%1。すべて元のままです。</translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::LearnerMenu</name>
     <message>
         <source>Everything of a learner (*.json)</source>
@@ -2586,6 +2476,65 @@ Columns and rows:</source>
     <message>
         <source>Everything of a learner (*.json);;All files (*)</source>
         <translation>学習者のすべて (*.json);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::LearnerWords</name>
+    <message>
+        <source>The study data cannot be read: %1.</source>
+        <translation>学習データを読めません：%1。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be the name of a learner: up to 60 bytes, no “/”, and no dot at its beginning.</source>
+        <translation>「%1」は学習者の名前にできません。60 バイトまでで、「/」を含まず、点で始まらないものにしてください。</translation>
+    </message>
+    <message>
+        <source>No folder for learners is known: set NAZORI_LEARNERS. Nothing is kept.</source>
+        <translation>学習者のフォルダーが分かりません。NAZORI_LEARNERS を設定してください。何も保存されません。</translation>
+    </message>
+    <message>
+        <source>Today&apos;s backup could not be made: %1. Studying works.</source>
+        <translation>今日のバックアップを作れませんでした：%1。学習はできます。</translation>
+    </message>
+    <message>
+        <source>The store of %1 was written by a newer Nazori or another program: %2. Nothing was changed, and nothing is kept.</source>
+        <translation>%1 の記録は新しい版の Nazori か別のプログラムのものです：%2。何も変えていません。何も保存されません。</translation>
+    </message>
+    <message>
+        <source>The store of %1 is damaged: %2. Nothing was changed. A backup can be put in its place.</source>
+        <translation>%1 の記録が壊れています：%2。何も変えていません。バックアップから戻せます。</translation>
+    </message>
+    <message>
+        <source>The store of %1 cannot be written: %2. Nothing is kept.</source>
+        <translation>%1 の記録に書き込めません：%2。何も保存されません。</translation>
+    </message>
+    <message>
+        <source>It could not be kept: %1.</source>
+        <translation>保存できませんでした：%1。</translation>
+    </message>
+    <message>
+        <source>“%1” is open here now: everything is kept.</source>
+        <translation>「%1」をここで開きました。すべて保存されます。</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window of Nazori. Close it there; until then nothing is kept here.</source>
+        <translation>「%1」は別の Nazori の窓で開いています。そちらを閉じてください。それまでここでは何も保存されません。</translation>
+    </message>
+    <message>
+        <source>the disk is full. Make room; what was kept before is safe</source>
+        <translation>ディスクがいっぱいです。空きを作ってください。前に保存したものは無事です</translation>
+    </message>
+    <message>
+        <source>%1 may not be written. Check the permissions of the folder</source>
+        <translation>%1 に書き込めません。フォルダーの権限を確かめてください</translation>
+    </message>
+    <message>
+        <source>Every character of %1 is being worked out anew. Nothing is kept until that is done.</source>
+        <translation>%1 のすべての漢字を計算し直しています。終わるまで、書いたものは保存されません。</translation>
+    </message>
+    <message>
+        <source>Something is being put in the place of what %1 has done. Nothing is kept until it is there.</source>
+        <translation>%1 の記録を置き換えています。終わるまで、書いたものは保存されません。</translation>
     </message>
 </context>
 <context>
@@ -2929,110 +2878,14 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::MemoryStage</name>
+    <name>nazori::ui::MemoryPage</name>
     <message>
         <source>Your writing is judged %1.</source>
         <translation>%1採点します。</translation>
     </message>
     <message>
-        <source>The writing could not be judged: %1. It is kept.</source>
-        <translation>判定できませんでした：%1。書いた字はそのままです。</translation>
-    </message>
-    <message>
-        <source>Nothing is written yet. H shows the first stroke.</source>
-        <translation>まだ何も書かれていません。H で最初の画を見せます。</translation>
-    </message>
-    <message>
-        <source>Every stroke is judged as it ends.</source>
-        <translation>一画ごとに判定します。</translation>
-    </message>
-    <message>
-        <source>The writing is judged at the end: press Enter.</source>
-        <translation>最後に判定します。Enter を押してください。</translation>
-    </message>
-    <message>
         <source>Your writing beside the model. Space replays both.</source>
         <translation>書いた字と手本を並べました。スペースキーで両方を再生します。</translation>
-    </message>
-    <message numerus="yes">
-        <source>Write the character of %n strokes.</source>
-        <translation>
-            <numerusform>%n 画の字を書きましょう。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2 H gives a hint, Enter is done.</source>
-        <translation>%1：%2H でヒント、Enter で判定します。</translation>
-    </message>
-    <message>
-        <source>The tablet is full. Delete clears it.</source>
-        <translation>文字板がいっぱいです。Delete で消せます。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n strokes are written. Enter judges them.</source>
-        <translation>
-            <numerusform>%n 画書きました。Enter で判定します。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>That is no stroke of this character. Ctrl+Z takes it back.</source>
-        <translation>この字にない画です。Ctrl+Z で取り消せます。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is right. Enter is done.</source>
-        <translation>%1画目は正しく書けました。Enter で判定します。</translation>
-    </message>
-    <message numerus="yes">
-        <source>Stroke %1 is right. %n to go.</source>
-        <translation>
-            <numerusform>%1画目は正しく書けました。あと %n 画です。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 %2 of 100 points.</source>
-        <translation>%1 %2 点（100 点満点）です。</translation>
-    </message>
-    <message>
-        <source>%1 Ctrl+Z takes back a stroke, O shows the model.</source>
-        <translation>%1Ctrl+Z で一画取り消し、O で手本を重ねます。</translation>
-    </message>
-    <message numerus="yes">
-        <source>Taken back. %n strokes are written.</source>
-        <translation>
-            <numerusform>取り消しました。今は %n 画です。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Every stroke is there. Enter is done.</source>
-        <translation>すべての画が書けています。Enter で判定します。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is shown in blue. H again shows all that are left.</source>
-        <translation>%1画目を青で示しました。もう一度 H を押すと残り全部を示します。</translation>
-    </message>
-    <message>
-        <source>All strokes that are left are shown in blue.</source>
-        <translation>残りの画をすべて青で示しました。</translation>
-    </message>
-    <message>
-        <source>This is how it is written. Delete clears the tablet to try again.</source>
-        <translation>こう書きます。Delete で消して、もう一度書けます。</translation>
-    </message>
-    <message>
-        <source>%1 H shows where the stroke goes.</source>
-        <translation>%1H キーで書く場所を示します。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is shown in blue. Write it there and go on.</source>
-        <translation>%1画目を青で示しました。そこに書いて続けてください。</translation>
-    </message>
-    <message>
-        <source>%1 H gives a hint, Enter is done.</source>
-        <translation>%1H でヒント、Enter で終わりです。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is right. Stroke %2 is still missing.</source>
-        <translation>%1画目は正しく書けました。%2画目がまだありません。</translation>
     </message>
 </context>
 <context>
@@ -3850,6 +3703,77 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::SessionWords</name>
+    <message>
+        <source>What is due cannot be told: %1.</source>
+        <translation>今日の分が分かりません：%1。</translation>
+    </message>
+    <message>
+        <source>Nothing is due now.</source>
+        <translation>今の分はありません。</translation>
+    </message>
+    <message>
+        <source>The session has ended. Everything that was rated is kept.</source>
+        <translation>学習を終えました。評価したものはすべて保存されています。</translation>
+    </message>
+    <message>
+        <source>%1 is forgotten often. It is set apart: Home offers another lesson for it.</source>
+        <translation>%1 はよく忘れるので取り分けました。ホームに別の練習があります。</translation>
+    </message>
+    <message>
+        <source>Kept: %1 is “%2” and comes %3.</source>
+        <translation>保存しました：%1 は「%2」、次は%3。</translation>
+    </message>
+    <message>
+        <source>There is nothing to take back.</source>
+        <translation>取り消すものはありません。</translation>
+    </message>
+    <message>
+        <source>Taken back: the last writing of %1.</source>
+        <translation>取り消しました：%1 の最後に書いたもの。</translation>
+    </message>
+    <message>
+        <source>Taken back: %1 is not postponed.</source>
+        <translation>取り消しました：%1 はまた予定どおりです。</translation>
+    </message>
+    <message>
+        <source>Taken back: %1 is not paused.</source>
+        <translation>取り消しました：%1 は休止していません。</translation>
+    </message>
+    <message>
+        <source>Taken back: %1 is paused again.</source>
+        <translation>取り消しました：%1 はまた休止です。</translation>
+    </message>
+    <message>
+        <source>Taken back: what was learnt of %1 is there again.</source>
+        <translation>取り消しました：%1 の学習が元に戻りました。</translation>
+    </message>
+    <message>
+        <source>Taken back: %1.</source>
+        <translation>取り消しました：%1。</translation>
+    </message>
+    <message>
+        <source>%1 Ctrl+Shift+Z takes it back.</source>
+        <translation>%1Ctrl+Shift+Z で取り消せます。</translation>
+    </message>
+    <message>
+        <source>%1 comes tomorrow.</source>
+        <translation>%1 は明日出ます。</translation>
+    </message>
+    <message>
+        <source>%1 is paused until it is asked for.</source>
+        <translation>%1 は再開するまで休みです。</translation>
+    </message>
+    <message>
+        <source>%1 is new again.</source>
+        <translation>%1 は新しい文字に戻りました。</translation>
+    </message>
+    <message>
+        <source>That was all for now. Everything is kept.</source>
+        <translation>今の分はこれで終わりです。すべて保存されています。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::SettingsProgress</name>
     <message>
         <source>Working out every character anew…</source>
@@ -3870,6 +3794,253 @@ Columns and rows:</source>
     <message>
         <source>The study settings were not kept: %1. They are as they were.</source>
         <translation>学習の設定を保存できませんでした：%1。設定は元のままです。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StageWords</name>
+    <message>
+        <source>Space plays, Left and Right step from stroke to stroke.</source>
+        <translation>スペースキーで再生、左右の矢印キーで一画ずつ進みます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2</source>
+        <translation>%1画目（全%2画）</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1：%2。%3</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n strokes. Space plays them again; F6 goes on to tracing.</source>
+        <translation>
+            <numerusform>全 %n 画です。スペースキーでもう一度再生、F6 でなぞりに進みます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Speed %1.</source>
+        <translation>速さ %1 倍です。</translation>
+    </message>
+    <message>
+        <source>Press the left button to touch the tablet; the right button turns it.</source>
+        <translation>左ボタンで文字板に触れ、右ボタンで回せます。</translation>
+    </message>
+    <message>
+        <source>Press the left button in a groove and follow it. S shows the strokes.</source>
+        <translation>溝の上で左ボタンを押し、溝に沿って動かしましょう。S キーで筆画が見えます。</translation>
+    </message>
+    <message>
+        <source>Hold the left button at number 1 and draw along the groove.</source>
+        <translation>番号 1 で左ボタンを押したまま、溝に沿って書きましょう。</translation>
+    </message>
+    <message>
+        <source>Follow the groove.</source>
+        <translation>溝に沿って書きましょう。</translation>
+    </message>
+    <message>
+        <source>Write each stroke from its number.</source>
+        <translation>番号のところから一画ずつ書きましょう。</translation>
+    </message>
+    <message>
+        <source>Let the stylus take the hand along; hold back, and it gives way.</source>
+        <translation>ペンが手を導くのに任せましょう。逆らうと力をゆるめます。</translation>
+    </message>
+    <message>
+        <source>%1 Only a device with force leads the hand; here strokes hold it.</source>
+        <translation>%1 手を導けるのは力覚デバイスだけです。ここでは画が引き寄せます。</translation>
+    </message>
+    <message>
+        <source>%1 Without a slip so far: %2.</source>
+        <translation>%1これまで %2 回、間違いなく書けました。</translation>
+    </message>
+    <message>
+        <source>Stroke %1: follow the groove to its end.</source>
+        <translation>%1画目：溝の終わりまでなぞりましょう。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is written. The full stop key (.) shows the next.</source>
+        <translation>%1画目が書けました。ピリオド（.）キーで次の画へ進みます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is written. Stroke %2 is next.</source>
+        <translation>%1画目が書けました。次は%2画目です。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is written, but stroke %2 is not finished: the blue bit is missing.</source>
+        <translation>%1画目を書きましたが、%2画目は途中です。青い部分が残っています。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is written, but stroke %2 comes first. Write it now.</source>
+        <translation>%1画目を書きましたが、先に書くのは%2画目です。次に書いてください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n strokes are written. Delete clears the tablet.</source>
+        <translation>
+            <numerusform>%n 画すべて書けました。Delete キーで墨を消せます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stroke %1 is not finished: the blue bit is missing. Draw on from there.</source>
+        <translation>%1画目は途中です。青い部分を続けて書いてください。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is not finished: draw the blue bit first.</source>
+        <translation>%1画目は途中です。先に青い部分を書いてください。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 comes before stroke %2.</source>
+        <translation>%1画目は%2画目より先に書きます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 begins at its other end, where its number stands.</source>
+        <translation>%1画目は反対の端、番号のある所から書き始めます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is shown. Draw it from its number.</source>
+        <translation>%1画目を示しました。番号のところから書いてください。</translation>
+    </message>
+    <message>
+        <source>The stylus gives way. Go on a little by yourself, and it leads again.</source>
+        <translation>ペンが力をゆるめました。少し自分で進むと、また導きます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2. Draw it from its number.</source>
+        <translation>%2画のうち%1画目です。番号から書きましょう。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is chosen, but the strokes are hidden: press S.</source>
+        <translation>%1画目を選びましたが、筆画は隠れています。S キーで見えます。</translation>
+    </message>
+    <message>
+        <source>The stylus is free.</source>
+        <translation>ペン先は自由に動きます。</translation>
+    </message>
+    <message>
+        <source>Strokes now hold the stylus. Pull away firmly to leave one.</source>
+        <translation>画がペン先を引き留めます。強く引くと離れます。</translation>
+    </message>
+    <message>
+        <source>Strokes hold the stylus only while they are shown: press S.</source>
+        <translation>画が見えている間だけ吸着します。S キーで筆画を見せてください。</translation>
+    </message>
+    <message>
+        <source>All strokes are there, not all at their turn. Delete clears the tablet.</source>
+        <translation>全部の画が書けましたが、順番や向きが違う画がありました。Delete で消してもう一度書けます。</translation>
+    </message>
+    <message>
+        <source>All strokes are there, not all at their turn.</source>
+        <translation>すべての画がありますが、順番どおりではないものがあります。</translation>
+    </message>
+    <message>
+        <source>Without a slip.</source>
+        <translation>間違いなく書けました。</translation>
+    </message>
+    <message>
+        <source>Without a slip. There is less help now: write it again.</source>
+        <translation>間違いなく書けました。助けを減らします。もう一度書きましょう。</translation>
+    </message>
+    <message>
+        <source>Without a slip, and without help. F8 goes on to writing from memory.</source>
+        <translation>助けなしで間違いなく書けました。F8 で覚えて書く練習に進めます。</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet. H shows the first stroke.</source>
+        <translation>まだ何も書かれていません。H で最初の画を見せます。</translation>
+    </message>
+    <message>
+        <source>The tablet is full. Delete clears it.</source>
+        <translation>文字板がいっぱいです。Delete で消せます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes are written. Enter judges them.</source>
+        <translation>
+            <numerusform>%n 画書きました。Enter で判定します。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stroke %1 is shown in blue. Write it there and go on.</source>
+        <translation>%1画目を青で示しました。そこに書いて続けてください。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is right. Enter is done.</source>
+        <translation>%1画目は正しく書けました。Enter で判定します。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Stroke %1 is right. %n to go.</source>
+        <translation>
+            <numerusform>%1画目は正しく書けました。あと %n 画です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stroke %1 is right. Stroke %2 is still missing.</source>
+        <translation>%1画目は正しく書けました。%2画目がまだありません。</translation>
+    </message>
+    <message>
+        <source>The writing could not be judged: %1. It is kept.</source>
+        <translation>判定できませんでした：%1。書いた字はそのままです。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Taken back. %n strokes are written.</source>
+        <translation>
+            <numerusform>取り消しました。今は %n 画です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Every stroke is there. Enter is done.</source>
+        <translation>すべての画が書けています。Enter で判定します。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 is shown in blue. H again shows all that are left.</source>
+        <translation>%1画目を青で示しました。もう一度 H を押すと残り全部を示します。</translation>
+    </message>
+    <message>
+        <source>All strokes that are left are shown in blue.</source>
+        <translation>残りの画をすべて青で示しました。</translation>
+    </message>
+    <message>
+        <source>This is how it is written. Delete clears the tablet to try again.</source>
+        <translation>こう書きます。Delete で消して、もう一度書けます。</translation>
+    </message>
+    <message>
+        <source>Every stroke is judged as it ends.</source>
+        <translation>一画ごとに判定します。</translation>
+    </message>
+    <message>
+        <source>The writing is judged at the end: press Enter.</source>
+        <translation>最後に判定します。Enter を押してください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Write the character of %n strokes.</source>
+        <translation>
+            <numerusform>%n 画の字を書きましょう。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 H gives a hint, Enter is done.</source>
+        <translation>%1H でヒント、Enter で終わりです。</translation>
+    </message>
+    <message>
+        <source>%1: %2 H gives a hint, Enter is done.</source>
+        <translation>%1：%2H でヒント、Enter で判定します。</translation>
+    </message>
+    <message>
+        <source>That is no stroke of this character. Ctrl+Z takes it back.</source>
+        <translation>この字にない画です。Ctrl+Z で取り消せます。</translation>
+    </message>
+    <message>
+        <source>%1 H shows where the stroke goes.</source>
+        <translation>%1H キーで書く場所を示します。</translation>
+    </message>
+    <message>
+        <source>%1 Ctrl+Z takes back a stroke, O shows the model.</source>
+        <translation>%1Ctrl+Z で一画取り消し、O で手本を重ねます。</translation>
+    </message>
+    <message>
+        <source>%1 %2 of 100 points.</source>
+        <translation>%1 %2 点（100 点満点）です。</translation>
     </message>
 </context>
 <context>
@@ -4008,83 +4179,6 @@ Columns and rows:</source>
     <message>
         <source>stroke %1 of %2</source>
         <translation>%1画目（全%2画）</translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::StrokeTeller</name>
-    <message>
-        <source>Press the left button to touch the tablet; the right button turns it.</source>
-        <translation>左ボタンで文字板に触れ、右ボタンで回せます。</translation>
-    </message>
-    <message>
-        <source>Press the left button in a groove and follow it. S shows the strokes.</source>
-        <translation>溝の上で左ボタンを押し、溝に沿って動かしましょう。S キーで筆画が見えます。</translation>
-    </message>
-    <message>
-        <source>Hold the left button at number 1 and draw along the groove.</source>
-        <translation>番号 1 で左ボタンを押したまま、溝に沿って書きましょう。</translation>
-    </message>
-    <message>
-        <source>Stroke %1: follow the groove to its end.</source>
-        <translation>%1画目：溝の終わりまでなぞりましょう。</translation>
-    </message>
-    <message numerus="yes">
-        <source>All %n strokes are written. Delete clears the tablet.</source>
-        <translation>
-            <numerusform>%n 画すべて書けました。Delete キーで墨を消せます。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Stroke %1 is written. The full stop key (.) shows the next.</source>
-        <translation>%1画目が書けました。ピリオド（.）キーで次の画へ進みます。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is written. Stroke %2 is next.</source>
-        <translation>%1画目が書けました。次は%2画目です。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 comes before stroke %2.</source>
-        <translation>%1画目は%2画目より先に書きます。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 begins at its other end, where its number stands.</source>
-        <translation>%1画目は反対の端、番号のある所から書き始めます。</translation>
-    </message>
-    <message>
-        <source>The stylus is free.</source>
-        <translation>ペン先は自由に動きます。</translation>
-    </message>
-    <message>
-        <source>Strokes hold the stylus only while they are shown: press S.</source>
-        <translation>画が見えている間だけ吸着します。S キーで筆画を見せてください。</translation>
-    </message>
-    <message>
-        <source>Strokes now hold the stylus. Pull away firmly to leave one.</source>
-        <translation>画がペン先を引き留めます。強く引くと離れます。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is chosen, but the strokes are hidden: press S.</source>
-        <translation>%1画目を選びましたが、筆画は隠れています。S キーで見えます。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 of %2. Draw it from its number.</source>
-        <translation>%2画のうち%1画目です。番号から書きましょう。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is written, but stroke %2 is not finished: the blue bit is missing.</source>
-        <translation>%1画目を書きましたが、%2画目は途中です。青い部分が残っています。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is written, but stroke %2 comes first. Write it now.</source>
-        <translation>%1画目を書きましたが、先に書くのは%2画目です。次に書いてください。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is not finished: the blue bit is missing. Draw on from there.</source>
-        <translation>%1画目は途中です。青い部分を続けて書いてください。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 is not finished: draw the blue bit first.</source>
-        <translation>%1画目は途中です。先に青い部分を書いてください。</translation>
     </message>
 </context>
 <context>
@@ -4428,77 +4522,6 @@ Columns and rows:</source>
     <message>
         <source>Go to how the pen moved</source>
         <translation>筆の動きへ</translation>
-    </message>
-</context>
-<context>
-    <name>nazori::ui::SessionWords</name>
-    <message>
-        <source>What is due cannot be told: %1.</source>
-        <translation>今日の分が分かりません：%1。</translation>
-    </message>
-    <message>
-        <source>Nothing is due now.</source>
-        <translation>今の分はありません。</translation>
-    </message>
-    <message>
-        <source>The session has ended. Everything that was rated is kept.</source>
-        <translation>学習を終えました。評価したものはすべて保存されています。</translation>
-    </message>
-    <message>
-        <source>%1 is forgotten often. It is set apart: Home offers another lesson for it.</source>
-        <translation>%1 はよく忘れるので取り分けました。ホームに別の練習があります。</translation>
-    </message>
-    <message>
-        <source>Kept: %1 is “%2” and comes %3.</source>
-        <translation>保存しました：%1 は「%2」、次は%3。</translation>
-    </message>
-    <message>
-        <source>There is nothing to take back.</source>
-        <translation>取り消すものはありません。</translation>
-    </message>
-    <message>
-        <source>Taken back: the last writing of %1.</source>
-        <translation>取り消しました：%1 の最後に書いたもの。</translation>
-    </message>
-    <message>
-        <source>Taken back: %1 is not postponed.</source>
-        <translation>取り消しました：%1 はまた予定どおりです。</translation>
-    </message>
-    <message>
-        <source>Taken back: %1 is not paused.</source>
-        <translation>取り消しました：%1 は休止していません。</translation>
-    </message>
-    <message>
-        <source>Taken back: %1 is paused again.</source>
-        <translation>取り消しました：%1 はまた休止です。</translation>
-    </message>
-    <message>
-        <source>Taken back: what was learnt of %1 is there again.</source>
-        <translation>取り消しました：%1 の学習が元に戻りました。</translation>
-    </message>
-    <message>
-        <source>Taken back: %1.</source>
-        <translation>取り消しました：%1。</translation>
-    </message>
-    <message>
-        <source>%1 Ctrl+Shift+Z takes it back.</source>
-        <translation>%1Ctrl+Shift+Z で取り消せます。</translation>
-    </message>
-    <message>
-        <source>%1 comes tomorrow.</source>
-        <translation>%1 は明日出ます。</translation>
-    </message>
-    <message>
-        <source>%1 is paused until it is asked for.</source>
-        <translation>%1 は再開するまで休みです。</translation>
-    </message>
-    <message>
-        <source>%1 is new again.</source>
-        <translation>%1 は新しい文字に戻りました。</translation>
-    </message>
-    <message>
-        <source>That was all for now. Everything is kept.</source>
-        <translation>今の分はこれで終わりです。すべて保存されています。</translation>
     </message>
 </context>
 <context>
@@ -4883,40 +4906,14 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::WatchStage</name>
+    <name>nazori::ui::WatchPage</name>
     <message>
-        <source>Space plays, Left and Right step from stroke to stroke.</source>
-        <translation>スペースキーで再生、左右の矢印キーで一画ずつ進みます。</translation>
-    </message>
-    <message numerus="yes">
-        <source>All %n strokes. Space plays them again; F6 goes on to tracing.</source>
-        <translation>
-            <numerusform>全 %n 画です。スペースキーでもう一度再生、F6 でなぞりに進みます。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Speed %1.</source>
-        <translation>速さ %1 倍です。</translation>
-    </message>
-    <message>
-        <source>Stroke %1 of %2</source>
-        <translation>%1画目（全%2画）</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1。%2</translation>
-    </message>
-    <message>
-        <source>%1: %2. %3</source>
-        <translation>%1：%2。%3</translation>
+        <source>%1 of %2 · × %3</source>
+        <translation>%1 / %2 画 · × %3</translation>
     </message>
     <message>
         <source>no strokes</source>
         <translation>筆画なし</translation>
-    </message>
-    <message>
-        <source>%1 of %2 · × %3</source>
-        <translation>%1 / %2 画 · × %3</translation>
     </message>
 </context>
 <context>
