@@ -195,6 +195,7 @@ TEST_F(PracticeExchange, ABackupIsMadeAndRestoredAndWhatItReplacedIsKept) {
 }
 
 TEST_F(PracticeExchange, WhatCannotBeBackedUpIsExplained) {
+  learner_->switch_profile("nothing done yet");
   exchange_->back_up();
   EXPECT_EQ(event().kind, Kind::nothing_to_back_up);
   learner_->let_go(LearnerEvent::Kind::replacing);

@@ -268,6 +268,7 @@ TEST_F(MemoryStageTest, AnUnratedWritingIsKeptWhateverIsWrittenMeanwhileAndGoesW
   enter(U'一');
   write(1);
   memory_.leave();
+  memory_.set_on_mistake([](int) { return MissReply::try_again; });
   memory_.set_resumes(true, true);
   memory_.enter(first);
   EXPECT_EQ(memory_.state(), State::judged);

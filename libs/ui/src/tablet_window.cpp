@@ -241,7 +241,7 @@ void TabletWindow::point_stylus(QPointF position, bool pressed, std::optional<do
   if (event_ms != 0) event_s = static_cast<double>(event_ms) / 1000;
   if (const auto at = point_under(position)) controller_->move_stylus(*at, pressed, pressure, event_s);
   // Over the tablet the drawn stylus is the pointer; a second one beside it would only lag or lead.
-  const bool hide = controller_->stylus().is_pointer() && controller_->draws_stylus();
+  const bool hide = controller_->device().is_pointer() && controller_->draws_stylus();
   if (hide != (cursor().shape() == Qt::BlankCursor)) setCursor(hide ? Qt::BlankCursor : Qt::ArrowCursor);
 }
 

@@ -357,7 +357,8 @@ class Feel : public testing::Test {
 
   QWidget window_;
   DeviceActions actions_{&window_};
-  WindowTablet stylus_;
+  WindowTablet tablet_;
+  devices::TabletDevice& stylus_ = tablet_.device();
   FeelPanel panel_{stylus_, actions_, nullptr};
   std::vector<haptics::Material> told_;
 };

@@ -190,7 +190,7 @@ QString StageWords::invitation_to_write(int strokes, const practice::MemoryStage
     }
   QString reading;
   if (!entry.kun_readings.empty())
-    reading = kun_plain(split_kun(entry.kun_readings.front()));
+    reading = kun_plain(kanji::split_kun(entry.kun_readings.front()));
   else if (!entry.on_readings.empty())
     reading = to_text(entry.on_readings.front());
   const QString asked = QStringList{reading, meaning}

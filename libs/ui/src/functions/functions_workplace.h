@@ -51,7 +51,7 @@ class FunctionsWorkplace final : public Workplace {
   /// What is on the plate now; null before the first picture.
   [[nodiscard]] const functions::SharedDrawing& shown() const { return explorer_.drawing(); }
   /// The tablet of what is shown; null before the first picture.
-  [[nodiscard]] const Tablet& tablet() const { return tablet_; }
+  [[nodiscard]] const practice::Tablet& tablet() const { return tablet_; }
   [[nodiscard]] bool is_drawing() const { return plotter_.is_busy(); }
   [[nodiscard]] const std::optional<functions::PlotLocation>& location() const {
     return explorer_.location();
@@ -105,7 +105,7 @@ class FunctionsWorkplace final : public Workplace {
   std::optional<TabletSwitches> before_;  ///< what the tablet showed before this workplace had it
   functions::PlotModel model_;
   functions::PlotExplorer explorer_;
-  Tablet tablet_;  ///< of the drawing that is shown
+  practice::Tablet tablet_;  ///< of the drawing that is shown
   bool snapping_ = false;
   bool announce_summary_ = true;              ///< the next picture is of another expression
   std::optional<geometry::TabletPoint> put_;  ///< where keys have put the stylus
