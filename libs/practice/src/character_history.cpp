@@ -27,12 +27,13 @@ std::vector<HardStroke> hard_strokes(Learner& learner, char32_t character, std::
   return worst;
 }
 
-std::vector<EarlierWriting> earlier_writings(Learner& learner, char32_t character, std::size_t most) {
+std::optional<std::vector<EarlierWriting>> earlier_writings(Learner& learner, char32_t character,
+                                                            std::size_t most) {
   const auto& store = learner.store();
   const auto writings = store.writings_of(character);
   if (!writings) {
     learner.announce_unread(writings.error());
-    return {};
+    return std::nullopt;
   }
   std::vector<EarlierWriting> found;
   for (auto one = writings->rbegin(); one != writings->rend() && found.size() < most; ++one) {

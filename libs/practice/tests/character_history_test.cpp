@@ -21,9 +21,8 @@ class CharacterHistory : public SessionTest {
     study::Writing writing;
     writing.rating = rating;
     writing.result.mistakes = std::move(mistakes);
-    const auto ink =
-        has_ink ? study::Handwriting{{{{1, 1}, 0.0, 0.0}, {{9, 9}, 0.01, 0.0}}}
-                : study::Handwriting{};
+    study::Handwriting ink;
+    if (has_ink) ink = {{{{1, 1}, 0.0}, {{9, 9}, 0.01}}};
     ASSERT_TRUE(learner_->store().add_writing(U'休', 6, writing, ink));
     clock_.advance(std::chrono::days(1));
   }
@@ -31,8 +30,12 @@ class CharacterHistory : public SessionTest {
 
 TEST_F(CharacterHistory, NamesTheStrokesThatWentWrongMoreThanOnceTheWorstFirst) {
   EXPECT_THAT(hard_strokes(*learner_, U'休', 3), IsEmpty());
-  write_with({{MistakeKind::wrong, 1}, {MistakeKind::order, 4}, {MistakeKind::ending, 5}, {MistakeKind::wrong, 0}});
-  write_with({{MistakeKind::missing, 1}, {MistakeKind::order, 4}, {MistakeKind::ending, 5}, {MistakeKind::wrong, 2}});
+  write_with(
+      {{MistakeKind::wrong, 1}, {MistakeKind::order, 4}, {MistakeKind::ending, 5}, {MistakeKind::wrong, 0}});
+  write_with({{MistakeKind::missing, 1},
+              {MistakeKind::order, 4},
+              {MistakeKind::ending, 5},
+              {MistakeKind::wrong, 2}});
   EXPECT_THAT(hard_strokes(*learner_, U'休', 3), ElementsAre(HardStroke{4, 2}, HardStroke{1, 2}))
       << "endings do not count, once is not often";
   write_with({{MistakeKind::reversed, 1}, {MistakeKind::wrong, 2}, {MistakeKind::wrong, 0}});
@@ -48,14 +51,14 @@ TEST_F(CharacterHistory, ShowsTheNewestWritingsThatWereSaved) {
   write_with({}, Rating::good, true);
   write_with({}, Rating::easy, true);
   const auto two = earlier_writings(*learner_, U'休', 2);
-  ASSERT_EQ(two.size(), 2U);
-  EXPECT_EQ(two[0].rating, Rating::easy);
-  EXPECT_EQ(two[1].rating, Rating::good);
-  EXPECT_EQ(two[0].day, two[1].day + std::chrono::days(1));
-  EXPECT_EQ(two[0].ink.size(), 1U);
+  ASSERT_TRUE(two && two->size() == 2U);
+  EXPECT_EQ((*two)[0].rating, Rating::easy);
+  EXPECT_EQ((*two)[1].rating, Rating::good);
+  EXPECT_EQ((*two)[0].day, (*two)[1].day + std::chrono::days(1));
+  EXPECT_EQ((*two)[0].ink.size(), 1U);
   const auto all = earlier_writings(*learner_, U'休', 9);
-  ASSERT_EQ(all.size(), 3U) << "one was saved without its handwriting";
-  EXPECT_EQ(all[2].rating, Rating::again);
+  ASSERT_TRUE(all && all->size() == 3U) << "one was saved without its handwriting";
+  EXPECT_EQ((*all)[2].rating, Rating::again);
 }
 
 }  // namespace

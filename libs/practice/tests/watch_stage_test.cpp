@@ -86,7 +86,8 @@ TEST_F(WatchStageTest, StepsGoToTheEndsOfStrokesAndBackToTheStart) {
   watch_.enter(three());
   const auto inked = [&] {
     const auto ink = tablet_.overlay().groove_ink;
-    return static_cast<int>(std::count_if(ink.begin(), ink.end(), [](double share) { return share > 1 - 1e-9; }));
+    return static_cast<int>(
+        std::count_if(ink.begin(), ink.end(), [](double share) { return share > 1 - 1e-9; }));
   };
   watch_.step(+1);
   EXPECT_FALSE(watch_.is_playing());

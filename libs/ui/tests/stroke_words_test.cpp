@@ -10,6 +10,7 @@
 #include "hand_under_test.h"
 #include "language.h"
 #include "nazori/practice/tracing_feedback.h"
+#include "window_tablet.h"
 
 namespace nazori::ui {
 namespace {

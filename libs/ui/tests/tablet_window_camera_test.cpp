@@ -12,8 +12,8 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "nazori/practice/tablet_control.h"
 #include "tablet_window.h"
+#include "window_tablet.h"
 
 namespace nazori::ui {
 namespace {

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "nazori/practice/pen_recorder.h"
-#include "nazori/practice/tablet_control.h"
 #include "nazori/view/point_under.h"
+#include "window_tablet.h"
 
 namespace nazori::ui {
 namespace {

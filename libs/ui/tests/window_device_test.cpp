@@ -11,6 +11,7 @@
 
 #include "device_window.h"
 #include "hand_under_test.h"
+#include "signals.h"
 
 namespace nazori::ui {
 namespace {

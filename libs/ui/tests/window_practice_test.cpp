@@ -267,10 +267,13 @@ TEST_F(Guided, InALessonHelpIsWhatTheCourseGives) {
   EXPECT_EQ(seen().lines_opacity, 0);
   EXPECT_FALSE(controller().snapping_in_effect());
   help(0.6);
-  QSignalSpy finished(&guided(), &CharacterStage::finished);
+  const auto finished = count_finished(guided());
+  double help_used = -1;
+  const base::Connection watching =
+      guided().finished.connect([&](const study::WritingResult& result) { help_used = result.help; });
   test::write(controller(), test::model(U'一').front());
   ASSERT_EQ(*finished, 1);
-  EXPECT_EQ(finished.at(0).at(0).value<study::WritingResult>().help, 0.6);
+  EXPECT_EQ(help_used, 0.6);
   EXPECT_EQ(said(), "Without a slip.");
   EXPECT_EQ(guided().successes(), 0);
   help(0.6);

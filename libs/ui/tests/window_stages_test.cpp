@@ -259,9 +259,9 @@ TEST_F(Stages, WatchingNamesTheStrokesAndStepsThroughThem) {
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Stroke 2 of 6: vertical line. It stops")))
       << feedback().toStdString();
   const auto overlay = the_desk->tablet().overlay();
-  ASSERT_EQ(overlay.ink.size(), 6U);
-  EXPECT_EQ(overlay.ink[1], 1);
-  EXPECT_EQ(overlay.ink[2], 0);
+  ASSERT_EQ(overlay.groove_ink.size(), 6U);
+  EXPECT_EQ(overlay.groove_ink[1], 1);
+  EXPECT_EQ(overlay.groove_ink[2], 0);
   press(Qt::Key_Left);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Stroke 1 of 6"))) << feedback().toStdString();
   press(Qt::Key_Space);

@@ -17,6 +17,7 @@
 #include "progress/progress.h"
 #include "study/home.h"
 #include "study/learner_words.h"
+#include "study/settings_progress.h"
 #include "watchdog.h"
 #include "window_under_test.h"
 
@@ -189,12 +190,13 @@ TEST_F(Waiting, SettingsThatChangeEveryCharacterAreKeptBehindTheWindowOrNotAtAll
   const study::Settings before = learner.store().settings();
   study::Settings wanted = before;
   wanted.fsrs.weights[2] *= 1.1;
-  ASSERT_TRUE(SettingsChange::takes_long(learner.store(), wanted));
+  ASSERT_TRUE(practice::SettingsChange::takes_long(learner.store(), wanted));
 
   Feedback kind{};
   const auto change = [&](bool is_stopped) {
-    const QPointer<SettingsChange> work = new SettingsChange(learner, wanted, window_.get());
-    QObject::connect(work, &SettingsChange::said, [&kind](Feedback said, const QString&) { kind = said; });
+    const QPointer<SettingsProgress> work =
+        new SettingsProgress(the_desk->settings_change(), wanted, window_.get());
+    QObject::connect(work, &SettingsProgress::said, [&kind](Feedback said, const QString&) { kind = said; });
     if (is_stopped) emit find<QProgressDialog>("settings_progress")->canceled();
     return QTest::qWaitFor([&work] { return work.isNull(); }, 60'000);
   };

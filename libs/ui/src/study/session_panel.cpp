@@ -144,10 +144,10 @@ void SessionPanel::show_ink() {
   if (session_.state() == practice::StudySession::State::judged && !session_.is_away()) {
     if (!session_.ink().empty()) pieces.push_back({session_.ink(), tr("now")});
     const auto earlier = practice::earlier_writings(learner_, session_.character(), kMostEarlier);
-    for (const auto& one : earlier)
+    if (earlier && earlier->empty()) pieces.clear();
+    for (const auto& one : earlier.value_or(std::vector<practice::EarlierWriting>()))
       pieces.push_back({one.ink, QStringLiteral("%1\n%2").arg(StudyWords::short_day(one.day),
                                                               StudyWords::rating(one.rating))});
-    if (earlier.empty()) pieces.clear();
   }
   ink_heading_->setVisible(!pieces.empty());
   gallery_->show_pieces(std::move(pieces));

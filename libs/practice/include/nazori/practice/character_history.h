@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "nazori/base/result.h"
 #include "nazori/practice/learner.h"
 #include "nazori/study/card.h"
 #include "nazori/study/handwriting.h"
@@ -32,9 +32,11 @@ struct EarlierWriting {
 };
 
 /// The newest writings of a character from memory that were saved with their handwriting, the newest first.
-/// What cannot be read is left out, and announced.
+/// What cannot be read is announced: a writing is left out then.
 /// @param most  of them.
-[[nodiscard]] std::vector<EarlierWriting> earlier_writings(Learner& learner, char32_t character,
-                                                           std::size_t most);
+/// @return nothing where the history cannot be read.
+[[nodiscard]] std::optional<std::vector<EarlierWriting>> earlier_writings(Learner& learner,
+                                                                          char32_t character,
+                                                                          std::size_t most);
 
 }  // namespace nazori::practice
