@@ -126,6 +126,7 @@ TEST_F(Recording, GoesOnInAFileOfItsOwnWhereAnotherDeviceTakesTheTablet) {
   record_to(path);
   ASSERT_TRUE(samples_come(50));
   desk_under_test->tablet().device().choose("simulated:touch");
+  ASSERT_TRUE(QTest::qWaitFor([] { return !desk_under_test->tablet().device().is_pointer(); }, 20'000));
   ASSERT_TRUE(samples_come(50));
   action("record")->trigger();
   const auto second =

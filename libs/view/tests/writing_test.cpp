@@ -245,10 +245,11 @@ TEST(Writing, IsAsOpaqueAsToldAndTapersFromPointToPoint) {
   writing[0].opacity = 0.5;
   const double half = fixtures::luminance(pixel(studio.shoot(overlay), at));
   EXPECT_NEAR(half, (full + fixtures::luminance(pixel(bare, at))) / 2, 3);
-  // From 1 to 3 mm: at the middle it is twice 2 mm wide.
+  // From no pressure to full pressure, which is from 0.4 to 2 mm: at the middle it is twice 1.2 mm wide.
   writing[0].opacity = 1;
-  writing[0].points = {{geometry::glyph_to_tablet({30, 54}, {}), 0.001},
-                       {geometry::glyph_to_tablet({80, 54}, {}), 0.003}};
+  writing[0].half_width_m.reset();
+  writing[0].points = {{geometry::glyph_to_tablet({30, 54}, {}), {}, 0.0},
+                       {geometry::glyph_to_tablet({80, 54}, {}), {}, 1.0}};
   const Picture wedge = studio.shoot(overlay);
   const auto width_m = [&](double x) {
     double sum = 0;
@@ -258,11 +259,11 @@ TEST(Writing, IsAsOpaqueAsToldAndTapersFromPointToPoint) {
     }
     return sum * 0.1 / 109;
   };
-  EXPECT_NEAR(width_m(35), 2 * 0.0012, 0.0004);
-  EXPECT_NEAR(width_m(55), 2 * 0.002, 0.0004);
-  EXPECT_NEAR(width_m(75), 2 * 0.0028, 0.0004);
+  EXPECT_NEAR(width_m(35), 2 * 0.00056, 0.0004);
+  EXPECT_NEAR(width_m(55), 2 * 0.0012, 0.0004);
+  EXPECT_NEAR(width_m(75), 2 * 0.00184, 0.0004);
   // A point alone is a dot.
-  writing[0].points = {{geometry::glyph_to_tablet({55, 54}, {}), 0.002}};
+  writing[0].points = {{geometry::glyph_to_tablet({55, 54}, {}), {}, 1.0}};
   const Picture dot = studio.shoot(overlay);
   EXPECT_GT(difference(pixel(bare, seen(studio, {55, 54})), pixel(dot, seen(studio, {55, 54}))), 100);
   EXPECT_GT(difference(pixel(bare, seen(studio, {56.5, 54})), pixel(dot, seen(studio, {56.5, 54}))), 100);

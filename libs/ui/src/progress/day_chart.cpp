@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 #include "palette.h"
 #include "progress/role_colours.h"
@@ -145,7 +146,8 @@ void DayChart::paint_axis(QPainter& painter, Side side) const {
   painter.setPen(line);
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
   for (int tick = 0; tick < axis->ticks; ++tick) {
-    const double y = plot.bottom() - plot.height() * tick / (axis->ticks - 1);
+    // In the middle of a pixel, so that the line is sharp.
+    const double y = std::floor(plot.bottom() - plot.height() * tick / (axis->ticks - 1)) + 0.5;
     painter.setPen(line);
     painter.drawLine(QPointF(x + out * kTick_px, y), QPointF(axis->grid ? plot.right() : x, y));
     painter.setPen(c.muted);
