@@ -12,7 +12,6 @@
 namespace nazori::cli {
 namespace {
 
-using study::Rating;
 using study::Stage;
 
 struct ReviewSettings {

@@ -48,8 +48,8 @@ CLI::App* add_study_verb(CLI::App& study, const char* name, const char* descript
 }
 
 base::Result<std::filesystem::path> learners_folder(const StudyOptions& options) {
-  const auto folder = options.learners.empty() ? study::profiles_folder()
-                                               : base::Result<std::filesystem::path>(options.learners);
+  auto folder = options.learners.empty() ? study::profiles_folder()
+                                         : base::Result<std::filesystem::path>(options.learners);
   std::error_code ignored;
   if (folder && std::filesystem::exists(*folder, ignored) &&
       !std::filesystem::is_directory(*folder, ignored)) {

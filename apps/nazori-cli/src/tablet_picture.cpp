@@ -17,25 +17,25 @@ constexpr double kNominalSide = 800;
 
 void add_look_options(CLI::App& verb, Look& look) {
   const std::string group = "Picture";
-  static const std::map<std::string, view::Style> kStyles{{"default", view::Style::wood},
-                                                          {"wood", view::Style::wood},
-                                                          {"slate", view::Style::slate},
-                                                          {"classic", view::Style::classic}};
-  static const std::map<std::string, view::Theme> kThemes{{"light", view::Theme::light},
-                                                          {"dark", view::Theme::dark}};
+  static const std::map<std::string, view::Style> styles{{"default", view::Style::wood},
+                                                         {"wood", view::Style::wood},
+                                                         {"slate", view::Style::slate},
+                                                         {"classic", view::Style::classic}};
+  static const std::map<std::string, view::Theme> themes{{"light", view::Theme::light},
+                                                         {"dark", view::Theme::dark}};
   verb.add_option("--size", look.size, "Width and height in pixels, 1280x800 or 600 for a square")
       ->capture_default_str()
       ->type_name("WxH")
       ->group(group);
   verb.add_option_function<std::string>(
-          "--style", [&look](const std::string& name) { look.style = kStyles.at(name); },
+          "--style", [&look](const std::string& name) { look.style = styles.at(name); },
           "wood, slate or classic (as in 2005)")
       ->check(CLI::IsMember({"default", "wood", "slate", "classic"}, CLI::ignore_case))
       ->default_str("wood")
       ->type_name("STYLE")
       ->group(group);
   verb.add_option_function<std::string>(
-          "--theme", [&look](const std::string& name) { look.theme = kThemes.at(name); },
+          "--theme", [&look](const std::string& name) { look.theme = themes.at(name); },
           "light or dark surroundings")
       ->check(CLI::IsMember({"light", "dark"}, CLI::ignore_case))
       ->default_str("light")

@@ -134,7 +134,7 @@ TEST(Messages, HelpListsAllVerbsUnderOneHeading) {
   EXPECT_THAT(help, Not(HasSubstr("SUBCOMMAND")));
   EXPECT_THAT(help, Not(HasSubstr("Subcommands")));
   for (const char* verb : {"info", "search", "carve", "render", "plot", "demo", "feel", "record", "devices",
-                           "database", "grade", "recognise", "study", "completion", "manual", "help"})
+                           "database", "grade", "recognise", "practise", "study", "completion", "manual", "help"})
     EXPECT_NE(help.find(std::string("\n  ") + verb + " ", verbs), std::string::npos) << verb;
 }
 
@@ -165,6 +165,7 @@ TEST(Messages, QuietIsTakenByEveryVerb) {
                                                                                     {"database", "path"},
                                                                                     {"grade"},
                                                                                     {"recognise"},
+                                                                                    {"practise"},
                                                                                     {"study", "due"},
                                                                                     {"study", "review"},
                                                                                     {"study", "export"},

@@ -2,6 +2,7 @@
 #include "nazori/devices/tablet_device.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace nazori::devices {
@@ -20,7 +21,7 @@ constexpr milliseconds kStrokeEnd = 200ms;
 // A computer that slept or stood still wakes the window first: so many looks in a row before a servo counts
 // as dead.
 constexpr int kStalledLooks = 5;
-const std::string kPointer = "pointer";
+constexpr std::string_view kPointer = "pointer";
 
 using haptics::DeviceState;
 using haptics::DeviceTrouble;

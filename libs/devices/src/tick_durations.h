@@ -33,7 +33,7 @@ class TickDurations {
  private:
   static constexpr double kShortest_s = 1e-9;
   static constexpr int kPerOctave = 32;
-  std::array<std::uint64_t, 32 * kPerOctave> counts_{};  // up to 4 s
+  std::array<std::uint64_t, std::size_t{32} * kPerOctave> counts_{};  // up to 4 s
   std::uint64_t all_ = 0;
 };
 

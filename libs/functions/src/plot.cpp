@@ -92,7 +92,7 @@ class Reader {
     if (is_range_of(r, Variable::t) || is_range_of(r, Variable::theta)) {
       return refuse(r, SyntaxFault::range_misplaced);
     }
-    if (const auto used = parametric(rest); !used || *used > 0) return used;
+    if (auto used = parametric(rest); !used || *used > 0) return used;
     std::set<Variable> all;
     for (const Expression& e : r.terms) all.merge(variables_of(e));
     if (all.contains(Variable::t)) {

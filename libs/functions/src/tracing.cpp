@@ -116,6 +116,7 @@ class PlotTracer {
     out_.undecided_cells += parts.undecided;
     for (const auto& conditions : parts.areas) {
       std::vector<Condition> tests;
+      tests.reserve(conditions.size());
       for (const Expression& c : conditions) tests.push_back({c, false});
       const Expression guard = is_total(parts.whole) ? nullptr : parts.whole;
       if (!RegionTracer(tests, guard, statement_, settings_, out_, progress_).run()) return false;

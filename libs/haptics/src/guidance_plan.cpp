@@ -65,7 +65,7 @@ geometry::StrokePace GuidancePlan::pace_of(std::int32_t stroke, double length_m,
   }
   const double slowest = std::pow(kSlowest * speed_m_s, 2);
   squared.front() = squared.back() = slowest;
-  const double gain = 2 * kAcceleration_m_s2 * step;
+  const double gain = 2 * kAcceleration * step;
   for (std::size_t i = 1; i < count; ++i) squared[i] = std::min(squared[i], squared[i - 1] + gain);
   for (std::size_t i = count - 1; i-- > 0;) squared[i] = std::min(squared[i], squared[i + 1] + gain);
   geometry::StrokePace pace;

@@ -21,6 +21,7 @@ MemoryStage::MemoryStage(base::Inbox& inbox, TabletControl& control, WritingJudg
       judged_(judge.judged.connect(
           [this](std::uint64_t number, const writing::Grade& grade) { use_grade(number, grade); })),
       failed_(judge.judging_failed.connect([this](std::uint64_t number, const base::Error& error) {
+        if (number == awaited_) awaited_ = 0;
         if (number == live_number_ || number == whole_number_)
           report({.event = StageEvent::judging_failed, .tone = Tone::wrong, .error = error});
       })),
@@ -227,7 +228,8 @@ void MemoryStage::ask(bool as_a_whole) {
   request.ink = to_ink(strokes_, geometry::TabletShape{});
   request.strictness = options_.strictness;
   request.finished = as_a_whole;
-  (as_a_whole ? whole_number_ : live_number_) = judge_.judge(request);
+  awaited_ = judge_.judge(request);
+  (as_a_whole ? whole_number_ : live_number_) = awaited_;
 }
 
 void MemoryStage::finish_writing() {
@@ -238,6 +240,7 @@ void MemoryStage::finish_writing() {
 }
 
 void MemoryStage::use_grade(std::uint64_t number, const writing::Grade& grade) {
+  if (number == awaited_) awaited_ = 0;
   if (!is_entered() || strokes_.empty()) return;
   if (number == whole_number_) {
     grade_ = grade;

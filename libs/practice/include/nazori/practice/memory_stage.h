@@ -63,6 +63,8 @@ class MemoryStage final : public PracticeStage {
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const std::vector<HandStroke>& strokes() const { return strokes_; }
+  /// Whether an answer of the judge is still to come.
+  [[nodiscard]] bool is_judging() const { return awaited_ != 0; }
   /// Whether something is written that is not judged as a whole.
   [[nodiscard]] bool has_unjudged() const { return state_ == State::writing && !strokes_.empty(); }
   /// The newest judgement; its strokes may lag behind what is written.
@@ -135,6 +137,7 @@ class MemoryStage final : public PracticeStage {
   std::vector<int> hinted_;  ///< strokes of the model that are shown
   std::uint64_t live_number_ = 0;
   std::uint64_t whole_number_ = 0;
+  std::uint64_t awaited_ = 0;  ///< number of the newest request until it is answered
   bool awaits_report_ = false;  ///< the answer to come is about a stroke just written
   State state_ = State::writing;
   int hints_ = 0;
