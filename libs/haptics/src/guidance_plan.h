@@ -22,7 +22,7 @@ class GuidancePlan {
   static constexpr double kBend_m = 0.01;
   /// Over this length before and after a place its bend is measured: a corner is this wide.
   static constexpr double kWindow_m = 0.0015;
-  /// Most acceleration along the line, from the start and towards the end and every slower place.
+  /// Most acceleration along the line [m/s^2], from the start and towards the end and every slower place.
   static constexpr double kAcceleration = 0.25;
   /// Fraction of the speed that is kept at the start and the end, so that the line is entered and left.
   static constexpr double kSlowest = 0.25;
