@@ -26,8 +26,10 @@ DayOutlook outlook_of(const study::LearnerStore& learner, const study::DayPlan& 
 
 study::Streak streak_now(const study::LearnerStore& learner) {
   std::vector<study::Day> all;
-  if (const auto days = learner.study_days())
+  if (const auto days = learner.study_days()) {
+    all.reserve(days->size());
     for (const study::StudyDay& day : *days) all.push_back(day.day);
+  }
   return study::streak_of(all, learner.today());
 }
 

@@ -11,6 +11,7 @@ base::Result<std::vector<char32_t>> list_members(const std::string& id, study::C
     return lists->members(id, store);
   }
   std::vector<char32_t> studied;
+  studied.reserve(store.cards().size());
   for (const auto& [character, card] : store.cards()) studied.push_back(character);
   return studied;
 }

@@ -47,6 +47,7 @@ void WritingGroove::carve(std::vector<int> strokes) {
   }
   std::vector<std::pair<int, kanji::StrokeLine>> lines;
   const auto all = tablet::stroke_lines(model_->lines());
+  lines.reserve(strokes.size());
   for (const int n : strokes) lines.emplace_back(n, all[static_cast<std::size_t>(n)]);
   carver_.request(std::move(lines));
 }

@@ -22,11 +22,12 @@ void write_settings(QSettings& settings, const base::Settings& values) {
 }
 
 practice::TabletRecording::UnfinishedFiles unfinished_recordings(const QString& settings_file) {
-  static const QString kKey = QStringLiteral("recording/unfinished");
+  static const QString key = QStringLiteral("recording/unfinished");
   const auto read = [settings_file] {
+    const QStringList list = QSettings(settings_file, QSettings::IniFormat).value(key).toStringList();
     std::vector<std::string> files;
-    for (const QString& file : QSettings(settings_file, QSettings::IniFormat).value(kKey).toStringList())
-      files.push_back(file.toStdString());
+    files.reserve(static_cast<std::size_t>(list.size()));
+    for (const QString& file : list) files.push_back(file.toStdString());
     return files;
   };
   const auto write = [settings_file](const std::vector<std::string>& files) {
@@ -34,9 +35,9 @@ practice::TabletRecording::UnfinishedFiles unfinished_recordings(const QString& 
     QStringList list;
     for (const auto& file : files) list.append(to_text(file));
     if (list.isEmpty())
-      settings.remove(kKey);
+      settings.remove(key);
     else
-      settings.setValue(kKey, list);
+      settings.setValue(key, list);
   };
   return {read, write};
 }
