@@ -33,7 +33,7 @@ struct PractiseSettings {
 /// The program without a window, and what it has to report since it was last asked.
 class Practice {
  public:
-  Practice(std::filesystem::path database, practice::Learner::Place place)
+  Practice(const std::filesystem::path& database, practice::Learner::Place place)
       : learner_(inbox_, std::move(place)), library_(inbox_, database), judge_(inbox_, database) {
     connect();
   }

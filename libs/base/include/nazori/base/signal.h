@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#ifndef __clang_analyzer__
+
 #include <boost/signals2/connection.hpp>
 #include <boost/signals2/dummy_mutex.hpp>
 #include <boost/signals2/signal_type.hpp>
@@ -18,6 +18,3 @@ using Signal = typename boost::signals2::signal_type<
 using Connection = boost::signals2::scoped_connection;
 
 }  // namespace nazori::base
-#else
-#include "nazori/base/signal_for_analysis.h"
-#endif
