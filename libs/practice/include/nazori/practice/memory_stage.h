@@ -137,7 +137,7 @@ class MemoryStage final : public PracticeStage {
   std::vector<int> hinted_;  ///< strokes of the model that are shown
   std::uint64_t live_number_ = 0;
   std::uint64_t whole_number_ = 0;
-  std::uint64_t awaited_ = 0;  ///< number of the newest request until it is answered
+  std::uint64_t awaited_ = 0;   ///< number of the newest request until it is answered
   bool awaits_report_ = false;  ///< the answer to come is about a stroke just written
   State state_ = State::writing;
   int hints_ = 0;
