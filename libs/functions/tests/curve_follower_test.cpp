@@ -75,7 +75,7 @@ TEST(FollowingByKey, InAnotherWindowTheHandIsExactlyWhereItWas) {
   ASSERT_TRUE(follower.location());
   EXPECT_EQ(follower.location()->x, x);
   EXPECT_EQ(follower.location()->y, y);
-  // Another curve is another matter: the hand comes to lie on it.
+  // On another curve the hand does not go on from there: it is placed on that curve.
   follower.set_drawing(draw("y = x^2 - 0.999", {-4, 2, -1, 1}));
   ASSERT_TRUE(follower.location());
   EXPECT_NEAR(follower.location()->y, follower.location()->x * follower.location()->x - 0.999, 1e-9);

@@ -11,7 +11,7 @@
 namespace nazori::haptics {
 namespace {
 
-// Who cuts the corner of a sharp kick comes to its other leg.
+// A tip that cuts the corner of a sharp hook continues on the hook's other side.
 constexpr geometry::LookPast kLookPast{2, 0.004};
 
 }  // namespace

@@ -147,62 +147,6 @@ TEST_F(SessionSentences, WhatWasForgottenIsInTheSummaryUntilItIsKnown) {
   EXPECT_EQ(session_->summary().ratings[2], 1);
 }
 
-TEST_F(SessionSentences, WhatHappensAwayFromTheCharacterCountsForNothing) {
-  ASSERT_TRUE(session_->start());
-  int wanted = 0;
-  session_->character_wanted.connect([&wanted](char32_t) { ++wanted; });
-  bring(U'雨');
-  EXPECT_TRUE(session_->is_away());
-  session_->finish_stage(Stage::watch, {});
-  EXPECT_EQ(session_->state(), State::doing);
-  EXPECT_EQ(learner_->store().card(U'一').practices, 0);
-  session_->enter_stage(Stage::trace);
-  EXPECT_EQ(session_->stage(), Stage::watch);
-  session_->go_on();
-  EXPECT_EQ(wanted, 1);
-  EXPECT_FALSE(session_->is_away());
-  session_->finish_stage(Stage::trace, {});
-  EXPECT_EQ(session_->state(), State::doing) << "another stage is at hand";
-  session_->go_on();
-  EXPECT_EQ(session_->stage(), Stage::watch) << "nothing is done yet";
-  session_->enter_stage(Stage::trace);
-  EXPECT_EQ(session_->stage(), Stage::trace) << "the learner may do any stage";
-}
-
-TEST_F(SessionSentences, HelpAndMissesOfAStageAreKeptWithIt) {
-  ASSERT_TRUE(session_->start());
-  session_->add_hint();
-  (void)session_->add_mistake(0);
-  (void)session_->add_mistake(1);
-  study::WritingResult result;
-  result.misses = 1;
-  result.shown_strokes = 2;
-  session_->finish_stage(Stage::watch, result);
-  const auto kept = learner_->store().writings_of(U'一');
-  ASSERT_TRUE(kept);
-  const auto& last = kept->back().entry.writing.result;
-  EXPECT_EQ(last.hints, 1);
-  EXPECT_EQ(last.misses, 2) << "the greater of both";
-  EXPECT_EQ(last.shown_strokes, 2);
-  EXPECT_EQ(kept->back().entry.strokes, 1);
-  session_->go_on();
-  session_->finish_stage(Stage::trace, {});
-  EXPECT_EQ(learner_->store().writings_of(U'一')->back().entry.writing.result.hints, 0) << "another stage";
-}
-
-TEST_F(SessionSentences, WhoGivesUpHadEveryStrokeShown) {
-  ASSERT_TRUE(session_->start());
-  practise();
-  session_->give_up(hand());
-  EXPECT_FALSE(session_->result().accepted);
-  EXPECT_EQ(session_->result().score, 0);
-  EXPECT_EQ(session_->result().shown_strokes, 1);
-  EXPECT_EQ(session_->proposed(), Rating::again);
-  EXPECT_EQ(session_->ink().size(), 1U);
-  session_->go_on();
-  EXPECT_EQ(session_->summary().ratings[0], 1) << "going on takes the proposal";
-}
-
 TEST_F(SessionSentences, WithoutASessionNothingCanBePutAsideOrJudged) {
   session_->postpone();
   session_->pause();

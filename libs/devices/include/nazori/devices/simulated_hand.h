@@ -67,8 +67,8 @@ class HandObserver {
 
 /// A learner's hand at a simulated device: follows strokes one after the other as HandHabits say, and is held
 /// by what the servo makes it feel. It sees when the tip has slipped into another groove, lifts it and puts
-/// it back; it pulls harder where friction holds the tip back; and like a learner who steps through the
-/// strokes it has the servo feel the scene of the stroke that it is at.
+/// it back. It pulls harder where friction holds the tip back. For each stroke it sets the scene of that
+/// stroke, as a learner does who steps through the strokes.
 ///
 /// Thread rules: one thread, but for HandObserver.
 class SimulatedHand {

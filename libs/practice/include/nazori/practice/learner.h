@@ -18,7 +18,7 @@
 
 namespace nazori::practice {
 
-/// The learner who studies: the profile's store, open for writing where that is possible. Where it is not
+/// The current learner: the store of a profile, open for writing where that is possible. Where it is not
 /// (another program has it open, the folder is read-only, the file is damaged or of a newer version) nothing
 /// is written: can_write() is false, trouble() says why, and store() has what can be read, or is empty.
 /// Thread: the owner of the inbox.

@@ -29,7 +29,7 @@ struct ExchangeEvent {
     nothing_to_back_up,  ///< nothing is studied yet
     no_store,            ///< the study data cannot be read: `trouble`
     saved,               ///< an export is in `file`
-    imported,            ///< `characters` for `profile`, the learner who studies now
+    imported,            ///< `characters` for `profile`, which is now open
     backed_up,           ///< the backup is `file`
     restored,            ///< the backup is the learner's file now; what was there is a backup
     stopped,             ///< by stop(): everything is as it was
@@ -58,13 +58,13 @@ class LearnerExchange {
 
   /// Writes the present learner. One work at a time: another is refused (`busy`).
   void write(Format format, const std::filesystem::path& file, const AnkiChoice& choice = {});
-  /// Reads an export: into the present learner where nothing is studied yet, else into a new one named after
-  /// the file, who studies then.
+  /// Imports an export into the current learner where nothing is studied yet, else into a new learner named
+  /// after the file, whose profile is then opened.
   void read(const std::filesystem::path& file);
   /// Makes a backup of the present learner besides the daily ones.
   void back_up();
-  /// Puts a backup in the place of the present learner's file; what was there is kept. Until that is done
-  /// the learner has no store.
+  /// Restores a backup of the current learner; the replaced file is backed up first. Until that is done the
+  /// learner has no store.
   void restore(const std::filesystem::path& backup);
   [[nodiscard]] bool is_busy() const { return work_.is_busy(); }
   /// Asks what is running to stop; everything stays as it was, unless it is too late.
@@ -88,8 +88,7 @@ class LearnerExchange {
   void announce_failure(ExchangeEvent::Kind kind, const base::Error& error,
                         const std::filesystem::path& file = {});
   void place(const std::filesystem::path& file, const Import& import);
-  /// Puts a store in the place of a profile's file, then opens that profile. @param done  called when it is
-  /// open.
+  /// Replaces a profile's file with a store, then opens that profile. @param done  called once it is open.
   void replace(const std::filesystem::path& store, const std::string& profile,
                std::function<void(const Placed&)> done);
 
