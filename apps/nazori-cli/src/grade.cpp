@@ -64,6 +64,23 @@ std::string_view kind_name(kanji::MistakeKind kind) {
   return "wrong";
 }
 
+std::string_view deviation_name(writing::Deviation deviation) {
+  using enum writing::Deviation;
+  switch (deviation) {
+    case none:
+      return "none";
+    case place:
+      return "place";
+    case shape:
+      return "shape";
+    case direction:
+      return "direction";
+    case length:
+      return "length";
+  }
+  return "none";
+}
+
 double rounded(double v) { return std::round(v * 1e4) / 1e4; }
 
 Json mistake_json(const writing::Mistake& mistake) {
@@ -71,6 +88,7 @@ Json mistake_json(const writing::Mistake& mistake) {
   if (mistake.second) json["second"] = *mistake.second;
   if (!mistake.model.empty()) json["model"] = mistake.model;
   if (mistake.kind == kanji::MistakeKind::split) json["split"] = true;
+  if (mistake.deviation != writing::Deviation::none) json["deviation"] = deviation_name(mistake.deviation);
   if (mistake.character != 0) json["resembles"] = base::encode_utf8(mistake.character);
   return json;
 }
@@ -119,6 +137,7 @@ Json grade_json(const writing::Grade& grade, const std::string& character) {
             {"errors", mistakes_json(grade.mistakes)},
             {"advice", mistakes_json(grade.advice)},
             {"score", grade.score},
+            {"form", grade.form ? Json(*grade.form) : Json()},
             {"parts",
              {{"strokes", rounded(p.strokes)},
               {"order", rounded(p.order)},

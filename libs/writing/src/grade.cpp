@@ -7,11 +7,13 @@
 
 #include "alignment.h"
 #include "endings.h"
+#include "form.h"
 #include "judgement.h"
 #include "lookalike_contrast.h"
 #include "model_inside.h"
 #include "placement.h"
 #include "residue.h"
+#include "standing_out.h"
 #include "stroke_order_mistakes.h"
 
 namespace nazori::writing {
@@ -82,13 +84,17 @@ class Judge {
     grade_.strokes.resize(drawn.size());
   }
 
-  /// A form that is not the one that was asked for must fit better.
-  void demand(double share) { limit_ *= share; }
+  /// A form that is not the one that was asked for must fit better, and no stroke of it may stand out.
+  void demand(double share) {
+    limit_ *= share;
+    is_other_form_ = true;
+  }
 
   Grade run() {
     judge_strokes();
     judge_count();
     judge_order();
+    judge_standing_out();
     finish();
     return std::move(grade_);
   }
@@ -216,6 +222,32 @@ class Judge {
     return nullptr;
   }
 
+  /// A right stroke of a strange length, slant or place is told; one that is far too short is refused. Only
+  /// the whole character shows how long a stroke should be.
+  void judge_standing_out() {
+    if (options_.unfinished) return;
+    constexpr double kToleranceOfOtherForm = 0.6;
+    const double tolerance =
+        std::sqrt(deviation_limit(options_.strictness)) * (is_other_form_ ? kToleranceOfOtherForm : 1);
+    for (const auto& c :
+         conspicuous_strokes(alignment_.links, drawn_, form_.shapes, alignment_.map, tolerance)) {
+      const auto& link = alignment_.links[c.link];
+      auto& verdict = grade_.strokes[static_cast<std::size_t>(link.drawn)];
+      if (!verdict.ok) continue;
+      // The figures beside the sentence are those it is about.
+      verdict.size = std::exp(static_cast<double>(c.by.length_log));
+      verdict.offset_x = static_cast<double>(c.by.offset_x) / geometry::kGlyphSide;
+      verdict.offset_y = static_cast<double>(c.by.offset_y) / geometry::kGlyphSide;
+      Mistake mistake{kanji::MistakeKind::wrong, link.drawn, {}, {link.model}, c.deviation};
+      if (c.is_the_stroke && !is_other_form_) {
+        grade_.advice.push_back(std::move(mistake));
+      } else {
+        verdict.ok = false;
+        add(std::move(mistake));
+      }
+    }
+  }
+
   void add(Mistake mistake) { grade_.mistakes.push_back(std::move(mistake)); }
 
   void finish() {
@@ -237,6 +269,7 @@ class Judge {
     }
     grade_.accepted = grade_.mistakes.empty();
     score();
+    if (grade_.accepted && !options_.unfinished) grade_.form = form_stars(grade_);
   }
 
   void score() {
@@ -267,6 +300,7 @@ class Judge {
   const std::vector<kanji::AlternativeOrder>& orders_;
   const GradeOptions& options_;
   double limit_;
+  bool is_other_form_ = false;
   Alignment alignment_;
   Grade grade_;
   double shape_sum_ = 0;
@@ -293,6 +327,7 @@ Grade grade_shapes(std::span<const Shape> drawn, const std::optional<Affine>& bo
       drawn.size() == model.main.shapes.size()) {
     if (const auto mistaken = mistaken_for(drawn, model.main, lookalikes)) {
       best.accepted = false;
+      best.form.reset();
       best.strokes[static_cast<std::size_t>(mistaken->stroke)].ok = false;
       Mistake mistake{kanji::MistakeKind::other, mistaken->stroke, {}, {mistaken->stroke}};
       mistake.character = mistaken->character;
@@ -424,6 +459,7 @@ base::Result<Grade> grade_live(const WrittenCharacter& ink, const Model& model, 
   }
   if (!options.unfinished) finish_live(live, whole);
   live.accepted = live.mistakes.empty();
+  if (!live.accepted) live.form.reset();
   return live;
 }
 

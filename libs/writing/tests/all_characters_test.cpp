@@ -140,6 +140,90 @@ TEST_F(AllCharacters, AreNotAcceptedWithAStrokeShortenedToAThird) {
   });
 }
 
+/// Strokes of all characters of which one long stroke was spoiled.
+struct Spoiled {
+  int tried = 0;
+  int accepted = 0;
+  int passed_over = 0;  ///< accepted, and the stroke not named in the advice either
+};
+
+/// Spoils every stroke of more than 25 of the 109 units of every `step`th character in turn.
+template <class Spoil>
+Spoiled spoil_long_strokes(std::size_t step, Spoil spoil) {
+  Spoiled result;
+  const auto all = sampled();
+  for (std::size_t i = 0; i < all.size(); i += step) {
+    const auto entry = library().find(all[i].code_point);
+    if (!entry) continue;
+    const auto& c = known(all[i].code_point);
+    // A single stroke has no other to be measured by.
+    if (c.strokes.size() < 2) continue;
+    const auto ink = trace(c);
+    for (std::size_t k = 0; k < ink.strokes.size(); ++k) {
+      if (geometry::arc_length<geometry::GlyphFrame>(c.strokes[k].line.points) <= 25) continue;
+      auto changed = ink;
+      changed.strokes[k] = spoil(ink.strokes[k]);
+      const auto g = grade(changed, (*entry)->model, {}, (*entry)->lookalikes);
+      if (!g) continue;
+      ++result.tried;
+      if (!g->accepted) continue;
+      ++result.accepted;
+      if (std::none_of(g->advice.begin(), g->advice.end(),
+                       [k](const Mistake& m) { return m.stroke == static_cast<int>(k); }))
+        ++result.passed_over;
+    }
+  }
+  return result;
+}
+
+/// About the centre of its points: as many times as large, and turned.
+WrittenStroke about_its_centre(WrittenStroke stroke, double size, double turn_rad) {
+  double x = 0;
+  double y = 0;
+  for (const auto& p : stroke) {
+    x += p.at.x / static_cast<double>(stroke.size());
+    y += p.at.y / static_cast<double>(stroke.size());
+  }
+  for (auto& p : stroke) {
+    const double dx = size * (p.at.x - x);
+    const double dy = size * (p.at.y - y);
+    p.at.x = x + dx * std::cos(turn_rad) - dy * std::sin(turn_rad);
+    p.at.y = y + dx * std::sin(turn_rad) + dy * std::cos(turn_rad);
+  }
+  return stroke;
+}
+
+TEST_F(AllCharacters, AreRefusedWithAnyLongStrokeCutToAThird) {
+  const auto found = spoil_long_strokes(2, [](const WrittenStroke& s) { return shortened(s, 1.0 / 3); });
+  EXPECT_GT(found.tried, 20'000 / static_cast<int>(kEvery));
+  EXPECT_LE(200 * found.accepted, found.tried) << found.accepted << " of " << found.tried;
+}
+
+TEST_F(AllCharacters, AnyLongStrokeTwiceAsLongIsTold) {
+  const auto found = spoil_long_strokes(4, [](const WrittenStroke& s) { return about_its_centre(s, 2, 0); });
+  EXPECT_LE(33 * found.passed_over, found.tried) << found.passed_over << " of " << found.tried;
+}
+
+TEST_F(AllCharacters, AnyLongStrokeTurnedBy40DegreesIsTold) {
+  const auto found =
+      spoil_long_strokes(4, [](const WrittenStroke& s) { return about_its_centre(s, 1, 0.698); });
+  EXPECT_LE(50 * found.passed_over, found.tried) << found.passed_over << " of " << found.tried;
+}
+
+TEST_F(AllCharacters, AnyLongStrokeMovedByAFifthOfTheBoxIsTold) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> direction(0, 6.283);
+  const auto found = spoil_long_strokes(4, [&](WrittenStroke s) {
+    const double way = direction(random);
+    for (auto& p : s) {
+      p.at.x += 0.2 * geometry::kGlyphSide * std::cos(way);
+      p.at.y += 0.2 * geometry::kGlyphSide * std::sin(way);
+    }
+    return s;
+  });
+  EXPECT_LE(100 * found.passed_over, found.tried) << found.passed_over << " of " << found.tried;
+}
+
 TEST_F(AllCharacters, NoneIsListedAsIndistinguishableThatIsTold) {
   for (const auto& [character, stroke] : listed_as_shortened()) {
     const auto entry = library().find(character);

@@ -15,24 +15,12 @@ namespace {
 // The kick, or the short second leg, is a large part of the stroke. A small or forgotten kick is forgiven, and
 // a third of the whole is about half of what is then left: short, but no shorter than people write it.
 constexpr Spoilt kMostlyKick[] = {
-    {U'予', 4}, {U'景', 10}, {U'影', 10}, {U'歌', 12}, {U'督', 4}, {U'療', 15},
-    {U'欠', 2}, {U'欲', 9}, {U'盗', 4}, {U'吹', 5}, {U'輝', 6}, {U'軟', 9}, {U'諮', 11},
-    {U'欺', 10}, {U'亭', 9}, {U'賓', 5}, {U'寧', 14}, {U'炊', 6}, {U'鷲', 6}, {U'橘', 8},
-    {U'漱', 12}, {U'欣', 6}, {U'蕨', 13}, {U'鱒', 18}, {U'滯', 9}, {U'臟', 10}, {U'儕', 11},
-    {U'厥', 10}, {U'嚀', 17}, {U'坎', 5}, {U'嬪', 8}, {U'寳', 10}, {U'嵌', 10},
-    {U'愿', 8}, {U'懿', 16}, {U'擯', 8}, {U'擲', 10}, {U'檳', 9}, {U'檸', 18},
-    {U'欷', 9}, {U'欹', 10}, {U'歃', 11}, {U'歇', 11}, {U'歐', 13}, {U'歔', 14},
-    {U'歙', 14}, {U'歛', 15}, {U'殯', 9}, {U'濘', 17}, {U'濟', 12}, {U'濱', 8},
-    {U'獰', 17}, {U'甼', 7}, {U'糅', 10}, {U'繽', 11}, {U'纔', 17}, {U'聹', 20}, {U'蠍', 17},
-    {U'袤', 6}, {U'譎', 11}, {U'蹂', 11}, {U'蹙', 6}, {U'蹲', 14}, {U'躑', 14},
-    {U'僚', 12}, {U'楢', 11}, {U'皰', 2}, {U'翦', 9}, {U'遒', 7}, {U'鏘', 10}, {U'闕', 16}, {U'顰', 5}, {U'飮', 11}, {U'鶩', 4},
+    {U'賓', 5}, {U'鷲', 6}, {U'嬪', 8}, {U'寳', 10}, {U'擯', 8}, {U'檳', 9}, {U'殯', 9}, {U'濱', 8}, {U'繽', 11},
+    {U'蹙', 6}, {U'躑', 14}, {U'顰', 5},
 };
-// Few strokes, and this one decides the proportions of the whole: the same is written by who writes it flat.
+// Few strokes, and this one decides the proportions of the whole: it is also how a flat hand writes it.
 constexpr Spoilt kProportions[] = {
-    {U'こ', 1}, {U'ア', 2}, {U'ァ', 2},
-    {U'T', 2}, {U'i', 1}, {U'j', 1}, {U'r', 1}, {U'了', 2}, {U'丁', 2},
-    {U'擦', 15}, {U'蔡', 12}, {U'⻏', 2}, {U'⻖', 2}, {U'冖', 2},
-    {U'厂', 2}, {U'广', 3}, {U'禦', 15}, {U'阝', 2},
+    {U'T', 2}, {U'i', 1}, {U'j', 1}, {U'r', 1}, {U'了', 2}, {U'冖', 2}, {U'厂', 2},
 };
 // A comma is a speck: its tail tells no direction.
 constexpr Spoilt kSpecks[] = {{U',', 1}, {U';', 2}};

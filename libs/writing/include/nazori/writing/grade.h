@@ -75,12 +75,18 @@ struct Grade {
   bool accepted = false;
   std::vector<StrokeVerdict> strokes;                  ///< one for each drawn stroke
   std::vector<Mistake> mistakes;                       ///< what keeps it from being accepted, by stroke
-  std::vector<Mistake> advice;                         ///< what could be better
+  std::vector<Mistake> advice;                         ///< what could be better: endings, and strokes of a
+                                                       ///< strange length, slant or place (`wrong`)
   std::optional<kanji::AlternativeOrder> alternative;  ///< the listed order that was used, if not the first
   std::string variant;  ///< the form of the model that fitted; empty: the main one
   ScoreParts parts;
-  int score = 0;  ///< 0..100: the parts by their points
+  int score = 0;            ///< 0..100: the parts by their points
+  std::optional<int> form;  ///< how well an accepted character is formed, 1 (careless) to kBestForm; none
+                            ///< for what is refused or unfinished
 };
+
+/// The best form: the writing of a careful hand.
+inline constexpr int kBestForm = 5;
 
 /// How to judge.
 struct GradeOptions {
