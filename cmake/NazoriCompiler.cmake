@@ -9,14 +9,15 @@ if(NAZORI_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
 
-# Half of the time of a first build goes into reading the same headers, so they are read once a room.
+# Half of the time of a first build is spent on reading the same headers, so they are read once per room.
 option(NAZORI_PRECOMPILED_HEADERS "Read the most common headers once a room" ON)
 
 # nazori_precompiled_headers(TARGET <HEADER>...)
 #
 # Objects made with them are found in the compiler cache from any folder. GCC's need nothing for that. Clang writes the
-# folder into its precompiled headers, so the cache compares a file beside them instead (CCACHE_PCH_EXTSUM), which says what
-# is in them: the headers, the compiler and the versions of the installed packages. Only Debian tells those.
+# folder into its precompiled headers, so the cache compares a file beside them instead (CCACHE_PCH_EXTSUM), which says
+# what is in them: the headers, the compiler and the versions of the installed packages. Only Debian provides the
+# versions.
 function(nazori_precompiled_headers target)
   if(NOT NAZORI_PRECOMPILED_HEADERS)
     return()
@@ -61,8 +62,9 @@ endfunction()
 
 # nazori_compile_together(TARGET [ALONE <FILE>...])
 #
-# Compiles the sources of a target in groups: where each of them uses the same large templates that is several times as fast.
-# ALONE: files with names of their own that others have too. tools/mutants changes one file after another and switches it off.
+# Compiles the sources of a target in groups: if all of them use the same large templates, that is several times as
+# fast. ALONE: files with names of their own that others have too. tools/mutants changes one file after another and
+# switches it off.
 option(NAZORI_COMPILE_TOGETHER "Compile the sources of large targets in groups" ON)
 function(nazori_compile_together target)
   cmake_parse_arguments(u "" "" "ALONE" ${ARGN})
@@ -93,11 +95,13 @@ if(NAZORI_SANITIZE)
                                                    -fno-sanitize-recover=all)
   target_link_options(nazori_compiler INTERFACE -fsanitize=${sanitizers})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    # The makers' libraries are called through types of our own, which are the same only to the machine. The list is named in
-    # the older spelling, which ccache knows, and from the folder of the build, so that objects are found from another one.
+    # The makers' libraries are called through types of this program, which only match in binary form. The option for
+    # the list uses the older spelling, which ccache knows, and a path relative to the build folder, so that the cache
+    # also works from another folder.
     file(RELATIVE_PATH ignorelist ${CMAKE_BINARY_DIR} "${CMAKE_SOURCE_DIR}/cmake/sanitizer-ignorelist.txt")
     target_compile_options(nazori_compiler INTERFACE -fno-sanitize=function -fsanitize-blacklist=${ignorelist})
-    # What the undefined behaviour sanitizer would see of wrong calls inside the standard library, told by its own checks.
+    # Errors inside the standard library that the undefined behaviour sanitizer would find are found by the library's
+    # own checks.
     target_compile_definitions(nazori_compiler INTERFACE _GLIBCXX_ASSERTIONS)
   endif()
 endif()

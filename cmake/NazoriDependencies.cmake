@@ -1,4 +1,4 @@
-# Every library the project leans on, found once. Debian names are in packages/debian.txt.
+# Finds every library that the project uses. Debian names are in packages/debian.txt.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(tl-expected CONFIG REQUIRED)

@@ -1,4 +1,4 @@
-# Tests are optimised less than what they test, sanitized ones not at all: that halves the time they take to compile.
+# Tests are optimised less than the code under test, sanitized ones not at all: that halves their compile time.
 function(nazori_test_program target)
   if(NAZORI_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
@@ -7,7 +7,7 @@ function(nazori_test_program target)
   endif()
 endfunction()
 
-# What starts a thread, or has one started.
+# Patterns of code that starts a thread.
 set(NAZORI_THREAD_WORDS "std::j?thread|std::async|pthread_create|RtThread|asio::|SDL_OpenAudioDevice|QThread")
 
 # nazori_isolated_suites(ISOLATED SHARED REGEX TESTS...)
@@ -38,9 +38,9 @@ endfunction()
 
 # nazori_threaded_tests(RESULT TESTS ... THREADED ... SOURCES ...)
 #
-# The test files that the thread sanitizer is worth building for: THREADED, which is ALL or a list of files, and what is
-# no test itself (fixtures). A source that starts threads is named there too, with the tests that reach it. Stops where a
-# file that starts threads was forgotten.
+# The test files that are built for the thread sanitizer: THREADED, which is ALL or a list of files, and files that are
+# not tests themselves (fixtures). A source that starts threads is listed there, too, with the tests that reach it.
+# Stops if a file that starts threads is missing from the list.
 function(nazori_threaded_tests result)
   cmake_parse_arguments(t "" "" "TESTS;THREADED;SOURCES" ${ARGN})
   if("ALL" IN_LIST t_THREADED)
@@ -72,7 +72,8 @@ function(nazori_threaded_tests result)
   set(${result} ${kept} PARENT_SCOPE)
 endfunction()
 
-# nazori_test_paths(TARGET NAME PATH [NAME PATH]...): defines those of cmake/tests/test_paths.h that the program names.
+# nazori_test_paths(TARGET NAME PATH [NAME PATH]...): defines the paths of cmake/tests/test_paths.h that the program
+# uses.
 function(nazori_test_paths target)
   set(definitions "")
   list(LENGTH ARGN count)
@@ -90,8 +91,8 @@ function(nazori_test_paths target)
   target_include_directories(${target} PRIVATE "${CMAKE_SOURCE_DIR}/cmake/tests")
 endfunction()
 
-# nazori_rt_calls(NAME ROOTS): a test that reads from the objects of room NAME what the functions ROOTS can reach; see
-# cmake/tests/check_rt_calls.sh. ROOTS and what they call are to be compiled with -ffunction-sections.
+# nazori_rt_calls(NAME ROOTS): adds a test that determines from the objects of room NAME which functions ROOTS can
+# reach; see cmake/tests/check_rt_calls.sh. ROOTS and the functions they call must be compiled with -ffunction-sections.
 function(nazori_rt_calls name roots)
   if(NAZORI_BUILD_TESTS AND NOT NAZORI_SANITIZE)
     add_test(NAME ${name}.rt_calls
@@ -100,18 +101,17 @@ function(nazori_rt_calls name roots)
   endif()
 endfunction()
 
-# nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>]
-#               [TESTS_TOGETHER [TESTS_ALONE ...]] [ISOLATED_TESTS REGEX]
-#               [BENCHES ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
+# nazori_module(NAME SOURCES ... DEPENDS ... [PRIVATE_DEPENDS ...] [TESTS ...] [TEST_DEPENDS ...] [TEST_PATHS NAME PATH
+# ...] [THREADED_TESTS ALL|...] [TEST_HEADERS <...>] [TESTS_TOGETHER [TESTS_ALONE ...]] [ISOLATED_TESTS REGEX] [BENCHES
+# ...] [BENCH_DEPENDS ...] [FUZZERS ...] [NEEDS_DATABASE])
 #
-# One room of the house: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench
-# file as part of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are seen by those who include the
-# public headers, PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE
-# they run after kanji.db has been built and find its folder in the environment variable NAZORI_DATA.
-# ISOLATED_TESTS: what the test files match whose tests need a process each, as they have one window or one set of
-# signals. With the address sanitizer the other tests share two processes, otherwise each test has its own.
-# The thread sanitizer builds only THREADED_TESTS: tests of code without threads cannot race. TESTS_TOGETHER: see
-# nazori_compile_together.
+# One room: the library nazori::NAME from libs/NAME, its tests as one program nazori_NAME_tests, each bench file as part
+# of nazori_NAME_bench and each fuzzer file as a program of its own. DEPENDS are visible to users of the public headers,
+# PRIVATE_DEPENDS are not. Tests may use tests/fixtures through test_paths.h; with NEEDS_DATABASE they run after
+# kanji.db has been built and find its folder in the environment variable NAZORI_DATA. ISOLATED_TESTS: a pattern for
+# test files whose tests need a process each, because they share one window or one set of signals. With the address
+# sanitizer the other tests share two processes, otherwise each test has its own. The thread sanitizer builds only
+# THREADED_TESTS: tests of code without threads cannot race. TESTS_TOGETHER: see nazori_compile_together.
 function(nazori_module name)
   cmake_parse_arguments(m "NEEDS_DATABASE;TESTS_TOGETHER" "ISOLATED_TESTS"
     "SOURCES;DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_PATHS;THREADED_TESTS;TEST_HEADERS;TESTS_ALONE;BENCHES;BENCH_DEPENDS;FUZZERS" ${ARGN})
@@ -123,7 +123,7 @@ function(nazori_module name)
     add_library(${target} STATIC ${m_SOURCES})
     target_include_directories(${target} PUBLIC include PRIVATE src)
     target_link_libraries(${target} PUBLIC ${m_DEPENDS} PRIVATE nazori_compiler ${m_PRIVATE_DEPENDS})
-    # The fuzzers are led by what they reach in the rooms that they test.
+    # The fuzzers are guided by the coverage of the rooms that they test.
     if(NAZORI_BUILD_FUZZERS AND m_FUZZERS)
       target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
@@ -139,7 +139,7 @@ function(nazori_module name)
   add_library(nazori::${name} ALIAS ${target})
 
   if(NAZORI_SANITIZE STREQUAL "thread")
-    # Built where a test needs it.
+    # Built only if a test needs it.
     set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
     nazori_threaded_tests(m_TESTS TESTS ${m_TESTS} THREADED ${m_THREADED_TESTS} SOURCES ${m_SOURCES})
   endif()
@@ -152,7 +152,7 @@ function(nazori_module name)
     if(m_TESTS_TOGETHER)
       nazori_compile_together(${target}_tests ALONE ${m_TESTS_ALONE})
     endif()
-    # Precompiled headers have a hundred megabytes and more, so only programs of many files have them.
+    # Precompiled headers take a hundred megabytes and more, so only programs of many files use them.
     list(LENGTH m_TESTS test_files)
     if(test_files GREATER_EQUAL 10)
       nazori_precompiled_headers(${target}_tests <gtest/gtest.h> <gmock/gmock.h> ${m_TEST_HEADERS})

@@ -21,14 +21,13 @@ int refuse(const QString& what) {
   return kExitBadUsage;
 }
 
-/// Qt aborts where the display does not answer, after some lines of its own; that takes one line and the exit
-/// code of any other bad surroundings.
+/// Qt aborts after some messages if the display does not answer; print one line instead and use the exit code
+/// of other environment errors.
 void tell_of_no_display(QtMsgType type, const QMessageLogContext& /*context*/, const QString& /*text*/) {
   if (type != QtFatalMsg) return;
-  std::_Exit(
-      refuse(QStringLiteral("the display does not answer (DISPLAY=%1, WAYLAND_DISPLAY=%2); without one "
-                            "there is nazori-cli")
-                 .arg(qEnvironmentVariable("DISPLAY"), qEnvironmentVariable("WAYLAND_DISPLAY"))));
+  std::_Exit(refuse(QStringLiteral("the display does not respond (DISPLAY=%1, WAYLAND_DISPLAY=%2); use "
+                                   "nazori-cli instead")
+                        .arg(qEnvironmentVariable("DISPLAY"), qEnvironmentVariable("WAYLAND_DISPLAY"))));
 }
 
 bool has_display() {
@@ -40,7 +39,7 @@ bool has_display() {
 
 int main(int argc, char** argv) {
   nazori::ui::Program::prepare();
-  // Help is for those without a display too, where Qt would abort.
+  // Help must also work without a display, where Qt would abort.
   const QString unseen = has_display() ? QString() : QStringLiteral("offscreen");
   if (!unseen.isEmpty()) qputenv("QT_QPA_PLATFORM", unseen.toUtf8());
   const QtMessageHandler before = qInstallMessageHandler(tell_of_no_display);
@@ -56,19 +55,20 @@ int main(int argc, char** argv) {
   const auto version = parser.addVersionOption();
   const QCommandLineOption exit_after_startup(
       QStringLiteral("exit-after-startup"),
-      QStringLiteral("Open the window, wait until it shows what it begins with, and leave."));
+      QStringLiteral("Open the window, wait for the first page, then exit."));
   parser.addOption(exit_after_startup);
   const QCommandLineOption now(
       QStringLiteral("now"),
-      QStringLiteral("Take this for the present, and go on from there: 2026-01-01T09:00Z or with +09:00. For "
-                     "acting out other days of study; the environment variable NAZORI_NOW does the same."),
+      QStringLiteral(
+          "Use this as the current time and continue from there: 2026-01-01T09:00Z or with +09:00. For "
+          "trying out other study days; the environment variable NAZORI_NOW does the same."),
       QStringLiteral("time"));
   parser.addOption(now);
   parser.addPositionalArgument(
       QStringLiteral("character or files"),
-      QStringLiteral("Character to open with, or files: a plot, a height map, a stroke order."),
+      QStringLiteral("Character to open, or files: a plot, a height map, a stroke order file."),
       QStringLiteral("[character | file...]"));
-  // What was refused is said here, in one line: QCommandLineParser::process() would exit with 1.
+  // The error is reported here in one line, because QCommandLineParser::process() would exit with 1.
   if (!parser.parse(QApplication::arguments())) {
     const QString given = parser.unknownOptionNames().value(0);
     return refuse(given.isEmpty() ? parser.errorText()
@@ -80,8 +80,8 @@ int main(int argc, char** argv) {
   if (parser.isSet(help) || parser.isSet(QStringLiteral("help-all"))) parser.process(application);
   if (!unseen.isEmpty() && QApplication::platformName() == unseen) {
     return refuse(
-        QStringLiteral("there is no display (DISPLAY and WAYLAND_DISPLAY are not set); without one "
-                       "there is nazori-cli"));
+        QStringLiteral("no display found (DISPLAY and WAYLAND_DISPLAY are not set); use "
+                       "nazori-cli instead"));
   }
 
   nazori::ui::MainWindow::Setup setup;
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   if (!arguments.isEmpty() && !files) {
     const auto code_points = arguments.front().toUcs4();
     if (arguments.size() > 1 || code_points.size() != 1) {
-      return refuse(QStringLiteral("give one character or files that exist, as in: nazori 休"));
+      return refuse(QStringLiteral("give one character or existing files, for example: nazori 休"));
     }
     setup.character = static_cast<char32_t>(code_points.front());
   }

@@ -68,7 +68,7 @@ done | awk -v roots="$roots" -v allowed="^($arithmetic|$time|$compiler)\$" '
           if (names[i] !~ allowed) outside = outside " " names[i]
           continue
         }
-        # Text that stands among constants calls nothing.
+        # Text among the constants calls nothing.
         if (next_node ~ SUBSEP "\\.rodata") continue
         if (!(next_node in visited)) {
           visited[next_node] = 1

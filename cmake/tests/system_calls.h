@@ -28,7 +28,7 @@ inline constexpr bool kSanitized = false;
 #endif
 
 /// From here on the calling thread may only end the process, or make one of `allowed`; another call ends the
-/// process with SIGSYS. Other threads may go on as before; those that this one starts may not.
+/// process with SIGSYS. Other threads are not restricted; those that this one starts are.
 inline bool forbid_system_calls(std::initializer_list<unsigned> allowed = {}) {
   std::vector<sock_filter> rules{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))};
   const auto allow = [&](unsigned call) {
@@ -43,7 +43,7 @@ inline bool forbid_system_calls(std::initializer_list<unsigned> allowed = {}) {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-/// Runs `work` in a child; true when it came to its end.
+/// Runs `work` in a child process; true when it ended normally.
 template <class Work>
 bool ends_in_a_child(Work work) {
   const pid_t child = fork();
@@ -56,7 +56,7 @@ bool ends_in_a_child(Work work) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// The same where `work` may make no system call.
+/// The same for `work` without any allowed system call.
 template <class Work>
 bool ends_without_system_call(Work work) {
   return ends_in_a_child([&] {
@@ -65,7 +65,7 @@ bool ends_without_system_call(Work work) {
   });
 }
 
-/// Whether this can be tested here at all: there is seccomp, and the clock is read without a system call.
+/// Whether this test is possible here: seccomp is available, and the clock is read without a system call.
 inline bool sees_system_calls() {
   return !kSanitized && ends_without_system_call([] { (void)std::chrono::steady_clock::now(); }) &&
          !ends_without_system_call([] { (void)syscall(SYS_getpid); });

@@ -2,8 +2,8 @@
 #pragma once
 
 /// Absolute paths that a test program or benchmark reads. nazori_test_paths() of cmake/NazoriModule.cmake
-/// defines those that a program names, in a generated file. They are no macros, because a macro with the
-/// folder of a checkout would keep a compiler cache from knowing the sources again in another folder.
+/// defines those that a program uses, in a generated file. They are not macros, because a macro with the path
+/// of a checkout would keep a compiler cache from recognising the sources in another folder.
 namespace nazori::test_paths {
 
 extern const char* const kFixtures;      ///< tests/fixtures of the module

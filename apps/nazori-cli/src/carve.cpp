@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "character_json.h"
 #include "characters.h"
+#include "json_answers.h"
 #include "nazori/base/utf8.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/surface/height_map.h"
@@ -43,8 +43,8 @@ base::Result<std::vector<Target>> targets_of(const CarveSettings& settings,
   auto maps = output_files({"--output", settings.output, {".png", ".raw"}}, names);
   if (!maps) return tl::unexpected(maps.error());
   if (settings.bits == 16 && has_extension(maps->front().path(), ".raw")) {
-    return base::fail(base::Errc::bad_argument, "a RAW has 8 bits a sample", "--bits 16",
-                      "write a .png, or leave --bits out");
+    return base::fail(base::Errc::bad_argument, "a RAW file has 8 bits per sample", "--bits 16",
+                      "write a .png, or omit --bits");
   }
   std::vector<Target> targets;
   std::vector<NamedFile> named;
@@ -92,7 +92,7 @@ Json carved_json(const kanji::Character& character, const Target& target, const 
 
 std::string carved_text(const kanji::Character& character, const Target& target,
                         const CarveSettings& settings) {
-  // Nothing is mixed with a file on standard output.
+  // Nothing else may go to standard output together with a file.
   if (target.map.is_console() || (target.strokes && target.strokes->is_console())) return {};
   const std::string name = kanji::name_of(character).text();
   std::string text = fmt::format("{}  {}  {} x {}\n", name, target.map.name(), settings.size, settings.size);
@@ -135,24 +135,24 @@ void add_carve(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<CarveSettings>();
   CLI::App* verb = app.add_subcommand("carve", "Carve characters into height maps");
   verb->add_option("characters", settings->characters,
-                   "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
+                   "Characters, such as 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();
   verb->add_option(
           "-o,--output", settings->output,
-          "Where to write: .png (greyscale, white the plateau) or .raw (8 bits, no header); for several "
-          "characters a folder or a name with {} for the character; - is standard output (PNG)")
+          "Output file: .png (greyscale, white is the plateau) or .raw (8 bits, no header). For several "
+          "characters: a folder, or a name with {} for the character; - is standard output (PNG)")
       ->required()
       ->type_name("FILE");
-  verb->add_option("--size", settings->size, "Side of the map in samples")
+  verb->add_option("--size", settings->size, "Samples per side of the map")
       ->check(within(surface::HeightMap::kMinSize, surface::HeightMap::kMaxSize))
       ->capture_default_str()
       ->type_name("N");
-  verb->add_option("--bits", settings->bits, "Bits a sample of a PNG: 8 or 16 (default: 16)")
+  verb->add_option("--bits", settings->bits, "Bits per sample of a PNG: 8 or 16 (default: 16)")
       ->check(CLI::IsMember({8, 16}))
       ->type_name("N");
   verb->add_option("--strokes", settings->strokes, "Also write the stroke order on the same grid (.str)")
       ->type_name("FILE");
-  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
+  verb->add_flag("--json", settings->json, "Print JSON (see docs/command-line.md)");
   add_brush_options(*verb, settings->brush);
   add_database_option(*verb, settings->database);
   verb->footer(

@@ -35,7 +35,7 @@ FoundCharacters find_characters(const kanji::KanjiDatabase& database, std::span<
 
 base::Error not_found(std::span<const CharacterName> missing) {
   return {base::Errc::not_found, "not in the database", joined(missing),
-          "nazori-cli search finds what is in it"};
+          "find characters with: nazori-cli search"};
 }
 
 tl::expected<std::vector<kanji::Character>, int> characters_with_strokes(
@@ -53,7 +53,7 @@ tl::expected<std::vector<kanji::Character>, int> characters_with_strokes(
   }
   if (!bare.empty()) {
     return tl::unexpected(console.deny({base::Errc::not_found, "has no strokes in the database", joined(bare),
-                                        "only the dictionary knows it"}));
+                                        "it is only in the dictionary"}));
   }
   return std::move(characters.found);
 }

@@ -17,7 +17,7 @@ using kanji::CharacterName;
 /// Opens the database at `path`, or the one that KanjiDatabase::locate() finds where `path` is empty.
 [[nodiscard]] base::Result<kanji::KanjiDatabase> open_database(const std::string& path);
 
-/// Which of the characters the database has.
+/// The characters that the database has.
 struct FoundCharacters {
   std::vector<kanji::Character> found;
   std::vector<CharacterName> missing;
@@ -25,11 +25,11 @@ struct FoundCharacters {
 [[nodiscard]] FoundCharacters find_characters(const kanji::KanjiDatabase& database,
                                               std::span<const CharacterName> names);
 
-/// One line for all that were not found.
+/// One message for all that were not found.
 [[nodiscard]] base::Error not_found(std::span<const CharacterName> missing);
 
-/// The characters that arguments name, each with strokes to carve.
-/// @return the characters, or the exit code after one line has said what is wrong.
+/// The characters named by arguments, each with strokes to carve.
+/// @return the characters, or the exit code after an error message.
 [[nodiscard]] tl::expected<std::vector<kanji::Character>, int> characters_with_strokes(
     Console& console, std::span<const std::string> arguments, const std::string& database);
 

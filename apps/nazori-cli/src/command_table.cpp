@@ -11,7 +11,7 @@ namespace {
 /// Descriptions of all checks of an option, in order.
 std::vector<std::string> checks_of(const CLI::Option& option) {
   // CLI11 gives the checks only together with the name of the value, "N:2..8192", or one by one from an
-  // option that may be changed. A name may hold a colon itself, so the string cannot be taken apart.
+  // option that may be changed. A name may contain a colon itself, so the string cannot be split.
   auto& changeable = const_cast<CLI::Option&>(option);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
   std::vector<std::string> checks;
   try {
@@ -100,7 +100,7 @@ OptionEntry option_entry(const CLI::Option& option) {
       if (check.find("..") != std::string::npos) range = check;
     }
     entry.takes = kind_of(entry);
-    // With a delimiter all values stand in one word: --window=-1,1,-1,1.
+    // With a delimiter all values are in one word: --window=-1,1,-1,1.
     entry.values = option.get_delimiter() != '\0' ? 1 : std::max(1, option.get_items_expected_min());
   }
   const auto note = [&entry](const std::string& text) {

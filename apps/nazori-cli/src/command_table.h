@@ -11,7 +11,7 @@ class Option;
 
 namespace nazori::cli {
 
-/// What a value on the command line is.
+/// The kind of a value on the command line.
 enum class Takes {
   nothing,  ///< no value: a flag
   text,     ///< anything: a number, a name, a character
@@ -25,7 +25,7 @@ struct OptionEntry {
   std::vector<std::string> names;    ///< with their dashes, short ones first; empty for an argument
   std::string argument;              ///< name of an argument: "characters"; empty for an option
   Takes takes = Takes::nothing;      ///< what its value is
-  std::string value;                 ///< stands for the value in help: "FILE"; empty for a flag
+  std::string value;                 ///< placeholder for the value in help: "FILE"; empty for a flag
   std::vector<std::string> choices;  ///< the words, for Takes::choice
   int values = 0;                    ///< how many words follow each use; 0 for a flag
   bool several = false;              ///< takes any number of values, or may be repeated
@@ -35,7 +35,7 @@ struct OptionEntry {
   std::string group;  ///< heading in help: "Options", "Brush"
 };
 
-/// A verb with all that may follow it; the program itself is the outermost one.
+/// A command with its options, arguments and subcommands; the program itself is the outermost one.
 struct Command {
   std::string path;  ///< "study due"; empty for the program
   std::string name;  ///< "due"; "nazori-cli" for the program
@@ -55,10 +55,10 @@ struct Command {
 /// The description, followed by the notes in brackets.
 [[nodiscard]] std::string description_with_notes(const OptionEntry& entry);
 
-/// The whole command line as plain data. What has an empty group is hidden and left out.
+/// The whole command line as plain data. Entries with an empty group are hidden and left out.
 [[nodiscard]] Command command_table(const CLI::App& app);
 
-/// The command and all verbs below it, outermost first. The pointers live as long as `command`.
+/// The command and all its subcommands, outermost first. The pointers live as long as `command`.
 [[nodiscard]] std::vector<const Command*> all_commands(const Command& command);
 
 }  // namespace nazori::cli

@@ -6,7 +6,7 @@
 namespace nazori::cli {
 namespace {
 
-// How the line is read: it follows the table above it, which names for each verb what comes next.
+// The code that parses the line; it follows the table, which lists for each command what can come next.
 constexpr std::string_view kReader = R"(
 _nazori_cli() {
   local current=${COMP_WORDS[COMP_CWORD]} verb='' option='' prefix='' word takes values i
@@ -137,7 +137,7 @@ std::string values_of(const Command& command) {
   int number = 0;
   for (const OptionEntry& argument : command.arguments) {
     ++number;
-    // Where several are taken this branch stands for the rest of the line: bash takes the first that fits.
+    // If several values are allowed, this branch covers the rest of the line: bash uses the first match.
     branches += branch(argument.several ? shell_quoted(command.path + " ") + "[1-9]*"
                                         : shell_quoted(command.path + " " + std::to_string(number)),
                        argument);

@@ -19,7 +19,7 @@ std::string fish_quoted(std::string_view text) {
   return "'" + with_backslashes(text, "'") + "'";
 }
 
-/// How a verb is named in the script: " study due", the program "".
+/// The name of a command in the script: " study due", the program "".
 std::string place_of(const Command& command) { return command.path.empty() ? "" : " " + command.path; }
 
 std::string line_for(const Command& command, const std::string& rest) {
@@ -27,7 +27,7 @@ std::string line_for(const Command& command, const std::string& rest) {
                      fish_quoted("__nazori_cli_at " + fish_quoted(place_of(command))), rest);
 }
 
-/// What `complete` says of the value: -r needs one, -x needs one that is no file.
+/// The option of `complete` for the value: -r requires one, -x requires one that is not a file.
 std::string value_of(const OptionEntry& entry) {
   switch (entry.takes) {
     case Takes::nothing:
@@ -66,7 +66,7 @@ std::string argument_line(const Command& command, const OptionEntry& argument) {
     case Takes::choice:
       break;
   }
-  // An argument needs no option before it: "-x" says no more than the line for the whole program does.
+  // An argument needs no option before it: "-x" would add nothing to the line for the whole program.
   return line_for(command, "-f" + value_of(argument).substr(std::string_view(" -x").size()));
 }
 

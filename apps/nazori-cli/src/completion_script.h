@@ -8,9 +8,9 @@
 
 namespace nazori::cli {
 
-/// The completion script of a shell for the whole command line: verbs, options with their descriptions (zsh
-/// and fish), the words of fixed choices, files and folders where they are taken, otherwise nothing. The same
-/// table gives the same bytes.
+/// The completion script of a shell for the whole command line: commands, options with their descriptions
+/// (zsh and fish), the words of fixed choices, files and folders where they are accepted, otherwise nothing.
+/// The same table gives the same bytes.
 [[nodiscard]] std::string bash_completion(const Command& program);
 [[nodiscard]] std::string zsh_completion(const Command& program);
 [[nodiscard]] std::string fish_completion(const Command& program);

@@ -52,7 +52,7 @@ std::string option_lines(const OptionEntry& option) {
   for (const std::string& name : option.names) {
     std::string spec = option.several ? "*" : option.names.size() > 1 ? "(" + names + ")" : "";
     spec += name;
-    // "+" and "=": the value stands in the same word or in the next one.
+    // "+" and "=": the value is in the same word or in the next one.
     if (option.takes != Takes::nothing) spec += name.starts_with("--") ? "=" : "+";
     spec += "[" + with_backslashes(in_one_line(option.description), "[]") + "]" + values_of(option);
     lines += "    " + shell_quoted(spec) + "\n";

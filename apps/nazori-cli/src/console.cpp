@@ -18,11 +18,11 @@
 namespace nazori::cli {
 namespace {
 
-// An argument of 50 kB may be what is wrong.
+// The error may quote an argument of 50 kB.
 constexpr int kWidestPart = 200;
 constexpr int kWidestRemedy = 400;
 
-/// The error as one line that can be shown anywhere.
+/// The error as one line that any terminal can show.
 std::string shown(const base::Error& error) {
   base::Error part = error;
   part.what = shortened(printable(base::to_line({error.code, error.what, "", ""})), kWidestPart);
@@ -42,7 +42,7 @@ double now_s() {
 }
 
 void to_stderr(std::string_view text) {
-  // Nobody can be told when standard error is gone.
+  // A failure of standard error cannot be reported.
   (void)std::fwrite(text.data(), 1, text.size(), stderr);
   (void)std::fflush(stderr);
 }
@@ -71,7 +71,7 @@ void Console::note(std::string_view text) const {
 }
 
 int Console::refuse(const base::Error& error) const {
-  // Who stopped the work knows why it did not succeed; the program ends by that signal.
+  // The user who stopped the work needs no message; the program ends by that signal.
   if (error.code == base::Errc::cancelled && stop_requested()) return kWrong;
   to_stderr(fmt::format("{}: {}\n", name_, shown(error)));
   return error.code == base::Errc::in_use ? kInUse : kWrong;
@@ -104,7 +104,7 @@ bool ProgressDisplay::show(double done, std::string_view step) {
   if (terminal_) {
     const double now = now_s();
     if (last_drawn_s_ < 0) last_drawn_s_ = now;
-    // Work that is over in a blink needs no bar, and a bar needs no more than ten pictures a second.
+    // Very short work needs no bar, and a bar needs at most ten updates a second.
     if (now - last_drawn_s_ >= 0.1) {
       last_drawn_s_ = now;
       drawn_ = true;

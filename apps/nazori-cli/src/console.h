@@ -9,33 +9,33 @@
 
 namespace nazori::cli {
 
-/// Exit codes of every verb.
+/// The exit codes of all commands.
 inline constexpr int kDone = 0;   ///< done
 inline constexpr int kNo = 1;     ///< the answer is no, or not found
 inline constexpr int kWrong = 2;  ///< bad usage or bad input
 inline constexpr int kInUse = 3;  ///< another program has it open
 
-/// Where the program speaks: answers go to standard output, one line of trouble to standard error. A reader
-/// that goes away (a closed pipe) is no trouble: the work goes on, in silence.
+/// The output of the program: answers go to standard output, error messages of one line to standard error. A
+/// closed pipe is not an error: the work continues without output.
 class Console {
  public:
-  /// Part of the answer; nothing where it is to be quiet.
+  /// Prints a part of the answer; nothing in quiet mode.
   void print(std::string_view text);
-  /// Part of a file that was asked for on standard output, which comes even where the answer is not wanted.
+  /// Prints a part of a file for standard output, which is printed even in quiet mode.
   void print_file(std::string_view bytes);
-  /// Sends what was printed so far. @return false when it cannot be written, or nobody reads it any more.
+  /// Flushes the output. @return false when it cannot be written, or the reader is gone.
   bool flush();
 
-  /// Says something about the answer in one line on standard error; nothing where it is to be quiet.
+  /// Prints a remark about the answer in one line on standard error; nothing in quiet mode.
   void note(std::string_view text) const;
-  /// Says in one line what was wrong with the usage or the input; nothing where the user stopped the work.
+  /// Prints an error of usage or input in one line; nothing where the user stopped the work.
   /// @return kWrong; kInUse for Errc::in_use
   [[nodiscard]] int refuse(const base::Error& error) const;
-  /// Says in one line why the answer is no; the answer in JSON is null then, unless there was one. @return
+  /// Prints in one line why the answer is no; the answer in JSON is then null, unless there was one. @return
   /// kNo
   [[nodiscard]] int deny(const base::Error& error);
 
-  /// Sends what is left of the answer. @return `code`, or kWrong when the answer could not be written.
+  /// Flushes the rest of the answer. @return `code`, or kWrong when the answer could not be written.
   [[nodiscard]] int finish(int code);
 
   /// From now on no answers are printed.
@@ -44,7 +44,7 @@ class Console {
   /// Answers are in JSON.
   void set_json(bool json) { json_ = json; }
 
-  /// The program's name and verb, "nazori-cli carve", that every line of trouble starts with.
+  /// The program's name and command, "nazori-cli carve", with which every error message starts.
   void set_name(std::string name) { name_ = std::move(name); }
 
  private:
@@ -57,12 +57,12 @@ class Console {
   bool answered_ = false;
 };
 
-/// Width of the terminal on standard output, 80 where it is none; within 40..120, so that lines stay
-/// readable.
+/// Width of the terminal on standard output, 80 where it is not a terminal; within 40..120, so that lines
+/// stay readable.
 [[nodiscard]] int text_width();
 
-/// How far work has come, on standard error: a bar on a terminal, else a line at each tenth where `plain` is
-/// set, else nothing. Nothing at all where the console is quiet.
+/// The progress of work, on standard error: a bar on a terminal, else a line at each tenth where `plain` is
+/// set, else nothing. Nothing in quiet mode.
 class ProgressDisplay {
  public:
   enum class Plain { lines, silent };
@@ -75,7 +75,7 @@ class ProgressDisplay {
   bool show(double done, std::string_view step);
   /// Takes the bar away.
   void clear();
-  /// show() for those who take a function. Must not outlive the display.
+  /// show() as a function. Must not outlive the display.
   [[nodiscard]] base::Progress callback();
 
  private:

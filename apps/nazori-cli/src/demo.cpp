@@ -10,15 +10,16 @@
 #include <string_view>
 #include <vector>
 
-#include "character_json.h"
 #include "characters.h"
 #include "followed_tablet.h"
+#include "json_answers.h"
 #include "nazori/base/utf8.h"
 #include "nazori/devices/simulated_device.h"
+#include "nazori/exchange/samples.h"
 #include "nazori/tablet/carved_tablet.h"
 #include "options.h"
 #include "output_files.h"
-#include "statistics_json.h"
+#include "statistics_text.h"
 #include "tablet_picture.h"
 #include "verbs.h"
 
@@ -60,7 +61,7 @@ Json stroke_json(const devices::FollowedStroke& followed) {
           {"traced_share", followed.followed_share}};
 }
 
-/// How far the tip was held from the lines, over all strokes.
+/// The distance of the tip from the lines, over all strokes.
 struct Tracking {
   double rms_m = 0;
   double max_m = 0;
@@ -99,7 +100,7 @@ Json tablet_json(const kanji::Character& character, const FollowedTablet& follow
             {"tracking_max_m", tracking.max_m},
             {"work_on_hand_j", hand.work_on_hand_j},
             {"dissipated_j", -hand.work_on_hand_j},
-            {"samples", statistics_json(followed.samples)},
+            {"samples", exchange::to_json(followed.samples)},
             {"strokes", std::move(strokes)}};
   if (settings.real_time) {
     json["timing"] = Json{{"real_time_scheduling", hand.clock.real_time},
@@ -121,7 +122,7 @@ std::string describe(const std::string& name, const FollowedTablet& followed, co
   const devices::HandReport& hand = followed.hand;
   std::string text = fmt::format(
       "{}  {} stroke{}, traced by a simulated hand through the servo at {:g} kHz, snapping {}\ndevice: {}\n"
-      "                   hand aims off     tip held off        force\n"
+      "                   aim error     tip error        force\n"
       "stroke    length    rms     most      rms     most     mean    peak    contact     depth  slips  "
       "traced\n",
       name, hand.strokes.size(), hand.strokes.size() == 1 ? "" : "s", settings.hardware.rate_hz / 1000,
@@ -136,7 +137,7 @@ std::string describe(const std::string& name, const FollowedTablet& followed, co
   }
   const Tracking tracking = tracking_of(hand);
   text += fmt::format(
-      "all strokes: tip off the line {:.2f} mm rms, {:.2f} mm at most; force {:.2f} N mean, {:.2f} N peak\n"
+      "all strokes: tip error {:.2f} mm rms, {:.2f} mm at most; force {:.2f} N mean, {:.2f} N peak\n"
       "energy: {} {:.3f} mJ {} the hand\n",
       mm(tracking.rms_m), mm(tracking.max_m), followed.samples.mean_force_n(), followed.samples.peak_force_n,
       hand.work_on_hand_j > 0 ? "the motors did" : "the tablet dissipated",
@@ -229,24 +230,23 @@ int run(Console& console, const DemoSettings& settings) {
 
 void add_demo(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<DemoSettings>();
-  CLI::App* verb =
-      app.add_subcommand("demo", "Let a simulated hand trace characters and tell how well they hold it");
+  CLI::App* verb = app.add_subcommand(
+      "demo", "Let a simulated hand trace characters and measure how well the grooves guide it");
   verb->add_option("characters", settings->characters,
-                   "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
+                   "Characters, such as 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();
   verb->add_option("-o,--output", settings->output,
-                   "The .png with the traced tablet; for several characters a folder or a name with {} for "
-                   "the character; - is standard output")
+                   "Output .png with the traced tablet. For several characters: a folder, or a name with {} "
+                   "for the character; - is standard output")
       ->capture_default_str()
       ->type_name("FILE");
-  add_device_option(*verb, settings->hardware, "The device that is simulated");
+  add_device_option(*verb, settings->hardware, "Device to simulate");
   verb->add_flag("--snap", settings->snap, "Switch snapping on: strokes attract the stylus");
-  verb->add_flag("--real-time", settings->real_time,
-                 "Run on the clock thread as a device does, and tell how it kept time");
+  verb->add_flag("--real-time", settings->real_time, "Run in real time like a device, and report the timing");
   verb->add_option("--record", settings->record,
                    "Record every tick to a .nzr (see nazori-cli record) or a .csv")
       ->type_name("FILE");
-  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
+  verb->add_flag("--json", settings->json, "Print JSON (see docs/command-line.md)");
   add_look_options(*verb, settings->look);
   add_brush_options(*verb, settings->brush);
   add_database_option(*verb, settings->database);

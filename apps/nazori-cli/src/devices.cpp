@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "character_json.h"
+#include "json_answers.h"
 #include "nazori/devices/device_catalogue.h"
 #include "nazori/devices/device_trial.h"
 #include "nazori/devices/every_back_end.h"
@@ -93,7 +93,7 @@ std::string describe(const std::string& id, const haptics::DeviceDescription& de
                      const devices::RealTimeReadiness& machine) {
   std::string text = fmt::format("{}  {}\n", id, description.name);
   if (description.has_force) {
-    text += fmt::format("limits      {:.2f} N peak, {:.2f} N for long, {:.0f} N/m on the tablet\n",
+    text += fmt::format("limits      {:.2f} N peak, {:.2f} N continuous, {:.0f} N/m on the tablet\n",
                         description.limits.max_force_n, description.limits.continuous_force_n,
                         description.limits.max_stiffness_n_m);
   }
@@ -106,12 +106,12 @@ std::string describe(const std::string& id, const haptics::DeviceDescription& de
     text += fmt::format("{}{:>8}  {}\n", pad(i == 0 ? "lateness" : "", 12), trial.lateness[i], edge);
   }
   if (trial.rest_noise_m >= 0)
-    text += fmt::format("noise       {:.1f} um at its quietest (let go of the stylus for this)\n",
+    text += fmt::format("noise       {:.1f} um at rest (let go of the stylus to measure it)\n",
                         trial.rest_noise_m * 1e6);
   if (status.delay_s > 0)
     text += fmt::format("round trip  {:.2f} ms from pose to force\n", status.delay_s * 1e3);
-  if (trial.absent > 0) text += fmt::format("away        {} ticks without a stylus\n", trial.absent);
-  if (!status.message.empty()) text += "trouble     " + status.message + "\n";
+  if (trial.absent > 0) text += fmt::format("absent      {} ticks without a stylus\n", trial.absent);
+  if (!status.message.empty()) text += "problem     " + status.message + "\n";
   text += "machine     " + machine.kernel + "\n";
   if (machine.advice.empty()) text += "            ready for real time\n";
   for (const std::string& advice : machine.advice) text += "            " + advice + "\n";
@@ -135,7 +135,7 @@ int test(Console& console, devices::DeviceCatalogue& catalogue, const DevicesSet
   }
   progress.clear();
   haptics::DeviceStatus status = device.status();
-  // A computer that stood still just now has not lost its device.
+  // A short pause of the computer does not mean that the device is lost.
   for (int i = 0; i < 100 && status.trouble == haptics::DeviceTrouble::stalled && !stop_requested(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     status = device.status();
@@ -152,8 +152,8 @@ int run(Console& console, const DevicesSettings& settings) {
   devices::DeviceCatalogue catalogue(devices::every_back_end(devices::back_end_settings()));
   if (settings.test_s > 0) return test(console, catalogue, settings);
   if (settings.device.empty()) return list(console, catalogue, settings);
-  return console.refuse({base::Errc::bad_argument, "without --test there is nothing to do with it",
-                         "--device", "give --test SECONDS too"});
+  return console.refuse(
+      {base::Errc::bad_argument, "it is only used together with --test", "--device", "add --test SECONDS"});
 }
 
 }  // namespace
@@ -161,17 +161,16 @@ int run(Console& console, const DevicesSettings& settings) {
 void add_devices(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<DevicesSettings>();
   CLI::App* verb =
-      app.add_subcommand("devices", "List haptic devices, say why others are not there, and test one");
-  verb->add_option(
-          "--test", settings->test_s,
-          "Run a device for so long without force: rate, lateness, noise at rest, round trip, and whether "
-          "the machine is ready for real time")
+      app.add_subcommand("devices", "List haptic devices, explain why others were not found, and test one");
+  verb->add_option("--test", settings->test_s,
+                   "Run a device without force for this many seconds and report its rate, lateness, noise at "
+                   "rest and round trip, and whether the computer is ready for real time")
       ->check(within(0.1, 3600))
       ->type_name("SECONDS");
   verb->add_option("--device", settings->device,
-                   "The device to test: its id, or a part of its name; default is the best one")
+                   "Device to test: its id or part of its name (default: the best one)")
       ->type_name("NAME");
-  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
+  verb->add_flag("--json", settings->json, "Print JSON (see docs/command-line.md)");
   verb->footer(
       "The makers' libraries are looked for under their usual names, or where NAZORI_LIBHD\n"
       "and NAZORI_LIBDHD say; the Inverse Service on port 10001 or NAZORI_INVERSE_PORT;\n"

@@ -40,7 +40,7 @@ std::optional<std::string> meant_word(std::string_view given, std::span<const st
   std::optional<std::string> best;
   std::size_t least = most + 1;
   for (const std::string& word : words) {
-    // A word of which nothing is right was not meant.
+    // A word without any matching letter was not meant.
     const std::size_t steps =
         std::max(given.size(), word.size()) <= kLongest ? steps_between(given, word) : least;
     if (steps >= least || steps >= word.size()) continue;

@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "character_json.h"
 #include "characters.h"
+#include "json_answers.h"
+#include "nazori/exchange/samples.h"
 #include "nazori/haptics/servo.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/recording/sample_statistics.h"
@@ -20,7 +21,7 @@
 #include "output_files.h"
 #include "own_tablet.h"
 #include "sample_output.h"
-#include "statistics_json.h"
+#include "statistics_text.h"
 #include "verbs.h"
 
 namespace nazori::cli {
@@ -51,7 +52,7 @@ struct FeelSettings {
 constexpr int kCarvedSize = 512;
 constexpr std::uint64_t kBetweenProgress = 16'384;
 
-/// What is felt, and how it is called.
+/// The tablet to feel, and its name.
 struct Subject {
   std::string name;
   Tablet tablet;
@@ -62,9 +63,9 @@ tl::expected<Subject, int> subject_of(Console& console, const FeelSettings& sett
   if (own == !settings.characters.empty()) {
     return tl::unexpected(console.refuse(
         {base::Errc::bad_argument,
-         own ? "a character and a file of one's own exclude each other" : "nothing to feel", "",
-         own ? "leave out the character or the file"
-             : "name a character such as 休, or give --height-map or --strokes"}));
+         own ? "give either a character or your own file, not both" : "no character or file given", "",
+         own ? "omit the character or the file"
+             : "give a character such as 休, or --height-map or --strokes"}));
   }
   if (own) {
     auto tablet = own_tablet(settings.own, kCarvedSize, settings.brush);
@@ -75,8 +76,8 @@ tl::expected<Subject, int> subject_of(Console& console, const FeelSettings& sett
   const auto names = kanji::parse_characters(settings.characters);
   if (!names) return tl::unexpected(console.refuse(names.error()));
   if (names->size() > 1) {
-    return tl::unexpected(console.refuse({base::Errc::bad_argument, "one hand feels one character at a time",
-                                          settings.characters.back(), "name one character"}));
+    return tl::unexpected(console.refuse({base::Errc::bad_argument, "only one character at a time",
+                                          settings.characters.back(), "give one character"}));
   }
   const auto characters = characters_with_strokes(console, settings.characters, settings.database);
   if (!characters) return tl::unexpected(characters.error());
@@ -117,7 +118,7 @@ base::Result<std::shared_ptr<const haptics::HapticScene>> scene_of(const Subject
   return subject.tablet->scene(material, snapping, guiding);
 }
 
-/// What a replay came to.
+/// The result of a replay.
 struct Felt {
   SampleStatistics samples;
   haptics::ServoTiming timing;
@@ -149,7 +150,7 @@ base::Result<Felt> feel(TrajectoryTicks& ticks, haptics::Servo& servo, SampleOut
   return felt;
 }
 
-/// How many seconds of the hand a second of this program felt.
+/// Ratio of the hand's time to the computing time.
 double real_time_factor(const Felt& felt, double rate_hz) {
   return felt.took_s > 0 ? static_cast<double>(felt.samples.samples) / rate_hz / felt.took_s : 0;
 }
@@ -157,7 +158,7 @@ double real_time_factor(const Felt& felt, double rate_hz) {
 Json felt_json(const Felt& felt, const Subject& subject, const FeelSettings& settings, double rate_hz) {
   Json json{{"subject", subject.name}, {"mode", settings.mode},   {"device", settings.hardware.name},
             {"rate_hz", rate_hz},      {"input", settings.input}, {"output", settings.output}};
-  json.update(statistics_json(felt.samples));
+  json.update(exchange::to_json(felt.samples));
   json["late_ticks"] = felt.timing.late_ticks;
   json["missed_ticks"] = felt.timing.missed_ticks;
   json["mean_tick_s"] = felt.timing.mean_tick_s;
@@ -168,13 +169,13 @@ Json felt_json(const Felt& felt, const Subject& subject, const FeelSettings& set
 
 std::string describe(const Felt& felt, const Subject& subject, const FeelSettings& settings, double rate_hz) {
   return fmt::format(
-      "{}  felt in mode {} as by a {}\n{}replayed in {:.2f} s, {:.0f} times as fast as real time\n{}\n",
-      subject.name, settings.mode, settings.hardware.name, statistics_text(felt.samples, rate_hz),
-      felt.took_s, real_time_factor(felt, rate_hz), settings.output);
+      "{}  mode {}, device {}\n{}replayed in {:.2f} s, {:.0f} times as fast as real time\n{}\n", subject.name,
+      settings.mode, settings.hardware.name, statistics_text(felt.samples, rate_hz), felt.took_s,
+      real_time_factor(felt, rate_hz), settings.output);
 }
 
 int run(Console& console, const FeelSettings& settings) {
-  // Samples go to standard output as they come, so no file is made for them.
+  // Samples go directly to standard output, so no file is made for them.
   const bool to_console = settings.output == kConsoleFile;
   if (!to_console) {
     if (auto path = output_file({"--output", settings.output, {".csv"}}); !path)
@@ -213,18 +214,17 @@ int run(Console& console, const FeelSettings& settings) {
 void add_material_options(CLI::App& verb, FeelSettings& settings) {
   const std::string group = "Material";
   haptics::Material& material = settings.material;
-  verb.add_option("--stiffness", material.stiffness, "As a part of the most that the device renders")
+  verb.add_option("--stiffness", material.stiffness, "Fraction of the maximum that the device can render")
       ->check(within(0, 1))
       ->capture_default_str()
-      ->type_name("PART")
+      ->type_name("FRACTION")
       ->group(group);
-  verb.add_option("--damping", material.damping, "As a part of the most that the device renders")
+  verb.add_option("--damping", material.damping, "Fraction of the maximum that the device can render")
       ->check(within(0, 1))
       ->capture_default_str()
-      ->type_name("PART")
+      ->type_name("FRACTION")
       ->group(group);
-  verb.add_option("--friction", settings.friction,
-                  "Coefficients of friction, static and dynamic (default: 0,0)")
+  verb.add_option("--friction", settings.friction, "Static and dynamic friction coefficients (default: 0,0)")
       ->delimiter(',')
       ->expected(2)
       ->check(within(0, 10))
@@ -240,10 +240,10 @@ void add_material_options(CLI::App& verb, FeelSettings& settings) {
       ->default_str("none")
       ->type_name("TEXTURE")
       ->group(group);
-  verb.add_option("--roughness", material.roughness, "Of the texture")
+  verb.add_option("--roughness", material.roughness, "Roughness of the texture")
       ->check(within(0, 1))
       ->capture_default_str()
-      ->type_name("PART")
+      ->type_name("FRACTION")
       ->group(group);
 }
 
@@ -252,47 +252,45 @@ void add_material_options(CLI::App& verb, FeelSettings& settings) {
 void add_feel(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<FeelSettings>();
   CLI::App* verb =
-      app.add_subcommand("feel", "Replay a recorded hand through the servo and write the forces");
+      app.add_subcommand("feel", "Replay recorded hand motion through the servo and write the forces");
   verb->add_option("characters", settings->characters, "The character to feel: 休, 正-HzFst or U+4F11");
   verb->add_option("-i,--input", settings->input,
-                   "The hand: a .csv with the columns t,x,y,z in seconds and metres, tablet frame; - is "
-                   "standard input")
+                   "Hand motion: a .csv with columns t,x,y,z in seconds and metres, in the tablet frame; - "
+                   "is standard input")
       ->required()
       ->type_name("FILE");
-  verb->add_option("-o,--output", settings->output, "The .csv to write; - is standard output")
+  verb->add_option("-o,--output", settings->output, "Output .csv; - is standard output")
       ->required()
       ->type_name("FILE");
-  verb->add_option(
-          "--mode", settings->mode,
-          "contact: the surface alone; snap: strokes attract, too; lesson: one stroke after the other; "
-          "lead: the hand is led along them")
+  verb->add_option("--mode", settings->mode,
+                   "contact: only the surface; snap: strokes also attract; lesson: one stroke after another; "
+                   "lead: the hand is led along the strokes")
       ->check(CLI::IsMember({"contact", "snap", "lesson", "lead"}))
       ->capture_default_str()
       ->type_name("MODE");
   verb->add_option("--stroke", settings->stroke,
-                   "snap: only this stroke, 0 all; lesson and lead: the first to be written")
+                   "snap: only this stroke (0: all); lesson and lead: the first stroke to write")
       ->check(within(0, kanji::StrokeOrder::kMaxStrokes))
       ->capture_default_str()
       ->type_name("N");
   verb->add_option("--rate", settings->rate_hz,
-                   "Ticks a second, on straight lines between the rows (default: every row is a tick)")
+                   "Ticks per second, interpolated linearly between rows (default: one tick per row)")
       ->check(within(TrajectoryTicks::kLowestRate_hz, TrajectoryTicks::kHighestRate_hz))
       ->type_name("HZ");
-  add_device_option(*verb, settings->hardware, "Whose limits hold");
-  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
+  add_device_option(*verb, settings->hardware, "Device whose limits apply");
+  verb->add_flag("--json", settings->json, "Print JSON (see docs/command-line.md)");
   add_material_options(*verb, *settings);
-  const std::string own = "A tablet of one's own, in place of a character";
+  const std::string own = "Your own tablet instead of a character";
   verb->add_option("--height-map", settings->own.height_map, "A height map: 8-bit RAW or greyscale PNG")
       ->type_name("FILE")
       ->group(own);
   verb->add_option("--strokes", settings->own.strokes,
-                   "A stroke order (.str) on the height map's grid; alone, it is carved")
+                   "A stroke order file (.str) on the grid of the height map; if given alone, it is carved")
       ->type_name("FILE")
       ->group(own);
-  verb->add_option(
-          "--map-size", settings->own.map_size,
-          "Side of the RAW or of the grid of the .str (default: from the length of the RAW, else 128); for a "
-          "character, of the map that is carved (default: 512)")
+  verb->add_option("--map-size", settings->own.map_size,
+                   "Samples per side of the RAW or of the .str grid (default: from the size of the RAW file, "
+                   "otherwise 128); for a character, of the carved map (default: 512)")
       ->check(within(surface::HeightMap::kMinSize, surface::HeightMap::kMaxSize))
       ->type_name("N")
       ->group(own);

@@ -38,8 +38,8 @@ class StatisticsObserver final : public devices::HandObserver {
 
 base::Error stopped() { return {base::Errc::cancelled, "stopped", "demo", ""}; }
 
-/// Records a servo into a file beside the one that was asked for, so that this one appears whole or stays as
-/// it was.
+/// Records a servo into a temporary file in the folder of the requested one, so that this one appears
+/// complete or is unchanged.
 class RecordingBeside {
  public:
   static base::Result<std::unique_ptr<RecordingBeside>> start(haptics::Servo& servo, const Record& record,
@@ -54,10 +54,10 @@ class RecordingBeside {
 
   void wait_for_room() { recorder_->wait_for_room(); }
 
-  /// Puts the recording in place. Not called, there is none.
+  /// Renames the recording to its final name. If it is not called, there is no recording.
   base::Result<void> finish(const base::Progress& progress) {
     auto done = put_in_place(progress);
-    // The file beside is gone soon, and nobody has heard of it.
+    // The temporary file will be removed, and its name was never reported.
     if (!done && done.error().where == beside_.string()) done.error().where = path_.string();
     return done;
   }
@@ -83,7 +83,7 @@ class RecordingBeside {
 
   std::filesystem::path path_;
   std::filesystem::path beside_;
-  base::UnfinishedFile unfinished_;  // goes after the recorder, which writes the file to its end
+  base::UnfinishedFile unfinished_;  // destroyed after the recorder, which writes the end of the file
   std::unique_ptr<recording::SessionRecorder> recorder_;
 };
 
@@ -106,7 +106,7 @@ base::Result<FollowedTablet> follow_strokes(const tablet::CarvedTablet& tablet,
   }
 
   const auto ended = hand.run(clock, [&](double done) {
-    // On the clock thread nothing waits for the recorder.
+    // The clock thread never waits for the recorder.
     if (recorder && clock == devices::HandClock::none) recorder->wait_for_room();
     return progress(done, "tracing");
   });

@@ -13,21 +13,21 @@
 
 namespace nazori::cli {
 
-/// What a simulated hand met on a tablet.
+/// The result of a simulated hand on a tablet.
 struct FollowedTablet {
   devices::HandReport hand;
-  recording::SampleStatistics samples;  ///< of all ticks, on the way from stroke to stroke too
+  recording::SampleStatistics samples;  ///< of all ticks, including those between strokes
 };
 
-/// Where what the servo does is recorded to, and the name of the character in the recording.
+/// The file of the recording, and the name of the character in it.
 struct Record {
   std::filesystem::path path;
   std::string character;
 };
 
-/// Lets a simulated hand follow every stroke of `tablet` through the servo. With `record`, every tick goes to
-/// a recording.
-/// @return Errc::cancelled when `progress` says so, the errors of the clock thread and of SessionRecorder.
+/// Makes a simulated hand follow every stroke of `tablet` through the servo. With `record`, every tick is
+/// recorded.
+/// @return Errc::cancelled when `progress` stops it, the errors of the clock thread and of SessionRecorder.
 [[nodiscard]] base::Result<FollowedTablet> follow_strokes(const tablet::CarvedTablet& tablet,
                                                           const devices::SimulatedHardware& hardware,
                                                           bool snapping, devices::HandClock clock,

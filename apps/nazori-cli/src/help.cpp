@@ -24,7 +24,7 @@ int run(Console& console, const CLI::App& app, const std::vector<std::string>& v
     verb = verb->get_subcommand(given);
     name += " " + given;
   }
-  // App::help() would show the help of the verb that was read, which is this one.
+  // App::help() would show the help of the parsed command, which is this one.
   console.print(verb->get_formatter()->make_help(verb, name, CLI::AppFormatMode::Normal));
   return kDone;
 }

@@ -28,7 +28,7 @@ std::string entry(const std::string& name, const std::string& description) {
 HelpText::HelpText() {
   label("Positionals", "Arguments");
   label("OPTIONS", "options");
-  label("SUBCOMMAND", "VERB");
+  label("SUBCOMMAND", "COMMAND");
 }
 
 std::string HelpText::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
@@ -39,9 +39,9 @@ std::string HelpText::make_help(const CLI::App* app, std::string name, CLI::AppF
 }
 
 std::string HelpText::make_option(const CLI::Option* option, bool is_positional) const {
-  const OptionEntry told = option_entry(*option);
-  const std::string value = is_positional || told.value.empty() ? "" : " " + told.value;
-  return entry(joined_names(told) + value, description_with_notes(told));
+  const OptionEntry option_info = option_entry(*option);
+  const std::string value = is_positional || option_info.value.empty() ? "" : " " + option_info.value;
+  return entry(joined_names(option_info) + value, description_with_notes(option_info));
 }
 
 std::string HelpText::make_subcommand(const CLI::App* verb) const {

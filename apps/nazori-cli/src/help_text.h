@@ -6,8 +6,7 @@
 
 namespace nazori::cli {
 
-/// Help in lines of at most 80 columns: each option with what it takes, then what it does, its range and its
-/// default.
+/// Help in lines of at most 80 columns: each option with its value, its purpose, its range and its default.
 class HelpText final : public CLI::Formatter {
  public:
   HelpText();

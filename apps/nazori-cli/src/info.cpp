@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "character_json.h"
 #include "characters.h"
+#include "json_answers.h"
 #include "nazori/base/utf8.h"
+#include "nazori/exchange/characters.h"
 #include "options.h"
 #include "text_layout.h"
 #include "verbs.h"
@@ -27,7 +28,7 @@ struct InfoSettings {
 constexpr int kLabelWidth = 12;
 constexpr int kWordsForPeople = 8;
 
-/// "on          キュウ", going on in more lines under the first; nothing where there are no items.
+/// "on          キュウ", continued in lines under the first; nothing without items.
 std::string field(std::string_view label, std::span<const std::string> items, std::string_view separator,
                   int width) {
   if (items.empty()) return {};
@@ -41,7 +42,7 @@ std::string field(std::string_view label, std::string item) {
 
 std::string grade_text(int grade) {
   if (grade <= 6) return fmt::format("grade {}", grade);
-  return grade == 8 ? "secondary school (jouyou)" : "for names (jinmeiyou)";
+  return grade == 8 ? "secondary school (jōyō)" : "for names (jinmeiyō)";
 }
 
 std::string headline(const kanji::Character& character) {
@@ -51,7 +52,7 @@ std::string headline(const kanji::Character& character) {
   const std::size_t count = drawn > 0 || counts.empty() ? drawn : static_cast<std::size_t>(counts.front());
   parts.push_back(fmt::format("{} stroke{}", count, count == 1 ? "" : "s"));
   if (drawn == 0) {
-    parts.emplace_back("not drawn");
+    parts.emplace_back("no strokes");
   } else if (!counts.empty() && static_cast<std::size_t>(counts.front()) != drawn) {
     parts.push_back(fmt::format("{} in the dictionary", counts.front()));
   }
@@ -86,12 +87,12 @@ std::string strokes_text(const kanji::Character& character, int width) {
   std::vector<std::string> items;
   for (const kanji::Stroke& stroke : character.strokes) {
     items.push_back(fmt::format("{} {}{}{}", items.size() + 1, stroke.type, stroke.type.empty() ? "" : " ",
-                                ending_name(stroke.line.ending)));
+                                exchange::name_of(stroke.line.ending)));
   }
   return field("strokes", items, "   ", width);
 }
 
-/// Glosses with what stands between them: commas within a sense, semicolons between senses.
+/// Glosses with separators: commas within a sense, semicolons between senses.
 std::vector<std::string> punctuated(const kanji::Word& word) {
   std::vector<std::string> glosses = word.glosses;
   for (std::size_t i = 0; i + 1 < glosses.size(); ++i) {
@@ -167,7 +168,7 @@ int run(Console& console, const InfoSettings& settings) {
     const std::vector<kanji::Word> words =
         most > 0 ? database->words(character.code_point, most) : std::vector<kanji::Word>{};
     if (settings.json) {
-      document.push_back(to_json(character, radical, words));
+      document.push_back(exchange::to_json(character, radical, words));
     } else {
       console.print((first ? "" : "\n") + describe(character, radical, words, text_width()));
     }
@@ -182,13 +183,12 @@ int run(Console& console, const InfoSettings& settings) {
 
 void add_info(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<InfoSettings>();
-  CLI::App* verb =
-      app.add_subcommand("info", "Tell what is known of characters: readings, meanings, strokes, words");
+  CLI::App* verb = app.add_subcommand("info", "Show readings, meanings, strokes and words of characters");
   verb->add_option("characters", settings->characters,
-                   "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11")
+                   "Characters, such as 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();
-  verb->add_flag("--json", settings->json, "Answer in JSON, with everything (see docs/command-line.md)");
-  verb->add_option("--words", settings->words, "At most so many words (default: 8, with --json all)")
+  verb->add_flag("--json", settings->json, "Print JSON with all data (see docs/command-line.md)");
+  verb->add_option("--words", settings->words, "Maximum number of words (default: 8; with --json: all)")
       ->check(within(0, 100'000))
       ->type_name("N");
   add_database_option(*verb, settings->database);

@@ -15,10 +15,10 @@ namespace {
 using nazori::cli::Action;
 using nazori::cli::Console;
 
-/// What holds for every verb: one heading in the list, and --quiet.
+/// Settings of every command: one heading in the list, and --quiet.
 void finish_table(CLI::App& app, bool& quiet) {
   for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
-    verb->group("Verbs");
+    verb->group("Commands");
     finish_table(*verb, quiet);
     if (nazori::cli::verbs_below(*verb).empty()) {
       verb->add_flag("-q,--quiet", quiet, "Print no answer and no progress: the exit code tells");
@@ -74,11 +74,11 @@ int read_and_run(CLI::App& app, const Action& chosen, const bool& quiet, Console
 
 }  // namespace
 
-// Only a wrong table of options throws here, and any test would show that.
+// Only an invalid table of options throws here, which any test would reveal.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   nazori::cli::watch_for_stop();
-  // A closed pipe shows as a failed write instead, which Console passes over in silence.
+  // A closed pipe appears as a failed write instead, which Console ignores.
   (void)std::signal(SIGPIPE, SIG_IGN);
 
   CLI::App app("Nazori: carved kanji you can see, feel and trace", "nazori-cli");
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.formatter(std::make_shared<nazori::cli::HelpText>());
   app.footer(
-      "Every verb documents itself: nazori-cli help carve\n"
+      "Help for one command: nazori-cli help carve\n"
       "Exit code: 0 done, 1 the answer is no or not found, 2 bad usage or bad input,\n"
       "3 another program has the learner open.");
 

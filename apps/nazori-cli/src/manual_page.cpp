@@ -99,8 +99,7 @@ The program ends by that signal within 0.3 s,
 and no file is left that is not whole.
 )";
 
-/// Running text in lines of at most kLineWidth bytes where its words allow that; no line starts with a
-/// request.
+/// Running text in lines of at most kLineWidth bytes if its words allow it; no line starts with a request.
 std::string filled(std::string_view text) {
   std::istringstream words{std::string(text)};
   std::string lines;
@@ -178,12 +177,13 @@ std::string usage_of(const Command& verb) {
   return usage;
 }
 
-/// Every verb takes --help, and every one that answers --quiet; OPTIONS says so once.
+/// Every command has --help, and every one with an answer has --quiet; the section OPTIONS describes both
+/// once.
 bool is_told_once(const OptionEntry& option) {
   return option.names.back() == "--help" || option.names.back() == "--quiet";
 }
 
-/// The options of a verb under the headings of its help, which lists heading by heading.
+/// The options of a command under the headings of its help.
 std::string options_text(const Command& verb) {
   std::vector<std::string> groups;
   for (const OptionEntry& option : verb.options) {
@@ -210,7 +210,7 @@ std::string examples_of(const std::vector<const Command*>& commands) {
   std::string text = ".SH EXAMPLES\n";
   for (const Command* command : commands) {
     const std::string examples = parts_of(command->footer).examples;
-    // A verb of verbs repeats examples of these.
+    // The help of a command with subcommands repeats their examples.
     if (examples.empty() || !command->verbs.empty()) continue;
     text += ".PP\n" + filled(command->description + ":") + ".PP\n.EX\n";
     std::istringstream lines(examples);
@@ -254,7 +254,7 @@ std::string roff_escaped(std::string_view text) {
         escaped += c;
     }
   }
-  // A dot is a request where a line starts with it, which depends on where the text lands.
+  // A dot at the start of a line is a request, and the line breaks are not known here.
   return escaped.starts_with('.') ? "\\&" + escaped : escaped;
 }
 

@@ -14,7 +14,7 @@ namespace nazori::cli {
 [[nodiscard]] std::string manual_page(const Command& program, std::string_view version,
                                       std::string_view date);
 
-/// `text` as roff shows it, character by character: nothing in it is a request or an escape.
+/// `text` escaped so that roff shows it literally: nothing in it is a request or an escape.
 [[nodiscard]] std::string roff_escaped(std::string_view text);
 
 }  // namespace nazori::cli

@@ -28,8 +28,9 @@ CLI::Validator within(double lowest, double highest) {
   return {[lowest, highest, range](std::string& text) {
             double value = 0;
             if (!CLI::detail::lexical_cast(text, value)) return fmt::format("'{}' is not a number", text);
-            return value >= lowest && value <= highest ? std::string()
-                                                       : fmt::format("{} is not within {}", text, range);
+            return value >= lowest && value <= highest
+                       ? std::string()
+                       : fmt::format("{} is not in the range {}", text, range);
           },
           range};
 }
@@ -42,33 +43,32 @@ void add_brush_options(CLI::App& verb, carving::Brush& brush) {
             brush.width = width;
             brush.fit = false;
           },
-          "Width of the groove, in units of 109 to the tablet's side; default is 7, less where strokes are "
-          "close")
+          "Groove width in units of 1/109 of the tablet's side (default: 7, less where strokes are close)")
       ->check(within(0.5, 40))
       ->type_name("UNITS")
       ->group(group);
-  verb.add_option("--depth", brush.depth, "Depth of the groove, as a part of the tablet's depth")
+  verb.add_option("--depth", brush.depth, "Groove depth as a fraction of the tablet's depth")
       ->check(within(0.01, 1))
       ->capture_default_str()
-      ->type_name("PART")
+      ->type_name("FRACTION")
       ->group(group);
   static const std::map<std::string, CrossSection> kSections{
       {"rounded", CrossSection::rounded}, {"v", CrossSection::v_shaped}, {"flat", CrossSection::flat_bottom}};
   verb.add_option_function<std::string>(
           "--cross-section", [&brush](const std::string& name) { brush.cross_section = kSections.at(name); },
-          "Shape across the groove: rounded, v or flat")
+          "Cross-section of the groove: rounded, v or flat")
       ->check(CLI::IsMember({"rounded", "v", "flat"}, CLI::ignore_case))
       ->default_str("rounded")
       ->type_name("SHAPE")
       ->group(group);
   verb.add_flag_callback(
           "--no-endings", [&brush] { brush.endings = false; },
-          "Carve every stroke even to its end: no stop, kick or taper")
+          "Carve strokes without endings (no stop, hook or sweep)")
       ->group(group);
 }
 
 void add_database_option(CLI::App& verb, std::string& path) {
-  verb.add_option("--database", path, "The kanji database to read (see: nazori-cli database path)")
+  verb.add_option("--database", path, "Kanji database to use (see: nazori-cli database path)")
       ->type_name("FILE");
 }
 
@@ -93,8 +93,8 @@ base::Result<PictureSize> parse_picture_size(std::string_view text) {
   const auto height = cross == std::string_view::npos ? width : whole_number(text.substr(cross + 1));
   const auto fits = [](std::optional<int> n) { return n && *n >= 16 && *n <= 8192; };
   if (!fits(width) || !fits(height)) {
-    return base::fail(base::Errc::bad_argument, fmt::format("'{}' is no size of a picture", text), "--size",
-                      "give WIDTHxHEIGHT such as 1280x800, each 16..8192");
+    return base::fail(base::Errc::bad_argument, fmt::format("'{}' is not a valid picture size", text),
+                      "--size", "give WIDTHxHEIGHT such as 1280x800, each 16..8192");
   }
   return PictureSize{*width, *height};
 }

@@ -33,20 +33,20 @@ base::Result<void> check(const OutputRequest& request, const fs::path& path) {
   std::error_code error;
   if (std::none_of(request.extensions.begin(), request.extensions.end(),
                    [&path](const std::string& extension) { return has_extension(path, extension); })) {
-    return base::fail(Errc::bad_argument, "is not a kind of file this writes", where,
-                      "end the name with " + listed(request.extensions));
+    return base::fail(Errc::bad_argument, "has an unsupported file type", where,
+                      "use a name that ends in " + listed(request.extensions));
   }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) {
-    return base::fail(Errc::bad_argument, fmt::format("there is no folder {}", folder.string()), where,
-                      "make it first, or write elsewhere");
+    return base::fail(Errc::bad_argument, fmt::format("the folder {} does not exist", folder.string()), where,
+                      "create it first, or choose another folder");
   }
   if (fs::is_directory(path, error)) {
     return base::fail(Errc::bad_argument, "is a folder, not a file", where, "give a file name");
   }
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    return base::fail(Errc::io, fmt::format("the folder {} cannot be written to", folder.string()), where,
-                      "write elsewhere");
+    return base::fail(Errc::io, fmt::format("cannot write to the folder {}", folder.string()), where,
+                      "choose another folder");
   }
   return {};
 }
@@ -62,7 +62,7 @@ fs::path with_name(const OutputRequest& request, const CharacterName& character,
   return text;
 }
 
-/// What a file is found by, whatever it is called: its path, and where it is there the file itself.
+/// Identifies a file whatever its name: by its path, and if it exists by the file itself.
 std::vector<std::string> marks_of(const std::string& name) {
   std::error_code error;
   std::vector<std::string> marks;
@@ -151,8 +151,8 @@ base::Result<void> check_distinct(std::span<const NamedFile> files, bool json) {
     if (file.name == kConsoleFile) {
       if (file.use == NamedFile::Use::read) continue;
       if (json) {
-        return base::fail(Errc::bad_argument, "standard output cannot carry both the file and JSON",
-                          file.option, "write to a file, or leave --json out");
+        return base::fail(Errc::bad_argument, "standard output cannot hold both the file and JSON",
+                          file.option, "write to a file, or omit --json");
       }
       if (to_console != nullptr) {
         return base::fail(Errc::bad_argument,

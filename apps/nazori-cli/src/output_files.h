@@ -15,29 +15,29 @@
 
 namespace nazori::cli {
 
-/// Stands for standard output where a file is named, and for standard input.
+/// The file name that means standard output or standard input.
 inline constexpr std::string_view kConsoleFile = "-";
 
-/// What an option for output files asks for.
+/// The value of an option for output files.
 struct OutputRequest {
   std::string option;  ///< "--output", for messages
-  std::string text;    ///< as given: a file, a name with {} for the character, a folder, or "-"
-  std::vector<std::string> extensions;  ///< allowed ones, the first being what files in a folder get
+  std::string text;    ///< as typed: a file, a name with {} for the character, a folder, or "-"
+  std::vector<std::string> extensions;  ///< allowed ones; files in a folder get the first
 };
 
-/// A file to write: the one that was named, or one that goes to standard output when it is whole.
+/// A file to write: the named one, or a temporary one that goes to standard output when it is complete.
 class OutputPlace {
  public:
   explicit OutputPlace(std::filesystem::path path) : path_(std::move(path)) {}
-  /// For standard output. @param extension  of the file that is made meanwhile: ".png".
+  /// For standard output. @param extension  of the temporary file: ".png".
   [[nodiscard]] static base::Result<OutputPlace> console(const std::string& extension);
 
   /// Where to write the file.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] bool is_console() const { return is_console_; }
-  /// The name for an answer, "-" for standard output.
+  /// The name to print in an answer, "-" for standard output.
   [[nodiscard]] std::string name() const { return is_console_ ? std::string(kConsoleFile) : path_.string(); }
-  /// Sends the file to standard output where that was asked for. Once, when it is written.
+  /// Sends the file to standard output if requested. Call it once, when the file is written.
   [[nodiscard]] base::Result<void> deliver(Console& console) const;
 
  private:
@@ -46,24 +46,24 @@ class OutputPlace {
   base::UnfinishedFile unfinished_;
 };
 
-/// The file for each of the characters, checked before any work is done: the folder is there and may be
-/// written to, the kind of file is one that can be made, several characters get several files.
+/// The file for each of the characters, checked before any work is done: the folder exists and is writable,
+/// the file type is supported, several characters get several files.
 [[nodiscard]] base::Result<std::vector<OutputPlace>> output_files(const OutputRequest& request,
                                                                   std::span<const CharacterName> characters);
 
 /// The same for one file that belongs to no character.
 [[nodiscard]] base::Result<OutputPlace> output_file(const OutputRequest& request);
 
-/// A file that the command line names.
+/// A file named on the command line.
 struct NamedFile {
   enum class Use { read, write };
-  std::string option;  ///< "--output"; what an argument without dashes is called, such as "file"
+  std::string option;  ///< "--output"; or the name of an argument without dashes, such as "file"
   std::string name;    ///< may be empty: none; "-" for standard input and output
   Use use = Use::write;
 };
 
-/// Refuses a file that would be written and is named twice, under whatever names, and a file for standard
-/// output where the answer in JSON goes.
+/// Refuses an output file that is named twice, under whatever names, and a file for standard output together
+/// with an answer in JSON.
 [[nodiscard]] base::Result<void> check_distinct(std::span<const NamedFile> files, bool json);
 
 }  // namespace nazori::cli

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "character_json.h"
-#include "nazori/functions/curve_kinds.h"
+#include "json_answers.h"
+#include "nazori/exchange/plots.h"
 #include "nazori/functions/plate.h"
 #include "nazori/functions/points.h"
 #include "nazori/functions/print_picture.h"
@@ -24,7 +23,6 @@
 namespace nazori::cli {
 namespace {
 
-using functions::PointKind;
 using Clock = std::chrono::steady_clock;
 
 struct PlotSettings {
@@ -78,63 +76,6 @@ base::Result<functions::Plot> read(const PlotSettings& s) {
   return std::move(*plot);
 }
 
-std::string kind_name(functions::StatementKind kind) { return std::string(functions::curve_kind(kind).name); }
-
-std::string key_of(PointKind kind) {
-  std::string name = functions::in_words(kind, functions::Language::english);
-  for (char& c : name) c = c == ' ' || c == '-' ? '_' : c;
-  return name;
-}
-
-Json number_or_null(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
-
-Json point_json(const functions::PointOfInterest& p, functions::Language language) {
-  Json point = {{"kind", key_of(p.kind)}, {"statement", p.statement + 1}};
-  if (p.other >= 0) point["other_statement"] = p.other + 1;
-  point["x"] = number_or_null(p.x);
-  point["y"] = number_or_null(p.y);
-  point["x_name"] = p.x_name.empty() ? Json(nullptr) : Json(p.x_name);
-  point["y_name"] = p.y_name.empty() ? Json(nullptr) : Json(p.y_name);
-  point["words"] = functions::in_words(p, language);
-  return point;
-}
-
-struct Timings {
-  double draw_ms = 0;
-  double points_ms = 0;
-};
-
-Json plot_json(const functions::Plot& plot, const functions::Picture& picture,
-               const std::vector<functions::PointOfInterest>& points, const Timings& timings,
-               functions::Language language) {
-  Json statements = Json::array();
-  for (const functions::Statement& s : plot.statements) {
-    statements.push_back(Json{{"kind", kind_name(s.kind)},
-                              {"canonical", functions::canonical(s)},
-                              {"words", functions::in_words(s, language)}});
-  }
-  Json list = Json::array();
-  for (const auto& p : points) list.push_back(point_json(p, language));
-  const functions::Tracing& t = picture.tracing;
-  Json document = {
-      {"kind", plot.statements.size() > 1 ? "multi" : kind_name(plot.statements[0].kind)},
-      {"canonical", functions::canonical(plot)},
-      {"words", functions::in_words(plot, language)},
-      {"summary", functions::summary(plot, t, points, language)},
-      {"window", {t.window.x0, t.window.x1, t.window.y0, t.window.y1}},
-      {"tick_step",
-       {functions::tick_step(t.window.x0, t.window.x1), functions::tick_step(t.window.y0, t.window.y1)}},
-      {"size", picture.plate.heights.size()},
-      {"statements", std::move(statements)},
-      {"points", std::move(list)},
-      {"pieces", t.branches.size()},
-      {"dense", t.dense},
-      {"undecided_share", t.undecided_share()},
-      {"timings_ms", {{"draw", timings.draw_ms}, {"points", timings.points_ms}}}};
-  if (plot.is_surface()) document["z"] = {picture.plate.range.low, picture.plate.range.high};
-  return document;
-}
-
 base::Result<void> save(const Files& files, const functions::Picture& picture, const functions::Plot& plot,
                         const std::vector<functions::PointOfInterest>& points) {
   if (files.output) {
@@ -166,7 +107,7 @@ base::Result<void> save(const Files& files, const functions::Picture& picture, c
   return {};
 }
 
-/// Whichever of the files goes to standard output.
+/// The file that goes to standard output, if any.
 const OutputPlace* console_file(const Files& files) {
   for (const auto* place : {&files.output, &files.mask, &files.print, &files.sound}) {
     if (*place && (*place)->is_console()) return &**place;
@@ -193,14 +134,14 @@ int run(Console& console, PlotSettings s) {
   const auto files = files_of(s);
   if (!files) return console.refuse(files.error());
   if (plot->is_surface() && files->sound)
-    return console.refuse({base::Errc::bad_argument, "a surface has no sweep", "--sound", "give a curve"});
+    return console.refuse({base::Errc::bad_argument, "a surface has no sound", "--sound", "give a curve"});
   if (plot->is_surface() && files->print)
     return console.refuse(
         {base::Errc::bad_argument, "a surface has no lines to print", "--print", "give a curve"});
 
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   const auto language = s.language == "ja" ? functions::Language::japanese : functions::Language::english;
-  Timings timings;
+  exchange::PlotTimings timings;
   const auto start = Clock::now();
   const auto picture = functions::draw(*plot, window, s.plate, progress.callback());
   timings.draw_ms = ms_since(start);
@@ -215,7 +156,7 @@ int run(Console& console, PlotSettings s) {
     return sent ? kDone : console.refuse(sent.error());
   }
   if (s.json) {
-    console.print(to_text(plot_json(*plot, *picture, points, timings, language)));
+    console.print(to_text(exchange::to_json(*plot, *picture, points, timings, language)));
     return kDone;
   }
   console.print(functions::canonical(*plot) + "\n" +
@@ -236,44 +177,43 @@ void add_plot(CLI::App& app, Action& chosen) {
           "y = tan(x), x^2 + y^2 = 1, y > x^2, x = cos(t); y = sin(t); 0 <= t <= pi, r = 1 + cos(theta), "
           "z = sin(x)cos(y); several curves separated by ;")
       ->required();
-  verb->add_option("--window", s->window, "Part of the plane that is shown (default: -10,10,-10,10)")
+  verb->add_option("--window", s->window, "Visible range of the plane (default: -10,10,-10,10)")
       ->delimiter(',')
       ->expected(4)
       ->type_name("X0,X1,Y0,Y1");
-  verb->add_option("--z", s->heights, "Range of heights of a surface (default: what its values take)")
+  verb->add_option("--z", s->heights, "Height range of a surface (default: fits its values)")
       ->delimiter(',')
       ->expected(2)
       ->type_name("LOW,HIGH");
-  verb->add_option("--size", s->plate.size, "Side of the plate in samples")
+  verb->add_option("--size", s->plate.size, "Samples per side of the plot")
       ->check(within(32, 4096))
       ->capture_default_str()
       ->type_name("N");
-  verb->add_option("--half-width", s->plate.half_width,
-                   "Half width of a groove as a part of the plate's side")
+  verb->add_option("--half-width", s->plate.half_width, "Half the groove width as a fraction of the side")
       ->check(within(0.001, 0.2))
       ->capture_default_str()
       ->type_name("FRACTION");
-  verb->add_option("--axes", s->axes, "Axes, ticks and rim: on or off")
+  verb->add_option("--axes", s->axes, "Axes, ticks and frame: on or off")
       ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str()
       ->type_name("on|off");
   verb->add_flag("--grid", s->plate.layers.grid, "Fine ridges at every tick");
-  verb->add_option(
-          "-o,--output", s->output,
-          "The plate: .png (16-bit grey, white the plateau) or .raw (8 bits); - is standard output (PNG)")
+  verb->add_option("-o,--output", s->output,
+                   "Output height map: .png (16-bit greyscale, white is the plateau) or .raw (8 bits); - is "
+                   "standard output (PNG)")
       ->type_name("FILE");
-  verb->add_option("--mask", s->mask, "What is carved or defined, 8-bit grey PNG of 255 and 0")
+  verb->add_option("--mask", s->mask, "Mask of what is carved or defined: 8-bit greyscale PNG with 255 and 0")
       ->type_name("FILE");
   verb->add_option("--print", s->print,
-                   "Black lines on white for swell paper and eyes that need contrast, 160 mm at 300 dpi")
+                   "Black lines on white for swell paper and low vision, 160 mm at 300 dpi")
       ->type_name("FILE");
-  verb->add_option("--sound", s->sound, "A sweep of the curves as WAV: pitch is height, left to right is x")
+  verb->add_option("--sound", s->sound, "Sound of the curves as WAV: pitch is height, left to right is x")
       ->type_name("FILE");
   verb->add_flag("--decimal-comma", s->decimal_comma,
-                 "1,5 is a decimal number in lists of arguments too: min(1,5; x)");
-  verb->add_flag("--points", s->points, "Name the points of interest");
+                 "Read 1,5 as a decimal number in argument lists too: min(1,5; x)");
+  verb->add_flag("--points", s->points, "List the points of interest");
   verb->add_flag("--json", s->json, "Answer in JSON (see docs/functions.md)");
-  verb->add_option("--language", s->language, "Of the words: en or ja")
+  verb->add_option("--language", s->language, "Language of the sentences: en or ja")
       ->check(CLI::IsMember({"en", "ja"}))
       ->capture_default_str()
       ->type_name("en|ja");

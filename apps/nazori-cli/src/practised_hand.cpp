@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSample_s = 0.008;
 constexpr double kStep_m = 0.0008;      ///< between two samples of a stroke without times
-constexpr double kGroove_m = 0.005;     ///< how deep the tip rests in the tablet
+constexpr double kGroove_m = 0.005;     ///< depth of the tip in the tablet
 constexpr double kFullPress_m = 0.015;  ///< as practice::PenRecorder has it
 constexpr double kUsualPressure = 0.4;
 constexpr int kRestSamples = 12;  ///< the pen rests before it is lifted, as at a stop

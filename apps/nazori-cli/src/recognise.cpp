@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
 #include <memory>
 #include <string>
 
 #include "characters.h"
 #include "json_lines.h"
-#include "nazori/base/utf8.h"
+#include "nazori/exchange/candidates.h"
+#include "nazori/exchange/handwriting.h"
 #include "nazori/writing/recogniser.h"
 #include "options.h"
 #include "verbs.h"
@@ -20,17 +20,11 @@ struct RecogniseSettings {
 
 base::Result<Json> answer(const Json& request, const writing::Recogniser& recogniser,
                           const writing::RecogniseOptions& options) {
-  const auto ink = read_ink(request);
+  const auto ink = exchange::read_handwriting(request);
   if (!ink) return tl::unexpected(ink.error());
   const auto candidates = recogniser.recognise(*ink, options);
   if (!candidates) return tl::unexpected(candidates.error());
-  Json characters = Json::array();
-  Json likeness = Json::array();
-  for (const auto& candidate : *candidates) {
-    characters.push_back(base::encode_utf8(candidate.character));
-    likeness.push_back(std::round(candidate.likeness * 1e4) / 1e4);
-  }
-  return Json{{"candidates", std::move(characters)}, {"likeness", std::move(likeness)}};
+  return exchange::to_json(*candidates);
 }
 
 int run(Console& console, const RecogniseSettings& settings) {
@@ -38,7 +32,7 @@ int run(Console& console, const RecogniseSettings& settings) {
   if (!database) return console.refuse(database.error());
   const auto recogniser = writing::Recogniser::make(*database);
   if (!recogniser) return console.refuse(recogniser.error());
-  return answer_lines(console, Json{{"candidates", Json::array()}},
+  return answer_lines(console, exchange::refused_candidates(),
                       [&](const Json& request) { return answer(request, *recogniser, settings.options); });
 }
 
@@ -46,17 +40,18 @@ int run(Console& console, const RecogniseSettings& settings) {
 
 void add_recognise(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<RecogniseSettings>();
-  CLI::App* verb = app.add_subcommand("recognise", "Find characters by drawing: JSON Lines in and out");
-  verb->add_option("--top", settings->options.limit, "At most so many candidates")
+  CLI::App* verb =
+      app.add_subcommand("recognise", "Find characters from drawn strokes (JSON Lines in and out)");
+  verb->add_option("--top", settings->options.limit, "Maximum number of candidates")
       ->check(within(1, 1000))
       ->capture_default_str()
       ->type_name("N");
   verb->add_flag("--unfinished", settings->options.unfinished,
-                 "Strokes may still follow: characters that begin so are candidates too");
+                 "The drawing may be unfinished: also suggest characters that start like it");
   add_database_option(*verb, settings->database);
   verb->footer(
-      "Each line of standard input is answered by one line, sent at once, best candidates first.\n"
-      "A line that cannot be read gets an answer with \"error\"; the exit code is then 2.\n\nExample:\n"
+      "Each input line gets one output line at once, best candidates first.\n"
+      "An invalid line gets an answer with \"error\"; the exit code is then 2.\n\nExample:\n"
       "  echo '{\"strokes\":[[[0.1,0.5],[0.9,0.5]],[[0.5,0.1],[0.5,0.9]]]}' | nazori-cli recognise --top 5");
   verb->callback(
       [settings, &chosen] { chosen = [settings](Console& console) { return run(console, *settings); }; });

@@ -9,13 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "character_json.h"
+#include "json_answers.h"
+#include "nazori/exchange/samples.h"
 #include "nazori/recording/recording_file.h"
 #include "nazori/recording/sample_statistics.h"
 #include "nazori/recording/session_recorder.h"
 #include "options.h"
 #include "output_files.h"
-#include "statistics_json.h"
+#include "statistics_text.h"
 #include "verbs.h"
 
 namespace nazori::cli {
@@ -38,30 +39,30 @@ struct ExportSettings {
 };
 
 /// A recording read whole.
-struct Told {
+struct RecordingReport {
   recording::Session session;
   SampleStatistics samples;
   RecordingEnd end;
   Recovery recovery = Recovery::not_needed;
   std::uint64_t late_ticks = 0;  ///< began more than half a period late
-  std::uint64_t gaps = 0;        ///< ticks whose numbers are missing
+  std::uint64_t gaps = 0;        ///< number of missing tick numbers
 };
 
-/// "complete", "recovered", "being recorded" or "breaks off".
+/// "complete", "recovered", "being recorded" or "incomplete".
 std::string state_of(const RecordingEnd& end, Recovery recovery) {
   if (end.finished) return end.recovered ? "recovered" : "complete";
-  return recovery == Recovery::in_progress ? "being recorded" : "breaks off";
+  return recovery == Recovery::in_progress ? "being recorded" : "incomplete";
 }
 
-base::Result<Told> tell(const std::string& file, ProgressDisplay& progress) {
-  Told told;
+base::Result<RecordingReport> read_report(const std::string& file, ProgressDisplay& progress) {
+  RecordingReport report;
   const auto recovery = recording::recover(file);
   if (!recovery) return tl::unexpected(recovery.error());
-  told.recovery = *recovery;
+  report.recovery = *recovery;
   auto reader = RecordingReader::open(file);
   if (!reader) return tl::unexpected(std::move(reader.error()));
-  told.session = reader->session();
-  const double period_s = 1 / told.session.device.rate_hz;
+  report.session = reader->session();
+  const double period_s = 1 / report.session.device.rate_hz;
   std::vector<haptics::ServoSample> samples(4096);
   std::uint64_t next_tick = 0;
   for (;;) {
@@ -70,18 +71,18 @@ base::Result<Told> tell(const std::string& file, ProgressDisplay& progress) {
     if (*count == 0) break;
     for (std::size_t i = 0; i < *count; ++i) {
       const haptics::ServoSample& sample = samples[i];
-      if (told.samples.samples > 0) {
-        if (sample.tick > next_tick) told.gaps += sample.tick - next_tick;
-        if (sample.time_s - told.samples.last_s > 1.5 * period_s) ++told.late_ticks;
+      if (report.samples.samples > 0) {
+        if (sample.tick > next_tick) report.gaps += sample.tick - next_tick;
+        if (sample.time_s - report.samples.last_s > 1.5 * period_s) ++report.late_ticks;
       }
       next_tick = sample.tick + 1;
-      told.samples.add(sample);
+      report.samples.add(sample);
     }
     if (!progress.show(reader->progress(), "reading"))
       return base::fail(base::Errc::cancelled, "stopped", file);
   }
-  told.end = reader->end();
-  return told;
+  report.end = reader->end();
+  return report;
 }
 
 std::string start_text(const recording::Session& session) {
@@ -89,14 +90,14 @@ std::string start_text(const recording::Session& session) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(seconds));
 }
 
-double lateness_s(const Told& told) {
-  return std::max(0.0, told.samples.longest_period_s - 1 / told.session.device.rate_hz);
+double lateness_s(const RecordingReport& report) {
+  return std::max(0.0, report.samples.longest_period_s - 1 / report.session.device.rate_hz);
 }
 
-Json told_json(const Told& told, const std::string& file) {
-  const recording::Session& session = told.session;
+Json report_json(const RecordingReport& report, const std::string& file) {
+  const recording::Session& session = report.session;
   Json json{{"file", file},
-            {"state", state_of(told.end, told.recovery)},
+            {"state", state_of(report.end, report.recovery)},
             {"start", start_text(session)},
             {"start_ns", session.start_ns},
             {"device", session.device.name},
@@ -105,23 +106,24 @@ Json told_json(const Told& told, const std::string& file) {
             {"character", session.character},
             {"tablet_width_m", session.shape.width_m},
             {"tablet_depth_m", session.shape.depth_m},
-            {"lost", told.end.lost},
-            {"damaged", told.end.damaged},
-            {"gaps", told.gaps},
-            {"trailing_bytes", told.end.trailing_bytes},
-            {"late_ticks", told.late_ticks},
-            {"max_lateness_s", lateness_s(told)}};
-  json.update(statistics_json(told.samples));
+            {"lost", report.end.lost},
+            {"damaged", report.end.damaged},
+            {"gaps", report.gaps},
+            {"trailing_bytes", report.end.trailing_bytes},
+            {"late_ticks", report.late_ticks},
+            {"max_lateness_s", lateness_s(report)}};
+  json.update(exchange::to_json(report.samples));
   return json;
 }
 
-std::string describe(const Told& told, const std::string& file) {
-  const recording::Session& session = told.session;
-  std::string state = state_of(told.end, told.recovery);
-  if (told.end.recovered)
-    state += ": the program that recorded ended by force, the last ticks came from memory";
-  if (!told.end.finished && told.recovery == Recovery::nothing_left)
-    state += fmt::format(" after the last whole tick, {} bytes of the next", told.end.trailing_bytes);
+std::string describe(const RecordingReport& report, const std::string& file) {
+  const recording::Session& session = report.session;
+  std::string state = state_of(report.end, report.recovery);
+  if (report.end.recovered)
+    state += ": the recording program was killed; the last ticks were recovered from memory";
+  if (!report.end.finished && report.recovery == Recovery::nothing_left)
+    state +=
+        fmt::format(" after the last complete tick; {} bytes of the next one", report.end.trailing_bytes);
   return fmt::format(
       "{}  {}\n"
       "start    {}\n"
@@ -131,18 +133,19 @@ std::string describe(const Told& told, const std::string& file) {
       "clock    {} tick{} late, at most {:.3f} ms\n"
       "lost     {} while recording, {} damaged\n",
       file, state, start_text(session), session.device.name, session.device.rate_hz,
-      session.device.has_force ? "" : ", forces not felt",
+      session.device.has_force ? "" : ", without force feedback",
       session.character.empty() ? "" : session.character + ", ", 1e3 * session.shape.width_m,
-      1e3 * session.shape.depth_m, statistics_text(told.samples, session.device.rate_hz), told.late_ticks,
-      told.late_ticks == 1 ? "" : "s", 1e3 * lateness_s(told), told.end.lost, told.end.damaged);
+      1e3 * session.shape.depth_m, statistics_text(report.samples, session.device.rate_hz), report.late_ticks,
+      report.late_ticks == 1 ? "" : "s", 1e3 * lateness_s(report), report.end.lost, report.end.damaged);
 }
 
 int run_info(Console& console, const RecordInfoSettings& settings) {
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
-  const auto told = tell(settings.file, progress);
+  const auto report = read_report(settings.file, progress);
   progress.clear();
-  if (!told) return console.refuse(told.error());
-  console.print(settings.json ? to_text(told_json(*told, settings.file)) : describe(*told, settings.file));
+  if (!report) return console.refuse(report.error());
+  console.print(settings.json ? to_text(report_json(*report, settings.file))
+                              : describe(*report, settings.file));
   return kDone;
 }
 
@@ -169,8 +172,8 @@ int run_export(Console& console, const ExportSettings& settings) {
     return kDone;
   }
   std::string note;
-  if (end->damaged > 0) note += fmt::format(", {} damaged left out", end->damaged);
-  if (!end->finished) note += ", the recording breaks off";
+  if (end->damaged > 0) note += fmt::format(", {} damaged ticks skipped", end->damaged);
+  if (!end->finished) note += ", the recording is incomplete";
   console.print(fmt::format("{}  {} ticks{}\n", place->name(), end->samples, note));
   return kDone;
 }
@@ -178,28 +181,29 @@ int run_export(Console& console, const ExportSettings& settings) {
 }  // namespace
 
 void add_record(CLI::App& app, Action& chosen) {
-  CLI::App* record = app.add_subcommand("record", "Look into recordings of sessions, or turn them into CSV");
+  CLI::App* record = app.add_subcommand("record", "Inspect recordings or convert them to CSV");
   record->require_subcommand(1);
   record->footer(
-      "nazori-cli demo --record FILE makes one.\n\nExamples:\n"
+      "Make one with: nazori-cli demo --record FILE\n\nExamples:\n"
       "  nazori-cli record info session.nzr\n  nazori-cli record export session.nzr --output session.csv");
 
   auto info = std::make_shared<RecordInfoSettings>();
-  CLI::App* verb = record->add_subcommand("info", "Tell what a recording holds and whether it is whole");
-  verb->add_option("file", info->file, "The recording, a .nzr")->required();
-  verb->add_flag("--json", info->json, "Answer in JSON (see docs/command-line.md)");
+  CLI::App* verb =
+      record->add_subcommand("info", "Show the contents of a recording and whether it is complete");
+  verb->add_option("file", info->file, "The recording (.nzr)")->required();
+  verb->add_flag("--json", info->json, "Print JSON (see docs/command-line.md)");
   verb->footer(
-      "A recording whose program ended by force is completed first, from memory.\n\nExample:\n"
+      "If the recording program was killed, the recording is first completed from memory.\n\nExample:\n"
       "  nazori-cli record info session.nzr --json");
   verb->callback([info, &chosen] { chosen = [info](Console& console) { return run_info(console, *info); }; });
 
   auto to_csv = std::make_shared<ExportSettings>();
-  verb = record->add_subcommand("export", "Write a recording as CSV");
-  verb->add_option("file", to_csv->file, "The recording, a .nzr")->required();
-  verb->add_option("-o,--output", to_csv->output, "The .csv to write; - is standard output")
+  verb = record->add_subcommand("export", "Convert a recording to CSV");
+  verb->add_option("file", to_csv->file, "The recording (.nzr)")->required();
+  verb->add_option("-o,--output", to_csv->output, "Output .csv; - is standard output")
       ->required()
       ->type_name("FILE");
-  verb->add_flag("--json", to_csv->json, "Answer in JSON (see docs/command-line.md)");
+  verb->add_flag("--json", to_csv->json, "Print JSON (see docs/command-line.md)");
   verb->footer("Example:\n  nazori-cli record export session.nzr --output session.csv");
   verb->callback(
       [to_csv, &chosen] { chosen = [to_csv](Console& console) { return run_export(console, *to_csv); }; });

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "character_json.h"
 #include "characters.h"
+#include "json_answers.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/surface/height_map.h"
 #include "nazori/tablet/carved_tablet.h"
@@ -56,7 +56,7 @@ base::Result<void> paint(Console& console, TabletPainter& painter, const tablet:
   return saved ? place.deliver(console) : saved;
 }
 
-/// A picture in the answer. @param name  of the character or the file that it shows.
+/// A picture in the answer. @param name  of the character or the file in it.
 Json picture_json(const std::string& name, const OutputPlace& place, const RenderSettings& settings) {
   const auto size = parse_picture_size(settings.look.size).value_or(PictureSize{});
   return {{"subject", name}, {"file", place.name()}, {"width", size.width}, {"height", size.height}};
@@ -125,13 +125,13 @@ int run_characters(Console& console, const RenderSettings& settings) {
 int run(Console& console, const RenderSettings& settings) {
   const bool own = !settings.height_map.empty() || !settings.strokes.empty();
   if (own && !settings.characters.empty()) {
-    return console.refuse({base::Errc::bad_argument, "a character and a file of one's own exclude each other",
+    return console.refuse({base::Errc::bad_argument, "give either a character or your own file, not both",
                            settings.height_map.empty() ? "--strokes" : "--height-map",
-                           "leave out the character or the file"});
+                           "omit the character or the file"});
   }
   if (!own && settings.characters.empty()) {
     return console.refuse({base::Errc::bad_argument, "nothing to draw", "",
-                           "name a character such as 休, or give --height-map or --strokes"});
+                           "give a character such as 休, or --height-map or --strokes"});
   }
   return own ? run_own(console, settings) : run_characters(console, settings);
 }
@@ -140,35 +140,33 @@ int run(Console& console, const RenderSettings& settings) {
 
 void add_render(CLI::App& app, Action& chosen) {
   auto settings = std::make_shared<RenderSettings>();
-  CLI::App* verb = app.add_subcommand("render", "Draw pictures of carved tablets; needs no screen");
+  CLI::App* verb = app.add_subcommand("render", "Draw pictures of carved tablets (no display needed)");
   verb->add_option("characters", settings->characters,
-                   "Characters: 休, 休日, 正-HzFst (a variant form) or U+4F11");
-  verb->add_option(
-          "-o,--output", settings->output,
-          "The .png to write; for several characters a folder or a name with {} for the character; - is "
-          "standard output")
+                   "Characters, such as 休, 休日, 正-HzFst (a variant form) or U+4F11");
+  verb->add_option("-o,--output", settings->output,
+                   "Output .png. For several characters: a folder, or a name with {} for the character; - is "
+                   "standard output")
       ->required()
       ->type_name("FILE");
-  verb->add_option("--stroke", settings->stroke, "Only this stroke; 0 for all")
+  verb->add_option("--stroke", settings->stroke, "Draw only this stroke (0: all)")
       ->check(within(0, kanji::StrokeOrder::kMaxStrokes))
       ->capture_default_str()
       ->type_name("N");
-  verb->add_flag("--no-strokes", settings->no_strokes, "The bare tablet");
-  verb->add_flag("--no-arrows", settings->no_arrows, "Strokes without arrowheads");
-  verb->add_flag("--no-numbers", settings->no_numbers, "Strokes without their numbers");
-  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
-  const std::string own = "A tablet of one's own, in place of a character";
+  verb->add_flag("--no-strokes", settings->no_strokes, "Draw the tablet without strokes");
+  verb->add_flag("--no-arrows", settings->no_arrows, "Draw no arrowheads");
+  verb->add_flag("--no-numbers", settings->no_numbers, "Draw no stroke numbers");
+  verb->add_flag("--json", settings->json, "Print JSON (see docs/command-line.md)");
+  const std::string own = "Your own tablet instead of a character";
   verb->add_option("--height-map", settings->height_map, "A height map: 8-bit RAW or greyscale PNG")
       ->type_name("FILE")
       ->group(own);
   verb->add_option("--strokes", settings->strokes,
-                   "A stroke order (.str) on the height map's grid; alone, it is carved")
+                   "A stroke order file (.str) on the grid of the height map; if given alone, it is carved")
       ->type_name("FILE")
       ->group(own);
-  verb->add_option(
-          "--map-size", settings->map_size,
-          "Side of the RAW or of the grid of the .str (default: from the length of the RAW, else 128); for a "
-          "character, of the map that is carved (default: 1024)")
+  verb->add_option("--map-size", settings->map_size,
+                   "Samples per side of the RAW or of the .str grid (default: from the size of the RAW file, "
+                   "otherwise 128); for a character, of the carved map (default: 1024)")
       ->check(within(surface::HeightMap::kMinSize, surface::HeightMap::kMaxSize))
       ->type_name("N")
       ->group(own);

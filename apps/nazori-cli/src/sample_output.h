@@ -11,16 +11,16 @@
 
 namespace nazori::cli {
 
-/// Samples as CSV, to a file that appears whole with commit(), or to standard output. Memory does not grow
+/// Samples as CSV, to a file that appears complete with commit(), or to standard output. Memory does not grow
 /// with their number.
 class SampleOutput {
  public:
   [[nodiscard]] static base::Result<SampleOutput> to_file(const std::string& path);
-  /// `console` must outlive the output.
+  /// `console` must outlive this object.
   [[nodiscard]] static base::Result<SampleOutput> to_console(Console& console);
 
   [[nodiscard]] base::Result<void> add(const haptics::ServoSample& sample);
-  /// Once, as the last call.
+  /// Call it once, as the last call.
   [[nodiscard]] base::Result<void> commit();
 
  private:

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "character_json.h"
 #include "characters.h"
+#include "json_answers.h"
 #include "nazori/base/utf8.h"
+#include "nazori/exchange/characters.h"
 #include "options.h"
 #include "text_layout.h"
 #include "verbs.h"
@@ -44,7 +45,7 @@ base::Result<int> find_radical(const kanji::KanjiDatabase& database, const std::
     const auto& forms = radical->variant_forms;
     if (radical->form == text || std::find(forms.begin(), forms.end(), text) != forms.end()) return number;
   }
-  return base::fail(base::Errc::bad_argument, fmt::format("'{}' is no radical", text), "--radical",
+  return base::fail(base::Errc::bad_argument, fmt::format("'{}' is not a radical", text), "--radical",
                     "give a number 1..214 or a form such as 亻");
 }
 
@@ -91,13 +92,13 @@ int run(Console& console, const SearchSettings& settings) {
   std::vector<kanji::Summary> found = database->search(query);
   if (database->trouble()) return console.refuse(*database->trouble());
   const std::size_t all = found.size();
-  // Of what a word finds the best are enough; a grade or a radical is asked for whole.
+  // For a word the best answers are enough; a grade or a radical is listed completely.
   const bool has_text = query.text.find_first_not_of(' ') != std::string::npos;
   const int shown = settings.limit.value_or(has_text ? kShownOfWords : kMost);
   if (all > static_cast<std::size_t>(shown)) found.resize(static_cast<std::size_t>(shown));
   if (settings.json) {
     Json document = Json::array();
-    for (const kanji::Summary& one : found) document.push_back(to_json(one));
+    for (const kanji::Summary& one : found) document.push_back(exchange::to_json(one));
     console.print(to_text(document));
   } else {
     console.print(table(found));
@@ -105,7 +106,7 @@ int run(Console& console, const SearchSettings& settings) {
   if (all > found.size() && !settings.limit)
     console.note(fmt::format("{} of {} characters are shown; --limit {} shows all", found.size(), all, all));
   if (!found.empty()) return kDone;
-  return console.deny({base::Errc::not_found, "no character fits",
+  return console.deny({base::Errc::not_found, "no matching character",
                        query.text.empty() ? "" : "'" + query.text + "'",
                        "search for a character, kana, romaji or English"});
 }
@@ -128,13 +129,13 @@ void add_search(CLI::App& app, Action& chosen) {
                    "Classical radical: its number 1..214 or a form such as 亻")
       ->type_name("N|FORM");
   verb->add_option("--limit", settings->limit,
-                   "At most so many answers (default: 100 where a query is given, else all)")
+                   "Maximum number of results (default: 100 where a query is given, else all)")
       ->check(within(1, kMost))
       ->type_name("N");
-  verb->add_flag("--json", settings->json, "Answer in JSON (see docs/command-line.md)");
+  verb->add_flag("--json", settings->json, "Print JSON (see docs/command-line.md)");
   add_database_option(*verb, settings->database);
   verb->footer(
-      "All conditions that are given must hold; the best come first.\n\nExamples:\n  nazori-cli search rest\n"
+      "All given conditions must match; the best matches come first.\n\nExamples:\n  nazori-cli search rest\n"
       "  nazori-cli search きゅう --grade 1\n  nazori-cli search --radical 亻 --strokes 6 --json");
   verb->callback(
       [settings, &chosen] { chosen = [settings](Console& console) { return run(console, *settings); }; });

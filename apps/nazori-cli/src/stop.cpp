@@ -17,7 +17,7 @@
 namespace nazori::cli {
 namespace {
 
-/// How long work may take to end by itself.
+/// Time for work to end by itself.
 constexpr timespec kGrace{0, 100'000'000};
 
 std::atomic<int> stop_signal{0};
@@ -31,7 +31,7 @@ sigset_t stop_signals() {
   return set;
 }
 
-/// Waits for a signal for as long as is left. @return 0 where none came.
+/// Waits for a signal for the remaining time. @return 0 if none came.
 int wait_for_signal(const sigset_t& signals, const timespec& patience) {
   for (;;) {
     const int signal = ::sigtimedwait(&signals, nullptr, &patience);
@@ -65,8 +65,8 @@ void end_by_stop_signal() {
   constexpr std::string_view kWipe = "\r\x1b[K";
   if (line_is_unfinished.exchange(false)) (void)!::write(STDERR_FILENO, kWipe.data(), kWipe.size());
   const int signal = stop_signal;
-  // A handler that is there has last things to do, such as to take the force off a device. Ignored, as below
-  // nohup, the signal would not end the program.
+  // An installed handler has cleanup to do, such as taking the force off a device. If the signal is ignored,
+  // as under nohup, it would not end the program.
   struct sigaction present {};
   if (::sigaction(signal, nullptr, &present) != 0 || present.sa_handler == SIG_IGN)
     (void)std::signal(signal, SIG_DFL);

@@ -6,6 +6,7 @@
 
 #include "nazori/base/file.h"
 #include "nazori/base/utf8.h"
+#include "nazori/exchange/cards.h"
 #include "options.h"
 #include "study_session.h"
 
@@ -34,7 +35,7 @@ int change(Console& console, const ChangeSettings& settings, const char* word, C
   if (settings.options.json) {
     Json cards = Json::array();
     for (const char32_t one : *characters) {
-      cards.push_back(card_json(session->learner().card(one), session->learner()));
+      cards.push_back(exchange::to_json(session->learner().card(one), session->learner()));
     }
     console.print(to_text(cards));
   } else {
@@ -50,7 +51,7 @@ int list_leeches(Console& console, const StudyOptions& options) {
   std::string lines;
   for (const auto& [character, card] : learner->cards()) {
     if (!card.leech) continue;
-    json.push_back(card_json(card, *learner));
+    json.push_back(exchange::to_json(card, *learner));
     lines +=
         fmt::format("{}  forgotten {}\n", base::encode_utf8(character), counted(card.memory.lapses, "time"));
   }
@@ -67,13 +68,13 @@ void add_change(CLI::App& study, Action& chosen, const char* name, const char* d
   const bool leech = std::string_view(name) == "leech";
   if (!leech) characters->required();
   if (days) {
-    verb->add_option("--days", settings->days, "Not before so many days from today")
+    verb->add_option("--days", settings->days, "Number of days from today")
         ->check(within(1, 3'650))
         ->capture_default_str()
         ->type_name("N");
   }
   add_writer_options(*verb, settings->options);
-  verb->add_option("--database", settings->options.database, "The kanji database to read")->type_name("FILE");
+  verb->add_option("--database", settings->options.database, "Kanji database to use")->type_name("FILE");
   verb->callback([settings, &chosen, word, apply, leech] {
     chosen = [=](Console& console) {
       if (leech && settings->characters.empty()) return list_leeches(console, settings->options);
@@ -89,22 +90,22 @@ struct SettingsSettings {
   std::vector<std::string> changes;
 };
 
-/// The settings with "new_per_day=7" and the like put in.
+/// The settings with changes such as "new_per_day=7" applied.
 base::Result<study::Settings> changed_settings(const study::Settings& before, const SettingsSettings& asked) {
-  Json json = Json::parse(study::to_json(before));
+  Json json = json::parse(study::to_json(before)).value_or(Json());
   for (const std::string& change : asked.changes) {
     const std::size_t equals = change.find('=');
     const std::string name = change.substr(0, equals);
     if (equals == std::string::npos || !json.contains(name)) {
-      return base::fail(base::Errc::bad_argument, "is no setting", change,
-                        "give NAME=VALUE as nazori-cli study settings shows them");
+      return base::fail(base::Errc::bad_argument, "is not a setting", change,
+                        "give NAME=VALUE, as printed by nazori-cli study settings");
     }
-    const Json value = Json::parse(change.substr(equals + 1), nullptr, false);
-    json[name] = value.is_discarded() ? Json(change.substr(equals + 1)) : value;
+    const std::string text = change.substr(equals + 1);
+    json[name] = json::parse(text).value_or(Json(text));
   }
-  auto settings = study::parse_settings(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  auto settings = study::parse_settings(json::to_line(json));
   if (!settings) {
-    // The text was made here: its line says nothing to who called.
+    // The text was made here, so its line number would mean nothing to the user.
     base::Error error = std::move(settings.error());
     error.code = base::Errc::bad_argument;
     if (const std::size_t comma = error.where.find(", "); comma != std::string::npos)
@@ -133,7 +134,7 @@ int settings(Console& console, const SettingsSettings& asked) {
     if (!wanted) return console.refuse(wanted.error());
     if (auto done = learner->change_settings(*wanted); !done) return console.refuse(done.error());
   }
-  const Json json = Json::parse(study::to_json(learner->settings()));
+  const Json json = json::parse(study::to_json(learner->settings())).value_or(Json());
   if (asked.options.json) {
     console.print(to_text(json));
   } else {
@@ -147,32 +148,32 @@ int settings(Console& console, const SettingsSettings& asked) {
 void add_study_changes(CLI::App& study, Action& chosen) {
   using Characters = std::span<const char32_t>;
   add_change(
-      study, chosen, "postpone", "Let characters come no earlier than some days from today",
+      study, chosen, "postpone", "Postpone characters by some days",
       "Example:\n  nazori-cli study postpone 休 --days 3", "postponed",
       [](LearnerStore& store, Characters characters, const ChangeSettings& settings) {
         return store.postpone(characters, store.today() + std::chrono::days(settings.days));
       },
       true);
-  add_change(study, chosen, "pause", "Let characters come no more until they are resumed",
+  add_change(study, chosen, "pause", "Suspend characters until they are resumed",
              "Example:\n  nazori-cli study pause list:rare", "paused",
              [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
                return store.pause(characters);
              });
-  add_change(study, chosen, "resume", "Let paused characters come again",
-             "Example:\n  nazori-cli study resume 休", "resumed",
-             [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
+  add_change(study, chosen, "resume", "Resume suspended characters", "Example:\n  nazori-cli study resume 休",
+             "resumed", [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
                return store.resume(characters);
              });
-  add_change(study, chosen, "reset", "Make characters new again",
-             "The log keeps what was; undo takes it back.\n\nExample:\n  nazori-cli study reset grade-1",
-             "new again", [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
+  add_change(study, chosen, "reset", "Start characters over as new",
+             "The study history is kept; undo reverts this.\n\nExample:\n  nazori-cli study reset grade-1",
+             "started over",
+             [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
                return store.reset(characters);
              });
   add_change(
-      study, chosen, "leech", "Name the characters set apart, or let some come again after their lesson",
-      "Exit code 1 where none is set apart.\n\nExamples:\n  nazori-cli study leech\n  nazori-cli study leech "
+      study, chosen, "leech", "List difficult characters, or put some back into reviews after relearning",
+      "Exit code 1 if there are none.\n\nExamples:\n  nazori-cli study leech\n  nazori-cli study leech "
       "鬱",
-      "come again", [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
+      "back in reviews", [](LearnerStore& store, Characters characters, const ChangeSettings& /*settings*/) {
         return store.leech_met(characters);
       });
   auto asked = std::make_shared<SettingsSettings>();
@@ -181,7 +182,8 @@ void add_study_changes(CLI::App& study, Action& chosen) {
                                   "  nazori-cli study settings new_per_day=7 desired_retention=0.92\n"
                                   "  nazori-cli study settings --weights weights.txt");
   verb->add_option("changes", asked->changes, "NAME=VALUE");
-  verb->add_option("--weights", asked->weights, "Weights of FSRS: 21, 19 or 17 numbers, as Anki shows them")
+  verb->add_option("--weights", asked->weights,
+                   "FSRS parameters (weights): 21, 19 or 17 numbers, as shown in Anki")
       ->type_name("FILE");
   add_writer_options(*verb, asked->options);
   verb->callback(

@@ -8,6 +8,7 @@
 
 #include "nazori/base/file.h"
 #include "nazori/base/unfinished_file.h"
+#include "nazori/exchange/cards.h"
 #include "nazori/study/backups.h"
 #include "nazori/study/exchange.h"
 #include "nazori/study/replay.h"
@@ -47,7 +48,7 @@ base::Result<std::vector<std::uint8_t>> anki(const FileSettings& settings, const
     for (const auto& [character, card] : session->learner().cards()) characters.push_back(character);
     if (characters.empty()) {
       return base::fail(base::Errc::not_found, "nothing studied yet", "Anki package",
-                        "name lists with --list");
+                        "give lists with --list");
     }
   } else {
     auto named = session->characters(settings.lists);
@@ -103,7 +104,7 @@ class NewLearner {
   }
 
  private:
-  // The last one is removed first.
+  // Registered files are removed in reverse order.
   base::UnfinishedFile folder_, lock_, file_;
 };
 
@@ -111,7 +112,7 @@ int import_learner(Console& console, const FileSettings& settings) {
   const auto to_check = study::file_source(settings.file);
   if (!to_check) return console.refuse(to_check.error());
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
-  // Checked whole first, so that a file that is refused leaves not even an empty profile.
+  // Checked completely first, so that a refused file does not even leave an empty profile.
   auto checked = study::check_json(*to_check, base::part_of(progress.callback(), 0, kChecking));
   if (!checked) {
     base::Error& error = checked.error();
@@ -128,7 +129,7 @@ int import_learner(Console& console, const FileSettings& settings) {
   std::optional<NewLearner> unfinished;
   auto learner = open_learner(settings.options, Access::write);
   if (!learner) return console.refuse(learner.error());
-  // Noted only once it is open here: before that the file may be another program's.
+  // Registered only after it is open here: before that the file may belong to another program.
   if (is_new && learner->last_entry() == 0) unfinished.emplace(*path);
   const auto done = study::import_json(*learner, *source, base::part_of(progress.callback(), kChecking, 1));
   progress.clear();
@@ -188,7 +189,7 @@ int restore(Console& console, const FileSettings& settings) {
                       {"writings", inside ? Json(inside->writings) : Json()},
                       {"characters", inside ? Json(inside->characters) : Json()},
                       {"last_day", inside && inside->last_day ? Json(last) : Json()}});
-      lines += inside ? fmt::format("{}  {} of {}, last on {}\n", one.file.string(),
+      lines += inside ? fmt::format("{}  {} of {}, last study day {}\n", one.file.string(),
                                     counted(inside->writings, "writing"),
                                     counted(inside->characters, "character"), last)
                       : fmt::format("{}  cannot be used: {}\n", one.file.string(), inside.error().what);
@@ -218,7 +219,7 @@ int restore(Console& console, const FileSettings& settings) {
     console.print(to_text({{"restored", file.string()}, {"kept", kept->string()}}));
   } else {
     console.print(fmt::format("restored {}\n", file.string()));
-    if (!kept->empty()) console.print(fmt::format("what was there is kept as {}\n", kept->string()));
+    if (!kept->empty()) console.print(fmt::format("the previous data was saved as {}\n", kept->string()));
   }
   return kDone;
 }
@@ -236,7 +237,7 @@ int rebuild(Console& console, const FileSettings& settings) {
                                {"characters", report->cards},
                                {"studied", report->studied},
                                {"differences", report->differences}})
-                    : fmt::format("{}, {} ({} of them studied), {} differed from what was kept\n",
+                    : fmt::format("{}, {} ({} of them studied), {} differed from the saved states\n",
                                   counted(report->entries, "entry", "entries"),
                                   counted(report->cards, "character"), report->studied, report->differences));
   return kDone;
@@ -259,28 +260,21 @@ int replay(Console& console, const FileSettings& settings) {
   const auto found = study::compare_with_own_numbers(as_text(*bytes), *replayed);
   if (!found) return console.refuse(found.error());
   if (settings.options.json) {
-    console.print(to_text({{"steps", found->steps},
-                           {"stability", found->stability},
-                           {"difficulty", found->difficulty},
-                           {"retrievability", found->retrievability},
-                           {"scheduled_days", found->scheduled_days},
-                           {"due_s", found->due_s},
-                           {"states", found->states},
-                           {"first", found->first.empty() ? Json() : Json(found->first)}}));
+    console.print(to_text(exchange::to_json(*found)));
     if (found->first.empty()) return kDone;
-    return console.deny({base::Errc::schema, "differs at the 8th decimal or in more", found->first, ""});
+    return console.deny({base::Errc::schema, "differs within 8 decimal places", found->first, ""});
   }
   console.print(
       fmt::format("{} steps; largest differences: stability {}, difficulty {}, retrievability {}, interval "
-                  "{} days, due {} s; {} other states\n",
+                  "{} days, due {} s; {} different states\n",
                   found->steps, found->stability, found->difficulty, found->retrievability,
                   found->scheduled_days, found->due_s, found->states));
   if (found->first.empty()) return kDone;
-  return console.deny({base::Errc::schema, "differs at the 8th decimal or in more", found->first, ""});
+  return console.deny({base::Errc::schema, "differs within 8 decimal places", found->first, ""});
 }
 
 using Run = int (*)(Console&, const FileSettings&);
-/// Whether a verb changes a learner.
+/// Whether a command changes a learner.
 enum class Writes { no, yes };
 
 CLI::App* add(CLI::App& study, Action& chosen, const char* name, const char* description, const char* footer,
@@ -302,52 +296,52 @@ CLI::App* add(CLI::App& study, Action& chosen, const char* name, const char* des
 void add_study_files(CLI::App& study, Action& chosen) {
   auto settings = std::make_shared<FileSettings>();
   CLI::App* verb =
-      add(study, chosen, "export", "Write everything (.json), a table (.csv) or an Anki package (.apkg)",
+      add(study, chosen, "export", "Export everything (.json), a table (.csv) or an Anki package (.apkg)",
           "Examples:\n  nazori-cli study export --output me.json\n"
           "  nazori-cli study export --output reviews.csv\n"
           "  nazori-cli study export --output kanji.apkg --list grade-1 --deck 'Kanji::Grade 1'",
           settings, export_learner);
-  verb->add_option("-o,--output", settings->output, "The file to write; - is standard output (JSON)")
+  verb->add_option("-o,--output", settings->output, "Output file; - is standard output (JSON)")
       ->required()
       ->type_name("FILE");
   verb->add_option("--list", settings->lists,
-                   "For Anki: characters or lists; default is every character that was ever met")
+                   "For Anki: characters or lists (default: every character studied so far)")
       ->type_name("LIST");
   verb->add_option("--deck", settings->deck, "For Anki: name of the deck")
       ->capture_default_str()
       ->type_name("NAME");
-  verb->add_option("--words", settings->words, "For Anki: at most so many words to a character")
+  verb->add_option("--words", settings->words, "For Anki: maximum number of words per character")
       ->check(within(0, 20))
       ->capture_default_str()
       ->type_name("N");
-  verb->add_option("--database", settings->options.database, "The kanji database to read")->type_name("FILE");
+  verb->add_option("--database", settings->options.database, "Kanji database to use")->type_name("FILE");
 
   settings = std::make_shared<FileSettings>();
-  verb = add(study, chosen, "import", "Fill an empty profile from an export in JSON",
+  verb = add(study, chosen, "import", "Import a JSON export into an empty profile",
              "Example:\n  nazori-cli study import me.json --profile Mari", settings, import_learner,
              Writes::yes);
-  verb->add_option("file", settings->file, "The export")->required()->type_name("FILE");
+  verb->add_option("file", settings->file, "The exported file")->required()->type_name("FILE");
 
   settings = std::make_shared<FileSettings>();
-  verb = add(study, chosen, "backup", "Make a backup now, besides the daily ones",
+  verb = add(study, chosen, "backup", "Make a backup now, in addition to the daily ones",
              "Example:\n  nazori-cli study backup --output /media/stick/learner.db", settings, backup);
-  verb->add_option("-o,--output", settings->output, "The file to write (default: in the folder of backups)")
+  verb->add_option("-o,--output", settings->output, "Output file (default: in the folder of backups)")
       ->type_name("FILE");
 
   settings = std::make_shared<FileSettings>();
-  verb = add(study, chosen, "restore", "Put a backup in the place of a learner's file",
-             "Without a file the newest daily backup is taken. What stood there is kept.\n\n"
+  verb = add(study, chosen, "restore", "Restore a learner's study data from a backup",
+             "Without a file, the newest daily backup is used. The current data is backed up first.\n\n"
              "Examples:\n  nazori-cli study restore --list\n  nazori-cli study restore",
              settings, restore, Writes::yes);
   verb->add_option("file", settings->file, "The backup")->type_name("FILE");
-  verb->add_flag("--list", settings->list, "Only name the backups there are, newest first");
+  verb->add_flag("--list", settings->list, "Only list the backups, newest first");
 
   settings = std::make_shared<FileSettings>();
-  add(study, chosen, "rebuild", "Work out every state anew from the log",
+  add(study, chosen, "rebuild", "Recalculate all states from the study history",
       "Example:\n  nazori-cli study rebuild", settings, rebuild, Writes::yes);
 
   settings = std::make_shared<FileSettings>();
-  verb = add(study, chosen, "replay", "Schedule histories of reviews anew with FSRS-6",
+  verb = add(study, chosen, "replay", "Reschedule review histories with FSRS-6",
              "Prints the same form with its own numbers; with --check only how far they differ, and exit\n"
              "code 1 where they do. It is the same for every learner.\n\nExample:\n  nazori-cli study replay "
              "histories.json --check",

@@ -79,7 +79,7 @@ int show_lists(Console& console, const ListsSettings& settings) {
     for (const char32_t one : members) met += session->learner().card(one).introduced ? 1 : 0;
     const std::size_t count = members.size();
     json.push_back({{"list", id}, {"name", name}, {"characters", count}, {"met", met}});
-    lines += pad(id, 24) + fmt::format("{:5} characters, {:4} met  {}\n", count, met, name);
+    lines += pad(id, 24) + fmt::format("{:5} characters, {:4} studied  {}\n", count, met, name);
   };
   for (const study::ReadyList& list : study::ready_lists()) {
     const auto members = session->lists().members(list.id, session->learner());
@@ -162,34 +162,34 @@ int profiles(Console& console, const ProfilesSettings& settings) {
 void add_study_lists(CLI::App& study, Action& chosen) {
   auto list = std::make_shared<ListsSettings>();
   CLI::App* verb =
-      add_study_verb(study, "lists", "Show lists of characters, import one from text, or remove one",
-                     "A text holds characters in any number to a line; # begins a note.\n\n"
+      add_study_verb(study, "lists", "Show lists of characters, import one from a text file, or remove one",
+                     "A text file can have any number of characters per line; # starts a comment.\n\n"
                      "Examples:\n  nazori-cli study lists\n  nazori-cli study lists grade-1\n"
                      "  nazori-cli study lists --import chapter3.txt --as chapter3\n"
                      "  nazori-cli study settings 'new_lists=[\"list:chapter3\"]' new_order=own");
   verb->add_option("list", list->id, "A list to show: grade-1, old-jlpt-4, list:NAME, tag:NAME");
-  verb->add_option("--import", list->file, "Read a list from this text")->type_name("FILE");
-  verb->add_option("--as", list->name, "Name of the imported list; one of this name is replaced")
+  verb->add_option("--import", list->file, "Import a list from this text file")->type_name("FILE");
+  verb->add_option("--as", list->name, "Name of the imported list; replaces a list with the same name")
       ->type_name("NAME");
-  verb->add_option("--remove", list->remove, "Remove this list of one's own")->type_name("NAME");
+  verb->add_option("--remove", list->remove, "Remove this list of your own")->type_name("NAME");
   add_writer_options(*verb, list->options);
-  verb->add_option("--database", list->options.database, "The kanji database to read")->type_name("FILE");
+  verb->add_option("--database", list->options.database, "Kanji database to use")->type_name("FILE");
   verb->callback([list, &chosen] { chosen = [list](Console& console) { return lists(console, *list); }; });
 
   auto tags = std::make_shared<TagSettings>();
-  verb = add_study_verb(study, "tag", "Give characters tags in the place of those they have",
-                        "Without --with all their tags are taken away.\n\n"
+  verb = add_study_verb(study, "tag", "Set the tags of characters",
+                        "Replaces existing tags; without --with, all tags are removed.\n\n"
                         "Example:\n  nazori-cli study tag 休 木 --with trees --with exam");
   verb->add_option("characters", tags->characters, "Characters or lists")->required();
   verb->add_option("--with", tags->tags, "A tag; may be repeated")->type_name("TAG");
   add_writer_options(*verb, tags->options);
-  verb->add_option("--database", tags->options.database, "The kanji database to read")->type_name("FILE");
+  verb->add_option("--database", tags->options.database, "Kanji database to use")->type_name("FILE");
   verb->callback([tags, &chosen] { chosen = [tags](Console& console) { return tag(console, *tags); }; });
 
   auto asked = std::make_shared<ProfilesSettings>();
-  verb = add_study_verb(study, "profiles", "Show the learners of this computer, rename or remove one",
-                        "A profile is there from its first use on. A removed one is moved out of sight, not "
-                        "deleted.\n\nExample:\n  nazori-cli study profiles --rename learner Mari");
+  verb = add_study_verb(study, "profiles", "Show the profiles on this computer, or rename or remove one",
+                        "A profile is created on first use. A removed profile is moved to a hidden folder, "
+                        "not deleted.\n\nExample:\n  nazori-cli study profiles --rename learner Mari");
   verb->add_option("--rename", asked->rename, "Old and new name")->expected(2)->type_name("NAME");
   verb->add_option("--remove", asked->remove, "Remove this profile")->type_name("NAME");
   add_writer_options(*verb, asked->options);

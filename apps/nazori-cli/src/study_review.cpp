@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "nazori/base/utf8.h"
+#include "nazori/exchange/cards.h"
 #include "options.h"
 #include "study_session.h"
 
@@ -47,7 +48,7 @@ base::Result<study::StrokeMistake> parse_mistake(const std::string& text) {
     }
   }
   return base::fail(
-      base::Errc::bad_argument, "is no fault of a stroke", text,
+      base::Errc::bad_argument, "is not a valid stroke mistake", text,
       "give order, reversed, missing, extra, joined, split, wrong, other or ending, and a stroke: "
       "wrong:3");
 }
@@ -59,7 +60,7 @@ int review(Console& console, const ReviewSettings& settings) {
   if (!characters) return console.refuse(characters.error());
   if (characters->size() != 1) {
     return console.refuse(
-        {base::Errc::bad_argument, "is not one character", settings.character, "give one at a time"});
+        {base::Errc::bad_argument, "must be one character", settings.character, "give one at a time"});
   }
   const char32_t character = characters->front();
   const int strokes = session->lists().facts(character)->strokes;
@@ -71,7 +72,7 @@ int review(Console& console, const ReviewSettings& settings) {
   for (const std::string& text : settings.mistakes) {
     const auto mistake = parse_mistake(text);
     if (!mistake) return console.refuse(mistake.error());
-    // What was one stroke too many is counted among the written ones, all else among those of the character.
+    // An extra stroke is numbered among the written ones, all others among those of the character.
     if (mistake->kind != kanji::MistakeKind::extra && mistake->stroke >= strokes) {
       return console.refuse({base::Errc::bad_argument,
                              fmt::format("{} has {}", settings.character, counted(strokes, "stroke")), text,
@@ -93,16 +94,12 @@ int review(Console& console, const ReviewSettings& settings) {
   const auto card = learner.add_writing(character, strokes, writing);
   if (!card) return console.refuse(card.error());
   if (settings.options.json) {
-    Json json = card_json(*card, learner);
-    json["entry"] = learner.last_entry();
-    json["rating"] = study::name_of(writing.rating);
-    json["proposed"] = study::name_of(writing.proposed);
-    console.print(to_text(json));
+    console.print(to_text(exchange::reviewed(*card, writing, learner)));
   } else if (writing.stage == Stage::memory) {
-    console.print(fmt::format("{}  {} (proposed: {}), comes back {}{}\n", base::encode_utf8(character),
+    console.print(fmt::format("{}  {} (suggested: {}), comes back {}{}\n", base::encode_utf8(character),
                               study::name_of(writing.rating), study::name_of(writing.proposed),
                               wait_text(*card, learner.now(), learner.today()),
-                              card->leech ? "; set apart, it is often forgotten" : ""));
+                              card->leech ? "; forgotten too often, taken out of reviews" : ""));
   } else {
     console.print(fmt::format("{}  practised ({}), next: {}\n", base::encode_utf8(character), settings.stage,
                               study::name_of(card->next_stage)));
@@ -123,18 +120,18 @@ int undo(Console& console, const UndoSettings& settings) {
     std::string characters;
     for (const char32_t c : (*one)->characters) characters += base::encode_utf8(c);
     undone.push_back({{"kind", study::name_of((*one)->kind)}, {"characters", characters}});
-    lines += fmt::format("taken back: {} {}\n", study::name_of((*one)->kind), characters);
+    lines += fmt::format("undone: {} {}\n", study::name_of((*one)->kind), characters);
   }
   console.print(settings.options.json ? to_text(undone) : lines);
   if (static_cast<int>(undone.size()) == settings.count) return kDone;
-  return console.deny({base::Errc::not_found, "nothing more to take back", "", ""});
+  return console.deny({base::Errc::not_found, "nothing left to undo", "", ""});
 }
 
 void add_review(CLI::App& study, Action& chosen) {
   auto settings = std::make_shared<ReviewSettings>();
   CLI::App* verb = add_study_verb(
-      study, "review", "Log that a character was written, and schedule it",
-      "Without --rating the proposed one is taken; docs/study.md says how it follows from the rest.\n\n"
+      study, "review", "Record that a character was written, and schedule its next review",
+      "Without --rating, the suggested rating is used; docs/study.md explains how it is computed.\n\n"
       "Examples:\n  nazori-cli study review 休 --rating good\n"
       "  nazori-cli study review 休 --score 72 --fault wrong:3 --hints 1 --seconds 14 --json\n"
       "  nazori-cli study review 休 --stage trace");
@@ -146,26 +143,31 @@ void add_review(CLI::App& study, Action& chosen) {
       ->check(CLI::IsMember({"watch", "trace", "guided", "memory"}))
       ->capture_default_str()
       ->type_name("STAGE");
-  verb->add_flag("--rejected", settings->rejected, "The judge did not take it for the character");
-  verb->add_option("--score", settings->score, "The judge's score")
+  verb->add_flag("--rejected", settings->rejected, "The writing was not accepted as the character");
+  verb->add_option("--score", settings->score, "Score of the writing")
       ->check(within(0, 100))
       ->capture_default_str()
       ->type_name("N");
-  verb->add_option("--fault", settings->mistakes, "A fault and its stroke from 1: wrong:3; may be repeated")
+  verb->add_option("--fault", settings->mistakes,
+                   "A mistake and its stroke (from 1), such as wrong:3; may be repeated")
       ->type_name("KIND:STROKE");
-  verb->add_option("--hints", settings->hints, "Hints asked for")->check(within(0, 1'000))->type_name("N");
-  verb->add_option("--misses", settings->misses, "Strokes tried and refused")
+  verb->add_option("--hints", settings->hints, "Number of hints used")
       ->check(within(0, 1'000))
       ->type_name("N");
-  verb->add_option("--shown", settings->shown, "Strokes that had to be shown")
+  verb->add_option("--misses", settings->misses, "Number of rejected strokes")
       ->check(within(0, 1'000))
       ->type_name("N");
-  verb->add_option("--help-level", settings->help, "Mean level of guidance")
+  verb->add_option("--shown", settings->shown, "Number of strokes shown")
+      ->check(within(0, 1'000))
+      ->type_name("N");
+  verb->add_option("--help-level", settings->help, "Average amount of help")
       ->check(within(0, 1))
-      ->type_name("PART");
-  verb->add_option("--seconds", settings->seconds, "Time taken")->check(within(0, 86'400))->type_name("S");
+      ->type_name("FRACTION");
+  verb->add_option("--seconds", settings->seconds, "Time taken in seconds")
+      ->check(within(0, 86'400))
+      ->type_name("S");
   add_writer_options(*verb, settings->options);
-  verb->add_option("--database", settings->options.database, "The kanji database to read")->type_name("FILE");
+  verb->add_option("--database", settings->options.database, "Kanji database to use")->type_name("FILE");
   verb->callback(
       [settings, &chosen] { chosen = [settings](Console& console) { return review(console, *settings); }; });
 }
@@ -173,10 +175,10 @@ void add_review(CLI::App& study, Action& chosen) {
 void add_undo(CLI::App& study, Action& chosen) {
   auto settings = std::make_shared<UndoSettings>();
   CLI::App* verb =
-      add_study_verb(study, "undo", "Take back the last review or other action",
+      add_study_verb(study, "undo", "Undo the last review or other action",
                      "Nothing is deleted: the log says that it counts no more. Exit code 1 where "
                      "there is nothing\nto take back.\n\nExample:\n  nazori-cli study undo -n 3");
-  verb->add_option("-n,--count", settings->count, "How many actions")
+  verb->add_option("-n,--count", settings->count, "Number of actions to undo")
       ->check(within(1, 100'000))
       ->capture_default_str()
       ->type_name("N");

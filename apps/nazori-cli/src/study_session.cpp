@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "nazori/base/utf8.h"
 #include "nazori/study/profiles.h"
 #include "options.h"
 
@@ -17,18 +16,18 @@ using study::LearnerStore;
 
 void add_learner_options(CLI::App& verb, StudyOptions& options) {
   const std::string group = "Learner";
-  verb.add_option("--profile", options.profile, "Whose study; default is the profile 'learner'")
+  verb.add_option("--profile", options.profile, "Profile to use (default: learner)")
       ->type_name("NAME")
       ->group(group);
   verb.add_option(
           "--learners", options.learners,
-          "The folder of all profiles (default: NAZORI_LEARNERS, else nazori/learners in XDG_DATA_HOME)")
+          "Folder of all profiles (default: NAZORI_LEARNERS, otherwise nazori/learners in XDG_DATA_HOME)")
       ->type_name("FOLDER")
       ->group(group);
-  verb.add_option("--now", options.now, "Take this for the present: 2026-01-01T09:00Z or with +09:00")
+  verb.add_option("--now", options.now, "Use this as the current time: 2026-01-01T09:00Z or with +09:00")
       ->type_name("TIME")
       ->group(group);
-  verb.add_flag("--json", options.json, "Answer in JSON (see docs/command-line.md)");
+  verb.add_flag("--json", options.json, "Print JSON (see docs/command-line.md)");
 }
 
 void add_writer_options(CLI::App& verb, StudyOptions& options) {
@@ -164,42 +163,9 @@ std::string duration_text(std::chrono::milliseconds duration) {
   return fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-Json card_json(const study::Card& card, const LearnerStore& learner) {
-  const study::Memory& memory = card.memory;
-  const auto day = [](const std::optional<study::Day>& one) {
-    return one ? Json(study::to_text(*one)) : Json();
-  };
-  const auto fsrs = study::Fsrs::create(learner.settings().fsrs);
-  return {{"character", base::encode_utf8(card.character)},
-          {"state", study::name_of(memory.phase)},
-          {"stability", memory.stability},
-          {"difficulty", memory.difficulty},
-          {"retrievability", fsrs ? study::retrievability_now(card, *fsrs, learner.today()) : 0},
-          {"scheduled_days", memory.scheduled_days},
-          {"due", memory.phase == study::Phase::fresh ? Json() : Json(study::to_text(memory.due))},
-          {"due_day", day(card.due_day)},
-          {"reps", memory.reps},
-          {"lapses", memory.lapses},
-          {"introduced", day(card.introduced)},
-          {"postponed_until", day(card.postponed_until)},
-          {"paused", card.paused},
-          {"leech", card.leech},
-          {"next_stage", study::name_of(card.next_stage)},
-          {"help", card.help}};
-}
-
-Json task_json(const study::StudyTask& task) {
-  constexpr std::array<const char*, 3> kKinds{"step", "review", "new"};
-  return {{"character", base::encode_utf8(task.character)},
-          {"kind", kKinds[static_cast<std::size_t>(task.kind)]},
-          {"stage", study::name_of(task.stage)},
-          {"due", study::to_text(task.due)},
-          {"retrievability", task.retrievability}};
-}
-
 void add_study(CLI::App& app, Action& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("study", "Learn characters by spaced repetition: due, review, statistics");
+  CLI::App* verb = app.add_subcommand(
+      "study", "Study characters by spaced repetition: due characters, reviews, statistics");
   verb->require_subcommand(1);
   verb->footer(
       "Examples:\n  nazori-cli study due\n  nazori-cli study review 休 --rating good\n"

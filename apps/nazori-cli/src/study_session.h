@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "character_json.h"
 #include "characters.h"
 #include "console.h"
+#include "json_answers.h"
 #include "nazori/study/character_lists.h"
 #include "nazori/study/day_plan.h"
 #include "nazori/study/learner_store.h"
@@ -21,35 +21,35 @@
 
 namespace nazori::cli {
 
-/// What every verb of `study` may be given.
+/// The options of every subcommand of `study`.
 struct StudyOptions {
   std::string profile;
   std::string learners;
   std::string now;
   std::string database;
-  double wait_s = 0;  ///< for another program that has the learner open
+  double wait_s = 0;  ///< time to wait for another program that has the learner open
   bool json = false;
 };
 
 /// --profile, --learners, --now, --json.
 void add_learner_options(CLI::App& verb, StudyOptions& options);
-/// The same and --wait, for what changes a learner.
+/// The same and --wait, for commands that change a learner.
 void add_writer_options(CLI::App& verb, StudyOptions& options);
 
-/// A new verb of `study`. @param footer  of its help.
+/// Adds a subcommand to `study`. @param footer  of its help.
 [[nodiscard]] CLI::App* add_study_verb(CLI::App& study, const char* name, const char* description,
                                        const char* footer);
 
-/// Where the files of learners are, and the learner that is meant.
+/// The folder of learners, and the chosen learner.
 [[nodiscard]] base::Result<std::filesystem::path> learners_folder(const StudyOptions& options);
 [[nodiscard]] base::Result<std::filesystem::path> learner_path(const StudyOptions& options);
-/// The computer's clock, or one that stands at --now.
+/// The computer's clock, or a fixed one at --now.
 [[nodiscard]] base::Result<study::Clock> study_clock(const StudyOptions& options);
 [[nodiscard]] base::Result<study::LearnerStore> open_learner(const StudyOptions& options,
                                                              study::Access access);
 
-/// Does `work` again and again until no other program has the learner open, for as long as --wait says.
-/// @param work  returns a base::Result. @return what it returned last; Errc::cancelled.
+/// Repeats `work` until no other program has the learner open, at most for the time of --wait.
+/// @param work  returns a base::Result. @return its last result; Errc::cancelled.
 template <class Work>
 [[nodiscard]] auto when_free(const StudyOptions& options, Work work) -> decltype(work()) {
   const auto begin = std::chrono::steady_clock::now();
@@ -62,8 +62,8 @@ template <class Work>
   }
 }
 
-/// For what makes sense only where something was done: a name that was mistyped shall not become a learner.
-/// @return the exit code where the learner has no file.
+/// For commands that need an existing learner: a mistyped name must not become a new learner.
+/// @return the exit code if the learner has no file.
 [[nodiscard]] std::optional<int> refuse_missing(Console& console, const StudyOptions& options);
 
 /// A learner with the kanji database, for what needs both.
@@ -74,8 +74,8 @@ class StudySession {
   [[nodiscard]] const kanji::KanjiDatabase& database() const { return *database_; }
   [[nodiscard]] study::CharacterLists& lists() { return *lists_; }
   [[nodiscard]] base::Result<study::DayPlan> plan();
-  /// The characters that arguments name: characters, or a list as "list:NAME", "grade-1" and so on. All must
-  /// be drawn.
+  /// The characters named by arguments: characters, or a list as "list:NAME", "grade-1" and so on. All must
+  /// have strokes.
   [[nodiscard]] base::Result<std::vector<char32_t>> characters(const std::vector<std::string>& arguments);
 
  private:
@@ -85,17 +85,14 @@ class StudySession {
   std::unique_ptr<study::CharacterLists> lists_;
 };
 
-/// "1 character", "3 characters", "2 entries". @param several  where it is not `one` with an s.
+/// "1 character", "3 characters", "2 entries". @param several  if it is not `one` with an s.
 [[nodiscard]] std::string counted(std::int64_t count, std::string_view one, std::string_view several = {});
 /// "in 10 min", "in 4 days", for people.
 [[nodiscard]] std::string wait_text(const study::Card& card, study::Time now, study::Day today);
 /// "6 min", "1 h 20 min".
 [[nodiscard]] std::string duration_text(std::chrono::milliseconds duration);
-/// A card as docs/command-line.md has it.
-[[nodiscard]] Json card_json(const study::Card& card, const study::LearnerStore& learner);
-[[nodiscard]] Json task_json(const study::StudyTask& task);
 
-// The verbs of `study`, each group in a file of its own.
+// The subcommands of `study`, each group in its own file.
 void add_study_day(CLI::App& study, Action& chosen);      ///< due, next
 void add_study_review(CLI::App& study, Action& chosen);   ///< review, undo
 void add_study_changes(CLI::App& study, Action& chosen);  ///< postpone, pause, resume, reset, leech, settings

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// Lines and numbers are drawn for a picture of this side and grow with it.
+// Lines and numbers are designed for a picture of this side and scaled with it.
 constexpr double kNominalSide = 800;
 
 }  // namespace
@@ -23,7 +23,7 @@ void add_look_options(CLI::App& verb, Look& look) {
                                                          {"classic", view::Style::classic}};
   static const std::map<std::string, view::Theme> themes{{"light", view::Theme::light},
                                                          {"dark", view::Theme::dark}};
-  verb.add_option("--size", look.size, "Width and height in pixels, 1280x800 or 600 for a square")
+  verb.add_option("--size", look.size, "Width and height in pixels, such as 1280x800, or 600 for a square")
       ->capture_default_str()
       ->type_name("WxH")
       ->group(group);
@@ -36,26 +36,26 @@ void add_look_options(CLI::App& verb, Look& look) {
       ->group(group);
   verb.add_option_function<std::string>(
           "--theme", [&look](const std::string& name) { look.theme = themes.at(name); },
-          "light or dark surroundings")
+          "light or dark background")
       ->check(CLI::IsMember({"light", "dark"}, CLI::ignore_case))
       ->default_str("light")
       ->type_name("THEME")
       ->group(group);
   verb.add_option_function<double>(
           "--tilt", [&look](double degrees) { look.camera.tilt = degrees * kDegree; },
-          "Degrees from straight above")
+          "Tilt in degrees from straight above")
       ->check(within(0, 85))
       ->default_str("0")
       ->type_name("DEGREES")
       ->group(group);
   verb.add_option_function<double>(
           "--azimuth", [&look](double degrees) { look.camera.azimuth = degrees * kDegree; },
-          "Degrees the tablet is turned")
+          "Rotation of the tablet in degrees")
       ->check(within(-360, 360))
       ->default_str("0")
       ->type_name("DEGREES")
       ->group(group);
-  verb.add_option("--zoom", look.camera.zoom, "1 fits the tablet into the picture")
+  verb.add_option("--zoom", look.camera.zoom, "Zoom factor; 1 fits the tablet into the picture")
       ->check(within(0.2, 20))
       ->capture_default_str()
       ->type_name("FACTOR")

@@ -13,7 +13,7 @@
 
 namespace nazori::cli {
 
-/// How a picture of a tablet looks.
+/// The look of a picture of a tablet.
 struct Look {
   std::string size = "800x800";
   view::Style style = view::Style::wood;
@@ -21,14 +21,14 @@ struct Look {
   view::Camera camera;
 };
 
-/// --size, --style, --theme, --tilt, --azimuth, --zoom. `look` must live as long as `verb`.
+/// --size, --style, --theme, --tilt, --azimuth, --zoom. `look` must outlive `verb`.
 void add_look_options(CLI::App& verb, Look& look);
 
 /// Draws tablets without a screen, one after the other, all of one size and look.
 /// Thread rules: one thread.
 class TabletPainter {
  public:
-  /// @return Errc::bad_argument for the size, Errc::device where there is no OpenGL.
+  /// @return Errc::bad_argument for the size, Errc::device without OpenGL.
   [[nodiscard]] static base::Result<TabletPainter> create(const Look& look);
 
   [[nodiscard]] view::Picture paint(const tablet::CarvedTablet& tablet, const view::Overlay& overlay);
@@ -40,7 +40,7 @@ class TabletPainter {
 
   PictureSize size_;
   std::unique_ptr<view::OffscreenContext> context_;
-  std::unique_ptr<view::TabletView> view_;  // must go before the context it was made in
+  std::unique_ptr<view::TabletView> view_;  // must be destroyed before its context
 };
 
 }  // namespace nazori::cli

@@ -77,7 +77,7 @@ std::string cut(std::string_view text, int width) {
 }
 
 std::string shortened(std::string_view text, int width) {
-  // Every column takes a byte, so that a short text is not measured.
+  // Every column needs at least a byte, so a short text need not be measured.
   if (text.size() <= static_cast<std::size_t>(std::max(width, 0)) || display_width(text) <= width)
     return std::string(text);
   const int at_end = width / 3;

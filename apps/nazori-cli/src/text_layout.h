@@ -7,7 +7,7 @@
 
 namespace nazori::cli {
 
-/// Columns that text takes on a terminal: 2 for kanji and kana, 1 for letters, 0 for combining marks.
+/// The width of a text on a terminal in columns: 2 for kanji and kana, 1 for letters, 0 for combining marks.
 /// @source wcwidth of the C library in its C.UTF-8 locale.
 [[nodiscard]] int display_width(std::string_view text);
 
@@ -21,14 +21,14 @@ namespace nazori::cli {
 [[nodiscard]] std::string shortened(std::string_view text, int width);
 
 /// Items joined by `separator`, in lines of at most `width` columns; lines after the first start with
-/// `indent` spaces. No item is broken; the first line is taken to start at column `indent` already.
+/// `indent` spaces. Items are not split; the first line is assumed to start at column `indent`.
 [[nodiscard]] std::string flow(std::span<const std::string> items, std::string_view separator, int indent,
                                int width);
 
-/// `text` as it can be shown: bytes that are not UTF-8 and control characters become \xHH.
+/// `text` in printable form: bytes that are not UTF-8 and control characters become \xHH.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// A reading with its okurigana set apart by a middle dot: "やす・む" for "やす.む".
+/// A reading with its okurigana separated by a middle dot: "やす・む" for "やす.む".
 [[nodiscard]] std::string with_middle_dot(std::string_view reading);
 
 }  // namespace nazori::cli

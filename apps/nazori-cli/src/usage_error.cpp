@@ -31,7 +31,7 @@ std::string name_with_value(const CLI::Option& option) {
   return entry.names.back() + (entry.value.empty() ? "" : " " + entry.value);
 }
 
-/// "nazori-cli study": the verb with those it lies in.
+/// "nazori-cli study": the command with the commands above it.
 std::string full_name(const CLI::App& verb) {
   const CLI::App* const above = verb.get_parent();
   return (above == nullptr ? "" : full_name(*above) + " ") + verb.get_name();
@@ -39,7 +39,7 @@ std::string full_name(const CLI::App& verb) {
 
 std::string see_help(const CLI::App& app) { return "see " + name_of_verb(app) + " --help"; }
 
-/// The kind of an error. Its name may be that of the verb.
+/// The kind of an error. Its name may be that of the command.
 bool is(const CLI::ParseError& error, CLI::ExitCodes kind) {
   return error.get_exit_code() == static_cast<int>(kind);
 }
@@ -51,7 +51,7 @@ bool is_number(std::string_view text) {
 
 bool looks_like_option(std::string_view text) { return text.size() > 1 && text.front() == '-'; }
 
-/// "study due" for "due" where exactly one verb below another one is called so.
+/// "study due" for "due" where exactly one subcommand has that name.
 std::optional<std::string> verb_inside(const CLI::App& app, const std::string& given) {
   std::vector<std::string> paths;
   for (const CLI::App* verb : all_verbs(app)) {
@@ -62,7 +62,7 @@ std::optional<std::string> verb_inside(const CLI::App& app, const std::string& g
   return paths.size() == 1 ? std::optional(paths.front()) : std::nullopt;
 }
 
-/// An argument that nothing takes: a misspelt option, or one argument too many.
+/// An argument that nothing accepts: a misspelt option, or one argument too many.
 Error unexpected(const CLI::App& app, const std::string& given) {
   const CLI::App& verb = last_verb(app);
   if (!looks_like_option(given)) {
@@ -164,7 +164,7 @@ Error rewritten(const CLI::App& app, const CLI::ParseError& error) {
   if (is(error, CLI::ExitCodes::ConversionError)) return wrong_value(*option, app);
   const OptionEntry entry = option_entry(*option);
   if (!entry.choices.empty()) return no_choice(*option, entry, app);
-  // The checks of this program say "5 is not within 2..8" after the name.
+  // The checks of this program write "5 is not within 2..8" after the name.
   const std::string what = text.substr(std::min(text.size(), option->get_name().size() + 2));
   return {Errc::bad_argument, what, entry.names.empty() ? entry.argument : entry.names.back(), see_help(app)};
 }
@@ -196,7 +196,7 @@ Error no_such_verb(const CLI::App& app, const std::string& given) {
   const std::vector<std::string> names = verbs_below(app);
   auto meant = verb_inside(app, given);
   if (!meant) meant = meant_word(given, names);
-  return {Errc::bad_argument, fmt::format("there is no verb '{}'", given), "",
+  return {Errc::bad_argument, fmt::format("unknown command '{}'", given), "",
           meant ? fmt::format("did you mean {}?", *meant)
                 : fmt::format("the verbs are {}; see {} --help", fmt::join(names, ", "), full_name(app))};
 }
@@ -210,7 +210,7 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
     if (!extras.empty() && (given == extras.end() || given != extras.begin()))
       return unexpected(app, extras.front());
     if (given != extras.end()) return no_such_verb(verb, *given);
-    return {Errc::bad_argument, "a verb is missing", "",
+    return {Errc::bad_argument, "a command is missing", "",
             fmt::format("the verbs are {}; {}", fmt::join(verbs_below(verb), ", "), see_help(app))};
   }
   if (is(error, CLI::ExitCodes::ExtrasError) || is(error, CLI::ExitCodes::RequiredError)) {

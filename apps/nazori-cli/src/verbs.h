@@ -8,11 +8,11 @@
 
 namespace nazori::cli {
 
-/// The work that the command line asks for. @return the exit code.
+/// The chosen command. @return the exit code.
 using Action = std::function<int(Console&)>;
 
-/// Each adds one verb to the command line. Reading arguments that name the verb sets `chosen`; `chosen` must
-/// outlive `app`.
+/// Each function adds one command to the command line. Parsing arguments that name the command sets `chosen`;
+/// `chosen` must outlive `app`.
 void add_info(CLI::App& app, Action& chosen);
 void add_search(CLI::App& app, Action& chosen);
 void add_carve(CLI::App& app, Action& chosen);

@@ -104,13 +104,13 @@ TEST(Carve, AnyMistakeIsOneLineAndLeavesNoFile) {
   expect_one_line(nazori_cli({"carve", "休", "-o", folder / "a.raw", "--bits", "16"}), 2,
                   {"--bits 16", ".png"});
   expect_one_line(nazori_cli({"carve", "休", "-o", folder / "a.jpg"}), 2, {"a.jpg", ".png or .raw"});
-  expect_one_line(nazori_cli({"carve", "休", "-o", folder / "none/a.png"}), 2, {"no folder", "none"});
-  expect_one_line(nazori_cli({"carve", "休", "-o", folder / "none/"}), 2, {"no folder", "none"});
+  expect_one_line(nazori_cli({"carve", "休", "-o", folder / "none/a.png"}), 2, {"the folder", "none"});
+  expect_one_line(nazori_cli({"carve", "休", "-o", folder / "none/"}), 2, {"the folder", "none"});
   expect_one_line(nazori_cli({"carve", "休木", "-o", png}), 2, {"2 characters", "{}"});
   expect_one_line(nazori_cli({"carve", "休", "-o", png, "--strokes", folder / "a.txt"}), 2,
                   {"a.txt", ".str"});
   expect_one_line(nazori_cli({"carve", "休", "-o", png, "--strokes", folder / "none/a.str"}), 2,
-                  {"no folder"});
+                  {"the folder"});
   expect_one_line(nazori_cli({"carve", "休", "-o", "/dev/null/a.png"}), 2, {"/dev/null"});
   expect_one_line(nazori_cli({"carve", "\xC0\x80", "-o", png}), 2, {"UTF-8"});
   expect_one_line(nazori_cli({"carve", "☃", "-o", png}), 1, {"☃", "not in the database"});

@@ -51,7 +51,7 @@ class Completion {
  public:
   explicit Completion(const std::string& script) { write(folder_ / "script", script); }
 
-  /// What bash offers for each line; its last word is the one that is being typed.
+  /// The completions of bash for each line; its last word is the one being typed.
   std::vector<Words> in_bash(const std::vector<Words>& lines) {
     std::string driver =
         "source ./script\n"
@@ -65,14 +65,14 @@ class Completion {
     return run("bash", driver, lines.size());
   }
 
-  /// The same in fish, each offer with its description after a tab.
+  /// The same in fish, each completion with its description after a tab.
   std::vector<Words> in_fish(const std::vector<std::string>& lines) {
     std::string driver = "source ./script\n";
     for (const std::string& line : lines) driver += "complete -C 'nazori-cli " + line + "'; echo '====='\n";
     return run("fish", driver, lines.size());
   }
 
-  /// What _arguments and _describe of zsh are given for each verb, as zsh reads it.
+  /// The arguments of _arguments and _describe of zsh for each command, as zsh reads them.
   std::vector<Words> in_zsh(const std::vector<Words>& verbs) {
     std::string driver =
         "compdef() { }\n_arguments() { print -rl -- \"$@\"; state=verb }\n_describe() { print -rl -- $verbs "
@@ -189,7 +189,7 @@ TEST(BashCompletion, OffersFilesOnlyWhereOneIsTaken) {
   EXPECT_THAT(offers[4], ElementsAre("--output=a file.nzr"));
   EXPECT_THAT(offers[5], IsEmpty());
   EXPECT_THAT(offers[6], IsEmpty());
-  EXPECT_THAT(offers[7], IsEmpty());  // a folder is taken
+  EXPECT_THAT(offers[7], IsEmpty());  // a folder is accepted
   EXPECT_THAT(offers[8], ElementsAre("a file.nzr"));
 }
 
@@ -248,7 +248,7 @@ TEST(FishCompletion, OffersChoicesAndFilesWhereTheyAreTaken) {
   EXPECT_THAT(offers[3], IsEmpty());
   EXPECT_THAT(offers[4], IsEmpty());
   EXPECT_EQ(offers[5].size(), 2U);
-  EXPECT_THAT(offers[6], ElementsAre(testing::StartsWith("undo\tTake back the last ")));
+  EXPECT_THAT(offers[6], ElementsAre(testing::StartsWith("undo\tUndo the last ")));
 }
 
 TEST(FishCompletion, NothingOfADescriptionOrAWordIsExpanded) {

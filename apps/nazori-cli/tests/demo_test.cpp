@@ -38,11 +38,12 @@ TEST(Demo, TheGrooveHoldsTheTipNearerToTheLineThanTheHandAims) {
     // The limits of the device: 3.3 N at the peak.
     EXPECT_LE(stroke["peak_force_n"], 3.3) << stroke;
     EXPECT_EQ(stroke["snapped_share"], 0) << stroke;
-    // A hand that strays at a crossing may slip into the other groove; it sees that and comes back.
+    // A hand that deviates at a crossing may slip into the other groove; it notices that and comes back.
     EXPECT_LE(stroke["slips"], 1) << stroke;
     if (stroke["slips"] > 0) continue;
     ++held;
-    // Half the width of a groove of 休 is 3.2 mm: within it all the time, but where another groove opens.
+    // Half the width of a groove of 休 is 3.2 mm: within it all the time, except where another groove
+    // crosses.
     EXPECT_LT(stroke["tip_max_m"], 0.0050) << stroke;
     EXPECT_LT(stroke["tip_rms_m"], 0.8 * stroke["aim_rms_m"].get<double>()) << stroke;
   }
@@ -118,7 +119,7 @@ TEST(Demo, AnyMistakeIsOneLineAndLeavesNoPicture) {
   const TemporaryFolder folder;
   expect_one_line(demo({"☃"}, folder / "a.png"), 1, {"☃"});
   expect_one_line(demo({"休", "--device", "spoon"}, folder / "a.png"), 2, {"--device", "touch"});
-  expect_one_line(demo({"休"}, folder / "none/a.png"), 2, {"no folder"});
+  expect_one_line(demo({"休"}, folder / "none/a.png"), 2, {"the folder"});
   expect_one_line(demo({"休木"}, folder / "a.png"), 2, {"{}"});
   expect_one_line(demo({"休"}, folder / "a.jpg"), 2, {"a.jpg"});
   expect_one_line(nazori_cli({"demo", "休", "--size", "1", "-o", folder / "a.png"}), 2, {"--size"});

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-// Nothing of the machine that runs the tests: no library, no service.
+// Hides the devices of the machine that runs the tests: no library, no service.
 const std::vector<std::string> kBare{"NAZORI_LIBHD=/nowhere/libHD.so", "NAZORI_LIBDHD=/nowhere/libdhd.so",
                                      "NAZORI_INVERSE_PORT=1", "NAZORI_PANTOGRAPH_PORT=/nowhere/ttyACM0"};
 
@@ -44,14 +44,14 @@ TEST(Devices, TheListIsJsonToo) {
   EXPECT_EQ(json[5]["devices"][0]["id"], "pointer");
 }
 
-/// What `--test` must tell of any device with force.
+/// What `--test` must report for any device with force.
 void expect_trial(const Json& json) {
   EXPECT_GT(json["ticks"].get<int>(), 0);
   EXPECT_GT(json["rate_hz"].get<double>(), 0);
   EXPECT_GT(json["max_force_n"].get<double>(), 0);
   ASSERT_EQ(json["lateness"].size(), 8U);
   EXPECT_TRUE(json["lateness"][7]["up_to_s"].is_null());
-  // Of each period between two ticks it is told how late it was.
+  // For each period between two ticks the lateness is reported.
   int periods = 0;
   for (const Json& bin : json["lateness"]) periods += bin["ticks"].get<int>();
   EXPECT_EQ(periods, json["ticks"].get<int>() - 1);
@@ -87,7 +87,7 @@ TEST(Devices, AStandInForAnOmegaIsFoundAndTestedEndToEnd) {
 TEST(Devices, AStandInForAnInverseServiceIsFoundAndTestedEndToEnd) {
   const devices::standin::InverseService service;
   const std::vector<std::string> inverse = with("NAZORI_INVERSE_PORT=" + std::to_string(service.port()));
-  // A machine that stands still for a second lets the service look dead: it is asked again.
+  // When the machine pauses for a second the service looks dead, so try again.
   Outcome run;
   for (int i = 0; i < 10; ++i) {
     run = nazori_cli({"devices", "--test", "0.5", "--json", "--device", "inverse3"}, inverse);

@@ -88,7 +88,7 @@ class Feel : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// The plate answers with stiffness times depth: 0.8 of the Touch's 500 N/m, 1 mm: 0.4 N.
+// The plate pushes back with stiffness times depth: 0.8 of the Touch's 500 N/m, 1 mm: 0.4 N.
 TEST_F(Feel, APlateAnswersWithStiffnessTimesDepth) {
   const Outcome run = feel_plate({});
   ASSERT_EQ(run.code, 0) << run.err;
@@ -125,7 +125,7 @@ TEST_F(Feel, TheSummaryIsThatOfTheRows) {
   EXPECT_EQ(got["events"]["touch"], 1);
   EXPECT_EQ(got["events"]["fault"], 0);
   EXPECT_GT(got["real_time_factor"], 0);
-  // A spring keeps nothing, but for one tick of delay at most: k d times the way of a tick (12 um).
+  // A spring keeps no energy, except that of one tick of delay at most: k d times the way of a tick (12 um).
   EXPECT_LT(std::abs(got["dissipated_j"].get<double>()), 0.2 * 1.2e-5 * 2);
 }
 
@@ -188,10 +188,10 @@ TEST_F(Feel, EveryMistakeIsOneLineAndLeavesNothing) {
   expect_one_line(feel("empty.csv"), 2, {"empty.csv:1", "empty"});
   expect_one_line(feel("columns.csv"), 2, {"columns.csv:1", "column z"});
   expect_one_line(feel("none.csv"), 2, {"none.csv"});
-  expect_one_line(nazori_cli({"feel", "--input", hand, "--output", out}), 2, {"nothing to feel"});
+  expect_one_line(nazori_cli({"feel", "--input", hand, "--output", out}), 2, {"no character or file given"});
   expect_one_line(nazori_cli({"feel", "休木", "--input", hand, "--output", out}), 2, {"one character"});
   expect_one_line(nazori_cli({"feel", "休", "--height-map", map, "--input", hand, "--output", out}), 2,
-                  {"exclude each other"});
+                  {"not both"});
   expect_one_line(feel_plate({"--mode", "lesson"}), 2, {"no strokes", "--strokes"});
   expect_one_line(feel_plate({"--friction", "0.1,0.2"}), 2, {"--friction"});
   expect_one_line(feel_plate({"--stiffness", "2"}), 2, {"--stiffness"});

@@ -20,7 +20,7 @@ using testing::IsEmpty;
 
 constexpr const char* kHand = "t,x,y,z\n0,0,0,0.01\n0.001,0,0,0.01\n0.002,0,0,0.01\n";
 
-/// The first bytes of what a file holds, and of what came to standard output.
+/// The first bytes of a file, and of the standard output.
 bool is_png(const std::string& bytes) { return bytes.starts_with("\x89PNG\r\n"); }
 
 TEST(Files, AnInputIsNeverOverwritten) {
@@ -100,7 +100,7 @@ TEST(Files, ADashIsStandardOutputForRecordingsAndStudyToo) {
 TEST(Files, WhatCannotGoToStandardOutputIsRefused) {
   expect_one_line(nazori_cli({"carve", "休木", "-o", "-"}), 2, {"one file cannot hold 2 characters"});
   expect_one_line(nazori_cli({"carve", "休", "-o", "-", "--json"}), 2,
-                  {"standard output cannot carry both the file and JSON"});
+                  {"standard output cannot hold both the file and JSON"});
   expect_one_line(nazori_cli({"demo", "休", "--record", "-"}), 2, {"--record", "standard output"});
   expect_one_line(nazori_cli({"database", "build", "-o", "-"}), 2, {"--output", "standard output"});
   expect_one_line(nazori_cli({"study", "backup", "-o", "-"}), 2, {"--output", "standard output"});
@@ -115,7 +115,7 @@ TEST(Files, AFileForStandardOutputThatCannotBeWrittenIsNotDone) {
 TEST(Files, ABareNameIsAFileHere) {
   const TemporaryFolder folder;
   write(folder / "empty.tgz", "");
-  // Far enough to show that the name itself is no trouble.
+  // Far enough to show that the name itself is not the problem.
   const Outcome run =
       nazori_cli({"database", "build", "-o", "k.db", "--kanjivg", folder / "empty.tgz"}, {}, folder.path());
   expect_one_line(run, 2, {"empty.tgz"});

@@ -6,7 +6,7 @@
 
 namespace nazori::cli::test {
 
-/// What `nazori-cli VERB --help` lists.
+/// The content of `nazori-cli VERB --help`.
 struct HelpPage {
   std::vector<std::string> verb;     ///< {"study", "due"}; empty for the program
   std::vector<std::string> verbs;    ///< in order
@@ -17,7 +17,7 @@ struct HelpPage {
   [[nodiscard]] std::string path() const;
 };
 
-/// The help of the program and of every verb it leads to, read once.
+/// The help of the program and of all its commands, read once.
 const std::vector<HelpPage>& help_pages();
 
 }  // namespace nazori::cli::test

@@ -165,7 +165,7 @@ TEST(Info, TextThatIsNotUtf8IsRefused) {
   expect_one_line(nazori_cli({"info", "\xE4\xBC"}), 2, {"UTF-8", "\\xE4\\xBC"});
   expect_one_line(nazori_cli({"info", ""}), 2, {"no character"});
   for (const char* wrong : {"U+110000", "U+D800", "U+4F1G", "休-", "休-漢", "U+4F11-"}) {
-    expect_one_line(nazori_cli({"info", wrong}), 2, {wrong, "names no character"});
+    expect_one_line(nazori_cli({"info", wrong}), 2, {wrong, "is not the name of a character"});
   }
 }
 

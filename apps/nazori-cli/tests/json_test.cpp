@@ -47,8 +47,10 @@ TEST(JsonAnswers, OfFilesThatWereWritten) {
   EXPECT_EQ(answer({"carve", "木", "-o", folder / "a.png", "--json"})[0]["strokes_file"], nullptr);
 
   const Json drawn = answer({"render", "休", "-o", folder / "b.png", "--size", "64x32", "--json"});
-  EXPECT_EQ(drawn,
-            Json::array({{{"subject", "休"}, {"file", folder / "b.png"}, {"width", 64}, {"height", 32}}}));
+  EXPECT_EQ(
+      drawn,
+      Json::array(
+          {{{"version", 1}, {"subject", "休"}, {"file", folder / "b.png"}, {"width", 64}, {"height", 32}}}));
   const Json own = answer({"render", "--strokes", folder / "休.str", "--map-size", "64", "-o",
                            folder / "c.png", "--size", "64", "--json"});
   EXPECT_EQ(own[0]["subject"], folder / "休.str");
@@ -67,7 +69,7 @@ TEST(JsonAnswers, OfTheDatabase) {
   const Json path = answer({"database", "path", "--json"});
   EXPECT_EQ(path["path"], (data_folder() / "kanji.db").string());
   const Json built = answer({"database", "build", "-o", data_folder() / "kanji.db", "--json"});
-  EXPECT_EQ(built, Json({{"path", (data_folder() / "kanji.db").string()}, {"built", false}}));
+  EXPECT_EQ(built, Json({{"version", 1}, {"path", (data_folder() / "kanji.db").string()}, {"built", false}}));
 }
 
 TEST(JsonAnswers, OfStudy) {
@@ -84,13 +86,14 @@ TEST(JsonAnswers, OfStudy) {
   EXPECT_EQ(study({"lists", "list:none"}, 1), nullptr);
   EXPECT_EQ(study({"lists", "--remove", "none"}, 1), nullptr);
 
-  EXPECT_EQ(
-      study({"tag", "休木", "--with", "trees"}),
-      Json::array({{{"character", "休"}, {"tags", {"trees"}}}, {{"character", "木"}, {"tags", {"trees"}}}}));
-  EXPECT_EQ(study({"tag", "休"}), Json::array({{{"character", "休"}, {"tags", Json::array()}}}));
+  EXPECT_EQ(study({"tag", "休木", "--with", "trees"}),
+            Json::array({{{"version", 1}, {"character", "休"}, {"tags", {"trees"}}},
+                         {{"version", 1}, {"character", "木"}, {"tags", {"trees"}}}}));
+  EXPECT_EQ(study({"tag", "休"}),
+            Json::array({{{"version", 1}, {"character", "休"}, {"tags", Json::array()}}}));
   write(folder / "list.txt", "休木");
   EXPECT_EQ(study({"lists", "--import", folder / "list.txt", "--as", "trees"})["characters"], 2);
-  EXPECT_EQ(study({"lists", "--remove", "trees"}), Json::object({{"removed", "list:trees"}}));
+  EXPECT_EQ(study({"lists", "--remove", "trees"}), Json::object({{"version", 1}, {"removed", "list:trees"}}));
 }
 
 TEST(JsonAnswers, AreThereAlsoWhereTheAnswerIsNo) {

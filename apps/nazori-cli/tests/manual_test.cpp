@@ -53,7 +53,7 @@ std::vector<std::string> options_in(const std::string& text) {
   return options;
 }
 
-/// What man says of a page, and the page as it shows it.
+/// The warnings of man about a page, and the rendered page.
 Outcome shown_by_man(const std::string& text, const std::string& options) {
   const TemporaryFolder folder;
   write(folder / "page.1", text);
@@ -80,7 +80,7 @@ TEST(Manual, EveryVerbAndOptionOfHelpHasItsEntryAndNoOther) {
     const std::string entries = section(text, heading);
     ASSERT_NE(entries, "") << heading;
     std::vector<std::string> options = help.options;
-    // Told once, for the program.
+    // Described once, for the program.
     const std::vector<std::string> told_once{"-h", "--help", "-q", "--quiet"};
     if (!help.verb.empty()) {
       std::erase_if(options, [&](const auto& o) {

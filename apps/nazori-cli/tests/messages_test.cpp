@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// The one line of trouble.
+/// The error message of one line.
 std::string trouble(const std::vector<std::string>& arguments) {
   const Outcome run = nazori_cli(arguments);
   expect_one_line(run, 2, {});
@@ -28,15 +28,15 @@ TEST(Messages, AMissingArgumentOrOptionIsNamedWithItsValue) {
 }
 
 TEST(Messages, AMisspeltVerbOrOptionIsAnsweredWithTheOneThatWasMeant) {
-  EXPECT_EQ(trouble({"carv", "休"}), "nazori-cli: there is no verb 'carv' (did you mean carve?)\n");
-  EXPECT_EQ(trouble({"due"}), "nazori-cli: there is no verb 'due' (did you mean study due?)\n");
-  EXPECT_EQ(trouble({"study", "stat"}), "nazori-cli study: there is no verb 'stat' (did you mean stats?)\n");
+  EXPECT_EQ(trouble({"carv", "休"}), "nazori-cli: unknown command 'carv' (did you mean carve?)\n");
+  EXPECT_EQ(trouble({"due"}), "nazori-cli: unknown command 'due' (did you mean study due?)\n");
+  EXPECT_EQ(trouble({"study", "stat"}), "nazori-cli study: unknown command 'stat' (did you mean stats?)\n");
   EXPECT_EQ(trouble({"carve", "休", "--outptu", "a.png"}),
             "nazori-cli carve: there is no option '--outptu' (did you mean --output?)\n");
   EXPECT_EQ(trouble({"carve", "休", "--outptu=a.png"}),
             "nazori-cli carve: there is no option '--outptu' (did you mean --output?)\n");
   EXPECT_THAT(trouble({"study", "frobnicate"}), HasSubstr("the verbs are due, next, review"));
-  EXPECT_THAT(trouble({"study"}), HasSubstr("a verb is missing (the verbs are due, next, review"));
+  EXPECT_THAT(trouble({"study"}), HasSubstr("a command is missing (the verbs are due, next, review"));
   EXPECT_EQ(trouble({"info", "休", "-x"}),
             "nazori-cli info: there is no option '-x' (see nazori-cli info --help)\n");
   EXPECT_THAT(trouble({"--bogus", "info", "休"}), HasSubstr("there is no option '--bogus'"));
@@ -55,9 +55,9 @@ TEST(Messages, ANumberThatIsNoneOrOutOfRangeIsSaid) {
   EXPECT_EQ(trouble({"info", "休", "--words", "abc"}),
             "nazori-cli info: --words: 'abc' is not a number (see nazori-cli info --help)\n");
   EXPECT_EQ(trouble({"info", "休", "--words", "200000"}),
-            "nazori-cli info: --words: 200000 is not within 0..100000 (see nazori-cli info --help)\n");
+            "nazori-cli info: --words: 200000 is not in the range 0..100000 (see nazori-cli info --help)\n");
   EXPECT_THAT(trouble({"carve", "休", "-o", "a.png", "--size", "nan"}),
-              HasSubstr("--size: nan is not within"));
+              HasSubstr("--size: nan is not in the range"));
   EXPECT_THAT(trouble({"plot", "y=x", "--window=1,2,x,4"}), HasSubstr("--window: 'x' is not a number"));
 }
 
@@ -107,7 +107,7 @@ TEST(Messages, AnArgumentOf50kBIsNotRepeatedWhole) {
     EXPECT_LT(line.size(), 1'000U);
     EXPECT_THAT(line, HasSubstr("…"));
   }
-  // What is short stays whole.
+  // Short text is not cut.
   EXPECT_THAT(trouble({"info", "休", "--database", std::string(150, 'b')}), Not(HasSubstr("…")));
 }
 
@@ -123,13 +123,13 @@ TEST(Messages, HelpOfAVerbIsTheSameByBothWays) {
     EXPECT_EQ(other.code, 0) << other.err;
     EXPECT_EQ(other.out, one.out);
   }
-  EXPECT_EQ(trouble({"help", "carv"}), "nazori-cli help: there is no verb 'carv' (did you mean carve?)\n");
+  EXPECT_EQ(trouble({"help", "carv"}), "nazori-cli help: unknown command 'carv' (did you mean carve?)\n");
   EXPECT_THAT(trouble({"help", "carve", "due"}), HasSubstr("'carve' has no verbs of its own"));
 }
 
 TEST(Messages, HelpListsAllVerbsUnderOneHeading) {
   const std::string help = nazori_cli({"--help"}).out;
-  const std::size_t verbs = help.find("\nVerbs:\n");
+  const std::size_t verbs = help.find("\nCommands:\n");
   ASSERT_NE(verbs, std::string::npos);
   EXPECT_THAT(help, Not(HasSubstr("SUBCOMMAND")));
   EXPECT_THAT(help, Not(HasSubstr("Subcommands")));

@@ -8,7 +8,7 @@
 
 namespace nazori::cli::test {
 
-/// A description full of what shells and roff would act on.
+/// A description full of characters that are special in shells and roff.
 inline const std::string kOddDescription =
     ".It's \"all\" $(touch pwned) `touch pwned` [a] {b} \\n \\fB #c; d & e | -f ~g ^h !i *";
 

@@ -91,9 +91,54 @@ TEST(PractiseVerb, ALineThatCannotBeDoneIsAnsweredAndTheRestGoesOn) {
   ASSERT_EQ(a.lines.size(), 7U);
   for (std::size_t i = 1; i <= 5; ++i) EXPECT_EQ(a.lines[i]["line"], static_cast<int>(i));
   EXPECT_THAT(std::string(a.lines[1]["error"]), HasSubstr("fly: cannot be done now"));
-  EXPECT_THAT(std::string(a.lines[2]["error"]), HasSubstr("sleep: is no stage"));
+  EXPECT_THAT(std::string(a.lines[2]["error"]), HasSubstr("sleep: is not a stage"));
   EXPECT_EQ(a.lines[3]["id"], 7);
   EXPECT_THAT(a.all(6, "what"), ElementsAre("stroke_began", "all_written"));
+}
+
+/// The only event of a name in the answers.
+Json event_of(const Answers& answers, const char* what) {
+  Json found;
+  for (const Json& line : answers.lines)
+    for (const Json& event : line["events"])
+      if (event.value("what", "") == what) found = event;
+  return found;
+}
+
+TEST(PractiseVerb, AsksForAWordInADictationAndJudgesEachOfItsCharacters) {
+  const auto before = practise("十 --stage dictation", {});
+  ASSERT_EQ(before.lines.size(), 1U);
+  EXPECT_THAT(before.all(0, "what"), ElementsAre("word_asked"));
+  EXPECT_THAT(before.all(0, "reading"), testing::SizeIs(1));
+  EXPECT_THAT(before.all(0, "meaning"), testing::SizeIs(1));
+  // The answers are shown, so that the test needs not to know the word.
+  const auto a =
+      practise("十 --stage dictation",
+               {R"({"do":"speak"})", R"({"do":"hint"})", R"({"do":"answer"})", R"({"do":"finish"})",
+                R"({"do":"answer"})", R"({"do":"finish"})", R"({"do":"finish"})"});
+  EXPECT_EQ(a.code, 0);
+  EXPECT_THAT(a.all(1, "what"), ElementsAre("speech_wanted"));
+  EXPECT_THAT(a.all(1, "reading"), ElementsAre(before.all(0, "reading").front()));
+  EXPECT_THAT(a.all(2, "what"), ElementsAre("hint_given"));
+  EXPECT_THAT(a.all(3, "what"), ElementsAre("answer_shown"));
+  EXPECT_THAT(a.all(4, "what"), ElementsAre("character_written"));
+  EXPECT_FALSE(event_of(a, "character_written")["accepted"]);
+  const Json verdict = event_of(a, "word_judged");
+  ASSERT_EQ(verdict["characters"].size(), 2U) << verdict;
+  EXPECT_FALSE(verdict["accepted"]);
+  EXPECT_EQ(verdict["word"],
+            std::string(verdict["characters"][0]["char"]) + std::string(verdict["characters"][1]["char"]));
+  EXPECT_TRUE(verdict["characters"][1]["shown"]);
+  EXPECT_THAT(a.all(6, "event"), Contains("finished"));
+  EXPECT_THAT(a.all(7, "what"), ElementsAre("word_asked")) << "the next word";
+}
+
+TEST(PractiseVerb, ACharacterWithoutAWordHasNoDictationAndSaysSo) {
+  const auto a = practise("A --stage dictation", {strokes({kOne})});
+  EXPECT_EQ(a.code, 0);
+  ASSERT_EQ(a.lines.size(), 2U);
+  EXPECT_THAT(a.all(0, "what"), ElementsAre("no_word"));
+  EXPECT_EQ(a.lines[1]["events"].size(), 0U);
 }
 
 TEST(PractiseVerb, StudiesADayAndSavesIt) {
@@ -138,7 +183,7 @@ TEST(PractiseVerb, RefusesWhatItCannotBeginWith) {
   };
   refused("", "needs a character or --study");
   refused("一 --study", "not both");
-  refused("一二", "is not one character");
+  refused("一二", "must be one character");
   refused("☃", "has no strokes");
   refused("一 --database /nowhere/kanji.db", "/nowhere/kanji.db");
 }

@@ -12,7 +12,7 @@ namespace nazori::cli::test {
 
 class TemporaryFolder;
 
-/// What a run of nazori-cli left behind.
+/// The result of a run of nazori-cli.
 struct Outcome {
   int code = -1;  ///< exit code; 128 + the signal's number where one ended it
   std::string out;
@@ -28,8 +28,8 @@ Outcome nazori_cli(const std::vector<std::string>& arguments,
 /// The same through the shell; "$NAZORI" in `script` is the program.
 Outcome shell(const std::string& script);
 
-/// nazori-cli while it runs, with a pipe for standard input into which nothing comes but what is written
-/// here. Ended with the object.
+/// nazori-cli while it runs, with a pipe for standard input into which only the test writes. Ended with the
+/// object.
 class RunningProgram {
  public:
   explicit RunningProgram(const std::vector<std::string>& arguments,
@@ -57,10 +57,10 @@ class RunningProgram {
   int input_ = -1;
 };
 
-/// Looks again and again until `holds`, for two minutes at most. @return whether it did.
+/// Repeats the check until `holds` is true, for two minutes at most. @return whether it became true.
 bool becomes_true(const std::function<bool()>& holds);
 
-/// A folder of its own that is gone with the object.
+/// A temporary folder that is removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -76,14 +76,14 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// A copy of the program in a tree of its own that is gone with the object, run from another folder and
-/// without a variable that says where data are.
+/// A copy of the program in a temporary tree that is removed with the object, run from another folder and
+/// without an environment variable for the data.
 class PlacedProgram {
  public:
-  /// @param program where it lies in the tree. @param database where a link to the tests' kanji.db lies;
-  /// empty: nowhere.
+  /// @param program its path in the tree. @param database the path of a link to the tests' kanji.db; empty:
+  ///   none.
   explicit PlacedProgram(const std::string& program, const std::string& database = {});
-  /// @param arguments as the shell reads them.
+  /// @param arguments in shell syntax.
   [[nodiscard]] Outcome run(const std::string& arguments) const;
   /// The path of something in the tree.
   [[nodiscard]] std::string operator/(const std::string& name) const { return tree_ / name; }
@@ -99,8 +99,8 @@ void write(const std::filesystem::path& path, const std::string& bytes);
 /// The folder of the tests' kanji.db.
 std::filesystem::path data_folder();
 
-/// Fails the test unless the run ended with `code`, with no answer and one line of trouble that holds each of
-/// `words`.
+/// Fails the test unless the run ended with `code`, with no answer and an error message of one line that
+/// contains each of `words`.
 void expect_one_line(const Outcome& run, int code, const std::vector<std::string>& words);
 
 }  // namespace nazori::cli::test

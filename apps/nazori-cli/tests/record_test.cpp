@@ -78,12 +78,12 @@ TEST_F(Record, TellsThatAFileBreaksOff) {
   std::filesystem::copy_file(folder_ / "a.nzr", part);
   std::filesystem::resize_file(part, 512 + 1000 * 152 + 17);
   const Json got = info("part.nzr");
-  EXPECT_EQ(got["state"], "breaks off");
+  EXPECT_EQ(got["state"], "incomplete");
   EXPECT_EQ(got["ticks"], 1000);
   EXPECT_EQ(got["trailing_bytes"], 17);
-  EXPECT_THAT(nazori_cli({"record", "info", part}).out, HasSubstr("breaks off"));
+  EXPECT_THAT(nazori_cli({"record", "info", part}).out, HasSubstr("incomplete"));
   EXPECT_THAT(nazori_cli({"record", "export", part, "--output", folder_ / "part.csv"}).out,
-              HasSubstr("1000 ticks, the recording breaks off"));
+              HasSubstr("1000 ticks, the recording is incomplete"));
 }
 
 TEST_F(Record, EveryMistakeIsOneLine) {

@@ -139,7 +139,7 @@ TEST(Render, AnyMistakeIsOneLineAndLeavesNoPicture) {
   bad({"休", "--style", "marble"}, {"--style", "classic"});
   bad({"休", "--tilt", "95"}, {"--tilt"});
   bad({"休", "--zoom", "0"}, {"--zoom"});
-  bad({"休", "--height-map", files / "16384.raw"}, {"--height-map", "exclude"});
+  bad({"休", "--height-map", files / "16384.raw"}, {"--height-map", "not both"});
   bad({"--height-map", files / "1000.raw"}, {"1000.raw", "1000"});
   bad({"--height-map", files / "16384.raw", "--map-size", "100"}, {"16384.raw", "10000"});
   bad({"--height-map", files / "16384.raw", "--map-size", "0"}, {"--map-size", "2..8192"});
@@ -154,7 +154,7 @@ TEST(Render, AnyMistakeIsOneLineAndLeavesNoPicture) {
 }
 
 TEST(Render, AFileOfAsManyStrokesAsAreAllowedIsDrawn) {
-  // Looking at every stroke for every stroke, this took a quarter of an hour.
+  // When every stroke was compared with every other one, this took a quarter of an hour.
   constexpr int kGrid = 8192;
   std::mt19937 random(1);
   std::uniform_int_distribution<int> anywhere(0, kGrid - 1);
@@ -184,7 +184,7 @@ TEST(Render, AFileOfAsManyStrokesAsAreAllowedIsDrawn) {
 
 TEST(Render, PlacesThatCannotBeWrittenAreNamedBeforeTheWork) {
   const TemporaryFolder folder;
-  expect_one_line(nazori_cli({"render", "休", "-o", folder / "none/a.png"}), 2, {"no folder"});
+  expect_one_line(nazori_cli({"render", "休", "-o", folder / "none/a.png"}), 2, {"the folder"});
   expect_one_line(nazori_cli({"render", "休", "-o", folder / "a.raw"}), 2, {"a.raw", ".png"});
   expect_one_line(nazori_cli({"render", "休木", "-o", folder / "a.png"}), 2, {"{}"});
   expect_one_line(nazori_cli({"render", "☃", "-o", folder / "a.png"}), 1, {"☃"});

@@ -57,7 +57,7 @@ TEST(Search, ForPeopleOneLineEach) {
 }
 
 TEST(Search, NothingFoundIsANo) {
-  expect_one_line(nazori_cli({"search", "xyzzyplugh"}), 1, {"no character", "xyzzyplugh"});
+  expect_one_line(nazori_cli({"search", "xyzzyplugh"}), 1, {"no matching character", "xyzzyplugh"});
   const Outcome run = nazori_cli({"search", "xyzzyplugh", "--json"});
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(Json::parse(run.out), Json::array());

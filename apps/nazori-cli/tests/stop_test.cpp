@@ -68,7 +68,7 @@ TEST(Stop, WorkThatHangsIsEndedAndItsUnfinishedFileRemoved) {
   write(folder / "h.csv", "the old one");
   RunningProgram feel({"feel", "休", "--input", "-", "--rate", "1000", "--output", folder / "h.csv"});
   feel.write("t,x,y,z\n0,0,0,0.01\n0.001,0,0,0.01\n");
-  // The file beside is there, and the next row never comes.
+  // The temporary file exists, and the next row never comes.
   ASSERT_TRUE(becomes_true([&folder] { return folder.names().size() == 2; }));
   feel.signal(SIGTERM);
   EXPECT_EQ(feel.wait().code, 143);
@@ -132,8 +132,7 @@ TEST(Stop, ARecordingThatIsStoppedLeavesTheOldOne) {
 
 TEST(Stop, ATestOfADeviceTellsWhatItMeasuredAndEndsBySignal) {
   RunningProgram devices({"devices", "--test", "3600", "--device", "simulated:touch", "--json"});
-  // The program, the one that waits for signals, and the servo's: it takes too little time to be seen at
-  // work.
+  // The program, the one that waits for signals, and the servo's, whose running time is too short to measure.
   EXPECT_TRUE(becomes_true([&devices] { return devices.threads() >= 3; }));
   devices.signal(SIGINT);
   const Outcome run = devices.wait();
@@ -153,7 +152,7 @@ TEST(Stop, ADatabaseThatIsBeingBuiltLeavesTheOldOne) {
   EXPECT_THAT(folder.names(), ElementsAre("kanji.db"));
 }
 
-/// An export of so many reviews of one character.
+/// An export with this many reviews of one character.
 void write_long_export(const std::string& file, int reviews) {
   const TemporaryFolder learners;
   for (int i = 0; i < 2; ++i)
@@ -230,9 +229,9 @@ TEST(Stop, ALearnerInUseHasACodeOfItsOwn) {
                                              {"study", "tag", "休", "--with", "a"}}) {
     std::vector<std::string> arguments = verb;
     arguments.insert(arguments.end(), {"--learners", learners.path().string()});
-    expect_one_line(nazori_cli(arguments), 3, {"is open in another Nazori"});
+    expect_one_line(nazori_cli(arguments), 3, {"is open in another Nazori window"});
     arguments.insert(arguments.end(), {"--wait", "0.05"});
-    expect_one_line(nazori_cli(arguments), 3, {"is open in another Nazori"});
+    expect_one_line(nazori_cli(arguments), 3, {"is open in another Nazori window"});
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-/// A learner of the test's own, with a clock that it moves.
+/// A temporary learner with a clock that the test sets.
 class Study : public testing::Test {
  protected:
   Outcome study(std::vector<std::string> arguments, const std::string& now = "2026-01-01T09:00:00Z") {
@@ -104,7 +104,7 @@ TEST_F(Study, BackupsAreMadeDailyAndRestored) {
   EXPECT_EQ(answer({"restore", "--list"}).size(), 1U);
   EXPECT_EQ(study({"restore"}).code, 0);
   EXPECT_EQ(answer({"stats"})["reviews"], 1);
-  expect_one_line(study({"restore", folder_ / "none.db"}), 2, {"no such backup"});
+  expect_one_line(study({"restore", folder_ / "none.db"}), 2, {"this backup does not exist"});
 }
 
 TEST_F(Study, ABackupThatFailsIsSaidAndTheReviewIsKept) {

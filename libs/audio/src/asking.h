@@ -5,8 +5,8 @@
 
 namespace nazori::audio {
 
-/// What SDL calls on its audio thread: silence, then what the source adds, held to -1..1. Neither allocates,
-/// locks, throws nor waits.
+/// Called by SDL on its audio thread: fills the buffer with silence, then with what the source adds, limited
+/// to -1..1. Does not allocate, lock, throw or wait.
 /// @param source  a Source.  @param bytes  floats, aligned as SDL gives them.
 void ask(void* source, std::uint8_t* bytes, int length) noexcept;
 

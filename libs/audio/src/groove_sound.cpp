@@ -13,7 +13,7 @@ constexpr float kFastest_m_s = 0.30F;  ///< brisk writing; faster is no louder
 constexpr float kDullest_hz = 600.0F;
 constexpr float kBrightest_hz = 6'000.0F;
 constexpr float kBeside_hz = 110.0F;
-constexpr float kRumble_hz = 150.0F;  ///< below this a scratch has nothing
+constexpr float kRumble_hz = 150.0F;  ///< a scratch has no frequencies below this
 
 float finite(float value) { return std::isfinite(value) ? value : 0.0F; }
 
@@ -71,16 +71,16 @@ void GrooveSound::add_to(std::span<float> stereo) noexcept {
     low_[0] += (white - low_[0]) * pass;
     low_[1] += (low_[0] - low_[1]) * pass;
     high_ += (low_[1] - high_) * drop;
-    // What two low passes leave of white noise, brought back to about the same power.
+    // White noise after two low-pass filters, amplified to about its original power.
     const float scratch = (low_[1] - high_ * (1 - beside_)) * 0.6F / std::sqrt(pass);
 
     phase_ += kBeside_hz / rate_hz_;
     phase_ -= std::floor(phase_);
     const float rough =
         std::sin(kTurn * phase_) + 0.5F * std::sin(2 * kTurn * phase_) + 0.33F * std::sin(3 * kTurn * phase_);
-    const float heard = gain_ * ((1 - 0.5F * beside_) * scratch + beside_ * 0.35F * rough);
-    stereo[i] += heard * std::sqrt(1 - pan_);
-    stereo[i + 1] += heard * std::sqrt(pan_);
+    const float sample = gain_ * ((1 - 0.5F * beside_) * scratch + beside_ * 0.35F * rough);
+    stereo[i] += sample * std::sqrt(1 - pan_);
+    stereo[i + 1] += sample * std::sqrt(pan_);
   }
 }
 

@@ -29,7 +29,7 @@ base::Result<std::unique_ptr<Output>> Output::open(Source& source, const OutputS
                       "a power of two from 64 to 8192");
   std::unique_ptr<Output> output(new Output);
   const std::lock_guard one(base::sdl_lock());
-  // SDL would take Ctrl+C from whoever runs the program in a terminal.
+  // Without this hint SDL would handle Ctrl+C in place of the terminal.
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   SDL_SetHint(SDL_HINT_APP_NAME, "Nazori");
   if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) return no_sound(SDL_GetError());

@@ -13,7 +13,7 @@ constexpr int kRate_hz = 44'100;
 
 }  // namespace
 
-/// The mixer as something that the sound card asks.
+/// Makes the mixer a source for the sound card.
 class PlotSound::Heard final : public Source {
  public:
   void add_to(std::span<float> stereo) noexcept override { mixer.add_to(stereo); }

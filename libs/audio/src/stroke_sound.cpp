@@ -9,7 +9,7 @@
 namespace nazori::audio {
 namespace {
 
-constexpr double kFullPress_m = 0.015;  // as deep in the material as the hardest press of a pen
+constexpr double kFullPress_m = 0.015;  // the depth that the hardest press of a pen reaches
 constexpr double kInGroove = 0.1;       // of the tablet's depth
 
 }  // namespace
@@ -54,7 +54,7 @@ void StrokeSound::set_volume(double volume) { sound_.set_volume(static_cast<floa
 
 void StrokeSound::follow(std::span<const haptics::ServoSample> samples, const geometry::TabletShape& shape) {
   if (!output_ || samples.empty()) return;
-  // Over all that came: one millisecond alone is as coarse as the screen's pixels.
+  // Average over all samples: a single millisecond is as coarse as the pixels of the screen.
   sound_.set(groove_motion(last_, samples.back(), shape));
   last_ = samples.back();
 }

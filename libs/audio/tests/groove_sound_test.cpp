@@ -17,7 +17,7 @@ using nazori::audio::GrooveSound;
 
 constexpr int kRate_hz = 44'100;
 
-/// Half a second of sound after the glides are over.
+/// Half a second of sound after all changes have finished.
 std::vector<float> heard(GrooveSound& sound, const GrooveMotion& motion) {
   sound.set(motion);
   std::vector<float> stereo(kRate_hz / 2, 0.0F);
@@ -250,7 +250,7 @@ TEST(GrooveSound, TheTwoSidesHaveOnePowerTogetherWhereverTheStylusIs) {
 }
 
 TEST(GrooveSound, LoudnessAndPlaceGlideWithATimeOfTwentyMilliseconds) {
-  // The same noise in both: their quotient is the glide alone.
+  // The same noise in both: their quotient is the change alone.
   GrooveSound steady, later;
   const GrooveMotion motion{0.2F, 1, true, -1};
   later.set_muted(true);

@@ -15,12 +15,12 @@
 
 namespace {
 
-/// What SDL was last asked for.
+/// The parameters of the last call to SDL.
 SDL_AudioSpec asked_for{};
 
 }  // namespace
 
-// Stands before SDL's own, which it calls.
+// Replaces SDL's function, which it calls.
 extern "C" SDL_AudioDeviceID SDL_OpenAudioDevice(const char* device, int is_capture,
                                                  const SDL_AudioSpec* wanted, SDL_AudioSpec* got,
                                                  int changes) {
@@ -133,7 +133,7 @@ TEST(Output, WhatTheSourceGivesReachesTheCardWithinItsRange) {
   std::vector<float> frame(2);
   std::size_t heard = 0;
   while (in.read(reinterpret_cast<char*>(frame.data()), 2 * sizeof(float))) {
-    if (heard == 0 && frame == silence) continue;  // the card runs a little before the source is asked
+    if (heard == 0 && frame == silence) continue;  // the card runs for a moment before the source is called
     ASSERT_EQ(frame, wanted) << "frame " << heard;
     ++heard;
   }

@@ -7,7 +7,7 @@
 
 namespace nazori::audio {
 
-/// The driver that SDL opens sound cards with, until this goes.
+/// The driver that SDL opens sound cards with, while this lives.
 class WithDriver {
  public:
   explicit WithDriver(const char* name) {

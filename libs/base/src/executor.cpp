@@ -22,7 +22,7 @@ struct Inbox::Inside {
 Inbox::Inbox(Task wake) : inside_(std::make_unique<Inside>()) { inside_->wake = std::move(wake); }
 
 Inbox::~Inbox() {
-  // Dropped outside of the lock: what they hold may itself post while it goes.
+  // Destroyed without the lock: the destructor of what a task captured may post a task.
   std::deque<Task> dropped;
   const std::lock_guard lock(inside_->mutex);
   dropped.swap(inside_->tasks);
@@ -76,7 +76,7 @@ void Executor::Inside::run(const std::stop_token& stop) {
     tasks.pop_front();
     lock.unlock();
     task();
-    task = nullptr;  // what it holds may be large, and goes on the thread that used it
+    task = nullptr;  // what it captured may be large, and is freed on the thread that used it
     lock.lock();
   }
 }
@@ -115,7 +115,8 @@ Background::~Background() = default;
 void Background::post(Task task) { executor_.post(std::move(task)); }
 
 void Background::answer(Task task) {
-  // The owner destroys this object and runs the inbox, so it cannot be destroyed between the two steps.
+  // The owner both destroys this object and runs the inbox, so the object cannot be destroyed between the two
+  // steps.
   inbox_.post([watch = watch_, task = std::move(task)] {
     if (!watch.expired()) task();
   });

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
 
-/// Writes everything; 0 or the error number.
+/// Writes everything. Returns 0 or the error number.
 int write_all(int fd, std::span<const std::uint8_t> bytes) {
   std::size_t written = 0;
   while (written < bytes.size()) {
@@ -30,7 +30,7 @@ int write_all(int fd, std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 Result<InputFile> InputFile::open(const fs::path& path) {
-  // Not to wait for the writer of a pipe: it is refused below.
+  // Do not wait for the writer of a pipe: a pipe is refused below.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0) {
     return fail(errno == ENOENT ? Errc::not_found : Errc::io, "cannot be read: " + reason(errno),
@@ -65,8 +65,7 @@ Result<std::vector<std::uint8_t>> read_file(const fs::path& path, std::size_t ma
   if (!file) return tl::unexpected(std::move(file.error()));
   if (file->size() > max_bytes) {
     return fail(Errc::io,
-                "has " + std::to_string(file->size()) + " bytes, at most " + std::to_string(max_bytes) +
-                    " are allowed",
+                "has " + std::to_string(file->size()) + " bytes; the limit is " + std::to_string(max_bytes),
                 path.string());
   }
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(file->size()));
@@ -119,7 +118,7 @@ Result<void> OutputFile::append(std::string_view text) {
 
 Result<void> OutputFile::commit() {
   int error = ::fsync(fd_) == 0 ? 0 : errno;
-  // mkostemp makes the file private; a new file gets the permissions any other program would give it.
+  // mkostemp makes the file private; give a new file the permissions that any other program would.
   struct stat old {};
   const bool replaces = ::stat(path_.c_str(), &old) == 0;
   if (error == 0 && replaces && S_ISDIR(old.st_mode)) error = EISDIR;

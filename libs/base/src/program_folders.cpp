@@ -18,7 +18,7 @@ fs::path folder_in(const char* variable) {
   return value == nullptr ? fs::path() : fs::path(value);
 }
 
-/// The folder of the sources that a CMakeCache.txt names; empty for a build of something else.
+/// The source folder that a CMakeCache.txt names; empty for a build of another project.
 fs::path sources_in(const fs::path& cache) {
   constexpr std::string_view kProject = "CMAKE_PROJECT_NAME:STATIC=nazori";
   constexpr std::string_view kSources = "CMAKE_HOME_DIRECTORY:INTERNAL=";
@@ -45,14 +45,14 @@ std::optional<BuildTree> build_tree_of(const fs::path& program) {
   const fs::path build = programs.parent_path();
   const fs::path sources = sources_in(build / "CMakeCache.txt");
   if (sources.empty()) return std::nullopt;
-  // Presets build in build/PRESET and share build/data. A build folder right in the sources has data of its
-  // own.
+  // Presets build in build/PRESET and share build/data. A build folder directly in the sources has data of
+  // its own.
   const bool is_preset = build.parent_path() != sources;
   return BuildTree{sources, (is_preset ? build.parent_path() : build) / "data"};
 }
 
 fs::path user_data_folder() {
-  // The specification tells to ignore paths that are not absolute.
+  // The specification requires paths that are not absolute to be ignored.
   if (const fs::path data = folder_in("XDG_DATA_HOME"); data.is_absolute()) return data / "nazori";
   if (const fs::path home = folder_in("HOME"); !home.empty()) return home / ".local/share/nazori";
   return {};

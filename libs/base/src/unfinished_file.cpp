@@ -23,7 +23,7 @@ struct Register {
   std::uint64_t last_id = 0;
 };
 
-/// Never destroyed: a thread may end the program while the objects of main() go.
+/// Never destroyed: a thread may end the program while the objects of main() are being destroyed.
 Register& all() {
   static auto& kept = *new Register;
   return kept;
@@ -76,11 +76,11 @@ void UnfinishedFile::finish() noexcept {
 }
 
 std::unique_lock<std::timed_mutex> remove_unfinished_files() {
-  // Making a file may hang, on a network for example. The program has to end nevertheless.
+  // Making a file may hang, on a network for example. The program must be able to end all the same.
   constexpr auto kPatience = std::chrono::milliseconds(50);
   std::unique_lock lock(all().mutex, kPatience);
   if (!lock.owns_lock()) return lock;
-  // As destructors would: what was noted last goes first, a folder after what lies in it.
+  // In the order of destructors: the file registered last is removed first, a folder after its content.
   for (auto entry = all().entries.rbegin(); entry != all().entries.rend(); ++entry) remove(entry->second);
   return lock;
 }

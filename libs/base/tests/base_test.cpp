@@ -12,7 +12,6 @@
 
 #include "nazori/base/assignment.h"
 #include "nazori/base/file.h"
-#include "nazori/base/nesting.h"
 #include "nazori/base/progress.h"
 #include "nazori/base/result.h"
 #include "nazori/base/utf8.h"
@@ -102,22 +101,6 @@ TEST(Utf8, EncodesASurrogateAsTheReplacementCharacter) {
     EXPECT_EQ(encode_utf8(none), "\xEF\xBF\xBD");
 }
 
-TEST(Nesting, CountsBracketsAndBracesTogether) {
-  EXPECT_FALSE(is_nested_deeper(R"({"a":[{"b":1},{"c":2}]})", 3));
-  EXPECT_TRUE(is_nested_deeper(R"({"a":[{"b":1},{"c":2}]})", 2));
-  EXPECT_FALSE(is_nested_deeper("", 0));
-  EXPECT_FALSE(is_nested_deeper("[][]{}", 1)) << "one after another";
-  EXPECT_TRUE(is_nested_deeper("[][[]]", 1));
-  EXPECT_TRUE(is_nested_deeper("{{", 1));
-  EXPECT_TRUE(is_nested_deeper("[", 0));
-}
-
-TEST(Nesting, LeavesOutWhatStandsInStrings) {
-  EXPECT_FALSE(is_nested_deeper(R"(["[[[[{{{{", "\"[[[[", "\\"])", 1));
-  EXPECT_TRUE(is_nested_deeper(R"(["\\"[[]]])", 2)) << "the string ends after the two backslashes";
-  EXPECT_FALSE(is_nested_deeper("\"\\", 0)) << "a text that breaks off";
-}
-
 TEST(CheapestAssignment, CostsNoMoreThanAnyOther) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> cost(0, 1);
@@ -168,21 +151,21 @@ TEST_F(Files, OnlyRegularOnesAreReadPieceByPiece) {
 }
 
 TEST(ProgressOfAPart, IsToldAsAPartOfTheWhole) {
-  std::vector<double> told;
+  std::vector<double> reported;
   const Progress part = part_of(
       [&](double done, std::string_view step) {
         EXPECT_EQ(step, "copy");
-        told.push_back(done);
-        return told.size() < 3;
+        reported.push_back(done);
+        return reported.size() < 3;
       },
       0.2, 0.6);
   EXPECT_TRUE(part(0, "copy"));
   EXPECT_TRUE(part(0.5, "copy"));
   EXPECT_FALSE(part(1, "copy"));
-  ASSERT_EQ(told.size(), 3U);
-  EXPECT_DOUBLE_EQ(told[0], 0.2);
-  EXPECT_DOUBLE_EQ(told[1], 0.4);
-  EXPECT_DOUBLE_EQ(told[2], 0.6);
+  ASSERT_EQ(reported.size(), 3U);
+  EXPECT_DOUBLE_EQ(reported[0], 0.2);
+  EXPECT_DOUBLE_EQ(reported[1], 0.4);
+  EXPECT_DOUBLE_EQ(reported[2], 0.6);
   EXPECT_FALSE(part_of({}, 0, 1)) << "nobody to tell";
 }
 
@@ -191,7 +174,7 @@ TEST_F(Files, ReadBackWhatWasWritten) {
   const auto read = read_file(folder_ / "a", 6);
   ASSERT_TRUE(read) << "as large as is allowed";
   EXPECT_EQ(std::string(read->begin(), read->end()), "休み");
-  EXPECT_EQ(read_file(folder_ / "a", 5).error().what, "has 6 bytes, at most 5 are allowed");
+  EXPECT_EQ(read_file(folder_ / "a", 5).error().what, "has 6 bytes; the limit is 5");
   EXPECT_EQ(entries(), 1U);
 }
 

@@ -116,31 +116,31 @@ TEST(Background, ItsAnswersRunInOrderOnTheOwnersThread) {
   Inbox inbox;
   Background background("test", inbox);
   const auto here = std::this_thread::get_id();
-  std::vector<int> heard;
+  std::vector<int> received;
   for (int i = 0; i < 1000; ++i) {
     background.post([&, i] {
       background.answer([&, i] {
         EXPECT_EQ(std::this_thread::get_id(), here);
-        heard.push_back(i);
+        received.push_back(i);
       });
     });
   }
-  inbox.run_until([&] { return heard.size() == 1000; });
-  for (int i = 0; i < 1000; ++i) ASSERT_EQ(heard[static_cast<std::size_t>(i)], i);
+  inbox.run_until([&] { return received.size() == 1000; });
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(received[static_cast<std::size_t>(i)], i);
 }
 
 TEST(Background, ItsEndFinishesTheTaskThatRunsAndDropsTheRest) {
   Inbox inbox;
   std::atomic<bool> begun{false};
   std::atomic<int> finished{0};
-  int heard = 0;
+  int received = 0;
   const auto held = std::make_shared<int>(1);
   {
     std::optional<Background> background(std::in_place, "test", inbox);
     background->post([&, held, &one = *background] {
-      one.answer([&heard, held] { ++heard; });
+      one.answer([&received, held] { ++received; });
       begun = true;
-      // Until its end has begun: from then on nothing more is accepted.
+      // Runs until the end has begun: from then on nothing more is accepted.
       for (bool is_accepted = true; is_accepted; std::this_thread::yield()) {
         const auto probe = std::make_shared<int>(1);
         one.post([probe] {});
@@ -155,7 +155,7 @@ TEST(Background, ItsEndFinishesTheTaskThatRunsAndDropsTheRest) {
   EXPECT_EQ(finished, 1);
   while (inbox.run_one()) {
   }
-  EXPECT_EQ(heard, 0);
+  EXPECT_EQ(received, 0);
   EXPECT_EQ(held.use_count(), 1) << "what was dropped still holds something";
 }
 
@@ -180,47 +180,47 @@ TEST(Background, OfTwoWithOneInboxTheEndOfOneLeavesTheOther) {
   Inbox inbox;
   auto first = std::make_unique<Background>("first", inbox);
   Background second("second", inbox);
-  bool heard = false;
+  bool received = false;
   first->post([&one = *first] { one.answer([] { FAIL() << "it is gone"; }); });
   first.reset();
-  second.post([&] { second.answer([&] { heard = true; }); });
-  inbox.run_until([&] { return heard; });
+  second.post([&] { second.answer([&] { received = true; }); });
+  inbox.run_until([&] { return received; });
 }
 
 TEST(Background, WhatATaskHeldGoesOnTheExecutorsThreadAndMayPostThen) {
   Inbox inbox;
   Background background("test", inbox);
-  bool heard = false;
+  bool received = false;
   std::thread::id gone_on;
   const auto on_end = [&](const int* held) {
     delete held;
     gone_on = std::this_thread::get_id();
-    background.post([&] { background.answer([&] { heard = true; }); });
+    background.post([&] { background.answer([&] { received = true; }); });
   };
   std::thread::id worked_on;
   background.post([&worked_on, held = std::shared_ptr<const int>(new int(1), on_end)] {
     worked_on = std::this_thread::get_id();
   });
-  inbox.run_until([&] { return heard; });
+  inbox.run_until([&] { return received; });
   EXPECT_EQ(gone_on, worked_on);
 }
 
 TEST(Background, ManyThreadsMayPost) {
   Inbox inbox;
   Background background("test", inbox);
-  int sum = 0, heard = 0;
+  int sum = 0, received = 0;
   std::vector<std::jthread> posting;
   for (int t = 0; t < 4; ++t) {
     posting.emplace_back([&] {
       for (int i = 0; i < 500; ++i) {
         background.post([&] {
           ++sum;
-          background.answer([&] { ++heard; });
+          background.answer([&] { ++received; });
         });
       }
     });
   }
-  inbox.run_until([&] { return heard == 2000; });
+  inbox.run_until([&] { return received == 2000; });
   posting.clear();
   bool is_summed = false;
   background.post([&] { background.answer([&] { is_summed = sum == 2000; }); });

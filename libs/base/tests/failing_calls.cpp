@@ -30,7 +30,7 @@ ssize_t write(int fd, const void* from, size_t size) {
   CallsToFail* const now = calls_to_fail();
   if (now != nullptr && now->empty_writes > 0) {
     --now->empty_writes;
-    errno = EIO;  // which tells nothing where no call has failed
+    errno = EIO;  // meaningless, because no call has failed
     return 0;
   }
   const size_t most = now == nullptr ? size : std::min(size, now->most_bytes.load());
@@ -57,7 +57,7 @@ off_t lseek(int fd, off_t to, int whence) noexcept {
   return ::syscall(SYS_lseek, fd, to, whence);
 }
 
-/// It returns its error and leaves errno alone.
+/// These functions return their error and leave errno alone.
 int posix_fallocate(int fd, off_t from, off_t length) {
   const int before = errno;
   if (nazori::base::test::is_refused("posix_fallocate")) return std::exchange(errno, before);
@@ -84,7 +84,7 @@ int fstat(int fd, struct stat* status) noexcept {
   return ::fstatat(fd, "", status, AT_EMPTY_PATH);
 }
 
-/// A close that fails has closed nevertheless.
+/// A close that fails has closed the file nevertheless.
 int close(int fd) {
   const int done = static_cast<int>(::syscall(SYS_close, fd));
   return nazori::base::test::is_refused("close") ? -1 : done;

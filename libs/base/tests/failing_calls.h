@@ -14,21 +14,21 @@
 
 namespace nazori::base::test {
 
-/// What the calls of the program meet.
+/// What happens to the system calls of the program.
 struct CallsToFail {
-  std::map<std::string, int> refused;                ///< by name: the error number, each time
+  std::map<std::string, int> refused;                ///< by name: the error number that each call fails with
   std::atomic<int> empty_writes{0};                  ///< that take nothing
   std::atomic<int> interruptions{0};                 ///< of the next reads and writes
   std::atomic<std::size_t> most_bytes{SIZE_MAX};     ///< of one read or write
   std::atomic<std::size_t> bytes_to_read{SIZE_MAX};  ///< before a file seems to end
-  std::atomic<int> renames{0}, flushes{0};           ///< that were asked for
+  std::atomic<int> renames{0}, flushes{0};           ///< number of calls
 };
 inline std::atomic<CallsToFail*>& calls_to_fail() {
   static std::atomic<CallsToFail*> now{nullptr};
   return now;
 }
 
-/// While it lives the calls of all threads meet what it says.
+/// While this lives, the calls of all threads are treated as described.
 class FailingCalls : public CallsToFail {
  public:
   explicit FailingCalls(std::map<std::string, int> refuses = {}) {
@@ -40,7 +40,7 @@ class FailingCalls : public CallsToFail {
   FailingCalls& operator=(const FailingCalls&) = delete;
 };
 
-/// Whether a call fails; errno is set then.
+/// Whether a call is to fail; sets errno if so.
 inline bool is_refused(const char* call) {
   CallsToFail* const now = calls_to_fail();
   if (now == nullptr) return false;

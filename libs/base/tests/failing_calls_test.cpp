@@ -174,7 +174,7 @@ TEST_F(FailingFiles, AreClosedOnceHoweverOftenTheyWereMoved) {
 using FailingFilesDeathTest = FailingFiles;
 
 TEST_F(FailingFilesDeathTest, AreReadAndWrittenWhereTheProgramHasNoStandardInput) {
-  // The first file that is opened has number 0 then.
+  // The first file that is opened then has the number 0.
   const auto without_input = [this] {
     (void)::close(STDIN_FILENO);
     const long open = test::open_descriptors();

@@ -12,7 +12,7 @@
 namespace nazori::base {
 namespace {
 
-/// Answers the square of a number, after it has been let go on.
+/// Answers with the square of a number, once the test lets it continue.
 struct Squares {
   std::atomic<int> begun{0};
   std::atomic<bool> held{false};
@@ -126,14 +126,14 @@ TEST(Latest, TwoMayShareAThreadAndTheEndOfOneLeavesTheOther) {
   Inbox inbox;
   const auto background = std::make_shared<Background>("shared", inbox);
   const auto same = [](int number, const auto&) { return number; };
-  int heard = 0;
+  int received = 0;
   auto first = std::make_unique<Latest<int, int>>(background, same, [](int) { FAIL() << "it is gone"; });
-  Latest<int, int> second(background, same, [&](int number) { heard = number; });
+  Latest<int, int> second(background, same, [&](int number) { received = number; });
   first->request(1);
   second.request(2);
   first.reset();
   inbox.run_until([&] { return !second.is_busy(); });
-  EXPECT_EQ(heard, 2);
+  EXPECT_EQ(received, 2);
 }
 
 TEST(Latest, ItsEndStopsTheWorkAndWaitsForIt) {

@@ -23,7 +23,7 @@ class ProgramFolders : public testing::Test {
   }
   ~ProgramFolders() override { fs::remove_all(folder_); }
 
-  /// Puts the cache of a build beside the folder of its programs, and names a program there.
+  /// Writes a build cache next to the program folder and returns the path of a program in it.
   [[nodiscard]] fs::path build_in(const fs::path& folder, const std::string& cache) const {
     fs::create_directories(folder_ / folder);
     std::ofstream(folder_ / folder / "CMakeCache.txt") << cache;
@@ -67,7 +67,7 @@ TEST_F(ProgramFolders, WhatIsNoBuildOfThisProgramIsNoBuildTree) {
       "b", "CMAKE_PROJECT_NAME:STATIC=nazori2\nCMAKE_HOME_DIRECTORY:INTERNAL=" + folder_.string() + "\n")));
 }
 
-/// Sets a variable, or takes it away, until it goes.
+/// Sets or removes an environment variable until it is destroyed.
 class Variable {
  public:
   Variable(const char* name, const char* value) : name_(name) {

@@ -120,7 +120,7 @@ TEST_F(UnfinishedFilesDeathTest, CannotBeMadeAnyMoreOnceTheProgramEnds) {
   const auto end_at_once = [this] {
     const auto lock = remove_unfinished_files();
     std::thread([this] { (void)write_file(folder_ / "late", "text"); }).detach();
-    // The other thread has had its chance; it must still wait.
+    // The other thread had time to run; it must still be waiting.
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     ::_exit(fs::exists(folder_ / "late") ? 8 : 7);
   };

@@ -19,11 +19,11 @@ constexpr double kEntryReach = 0.9;
 constexpr double kEntryPress = 0.08;
 constexpr double kStopReach = 1.1;
 constexpr double kStopPress = 0.15;
-// Part of the stroke over which a taper is lifted.
+// Part of a stroke over which the brush is lifted in a sweep.
 constexpr double kTaperShare = 1.0 / 3.0;
 constexpr double kNarrowest = 3.0;
-// A turn that starts a kick [rad], how much of a stroke a kick may be, and its length in glyph units and at
-// most in parts of the stroke where the line has no such turn.
+// A turn that starts a hook [rad], the largest part of a stroke that a hook may be, and, where the line has
+// no such turn, its length in glyph units and at most in parts of the stroke.
 constexpr double kSharp = 50 * 3.14159265358979323846 / 180;
 constexpr double kLongestHookShare = 0.5;
 constexpr double kLongestHook = 14.0;
@@ -43,11 +43,11 @@ double lift(double u) {
   return v * v * (3 - 2 * v);
 }
 
-/// Width of a brush that is being lifted: even at first, then to a point.
+/// Width of a brush that is being lifted: constant at first, then narrowing to a point.
 double narrowing(double u) { return (1 - u) * (1 + u - 0.6 * u * u); }
 
-/// Width of a brush that kicks away from a stop: level at the stop, where its round foot still shows, then to
-/// a point.
+/// Width of a brush in a hook after a stop: level at the stop, where its round end is still visible, then
+/// narrowing to a point.
 double kick_narrowing(double u) { return 1 - u * u * (1.5 - 0.5 * u); }
 
 }  // namespace
@@ -94,7 +94,8 @@ double hook_length(const kanji::StrokeLine& line) {
   if (line.ending != kanji::StrokeEnding::hook) return 0;
   const std::span<const GlyphPoint> points(line.points);
   const double length = geometry::arc_length(points);
-  // A kick drawn with a corner is found by looking closely, one drawn with a round foot from farther away.
+  // A hook drawn with a corner is found over a short distance, one drawn with a rounded bend only over a
+  // longer one.
   constexpr double kCloseReach = 2.5;
   constexpr double kFarReach = 6.0;
   for (const double reach : {kCloseReach, kFarReach}) {
@@ -116,7 +117,8 @@ double hook_length(const kanji::StrokeLine& line) {
 }
 
 double suggested_width(std::span<const kanji::StrokeLine> strokes) {
-  // The lines as short steps, each with its direction; neighbours are steps of other strokes beside one.
+  // The lines as short steps, each with its direction; the neighbours of a step are the steps of other
+  // strokes beside it.
   struct Step {
     GlyphPoint at;
     GlyphPoint forward;
@@ -146,7 +148,7 @@ double suggested_width(std::span<const kanji::StrokeLine> strokes) {
     }
   }
   if (steps.empty()) return kWidest;
-  // Steps of one line (a stroke that goes on where another ended) are no neighbours.
+  // Steps of one line (a stroke that goes on where another ended) are not neighbours.
   constexpr double kSameLine = 2.0;
   constexpr double kParallel = 0.94;
   std::vector<double> gaps(steps.size(), 2 * kWidest);
@@ -167,7 +169,7 @@ double suggested_width(std::span<const kanji::StrokeLine> strokes) {
   const auto crowded =
       gaps.begin() + static_cast<std::ptrdiff_t>(kCrowdedShare * static_cast<double>(gaps.size()));
   std::nth_element(gaps.begin(), crowded, gaps.end());
-  // Strokes that lie at all angles crowd a character too: its ink may cover only so much of the box.
+  // Strokes at different angles crowd a character too, so limit the share of the box that they cover.
   constexpr double kWidthPerLength = 0.5 * 85.0 * 85.0;
   return std::clamp(std::min(kWidthPerGap * *crowded, kWidthPerLength / total), kNarrowest, kWidest);
 }

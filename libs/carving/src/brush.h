@@ -7,9 +7,9 @@ namespace nazori::carving {
 
 /// Parts of a stroke over which the brush changes, arc lengths in glyph units.
 struct BrushZones {
-  double entry_end;     ///< the press at entry is over
+  double entry_end;     ///< where the press at entry ends
   double ending_start;  ///< the ending begins
-  double body_end;      ///< where the brush halts: before a kick, else the end
+  double body_end;      ///< where the brush stops: before a hook, else the end
 };
 
 [[nodiscard]] BrushZones zones_of(const Brush& brush, kanji::StrokeEnding ending, double length,

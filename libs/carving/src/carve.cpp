@@ -16,8 +16,8 @@ namespace {
 
 using base::Errc;
 
-/// Points of all strokes from which on curves are followed no finer than the grid shows. No character has a
-/// tenth of them; a file of strokes may have 65 million.
+/// With more points than this in all strokes, curves are sampled no finer than the grid shows. No character
+/// has a tenth of it; a file of strokes may have 65 million.
 constexpr std::size_t kMostSmooth = 50'000;
 
 base::Result<void> check(const Brush& brush) {

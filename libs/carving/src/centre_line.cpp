@@ -39,8 +39,8 @@ double angle_between(GlyphPoint a, GlyphPoint b) {
   return std::atan2(std::abs(cross(a, b)), geometry::dot(a, b));
 }
 
-/// The given points without repetitions, with corners marked and, beside gentle bends between long segments,
-/// a point more on each side so that the curve does not swing out.
+/// The given points without repetitions, with corners marked. Beside gentle bends between long segments there
+/// is one more point on each side, so that the curve does not overshoot.
 /// @param least  distance of two points that count as two.
 std::vector<Node> knots(const std::vector<GlyphPoint>& given, double least) {
   std::vector<GlyphPoint> points;
@@ -59,7 +59,8 @@ std::vector<Node> knots(const std::vector<GlyphPoint>& given, double least) {
       out.push_back({points[i], 0, true});
       continue;
     }
-    // The bow of a curve over a chord of length c that turns by `turn` at one end is about 0.15 c turn.
+    // The largest distance of a curve from a chord of length c that turns by `turn` at one end is about 0.15
+    // c turn.
     const double reach = kBow / (0.15 * std::max(turn, 1e-3));
     const double l0 = geometry::length(before);
     const double l1 = geometry::length(after);
@@ -72,7 +73,7 @@ std::vector<Node> knots(const std::vector<GlyphPoint>& given, double least) {
 
 /// Curves through the knots (cubic Hermite, chord tangents), cut so that neighbouring segments turn by about
 /// `max_turn`.
-/// @param least_facet  none becomes shorter than that by a cut; 0: as short as it takes.
+/// @param least_facet  no cut makes a segment shorter than this; 0: no limit.
 std::vector<Node> refine(const std::vector<Node>& line, double max_turn, double least_facet) {
   std::vector<Node> out;
   out.reserve(4 * line.size());
@@ -84,7 +85,7 @@ std::vector<Node> refine(const std::vector<Node>& line, double max_turn, double 
     const GlyphPoint along = chord * (1 / length);
     GlyphPoint start = is_smooth(i) ? unit(line[i + 1].at - line[i - 1].at) : along;
     GlyphPoint end = is_smooth(i + 1) ? unit(line[i + 2].at - line[i].at) : along;
-    // Where nothing is known on one side the curve goes on as an arc.
+    // Where one side has no further point, the curve continues as an arc.
     if (!is_smooth(i) && is_smooth(i + 1)) start = along * (2 * geometry::dot(along, end)) - end;
     if (is_smooth(i) && !is_smooth(i + 1)) end = along * (2 * geometry::dot(along, start)) - start;
     const double bend = angle_between(start, along) + angle_between(along, end);
@@ -105,14 +106,14 @@ std::vector<Node> refine(const std::vector<Node>& line, double max_turn, double 
   return out;
 }
 
-/// A stretch of the line over which the brush changes, and how finely it is followed there.
+/// A stretch of the line over which the brush changes, and how finely it is sampled there.
 struct Zone {
   double begin;
   double end;
   double step;
 };
 
-/// Points more wherever the brush changes, so that its width may be taken as straight between two joints.
+/// Adds points wherever the brush changes, so that its width is linear between two joints.
 std::vector<Node> subdivide(const std::vector<Node>& line, std::span<const Zone> zones) {
   std::vector<Node> out;
   out.reserve(line.size() + 64);
@@ -123,7 +124,7 @@ std::vector<Node> subdivide(const std::vector<Node>& line, std::span<const Zone>
     double s = a.s;
     const double least = 1e-3;
     while (b.s - s > least) {
-      // The next place: a step within a zone, the border of a zone ahead, or the end of the segment.
+      // The next point: a step within a zone, the border of a zone ahead, or the end of the segment.
       double next = b.s;
       for (const Zone& zone : zones) {
         if (s < zone.begin - least)
@@ -140,13 +141,13 @@ std::vector<Node> subdivide(const std::vector<Node>& line, std::span<const Zone>
   return out;
 }
 
-/// Nodes at which the stroke is taken apart because it turns sharply there.
+/// Nodes at which the stroke is split because it turns sharply there.
 std::vector<std::size_t> corners(const std::vector<Node>& line, double reach) {
   std::vector<GlyphPoint> points;
   points.reserve(line.size());
   for (const Node& node : line) points.push_back(node.at);
   std::vector<std::size_t> out;
-  // Only where the line bends at all a look around is worth its time.
+  // Only a line that bends is worth the time of the search.
   std::size_t best = 0;
   double best_turn = 0;
   const auto close = [&] {
@@ -173,7 +174,7 @@ std::vector<std::size_t> corners(const std::vector<Node>& line, double reach) {
 }
 
 /// Marks the joints about which the line turns on a smaller radius than the groove is wide. What counts is
-/// the turn over about a half width: single joints say nothing, as their distances are uneven.
+/// the turn over about a half width: single joints are not significant, because their distances differ.
 void mark_tight_bends(const std::vector<Node>& line, const std::vector<double>& turns, double scale,
                       std::vector<Joint>& joints) {
   constexpr double kTight = 0.85;  // radians over a half width
@@ -184,7 +185,7 @@ void mark_tight_bends(const std::vector<Node>& line, const std::vector<double>& 
     const double reach = 0.5 * joints[i].half_width / scale;
     for (; end < line.size() && line[end].s <= line[i].s + reach; ++end) turned += turns[end];
     for (; line[first].s < line[i].s - reach; ++first) turned -= turns[first];
-    // The groove narrows along a taper, so the window's far end may lie behind one that was already passed.
+    // The groove narrows along a sweep, so the window's far end may lie behind one that was already passed.
     joints[i].needs_disc = turned > kTight;
   }
 }
@@ -197,7 +198,8 @@ double turn_at(std::span<const GlyphPoint> line, std::size_t i, double reach) {
     std::size_t k = i;
     while (true) {
       const std::size_t next = k + static_cast<std::size_t>(step);
-      if (next >= line.size()) return line[k];  // also below 0, which wraps around: no way, no turn
+      if (next >= line.size())
+        return line[k];  // also catches values below 0, which wrap around: without a length there is no turn
       const double d = geometry::distance(line[k], line[next]);
       if (d >= left && d > 0) return line[k] + (line[next] - line[k]) * (left / d);
       left -= d;
@@ -243,7 +245,7 @@ std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, in
   mark_tight_bends(line, turns, scale, joints);
 
   if (brush.endings && hook > 0) {
-    // The walls of a kick close in so fast that a disc would stick out of them.
+    // The walls of a hook converge so fast that a disc would stick out of them.
     for (std::size_t i = 0; i < line.size(); ++i)
       if (line[i].s > length - hook) joints[i].needs_disc = false;
   }
@@ -262,8 +264,8 @@ std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, in
     const bool corner = next_corner < split.size() && split[next_corner] == i;
     bool level = false;
     if (!last && turned > kLongPiece && line[i].s > s_of_tight + clear) {
-      // A long bend is cut where it is gentle and no corner is near, so that a line which crosses itself
-      // meets another piece.
+      // A long bend is split where it is gentle and no corner is near, so that a line that crosses itself
+      // crosses a different piece.
       level = next_corner >= split.size() || line[split[next_corner]].s > line[i].s + clear;
       for (std::size_t k = i; level && k < joints.size() && line[k].s < line[i].s + clear; ++k)
         level = !joints[k].needs_disc;
@@ -272,7 +274,7 @@ std::vector<Piece> trace(const kanji::StrokeLine& stroke, const Brush& brush, in
     if (!last && !corner && !level) continue;
     piece.round_end = !level;
     if (corner || last) {
-      // At a corner each side ends square to its own direction.
+      // At a corner each side ends at a right angle to its own direction.
       Joint& end = piece.joints.back();
       end.needs_disc = false;
       if (i > 0) {

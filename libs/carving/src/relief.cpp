@@ -13,14 +13,14 @@ namespace {
 constexpr int kBandRows = 64;
 constexpr int kTile = 32;  ///< samples on each side; bands are whole tiles high
 static_assert(kBandRows % kTile == 0);
-/// Square of a depth from which on more strokes change it by less than a float of the map tells.
+/// Square of a depth from which on further strokes change it by less than a float can represent.
 constexpr float kFull = 1.0F - 1e-7F;
-/// So many changed rows of a tile are worth a look at all of it.
+/// After this many changed rows, check whether the whole tile is full.
 constexpr int kChangesBetweenLooks = 128;
 constexpr double kLevel = 1e-9;  ///< a segment that rises less than this is level
 
 // Cross sections: depth in [0, 1] at x in [0, 1], the distance from the centre line in half widths. All of
-// them are level at the lip and at the centre, so that no groove has an edge.
+// them are level at the rim and at the centre, so that no groove has an edge.
 
 struct Rounded {
   float operator()(float x) const {
@@ -59,8 +59,8 @@ int clamp_to_int(double v, int low, int high) {
 /// First whole column at or after x.
 int column_from(double x, int size) { return clamp_to_int(std::ceil(x), 0, size); }
 
-/// Keeps the columns of a row on the far side of a joint's cross line (`ahead`) or on the near side. Both
-/// sides compute the border alike, so that each sample belongs to exactly one of them.
+/// Keeps the columns of a row beyond a joint's cross line (`ahead`) or before it. Both sides compute the
+/// border in the same way, so that each sample belongs to exactly one of them.
 void clip(Span& span, const Joint& joint, double dy, bool ahead, int size) {
   constexpr double kParallel = 1e-12;
   if (std::abs(joint.forward_x) < kParallel) {
@@ -87,7 +87,7 @@ void fill_even(float* row, int count, float q, float dq, float depth, Profile pr
   }
 }
 
-/// Values that change evenly along a row.
+/// Values that change linearly along a row.
 struct Ramp {
   float start;
   float step;
@@ -173,7 +173,7 @@ template <class Profile>
 void Relief::sweep(const Joint& from, const Joint& to, Profile profile) {
   const double reach = std::max(from.half_width, to.half_width);
   if (reach <= 0) return;
-  // Cross lines may lean against the segment; this is how far their ends reach.
+  // Cross lines may be oblique to the segment; this is how far their ends reach.
   const double lean = reach * 1.5;
   const int row_begin =
       std::max(first_row_, clamp_to_int(std::ceil(std::min(from.y, to.y) - lean), 0, size_));

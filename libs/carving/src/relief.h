@@ -10,12 +10,12 @@
 
 namespace nazori::carving {
 
-/// The map while strokes are cut into it: each sample holds the square of the depth, as a fraction of the
+/// The map while strokes are cut into it: each sample is the square of the depth, as a fraction of the
 /// brush's depth.
 ///
 /// Grooves join as S = a + b - a b of their squared depths a, b: the deeper one where they differ, a rounded
-/// edge where their walls meet, never deeper than the brush, in any order. Where the brush has reached its
-/// depth all over a tile nothing more is cut: a tablet full of scribbles costs little more than a full one.
+/// edge where their walls meet, never deeper than the brush, in any order. Where a whole tile has reached the
+/// depth of the brush, nothing more is cut, so many overlapping strokes cost little more than one full layer.
 class Relief {
  public:
   /// @param samples  size x size, all 0 at first, row-major; changed in place.
@@ -28,16 +28,16 @@ class Relief {
   void cut_with(const Piece& piece, Profile profile);
   template <class Profile>
   void sweep(const Joint& from, const Joint& to, Profile profile);
-  /// The part of a sweep in rows [row_begin, row_end). @param ux,uy  where the segment goes, of length 1.
+  /// The part of a sweep in rows [row_begin, row_end). @param ux,uy  unit direction of the segment.
   template <class Profile>
   void sweep_rows(const Joint& from, const Joint& to, double ux, double uy, int row_begin, int row_end,
                   Profile profile);
   template <class Profile>
   void press(const Joint& at, Profile profile);
-  /// The depths of one row from column `begin` up to `end`, ready to be deepened.
+  /// The depths of one row from column `begin` up to `end`, about to be deepened.
   float* row_of(int row, int begin, int end);
   void join();
-  /// Takes note of samples [begin, end) of a row, which may have become full.
+  /// Records that samples [begin, end) of a row may have become full.
   void note(int row, int begin, int end);
   /// Whether nothing more can be cut in the tiles of a row of tiles from column `left` to column `right`.
   [[nodiscard]] bool is_full(int tile_row, double left, double right) const;
@@ -58,7 +58,7 @@ class Relief {
   int cut_begin_ = 0;
   int cut_end_ = 0;
   struct Tile {
-    std::uint8_t changes = 0;  ///< since its samples were looked at
+    std::uint8_t changes = 0;  ///< since its samples were last checked
     bool is_full = false;
   };
   int tiles_in_row_;

@@ -8,8 +8,8 @@
 
 namespace nazori::carving {
 
-/// The strokes in an order of their own, each of them once: what is computed from it does not depend, to the
-/// last bit, on the order in which strokes were given.
+/// The strokes in a canonical order, each of them once. What is computed from them does not depend, to the
+/// last bit, on the order in which they were given.
 [[nodiscard]] std::vector<const kanji::StrokeLine*> stroke_set(std::span<const kanji::StrokeLine> strokes);
 
 }  // namespace nazori::carving

@@ -82,14 +82,14 @@ TEST(Carve, AnArcGivenByPointsIsCarvedAsAnArcAndNotAsItsChords) {
   const auto map = carved({line}, 512, even_brush(8));
   // The chords leave the circle by 30 (1 - cos 5°) = 0.114 units, on the wall a height of 0.05.
   const double worst = worst_difference(map, [&](GlyphPoint p) {
-    if (p.y < 35) return static_cast<double>(height_at(map, p));  // the ends are another matter
+    if (p.y < 35) return static_cast<double>(height_at(map, p));  // the ends are tested elsewhere
     return 1 - rounded(std::abs(geometry::distance(p, GlyphPoint{54.5, 30}) - kRadius), 4);
   });
   EXPECT_LT(worst, 0.006);
 }
 
 TEST(Carve, ARingAsTightAsTheBrushIsWideIsDeepestOnItsLineAndNotAtItsSeam) {
-  // In pieces it would be cut twice where its end meets its start.
+  // Split into pieces, it would be cut twice where its end meets its start.
   constexpr double kHalfWidth = 10;
   constexpr double kRadius = 9.5;
   StrokeLine line;
@@ -129,7 +129,7 @@ TEST(Carve, TheVSectionHasStraightWalls) {
   EXPECT_NEAR(depth(5), 0.5, 1e-3);
   const double slope = depth(3) - depth(4);
   for (double d = 2; d < 8; d += 0.5) EXPECT_NEAR(depth(d) - depth(d + 0.5), slope / 2, 1e-3) << d;
-  // Eased at the bottom and the lip: no edge that a fingertip would find.
+  // Rounded at the bottom and the rim: no edge that a fingertip would feel.
   EXPECT_LT(depth(0) - depth(0.2), 0.1 * slope);
   EXPECT_LT(depth(9.8), 0.1 * slope);
 }
@@ -218,13 +218,14 @@ TEST(Carve, AFittedBrushIsNeverWiderThanTheGivenOne) {
 }
 
 TEST(Carve, WhereStrokesHaveFilledATileTheOthersStillCutAllAroundIt) {
-  // Level strokes fill a corner, for they begin leftmost and so are cut first. The others go on past it, and
-  // dots reach over its lower border.
+  // Level strokes fill a corner, because they start furthest left and so are cut first. The others go on
+  // beyond it, and dots reach over its lower border.
   constexpr int kSize = 128;
   std::vector<StrokeLine> strokes;
   for (double x = 1; x < 1.4; x += 0.1)
     for (double y = 2; y <= 54; y += 1) strokes.push_back(stroke({{x, y}, {62, y}}));
-  // Where the corner is full these still make the other half deeper, which is everywhere half deep by then.
+  // Where the corner is full, these strokes still deepen the other half, which is half deep everywhere by
+  // then.
   for (double y = 2; y < 108; y += 4) strokes.push_back(stroke({{64, y}, {108, y}}));
   for (double x = 10; x < 107; x += 9) strokes.push_back(stroke({{x, 107}, {x + 0.1, 3}}));
   strokes.push_back(stroke({{107, 40}, {2, 40.3}}));

@@ -23,7 +23,7 @@ constexpr double kScale = 10;
 
 GlyphPoint place(const Joint& joint) { return {joint.x / kScale, joint.y / kScale}; }
 
-/// All joints in order; where two pieces meet theirs stand twice.
+/// All joints in order; the joint between two pieces appears twice.
 std::vector<Joint> joints_of(const std::vector<Piece>& pieces) {
   std::vector<Joint> joints;
   for (const Piece& piece : pieces) joints.insert(joints.end(), piece.joints.begin(), piece.joints.end());
@@ -210,7 +210,7 @@ TEST(Trace, ACornerAfterALongBendEndsRoundAndIsNoPlaceToCutTheBend) {
 
 TEST(Trace, ABendTighterThanTheGrooveIsPressedDiscByDisc) {
   const auto discs = [](double radius) {
-    // A gentle way in and out on both sides of half a turn.
+    // Gentle bends before and after half a turn.
     StrokeLine line = stroke({{54.5 + radius, 10}});
     const StrokeLine bend = arc(radius, 0, 180, 5);
     line.points.insert(line.points.end(), bend.points.begin(), bend.points.end());

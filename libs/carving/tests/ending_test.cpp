@@ -55,7 +55,7 @@ TEST(StrokeEnding, ATaperNarrowsAndRisesToNothingOverItsLastThird) {
     height = height_at(map, {x, 50});
     width = width_at(map, x, 50);
   }
-  EXPECT_NEAR(height_at(map, {77.5, 50}), 0.5, 0.01);  // half way the brush is half lifted
+  EXPECT_NEAR(height_at(map, {77.5, 50}), 0.5, 0.01);  // halfway along, the brush is half lifted
   EXPECT_GT(height_at(map, {89, 50}), 0.98);
   EXPECT_EQ(height_at(map, {90.5, 50}), 1);
   // No step anywhere along the line: the tip meets the plateau level.
@@ -79,9 +79,9 @@ TEST(StrokeEnding, AHookStopsInFullAndThenKicksAThinRisingTail) {
     height = now;
   }
   EXPECT_GT(height, 0.99);
-  // The tail is felt beyond the round foot of the stop (half width 4).
+  // The tail reaches beyond the round end of the stop (half width 4).
   EXPECT_LT(height_at(map, {60 - 7 * 0.6, 80 - 5 * 0.6}), 0.6);
-  // A stop at the same place has no tail there.
+  // A stop at the same point has no tail there.
   const auto stop = carved({stroke({{60, 10}, {60, 80}})}, kSize, plain_brush(7));
   EXPECT_GT(height_at(stop, {60 - 7 * 0.6, 80 - 5 * 0.6}), 0.95);
 }
@@ -124,7 +124,8 @@ TEST(HookLength, IsThePartAfterTheLastSharpTurnOnly) {
 }
 
 TEST(HookLength, AKickWithARoundFootBeginsInTheMiddleOfTheFoot) {
-  // Seen over 4 units to both sides the foot turns by 40 degrees, which is no kick yet; over 6 units by 60.
+  // Measured over 4 units to both sides the bend turns by 40 degrees, which is not a hook yet; over 6 units
+  // by 60.
   constexpr double kRadius = 5.7;
   constexpr double kTurn = 2 * std::numbers::pi / 3;
   constexpr double kTail = 5;
@@ -139,7 +140,7 @@ TEST(HookLength, AKickWithARoundFootBeginsInTheMiddleOfTheFoot) {
 }
 
 TEST(HookLength, FindsTheKicksThatKanjiVgDraws) {
-  // 永: horizontal, turn, vertical, kick; 水: vertical, kick. Both kicks are 6 to 10 units long.
+  // 永: horizontal, turn, vertical, hook; 水: vertical, hook. Both hooks are 6 to 10 units long.
   for (const auto& [character, number] : {std::pair{"永", 1}, std::pair{"水", 0}}) {
     const auto strokes = kanjivg(character);
     const StrokeLine& line = strokes[static_cast<std::size_t>(number)];

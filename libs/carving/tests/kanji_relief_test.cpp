@@ -34,7 +34,8 @@ std::vector<float> slope_jumps(const surface::HeightMap& map) {
 TEST(CarvedKanji, SlopeJumpsHalveWithEachDoublingOfTheGridSoNoEdgeRemains) {
   for (const std::string character : {"休", "永", "書", "あ", "の", "る"}) {
     const auto strokes = kanjivg(character);
-    // An edge would keep its jump on any grid. All but one sample in ten thousand, and nearly those too.
+    // An edge would have the same jump on any grid. Checked for all but one sample in ten thousand, and with
+    // a wider limit for these.
     const auto coarse = slope_jumps(carved(strokes, 512, {}));
     const auto fine = slope_jumps(carved(strokes, 1024, {}));
     const auto nearly_all = [](const std::vector<float>& jumps) {
@@ -151,8 +152,8 @@ TEST(CarvedKanji, TheStrokesOf2005LieInTheGroovesOfOur休) {
   const auto theirs = of_2005.to_lines(128);
   const auto ours = kanjivg("休");
   ASSERT_EQ(theirs.size(), ours.size());
-  // Fit the whole hand-drawn character by one affine map: first place by place along the strokes, then, as
-  // the drawings are of different proportions, to the nearest place of the same stroke.
+  // Fit the whole hand-drawn character by one affine map: first point by point along the strokes, then,
+  // because the drawings have different proportions, to the nearest point of the same stroke.
   std::vector<GlyphPoint> from;
   std::vector<GlyphPoint> to;
   for (std::size_t k = 0; k < ours.size(); ++k) {
@@ -168,7 +169,7 @@ TEST(CarvedKanji, TheStrokesOf2005LieInTheGroovesOfOur休) {
           geometry::nearest_point(std::span<const GlyphPoint>(ours[i / 41].points), affine(from[i])).point;
     affine = fit(from, to);
   }
-  // The map turns and shears by less than two degrees: it is the same character, not an accident.
+  // The map turns and shears by less than two degrees: so the characters really match.
   EXPECT_LT(std::abs(affine.to_x[1]), 0.04);
   EXPECT_LT(std::abs(affine.to_y[0]), 0.04);
   const auto map = carved(ours, 1024, {});

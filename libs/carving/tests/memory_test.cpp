@@ -26,7 +26,7 @@ void give_back(void* p) {
 }
 }  // namespace
 
-// Not inlined: the compiler would take malloc for a mismatch of the delete it sees.
+// Not inlined, because the compiler would report malloc as a mismatch of the delete it sees.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   void* const p = std::malloc(size == 0 ? 1 : size);
   if (p == nullptr) throw std::bad_alloc();

@@ -58,7 +58,7 @@ TEST_P(RandomStrokes, AnotherStrokeOnlyEverDeepens) {
 
 TEST_P(RandomStrokes, AFinerGridShowsTheSameRelief) {
   const auto coarse = carved(strokes_, 129, plain_brush());
-  const auto fine = carved(strokes_, 257, plain_brush());  // every second sample lies on a coarse one
+  const auto fine = carved(strokes_, 257, plain_brush());  // every second sample coincides with a coarse one
   double worst = 0;
   double sum = 0;
   for (int y = 0; y < 129; ++y) {
@@ -86,7 +86,7 @@ TEST_P(RandomStrokes, MirroredStrokesGiveTheMirroredRelief) {
 
 TEST_P(RandomStrokes, SamplesFartherFromEveryLineThanAPressedBrushArePlateau) {
   const auto map = carved(strokes_, 129, plain_brush(7));
-  // Half the width, the press of a stop, and the bow of a curve over its chord.
+  // Half the width, the press of a stop, and the distance of a curve from its chord.
   constexpr double kReach = 3.5 * 1.16 + 0.25;
   for (int y = 0; y < 129; ++y) {
     for (int x = 0; x < 129; ++x) {
@@ -128,8 +128,8 @@ TEST(Crossing, HasNoRidgeAcrossEitherGroove) {
 }
 
 TEST(Crossing, WhereWallsMeetTheEdgeIsRounded) {
-  // Up the corner between two grooves at right angles the slope changes little from sample to sample,
-  // whichever way a fingertip crosses the corner.
+  // In the corner between two grooves at right angles the slope changes little from sample to sample, in
+  // whatever direction a fingertip crosses it.
   const auto slope_jump = [](int size) {
     const auto map =
         carved({stroke({{20, 54.5}, {89, 54.5}}), stroke({{54.5, 20}, {54.5, 89}})}, size, even_brush(9));
@@ -141,7 +141,7 @@ TEST(Crossing, WhereWallsMeetTheEdgeIsRounded) {
             std::max(worst, std::abs(map.at(x + 1, y) - 2.0 * map.at(x, y) + map.at(x - 1, y)) * per_unit);
     return worst;
   };
-  // An edge would keep its jump on any grid; what is round loses half with each doubling.
+  // An edge would have the same jump on any grid; a rounded one halves it with each doubling.
   const double coarse = slope_jump(273);
   const double middle = slope_jump(545);
   EXPECT_LT(middle, 0.62 * coarse);

@@ -32,8 +32,8 @@ double section(CrossSection which, double x) {
   return 0;
 }
 
-/// What a piece does to every sample, each looked at alone. Not a number where a sample lies so close to the
-/// border between two parts that rounding decides.
+/// The effect of a piece on every sample, each computed alone. Not a number where a sample lies so close to
+/// the border between two parts that rounding decides.
 std::vector<double> depths_of(const Piece& piece, int size, CrossSection which) {
   std::vector<double> depths;
   for (int y = 0; y < size; ++y) {
@@ -131,7 +131,7 @@ Piece wandering(std::mt19937& random, double x, double y) {
   std::vector<double> ways;
   for (int i = 0; i < 7; ++i) {
     piece.joints.push_back(joint(x, y, 0, 0, width(random), depth(random)));
-    // Even parts are cut another way.
+    // Parts of constant width are cut by other code.
     if (i % 3 == 1) {
       piece.joints.back().half_width = piece.joints[piece.joints.size() - 2].half_width;
       piece.joints.back().depth = piece.joints[piece.joints.size() - 2].depth;
@@ -188,7 +188,7 @@ TEST(Relief, DimplesAndBrushesWithoutWidthAreAsDefined) {
 }
 
 TEST(Relief, WhereAllIsFullNothingMoreIsCutAndBesideItEverythingIs) {
-  // The flat floor of a broad groove fills some tiles to the last bit, for it is cut so often.
+  // The flat floor of a broad groove fills some tiles to the last bit, because it is cut so often.
   constexpr int kSide = 160;
   std::vector<Piece> pieces;
   for (int k = 0; k < 8; ++k)

@@ -28,7 +28,7 @@ inline StrokeLine stroke(std::initializer_list<GlyphPoint> points, StrokeEnding 
   return {points, ending, {}};
 }
 
-/// A brush that is as wide as it is told to be.
+/// A brush of a fixed width, not fitted to the strokes.
 inline Brush plain_brush(double width = 7) {
   Brush brush;
   brush.width = width;
@@ -53,7 +53,7 @@ inline surface::HeightMap carved(const std::vector<StrokeLine>& strokes, int siz
   return *std::move(map);
 }
 
-/// Height at a place of the glyph box, straight between the four samples about it.
+/// Height at a point of the glyph box, interpolated bilinearly between its four samples.
 inline double height_at(const surface::HeightMap& map, GlyphPoint p) {
   const geometry::GridPoint g = geometry::glyph_to_grid(p, map.size());
   const int x = std::min(static_cast<int>(g.x), map.size() - 2);

@@ -32,8 +32,8 @@ double quantile_us(std::vector<double> late_ns, double q) {
   return late_ns[static_cast<std::size_t>(q * static_cast<double>(late_ns.size() - 1))] * 1e-3;
 }
 
-/// The least a program can do: sleep to an absolute time, note how late it woke. A period that was slept
-/// through is noted too, as late as it is noticed.
+/// The minimum a program can do: sleep until an absolute time and record how late it woke. A period that was
+/// slept through is recorded too, with its lateness when it is noticed.
 std::vector<double> bare_loop(std::int64_t period_ns) {
   std::vector<double> late(static_cast<std::size_t>(kRun_s * 1e9) / static_cast<std::size_t>(period_ns));
   const sched_param priority{40};
@@ -48,8 +48,8 @@ std::vector<double> bare_loop(std::int64_t period_ns) {
   return late;
 }
 
-/// A servo on a plate. Noted is how late each period of the clock's grid was served; periods without a tick
-/// are as late as the tick that follows them, as in the bare loop.
+/// A servo on a plate. Records how late each period of the clock's grid was served; periods without a tick
+/// are as late as the following tick, as in the bare loop.
 class Watched final : public haptics::ServoCallback {
  public:
   explicit Watched(const haptics::DeviceDescription& device)
@@ -87,8 +87,8 @@ void BM_ServoLatenessUnderLoad(benchmark::State& state) {
         double x = 1;
         while (!stop.load(std::memory_order_relaxed)) benchmark::DoNotOptimize(x = x * 1.0000001 + 1e-9);
       });
-    // Both threads on one core, so that what takes that core away (another machine on the same host) hits
-    // both.
+    // Both threads on one core, so that whatever takes that core away (another machine on the same host)
+    // affects both.
     cpu_set_t all, one;
     CPU_ZERO(&one);
     CPU_SET(static_cast<unsigned>(sched_getcpu()), &one);

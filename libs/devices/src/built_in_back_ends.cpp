@@ -33,7 +33,7 @@ class SimulatedBackEnd final : public BackEnd {
  public:
   [[nodiscard]] std::string_view id() const override { return "simulated"; }
   [[nodiscard]] BackEndFindings find() override {
-    BackEndFindings found{"Simulations", {}, std::nullopt};
+    BackEndFindings found{"Simulated devices", {}, std::nullopt};
     for (const auto& [id, preset] : kPresets) found.devices.push_back({id, preset().name, true, false});
     return found;
   }
@@ -44,8 +44,8 @@ class SimulatedBackEnd final : public BackEnd {
     }
     std::string there;
     for (const auto& [id, preset] : kPresets) there += (there.empty() ? "" : ", ") + std::string(id);
-    return no_device(haptics::DeviceTrouble::device_absent, "there is no such simulation",
-                     std::string(device), "there is " + there);
+    return no_device(haptics::DeviceTrouble::device_absent, "no such simulated device", std::string(device),
+                     "available: " + there);
   }
 };
 

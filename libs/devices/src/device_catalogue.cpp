@@ -42,8 +42,8 @@ DeviceResult<OpenedDevice> DeviceCatalogue::open(std::string_view name, const Op
       there += (there.empty() ? "" : ", ") + device.id;
     }
   }
-  return no_device(haptics::DeviceTrouble::device_absent, "there is no device of that name",
-                   std::string(name), there.empty() ? "nothing was found" : "there is " + there);
+  return no_device(haptics::DeviceTrouble::device_absent, "no device has this name", std::string(name),
+                   there.empty() ? "no devices were found" : "available: " + there);
 }
 
 BestDevice DeviceCatalogue::open_best(std::string_view preferred, const OpenRequest& request,

@@ -23,7 +23,7 @@ std::string group_name(gid_t id) {
   return std::to_string(id);
 }
 
-/// Nothing where this user sees no such entry.
+/// Nothing where this user cannot see such an entry.
 std::optional<DeviceNode> node_at(const std::filesystem::path& path) {
   struct stat info {};
   if (stat(path.c_str(), &info) != 0) return std::nullopt;
@@ -119,10 +119,11 @@ std::optional<std::string> permission_advice(const std::vector<DeviceNode>& node
   const auto closed = std::find_if(nodes.begin(), nodes.end(), [](const DeviceNode& n) { return !n.open; });
   if (closed == nodes.end()) return std::nullopt;
   if (closed->group_open && closed->group != "root")
-    return "you may not open " + closed->path.string() + ": run sudo usermod -aG " + closed->group +
+    return "no permission to open " + closed->path.string() + ": run sudo usermod -aG " + closed->group +
            " $USER, then log out and in";
-  return "you may not open " + closed->path.string() +
-         ": set a udev rule for it (docs/devices.md, permissions), then unplug and plug in";
+  return "no permission to open " + closed->path.string() +
+         ": install a udev rule for it (docs/devices.md, permissions), then unplug the device and plug it in "
+         "again";
 }
 
 }  // namespace nazori::devices

@@ -9,7 +9,7 @@
 
 namespace nazori::devices {
 
-/// An entry of /dev that a haptic device may stand behind.
+/// An entry of /dev that may belong to a haptic device.
 struct DeviceNode {
   std::filesystem::path path;
   std::string group;        ///< its group's name, or number
@@ -22,11 +22,11 @@ struct DeviceNode {
                                                    const std::vector<std::string_view>& prefixes);
 
 /// The vendor number of the USB device behind a node of these classes (hidraw, ttyACM): "2988"; empty where
-/// the system does not tell. @param system_folder  /sys.
+/// the system does not report it. @param system_folder  /sys.
 [[nodiscard]] std::string usb_vendor(const std::filesystem::path& node,
                                      const std::filesystem::path& system_folder);
 
-/// The same with the product: "2341:804d", in the letters in which the system writes it (small ones for tty).
+/// The same with the product: "2341:804d", in the system's spelling (lower case for tty).
 [[nodiscard]] std::string usb_product(const std::filesystem::path& node,
                                       const std::filesystem::path& system_folder);
 
@@ -36,8 +36,8 @@ struct DeviceNode {
                                                 const std::filesystem::path& system_folder,
                                                 const std::vector<std::string_view>& ids);
 
-/// What to do where this user may not open some of them: the group to join, or the udev rule to set. Nothing
-/// where all are open.
+/// Instructions for a user without permission to open some of them: the group to join, or the udev rule to
+/// set. Nothing where all can be opened.
 [[nodiscard]] std::optional<std::string> permission_advice(const std::vector<DeviceNode>& nodes);
 
 }  // namespace nazori::devices

@@ -33,7 +33,7 @@ void DeviceSearch::open(DeviceWish wish, RememberedDevices remembered, std::func
 void DeviceSearch::cancel() {
   if (!request_) return;
   request_->wanted = false;
-  // It may have been opened already: closed before the next is opened.
+  // It may have been opened already: close it before the next one is opened.
   background_.post([request = std::move(request_)] { request->found.opened.reset(); });
   request_.reset();
 }
@@ -50,7 +50,7 @@ DeviceFind DeviceSearch::open_now(const DeviceWish& wish, const RememberedDevice
       return OpenRequest{shape_, settings.posture, settings.calibration};
     };
     auto opened = catalogue_.open(id, request(id));
-    // A name that is not an id was asked for: what is remembered belongs to the id.
+    // The request may be a name that is not an id; saved settings belong to the id.
     if (opened && opened->id != id) {
       const std::string found = opened->id;
       opened->device.reset();

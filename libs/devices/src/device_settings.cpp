@@ -45,7 +45,7 @@ DeviceSettings read_device(const base::Settings& s, const std::string& in) {
       c.centre_m[i] = number_setting(s, in + kCentre[static_cast<std::size_t>(i)], 0, -10, 10);
     c.roll_rad = number_setting(s, in + "roll", 0, -4, 4);
     c.posture = posture;
-    // A calibration that cannot be used is none: the automatic fit takes its place.
+    // An invalid calibration is ignored: the automatic fit replaces it.
     if (WorkspaceMapping::create(c)) d.calibration = c;
   }
   d.max_force_n = number_setting(s, in + "max_force_n", 0, 0, 1e3);
@@ -92,7 +92,7 @@ std::string folder_of(std::string_view id) {
   return folder + "/";
 }
 
-/// The id whose hexadecimal digits these are; empty where they are none.
+/// The id with these hexadecimal digits; empty where they are invalid.
 std::string id_of(std::string_view digits) {
   std::string id;
   for (std::size_t i = 0; i < digits.size(); i += 2) {

@@ -33,7 +33,7 @@ Vec3 DeviceTrial::tick(const haptics::DeviceSample& sample) noexcept {
     return Vec3(0);
   }
   if (in_window_ == 0) {
-    origin_ = sample.position_m;  // sums of small numbers stay exact
+    origin_ = sample.position_m;  // keeps sums exact, because the numbers are small
     sum_ = Vec3(0);
     sum_squares_ = 0;
   }
@@ -102,7 +102,7 @@ RealTimeReadiness real_time_readiness(long priority_limit, long locked_bytes, st
                           " KiB: put '@audio - memlock unlimited' into /etc/security/limits.d/nazori.conf");
   if (!r.kernel_preempts)
     r.advice.emplace_back(
-        "the kernel is not preemptible: boot one that is (Debian linux-image-rt-amd64, Ubuntu "
+        "the kernel is not preemptible: use a preemptible one (Debian linux-image-rt-amd64, Ubuntu "
         "linux-lowlatency)");
   return r;
 }

@@ -6,9 +6,8 @@
 
 namespace nazori::devices {
 
-/// When each tick of RtThread was due. That thread leaves out the whole periods that have passed
-/// when a tick ends, so a tick that comes five periods late is told as five periods late, not folded into
-/// one.
+/// When each tick of RtThread was due. That thread skips the whole periods that have passed when a tick ends,
+/// so a tick that is five periods late is reported as five periods late.
 class DueTimes {
  public:
   /// @param period_s  > 0.
@@ -28,7 +27,7 @@ class DueTimes {
 
  private:
   double period_s_;
-  double due_ = 0;  // in periods since the start
+  double due_ = 0;  // periods since the start
 };
 
 }  // namespace nazori::devices

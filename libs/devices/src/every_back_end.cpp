@@ -25,7 +25,7 @@ using base::text_setting;
 struct EnvironmentVariable {
   const char* name;
   std::string_view setting;
-  bool may_be_empty;  ///< set to nothing, it stands for the default, not for what is stored
+  bool may_be_empty;  ///< an empty value means the default, not the stored value
 };
 
 constexpr std::array kEnvironment{

@@ -26,15 +26,15 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kName = "Force Dimension";
 constexpr int kMostBadTicks = 20;  // in a row; force is zero from the first
-constexpr int kLookTicks = 16;     // between looks at the status
-constexpr int kForceOffLooks = 2;  // in a row, before forces count as off: they need a moment to go on
+constexpr int kLookTicks = 16;     // between checks of the status
+constexpr int kForceOffLooks = 2;  // in a row, before forces count as off: switching them on takes a moment
 constexpr auto kForceRest = std::chrono::milliseconds(500);  // before they are switched on again
 
 DeviceResult<dhd::Functions> load(const std::string& user_path) {
   std::vector<std::string> names{"libdhd.so.3", "libdrd.so.3", "libdhd.so", "libdrd.so"};
   if (!user_path.empty()) names = {user_path};
   const auto library = SharedLibrary::load(
-      kName, names, "install the SDK of Force Dimension, see docs/devices.md, Force Dimension and Falcon");
+      kName, names, "install the Force Dimension SDK, see docs/devices.md, Force Dimension and Falcon");
   if (!library) return tl::unexpected(library.error());
   dhd::Functions f;
   DeviceResult<void> all;
@@ -62,7 +62,7 @@ DeviceResult<dhd::Functions> load(const std::string& user_path) {
   return f;
 }
 
-/// What is known of a kind of device; the library does not tell.
+/// Properties of a kind of device, which the library does not report.
 struct Kind {
   haptics::DeviceLimits limits;
   double radius_m;  // of the ball that it reaches
@@ -81,7 +81,7 @@ Kind kind_of(const std::string& name, int type) {
     delta.limits.max_force_n = delta.limits.continuous_force_n = 20;
     return delta;
   }
-  // sigma, lambda and what may come: no stronger than the omega until the library says so.
+  // sigma, lambda and future devices: assumed no stronger than the omega unless the library says otherwise.
   Kind other{SimulatedHardware::omega_3().limits, 0.06};
   if (says("sigma")) other.limits.max_stiffness_n_m = 4000;
   return other;
@@ -128,17 +128,17 @@ class ForceDimensionDevice final : public haptics::HapticDevice {
 
   [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override {
     if (clock_.status().running)
-      return base::fail(base::Errc::device, "the device is running already", port_->name);
+      return base::fail(base::Errc::device, "the device is already running", port_->name);
     const dhd::Functions& dhd = port_->dhd;
     if (dhd.set_gravity_compensation != nullptr) (void)dhd.set_gravity_compensation(1, port_->id);
     if (dhd.set_max_force != nullptr) (void)dhd.set_max_force(port_->limits.max_force_n, port_->id);
-    // An omega.7 or sigma.7 has no button but its gripper; others refuse this.
+    // An omega.7 or sigma.7 has no button but its gripper; other devices refuse this.
     if (dhd.emulate_button != nullptr) (void)dhd.emulate_button(1, port_->id);
     (void)dhd.set_force(0, 0, 0, port_->id);
-    // A success even where the device is not homed: its status tells that.
+    // Succeeds even where the device is not homed; its status shows that.
     if (dhd.enable_force(1, port_->id) < 0)
-      return base::fail(base::Errc::device, "it gives no force: " + last_error(dhd), port_->name,
-                        "switch it on and home it: pull all arms of a Falcon out, then push them in");
+      return base::fail(base::Errc::device, "it does not output force: " + last_error(dhd), port_->name,
+                        "switch it on and calibrate it: on a Falcon, pull all arms out, then push them in");
     bad_ticks_ = ticks_ = looks_without_force_ = 0;
     trouble_ = DeviceTrouble::none;
     over_ = false;
@@ -162,7 +162,7 @@ class ForceDimensionDevice final : public haptics::HapticDevice {
 
  private:
   static void switch_off(void* self) noexcept { static_cast<ForceDimensionDevice*>(self)->write_zero(); }
-  /// No force, and the output off.
+  /// Sets zero force and switches the output off.
   void write_zero() noexcept {
     (void)port_->dhd.set_force(0, 0, 0, port_->id);
     (void)port_->dhd.enable_force(0, port_->id);
@@ -204,8 +204,8 @@ class ForceDimensionDevice final : public haptics::HapticDevice {
     if (over_) link_.confirm_off();
   }
 
-  /// Reads now and then whether the device is homed and its forces are on. Switching them on is a success in
-  /// the library's eyes even where the device brakes; and it switches them off by itself.
+  /// Checks regularly whether the device is homed and its forces are on. For the library switching them on
+  /// succeeds even where the device brakes, and the device may switch them off by itself.
   void look() noexcept {
     const dhd::Functions& dhd = port_->dhd;
     if (dhd.status == nullptr || ticks_++ % kLookTicks != 0) return;
@@ -253,7 +253,7 @@ class ForceDimensionDevice final : public haptics::HapticDevice {
   DeviceTrouble trouble_ = DeviceTrouble::none;  // as the status tells
   std::int32_t cause_ = 0;
   Clock::time_point rest_until_;
-  RtThread clock_;  // last: it stops before the rest goes
+  RtThread clock_;  // declared last, so that it stops before the other members are destroyed
 };
 
 class ForceDimensionBackEnd final : public BackEnd {
@@ -292,8 +292,8 @@ class ForceDimensionBackEnd final : public BackEnd {
       const std::string_view number = device.substr(colon + 1);
       const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), index);
       if (failed != std::errc() || end != number.data() + number.size() || index < 0 || index > 15)
-        return no_device(DeviceTrouble::device_absent, "there is no such device", std::string(device),
-                         "forcedimension:0 is the first");
+        return no_device(DeviceTrouble::device_absent, "this device does not exist", std::string(device),
+                         "the first device is forcedimension:0");
     }
     if (const auto open = open_port(index)) return in_use(open->name);
     const auto dhd = load(settings_.library);
@@ -313,7 +313,7 @@ class ForceDimensionBackEnd final : public BackEnd {
  private:
   static std::string id_of(int index) { return "forcedimension:" + std::to_string(index); }
   static tl::unexpected<DeviceProblem> in_use(const std::string& name) {
-    return no_device(DeviceTrouble::in_use, "this program has it open already", name, "use that one");
+    return no_device(DeviceTrouble::in_use, "it is already open in this program", name, "use the open one");
   }
   [[nodiscard]] tl::unexpected<DeviceProblem> refused(const dhd::Functions& dhd) const {
     switch (dhd.last_error()) {
@@ -322,15 +322,15 @@ class ForceDimensionBackEnd final : public BackEnd {
         // The library opens USB devices directly.
         if (const auto advice = permission_advice(
                 usb_nodes(settings_.device_folder, settings_.system_folder, {dhd::kVendor, dhd::kFalconUsb})))
-          return no_device(DeviceTrouble::no_permission, "no device answers", kName, *advice);
-        return no_device(DeviceTrouble::device_absent, "no device answers", kName,
+          return no_device(DeviceTrouble::no_permission, "no device responds", kName, *advice);
+        return no_device(DeviceTrouble::device_absent, "no device responds", kName,
                          "plug it in and switch it on");
       case dhd::kErrorBusy:
       case dhd::kErrorInUse:
-        return no_device(DeviceTrouble::in_use, "the device is open already", kName,
-                         "close the other program that uses it");
+        return no_device(DeviceTrouble::in_use, "the device is already in use", kName,
+                         "close the program that uses it");
       default:
-        return no_device(DeviceTrouble::init_failed, "the device does not open: " + last_error(dhd), kName,
+        return no_device(DeviceTrouble::init_failed, "the device cannot be opened: " + last_error(dhd), kName,
                          "switch it off and on; for permissions see docs/devices.md");
     }
   }

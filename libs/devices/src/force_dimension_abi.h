@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// The binary interface of Force Dimension's DHD, as far as it is used here, in own declarations. C linkage;
-/// the device's number, a default argument of -1 in the maker's header, must be passed.
+/// The binary interface of Force Dimension's DHD, as far as it is used here, declared by this program. C
+/// linkage; the device's number, a default argument of -1 in the maker's header, must be passed.
 /// @source DHD 3.17 dhdc.h: names and types. Metres and newtons; x towards the operator, y to the right, z
 /// up. A negative answer is an error, 1 (time guard) and 2 (motors saturated) are successes.
 namespace nazori::devices::dhd {

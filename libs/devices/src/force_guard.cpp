@@ -15,10 +15,10 @@
 namespace nazori::devices {
 namespace {
 
-// They end the program, whoever handles them.
+// These signals end the program even if they are handled.
 constexpr std::array kEnds{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGSEGV,
                            SIGBUS, SIGFPE, SIGILL,  SIGABRT, SIGSYS};
-// They end the program only where nobody handles them.
+// These signals end the program only if they are not handled.
 constexpr std::array kEndsByDefault{SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2,   SIGXCPU,
                                     SIGXFSZ, SIGTRAP, SIGPROF, SIGVTALRM, SIGPOLL};
 constexpr std::array kStops{SIGTSTP, SIGTTIN, SIGTTOU};
@@ -32,7 +32,7 @@ struct Handled {
   struct sigaction before {};
 };
 std::array<Handled, kMostSignal> handled;
-std::mutex changing;  // slots and handlers; never taken by a handler
+std::mutex changing;  // protects slots and handlers; never locked by a handler
 int watched = 0;
 unsigned long long libraries_at_exit_watch = 0;
 
@@ -100,7 +100,7 @@ void restore_signals() {
     if (!h.ours) continue;
     h.ours = false;
     struct sigaction now {};
-    // A handler that the program installed after ours stays.
+    // A handler that was installed after this one is kept.
     if (::sigaction(static_cast<int>(number), nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) != 0 &&
         (now.sa_sigaction == on_end || now.sa_sigaction == on_stop))
       (void)::sigaction(static_cast<int>(number), &h.before, nullptr);
@@ -120,7 +120,7 @@ unsigned long long libraries_loaded() {
 }
 
 /// What is registered last runs first: forces must be cut before a maker's library that was loaded meanwhile
-/// takes itself apart.
+/// runs its exit code.
 void watch_exits() {
   const unsigned long long loaded = libraries_loaded();
   if (loaded == libraries_at_exit_watch) return;
@@ -139,7 +139,7 @@ void forget_zeros() noexcept {
 }
 
 bool may_push(const ForceSlot& slot) noexcept {
-  return slot.taken.load(std::memory_order_acquire) && !slot.is_off.load(std::memory_order_acquire);
+  return slot.in_use.load(std::memory_order_acquire) && !slot.is_off.load(std::memory_order_acquire);
 }
 
 void wait_for_zeros() noexcept {
@@ -156,15 +156,15 @@ void ForceGuard::watch(Off off, void* device) noexcept {
   release();
   const SignalsBlocked undisturbed;
   const std::lock_guard lock(changing);
-  const auto free = std::find_if(slots.begin(), slots.end(), [](const ForceSlot& s) { return !s.taken; });
-  // A thirty-third device loses its force like the others; only nobody waits for it.
+  const auto free = std::find_if(slots.begin(), slots.end(), [](const ForceSlot& s) { return !s.in_use; });
+  // A 33rd device loses its force like the others, but its confirmation is not waited for.
   if (free == slots.end()) return;
   slot_ = &*free;
   slot_->off = off;
   slot_->device = device;
   slot_->at_zero.store(false, std::memory_order_relaxed);
   slot_->is_off.store(false, std::memory_order_relaxed);
-  slot_->taken.store(true, std::memory_order_release);
+  slot_->in_use.store(true, std::memory_order_release);
   if (watched++ == 0) handle_signals();
   watch_exits();
 }
@@ -173,7 +173,7 @@ void ForceGuard::release() noexcept {
   if (slot_ == nullptr) return;
   const SignalsBlocked undisturbed;
   const std::lock_guard lock(changing);
-  slot_->taken.store(false, std::memory_order_release);
+  slot_->in_use.store(false, std::memory_order_release);
   slot_ = nullptr;
   if (--watched == 0) restore_signals();
 }
@@ -182,9 +182,10 @@ void ForceGuard::cut_all() noexcept {
   forget_zeros();
   forces_.store(Forces::cut, std::memory_order_release);
   if (ForceSlot* const own = own_; own != nullptr) {
-    own_ = nullptr;  // a second fault in here must not come back
+    own_ = nullptr;  // a second fault here must not re-enter
     if (own->off != nullptr) own->off(own->device);
-    own->is_off.store(true, std::memory_order_release);  // this thread ticks no more: nobody waits for it
+    own->is_off.store(true,
+                      std::memory_order_release);  // this thread does not tick any more: do not wait for it
   }
   wait_for_zeros();
 }

@@ -10,7 +10,7 @@ namespace {
 using haptics::Vec3;
 
 // Of the sight.
-constexpr double kAstray_m = 0.0035;  // beyond the lip of the groove
+constexpr double kAstray_m = 0.0035;  // beyond the edge of the groove
 constexpr double kBack_m = 0.0015;
 constexpr double kReaction_s = 0.2;
 constexpr double kHeight_m = 0.022;  // from below the deepest groove to above the plateau

@@ -7,13 +7,14 @@
 
 namespace nazori::devices {
 
-/// The eye that watches the hand: sees when the tip has gone astray, into a groove that crosses, and has the
-/// hand lift it and put it down again where it should be. Real-time-safe: yes.
+/// Visual correction: notices when the tip has slipped into a crossing groove, and makes the hand lift it and
+/// put it down at the right point. Real-time-safe: yes.
 class HandSight {
  public:
-  /// How much higher than planned the hand wants the tip.
-  /// @param off_m  of the tip from the line, seen from above.  @param to_target_m  of the tip from where the
-  /// hand wants it, seen from above.  @param following  whether a stroke is being followed.
+  /// How much higher than planned the hand aims.
+  /// @param off_m  distance of the tip from the line, as seen from above.  @param to_target_m  distance of
+  ///   the tip from the hand's target, as seen from above.  @param following  whether a stroke is being
+  ///   followed.
   double lift_m(double off_m, double to_target_m, bool following, double elapsed_s) noexcept;
   /// Since the last call.
   int take_slips() noexcept { return std::exchange(slips_, 0); }
@@ -25,14 +26,14 @@ class HandSight {
   int slips_ = 0;
 };
 
-/// The hand that feels the tip hang behind, held back by friction, and pulls harder until it comes along; and
-/// that leans against its drifting aside, as far as it notices. Real-time-safe: yes.
+/// Tactile correction: when friction holds the tip back, the hand pulls harder until the tip follows; when
+/// the tip drifts aside, the hand pushes back as far as it notices. Real-time-safe: yes.
 class HandPull {
  public:
   /// By how much the hand aims beyond its plan, seen from above.
   /// @param wrong_m  from the tip to where it should be on the line.  @param along  unit vector along the
-  /// line.
-  /// @param movement  with another one the pull begins again from nothing: it has another direction.
+  ///   line.
+  /// @param movement  with another one the pull restarts from zero, because its direction differs.
   haptics::Vec3 lead_m(const haptics::Vec3& wrong_m, const haptics::Vec3& along, int movement,
                        double elapsed_s) noexcept;
 

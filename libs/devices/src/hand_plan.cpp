@@ -19,14 +19,14 @@ constexpr double kTravel_s = 0.30;  // over to the next stroke
 constexpr double kLower_s = 0.20;
 constexpr double kLift_s = 0.15;
 constexpr double kHalt_s = 0.15;      // at a sharp turn and at the end
-constexpr double kShortest_s = 0.20;  // even a dot takes a moment
-constexpr double kLightest = 0.25;    // of the pressing, where a groove has risen to nothing
+constexpr double kShortest_s = 0.20;  // even a dot takes this long
+constexpr double kLightest = 0.25;    // share of the pressure where a groove has risen to the plateau
 constexpr double kTurnWindow_m = 0.0015;
 constexpr double kSharpTurn = 50 * std::numbers::pi / 180;
 
 Vec3 between(const Vec3& a, const Vec3& b, double t) { return a + (b - a) * t; }
 
-/// A hand's straying: slow waves whose periods do not fit together, different for each stroke.
+/// The deviation of the hand: slow waves with incommensurable periods, different for each stroke.
 double straying(double time_s, int stroke) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double phase = 1.7 * stroke;
@@ -97,10 +97,10 @@ std::vector<double> HandPlan::sharp_turns(const Stroke& stroke) {
 
 Vec3 HandPlan::aim(const Stroke& stroke, const Heading& at, double arc_m, int number,
                    double time_s) const noexcept {
-  // Sure at the start of a stroke, straying once under way.
+  // Accurate at the start of a stroke, deviating after it.
   const double aside = std::min(1.0, arc_m / 0.005) * habits_.wander_m * straying(time_s, number);
   Vec3 target = at.point_m + Vec3{-at.along.y, at.along.x, 0} * aside;
-  // The hand lifts with the groove where a sweep or a hook rises.
+  // The hand rises with the groove in a sweep or a hook.
   const double deep = stroke.deepest_m > 0 ? std::clamp(-target.z / stroke.deepest_m, 0.0, 1.0) : 1.0;
   target.z -= habits_.press_m * (kLightest + (1 - kLightest) * deep);
   return target;
@@ -113,7 +113,7 @@ HandIntent HandPlan::following(const Stroke& stroke, double since_s, int number,
   HandIntent intent;
   intent.target_m = aim(stroke, here, arc_m, number, time_s);
   intent.line_m = here.point_m;
-  // Where a movement ends the hand still looks along it, not round the corner.
+  // At the end of a movement the direction is still that of the movement, not the one after the corner.
   const double begin_m = stroke.pace.begin_of(movement);
   const double end_m = stroke.pace.end_of(movement);
   intent.along = heading(stroke, std::clamp(arc_m, begin_m, std::max(begin_m, end_m - 1e-9))).along;

@@ -11,17 +11,17 @@
 
 namespace nazori::devices {
 
-/// Where a hand wants the tip at some moment.
+/// The target of a hand at one moment.
 struct HandIntent {
   haptics::Vec3 target_m{0, 0, 0};
-  haptics::Vec3 line_m{0, 0, 0};  ///< the point of the line that it is at, while following a stroke
+  haptics::Vec3 line_m{0, 0, 0};  ///< the present point of the line, while following a stroke
   haptics::Vec3 along{0, 0, 0};   ///< unit vector along the line there, seen from above; while following
   int movement = 0;               ///< counts the movements, between halts at sharp turns, through all strokes
-  int stroke = 0;                 ///< number of the stroke being followed, 0 on the way from one to the next
+  int stroke = 0;                 ///< number of the stroke being followed, 0 between two strokes
   int next = 0;                   ///< number of the stroke being followed or gone to, 0 where there are none
 };
 
-/// The intentions of a hand that follows strokes one after the other: down onto the start, along the line
+/// The planned motion of a hand that follows strokes one after the other: down onto the start, along the line
 /// with an unsteady aim and a halt at each sharp turn, up, and over to the next. The same strokes give the
 /// same plan. Immutable. Thread-safe: yes. Real-time-safe: all but the constructor.
 class HandPlan {
@@ -29,12 +29,12 @@ class HandPlan {
   HandPlan(std::span<const haptics::StrokePath> strokes, const HandHabits& habits);
 
   [[nodiscard]] double duration_s() const { return duration_s_; }
-  /// @param time_s  from the start; held within 0..duration_s().
+  /// @param time_s  from the start; limited to 0..duration_s().
   [[nodiscard]] HandIntent at(double time_s) const noexcept;
 
   /// Length of a stroke's line seen from above. @param stroke 1..
   [[nodiscard]] double length_m(int stroke) const { return strokes_[index(stroke)].length_m; }
-  /// How long its line is followed. @param stroke 1..
+  /// Duration of following its line. @param stroke 1..
   [[nodiscard]] double following_s(int stroke) const { return strokes_[index(stroke)].pace.duration_s(); }
 
  private:
@@ -44,7 +44,7 @@ class HandPlan {
     geometry::StrokePace pace;  ///< one movement from each sharp turn to the next
     double length_m = 0;
     double deepest_m = 0;  ///< below the plateau
-    double begin_s = 0;    ///< the way to the start begins
+    double begin_s = 0;    ///< when the motion to the start begins
     int first_movement = 0;
   };
   /// A point of a line and the direction there, seen from above.

@@ -22,11 +22,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Runs what was started until `done`. @return false where `end` or a wish to stop came first.
+/// Runs the started operation until `done`. @return false where `end` or a request to stop came first.
 bool run_until(asio::io_context& io, const bool& done, Clock::time_point end,
                const std::stop_token& stop = {}) {
   constexpr auto kLook = milliseconds(20);
-  // What is ready is taken also where there is no time to wait.
+  // Handles what is ready even if there is no time to wait.
   if (io.stopped()) io.restart();
   while (!done && io.poll_one() > 0) {
   }
@@ -41,7 +41,7 @@ bool run_until(asio::io_context& io, const bool& done, Clock::time_point end,
 error_code connect(asio::io_context& io, beast::tcp_stream& stream, const std::string& host,
                    std::uint16_t port, Clock::time_point end, const std::stop_token& stop = {}) {
   error_code result;
-  // Addresses only: a name would be looked up, and that cannot be told when to stop.
+  // Addresses only, because looking up a name cannot be interrupted.
   const auto address = asio::ip::make_address(host == "localhost" ? "127.0.0.1" : host, result);
   if (result) return result;
   bool done = false;
@@ -96,7 +96,7 @@ base::Result<std::unique_ptr<Connection>> Connection::open(const std::string& ho
   if (!run_until(in.io, done, end, stop)) {
     beast::get_lowest_layer(in.socket).close();
     run_until(in.io, done, Clock::now() + milliseconds(100));
-    return base::fail(base::Errc::device, "no handshake in time", where);
+    return base::fail(base::Errc::device, "the handshake timed out", where);
   }
   if (failed) return base::fail(base::Errc::device, failed.message(), where);
   in.socket.text(true);
@@ -115,7 +115,7 @@ bool Connection::send(std::string_view message, milliseconds wait) {
   if (!run_until(in.io, done, Clock::now() + wait)) {
     in.gone = true;
     beast::get_lowest_layer(in.socket).close();
-    while (!done) run_until(in.io, done, Clock::now() + milliseconds(100));  // it refers to what ends here
+    while (!done) run_until(in.io, done, Clock::now() + milliseconds(100));  // it refers to local variables
     return false;
   }
   if (failed) in.gone = true;
@@ -142,7 +142,7 @@ Received Connection::receive(std::string& message, milliseconds wait) {
                ? Received::too_large
                : Received::closed;
   }
-  const auto bytes = in.buffer.cdata();  // one piece: it is a flat buffer
+  const auto bytes = in.buffer.cdata();  // one piece, because it is a flat buffer
   message.assign(static_cast<const char*>(bytes.data()), bytes.size());
   in.buffer.consume(in.buffer.size());
   return Received::message;

@@ -13,10 +13,10 @@
 
 namespace nazori::devices::inverse {
 
-/// What waiting for a message came to.
+/// The result of waiting for a message.
 enum class Received : std::uint8_t { message, nothing_yet, too_large, closed };
 
-/// A WebSocket to the service, used by one thread at a time. No call waits longer than it is told.
+/// A WebSocket to the service, used by one thread at a time. No call waits longer than its argument says.
 class Connection {
  public:
   /// Longer messages are refused and end the connection.
@@ -33,9 +33,9 @@ class Connection {
 
   /// @return false where the connection is gone.
   [[nodiscard]] bool send(std::string_view message, std::chrono::milliseconds wait);
-  /// @param message  keeps its memory from call to call.
+  /// @param message  its memory is reused from call to call.
   [[nodiscard]] Received receive(std::string& message, std::chrono::milliseconds wait);
-  /// Waits for a message, then passes over those that others have come behind: `message` is the newest.
+  /// Waits for a message, then skips older ones: `message` is the newest.
   [[nodiscard]] Received receive_newest(std::string& message, std::chrono::milliseconds wait);
 
  private:
@@ -44,7 +44,7 @@ class Connection {
   std::unique_ptr<Inside> inside_;
 };
 
-/// The body of an HTTP GET; nothing where there is no good answer in time.
+/// The body of an HTTP GET; nothing where there is no valid answer in time.
 [[nodiscard]] std::optional<std::string> http_get(const std::string& host, std::uint16_t port,
                                                   const std::string& path, std::chrono::milliseconds wait);
 

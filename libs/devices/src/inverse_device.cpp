@@ -22,7 +22,7 @@ class ArmDevice final : public haptics::HapticDevice {
   }
 
   [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override {
-    if (link_.is_running()) return base::fail(base::Errc::device, "the device is running already", name_);
+    if (link_.is_running()) return base::fail(base::Errc::device, "the device is already running", name_);
     feeling_.start(servo);
     servo_.start();
     auto started = link_.start();
@@ -49,7 +49,7 @@ class ArmDevice final : public haptics::HapticDevice {
   ServoLink feeling_;
   ArmServo servo_;
   ArmLink link_;
-  RtThread clock_;  // last: it stops before the rest goes
+  RtThread clock_;  // declared last, so that it stops before the other members are destroyed
 };
 
 }  // namespace

@@ -10,8 +10,7 @@
 
 namespace nazori::devices::inverse {
 
-/// An arm of the service as a device. @param limits  at the stylus; their delay is the one that is planned
-/// with.
+/// An arm of the service as a device. @param limits  at the stylus; their delay is the planned one.
 [[nodiscard]] std::unique_ptr<haptics::HapticDevice> arm_device(const InverseServiceSettings& settings,
                                                                 const ArmAddress& arm,
                                                                 const std::string& name,

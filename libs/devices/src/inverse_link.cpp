@@ -24,9 +24,9 @@ constexpr auto kPeriod =
 constexpr auto kAnswerWait = milliseconds(20);
 constexpr auto kFirstRetry = milliseconds(500);
 constexpr auto kLongestRetry = milliseconds(10'000);
-constexpr auto kAfterTick = microseconds(100);  // a tick takes some of them
+constexpr auto kAfterTick = microseconds(100);  // a tick takes a few microseconds
 constexpr auto kServoWait = milliseconds(20);   // for a tick; then the force is zero
-constexpr auto kLook = milliseconds(5);         // while there is nobody to talk with
+constexpr auto kLook = milliseconds(5);         // between attempts to connect
 constexpr double kKeyDoubt_s = 0.2;             // of force commanded and none reported
 constexpr double kKeyDoubt_n = 0.05;
 constexpr int kMostBadMessages = 20;  // in a row
@@ -54,10 +54,10 @@ base::Result<void> ArmLink::start() {
   try {
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   } catch (const std::system_error& e) {
-    return base::fail(base::Errc::device, std::string("no thread for the service: ") + e.what(),
+    return base::fail(base::Errc::device, std::string("the service thread cannot be started: ") + e.what(),
                       arm_.device_id);
   }
-  // Below the servo, which it answers to.
+  // Lower priority than the servo, whose requests it handles.
   (void)make_real_time(thread_.native_handle(), kServoPriority - 1);
   return {};
 }
@@ -73,7 +73,7 @@ void ArmLink::run(const std::stop_token& stop) noexcept {
     talk(stop);
     if (connection_) (void)connection_->send(tick_message_.write(Vec3(0)), kSendWait);
   } catch (const std::exception&) {
-    // No memory, or what the network library throws: the session ends, and with it the force.
+    // Out of memory, or an exception of the network library: the session ends, and with it the force.
     lost_ = true;
     publish(DeviceTrouble::device_fault, nullptr);
   }
@@ -133,12 +133,12 @@ void ArmLink::connect(const std::stop_token& stop) {
   state_.buttons = 0;
   session_begun_ = false;
   doubted_since_ = {};
-  // The inventory comes unasked; it is read as the first answer of the loop.
+  // The service sends the inventory without a request; it is read as the first answer of the loop.
 }
 
 void ArmLink::send(const Vec3& service_n) {
-  // The service may send more than one state for a command. One of an older command would be taken for the
-  // answer to this one, and the position would be late.
+  // The service may send more than one state for a command. One of an older command would count as the answer
+  // to this one, and the position would be out of date.
   (void)connection_->receive_newest(message_, milliseconds(0));
   commanded_n_ = service_n;
   asked_at_ = Clock::now();
@@ -174,7 +174,7 @@ DeviceTrouble ArmLink::read() {
   else if (delay_s_ > kTooSlow_s)
     trouble = DeviceTrouble::too_slow;
   else if (!obeys(*arm))
-    trouble = DeviceTrouble::not_ready;  // the servo lets go, and comes back with a ramp
+    trouble = DeviceTrouble::not_ready;  // the servo releases the stylus and restarts with a ramp
   publish(trouble, arm);
   return trouble;
 }
@@ -186,7 +186,7 @@ Vec3 ArmLink::await_force() {
     if (force.answers == poses_) return to_service_frame(force.force_n);
     const auto now = Clock::now();
     if (now > end) return Vec3(0);
-    // Just after the next tick, so that its force does not lie about.
+    // Just after the next tick, so that its force is sent at once.
     std::this_thread::sleep_until(std::max(force.at + kPeriod, now) + kAfterTick);
   }
 }
@@ -199,7 +199,7 @@ void ArmLink::turn() {
       return disconnect(DeviceTrouble::bad_message);
     case Received::nothing_yet:
       if (Clock::now() - heard_at_ > kSilence) return disconnect(DeviceTrouble::too_slow);
-      // Commands last one tick: the arm has gone limp by now.
+      // Commands last one tick: the arm has no force by now.
       publish(DeviceTrouble::too_slow, nullptr);
       (void)await_force();
       return;
@@ -223,7 +223,7 @@ void ArmLink::turn() {
       disconnect(DeviceTrouble::service_gone);
     return;
   }
-  // The servo must have seen trouble of a single turn too: it lets go, and comes back with a ramp.
+  // The servo must notice even a fault of a single cycle: it releases the stylus and restarts with a ramp.
   const DeviceTrouble trouble = read();
   const Vec3 answer_n = await_force();
   const bool allowed = ForceGuard::forces() == Forces::allowed;

@@ -16,23 +16,23 @@ namespace nazori::devices::inverse {
 
 constexpr auto kConnectWait = std::chrono::milliseconds(500);
 constexpr auto kSendWait = std::chrono::milliseconds(50);
-/// After so long without a message the connection counts as dead.
+/// After this time without a message the connection counts as lost.
 constexpr auto kSilence = std::chrono::milliseconds(1000);
 
 /// The service: x right, y forward, z up. Devices: x right, y up, z towards the learner.
 inline haptics::Vec3 to_device_frame(const haptics::Vec3& v) noexcept { return {v.x, v.z, -v.y}; }
 inline haptics::Vec3 to_service_frame(const haptics::Vec3& v) noexcept { return {v.x, -v.z, v.y}; }
 
-/// Which arm, and how its service is spoken to.
+/// The arm and the settings of the connection to its service.
 struct ArmAddress {
   std::string device_id;
   Dialect dialect;
-  haptics::Vec3 centre_m{0, 0, 0};  ///< middle of what it reaches, in the frame that the service uses
+  haptics::Vec3 centre_m{0, 0, 0};  ///< middle of its workspace, in the frame of the service
 };
 
-/// All that speaks with the service: a thread of its own that connects, reads the newest state of the arm and
-/// sends the servo's newest force, once for each tick of the servo. Connects again by itself until the arm
-/// was away for too long. Forces are sent only while a servo ticks and the arm is well.
+/// All communication with the service: a thread that connects, reads the newest state of the arm and sends
+/// the servo's newest force, once per tick of the servo. It reconnects automatically until the arm has been
+/// missing for too long. Forces are sent only while a servo ticks and the arm has no fault.
 class ArmLink {
  public:
   ArmLink(InverseServiceSettings settings, ArmAddress arm, ArmServo& servo);
@@ -42,8 +42,8 @@ class ArmLink {
 
   /// Thread: interface. Before the servo's clock starts.
   [[nodiscard]] base::Result<void> start();
-  /// After the servo's clock has stopped. The last message is of no force; then the session ends, and with it
-  /// whatever force there was.
+  /// After the servo's clock has stopped. The last message sets zero force; then the session ends, and with
+  /// it any force.
   void stop() noexcept;
   [[nodiscard]] bool is_running() const noexcept { return thread_.joinable(); }
 
@@ -52,14 +52,14 @@ class ArmLink {
   void talk(const std::stop_token& stop);
   void connect(const std::stop_token& stop);
   void turn();
-  /// Reads the newest message. @return what keeps the arm from being felt.
+  /// Reads the newest message. @return why the arm cannot be used.
   haptics::DeviceTrouble read();
   void publish(haptics::DeviceTrouble trouble, const ArmState* arm);
-  /// The servo's answer to the pose that was published last; none where the servo stands still.
+  /// The servo's force for the last published pose; none where the servo does not tick.
   [[nodiscard]] haptics::Vec3 await_force();
   void send(const haptics::Vec3& service_n);
   void disconnect(haptics::DeviceTrouble why);
-  /// Whether the arm does as it is told; tries the other spelling once where not.
+  /// Whether the arm obeys commands; if not, tries the other spelling once.
   bool obeys(const ArmState& arm);
 
   const InverseServiceSettings settings_;
@@ -78,7 +78,7 @@ class ArmLink {
   std::uint64_t poses_ = 0;
   double delay_s_ = 0;
   int bad_messages_ = 0;
-  std::jthread thread_;  // last: it ends before the rest goes
+  std::jthread thread_;  // declared last, so that it ends before the other members are destroyed
 };
 
 }  // namespace nazori::devices::inverse

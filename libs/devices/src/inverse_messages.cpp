@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "json_reader.h"
-#include "nazori/base/nesting.h"
+#include "nazori/json/json.h"
 
 namespace nazori::devices::inverse {
 namespace {
 
-using Json = nlohmann::json;
+using Json = json::Value;
 using haptics::Vec3;
 using Kind = JsonReader::Kind;
 
@@ -249,14 +248,14 @@ bool read_state(std::string_view message, ServiceState& state) noexcept {
 }
 
 std::optional<Dialect> dialect_for_version(std::string_view answer) {
-  if (base::is_nested_deeper(answer, JsonReader::kDeepest)) return std::nullopt;
-  const Json json = Json::parse(answer, nullptr, false);
+  const auto parsed = json::parse(answer, {.depth = JsonReader::kDeepest});
+  if (!parsed) return std::nullopt;
   const auto member = [](const Json* object, const char* name) -> const Json* {
     if (object == nullptr || !object->is_object()) return nullptr;
     const auto found = object->find(name);
     return found == object->end() ? nullptr : &*found;
   };
-  for (const Json* place : {&json, member(&json, "data")}) {
+  for (const Json* place : {&*parsed, member(&*parsed, "data")}) {
     for (const char* name : {"git_tag", "project_version"}) {
       const Json* said = member(place, name);
       if (said == nullptr || !said->is_string()) continue;
@@ -284,7 +283,7 @@ std::string first_message(std::string_view device_id, const Dialect& dialect,
       {"configure", {{"profile", {{"name", "org.nazori:tablet"}}}, {"basis", {{"permutation", "XYZ"}}}}}};
   const Json arm{
       {"device_id", device_id}, {"configure", configure}, {"commands", command(dialect.key, Vec3(0))}};
-  return Json{{"session", session}, {"inverse3", Json::array({arm})}}.dump();
+  return json::to_line({{"session", session}, {"inverse3", Json::array({arm})}});
 }
 
 TickMessage::TickMessage(std::string_view device_id, ForceKey key)

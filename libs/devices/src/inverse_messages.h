@@ -64,11 +64,10 @@ struct ServiceState {
 };
 
 /// Reads a message into `state`. Never allocates. @return false where it is not a JSON object with lists of
-/// devices; `state` is of no use then. Arms beyond kMostArms, and what is no ShortText as an id, are left
-/// out.
+/// devices; `state` is then invalid. Arms beyond kMostArms, and ids that are not a ShortText, are left out.
 [[nodiscard]] bool read_state(std::string_view message, ServiceState& state) noexcept;
 
-/// How the service wants to be spoken to, from its answer to GET /version; nothing where it does not tell.
+/// The protocol variant of the service, from its answer to GET /version; nothing if the answer does not say.
 [[nodiscard]] std::optional<Dialect> dialect_for_version(std::string_view answer);
 
 /// The first message of a session: profile, where the origin is, and no force.

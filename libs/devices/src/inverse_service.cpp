@@ -25,13 +25,13 @@ using Clock = inverse::Clock;
 constexpr const char* kName = "Inverse Service";
 constexpr int kDelayProbes = 15;
 
-/// Middle of what an Inverse3 with its arm on the right reaches, from the middle of its mounting plate: the
-/// place that the maker's own examples begin at.
+/// Middle of the workspace of an Inverse3 with its arm on the right, measured from the middle of its mounting
+/// plate: the starting point of the maker's own examples.
 constexpr Vec3 kCentre_m{0.0186, -0.153, 0.151};
 
 ArmType type_of(const ArmState& arm) { return arm.type.value_or(ArmType::inverse3); }
 
-/// Radius of the ball that the maker's tutorials hold targets in.
+/// Radius of the ball to which the maker's tutorials limit targets.
 double reach_m(ArmType type) { return type == ArmType::minverse ? 0.04 : 0.10; }
 
 std::string name_of(const ArmState& arm) {
@@ -111,7 +111,7 @@ class InverseBackEnd final : public BackEnd {
   static std::string id_of(const ArmState& arm) { return "inverse3:" + std::string(arm.device_id.view()); }
   [[nodiscard]] std::string where() const { return settings_.host + ":" + std::to_string(settings_.port); }
   static tl::unexpected<DeviceProblem> absent(std::string_view device) {
-    return no_device(DeviceTrouble::device_absent, "the service sees no such arm",
+    return no_device(DeviceTrouble::device_absent, "the service does not find this arm",
                      device.empty() ? kName : std::string(device),
                      "plug the arm in, switch its power on and wait for its light");
   }
@@ -119,17 +119,18 @@ class InverseBackEnd final : public BackEnd {
     auto connection = Connection::open(settings_.host, settings_.port, inverse::kConnectWait);
     if (!connection)
       return no_device(DeviceTrouble::service_missing,
-                       "no service answers on " + where() + ": " + connection.error().what, kName,
+                       "no service responds on " + where() + ": " + connection.error().what, kName,
                        "install and start haply-inverse-service, see docs/devices.md, Inverse3");
     std::string message;
     Session session{std::move(*connection), {}};
     if (session.connection->receive(message, inverse::kSilence) != Received::message ||
         !inverse::read_state(message, session.inventory))
-      return no_device(DeviceTrouble::bad_message, "what answers on " + where() + " sends no list of devices",
-                       kName, "update haply-inverse-service to 3.1 or later, or set its port");
+      return no_device(DeviceTrouble::bad_message,
+                       "the service on " + where() + " does not send a list of devices", kName,
+                       "update haply-inverse-service to 3.1 or later, or set the correct port");
     return session;
   }
-  /// By the version; where the service does not tell it, by what stands in the inventory.
+  /// Decided by the version; where the service does not report it, by the inventory.
   [[nodiscard]] Dialect dialect(const ArmState& arm) const {
     const auto version = inverse::http_get(settings_.host, settings_.port, "/version", inverse::kConnectWait);
     const Dialect recent, old{inverse::ForceKey::values, false};
@@ -137,14 +138,15 @@ class InverseBackEnd final : public BackEnd {
                    : (arm.has_preset ? recent : old);
   }
   /// From pose to force: the usual round trip, doubled, for a busy machine, and a period until the servo and
-  /// the thread that talks with the service have met.
+  /// the communication thread have exchanged data.
   static double measure_delay(Connection& connection, const ArmAddress& arm) {
     std::vector<double> round_trips;
     inverse::TickMessage tick(arm.device_id, arm.dialect.key);
     std::string answer;
     std::string message = inverse::first_message(arm.device_id, arm.dialect, std::nullopt);
     for (int i = 0; i < kDelayProbes; ++i) {
-      (void)connection.receive_newest(answer, std::chrono::milliseconds(0));  // not what is asked for now
+      (void)connection.receive_newest(
+          answer, std::chrono::milliseconds(0));  // old messages, not the answer to this request
       const auto sent = Clock::now();
       if (!connection.send(message, inverse::kSendWait) ||
           connection.receive(answer, inverse::kSilence) != Received::message)

@@ -11,7 +11,7 @@ namespace nazori::devices {
 
 /// Reads a JSON text (RFC 8259) from front to back, once, without memory of its own: no call allocates,
 /// throws or recurses deeper than kDeepest. The first fault stops it: good() is false from then on and every
-/// call does nothing. Texts in strings are given as they are written, with their escapes.
+/// call does nothing. Strings are returned as written, with their escapes.
 class JsonReader {
  public:
   static constexpr int kDeepest = 32;
@@ -20,13 +20,13 @@ class JsonReader {
   explicit JsonReader(std::string_view text) noexcept : at_(text.data()), end_(text.data() + text.size()) {}
 
   [[nodiscard]] bool good() const noexcept { return good_; }
-  /// After the outermost value: whether the text was sound and nothing follows.
+  /// After the outermost value: whether the text was valid and nothing follows.
   [[nodiscard]] bool at_end() noexcept {
     skip_space();
     return good_ && at_ == end_;
   }
 
-  /// What the next value is; its first character tells.
+  /// The kind of the next value, according to its first character.
   [[nodiscard]] Kind next() noexcept {
     skip_space();
     if (!good_ || at_ == end_) return Kind::none;
@@ -67,7 +67,7 @@ class JsonReader {
   /// The digits of a number as they are written.
   std::string_view number_text() noexcept;
   bool truth() noexcept;
-  /// Passes over a value of any kind.
+  /// Skips a value of any kind.
   void skip() noexcept;
 
  private:
@@ -176,7 +176,7 @@ inline double JsonReader::number() noexcept {
   double value = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (failed == std::errc()) return value;
-  // What is too small for a double is as good as 0. from_chars does not tell it from what is too large.
+  // A number too small for a double counts as 0. from_chars reports it in the same way as one too large.
   constexpr std::size_t kUsual = 40;
   const bool is_tiny = text.size() <= kUsual && (text.find("e-") != std::string_view::npos ||
                                                  text.find("E-") != std::string_view::npos);

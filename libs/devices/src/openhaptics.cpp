@@ -20,13 +20,13 @@ using haptics::Vec3;
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr int kCalibrationTicks = 64;  // between looks at the calibration
+constexpr int kCalibrationTicks = 64;  // between checks of the calibration
 constexpr int kZeroTicks = 4;          // of zero force before the scheduler stops
-constexpr int kMostBadTicks = 50;      // in a row, before errors of no known kind end it
+constexpr int kMostBadTicks = 50;      // in a row, before errors of an unknown kind count as fatal
 constexpr auto kFirstRest = milliseconds(500);
 constexpr auto kLongestRest = milliseconds(8000);
 constexpr auto kFirstTick = milliseconds(250);
-constexpr auto kForgiven = std::chrono::seconds(10);  // without an error, before rests are short again
+constexpr auto kForgiven = std::chrono::seconds(10);  // without an error, before pauses are short again
 
 enum class ErrorKind : std::uint8_t { none, force, end, other };
 
@@ -92,20 +92,19 @@ class OpenHapticsDevice final : public haptics::HapticDevice {
     bool docked = false, released = false;
   };
   static unsigned int scheduled(void* self) noexcept { return static_cast<OpenHapticsDevice*>(self)->tick(); }
-  /// The servo crashed in a frame of ours.
+  /// The servo crashed inside a frame begun by this program.
   static void switch_off(void* self) noexcept { static_cast<OpenHapticsDevice*>(self)->write_zero(true); }
   unsigned int tick() noexcept;
   /// The last ticks: zero force each, then the output goes off and no tick follows.
   unsigned int leave() noexcept;
-  /// Sends zero force in a frame of its own, or in the one that is open. @param for_good  switches the output
-  /// off, too.
+  /// Sends zero force in a new frame, or in the open one. @param for_good  also switches the output off.
   void write_zero(bool for_good) noexcept;
-  /// Whether ticks come, within kFirstTick.
+  /// Whether a tick comes within kFirstTick.
   [[nodiscard]] bool ticks_come() const noexcept;
   Reading read() noexcept;
-  /// What keeps the device from being felt as far as its calibration goes; calibrates where it can.
+  /// The fault of the device's calibration, if any; calibrates where possible.
   DeviceTrouble calibrate(const Reading& now) noexcept;
-  /// Books an error of the library. @return false where the callback must end.
+  /// Handles an error of the library. @return false where the callback must end.
   bool book(const hd::ErrorInfo& error) noexcept;
 
   std::shared_ptr<hd::Port> port_;
@@ -126,7 +125,7 @@ class OpenHapticsDevice final : public haptics::HapticDevice {
 };
 
 base::Result<void> OpenHapticsDevice::start(haptics::ServoCallback& servo) {
-  if (started_) return base::fail(base::Errc::device, "the device is running already", port_->name);
+  if (started_) return base::fail(base::Errc::device, "the device is already running", port_->name);
   const hd::Functions& hd = port_->hd;
   const auto refuse = [&](const char* what, unsigned int code) {
     hd.disable(hd::kForceOutput);
@@ -136,19 +135,21 @@ base::Result<void> OpenHapticsDevice::start(haptics::ServoCallback& servo) {
         base::Error{base::Errc::device, what, port_->name, cause.what + "; " + cause.remedy});
   };
   (void)hd::take_errors(hd);
-  // A scheduler that did not start for one of these reasons says nothing the second time.
+  // A scheduler that did not start for one of these reasons reports no error the second time.
   const unsigned int before = hd::latched_error();
   hd.make_current(port_->handle);
   hd.enable(hd::kForceOutput);
-  if (const auto error = hd::take_errors(hd); error.code != 0) return refuse("it gives no force", error.code);
+  if (const auto error = hd::take_errors(hd); error.code != 0)
+    return refuse("it does not output force", error.code);
   if (hd.set_scheduler_rate != nullptr && rate_hz_ != 1000) {
     hd.set_scheduler_rate(rate_hz_);
-    if (hd::take_errors(hd).code != 0) rate_hz_ = 1000;  // refused: the default stays, which is no failure
+    if (hd::take_errors(hd).code != 0)
+      rate_hz_ = 1000;  // refused: the default is kept, which is not a failure
   }
   stopping_ = ended_ = ticked_ = false;
   ticks_ = zero_ticks_ = bad_ticks_ = 0;
   leaving_ = in_frame_ = false;
-  buttons_before_ = ~0U;  // what is down already was not pressed for this
+  buttons_before_ = ~0U;  // buttons that are already down do not count as pressed now
   error_ = 0;
   rest_ = kFirstRest;
   rest_until_ = last_error_ = Clock::time_point{};
@@ -157,14 +158,14 @@ base::Result<void> OpenHapticsDevice::start(haptics::ServoCallback& servo) {
   scheduled_ = hd.schedule_asynchronous(&OpenHapticsDevice::scheduled, this, hd::kFirst);
   if (const auto error = hd::take_errors(hd); error.code != 0) {
     link_.stop();
-    return refuse("its scheduler takes no servo", error.code);
+    return refuse("its scheduler does not accept the servo", error.code);
   }
   started_ = true;
   {
     const SignalsBlocked inherited;  // by the scheduler's thread
     hd.start_scheduler();
   }
-  // Force errors of the first ticks are the servo's business.
+  // Force errors of the first ticks are handled by the servo.
   auto error = hd::take_errors(hd);
   if (kind_of(error.code) != ErrorKind::end && before != 0) {
     if (ticks_come())
@@ -174,7 +175,7 @@ base::Result<void> OpenHapticsDevice::start(haptics::ServoCallback& servo) {
   }
   if (kind_of(error.code) == ErrorKind::end) {
     stop();
-    return refuse("its scheduler does not start", error.code);
+    return refuse("its scheduler cannot be started", error.code);
   }
   return {};
 }
@@ -190,14 +191,14 @@ void OpenHapticsDevice::stop() noexcept {
   if (!started_) return;
   const hd::Functions& hd = port_->hd;
   stopping_.store(true, std::memory_order_release);
-  // The last ticks write zeros. A scheduler that stands still must not hold the program up.
+  // The last ticks write zeros. A scheduler that has stopped must not block the program.
   for (int i = 0; i < 200 && !ended_.load(std::memory_order_acquire); ++i)
     std::this_thread::sleep_for(milliseconds(1));
   hd.stop_scheduler();
   hd.unschedule(scheduled_);
   (void)hd::take_errors(hd);
-  // Whatever became of the ticks: with the scheduler stopped this thread may write. The frame of the last
-  // tick would count as the only one allowed.
+  // With the scheduler stopped this thread may write, whether or not the last ticks came. The frame of the
+  // last tick would count as the only one allowed.
   hd.disable(hd::kOneFrameLimit);
   write_zero(true);
   hd.enable(hd::kOneFrameLimit);
@@ -239,8 +240,8 @@ OpenHapticsDevice::Reading OpenHapticsDevice::read() noexcept {
   int buttons = 0;
   hd.get_integers(hd::kButtons, &buttons);
   r.buttons = static_cast<std::uint32_t>(buttons);
-  // Both switches count only once they have been seen on, or the device says that it has one: devices without
-  // them read 0 for ever.
+  // Each switch counts only once it has been seen on, or if the device reports that it has one: devices
+  // without it always read 0.
   if (port_->reads_inkwell) {
     hd::Boolean out = 0;
     hd.get_booleans(hd::kInkwellSwitch, &out);
@@ -275,8 +276,8 @@ DeviceTrouble OpenHapticsDevice::calibrate(const Reading& now) noexcept {
     default:
       calibration_ = DeviceTrouble::not_calibrated;
   }
-  // Encoders that are reset anywhere but at the reset position would be wrong from then on: only the learner
-  // knows when the arm is there.
+  // Encoders reset anywhere but at the reset position would be wrong from then on, and only the learner knows
+  // when the arm is there.
   const bool in_place = style == hd::kResetStyle ? confirmed
                                                  : need == hd::kNeedsUpdate && (style == hd::kAutoStyle ||
                                                                                 (style != 0 && now.docked));
@@ -298,7 +299,7 @@ bool OpenHapticsDevice::book(const hd::ErrorInfo& error) noexcept {
   error_ = error.code;
   if (kind == ErrorKind::end) return false;
   const Clock::time_point now = Clock::now();
-  if (now > rest_until_) {  // a new one, not the echo of the last
+  if (now > rest_until_) {  // a new press, not a repetition of the last one
     rest_ = now - last_error_ < kForgiven ? std::min<Clock::duration>(2 * rest_, kLongestRest) : kFirstRest;
   }
   last_error_ = now;
@@ -332,7 +333,7 @@ unsigned int OpenHapticsDevice::tick() noexcept {
   } else if (now.released) {
     link_.pause(DeviceState::paused, DeviceTrouble::safety_switch, 0, now.buttons);
   } else {
-    // Hard errors switch the output off; whoever goes on switches it on again.
+    // Hard errors switch the output off; it must be switched on again to continue.
     if (error_ != 0 && hd.is_enabled(hd::kForceOutput) == 0) hd.enable(hd::kForceOutput);
     error_ = 0;
     const Vec3 force = link_.feel(now.at_m, now.buttons);
@@ -348,7 +349,7 @@ unsigned int OpenHapticsDevice::tick() noexcept {
     goes_on = false;
     link_.pause(DeviceState::lost, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);
   }
-  // The frame that failed may have left an earlier force on the device: the next ones write zeros.
+  // The failed frame may have left an earlier force on the device: the next ones write zeros.
   leaving_ = !goes_on;
   if (force_n[0] == 0 && force_n[1] == 0 && force_n[2] == 0) link_.confirm_zero();
   return hd::kAgain;
@@ -392,7 +393,7 @@ class OpenHapticsBackEnd final : public BackEnd {
 
  private:
   static tl::unexpected<DeviceProblem> in_use(const std::string& name) {
-    return no_device(DeviceTrouble::in_use, "this program has it open already", name, "use that one");
+    return no_device(DeviceTrouble::in_use, "it is already open in this program", name, "use the open one");
   }
   [[nodiscard]] DeviceResult<std::shared_ptr<hd::Port>> port_of(const std::string& name) const {
     const auto functions = hd::load(settings_.library);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// The binary interface of 3D Systems' HDAPI, as far as it is used here, in own declarations: the maker's
-/// headers are not needed and do not compile in standard C++20. 64-bit Linux, plain C calling convention.
+/// The binary interface of 3D Systems' HDAPI, as far as it is used here, declared by this program: the
+/// maker's headers are not needed and do not compile in standard C++20. 64-bit Linux, plain C calling
+/// convention.
 /// @source OpenHaptics 3.0 and 3.4: the names, values and sizes of HD/hdDefines.h and HD/hdDevice.h;
 /// programmer's guide and API reference for units.
 namespace nazori::devices::hd {

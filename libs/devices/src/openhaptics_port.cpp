@@ -23,15 +23,15 @@ using haptics::DeviceTrouble;
 
 constexpr const char* kName = "OpenHaptics";
 constexpr const char* kInstall =
-    "install the Touch driver and OpenHaptics of 3D Systems, see docs/devices.md, OpenHaptics";
+    "install the Touch driver and OpenHaptics from 3D Systems, see docs/devices.md, OpenHaptics";
 // Some versions return garbage instead of "no device" after a first failed attempt.
 constexpr Handle kLargestHandle = 1024;
 constexpr int kMostErrors = 256;
 
 std::atomic<unsigned int> last_latched{0};
 
-/// The library prints up to twelve lines of advertisement on standard error each time it opens a device. What
-/// another thread prints meanwhile, which takes milliseconds, is lost with them.
+/// The library prints up to twelve lines of advertisement on standard error each time it opens a device.
+/// Output of other threads during these milliseconds is lost with them.
 class QuietStandardError {
  public:
   QuietStandardError() : kept_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
@@ -56,7 +56,7 @@ class QuietStandardError {
 
 Handle init_quietly(const Functions& hd, const char* name) {
   const QuietStandardError quiet;
-  // Threads that the library makes here must not run the program's signal handlers.
+  // Threads that the library starts here must not run the program's signal handlers.
   const SignalsBlocked inherited;
   return hd.init_device(name);
 }
@@ -68,8 +68,8 @@ std::string hex(unsigned int code) {
   return "0x" + text;
 }
 
-/// The entries of /dev that a PHANTOM or Touch may stand behind. Every keyboard has a hidraw node, so only
-/// those of the maker count.
+/// The entries of /dev that may belong to a PHANTOM or Touch. Every keyboard has a hidraw node, so only those
+/// of the maker count.
 std::vector<DeviceNode> own_nodes(const OpenHapticsSettings& settings) {
   constexpr std::string_view kVendor = "2988";  // 3D Systems, Geomagic
   auto nodes = device_nodes(settings.device_folder, {"ttyACM", "hidraw", "raw1394"});
@@ -87,35 +87,36 @@ tl::unexpected<DeviceProblem> refused(const Functions& hd, const ErrorInfo& erro
   const char* words = error.code != 0 ? hd.error_string(error.code) : nullptr;
   const std::string code =
       error.code == 0 ? "" : hex(error.code) + (words != nullptr ? std::string(": ") + words : "") + "; ";
-  const std::string said = " (" + code + "tried " + tried + ")";
+  const std::string details = " (" + code + "tried " + tried + ")";
   switch (error.code) {
     case already_initiated:
-      return no_device(DeviceTrouble::in_use, "the device is open already" + said, kName,
-                       "close the other program that uses it");
+      return no_device(DeviceTrouble::in_use, "the device is already in use" + details, kName,
+                       "close the program that uses it");
     case licence:
-      return no_device(DeviceTrouble::init_failed, "the library asks for a licence" + said, kName,
-                       "put the licence file where the maker's manual says, or set OH_SDK_LICENSE_PATH");
+      return no_device(
+          DeviceTrouble::init_failed, "the library needs a licence" + details, kName,
+          "put the licence file where the manufacturer's manual says, or set OH_SDK_LICENSE_PATH");
     case warm_motors:
-      return no_device(DeviceTrouble::init_failed, "the device's motors are warm" + said, kName,
-                       "wait some minutes");
+      return no_device(DeviceTrouble::init_failed, "the device's motors are too warm" + details, kName,
+                       "wait a few minutes");
     case 0:
     case device_fault:
     case communication:
     case configuration: {
-      const std::string what = "no device answers" +
+      const std::string what = "no device responds" +
                                std::string(error.code == 0 ? ", and the library does not say why" : "") +
-                               said;
+                               details;
       if (const auto advice = permission_advice(own_nodes(settings)))
         return no_device(DeviceTrouble::no_permission, what, kName, *advice);
       return no_device(DeviceTrouble::device_absent, what, kName,
-                       "plug it in, switch it on and run the maker's Touch_Setup once");
+                       "plug it in, switch it on and run the manufacturer's Touch_Setup once");
     }
     case timer:
-      return no_device(DeviceTrouble::no_timer, "the library gets no timer from the system" + said, kName,
+      return no_device(DeviceTrouble::no_timer, "the library gets no timer from the system" + details, kName,
                        "close other programs and start this one again");
     default:
-      return no_device(DeviceTrouble::init_failed, "the library opens no device" + said, kName,
-                       "run the maker's Touch_Diagnostic");
+      return no_device(DeviceTrouble::init_failed, "the library cannot open the device" + details, kName,
+                       "run the manufacturer's Touch_Diagnostic");
   }
 }
 
@@ -134,7 +135,7 @@ std::string remedy_for_missing(std::string_view words, std::string otherwise) {
 DeviceResult<Functions> load(const std::string& user_path) {
   std::vector<std::string> names{"libHD.so", "libHD.so.3.4", "libHD.so.3.0", "/usr/lib/libHD.so",
                                  "/usr/lib64/libHD.so"};
-  // A path that the user gave is meant: nothing else is taken in its place.
+  // A path given by the user is binding: no other file is used instead.
   if (!user_path.empty()) names = {user_path};
   auto library = SharedLibrary::load(kName, names, kInstall);
   if (!library) {
@@ -174,7 +175,7 @@ DeviceResult<Functions> load(const std::string& user_path) {
 }
 
 ErrorInfo take_errors(const Functions& hd) noexcept {
-  // The newest comes first; the oldest is the cause.
+  // The newest error comes first; the oldest is the cause.
   ErrorInfo oldest{0, 0, kNoDevice};
   for (int i = 0; i < kMostErrors; ++i) {
     const ErrorInfo error = hd.get_error();
@@ -194,7 +195,7 @@ DeviceResult<std::shared_ptr<Port>> Port::open(const Functions& hd, const OpenHa
   const std::string& user_name = wanted_name.empty() ? settings.device_name : wanted_name;
   std::vector<const char*> names;
   if (!user_name.empty()) names.push_back(user_name.c_str());
-  // Who names a device means it.
+  // A device named by the user is binding.
   if (wanted_name.empty()) names.insert(names.end(), {nullptr, "Default Device", "Default PHANToM"});
 
   (void)take_errors(hd);
@@ -236,7 +237,7 @@ void Port::describe() {
   name = model.empty() ? "OpenHaptics device" : model;
   if (!serial.empty()) name += " (serial " + serial + ")";
 
-  // Where a getter is silent: what is known of a PHANTOM Omni, the weakest of them.
+  // Where a getter returns nothing: the values of a PHANTOM Omni, the weakest device.
   limits.max_force_n = number(kMaxForce, 1, 3.3);
   limits.continuous_force_n = std::min(number(kMaxContinuousForce, 1, 0.88), limits.max_force_n);
   limits.max_stiffness_n_m = number(kMaxStiffness, 1e3, 500);

@@ -13,28 +13,28 @@ namespace nazori::devices::hd {
 /// @param user_path  tried first; may be empty.
 [[nodiscard]] DeviceResult<Functions> load(const std::string& user_path);
 
-/// What to do where libHD is there and lacks a library that it needs.
-/// @param words  of the loader.  @param otherwise  where it lacks none that is known.
+/// Instructions for a libHD that lacks a library it needs.
+/// @param words  the loader's message.  @param otherwise  returned where no known library is missing.
 [[nodiscard]] std::string remedy_for_missing(std::string_view words, std::string otherwise);
 
 /// Takes all errors off the library's stack. @return the oldest, code 0 where there was none. Real-time-safe.
 ErrorInfo take_errors(const Functions& hd) noexcept;
 
-/// The library tells errors of connection and timer once for each cause: asked again, it fails without any.
-/// This is the last of them since a device was last seen to tick, 0 where there was none. Real-time-safe.
+/// The library reports errors of connection and timer only once per cause and later fails without one. This
+/// is the last such error since a device last ticked, 0 where there was none. Real-time-safe.
 [[nodiscard]] unsigned int latched_error() noexcept;
 /// The device ticks. Real-time-safe.
 void forget_latched_error() noexcept;
 
-/// The one style to calibrate by: automatic before inkwell before the arm's reset position, as the maker's
-/// example prefers them. @param mask  what the device has. @return 0 where it has none.
+/// The one style to calibrate by: automatic before inkwell before the arm's reset position, as in the maker's
+/// example. @param mask  the styles of the device. @return 0 where it has none.
 [[nodiscard]] constexpr int preferred_style(int mask) noexcept {
   for (const int style : {kAutoStyle, kInkwellStyle, kResetStyle})
     if ((mask & style) != 0) return style;
   return 0;
 }
 
-/// A device that the library has initialised; disabled when the last owner goes.
+/// A device that the library has initialised; disabled when the last owner is destroyed.
 class Port {
  public:
   /// Tries the names in order, draining the library's errors in between.

@@ -27,19 +27,19 @@ using std::chrono::milliseconds;
 constexpr const char* kName = "Haply 2diy (pantograph)";
 constexpr const char* kId = "pantograph";
 
-/// The boards are of Arduino's kinds and show their numbers: an M0 those of a Zero, an M3 those of a Due,
-/// each at its own USB port. @source boards.txt of Arduino's SAMD and SAM cores; public programs for the 2diy
-/// look for a port named "Arduino Zero".
+/// The boards are Arduino models and have their numbers: an M0 those of a Zero, an M3 those of a Due, each at
+/// its own USB port. @source boards.txt of Arduino's SAMD and SAM cores; public programs for the 2diy look
+/// for a port named "Arduino Zero".
 constexpr std::array<std::string_view, 2> kBoards{"2341:804d", "2341:003e"};
 
 constexpr int kTries = 2;
 constexpr auto kSettle = milliseconds(5);  // the firmware takes a command each 50 us
-constexpr auto kQuiet = milliseconds(20);  // of a board that nobody asks anything
+constexpr auto kQuiet = milliseconds(20);  // silence of a board without requests
 constexpr auto kFirstAnswer = milliseconds(600);
-constexpr double kNearRest_deg = 20;  // a hand may move the handle meanwhile
+constexpr double kNearRest_deg = 20;  // a hand may have moved the handle
 constexpr int kDelayProbes = 15;
 
-/// Sets the board up and has it confirm a torque of zero. @return what it read then, or nothing.
+/// Sets up the board and makes it confirm a torque of zero. @return its reading at that moment, or nothing.
 std::optional<Reading> set_up(SerialPort& port, const pantograph::BoardSetup& setup) {
   for (int i = 0; i < kTries; ++i) {
     if (!port.write(pantograph::settling_packet().bytes())) return std::nullopt;
@@ -61,8 +61,8 @@ bool is_near_rest(const Reading& reading, const pantograph::BoardSetup& setup) {
   return true;
 }
 
-/// From a pose to the torques that answer it [s]: one question to learn of it, one to tell the torques, and
-/// the servo's tick between them.
+/// Delay from a pose to the torques for it [s]: one request that returns the pose, one that sets the torques,
+/// and the servo's tick between them.
 double measure_delay(SerialPort& port, const pantograph::BoardSetup& setup) {
   std::vector<double> round_trips;
   for (int i = 0; i < kDelayProbes; ++i) {
@@ -118,8 +118,8 @@ class PantographBackEnd final : public BackEnd {
     return id;
   }
   static tl::unexpected<DeviceProblem> in_use(const DeviceNode& node) {
-    return no_device(DeviceTrouble::in_use, "this program has it open already", node.path.string(),
-                     "use that one");
+    return no_device(DeviceTrouble::in_use, "it is already open in this program", node.path.string(),
+                     "use the open one");
   }
   static tl::unexpected<DeviceProblem> absent(const std::vector<DeviceNode>& nodes, std::string what) {
     if (const auto advice = permission_advice(nodes))
@@ -128,7 +128,7 @@ class PantographBackEnd final : public BackEnd {
                      "plug it in, see docs/devices.md, Haply 2diy");
   }
 
-  /// The ports that a board may be at.
+  /// The ports that may belong to a board.
   [[nodiscard]] std::vector<DeviceNode> boards() const {
     if (!settings_.port.empty()) {
       const std::filesystem::path path = settings_.port;
@@ -151,7 +151,7 @@ class PantographBackEnd final : public BackEnd {
   [[nodiscard]] DeviceResult<OpenedDevice> open_board(const DeviceNode& node, const Model& model,
                                                       std::string id, const OpenRequest& request) {
     if (is_open(node)) return in_use(node);
-    // The pantograph's plane is the tablet's, however the tablet would stand elsewhere.
+    // The pantograph's plane is the tablet's plane, whatever the pose of the tablet on other devices.
     TabletPosture upright;
     upright.hand = request.posture.hand;
     WorkspaceCalibration fit =

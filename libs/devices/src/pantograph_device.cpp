@@ -25,7 +25,7 @@ class PantographDevice final : public haptics::HapticDevice {
   }
 
   [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override {
-    if (link_.is_running()) return base::fail(base::Errc::device, "the device is running already", name_);
+    if (link_.is_running()) return base::fail(base::Errc::device, "the device is already running", name_);
     feeling_.start(servo, &BoardLink::write_zero_at_end, &link_);
     servo_.start();
     auto started = link_.start();
@@ -52,7 +52,7 @@ class PantographDevice final : public haptics::HapticDevice {
   ServoLink feeling_;
   BoardServo servo_;
   BoardLink link_;
-  RtThread clock_;  // last: it stops before the rest goes
+  RtThread clock_;  // declared last, so that it stops before the other members are destroyed
 };
 
 }  // namespace
@@ -64,7 +64,7 @@ DeviceWorkspace plane_workspace() {
 haptics::DeviceLimits plane_limits() {
   haptics::DeviceLimits limits;
   limits.max_force_n = kMostForce_n;
-  // The maker tells neither what the motors bear for long nor what they render stably: cautious guesses.
+  // The maker publishes neither the continuous force nor the stable stiffness: cautious estimates.
   limits.continuous_force_n = kMostForce_n / 2;
   limits.max_stiffness_n_m = 400;
   limits.max_damping_n_s_m = 1;

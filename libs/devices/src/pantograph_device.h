@@ -14,11 +14,11 @@ namespace nazori::devices::pantograph {
 struct OpenBoard {
   std::shared_ptr<SerialPort> port;
   Model model;
-  haptics::DeviceLimits limits;  ///< at the handle; their delay is the one that is planned with
-  double give_up_s = 3;          ///< without an answer, until the device counts as lost
+  haptics::DeviceLimits limits;  ///< at the handle; their delay is the planned one
+  double give_up_s = 3;          ///< time without an answer until the device counts as lost
 };
 
-/// The same as a device.
+/// A HapticDevice for a pantograph.
 /// @param mapping  upright: the plane is the tablet's.
 /// @param shape  of the tablet: beyond its edges a tip without a button is lifted.
 [[nodiscard]] std::unique_ptr<haptics::HapticDevice> pantograph_device(OpenBoard board,

@@ -61,7 +61,7 @@ PerJoint torques_for(const LinkagePose& pose, const Vec2& force_n, double most_n
   const double larger = std::max(std::abs(torque.x), std::abs(torque.y));
   if (!std::isfinite(larger)) return {0, 0};
   if (larger <= most_n_m) return {torque.x, torque.y};
-  return {torque.x / larger * most_n_m, torque.y / larger * most_n_m};  // never more, by however little
+  return {torque.x / larger * most_n_m, torque.y / larger * most_n_m};  // never more, not even by rounding
 }
 
 double force_in_every_direction_n(const LinkagePose& pose, double most_n_m) noexcept {

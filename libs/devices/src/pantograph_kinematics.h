@@ -11,7 +11,7 @@
 namespace nazori::devices::pantograph {
 
 /// Metres or newtons in the plane of the arms. The origin is the axis of the first motor. The x axis points
-/// to the second motor, the y axis to the handle. The learner sits where the handle is: x points to the
+/// to the second motor, the y axis to the handle. The learner sits on the side of the handle: x points to the
 /// learner's left, y towards the learner.
 using Vec2 = glm::dvec2;
 
@@ -22,15 +22,16 @@ struct Linkage {
   double motors_m = 0;  ///< from one motor's axis to the other's
 };
 
-/// Whether the handle has one place and forces of both directions.
+/// Whether the handle has one position and forces in both directions.
 enum class PoseKind : std::uint8_t {
   regular,
-  singular,  ///< the outer arms lie in a line or on each other: torques cannot hold the handle
+  singular,  ///< the outer arms lie in a line or on each other: torques cannot control the handle
   apart,     ///< the inner arms are too far from each other for the outer ones to meet
-  behind,    ///< the handle would be behind the motors, where no arms get it
+  behind,    ///< the handle would be behind the motors, where the arms cannot reach
 };
 
-/// Where the handle is, and how it moves with the motors. All zero where the pose is not regular.
+/// The position of the handle and its derivatives by the motors' angles. All zero where the pose is not
+/// regular.
 struct LinkagePose {
   PoseKind kind = PoseKind::apart;
   Vec2 handle_m{0, 0};
@@ -44,13 +45,13 @@ constexpr double kLeastSine = 0.2;
 /// Forward kinematics. @param angle_deg  of the inner arms, from x towards y. Not finite: apart.
 [[nodiscard]] LinkagePose pose_at(const Linkage& linkage, const PerJoint& angle_deg) noexcept;
 
-/// The torques that push the hand at the handle with `force_n`: the transposed Jacobian. Where a motor would
-/// need more than `most_n_m`, both become smaller in proportion, so that the direction stays.
+/// The torques that give the force `force_n` at the handle: the transposed Jacobian. Where a motor would need
+/// more than `most_n_m`, both are reduced in proportion, so that the direction is kept.
 /// @return zero for a pose that is not regular or a force that is not finite.
 [[nodiscard]] PerJoint torques_for(const LinkagePose& pose, const Vec2& force_n, double most_n_m) noexcept;
 
-/// The largest force that the motors can give in whatever direction, with `most_n_m` each; 0 where the pose
-/// is not regular.
+/// The largest force that the motors can give in every direction, with `most_n_m` each; 0 where the pose is
+/// not regular.
 [[nodiscard]] double force_in_every_direction_n(const LinkagePose& pose, double most_n_m) noexcept;
 
 }  // namespace nazori::devices::pantograph

@@ -20,11 +20,11 @@ using std::chrono::milliseconds;
 
 constexpr auto kPeriod =
     std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kPeriod_s));
-constexpr auto kAfterTick = microseconds(100);  // a tick takes some of them
+constexpr auto kAfterTick = microseconds(100);  // a tick takes a few microseconds
 constexpr auto kServoWait = milliseconds(20);   // for a tick; then the torque is zero
-constexpr auto kQuiet = milliseconds(3);        // after which nothing more of an answer comes
-constexpr int kMostZeros = 4;                   // that are told until one is confirmed
-constexpr int kStaleWrite_ms = 25;              // in which a torque that was on its way is written
+constexpr auto kQuiet = milliseconds(3);        // silence after which an answer is complete
+constexpr int kMostZeros = 4;                   // that are sent until one is confirmed
+constexpr int kStaleWrite_ms = 25;              // time within which a pending torque is written
 
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
@@ -41,7 +41,7 @@ Answer read_answer(SerialPort& port, const BoardSetup& setup, Reading& reading, 
     size += static_cast<std::size_t>(got);
     switch (read_reply(std::span(bytes).first(size), setup, reading)) {
       case Reply::complete:
-        // More than was asked for: these bytes may be of an older answer, and so may the first ones.
+        // More than requested: these bytes may belong to an older answer, and so may the first ones.
         return size == reply_size(setup) ? Answer::reading : Answer::garbage;
       case Reply::wrong_id:
       case Reply::implausible:
@@ -70,13 +70,13 @@ base::Result<void> BoardLink::start() {
   delay_s_ = 0;
   publish(DeviceState::paused, DeviceTrouble::not_ready, {});
   try {
-    // Whoever ends the program waits for this thread's zero: it must not be the one that waits.
+    // The thread that ends the program waits for this thread's zero, so it must not be this thread.
     const SignalsBlocked inherited;
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   } catch (const std::system_error& e) {
-    return base::fail(base::Errc::device, std::string("no thread for the device: ") + e.what());
+    return base::fail(base::Errc::device, std::string("the device thread cannot be started: ") + e.what());
   }
-  // Below the servo, which it answers to.
+  // Lower priority than the servo, whose requests it handles.
   (void)make_real_time(thread_.native_handle(), kServoPriority - 1);
   return {};
 }
@@ -100,12 +100,12 @@ void BoardLink::run(const std::stop_token& stop) noexcept {
   const ForceGuard::OwnCode own = feeling_.own_code();
   while (!stop.stop_requested() && why_lost_ == DeviceTrouble::none) turn();
   rest_at_zero();
-  feeling_.confirm_off();  // nothing follows, and there is nobody left to tell zero
+  feeling_.confirm_off();  // nothing follows, and no board is left to receive zero
   if (why_lost_ != DeviceTrouble::none) publish(DeviceState::lost, why_lost_, {});
 }
 
 bool BoardLink::ask() noexcept {
-  // What lies in the pipe is of an older question. Taken for the answer to this one, every pose would be late
+  // Data in the pipe belong to an older request. Read as the answer to this one, they would delay every pose
   // from now on.
   std::array<std::uint8_t, Packet::kMost> scrap{};
   if (port_->read(scrap, milliseconds(0)) > 0) port_->discard(kQuiet);
@@ -133,7 +133,7 @@ PerJoint BoardLink::await_torques() noexcept {
     if (torques.answers == poses_) return torques.torque_n_m;
     const auto now = Clock::now();
     if (now > end) return {0, 0};
-    // Just after the next tick, so that its torques do not lie about.
+    // Just after the next tick, so that its torques are sent at once.
     std::this_thread::sleep_until(std::max(torques.at + kPeriod, now) + kAfterTick);
   }
 }
@@ -159,7 +159,7 @@ void BoardLink::turn() noexcept {
     why_lost_ = silent ? DeviceTrouble::communication_lost : DeviceTrouble::bad_message;
     return;
   }
-  // The servo must have seen trouble of a single turn too: it lets go, and comes back with a ramp.
+  // The servo must notice even a fault of a single cycle: it releases the handle and restarts with a ramp.
   publish(DeviceState::paused, silent ? DeviceTrouble::too_slow : DeviceTrouble::bad_message, {});
   (void)await_torques();
   torques_ = {0, 0};

@@ -13,25 +13,25 @@
 
 namespace nazori::devices::pantograph {
 
-/// So long an answer is waited for until the servo lets go.
+/// Time without an answer after which the servo gives no more force.
 constexpr auto kAnswerWait = std::chrono::milliseconds(20);
 
-/// What came of a question.
+/// The result of a request.
 enum class Answer : std::uint8_t {
   reading,
-  nothing,  ///< no answer, or only a part of one
-  garbage,  ///< of another device, or not to be understood
+  nothing,  ///< no answer, or an incomplete one
+  garbage,  ///< an answer of another device, or an invalid one
   gone,     ///< the port is gone
 };
 
-/// Reads the answer to the torques that were written last, in however many parts it comes.
+/// Reads the answer to the last written torques, in any number of parts.
 [[nodiscard]] Answer read_answer(SerialPort& port, const BoardSetup& setup, Reading& reading,
                                  std::chrono::milliseconds wait) noexcept;
 
-/// All that speaks with the board of a running device: a thread of its own that writes the servo's newest
-/// torques and reads the angles, once for each tick of the servo. The board has no watchdog: it holds what it
-/// was told last. So the last that it is told is zero, and it is asked until it confirms that; torques are
-/// sent only while a servo ticks, answers come and forces are allowed.
+/// All communication with the board of a running device: a thread that writes the servo's newest torques and
+/// reads the angles, once per tick of the servo. The board has no watchdog: it keeps the last torques. So the
+/// last command is zero, repeated until the board confirms it. Torques are sent only while a servo ticks,
+/// answers come and forces are allowed.
 class BoardLink {
  public:
   BoardLink(std::shared_ptr<SerialPort> port, const BoardSetup& setup, double give_up_s, ServoLink& feeling,
@@ -43,7 +43,7 @@ class BoardLink {
   /// Thread: interface. Before the servo's clock starts.
   [[nodiscard]] base::Result<void> start();
   /// After the servo's clock has stopped. Returns when the board has confirmed a torque of zero, or after
-  /// some 0.1 s in which it did not.
+  /// about 0.1 s without a confirmation.
   void stop() noexcept;
   [[nodiscard]] bool is_running() const noexcept { return thread_.joinable(); }
 
@@ -56,9 +56,9 @@ class BoardLink {
   /// Writes `torques_`, or zero where forces are not allowed. @return false where the port is gone.
   [[nodiscard]] bool ask() noexcept;
   void publish(haptics::DeviceState state, haptics::DeviceTrouble trouble, const Reading& reading) noexcept;
-  /// The servo's answer to the pose that was published last; zero where the servo stands still.
+  /// The servo's torques for the last published pose; zero where the servo does not tick.
   [[nodiscard]] PerJoint await_torques() noexcept;
-  /// Asks for zero until the board confirms it.
+  /// Sends zero until the board confirms it.
   void rest_at_zero() noexcept;
 
   const std::shared_ptr<SerialPort> port_;
@@ -69,12 +69,12 @@ class BoardLink {
   BoardServo& servo_;
   // Its own thread.
   PerJoint torques_{0, 0};
-  bool held_ = false;  // forces were, when it was asked last
+  bool held_ = false;  // whether forces were suspended at the last check
   haptics::DeviceTrouble why_lost_ = haptics::DeviceTrouble::none;
   Clock::time_point asked_at_, last_good_;
   std::uint64_t poses_ = 0;
   double delay_s_ = 0;
-  std::jthread thread_;  // last: it ends before the rest goes
+  std::jthread thread_;  // declared last, so that it ends before the other members are destroyed
 };
 
 }  // namespace nazori::devices::pantograph

@@ -11,7 +11,7 @@ namespace {
 enum class Command : std::uint8_t { set_up = 1, write_torques = 2 };
 
 constexpr std::uint8_t kAnalogue2 = 56;    // the firmware counts A0 as 54
-constexpr double kPressedBelow = 1000;     // level of A2; a button there pulls it to ground
+constexpr double kPressedBelow = 1000;     // level of A2; a pressed button pulls it to ground
 constexpr double kMostAngle_deg = 720;     // no arm of a pantograph turns that far
 constexpr std::size_t kNumber = 4;         // bytes
 constexpr std::size_t kSettlingSize = 16;  // longer than the rest of any command

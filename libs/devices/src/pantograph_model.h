@@ -35,8 +35,8 @@ constexpr std::array<Model, 2> kModels{{
      {0.07, 0.09, 0}},
 }};
 
-/// What is used of the plane: a square around a point in front of the motors, where no arm comes near to
-/// being stretched and every direction has kMostForce_n.
+/// The part of the plane that is used: a square around a point in front of the motors, where no arm is nearly
+/// stretched and every direction has kMostForce_n.
 constexpr double kReach_m = 0.040;   ///< to each side
 constexpr double kMiddle_m = 0.100;  ///< from the line of the motors
 constexpr double kMostForce_n = 1.5;
@@ -45,7 +45,7 @@ constexpr double kMostForce_n = 1.5;
 [[nodiscard]] inline Vec2 to_device_frame(const Linkage& linkage, const Vec2& handle_m) noexcept {
   return {linkage.motors_m / 2 - handle_m.x, kMiddle_m - handle_m.y};
 }
-/// The other way, for forces.
+/// The inverse, for forces.
 [[nodiscard]] inline Vec2 to_linkage_frame(const haptics::Vec3& device_n) noexcept {
   return {-device_n.x, -device_n.y};
 }

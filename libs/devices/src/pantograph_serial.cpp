@@ -19,7 +19,7 @@ namespace {
 
 using haptics::DeviceTrouble;
 
-/// Whether the port became ready within `wait`, or may have gone.
+/// Whether the port became ready within `wait`, or may have been disconnected.
 bool ready(int file, short events, std::chrono::milliseconds wait) noexcept {
   pollfd one{file, events, 0};
   int found = 0;
@@ -69,7 +69,7 @@ DeviceResult<std::shared_ptr<SerialPort>> SerialPort::open(const std::filesystem
   const int file = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) return refused(path, errno);
   std::shared_ptr<SerialPort> port(new SerialPort(file));
-  // The lock holds against programs of root too, which TIOCEXCL does not.
+  // The lock also keeps out programs of root, unlike TIOCEXCL.
   if (::flock(file, LOCK_EX | LOCK_NB) != 0 || ::ioctl(file, TIOCEXCL) != 0 || !make_raw(file))
     return refused(path, errno);
   (void)::tcflush(file, TCIOFLUSH);

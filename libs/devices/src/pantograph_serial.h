@@ -11,31 +11,31 @@
 
 namespace nazori::devices::pantograph {
 
-/// A serial port that this program has for itself. None of its members allocates but open(). One thread at a
-/// time uses it, but for write_at_end().
+/// A serial port that is locked for this program. Only open() allocates. One thread at a time uses it, except
+/// write_at_end().
 class SerialPort {
  public:
-  /// Raw bytes, no flow control. The speed means nothing over USB; it must not be 1200, which sends boards of
+  /// Raw bytes, no flow control. The speed has no effect over USB; it must not be 1200, which sends boards of
   /// this kind into their boot loader. @source Arduino's SAM and SAMD cores, CDC.cpp.
   [[nodiscard]] static DeviceResult<std::shared_ptr<SerialPort>> open(const std::filesystem::path& path);
   ~SerialPort();
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /// Writes all of `bytes`, at once where the port takes them. @return false where the port is gone or takes
+  /// Writes all of `bytes`, at once if the port accepts them. @return false if the port is gone or accepts
   /// nothing for kWriteWait.
   [[nodiscard]] bool write(std::span<const std::uint8_t> bytes) noexcept;
   static constexpr std::chrono::milliseconds kWriteWait{50};
 
-  /// Reads what is there; where nothing is, waits. @return how many bytes, 0 after `wait`; -1: the port is
-  /// gone.
+  /// Reads the available bytes; if there are none, waits. @return number of bytes, 0 after `wait`; -1: the
+  /// port is gone.
   [[nodiscard]] int read(std::span<std::uint8_t> into, std::chrono::milliseconds wait) noexcept;
 
-  /// Throws away what comes until nothing has come for `quiet`, at most kMostDiscard bytes.
+  /// Discards input until there has been none for `quiet`, at most kMostDiscard bytes.
   void discard(std::chrono::milliseconds quiet) noexcept;
   static constexpr int kMostDiscard = 65'536;
 
-  /// Writes what it can without waiting. Safe in signal handlers; any thread.
+  /// Writes as much as possible without waiting. Safe in signal handlers; any thread.
   void write_at_end(std::span<const std::uint8_t> bytes) const noexcept;
 
  private:

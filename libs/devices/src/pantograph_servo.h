@@ -13,16 +13,16 @@ namespace nazori::devices::pantograph {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kPeriod_s = 0.001;
-/// An older pose is not felt: the hand has moved on.
+/// No force is given for an older pose, because the hand has moved on.
 constexpr double kTooSlow_s = 0.020;
 
-/// What the link last heard of the board.
+/// The last state of the board that the link received.
 struct BoardPose {
   std::uint64_t number = 0;  ///< counts up
   PerJoint angle_deg{0, 0};
   bool pressed = false;
   haptics::DeviceState state = haptics::DeviceState::paused;
-  haptics::DeviceTrouble trouble = haptics::DeviceTrouble::not_ready;  ///< none: it may be felt
+  haptics::DeviceTrouble trouble = haptics::DeviceTrouble::not_ready;  ///< none: the board can be used
   double delay_s = 0;                                                  ///< from pose to torque, as measured
   Clock::time_point at;
 };
@@ -34,11 +34,11 @@ struct BoardTorques {
   Clock::time_point at;
 };
 
-/// The servo's side of a pantograph: a clock thread calls tick(), which meets the thread that talks with the
-/// board only over the newest values. Real-time-safe.
+/// The servo's side of a pantograph: a clock thread calls tick(), which exchanges only newest values with the
+/// communication thread. Real-time-safe.
 class BoardServo {
  public:
-  /// @param planned_delay_s  the delay that the limits of the device were made for.
+  /// @param planned_delay_s  the delay for which the limits of the device were computed.
   /// @param half_width_m  of the tablet, tablet frame.  @param depth_m  of its deepest groove.
   BoardServo(ServoLink& link, const Model& model, double planned_delay_s, double half_width_m, double depth_m)
       : link_(link),
@@ -57,8 +57,8 @@ class BoardServo {
   haptics::LatestValue<BoardTorques> torques{BoardTorques{}};  ///< the other way
 
  private:
-  /// Where the tip is, device frame: the plane has no depth, so the button presses the tip down, or where
-  /// there is none, everything within the tablet's edges does.
+  /// Position of the tip, device frame. The plane has no depth, so the button presses the tip down; without a
+  /// button the tip is down everywhere within the tablet's edges.
   [[nodiscard]] haptics::Vec3 tip(const LinkagePose& pose, bool pressed) noexcept;
 
   ServoLink& link_;

@@ -13,7 +13,8 @@ using haptics::Vec3;
 
 constexpr double kHover_m = 0.005;  // of the tip above the plateau
 constexpr double kDeepest = 1.15;   // below the deepest groove: the tip touches the bottom
-constexpr double kHand_s = 0.008;   // two low-pass filters: a button has no way between up and down
+constexpr double kHand_s =
+    0.008;  // two low-pass filters: because a button has no position between up and down
 
 }  // namespace
 
@@ -56,7 +57,7 @@ void BoardServo::tick() noexcept {
   } else if (is_old || pose.delay_s > kTooSlow_s) {
     link_.pause(DeviceState::paused, DeviceTrouble::too_slow, 0, buttons);
   } else if (const LinkagePose arms = pose_at(linkage_, pose.angle_deg); arms.kind != PoseKind::regular) {
-    // No handle gets there while the angles are right: it was not at rest when the board was set up.
+    // The handle cannot be here with correct angles, so it was not at rest when the board was set up.
     link_.pause(DeviceState::paused, DeviceTrouble::not_at_rest, 0, buttons);
   } else {
     link_.set_delay_s(pose.delay_s);

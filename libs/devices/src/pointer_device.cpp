@@ -18,7 +18,7 @@ constexpr double kPeriod_s = 0.001;
 // Two low-pass filters in a row: no jump in speed, 98 % of a move after six times this.
 constexpr double kHand_s = 0.002;
 
-constexpr double kCatchUp_s = 0.008;  // what is this late is played at twice the speed
+constexpr double kCatchUp_s = 0.008;  // states that are this late are played at twice the speed
 constexpr double kRest_s = 0.010;     // states farther apart: the pointer rested, then moved
 constexpr std::size_t kQueue = 4096;
 
@@ -38,7 +38,7 @@ struct TimedState {
   double at_s = 0;
 };
 
-/// Somewhere between two states; what is not a number of the way is that of the first.
+/// Interpolates between two states; values that are not positions are those of the first.
 PointerState between(const PointerState& from, const PointerState& to, double share) {
   if (from.pressed != to.pressed || from.in_range != to.in_range) return from;
   PointerState state = from;
@@ -57,16 +57,16 @@ struct PointerDevice::Inside {
   haptics::LatestValue<PointerState> newest{PointerState{0, 0, 0, false, false}};
   boost::lockfree::spsc_queue<TimedState, boost::lockfree::capacity<kQueue>> events;
   std::atomic<double> last_event_s{0};                       // of the newest in the queue
-  std::atomic<bool> timed{false};                            // the newest state came with a time
+  std::atomic<bool> timed{false};                            // whether the newest state has a time
   double told_s = -std::numeric_limits<double>::infinity();  // interface: time of the last event
   // Clock thread.
   TimedState played{PointerState{0, 0, 0, false, false}, 0};
   double clock_s = 0;         // of the events
-  double step_s = kPeriod_s;  // that the events went on in this tick
+  double step_s = kPeriod_s;  // time of the events that passed in this tick
   Vec3 halfway{0, 0, kHover_m}, at{0, 0, kHover_m};
   bool present = false;
   std::optional<std::chrono::steady_clock::time_point> begun;  // interface: the first start
-  RtThread clock;                                              // last: it stops before the rest goes
+  RtThread clock;  // declared last, so that it stops before the other members are destroyed
 };
 
 PointerState PointerDevice::Inside::play() noexcept {
@@ -80,7 +80,7 @@ PointerState PointerDevice::Inside::play() noexcept {
   }
   if (events.read_available() == 0) return played.state;
   const double late_s = last_event_s.load(std::memory_order_acquire) - clock_s;
-  // Resting costs no time: the clock goes on a little before the next event.
+  // Pauses are skipped: the playback continues a little before the next event.
   const double next_s = events.front().at_s;
   const double begin_s = std::max(played.at_s, next_s - kRest_s);
   if (clock_s < begin_s)
@@ -91,7 +91,7 @@ PointerState PointerDevice::Inside::play() noexcept {
     const bool was_pressed = played.state.pressed;
     played = events.front();
     events.pop();
-    // Coming down and lifting are never passed over.
+    // Coming down and lifting are never skipped.
     if (played.state.pressed != was_pressed) clock_s = played.at_s;
   }
   if (events.read_available() == 0) return played.state;
@@ -106,10 +106,10 @@ void PointerDevice::Inside::tick(double now_s, haptics::ServoCallback& servo) no
   const PointerState state = play();
   if (usable(state)) {
     const Vec3 target = tip(state);
-    // A pointer that comes back into range is there at once: it did not cross the tablet.
+    // A pointer that comes back into range appears there at once: it did not cross the tablet.
     if (state.in_range && !present) halfway = at = target;
     present = state.in_range;
-    // In the time of the events: what is played faster keeps its shape.
+    // Filtered in the time of the events, so that fast playback keeps the shape.
     const double pass = step_s / (step_s + kHand_s);
     halfway += (target - halfway) * pass;
     at += (halfway - at) * pass;
@@ -131,10 +131,11 @@ haptics::DeviceDescription PointerDevice::describe() const {
 
 base::Result<void> PointerDevice::start(haptics::ServoCallback& servo) {
   Inside& in = *inside_;
-  // What came while nobody felt it is past; where the pointer is now holds.
+  // Drop the queued states: only the newest one matters.
   in.timed = false;
-  in.present = false;  // the tip, too, is where the pointer is now: it may have been left in mid-motion
-  // After a rest the time of the samples goes on, so that strokes before and after it keep their distance.
+  in.present = false;  // the tip moves to the pointer, too, because it may have stopped in mid-motion
+  // After a pause the time of the samples continues, so that strokes before and after it keep their distance
+  // in time.
   const auto now = std::chrono::steady_clock::now();
   if (!in.begun) in.begun = now;
   const double rested_s = std::chrono::duration<double>(now - *in.begun).count();
@@ -156,7 +157,7 @@ void PointerDevice::move(const PointerState& state, double event_s) noexcept {
   if (!usable(state) || !std::isfinite(event_s)) return;
   const bool first = event_s < in.told_s || !in.timed.load(std::memory_order_relaxed);
   if (first || !in.events.push({state, event_s})) {
-    // Nothing to play from, or nobody plays: it holds at once.
+    // Without earlier states or a running playback it applies at once.
     move(state);
     in.events.push({state, event_s});
   }

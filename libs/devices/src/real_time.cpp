@@ -57,7 +57,7 @@ ReadyStack::ReadyStack() noexcept {
   const bool is_known = pthread_attr_getstack(&attributes, &lowest, &size) == 0;
   pthread_attr_destroy(&attributes);
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  // It grows down: its upper end is what is used.
+  // The stack grows downwards, so its upper end is the used part.
   const std::size_t part = (kServoStack + page - 1) / page * page;
   if (!is_known || size < part) return;
   char* const begin = static_cast<char*>(lowest) + (size - part);
@@ -73,7 +73,7 @@ ReadyStack::~ReadyStack() {
 MemoryLock::MemoryLock() noexcept {
   Locks& all = locks();
   const std::lock_guard one(all.mutex);
-  // On fault: what the program never uses is not fetched either.
+  // On fault: pages that the program never uses are not loaded.
   if (all.count++ == 0 && may_lock_everything()) (void)mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT);
 }
 

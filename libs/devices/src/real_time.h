@@ -5,16 +5,16 @@
 
 #include <cstddef>
 
-/// What a thread of the servo asks of the system before its first tick.
+/// System settings of a servo thread before its first tick.
 namespace nazori::devices {
 
 /// Above ordinary threads, below the kernel's own (50) and audio servers.
 constexpr int kServoPriority = 40;
 
-/// So much of the stack of a servo thread is there before its first tick.
+/// Bytes of a servo thread's stack that are in memory before its first tick.
 constexpr std::size_t kServoStack = 128 * 1024;
 
-/// Has a thread scheduled SCHED_FIFO. @return false where the system's rtprio limit does not allow it.
+/// Schedules a thread as SCHED_FIFO. @return false where the system's rtprio limit does not allow it.
 bool make_real_time(pthread_t thread, int priority) noexcept;
 
 /// Writes to kServoStack of the calling thread's stack, so that no tick waits for memory, and keeps that part
@@ -33,9 +33,8 @@ class ReadyStack {
   std::size_t size_ = 0;
 };
 
-/// While one of these lives, what the program has in memory is not paged out: where the system allows a
-/// program to lock as much as it likes. A smaller limit would make it run out of memory later, so it is left
-/// alone then. Any thread.
+/// While one of these lives, the program's memory is not paged out, if the system lets the program lock any
+/// amount. A smaller limit would make it run out of memory later, so it is left alone then. Any thread.
 class MemoryLock {
  public:
   MemoryLock() noexcept;

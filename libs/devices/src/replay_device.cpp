@@ -16,7 +16,7 @@ struct ReplayDevice::Inside {
     next.store(i + 1, std::memory_order_release);
     return force;
   }
-  /// In real time the ticks go on after the end, without the stylus.
+  /// In real time the ticks continue after the end, without the stylus.
   void play(haptics::ServoCallback& servo) noexcept {
     if (next.load(std::memory_order_relaxed) < samples.size()) {
       (void)step(servo);
@@ -32,7 +32,7 @@ struct ReplayDevice::Inside {
   const haptics::DeviceDescription description;
   std::atomic<std::size_t> next{0};
   std::uint64_t after_end = 0;
-  RtThread clock;  // last: it stops before the rest goes
+  RtThread clock;  // declared last, so that it stops before the other members are destroyed
 };
 
 ReplayDevice::ReplayDevice(std::vector<haptics::DeviceSample> samples, haptics::DeviceDescription description)

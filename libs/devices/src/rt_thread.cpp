@@ -73,7 +73,7 @@ RtThread::~RtThread() { stop(); }
 
 base::Result<void> RtThread::start(double period_s, Tick tick) {
   if (!(period_s >= 1e-5 && period_s <= 1))
-    return base::fail(base::Errc::bad_argument, "a servo period must lie between 10 us and 1 s", "period_s");
+    return base::fail(base::Errc::bad_argument, "must be between 10 us and 1 s", "period_s");
   Inside& in = *inside_;
   if (in.thread.joinable()) return base::fail(base::Errc::device, "the clock thread is already running");
   in.tick = std::move(tick);
@@ -88,7 +88,7 @@ base::Result<void> RtThread::start(double period_s, Tick tick) {
     in.thread = std::thread([&in] { in.run(); });
   } catch (const std::system_error& e) {
     in.memory.reset();
-    return base::fail(base::Errc::device, std::string("no thread for the servo: ") + e.what());
+    return base::fail(base::Errc::device, std::string("the servo thread cannot be started: ") + e.what());
   }
   in.real_time = make_real_time(in.thread.native_handle(), kServoPriority);
   return {};
@@ -108,7 +108,7 @@ ClockStatus RtThread::status() const {
   s.real_time = s.running && in.real_time;
   s.stack_locked = s.running && in.stack_locked.load(std::memory_order_relaxed);
   if (s.running && !in.real_time)
-    s.message = "The servo runs without real-time priority (the system's rtprio limit does not allow it).";
+    s.message = "The servo runs without real-time priority because of the system's rtprio limit.";
   s.ticks = in.ticks.load(std::memory_order_relaxed);
   s.missed = in.missed.load(std::memory_order_relaxed);
   s.max_lateness_s = static_cast<double>(in.max_lateness_ns.load(std::memory_order_relaxed)) * 1e-9;

@@ -68,7 +68,7 @@ class SdlBackEnd final : public BackEnd {
     if (wanted == all.end()) return absent(std::string(device));
     if (is_open(wanted->device)) return in_use(wanted->device);
 
-    // The stick's plane is the tablet's, however the tablet would stand elsewhere.
+    // The stick's plane is the tablet's plane, whatever the pose of the tablet on other devices.
     TabletPosture upright;
     upright.hand = request.posture.hand;
     WorkspaceCalibration fit =
@@ -91,13 +91,14 @@ class SdlBackEnd final : public BackEnd {
     return found != open_.end() && !found->second.expired();
   }
   static tl::unexpected<DeviceProblem> in_use(const Listed& device) {
-    return no_device(DeviceTrouble::in_use, "this program has it open already", device.name, "use that one");
+    return no_device(DeviceTrouble::in_use, "it is already open in this program", device.name,
+                     "use the open one");
   }
   static tl::unexpected<DeviceProblem> absent(std::string what) {
     if (const auto advice = permission_advice(device_nodes("/dev/input", {"js"})))
-      return no_device(DeviceTrouble::no_permission, "none can be opened", std::move(what), *advice);
-    return no_device(DeviceTrouble::device_absent, "none is plugged in", std::move(what),
-                     "plug it in, or switch it on where it is wireless");
+      return no_device(DeviceTrouble::no_permission, "no permission to open it", std::move(what), *advice);
+    return no_device(DeviceTrouble::device_absent, "none is connected", std::move(what),
+                     "plug it in; if it is wireless, switch it on");
   }
 
   std::shared_ptr<Port> port_;

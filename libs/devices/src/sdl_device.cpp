@@ -28,17 +28,19 @@ using haptics::Vec3;
 constexpr double kPeriod_s = 0.001;
 constexpr auto kTalk = std::chrono::milliseconds(4);
 constexpr auto kSilent = std::chrono::milliseconds(200);
-constexpr double kReach_m = 0.06;   // of a stick to each side: a hand's breadth in all
+constexpr double kReach_m = 0.06;   // travel of a stick to each side: a hand's breadth in total
 constexpr double kHover_m = 0.005;  // of the tip above the plateau
-constexpr double kHand_s = 0.008;   // two low-pass filters: an axis comes in steps, 250 times a second
-constexpr double kDeepest = 1.15;   // below the deepest groove: a full press touches the bottom
-constexpr double kRim = 0.95;       // worn sticks do not reach their ends
+constexpr double kHand_s =
+    0.008;  // two low-pass filters: because an axis changes in steps, 250 times a second
+constexpr double kDeepest = 1.15;  // below the deepest groove: a full press touches the bottom
+constexpr double kRim = 0.95;      // worn sticks do not reach their ends
 constexpr double kRumbleFull_n = 1.0;
 constexpr int kMostRefusals = 20;  // in a row
 
 double seconds(Clock::time_point t) { return std::chrono::duration<double>(t.time_since_epoch()).count(); }
 
-/// A pad's stick moves in a circle, the tablet is a square: each way to the rim leads to the edge.
+/// A pad's stick moves in a circle, the tablet is a square: the rim of the circle is mapped to the edge of
+/// the square.
 void square(double& x, double& y) {
   const double most = std::max(std::abs(x), std::abs(y));
   if (most > 0) {
@@ -65,11 +67,11 @@ class StickDevice final : public haptics::HapticDevice {
 
   [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override {
     if (talk_.joinable())
-      return base::fail(base::Errc::device, "the device is running already", listed_.name);
+      return base::fail(base::Errc::device, "the device is already running", listed_.name);
     Pose pose{controller_->read(), Clock::now(), false};
     if (!pose.reading.attached)
-      return base::fail(base::Errc::device, "it is not plugged in any more", listed_.name,
-                        "plug it in and choose it again");
+      return base::fail(base::Errc::device, "it is no longer connected", listed_.name,
+                        "plug it in and select it again");
     if (listed_.abilities.force()) {
       auto effects = ForceEffects::create(*controller_, listed_.abilities);
       if (!effects) return tl::unexpected(effects.error());
@@ -94,13 +96,13 @@ class StickDevice final : public haptics::HapticDevice {
     try {
       talk_ = std::jthread([this](const std::stop_token& stop) {
         talk(stop);
-        SDL_TLSCleanup();  // what SDL kept for this thread; it did not make the thread itself
+        SDL_TLSCleanup();  // SDL's data of this thread, which SDL did not start itself
       });
     } catch (const std::system_error& e) {
       clock_.stop();
       effects_.reset();
       link_.stop();
-      return base::fail(base::Errc::device, std::string("no thread for the device: ") + e.what(),
+      return base::fail(base::Errc::device, std::string("the device thread cannot be started: ") + e.what(),
                         listed_.name);
     }
     return {};
@@ -121,12 +123,12 @@ class StickDevice final : public haptics::HapticDevice {
   struct Pose {
     Reading reading;
     Clock::time_point at;
-    bool refuses = false;  ///< it takes no effects any more
+    bool refuses = false;  ///< it does not accept effects any more
   };
   struct Command {
     Wish wish;
     Clock::time_point at;
-    Clock::time_point pose_at;  ///< of the reading that it answers
+    Clock::time_point pose_at;  ///< of the reading that the force belongs to
   };
 
   /// Device frame. Thread: servo, and the interface's while nothing ticks.
@@ -169,7 +171,7 @@ class StickDevice final : public haptics::HapticDevice {
     commands_.publish();
   }
 
-  /// The device's own thread: all that speaks with it.
+  /// The device's own thread: all communication with it.
   void talk(const std::stop_token& stop) {
     RumbleCues rumble(*controller_);
     int refusals = 0;
@@ -186,7 +188,7 @@ class StickDevice final : public haptics::HapticDevice {
       command.wish.events = static_cast<std::uint16_t>(events_.exchange(0, std::memory_order_relaxed));
       const auto now = Clock::now();
       const bool allowed = ForceGuard::forces() == Forces::allowed;
-      // A servo that stands still must not go on pushing.
+      // A servo that has stopped must not keep pushing.
       const bool live = allowed && pose.reading.attached && !pose.refuses && now - command.at < kSilent;
       if (!live) command.wish = {};
       refusals = feel(command.wish, now) ? 0 : refusals + 1;
@@ -210,13 +212,13 @@ class StickDevice final : public haptics::HapticDevice {
   haptics::LatestValue<Pose> poses_{Pose{}};
   haptics::LatestValue<Command> commands_{Command{}};
   std::atomic<std::uint32_t> events_{0};
-  std::atomic<double> delay_s_{0};       ///< from a reading to the effect that answers it; smoothed
+  std::atomic<double> delay_s_{0};       ///< from a reading to the effect for it; smoothed
   std::optional<ForceEffects> effects_;  // talk_'s
   // Servo thread.
   haptics::ServoCallback* servo_ = nullptr;
   Vec3 halfway_{0, 0, 0}, at_{0, 0, 0};
   bool over_ = false;
-  // Last: they stop before the rest goes.
+  // Declared last, so that they stop before the other members are destroyed.
   RtThread clock_;
   std::jthread talk_;
 };
@@ -230,12 +232,12 @@ DeviceWorkspace stick_workspace() {
 haptics::DeviceLimits stick_limits(const Abilities& abilities) {
   haptics::DeviceLimits limits;
   if (!abilities.force()) return limits;
-  // No such device tells its force; this is what is taken for its full level.
+  // Such devices do not report their force; this is the assumed full force.
   limits.max_force_n = limits.continuous_force_n = 3;
   limits.max_stiffness_n_m = 300;
   limits.max_damping_n_s_m = 1;
   limits.own_damping_n_s_m = 0.2;
-  // Up to a turn of talk_ for the position, as much and the pause between effects for the force.
+  // Up to one cycle of talk_ for the position, and one more plus the pause between effects for the force.
   limits.delay_s = 2 * std::chrono::duration<double>(kTalk).count() + 1 / ForceEffects::kMost_hz;
   return limits;
 }

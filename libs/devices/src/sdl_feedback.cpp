@@ -17,7 +17,7 @@ using haptics::ServoEvent;
 namespace {
 
 constexpr double kLeastTime_s = 1 / ForceEffects::kMost_hz;
-constexpr double kLeastChange = 0.01;  // of the full force or way
+constexpr double kLeastChange = 0.01;  // of the full force or travel
 constexpr double kAnew_s = 0.4;        // well before an effect ends
 constexpr Sint16 kFullLevel = 32767;
 constexpr Uint16 kFullSaturation = 0xFFFF;
@@ -43,7 +43,7 @@ SDL_HapticEffect condition(Uint16 type, Sint16 coefficient) {
 base::Result<ForceEffects> ForceEffects::create(Controller& controller, const Abilities& abilities) {
   ForceEffects all(controller, abilities);
   if (!all.constant_ && !all.spring_)
-    return base::fail(base::Errc::device, std::string("it takes no force effect: ") + SDL_GetError(),
+    return base::fail(base::Errc::device, std::string("it does not accept force effects: ") + SDL_GetError(),
                       "force feedback", "close other programs that use it");
   return all;
 }
@@ -92,7 +92,7 @@ void ForceEffects::add(std::optional<Effect>& slot, const SDL_HapticEffect& what
 
 bool ForceEffects::stop(Effect& effect) {
   if (!effect.running) return true;
-  // Left marked where it failed: the next call tries again.
+  // Stays marked on failure, so that the next call tries again.
   if (!controller_->stop_effect(effect.id)) return false;
   effect.running = false;
   return true;
@@ -134,7 +134,8 @@ bool ForceEffects::push(const Wish& wish, double now_s) {
     effect.what.condition.center[0] = level(x);
     effect.what.condition.center[1] = level(-y);  // SDL's y is down
   } else if (planar_) {
-    // Comes from where it does not push: from the left to push right; south, to push up, is SDL's +y.
+    // The direction is the one the force comes from: from the left to push right; from the south, which is
+    // SDL's +y, to push up.
     effect.what.constant.direction.dir[0] = -level(x);
     effect.what.constant.direction.dir[1] = level(y);
     effect.what.constant.level = level(size);
@@ -179,7 +180,7 @@ void RumbleCues::apply(const Wish& wish, double now_s) {
   std::uint16_t low = 0, high = 0;
   if (wish.on) {
     const double push = std::hypot(wish.push_x, wish.push_y);
-    // In sixteen steps: a pad does not tell more, and each step is a message to it.
+    // In sixteen steps: a pad does not resolve more, and each step is a message to it.
     constexpr double kSteps = 16, kHum = 0x6000;
     if (std::isfinite(push))
       low = static_cast<std::uint16_t>(std::floor(std::min(1.0, push) * kSteps) / kSteps * kHum);

@@ -8,31 +8,31 @@
 
 namespace nazori::devices::sdl {
 
-/// What the hand should feel now.
+/// The feedback that the hand should get now.
 struct Wish {
-  bool on = false;                ///< false: nothing at all, at once
-  double x = 0, y = 0;            ///< where the stick is, -1..1, right and up
+  bool on = false;                ///< false: no feedback, from now on
+  double x = 0, y = 0;            ///< position of the stick, -1..1, right and up
   double push_x = 0, push_y = 0;  ///< force as a part of the device's full force, right and up
   bool pressed = false;           ///< the tip is pressed down
-  std::uint16_t events = 0;       ///< ServoEvent bits since the last wish
+  std::uint16_t events = 0;       ///< ServoEvent bits since the last one
 };
 
 /// Forces of a joystick or wheel: a constant force, or where it has none a spring whose middle is moved so
-/// that it gives that force; and damping while the tip is pressed down. Tells the device what changed only,
-/// at most kMost_hz times a second; letting go is told at once. Effects end by themselves after kLength_ms
-/// and are started anew before that, so that a program that hangs does not push on.
+/// that it gives that force; and damping while the tip is pressed down. Sends only changes to the device, at
+/// most kMost_hz times a second; the end of a force is sent at once. Effects end automatically after
+/// kLength_ms and are restarted before that, so that a hanging program does not keep pushing.
 class ForceEffects {
  public:
   static constexpr double kMost_hz = 100;
   static constexpr std::uint32_t kLength_ms = 1000;
 
-  /// @return what SDL says where the device takes no effect.
+  /// @return SDL's message where the device accepts no effect.
   [[nodiscard]] static base::Result<ForceEffects> create(Controller& controller, const Abilities& abilities);
   ForceEffects(ForceEffects&& other) noexcept;
   ForceEffects& operator=(ForceEffects&&) = delete;
   ~ForceEffects();
 
-  /// @return false while the device refuses.
+  /// @return false while the device refuses effects.
   bool apply(const Wish& wish, double now_s);
 
  private:
@@ -56,8 +56,8 @@ class ForceEffects {
   bool refused_ = false;
 };
 
-/// Rumble of a pad: a hum while a wall pushes, a tap where a stroke takes or loses hold, a long high one when
-/// a stroke is done, both motors for a mistake. The same rules of time as ForceEffects.
+/// Rumble of a pad: a hum while a wall pushes, a tap where a stroke captures or releases the stylus, a long
+/// high one when a stroke is done, both motors for a mistake. The timing is that of ForceEffects.
 class RumbleCues {
  public:
   explicit RumbleCues(Controller& controller) : controller_(&controller) {}

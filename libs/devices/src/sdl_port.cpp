@@ -26,11 +26,11 @@ using Pad = std::unique_ptr<SDL_GameController, Closer<SDL_GameController, SDL_G
 using Haptic = std::unique_ptr<SDL_Haptic, Closer<SDL_Haptic, SDL_HapticClose>>;
 
 tl::unexpected<base::Error> refused(std::string what) {
-  return base::fail(base::Errc::device, std::move(what) + ": " + SDL_GetError(), "joysticks and pads",
+  return base::fail(base::Errc::device, std::move(what) + ": " + SDL_GetError(), "joysticks and gamepads",
                     "unplug it and plug it in again");
 }
 
-/// What SDL keeps for a thread that is not its own (the words of its last error) goes with this.
+/// Frees SDL's data of a thread that SDL did not start (the text of its last error).
 struct Visit {
   Visit() = default;
   ~Visit() { SDL_TLSCleanup(); }
@@ -38,7 +38,8 @@ struct Visit {
   Visit& operator=(const Visit&) = delete;
 };
 
-/// SDL's joystick and haptic systems, on while it lives. SDL's haptics have no lock of their own, hence this.
+/// SDL's joystick and haptic systems, running while this lives. SDL's haptics have no lock of their own,
+/// hence this.
 struct System {
   ~System() {
     const std::lock_guard one(base::sdl_lock());
@@ -48,14 +49,14 @@ struct System {
   base::Result<void> begin() {
     if (begun) return {};
     const std::lock_guard one(base::sdl_lock());
-    // SDL would take Ctrl+C from whoever runs the program in a terminal.
+    // Without this hint SDL would handle Ctrl+C in place of the terminal.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
-    if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0) return refused("SDL does not start");
+    if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0) return refused("SDL cannot be started");
     begun = true;
     // A kernel without force feedback still has sticks.
     haptics = SDL_InitSubSystem(SDL_INIT_HAPTIC) == 0;
-    // State is read, not events: nobody would take them off the queue.
+    // The state is read instead of events, because nothing would remove them from the queue.
     SDL_JoystickEventState(SDL_IGNORE);
     SDL_GameControllerEventState(SDL_IGNORE);
     return {};
@@ -143,7 +144,7 @@ class SystemController final : public Controller {
   void read_stick(Reading& r) const {
     r.x = unit(SDL_JoystickGetAxis(joystick_.get(), 0));
     r.y = -unit(SDL_JoystickGetAxis(joystick_.get(), 1));
-    // The first button, a joystick's trigger, presses; the others count from there.
+    // The first button, a joystick's trigger, presses; the others are numbered after it.
     r.press = SDL_JoystickGetButton(joystick_.get(), 0) != 0 ? 1 : 0;
     const int buttons = std::min(SDL_JoystickNumButtons(joystick_.get()), kMostButtons);
     for (int i = 1; i < buttons; ++i) {
@@ -158,7 +159,7 @@ class SystemController final : public Controller {
   WritingHand hand_;
 };
 
-/// SDL's list of joysticks stands still while it lives.
+/// SDL's list of joysticks does not change while this lives.
 struct ListHeld {
   ListHeld() { SDL_LockJoysticks(); }
   ~ListHeld() { SDL_UnlockJoysticks(); }
@@ -202,27 +203,27 @@ class SystemPort final : public Port {
     for (int i = 0; i < SDL_NumJoysticks(); ++i) {
       if (SDL_JoystickGetDeviceInstanceID(i) != device.instance) continue;
       Joystick joystick(SDL_JoystickOpen(i));
-      if (!joystick) return refused("it does not open");
+      if (!joystick) return refused("it cannot be opened");
       Pad pad;
       Haptic haptic;
       if (device.abilities.force()) {
         haptic.reset(SDL_HapticOpenFromJoystick(joystick.get()));
-        if (!haptic) return refused("its force feedback does not open");
+        if (!haptic) return refused("its force feedback cannot be opened");
         const unsigned can = SDL_HapticQuery(haptic.get());
         if ((can & SDL_HAPTIC_GAIN) != 0) SDL_HapticSetGain(haptic.get(), 100);
         if ((can & SDL_HAPTIC_AUTOCENTER) != 0) SDL_HapticSetAutocenter(haptic.get(), 0);
       } else if (device.abilities.pad) {
         pad.reset(SDL_GameControllerOpen(i));
-        if (!pad) return refused("it does not open as a gamepad");
+        if (!pad) return refused("it cannot be opened as a gamepad");
       }
       return std::make_unique<SystemController>(system_, std::move(joystick), std::move(pad),
                                                 std::move(haptic), hand);
     }
-    return base::fail(base::Errc::device, "it is not there any more", device.name, "plug it in again");
+    return base::fail(base::Errc::device, "it is no longer connected", device.name, "plug it in again");
   }
 
  private:
-  /// Opens it for a moment; done once each time that it is plugged in.
+  /// Opens the device briefly; done once each time it is plugged in.
   [[nodiscard]] Abilities abilities_of(int index) const {
     Abilities a;
     a.pad = SDL_IsGameController(index) == SDL_TRUE;

@@ -11,11 +11,11 @@
 #include "nazori/base/result.h"
 #include "nazori/devices/workspace_mapping.h"
 
-/// What Nazori uses of SDL's joysticks, gamepads and haptics, thin enough to be acted out by a test: SDL has
-/// no virtual haptic device.
+/// What Nazori uses of SDL's joysticks, gamepads and haptics, a thin layer that a test can replace, because
+/// SDL has no virtual haptic device.
 namespace nazori::devices::sdl {
 
-/// What a joystick, wheel or pad can do.
+/// The abilities of a joystick, wheel or pad.
 struct Abilities {
   unsigned effects = 0;  ///< SDL_HAPTIC_CONSTANT, SDL_HAPTIC_SPRING ...
   int haptic_axes = 0;   ///< as SDL_HapticNumAxes; on Linux always 2
@@ -25,7 +25,7 @@ struct Abilities {
 
   /// Axes that a force can push along. A wheel has one motor, whatever SDL counts.
   [[nodiscard]] int force_axes() const noexcept { return wheel && haptic_axes > 1 ? 1 : haptic_axes; }
-  /// Forces of a direction, not only shaking.
+  /// Whether it has directed forces, not only rumble.
   [[nodiscard]] bool force() const noexcept {
     return (effects & (SDL_HAPTIC_CONSTANT | SDL_HAPTIC_SPRING)) != 0 && force_axes() > 0;
   }
@@ -49,7 +49,7 @@ struct Reading {
 class Controller {
  public:
   virtual ~Controller() = default;
-  /// Takes in what happened since the last call.
+  /// Processes what has happened since the last call.
   [[nodiscard]] virtual Reading read() = 0;
   /// As SDL_JoystickRumble.
   virtual bool rumble(std::uint16_t low, std::uint16_t high, std::uint32_t length_ms) = 0;
@@ -61,17 +61,18 @@ class Controller {
   virtual void destroy_effect(int id) = 0;
 };
 
-/// All that are plugged in. Thread rules: one thread (the interface), beside those of open controllers.
+/// All plugged-in controllers. Thread rules: one thread (the interface), in parallel with those of open
+/// controllers.
 class Port {
  public:
   virtual ~Port() = default;
   [[nodiscard]] virtual base::Result<std::vector<Listed>> list() = 0;
-  /// @param hand  which stick of a pad. @return null with SDL's words where it does not open.
+  /// @param hand  which stick of a pad. @return null, with SDL's message, where it cannot be opened.
   [[nodiscard]] virtual base::Result<std::unique_ptr<Controller>> open(const Listed& device,
                                                                        WritingHand hand) = 0;
 };
 
-/// SDL itself, begun at the first call of list() or open().
+/// SDL itself, started at the first call of list() or open().
 [[nodiscard]] std::shared_ptr<Port> system_port();
 
 }  // namespace nazori::devices::sdl

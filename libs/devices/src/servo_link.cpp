@@ -26,7 +26,7 @@ Sentence forces_off(std::int32_t cause) {
     case ForcesOff::button:
       return {"its force button switched its forces off", "press that button again"};
     case ForcesOff::speed:
-      return {"its forces went off because it moved too fast", "move more slowly; it goes on by itself"};
+      return {"its forces went off because it moved too fast", "move more slowly; it resumes by itself"};
     case ForcesOff::watchdog:
       return {"its forces went off because the program was late",
               "close other programs; it goes on by itself"};
@@ -154,27 +154,27 @@ base::Error trouble_error(DeviceTrouble trouble, const std::string& device, std:
   const Sentence s = [&]() -> Sentence {
     switch (trouble) {
       case DeviceTrouble::none:
-        return {"all is well", ""};
+        return {"no problem", ""};
       case DeviceTrouble::library_missing:
         return {"its library is missing", "see docs/devices.md"};
       case DeviceTrouble::symbol_missing:
-        return {"its library is incomplete", "install the maker's newest"};
+        return {"its library is incomplete", "install the manufacturer's latest version"};
       case DeviceTrouble::service_missing:
-        return {"its service does not answer", "start the service"};
+        return {"its service does not respond", "start the service"};
       case DeviceTrouble::device_absent:
-        return {"it is not there", "plug it in and switch it on"};
+        return {"it is not connected", "plug it in and switch it on"};
       case DeviceTrouble::no_permission:
-        return {"you may not open it", "see docs/devices.md, permissions"};
+        return {"no permission to open it", "see docs/devices.md, permissions"};
       case DeviceTrouble::in_use:
         return {"another program uses it", "close that program"};
       case DeviceTrouble::init_failed:
-        return {"it refuses to start", "switch it off and on again"};
+        return {"it does not start", "switch it off and on again"};
       case DeviceTrouble::bad_calibration:
-        return {"its calibration is unusable", "calibrate the device again"};
+        return {"its calibration cannot be used", "calibrate the device again"};
       case DeviceTrouble::docked:
-        return {"the stylus rests in its inkwell", "take it out to go on"};
+        return {"the stylus rests in its inkwell", "take it out to continue"};
       case DeviceTrouble::safety_switch:
-        return {"the safety switch is not held", "hold the stylus so that the switch is pressed"};
+        return {"the safety switch is not held", "hold the stylus so that it presses the switch"};
       case DeviceTrouble::not_calibrated:
         return {"it is not calibrated",
                 "move the stylus through all of its space, or calibrate it with the maker's program"};
@@ -195,34 +195,33 @@ base::Error trouble_error(DeviceTrouble trouble, const std::string& device, std:
       case DeviceTrouble::forces_off:
         return forces_off(code);
       case DeviceTrouble::over_force:
-        return {"its guard against too much force acted", "hold the stylus lightly; it goes on by itself"};
+        return {"it paused because the force was too large", "hold the stylus lightly; it resumes by itself"};
       case DeviceTrouble::over_speed:
-        return {"its guard against too fast a motion acted", "move more slowly; it goes on by itself"};
+        return {"it paused because it was moved too fast", "move more slowly; it resumes by itself"};
       case DeviceTrouble::warm_motors:
-        return {"its motors are warm", "put the stylus down for some minutes; it goes on by itself"};
+        return {"its motors are too warm", "put the stylus down for a few minutes; it resumes by itself"};
       case DeviceTrouble::not_ready:
-        return {"it is not ready", "switch its power on and close other programs"};
+        return {"it is not ready", "switch it on and close other programs"};
       case DeviceTrouble::too_slow:
-        return {"it answers too slowly to be felt",
-                "close other programs, and use a cable in place of radio"};
+        return {"it responds too slowly for force feedback", "close other programs and connect it by cable"};
       case DeviceTrouble::communication_lost:
-        return {"the connection was lost", "check cable and power, then choose the device again"};
+        return {"the connection was lost", "check the cable and the power, then select the device again"};
       case DeviceTrouble::device_fault:
-        return {"it reports a fault", "switch it off and on, then choose it again"};
+        return {"it reports a fault", "switch it off and on, then select it again"};
       case DeviceTrouble::no_timer:
         return {"its library gets no timer from the system",
                 "close other programs, then choose the device again"};
       case DeviceTrouble::stalled:
-        return {"it does not answer any more", "check cable and power, then choose the device again"};
+        return {"it no longer responds", "check the cable and the power, then select the device again"};
       case DeviceTrouble::service_gone:
-        return {"its service went away", "start the service again; the program connects by itself"};
+        return {"its service has stopped", "start the service again; Nazori reconnects by itself"};
       case DeviceTrouble::bad_message:
-        return {"it sends what cannot be understood", "update the maker's software"};
+        return {"it sends data that cannot be read", "update the manufacturer's software"};
     }
-    return {"unknown trouble", ""};
+    return {"unknown problem", ""};
   }();
   std::string what = s.what;
-  if (trouble == DeviceTrouble::forces_off) code = 0;  // it has been said in words
+  if (trouble == DeviceTrouble::forces_off) code = 0;  // the message already says it
   // The makers' codes are written in hexadecimal in their manuals.
   if (code > 0) {
     constexpr const char* kDigits = "0123456789abcdef";

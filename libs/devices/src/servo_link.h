@@ -14,26 +14,27 @@
 namespace nazori::devices {
 
 /// A measured delay [s], smoothed over some twenty measurements.
-/// @param before_s  what it was; 0: this is the first.
+/// @param before_s  the value so far; 0: this is the first.
 [[nodiscard]] constexpr double smoothed_delay_s(double before_s, double measured_s) noexcept {
   constexpr double kFilter = 0.05;
   return before_s > 0 ? before_s + (measured_s - before_s) * kFilter : measured_s;
 }
 
-/// What the delay of a loop leaves of the stiffness that a shorter delay allowed: b > K (T / 2 + delay).
-/// @param planned_delay_s  that the limits of the device were made for.
+/// The share of the stiffness for a shorter delay that remains at the loop's actual delay: b > K (T / 2 +
+/// delay).
+/// @param planned_delay_s  for which the limits of the device were computed.
 [[nodiscard]] constexpr double softened(double period_s, double planned_delay_s, double delay_s) noexcept {
   const double share = (period_s / 2 + planned_delay_s) / (period_s / 2 + delay_s);
   return share < 1 ? share : 1;
 }
 
-/// What every back end does around the servo's tick: turns the pose into the tablet frame and the force back,
-/// lets no force out that is not finite or over the device's peak, gives none while the device is paused or
-/// lost or all forces are cut (ForceGuard), and tells the interface how it stands.
-/// The servo thread's members neither allocate, lock, log, throw nor wait.
+/// What every back end does around the servo's tick: converts the pose to the tablet frame and the force
+/// back, blocks forces that are not finite or over the device's peak, gives no force while the device is
+/// paused or lost or all forces are cut (ForceGuard), and reports the status to the interface. The functions
+/// of the servo thread do not allocate, lock, log, throw or wait.
 class ServoLink {
  public:
-  /// @param name  of the device, for the sentences.  @param limits  at the stylus.
+  /// @param name  of the device, for messages.  @param limits  at the stylus.
   ServoLink(std::string name, const WorkspaceMapping& mapping, const haptics::DeviceLimits& limits)
       : name_(std::move(name)), mapping_(mapping), limits_(limits) {}
 
@@ -49,17 +50,17 @@ class ServoLink {
   /// @return force in the device frame [N].
   haptics::Vec3 feel(const haptics::Vec3& device_m, std::uint32_t buttons) noexcept;
 
-  /// A tick without a stylus: the servo lets go, the force is zero. Thread: servo.
-  /// @param code  of the maker, for the sentence; 0 none.
+  /// A tick without a stylus: the servo releases it, the force is zero. Thread: servo.
+  /// @param code  the maker's code, for the message; 0 none.
   void pause(haptics::DeviceState state, haptics::DeviceTrouble trouble, std::int32_t code,
              std::uint32_t buttons) noexcept;
 
-  /// Forces are held, and the device was told zero. Thread: servo.
+  /// The device was set to zero force while forces are suspended. Thread: servo.
   void confirm_zero() noexcept { guard_.confirm_zero(); }
-  /// The device was told zero, its output is off, and no force follows. Thread: servo.
+  /// The device was set to zero force, its output is off, and no force follows. Thread: servo.
   void confirm_off() noexcept { guard_.confirm_off(); }
-  /// For a device without a switch for its output: it was told zero while forces were not allowed. Thread:
-  /// the one that speaks with the device.
+  /// For a device without a switch for its output: it was set to zero force while forces were not allowed.
+  /// Thread: the one that communicates with the device.
   void confirm_no_force() noexcept {
     if (ForceGuard::forces() == Forces::cut)
       guard_.confirm_off();
@@ -67,13 +68,14 @@ class ServoLink {
       guard_.confirm_zero();
   }
 
-  /// While it lives, a crash of this thread has `off` of start() called on it, as one of the servo has: for a
-  /// thread that speaks with the device in place of the servo. Thread: that one, between start and stop.
+  /// While this lives, a crash of this thread calls `off` of start() on it, as a crash of the servo thread
+  /// does: for a thread that communicates with the device in place of the servo. Thread: that one, between
+  /// start and stop.
   [[nodiscard]] ForceGuard::OwnCode own_code() const noexcept { return ForceGuard::OwnCode(guard_); }
 
   /// From pose to force, as measured. Thread: servo.
   void set_delay_s(double delay_s) noexcept { delay_s_ = delay_s; }
-  /// The same, of one tick; smoothed. Thread: servo.
+  /// The same for one tick; smoothed. Thread: servo.
   void note_delay_s(double delay_s) noexcept { delay_s_ = smoothed_delay_s(delay_s_, delay_s); }
 
   /// Thread: interface. Reports DeviceTrouble::stalled where no tick has come for half a second.
@@ -108,11 +110,11 @@ class ServoLink {
   ForceGuard guard_;
 };
 
-/// Why a device switched its forces off by itself: the code of DeviceTrouble::forces_off.
+/// Why a device switched off its forces: the code of DeviceTrouble::forces_off.
 /// @source DHD 3.17 dhdc.h, DHD_FORCEOFF_...
 enum class ForcesOff : std::int32_t { unknown, button, speed, watchdog, software, usb, grip_switch };
 
-/// The sentence for a device in trouble: what happened and what to do. @param code  of the maker, 0 none.
+/// The message for a device with a fault: what happened and what to do. @param code  of the maker, 0 none.
 [[nodiscard]] base::Error trouble_error(haptics::DeviceTrouble trouble, const std::string& device,
                                         std::int32_t code);
 

@@ -11,11 +11,10 @@ namespace nazori::devices {
 /// A maker's library, found at run time. Stays loaded until the program ends: some cannot be loaded twice.
 class SharedLibrary {
  public:
-  /// Tries the names in order and takes the first that loads.
+  /// Tries the names in order and loads the first one possible.
   /// @param what  "OpenHaptics".  @param remedy  what to install.
-  /// @return DeviceTrouble::library_missing with the names that were tried, or with the loader's own words
-  /// where
-  ///   one of them was found and does not load.
+  /// @return DeviceTrouble::library_missing with the names that were tried, or with the loader's message
+  /// where one of them was found but does not load.
   [[nodiscard]] static DeviceResult<SharedLibrary> load(const std::string& what,
                                                         const std::vector<std::string>& names,
                                                         const std::string& remedy);

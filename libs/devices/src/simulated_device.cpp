@@ -34,11 +34,11 @@ struct SimulatedDevice::Inside {
   const HandGrip grip;
   haptics::LatestValue<Vec3> wanted{kRest};
   Vec3 tip = kRest, velocity{0, 0, 0}, target = kRest;
-  std::vector<Vec3> underway;  // forces on their way to the motors
+  std::vector<Vec3> underway;  // delayed forces on their way to the motors
   std::size_t oldest = 0;
   std::uint64_t ticks = 0;
   double work = 0;
-  RtThread clock;  // last: it stops before the rest goes
+  RtThread clock;  // declared last, so that it stops before the other members are destroyed
 };
 
 Vec3 SimulatedDevice::Inside::step(double time, haptics::ServoCallback& servo) noexcept {

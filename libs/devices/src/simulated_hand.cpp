@@ -21,13 +21,13 @@ namespace {
 using geometry::TabletPoint;
 using haptics::Vec3;
 
-// Every so many ticks without a clock the caller is asked whether to go on.
+// Without a clock, the number of ticks between two progress calls.
 constexpr std::uint64_t kBetweenQuestions = 256;
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 
 TabletPoint from_above(const Vec3& p) { return {p.x, p.y}; }
 
-/// A hand that does not hold tightly, and is not quite still.
+/// A hand with a loose grip and a little tremor.
 HandGrip loose_grip() {
   HandGrip grip;
   grip.stiffness_n_m = 120;
@@ -38,7 +38,7 @@ HandGrip loose_grip() {
 
 }  // namespace
 
-/// Stands between device and servo: each tick moves the hand's target, then lets the servo answer.
+/// Wraps the servo of a device: each tick moves the hand's target, then lets the servo answer.
 class SimulatedHand::Inside final : public haptics::ServoCallback {
  public:
   Inside(std::span<const haptics::StrokePath> strokes,
@@ -62,8 +62,7 @@ class SimulatedHand::Inside final : public haptics::ServoCallback {
     attend();
   }
 
-  /// Gives the servo the scene of the stroke that the hand is at. Thread: the one that does not tick, or the
-  /// same.
+  /// Gives the servo the scene of the hand's present stroke. Thread: the one that does not tick, or the same.
   void attend() {
     const int next = next_.load(std::memory_order_relaxed);
     if (next == scene_) return;
@@ -103,7 +102,7 @@ class SimulatedHand::Inside final : public haptics::ServoCallback {
   [[nodiscard]] const SimulatedDevice& device() const { return device_; }
   [[nodiscard]] haptics::Servo& servo() { return servo_; }
   [[nodiscard]] bool finished() const { return done() >= 1; }
-  /// 0..1 and beyond at the end. Thread-safe: yes.
+  /// Progress, 0..1 and beyond at the end. Thread-safe: yes.
   [[nodiscard]] double done() const { return done_.load(std::memory_order_relaxed); }
   void set_clock(const ClockStatus& clock) { clock_ = clock; }
 

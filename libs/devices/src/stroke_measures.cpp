@@ -24,7 +24,7 @@ double StrokeMeasures::off_m(geometry::TabletPoint from_above) const noexcept {
 void StrokeMeasures::add(int stroke, geometry::TabletPoint aimed, int slips,
                          const haptics::ServoSample& sample, const haptics::Vec3& force_n) noexcept {
   const double aim_m = off_m(aimed);
-  // Anywhere on the line: how far off the tip is does not depend on how it came there.
+  // Anywhere on the line: the distance does not depend on the path of the tip.
   const auto tip =
       geometry::nearest_point<TabletFrame>(line_, geometry::TabletPoint{sample.proxy_m.x, sample.proxy_m.y});
   ++ticks_;

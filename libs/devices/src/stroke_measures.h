@@ -17,11 +17,11 @@ class StrokeMeasures {
 
   /// How far a point is from the line. @param from_above  as seen from there.
   [[nodiscard]] double off_m(geometry::TabletPoint from_above) const noexcept;
-  /// One tick. @param stroke  number of this one.  @param aimed  where the hand wanted to be.  @param slips
-  /// since the last tick.
+  /// One tick. @param stroke  number of this one.  @param aimed  the target of the hand.  @param slips since
+  /// the last tick.
   void add(int stroke, geometry::TabletPoint aimed, int slips, const haptics::ServoSample& sample,
            const haptics::Vec3& force_n) noexcept;
-  /// Fills in what follows from the sums. @param followed  its length_m is known.
+  /// Computes the results from the sums. @param followed  its length_m is known.
   void report_to(FollowedStroke& followed) const;
 
  private:

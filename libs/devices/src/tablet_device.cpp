@@ -14,11 +14,11 @@ using std::chrono::milliseconds;
 constexpr milliseconds kLook = 100ms;
 constexpr milliseconds kRest = 1s;
 constexpr milliseconds kSeek = 3s;
-// A device that takes long to refuse is asked less often: looking takes at most this share of the time.
+// A device whose search takes long is retried less often: searching takes at most this share of the time.
 constexpr int kSeekShare = 20;
 constexpr milliseconds kLongestSeek = 60s;
 constexpr milliseconds kStrokeEnd = 200ms;
-// A computer that slept or stood still wakes the window first: so many looks in a row before a servo counts
+// After sleep the window may run before the servo: this many checks in a row must fail before a servo counts
 // as dead.
 constexpr int kStalledLooks = 5;
 constexpr std::string_view kPointer = "pointer";
@@ -27,7 +27,7 @@ using haptics::DeviceState;
 using haptics::DeviceTrouble;
 using enum DeviceEventKind;
 
-/// The window says itself what is wrong.
+/// The window itself reports this.
 std::string what_to_do(const base::Error& error) {
   return error.remedy.empty() ? base::to_line(error) : error.remedy;
 }
@@ -53,7 +53,7 @@ void TabletDevice::set_deadline(Deadline& deadline, milliseconds from_now) {
   if (wake_at_) wake_at_(*deadline);
 }
 
-/// Whether the deadline is past; then there is none any more.
+/// Whether the deadline has passed; if so, clears it.
 bool TabletDevice::is_past(Deadline& deadline) const {
   if (!deadline || clock_.steady() < *deadline) return false;
   deadline.reset();
@@ -86,7 +86,7 @@ base::Result<void> TabletDevice::start_pointer() {
 }
 
 void TabletDevice::move(const PointerState& state, std::optional<double> event_s) {
-  if (is_resting()) (void)start_pointer();  // it ran before: its thread can be made
+  if (is_resting()) (void)start_pointer();  // it ran before, so its thread can be started
   if (is_pointer()) set_deadline(rest_at_, kRest);
   moved_ = state;
   if (event_s)
@@ -103,7 +103,7 @@ void TabletDevice::set_awake(bool awake) {
 
 void TabletDevice::rest() {
   if (!is_pointer() || resting_ || awake_) return;
-  // A pressed pointer feels and is felt even where it stays.
+  // A pressed pointer needs the servo even where it does not move.
   if (moved_.pressed) return set_deadline(rest_at_, kRest);
   pointer_.stop();
   resting_ = true;
@@ -111,10 +111,10 @@ void TabletDevice::rest() {
 
 void TabletDevice::set_scene(std::shared_ptr<const haptics::HapticScene> scene) {
   scene_ = std::move(scene);
-  // The servo takes a scene over, and gives the one before back, only while it ticks.
+  // The servo adopts a scene and releases the previous one only while it ticks.
   if (is_resting()) (void)start_pointer();
   active_->servo->set_scene(scene_);
-  // A paused device goes on by itself: what it feels then must be this.
+  // A paused device continues automatically and must then use this scene.
   if (device_ && is_pointer()) device_->servo->set_scene(scene_);
 }
 
@@ -174,7 +174,7 @@ void TabletDevice::reopen() {
   reopening_ = id;
 }
 
-/// @param announced  why what was asked for could not be opened, and that the search is over.
+/// @param announced  events that say why the request could not be opened and that the search has ended.
 void TabletDevice::search_for(DeviceWish wish, bool announced) {
   searching_ = true;
   seek_at_.reset();
@@ -196,20 +196,20 @@ void TabletDevice::use(DeviceFind result, const DeviceWish& wish, bool announced
   if (result.refused && announced)
     happened({refused, wish.id, result.refused->trouble, what_to_do(result.refused->error)});
   if (!result.opened || result.opened->id == kPointer) return;
-  // Nobody is interrupted in the middle of a stroke.
+  // The learner is not interrupted in the middle of a stroke.
   if (is_writing()) {
     waiting_ = std::move(result.opened);
     return;
   }
   const std::string id = result.opened->id;
   if (run(std::move(*result.opened), announced) || !wish.or_best) return;
-  // It opens and does not start: the next one.
+  // The device opens but does not start: try the next one.
   DeviceWish next{{}, true, wish.but_not};
   next.but_not.push_back(id);
   search_for(std::move(next), announced);
 }
 
-/// Starts a device and gives it the tablet, or closes it. @return whether it started.
+/// Starts a device and makes it active, or closes it. @return whether it started.
 bool TabletDevice::run(OpenedDevice opened, bool announced) {
   auto begun = std::make_unique<DeviceRun>();
   begun->opened = std::move(opened);
@@ -270,7 +270,7 @@ void TabletDevice::close_device() {
   reopening_.clear();
   if (waiting_) search_->close(std::move(*std::exchange(waiting_, std::nullopt)));
   if (!device_) return;
-  // No force first, then the tablet to the pointer.
+  // Stop the force first, then make the pointer active.
   device_->opened.device->stop();
   give_tablet_to(pointer_run_);
   search_->close(std::move(std::exchange(device_, nullptr)->opened));
@@ -284,10 +284,10 @@ void TabletDevice::give_tablet_to(DeviceRun& run) {
     pointer_.stop();
   }
   active_ = &run;
-  buttons_ = ~0U;  // what is down already was not pressed for this
+  buttons_ = ~0U;  // buttons that are already down do not count as pressed now
   pressed_ = false;
   run.servo->set_scene(scene_);
-  if (is_pointer()) (void)start_pointer();  // it ran before: its thread can be made
+  if (is_pointer()) (void)start_pointer();  // it ran before, so its thread can be started
   changed();
 }
 
@@ -340,7 +340,7 @@ void TabletDevice::seek() {
     if (!is_writing()) (void)run(std::move(*std::exchange(waiting_, std::nullopt)), false);
     return seek_later();
   }
-  // While the next best has the tablet, only the better one is looked for.
+  // While the next best device is active, only the better one is searched for.
   if (!device_ || !sought_.empty()) search_for({sought_, !device_, {}}, false);
 }
 

@@ -9,7 +9,7 @@
 
 namespace nazori::devices {
 
-/// Times counted in steps of 2 %, so that the largest thousandth of them can be told without keeping all.
+/// Times counted in steps of 2 %, so that the largest thousandth can be computed without storing all.
 /// Real-time-safe: yes.
 class TickDurations {
  public:
@@ -19,7 +19,7 @@ class TickDurations {
     ++counts_[std::min(bin, counts_.size() - 1)];
     ++all_;
   }
-  /// What `share` of the times do not exceed; 0 where there are none.
+  /// The time that `share` of the times do not exceed; 0 where there are none.
   [[nodiscard]] double quantile_s(double share) const noexcept {
     std::uint64_t seen = 0;
     for (std::size_t bin = 0; bin < counts_.size(); ++bin) {

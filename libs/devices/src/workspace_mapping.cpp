@@ -38,18 +38,18 @@ base::Result<WorkspaceMapping> WorkspaceMapping::create(const WorkspaceCalibrati
   const TabletPosture& posture = calibration.posture;
   const auto refuse = [](std::string what) {
     return base::fail(base::Errc::bad_argument, std::move(what), "calibration of the workspace",
-                      "calibrate the device again, or go back to the automatic fit");
+                      "calibrate the device again, or use the automatic fit");
   };
   if (!std::isfinite(calibration.scale) || !finite(calibration.centre_m) ||
       !std::isfinite(posture.tilt_rad) || !std::isfinite(posture.yaw_rad) ||
       !std::isfinite(calibration.roll_rad))
-    return refuse("it holds something that is not a number");
+    return refuse("it contains a value that is not a number");
   if (calibration.scale < kLeastScale || calibration.scale > kMostScale)
-    return refuse("the scale must lie between 0.02 and 50");
+    return refuse("the scale must be between 0.02 and 50");
   if (glm::length(calibration.centre_m) > kFarthestCentre_m)
-    return refuse("the tablet lies more than 2 m away from the device");
+    return refuse("the tablet is more than 2 m away from the device");
   if (posture.tilt_rad < -kTiltSlack || posture.tilt_rad > kUpright + kTiltSlack)
-    return refuse("the tablet must lie flat, stand upright or anything in between");
+    return refuse("the tilt must be between flat and upright");
   return WorkspaceMapping(calibration);
 }
 
@@ -100,7 +100,7 @@ WorkspaceCalibration fit_workspace(const DeviceWorkspace& workspace, const geome
   WorkspaceCalibration fit;
   fit.posture = posture;
   fit.scale = std::clamp(std::max({ratio.x, ratio.y, ratio.z}), kLeastScale, kMostScale);
-  // The plateau is not the middle of what must be reached: there is more room above it than depth below.
+  // The plateau is not the middle of the needed space: there is more above it than below.
   fit.centre_m = middle - axis[2] * (0.5 * (kRoomAbove_m - shape.depth_m) / fit.scale);
   return fit;
 }
@@ -111,7 +111,7 @@ base::Result<WorkspaceCalibration> calibrate_from_corners(const Vec3& bottom_lef
                                                           WritingHand hand) {
   const auto refuse = [](std::string what) {
     return base::fail(base::Errc::bad_argument, std::move(what), "calibration of the workspace",
-                      "show the bottom left, bottom right and top left corner of a square once more");
+                      "point at the bottom left, bottom right and top left corners of a square again");
   };
   if (!finite(bottom_left_m) || !finite(bottom_right_m) || !finite(top_left_m))
     return refuse("the device gave a position that is not a number");
@@ -119,11 +119,11 @@ base::Result<WorkspaceCalibration> calibrate_from_corners(const Vec3& bottom_lef
   const double width = glm::length(right), height = glm::length(up);
   if (width < kLeastSide_m || height < kLeastSide_m) return refuse("the corners are less than 20 mm apart");
   if (std::max(width, height) > 1.5 * std::min(width, height))
-    return refuse("the corners are those of an oblong, not of a square");
+    return refuse("the corners form a rectangle, not a square");
   if (std::abs(glm::dot(right, up)) > std::sin(std::numbers::pi / 9) * width * height)
-    return refuse("the corners do not make a right angle");
+    return refuse("the corners do not form a right angle");
 
-  // The nearest right angle: both sides give way alike.
+  // The nearest right angle: both sides are turned by the same amount.
   const Vec3 along = right / width + up / height, across = right / width - up / height;
   const Vec3 x = glm::normalize(glm::normalize(along) + glm::normalize(across));
   const Vec3 y = glm::normalize(glm::normalize(along) - glm::normalize(across));

@@ -23,7 +23,7 @@ class ArmServoTicks : public testing::Test {
   }
   ~ArmServoTicks() override { link.stop(); }
 
-  /// A pose 3 mm below the plateau that no pause of the machine makes old.
+  /// A pose 3 mm below the plateau that does not expire when the machine pauses.
   static ArmPose pressed() {
     ArmPose pose;
     pose.number = 7;

@@ -49,7 +49,7 @@ class BoardServoTicks : public testing::TestWithParam<bool> {
     c.scale = kScale;
     return *WorkspaceMapping::create(c);
   }
-  /// The handle there, device frame; no pause of the machine makes it old.
+  /// The handle there, device frame; it does not expire when the machine pauses.
   static BoardPose at(double x_m, double y_m) {
     const Linkage& linkage = kModels[0].linkage;
     BoardPose pose;
@@ -72,8 +72,8 @@ class BoardServoTicks : public testing::TestWithParam<bool> {
   [[nodiscard]] static bool is_limp(const BoardTorques& answer) {
     return answer.torque_n_m[0] == 0 && answer.torque_n_m[1] == 0;
   }
-  /// Height of the tip above the plateau when it went from hovering to `to_m` so many ticks ago: two low-pass
-  /// filters of 8 ms in a row, each of which leaves 8/9 of the way in a tick of 1 ms.
+  /// Height of the tip above the plateau a number of ticks after it went from hovering to `to_m`: two
+  /// low-pass filters of 8 ms in a row, each of which leaves 8/9 of the way in a tick of 1 ms.
   static double height_m(double to_m, int ticks) {
     constexpr double kHover_m = 0.005;
     const double left = std::pow(8.0 / 9, ticks) * (1 + ticks / 9.0);

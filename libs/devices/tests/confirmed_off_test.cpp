@@ -25,7 +25,7 @@ using test::Vec3;
 
 constexpr int kAsMeant = 7;
 
-/// @param part  returns true where all was as it should be.
+/// @param part  returns true on success.
 void expect_in_a_process(const std::function<bool()>& part) {
   const test::DefaultSignals signals;
   const pid_t process = fork();

@@ -9,8 +9,8 @@
 
 namespace nazori::devices::test {
 
-/// While it lives no signal is ignored or blocked, whatever the test program inherited: nohup ignores SIGHUP,
-/// and a shell ignores SIGINT and SIGQUIT for what it runs in the background.
+/// While this lives no signal is ignored or blocked, whatever the test program inherited: nohup ignores
+/// SIGHUP, and a shell ignores SIGINT and SIGQUIT for what it runs in the background.
 class DefaultSignals {
  public:
   DefaultSignals() {
@@ -39,8 +39,8 @@ class DefaultSignals {
   sigset_t blocked_{};
 };
 
-/// Until a signal ends the process. The thread sanitizer keeps a signal that comes between two system calls
-/// until the next one returns, so one wait without end could miss it.
+/// Waits until a signal ends the process. The thread sanitizer delays a signal between two system calls until
+/// the next one returns, so a single endless wait could miss it.
 [[noreturn]] inline void wait_for_signals() {
   for (;;) (void)::poll(nullptr, 0, 10);
 }

@@ -13,7 +13,7 @@ TEST(PermissionAdvice, NamesTheGroupToJoinOrAsksForARule) {
   EXPECT_FALSE(permission_advice({}));
   EXPECT_FALSE(permission_advice({{"/dev/ttyACM0", "dialout", true, true}}));
   EXPECT_EQ(*permission_advice({{"/dev/ttyACM0", "dialout", true, false}}),
-            "you may not open /dev/ttyACM0: run sudo usermod -aG dialout $USER, then log out and in");
+            "no permission to open /dev/ttyACM0: run sudo usermod -aG dialout $USER, then log out and in");
   const std::string rule = *permission_advice({{"/dev/hidraw3", "root", false, false}});
   EXPECT_NE(rule.find("udev rule"), std::string::npos);
   EXPECT_NE(rule.find("/dev/hidraw3"), std::string::npos);

@@ -30,7 +30,8 @@ TEST(DeviceSearch, LooksCancelsAndOpensAgainAndAnswersTheNewestWish) {
   EXPECT_EQ(id, "simulated:touch");
   EXPECT_EQ(answers, 1);
   EXPECT_EQ(findings.size(), 2U);
-  search.open({"simulated:touch", true, {}}, {}, [](const DeviceFind&) {});  // ended before it is answered
+  search.open({"simulated:touch", true, {}}, {},
+              [](const DeviceFind&) {});  // destroyed before it is answered
 }
 
 TEST(DeviceSearch, OpensADeviceWithWhatIsRememberedOfItsId) {

@@ -17,7 +17,7 @@ class StoredDevices : public testing::Test {
     memory.load(stored_);
     return memory;
   }
-  /// As a hand might write it into the file.
+  /// As a person might write it into the file.
   void write(const std::string& key, const std::string& value) { stored_.insert_or_assign(key, value); }
   static std::string known(const char* key) { return std::string("known/61726d3a31/") + key; }  // arm:1
   base::Settings stored_;

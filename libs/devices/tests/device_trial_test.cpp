@@ -60,7 +60,7 @@ TEST(DeviceTrial, TheNoiseIsThatOfTheQuietestStretch) {
 
 TEST(DeviceTrial, SmallNoiseIsMeasuredFarFromTheMiddleToo) {
   DeviceTrial trial(1000);
-  // A square of a hundred-millionth of a metre: sums of squares as they are would lose it.
+  // A square of a hundred-millionth of a metre: plain sums of squares would lose it.
   for (int i = 0; i < 250; ++i)
     (void)trial.tick({0.001 * i, {0.3 + (i % 2 == 0 ? 1e-8 : -1e-8), -0.4, 0.2}, 0, true});
   EXPECT_NEAR(trial.result().rest_noise_m, 1e-8, 1e-10);
@@ -79,7 +79,7 @@ TEST(RealTimeReadiness, SaysForEachLimitWhatToChange) {
   EXPECT_TRUE(ready.advice.empty());
   EXPECT_TRUE(ready.kernel_preempts);
   EXPECT_TRUE(real_time_readiness(-1, 1L << 30, "6.1.0", "#1 SMP PREEMPT_RT").advice.empty());
-  // The servo's thread asks for 40, and 64 MiB hold all that it needs.
+  // The servo's thread needs priority 40, and 64 MiB are enough for its memory.
   EXPECT_TRUE(real_time_readiness(40, 64L << 20, "6.1.0", "PREEMPT").advice.empty());
   EXPECT_EQ(real_time_readiness(39, 64L << 20, "6.1.0", "PREEMPT").advice.size(), 1U);
   EXPECT_EQ(real_time_readiness(40, (64L << 20) - 1, "6.1.0", "PREEMPT").advice.size(), 1U);

@@ -7,14 +7,14 @@ namespace nazori::devices {
 namespace {
 
 TEST(DueTimes, AreNotFoldedIntoOnePeriod) {
-  // A clock of 1 kHz as RtThread keeps it: tick 1 comes on time, tick 2 is 5.3 ms late, tick 3 follows.
+  // A clock of 1 kHz as in RtThread: tick 1 comes on time, tick 2 is 5.3 ms late, tick 3 follows.
   DueTimes due(0.001);
   EXPECT_EQ(due.lateness_s(0), 0);
   due.ended(0.00001);
   EXPECT_NEAR(due.lateness_s(0.0012), 0.0002, 1e-12);
   due.ended(0.00121);
   EXPECT_NEAR(due.lateness_s(0.0073), 0.0053, 1e-12);
-  due.ended(0.00731);  // 3, 4, 5 and 6 ms are left out, 7 is due at once
+  due.ended(0.00731);  // 3, 4, 5 and 6 ms are skipped, 7 is due at once
   EXPECT_NEAR(due.lateness_s(0.00731), 0.00031, 1e-12);
   due.ended(0.0074);
   EXPECT_NEAR(due.lateness_s(0.008), 0, 1e-12);

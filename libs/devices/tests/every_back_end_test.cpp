@@ -12,7 +12,7 @@
 namespace nazori::devices {
 namespace {
 
-/// A variable of the environment, until this goes.
+/// Sets an environment variable while this lives.
 class Variable {
  public:
   Variable(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }

@@ -28,7 +28,7 @@ class FeltPlane final : public haptics::ServoCallback {
     ++ticks;
     if (!sample.present) {
       ++absent;
-      return Vec3(0, 0, 1);  // a servo that does not let go: the device must
+      return Vec3(0, 0, 1);  // a servo that keeps pushing: the device must stop it
     }
     ++present;
     x_m = sample.position_m.x;
@@ -70,7 +70,7 @@ class Push final : public haptics::ServoCallback {
   Vec3 force_n_;
 };
 
-/// Pushes, and stands still in a tick as long as the test wants.
+/// Pushes, and blocks in a tick for as long as the test chooses.
 class StuckPush final : public haptics::ServoCallback {
  public:
   explicit StuckPush(const Vec3& force_n) : force_n_(force_n) {}
@@ -89,13 +89,13 @@ class StuckPush final : public haptics::ServoCallback {
   std::atomic<bool> stuck_{false};
 };
 
-/// How long to wait for what only a fault keeps from coming: a minute, or what NAZORI_TEST_PATIENCE_S says.
+/// How long to wait for something that must come: a minute, or NAZORI_TEST_PATIENCE_S.
 inline std::chrono::seconds patience() {
   const char* const given = std::getenv("NAZORI_TEST_PATIENCE_S");
   return std::chrono::seconds(given != nullptr ? std::max(1, std::atoi(given)) : 60);
 }
 
-/// Waits for `wish`; false where it does not come true.
+/// Waits until `wish` is true; false if it does not become true.
 inline bool comes_true(const std::function<bool()>& wish) {
   const auto end = std::chrono::steady_clock::now() + patience();
   while (!wish()) {
@@ -105,8 +105,8 @@ inline bool comes_true(const std::function<bool()>& wish) {
   return true;
 }
 
-/// Waits for a status with both and gives it. To be looked into as a whole: a machine that stands still for
-/// half a second shows another status for a moment.
+/// Waits for a status with both and returns it. Check it as a whole: a machine that pauses for half a second
+/// briefly shows another status.
 inline haptics::DeviceStatus comes_to(const haptics::HapticDevice& device, DeviceState state,
                                       DeviceTrouble trouble) {
   haptics::DeviceStatus seen;
@@ -117,7 +117,7 @@ inline haptics::DeviceStatus comes_to(const haptics::HapticDevice& device, Devic
   return seen;
 }
 
-/// What is told right after `tick`. A machine that stood still for half a second in between ticks again.
+/// The status right after `tick`. If the machine paused for half a second in between, ticks again.
 template <class Ticking>
 haptics::DeviceStatus status_after(const Ticking& ticking, const std::function<void()>& tick) {
   haptics::DeviceStatus seen;

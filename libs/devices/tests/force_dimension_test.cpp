@@ -191,11 +191,11 @@ TEST_F(ForceDimension, UnpluggedItIsLostAndPluggedInItOpensAgain) {
   EXPECT_TRUE(comes_true([&] { return force() > 0.5; }));
   stage->devices = 0;
   EXPECT_EQ(test::comes_to(*device.device, DeviceState::lost, DeviceTrouble::communication_lost).message,
-            "omega.3: the connection was lost (check cable and power, then choose the device again)");
+            "omega.3: the connection was lost (check the cable and the power, then select the device again)");
   EXPECT_EQ(force(), 0);
   const std::uint64_t reads = stage->reads;
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  EXPECT_EQ(stage->reads, reads);  // the library is left alone
+  EXPECT_EQ(stage->reads, reads);  // the library is not called
   device.device->stop();
   device = {};
   EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::device_absent);
@@ -219,14 +219,14 @@ TEST_F(ForceDimension, ADeviceThatIsNotHomedPausesSaysHowToHomeItAndGoesOnByItse
   stage->not_homed = true;
   FeltPlane plane;
   OpenedDevice device = opened();
-  ASSERT_TRUE(device.device->start(plane));  // in the library's eyes a success
+  ASSERT_TRUE(device.device->start(plane));  // the library reports success
   EXPECT_EQ(test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::not_homed).message,
             "omega.3: it is not homed, so it brakes and tells no position (home it: press the button of an "
             "omega or delta, pull all arms of a Falcon out and push them in)");
-  EXPECT_EQ(plane.present, 0);  // the place that it tells is no place
+  EXPECT_EQ(plane.present, 0);  // the reported position is not valid
   EXPECT_EQ(force(), 0);
   stage->not_homed = false;
-  stage->force_on = false;  // until somebody switches them on again
+  stage->force_on = false;  // until they are switched on again
   stage->x_m = -0.003;
   EXPECT_TRUE(comes_true([&] { return stage->force_on && force() > 0.5; }));
   EXPECT_TRUE(comes_true([&] { return device.device->status().state == DeviceState::running; }));
@@ -237,7 +237,7 @@ TEST_F(ForceDimension, ForcesThatGoOffInMidRunPauseItWithTheCause) {
   struct Case {
     int cause;
     const char* words;
-    bool comes_back;  // by itself, because Nazori switches them on again
+    bool comes_back;  // automatically, because Nazori switches them on again
   };
   for (const Case& c : {Case{1, "press that button again", false}, Case{2, "move more slowly", true},
                         Case{3, "program was late", true}, Case{4, "a program switched", true},
@@ -340,7 +340,7 @@ TEST_F(ForceDimension, OnlyADeviceOfTheMakerCountsAsOneThatMayNotBeOpened) {
     std::ofstream(node) << "";
     fs::permissions(node, fs::perms::none);
   };
-  // Root may open everything, so it asks as nobody.
+  // Root may open everything, so the check runs as the user nobody.
   const auto ask_as_nobody = [&](const std::string& part) {
     if (geteuid() == 0 && setuid(65534) != 0) std::_Exit(99);
     stage->devices = 0;
@@ -362,10 +362,10 @@ TEST_F(ForceDimension, OnlyADeviceOfTheMakerCountsAsOneThatMayNotBeOpened) {
   fs::permissions(root / "dev" / "hidraw0", fs::perms::none);
   trouble_as_nobody("plug it in");
   plug_in("3-3", "1451", "0402", "17");
-  trouble_as_nobody("bus/usb/003/017: set a udev rule");
+  trouble_as_nobody("bus/usb/003/017: install a udev rule");
   fs::remove_all(root / "sys" / "bus" / "usb" / "devices" / "3-3");
   plug_in("3-4", "0403", "cb48", "104");
-  trouble_as_nobody("bus/usb/003/104: set a udev rule");
+  trouble_as_nobody("bus/usb/003/104: install a udev rule");
   fs::remove_all(root);
 }
 
@@ -378,14 +378,14 @@ TEST_F(ForceDimension, EveryFailureToOpenSaysInOneLineWhatToDo) {
   EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::in_use);
   stage->open_error = 20;
   EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::in_use);
-  EXPECT_NE(base::to_line(back_end->find().problem->error).find("close the other program"),
+  EXPECT_NE(base::to_line(back_end->find().problem->error).find("close the program that uses it"),
             std::string::npos);
   stage->open_error = 2;
   EXPECT_NE(base::to_line(back_end->find().problem->error).find("communication error"), std::string::npos);
   ForceDimensionSettings missing;
   missing.library = "/nowhere/libdhd.so";
   EXPECT_EQ(force_dimension_back_end(missing)->find().problem->trouble, DeviceTrouble::library_missing);
-  // Another library under that name.
+  // A different library with that name.
   ForceDimensionSettings another;
   another.library = std::string(test_paths::kStandins) + "/libHD.so";
   const auto other = force_dimension_back_end(another)->find();

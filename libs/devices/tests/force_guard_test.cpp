@@ -33,16 +33,16 @@ using test::DefaultSignals;
 using test::Push;
 using test::Vec3;
 
-constexpr int kDone = 7;  // exit code of a process that went as the test meant it
+constexpr int kDone = 7;  // exit code of a process that ran as the test expects
 
-/// What the process and the test both see.
+/// Memory that the process and the test share.
 struct Shared {
   standin::Remains remains;
   std::atomic<int> signals_seen{0};
   std::atomic<bool> ready{false}, goes_on{false};
 };
 
-/// A servo that pushes, and crashes when it is told to.
+/// A servo that pushes, and crashes on request.
 class CrashingServo final : public haptics::ServoCallback {
  public:
   Vec3 tick(const haptics::DeviceSample& sample) noexcept override {
@@ -65,7 +65,7 @@ Stage* stage_of(const char* file, const std::string& function) {
   return reinterpret_cast<Stage* (*)()>(dlsym(library, function.c_str()))();
 }
 
-/// Opens the device of that name on its stand-in, which keeps `shared` up to date, and lets it push.
+/// Opens the device of that name on its stand-in, which updates `shared`, and lets it push.
 void start(Running& running, const std::string& device, Shared& shared) {
   std::unique_ptr<BackEnd> back_end;
   if (device == "openhaptics") {
@@ -95,7 +95,7 @@ class EveryWayOut : public testing::TestWithParam<std::string> {
   }
   ~EveryWayOut() override { munmap(shared, sizeof(Shared)); }
 
-  /// A process in which the device pushes; then `way_out` has it.
+  /// A process in which the device pushes; then `way_out` ends it.
   void begin(const std::function<void(Running&)>& way_out) {
     shared->ready = false;
     process = fork();
@@ -105,7 +105,7 @@ class EveryWayOut : public testing::TestWithParam<std::string> {
     (void)setrlimit(RLIMIT_CORE, &no_core);
     (void)setpgid(0, 0);  // so that it can be suspended
     alarm(120);
-    auto* running = new Running;  // it goes with the process
+    auto* running = new Running;  // it ends with the process
     start(*running, GetParam(), *shared);
     way_out(*running);
     std::_Exit(kDone);
@@ -114,7 +114,7 @@ class EveryWayOut : public testing::TestWithParam<std::string> {
     EXPECT_TRUE(
         comes_true([&] { return shared->ready && shared->remains.force_n > 0.9 && shared->remains.output; }));
   }
-  /// @return as waitpid tells it.
+  /// @return the status of waitpid.
   int end() const {
     int status = 0;
     EXPECT_EQ(waitpid(process, &status, 0), process);
@@ -226,7 +226,7 @@ TEST_P(EveryWayOut, AHandlerOfTheProgramRunsAfterTheForceIsOff) {
   ASSERT_EQ(kill(process, SIGINT), 0);
   EXPECT_TRUE(comes_true([&] { return shared->goes_on.load(); }));
   expect_no_force();
-  // It was to run once: the second signal ends the program.
+  // The handler was installed for one run: the second signal ends the program.
   ASSERT_EQ(kill(process, SIGINT), 0);
   const int status = end();
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
@@ -265,7 +265,7 @@ TEST_P(EveryWayOut, SuspendedItHoldsItsForceUntilItGoesOn) {
 
 TEST_P(EveryWayOut, AServoThreadRunsNoSignalHandlers) {
   begin([&](Running& running) {
-    // Every thread but the servo's blocks it: the kernel has no other thread to give it to.
+    // Every thread but the servo's blocks it, so the kernel must deliver it there.
     sigset_t all;
     (void)sigfillset(&all);
     (void)pthread_sigmask(SIG_BLOCK, &all, nullptr);
@@ -328,7 +328,7 @@ TEST(ForceGuard, WaitsForTheZerosOfAllDevicesButNotForEver) {
     if (!cut) std::_Exit(2);
     silent.confirm_off();
     ForceGuard::cut_all();
-    // What starts now gets no force either.
+    // A device that starts now gets no force either.
     ForceGuard late;
     late.watch(nullptr, nullptr);
     std::_Exit(ForceGuard::forces() == Forces::cut ? kDone : 3);

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       Reading reading;
       if (read_reply({data, size}, setup, reading) != Reply::complete) continue;
       if (size < reply_size(setup)) std::abort();
-      // What is read can be felt: a pose, and torques that the motors take.
+      // Every valid reading gives a pose, and torques within the limits of the motors.
       const LinkagePose pose = pose_at(model.linkage, reading.angle_deg);
       const PerJoint torques = torques_for(pose, {1, -2}, kMostTorque_n_m);
       for (const double torque : torques) {

@@ -26,7 +26,7 @@ using kanji::StrokeEnding;
 
 constexpr int kStrokes = 4;
 
-/// A stop, a corner with a kick, a sweep across both, a dot.
+/// A stop, a corner with a hook, a sweep across both, a dot.
 std::shared_ptr<const tablet::CarvedTablet> character() {
   return *tablet::CarvedTablet::from_lines(
       {{{{20, 30}, {85, 30}}, StrokeEnding::stop, {}},
@@ -45,7 +45,7 @@ class Session {
     device.place({-0.03, 0.04, 0.006});
   }
   void guide(const Guiding& guiding) { servo.set_scene(tablet->scene({}, {}, guiding)); }
-  /// One tick; `target` is where the hand wants to be. @return the force of the tick.
+  /// One tick; `target` is the hand's target. @return the force of the tick.
   Vec3 step(const Vec3& target) {
     device.set_target(target);
     const Vec3 force = device.step(servo);
@@ -70,7 +70,7 @@ class Session {
   double strongest = 0;
 };
 
-/// Goes wherever it is taken, with some inertia: what it wants follows the tip.
+/// Follows the force with some inertia: the target follows the tip.
 class Follower {
  public:
   explicit Follower(const Vec3& at) : want_(at) {}
@@ -175,13 +175,14 @@ TEST(GuidedHand, LeadingWithoutASurfaceHasNoStepsAndAllItsWorkIsAllowed) {
       before = force;
     }
     EXPECT_EQ(session.done, (std::vector{1, 2, 3, 4})) << hardware.name;
-    // A device with a delay reports work later than it was booked, and the brake may touch the force.
+    // A device with a delay reports work later than it is counted, and the passivity controller may change
+    // the force.
     EXPECT_LE(worst, hardware.limits.delay_s > 0 ? 0.1 : 0.05) << hardware.name;
     EXPECT_LE(session.strongest, 0.8 + 1e-9) << hardware.name;
   }
 }
 
-/// A learner who writes along the paths on their own, pressing a little.
+/// A learner who writes along the paths without help, pressing a little.
 class Writer {
  public:
   Writer(const tablet::CarvedTablet& tablet, double off_m) : off_m_(off_m) {
@@ -229,7 +230,7 @@ TEST(GuidedHand, OneThatWritesOnItsOwnFinishesTheLessonWithAndWithoutHelpOnEvery
           session.step(writer.next(0.03 * session.period_s));
         EXPECT_EQ(session.done, (std::vector{1, 2, 3, 4})) << hardware.name << " strength " << strength;
         EXPECT_EQ(session.count(ServoEvent::wrong_start), 0) << hardware.name;
-        // Stiff walls push the tip over the inside of the kick's corner and back, which may look like going
+        // Stiff walls push the tip over the inside of the hook's corner and back, which may look like going
         // back.
         EXPECT_LE(session.count(ServoEvent::wrong_direction), 1) << hardware.name;
       }

@@ -84,7 +84,7 @@ TEST(HandPlan, TheTargetNeverJumps) {
   Vec3 before = plan.at(0).target_m;
   for (double t = 0.001; t < plan.duration_s(); t += 0.001) {
     const Vec3 now = plan.at(t).target_m;
-    // The hand turns with the line at a corner: there its straying changes side.
+    // The hand turns with the line at a corner: there its deviation changes side.
     EXPECT_LT(std::hypot(now.x - before.x, now.y - before.y, now.z - before.z), 3 * kMm) << t;
     before = now;
   }

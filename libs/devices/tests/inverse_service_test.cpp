@@ -26,7 +26,7 @@ class Inverse3 : public testing::Test {
     InverseServiceSettings s;
     s.port = service->port();
     s.delay_s = 0.020;   // so that no force depends on how busy the machine is
-    s.give_up_s = 3600;  // no test waits for it but the one that says so
+    s.give_up_s = 3600;  // only one test waits for it
     return s;
   }
   [[nodiscard]] OpenedDevice opened() const { return opened(settings()); }
@@ -34,7 +34,7 @@ class Inverse3 : public testing::Test {
     OpenRequest request;
     request.calibration.emplace();
     DeviceResult<OpenedDevice> device;
-    // It gives up after half a second; a machine that stood still for that long is asked again.
+    // It gives up after half a second; retried in case the machine paused for that long.
     EXPECT_TRUE(comes_true([&] {
       return bool(device = inverse_service_back_end(s)->open("inverse3", request));
     })) << base::to_line(device.error().error);
@@ -126,7 +126,7 @@ TEST_F(Inverse3, AServiceThatPassesOverOneSpellingIsSpokenToInTheOther) {
   press();
   ASSERT_TRUE(device.device->start(plane));
   EXPECT_TRUE(comes_true([&] { return force() > 0.3; }));
-  EXPECT_GT(plane.absent, 0);  // the servo began again, with its ramp
+  EXPECT_GT(plane.absent, 0);  // the servo restarted, with its ramp
 }
 
 TEST_F(Inverse3, BeforePresetsTheTabletLiesInTheMiddleOfTheReachAllTheSame) {
@@ -185,7 +185,7 @@ TEST_F(Inverse3, TheNewestPositionIsFeltAlsoWhereTheServiceSendsTwoStatesForACom
   ASSERT_TRUE(device.device->start(plane));
   const int at_start = service->messages;
   ASSERT_TRUE(comes_true([&] { return service->messages > at_start + 1000 && plane.present > 0; }));
-  // Who reads one message a tick is a thousand of them behind by now.
+  // Reading only one message per tick would be a thousand messages behind by now.
   service->x_m = 0.03;
   const int moved_at = service->messages;
   ASSERT_TRUE(comes_true([&] { return std::abs(plane.x_m - 0.03) < 1e-9; }));
@@ -223,7 +223,7 @@ TEST_F(Inverse3, TheServosThreadNeverWaitsForTheService) {
   const haptics::DeviceStatus slow =
       test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::too_slow);
   EXPECT_GT(slow.rate_hz, 0);
-  // While one answer is waited for, the servo ticks on.
+  // While waiting for an answer, the servo continues to tick.
   FeltPlane ticks;
   device.device->stop();
   ASSERT_TRUE(device.device->start(ticks));
@@ -326,7 +326,7 @@ TEST_F(Inverse3, AServiceThatStaysSilentIsConnectedToAgain) {
   OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(push));
   EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
-  // Nobody hangs up: the connection is there and dead.
+  // Neither side closes it: the connection exists but is dead.
   service->answer = InverseService::Answer::nothing;
   const int sessions = service->sessions;
   EXPECT_TRUE(comes_true([&] { return service->sessions > sessions; }));

@@ -39,7 +39,7 @@ class OpenHaptics : public testing::Test {
     EXPECT_TRUE(device) << base::to_line(device.error().error);
     return std::move(*device);
   }
-  /// Holds the stylus there, in the tablet frame.
+  /// Puts the stylus there, in the tablet frame.
   void hold(const WorkspaceMapping& mapping, const Vec3& tablet_m) const {
     const Vec3 mm = mapping.to_device_m(tablet_m) * 1e3;
     stage->x_mm = mm.x;

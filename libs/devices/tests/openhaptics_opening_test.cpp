@@ -22,7 +22,7 @@ TEST_F(OpenHaptics, TriesTheUsersNameThenTheFirstThenTheUsualNames) {
   for (const char* name : {"", "Default Device", "Default PHANToM"}) {
     stage->only_name = name;
     EXPECT_TRUE(back_end->open("openhaptics", {})) << name;
-    stage->garbage_handle = true;  // some versions: no error, and a number that is no device
+    stage->garbage_handle = true;  // some versions: no error, and an invalid device number
     EXPECT_TRUE(back_end->open("openhaptics", {}).has_value() || *name == '\0') << name;
     stage->garbage_handle = false;
   }
@@ -40,7 +40,7 @@ TEST_F(OpenHaptics, ADeviceThatIsOpenIsListedAsInUse) {
   EXPECT_EQ(found.devices.size(), 1U);
   EXPECT_EQ(found.problem->trouble, DeviceTrouble::in_use);
   EXPECT_EQ(back_end->open("openhaptics", {}).error().trouble, DeviceTrouble::in_use);
-  // And by another part of the program, or another program, through the library's own word.
+  // Or it is in use by another part of the program, or another program, as the library reports.
   EXPECT_EQ(openhaptics_back_end(settings())->open("openhaptics", {}).error().trouble, DeviceTrouble::in_use);
 }
 
@@ -53,7 +53,7 @@ TEST_F(OpenHaptics, EveryFailureToOpenSaysInOneLineWhatToDo) {
   for (const Case& c : {Case{0x0304, DeviceTrouble::no_timer, "close other programs"},
                         Case{0x0302, DeviceTrouble::device_absent, "Touch_Setup"},
                         Case{0x0303, DeviceTrouble::device_absent, "'Default PHANToM'"},
-                        Case{0x0200, DeviceTrouble::init_failed, "wait some minutes"},
+                        Case{0x0200, DeviceTrouble::init_failed, "wait a few minutes"},
                         Case{0x0600, DeviceTrouble::init_failed, "OH_SDK_LICENSE_PATH"},
                         Case{0x0102, DeviceTrouble::init_failed, "Touch_Diagnostic"}}) {
     stage->init_error = c.code;
@@ -68,7 +68,7 @@ TEST_F(OpenHaptics, EveryFailureToOpenSaysInOneLineWhatToDo) {
 }
 
 TEST_F(OpenHaptics, TheSecondLookSaysWhatTheFirstSaidThoughTheLibraryDoesNot) {
-  // It says 0x0302 to 0x0304 once for each cause.
+  // The library reports 0x0302 to 0x0304 once for each cause.
   for (const auto& [code, words] :
        {std::pair{0x0302U, "0x0302"}, std::pair{0x0303U, "0x0303"}, std::pair{0x0304U, "0x0304"}}) {
     stage->init_error = code;
@@ -83,7 +83,7 @@ TEST_F(OpenHaptics, TheSecondLookSaysWhatTheFirstSaidThoughTheLibraryDoesNot) {
 
 TEST_F(OpenHaptics, ALibraryThatRefusesWithoutAReasonIsNotSentToTheWrongTool) {
   {
-    // Whatever an earlier device came to is over once one has run.
+    // Errors of an earlier device are cleared once a device has run.
     FeltPlane plane;
     OpenedDevice device = opened();
     stage->start_error = 0x0304;
@@ -138,7 +138,7 @@ TEST_F(OpenHaptics, OnlyNodesOfTheMakerCountAsDevicesThatMayNotBeOpened) {
     fs::permissions(root / "dev" / name, fs::perms::none);
     std::ofstream(root / "sys" / "class" / group / name / "device" / "uevent") << about;
   };
-  // Root may open everything, so it asks as nobody.
+  // Root may open everything, so the check runs as the user nobody.
   const auto line_as_nobody = [&]() -> std::string {
     int ends[2];
     EXPECT_EQ(pipe(ends), 0);
@@ -164,7 +164,8 @@ TEST_F(OpenHaptics, OnlyNodesOfTheMakerCountAsDevicesThatMayNotBeOpened) {
   node("ttyACM0", "tty", "DRIVER=cdc_acm\nPRODUCT=2341/43/1\n");
   EXPECT_NE(line_as_nobody().find("Touch_Setup"), std::string::npos) << line_as_nobody();
   node("hidraw1", "hidraw", "DRIVER=hid-generic\nHID_ID=0003:00002988:00000302\n");
-  EXPECT_NE(line_as_nobody().find("/dev/hidraw1: set a udev rule"), std::string::npos) << line_as_nobody();
+  EXPECT_NE(line_as_nobody().find("/dev/hidraw1: install a udev rule"), std::string::npos)
+      << line_as_nobody();
   fs::remove(root / "dev" / "hidraw1");
   node("ttyACM1", "tty", "DRIVER=cdc_acm\nPRODUCT=2988/302/100\n");
   EXPECT_NE(line_as_nobody().find("/dev/ttyACM1"), std::string::npos) << line_as_nobody();
@@ -186,13 +187,13 @@ TEST_F(OpenHaptics, AFileThatIsNoLibraryIsSaidInTheLoadersWords) {
   const auto refused = openhaptics_back_end(text)->open("openhaptics", {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().trouble, DeviceTrouble::library_missing);
-  EXPECT_NE(base::to_line(refused.error().error).find("does not load"), std::string::npos);
+  EXPECT_NE(base::to_line(refused.error().error).find("cannot be loaded"), std::string::npos);
 }
 
 TEST_F(OpenHaptics, ALibraryThatLacksAnotherNamesWhatBringsIt) {
-  // The loader's words, as Debian 12 says them.
+  // The loader's message in Debian 12.
   const auto words = [](const std::string& library) {
-    return "the library is there but does not load: " + library +
+    return "the library was found but cannot be loaded: " + library +
            ": cannot open shared object file: No such file or directory";
   };
   EXPECT_NE(hd::remedy_for_missing(words("libncurses.so.5"), "x").find("libncurses5"), std::string::npos);

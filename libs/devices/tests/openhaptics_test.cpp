@@ -83,7 +83,7 @@ TEST_F(OpenHaptics, AKnownPlaneIsFeltInNewtonsAlongTheTabletsNormal) {
     EXPECT_NEAR(plane.y_m, -0.02, 1e-9);
     EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
     hold(mapping, {0.01, -0.02, -0.002});
-    // 2 mm deep on the tablet, 200 N/m: 0.4 N, up from the table as far as the tablet lies flat.
+    // 2 mm deep in the tablet, 200 N/m: 0.4 N, upwards for a flat tablet.
     EXPECT_TRUE(comes_true([&] { return pushes({0, 0.4 * std::cos(tilt), 0.4 * std::sin(tilt)}); }));
     device.device->stop();
     EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));

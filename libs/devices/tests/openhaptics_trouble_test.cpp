@@ -99,7 +99,7 @@ TEST_F(OpenHaptics, AnArmWithoutInkwellIsCalibratedWhereTheLearnerSaysThatItIsAt
     stage->calibration_style = 1;
     stage->calibration = need;
     stage->calibrations = 0;
-    stage->buttons = 1;  // pressed before it was asked for: no answer
+    stage->buttons = 1;  // pressed before the request: not an answer
     FeltPlane plane;
     OpenedDevice device = opened();
     ASSERT_TRUE(device.device->start(plane));
@@ -107,7 +107,7 @@ TEST_F(OpenHaptics, AnArmWithoutInkwellIsCalibratedWhereTheLearnerSaysThatItIsAt
                   .message.find("press a button"),
               std::string::npos);
     const std::uint64_t from = stage->ticks;
-    EXPECT_TRUE(comes_true([&] { return stage->ticks > from + 200; }));  // some looks at the calibration
+    EXPECT_TRUE(comes_true([&] { return stage->ticks > from + 200; }));  // some checks of the calibration
     EXPECT_EQ(stage->calibrations, 0);
     stage->buttons = 0;
     EXPECT_TRUE(comes_true([&] { return device.device->status().buttons == 0; }));
@@ -134,7 +134,7 @@ TEST_F(OpenHaptics, ForceErrorsTakeTheForceAwayAtOnceAndItComesBackByItself) {
     stage->output = false;  // as the library does on hard errors
     const haptics::DeviceStatus paused = test::comes_to(*device.device, DeviceState::paused, trouble);
     EXPECT_EQ(paused.trouble, trouble);
-    EXPECT_NE(paused.message.find("goes on by itself"), std::string::npos);
+    EXPECT_NE(paused.message.find("resumes by itself"), std::string::npos);
     EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
     EXPECT_EQ(stage->force_despite_error_n, 0);  // not even in the tick of the error
     stage->every_error = 0;
@@ -167,8 +167,8 @@ TEST_F(OpenHaptics, UnpluggedItIsLostWithASentenceAndPluggedInItOpensAgain) {
   EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)); }));
   EXPECT_EQ(stage->force_despite_error_n, 0);
   EXPECT_EQ(lost.message,
-            "Stand-in Touch (serial 0042): the connection was lost (code 0x302) (check cable and power, then "
-            "choose the device again)");
+            "Stand-in Touch (serial 0042): the connection was lost (code 0x302) (check the cable and the "
+            "power, then select the device again)");
   const int ticks = plane.ticks;
   const std::uint64_t from = stage->ticks;
   EXPECT_TRUE(comes_true([&] { return stage->ticks > from + 5; }));
@@ -197,7 +197,7 @@ TEST_F(OpenHaptics, EverySchedulerErrorEndsIt) {
 }
 
 TEST_F(OpenHaptics, WhateverEndsItTheLastForceWrittenIsZeroAndForcesAreOff) {
-  // The library takes no force away by itself: what was written last stays.
+  // The library does not remove a force by itself: the last written force stays.
   for (const unsigned int code : {0x0104U, 0x0300U, 0x0302U, 0x0303U, 0x0304U}) {
     test::Push push({0, 0, 1});
     OpenedDevice device = opened();
@@ -205,7 +205,7 @@ TEST_F(OpenHaptics, WhateverEndsItTheLastForceWrittenIsZeroAndForcesAreOff) {
     EXPECT_TRUE(comes_true([&] { return pushes({0, 0, 1}); })) << code;
     EXPECT_TRUE(stage->output);
     stage->next_error = code;
-    // At once, not only when somebody stops it.
+    // At once, not only when it is stopped.
     EXPECT_TRUE(comes_true([&] { return pushes(Vec3(0)) && !stage->output; })) << code;
     EXPECT_EQ(stage->force_despite_error_n, 0) << code;
     device.device->stop();
@@ -254,7 +254,7 @@ TEST_F(OpenHaptics, ASchedulerThatIsRefusedTwiceIsAnErrorTwice) {
   OpenedDevice device = opened();
   stage->start_error = 0x0304;
   ASSERT_FALSE(device.device->start(plane));
-  // The library says nothing this time, and no tick comes.
+  // The library reports no error this time, and no tick comes.
   const auto second = device.device->start(plane);
   ASSERT_FALSE(second);
   EXPECT_NE(base::to_line(second.error()).find("0x304"), std::string::npos) << base::to_line(second.error());

@@ -36,7 +36,7 @@ class Pantograph2diy : public testing::Test {
     PantographSettings s;
     s.port = board.path();
     s.delay_s = 0.020;   // so that no force depends on how busy the machine is
-    s.give_up_s = 3600;  // no test waits for it but the one that says so
+    s.give_up_s = 3600;  // only one test waits for it
     return s;
   }
   [[nodiscard]] OpenedDevice opened() const { return opened(settings()); }
@@ -49,7 +49,7 @@ class Pantograph2diy : public testing::Test {
     })) << base::to_line(device.error().error);
     return std::move(*device);
   }
-  /// Brings the handle there, device frame.
+  /// Moves the handle there, device frame.
   void move(double x_m, double y_m) {
     const Vec2 handle(kVersion3.linkage.motors_m / 2 - x_m, pantograph::kMiddle_m - y_m);
     const PerJoint angles = *pantograph::truth::angles_at(kVersion3.linkage, handle);
@@ -105,7 +105,7 @@ TEST(PantographBoards, AreFoundByTheirUsbNumbersAndNoOthers) {
   ASSERT_EQ(found.devices.size(), 4U);
   EXPECT_EQ(found.devices[2].id, "pantograph:3.2");
   EXPECT_NE(found.devices[2].name.find("ttyACM3"), std::string::npos);
-  // A file is no port: one sentence, and nothing is written to it.
+  // A file is not a port: there is one message, and nothing is written to it.
   const auto opened = pantograph_back_end(s)->open("pantograph:3.2", {});
   ASSERT_FALSE(opened);
   EXPECT_EQ(opened.error().trouble, DeviceTrouble::init_failed);
@@ -162,7 +162,7 @@ TEST_F(Pantograph2diy, APushIsTheTorquesThatDoItsWork) {
     const Vec2 handle(kVersion3.linkage.motors_m / 2 - 0.01, pantograph::kMiddle_m - 0.02);
     const PerJoint torques =
         pantograph::truth::torques_for(kVersion3.linkage, handle, Vec2(-force.x, -force.y));
-    // The handle is known to a step of the encoders.
+    // The position of the handle is known to one encoder step.
     EXPECT_TRUE(comes_true([&] {
       return std::abs(board.torque_n_m[1] - torques[0]) < 5e-4 &&
              std::abs(board.torque_n_m[0] - torques[1]) < 5e-4;
@@ -214,7 +214,7 @@ TEST_F(Pantograph2diy, AnglesCountFromWhereTheArmsAreWhenItIsOpened) {
   EXPECT_TRUE(comes_true([&] { return std::abs(plane.y_m - (pantograph::kMiddle_m - far)) < 1e-3; }))
       << plane.y_m;
   device.device->stop();
-  // Arms that can cross by their angles lead where no arms get: no force, and a sentence.
+  // Angles with crossed arms give an impossible position: no force, and a message.
   ASSERT_TRUE(device.device->start(push));
   EXPECT_TRUE(comes_true([&] { return pushes(); }));
   board.arm_deg[0] = 130;
@@ -247,7 +247,7 @@ TEST_F(Pantograph2diy, AnswersInPiecesAreOneAnswer) {
 }
 
 TEST_F(Pantograph2diy, WhatAnEarlierProgramLeftInTheBoardIsSettledFirst) {
-  {  // Half a setup and half a torque, without anybody to finish them.
+  {  // Half a setup and half a torque command, never completed.
     std::ofstream earlier(board.path(), std::ios::binary);
     earlier.write("\x02\x05\x01\x05\x03", 5).flush();
   }

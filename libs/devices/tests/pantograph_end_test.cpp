@@ -36,12 +36,12 @@ class CrashingPush final : public haptics::ServoCallback {
   std::atomic<bool> crashes{false};
 };
 
-// Exit codes of a process that did not go as meant. A sanitizer ends a crash with 1.
+// Exit codes of a process that did not run as expected. A sanitizer ends a crash with 1.
 constexpr int kNeverPushed = 17;
 constexpr int kWentOn = 18;
 
-/// A program in which a pantograph pushes; then `way_out` has it. The board begins after the process has, so
-/// that no thread is lost in it.
+/// A program in which a pantograph pushes; then `way_out` ends it. The board starts after the process, so
+/// that the fork loses no thread.
 class PantographEnd : public testing::Test {
  protected:
   PantographEnd() {
@@ -66,7 +66,7 @@ class PantographEnd : public testing::Test {
       OpenRequest request;
       request.calibration.emplace();
       auto back_end = pantograph_back_end(settings);
-      // They go with the process, not before it.
+      // They end with the process, not before it.
       static auto& device = *new DeviceResult<OpenedDevice>;
       if (!comes_true([&] { return bool(device = back_end->open("pantograph:3", request)); }))
         std::_Exit(kNeverPushed);
@@ -80,7 +80,7 @@ class PantographEnd : public testing::Test {
   void expect_pushing() {
     EXPECT_TRUE(comes_true([&] { return board->torque_n_m[0] != 0 && board->torque_n_m[1] != 0; }));
   }
-  /// Once the board has read all that was written: nothing of it may push again.
+  /// Checked after the board has read everything that was written: none of it may push again.
   void expect_limp() {
     const int idle = board->idle;
     ASSERT_TRUE(comes_true([&] { return board->idle > idle + 1; }));
@@ -97,7 +97,7 @@ class PantographEnd : public testing::Test {
   static void wait(haptics::HapticDevice&, CrashingPush&) { test::wait_for_signals(); }
 
   const test::DefaultSignals signals;
-  std::atomic<bool>* go;  // what the process and the test both see
+  std::atomic<bool>* go;  // shared by the process and the test
   std::unique_ptr<PantographBoard> board;
   pid_t process = -1;
 };
@@ -156,7 +156,7 @@ TEST_F(PantographEnd, SuspendedItHoldsItsForceUntilItGoesOn) {
 
 TEST_F(PantographEnd, TheThreadThatTellsZeroRunsNoSignalHandlers) {
   begin([&](haptics::HapticDevice&, CrashingPush&) {
-    // Every other thread blocks it: the kernel has only those of the device to give it to.
+    // Every other thread blocks it, so the kernel must deliver it to a thread of the device.
     sigset_t all;
     (void)sigfillset(&all);
     (void)pthread_sigmask(SIG_BLOCK, &all, nullptr);

@@ -47,7 +47,7 @@ TEST_P(Pantograph, AtRestItsHandleIsInTheMiddleAsFarAsTwoTrianglesSay) {
   const double aside = linkage.motors_m / 2 - linkage.inner_m * std::cos(angle);
   const double far =
       linkage.inner_m * std::sin(angle) + std::sqrt(linkage.outer_m * linkage.outer_m - aside * aside);
-  // The rest angles are floats, and mirror each other exactly.
+  // The rest angles are floats and exactly symmetric.
   EXPECT_NEAR(pose.handle_m.x, linkage.motors_m / 2, 1e-12);
   EXPECT_NEAR(pose.handle_m.y, far, 1e-12);
   EXPECT_GT(pose.handle_m.y, 0);

@@ -7,8 +7,8 @@
 
 #include "pantograph_kinematics.h"
 
-/// The pantograph from its other end: angles by the law of cosines, from where the handle is. Shares nothing
-/// with the code under test but the lengths.
+/// Inverse kinematics of the pantograph: angles by the law of cosines from the position of the handle. It
+/// shares only the lengths with the code under test.
 namespace nazori::devices::pantograph::truth {
 
 constexpr double kDegree = std::numbers::pi / 180;

@@ -17,7 +17,7 @@ using haptics::DeviceState;
 using haptics::Vec3;
 using test::comes_true;
 
-/// Counts, and asks for nothing.
+/// Counts ticks and gives no force.
 class NoForce final : public haptics::ServoCallback {
  public:
   Vec3 tick(const haptics::DeviceSample&) noexcept override {
@@ -33,11 +33,11 @@ std::string named_by(const char* variable) {
   return path != nullptr ? path : "";
 }
 
-/// Looks twice, and runs and stops twice what is found.
+/// Searches twice, and runs and stops twice the device that is found.
 void run_all_that_is_there(BackEnd& back_end) {
   const BackEndFindings found = back_end.find();
   if (found.problem) {
-    // Whatever is wrong, it is neither the library nor its functions; and the second look says the same.
+    // The error must not be about the library or its functions, and the second search must give the same.
     EXPECT_NE(found.problem->trouble, haptics::DeviceTrouble::library_missing)
         << base::to_line(found.problem->error);
     EXPECT_NE(found.problem->trouble, haptics::DeviceTrouble::symbol_missing)
@@ -57,7 +57,7 @@ void run_all_that_is_there(BackEnd& back_end) {
       ASSERT_TRUE(started) << base::to_line(started.error());
       EXPECT_TRUE(comes_true([&] { return servo.ticks > 500; }));
       const auto status = opened->device->status();
-      // Docked, not homed or not calibrated is well; lost is not.
+      // Docked, not homed or not calibrated is fine; lost is not.
       EXPECT_NE(status.state, DeviceState::lost) << status.message;
       opened->device->stop();
       const int ticks = servo.ticks;

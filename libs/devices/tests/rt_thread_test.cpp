@@ -56,7 +56,7 @@ TEST(RtThread, TimeOnlyGoesForwardAndNoPeriodIsLostUncounted) {
   EXPECT_FALSE(backwards);
   const ClockStatus s = thread.status();
   const double periods = static_cast<double>(s.ticks + s.missed);
-  // Up to the last tick all are counted, and none that was not.
+  // All periods up to the last tick are counted, and no others.
   EXPECT_GE(periods, (last - s.max_lateness_s) / 0.001);
   EXPECT_LE(periods, elapsed_s / 0.001 + 1);
 }
@@ -72,7 +72,7 @@ TEST(RtThread, CountsThePeriodsThatASlowTickSwallowed) {
   EXPECT_GE(thread.status().missed, 28U);
 }
 
-/// What the kernel says of the memory at an address: the flags of /proc/self/smaps, "lo" for locked.
+/// The kernel's information about the memory at an address: the flags of /proc/self/smaps, "lo" for locked.
 std::string flags_of_memory_at(std::uintptr_t address) {
   std::ifstream maps("/proc/self/smaps");
   std::string line;
@@ -89,7 +89,7 @@ TEST(RtThread, ItsStackIsThereBeforeTheFirstTickAndStaysInMemory) {
   RtThread thread;
   std::atomic<std::uintptr_t> here{0};
   std::atomic<int> missing{-1};
-  constexpr int kPages = 24;  // less than what is made ready, for what lies between
+  constexpr int kPages = 24;  // fewer than are prepared, because of what lies between
   ASSERT_TRUE(thread.start(0.001, [&](double) {
     if (here != 0) return;
     const char local = 0;

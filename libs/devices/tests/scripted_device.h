@@ -13,7 +13,7 @@
 
 namespace nazori::devices::test {
 
-/// What a test does with a device, and what the device was told to do. Outlives it.
+/// The test's control of a device, and a record of the commands to the device. Outlives it.
 struct Script {
   std::atomic<double> x_m{0}, y_m{0}, z_m{0.02};
   std::atomic<std::uint32_t> buttons{0};
@@ -94,7 +94,7 @@ class ScriptedBackEnd final : public BackEnd {
   std::shared_ptr<Script> script_;
 };
 
-/// Back ends that know nothing but this device.
+/// Back ends with only this device.
 inline std::vector<std::unique_ptr<BackEnd>> only(std::shared_ptr<Script> script) {
   std::vector<std::unique_ptr<BackEnd>> all;
   all.push_back(std::make_unique<ScriptedBackEnd>(std::move(script)));

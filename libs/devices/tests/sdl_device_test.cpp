@@ -204,7 +204,7 @@ TEST_F(GameControllers, WhatTheyAreTakenForIsWhatTheDocumentationSays) {
   EXPECT_EQ(sdl::stick_limits(standin::kPad).delay_s, 0);
 }
 
-/// Keeps every sample with a stylus. Its samples are for when the device has stopped.
+/// Stores every sample with a stylus. Read them after the device has stopped.
 class PathOfStick final : public haptics::ServoCallback {
  public:
   PathOfStick() { samples.reserve(100'000); }
@@ -239,12 +239,12 @@ TEST_F(GameControllers, AStickIsFollowedFromWhereItIsThroughTwoLowPassFilters) {
   }
 }
 
-/// Tells of one event, every time.
+/// Reports the same event each time.
 class Teller final : public haptics::ServoCallback {
  public:
   Vec3 tick(const haptics::DeviceSample&) noexcept override { return Vec3(0); }
-  [[nodiscard]] std::uint16_t events() const noexcept override { return told; }
-  std::atomic<std::uint16_t> told{0};
+  [[nodiscard]] std::uint16_t events() const noexcept override { return reported_events; }
+  std::atomic<std::uint16_t> reported_events{0};
 };
 
 TEST_F(GameControllers, WhatTheServoTellsIsFeltOnAPad) {
@@ -252,9 +252,9 @@ TEST_F(GameControllers, WhatTheServoTellsIsFeltOnAPad) {
   Teller servo;
   OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(servo));
-  servo.told = static_cast<std::uint16_t>(ServoEvent::wrong_start);
+  servo.reported_events = static_cast<std::uint16_t>(ServoEvent::wrong_start);
   EXPECT_TRUE(comes_true([&] { return pad->anything_runs(); }));
-  servo.told = 0;
+  servo.reported_events = 0;
   EXPECT_TRUE(comes_true([&] { return !pad->anything_runs(); }));
   EXPECT_GT(pad->most_low, 0);
   EXPECT_GT(pad->most_high, 0);
@@ -289,11 +289,11 @@ TEST_F(GameControllers, UnpluggedInMidRunItIsLostAndPluggedInItIsFoundAgain) {
   stick->attached = false;
   port->plugged.clear();
   EXPECT_EQ(test::comes_to(*device.device, DeviceState::lost, DeviceTrouble::communication_lost).message,
-            "Stick: the connection was lost (check cable and power, then choose the device again)");
+            "Stick: the connection was lost (check the cable and the power, then select the device again)");
   EXPECT_TRUE(comes_true([&] { return !stick->anything_runs(); }));
   EXPECT_EQ(back_end->find().problem->trouble, DeviceTrouble::device_absent);
   const auto again = port->plug_in("Stick", standin::kForceStick);
-  EXPECT_EQ(back_end->find().devices.front().id, device.id);  // while the lost one is still held
+  EXPECT_EQ(back_end->find().devices.front().id, device.id);  // while the lost one is still open
   device.device->stop();
   EXPECT_EQ(device.device->status().state, DeviceState::lost);
   EXPECT_FALSE(device.device->start(push));

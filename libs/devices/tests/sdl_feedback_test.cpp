@@ -175,9 +175,9 @@ TEST_F(Feedback, APadTellsStrokesAndMistakesApart) {
   rumble.apply(told(ServoEvent::stroke_done), 2);
   EXPECT_GT(stick->high, tap);
   EXPECT_EQ(stick->low, 0);
-  rumble.apply(told(ServoEvent::wrong_direction), 2.1);  // a mistake drowns out the end of a stroke
+  rumble.apply(told(ServoEvent::wrong_direction), 2.1);  // a mistake replaces the signal of a finished stroke
   EXPECT_GT(stick->low, 0);
-  rumble.apply(told(ServoEvent::capture), 2.2);  // and no tap shortens it
+  rumble.apply(told(ServoEvent::capture), 2.2);  // a tap does not shorten it
   EXPECT_GT(stick->low, 0);
   rumble.apply(push(0, 0), 2.4);
   EXPECT_FALSE(stick->anything_runs());
@@ -189,7 +189,7 @@ TEST_F(Feedback, ACueLastsItsTimeAndGivesWayOnlyToOneThatMattersAsMuch) {
     int length_ms;
     bool low;
   };
-  // Each drowns out those before it but its own likes.
+  // Each kind replaces the kinds before it, but not its own.
   const std::vector<std::vector<Cue>> ranks{
       {{ServoEvent::capture, 60, false}, {ServoEvent::release, 60, false}},
       {{ServoEvent::stroke_done, 180, false}},

@@ -143,7 +143,7 @@ TEST_F(VirtualGamepad, UnpluggedItIsLostAndPluggedInItIsFoundAgain) {
 }
 
 TEST_F(VirtualGamepad, SdlTakesNoSignals) {
-  // SDL takes signals when it begins, and only those that nobody handles or ignores.
+  // SDL handles signals when it starts, but only those that are neither handled nor ignored.
   const test::DefaultSignals signals;
   SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
   ASSERT_EQ(SDL_WasInit(SDL_INIT_EVERYTHING), 0U);

@@ -52,10 +52,10 @@ class AllocationCount final : public haptics::ServoCallback {
   std::optional<haptics::test::AllocGuard> guard_;  // of the servo's thread
 };
 
-/// Pushes; from its first tick on the thread may make no system call but those that make it sleep.
+/// Pushes; from its first tick on the only system calls allowed to the thread are those that make it sleep.
 class KernelGuard final : public haptics::ServoCallback {
  public:
-  /// @param breaks  makes another one: does the guard see it?
+  /// @param breaks  makes a forbidden call, to test the guard.
   explicit KernelGuard(bool breaks) : breaks_(breaks) {}
   Vec3 tick(const DeviceSample&) noexcept override {
     if (ticks == 0 && !nazori::test::forbid_system_calls({SYS_clock_nanosleep, SYS_nanosleep, SYS_futex}))
@@ -90,7 +90,7 @@ std::unique_ptr<haptics::HapticDevice> opened(BackEnd& back_end, const char* id)
   return device;
 }
 
-/// The path of a stand-in, which is as after loading.
+/// The path of a stand-in, reset to its state after loading.
 std::string reset(const char* file, const char* function) {
   const std::string path = test_paths::kStandins + std::string(file);
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
@@ -104,7 +104,7 @@ std::vector<Guarded> all_back_ends() {
       {"pointer",
        [] {
          auto pointer = std::make_unique<PointerDevice>();
-         // Both ways of a pointer: as it comes, and played at the times of its events.
+         // Both modes of a pointer: direct, and played at the times of its events.
          pointer->move({0.01, 0.02, 0.004, true, true}, 10.0);
          for (int i = 1; i < 200; ++i) pointer->move({0.01, 0.02, 0.004, true, true}, 10.0 + 0.005 * i);
          return pointer;
@@ -158,7 +158,7 @@ TEST_P(ServoGuard, TheKernelIsOnlyEnteredToSleep) {
       KernelGuard servo(breaks);
       if (!device || !device->start(servo)) _exit(3);
       if (!comes_true([&] { return servo.ticks > kTicks; })) _exit(4);
-      _exit(0);  // a thread under guard cannot come to its end
+      _exit(0);  // a guarded thread cannot end normally
     });
   };
   EXPECT_TRUE(runs(false));

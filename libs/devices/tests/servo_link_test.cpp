@@ -110,7 +110,7 @@ TEST(ServoLink, TheStatusIsThatOfTheLastTick) {
                            [&] { link.pause(DeviceState::paused, DeviceTrouble::warm_motors, 0x301, 1); });
   EXPECT_EQ(now.state, DeviceState::paused);
   EXPECT_EQ(now.message,
-            "Arm: its motors are warm (code 0x301) (put the stylus down for some minutes; it goes on by "
+            "Arm: its motors are too warm (code 0x301) (put the stylus down for a few minutes; it resumes by "
             "itself)");
   EXPECT_EQ(now.buttons, 1U);
   EXPECT_EQ(now.delay_s, 0.003);
@@ -130,7 +130,7 @@ TEST(ServoLink, ALostDeviceStaysLostWhenItIsStopped) {
   link.stop();
   EXPECT_EQ(link.status().state, DeviceState::lost);
   EXPECT_EQ(link.status().message,
-            "Arm: it reports a fault (code -3) (switch it off and on, then choose it again)");
+            "Arm: it reports a fault (code -3) (switch it off and on, then select it again)");
   EXPECT_EQ(test::status_after(link, [&] { link.start(push); }).state, DeviceState::running);
   link.stop();
 }
@@ -159,7 +159,7 @@ TEST(ServoLink, AServoThatTicksNoMoreIsToldByItsStatus) {
 TEST(ServoLink, ADelayIsSmoothedOverSomeTwentyMeasurements) {
   EXPECT_EQ(smoothed_delay_s(0, 0.004), 0.004) << "the first";
   EXPECT_NEAR(smoothed_delay_s(0.004, 0.006), 0.0041, 1e-15);
-  // Of a step, what twenty measurements leave is 0.95 to the 20th, about 1/e.
+  // After twenty measurements 0.95^20 of a step remains, about 1/e.
   double delay_s = 0.010;
   for (int i = 0; i < 20; ++i) delay_s = smoothed_delay_s(delay_s, 0.002);
   EXPECT_NEAR((delay_s - 0.002) / 0.008, std::exp(-1), 0.01);
@@ -186,7 +186,7 @@ TEST(TroubleError, CodesAreWrittenAsInTheMakersManuals) {
   const auto line = [](DeviceTrouble trouble, std::int32_t code) {
     return base::to_line(trouble_error(trouble, "Arm", code));
   };
-  EXPECT_EQ(line(DeviceTrouble::init_failed, 0), "Arm: it refuses to start (switch it off and on again)");
+  EXPECT_EQ(line(DeviceTrouble::init_failed, 0), "Arm: it does not start (switch it off and on again)");
   EXPECT_NE(line(DeviceTrouble::init_failed, 0x10).find("(code 0x10)"), std::string::npos);
   EXPECT_NE(line(DeviceTrouble::init_failed, 0x1a2f).find("(code 0x1a2f)"), std::string::npos);
   EXPECT_NE(line(DeviceTrouble::init_failed, -12).find("(code -12)"), std::string::npos);

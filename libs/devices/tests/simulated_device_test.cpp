@@ -144,7 +144,8 @@ double largest_stable(double delay_s) {
 }
 
 // An ideal plane becomes unstable at 4,170 N/m for 0.05 kg, 0.05 N s/m, a hand of 100 N/m and 2 N s/m at 1
-// kHz, and at 1,380 N/m with one tick of delay: roots of the discrete-time loop. Ours may lose 5 %.
+// kHz, and at 1,380 N/m with one tick of delay: roots of the discrete-time loop. This implementation may be 5
+// % below.
 TEST(ClosedLoop, TheLargestStableStiffnessIsThatOfAnIdealPlane) {
   EXPECT_NEAR(largest_stable(0), 4170, 0.05 * 4170);
   EXPECT_NEAR(largest_stable(0.001), 1380, 0.05 * 1380);
@@ -190,8 +191,8 @@ void expect_stable(const SimulatedHardware& hardware, double damping) {
   EXPECT_GT(low, -0.65 * press) << hardware.name;
   go({0.01, 0, -press}, {0.01, 0, 0.01}, 0.2);
   EXPECT_NEAR(device.tip_m().z, 0.01, 5e-3) << hardware.name;
-  // No net energy but that of the tick that is ahead of the controller, of the one in which the force
-  // falls, and of those on their way.
+  // No net energy except that of the present tick, which the controller has not yet seen, of the tick in
+  // which the force falls, and of the delayed ticks.
   const double ahead = 2 + hardware.limits.delay_s * hardware.rate_hz;
   EXPECT_LT(device.work_j(), ahead * most_in_a_tick) << hardware.name;
 }
@@ -204,7 +205,7 @@ TEST(ClosedLoop, EveryPresetIsStableAtItsLimitsAndStopsTheHand) {
     }
 }
 
-/// What a hand that comes down on a plate at 0.2 m/s and goes on pressing feels.
+/// The force on a hand that comes down on a plate at 0.2 m/s and keeps pressing.
 struct TouchDown {
   double peak_n = 0, hop_m = 0;
   int touches = 0;
@@ -229,9 +230,9 @@ TouchDown come_down(SimulatedDevice& device, haptics::ServoCallback& wall) {
   return felt;
 }
 
-// A spring gives back what it took: 0.2 kg held by 2 N s/m hop on 5,000 N/m whatever renders it. The servo
-// must not add to what an ideal spring does, one that is served 40,000 times a second without ramp or slew
-// limit.
+// A spring returns its energy: 0.2 kg with a damping of 2 N s/m bounce on 5,000 N/m with any rendering. The
+// servo must not add to the bounce of an ideal spring, which is computed 40,000 times a second without ramp
+// or slew limit.
 TEST(ClosedLoop, AtTouchDownAPresetHopsNoHigherThanOnAnIdealSpring) {
   const auto smooth = plate();
   for (const SimulatedHardware& hardware : SimulatedHardware::presets()) {
@@ -289,7 +290,7 @@ TEST(ClosedLoop, ACurvedGrooveTracedByAHandHasNoRipple) {
       (void)device.step(servo);
     }
     double near = 1, far = 0;
-    for (int i = 0; i < 11'500; ++i) {  // the first second is the hand's own start
+    for (int i = 0; i < 11'500; ++i) {  // in the first second the hand starts to move
       const double at = 12e-6 * i / radius;
       device.set_target({radius * std::cos(at), radius * std::sin(at), -0.02});
       (void)device.step(servo);

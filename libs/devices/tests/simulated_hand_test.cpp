@@ -49,7 +49,7 @@ TEST(SimulatedHand, FollowsEveryStrokeInItsGroove) {
   const FollowedStroke& across = report.strokes[0];
   EXPECT_EQ(across.stroke, 1);
   EXPECT_NEAR(across.length_m, 0.1 * 60 / 109, 0.002);
-  // One movement from rest to rest, half as long again as at the even speed, and a halt.
+  // One movement from rest to rest, 1.5 times as long as at constant speed, and a halt.
   EXPECT_NEAR(across.duration_s, 1.5 * across.length_m / HandHabits{}.speed_m_s + 0.15, 1e-9);
   EXPECT_GT(across.followed_share, 0.9);
   EXPECT_LT(across.tip_rms_m, 0.003);

@@ -9,7 +9,7 @@
 namespace nazori::devices {
 namespace {
 
-/// A line of the table in docs/haptics.md, Devices, which says where its figures come from.
+/// A row of the table in docs/haptics.md, Devices, which names the sources of its figures.
 struct Documented {
   std::string name;
   double rate_hz, peak_n, continuous_n, stiffness_n_m, damping_n_s_m, own_n_s_m, slew_n_s, mass_kg,

@@ -17,8 +17,8 @@ using namespace std::chrono_literals;
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
 
-/// A tablet with an arm whose hand is the test's. Its deadlines come with a clock that the test turns; the
-/// servos run in real time.
+/// A tablet with an arm that the test moves. Its deadlines follow a clock that the test sets; the servos run
+/// in real time.
 class TabletDeviceTest : public testing::Test {
  protected:
   using enum DeviceEventKind;
@@ -27,7 +27,7 @@ class TabletDeviceTest : public testing::Test {
     device_.happened.connect([this](const DeviceEvent& event) { events_.push_back(event); });
     device_.set_devices(test::only(script_), {}, [this] { return remembered_; });
   }
-  /// Lets the clock run in steps, and the inbox with it, until `wish` is true; a real minute at most.
+  /// Advances the clock in steps and runs the inbox until `wish` is true; at most for a real minute.
   template <class Wish>
   [[nodiscard]] bool comes(Wish wish, std::chrono::milliseconds step = 0ms) {
     const auto give_up = std::chrono::steady_clock::now() + 60s;
@@ -52,7 +52,7 @@ class TabletDeviceTest : public testing::Test {
     return static_cast<int>(
         std::count_if(events_.begin(), events_.end(), [&](const auto& event) { return event.kind == kind; }));
   }
-  /// The arm is chosen and has the tablet.
+  /// The arm is chosen and active.
   void choose_the_arm() {
     ASSERT_TRUE(device_.start());
     device_.choose("scripted:arm");
@@ -81,7 +81,7 @@ TEST_F(TabletDeviceTest, ADeviceThatIsFoundInTheMiddleOfAStrokeWaitsForItsEnd) {
   ASSERT_TRUE(comes([&] { return count(searched) == 1; }));
   ASSERT_EQ(script_->opened, 1);
   EXPECT_TRUE(device_.is_pointer());
-  // Long enough for it to have been asked a second time whether the stroke is over.
+  // Long enough for a second check whether the stroke has ended.
   for (int i = 0; i < 5; ++i) pass(100ms);
   EXPECT_TRUE(device_.is_pointer());
   device_.move({0, 0, 0, false, true});

@@ -44,7 +44,7 @@ TEST(WorkspaceMapping, OnAFlatTabletAwayIsUpwardsAndDownIsIntoTheTablet) {
   expect_near(m.to_tablet_m({0, -0.05, -0.020}), {0, 0.010, 0});
   // 10 mm below the table.
   expect_near(m.to_tablet_m({0, -0.06, 0}), {0, 0, -0.005});
-  // The plateau pushes up against gravity, with all its newtons.
+  // The plateau pushes up against gravity, with unchanged force.
   expect_near(m.to_device_n({0, 0, 0.8}), {0, 0.8, 0});
 }
 
@@ -74,7 +74,7 @@ TEST(WorkspaceMapping, PositionsAndForcesGoThereAndBackAndWorkIsScaledOnce) {
     EXPECT_NEAR(glm::length(m.to_device_n(f)), glm::length(f), 1e-12);
     const Vec3 step = m.to_tablet_m(p) - m.to_tablet_m(Vec3(0));
     EXPECT_NEAR(glm::dot(f, step), c.scale * glm::dot(m.to_device_n(f), p), 1e-12);
-    // Right-handed: nothing is written in a mirror.
+    // Right-handed: nothing is mirrored.
     expect_near(glm::cross(m.to_device_n({1, 0, 0}), m.to_device_n({0, 1, 0})), m.to_device_n({0, 0, 1}));
   }
 }
@@ -200,7 +200,7 @@ TEST(CalibrateFromCorners, RefusesCornersThatAreNoSquareInOneSentence) {
   };
   const std::array<Case, 5> cases{{{{0.001, 0, 0}, {0, 0.1, 0}, "20 mm"},
                                    {{0.1, 0, 0}, {0.05, 0.08, 0}, "right angle"},
-                                   {{0.1, 0, 0}, {0, 0.04, 0}, "oblong"},
+                                   {{0.1, 0, 0}, {0, 0.04, 0}, "rectangle"},
                                    {{std::nan(""), 0, 0}, {0, 0.1, 0}, "not a number"},
                                    // Bottom right and top left exchanged, on the table: face down.
                                    {{0, 0, -0.1}, {0.1, 0, 0}, "flat"}}};
@@ -229,7 +229,7 @@ TEST(CalibrateFromCorners, TakesSquaresThatAreALittleOff) {
   for (const double side : {-1.0, 1.0}) {
     EXPECT_TRUE(found({0.1, 0, 0}, leaning(19.9 * side)));
     EXPECT_FALSE(found({0.1, 0, 0}, leaning(20.1 * side)));
-    // Both sides give way alike: a lean of 10 degrees turns the tablet by 5.
+    // Both sides are turned by the same amount: an error of 10 degrees turns the tablet by 5.
     EXPECT_NEAR(found({0.1, 0, 0}, leaning(10 * side))->roll_rad, -5 * side * kPi / 180, 1e-9);
   }
   const auto oblong = found({0.1, 0, 0}, {0, 0.12, 0});

@@ -14,8 +14,8 @@ using namespace nazori::functions;  // NOLINT
 struct Case {
   const char* expression;
   Window window;
-  /// What a prototype with functions compiled into it needed for tracing and carving at 128, 256 and 1024
-  /// samples [ms], one thread; 0: not known.
+  /// The time of a prototype with compiled-in functions for tracing and carving at 128, 256 and 1024 samples
+  /// [ms], one thread; 0: not known.
   double prototype_ms[3];
 };
 const Case kCases[] = {
@@ -60,7 +60,7 @@ BENCHMARK(BM_Draw)
     ->ArgsProduct({benchmark::CreateDenseRange(0, kCount - 1, 1), {128, 256, 1024}})
     ->Unit(benchmark::kMillisecond);
 
-/// Until the first picture of a plate of 1024 samples is there, ridges and rim included.
+/// Time until the first picture of a plate of 1024 samples is ready, including ridges and rim.
 void BM_FirstPicture(benchmark::State& state) {
   const Case& c = kCases[state.range(0)];
   const auto plot = parse(c.expression);

@@ -77,7 +77,7 @@ Expression touching_sine(const Expression& e) {
   const Expression& wave = a[number_first ? 1 : 0];
   if (wave->kind != NodeKind::function) return nullptr;
   if (wave->function != Function::sin && wave->function != Function::cos) return nullptr;
-  // At which value of the wave the sum is zero.
+  // The value of the wave at which the sum is zero.
   const double one = a[number_first ? 0 : 1]->value;
   const bool at_one = (e->kind == NodeKind::subtract) == (one == 1);
   const Expression half = binary(NodeKind::divide, wave->arguments[0], number(2));

@@ -10,8 +10,8 @@
 
 namespace nazori::functions {
 
-/// A sum of products of powers of atoms (variables and whatever cannot be multiplied out), each once, with
-/// coefficients that were computed without rounding.
+/// A sum of products of powers of atoms (variables and expressions that cannot be multiplied out), each once,
+/// with coefficients that were computed without rounding.
 class Polynomial {
  public:
   /// @return nothing where a coefficient would be rounded or the sum grows over some hundred terms.
@@ -37,7 +37,7 @@ class Polynomial {
   };
   /// The same for c*v^n + (something without v).
   [[nodiscard]] std::optional<LonePower> lone_power(Variable v) const;
-  /// The sum of two terms or more whose square this is but for a factor, where it can be found without
+  /// The sum of at least two terms whose square this is except for a factor, if it can be found without
   /// rounding: x - y for 2x^2 - 4xy + 2y^2. Null otherwise.
   [[nodiscard]] Expression square_root() const;
 
@@ -55,24 +55,25 @@ struct Fraction {
 /// The expression over one common denominator; tan counts as sin over cos.
 [[nodiscard]] Fraction over_common_denominator(const Expression& e);
 
-/// What multiplied makes `e`, without numbers, signs, powers and roots: the factors whose zeros are those of
-/// e. An `e` that is a number other than zero gives none; zero gives the number 0.
+/// The factors of `e`, without numbers, signs, powers and roots: together they have the zeros of e. An `e`
+/// that is a number other than zero gives none; zero gives the number 0.
 [[nodiscard]] std::vector<Expression> zero_factors(const Expression& e);
 
 /// The same function in a form that intervals enclose more tightly: quotients of polynomials of one atom are
-/// divided out, (x^2-1)/(x-1) = x + 1 + 0/(x-1) and e^x/(1+e^x) = 1 - 1/(1+e^x); the domain stays.
+/// divided out, (x^2-1)/(x-1) = x + 1 + 0/(x-1) and e^x/(1+e^x) = 1 - 1/(1+e^x); the domain is unchanged.
 [[nodiscard]] Expression improved(const Expression& e);
 
-/// The tree with sqrt(u^2) written as |u|, and sqrt(u^4) as |u|^2: what was squared has no sign left to lose.
+/// The tree with sqrt(u^2) written as |u|, and sqrt(u^4) as |u|^2: the square has no sign that could be lost.
 [[nodiscard]] Expression without_even_roots(const Expression& e);
 
-/// Whether the expression is defined and continuous everywhere by its looks alone.
+/// Whether the form of the expression alone shows that it is defined and continuous everywhere.
 [[nodiscard]] bool is_total(const Expression& e);
 
-/// The tree with every part that is written as `from` replaced.
+/// The tree with every part whose text equals that of `from` replaced.
 [[nodiscard]] Expression replaced(const Expression& e, const Expression& from, const Expression& to);
 
-/// A way to take every |a|, min and max: the expression it leaves, and what must not be negative for it.
+/// One case of every |a|, min and max: the remaining expression, and the expressions that must not be
+/// negative in this case.
 struct Case {
   Expression expression;
   std::vector<Expression> not_negative;
@@ -82,7 +83,7 @@ struct Case {
 
 [[nodiscard]] std::size_t node_count(const Expression& e);
 
-/// Whether the expression is this very number.
+/// Whether the expression is exactly this number.
 [[nodiscard]] inline bool is_number(const Expression& e, double v) {
   return e->kind == NodeKind::number && e->value == v;
 }

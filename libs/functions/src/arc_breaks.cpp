@@ -33,7 +33,7 @@ ArcTracer::Side ArcTracer::side(const Sample& near, double away) {
   return outward || !farther.exists() ? Side::growing : Side::wandering;
 }
 
-/// The piece is as narrow as numbers allow and still not proven continuous: says what happens there.
+/// Classifies a piece that is as narrow as numbers allow and still not proven continuous.
 void ArcTracer::settle_break(const Sample& left, const Sample& right, const Box& box) {
   const double width = right.t - left.t;
   const Sample a = nearest_reliable(left, -width);
@@ -82,7 +82,7 @@ void ArcTracer::settle_break(const Sample& left, const Sample& right, const Box&
   }
   for (const auto& [which, point] : {std::pair{before, a}, std::pair{after, b}}) {
     if (which != Side::settled || !is_inside(point)) continue;
-    // The end itself where it belongs to the curve, else the last number before it.
+    // The end itself if it belongs to the curve, else the last number before it.
     const bool attained = is_near(at, point, reach);
     add_event(EventKind::end, attained ? at : Sample{at.t, point.u, point.v});
   }
@@ -90,7 +90,7 @@ void ArcTracer::settle_break(const Sample& left, const Sample& right, const Box&
 
 void ArcTracer::add_event(EventKind kind, const Sample& at, const Sample* after) {
   for (const Event& other : out_.events) {
-    // One break can show in two neighbouring pieces.
+    // One break can appear in two neighbouring pieces.
     if (other.kind == kind && other.statement == statement_ && kind != EventKind::end &&
         std::abs(other.parameter - at.t) < 1e-11 * (arc_.to - arc_.from))
       return;

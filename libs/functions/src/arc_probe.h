@@ -30,7 +30,7 @@ class ArcProbe {
     return {x.value, y.value, x.slopes[0], y.slopes[0]};
   }
 
-  /// Between which numbers the slope of y surely is.
+  /// Proven bounds of the slope of y.
   Interval slope_y(double t) {
     using D = Dual<Interval, 1>;
     tape_.evaluate<D>(std::array{D(Interval(t), 0)}, enclosures_);
@@ -43,18 +43,18 @@ class ArcProbe {
   std::vector<Dual<Interval, 1>> enclosures_;
 };
 
-/// The value, or 0 where rounding alone may have given it its sign.
+/// The value, or 0 where its sign may be due to rounding.
 inline double beyond_rounding(double value, const Interval& enclosure) {
   return !enclosure.is_empty() && enclosure.is_bounded() && enclosure.contains(0) ? 0.0 : value;
 }
 
-/// y beside a place where it is not finite itself.
+/// y next to a point where it is not finite.
 inline double near_value(ArcProbe& probe, double t) {
   const double h = 1e-9 * std::max(1.0, std::abs(t));
   return (probe.at(t - h).y + probe.at(t + h).y) / 2;
 }
 
-/// Whether a level place is a minimum.
+/// Whether a point with slope 0 is a minimum.
 inline bool is_least(ArcProbe& probe, double t) {
   const double h = 1e-5 * std::max(1.0, std::abs(t));
   return probe.at(t - h).y > probe.at(t).y;
@@ -93,7 +93,7 @@ void sign_changes(const std::vector<CurvePoint>& points, const F& f, const Found
       ++zeros;
       continue;
     }
-    // A run of zeros is a flat piece, not a place.
+    // A run of zeros is a flat piece, not a point.
     if (has_last && (v < 0) != (last < 0) && zeros <= 1 && p.parameter > last_at)
       found(bisect(last_at, p.parameter, f), v > 0);
     last = v;

@@ -14,14 +14,15 @@ namespace {
 
 constexpr int kFirstPieces = 64;
 constexpr int kMostDepth = 90;
-// Breaks are enclosed down to this part of the range.
+// Breaks are enclosed down to this share of the range.
 constexpr double kBreakPart = 0x1p-44;
-// Poles without end, as of tan(1/x): after this many narrow pieces with a break the rest stays undecided.
+// For infinitely many poles, as of tan(1/x): after this many narrow pieces with a break the rest stays
+// undecided.
 constexpr std::int64_t kMostNarrowBreaks = 40'000;
-// Narrow pieces that are halved because their enclosure says too little.
+// Maximum number of narrow pieces that are halved because their enclosure is too wide.
 constexpr std::int64_t kMostBluntPieces = 30'000;
 constexpr std::size_t kMostPlaces = 1000;
-// Off the middle, so that a break at a round number does not fall on a border.
+// Not exactly the middle, so that a break at a round number does not fall on a border.
 constexpr double kSplit = 0.49731;
 
 Interval narrowed(const Interval& i) { return i; }
@@ -115,8 +116,8 @@ ArcTracer::PointBox ArcTracer::enclose_point(double t) {
   return {scaled(x, out_.window.x0, scale_[0]), scaled(y, out_.window.y0, scale_[1])};
 }
 
-/// Whether rounding leaves the sample where it is drawn: near removable gaps, (1 - cos x)/x^2, it does not.
-/// Outside the window it need only surely be outside.
+/// Whether the sample is not moved visibly by rounding: near removable gaps, (1 - cos x)/x^2, it is. Outside
+/// the window it only has to be certainly outside.
 bool ArcTracer::is_reliable(const Sample& s) {
   if (!s.exists()) return true;
   const PointBox box = enclose_point(s.t);
@@ -139,7 +140,7 @@ bool ArcTracer::run() {
   const Sample first = a;
   for (int i = 0; i < kFirstPieces; ++i) {
     const double share = static_cast<double>(i + 1) / kFirstPieces;
-    // Borders bent a little off round numbers, the ends kept.
+    // Borders moved slightly off round numbers; the ends are kept.
     const double bent = share + 0.0137 * share * (1 - share);
     const Sample b = sample(i + 1 == kFirstPieces ? to : from + (to - from) * bent);
     if (progress_.report(share - 1.0 / kFirstPieces)) visit(a, b, 0);
@@ -153,18 +154,17 @@ bool ArcTracer::run() {
   end_branch();
   undecided_area_ = std::min(1.0, undecided_area_);
   out_.undecided_cells += static_cast<std::int64_t>(std::ceil(undecided_area_ / (cell_ * cell_) - 1e-3));
-  // The end of the range itself belongs to the curve even where it lies behind a jump.
+  // The end of the range belongs to the curve even if it lies after a jump.
   if (arc_.ends_are_real && !last_is_drawn && a.exists() && is_inside(a))
     out_.dots.push_back({statement_, {a.u, a.v}});
   if (arc_.ends_are_real) {
     const bool closed = is_near(first, a, 4 * tolerance_);
-    // Where the curve goes on to an end that is left out, the end itself is told, not the last place before
-    // it.
-    const auto told = [this](double t, const Sample& last) {
+    // Where the curve continues to an excluded end, the end itself is reported, not the last point before it.
+    const auto reported_end = [this](double t, const Sample& last) {
       const Sample at = sample(t);
       return is_near(at, last, tolerance_) ? at : Sample{t, last.u, last.v};
     };
-    for (const Sample& end : {told(arc_.from, first), told(arc_.to, a)}) {
+    for (const Sample& end : {reported_end(arc_.from, first), reported_end(arc_.to, a)}) {
       if (!closed && end.exists() && is_inside(end)) add_event(EventKind::end, end);
     }
   }
@@ -189,7 +189,7 @@ bool ArcTracer::is_straight(const Sample& a, const Sample& b, const Box& box) co
   if (!a.exists() || !b.exists()) return false;
   if (std::max(box.u.width(), box.v.width()) < tolerance_) return true;
   if (!box.slope_u.is_bounded() || !box.slope_v.is_bounded()) return false;
-  // A function with slopes in [s, S] strays from its chord by at most (b - a)(S - s)/4.
+  // A function with slopes in [s, S] deviates from its chord by at most (b - a)(S - s)/4.
   const double quarter = (b.t - a.t) / 4;
   const double stray_u = quarter * box.slope_u.width();
   const double stray_v = quarter * box.slope_v.width();
@@ -205,7 +205,7 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
     return;
   }
   const bool bounded = box.u.is_bounded() && box.v.is_bounded();
-  // Only y = f(x) and x = g(y) are asked for their poles; elsewhere what is outside is done with.
+  // Poles are only searched for y = f(x) and x = g(y); for other kinds a piece outside is finished.
   if (is_outside(box.u, box.v) && (box.is_continuous() || bounded || arc_.ends_are_real)) {
     end_branch();
     return;
@@ -215,7 +215,7 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
                4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a.t), std::abs(b.t)));
   if (box.is_continuous() && a.exists() && b.exists()) {
     if (is_straight(a, b, box)) {
-      // A chord between samples that rounding moved is straight too: narrow pieces must prove theirs.
+      // A chord between samples that rounding has moved is also straight, so narrow pieces must prove theirs.
       const bool narrow = std::min(box.u.width(), box.v.width()) < cell_ / 32;
       const bool small = std::max(box.u.width(), box.v.width()) < tolerance_;
       if (narrow && !small && !(is_reliable(a) && is_reliable(b))) {
@@ -252,7 +252,7 @@ void ArcTracer::visit(const Sample& a, const Sample& b, int depth) {
   settle_break(a, b, box);
 }
 
-/// What is smaller than can be seen, without a pole, need not be looked at to the last place.
+/// A piece too small to be visible and without a pole need not be examined further.
 bool ArcTracer::settle_invisible(const Sample& a, const Sample& b, const Box& box) {
   if (!(std::max(box.u.width(), box.v.width()) < tolerance_ / 4) || has(box.cause(), Cause::pole))
     return false;
@@ -262,7 +262,7 @@ bool ArcTracer::settle_invisible(const Sample& a, const Sample& b, const Box& bo
     return true;
   }
   if (a.exists() || b.exists() || part >= 1e-9) return false;
-  // Nowhere defined as far as was looked: a single point can be told at a round number only.
+  // Undefined as far as examined: a single point can only be found at a round number.
   end_branch();
   const Sample at = sample(simplest_between(a.t, b.t));
   if (at.exists() && is_inside(at) && is_reliable(at)) {
@@ -293,7 +293,7 @@ bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box, bo
   const Interval& whole = upright ? box.v : box.u;
   double least = std::max(whole.lower, -settings_.margin);
   double most = std::min(whole.upper, 1 + settings_.margin);
-  // Skipped, extend() joins what lies on both sides where that is near enough.
+  // If it is skipped, extend() joins both sides if they are near enough.
   if (!is_reliable(a) || !is_reliable(b)) {
     undecided_area_ += (upright ? box.u.width() : box.v.width()) * std::max(0.0, most - least);
     return true;
@@ -305,7 +305,8 @@ bool ArcTracer::draw_narrow(const Sample& a, const Sample& b, const Box& box, bo
       least = std::max(sharper.lower, -settings_.margin);
       most = std::min(sharper.upper, 1 + settings_.margin);
       if (low <= least + 2 * cell_ && high >= most - 2 * cell_) break;
-      // The enclosure is blunt, not the curve dense: halves are sharper, while there are not too many.
+      // The enclosure is wide, the curve is not dense: halves have narrower enclosures, as long as there are
+      // not too many.
       const bool turns = high - low > std::abs(across(b) - across(a)) + tolerance_;
       if (!turns && may_split && ++blunt_pieces_ <= kMostBluntPieces) return false;
     }
@@ -352,7 +353,7 @@ Interval ArcTracer::by_mean_value(const Sample& a, const Sample& b, const Box& b
 
 void ArcTracer::extend(const Sample& a, const Sample& b) {
   if (!branch_.points.empty() && branch_.points.back().parameter != a.t) {
-    // Something unreliable was skipped; what was drawn beyond it already stays.
+    // An unreliable part was skipped; the part drawn after it stays.
     const CurvePoint& last = branch_.points.back();
     if (last.parameter >= b.t) return;
     if (std::hypot(last.u - a.u, last.v - a.v) > cell_ / 8) end_branch();
@@ -383,7 +384,7 @@ void ArcTracer::end_branch() {
 }
 
 void ArcTracer::add_bar(PlatePoint from, PlatePoint to) {
-  // Bars of the same quarter of a cell that overlap become one: what they cover is covered.
+  // Bars of the same quarter of a cell that overlap become one: the result covers the same.
   if (out_.bars.size() > first_bar_) {
     Bar& last = out_.bars.back();
     const double quarter = cell_ / 4;

@@ -21,14 +21,14 @@ struct Arc {
   bool from_is_open = false;   ///< the end itself does not belong to the curve
   bool to_is_open = false;
 
-  /// How near an end that does not belong to the curve is approached, as a parameter.
+  /// How closely an excluded end is approached, as a parameter.
   [[nodiscard]] double hair() const;
-  /// Whether the parameter is that of such an end, as far as numbers tell.
+  /// Whether the parameter is that of such an end, within the precision of numbers.
   [[nodiscard]] bool is_open_end(double t) const;
 };
 
 /// Follows an arc by bisecting its parameter until intervals prove each piece: outside, straight within the
-/// tolerance, dense, or a break whose kind is then told.
+/// tolerance, dense, or a break, whose kind is then determined.
 class ArcTracer {
  public:
   ArcTracer(const Arc& arc, int statement, const TraceSettings& settings, Tracing& out,

@@ -27,7 +27,7 @@ bool is_in_window(PlatePoint p) {
   return p.u >= -kHair && p.u <= 1 + kHair && p.v >= -kHair && p.v <= 1 + kHair;
 }
 
-/// The place farthest from `from` on the way of `length` along the curve that is still in the window.
+/// The location farthest from `from`, at most `length` along the curve, that is still in the window.
 CurvePlace last_in_window(const Tracing& tracing, const CurvePlace& from, double length) {
   double inside = 0;
   double outside = length;
@@ -58,7 +58,7 @@ std::optional<std::pair<double, double>> part_in_window(PlatePoint p, PlatePoint
 
 double distance(PlatePoint a, PlatePoint b) { return std::hypot(a.u - b.u, a.v - b.v); }
 
-/// The parameter at a place on a piece of a branch.
+/// The parameter at a location on a piece of a branch.
 double parameter_at(const Branch& branch, const CurvePlace& place) {
   const auto& p = branch.points[place.piece];
   const auto& q = branch.points[(place.piece + 1) % branch.points.size()];
@@ -104,8 +104,8 @@ void CurveFollower::set_drawing(SharedDrawing drawing) {
   const auto near = nearest(was);
   if (!near || !(distance(near->at, was) < 0.2)) return;
   location_ = near;
-  // The same curve in another window: not even a hair beside where the hand was, or zooming in and out again
-  // would end elsewhere.
+  // The same curve in another window: keep the exact location, or zooming in and out again would end
+  // elsewhere.
   if (!same || !(distance(near->at, was) < kSamePlace)) return;
   location_->at = was;
   location_->x = x;
@@ -135,7 +135,7 @@ PlotLocation CurveFollower::described(const CurvePlace& on) const {
   const auto& statement = drawing_->request.plot.statements[static_cast<std::size_t>(branch.statement)];
   if (const auto exact = position_of(statement, parameter_at(branch, on))) {
     const PlatePoint at{window.u(exact->x.value), window.v(exact->y.value)};
-    // Beside a hole or a jump the expression may have another value than the line.
+    // Next to a hole or a jump the value of the expression may differ from the line.
     if (distance(at, on.at) < 0.005) {
       place.x = exact->x.value;
       place.y = exact->y.value;
@@ -148,7 +148,7 @@ bool CurveFollower::runs_left(std::size_t branch) const {
   const Branch& b = tracing().branches[branch];
   if (b.closed || b.points.size() < 2) return false;
   const auto& statement = drawing_->request.plot.statements[static_cast<std::size_t>(b.statement)];
-  // A curve with a parameter of its own is followed as the parameter grows.
+  // A curve with its own parameter is followed in the direction of the growing parameter.
   if (curve_kind(statement.kind).has_own_parameter())
     return b.points.front().parameter > b.points.back().parameter;
   return b.points.front().u > b.points.back().u;
@@ -215,7 +215,7 @@ CurveFollower::Step CurveFollower::pass_end(Way way) {
   if (index < 0 || index >= static_cast<std::ptrdiff_t>(all.size())) return Step::end;
   const std::size_t next = all[static_cast<std::size_t>(index)];
   const auto& statement = drawing_->request.plot.statements[static_cast<std::size_t>(location_->statement)];
-  // Only y = f(x) goes on from left to right where it was broken off.
+  // Only y = f(x) continues from left to right after a break.
   if (tracing().branches[next].statement != location_->statement ||
       !curve_kind(statement.kind).is_graph_of_x())
     return Step::end;
@@ -299,7 +299,7 @@ bool CurveFollower::change_branch(Way way) {
   const auto from = here == all.end() ? 0 : here - all.begin();
   const auto next = all[static_cast<std::size_t>((from + static_cast<std::ptrdiff_t>(way) + count) % count)];
   const Branch& branch = tracing().branches[next];
-  // Straight up or down where it passes here, else its nearest point.
+  // Directly above or below if it passes there, else its nearest point.
   std::optional<CurvePlace> best;
   double best_off = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
@@ -380,7 +380,7 @@ std::optional<double> CurveFollower::slope() const {
   double dx = 0;
   double dy = 0;
   const auto& statement = drawing_->request.plot.statements[static_cast<std::size_t>(branch.statement)];
-  // On a tick or a point of interest the location is known better than from the drawn line.
+  // On a tick or a point of interest the location is known more precisely than from the drawn line.
   const CurveKind& kind = curve_kind(statement.kind);
   const double parameter = kind.is_graph_of_x()   ? location_->x
                            : kind.is_graph_of_y() ? location_->y

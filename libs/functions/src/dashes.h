@@ -9,7 +9,7 @@
 
 namespace nazori::functions {
 
-/// Adds a branch in strokes and gaps. @param lengths  of stroke and gap by turns, in plate units.
+/// Adds a branch in strokes and gaps. @param lengths  of dash and gap alternately, in plate units.
 void add_dashes(DistanceGrid& grid, const Branch& branch, std::span<const double> lengths);
 
 /// Per sample, row 0 at the top: 1 + the statement of the region its middle lies in, 0 outside; empty where

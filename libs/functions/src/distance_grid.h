@@ -13,7 +13,7 @@ class DistanceGrid {
  public:
   DistanceGrid(int size, double reach);
   void add_segment(PlatePoint p, PlatePoint q, int statement);
-  /// A polyline; pieces that stay within a 32nd of a cell of a longer one are taken together.
+  /// A polyline; pieces within a 32nd of a cell of a longer chord are combined.
   void add_line(const std::vector<CurvePoint>& points, bool closed, int statement);
 
   /// Infinity beyond the reach.

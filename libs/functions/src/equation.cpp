@@ -7,7 +7,7 @@
 namespace nazori::functions {
 namespace {
 
-// A common denominator that blows the equation up more than this is not worth having.
+// A common denominator is not used if it makes the equation larger than this.
 constexpr std::size_t kMostGrowth = 12;
 
 /// The value of `e`, undefined where `guard` is.
@@ -74,7 +74,8 @@ class Solver {
     return true;
   }
 
-  /// What must be defined where `factor` is zero: rounding would leave sqrt(factor) undefined on one side.
+  /// The expression that must be defined where `factor` is zero; rounding would make sqrt(factor) undefined
+  /// on one side.
   [[nodiscard]] Expression whole_where_zero(const Expression& factor) const {
     return replaced(parts_.whole, factor, number(0));
   }

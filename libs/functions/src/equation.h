@@ -9,12 +9,12 @@
 
 namespace nazori::functions {
 
-/// An equation taken apart by algebra into what is drawn best in its own way.
+/// An equation split by algebra into parts, each drawn in the most suitable way.
 struct EquationParts {
   std::vector<Arc> arcs;                 ///< solved for one variable; vertical and horizontal lines
   std::vector<PlaneEquation> equations;  ///< the rest
   std::vector<std::vector<Expression>>
-      areas;  ///< where these are not negative and `whole` is defined, all holds
+      areas;  ///< where these are not negative and `whole` is defined, the equation holds everywhere
   Expression whole;
   int undecided = 0;
 };

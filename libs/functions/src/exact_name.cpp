@@ -40,7 +40,7 @@ bool is_square_free(int n) {
 
 std::optional<std::string> exact_name(double value) {
   if (!std::isfinite(value)) return std::nullopt;
-  // Results of sin(pi) and the like stand for zero.
+  // Rounding results such as sin(pi) count as zero.
   if (is_same(value, 0)) return "0";
   if (const auto f = fraction_of(value, 40))
     return f->second == 1 ? fmt::format("{}", f->first) : fmt::format("{}/{}", f->first, f->second);
@@ -67,7 +67,7 @@ std::optional<std::string> exact_name(double value) {
       return power->second == 1 ? fmt::format("e^{}", power->first)
                                 : fmt::format("e^({}/{})", power->first, power->second);
   }
-  // (a + b sqrt(n))/c, as quadratic equations give.
+  // (a + b sqrt(n))/c, the form of solutions of quadratic equations.
   for (const int n : {2, 3, 5, 6, 7, 10, 11, 13, 17}) {
     for (int c = 1; c <= 4; ++c) {
       for (int b = -3; b <= 3; ++b) {

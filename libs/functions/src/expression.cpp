@@ -42,7 +42,8 @@ std::optional<std::int64_t> product(std::int64_t a, std::int64_t b) {
   return r;
 }
 
-/// The shortest digits that give the number back, never as 1e24: that would be read as 1*e*24.
+/// The shortest digits that are read back as the number, but never in the form 1e24, which would be read as
+/// 1*e*24.
 std::string decimal(double v) {
   std::string text = fmt::format("{}", v);
   const std::size_t e = text.find('e');
@@ -58,7 +59,7 @@ std::string decimal(double v) {
   return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
 }
 
-/// A typed decimal as the fraction that was meant.
+/// A typed decimal as an exact fraction.
 std::optional<Rational> from_decimal(double v) {
   if (!std::isfinite(v) || std::abs(v) > 1e12) return std::nullopt;
   std::int64_t scale = 1;
@@ -272,7 +273,7 @@ std::string to_text(const Expression& e) {
     case NodeKind::subtract:
       return wrapped(n.arguments[0], 1) + " - " + wrapped(n.arguments[1], 2);
     case NodeKind::multiply: {
-      // (1/2)*x rather than 1/2*x: the same tree, without the doubt.
+      // (1/2)*x rather than 1/2*x: the same tree, but unambiguous for people.
       const bool quotient = n.arguments[0]->kind == NodeKind::divide;
       return wrapped(n.arguments[0], quotient ? 3 : 2) + "*" + wrapped(n.arguments[1], 3);
     }

@@ -30,7 +30,7 @@ BasicInterval<R> rising(const BasicInterval<R>& a, F f, R least, R most, int ulp
                         a.is_bounded());
 }
 
-/// The argument without what lies outside [least, most].
+/// The argument without its part outside [least, most].
 template <class R>
 BasicInterval<R> cut(BasicInterval<R> a, R least, R most) {
   if (a.is_empty()) return a;
@@ -44,7 +44,7 @@ BasicInterval<R> cut(BasicInterval<R> a, R least, R most) {
 template <class R>
 constexpr R kInf = std::numeric_limits<R>::infinity();
 
-/// Whether some offset + k * period (k whole) may lie in the interval; never a wrong no.
+/// Whether some offset + k * period (k whole) may lie in the interval; never wrongly false.
 template <class R>
 bool may_hit(const BasicInterval<R>& a, R offset, R period) {
   constexpr R kSlack = 8 * std::numeric_limits<R>::epsilon();
@@ -64,7 +64,7 @@ BasicInterval<R> logarithm(const BasicInterval<R>& argument, R (*f)(R)) {
     return BasicInterval<R>::empty(argument.cause | Cause::domain);
   BasicInterval<R> a = cut(argument, R(0), kInf<R>);
   if (a.is_empty()) return a;
-  // Falls without end towards 0: the end of the domain is a pole too.
+  // Goes to -infinity towards 0: the end of the domain is also a pole.
   if (a.lower == 0) a = a.weakened(Decoration::partial, Cause::domain | Cause::pole);
   // Exact at 1.
   const R low = a.lower == 0 ? -kInf<R> : below(f(a.lower), a.lower - 1);
@@ -223,7 +223,7 @@ BasicInterval<R> atan2(const BasicInterval<R>& y, const BasicInterval<R>& x) {
       const R low = y.lower < 0 ? -pi_up : R(0);
       return detail::with_proof_of({low, pi_up, Decoration::partial, Cause::domain}, x, y);
     }
-    // Only the negative axis: a step from -pi to pi, none where the box stays on the upper side.
+    // Only the negative axis: a step from -pi to pi, none if the box is on the upper side only.
     if (y.lower < 0) return detail::with_proof_of({-pi_up, pi_up, Decoration::defined, Cause::jump}, x, y);
   }
   R low = kInf<R>;

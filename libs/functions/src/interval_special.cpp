@@ -117,11 +117,11 @@ template <class R>
 BasicInterval<R> power(const BasicInterval<R>& base, const BasicInterval<R>& exponent) {
   using I = BasicInterval<R>;
   if (base.is_empty() || exponent.is_empty()) return I::empty(base.cause | exponent.cause);
-  // (-1)^floor(x): whole powers exist for every base.
+  // (-1)^floor(x): integer powers exist for every base.
   if (base.lower < 0 && exponent.is_point() && exponent.lower == std::floor(exponent.lower) &&
       std::abs(exponent.lower) < R(1e6)) {
     const auto whole = detail::with_proof_of(power_integer(base, static_cast<int>(exponent.lower)), exponent);
-    // Of a computed exponent 0^0 is undefined, as in real_power(); only x^0 that is written so is 1 at 0.
+    // With a computed exponent 0^0 is undefined, as in real_power(); only a literal x^0 is 1 at 0.
     return exponent.lower > 0 || base.upper < 0 ? whole : whole.weakened(Decoration::partial, Cause::domain);
   }
   if (base.upper < 0) {

@@ -61,7 +61,7 @@ void add_layers(Plate& plate, const Window& window, const PlateSettings& setting
   const int n = settings.size;
   const std::vector<double> across = tick_distances(window.x0, window.x1, n, false);
   const std::vector<double> up = tick_distances(window.y0, window.y1, n, true);
-  // An axis outside the window leaves its ticks on the nearest side of the frame.
+  // The ticks of an axis outside the window are on the nearest side of the frame.
   const double axis_u = std::clamp(window.u(0), 0.0, 1.0);
   const double axis_v = std::clamp(window.v(0), 0.0, 1.0);
   const bool has_y_axis = window.x0 <= 0 && window.x1 >= 0;
@@ -94,7 +94,7 @@ void add_layers(Plate& plate, const Window& window, const PlateSettings& setting
           static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(column);
       if (height > kPlateauUnderLayers && distance(i) > clear && plate.mask[i] == 0)
         heights[i] = static_cast<float>(height);
-      // The rim stands over everything: it keeps the tip on the plate.
+      // The rim is above everything, to keep the tip on the plate.
       if (layers.rim && std::min(std::min(u, 1 - u), std::min(v, 1 - v)) < kRimWidth && plate.mask[i] == 0)
         heights[i] = 1.0F;
     }

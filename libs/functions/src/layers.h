@@ -9,13 +9,13 @@
 
 namespace nazori::functions {
 
-/// The plateau where ridges and a rim shall stand out above it.
+/// The height of the plateau if ridges and a rim must rise above it.
 inline constexpr double kPlateauUnderLayers = 0.9;
 /// Ridges stay this many half widths away from the edge of a groove.
 inline constexpr double kClearance = 1.5;
 
 /// Distance of each of n sample centres to the nearest tick, in plate units.
-/// @param downwards  the first sample has the largest value, as rows have.
+/// @param downwards  the first sample has the largest value, as in rows.
 [[nodiscard]] std::vector<double> tick_distances(double low, double high, int n, bool downwards);
 
 /// Raises axes, ticks, grid and rim on a carved plate, nowhere nearer to a curve than the clearance.

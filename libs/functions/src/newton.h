@@ -7,11 +7,11 @@
 
 namespace nazori::functions {
 
-/// Newton's method for f = g = 0 from `start`, which is given back where it does not converge nearby. Points
-/// are x and y here, not parts of the plate.
+/// Newton's method for f = g = 0 from `start`, which is returned if it does not converge nearby. Points are x
+/// and y here, not plate units.
 [[nodiscard]] PlatePoint refined(const Expression& f, const Expression& g, PlatePoint start);
 
-/// Newton's method for two parameters at which an arc is in the same place; the first of them.
+/// Newton's method for two parameters at which an arc passes the same point; returns the first of them.
 [[nodiscard]] double same_place(ArcProbe& probe, double s, double t);
 
 }  // namespace nazori::functions

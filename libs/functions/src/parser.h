@@ -25,7 +25,7 @@ class Parser {
  private:
   using Parsed = tl::expected<Expression, SyntaxError>;
 
-  // Deeper nesting would let a hostile text overrun the stack.
+  // With deeper nesting a hostile text could overflow the stack.
   static constexpr int kMostDepth = 200;
 
   /// Counts nesting while it lives.
@@ -45,10 +45,10 @@ class Parser {
   [[nodiscard]] bool starts_operand() const;
   [[nodiscard]] tl::unexpected<SyntaxError> missing_operand() const;
   [[nodiscard]] tl::unexpected<SyntaxError> not_closed(const Token& open) const;
-  /// At the token that is looked at.
+  /// An error at the present token.
   [[nodiscard]] tl::unexpected<SyntaxError> refuse(SyntaxFault fault, std::string subject = {}) const;
   void skip_definition_head();
-  /// Takes the bracket that closes `open`.
+  /// Consumes the bracket that closes `open`.
   tl::expected<void, SyntaxError> close(const Token& open);
 
   tl::expected<Relation, SyntaxError> relation();

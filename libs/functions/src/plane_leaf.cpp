@@ -23,8 +23,8 @@ PlatePoint between(PlatePoint p, PlatePoint q, double share) {
 
 }  // namespace
 
-/// One zero between two points where the signs differ. Where continuity is not proven, halves that keep the
-/// change of sign are taken until it is: poles and jumps never are.
+/// One zero between two points where the signs differ. Where continuity is not proven, the half with the
+/// change of sign is chosen until it is; at poles and jumps it never is.
 void PlaneTracer::add_root(Point p, Point q, double fp, double fq, bool continuous,
                            std::vector<Point>& roots) {
   const double first = std::min(std::abs(fp), std::abs(fq));
@@ -50,7 +50,7 @@ void PlaneTracer::add_root(Point p, Point q, double fp, double fq, bool continuo
       fq = fm;
     }
   }
-  // Not proven: believed only where the values shrink to nothing, as at removable gaps.
+  // Not proven: accepted only where the values shrink to zero, as at removable gaps.
   if (!continuous && std::max(std::abs(fp), std::abs(fq)) > 1e-6 * first) return;
   // Illinois: the false position, with the kept end halved.
   double x = low;
@@ -126,7 +126,7 @@ void PlaneTracer::add_edge_roots(Point p, Point q, bool continuous, std::vector<
 void PlaneTracer::settle_leaf(const Square& s, bool continuous) {
   rejected_ = false;
   if (!continuous) {
-    // Between jumps a function can be zero throughout: the box counts as its middle does.
+    // Between jumps a function can be zero everywhere: the box counts like its middle.
     const Interval middle = enclose(function_, Interval(s.u + s.side / 2), Interval(s.v + s.side / 2));
     if (middle.is_point() && middle.lower == 0 && middle.decoration >= Decoration::defined &&
         counts_at({s.u + s.side / 2, s.v + s.side / 2})) {
@@ -138,7 +138,7 @@ void PlaneTracer::settle_leaf(const Square& s, bool continuous) {
                                      Point{s.u + s.side, s.v + s.side}, Point{s.u, s.v + s.side}};
   std::vector<Point> roots;
   for (std::size_t i = 0; i < 4; ++i) {
-    // Each side is walked the same way from both of its boxes, so that the ends meet exactly.
+    // Each side is searched in the same direction from both of its boxes, so that the ends meet exactly.
     const bool forward = i < 2;
     add_edge_roots(corners[forward ? i : (i + 1) % 4], corners[forward ? (i + 1) % 4 : i], continuous, roots);
   }
@@ -170,7 +170,7 @@ void PlaneTracer::join(const Square& s, std::vector<Point>& roots) {
     return;
   }
   if (roots.size() == 4) {
-    // The pairing with the shorter pieces keeps branches that pass close by apart.
+    // Choosing the pairing with the shorter pieces keeps nearby branches separate.
     double best = std::numeric_limits<double>::infinity();
     std::size_t partner = 1;
     for (std::size_t i = 1; i < 4; ++i) {
@@ -210,7 +210,7 @@ bool PlaneTracer::find_critical(const Square& s, Point& at) {
     const double b = (gu.slopes[1] - lu.slopes[1] + gv.slopes[0] - lv.slopes[0]) / (4 * h);
     const double d = (gv.slopes[1] - lv.slopes[1]) / (2 * h);
     if (!std::isfinite(a + b + d + g.slopes[0] + g.slopes[1])) return false;
-    // Eigenvalues of the symmetric second derivative; the small one is left out where it says nothing.
+    // Eigenvalues of the symmetric second derivative; the small one is ignored where it is insignificant.
     const double half = (a + d) / 2;
     const double root = std::hypot((a - d) / 2, b);
     const double angle = std::atan2(b, (a - d) / 2) / 2;
@@ -266,7 +266,7 @@ bool PlaneTracer::find_hidden(const Square& s, bool continuous) {
   return true;
 }
 
-/// Of the points of the box, or just beside it, the x and y that have the fewest decimals.
+/// Among the points of the box, or just beside it, the x and y with the fewest decimals.
 std::array<double, 2> PlaneTracer::roundest_in(const Square& s) const {
   const auto round = [&](double c, std::size_t axis) {
     const double hair = 8 * std::numeric_limits<double>::epsilon();
@@ -277,8 +277,8 @@ std::array<double, 2> PlaneTracer::roundest_in(const Square& s) const {
   return {round(s.u, 0), round(s.v, 1)};
 }
 
-/// Zero at these very numbers, also in a corner of the domain, where nothing is continuous all around:
-/// sqrt(x) + sqrt(y) = 0.
+/// Zero exactly at these numbers, also in a corner of the domain, where the function is not continuous on all
+/// sides: sqrt(x) + sqrt(y) = 0.
 bool PlaneTracer::is_exactly_zero(const std::array<double, 2>& at) {
   const std::array point{Interval(at[0]), Interval(at[1])};
   function_.evaluate<Interval>(point, intervals_);
@@ -290,8 +290,8 @@ bool PlaneTracer::is_exactly_zero(const std::array<double, 2>& at) {
   return !w.is_empty() && w.decoration >= Decoration::defined;
 }
 
-/// Halves the box while zero cannot be excluded. @return true where the box is settled: nothing is left, or
-/// what is left shrinks to single points that are zero as far as can be computed.
+/// Halves the box while zero cannot be excluded. @return true where the box is decided: nothing is left, or
+/// only single points that are zero as far as can be computed.
 bool PlaneTracer::look_closer(const Square& s) {
   constexpr std::size_t kMostBoxes = 40;
   constexpr std::size_t kMostBoxesAtJumps = 300;
@@ -306,7 +306,7 @@ bool PlaneTracer::look_closer(const Square& s) {
         if (++closer_looks_ > kMostCloserLooks) return false;
         const Interval f = enclose(function_, q);
         if (f.is_empty() || !f.contains(0)) continue;
-        // Zero throughout: part of an area, which counts by the middles of boxes.
+        // Zero everywhere: part of an area, whose boxes count by their middles.
         if (f.is_point()) continue;
         if (has_whole_) {
           const Interval w = enclose(whole_, q);
@@ -317,7 +317,7 @@ bool PlaneTracer::look_closer(const Square& s) {
       }
     }
     if (left.empty()) return true;
-    // Along a jump boxes are left at every level: a strip without width.
+    // Along a jump some boxes remain at every level: a strip without width.
     if (only_jumps && level == 5) return true;
     if (left.size() > (only_jumps ? kMostBoxesAtJumps : kMostBoxes)) return false;
     boxes = std::move(left);

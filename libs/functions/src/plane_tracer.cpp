@@ -11,11 +11,11 @@
 namespace nazori::functions {
 namespace {
 
-// The grid begins at odd places, so that axes and other round numbers do not fall on borders of boxes.
+// The grid has an irregular offset, so that axes and other round numbers do not fall on borders of boxes.
 constexpr double kShiftU = 0.00137391;
 constexpr double kShiftV = 0.00213173;
 constexpr int kProgressLevel = 4;
-// More strips than this cost more than halving the box.
+// With more strips than this, halving the box is cheaper.
 constexpr double kMostStrips = 16;
 
 int sign_of(double v) { return std::isnan(v) ? 0 : v < 0 ? -1 : 1; }
@@ -175,7 +175,7 @@ void PlaneTracer::visit(const Square& s, int level) {
 
 /// Where the function rises or falls along one axis the zero set is a graph over the other. The box is cut
 /// into strips across that other axis, so narrow that the graph is straight within the tolerance in each; the
-/// corners of a strip then tell all.
+/// corners of a strip then determine it.
 bool PlaneTracer::draw_graph(const Square& s, const Interval& slope_u, const Interval& slope_v, bool finest) {
   const bool over_u = !slope_v.contains(0);
   const bool over_v = !slope_u.contains(0);

@@ -19,11 +19,11 @@ struct PlaneEquation {
   std::array<Variable, 2> variables{Variable::x, Variable::y};
   std::array<double, 2> low{};
   std::array<double, 2> high{};
-  /// Where all of these are certainly not negative, F is zero throughout.
+  /// Where all of these are certainly not negative, F is zero everywhere.
   std::vector<std::vector<Expression>> areas;
 };
 
-/// What was found, in unit coordinates: the rectangle is 0 to 1 both ways.
+/// The result, in unit coordinates: the rectangle is 0 to 1 in both directions.
 struct PlaneSolution {
   struct Segment {
     PlatePoint from;
@@ -38,11 +38,12 @@ struct PlaneSolution {
 };
 
 /// Solves a plane equation by a quadtree of interval tests. A piece of curve is accepted where the function
-/// is proven continuous and changes sign, or where a zero without change of sign is found that no rounding
-/// can tell from zero. What is neither excluded nor proven is returned as undecided.
+/// is proven continuous and changes sign, or where a zero without change of sign is found that cannot be
+/// distinguished from zero because of rounding. Boxes that are neither excluded nor proven are returned as
+/// undecided.
 class PlaneTracer {
  public:
-  /// @param cells  finest boxes a side. @param margin  in unit coordinates.
+  /// @param cells  finest boxes per side. @param margin  in unit coordinates.
   PlaneTracer(const PlaneEquation& equation, int cells, double margin, WorkProgress& progress);
   /// @return false when it was stopped.
   bool run(PlaneSolution& solution);

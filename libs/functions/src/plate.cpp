@@ -16,8 +16,8 @@
 namespace nazori::functions {
 namespace {
 
-// Of the ripple that tells a region by touch: one wave per this part of the plate, its lowest and highest
-// part of the depth.
+// The ripple that marks a region for touch: one wave per this share of the plate; its lowest and highest
+// share of the depth.
 constexpr double kRipple = 0.012;
 constexpr double kRippleLow = 0.10;
 constexpr double kRippleHigh = 0.25;
@@ -71,7 +71,7 @@ bool touches_window(const Branch& branch) {
   return false;
 }
 
-/// Nothing but what belongs to one statement.
+/// Only the parts that belong to one statement.
 void keep_alone(Tracing& tracing, int statement) {
   const auto other = [statement](const auto& part) { return part.statement != statement; };
   std::erase_if(tracing.branches, other);
@@ -196,7 +196,7 @@ base::Result<void> draw_coarse_to_fine(const Plot& plot, const Window& window, c
                                        const std::function<bool(Picture&&, bool)>& show,
                                        const base::Progress& progress) {
   constexpr int kCoarse = 128;
-  // Of the 100 ms after which a picture must be there; carving takes the rest.
+  // Share of the 100 ms until the first picture; carving uses the rest.
   constexpr double kCoarseMilliseconds = 60;
   const auto stopped = [] { return base::fail(base::Errc::cancelled, "the drawing was stopped"); };
   if (settings.size > kCoarse) {

@@ -48,7 +48,7 @@ void PlotMixer::add_to(std::span<float> stereo) noexcept {
   }
   Sweep* sweep = present_.load();
   read_.store(sweep);
-  // Replaced in between: the other one is heard from the next call on.
+  // Replaced in between: the new one is played from the next call on.
   if (sweep != nullptr && present_.load() == sweep) {
     const std::size_t from = sweep->position.load();
     const std::size_t count = std::min(stereo.size(), sweep->samples.size() - from);

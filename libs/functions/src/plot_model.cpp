@@ -8,7 +8,7 @@
 namespace nazori::functions {
 namespace {
 
-/// A sweep of one curve takes this, divided by the speed and one.
+/// Seconds of a sweep of one curve, to be divided by the speed plus one.
 constexpr double kSweepSeconds = 12.0;
 
 }  // namespace
@@ -105,7 +105,7 @@ std::string PlotModel::open(const PlotDocument& document, const ParseOptions& re
   speed_ = std::clamp(static_cast<int>(std::lround(kSweepSeconds / document.sound.seconds)) - 1, kSlowest,
                       kFastest);
   if (document.reading.decimal_comma == reading.decimal_comma) return document.expression;
-  // Written where commas have another meaning: the text that means the same everywhere.
+  // Saved where commas have another meaning: use the canonical text, which means the same everywhere.
   const auto plot = parse(document.expression, document.reading);
   return plot ? canonical(*plot) : document.expression;
 }

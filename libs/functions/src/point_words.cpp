@@ -21,19 +21,19 @@ constexpr std::array<KindWords, 15> kKinds{{{"zero", "zeros", "零点"},
                                             {"y intercept", "y intercepts", "y切片"},
                                             {"maximum", "maxima", "極大"},
                                             {"minimum", "minima", "極小"},
-                                            {"inflection", "inflections", "変曲点"},
+                                            {"inflection point", "inflections", "変曲点"},
                                             {"crossing", "crossings", "交点"},
-                                            {"touching point", "touching points", "接点"},
+                                            {"point of contact", "touching points", "接点"},
                                             {"vertical asymptote", "vertical asymptotes", "垂直漸近線"},
                                             {"horizontal asymptote", "horizontal asymptotes", "水平漸近線"},
-                                            {"hole", "holes", "除去可能な穴"},
-                                            {"jump", "jumps", "不連続な跳び"},
+                                            {"hole", "holes", "穴（除去可能な不連続点）"},
+                                            {"jump", "jumps", "跳び（不連続点）"},
                                             {"end", "ends", "端"},
                                             {"self-crossing", "self-crossings", "自己交差"},
                                             {"singular point", "singular points", "特異点"},
                                             {"isolated point", "isolated points", "孤立点"}}};
 
-/// Three significant digits, "minus" for the ear; exact names go first.
+/// Three significant digits, "minus" in words for listeners; an exact name comes first.
 std::string spoken(double v, const std::string& name, Language language) {
   const bool english = language == Language::english;
   const double shown = std::abs(v) < 1e-12 ? 0 : v;
@@ -81,10 +81,10 @@ std::string summary(const Plot& plot, const Tracing& tracing, const std::vector<
       tracing.branches.empty() && tracing.bars.empty() && tracing.dots.empty() && tracing.fills.empty();
   if (!plot.is_surface()) {
     if (empty) {
-      text += english ? ": no points satisfy this in the window" : "。この範囲に点はありません";
+      text += english ? ": no points in this range" : "。この範囲に点はありません";
     } else if (!tracing.branches.empty()) {
       const std::size_t n = tracing.branches.size();
-      text += english ? fmt::format(": {} {}", n, n == 1 ? "piece" : "pieces") : fmt::format("。{}本", n);
+      text += english ? fmt::format(": {} {}", n, n == 1 ? "branch" : "branches") : fmt::format("。{}本", n);
     }
     std::map<PointKind, int> counts;
     for (const PointOfInterest& p : points) ++counts[p.kind];
@@ -96,7 +96,7 @@ std::string summary(const Plot& plot, const Tracing& tracing, const std::vector<
     if (tracing.dense) text += english ? ", a dense band" : "、密な帯";
     if (!tracing.complete) text += english ? ", not finished yet" : "、まだ途中です";
     if (tracing.undecided_share() > 0.001) {
-      text += english ? ", part of the picture could not be decided" : "、一部は判定できませんでした";
+      text += english ? ", part of the plot could not be determined" : "、一部は判定できませんでした";
       if (!tracing.undecided_places.empty()) {
         const PlatePoint at = tracing.undecided_places.front();
         const std::string place = place_in_words(tracing.window.x(at.u), tracing.window.y(at.v), language);

@@ -19,7 +19,7 @@ namespace nazori::functions {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-// Two points of interest of one kind nearer than this part of the plate are one.
+// Two points of interest of one kind nearer than this share of the plate count as one.
 constexpr double kSame = 1e-6;
 
 class PointFinder {
@@ -118,13 +118,13 @@ class PointFinder {
     }
   }
 
-  /// Where the slope itself turns: by differences of slopes, on branches that are no mere straight line.
+  /// Extrema of the slope, found by differences of slopes, on branches that are not straight lines.
   void inflections(const Branch& b, ArcProbe& probe) {
     const double span = b.points.back().parameter - b.points.front().parameter;
     const double h = 3e-5 * span;
     const auto bend = [&](double t) {
       const double d = probe.at(t + h).slope_y - probe.at(t - h).slope_y;
-      // Differences of rounding errors are no bend.
+      // Differences due to rounding are not a bend.
       return beyond_rounding(d, probe.slope_y(t + h) - probe.slope_y(t - h));
     };
     sign_changes(b.points, bend, [&](double t, bool) {
@@ -137,7 +137,7 @@ class PointFinder {
     });
   }
 
-  /// Differences find an inflection to some eight digits only: a nearby exact number is meant.
+  /// Differences find an inflection to some eight digits only: use a nearby exact number instead.
   static double snapped(double x) {
     for (const double unit : {1.0, 0.5, std::acos(-1.0) / 2, std::acos(-1.0) / 4, 1.0 / 3}) {
       const double near = std::round(x / unit) * unit;
@@ -242,7 +242,7 @@ class PointFinder {
   }
 
   void meet(const Arc& arc, const Expression& f, int other) {
-    // The placeholder keeps the second substitution away from what the first brought in.
+    // The placeholder keeps the second substitution from changing the result of the first.
     const Expression with_x = substitute(f, Variable::x, variable(Variable::z));
     const Expression with_y = substitute(with_x, Variable::y, arc.y);
     const Expression along = reduced(substitute(with_y, Variable::z, arc.x));

@@ -30,7 +30,7 @@ Statement in_the_plane(const Statement& s) {
   Statement plane = s;
   for (Expression& e : plane.terms) {
     e = substitute(e, Variable::r, r);
-    // Without the seam that an angle has.
+    // Without the discontinuity of an angle.
     e = replaced(e, call(Function::cos, {theta}), binary(NodeKind::divide, x, r));
     e = replaced(e, call(Function::sin, {theta}), binary(NodeKind::divide, y, r));
     e = substitute(e, Variable::theta, angle(s));

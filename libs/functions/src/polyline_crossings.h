@@ -14,7 +14,7 @@ struct Meeting {
 };
 
 /// Where the drawn pieces of two statements cross, or where those of one cross each other (a == b); each
-/// place once. At most 400.
+/// point once. At most 400.
 [[nodiscard]] std::vector<Meeting> crossings_of(const Tracing& tracing, int a, int b);
 
 }  // namespace nazori::functions

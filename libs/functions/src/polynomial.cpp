@@ -13,7 +13,7 @@ constexpr int kMostPower = 40;
 
 }  // namespace
 
-/// Multiplies out; throws nothing, remembers failure.
+/// Multiplies out; does not throw, but records failure.
 class PolynomialBuilder {
  public:
   std::optional<Polynomial> build(const Expression& e) {
@@ -27,10 +27,10 @@ class PolynomialBuilder {
 
   using Terms = std::map<Polynomial::Monomial, double>;
 
-  /// Term by term from the highest on, as a square root is taken by hand.
+  /// Term by term from the highest on, like a square root by hand.
   static std::optional<Terms> square_root(const Terms& square) {
     if (square.size() < 3) return std::nullopt;
-    // The highest term with the factor 1: 2x^2 - 4xy + 2y^2 is a square as good as any.
+    // The highest term with the factor 1: so that 2x^2 - 4xy + 2y^2 counts as a square, too.
     const double scale = highest(square)->second;
     Terms rest = square;
     for (auto& [monomial, factor] : rest) {

@@ -19,7 +19,7 @@ constexpr double kTickMm = 3.0;
 constexpr double kFrameMm = 0.5;
 constexpr double kClearMm = 2.0;
 constexpr double kHatchMm = 3.0;
-// Lengths of stroke and gap by turns; none: a whole line.
+// Lengths of dash and gap alternately; none: a solid line.
 const std::array<std::vector<double>, 4> kStylesMm{{{}, {6, 3}, {1.7, 3.2}, {7, 3, 1.7, 3}}};
 
 }  // namespace

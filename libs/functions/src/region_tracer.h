@@ -16,7 +16,7 @@ struct Condition {
 };
 
 /// Covers where all conditions hold with rectangles: whole boxes where that is certain, down to boxes of half
-/// a cell that are taken or left by their centres. `guard` must be defined too, where given.
+/// a cell, whose centres decide. `guard` must also be defined, if given.
 class RegionTracer {
  public:
   RegionTracer(const std::vector<Condition>& conditions, const Expression& guard, int statement,

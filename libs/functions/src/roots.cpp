@@ -15,8 +15,8 @@ namespace {
 
 // Four for each zero of a sine, and a quarter more.
 constexpr int kMostBoxes = 60'000;
-// A piece this narrow, as a part of the range, in which so many boxes settle nothing is taken as one place:
-// around a zero of third or higher order everything is smaller than rounding.
+// A piece this narrow, as a share of the range, in which this many boxes remain undecided counts as one
+// point: around a zero of third or higher order all values are smaller than rounding errors.
 constexpr double kClusterWidth = 1e-6;
 constexpr int kMostBoxesOfCluster = 400;
 constexpr double kEps = std::numeric_limits<double>::epsilon();
@@ -32,8 +32,8 @@ class RootFinder {
     judge_clusters();
     std::sort(found_.roots.begin(), found_.roots.end(),
               [](const Root& a, const Root& b) { return a.at < b.at; });
-    // One zero on the border of two pieces shows up in both, a touching one in all boxes that rounding
-    // leaves.
+    // One zero on the border of two pieces appears in both, a touching one in all boxes that rounding leaves
+    // undecided.
     std::vector<Root> distinct;
     for (std::size_t i = 0; i < found_.roots.size();) {
       Root merged = found_.roots[i];
@@ -113,7 +113,8 @@ class RootFinder {
     return low + (high - low) / 2;
   }
 
-  /// The roundest number or multiple of pi nearby that cannot be told from a zero; `x` where there is none.
+  /// The roundest number or multiple of pi nearby that cannot be distinguished from a zero; `x` if there is
+  /// none.
   double roundest_zero(double x, double reach) {
     for (const double unit : {1.0, std::numbers::pi}) {
       const double round = unit * simplest_between((x - reach) / unit, (x + reach) / unit);
@@ -143,7 +144,7 @@ class RootFinder {
       return;
     }
     if (high - low <= std::max(1e-13 * range_, 8 * kEps * std::max(std::abs(low), std::abs(high)))) {
-      // A touching zero cannot be proven, only not be told from zero.
+      // A touching zero cannot be proven; it can only be indistinguishable from zero.
       const double x = roundest_zero(low + (high - low) / 2, high - low);
       if (is_zero_at(x)) {
         const double before = value(low - 1e-7 * range_);
@@ -159,13 +160,14 @@ class RootFinder {
     visit(middle, high);
   }
 
-  /// At a jump the function can be zero at the jump itself: x - floor(x). Only a round number can be told.
+  /// At a jump the function can be zero at the jump itself: x - floor(x). Only a round number can be
+  /// recognised.
   bool add_at_jump(double low, double high) {
     const double x = simplest_between(low, high);
     const Interval at = enclose(x, x).value;
     const bool is_zero = at.is_point() && at.lower == 0 && at.decoration >= Decoration::defined;
     if (is_zero) found_.roots.push_back({x, true});
-    // Somewhere between the sides but at no number of this piece: a jump over zero.
+    // Between the values of both sides, but not at any number of this piece: a jump over zero.
     return is_zero || (!at.is_empty() && !at.contains(0) && at.decoration >= Decoration::defined);
   }
 

@@ -15,13 +15,13 @@ struct Root {
 
 struct Roots {
   std::vector<Root> roots;  ///< rising
-  int undecided = 0;        ///< narrow places where a zero is neither proven nor excluded
-  bool has_ranges = false;  ///< zero throughout some range too, as floor(x) is
+  int undecided = 0;        ///< narrow pieces where a zero is neither proven nor excluded
+  bool has_ranges = false;  ///< also zero throughout some range, as floor(x) is
 };
 
-/// All zeros of `f` in [low, high], by bisection with intervals: single ones are proven, double ones accepted
-/// where rounding cannot tell them from zero. Poles and jumps are never zeros. Of many more zeros than 12,000
-/// only the first are found, and one place is undecided.
+/// All zeros of `f` in [low, high], by bisection with intervals: single ones are proven, double ones are
+/// accepted where rounding makes them indistinguishable from zero. Poles and jumps are never zeros. If there
+/// are many more than 12,000 zeros, only the first are found, and one piece is undecided.
 [[nodiscard]] Roots find_roots(const Expression& f, Variable v, double low, double high);
 
 }  // namespace nazori::functions

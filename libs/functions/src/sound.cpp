@@ -63,7 +63,7 @@ class Synthesizer {
     }
   }
 
-  /// Adds an earcon over what is there already.
+  /// Adds an earcon to the existing samples.
   void mark(std::size_t at, PointKind kind, double pan) {
     Earcon earcon(kind, pan, settings_.sample_rate);
     while (!earcon.is_over()) add(at++, earcon.next());
@@ -108,7 +108,7 @@ class Sweeper {
   Sound run() {
     bool first = true;
     for (std::size_t i = 0; i < plot_.statements.size(); ++i) {
-      // Of a curve that is not shown, or nowhere in the window, there is nothing to hear.
+      // A curve that is not shown, or nowhere in the window, makes no sound.
       if (!is_shown(static_cast<int>(i))) continue;
       if (!first) synthesizer_.silence(kGapSeconds);
       first = false;

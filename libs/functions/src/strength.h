@@ -5,8 +5,8 @@
 
 namespace nazori::functions {
 
-/// How tightly a tree holds together, written or spoken: 1 sums, 2 products, 3 signs (negative numbers too),
-/// 4 powers, 5 all else. What is looser inside something tighter needs parentheses.
+/// Precedence of a tree, written or spoken: 1 sums, 2 products, 3 signs (also negative numbers), 4 powers, 5
+/// everything else. A part with a lower precedence inside one with a higher needs parentheses.
 [[nodiscard]] int strength(const Node& n);
 
 }  // namespace nazori::functions

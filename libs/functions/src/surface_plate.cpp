@@ -15,16 +15,16 @@ namespace {
 
 constexpr std::array<Variable, 2> kPlane{Variable::x, Variable::y};
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-// A box that may contain a pole is halved this often before the pole is believed.
+// A box that may contain a pole is halved this often before the pole is accepted.
 constexpr int kPoleDepth = 24;
-// And no more boxes than this are looked at in one cell: along a whole line of them there is no end.
+// At most this many boxes are examined in one cell, because along a line of poles it would not end.
 constexpr int kMostPoleBoxes = 2000;
 // A gap is closed where the means of opposite values around it differ by less than this part of the range.
 constexpr double kHealed = 0.02;
-// And where they differ by more than this it is a step, whatever their means say.
+// If they differ by more than this it is a step, whatever their means are.
 constexpr double kSteepest = 0.25;
 
-/// Values of f on the samples of a plate, and what is wrong with each sample.
+/// Values of f on the samples of a plate, and the defects of each sample.
 class SurfaceSampler {
  public:
   SurfaceSampler(const Expression& f, const Window& window, int size)
@@ -45,7 +45,7 @@ class SurfaceSampler {
     return std::isnan(z) ? kNaN : z;
   }
 
-  /// Finds the samples whose cells may be torn: everything where intervals prove nothing better.
+  /// Finds the samples whose cells may be torn: all for which intervals do not prove the opposite.
   void find_tears(std::vector<bool>& torn) { find_tears(torn, 0, 0, size_); }
 
   Sample sample(int row, int column, bool suspect) {
@@ -119,8 +119,8 @@ class SurfaceSampler {
            has_pole(u, v + h, h, depth + 1) || has_pole(u + h, v + h, h, depth + 1);
   }
 
-  /// The middle of the cell is undefined: the height at the place of the cell nearest to it where there is
-  /// one, so that the edge of a dome comes down to where it ends.
+  /// If the middle of the cell is undefined, uses the height at the nearest defined point of the cell, so
+  /// that the edge of a dome reaches down to its end.
   void supersample(double u, double v, double h, Sample& s) {
     constexpr int kSteps = 4;
     const double middle_u = u + h / 2;
@@ -158,7 +158,7 @@ class SurfaceSampler {
 
 using Samples = std::vector<SurfaceSampler::Sample>;
 
-/// Calls of(sample) for the whole ones among the eight around. @return whether all of them say yes.
+/// Calls of(sample) for the undamaged ones among the eight neighbours. @return whether all calls return true.
 template <class F>
 bool all_around(const Samples& samples, int n, int row, int column, const F& of) {
   for (int r = std::max(0, row - 1); r <= std::min(n - 1, row + 1); ++r) {
@@ -172,7 +172,7 @@ bool all_around(const Samples& samples, int n, int row, int column, const F& of)
   return true;
 }
 
-/// A peak or a pit has its height though it lies beside the middle of its cell: |x| + |y| comes down to 0.
+/// A peak or a pit gets its true height even if it is not in the middle of its cell: |x| + |y| reaches 0.
 void keep_peaks(SurfaceSampler& sampler, Samples& samples, int n) {
   std::vector<std::pair<std::size_t, double>> better;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -187,8 +187,8 @@ void keep_peaks(SurfaceSampler& sampler, Samples& samples, int n) {
   for (const auto& [i, z] : better) samples[i].value = z;
 }
 
-/// Where the surface is cut at an end of its range, the plateau has every cell that reaches this end: what is
-/// felt as its edge is not half a cell too far in.
+/// Where the surface is cut at an end of its range, every cell that reaches this end belongs to the plateau,
+/// so that its edge is not felt half a cell too far in.
 void widen_plateaus(SurfaceSampler& sampler, Samples& samples, int n, const HeightRange& range) {
   std::vector<std::pair<std::size_t, double>> better;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -211,7 +211,7 @@ HeightRange range_of(const Samples& samples) {
     if (std::isfinite(s.value) && !s.torn) values.push_back(s.value);
   }
   if (values.empty()) return {-1, 1};
-  // Poles would flatten everything else: the outermost hundredths do not count where they lie far out.
+  // Poles would flatten everything else, so the outermost hundredths do not count if they lie far out.
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];

@@ -14,10 +14,9 @@ SyntaxWords english(const SyntaxError& e) {
     case SyntaxFault::no_expression:
       return {"there is no expression", "expected something like y = sin(x)"};
     case SyntaxFault::operand_missing:
-      return {"an operand is missing after " + quoted, "expected a number, a variable, a function or \"(\""};
+      return {"something is missing after " + quoted, "expected a number, a variable, a function or \"(\""};
     case SyntaxFault::not_an_operand:
-      return {quoted + " stands where an operand must be",
-              "expected a number, a variable, a function or \"(\""};
+      return {quoted + " is not allowed here", "expected a number, a variable, a function or \"(\""};
     case SyntaxFault::does_not_fit:
       return {quoted + " does not fit here", "expected an operator, \"=\", \";\" or the end"};
     case SyntaxFault::no_operator:
@@ -25,26 +24,26 @@ SyntaxWords english(const SyntaxError& e) {
     case SyntaxFault::nested_too_deep:
       return {"parentheses or functions are nested too deep", "expected a simpler expression"};
     case SyntaxFault::bar_open:
-      return {fmt::format("the bar of column {} is not closed", e.number), "expected \"|\""};
+      return {fmt::format("the bar opened in column {} is not closed", e.number), "expected \"|\""};
     case SyntaxFault::bracket_open:
-      return {fmt::format("the {} of column {} is not closed", quoted, e.number),
+      return {fmt::format("the {} in column {} is not closed", quoted, e.number),
               "expected \"" + e.closing + "\""};
     case SyntaxFault::argument_missing:
       return {"the argument of " + quoted + " is missing", "expected \"(\" or an operand"};
     case SyntaxFault::argument_count:
-      return {fmt::format("{} is given {} argument{}", quoted, e.number, e.number == 1 ? "" : "s"),
+      return {fmt::format("{} has {} argument{}", quoted, e.number, e.number == 1 ? "" : "s"),
               e.wanted == 1   ? "expected one argument"
               : e.wanted == 2 ? "expected two arguments"
                               : "expected two arguments or more"};
     case SyntaxFault::unknown_character:
-      return {"the character " + quoted + " has no meaning here",
+      return {"the character " + quoted + " is not allowed here",
               "expected a number, a variable, a function or an operator"};
     case SyntaxFault::two_decimal_signs:
-      return {"a number has two decimal signs", "expected a digit or an operator"};
+      return {"a number has two decimal points", "expected a digit or an operator"};
     case SyntaxFault::number_too_large:
       return {"the number " + quoted + " is too large", "expected a number up to 1.7e308"};
     case SyntaxFault::raised_digit_missing:
-      return {"a raised digit is missing", "expected one of ⁰ to ⁹"};
+      return {"a superscript digit is missing", "expected one of ⁰ to ⁹"};
     case SyntaxFault::unknown_function:
       return {"unknown function " + quoted, "expected a function such as sin, ln, sqrt, floor or gamma"};
     case SyntaxFault::unknown_name:
@@ -54,23 +53,22 @@ SyntaxWords english(const SyntaxError& e) {
     case SyntaxFault::not_utf8:
       return {"the text is not valid UTF-8", "expected UTF-8"};
     case SyntaxFault::surface_not_alone:
-      return {"a surface z = f(x, y) stands alone", "expected one statement where one is a surface"};
+      return {"a surface z = f(x, y) must be the only expression", "expected only the surface"};
     case SyntaxFault::too_many_statements:
       return {"there are more than 32 expressions", "expected fewer"};
     case SyntaxFault::range_empty:
-      return {"the range of the parameter is empty or without bounds",
+      return {"the range of the parameter is empty or unbounded",
               "expected a smaller number before a larger one"};
     case SyntaxFault::range_misplaced:
-      return {"a range belongs after the curve it is for",
-              "expected x = ...; y = ...; range, or r = ...; range"};
+      return {"write a range after its curve", "expected x = ...; y = ...; range, or r = ...; range"};
     case SyntaxFault::parameter_alone:
       return {"t needs x and y to be given together", "expected x = f(t); y = g(t); a <= t <= b"};
     case SyntaxFault::polar_mixed:
       return {"r and theta cannot be mixed with " + e.subject, "expected only r and theta, or only x and y"};
     case SyntaxFault::nothing_equal:
-      return {"there is nothing to be equal to", "expected r = f(theta)"};
+      return {"the equation has only one side", "expected r = f(theta)"};
     case SyntaxFault::height_misplaced:
-      return {"z can only stand alone on one side", "expected z = f(x, y)"};
+      return {"z can only appear alone on one side", "expected z = f(x, y)"};
   }
   return {};
 }
@@ -87,24 +85,24 @@ SyntaxWords japanese(const SyntaxError& e) {
     case SyntaxFault::does_not_fit:
       return {quoted + "はここに置けません", "演算記号、「=」、「;」、または式の終わりが必要です"};
     case SyntaxFault::no_operator:
-      return {quoted + "はここに置けません", "二つの数の間に演算記号が必要です"};
+      return {quoted + "はここに置けません", "2つの数の間に演算記号が必要です"};
     case SyntaxFault::nested_too_deep:
       return {"括弧や関数の重なりが深すぎます", "もっと簡単な式にしてください"};
     case SyntaxFault::bar_open:
-      return {fmt::format("{} 文字目の絶対値記号が閉じていません", e.number), "「|」が必要です"};
+      return {fmt::format("{}文字目の絶対値記号が閉じていません", e.number), "「|」が必要です"};
     case SyntaxFault::bracket_open:
-      return {fmt::format("{} 文字目の{}が閉じていません", e.number, quoted),
+      return {fmt::format("{}文字目の{}が閉じていません", e.number, quoted),
               "「" + e.closing + "」が必要です"};
     case SyntaxFault::argument_missing:
       return {quoted + "の引数がありません", "「(」、数、または文字が必要です"};
     case SyntaxFault::argument_count:
-      return {fmt::format("{}の引数が {} 個です", quoted, e.number),
+      return {fmt::format("{}の引数が{}個です", quoted, e.number),
               e.wanted < 0 ? fmt::format("{} 個以上の引数が必要です", -e.wanted)
                            : fmt::format("{} 個の引数が必要です", e.wanted)};
     case SyntaxFault::unknown_character:
-      return {"文字" + quoted + "はここでは意味がありません", "数、変数、関数、または演算記号が必要です"};
+      return {"文字" + quoted + "はここでは使えません", "数、変数、関数、または演算記号が必要です"};
     case SyntaxFault::two_decimal_signs:
-      return {"一つの数に小数点が二つあります", "数字または演算記号が必要です"};
+      return {"1つの数に小数点が2つあります", "数字または演算記号が必要です"};
     case SyntaxFault::number_too_large:
       return {"数" + quoted + "は大きすぎます", "1.7e308 までの数にしてください"};
     case SyntaxFault::raised_digit_missing:
@@ -118,11 +116,11 @@ SyntaxWords japanese(const SyntaxError& e) {
     case SyntaxFault::not_utf8:
       return {"文字が正しい UTF-8 ではありません", "UTF-8 が必要です"};
     case SyntaxFault::surface_not_alone:
-      return {"曲面 z = f(x, y) はほかの式と並べられません", "曲面のときは式を一つだけにしてください"};
+      return {"曲面 z = f(x, y) はほかの式と並べられません", "曲面のときは式を1つだけにしてください"};
     case SyntaxFault::too_many_statements:
       return {"式が 32 個を超えています", "式を減らしてください"};
     case SyntaxFault::range_empty:
-      return {"媒介変数の範囲が空か、限りがありません", "小さい数を先に、大きい数を後に書いてください"};
+      return {"媒介変数の範囲が空か、上限・下限がありません", "小さい数を先に、大きい数を後に書いてください"};
     case SyntaxFault::range_misplaced:
       return {"範囲はその曲線の後に書きます", "「x = …; y = …; 範囲」か「r = …; 範囲」にしてください"};
     case SyntaxFault::parameter_alone:
@@ -131,9 +129,9 @@ SyntaxWords japanese(const SyntaxError& e) {
       return {"r と theta は " + e.subject + " と混ぜられません",
               "r と theta だけ、または x と y だけにしてください"};
     case SyntaxFault::nothing_equal:
-      return {"等号の相手がありません", "「r = f(theta)」にしてください"};
+      return {"等式の片側がありません", "「r = f(theta)」にしてください"};
     case SyntaxFault::height_misplaced:
-      return {"z は片側に一つだけで書きます", "「z = f(x, y)」にしてください"};
+      return {"z は片側に単独で書きます", "「z = f(x, y)」にしてください"};
   }
   return {};
 }

@@ -38,7 +38,7 @@ double distance_to_chord(TabletPoint p, TabletPoint a, TabletPoint b) {
   return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/// Ramer, Douglas and Peucker, with a stack of its own.
+/// Ramer, Douglas and Peucker, with an explicit stack.
 std::vector<TabletPoint> simplified(const std::vector<TabletPoint>& all, double tolerance) {
   std::vector<bool> keep(all.size(), false);
   keep.front() = keep.back() = true;
@@ -67,7 +67,7 @@ std::vector<TabletPoint> simplified(const std::vector<TabletPoint>& all, double 
   return kept;
 }
 
-/// Straight pieces of a branch; a closed one has one more, back to its start.
+/// Straight pieces of a branch; a closed branch has one more, back to its start.
 std::size_t piece_count(const Branch& b) { return b.points.size() - (b.closed ? 0 : 1); }
 
 std::pair<PlatePoint, PlatePoint> piece_of(const Branch& b, std::size_t i) {

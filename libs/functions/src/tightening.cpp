@@ -19,8 +19,8 @@ Expression horner(const std::vector<double>& c, const Expression& atom) {
   return e;
 }
 
-/// Quotient and rest of N/D without rounding, where both are polynomials of one atom and D has degree one or
-/// more; null otherwise.
+/// Quotient and remainder of N/D without rounding, where both are polynomials of one atom and D has degree
+/// one or more; null otherwise.
 Expression divided(const Expression& numerator, const Expression& denominator) {
   const auto pn = Polynomial::of(numerator);
   const auto pd = pn ? Polynomial::of(denominator) : std::nullopt;
@@ -109,7 +109,7 @@ Expression collected(const Expression& e) {
   return node_count(r) <= node_count(e) ? r : nullptr;
 }
 
-/// ln(e^u) = u and its like, defined wherever u is.
+/// ln(e^u) = u and similar forms, defined wherever u is.
 Expression inverse_undone(const Node& n) {
   if (n.kind != NodeKind::function || n.arguments[0]->kind != NodeKind::power) return nullptr;
   const Expression& base = n.arguments[0]->arguments[0];
@@ -132,7 +132,7 @@ Expression gamma_ratio(const Expression& top, const Expression& bottom) {
   for (int k = 1; k < std::abs(*step); ++k)
     r = binary(NodeKind::multiply, r, binary(NodeKind::add, lower, number(k)));
   if (*step < 0) r = binary(NodeKind::divide, number(1), r);
-  // gamma is never zero: what is added is 0 where it is defined.
+  // gamma is never zero: the added term is 0 where it is defined.
   return binary(NodeKind::add, r, binary(NodeKind::multiply, number(0), call(Function::gamma, {lower})));
 }
 
@@ -150,7 +150,7 @@ Expression exponents_joined(NodeKind kind, const Expression& left, const Express
   if (to_text(left->arguments[0]) != to_text(right->arguments[0])) return nullptr;
   const Expression sum = improved(binary(kind == NodeKind::multiply ? NodeKind::add : NodeKind::subtract,
                                          left->arguments[1], right->arguments[1]));
-  // Where nothing is left of the exponent its domain still is.
+  // If the exponent cancels, its domain must still be kept.
   if (variables_of(sum).empty() && !is_total(left->arguments[1])) return nullptr;
   return binary(NodeKind::power, left->arguments[0], sum);
 }
@@ -192,8 +192,8 @@ Expression power_over_sum(const Expression& power, const Expression& sum) {
   return quotient ? binary(NodeKind::divide, number(1), quotient) : nullptr;
 }
 
-/// sqrt(q^2 + c) + q = c/(sqrt(q^2 + c) + |q|) + 2 max(0, q), and the same for -q: of two large numbers that
-/// nearly cancel rounding leaves nothing, and enclosures even less.
+/// sqrt(q^2 + c) + q = c/(sqrt(q^2 + c) + |q|) + 2 max(0, q), and the same for -q: if two large numbers
+/// nearly cancel, rounding destroys the result, and enclosures become useless.
 Expression rationalised(const Node& n) {
   if (n.kind != NodeKind::add && n.kind != NodeKind::subtract) return nullptr;
   const bool root_first = is_call(n.arguments[0], Function::sqrt);

@@ -181,7 +181,7 @@ class Tokenizer {
   }
 
   void bracket(TokenKind kind, char32_t c) {
-    // Whether a comma separates arguments is known by the function before the innermost parenthesis.
+    // The function before the innermost parenthesis decides whether a comma separates arguments.
     if (kind == TokenKind::open) {
       argument_lists_.push_back(!tokens_.empty() && tokens_.back().kind == TokenKind::function &&
                                 takes_several(tokens_.back().function));

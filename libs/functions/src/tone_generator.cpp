@@ -55,7 +55,7 @@ void ToneGenerator::set(const Cue& cue, bool trembles) {
 }
 
 void ToneGenerator::play(PointKind sign, double pan) {
-  // The number in front makes the same sign twice two signs.
+  // The number in front distinguishes two equal signs in a row.
   const std::uint64_t number = (sign_.load(std::memory_order_relaxed) >> 32U) + 1;
   sign_.store(number << 32U | static_cast<std::uint64_t>(sign) << 16U | steps_of((pan + 1) / 2),
               std::memory_order_relaxed);

@@ -142,7 +142,8 @@ class PlotTracer {
     return done;
   }
 
-  /// Takes over a solution: segments become branches, neighbouring zeros without change of sign a line.
+  /// Adds a solution to the tracing: segments become branches, neighbouring zeros without change of sign a
+  /// line.
   template <class Map>
   void add(PlaneSolution& found, const Map& to_plate) {
     std::vector<PlatePoint> lonely = link_dots(found);
@@ -165,7 +166,7 @@ class PlotTracer {
       out_.dots.push_back({statement_, q});
       if (is_alone(p, found)) add_event(EventKind::isolated, q);
     }
-    // Along a double curve every box looks singular: only those by themselves are points of interest.
+    // Along a double curve every box looks singular: only isolated ones are points of interest.
     for (const PlatePoint& p : found.singular) {
       const auto close =
           std::count_if(found.singular.begin(), found.singular.end(), [&](const PlatePoint& q) {
@@ -273,7 +274,7 @@ class PlotTracer {
         out_.branches.resize(begin);
         out_.dots.resize(first_dot);
       }
-      // A border with an area was settled with the region.
+      // A border with an area was handled with the region.
       out_.fills.resize(first_fill);
       if (!drawn) return false;
       std::vector<Condition> others;
@@ -285,7 +286,7 @@ class PlotTracer {
       keep_dots_where(others, first_dot, strict);
       if (strict) out_.bars.resize(first_bar);
     }
-    // What happens on a border is no event of a curve.
+    // Events on a border are not events of a curve.
     out_.events.resize(first_event);
     return true;
   }
@@ -299,7 +300,7 @@ class PlotTracer {
         out_.dots.end());
   }
 
-  /// Keeps of the branches from `begin` on what lies where the conditions hold, and marks it as a border.
+  /// Keeps the parts of the branches from `begin` on where the conditions hold, and marks them as a border.
   void keep_where(const std::vector<Condition>& conditions, std::size_t begin, bool strict) {
     RegionTracer region(conditions, nullptr, statement_, settings_, out_, progress_);
     std::vector<Branch> kept;

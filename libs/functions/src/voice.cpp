@@ -9,7 +9,7 @@
 namespace nazori::functions {
 namespace {
 
-// Amplitudes of the harmonics of the tone: neither bare sine nor shrill.
+// Amplitudes of the harmonics of the tone: richer than a sine, but not shrill.
 constexpr std::array<double, 4> kHarmonics{1.0, 0.45, 0.25, 0.12};
 constexpr double kSumOfHarmonics = 1.82;
 constexpr double kTremoloHz = 14;
@@ -17,7 +17,7 @@ constexpr double kGlideSeconds = 0.004;
 constexpr double kEarconLoudness = 0.35;
 constexpr double kEarconHz = 660;
 
-/// Two short tones that tell a kind of point, as factors of 660 Hz.
+/// The two short tones of each kind of point, as factors of 660 Hz.
 std::pair<double, double> earcon_of(PointKind kind) noexcept {
   switch (kind) {
     case PointKind::zero:
@@ -59,7 +59,7 @@ Voice::Voice(int sample_rate) noexcept
 StereoSample Voice::next(const Cue& target, bool trembles) noexcept {
   const bool sounds = target.loudness > 0 && target.hertz > 0;
   if (sounds) {
-    // Out of silence a tone begins at its own pitch; what fades away keeps its last one.
+    // After silence a tone begins at its own pitch; a fading tone keeps its last one.
     const bool begins = loudness_ < 1e-4;
     hertz_ = begins ? target.hertz : hertz_ * std::pow(target.hertz / hertz_, ease_);
     pan_ = begins ? target.pan : pan_ + (target.pan - pan_) * ease_;
@@ -75,7 +75,7 @@ StereoSample Voice::next(const Cue& target, bool trembles) noexcept {
     if (hertz_ * order < 0.45 * rate_)
       tone += kHarmonics[h] * std::sin(2 * std::numbers::pi * order * phase_);
   }
-  // The same noise every time, so that files can be compared.
+  // The same noise in every run, so that files can be compared.
   seed_ = seed_ * 1664525U + 1013904223U;
   const double noise = static_cast<double>(seed_ >> 8U) / 8388608.0 - 1.0;
   double volume = loudness_;

@@ -14,10 +14,10 @@ struct StereoSample {
   double right = 0;
 };
 
-/// Equal power on the way from left (-1) to right (1).
+/// Constant-power panning from left (-1) to right (1).
 [[nodiscard]] StereoSample panned(double value, double pan) noexcept;
 
-/// One continuous tone with harmonics, partly noise, that glides towards what it is told. Allocates nothing.
+/// One continuous tone with harmonics, partly noise, that glides to the set values. Does not allocate.
 class Voice {
  public:
   explicit Voice(int sample_rate) noexcept;
@@ -36,7 +36,7 @@ class Voice {
   std::uint32_t seed_ = 20'050'401;
 };
 
-/// The sign of a point of interest: two short tones. Allocates nothing.
+/// The earcon of a point of interest: two short tones. Does not allocate.
 class Earcon {
  public:
   static constexpr double kSeconds = 0.12;

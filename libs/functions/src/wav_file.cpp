@@ -12,7 +12,7 @@
 namespace nazori::functions {
 namespace {
 
-/// A file in memory, as libsndfile's virtual input and output wants it.
+/// A file in memory, with the interface of libsndfile's virtual input and output.
 struct MemoryFile {
   std::vector<std::uint8_t> bytes;
   sf_count_t at = 0;

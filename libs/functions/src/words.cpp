@@ -111,7 +111,7 @@ class Speaker {
   std::string power(const std::vector<Expression>& a) const {
     const Node& n = *a[1];
     const bool plain = n.kind == NodeKind::number;
-    // "x to the power of minus 2" cannot be heard in two ways.
+    // "x to the power of minus 2" is unambiguous when heard.
     const bool whole = plain || (n.kind == NodeKind::negate && n.arguments[0]->kind == NodeKind::number);
     if (!english_) return fenced(a[0], 5) + " の " + fenced(a[1], whole ? 0 : 5) + " 乗";
     if (plain && n.value == 2) return fenced(a[0], 5) + " squared";

@@ -9,14 +9,14 @@
 
 namespace nazori::functions {
 
-/// Shares one caller's Progress among the parts of a piece of work and remembers a stop.
+/// Divides a caller's Progress among the parts of an operation and records a request to stop.
 class WorkProgress {
  public:
-  /// @param most_milliseconds  after which report() asks to stop; 0: never.
+  /// @param most_milliseconds  time after which report() requests a stop; 0: never.
   explicit WorkProgress(const base::Progress& caller, double most_milliseconds = 0)
       : caller_(caller), most_(most_milliseconds) {}
 
-  /// What follows is the part from `low` to `high` of the whole.
+  /// The work that follows is the part from `low` to `high` of the whole.
   void begin_part(double low, double high, std::string_view step) {
     low_ = low;
     high_ = high;
@@ -31,13 +31,13 @@ class WorkProgress {
     }
     return !stopped_ && is_in_time();
   }
-  /// The same without saying how much is done; cheap enough for every box.
+  /// The same without a progress value; cheap enough for every box.
   bool is_in_time() {
     if (most_ > 0 && !late_ && ++asked_ % kEvery == 0)
       late_ = std::chrono::duration<double, std::milli>(Clock::now() - start_).count() > most_;
     return !late_;
   }
-  /// Stopped, by the caller or by the clock.
+  /// Whether it was stopped, by the caller or by the time limit.
   [[nodiscard]] bool is_stopped() const { return stopped_ || late_; }
   [[nodiscard]] bool is_late() const { return late_ && !stopped_; }
 

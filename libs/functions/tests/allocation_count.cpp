@@ -10,7 +10,7 @@ std::atomic<bool> counting{false};
 std::atomic<int> allocations{0};
 }  // namespace
 
-// Apart from the tests, so that the compiler does not see both ends of a pair at once.
+// In a file of its own, so that the compiler does not see new and delete together.
 void* operator new(std::size_t size) {
   if (counting.load(std::memory_order_relaxed)) allocations.fetch_add(1, std::memory_order_relaxed);
   void* p = std::malloc(size == 0 ? 1 : size);  // NOLINT

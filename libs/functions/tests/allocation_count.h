@@ -5,7 +5,7 @@ namespace nazori::functions::test {
 
 /// From now on every operator new of this program is counted.
 void begin_counting_allocations();
-/// @return how many there were.
+/// @return the number of allocations.
 [[nodiscard]] int end_counting_allocations();
 
 }  // namespace nazori::functions::test

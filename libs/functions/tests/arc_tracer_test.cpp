@@ -139,7 +139,7 @@ TEST(ArcTracer, TellsHolesAndJoinsWhatLiesAroundThem) {
   EXPECT_EQ(t.branches.size(), 1U);
   EXPECT_EQ(t.events.size(), 1U);
   EXPECT_TRUE(traced("y = (x^2 - 1)/(x - 1)", {-4, 4, 3, 9}).events.empty()) << "out of sight";
-  // The value apart from the gap is a point of its own: 1 - |sign(x)|.
+  // The value at the gap is a separate point: 1 - |sign(x)|.
   const Tracing apart = traced("y = 1 - |sign(x)|", {-2, 2, -2, 2});
   EXPECT_EQ(apart.branches.size(), 1U);
   ASSERT_EQ(apart.dots.size(), 1U);
@@ -179,13 +179,13 @@ TEST(ArcTracer, TheEndsOfAParameterAreEndsUnlessTheyMeet) {
   EXPECT_TRUE(ring.branches[0].closed);
   EXPECT_TRUE(traced("x = 9cos(t); y = sin(t); 0 <= t <= 3", {-2, 2, -2, 2}).events.empty())
       << "out of sight";
-  // An end that is left out: what is drawn comes as near as numbers allow and the end itself is told.
+  // An excluded end: the drawn curve comes as near as numbers allow, and the end itself is reported.
   const Tracing open = traced("x = t; y = t; 0 <= t < 1", {-2, 2, -2, 2});
   EXPECT_EQ(events_of(open, EventKind::end)[1].x, 1);
   EXPECT_LT(open.branches[0].points.back().parameter, 1);
   EXPECT_GT(open.branches[0].points.back().parameter, 1 - 1e-12);
   EXPECT_EQ(traced("x = t; y = t; 0 <= t <= 1", {-2, 2, -2, 2}).branches[0].points.back().parameter, 1);
-  // The last value behind a jump is a point, and not where it is left out.
+  // The last value after a jump is a point, unless it is excluded.
   EXPECT_EQ(traced("x = floor(t); y = 1; 0 <= t <= 1", {-2, 2, -2, 2}).dots.size(), 2U);
   EXPECT_EQ(traced("x = floor(t); y = 1; 0 <= t < 1", {-2, 2, -2, 2}).dots.size(), 1U);
 }
@@ -283,21 +283,22 @@ TEST(ArcTracer, OpenEndsAreKnownByTheirHair) {
 TEST(Trace, TellsHowFarItIsAndStopsWhenAsked) {
   const auto plot = parse("y = sin(9x); x^2 + y^2 = 1; y > x^2; y = 2x");
   ASSERT_TRUE(plot);
-  std::vector<double> told;
+  std::vector<double> reports;
   const auto all = trace(*plot, {-2, 2, -2, 2}, {}, [&](double done, std::string_view step) {
     EXPECT_EQ(step, "tracing");
-    told.push_back(done);
+    reports.push_back(done);
     return true;
   });
   ASSERT_TRUE(all);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_EQ(told.front(), 0);
-  EXPECT_GT(told.back(), 0.9);
-  EXPECT_LE(told.back(), 1);
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  EXPECT_EQ(reports.front(), 0);
+  EXPECT_GT(reports.back(), 0.9);
+  EXPECT_LE(reports.back(), 1);
   // The second of four statements begins at a quarter.
-  EXPECT_TRUE(std::find(told.begin(), told.end(), 0.25) != told.end());
-  EXPECT_TRUE(std::find(told.begin(), told.end(), 0.75) != told.end());
-  for (const std::size_t stop : {std::size_t{0}, told.size() / 3, told.size() / 2, told.size() - 1}) {
+  EXPECT_TRUE(std::find(reports.begin(), reports.end(), 0.25) != reports.end());
+  EXPECT_TRUE(std::find(reports.begin(), reports.end(), 0.75) != reports.end());
+  for (const std::size_t stop :
+       {std::size_t{0}, reports.size() / 3, reports.size() / 2, reports.size() - 1}) {
     std::size_t calls = 0;
     const auto stopped =
         trace(*plot, {-2, 2, -2, 2}, {}, [&](double, std::string_view) { return calls++ < stop; });

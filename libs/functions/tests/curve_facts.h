@@ -9,7 +9,7 @@
 
 namespace nazori::functions::test {
 
-/// What is known of a picture before it is drawn, from closed forms. Distances are parts of the plate's side.
+/// Facts about a picture that are known from closed forms. Distances are shares of the plate's side.
 struct CurveFacts {
   std::string id;
   std::string expression;
@@ -32,7 +32,7 @@ struct CurveFacts {
 
 [[nodiscard]] std::vector<CurveFacts> facts_of_file(const std::string& path);
 
-/// Everything in which the picture disagrees with the facts, one line each; empty where it agrees.
+/// All disagreements between the picture and the facts, one per line; empty if there are none.
 [[nodiscard]] std::vector<std::string> disagreements(const CurveFacts& facts, int size, double half_width);
 
 /// Full width of a groove at half depth across (nu, nv) over the nominal one: a raised cosine is half as deep

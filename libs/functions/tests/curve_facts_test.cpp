@@ -25,7 +25,7 @@ std::string setting(const char* name, std::string otherwise) {
 
 constexpr std::size_t kParts = 8;
 
-/// An eighth of the table, so that the parts run side by side.
+/// An eighth of the table, so that the parts run in parallel.
 class CurveFactsOfPart : public testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(Parts, CurveFactsOfPart, testing::Range(std::size_t{0}, kParts));
 

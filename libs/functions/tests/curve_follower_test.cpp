@@ -75,7 +75,7 @@ TEST(FollowingByKey, InAnotherWindowTheHandIsExactlyWhereItWas) {
   ASSERT_TRUE(follower.location());
   EXPECT_EQ(follower.location()->x, x);
   EXPECT_EQ(follower.location()->y, y);
-  // On another curve the hand does not go on from there: it is placed on that curve.
+  // On another curve the hand does not continue from there: it is placed on that curve.
   follower.set_drawing(draw("y = x^2 - 0.999", {-4, 2, -1, 1}));
   ASSERT_TRUE(follower.location());
   EXPECT_NEAR(follower.location()->y, follower.location()->x * follower.location()->x - 0.999, 1e-9);
@@ -210,7 +210,7 @@ TEST(FollowingByKey, AnUprightLineHasAnInfiniteSlope) {
 }
 
 TEST(FollowingByKey, AnUprightLineThatOnlyAnEquationDescribesHasAnInfiniteSlopeToo) {
-  // Zero at x = 0.3 only: the points of the drawn line are off by rounding.
+  // Zero at x = 0.3 only: the points of the drawn line have rounding errors.
   for (const std::string equation :
        {"sin(x - 0.3)*y^2 + x - 0.3 = 0", "(e^(x - 0.3) - 1)*(cos(x*y) + 2) + x - 0.3 = 0"}) {
     auto follower = follower_of(equation, {-2, 2.1, -2.7, 2});
@@ -454,7 +454,7 @@ TEST(FollowingByKey, AWindowThatLeavesTheHandBehindForgetsIt) {
   EXPECT_FALSE(follower.location());
   follower.go_to(3, 3);
   ASSERT_TRUE(follower.location());
-  // The nearest curve is half a window away: none that the hand was on.
+  // The nearest curve is half a window away: not one that the hand was on.
   follower.set_drawing(draw("y = x - 1.5", {2, 4, 0, 4}));
   EXPECT_FALSE(follower.location());
   follower.set_drawing({});

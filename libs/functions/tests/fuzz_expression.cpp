@@ -5,7 +5,7 @@
 
 #include "nazori/functions/plot.h"
 
-// Any bytes are read or refused; what was read survives being written and read again.
+// Any bytes are parsed or refused; a parsed expression is unchanged after being written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   namespace f = nazori::functions;
   const auto plot = f::parse({reinterpret_cast<const char*>(data), size});
@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text = f::canonical(*plot);
   if (text.size() > 10'000) return 0;
   const auto again = f::parse(text);
-  // Parentheses put in for clarity may pass the limit of nesting.
+  // Parentheses added for clarity may exceed the limit of nesting.
   if (again && f::canonical(*again) != text) std::abort();
   return 0;
 }

@@ -17,7 +17,7 @@
 namespace nazori::functions {
 namespace {
 
-/// A number of MPFR, 140 bits: the independent truth.
+/// A number of MPFR, 140 bits: the independent reference.
 class Precise {
  public:
   Precise() { mpfr_init2(v_, 140); }
@@ -258,13 +258,13 @@ bool contains(const Interval& i, const Precise& v) {
   return mpfr_cmp_d(v.get(), i.lower) >= 0 && mpfr_cmp_d(v.get(), i.upper) <= 0;
 }
 
-// MPFR with 140 bits loses its own last places when big numbers cancel: then nothing can be told.
+// MPFR with 140 bits loses its own last places when large numbers cancel: then nothing can be checked.
 bool is_clear(const Interval& i, const Precise& v) {
   const double size = std::abs(mpfr_get_d(v.get(), MPFR_RNDN));
   return size < 1e200 && i.magnitude() < 1e250;
 }
 
-/// A quarter of a million points each, so that the four run side by side.
+/// A quarter of a million points each, so that the four run in parallel.
 class IntervalOfRandomExpressions : public testing::TestWithParam<unsigned> {};
 INSTANTIATE_TEST_SUITE_P(Seeds, IntervalOfRandomExpressions, testing::Values(20050401U, 2U, 3U, 4U));
 
@@ -272,7 +272,7 @@ TEST_P(IntervalOfRandomExpressions, ContainsTheTrueValueAtAQuarterOfAMillionPoin
   Grower grow(GetParam());
   constexpr std::array kVariables{Variable::x, Variable::y};
   std::int64_t points = 0;
-  std::int64_t told = 0;
+  std::int64_t decided = 0;
   while (points < 250'000) {
     const Expression e = grow.grow(1 + grow.below(4));
     const Tape tape = Tape::compile(std::array{e}, kVariables);
@@ -288,7 +288,7 @@ TEST_P(IntervalOfRandomExpressions, ContainsTheTrueValueAtAQuarterOfAMillionPoin
         const double py = k == 0 ? y : std::min(iy.upper, y + grow.between(0, size));
         const Value v = value_of(e, px, py);
         if (v && is_clear(f, *v)) {
-          ++told;
+          ++decided;
           ASSERT_TRUE(!f.is_empty() && contains(f, *v))
               << to_text(e) << " at " << px << ", " << py << ": " << mpfr_get_d(v->get(), MPFR_RNDN)
               << " not in [" << f.lower << ", " << f.upper << "]";
@@ -298,7 +298,7 @@ TEST_P(IntervalOfRandomExpressions, ContainsTheTrueValueAtAQuarterOfAMillionPoin
       }
     }
   }
-  EXPECT_GT(told, points / 3);
+  EXPECT_GT(decided, points / 3);
 }
 
 TEST(Interval, ProvesContinuityOnlyWhereThereIsNoPoleOrJump) {

@@ -115,12 +115,12 @@ TEST(Parser, NamesTheColumnAndWhatWasExpected) {
       {"y = 2 3", 7, "does not fit"},
       {"y = x)", 6, "does not fit"},
       {"y = sin", 8, "argument of \"sin\" is missing"},
-      {"y = 1.2.3", 8, "two decimal signs"},
+      {"y = 1.2.3", 8, "two decimal points"},
       {"y = mod(x)", 5, "1 argument"},
-      {"y = x $ 2", 7, "no meaning"},
-      {"0 <= t <= 1", 1, "belongs after the curve"},
+      {"y = x $ 2", 7, "is not allowed here"},
+      {"0 <= t <= 1", 1, "write a range after its curve"},
       {"y = t", 1, "t needs x and y"},
-      {"z = x; y = x", 1, "stands alone"},
+      {"z = x; y = x", 1, "must be the only expression"},
       {"\xff", 1, "UTF-8"},
   };
   for (const Mistake& m : mistakes) {
@@ -136,7 +136,7 @@ TEST(Parser, NamesTheColumnAndWhatWasExpected) {
 TEST(Parser, TellsEveryMistakeInJapaneseToo) {
   const std::pair<std::string, std::string> mistakes[] = {
       {"y = 2 +", "「+」の後に数や文字がありません"},      {"y = foo(x)", "「foo」という関数はありません"},
-      {"y = (x+1", "5 文字目の「(」が閉じていません"},     {"y = mod(x)", "「mod」の引数が 1 個です"},
+      {"y = (x+1", "5文字目の「(」が閉じていません"},      {"y = mod(x)", "「mod」の引数が1個です"},
       {"r = x theta", "r と theta は x と混ぜられません"},
   };
   for (const auto& [typed, message] : mistakes) {
@@ -144,12 +144,12 @@ TEST(Parser, TellsEveryMistakeInJapaneseToo) {
     ASSERT_FALSE(plot) << typed;
     EXPECT_EQ(in_words(plot.error(), Language::japanese).message, message);
   }
-  // Not one of the kinds is without words of its own.
-  std::set<std::string> told;
+  // Every kind has its own words.
+  std::set<std::string> texts;
   for (int fault = 0; fault <= static_cast<int>(SyntaxFault::height_misplaced); ++fault) {
     const SyntaxWords words = in_words({1, static_cast<SyntaxFault>(fault), "x"}, Language::japanese);
     EXPECT_FALSE(words.message.empty()) << fault;
-    EXPECT_TRUE(told.insert(words.message + words.expected).second) << fault;
+    EXPECT_TRUE(texts.insert(words.message + words.expected).second) << fault;
   }
 }
 

@@ -60,7 +60,7 @@ TEST(PlaneTracer, ACircleIsMadeOfChordsOfItsWholeLength) {
   const PlaneSolution s = solved("x^2 + y^2 - 1");
   expect_on(s, [](double x, double y) { return x * x + y * y - 1; });
   EXPECT_NEAR(length_of(s), 2 * kPi, 2e-3);
-  // No chord strays further than a sixteenth of a cell, of 256 a side at least.
+  // No chord deviates more than a sixteenth of a cell, of 256 a side at least.
   for (const auto& g : s.segments) {
     const double x = (x_of(g.from) + x_of(g.to)) / 2;
     const double y = (y_of(g.from) + y_of(g.to)) / 2;
@@ -72,7 +72,7 @@ TEST(PlaneTracer, ACircleIsMadeOfChordsOfItsWholeLength) {
   const auto lines = stitched(s.segments, s.leaf * 1e-5);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].front(), lines[0].back());
-  // The finest boxes are as fine as asked for, and no more than twice.
+  // The finest boxes are as fine as requested, and at most twice as fine.
   EXPECT_LE(s.leaf, 1.0 / 64);
   EXPECT_GT(s.leaf, 1.0 / 128);
 }
@@ -229,18 +229,18 @@ TEST(PlaneTracer, StopsWhenAsked) {
   e.function = e.whole = read("sin(3x^2 + 3y^2) - cos(3x y)");
   e.low = {-2, -2};
   e.high = {2, 2};
-  std::vector<double> told;
+  std::vector<double> reported;
   const base::Progress all = [&](double done, std::string_view) {
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   };
   PlaneSolution solution;
   WorkProgress progress(all);
   EXPECT_TRUE(PlaneTracer(e, 128, 0, progress).run(solution));
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_EQ(told.size(), 256U);
-  EXPECT_NEAR(told.front(), 1.0 / 256, 1e-12);
-  EXPECT_NEAR(told.back(), 1, 1e-12);
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_EQ(reported.size(), 256U);
+  EXPECT_NEAR(reported.front(), 1.0 / 256, 1e-12);
+  EXPECT_NEAR(reported.back(), 1, 1e-12);
   const base::Progress some = [&](double done, std::string_view) { return done < 0.5; };
   PlaneSolution part;
   WorkProgress stopped(some);

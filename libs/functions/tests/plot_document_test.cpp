@@ -63,20 +63,18 @@ TEST(PlotDocument, EveryMistakeIsNamedWithItsPlace) {
       {"[1, 2]", base::Errc::schema, "nazori_plot"},
       {R"({"expression": "y = x"})", base::Errc::schema, "nazori_plot"},
       {R"({"nazori_plot": 2, "expression": "y = x"})", base::Errc::schema, "nazori_plot"},
-      {R"({"nazori_plot": 1})", base::Errc::bad_argument, "expression"},
-      {R"({"nazori_plot": 1, "expression": 7})", base::Errc::bad_argument, "expression"},
+      {R"({"nazori_plot": 1})", base::Errc::parse, "expression"},
+      {R"({"nazori_plot": 1, "expression": 7})", base::Errc::parse, "expression"},
       {R"({"nazori_plot": 1, "expression": "y = 2 +"})", base::Errc::parse, "expression, column 8"},
-      {R"({"nazori_plot": 1, "expression": "y = x", "window": [1, 2, 3]})", base::Errc::bad_argument,
-       "window"},
-      {R"({"nazori_plot": 1, "expression": "y = x", "window": [2, 1, 0, 1]})", base::Errc::bad_argument,
-       "window"},
-      {R"({"nazori_plot": 1, "expression": "y = x", "plate": {"size": 31}})", base::Errc::bad_argument,
-       "plate.size"},
-      {R"({"nazori_plot": 1, "expression": "y = x", "plate": 3})", base::Errc::bad_argument, "plate"},
-      {R"({"nazori_plot": 1, "expression": "y = x", "sound": {"volume": "loud"}})", base::Errc::bad_argument,
-       "sound.volume"},
+      {R"({"nazori_plot": 1, "expression": "y = x", "window": [1, 2, 3]})", base::Errc::parse, "window"},
+      {R"({"nazori_plot": 1, "expression": "y = x", "window": [2, 1, 0, 1]})", base::Errc::parse, "window"},
+      {R"({"nazori_plot": 1, "expression": "y = x", "plate": {"size": 31}})", base::Errc::parse,
+       "line 1, plate/size"},
+      {R"({"nazori_plot": 1, "expression": "y = x", "plate": 3})", base::Errc::parse, "plate"},
+      {R"({"nazori_plot": 1, "expression": "y = x", "sound": {"volume": "loud"}})", base::Errc::parse,
+       "sound/volume"},
       {R"({"nazori_plot": 1, "expression": "y = x", "sound": {"lowest_hz": 900, "highest_hz": 300}})",
-       base::Errc::bad_argument, "sound.highest_hz"},
+       base::Errc::parse, "sound/highest_hz"},
   };
   for (const Mistake& m : mistakes) {
     const auto d = parse_document(m.text);
@@ -116,8 +114,8 @@ TEST(PlotDocument, NumbersAreTakenUpToTheirBoundsAndNoFurther) {
     for (const char* value : {b.bad[0], b.bad[1], "\"2\"", "null", "true", "[1]"}) {
       const auto d = with(written(value));
       ASSERT_FALSE(d) << b.name << ' ' << value;
-      EXPECT_EQ(d.error().code, base::Errc::bad_argument);
-      EXPECT_EQ(d.error().where, std::string(b.object) + "." + b.name) << value;
+      EXPECT_EQ(d.error().code, base::Errc::parse);
+      EXPECT_EQ(d.error().where, std::string("line 1, ") + b.object + "/" + b.name) << value;
     }
   }
   EXPECT_FALSE(with(R"("plate": {"size": 64.5})"));
@@ -149,7 +147,7 @@ TEST(PlotDocument, WindowsRangesAndNestsAreChecked) {
        {"[1, 2, 3]", "[1, 2, 3, 4, 5]", "[2, 1, 3, 4]", "[1, 2, 3, 3]", "[1, 2, 3, \"4\"]", "{}", "7"}) {
     const auto d = with(std::string("\"window\": ") + wrong);
     ASSERT_FALSE(d) << wrong;
-    EXPECT_EQ(d.error().where, "window") << wrong;
+    EXPECT_EQ(d.error().where, "line 1, window") << wrong;
   }
   const auto heights = with(R"("plate": {"heights": [-1, 3]})");
   ASSERT_TRUE(heights);
@@ -158,15 +156,16 @@ TEST(PlotDocument, WindowsRangesAndNestsAreChecked) {
   for (const char* wrong : {"[1]", "[3, 3]", "[1, 2, 3]", "\"high\""}) {
     const auto d = with(std::string(R"("plate": {"heights": )") + wrong + "}");
     ASSERT_FALSE(d) << wrong;
-    EXPECT_EQ(d.error().where, "plate.heights") << wrong;
+    EXPECT_EQ(d.error().where, "line 1, plate/heights") << wrong;
   }
-  EXPECT_EQ(with(R"("sound": [])").error().where, "sound");
-  EXPECT_EQ(with(R"("decimal_comma": 1)").error().where, "decimal_comma");
-  EXPECT_EQ(with(R"("title": 1)").error().where, "title");
+  EXPECT_EQ(with(R"("sound": [])").error().where, "line 1, sound");
+  EXPECT_EQ(with(R"("decimal_comma": 1)").error().where, "line 1, decimal_comma");
+  EXPECT_EQ(with(R"("title": 1)").error().where, "line 1, title");
   // The first mistake is the one that is told.
-  EXPECT_EQ(with(R"("title": 1, "plate": {"size": 1}, "sound": {"volume": 3})").error().where, "title");
+  EXPECT_EQ(with(R"("title": 1, "plate": {"size": 1}, "sound": {"volume": 3})").error().where,
+            "line 1, title");
   EXPECT_EQ(with(R"("plate": {"size": 1, "half_width": 9}, "sound": {"volume": 3})").error().where,
-            "plate.size");
+            "line 1, plate/size");
   const auto nested = [](int depth) {
     return with("\"unknown\": " + std::string(static_cast<std::size_t>(depth), '[') +
                 std::string(static_cast<std::size_t>(depth), ']'));

@@ -91,7 +91,7 @@ TEST(PlotMixer, TheToneIsHeardWithItAndMutedNothingIs) {
   EXPECT_LT(loudest(), 1e-3F);
 }
 
-/// Replaced in all the moments that there are; the sanitizers see what is read after it was freed.
+/// Replaced at all possible moments; the sanitizers detect reads after freeing.
 TEST(PlotMixer, SoundsAreReplacedWhileTheyPlay) {
   PlotMixer mixer(kRate_hz);
   mixer.set_volume(1, false);

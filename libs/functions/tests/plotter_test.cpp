@@ -94,7 +94,7 @@ TEST_F(Plots, OfOneCurveAloneOnlyItsOwnPointsAreKept) {
   const auto alone = last(wanted);
   ASSERT_TRUE(alone);
   ASSERT_FALSE(alone->points.empty());
-  EXPECT_EQ(crossings(alone), 0) << "the other curve is not there";
+  EXPECT_EQ(crossings(alone), 0) << "the other curve was not found";
   for (const auto& point : alone->points) EXPECT_EQ(point.statement, 1);
   EXPECT_EQ(alone->summary.find("y equals 2 minus x"), 0U) << alone->summary;
   wanted.plate.alone = 0;
@@ -124,7 +124,7 @@ TEST_F(Plots, AStoppedDrawingIsNeitherShownNorAFailure) {
   EXPECT_FALSE(plotter_.is_busy());
   EXPECT_EQ(rested_, 1);
   drawn_.clear();
-  // The next one comes only after the thread has let the first one go.
+  // The next one comes only after the thread has released the first one.
   const auto next = last(request("y = 1", {-6, 6, -4, 4}));
   ASSERT_TRUE(next);
   for (const auto& one : drawn_) EXPECT_EQ(canonical(one->request.plot), "y = 1");
@@ -141,7 +141,7 @@ TEST_F(Plots, WhatCannotBeDrawnIsAFailureAndThenThereIsRest) {
 }
 
 TEST_F(Plots, ProgressBeginsAtNothingAndGoesForwards) {
-  // How often it is told depends on the time; the beginning is told always.
+  // The number of reports depends on the time; the beginning is always reported.
   last(request("e^(sin x + cos y) = sin(e^(x + y))", {-2, 2, -2, 2}, 256));
   ASSERT_FALSE(progress_.empty());
   EXPECT_EQ(progress_.front(), 0);
@@ -166,7 +166,7 @@ TEST_F(Plots, TheSweepThatIsWantedLastIsTheOneThatIsHeard) {
   const auto expected = sweep(drawing->request.plot, drawing->picture.tracing, drawing->points, fast);
   ASSERT_TRUE(expected);
   EXPECT_EQ(heard[0], expected->samples.size());
-  // What is forgotten is not heard; the next one shows that the thread came past it.
+  // A cancelled one is not reported; the next one shows that the thread has passed it.
   exporter.compose(drawing, slow);
   exporter.forget_sound();
   exporter.compose(drawing, fast);

@@ -95,7 +95,7 @@ TEST(Points, ACrossingIsNotATouch) {
 }
 
 TEST(Points, CurvesThatLieCloseWhereTheyCrossCrossThereExactly) {
-  // tan x - sin x is about x^3/2 near 0: smaller than rounding all around.
+  // tan x - sin x is about x^3/2 near 0: smaller than rounding errors nearby.
   const auto crossings = found_in("y = tan(x); y = sin(x)", {-6, 6, -4, 4}).of(PointKind::crossing);
   ASSERT_EQ(crossings.size(), 3U);
   EXPECT_EQ(crossings[0].x_name, "-pi");
@@ -133,7 +133,7 @@ TEST(Points, AnEmptyPlateIsSaid) {
   ASSERT_TRUE(plot);
   const auto tracing = trace(*plot, {-3, 3, -3, 3});
   ASSERT_TRUE(tracing);
-  EXPECT_NE(summary(*plot, *tracing, {}, Language::english).find("no points satisfy this"),
+  EXPECT_NE(summary(*plot, *tracing, {}, Language::english).find("no points in this range"),
             std::string::npos);
 }
 

@@ -186,7 +186,7 @@ TEST(TakeApart, TheRestGoesToThePlaneWithWhatMustBeDefined) {
   EXPECT_EQ(at(p.equations[0].function, 2, 1), 4);
   EXPECT_TRUE(std::isnan(at(p.equations[0].whole, 1, 1)));
   EXPECT_FALSE(std::isnan(at(p.equations[0].whole, 1, 2)));
-  // A root is not taken of what is called zero: rounding would leave it undefined.
+  // No root is taken of an expression equal to zero: rounding would make it undefined.
   const EquationParts root = parts_of("sqrt(x^2 + y^2 - 1) = 0");
   ASSERT_EQ(root.equations.size(), 1U);
   EXPECT_EQ(at(root.equations[0].whole, 0.1, 0.1), 0);

@@ -33,7 +33,7 @@ TEST(Roots, WhereThereAreTooManyToFindThemAllThatIsSaid) {
   EXPECT_EQ(found.undecided, 1);
   ASSERT_FALSE(found.roots.empty());
   EXPECT_LT(found.roots.size(), 318'309U);
-  // Those that are found are true.
+  // Those found are correct.
   for (const Root& root : found.roots) {
     const double n = std::round(root.at * 1e5 / kPi);
     ASSERT_NEAR(root.at, n * kPi / 1e5, 1e-12);

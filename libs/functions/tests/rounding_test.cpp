@@ -127,7 +127,7 @@ TEST(Rounding, ADivisorThatContainsZeroLeavesWhatIsCertain) {
   expect({0, 0}, {-1, 1}, 0, 0);
   EXPECT_TRUE((Interval(1, 2) / Interval(0)).is_empty());
   EXPECT_TRUE(has((Interval(1, 2) / Interval(0)).cause, Cause::pole));
-  // So small that it may only have vanished.
+  // So small that it may have underflowed.
   EXPECT_TRUE(has((Interval(1) / Interval(0, 1e-290)).cause, Cause::overflow));
   EXPECT_FALSE(has((Interval(1) / Interval(0, 2e-290)).cause, Cause::overflow));
   EXPECT_FALSE(has((Interval(1) / Interval(-2e-290, 0)).cause, Cause::overflow));

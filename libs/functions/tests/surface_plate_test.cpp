@@ -66,11 +66,11 @@ TEST(SurfacePlate, WithoutARangeItIsThatOfTheValues) {
   EXPECT_EQ(none.range.low, -1);
   EXPECT_EQ(none.range.high, 1);
   EXPECT_EQ(holes_of(none), none.mask.size());
-  // Of a needle the outermost hundredths do not count: 1/(x^2 + y^2 + 0.001) goes up to a thousand.
+  // For a needle the outermost hundredths do not count: 1/(x^2 + y^2 + 0.001) goes up to a thousand.
   EXPECT_LT(carved("z = 1/(x^2 + y^2 + 0.001)").range.high, 60);
   EXPECT_GT(carved("z = -1/(x^2 + y^2 + 0.001)").range.low, -60);
   EXPECT_NEAR(carved("z = 1/(x^2 + y^2 + 0.001)").range.low, 1 / 8.0, 0.01);
-  // A hill that is no needle keeps its top, also far above zero.
+  // A hill that is not a needle keeps its top, also far above zero.
   EXPECT_NEAR(carved("z = 100 + e^(-x^2-y^2)").range.high, 101, 1e-9);
   EXPECT_NEAR(carved("z = -100 - e^(-x^2-y^2)").range.low, -101, 1e-9);
   EXPECT_NEAR(carved("z = e^(-x^2-y^2)").range.high, 1, 1e-9);
@@ -177,7 +177,7 @@ TEST(SurfacePlate, ASingleGapIsClosedAndAStepIsNot) {
   const Plate corner = carved("z = 0.5x + 0/((x + 1.96875)^2 + (y - 1.96875)^2)", HeightRange{-2, 2});
   EXPECT_EQ(holes_of(corner), 0U);
   EXPECT_NEAR(corner.heights.at(0, 0), (2 - 0.5 * 1.96875) / 4, 2e-2);
-  // A step of a quarter of the range is no gap that could be closed: the sign of x at a pole.
+  // A step of a quarter of the range is not a gap that could be closed: the sign of x at a pole.
   const Plate step = carved("z = sign(x)|x - 0.03125|/(x - 0.03125)", HeightRange{-1, 1});
   EXPECT_EQ(step.heights.at(40, 5), 1);
 }
@@ -191,18 +191,18 @@ TEST(SurfacePlate, IsForSurfacesAndStopsWhenAsked) {
   PlateSettings small;
   small.size = 31;
   EXPECT_FALSE(carve_surface(surface->statements[0], kWindow, small));
-  std::vector<double> told;
+  std::vector<double> reported;
   PlateSettings settings;
   settings.size = kSize;
   ASSERT_TRUE(
       carve_surface(surface->statements[0], kWindow, settings, [&](double done, std::string_view step) {
         EXPECT_EQ(step, "surface");
-        told.push_back(done);
+        reported.push_back(done);
         return true;
       }));
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_EQ(told.size(), static_cast<std::size_t>(kSize) + 1);
-  EXPECT_NEAR(told.back(), 63.0 / 64, 1e-12);
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_EQ(reported.size(), static_cast<std::size_t>(kSize) + 1);
+  EXPECT_NEAR(reported.back(), 63.0 / 64, 1e-12);
   std::size_t calls = 0;
   const auto stopped = carve_surface(surface->statements[0], kWindow, settings,
                                      [&](double, std::string_view) { return ++calls < 10; });

@@ -140,7 +140,7 @@ TEST(Tokens, RunsOfLettersAreCutIntoTheLongestNames) {
   EXPECT_EQ(kinds_of("etheta"), (std::vector{T::constant, T::variable}));
   // "tanhx" is tanh of x. "tant" is tan of t, and fails where there is no t.
   EXPECT_EQ(kinds_of("tant"), (std::vector{T::function, T::variable}));
-  // The longest first would leave a rest that is nothing: exp would leave "i".
+  // Taking the longest name first would leave an invalid rest: exp would leave "i".
   EXPECT_EQ(kinds_of("expi"), (std::vector{T::constant, T::variable, T::constant}));
   const auto wrong = tokenize("x + fooo(2)", {});
   ASSERT_FALSE(wrong);
@@ -148,7 +148,7 @@ TEST(Tokens, RunsOfLettersAreCutIntoTheLongestNames) {
   EXPECT_EQ(wrong.error().subject, "fooo");
   EXPECT_EQ(wrong.error().column, 5);
   EXPECT_EQ(tokenize("q", {}).error().fault, SyntaxFault::unknown_name);
-  // Long runs take no long time.
+  // Long runs do not take long.
   std::string long_run(2000, 'e');
   long_run += 'q';
   EXPECT_FALSE(tokenize(long_run, {}));

@@ -14,7 +14,7 @@
 namespace nazori::functions {
 namespace {
 
-/// Zero crossings of the low-passed sum of both sides tell the pitch of a steady tone.
+/// Zero crossings of the low-passed sum of both sides give the pitch of a steady tone.
 double pitch_of(const std::vector<float>& stereo, int rate, double expected) {
   const auto at = [&](std::size_t k) { return static_cast<double>(stereo[2 * k] + stereo[2 * k + 1]); };
   const std::size_t frames = stereo.size() / 2;
@@ -102,7 +102,7 @@ TEST(ToneGenerator, LeftAndRightFollowThePlace) {
   }
 }
 
-/// The samples of a generator that was told once, from silence on.
+/// The samples of a generator after one setting, from silence on.
 std::vector<float> filled(ToneGenerator& tone, std::size_t frames) {
   std::vector<float> block(2 * frames);
   tone.fill(block);

@@ -21,7 +21,7 @@ using test::pieces_of;
 
 constexpr double kPi = std::numbers::pi;
 
-/// What is known of a plot: points on it, points that must stay clean, how many separate grooves.
+/// Known facts about a plot: points on it, points that must stay clean, how many separate grooves.
 struct Known {
   std::string expression;
   Window window;

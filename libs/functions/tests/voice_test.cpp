@@ -47,7 +47,7 @@ double pitch_of(PointKind kind, double from_s, double to_s) {
 }
 
 TEST(Earcon, EachKindOfPointHasItsTwoTones) {
-  // As docs/functions.md has them: what rises tells a maximum, what falls a minimum.
+  // As in docs/functions.md: rising tones mark a maximum, falling ones a minimum.
   struct Sign {
     PointKind kind;
     double first, second;

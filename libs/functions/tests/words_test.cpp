@@ -152,14 +152,15 @@ PointOfInterest point(PointKind kind, double x, double y, const char* x_name = "
 
 TEST(Words, PointsAreSaidWithExactNamesFirst) {
   const double nan = std::nan("");
-  const auto said = [](const PointOfInterest& p) { return in_words(p, kEnglish); };
-  EXPECT_EQ(said(point(PointKind::maximum, 1.5707963, 1, "pi/2", "1")),
+  const auto sentence = [](const PointOfInterest& p) { return in_words(p, kEnglish); };
+  EXPECT_EQ(sentence(point(PointKind::maximum, 1.5707963, 1, "pi/2", "1")),
             "maximum at x = pi over 2, about 1.571; y = 1");
-  EXPECT_EQ(said(point(PointKind::zero, -2.34567, 0, "", "0")), "zero at x = about minus 2.346; y = 0");
-  EXPECT_EQ(said(point(PointKind::zero, -2, 1e-13, "-2", "")), "zero at x = minus 2; y = about 0");
-  EXPECT_EQ(said(point(PointKind::vertical_asymptote, 0.5, nan, "1/2")),
+  EXPECT_EQ(sentence(point(PointKind::zero, -2.34567, 0, "", "0")), "zero at x = about minus 2.346; y = 0");
+  EXPECT_EQ(sentence(point(PointKind::zero, -2, 1e-13, "-2", "")), "zero at x = minus 2; y = about 0");
+  EXPECT_EQ(sentence(point(PointKind::vertical_asymptote, 0.5, nan, "1/2")),
             "vertical asymptote at x = 1 over 2, about 0.5");
-  EXPECT_EQ(said(point(PointKind::horizontal_asymptote, nan, 3, "", "3")), "horizontal asymptote at y = 3");
+  EXPECT_EQ(sentence(point(PointKind::horizontal_asymptote, nan, 3, "", "3")),
+            "horizontal asymptote at y = 3");
   EXPECT_EQ(in_words(point(PointKind::maximum, 1.5707963, -1, "pi/2", "-1"), kJapanese),
             "極大: x = 2 分の パイ、約1.571、y = マイナス1");
   EXPECT_EQ(in_words(point(PointKind::horizontal_asymptote, nan, 3.25), kJapanese), "水平漸近線: y = 約3.25");
@@ -170,9 +171,9 @@ TEST(Words, EveryKindOfPointHasItsName) {
                            "y intercept",
                            "maximum",
                            "minimum",
-                           "inflection",
+                           "inflection point",
                            "crossing",
-                           "touching point",
+                           "point of contact",
                            "vertical asymptote",
                            "horizontal asymptote",
                            "hole",
@@ -203,29 +204,29 @@ TEST(Words, ASummaryCountsWhatIsThere) {
   ASSERT_TRUE(plot);
   Tracing t;
   t.window = {-1, 1, -1, 1};
-  const auto said = [&](const std::vector<PointOfInterest>& points = {}) {
+  const auto sentence = [&](const std::vector<PointOfInterest>& points = {}) {
     return summary(*plot, t, points, kEnglish);
   };
-  EXPECT_EQ(said(), "y equals x: no points satisfy this in the window.");
+  EXPECT_EQ(sentence(), "y equals x: no points in this range.");
   EXPECT_EQ(summary(*plot, t, {}, kJapanese), "y イコール x。この範囲に点はありません。");
   t.dots.push_back({});
-  EXPECT_EQ(said(), "y equals x.");
+  EXPECT_EQ(sentence(), "y equals x.");
   t.dots.clear();
   t.fills.push_back({});
-  EXPECT_EQ(said(), "y equals x.");
+  EXPECT_EQ(sentence(), "y equals x.");
   t.fills.clear();
   t.bars.push_back({});
-  EXPECT_EQ(said(), "y equals x.");
+  EXPECT_EQ(sentence(), "y equals x.");
   t.branches.resize(1);
-  EXPECT_EQ(said(), "y equals x: 1 piece.");
+  EXPECT_EQ(sentence(), "y equals x: 1 branch.");
   t.branches.resize(3);
   EXPECT_EQ(
-      said({point(PointKind::maximum, 0, 0), point(PointKind::zero, 0, 0), point(PointKind::zero, 1, 0)}),
-      "y equals x: 3 pieces, 2 zeros, 1 maximum.");
+      sentence({point(PointKind::maximum, 0, 0), point(PointKind::zero, 0, 0), point(PointKind::zero, 1, 0)}),
+      "y equals x: 3 branches, 2 zeros, 1 maximum.");
   EXPECT_EQ(summary(*plot, t, {point(PointKind::zero, 0, 0)}, kJapanese), "y イコール x。3本、零点 1個。");
   t.dense = true;
   t.complete = false;
-  EXPECT_EQ(said(), "y equals x: 3 pieces, a dense band, not finished yet.");
+  EXPECT_EQ(sentence(), "y equals x: 3 branches, a dense band, not finished yet.");
   EXPECT_EQ(summary(*plot, t, {}, kJapanese), "y イコール x。3本、密な帯、まだ途中です。");
 }
 
@@ -237,15 +238,15 @@ TEST(Words, ASummarySaysWhatIsUndecidedAboveATenthOfAPercent) {
   t.branches.resize(1);
   t.cells = 10'000;
   t.undecided_cells = 10;
-  EXPECT_EQ(summary(*plot, t, {}, kEnglish), "y equals x: 1 piece.");
+  EXPECT_EQ(summary(*plot, t, {}, kEnglish), "y equals x: 1 branch.");
   t.undecided_cells = 11;
   EXPECT_EQ(t.undecided_share(), 0.0011);
   EXPECT_EQ(summary(*plot, t, {}, kEnglish),
-            "y equals x: 1 piece, part of the picture could not be decided.");
+            "y equals x: 1 branch, part of the plot could not be determined.");
   t.undecided_places.push_back({0.75, 0.25});
   t.undecided_places.push_back({0.1, 0.1});
   EXPECT_EQ(summary(*plot, t, {}, kEnglish),
-            "y equals x: 1 piece, part of the picture could not be decided, first near x = about 0.5; y = "
+            "y equals x: 1 branch, part of the plot could not be determined, first near x = about 0.5; y = "
             "minus 1.");
   EXPECT_EQ(summary(*plot, t, {}, kJapanese),
             "y イコール x。1本、一部は判定できませんでした（x = 約0.5、y = マイナス1 の近くなど）。");
@@ -255,21 +256,21 @@ TEST(Words, ASummarySaysWhatIsUndecidedAboveATenthOfAPercent) {
 }
 
 TEST(Words, MistakesAreToldWithTheirNumbers) {
-  const auto told = [](const char* typed) { return in_words(parse(typed).error(), kEnglish); };
-  EXPECT_EQ(told("y = mod(x)").message, "\"mod\" is given 1 argument");
-  EXPECT_EQ(told("y = mod(x)").expected, "expected two arguments");
-  EXPECT_EQ(told("y = mod(x,1,2)").message, "\"mod\" is given 3 arguments");
-  EXPECT_EQ(told("y = sin(x; 1)").expected, "expected one argument");
-  EXPECT_EQ(told("y = min(x)").expected, "expected two arguments or more");
-  EXPECT_EQ(told("y = |x").message, "the bar of column 5 is not closed");
-  EXPECT_EQ(told("y = (x").message, "the \"(\" of column 5 is not closed");
-  EXPECT_EQ(told("y = (x").expected, "expected \")\"");
+  const auto error_text = [](const char* typed) { return in_words(parse(typed).error(), kEnglish); };
+  EXPECT_EQ(error_text("y = mod(x)").message, "\"mod\" has 1 argument");
+  EXPECT_EQ(error_text("y = mod(x)").expected, "expected two arguments");
+  EXPECT_EQ(error_text("y = mod(x,1,2)").message, "\"mod\" has 3 arguments");
+  EXPECT_EQ(error_text("y = sin(x; 1)").expected, "expected one argument");
+  EXPECT_EQ(error_text("y = min(x)").expected, "expected two arguments or more");
+  EXPECT_EQ(error_text("y = |x").message, "the bar opened in column 5 is not closed");
+  EXPECT_EQ(error_text("y = (x").message, "the \"(\" in column 5 is not closed");
+  EXPECT_EQ(error_text("y = (x").expected, "expected \")\"");
   EXPECT_EQ(in_words(parse("y = min(x)").error(), kJapanese).expected, "2 個以上の引数が必要です");
   EXPECT_EQ(in_words(parse("y = mod(x)").error(), kJapanese).expected, "2 個の引数が必要です");
   const base::Error error = parse("y = mod(x)").error().to_error();
   EXPECT_EQ(error.code, base::Errc::parse);
   EXPECT_EQ(error.where, "column 5");
-  EXPECT_EQ(error.what, "\"mod\" is given 1 argument");
+  EXPECT_EQ(error.what, "\"mod\" has 1 argument");
 }
 
 }  // namespace

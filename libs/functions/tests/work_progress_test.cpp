@@ -13,10 +13,10 @@ namespace nazori::functions {
 namespace {
 
 TEST(WorkProgress, PartsFillTheWholeAndNeverGoBack) {
-  std::vector<double> told;
+  std::vector<double> reported;
   std::string step;
   const base::Progress caller = [&](double done, std::string_view name) {
-    told.push_back(done);
+    reported.push_back(done);
     step = name;
     return true;
   };
@@ -30,8 +30,8 @@ TEST(WorkProgress, PartsFillTheWholeAndNeverGoBack) {
   EXPECT_EQ(step, "second");
   EXPECT_TRUE(work.report(1));
   const std::vector<double> wanted{0.2, 0.4, 0.4, 0.6, 0.6, 1};
-  ASSERT_EQ(told.size(), wanted.size());
-  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_NEAR(told[i], wanted[i], 1e-12) << i;
+  ASSERT_EQ(reported.size(), wanted.size());
+  for (std::size_t i = 0; i < reported.size(); ++i) EXPECT_NEAR(reported[i], wanted[i], 1e-12) << i;
   EXPECT_FALSE(work.is_stopped());
   EXPECT_FALSE(work.is_late());
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLargestNumber = 1e6;
 constexpr std::size_t kMostPieces = 10'000;
-/// 2^16 segments for one piece: far below any tolerance that is drawn, and an end for those that are absurd.
+/// 2^16 segments for one piece: far finer than any tolerance in use, and a limit for absurd input.
 constexpr int kDeepestSubdivision = 16;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -28,7 +28,7 @@ char absolute(char command) {
   return is_relative(command) ? static_cast<char>(command - 'a' + 'A') : command;
 }
 
-/// Reads one path from left to right; the first fault ends the reading.
+/// Reads one path from left to right; the first error ends the reading.
 class PathReader {
  public:
   explicit PathReader(std::string_view data) : data_(data) {}
@@ -68,7 +68,8 @@ class PathReader {
     return is_digit(c) || c == '.' || c == '-' || c == '+';
   }
 
-  /// A number as SVG writes it: sign, digits, point, exponent; it ends where it cannot go on.
+  /// A number as SVG writes it: sign, digits, point, exponent; it ends at the first character that does not
+  /// belong to it.
   std::optional<double> number() {
     std::size_t end = at_;
     const auto digits = [&] {

@@ -15,7 +15,7 @@ namespace {
 
 using Pieces = std::vector<std::array<GlyphPoint, 3>>;
 
-/// The curve itself by Bernstein's formula, apart from the code under test.
+/// The curve itself by Bernstein's formula, independent of the code under test.
 GlyphPoint on_curve(GlyphPoint a, const std::array<GlyphPoint, 3>& piece, double t) {
   const double s = 1 - t;
   return a * (s * s * s) + piece[0] * (3 * s * s * t) + piece[1] * (3 * s * t * t) + piece[2] * (t * t * t);
@@ -66,7 +66,7 @@ TEST(SvgPath, ShorthandsMirrorTheLastControlPointOfTheirOwnKindOnly) {
   expect_same("M0 0 L 10 0 S 20 -10 20 0", "M0 0 L 10 0 C 10 0 20 -10 20 0");
   expect_same("M0 0 Q 5 10 10 0 S 20 -10 20 0", "M0 0 Q 5 10 10 0 C 10 0 20 -10 20 0");
   expect_same("M0 0 C 0 10 10 10 10 0 T 20 0", "M0 0 C 0 10 10 10 10 0 Q 10 0 20 0");
-  // What came before the last curve is forgotten, whatever its kind.
+  // The control points before the last curve are forgotten, whatever its kind.
   expect_same("M0 0 Q 5 10 10 0 C 10 10 20 10 20 0 T 30 0",
               "M0 0 Q 5 10 10 0 C 10 10 20 10 20 0 Q 20 0 30 0");
   expect_same("M0 0 C 0 10 10 10 10 0 Q 15 10 20 0 S 30 -10 30 0",
@@ -85,7 +85,7 @@ TEST(SvgPath, NumbersNeedNoSpacesWhereTheirEndIsClear) {
 }
 
 TEST(SvgPath, NothingIsReadPastTheEndOfTheText) {
-  // Each text goes on in memory with what would change it.
+  // Each text is followed in memory by text that would change the result.
   const auto begin = [](std::string_view whole, std::size_t length) { return whole.substr(0, length); };
   expect_same(begin("M1 2 7 8", 4), "M1 2");
   expect_same(begin("M1 2 7 8", 5), "M1 2");
@@ -220,7 +220,7 @@ TEST(Flatten, StaysWithinTheToleranceOfTheCurveAndTheCurveOfIt) {
         }
         from = piece[2];
       }
-      // The dense walk itself cuts corners by up to (200 steps) 2e-2.
+      // The dense sampling itself cuts corners by up to (200 steps) 2e-2.
       for (const GlyphPoint p : line) {
         EXPECT_LE(nearest_point(std::span<const GlyphPoint>(dense), p).distance, 0.04);
       }

@@ -3,13 +3,14 @@
 
 namespace nazori::haptics::fidelity {
 
-/// What renderers that collide with a mesh get wrong, as figures of ours. Each function runs one experiment;
-/// the benchmark prints the figures, the tests hold them to their limits. Everything is deterministic.
+/// Experiments on what mesh-based renderers get wrong, run on this renderer. Each function runs one
+/// experiment; the benchmark prints the figures, the tests compare them with limits. Everything is
+/// deterministic.
 
 /// A servo whose stylus comes down on a plate 1,000 times at 0.01 to 0.3 m/s.
 struct FirstTick {
   int dives = 0;
-  int pushed = 0;       ///< dives whose very first tick inside had the force of its depth
+  int pushed = 0;       ///< dives whose first tick inside had the full force for its depth
   double least = 1e30;  ///< smallest share of that force
 };
 [[nodiscard]] FirstTick first_tick();
@@ -23,7 +24,7 @@ struct Behind {
   int ticks = 0;
   int behind = 0;  ///< proxy more than 0.05 units (2.5 mm) from the device, which is at most 0.045 deep
   int below = 0;   ///< proxy under the surface
-  int late = 0;    ///< device inside and no contact, or the other way round
+  int late = 0;    ///< device inside and no contact, or contact without being inside
   double farthest_m = 0;
 };
 /// @param path  0 trace, 1 sweep, 2 scribble; 200,000 ticks.
@@ -32,8 +33,9 @@ struct Behind {
 /// 1,000 styluses that rest on a surface which then rises by 0.05 to 9 mm.
 struct Lift {
   int styluses = 0;
-  int lifted = 0;  ///< proxy on the new surface one tick later, and pushed up once the force has come
-  double worst_step_n = 0;  ///< largest change of force in a tick meanwhile
+  int lifted =
+      0;  ///< proxy on the new surface one tick later, and an upward force once the force ramp is over
+  double worst_step_n = 0;  ///< largest change of force in one tick
 };
 [[nodiscard]] Lift rising_surface();
 

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kTicks = 200'000;
 constexpr std::size_t kPasses = 9;
 
-/// Time this thread has had a core, so that other work on the machine does not count.
+/// CPU time of this thread, so that other work on the machine does not count.
 double cpu_s() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -63,9 +63,9 @@ double quantile(std::vector<double>& values, double q) {
   return *at;
 }
 
-/// Runs `tick(i)` over the path, timed as a whole (the best mean, with what is done in between) and kPasses
-/// times tick by tick. Every pass does the same work in the same order; of each tick the median of its passes
-/// counts, less the clock's own cost, so that other work that had the core for a moment does not.
+/// Runs `tick(i)` over the path, timed as a whole (the best mean, including the work in between) and kPasses
+/// times tick by tick. Every pass does the same work in the same order. For each tick the median of its
+/// passes counts, less the cost of the clock, so that a short interruption by other work does not count.
 template <class Reset, class Tick, class Between>
 void measure(benchmark::State& state, Reset reset, Tick tick, Between between) {
   double best = 1e9;
@@ -137,8 +137,8 @@ std::vector<StrokePath> strokes() {
 }
 
 /// Everything a tick does at once: contact with friction, the strokes, passivity, limits, recording, and
-/// every 1,000 ticks a new scene on another copy of the surface, which the tick finds cold. Last argument: 0
-/// no help, 1 snapping to all strokes, 2 a lesson.
+/// every 1,000 ticks a new scene on another copy of the surface, which is not yet in the cache. Last
+/// argument: 0 no help, 1 snapping to all strokes, 2 a lesson.
 void BM_ServoTick(benchmark::State& state) {
   const int size = static_cast<int>(state.range(0));
   const Work& work = Work::of(size);
@@ -167,7 +167,7 @@ void BM_ServoTick(benchmark::State& state) {
         const DeviceSample sample{static_cast<double>(i) * 0.001, path[i], 0, true};
         benchmark::DoNotOptimize(servo->tick(sample));
       },
-      [&](std::size_t i) {  // what other threads do meanwhile: not the servo's time
+      [&](std::size_t i) {  // the work of other threads: not part of the servo's time
         if (i % 500 == 499) {
           const std::size_t count = servo->take_samples(taken);
           std::memcpy(record.data(), taken.data(), count * sizeof(ServoSample));
@@ -187,7 +187,7 @@ std::size_t allocated() {
   return now.uordblks + now.hblkhd;
 }
 
-// From a height map that exists to a scene with strokes that the servo has been given.
+// From an existing height map to a scene with strokes that was passed to the servo.
 void BM_ReadyToTouch(benchmark::State& state) {
   const Work& work = Work::of(static_cast<int>(state.range(0)));
   const std::vector<StrokePath> lines = strokes();
@@ -201,10 +201,10 @@ void BM_ReadyToTouch(benchmark::State& state) {
     scene->strokes = lines;
     scene->snapping.enabled = true;
     servo.set_scene(std::move(scene));
-    (void)servo.tick({0, Vec3(0), 0, true});  // takes it, so that the one before is freed
+    (void)servo.tick({0, Vec3(0), 0, true});  // adopts it, so that the previous one is freed
     most = std::max(most, allocated() - before);
   }
-  // One scene, and the one it takes the place of until the next hand-over.
+  // The current scene and the previous one, which lives until the next scene is passed to the servo.
   state.counters["MiB"] = static_cast<double>(most) / (1 << 20);
 }
 BENCHMARK(BM_ReadyToTouch)->Arg(128)->Arg(2048)->Unit(benchmark::kMillisecond);

@@ -12,9 +12,8 @@
 #include "nazori/surface/height_map.h"
 
 /// The fixed work that haptic renderers are compared on: a made-up kanji of six strokes as an 8-bit height
-/// map, and a hand that traces, sweeps and scribbles over it at 1 kHz. Every number comes from arithmetic
-/// that is rounded (heights to 8 bits, positions to 2^-24), so that two programs, and two compilers, get the
-/// same work; the checksums prove it.
+/// map, and a hand that traces, sweeps and scribbles over it at 1 kHz. All numbers are rounded (heights to 8
+/// bits, positions to 2^-24), so that two programs, or two compilers, get the same work; checksums verify it.
 ///
 /// Units of the specification: x, y in [-1, 1], y growing with the row; z = level * 0.05 * 2 / 124. In metres
 /// the side is 0.1 m, so one unit is 0.05 m and the grooves are 10.3 mm deep.
@@ -31,7 +30,7 @@ struct Kanji {
 };
 
 [[nodiscard]] Kanji make_kanji(int size);
-/// Along each groove there and back at 0.2 units/s, 0.01 deep, with a sideways wander, flying in between.
+/// Along each groove there and back at 0.2 units/s, 0.01 deep, wandering sideways, lifted in between.
 [[nodiscard]] std::vector<Point3> trace(const Kanji& kanji, std::size_t ticks);
 /// Rows 0.031 apart at 1 unit/s, 0.01 deep, along x, then along y, and so on.
 [[nodiscard]] std::vector<Point3> sweep(const Kanji& kanji, std::size_t ticks);
@@ -45,7 +44,7 @@ struct Kanji {
 [[nodiscard]] std::uint64_t checksum(const Kanji& kanji);
 [[nodiscard]] std::uint64_t checksum(std::span<const Point3> path);
 
-/// The tablet of 0.1 m that the kanji becomes.
+/// The kanji as a tablet of 0.1 m.
 [[nodiscard]] geometry::TabletShape shape();
 [[nodiscard]] surface::HeightMap height_map(const Kanji& kanji);
 /// Positions in the tablet frame.

@@ -18,8 +18,8 @@ namespace nazori::haptics {
 class Disturbance {
  public:
   static constexpr std::size_t kTones = 4;
-  static constexpr double kLowest_hz = 0.4;   ///< slower is felt as a constant pull
-  static constexpr double kHighest_hz = 3.0;  ///< below what a hand filters out
+  static constexpr double kLowest_hz = 0.4;   ///< slower changes are felt as a constant pull
+  static constexpr double kHighest_hz = 3.0;  ///< faster ones are filtered out by the hand
 
   Disturbance() = default;
   Disturbance(std::uint64_t seed, double period_s);
@@ -32,7 +32,7 @@ class Disturbance {
  private:
   struct Tone {
     double cos = 1, sin = 0;            // now
-    double step_cos = 1, step_sin = 0;  // turned by in a period
+    double step_cos = 1, step_sin = 0;  // rotation per period
   };
   std::array<std::array<Tone, kTones>, 2> axes_{};
 };

@@ -8,7 +8,7 @@ void Disturbance::advance() noexcept {
     for (Tone& t : axis) {
       const double c = t.cos * t.step_cos - t.sin * t.step_sin;
       const double s = t.cos * t.step_sin + t.sin * t.step_cos;
-      const double shrink = 1.5 - 0.5 * (c * c + s * s);  // rounding must not let it grow over the hours
+      const double shrink = 1.5 - 0.5 * (c * c + s * s);  // keeps rounding from letting it grow over hours
       t.cos = c * shrink;
       t.sin = s * shrink;
     }

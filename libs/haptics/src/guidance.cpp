@@ -9,7 +9,8 @@
 namespace nazori::haptics {
 namespace {
 
-// The tip is down in contact or this deep, and up only well above: no flicker at the plateau.
+// The tip counts as down in contact or at this depth, and as up only well above: this avoids flicker at the
+// plateau.
 constexpr double kDown_m = 0.00025;
 constexpr double kUp_m = 0.0005;
 
@@ -95,7 +96,7 @@ void Guidance::see_whether_down(const GuidancePlan& plan, const Input& in) noexc
   }
   if (!came_down) return;
   const StrokeIndex::Hit start = plan.lines().at_length(stroke_, 0);
-  if (glm::length(at - start.point) <= reach) {  // written anew
+  if (glm::length(at - start.point) <= reach) {  // written again
     reached_ = 0;
     start_writing(plan, start, at);
   } else if (plan.lines().nearest(at, kWrongReach_m).segment >= 0) {
@@ -162,7 +163,7 @@ void Guidance::update(const GuidancePlan& plan, const Settings& settings, const 
 }
 
 void Guidance::book(const Settings& settings, const Vec3& moved_m) noexcept {
-  // A disturbance may do what its size and the way of the hand allow, and that it cannot exceed.
+  // A disturbance may use the work that its size and the motion of the hand allow; it cannot exceed that.
   if (settings.mode == GuidingMode::disturb) allowance_ = 1;
   const double work = glm::dot(force_, moved_m);
   granted_ = std::min(work, std::max(0.0, allowance_));

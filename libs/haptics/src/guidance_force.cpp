@@ -9,12 +9,14 @@
 namespace nazori::haptics {
 namespace {
 
-constexpr double kWall = 0.75;        // part of the cap that resists going back
-constexpr double kDownwards = 0.4;    // part of the cap that presses into the groove
-constexpr double kOver = 0.25;        // part of the reach of a start: this near the tip goes all the way down
-constexpr double kClear_m = 0.003;    // above the plateau: here it is carried across with all its force
-constexpr double kAhead_m = 0.001;    // the pull looks this far ahead, or it would stick at corners
-constexpr double kOverrun_m = 0.003;  // the target goes beyond the end, or friction would stop short of it
+constexpr double kWall = 0.75;      // part of the cap that resists going back
+constexpr double kDownwards = 0.4;  // part of the cap that presses into the groove
+constexpr double kOver = 0.25;  // part of the reach of a start: within it the tip is pulled all the way down
+constexpr double kClear_m =
+    0.003;  // above the plateau: from this height on it is carried across with full force
+constexpr double kAhead_m = 0.001;  // the pull aims this far ahead; otherwise it would stick at corners
+constexpr double kOverrun_m =
+    0.003;  // the target goes beyond the end; otherwise friction would stop the tip before it
 constexpr double kLeastWait_m = 0.003, kMostWait_m = 0.008;  // lag at which the target waits
 
 // Resisting: hardly moving under a pull, or moving against it.
@@ -36,7 +38,7 @@ Vec3 within(const Vec3& v, double most) noexcept {
 
 }  // namespace
 
-/// Unit vector in which the line goes on, with the rise of its groove; zero for a dot.
+/// Unit direction in which the line continues, including the rise of its groove; zero for a dot.
 Vec3 Guidance::ahead(const GuidancePlan& plan) const noexcept {
   const StrokeIndex::Hit next = plan.lines().at_length(stroke_, arc_ + kAhead_m);
   Vec3 way = next.point - hit_.point;
@@ -47,8 +49,8 @@ Vec3 Guidance::ahead(const GuidancePlan& plan) const noexcept {
   return glm::normalize(way);
 }
 
-/// Gives way to a learner who resists: no force from then on until the way to go has become shorter again,
-/// and then more and more.
+/// Stops the force when the learner resists, until the remaining distance has become shorter again. Then the
+/// force rises gradually.
 Vec3 Guidance::yield(const Vec3& wanted, const Vec3& velocity_m_s, double most_n, double patience_s,
                      double rise_s, double period_s) noexcept {
   if (!(most_n > 0)) return Vec3(0);
@@ -76,8 +78,8 @@ Vec3 Guidance::write(const GuidancePlan& plan, const Settings& settings, const I
   const double cap = settings.cap_n * settings.strength;
   guide_ = {hit_.point.x, hit_.point.y, plan.depth_m(hit_)};
   Vec3 wanted = stiffness * (guide_ - in.device_m);
-  // Whoever writes is pulled down only: where a shallow stroke runs over a deeper groove it must not lift the
-  // tip off the surface. Whoever is led is taken up a kick as well.
+  // A writing tip is pulled down only: where a shallow stroke runs over a deeper groove, the force must not
+  // lift the tip off the surface. A led tip is also taken up a hook.
   wanted.z =
       std::clamp(wanted.z, -kDownwards * cap, settings.mode == GuidingMode::lead ? kDownwards * cap : 0);
   if (new_way_) {
@@ -118,7 +120,7 @@ Vec3 Guidance::lead(const GuidancePlan& plan, const Settings& settings, const In
   return std::min(stiffness * (target_ - arc_), cap) * ahead(plan);
 }
 
-/// Up, across, down. In a wrong place: a soft wall in the groove, until the tip is lifted.
+/// Up, across, down. In a wrong place: a soft wall fills the groove until the tip is lifted.
 Vec3 Guidance::carry(const GuidancePlan& plan, const Settings& settings, const Input& in) noexcept {
   const double stiffness = settings.stiffness_n_m * settings.strength;
   const double cap = settings.cap_n * settings.strength;
@@ -126,7 +128,7 @@ Vec3 Guidance::carry(const GuidancePlan& plan, const Settings& settings, const I
   const StrokeIndex::Hit entry = plan.lines().at_length(stroke_, reached_);
   const Vec3 across{entry.point.x - p.x, entry.point.y - p.y, 0};
   const bool up_first = must_lift_ || astray_;
-  // Comes down within reach of the start, so that it is not put down beside it.
+  // Moves down only within reach of the start, so that the tip does not land beside it.
   const double near = start_reach_m(plan.length_m(stroke_));
   const double over = up_first ? 0.0 : smooth((near - glm::length(across)) / ((1 - kOver) * near));
   const double bottom = plan.depth_m(entry);

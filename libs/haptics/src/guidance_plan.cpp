@@ -51,7 +51,7 @@ geometry::StrokePace GuidancePlan::pace_of(std::int32_t stroke, double length_m,
   for (std::size_t i = 0; i < count; ++i) {
     const double s = std::min(length_m, step * static_cast<double>(i));
     const double w = std::min({kWindow_m, s, length_m - s});
-    double part = 1;  // what the bend leaves of the speed
+    double part = 1;  // share of the speed that the bend allows
     if (w > kSame_m) {
       const Vec3 at = lines_.at_length(stroke, s).point;
       const Vec3 before = at - lines_.at_length(stroke, s - w).point;

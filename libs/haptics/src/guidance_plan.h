@@ -11,20 +11,20 @@
 
 namespace nazori::haptics {
 
-/// The strokes of a character made ready for guidance: lines seen from above, the depth along them, and how
-/// fast a teacher would write at every place. Arc lengths are those seen from above, so that a line that
-/// dips into its groove is not longer for it. Immutable.
-/// Thread-safe: yes. Real-time-safe: all but the constructor.
+/// The strokes of a character prepared for guidance: lines as seen from above, the depth along them, and a
+/// teacher's writing speed at every point. Arc lengths are measured as seen from above, so that a line does
+/// not become longer by going down into its groove. Immutable. Thread-safe: yes. Real-time-safe: all but the
+/// constructor.
 class GuidancePlan {
  public:
   /// At a bend of this radius the teacher slows down to 0.79 (cube root of a half) of the speed on a
   /// straight.
   static constexpr double kBend_m = 0.01;
-  /// Over this length before and after a place its bend is measured: a corner is this wide.
+  /// The bend at a point is measured over this length before and after it, so a corner is this wide.
   static constexpr double kWindow_m = 0.0015;
-  /// Most acceleration along the line [m/s^2], from the start and towards the end and every slower place.
+  /// Most acceleration along the line [m/s^2], from the start and towards the end and every slower point.
   static constexpr double kAcceleration = 0.25;
-  /// Fraction of the speed that is kept at the start and the end, so that the line is entered and left.
+  /// Fraction of the speed at the start and the end, so that the target starts to move and arrives.
   static constexpr double kSlowest = 0.25;
 
   GuidancePlan() = default;
@@ -36,7 +36,7 @@ class GuidancePlan {
   /// Psychologica 54, 1983. The limit of acceleration: own design.
   GuidancePlan(std::span<const StrokePath> strokes, double speed_m_s);
 
-  /// Strokes handed over, with those that have no points.
+  /// Number of strokes, including those without points.
   [[nodiscard]] std::int32_t strokes() const noexcept { return static_cast<std::int32_t>(paces_.size()); }
   /// First stroke with points from number `from` on; 0 none.
   [[nodiscard]] std::int32_t stroke_from(std::int32_t from) const noexcept;
@@ -45,7 +45,7 @@ class GuidancePlan {
   [[nodiscard]] double length_m(std::int32_t stroke) const noexcept {
     return paces_[static_cast<std::size_t>(stroke) - 1].length();
   }
-  /// Depth of the groove at a place of lines().
+  /// Depth of the groove at a location of lines().
   [[nodiscard]] double depth_m(const StrokeIndex::Hit& hit) const noexcept {
     const Depth& d = depths_m_[static_cast<std::size_t>(hit.segment)];
     return d.from + hit.along * (d.to - d.from);
@@ -64,7 +64,8 @@ class GuidancePlan {
 
   StrokeIndex lines_;
   std::vector<Depth> depths_m_;  // by segment of lines_
-  // By stroke: speeds at even arc lengths, both ends among them, and evenly between; empty without points.
+  // By stroke: speeds at equally spaced arc lengths, both ends among them, linear in between; empty without
+  // points.
   std::vector<geometry::StrokePace> paces_;
 };
 

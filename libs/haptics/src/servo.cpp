@@ -13,7 +13,7 @@ namespace {
 
 double fraction(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0; }
 
-// Friction coefficients over 10 hold a stylus as firmly as a hole would.
+// Friction coefficients over 10 would fix the stylus as firmly as a hole.
 double coefficient(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 10.0) : 0.0; }
 
 double positive(double value, double otherwise) {
@@ -27,12 +27,12 @@ double within(double value, double low, double high) {
 }
 
 constexpr double kPullOff_n = 5.0;  // the 2005 program's
-// Guidance holds as softly as snapping does unless told otherwise, and never as a wall.
+// Guidance is as soft as snapping is by default, and never as stiff as a wall.
 constexpr double kGuide = 0.2;
 constexpr double kMostGuide_n_m = 250;
 constexpr double kCarryDamping_n_s_m = 1.5;
 
-/// Zones that fit the surface and know no zone without a coefficient.
+/// Whether the zones fit the surface and each zone has a coefficient.
 bool usable(const FrictionZones& zones, int size) {
   const auto samples = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   return zones.size == size && zones.zone.size() == samples &&
@@ -82,7 +82,8 @@ ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDesc
   double pull_n_m = snaps              ? fraction(snapping.stiffness) * limits.max_stiffness_n_m
                     : held_by_guidance ? std::min(kGuide * limits.max_stiffness_n_m, kMostGuide_n_m)
                                        : 0;
-  // Surface and stroke pull at once: together they stay within what the device renders, and what is passive.
+  // Surface and stroke pull at once: together they must stay within what the device can render and what is
+  // passive.
   const double most = std::min(limits.max_stiffness_n_m,
                                passive_stiffness_n_m(b, damping_n_s_m, period_of(device), limits.delay_s));
   if (stiffness_n_m + pull_n_m > most) {
@@ -110,7 +111,7 @@ ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDesc
   snap.stiffness_n_m = pull_n_m;
   snap.snap_distance_m =
       positive(snapping.snap_distance_m, kPullOff_n / positive(limits.max_stiffness_n_m, 500));
-  // A margin, so that a hand at the very edge does not make the stroke catch and let go in turn.
+  // A margin, so that a hand at the very edge is not captured and released in turn.
   snap.release_distance_m = 1.05 * snap.snap_distance_m;
   if (pull_n_m > 0)
     snap.release_distance_m =

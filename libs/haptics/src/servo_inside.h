@@ -16,7 +16,7 @@
 
 namespace nazori::haptics {
 
-/// Stopwatch values that one thread writes and any thread reads.
+/// Timing values that one thread writes and any thread reads.
 struct ServoStopwatch {
   std::atomic<std::uint64_t> ticks{0};
   std::atomic<std::uint64_t> late_ticks{0};
@@ -44,15 +44,15 @@ struct Servo::Inside {
   const DeviceDescription device;
   const double period_s;
 
-  // Hand-over of scenes. The servo only ever moves on to a later generation, so what is older than the one it
-  // says it uses is out of its reach.
+  // Passes scenes to the servo. The servo only ever moves on to a later generation, so it cannot use a scene
+  // older than the one it reports.
   std::vector<std::unique_ptr<const ServoScene>> kept;  // interface thread
   std::uint64_t generations = 0;                        // interface thread
   std::atomic<const ServoScene*> offered{nullptr};
   std::atomic<std::uint64_t> used{0};
 
-  // Hand-over of the ring that is recorded into. The servo says which one it holds while it pushes, so that
-  // the interface thread knows when a ring is out of its reach.
+  // Passes the recording ring to the servo. The servo announces which ring it uses while it pushes, so that
+  // the interface thread knows when a ring is no longer in use.
   std::atomic<SampleRing*> recording{nullptr};
   std::atomic<SampleRing*> pushing{nullptr};
 
@@ -65,9 +65,9 @@ struct Servo::Inside {
   Passivity passivity;
   ServoSample sample;
   Vec3 velocity{0, 0, 0};
-  double stored_j = 0;  // in the springs, in this tick
+  double stored_j = 0;  // energy in the springs in this tick
   double last_time_s = 0;
-  bool started = false;  // last_time_s and sample.device_m are from a good tick
+  bool started = false;  // last_time_s and sample.device_m are from a valid tick
   bool pushed_through = false;
 
   ServoStopwatch watch;

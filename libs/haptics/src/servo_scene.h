@@ -17,17 +17,17 @@
 
 namespace nazori::haptics {
 
-/// A HapticScene turned into what a tick needs: coefficients in SI, within the limits of one device, and the
-/// index of the strokes. Made and freed by the thread that hands the scene over.
+/// A HapticScene converted into the data a tick needs: coefficients in SI, within the limits of one device,
+/// and the index of the strokes. Made and freed by the thread that passes the scene.
 struct ServoScene {
-  /// @param before  the scene handed over last, null for the first: the lesson may go on from it.
+  /// @param before  the previous scene, null for the first: guidance may continue from it.
   ServoScene(std::shared_ptr<const HapticScene> scene, const DeviceDescription& device, std::uint64_t number,
              const ServoScene* before);
 
   std::shared_ptr<const HapticScene> scene;
   std::uint64_t generation;
   TabletSurface surface;
-  /// Of each zone of the surface, the first of the material alone.
+  /// Friction of each zone of the surface; the first is of the material alone.
   std::vector<Friction> frictions;
   double stiffness_n_m = 0;
   double damping_n_s_m = 0;
@@ -42,7 +42,7 @@ struct ServoScene {
   Guidance::Settings guide;
   Disturbance disturbance;
 
-  /// At a place of the surface; beyond its edge the material's.
+  /// Friction at a point of the surface; beyond its edge the material's.
   [[nodiscard]] const Friction& friction_at(const Vec3& p) const noexcept {
     if (zones == nullptr) return frictions[0];
     const double column = std::floor((p.x + half_m) * zones_per_m + 0.5);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTooLate_s = 0.005;
 constexpr double kVelocityFilter_s = 0.002;
-// Beyond this the tip is not in any hand; sums of squares stay exact enough.
+// Farther than this no hand can be; below it sums of squares are exact enough.
 constexpr double kFarthest_m = 100.0;
 
 bool usable(const DeviceSample& s) noexcept {
@@ -57,14 +57,14 @@ std::uint16_t Servo::events() const noexcept { return inside_->sample.events; }
 void Servo::Inside::record() noexcept {
   SampleRing* ring = recording.load(std::memory_order_relaxed);
   if (ring == nullptr) return;
-  // One total order with set_recording: either it sees that this ring is held, or this sees that it was taken
-  // away.
+  // Sequentially consistent with set_recording: either that sees that this ring is in use, or this sees that
+  // it was removed.
   pushing.store(ring);
   if (recording.load() == ring) ring->push(sample);
   pushing.store(nullptr, std::memory_order_release);
 }
 
-/// Proxy where the device is, or lifted out of the material.
+/// Puts the proxy at the device, or onto the surface if the device is inside the material.
 void Servo::Inside::seat(const Vec3& device_m) noexcept {
   contact.forget();
   if (scene != nullptr)
@@ -78,7 +78,7 @@ void Servo::Inside::seat(const Vec3& device_m) noexcept {
 void Servo::Inside::take_scene() noexcept {
   const ServoScene* next = offered.load(std::memory_order_acquire);
   if (next == scene) return;
-  // Compared without looking at the HapticScene, which is not in the cache.
+  // Compared without reading the HapticScene, which is not in the cache.
   const bool same_surface = scene != nullptr && scene->surface == next->surface;
   const bool same_material = scene != nullptr && scene->stiffness_n_m == next->stiffness_n_m &&
                              scene->damping_n_s_m == next->damping_n_s_m;
@@ -91,7 +91,7 @@ void Servo::Inside::take_scene() noexcept {
   used.store(next->generation, std::memory_order_release);
 }
 
-/// Input that cannot be trusted: no force, the newest good pose kept for show.
+/// Invalid input: no force, and the newest valid pose is kept for display.
 Vec3 Servo::Inside::fault(const DeviceSample& from) noexcept {
   mark(sample.events, ServoEvent::fault);
   if (usable(from)) {
@@ -131,7 +131,7 @@ void Servo::Inside::tell_of_guidance() noexcept {
   sample.off_m = guidance.off_m();
 }
 
-/// What strokes and guidance pull with.
+/// The pull of strokes and guidance.
 Vec3 Servo::Inside::hold(const Vec3& device_m, double period) noexcept {
   const Vec3 before = snap.force_n();
   snap.update(scene->strokes, scene->snap, device_m, period);
@@ -143,15 +143,15 @@ Vec3 Servo::Inside::hold(const Vec3& device_m, double period) noexcept {
     const Vec3 lag = snap.point_m() - device_m;
     stored_j += 0.5 * scene->snap.stiffness_n_m * glm::dot(lag, lag);
   }
-  // Both may change at once; together they make no step either.
-  const double taken = glm::length(snap.force_n() - before);
-  const double left = std::max(0.1 * Guidance::kMostStep_n, Guidance::kMostStep_n - taken);
+  // Both may change at once; together they must not make a step either.
+  const double snap_change_n = glm::length(snap.force_n() - before);
+  const double left = std::max(0.1 * Guidance::kMostStep_n, Guidance::kMostStep_n - snap_change_n);
   guidance.update(scene->plan, scene->guide, {device_m, velocity, contact.touching(), period, left});
   tell_of_guidance();
   sample.guide_m = guidance.guide_m();
   passivity.grant(guidance.granted_j());
   Vec3 pull = snap.force_n();
-  // The surface holds the tip up; a stroke that runs shallow over a deeper groove must not lift it off.
+  // The surface supports the tip. A shallow stroke that runs over a deeper groove must not lift it off.
   if (scene->surface.exists() && pull.z > 0) pull.z = 0;
   return pull + guidance.force_n();
 }
@@ -161,7 +161,7 @@ Vec3 Servo::Inside::contact_force(const Vec3& device_m) noexcept {
   const Vec3 lag = contact.proxy_m() - device_m;
   Vec3 force = scene->stiffness_n_m * lag;
   if (scene->damping_n_s_m > 0) {
-    // Against the motion that stretches the spring: into the material, and sideways too where friction holds.
+    // Damps the motion that stretches the spring: into the material, and with friction also sideways.
     const Vec3 into = glm::dot(velocity, normal) * normal;
     force -= scene->damping_n_s_m * (contact.held() ? velocity : into);
     const double push = glm::dot(force, normal);
@@ -185,14 +185,16 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     const double elapsed = from.time_s - last_time_s;
     const double late = elapsed - period_s;
     if (elapsed <= 0) {
-      fine = elapsed > -kTooLate_s;  // the same time twice is a clock's grain, going back is a fault
+      fine =
+          elapsed > -kTooLate_s;  // a repeated time is due to the clock's resolution; going back is a fault
     } else {
       period = std::clamp(elapsed, 0.5 * period_s, 2 * period_s);
     }
     raise(watch.max_lateness_s, late);
     if (late > 0.5 * period_s) {
       add<std::uint64_t>(watch.late_ticks, 1);
-      // A tick that is late by less than a period is late, not lost; a hundredth for the clock's grain.
+      // A tick that is late by less than a period is late but not missed; a hundredth allows for the clock's
+      // resolution.
       const double periods = std::floor(late / period_s + 0.01);
       if (periods < 1e9) add(watch.missed_ticks, static_cast<std::uint64_t>(periods));
     }
@@ -247,7 +249,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
       const Vec3 brake = passivity.correction(moved, period);
       const double strength = glm::dot(wanted, wanted);
       if (strength > 0) {
-        // Braking may take a force away but not turn it round: a surface must not feel sticky.
+        // Braking may remove a force but not reverse it: a surface must not feel sticky.
         const double opposed = glm::dot(brake, wanted);
         if (opposed < 0) wanted *= std::max(0.0, 1 + opposed / strength);
       }

@@ -36,7 +36,7 @@ void StrokeConstraint::update(const StrokeIndex& index, const Settings& settings
   }
   if (stroke_ == 0) {
     const StrokeIndex::Hit hit = index.nearest(device_m, settings.snap_distance_m);
-    // While one pull fades out no other begins: the two would add up to a step.
+    // While one pull fades out, no other may begin: the two would add up to a step.
     if (hit.segment >= 0 && (weight_ == 0 || glm::length(hit.point - anchor_) < 1e-3)) {
       hit_ = hit;
       segment_ = hit.segment;

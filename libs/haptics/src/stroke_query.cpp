@@ -11,14 +11,15 @@
 namespace nazori::haptics {
 namespace {
 
-// A tip that cuts the corner of a sharp hook continues on the hook's other side.
+// A tip that cuts the corner of a sharp hook continues on the other side of the hook.
 constexpr geometry::LookPast kLookPast{2, 0.004};
 
 }  // namespace
 
 void StrokeIndex::test(const Vec3& p, std::size_t i, Hit& best) const noexcept {
   const Segment& s = segments_[i];
-  // As geometry::nearest_share, with the division done when the index was made: this is asked at every tick.
+  // As geometry::nearest_share, with the division done when the index was made, because this runs in every
+  // tick.
   const double t = std::clamp(glm::dot(p - s.from, s.along) * s.per_squared, 0.0, 1.0);
   const Vec3 point = s.from + t * s.along;
   const Vec3 away = p - point;
@@ -69,8 +70,8 @@ StrokeIndex::Hit StrokeIndex::at_length(std::int32_t stroke, double arc_m) const
   const std::int32_t first = first_[static_cast<std::size_t>(stroke) - 1];
   if (first < 0) return hit;
   std::int32_t low = first, high = segments_[static_cast<std::size_t>(first)].last;
-  // As geometry::place_at, whose lengths lie in a row by themselves; here they stand in the segments, near
-  // what a tick reads next.
+  // As geometry::place_at, but with the lengths stored in the segments instead of an array of their own, near
+  // the data that a tick reads next.
   while (low < high) {  // the last segment that begins at or before arc_m
     const std::int32_t middle = low + (high - low + 1) / 2;
     if (segments_[static_cast<std::size_t>(middle)].before_m <= arc_m)

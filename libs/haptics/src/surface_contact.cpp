@@ -11,10 +11,10 @@ namespace {
 using Place = TabletSurface::Place;
 
 constexpr double kStill_m = 1e-7;  // a lateral pull below this counts as none
-// Steps need not be shorter than what a stylus can tell apart (its encoders: 0.055 mm on a Touch).
+// Steps need not be shorter than what a stylus can resolve (its encoders: 0.055 mm on a Touch).
 constexpr double kFinest_m = 5e-5;
-constexpr int kMostSteps = 10;       // of the walk from the old place
-constexpr int kMostStepsBeyond = 6;  // of the one that looks beyond a ridge
+constexpr int kMostSteps = 10;       // of the walk from the old proxy
+constexpr int kMostStepsBeyond = 6;  // of the walk beyond a ridge
 constexpr int kMostMarch = 32;
 constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 
@@ -24,13 +24,13 @@ struct Walk {
 };
 
 /// Walks downhill in distance to `d`, at most `steps` steps. Stops where the pull along the surface is within
-/// `friction` times the pull into it (0: at the minimum), and where the plane that touches the surface is
-/// farther than `hopeless2` (squared): nothing nearer is to be expected there.
+/// `friction` times the pull into it (0: at the minimum), and where the tangent plane of the surface is
+/// farther than `hopeless2` (squared), because no nearer point is to be expected there.
 Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double friction,
                   int steps = kMostSteps, double hopeless2 = kAnyDistance) noexcept {
   const double far = std::max(std::abs(d.x - at.x), std::abs(d.y - at.y));
   double reach = std::max({surface.cell_m() / 2, kFinest_m, far / 8});
-  // Every step that comes nearer lets the next be longer, up to what a ridge may hide.
+  // Every step that comes nearer allows a longer next step, up to the size of a ridge.
   const double longest = std::max(reach, SurfaceContact::kRidge_m);
   bool moved = false;
   double ex = at.x - d.x, ey = at.y - d.y, ez = at.z - d.z;
@@ -45,12 +45,12 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
     const double into = std::abs(ez - at.zx * ex - at.zy * ey);  // x sqrt(steep)
     if (into * into > hopeless2 * steep) break;
     const double allowed = friction > 0 ? friction * into / std::sqrt(steep) : 0.0;
-    // A thousandth outside the cone counts as inside: no hand can tell, and the walk need not creep up to it.
+    // A thousandth outside the cone counts as inside: no hand can feel it, and it saves many small steps.
     const double bound = std::max(kStill_m, allowed * 1.001);
     if (along2 <= bound * bound) break;
     const double part = allowed > 0 ? 1 - allowed / std::sqrt(along2) : 1.0;
-    // Newton's step where the distance is convex, else Gauss-Newton's, which always leads downhill; both as
-    // (nx, ny) / divisor, so that the length is known without waiting for the division.
+    // Newton's step where the distance is convex, else Gauss-Newton's, which always leads downhill. Both are
+    // kept as (nx, ny) / divisor, so that the length is known without waiting for the division.
     const double hxx = 1 + at.zx * at.zx + ez * at.zxx;
     const double hxy = at.zx * at.zy + ez * at.zxy;
     const double hyy = 1 + at.zy * at.zy + ez * at.zyy;
@@ -67,7 +67,7 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
     const double tx = trial.x - d.x, ty = trial.y - d.y, tz = trial.z - d.z;
     const double trial2 = tx * tx + ty * ty + tz * tz;
     if (!(trial2 < squared)) {
-      // Too far, or as near as numbers can tell.
+      // Too far, or as near as the precision allows.
       reach = 0.25 * scale * std::sqrt(square);
       if (reach < 1e-10) break;
       continue;
@@ -83,10 +83,10 @@ Walk walk_towards(const TabletSurface& surface, Place at, const Vec3& d, double 
   return {at, moved};
 }
 
-/// Where the way from `from` (outside) to `to` (inside, so below the plateau) crosses the surface, as seen in
-/// steps of half a sample, at most kMostMarch.
+/// Where the path from `from` (outside) to `to` (inside, so below the plateau) crosses the surface, searched
+/// in at most kMostMarch steps of half a sample.
 Place crossing(const TabletSurface& surface, const Vec3& from, const Vec3& to) noexcept {
-  // Above the plateau there is nothing to meet.
+  // There is no surface above the plateau.
   double t0 = from.z > 0 ? from.z / (from.z - to.z) : 0.0;
   const auto gap = [&](double t) {
     return from.z + t * (to.z - from.z) -
@@ -148,7 +148,7 @@ void SurfaceContact::update(const TabletSurface& surface, const Vec3& device_m,
   }
   const double cone = sliding_ ? std::min(friction.slide, friction.hold) : friction.hold;
   Walk walk = walk_towards(surface, start, device_m, cone);
-  if (walk.moved && friction.hold > friction.slide && !sliding_)  // broke loose: now it slides
+  if (walk.moved && friction.hold > friction.slide && !sliding_)  // it has started to slide
     walk = walk_towards(surface, walk.place, device_m, friction.slide);
   sliding_ = walk.moved;
 

@@ -9,7 +9,7 @@
 namespace nazori::haptics {
 namespace {
 
-/// -1..1, the same for the same corner of the lattice.
+/// Pseudo-random value in -1..1 for a corner of the lattice.
 double corner(std::int64_t i, std::int64_t j) noexcept {
   auto h = static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15U ^
            static_cast<std::uint64_t>(j) * 0xc2b2ae3d27d4eb4fU;
@@ -28,7 +28,7 @@ Slope noise_slope(double u, double v) noexcept {
   const auto i = static_cast<std::int64_t>(fu), j = static_cast<std::int64_t>(fv);
   const double a = corner(i, j), b = corner(i + 1, j), c = corner(i, j + 1), d = corner(i + 1, j + 1);
   const double x = u - fu, y = v - fv;
-  // Quintic blend: no step in the slope's own slope from cell to cell.
+  // Quintic blend: no step in the second derivative from cell to cell.
   const auto blend = [](double t) { return t * t * t * (t * (6 * t - 15) + 10); };
   const auto rise = [](double t) { return 30 * t * t * (t * (t - 2) + 1); };
   const double bx = blend(x), by = blend(y), twist = a - b - c + d;

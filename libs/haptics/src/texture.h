@@ -5,16 +5,17 @@
 
 namespace nazori::haptics {
 
-/// Steepest slope that a texture of roughness 1 pretends: tan 27 degrees.
+/// Steepest slope that a texture of roughness 1 imitates: tan 27 degrees.
 constexpr double kSteepestTexture = 0.5;
 
-/// Slope of the fine bumps of `texture` at a place of the plateau, as dz/dx and dz/dy; z is 0. It is the
-/// gradient of a noise of fixed size (no feature finer than 0.4 mm), so at a constant press a closed way over
-/// it takes and gives no energy. Length at most kSteepestTexture. Same place, same slope.
+/// Slope of the fine bumps of `texture` at a point of the plateau, as dz/dx and dz/dy; z is 0. It is the
+/// gradient of a noise of fixed size (no feature finer than 0.4 mm), so at constant pressure a closed path
+/// over it neither takes nor gives energy. Length at most kSteepestTexture. The same point always has the
+/// same slope.
 [[nodiscard]] Vec3 texture_slope(Texture texture, double x_m, double y_m) noexcept;
 
-/// `force_n` of contact with the part along `normal` turned as if the surface there had the texture's slope;
-/// that part keeps its length, and what friction adds along the surface is as it was. The proxy is not moved.
+/// The contact force `force_n` with its part along `normal` tilted as if the surface there had the texture's
+/// slope. That part keeps its length; the friction along the surface does not change. The proxy is not moved.
 ///
 /// @param normal  unit.  @param roughness  0..1.
 /// @source bump mapping: C. Basdogan, C.-H. Ho, M. Srinivasan, A ray-based haptic rendering technique for

@@ -72,7 +72,7 @@ TEST(ForceLimiter, HoldsTheContinuousForceInTheLongRunAndThePeakInTheShort) {
   EXPECT_LE(heat, 1 + 1e-6);
   EXPECT_LE(force, 1.1 * limits.continuous_force_n);
   EXPECT_GE(force, limits.continuous_force_n - 1e-9);
-  // Rest cools: the peak comes back.
+  // At rest the motors cool, and the peak is allowed again.
   for (int i = 0; i < 60'000; ++i) (void)limiter.limit(Vec3(0), kTick_s);
   for (int i = 0; i < 50; ++i) force = limiter.limit({0, 0, 3.3}, kTick_s).z;
   EXPECT_NEAR(force, 3.3, 1e-9);
@@ -126,13 +126,14 @@ TEST(PassiveStiffness, IsThatOfColgateAndSchenkelAndOfHulin) {
   // Colgate's example: 500 N/m at 1 kHz needs 0.25 N s/m.
   EXPECT_NEAR(passive_stiffness_n_m(0.25, 0, 0.001, 0), 500, 1e-9);
   EXPECT_NEAR(passive_stiffness_n_m(2.05, 0, 0.001, 0), 4100, 1e-9);
-  EXPECT_NEAR(passive_stiffness_n_m(2.05, 0, 0.001, 0.001), 4100 / 3.0, 1e-9);  // one tick leaves a third
+  EXPECT_NEAR(passive_stiffness_n_m(2.05, 0, 0.001, 0.001), 4100 / 3.0,
+              1e-9);  // a third remains after a delay of one tick
   EXPECT_NEAR(passive_stiffness_n_m(2.05, 1.05, 0.001, 0), 2000, 1e-9);
   EXPECT_EQ(passive_stiffness_n_m(0.1, 0.5, 0.001, 0), 0);
 }
 
-// A wall of sampled spring: pressed in and let out at speed v it gives back K T v^2 a second more than it
-// took.
+// A wall made of a sampled spring: pressed in and released at speed v it gives back K T v^2 per second more
+// than it received.
 TEST(Passivity, SeesTheEnergyThatASampledWallMakesAndPaysItBack) {
   DeviceLimits limits;
   limits.own_damping_n_s_m = 0;
@@ -175,14 +176,15 @@ TEST(Passivity, BooksTheForceThatActsNotTheOneThatIsStillUnderway) {
 }
 
 TEST(Passivity, KeepsNoMoreThanTheSpringsHold) {
-  // However much the hand has put in: what is beyond the springs' energy went into the wall and is gone.
+  // However much energy the hand has put in: what exceeds the energy of the springs was dissipated in the
+  // wall.
   DeviceLimits limits;
   limits.own_damping_n_s_m = 0;
   Passivity passivity{limits, kTick_s};
   constexpr double kStored_j = 0.001;
   for (int i = 0; i < 10; ++i) passivity.observe({0, 0, -0.001}, {0, 0, 1}, kTick_s, kStored_j);
   EXPECT_DOUBLE_EQ(passivity.energy_j(), kStored_j);
-  // Now the force does work: just as much as was kept, then more.
+  // Now the force does work: first exactly the stored energy, then more.
   passivity.observe({0, 0, 0.001}, {0, 0, 1}, kTick_s, kStored_j);
   EXPECT_NEAR(passivity.energy_j(), 0, 1e-15);
   passivity.observe({0, 0, 0.0001}, {0, 0, 1}, kTick_s, kStored_j);
@@ -192,7 +194,7 @@ TEST(Passivity, KeepsNoMoreThanTheSpringsHold) {
 
 TEST(Passivity, LeavesAPassiveSpringAlone) {
   DeviceLimits limits;
-  limits.own_damping_n_s_m = 1;  // b > K T / 2 with room
+  limits.own_damping_n_s_m = 1;  // b > K T / 2 with a margin
   Passivity passivity{limits, kTick_s};
   double z = 0;
   Vec3 force(0);

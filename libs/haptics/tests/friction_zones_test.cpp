@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSize = 64;
 
-/// A flat plate whose right half has friction of its own, above that of the material.
+/// A flat plate whose right half has more friction than the material.
 std::shared_ptr<HapticScene> two_halves(const test::Relief& flat, double material, double added) {
   auto zones = std::make_shared<FrictionZones>();
   zones->size = kSize;
@@ -27,7 +27,7 @@ std::shared_ptr<HapticScene> two_halves(const test::Relief& flat, double materia
   return scene;
 }
 
-/// How far the proxy has come after the device went `pull` sideways from `x`, pressed a millimetre deep.
+/// How far the proxy has moved after the device moved by `pull` sideways from `x`, a millimetre deep.
 double slid_m(Servo& servo, double x, double pull) {
   double time_s = servo.latest().time_s;
   const auto at = [&](const Vec3& p) { (void)servo.tick({time_s += 0.001, p, 0, true}); };

@@ -181,7 +181,7 @@ TEST(GuidanceBounds, ThePullOfAStrokeGrowsOverATenthOfASecond) {
   tip.at(kAbove, Vec3(0), false);
   tip.settings.cap_n = 0.5;
   for (int tick = 1; tick <= 150; ++tick) {
-    // 1 mm beside the line and 2 mm below its depth: it is held aside but never lifted.
+    // 1 mm beside the line and 2 mm below its depth: it is pulled aside but never up.
     tip.at({0, 0.001, -kDepth_m - 0.002});
     ASSERT_NEAR(tip.guidance.force_n().y, -0.1 * std::min(1.0, tick / 100.0), 1e-9) << tick;
     ASSERT_EQ(tip.guidance.force_n().z, 0);
@@ -214,7 +214,7 @@ TEST(GuidanceBounds, WhoIsLedAndHardlyMovesForAFifteenHundredthsIsLetGo) {
     for (int tick = 0; tick < 1000 && !let_go; ++tick) {
       tip.at({0.02, 0, -kDepth_m}, {speed, 0, 0});
       let_go = tip.saw(ServoEvent::resisted);
-      // Four fifths of what the teacher pulls with 8 mm ahead, where it waits.
+      // Four fifths of the pull of the teacher 8 mm ahead, where it waits.
       if (!let_go && tip.guidance.force_n().x > 0.8 * 0.8) ++pulled;
     }
     EXPECT_EQ(let_go, speed < 0.005);
@@ -234,7 +234,7 @@ TEST(GuidanceBounds, TheTeacherGoesOnWhenTheLearnerCameTwoMillimetresAlong) {
   EXPECT_EQ(tip.guidance.force_n(), Vec3(0));
   tip.at({0.0221, 0, -kDepth_m});
   EXPECT_TRUE(tip.saw(ServoEvent::resumed));
-  // And pulls with all its force after three tenths of a second.
+  // It pulls with full force after three tenths of a second.
   for (int tick = 1; tick < 300; ++tick) tip.at({0.0221, 0, -kDepth_m}, {0.01, 0, 0});
   EXPECT_NEAR(tip.guidance.force_n().x, 0.8, 1e-3);
 }
@@ -327,7 +327,7 @@ TEST(GuidanceBounds, CarryingIsGrantedItsForceTimesTheWayUpAcrossAndDown) {
   tip.at({-0.02, 0, 0.001}, Vec3(0), false);
   tip.granted_j = 0;
   double most_j = 0;
-  // The hand comes back with the force and goes away before it can follow.
+  // The hand moves back with the force and away again before the force can follow.
   for (int round = 0; round < 400; ++round) {
     for (int i = 0; i <= 50; ++i) tip.at({-0.02 + 0.0002 * i, 0, 0.005}, {0.2, 0, 0}, false);
     most_j = std::max(most_j, tip.granted_j);

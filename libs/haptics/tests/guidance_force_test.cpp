@@ -26,7 +26,7 @@ TEST(GuidanceForce, NearTheEndTheTeacherGoesThreeMillimetresBeyondIt) {
 TEST(GuidanceForce, WhoIsLedAndPullsBackForThirtyMillisecondsIsLetGo) {
   Tip tip(GuidingMode::lead);
   tip.write(0, 0.02);
-  // Until the teacher is as far ahead as it goes.
+  // Waits until the teacher is at its largest distance.
   for (int i = 0; i < 100; ++i) tip.at({0.02, 0, -kDepth_m}, {0.01, 0, 0});
   ASSERT_GT(tip.guidance.force_n().x, 0.3 * std::min(tip.settings.cap_n, tip.settings.stiffness_n_m * 0.008));
   int ticks = 0;
@@ -51,7 +51,7 @@ TEST(GuidanceForce, OnlyAgainstAQuarterOfTheFullPullItIsPullingBack) {
   for (const double lag_m : {0.0018, 0.0024}) {
     Tip tip(GuidingMode::lead);
     tip.write(0, 0.001);
-    // At this distance behind the teacher. The pull is full with 8 mm.
+    // The pull at this distance behind the teacher. It is full at 8 mm.
     bool let_go = false;
     for (int tick = 0; tick < 400 && !let_go; ++tick) {
       const double x = std::max(0.001, tip.guidance.guide_m().x - lag_m);
@@ -79,7 +79,8 @@ TEST(GuidanceForce, ItsWorkIsLeftOutOfTheAccountOnlyUpToWhatAStrokeAllows) {
   Tip tip(GuidingMode::lesson);
   tip.write(0, 0.02);
   tip.granted_j = 0;
-  // Away in one tick, before the force can follow, and slowly back with it: each time the hand wins work.
+  // The hand moves away in one tick, before the force can follow, and slowly back with it: each time it gains
+  // work.
   double won_j = 0;
   double y = 0;
   const auto move_to = [&](double to) {

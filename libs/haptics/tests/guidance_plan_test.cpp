@@ -39,7 +39,7 @@ TEST(GuidancePlan, OnAnArcTheSpeedIsThatOfTheTwoThirdsPowerLaw) {
       const double turn = 1.5 * std::numbers::pi * i / 4000;
       arc.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 0);
     }
-    // Slow enough for its acceleration to play no part in the middle.
+    // So slow that its acceleration does not matter in the middle.
     const GuidancePlan plan = plan_of(arc, 0.02);
     const double expected = 0.02 * std::cbrt(radius / (radius + 0.01));
     EXPECT_NEAR(plan.speed_m_s(1, plan.length_m(1) / 2), expected, 1e-3 * expected) << radius;

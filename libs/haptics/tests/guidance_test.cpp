@@ -54,7 +54,7 @@ const Relief& relief() {
   return made;
 }
 
-/// A servo and its clock, with a tip that is moved.
+/// A servo and its clock, with a tip that the test moves.
 class Hand {
  public:
   explicit Hand(const Guiding& guiding) { guide(guiding); }
@@ -74,7 +74,7 @@ class Hand {
     if (has(s.events, ServoEvent::stroke_done)) done.push_back(s.done_stroke);
     return force;
   }
-  /// In a straight line, at 20 mm/s unless told otherwise.
+  /// In a straight line, at 20 mm/s by default.
   Vec3 go(const Vec3& to, double speed_m_s = 0.02) {
     const Vec3 from = tip;
     const int ticks =
@@ -88,7 +88,7 @@ class Hand {
     for (int i = 0; i < ticks; ++i) force = at(tip);
     return force;
   }
-  /// Along a stroke, from arc length to arc length, `above_m` over its line.
+  /// Moves along a stroke, from arc length to arc length, `above_m` over its line.
   void along(int stroke, double from_m, double to_m, double above_m = 0.001) {
     const StrokeIndex index(strokes(), 0);
     const double step = to_m > from_m ? 2e-5 : -2e-5;
@@ -103,7 +103,7 @@ class Hand {
     const StrokeIndex index(strokes(), 0);
     along(stroke, 0, index.stroke_length_m(index.at_length(stroke, 0).segment));
   }
-  /// Lifted, to above a place.
+  /// Moves, lifted, to above a point.
   void over(const Vec3& p) {
     go({tip.x, tip.y, 0.005});
     go({p.x, p.y, 0.005}, 0.1);
@@ -235,7 +235,7 @@ TEST(Lesson, TheStrokeHoldsTheTipSidewaysWithinTheCapAndNeverLiftsIt) {
   hand.over({-0.03, 0.03, 0});
   hand.go({-0.03, 0.03, -0.009});
   hand.along(1, 0, 0.03);
-  // 2 mm aside and 6 mm above the bottom, in the air of the groove's mouth.
+  // 2 mm aside and 6 mm above the bottom, in the air at the top of the groove.
   hand.go({0, 0.032, -0.004});
   const Vec3 force = hand.rest(200);
   if (!hand.now().touching) {
@@ -283,7 +283,7 @@ TEST(Lesson, AStrokeMayBeLeftBeforeItsEndButNotInItsMiddle) {
   hand.over({0, 0.03, 0});
   EXPECT_TRUE(hand.done.empty());
   EXPECT_NEAR(hand.now().progress_m, 0.03, 1e-4);
-  hand.go({0, 0.03, -0.009});  // goes on where it was
+  hand.go({0, 0.03, -0.009});  // continues where it was
   EXPECT_EQ(hand.count(ServoEvent::wrong_start), 0);
   hand.along(1, 0.03, 0.0565);
   EXPECT_TRUE(hand.done.empty());
@@ -338,7 +338,7 @@ TEST(Guidance, AtStrengthZeroTheForceIsThatOfTheSurfaceAlone) {
   }
 }
 
-// Without the rest of the servo, whose surface and brake may change faster.
+// Without the rest of the servo, because surface forces and braking may change faster.
 TEST(Guidance, NeverStepsByMoreThanATwentiethOfANewtonNorPullsMoreThanItsCap) {
   const GuidancePlan plan(strokes(), 0.04);
   for (const GuidingMode m : {GuidingMode::lesson, GuidingMode::lead, GuidingMode::disturb}) {
@@ -386,7 +386,7 @@ TEST(Lead, TheTeacherIsSlowAtTheStartTheCornerAndTheEndAndWaits) {
   Hand hand(g);
   hand.over({-0.03, 0, 0});
   hand.at({-0.03, 0, -0.0095});
-  // A hand that is always where it is wanted: progress is the teacher's own.
+  // A hand that is always at the target: its progress is the teacher's.
   std::vector<double> speed(100, 1);  // the slowest in each millimetre
   double last = hand.now().progress_m;
   double time = 0;

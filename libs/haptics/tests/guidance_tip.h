@@ -29,7 +29,7 @@ inline GuidancePlan line_of(double length_m) {
   return {strokes, 0.05};
 }
 
-/// A guidance whose tip is put where the test wants it.
+/// Guidance with a tip that the test positions.
 class Tip {
  public:
   explicit Tip(GuidingMode mode, GuidancePlan of = two_strokes()) : plan(std::move(of)) {
@@ -47,7 +47,7 @@ class Tip {
   [[nodiscard]] bool saw(ServoEvent event) const {
     return (guidance.events() & static_cast<std::uint16_t>(event)) != 0;
   }
-  /// From above down on the line at `x`, and along it.
+  /// Moves the tip down onto the line at `x`, and along it.
   void write(double from_x, double to_x) {
     at({from_x, 0, 0.005}, Vec3(0), false);
     for (double x = from_x; x < to_x; x += 5e-5) at({x, 0, -kDepth_m}, {0.05, 0, 0});

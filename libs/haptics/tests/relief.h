@@ -23,7 +23,7 @@ struct Relief {
     smooth = *surface::SmoothSurface::create(map);
     tablet = TabletSurface(*smooth, shape);
   }
-  /// The scene with this surface and everything else as a new scene has it.
+  /// A new scene with this surface; everything else has its defaults.
   [[nodiscard]] std::shared_ptr<HapticScene> scene() const {
     auto made = std::make_shared<HapticScene>();
     made->surface = smooth;

@@ -33,7 +33,7 @@ TEST(SampleRing, FullItLosesTheNewestAndKeepsWhatNobodyTook) {
   EXPECT_EQ(ring->lost, 2U);
   EXPECT_EQ(ring->pushed, SampleRing::kCapacity);
   EXPECT_EQ(ring->slots[0].tick, 0U);
-  ring->taken = 1;  // one was made safe: its slot is free
+  ring->taken = 1;  // one was stored elsewhere: its slot is free
   ring->push(numbered(2'000'000));
   EXPECT_EQ(ring->slots[0].tick, 2'000'000U);
   EXPECT_EQ(ring->pushed, SampleRing::kCapacity + 1);

@@ -69,7 +69,7 @@ std::vector<DeviceDescription> devices() {
   return {touch, strong, delayed};
 }
 
-/// On the surface where there is one, and never under it; the device itself while nothing is touched.
+/// The proxy is on the surface or above it, never below; without contact it is the device.
 bool is_out(const ServoSample& s, const HapticScene& scene) {
   const TabletSurface surface(*scene.surface, scene.shape);
   return s.proxy_m.z >= surface.height(s.proxy_m.x, s.proxy_m.y) - 1e-12;
@@ -134,9 +134,9 @@ TEST(ServoProperty, HostileInputNeverGetsTooMuchForceNorThroughTheSurface) {
   }
 }
 
-// A hand of mass, spring and damper that wanders over the tablet and presses; what it gets out of the tablet
-// over any stretch of time is at most what it put in before, but for the ticks that are always ahead of the
-// controller: the one that acts, and those on their way.
+// A hand of mass, spring and damper that wanders over the tablet and presses; what it receives from the
+// tablet over any period is at most what it put in before, except for the ticks that the controller has not
+// yet seen: the present one, and those within the delay.
 TEST(ServoProperty, AHandGetsNoNetEnergyOut) {
   const std::vector<Relief> reliefs{carved(128, 0)};
   const auto all = scenes(reliefs, kUnguided);
@@ -149,7 +149,7 @@ TEST(ServoProperty, AHandGetsNoNetEnergyOut) {
       std::mt19937_64 random(7);
       std::normal_distribution<double> noise(0, 1);
       Vec3 at{0, 0, 0.004}, velocity(0), target{0, 0, 0.004}, force(0), next(0);
-      double taken = 0;  // by the hand from the tablet
+      double received_j = 0;  // energy that the hand received from the tablet
       double worst = 0, most_in_a_tick = 0;
       const long ticks = property_ticks() / (3 * kUnguided);
       const int hold = static_cast<int>(0.4 * device.rate_hz);
@@ -164,8 +164,8 @@ TEST(ServoProperty, AHandGetsNoNetEnergyOut) {
         }
         const Vec3 moved = at - was;
         const double work = glm::dot(force, moved);
-        taken += work - device.limits.own_damping_n_s_m * glm::dot(moved, moved) / period;
-        worst = std::max(worst, taken);
+        received_j += work - device.limits.own_damping_n_s_m * glm::dot(moved, moved) / period;
+        worst = std::max(worst, received_j);
         most_in_a_tick = std::max(most_in_a_tick, std::abs(work));
         const Vec3 answer = servo.tick({period * static_cast<double>(i + 1), at, 0, true});
         force = device.limits.delay_s > 0 ? next : answer;
@@ -173,7 +173,7 @@ TEST(ServoProperty, AHandGetsNoNetEnergyOut) {
         ASSERT_TRUE(is_out(servo.latest(), *scene)) << i;
       }
       EXPECT_LT(worst, (1 + device.limits.delay_s / period) * most_in_a_tick);
-      EXPECT_LT(taken, 0);
+      EXPECT_LT(received_j, 0);
     }
 }
 

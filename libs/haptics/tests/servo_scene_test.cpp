@@ -19,7 +19,7 @@ using test::Relief;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A device that bears all that is asked of it: 1 kHz, b = 4 N s/m, so 8000 N/m are passive.
+/// A device that can render all that is required of it: 1 kHz, b = 4 N s/m, so 8000 N/m are passive.
 DeviceDescription strong() {
   DeviceDescription device;
   device.limits.max_force_n = 8;
@@ -32,7 +32,7 @@ DeviceDescription strong() {
 
 StrokePath level_line() { return {{{0, 0, -0.005}, {0.02, 0, -0.005}}}; }
 
-/// A plate of 64 samples with one stroke, and the scene that the servo makes of it.
+/// A plate of 64 samples with one stroke, and the scene that the servo makes from it.
 class Scene {
  public:
   Scene() : from(plate64().scene()) { from->strokes = {level_line()}; }

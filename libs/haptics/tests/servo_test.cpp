@@ -192,7 +192,7 @@ TEST(Servo, PopThroughIsOffUnlessAskedForAndThenGivesWay) {
     EXPECT_EQ(hand.servo.latest().proxy_m.z<-1e-6, popthrough> 0);
     hand.go({0, 0, -0.003}, kAbove, 100);
     hand.go(kAbove, {0, 0, -0.001}, 100);
-    EXPECT_TRUE(hand.servo.latest().touching);  // out again, it holds again
+    EXPECT_TRUE(hand.servo.latest().touching);  // back outside, the surface is solid again
   }
 }
 
@@ -206,7 +206,7 @@ TEST(Servo, WhoHasPushedThroughOneSurfaceFeelsTheNextAtOnce) {
   hand.rest(kAbove, 400);
   hand.go(kAbove, {0, 0, -0.003}, 200);
   ASSERT_FALSE(hand.servo.latest().touching);
-  // The same surface once more is still pushed through.
+  // The same surface passed again does not end the break-through.
   auto again = flat.scene();
   again->material.popthrough = 0.3;
   hand.servo.set_scene(again);
@@ -218,7 +218,8 @@ TEST(Servo, WhoHasPushedThroughOneSurfaceFeelsTheNextAtOnce) {
 }
 
 TEST(Servo, BrakingTakesAForceAwayButNeverTurnsItRound) {
-  // A late and stiff device, pressed in and let out fast, gives back more than it took: it is braked hard.
+  // A late and stiff device, pressed in and released fast, gives back more than it received: it is braked
+  // hard.
   const Relief flat(64, 0.01, plate);
   DeviceDescription device;
   device.limits.delay_s = 0.004;
@@ -273,9 +274,9 @@ TEST(Servo, StiffnessStaysWithinWhatTheDeviceAndTheDelayAllow) {
   }
 }
 
-// b > K T / 2 + B: whoever asks for damping gets it, and the stiffness that is then passive. A Falcon (b
-// = 2.5 with the hand's) renders 3,000 N/m; with the most damping, b / 2, 2,500 are passive. An Inverse3 has
-// a delay of 1 ms.
+// b > K T / 2 + B: requested damping is given, with the stiffness that is then passive. A Falcon (b = 2.5
+// with the hand's) renders 3,000 N/m; with the most damping, b / 2, 2,500 are passive. An Inverse3 has a
+// delay of 1 ms.
 TEST(Servo, DampingTakesStiffnessWhereBothWouldNotBePassive) {
   const Relief flat(64, 0.01, plate);
   DeviceDescription falcon, inverse;
@@ -358,7 +359,7 @@ TEST(Servo, SameInputGivesTheSameBytes) {
 TEST(AllocGuard, SeesAllocations) {
   const test::AllocGuard guard;
   EXPECT_EQ(guard.calls(), 0);
-  // Called by name: the compiler may leave out what a new-expression asks for and gives back unused.
+  // Called by name: the compiler may omit a new-expression whose memory is freed unused.
   void* made = ::operator new(3);
   EXPECT_EQ(guard.calls(), 1);
   ::operator delete(made);

@@ -82,7 +82,7 @@ TEST(Servo, ScenesAreHandedOverWholeAndFreedByTheInterface) {
       }
     std::this_thread::yield();
   }
-  // Once the servo has gone on to the last scene, the next hand-over frees all before it.
+  // Once the servo uses the last scene, passing the next one frees all earlier ones.
   const std::uint64_t ticks = servo.timing().ticks;
   while (servo.timing().ticks < ticks + 3) std::this_thread::yield();
   servo.set_scene(nullptr);
@@ -101,7 +101,7 @@ TEST(Servo, ARecordingThatWasTakenAwayIsNotTouchedAnyMore) {
       (void)servo.tick({time_s, {0, 0, 0.01}, 0, true});
   });
   const auto ring = std::make_unique<SampleRing>();
-  // Rounds in which the servo does not get round to a tick show nothing; on a busy machine most are such.
+  // Rounds without a tick of the servo prove nothing; on a busy machine most are of this kind.
   int recorded = 0;
   for (int i = 0; recorded == 0 || (recorded < 5'000 && i < 200'000); ++i) {
     servo.set_recording(ring.get());

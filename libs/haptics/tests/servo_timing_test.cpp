@@ -79,7 +79,7 @@ TEST(Servo, ATickThatComesTooLateGetsNoForceAndIsCounted) {
   hand.servo.set_scene(flat.scene());
   hand.rest(kAbove, 400);
   hand.go(kAbove, {0, 0, -0.002}, 100);
-  hand.time_s += 0.004;  // late, but within what a hand does not notice
+  hand.time_s += 0.004;  // late, but too little for a hand to notice
   EXPECT_GT(hand.at({0, 0, -0.002}).z, 0.1);
   hand.time_s += 0.1;
   EXPECT_EQ(hand.at({0, 0, -0.003}), Vec3(0));
@@ -122,7 +122,7 @@ TEST(Servo, ATickLateByLessThanAPeriodIsNotLost) {
 }
 
 TEST(Servo, ATickThatCameEarlyOrLateIsCountedAsHalfOrTwoPeriodsAtMost) {
-  // Seen by the speed that damping works with.
+  // Visible in the velocity that damping uses.
   for (const auto& [elapsed_s, counted_s] : {std::pair{0.0002, 0.0005}, {0.0015, 0.0015}, {0.004, 0.002}}) {
     const Relief flat(64, 0.01, plate);
     DeviceDescription device;

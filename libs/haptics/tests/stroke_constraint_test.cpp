@@ -65,7 +65,7 @@ TEST(StrokeIndex, LeavesOutWhatIsNoStrokeAndKeepsTheNumbers) {
 }
 
 TEST(StrokeIndex, FollowingLooksPastTwoWorseSegmentsOrFourMillimetresOfThem) {
-  // The line goes away from the tip in steps and comes back to it in one.
+  // The line moves away from the tip in steps and comes back in one.
   const auto comes_back = [](int steps, double away_m) {
     StrokePath path{{{-0.002, 0, 0}}};
     for (int i = 0; i <= steps; ++i) path.points.emplace_back(away_m * i / steps, 0, 0);
@@ -95,7 +95,7 @@ TEST(StrokeConstraint, HoldsAtTheNearestPointWithTheSpringOnceBlendedIn) {
   rest(snap, index, {0.0123, 0.004, -0.003}, 200);
   EXPECT_NEAR(glm::length(snap.point_m() - Vec3(0.0123, 0, -0.005)), 0, 1e-12);
   EXPECT_NEAR(glm::length(snap.force_n() - 100.0 * Vec3(0, -0.004, -0.002)), 0, 1e-9);
-  // Beyond its end the end holds.
+  // Beyond the end of the stroke its end attracts the tip.
   rest(snap, index, {0.036, 0.001, -0.005}, 200);
   EXPECT_NEAR(glm::length(snap.point_m() - Vec3(0.03, 0, -0.005)), 0, 1e-12);
 }
@@ -104,7 +104,7 @@ TEST(StrokeConstraint, TheSpringBlendsInEvenlyAndFadesOutAsLong) {
   const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0})}, 0);
   StrokeConstraint snap;
   constexpr double kAway_m = 0.002;
-  constexpr double kSpring_n = 100 * kAway_m;  // weak, so that the blend alone sets the pace
+  constexpr double kSpring_n = 100 * kAway_m;  // weak, so that only the blend limits the change
   const int blend = static_cast<int>(std::lround(StrokeConstraint::kBlend_s / kTick_s));
   for (int i = 1; i <= blend; ++i) {
     rest(snap, index, {0, kAway_m, 0}, 1);
@@ -132,7 +132,7 @@ TEST(StrokeConstraint, LetsGoWhenPulledBeyondTheReleaseDistance) {
   EXPECT_EQ(snap.force_n(), Vec3(0));
 }
 
-// A hand that moves 5 um a tick changes the spring by 0.5 or 5 mN a tick; what is above that is a step.
+// A hand that moves 5 um a tick changes the spring by 0.5 or 5 mN a tick; a larger change is a step.
 TEST(StrokeConstraint, CatchAndReleaseAreNotFeltAsSteps) {
   const StrokeIndex index(std::vector{line({-0.03, 0, 0}, {0.03, 0, 0}, 9)}, 0);
   for (const double stiffness : {100.0, 1000.0}) {
@@ -160,7 +160,7 @@ TEST(StrokeConstraint, CatchAndReleaseAreNotFeltAsSteps) {
 
 TEST(StrokeConstraint, JoinedSegmentsActAsOneCurveRoundCornersAndKicks) {
   StrokePath hook = line({0, 0.03, -0.005}, {0, -0.02, -0.005}, 20);
-  hook.points.emplace_back(-0.002, -0.0195, -0.004);  // a kick, back up to the left
+  hook.points.emplace_back(-0.002, -0.0195, -0.004);  // a hook, back up to the left
   hook.points.emplace_back(-0.006, -0.015, -0.001);
   const StrokeIndex index(std::vector{hook}, 0);
   StrokeConstraint snap;
@@ -178,7 +178,7 @@ TEST(StrokeConstraint, JoinedSegmentsActAsOneCurveRoundCornersAndKicks) {
   EXPECT_NEAR(arc, index.stroke_length_m(0), 1e-12);
 }
 
-// The end of a brush stroke may overshoot a little before it kicks back.
+// A brush stroke may overshoot a little before the hook turns back.
 TEST(StrokeConstraint, LooksPastAShortOvershootAtASharpKick) {
   const StrokePath kick{{{0, 0.02, 0}, {0, 0, 0}, {0.0005, -0.0005, 0}, {-0.003, 0.003, 0}}};
   const StrokeIndex index(std::vector{kick}, 0);
@@ -206,7 +206,7 @@ TEST(StrokeConstraint, WhileOnePullFadesNoOtherBegins) {
   StrokeConstraint snap;
   rest(snap, index, {0, 0.009, 0}, 200);
   ASSERT_EQ(snap.stroke(), 1);
-  // Away from the first, onto the second.
+  // Moves away from the first and onto the second.
   int waited = 0;
   for (; snap.stroke() != 2 && waited < 500; ++waited) {
     const double before = glm::length(snap.force_n());

@@ -20,14 +20,14 @@ constexpr double kTolerance_m = 2e-7;
 
 double above(const Relief& relief, const Vec3& p) { return p.z - relief.tablet.height(p.x, p.y); }
 
-/// Pull along the surface that is left at the proxy.
+/// The pull along the surface that remains at the proxy.
 double lateral(const Relief& relief, const SurfaceContact& contact, const Vec3& device) {
   const Vec3 n = relief.tablet.at(contact.proxy_m().x, contact.proxy_m().y).normal();
   const Vec3 e = contact.proxy_m() - device;
   return glm::length(e - glm::dot(e, n) * n);
 }
 
-/// Smallest distance from `d` to the surface by trying everywhere within `reach`.
+/// Smallest distance from `d` to the surface by exhaustive search within `reach`.
 double nearest_by_search(const Relief& relief, const Vec3& d, double reach) {
   constexpr int kTries = 100;
   double x = d.x, y = d.y;
@@ -180,7 +180,7 @@ TEST(SurfaceContact, OutsideTheTabletThePlateauGoesOn) {
   lead(contact, flat, {0.04, 0.04, -0.001}, {0.09, 0.2, -0.001}, 100);
   EXPECT_TRUE(contact.touching());
   expect_near(contact.proxy_m(), {0.09, 0.2, 0}, 1e-12);
-  // And a rim with a groove running out of it has no edge to catch on.
+  // The rim has no edge either where a groove runs out of it.
   const Relief groove(64, 0.01, [](double, double y) { return -0.01 * std::exp(-1e5 * y * y); });
   SurfaceContact along;
   for (int i = 150; i < 350; ++i) {
@@ -266,7 +266,7 @@ TEST(SurfaceContact, ADiveAtFiftyMetresASecondIsStoppedWhereItWentIn) {
 }
 
 TEST(SurfaceContact, ADiveIntoAGrooveIsHeldByFrictionWhereItMetTheFloor) {
-  // The way leans by 30 degrees. It passes the plateau's level long before it meets the floor.
+  // The path is inclined by 30 degrees. It passes the plateau's level long before it meets the floor.
   constexpr double kFloor_m = -0.01;
   const Relief groove(256, 0.01, [](double, double y) { return std::abs(y) < 0.03 ? kFloor_m : 0.0; });
   const double lean = std::tan(std::numbers::pi / 6);
@@ -299,7 +299,7 @@ TEST(SurfaceContact, ADiveIntoWavesIsHeldByFrictionWhereItFirstMetOne) {
     const Vec3 entry = from + met * way;
     const double beyond = dive % 2 == 0 ? 1e-4 : 1.5e-3;
     const Vec3 device = entry + beyond * way;
-    // Where the way hardly touches a crest it is outside the cone, or out again.
+    // Where the path barely touches a crest it is outside the cone, or outside again.
     bool grazes = glm::dot(way, waves.tablet.at(entry.x, entry.y).normal()) > -0.3;
     for (double s = 1e-5; s <= beyond; s += 1e-5) grazes = grazes || above(waves, entry + s * way) > 0;
     if (grazes) {
@@ -356,7 +356,7 @@ TEST(SurfaceContact, FrictionHoldsWithinTheConeAndDragsBehindByTheDynamicCoeffic
 TEST(SurfaceContact, OnAnInclineFrictionHoldsUpToItsAngle) {
   const double slope = 0.15;
   const Relief incline(128, 0.02, [&](double x, double) { return -0.01 + slope * x; });
-  // Pressed straight down, the pull along the surface is tan(angle) of the pull into it: slope itself.
+  // Pressed straight down, the pull along the surface is tan(angle) of the pull into it: the slope itself.
   for (const double hold : {0.9 * slope, 1.1 * slope}) {
     SurfaceContact contact;
     lead(contact, incline, {0, 0, -0.009}, {0, 0, -0.012}, 300, {hold, hold});
@@ -365,8 +365,8 @@ TEST(SurfaceContact, OnAnInclineFrictionHoldsUpToItsAngle) {
   }
 }
 
-// What is left of the pull along the surface is what the cone holds; and it came to rest at the cone's edge,
-// not deep inside it, where it had slid.
+// The remaining pull along the surface lies within the cone; where the proxy slid it came to rest at the
+// cone's edge, not deep inside it.
 TEST(SurfaceContact, AtRestWithFrictionThePullLiesInTheCone) {
   const Relief relief = crossing_grooves(256);
   std::mt19937 random(14);

@@ -38,7 +38,7 @@ TEST(Texture, SlopesAreBoundedTheSameEveryTimeAndWithoutAMean) {
   EXPECT_EQ(texture_slope(Texture::none, 0.01, 0.02), Vec3(0));
 }
 
-// What a slope is the slope of: going round a closed way comes back to the same height.
+// The slope is a gradient: a closed path comes back to the same height.
 TEST(Texture, SlopesAreThoseOfOneReliefSoAClosedWayGivesNoEnergy) {
   for (const Texture t : kAll) {
     double height = 0, most = 0;

@@ -46,7 +46,7 @@ std::map<char32_t, std::vector<kanji::AlternativeOrder>> listed_orders() {
 }
 
 bool names_an_order(std::string_view suffix) {
-  // What is left when the names of forms are taken away says which stroke comes when.
+  // The rest after removing the names of forms describes the order of strokes.
   for (const std::string_view form : {"Hyougai", "Jinmei", "Insatsu", "Kaisho", "NoDot"}) {
     if (suffix.starts_with(form)) suffix.remove_prefix(form.size());
   }

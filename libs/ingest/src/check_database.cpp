@@ -13,11 +13,11 @@ namespace nazori::ingest {
 namespace {
 
 struct Rule {
-  const char* broken;  ///< what is wrong where the query finds a row
+  const char* broken;  ///< the error if the query finds a row
   const char* sql;
 };
 
-/// What the schema alone cannot say. Each query finds a row that breaks the rule.
+/// Rules that the schema alone cannot express. Each query finds a row that breaks its rule.
 constexpr auto kRules = std::to_array<Rule>({
     {"a form has no character",
      "SELECT code_point FROM form WHERE variant = '' AND code_point NOT IN (SELECT code_point FROM "
@@ -63,7 +63,7 @@ Counts count_rows(SQLite::Database& db) {
 }  // namespace
 
 base::Result<CheckReport> check_database(const std::filesystem::path& path) {
-  // Opening it refuses what is no kanji.db of this version, with the right words.
+  // Opening it refuses a file that is not a kanji.db of this version, with the right message.
   if (const auto opened = kanji::KanjiDatabase::open(path); !opened) return tl::unexpected(opened.error());
   const auto damaged = [&](const std::string& how) {
     return base::fail(base::Errc::parse, "is damaged: " + how, path.string(),

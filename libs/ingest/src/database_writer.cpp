@@ -27,7 +27,7 @@ std::int64_t number_of(char32_t c) { return static_cast<std::int64_t>(c); }
 
 SQLite::Database make(const std::filesystem::path& path) {
   SQLite::Database db(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  // The file is thrown away when anything fails, and flushed as a whole at the end.
+  // The file is discarded when anything fails, and flushed as a whole at the end.
   db.exec(
       "PRAGMA page_size = 4096; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF;"
       "PRAGMA application_id = " +
@@ -52,7 +52,7 @@ void bind_value(SQLite::Statement& statement, int index, const std::optional<T>&
   }
 }
 
-/// Inserts one row. The values outlive the call, as bindNoCopy asks.
+/// Inserts one row. The values outlive the call, as bindNoCopy requires.
 template <class... Values>
 void insert(SQLite::Statement& statement, const Values&... values) {
   int index = 0;
@@ -268,7 +268,7 @@ void DatabaseWriter::add_word(const EdictEntry& word) {
   const auto is_kana = [](char32_t c) {
     return kind_of(c) == CharacterKind::hiragana || kind_of(c) == CharacterKind::katakana;
   };
-  // Kana are in every other word: only common words that are written in kana alone show how one is used.
+  // Kana occur in most words: only common words written in kana alone are good examples.
   const bool shows_kana = word.common && std::all_of(text.begin(), text.end(), is_kana);
   std::set<char32_t> indexed;
   for (const char32_t c : text) {

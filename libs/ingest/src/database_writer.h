@@ -16,7 +16,7 @@
 
 namespace nazori::ingest {
 
-/// Fills a new kanji.db. Every function may throw SQLite::Exception. Nothing is lasting before finish().
+/// Fills a new kanji.db. Every function may throw SQLite::Exception. Nothing is permanent before finish().
 class DatabaseWriter {
  public:
   /// Makes the file, which must not exist, and its tables.
@@ -24,11 +24,11 @@ class DatabaseWriter {
 
   void add_source(const kanji::Source& source);
   void add_radicals();
-  /// A form with its strokes and groups. Forms come sorted by character, the main form first.
+  /// A form with its strokes and groups. Forms must be sorted by character, the main form first.
   void add_form(const DrawnForm& form);
   void add_orders(char32_t code_point, std::span<const kanji::AlternativeOrder> orders);
-  /// A character at its place in the learning order; `main` where it is drawn, `entry` where the dictionary
-  /// has it.
+  /// A character with its rank in the learning order; `main` if it has strokes, `entry` if the dictionary has
+  /// it.
   void add_character(char32_t code_point, std::int64_t place, const DrawnForm* main,
                      const kanji::DictionaryEntry* entry);
   /// The next word; the commonest first.

@@ -10,7 +10,7 @@
 namespace nazori::ingest {
 namespace {
 
-/// The part-of-speech marks of EDICT's documentation, and the ones that JMdict added to the file since.
+/// The part-of-speech marks of EDICT's documentation, and the ones that JMdict has added since.
 constexpr auto kPartsOfSpeech = [] {
   auto marks = std::to_array<std::string_view>({
       "adj-f",     "adj-i",  "adj-ix", "adj-kari", "adj-ku", "adj-na", "adj-nari", "adj-no", "adj-pn",
@@ -44,8 +44,8 @@ bool is_sense_number(std::string_view mark) {
          std::all_of(mark.begin(), mark.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Takes the marks at the front of a gloss: parts of speech are noted, a sense number begins a sense, all
-/// others are left.
+/// Removes the marks at the front of a gloss: parts of speech are recorded, a sense number begins a sense,
+/// all others are kept.
 class GlossReader {
  public:
   explicit GlossReader(EdictEntry& entry) : entry_(entry) {}

@@ -15,7 +15,8 @@ std::optional<int> number_in(const pugi::xml_node& node) {
   return node.text().as_int();
 }
 
-/// The code with what KANJIDIC2 says beside it: the volume and page of Morohashi, the kind of a wrong SKIP.
+/// The code with the additional information of KANJIDIC2: the volume and page of Morohashi, the kind of a
+/// wrong SKIP.
 kanji::Code code_of(const pugi::xml_node& node, const char* type) {
   kanji::Code out{node.attribute(type).value(), node.text().get()};
   const std::string_view volume = node.attribute("m_vol").value();

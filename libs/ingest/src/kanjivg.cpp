@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostStrokes = 200;
 constexpr int kDeepestGroup = 50;
-/// The flattening that kanji::Stroke promises.
+/// The flattening tolerance that kanji::Stroke documents.
 constexpr double kTolerance = 0.05;
 
 tl::unexpected<base::Error> refuse(std::string what) {

@@ -20,7 +20,7 @@ constexpr std::u32string_view kKanaOrder =
 constexpr int kNoFrequency = 2502;  ///< KANJIDIC2 ranks 2,501 kanji
 constexpr int kNoGrade = 99;
 
-/// Position in the table of sounds; what is not in it comes after.
+/// Position in the table of sounds; characters not in it come after it.
 int kana_position(char32_t c) {
   constexpr char32_t kKatakanaToHiragana = U'ア' - U'あ';
   if (c >= U'ァ' && c <= U'ヶ') c -= kKatakanaToHiragana;

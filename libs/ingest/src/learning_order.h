@@ -17,16 +17,15 @@ namespace nazori::ingest {
 
 [[nodiscard]] kanji::CharacterKind kind_of(char32_t code_point);
 
-/// All characters in the order a learner meets them: hiragana and katakana as in the table of fifty sounds,
-/// then voiced, half-voiced and small ones; digits and letters; drawn kanji by newspaper frequency, those
-/// without one by grade, then by code point; other drawn marks; what only the dictionary knows, likewise.
+/// All characters in learning order: hiragana and katakana as in the table of fifty sounds, then voiced,
+/// half-voiced and small ones; digits and letters; drawn kanji by newspaper frequency, those without one by
+/// grade, then by code point; other drawn marks; characters only in the dictionary, in the same order.
 [[nodiscard]] std::vector<char32_t> learning_order(
     const std::set<char32_t>& drawn, const std::map<char32_t, kanji::DictionaryEntry>& dictionary);
 
-/// How early a learner should see a word; the smaller the earlier. EDICT does not say more than (P) for
-/// common, so among these: words in ordinary use before archaic, rare and irregular ones, then shorter before
-/// longer ones, where hiragana count half, then those whose kanji are together the more frequent in
-/// newspapers.
+/// How early a learner should see a word; the smaller the earlier. EDICT only marks common words with (P), so
+/// among these: words in ordinary use before archaic, rare and irregular ones, then shorter before longer
+/// ones, where hiragana count half, then those whose kanji are together the more frequent in newspapers.
 struct WordPlace {
   bool uncommon = false;
   bool unusual = false;            ///< marked archaic, obsolete, obscure, rare or irregular

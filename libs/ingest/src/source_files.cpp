@@ -30,7 +30,7 @@ tl::unexpected<base::Error> damaged(const fs::path& path, const std::string& how
   return base::fail(base::Errc::parse, "is damaged: " + how, path.string());
 }
 
-/// Opens a regular file, or says why not.
+/// Opens a regular file, or returns the error.
 base::Result<std::ifstream> open_source(const fs::path& path) {
   std::error_code ignored;
   const auto status = fs::status(path, ignored);
@@ -61,7 +61,7 @@ class GzipReader {
     if (ready_) inflateEnd(&stream_);
   }
 
-  /// The next piece, at most `size` bytes; 0 at the end or after a fault.
+  /// The next piece, at most `size` bytes; 0 at the end or after an error.
   std::size_t read(char* to, std::size_t size) {
     stream_.next_out = reinterpret_cast<Bytef*>(to);
     stream_.avail_out = static_cast<uInt>(size);
@@ -97,7 +97,7 @@ class GzipReader {
   bool done_ = false;
 };
 
-/// What libarchive reads the tar from.
+/// The input from which libarchive reads the tar.
 struct TarInput {
   GzipReader& gzip;
   std::vector<char> chunk = std::vector<char>(kChunk);
@@ -229,10 +229,10 @@ base::Result<void> read_tgz(const fs::path& path, std::size_t max_bytes,
     auto content = member_content(tar.get(), entry, path, max_bytes);
     if (!content && !(*gzip)->fault().empty()) return damaged(path, (*gzip)->fault());
     if (!content) return tl::unexpected(content.error());
-    if (auto taken = take(member, std::move(*content)); !taken) return taken;
+    if (auto result = take(member, std::move(*content)); !result) return result;
   }
   if (status != ARCHIVE_EOF) return damaged(path, fault());
-  // libarchive stops at the end mark of the tar; the checksum of the gzip stands after it.
+  // libarchive stops at the end mark of the tar; the checksum of the gzip comes after it.
   while ((*gzip)->read(input.chunk.data(), input.chunk.size()) > 0) continue;
   if (!(*gzip)->fault().empty()) return damaged(path, (*gzip)->fault());
   return {};

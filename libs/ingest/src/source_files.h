@@ -22,12 +22,12 @@ namespace nazori::ingest {
 /// @return Errc::parse with "file:line" for bytes that are not EUC-JP.
 [[nodiscard]] base::Result<std::string> read_euc_jp(const std::filesystem::path& path, std::size_t max_bytes);
 
-/// Takes a member of an archive: its path and content. An error ends the reading.
+/// Receives a member of an archive: its path and content. An error ends the reading.
 using TakeMember = std::function<base::Result<void>(std::string_view path, std::string content)>;
 
-/// Reads the regular files of a .tgz, in their order, that `wanted` names; the archive is read to its end and
-/// its checksum verified.
-/// @return Errc::parse for a file that is no .tgz, is cut off or damaged, or a wanted member over
+/// Reads the regular files of a .tgz, in their order, that are in `wanted`; the archive is read to its end
+/// and its checksum verified.
+/// @return Errc::parse for a file that is not a .tgz, is cut off or damaged, or a wanted member over
 /// `max_bytes`.
 [[nodiscard]] base::Result<void> read_tgz(const std::filesystem::path& path, std::size_t max_bytes,
                                           const std::function<bool(std::string_view path)>& wanted,

@@ -30,7 +30,7 @@ StrokeEnding ending_named(std::string_view name) {
 
 std::u32string decoded(std::string_view text) { return base::decode_utf8(text).value_or(std::u32string()); }
 
-/// The groups around stroke `index`, from the root on, say whether one is `element`.
+/// Whether one of the groups around stroke `index`, from the root on, is `element`.
 bool is_inside(const kanji::Component& group, int index, std::string_view element) {
   if (!std::binary_search(group.strokes.begin(), group.strokes.end(), index)) return false;
   if (group.element == element || group.original == element) return true;
@@ -150,7 +150,7 @@ bool StrokeEndings::fits(const Rule& rule, const DrawnForm& form, std::size_t st
 
 StrokeEnding StrokeEndings::ending_of(const DrawnForm& form, std::size_t stroke) const {
   const std::string_view type = form.strokes[stroke].type;
-  // The whole type, then what stands before the bar, then its bare shape.
+  // The whole type, then the part before the bar, then its bare shape.
   const std::string_view first = type.substr(0, type.find('/'));
   constexpr std::size_t kBytesOfShape = 3;
   for (const std::string_view key : {type, first, first.substr(0, kBytesOfShape)}) {

@@ -9,13 +9,13 @@
 
 namespace nazori::ingest {
 
-/// Tells how strokes end from data/stroke_endings.tsv and data/kana_endings.tsv.
+/// Determines the endings of strokes from data/stroke_endings.tsv and data/kana_endings.tsv.
 class StrokeEndings {
  public:
   StrokeEndings();
 
-  /// Sets the ending of every stroke of the form. A type that the table lacks ends like the first type it is
-  /// made of ("㇔/㇕x" like "㇔"); where that lacks too, and for letters and digits, a stroke stops.
+  /// Sets the ending of every stroke of the form. A type that is not in the table ends like its first part
+  /// ("㇔/㇕x" like "㇔"); if that is missing, too, and for letters and digits, the ending is a stop.
   void assign(DrawnForm& form) const;
 
  private:

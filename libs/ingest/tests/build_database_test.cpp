@@ -91,7 +91,7 @@ class Build : public testing::Test {
   [[nodiscard]] base::Result<BuildReport> build(const base::Progress& progress = {}) const {
     return build_database(sources_, output_, progress);
   }
-  /// Fails as told, and leaves an old database and nothing else.
+  /// Expects the given failure, with the old database unchanged and no other files.
   void expect_failure(base::Errc code, const std::string& where) const {
     fs::create_directories(output_.parent_path());
     write(output_, "the old database");
@@ -309,7 +309,7 @@ TEST_F(Build, CanBeStoppedAtEveryStepAndKeepsTheOldDatabase) {
   EXPECT_EQ(last, 1);
   EXPECT_GE(names.size(), 6U);
   write(output_, "the old database");
-  // The last call comes when the new database is in place.
+  // The last call comes after the new database has replaced the old one.
   for (int stop = 1; stop < steps; ++stop) {
     int step = 0;
     const auto built = build([&](double, std::string_view) { return ++step < stop; });
@@ -320,21 +320,24 @@ TEST_F(Build, CanBeStoppedAtEveryStepAndKeepsTheOldDatabase) {
 }
 
 TEST_F(Build, EachStepTakesItsShareOfTheProgress) {
-  std::vector<std::pair<std::string, double>> told;
+  std::vector<std::pair<std::string, double>> reported;
   ASSERT_TRUE(build([&](double done, std::string_view name) {
-    if (told.empty() || told.back().first != name) told.emplace_back(name, 0);
-    told.back().second = done;
+    if (reported.empty() || reported.back().first != name) reported.emplace_back(name, 0);
+    reported.back().second = done;
     return true;
   }));
-  const std::vector<std::pair<std::string, double>> expected{
-      {"Checking the sources", 0},   {"Reading KANJIDIC2", 0.35},
-      {"Writing strokes", 0.7},      {"Writing the dictionary", 0.8},
-      {"Writing words", 0.97},       {"Checking the database", 0.97},
-      {"Putting it in place", 0.99}, {"Done", 1}};
-  ASSERT_EQ(told.size(), expected.size());
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    EXPECT_EQ(told[i].first, expected[i].first);
-    EXPECT_NEAR(told[i].second, expected[i].second, 1e-9) << told[i].first;
+  const std::vector<std::pair<std::string, double>> expected{{"Checking the sources", 0},
+                                                             {"Reading KANJIDIC2", 0.35},
+                                                             {"Writing strokes", 0.7},
+                                                             {"Writing the dictionary", 0.8},
+                                                             {"Writing words", 0.97},
+                                                             {"Checking the database", 0.97},
+                                                             {"Replacing the old database", 0.99},
+                                                             {"Done", 1}};
+  ASSERT_EQ(reported.size(), expected.size());
+  for (std::size_t i = 0; i < reported.size(); ++i) {
+    EXPECT_EQ(reported[i].first, expected[i].first);
+    EXPECT_NEAR(reported[i].second, expected[i].second, 1e-9) << reported[i].first;
   }
 }
 
@@ -471,7 +474,7 @@ TEST(RealDatabase, HasEverythingThePublishedSourcesHave) {
 }
 
 TEST(InstalledSources, AreThoseOfTheSourceTreeWhereTheProgramWasBuilt) {
-  // This test runs in its build tree, beside the programs.
+  // This test runs in its build tree, in the folder of the programs.
   const Sources sources = Sources::installed();
   EXPECT_EQ(sources.kanjivg_sha256, kKanjiVgSha256);
   EXPECT_EQ(sha256_of(sources.kanjivg_tgz), kKanjiVgSha256) << sources.kanjivg_tgz;

@@ -29,7 +29,7 @@ class Writer : public testing::Test {
   }
   ~Writer() override { fs::remove_all(folder_); }
 
-  /// Writes what `fill` gives, for good.
+  /// Writes the content that `fill` adds, and finishes the file.
   template <class Fill>
   void write(Fill fill) const {
     fs::remove(path_);

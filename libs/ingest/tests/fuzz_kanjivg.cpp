@@ -6,7 +6,7 @@
 
 #include "nazori/ingest/kanjivg.h"
 
-/// Any bytes are either refused or give strokes that the groups hold, all within reach of the box.
+/// Any bytes are either refused or give strokes that belong to groups, all within or near the box.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto form = nazori::ingest::parse_kanjivg_svg(
       {U'休', {}}, std::span<const char>(reinterpret_cast<const char*>(data), size));

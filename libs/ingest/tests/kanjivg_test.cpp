@@ -194,7 +194,7 @@ TEST(AlternativeOrders, ListedOnesAreThoseOfTheVariantsTheyName) {
     for (const kanji::AlternativeOrder& order : orders) {
       if (!order.source.starts_with(kVariant)) continue;
       const auto found = order_of_variant(form(c, ""), form(c, order.source.substr(kVariant.size())));
-      // The list was made with a looser limit: four of its variants have a stroke drawn elsewhere.
+      // The list was made with a wider limit: four of its variants have a stroke drawn elsewhere.
       if (!found) continue;
       ++compared;
       EXPECT_EQ(*found, order.order) << base::encode_utf8(c) << " " << order.source;

@@ -40,7 +40,7 @@ class SourceFiles : public testing::Test {
   fs::path folder_, file_;
 };
 
-/// More than any buffer holds, and not to be packed into one.
+/// Larger than any buffer, also when compressed.
 std::string long_text(std::size_t size) {
   std::string text;
   std::uint32_t state = 1;
@@ -144,26 +144,26 @@ TEST_F(SourceFiles, OfAnArchiveTheWantedFilesAreTakenInTheirOrder) {
                     {"b/3", "other"},
                     {"a/link", "", AE_IFLNK},
                     {"a/4", ""}});
-  std::vector<std::string> taken;
+  std::vector<std::string> received;
   const auto wanted = [](std::string_view name) { return name.starts_with("a"); };
   const auto take = [&](std::string_view name, const std::string& content) -> base::Result<void> {
-    taken.push_back(std::string(name) + (content == large ? "=large" : "=" + content));
+    received.push_back(std::string(name) + (content == large ? "=large" : "=" + content));
     return {};
   };
   ASSERT_TRUE(read_tgz(file_, large.size(), wanted, take));
-  EXPECT_THAT(taken, ElementsAre("a/1=one", "a/2=large", "a/4="));
+  EXPECT_THAT(received, ElementsAre("a/1=one", "a/2=large", "a/4="));
   const auto too_large = read_tgz(file_, large.size() - 1, wanted, take);
   ASSERT_FALSE(too_large);
   EXPECT_EQ(too_large.error(), (base::Error{Errc::parse, "is too large", file_.string() + ":a/2", ""}));
-  taken.clear();
+  received.clear();
   const auto stopped = read_tgz(file_, large.size(), wanted,
                                 [&](std::string_view name, const std::string&) -> base::Result<void> {
-                                  taken.emplace_back(name);
+                                  received.emplace_back(name);
                                   return base::fail(Errc::cancelled, "enough");
                                 });
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().what, "enough");
-  EXPECT_THAT(taken, ElementsAre("a/1"));
+  EXPECT_THAT(received, ElementsAre("a/1"));
 }
 
 TEST_F(SourceFiles, AnArchiveThatIsNoneOrCutOffIsDamaged) {

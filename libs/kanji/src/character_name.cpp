@@ -83,7 +83,7 @@ base::Result<std::vector<CharacterName>> parse_characters(std::span<const std::s
     if (names_code_point(argument) || names_variant(*text)) {
       auto name = names_code_point(argument) ? parse_code_point(argument) : parse_variant(*text);
       if (!name) {
-        return base::fail(base::Errc::bad_argument, "names no character", "'" + argument + "'",
+        return base::fail(base::Errc::bad_argument, "is not the name of a character", "'" + argument + "'",
                           std::string(kHowToName));
       }
       add(std::move(*name));
@@ -104,7 +104,7 @@ base::Result<std::vector<CharacterName>> parse_characters(std::span<const std::s
       add({c, ""});
     }
     if (!any && names.size() == before) {
-      return base::fail(base::Errc::bad_argument, "has no character in it", "'" + argument + "'",
+      return base::fail(base::Errc::bad_argument, "contains no character", "'" + argument + "'",
                         std::string(kHowToName));
     }
   }

@@ -73,7 +73,7 @@ Component read_component(Rewound& row) {
   return out;
 }
 
-/// The tree of rows that each name their parent; a parent stands before its children.
+/// The tree of rows that each name their parent; a parent comes before its children.
 Component assemble(std::vector<std::pair<int, Component>> rows) {
   for (std::size_t i = rows.size(); i-- > 1;) {
     const auto parent = static_cast<std::size_t>(rows[i].first);
@@ -81,7 +81,7 @@ Component assemble(std::vector<std::pair<int, Component>> rows) {
     rows[parent].second.children.push_back(std::move(rows[i].second));
   }
   if (rows.empty()) return {};
-  // Children were added last first.
+  // Children were added in reverse order.
   const auto turn = [](const auto& self, Component& node) -> void {
     std::reverse(node.children.begin(), node.children.end());
     for (Component& child : node.children) self(self, child);
@@ -179,7 +179,7 @@ base::Result<KanjiDatabase> KanjiDatabase::open(const std::filesystem::path& pat
   if (std::filesystem::is_directory(status)) {
     return base::fail(base::Errc::schema, "is a folder, not a kanji database", path.string(), kRebuild);
   }
-  // To open a pipe would wait until somebody writes to it.
+  // Opening a pipe would wait until another program writes to it.
   if (!std::filesystem::is_regular_file(status)) {
     return base::fail(base::Errc::schema, "is not a regular file", path.string(), kRebuild);
   }
@@ -307,6 +307,11 @@ std::vector<Summary> KanjiDatabase::list(List which) const {
     }
     return out;
   });
+}
+
+bool KanjiDatabase::draws(char32_t code_point) const {
+  const auto place = inside_->place_of(code_point);
+  return place && inside_->roster()[*place].drawn > 0;
 }
 
 std::vector<Word> KanjiDatabase::words(char32_t code_point, int limit) const {

@@ -16,8 +16,8 @@
 
 namespace nazori::kanji {
 
-/// What searches and lists must know of every character, in the order of their places. All of it is held: a
-/// row fetched for each line of a list of thousands takes longer than the search.
+/// What searches and lists need to know of every character, in the order of their ranks. All of it is kept in
+/// memory: fetching a row for each of thousands of list rows takes longer than the search.
 struct RosterEntry {
   char32_t code_point = 0;
   CharacterKind kind = CharacterKind::other;
@@ -29,7 +29,7 @@ struct RosterEntry {
   std::string reading;
 };
 
-/// A statement kept ready, rewound whatever way its use ends.
+/// A prepared statement that is reset whichever way its use ends.
 class Rewound {
  public:
   explicit Rewound(SQLite::Statement& statement) : statement_(statement) {}
@@ -51,7 +51,7 @@ class Rewound {
 struct KanjiDatabase::Inside {
   Inside(SQLite::Database opened, std::string file);
 
-  /// Runs `work`; a failing database gives `otherwise` and is remembered as trouble.
+  /// Runs `work`. If the database fails, returns `otherwise` and stores the error for trouble().
   template <class Answer, class Work>
   Answer answer_or(Answer otherwise, Work work) {
     try {
@@ -64,13 +64,13 @@ struct KanjiDatabase::Inside {
   void note_trouble(const char* what);
 
   [[nodiscard]] const std::vector<RosterEntry>& roster() const { return roster_; }
-  /// Place of a character, or nullopt.
+  /// Rank of a character, or nullopt.
   [[nodiscard]] std::optional<std::size_t> place_of(char32_t code_point) const;
   [[nodiscard]] Summary summary(std::size_t place) const;
 
   SQLite::Database db;
   std::string name;
-  std::optional<base::Error> trouble;  ///< the first since it was opened
+  std::optional<base::Error> trouble;  ///< the first error since it was opened
   SQLite::Statement character, form, variants, strokes, components, orders;
   SQLite::Statement stroke_counts, readings, meanings, codes;
   SQLite::Statement all_characters, words, elements;

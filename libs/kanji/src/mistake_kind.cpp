@@ -28,7 +28,7 @@ std::string_view name_of(MistakeKind kind) {
 }
 
 std::optional<MistakeKind> mistake_named(std::string_view name) {
-  // The kinds are numbered from 0 without a gap.
+  // The kinds are numbered from 0 without gaps.
   for (std::uint8_t number = 0;; ++number) {
     const auto kind = static_cast<MistakeKind>(number);
     if (name_of(kind).empty()) return std::nullopt;

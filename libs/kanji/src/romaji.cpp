@@ -17,7 +17,7 @@ struct Syllable {
   std::string_view kana;
 };
 
-/// Sorted by romaji, so that all that begin alike stand together.
+/// Sorted by romaji, so that entries with the same beginning are adjacent.
 constexpr auto kSyllables = [] {
   auto table = std::to_array<Syllable>({
       {"a", "あ"},     {"i", "い"},     {"u", "う"},     {"e", "え"},     {"o", "お"},     {"ka", "か"},
@@ -54,7 +54,7 @@ constexpr auto kSyllables = [] {
   return table;
 }();
 constexpr std::size_t kLongestSyllable = 4;
-/// Long vowels double the spellings; more than this many are no word.
+/// Each long vowel doubles the number of spellings; text with more than this is not a word.
 constexpr std::size_t kMostSpellings = 64;
 
 bool is_vowel(char c) { return c == 'a' || c == 'i' || c == 'u' || c == 'e' || c == 'o'; }
@@ -109,7 +109,7 @@ std::vector<std::string_view> lengthenings(char vowel) {
   }
 }
 
-/// Lower-case letters, with ':' after each vowel that is long; nothing where the text is no romaji.
+/// Lower-case letters, with ':' after each vowel that is long; nothing where the text is not romaji.
 std::optional<std::string> letters_of(std::string_view romaji) {
   const auto decoded = base::decode_utf8(romaji);
   if (!decoded || decoded->size() > 64) return std::nullopt;
@@ -143,8 +143,8 @@ const Syllable* syllable_at(std::string_view letters) {
 }
 
 struct Spelling {
-  std::vector<std::string> kana;  ///< every spelling of what could be read
-  std::string_view rest;          ///< letters of a last syllable that is not complete
+  std::vector<std::string> kana;  ///< every spelling of the part that could be read
+  std::string_view rest;          ///< letters of an incomplete last syllable
   bool ends_in_n = false;         ///< the last ん was a single n at the very end
 };
 
@@ -152,7 +152,7 @@ void append(std::vector<std::string>& spellings, std::string_view kana) {
   for (std::string& s : spellings) s += kana;
 }
 
-/// ん where the letters here are not the beginning of a な syllable: the number of letters it takes, or 0.
+/// ん where the letters here do not begin a な syllable: the number of letters it takes, or 0.
 std::size_t moraic_nasal(std::string_view letters) {
   const char next = letters.size() > 1 ? letters[1] : '\0';
   if (letters[0] == 'm' && (next == 'b' || next == 'p' || next == 'm')) return 1;
@@ -210,7 +210,8 @@ std::optional<Spelling> spell(std::string_view letters) {
   return out;
 }
 
-/// Half-width katakana U+FF66..FF9D in order; the voicing marks U+FF9E and U+FF9F join the letter before.
+/// Half-width katakana U+FF66..FF9D in order; the voicing marks U+FF9E and U+FF9F belong to the preceding
+/// letter.
 constexpr std::u32string_view kHalfWidth =
     U"ヲァィゥェォャュョッーアイウエオカキクケコサシスセソタチツテトナニヌネノハヒフヘホマミムメモヤユヨラリ"
     U"ルレロワン";

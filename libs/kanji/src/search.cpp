@@ -15,7 +15,7 @@
 namespace nazori::kanji {
 namespace {
 
-/// How well an answer fits, best first.
+/// How well an answer matches, best first.
 enum Tier : std::uint8_t { itself, whole, part, name, beginning, none };
 
 /// The best tier of each character, by place.
@@ -25,7 +25,7 @@ class Fits {
   void offer(std::size_t place, Tier tier) {
     if (place < tiers_.size() && tier < tiers_[place]) tiers_[place] = tier;
   }
-  /// Places from the best tier to the worst, each tier with the commonest first.
+  /// Ranks from the best tier to the worst, each tier with the commonest first.
   [[nodiscard]] std::vector<std::size_t> ordered() const {
     std::vector<std::size_t> out;
     for (int tier = Tier::itself; tier < Tier::none; ++tier) {
@@ -52,7 +52,7 @@ Tier tier_of(int fit) {
   return Tier::beginning;
 }
 
-/// Greater than every text that begins with `key`: no text has the byte FF.
+/// Greater than every text that begins with `key`: no text contains the byte FF.
 std::string after_all_that_begin_with(std::string_view key) { return std::string(key) + "\xFF"; }
 
 bool is_kana(char32_t c) {
@@ -127,7 +127,7 @@ std::vector<Summary> KanjiDatabase::search(const Query& query) const {
     if (text.empty()) {
       for (std::size_t place = 0; place < roster.size(); ++place) places.push_back(place);
     } else if (!kana && !latin) {
-      // Kana between kanji are okurigana: 休み asks for 休.
+      // Kana between kanji are okurigana: 休み finds 休.
       for (const char32_t c : text) {
         const auto place = is_kana(c) ? std::nullopt : inside_->place_of(c);
         if (place && std::find(places.begin(), places.end(), *place) == places.end())
@@ -148,7 +148,7 @@ std::vector<Summary> KanjiDatabase::search(const Query& query) const {
         for (const std::string& reading : complete) offer_readings(inside_->reading_keys, reading, fits);
         for (const std::string& start : romaji_beginnings(spelled)) {
           if (std::find(complete.begin(), complete.end(), start) != complete.end()) continue;
-          // What is typed so far is only a beginning of these.
+          // The text typed so far is only the beginning of these.
           Fits sooner(roster.size());
           offer_readings(inside_->reading_keys, start, sooner);
           for (const std::size_t place : sooner.ordered()) fits.offer(place, Tier::beginning);

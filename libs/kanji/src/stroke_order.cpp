@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20U;
 
-/// Reads little-endian int32 one after another and knows where it stands.
+/// Reads consecutive little-endian int32 values and tracks the offset.
 class Int32Reader {
  public:
   explicit Int32Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -84,7 +84,7 @@ std::vector<geometry::GridPoint> simplify(const std::vector<geometry::GridPoint>
   return out;
 }
 
-/// True where the last segment is a kick: short beside the rest and turned by more than 60 degrees.
+/// True where the last segment is a hook: short compared with the rest and turned by more than 60 degrees.
 bool ends_with_kick(const geometry::Polyline<geometry::GlyphFrame>& points) {
   if (points.size() < 3) return false;
   const auto last = points[points.size() - 1] - points[points.size() - 2];
@@ -174,7 +174,7 @@ base::Result<void> StrokeOrder::save(const std::filesystem::path& path) const {
 }
 
 StrokeOrder StrokeOrder::from_lines(std::span<const StrokeLine> lines, int grid_size) {
-  // Leaving out points and rounding the rest must together stay within one sample.
+  // Leaving out points and rounding the rest may together move the line by at most one sample.
   constexpr double kTolerance = 0.25;
   StrokeOrder order;
   const double last = grid_size - 1;

@@ -41,9 +41,9 @@ TEST(CharacterName, AKanaAndItsSoundMarkAreOneCharacter) {
 
 TEST(CharacterName, WhatNamesNoneIsRefused) {
   EXPECT_EQ(refused("\xFF"), "is not valid UTF-8");
-  EXPECT_EQ(refused("  "), "has no character in it");
+  EXPECT_EQ(refused("  "), "contains no character");
   for (const char* wrong : {"U+110000", "U+D800", "U+4F11x", "U+4F11-", "休-", "休-かい"})
-    EXPECT_EQ(refused(wrong), "names no character") << wrong;
+    EXPECT_EQ(refused(wrong), "is not the name of a character") << wrong;
 }
 
 TEST(CharacterName, ReadsAsItIsNamedAndNamesAFile) {

@@ -10,7 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const int grid : {2, 128, 8192}) {
     const auto order = StrokeOrder::parse({data, size}, grid);
     if (!order) continue;
-    // The format has one spelling, so what was read is written alike; lines made of it stay on the grid.
+    // Each content has only one valid encoding, so what was read is written identically. Lines made from it
+    // stay on the grid.
     if (order->to_bytes() != std::vector<std::uint8_t>(data, data + size)) std::abort();
     if (!StrokeOrder::parse(StrokeOrder::from_lines(order->to_lines(grid), grid).to_bytes(), grid))
       std::abort();

@@ -306,6 +306,13 @@ TEST(AlternativeOrders, AreOrdersOfAllStrokesWithTheirSource) {
   EXPECT_THAT(find(U'田').alternative_orders, IsEmpty());
 }
 
+TEST(Draws, WhatHasStrokesAndNothingElse) {
+  EXPECT_TRUE(database().draws(U'休'));
+  EXPECT_TRUE(database().draws(U'々'));
+  EXPECT_TRUE(database().draws(U'あ'));
+  EXPECT_FALSE(database().draws(U'☃'));
+}
+
 TEST(Words, OfRestBeginWithWhatALearnerMeets) {
   const auto words = database().words(U'休', 10);
   ASSERT_THAT(words, SizeIs(10));
@@ -517,7 +524,7 @@ TEST_F(BadFiles, AnotherVersionIsRefusedWithBothNumbers) {
   const fs::path copy = folder_ / "kanji.db";
   fs::copy_file(fs::path(data == nullptr ? "." : data) / "kanji.db", copy);
   {
-    // The version stands in bytes 60 to 63 of an SQLite file.
+    // The version is in bytes 60 to 63 of an SQLite file.
     std::fstream file(copy, std::ios::binary | std::ios::in | std::ios::out);
     file.seekp(63);
     file.put(99);
@@ -563,7 +570,7 @@ TEST_F(BadFiles, ADatabaseThatIsDamagedAfterItWasOpenedSaysSo) {
     asked[i](database, U'休');
     EXPECT_FALSE(database.trouble()) << i;
     fs::resize_file(copy, 8'192);
-    // What SQLite still holds in memory needs no reading, so others are asked for.
+    // SQLite does not read again what it still has in memory, so query other rows.
     for (const Summary& one : database.list(List::secondary))
       if (!database.trouble()) asked[i](database, one.code_point);
     ASSERT_TRUE(database.trouble()) << i;

@@ -48,9 +48,9 @@ class Locate : public testing::Test {
     std::ofstream(folder_ / folder / "kanji.db") << "x";
     return folder_ / folder / "kanji.db";
   }
-  /// What a program is told that lies in none of the other folders.
+  /// What a program finds that is in none of the other folders.
   [[nodiscard]] base::Result<fs::path> locate() const { return locate_for(folder_ / "apart" / "nazori"); }
-  /// Makes a build folder of CMake for the sources src of the test, and returns the program in it.
+  /// Makes a CMake build folder for the test's sources in src and returns the path of the program in it.
   [[nodiscard]] fs::path build_in(const fs::path& folder, const std::string& project = "nazori") const {
     fs::create_directories(folder_ / folder / "bin");
     std::ofstream(folder_ / folder / "CMakeCache.txt")
@@ -98,7 +98,7 @@ TEST_F(Locate, UsesTheHomeFolderWhereNoDataFolderIsSet) {
 TEST_F(Locate, AProgramInItsBuildTreeFindsTheDatabaseOfMakeRun) {
   const fs::path database = put("src/build/data");
   EXPECT_EQ(locate_for(build_in("src/build/release")), database);
-  // A build folder elsewhere has its own data beside it, one right in the sources has them inside.
+  // A build folder elsewhere has its data next to it; one directly in the sources has them inside.
   const fs::path other = put("elsewhere/data");
   EXPECT_EQ(locate_for(build_in("elsewhere/release")), other);
   EXPECT_EQ(locate_for(build_in("src/build")), database);
@@ -132,7 +132,7 @@ TEST_F(Locate, TheNearestPlaceComesFirst) {
   point("NAZORI_DATA", (folder_ / "named").string());
   point("XDG_DATA_HOME", (folder_ / "home").string());
   point("XDG_DATA_DIRS", (folder_ / "system").string());
-  // From the last place to the first: each that is added wins over those behind it.
+  // From the last place to the first: each one added takes precedence over those after it.
   for (const char* place : {"src/build/release/share/nazori", "system/nazori", "home/nazori",
                             "src/build/data", "src/build/release/bin", "named"}) {
     const fs::path database = put(place);

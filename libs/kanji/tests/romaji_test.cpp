@@ -86,7 +86,7 @@ TEST(Romaji, ALongVowelMarkGivesEverySpellingItCanStandFor) {
   EXPECT_THAT(romaji_to_hiragana("Tōkyō"), Contains("とうきょう"));
   EXPECT_THAT(romaji_to_hiragana("nēsan"), Contains("ねえさん"));
   EXPECT_THAT(romaji_to_hiragana("sensê"), Contains("せんせい"));
-  // Which kana may lengthen which vowel, in either case and with either mark.
+  // Which kana can lengthen which vowel, in upper and lower case, with macron and circumflex.
   EXPECT_THAT(romaji_to_hiragana("kā"), ElementsAre("かあ", "かー"));
   EXPECT_THAT(romaji_to_hiragana("kî"), ElementsAre("きい", "きー"));
   EXPECT_THAT(romaji_to_hiragana("kū"), ElementsAre("くう", "くー"));

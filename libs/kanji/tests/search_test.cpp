@@ -23,7 +23,7 @@ class SmallSearch : public test::SmallDatabase {
 };
 
 TEST_F(SmallSearch, TheBetterFitComesFirstAndAmongEqualsTheCommoner) {
-  // Rarer is better here, so that only the fit can order them.
+  // Common characters match worse here, so that only the match decides the order.
   for (const char32_t c : std::u32string(U"一二三四五六七八")) add(c);
   exec(
       "INSERT INTO reading_key VALUES('ねこみ', 0, 0), ('ねこあ', 1, 0), ('ねこ', 2, 2), ('ねこ', 3, 2),"
@@ -106,7 +106,7 @@ TEST_F(SmallSearch, EachCharacterOfATextIsFoundOnce) {
 }
 
 TEST_F(SmallSearch, LettersEndBeforeTheSigns) {
-  // U+024F is the last letter of Latin Extended-B; what follows are signs of phonetics.
+  // U+024F is the last letter of Latin Extended-B; the letters after it are phonetic symbols.
   for (const char32_t c : {char32_t{0x24F}, char32_t{0x250}, U'’'}) add(c);
   EXPECT_EQ(found(std::u32string{0x250, 0x250}), (std::u32string{0x250}));
   EXPECT_EQ(found(std::u32string{0x24F, 0x24F}), U"") << "a word, not a list of characters";

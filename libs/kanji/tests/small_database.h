@@ -32,7 +32,7 @@ class SmallDatabase : public testing::Test {
     SQLite::Database(path_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(sql);
   }
 
-  /// What a row of a character may say besides its code point.
+  /// The optional columns of a character's row.
   struct Row {
     CharacterKind kind = CharacterKind::ideograph;
     int strokes = 1;

@@ -277,7 +277,7 @@ TEST_F(SmallDatabase, WhatIsNoKanjiDatabaseIsRefusedByWhatItIs) {
                   "has version 77, this program reads version " + std::to_string(kSchemaVersion), path_));
 }
 
-// The sanitizer looks at objects through a pipe, which a program without files cannot have.
+// The sanitizer inspects objects through a pipe, which a program that may not open files cannot have.
 #if defined(__has_feature)
 #if __has_feature(undefined_behavior_sanitizer)
 #define NAZORI_LOOKS_AT_OBJECTS

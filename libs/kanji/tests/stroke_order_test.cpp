@@ -19,7 +19,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using geometry::GlyphPoint;
 
-/// Little-endian int32, the only thing a .str file holds.
+/// Little-endian int32, the only data type in a .str file.
 Bytes file_of(std::initializer_list<std::int32_t> numbers) {
   Bytes bytes;
   for (const std::int32_t number : numbers) {
@@ -158,7 +158,7 @@ TEST(StrokeOrder, LoadsWhatItSavedAndNamesTheFileThatFails) {
   ASSERT_FALSE(too_small);
   EXPECT_EQ(too_small.error().where, path.string() + ": byte 56") << "the first point beyond 99";
   EXPECT_EQ(StrokeOrder::load(path, 1).error().where, "grid_size") << "which is no fault of the file";
-  // A file of 64 MiB is looked into, a longer one is not.
+  // A file of 64 MiB is read, a longer one is not.
   std::filesystem::resize_file(path, (64U << 20U) + 1);
   EXPECT_EQ(StrokeOrder::load(path, 128).error().code, base::Errc::io);
   EXPECT_EQ(StrokeOrder::load(folder, 128).error().code, base::Errc::io);
@@ -166,7 +166,7 @@ TEST(StrokeOrder, LoadsWhatItSavedAndNamesTheFileThatFails) {
   std::filesystem::remove_all(folder);
 }
 
-/// Largest distance, in samples, from places along `line` to the stroke of the file.
+/// Largest distance, in samples, from points along `line` to the stroke of the file.
 double farthest(const StrokeLine& line, const StrokeOrder::Points& points, int size) {
   std::vector<geometry::GridPoint> kept;
   for (const StrokeOrderPoint p : points)
@@ -233,7 +233,7 @@ TEST(StrokeOrder, ABendOfMoreThanAQuarterOfASampleIsKept) {
             (StrokeOrder::Points{{0, 10}, {50, 11}, {100, 10}}));
   EXPECT_EQ(points({{10.4, 0}, {10.1, 50}, {10.4, 100}}),
             (StrokeOrder::Points{{10, 0}, {10, 50}, {10, 100}}));
-  // What goes on beyond the end of the chord and comes back is a bend too.
+  // A line that goes beyond the end of the chord and comes back is a bend, too.
   EXPECT_EQ(points({{10, 10}, {60, 10}, {40, 10}}), (StrokeOrder::Points{{10, 10}, {60, 10}, {40, 10}}));
   EXPECT_EQ(points({{30, 10}, {10, 10}, {60, 10}}), (StrokeOrder::Points{{30, 10}, {10, 10}, {60, 10}}));
   // A line that ends where it began.
@@ -268,8 +268,8 @@ TEST(StrokeOrder, AHookIsAtMostTwoFifthsOfTheRestAndTurnsByMoreThanSixtyDegrees)
 }
 
 TEST(StrokeOrder, AShortSharpLastSegmentIsReadAsAHook) {
-  const StrokeOrder order({{{20, 20}, {100, 20}, {100, 100}, {90, 92}},  // kick
-                           {{20, 20}, {100, 20}, {100, 100}},            // corner, no kick
+  const StrokeOrder order({{{20, 20}, {100, 20}, {100, 100}, {90, 92}},  // hook
+                           {{20, 20}, {100, 20}, {100, 100}},            // corner, no hook
                            {{20, 20}, {60, 60}, {66, 70}},               // gentle bend
                            {{20, 20}, {100, 20}}});
   const auto lines = order.to_lines(128);

@@ -51,7 +51,7 @@ std::vector<Part> parts_of(const kanji::KanjiDatabase& database, const kanji::Ch
   return parts;
 }
 
-/// What was found, and the damage of the database that became known meanwhile.
+/// The result of a query, and the damage of the database that was found during it.
 template <class Found>
 struct Answer {
   Found found;
@@ -76,6 +76,16 @@ struct SheetAnswer {
   Sheet sheet;  ///< null: no strokes
 };
 
+using Characters = std::vector<kanji::Character>;
+
+Characters characters_of(const kanji::KanjiDatabase& database, const std::vector<char32_t>& code_points) {
+  Characters found;
+  for (const char32_t one : code_points)
+    if (auto character = database.find(one); character && !character->strokes.empty())
+      found.push_back(std::move(*character));
+  return found;
+}
+
 Summaries shared(std::vector<kanji::Summary> characters) {
   return std::make_shared<const std::vector<kanji::Summary>>(std::move(characters));
 }
@@ -87,6 +97,8 @@ Sheet sheet_of(const kanji::KanjiDatabase& database, char32_t code_point) {
   sheet->parts = parts_of(database, *character);
   if (character->entry.radical) sheet->radical = database.radical(*character->entry.radical);
   sheet->words = database.words(code_point, CharacterLibrary::kMaxWords);
+  sheet->dictation =
+      dictation_words(sheet->words, code_point, [&database](char32_t one) { return database.draws(one); });
   sheet->character = std::move(*character);
   return sheet;
 }
@@ -96,7 +108,7 @@ Sheet sheet_of(const kanji::KanjiDatabase& database, char32_t code_point) {
 struct CharacterLibrary::Inside {
   Inside(CharacterLibrary& owner, base::Inbox& inbox);
 
-  /// Has `find` answer where the database is open; otherwise nothing is answered.
+  /// Runs `find` if the database is open; otherwise there is no answer.
   template <class Request, class Found, class Find, class Answered>
   [[nodiscard]] auto latest(Find find, Answered answered) {
     using Answered_ = std::optional<Answer<Found>>;
@@ -118,11 +130,12 @@ struct CharacterLibrary::Inside {
 
   CharacterLibrary& owner;
   bool has_reported_trouble = false;
-  std::shared_ptr<Database> database = std::make_shared<Database>();  ///< used by the background only
+  std::shared_ptr<Database> database = std::make_shared<Database>();  ///< used by the background thread only
   std::shared_ptr<base::Background> background;
   std::unique_ptr<base::Latest<kanji::List, std::optional<Answer<ListAnswer>>>> lists;
   std::unique_ptr<base::Latest<std::string, std::optional<Answer<SearchAnswer>>>> searches;
   std::unique_ptr<base::Latest<char32_t, std::optional<Answer<SheetAnswer>>>> sheets;
+  std::unique_ptr<base::Latest<std::vector<char32_t>, std::optional<Answer<Characters>>>> characters;
 };
 
 CharacterLibrary::Inside::Inside(CharacterLibrary& library, base::Inbox& inbox)
@@ -150,6 +163,8 @@ CharacterLibrary::Inside::Inside(CharacterLibrary& library, base::Inbox& inbox)
         else
           owner.sheet_missing(answer.code_point);
       });
+  characters = latest<std::vector<char32_t>, Characters>(
+      characters_of, [this](const Characters& answer) { owner.characters_ready(answer); });
 }
 
 CharacterLibrary::CharacterLibrary(base::Inbox& inbox, std::filesystem::path path)
@@ -173,5 +188,9 @@ void CharacterLibrary::request_list(kanji::List which) { inside_->lists->request
 void CharacterLibrary::request_search(const std::string& text) { inside_->searches->request(text); }
 
 void CharacterLibrary::request_sheet(char32_t code_point) { inside_->sheets->request(code_point); }
+
+void CharacterLibrary::request_characters(std::vector<char32_t> code_points) {
+  inside_->characters->request(std::move(code_points));
+}
 
 }  // namespace nazori::practice

@@ -13,14 +13,11 @@ constexpr char32_t kFallback = U'休';
 }  // namespace
 
 CharacterPractice::CharacterPractice(const Parts& parts)
-    : control_(parts.tablet),
-      library_(parts.library),
-      workshop_(parts.workshop),
-      session_(parts.session),
-      watch_(parts.tablet, parts.clock),
-      trace_(parts.tablet),
-      guided_(parts.tablet),
-      memory_(parts.inbox, parts.tablet, parts.judge) {
+    : control_(parts.tablet), library_(parts.library), workshop_(parts.workshop), session_(parts.session) {
+  const StageParts with{parts.inbox,   parts.clock, parts.tablet,
+                        parts.library, parts.judge, [this](char32_t one) { return session_.knows(one); }};
+  for (const auto& kind : stage_kinds()) stages_.push_back(kind.make(with));
+  stage_ = &trace();
   connect_stages();
   connect_session();
   connect_work();
@@ -29,21 +26,25 @@ CharacterPractice::CharacterPractice(const Parts& parts)
 CharacterPractice::~CharacterPractice() = default;
 
 void CharacterPractice::connect_stages() {
-  for (auto* const stage : stages_) {
+  for (const auto& made : stages_) {
+    auto* const stage = made.get();
     connections_.emplace_back(
         stage->feedback.connect([this, stage](const StageFeedback& what) { feedback(*stage, what); }));
     connections_.emplace_back(stage->hiding_changed.connect([this] { hiding_changed(); }));
-    connections_.emplace_back(stage->finished.connect([this, stage](const study::WritingResult& result) {
-      session_.finish_stage(stage->stage(), result);
-    }));
+    if (const auto lesson = lesson_stage(*stage))
+      connections_.emplace_back(
+          stage->finished.connect([this, lesson = *lesson](const study::WritingResult& result) {
+            session_.finish_stage(lesson, result);
+          }));
   }
-  connections_.emplace_back(memory_.judged.connect(
-      [this](const writing::Grade& grade) { session_.judge(grade, memory_.strokes()); }));
+  auto& memory = this->memory();
+  connections_.emplace_back(memory.judged.connect(
+      [this, &memory](const writing::Grade& grade) { session_.judge(grade, memory.strokes()); }));
   connections_.emplace_back(
-      memory_.answer_was_shown.connect([this] { session_.give_up(memory_.strokes()); }));
-  connections_.emplace_back(memory_.continued.connect([this] { session_.reopen(); }));
-  connections_.emplace_back(memory_.stroke_added.connect([this] { session_.add_stroke(); }));
-  connections_.emplace_back(memory_.hint_given.connect([this] { session_.add_hint(); }));
+      memory.answer_was_shown.connect([this, &memory] { session_.give_up(memory.strokes()); }));
+  connections_.emplace_back(memory.continued.connect([this] { session_.reopen(); }));
+  connections_.emplace_back(memory.stroke_added.connect([this] { session_.add_stroke(); }));
+  connections_.emplace_back(memory.hint_given.connect([this] { session_.add_hint(); }));
 }
 
 void CharacterPractice::connect_session() {
@@ -76,9 +77,20 @@ void CharacterPractice::connect_work() {
       }));
 }
 
+PracticeStage* CharacterPractice::stage_named(std::string_view id) const {
+  for (const auto& one : stages_)
+    if (one->id() == id) return one.get();
+  return nullptr;
+}
+
+std::optional<study::Stage> CharacterPractice::lesson_stage(const PracticeStage& stage) {
+  const auto* const kind = stage_kind(stage.id());
+  return kind != nullptr ? kind->lesson : std::nullopt;
+}
+
 PracticeStage& CharacterPractice::stage_for(study::Stage stage) const {
-  for (auto* const one : stages_)
-    if (one->stage() == stage) return *one;
+  for (const auto& one : stages_)
+    if (lesson_stage(*one) == stage) return *one;
   return *stage_;
 }
 
@@ -107,19 +119,23 @@ void CharacterPractice::enter_stage(PracticeStage& stage) {
   stage_ = &stage;
   stage_changed();
   if (!is_entered_) return;
-  session_.enter_stage(stage.stage());
+  if (const auto lesson = lesson_stage(stage))
+    session_.enter_stage(*lesson);
+  else
+    session_.leave_lesson();
   begin_stage();
   hiding_changed();
 }
 
 void CharacterPractice::begin_stage() {
   const bool is_lesson = session_.is_running() && !session_.is_away();
-  guided_.set_help(is_lesson ? std::optional(session_.help()) : std::nullopt);
-  for (auto* const stage : stages_)
-    stage->set_on_mistake(is_lesson ? [this](int stroke) { return session_.add_mistake(stroke); }
-                                    : PracticeStage::OnMistake());
+  guided().set_help(is_lesson ? std::optional(session_.help()) : std::nullopt);
+  for (const auto& stage : stages_)
+    stage->set_on_mistake(is_lesson && lesson_stage(*stage)
+                              ? [this](int stroke) { return session_.add_mistake(stroke); }
+                              : PracticeStage::OnMistake());
   const bool is_unrated = session_.state() == StudySession::State::judged;
-  memory_.set_resumes(returns_ || (is_lesson && is_unrated), is_unrated);
+  memory().set_resumes(returns_ || (is_lesson && is_unrated), is_unrated);
   stage_->enter({sheet_, tablet_});
 }
 
@@ -173,8 +189,8 @@ void CharacterPractice::use_own(const OwnTablet& loaded) {
   wanted();
   // What no dictionary knows can only be traced.
   own_arrived();
-  if (stage_ != &trace_)
-    enter_stage(trace_);
+  if (stage_ != &trace())
+    enter_stage(trace());
   else if (is_entered_)
     begin_stage();
   session_.set_sheet(nullptr);

@@ -8,7 +8,7 @@
 namespace nazori::practice {
 namespace {
 
-/// A top of an axis that divides well: 1, 2, 4 or 5 times a power of ten over the value.
+/// A round upper end of an axis: 1, 2, 4 or 5 times a power of ten, not below the value.
 double nice_over(double value, bool whole) {
   if (value <= 0) return 1;
   const double power = std::pow(10, std::floor(std::log10(value)));

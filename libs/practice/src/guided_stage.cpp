@@ -15,7 +15,7 @@ namespace {
 /// stylus.
 constexpr std::array kLines{0.45, 0.2, 0.0, 0.0};
 constexpr std::array kHold{1.0, 0.6, 0.3, 0.0};
-/// With less help the numbers are gone, too.
+/// With less help the numbers are hidden, too.
 constexpr double kNumbersUntil = 0.5;
 
 double at_level(const std::array<double, 4>& help, int successes) {

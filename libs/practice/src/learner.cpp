@@ -77,7 +77,7 @@ void Learner::while_closed(const std::function<std::string()>& work) {
 }
 
 bool Learner::open() {
-  close();  // before it is opened: it may be the same one
+  close();  // before opening, because it may be the same file
   trouble_.reset();
   backup_trouble_.reset();
   order_.reset();
@@ -147,7 +147,7 @@ void Learner::renew_order() {
 void Learner::tick() {
   if (store_->today() == day_) return;
   day_ = store_->today();
-  // A program that runs for days has its daily backups, too.
+  // A program that runs for days also needs its daily backups.
   if (can_write_) upkeep_.request(file(), day_);
   changed();
 }

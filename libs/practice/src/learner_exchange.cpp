@@ -19,7 +19,7 @@ using study::Access;
 using study::LearnerStore;
 using Kind = ExchangeEvent::Kind;
 
-/// A folder that goes with the object, with all that is in it.
+/// A folder that is removed with this object, with everything in it.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -74,7 +74,7 @@ void shorten(std::string& text) {
   if (!text.empty()) text.pop_back();
 }
 
-/// Without white space around it, the ideographic space included.
+/// Without white space at its ends, the ideographic space included.
 std::string trimmed(std::string text) {
   constexpr std::string_view kSpaces = " \t\n\v\f\r";
   constexpr std::string_view kWideSpace = "\xE3\x80\x80";
@@ -94,7 +94,7 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-/// A name that no learner has yet.
+/// An unused name for a learner.
 std::string free_name(const fs::path& folder, const fs::path& file) {
   std::string base = trimmed(file.stem().string());
   while (!base.empty() && !study::can_be_profile(base)) shorten(base);
@@ -107,7 +107,7 @@ std::string free_name(const fs::path& folder, const fs::path& file) {
 
 }  // namespace
 
-/// What an import has made so far: a sound learner.db in a folder that goes with this.
+/// The result of an import so far: a valid learner.db in a folder that is removed with this object.
 struct LearnerExchange::Import {
   std::shared_ptr<TemporaryFolder> folder;
   fs::path file;
@@ -231,7 +231,7 @@ void LearnerExchange::replace(const fs::path& store, const std::string& profile,
 
 void LearnerExchange::back_up() {
   if (learner_.store().last_entry() == 0) {
-    // A store that cannot be read is not an empty one.
+    // A store that cannot be read must not be treated as an empty one.
     ExchangeEvent event;
     event.kind = learner_.trouble() ? Kind::no_store : Kind::nothing_to_back_up;
     event.trouble = learner_.trouble();

@@ -21,7 +21,7 @@ double length_m(const HandStroke& stroke) {
 bool PenRecorder::is_on_its_way(geometry::TabletPoint at) {
   if (!pressed_at_) return false;
   const double away_m = geometry::distance(*pressed_at_, at);
-  // A quick hand has moved on before the stylus arrived: the stroke begins where it came nearest.
+  // A fast hand has moved on before the stylus arrived: the stroke begins at the nearest point it reached.
   const bool arrived = away_m < kArrived_m || away_m > nearest_m_ + kTurnedAway_m;
   nearest_m_ = std::min(nearest_m_, away_m);
   if (!arrived) return true;
@@ -31,7 +31,7 @@ bool PenRecorder::is_on_its_way(geometry::TabletPoint at) {
 }
 
 PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
-  // A tick that came too late drops the touch, which says nothing of the hand.
+  // A late tick interrupts the contact although the hand did not lift.
   if (haptics::has(sample.events, haptics::ServoEvent::fault)) return Event::none;
   if (!sample.touching) {
     const bool ended = touching_ && !dropped_;
@@ -40,7 +40,7 @@ PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
     if (ended) pressed_at_.reset();
     nearest_m_ = kFar_m;
     if (!ended) return Event::none;
-    // How long the pen rested before it was lifted tells a stop from a sweep.
+    // The pause of the pen before it was lifted distinguishes a stop from a sweep.
     if (!current_.empty() && last_.time_s > current_.back().time_s)
       current_.push_back({current_.back().at, last_.time_s, last_.pressure, last_.lean_rad});
     ended_ = std::move(current_);
@@ -56,7 +56,7 @@ PenRecorder::Event PenRecorder::follow(const haptics::ServoSample& sample) {
   const double pressure = std::clamp((sample.proxy_m.z - sample.device_m.z) / full_press_m_, 0.0, 1.0);
   last_ = {at, sample.time_s, pressure, lean_rad_};
   if (!current_.empty() && geometry::distance(current_.back().at, at) < kStep_m) {
-    // The pen rests: the width there is that of the firmest press.
+    // The pen rests: the width there follows the strongest pressure.
     current_.back().pressure = std::max(current_.back().pressure.value_or(0), pressure);
     return Event::none;
   }

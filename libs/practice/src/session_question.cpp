@@ -61,7 +61,7 @@ SessionQuestion question_of(const StudySession& session, const CharacterSheet& s
   if (!session.asks_from_memory()) question.shown = character.code_point;
   question.meanings = meanings_of(character.entry);
   question.readings = readings_of(character.entry);
-  // Kana have no dictionary entry; one syllabary asks for the other.
+  // Kana have no dictionary entry; the question shows the same kana of the other syllabary.
   if (question.meanings.empty() && question.readings.empty())
     question.other_kana = kanji::in_other_syllabary(character.code_point);
   return question;

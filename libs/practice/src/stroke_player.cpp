@@ -15,16 +15,16 @@ namespace {
 using haptics::Vec3;
 
 constexpr double kPiece_m = 0.0005;
-constexpr double kRamp_m = 0.007;     ///< over which the brush gains or loses speed
+constexpr double kRamp_m = 0.007;     ///< length over which the brush gains or loses speed
 constexpr double kCorner_m = 0.004;   ///< around a corner
-constexpr double kSlowest = 0.22;     ///< of the speed: at a start, a corner, a stop
-constexpr double kSwept = 1.15;       ///< at the end of a sweep, and in a kick
-constexpr double kPress_s = 0.14;     ///< the brush settles before it moves
-constexpr double kRest_s = 0.16;      ///< and before it is lifted, where the stroke stops
+constexpr double kSlowest = 0.22;     ///< share of the speed at a start, a corner, a stop
+constexpr double kSwept = 1.15;       ///< at the end of a sweep, and in a hook
+constexpr double kPress_s = 0.14;     ///< pause of the brush before it moves
+constexpr double kRest_s = 0.16;      ///< pause before it is lifted, where the stroke stops
 constexpr double kTravel_m_s = 0.12;  ///< in the air
 constexpr double kLeastTravel_s = 0.28;
 
-/// Points at even steps along a path.
+/// Points at equal distances along a path.
 std::vector<Vec3> resampled(std::span<const Vec3> path) {
   std::vector<Vec3> out;
   if (path.empty()) return out;
@@ -38,7 +38,7 @@ std::vector<Vec3> resampled(std::span<const Vec3> path) {
   return out;
 }
 
-/// How much the way turns around a point, 0 straight on .. 1 back.
+/// How much the path turns around a point, 0 straight on .. 1 back.
 double turn_at(const std::vector<Vec3>& points, std::size_t i) {
   const auto reach = static_cast<std::size_t>(kCorner_m / kPiece_m / 2);
   const std::size_t before = i > reach ? i - reach : 0;
@@ -79,7 +79,7 @@ void StrokePlayer::set_strokes(std::span<const haptics::StrokePath> paths,
         pace = std::min(pace, kSlowest + (1 - kSlowest) * left_m / kRamp_m);
       else if (left_m < kRamp_m)
         pace = std::min(pace * 2, kSwept);
-      // Any turn of a quarter of a circle or more is taken at the slowest pace.
+      // A turn of 90 degrees or more is made at the slowest pace.
       const double turn = std::min(turn_at(points, i) * 2, 1.0);
       pace *= 1 - (1 - kSlowest) * turn;
       stroke.pace.move(stroke.along_m[i], kSpeed_m_s * pace);
@@ -118,7 +118,7 @@ StrokePlayer::Pose StrokePlayer::at(double time_s) const {
     const auto& timed = strokes_[static_cast<std::size_t>(n - 1)];
     pose.stroke = n;
     if (time_s < timed.start_s) {
-      // In the air, in a bow from the end of the stroke before.
+      // In the air, in an arc from the end of the previous stroke.
       const Vec3 to = timed.points.front();
       const Vec3 from =
           n > 1 ? strokes_[static_cast<std::size_t>(n - 2)].points.back() : to + Vec3(0, 0, kLift_m);

@@ -59,7 +59,7 @@ Chart begin_chart(ChartId id, Period period, std::initializer_list<Quantity> col
   return chart;
 }
 
-/// @param values  a value to a column.
+/// @param values  one value per column.
 void add_row(Chart& chart, Day day, std::initializer_list<double> values) {
   chart.positions.push_back(chart.days.empty() ? 0 : periods_between(chart.period, chart.days.front(), day));
   chart.days.push_back(day);

@@ -179,7 +179,7 @@ void TabletControl::move_stylus(geometry::TabletPoint at, bool is_down, std::opt
     slope_gain_.reset();
   else if (tablet_)
     at = slope_gain_.follow(at, haptics::TabletSurface(*tablet_->surface(), shape));
-  // A little beyond the edge is still the tablet: strokes may end near it.
+  // A little beyond the edge still counts as the tablet, because strokes may end near the edge.
   const double edge_m = shape.width_m * 0.56;
   pointer_.x_m = std::clamp(at.x, -edge_m, edge_m);
   pointer_.y_m = std::clamp(at.y, -edge_m, edge_m);
@@ -203,7 +203,7 @@ void TabletControl::lift_stylus() {
 
 void TabletControl::lean_stylus(std::optional<PenTilt> tilt) {
   const auto slope = [](double degrees) {
-    constexpr double kMost = 75;  // drivers that report more mean a pen that lies
+    constexpr double kMost = 75;  // drivers report more for a pen that lies flat
     return std::tan(std::clamp(std::isfinite(degrees) ? degrees : 0, -kMost, kMost) * std::numbers::pi / 180);
   };
   // Many drivers of pens without tilt report zeros.
@@ -223,7 +223,7 @@ void TabletControl::push_stylus(double notches) {
 
 void TabletControl::send(std::optional<double> event_s) {
   device_.move(pointer_, event_s);
-  // A simulated device has no hand of its own: the mouse leads it.
+  // A simulated device has no hand of its own: the mouse moves it.
   if (const auto* opened = device_.opened(); opened != nullptr && pointer_.in_range)
     if (auto* simulated = dynamic_cast<devices::SimulatedDevice*>(opened->device.get()))
       simulated->set_target({pointer_.x_m, pointer_.y_m,
@@ -253,7 +253,7 @@ void TabletControl::follow(std::span<const haptics::ServoSample> samples) {
   const bool traced = !guides_ || guides_->traced;
   for (const auto& sample : samples) {
     if (!traced) break;
-    // A tick that came too late drops the touch, which says nothing of the hand.
+    // A late tick interrupts the contact although the hand did not lift.
     if (haptics::has(sample.events, haptics::ServoEvent::fault)) continue;
     const auto step = ink_.follow(sample.proxy_m, sample.touching, current_);
     inked = inked || step.inked || step.event == TraceEvent::left_open;

@@ -106,7 +106,7 @@ void TabletRecording::finish_export(const Path& path, const base::Result<recordi
     forget(path);
     exported(path);
   } else {
-    failed(path, result.error());  // the next start tries again
+    failed(path, result.error());  // tried again at the next start
   }
   changed();
 }
@@ -163,7 +163,7 @@ void TabletRecording::finish_recovery(const Path& path, const base::Result<recor
   if (result && *result == recording::Recovery::in_progress) return;
   if (!result || !is_csv(path)) forget(path);
   if (!result) {
-    // A file that was moved or removed since is not worth a report.
+    // A file that was moved or removed since needs no report.
     if (result.error().code != base::Errc::not_found) failed(path, result.error());
     return;
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/practice/tablet_workshop.h"
 
-#include <algorithm>
 #include <deque>
 #include <optional>
 #include <string_view>
@@ -11,8 +10,8 @@
 
 #include "nazori/base/latest.h"
 #include "nazori/carving/carve.h"
+#include "nazori/exchange/own_files.h"
 #include "nazori/kanji/stroke_order.h"
-#include "nazori/surface/height_map_file.h"
 
 namespace nazori::practice {
 namespace {
@@ -26,36 +25,23 @@ base::Result<OwnTablet> load_own(const std::filesystem::path& map_path,
                                  const std::filesystem::path& strokes_path, const OwnTablet& onto,
                                  int grid_size) {
   OwnTablet own;
-  std::optional<surface::HeightMap> map;
+  exchange::OwnFiles files{map_path, {}, strokes_path, {}, {}};
+  if (grid_size > 0) files.grid = grid_size;
   if (!map_path.empty()) {
-    auto loaded = surface::load_height_map(map_path);
-    if (!loaded) return tl::unexpected(loaded.error());
-    map = std::move(*loaded);
     own.name = map_path.filename().string();
   } else if (onto.tablet && onto.map_size > 0) {
-    map = onto.tablet->height_map();
+    files.onto = onto.tablet->height_map();
     own.name = onto.name.substr(0, onto.name.find(kBetweenNames));
   }
-  own.map_size = map ? map->size() : 0;
-  std::vector<kanji::StrokeLine> lines;
   if (!strokes_path.empty()) {
-    int side = grid_size > 0 ? grid_size : own.map_size;
-    if (side == 0) {
-      const auto guess = TabletWorkshop::guess_grid(strokes_path);
-      if (!guess) return tl::unexpected(guess.error());
-      side = guess->side;
-    }
-    auto order = kanji::StrokeOrder::load(strokes_path, side);
-    if (!order) return tl::unexpected(order.error());
-    lines = order->to_lines(side);
     own.has_strokes = true;
     const std::string name = strokes_path.filename().string();
     own.name = own.name.empty() ? name : own.name + std::string(kBetweenNames) + name;
   }
-  auto tablet = map ? tablet::CarvedTablet::from_height_map(std::move(*map), tablet::tablet_lines(lines))
-                    : tablet::CarvedTablet::from_lines(std::move(lines), TabletWorkshop::kSize);
-  if (!tablet) return tl::unexpected(tablet.error());
-  own.tablet = std::move(*tablet);
+  auto loaded = exchange::load_own_tablet(std::move(files), TabletWorkshop::kSize);
+  if (!loaded) return tl::unexpected(std::move(loaded.error()));
+  own.tablet = std::move(loaded->tablet);
+  own.map_size = loaded->map_size;
   return own;
 }
 
@@ -100,7 +86,7 @@ struct Failure {
 using Request = std::variant<CarveRequest, LoadRequest>;
 using Answer = std::variant<CarvedCharacter, OwnTablet, Failure>;
 
-/// The tablets that were carved last, newest first.
+/// The most recently carved tablets, newest first.
 using Recent = std::deque<CarvedCharacter>;
 
 Answer answer_to(const CarveRequest& request, Recent& recent) {
@@ -146,15 +132,9 @@ struct TabletWorkshop::Inside {
 
 base::Result<TabletWorkshop::GridGuess> TabletWorkshop::guess_grid(
     const std::filesystem::path& strokes_path) {
-  const auto order = kanji::StrokeOrder::load(strokes_path, kanji::StrokeOrder::kMaxGrid);
-  if (!order) return tl::unexpected(order.error());
-  int farthest = 0;
-  for (const auto& stroke : order->all())
-    for (const auto& point : stroke) farthest = std::max({farthest, point.x, point.y});
-  GridGuess guess;
-  while (guess.side <= farthest) guess.side *= 2;
-  guess.certain = guess.side == kClassicSize && farthest >= kClassicSize / 2;
-  return guess;
+  const auto guess = exchange::guess_grid(strokes_path);
+  if (!guess) return tl::unexpected(guess.error());
+  return GridGuess{guess->side, guess->certain};
 }
 
 TabletWorkshop::TabletWorkshop(base::Inbox& inbox) : inside_(std::make_unique<Inside>(*this, inbox)) {}

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kDone = 1.0;
 constexpr double kNearlyDone = 0.999;
-constexpr double kAtEnd_m = 0.0015;   ///< so near its end a stroke is finished without a lift
-constexpr double kAtEndShare = 0.1;   ///< and no more than this share of its length
-constexpr double kNoTouch_m = 0.002;  ///< less ink than this is no stroke that was left
-constexpr double kPassing_m = 0.008;  ///< nor is this where the stylus only came by
+constexpr double kAtEnd_m = 0.0015;   ///< within this distance of its end a stroke is finished without a lift
+constexpr double kAtEndShare = 0.1;   ///< and within this share of its length
+constexpr double kNoTouch_m = 0.002;  ///< a stroke with less ink does not count as left open
+constexpr double kPassing_m = 0.008;  ///< nor does one with less ink than this if the stylus only passed by
 
 using geometry::TabletFrame;
 using geometry::TabletPoint;
@@ -91,7 +91,7 @@ TracedInk::Step TracedInk::take_up(TabletPoint at, int only, bool coming_down) {
     if ((only != 0 && n != only) || is_finished(n) || line_of(n).points.empty()) continue;
     const double front_m = inked_m(n);
     const double away_m = geometry::distance(geometry::point_at<TabletFrame>(line_of(n).points, front_m), at);
-    // Where several begin close together the one whose turn it is comes first.
+    // Where several begin close together, the one that is next in order comes first.
     if (away_m <= kReach_m) near.push_back({n == next ? 0.0 : away_m, {n, front_m, front_m, coming_down}});
   }
   std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -115,7 +115,7 @@ TracedInk::Step TracedInk::take_up(TabletPoint at, int only, bool coming_down) {
 /// @return whether the stylus is still near the stroke.
 bool TracedInk::follow_on(Candidate& candidate, TabletPoint at) const {
   const auto& line = line_of(candidate.stroke);
-  // Only the piece just ahead is looked at: a line that comes back near itself must not be jumped.
+  // Search only just ahead: ink must not jump to another part of a line that comes back near itself.
   const double front_m = candidate.front_m;
   const auto ahead =
       geometry::nearest_point_between<TabletFrame>(line.points, at, front_m, front_m + kReach_m);
@@ -135,7 +135,7 @@ TracedInk::Step TracedInk::advance(TabletPoint at, int only) {
     return step;
   }
   if (followed_.front().stroke != shown.stroke) {
-    // The hand has gone another way than along the stroke that took the ink: it was not meant.
+    // The hand has not followed the stroke that took the ink, so that stroke was not meant.
     set_ink(shown.stroke, shown.before_m);
     std::stable_sort(followed_.begin(), followed_.end(), [](const Candidate& a, const Candidate& b) {
       return a.front_m - a.before_m > b.front_m - b.before_m;
@@ -147,7 +147,7 @@ TracedInk::Step TracedInk::advance(TabletPoint at, int only) {
   }
   const auto& now = followed_.front();
   const auto& line = line_of(now.stroke);
-  // While it may be another stroke that is written, the lift decides.
+  // While another stroke may be meant, the lift decides.
   if (followed_.size() == 1 && line.length_m - now.front_m <= std::min(kAtEnd_m, line.length_m * kAtEndShare))
     return finish(now.stroke);
   if (now.front_m > inked_m(now.stroke)) {
@@ -178,7 +178,7 @@ TracedInk::Step TracedInk::lift() {
   lost_ = {};
   if (shown.stroke == 0 || is_finished(shown.stroke)) return {};
   if (others.size() <= 1 && may_end(shown)) return finish(shown.stroke);
-  // Of those that begin there, the one that ends where the stylus was lifted.
+  // Among the strokes that begin there, choose the one that ends where the stylus was lifted.
   const auto from_end_m = [this](const Candidate& c) {
     return geometry::distance(line_of(c.stroke).points.back(), at_);
   };

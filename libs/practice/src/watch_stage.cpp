@@ -90,6 +90,15 @@ void WatchStage::step(int by) {
   if (by > 0 && to_s >= stops.back()) finished({});
 }
 
+std::vector<StageCommand> WatchStage::commands() {
+  auto all = PracticeStage::commands();
+  all.push_back({"watch", [this] {
+                   // From the start of the first stroke to the end of each.
+                   for (int i = 0; i <= player_.stroke_count(); ++i) step(+1);
+                 }});
+  return all;
+}
+
 void WatchStage::faster() { change_speed(kSpeedStep); }
 
 void WatchStage::slower() { change_speed(1 / kSpeedStep); }

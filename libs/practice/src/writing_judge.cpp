@@ -51,7 +51,7 @@ struct Books {
   }
 };
 
-/// The recogniser, once it has learned.
+/// The recogniser, once its data are loaded.
 struct Reader {
   explicit Reader(std::filesystem::path from) : path(std::move(from)) {}
 
@@ -95,7 +95,7 @@ struct InkToRead {
   int limit;
 };
 
-/// An answer with the number of its request.
+/// An answer with its request number.
 template <class Found>
 struct Numbered {
   std::uint64_t number;
@@ -154,7 +154,7 @@ std::uint64_t WritingJudge::recognise(const writing::WrittenCharacter& ink, int 
 }
 
 void WritingJudge::prepare_recogniser() {
-  // A failure is reported when something is asked.
+  // A failure is reported at the next request.
   inside_->recogniser_thread->post([reader = inside_->reader] { (void)reader->learn(); });
 }
 

@@ -13,7 +13,7 @@
 namespace nazori::practice {
 namespace {
 
-/// A library, and all that it answers.
+/// A library, and all its answers.
 struct LibraryUnderTest {
   explicit LibraryUnderTest(const std::filesystem::path& path = test::database()) : library(inbox, path) {
     library.opened.connect([this](const std::vector<kanji::Source>& from) { sources.push_back(from); });
@@ -67,6 +67,28 @@ TEST(CharacterLibrary, ASheetHasTheStrokesPartsRadicalAndWordsOfACharacter) {
   EXPECT_TRUE(std::any_of(sheet.words.begin(), sheet.words.end(),
                           [](const kanji::Word& word) { return word.text == "休日"; }));
   EXPECT_LE(sheet.words.size(), static_cast<std::size_t>(CharacterLibrary::kMaxWords));
+}
+
+TEST(CharacterLibrary, ASheetHasTheWordsThatCanBeDictated) {
+  LibraryUnderTest under;
+  under.library.request_sheet(U'休');
+  under.wait_for(under.sheets, 1);
+  const auto& words = under.sheets[0]->dictation;
+  EXPECT_TRUE(std::any_of(words.begin(), words.end(),
+                          [](const DictationWord& one) { return one.word.text == "休日"; }));
+  for (const auto& word : words) EXPECT_LE(word.characters.size(), kMostDictated) << word.word.text;
+}
+
+TEST(CharacterLibrary, CharactersComeInTheOrderThatWasAskedForWithoutThoseThatCannotBeDrawn) {
+  LibraryUnderTest under;
+  std::vector<std::vector<char32_t>> answers;
+  under.library.characters_ready.connect([&](const std::vector<kanji::Character>& found) {
+    auto& answer = answers.emplace_back();
+    for (const auto& one : found) answer.push_back(one.code_point);
+  });
+  under.library.request_characters({U'日', U'☃', U'休'});
+  under.wait_for(answers, 1);
+  EXPECT_EQ(answers[0], (std::vector<char32_t>{U'日', U'休'}));
 }
 
 TEST(CharacterLibrary, ACharacterWithoutStrokesIsMissing) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/practice/character_practice.h"
 
+#include "nazori/practice/dictation_stage.h"
 #include "session_under_test.h"
 #include "stage_under_test.h"
 
@@ -20,7 +21,7 @@ class CharacterPracticeTest : public LearnerTest {
       if (enters_when_wanted_) practice_.enter();
     });
     practice_.feedback.connect([this](const PracticeStage& stage, const StageFeedback& what) {
-      reports_.emplace_back(stage.stage(), what.event);
+      reports_.emplace_back(stage.id(), what.event);
     });
   }
   void show(char32_t character) {
@@ -28,7 +29,7 @@ class CharacterPracticeTest : public LearnerTest {
     practice_.show(character);
     inbox_.run_until([&] { return shown_.size() > before; });
   }
-  [[nodiscard]] Stage stage() const { return practice_.current_stage().stage(); }
+  [[nodiscard]] Stage stage() const { return *study::stage_named(practice_.current_stage().id()); }
   /// The strokes of the character, one after the other, with a simulated hand.
   void write() {
     const auto subject = practice_.current_stage().subject();
@@ -64,7 +65,7 @@ class CharacterPracticeTest : public LearnerTest {
   StudySession session_{*learner_, clock_};
   CharacterPractice practice_{{inbox_, clock_, tablet_, library_, workshop_, judge_, session_}};
   std::vector<char32_t> shown_, missing_;
-  std::vector<std::pair<Stage, StageEvent>> reports_;
+  std::vector<std::pair<std::string_view, StageEvent>> reports_;
   int own_shown_ = 0;
   bool enters_when_wanted_ = true;
 };
@@ -77,7 +78,7 @@ TEST_F(CharacterPracticeTest, EnteringShowsTheFirstCharacterToBeTraced) {
   EXPECT_EQ(stage(), Stage::trace);
   EXPECT_EQ(tablet_.stroke_count(), 4);
   EXPECT_EQ(practice_.sheet()->character.code_point, U'木');
-  EXPECT_EQ(reports_.back(), std::pair(Stage::trace, StageEvent::draw_from_one));
+  EXPECT_EQ(reports_.back(), std::pair(std::string_view("trace"), StageEvent::draw_from_one));
 }
 
 TEST_F(CharacterPracticeTest, TravelsBackAndForwardAlongWhatWasShown) {
@@ -188,6 +189,33 @@ TEST_F(CharacterPracticeTest, ASessionGoesThroughTheStagesOfANewCharacterAndOnTo
   EXPECT_EQ(session_.summary().reviews, 2);
   EXPECT_EQ(session_.summary().met, (std::vector<char32_t>{U'一', U'二'}));
   EXPECT_TRUE(learner_->store().card(U'一').introduced);
+}
+
+TEST_F(CharacterPracticeTest, AStageThatIsNoPartOfTheLessonLeavesTheSessionWhereItIs) {
+  ASSERT_TRUE(learner_->store().save_list({"few", {U'一'}}));
+  auto settings = learner_->store().settings();
+  settings.new_lists = {"list:few"};
+  ASSERT_TRUE(learner_->store().change_settings(settings));
+  learner_->renew_order();
+  ASSERT_TRUE(session_.start());
+  inbox_.run_until([&] { return !shown_.empty(); });
+  auto& dictation = practice_.get<DictationStage>();
+  practice_.enter_stage(dictation);
+  inbox_.run_until([&] { return !dictation.is_busy(); });
+  EXPECT_TRUE(dictation.is_entered());
+  EXPECT_FALSE(dictation.is_lesson());
+  EXPECT_EQ(reports_.back().first, DictationStage::kId);
+  for (std::size_t i = 0; i < dictation.boxes().size(); ++i) {
+    dictation.show_answer();
+    dictation.finish_writing();
+  }
+  EXPECT_EQ(dictation.state(), DictationStage::State::judged);
+  EXPECT_EQ(session_.state(), StudySession::State::doing) << "what was written is not saved in the session";
+  EXPECT_EQ(session_.stage(), Stage::watch);
+  EXPECT_EQ(session_.summary().practices, 0);
+  practice_.enter_stage(practice_.watch());
+  while (session_.state() == StudySession::State::doing) practice_.watch().step(+1);
+  EXPECT_EQ(session_.stage(), Stage::trace);
 }
 
 TEST_F(CharacterPracticeTest, LookingAtAnotherCharacterLeavesTheSessionWhereItIs) {

@@ -35,7 +35,7 @@ struct Scale {
     *out << s.low << ".." << s.high << ' ' << s.ticks << " ticks, decimals " << s.decimals;
   }
 };
-/// Range, ticks and numbers of the left axis for values.
+/// Range, ticks and tick values of the left axis for some values.
 Scale scale(std::vector<double> values, const SeriesLook& look = first_line_look()) {
   const auto axis = value_axis(chart_of({{std::move(values), look}}), Side::left);
   return {axis->low, axis->high, axis->ticks, axis->numbers.decimals};

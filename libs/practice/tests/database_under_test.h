@@ -12,7 +12,7 @@
 
 namespace nazori::practice::test {
 
-/// kanji.db as `nazori-cli database build` has made it.
+/// kanji.db as made by `nazori-cli database build`.
 inline std::filesystem::path database() {
   const char* const folder = std::getenv("NAZORI_DATA");
   return std::filesystem::path(folder != nullptr ? folder : ".") / "kanji.db";

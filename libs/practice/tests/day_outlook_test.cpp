@@ -29,7 +29,7 @@ class Outlook : public SessionTest {
     ASSERT_TRUE(learner_->store().add_writing(character, 1, writing));
   }
   [[nodiscard]] DayOutlook outlook() { return outlook_of(learner_->store(), *learner_->plan()); }
-  /// To the day before this character is due.
+  /// Advances the clock to the day before this character is due.
   void pass_until_eve_of(char32_t character) {
     const auto& store = learner_->store();
     clock_.advance(*store.card(character).due_day - store.today() - days(1));

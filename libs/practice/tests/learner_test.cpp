@@ -122,7 +122,7 @@ TEST_F(PracticeLearner, DamageThatTheCheckFindsClosesTheFile) {
   const auto path = learner_->file();
   learner_.reset();
   {
-    // Pages behind the first: the file opens, but is not sound.
+    // Damages pages after the first: the file can be opened, but is not valid.
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(0, std::ios::end);
     const auto size = static_cast<std::streamoff>(file.tellp());
@@ -154,7 +154,7 @@ TEST_F(PracticeLearner, TheCauseIsLookedForInTheNearestFolderThatIsThere) {
   const LearnerEvent event = with_cause({}, folder_ / "none" / "deeper" / "learner.db");
   EXPECT_EQ(event.folder, folder_);
   EXPECT_EQ(event.cause, LearnerEvent::Cause::other);
-  // Nothing may be written in the file system of the processes, not even by root.
+  // In /proc nothing can be written, not even by root.
   EXPECT_NE(with_cause({}, "/proc/1/learner.db").cause, LearnerEvent::Cause::other);
 }
 
@@ -202,7 +202,7 @@ TEST_F(PracticeLearner, LetGoItHasNoStoreUntilItIsOpenedAgain) {
 TEST_F(PracticeLearner, ANewStudyDayIsNoticedOnceAndBackedUp) {
   wait_for_upkeep();
   write(U'一');
-  // The first check may have found a store without entries, which has no backup.
+  // The first check may have run on an empty store, of which no backup is made.
   ASSERT_TRUE(learner_->open_again());
   wait_for_upkeep();
   listen();

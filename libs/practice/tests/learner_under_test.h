@@ -16,7 +16,7 @@
 
 namespace nazori::practice {
 
-/// A learner in a folder of its own, whose days and minutes the test turns.
+/// A learner in a folder of its own, whose clock the test sets.
 class LearnerTest : public testing::Test {
  protected:
   LearnerTest() {
@@ -39,7 +39,7 @@ class LearnerTest : public testing::Test {
     return {folder_ / "learners", kanji_db(), [this] { return clock_.calendar(); }};
   }
 
-  /// A learner of UTC, as after the program was started again.
+  /// A learner in the UTC zone, as after a restart of the program.
   void open_learner() {
     learner_.reset();
     learner_ = std::make_unique<Learner>(inbox_, place());
@@ -57,7 +57,7 @@ class LearnerTest : public testing::Test {
     writing.result.duration = std::chrono::seconds(5);
     ASSERT_TRUE(learner_->report(learner_->store().add_writing(character, 1, writing)));
   }
-  /// Waits until nothing checks the learner's file any more.
+  /// Waits until the learner's file is no longer being checked.
   void wait_for_upkeep() {
     inbox_.run_until([this] { return !learner_->keeps_up(); });
   }

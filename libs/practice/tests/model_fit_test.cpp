@@ -63,7 +63,7 @@ TEST(ModelFit, TheModelIsNeverLaidOverSmallerThanAFifthOrLargerThanTwice) {
 TEST(ModelFit, StrokesThatDoNotMatchAreLeftOut) {
   HandStroke far;
   for (int i = 0; i < 5; ++i) far.push_back({{0.04, 0.01 * i}, 0, 0.5});
-  // Unmatched, matched to a stroke that the model has not, without points, and beyond the verdicts.
+  // Unmatched, matched to a stroke that the model does not have, without points, and beyond the verdicts.
   const auto fit =
       nazori::practice::fit_model({far, far, {}, small(0, false), far},
                                   matched({std::nullopt, 2, 1, 0}, {false, false, false, false}), kCross);

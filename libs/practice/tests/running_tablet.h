@@ -9,7 +9,7 @@
 
 namespace nazori::practice::test {
 
-/// What a tablet with a servo needs around it: a base class, so that it is made first.
+/// The objects that a tablet with a servo needs; a base class, so that they are made first.
 struct TabletLoop {
   base::Inbox inbox;
   base::SystemClock clock;
@@ -20,7 +20,7 @@ class RunningTablet : private TabletLoop, public TabletControl {
  public:
   RunningTablet() : TabletControl(inbox, clock, {}) {}
 
-  /// What an event loop does, until `wish` comes true. @return false where it has not within `limit_ms`.
+  /// Acts as an event loop until `wish` is true. @return false if it is not true within `limit_ms`.
   template <class Wish>
   bool wait_for(Wish wish, int limit_ms = 20'000) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(limit_ms);
@@ -34,7 +34,7 @@ class RunningTablet : private TabletLoop, public TabletControl {
     }
     return true;
   }
-  /// Lets the servo see at least so many more samples.
+  /// Waits for at least this many more samples of the servo.
   void let_ticks_pass(std::uint64_t count) {
     const auto from = device().timing().ticks;
     wait_for([&] { return device().timing().ticks >= from + count; });

@@ -9,7 +9,7 @@
 
 namespace nazori::practice {
 
-/// A session of a learner who meets two characters a day.
+/// A session of a learner with two new characters a day.
 class SessionTest : public LearnerTest {
  protected:
   SessionTest() { open(); }
@@ -29,7 +29,7 @@ class SessionTest : public LearnerTest {
       ASSERT_TRUE(learner_->store().change_settings(settings));
     }
   }
-  /// Only these are learnt, in this order.
+  /// Only these characters are learned, in this order.
   void learn_from(std::vector<char32_t> characters) {
     ASSERT_TRUE(learner_->store().save_list({"few", std::move(characters)}));
     auto settings = learner_->store().settings();
@@ -39,7 +39,7 @@ class SessionTest : public LearnerTest {
     learner_->renew_order();
   }
 
-  /// The tablet shows the character.
+  /// Makes the tablet show the character.
   void bring(char32_t character) {
     auto sheet = std::make_shared<CharacterSheet>();
     sheet->character = *learner_->database()->find(character);
@@ -66,7 +66,7 @@ class SessionTest : public LearnerTest {
     session_->add_stroke();
     session_->judge(grade(accepted), hand());
   }
-  /// A new character up to the question from memory, all of it well.
+  /// Takes a new character up to the question from memory, without mistakes.
   void practise() {
     using study::Stage;
     for (const Stage stage : {Stage::watch, Stage::trace, Stage::guided}) {
@@ -76,7 +76,7 @@ class SessionTest : public LearnerTest {
     }
     ASSERT_EQ(session_->stage(), Stage::memory);
   }
-  /// A new character from watching to memory, all of it well.
+  /// Takes a new character from watching to memory, without mistakes.
   void learn() {
     practise();
     write(true);

@@ -10,7 +10,7 @@ namespace {
 
 class PracticeSettings : public LearnerTest {
  protected:
-  /// Waits for the end. @return what became of it.
+  /// Waits for the end. @return the result.
   base::Result<void> wait_for(SettingsChange& change) {
     base::Result<void> done;
     int ends = 0;

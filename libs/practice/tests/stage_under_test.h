@@ -32,7 +32,7 @@ class TestHand {
     for (int i = 0; i < 12; ++i) sample(line.back(), true);  // a stop
     hover(line.back());
   }
-  /// Touches the tablet for so short a way that it is no stroke.
+  /// Touches the tablet over a distance too short for a stroke.
   void hover(geometry::TabletPoint at) { sample(at, false); }
   void sample(geometry::TabletPoint at, bool touching, std::uint16_t events = 0) {
     haptics::ServoSample sample;

@@ -46,7 +46,7 @@ TEST_F(StatisticsOfALearner, AreOfWhatIsSavedAndReportHowFarTheyAre) {
 TEST_F(StatisticsOfALearner, OfADamagedFileFail) {
   StatisticsReader reader(inbox_);
   base::Error error;
-  reader.failed.connect([&](const base::Error& heard) { error = heard; });
+  reader.failed.connect([&](const base::Error& reported) { error = reported; });
   reader.request(kanji_db(), {});
   inbox_.run_until([&] { return !reader.is_busy(); });
   EXPECT_EQ(error.code, base::Errc::schema);

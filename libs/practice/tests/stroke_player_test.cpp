@@ -53,7 +53,7 @@ TEST(StrokePlayer, TheBrushSlowsDownAtACornerAndBeforeAKick) {
   // Across, then down.
   const auto corner = player({{{-0.02, 0.02, 0}, {0.02, 0.02, 0}, {0.02, -0.02, 0}}}, {StrokeEnding::stop});
   EXPECT_LT(speed_at(corner, 0.5, 0.08), speed_at(corner, 0.25, 0.08) / 2);
-  // Down, then a short kick back to the upper left.
+  // Down, then a short hook to the upper left.
   const auto kick = player({{{0, 0.02, 0}, {0, -0.02, 0}, {-0.005, -0.015, 0}}}, {StrokeEnding::hook});
   const double length_m = 0.04 + std::hypot(0.005, 0.005);
   EXPECT_LT(speed_at(kick, 0.04 / length_m, length_m), speed_at(kick, 0.5, length_m) / 2);

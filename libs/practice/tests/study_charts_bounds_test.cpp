@@ -31,7 +31,7 @@ TEST(StudyChartsBounds, FaultsThatAreAsFrequentStandInTheirOwnOrder) {
                           std::pair(kanji::MistakeKind::reversed, 1)));
 }
 
-/// The period of a chart's rows where the first lies so many days back, today counted.
+/// The period of a chart's rows if the first one is this many days back, today included.
 Period period(ChartId chart, int day_count, Day first = {}) {
   const Day begin = kToday - days(day_count - 1);
   study::Statistics s;

@@ -115,6 +115,20 @@ TEST_F(Session, LookingBeforeWritingFromMemoryCostsLookingAfterwardsDoesNot) {
   EXPECT_EQ(session_->proposed(), Rating::good) << "what was judged first stays";
 }
 
+TEST_F(Session, AStageThatIsNoPartOfTheLessonCountsAsLooking) {
+  ASSERT_TRUE(session_->start());
+  learn();
+  session_->rate(Rating::good);
+  clock_.advance(std::chrono::minutes(11));
+  session_->end();
+  ASSERT_TRUE(session_->start());
+  session_->leave_lesson();
+  EXPECT_EQ(session_->stage(), Stage::memory) << "it is still what is asked for";
+  session_->enter_stage(Stage::memory);
+  write(true);
+  EXPECT_EQ(session_->proposed(), Rating::again);
+}
+
 TEST_F(Session, AfterTheSetMissesAStrokeIsShownAndThatCosts) {
   ASSERT_TRUE(session_->start());
   EXPECT_EQ(session_->add_mistake(0), study::MissReply::try_again);

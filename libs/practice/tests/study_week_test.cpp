@@ -26,7 +26,7 @@ class StudyWeek : public SessionTest {
     EXPECT_TRUE(learner_->store().change_settings(settings));
   }
 
-  /// The program is started on a day at 10:00.
+  /// Starts the program at 10:00 on a day.
   void start_program(study::Time morning) {
     clock_.set_calendar(morning);
     open();
@@ -43,7 +43,7 @@ class StudyWeek : public SessionTest {
     }));
     return count;
   }
-  /// Does the stage at hand in some seconds; from memory `well` or not, with the proposed rating.
+  /// Completes the present stage in some seconds; in Memory correctly if `well`, with the proposed rating.
   void do_stage(bool well = true) {
     clock_.advance(seconds(20));
     if (session_->stage() != Stage::memory) {

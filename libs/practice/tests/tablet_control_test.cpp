@@ -66,7 +66,7 @@ TEST(TabletControl, ABrushThatWritesByItselfIsSeenThoughAStylusIsNear) {
   EXPECT_FALSE(controller.draws_stylus());
   ASSERT_TRUE(controller.overlay().cursor);
   EXPECT_EQ(controller.overlay().cursor->proxy_m, demonstration.brush.proxy_m);
-  // At rest the learner may feel the groove, and sees where.
+  // At rest the learner may feel the groove and sees the position.
   demonstration.moving = false;
   controller.set_demonstration(demonstration);
   EXPECT_TRUE(controller.draws_stylus());
@@ -117,7 +117,7 @@ TEST(TabletControl, APressedStylusKeepsTheServoAwake) {
   controller.set_tablet(three());
   ASSERT_TRUE(controller.start());
   controller.move_stylus(TabletPoint{0, 0}, true);
-  // Twice as long as a rest takes to begin.
+  // Twice the time until a rest begins.
   const auto ticks = controller.device().timing().ticks;
   ASSERT_TRUE(
       controller.wait_for([&] { return controller.device().timing().ticks > ticks + 2'000; }, 60'000));
@@ -169,12 +169,12 @@ TEST(TabletControl, StrokesHoldTheStylusOnlyWhileTheyAreShown) {
 TEST(TabletControl, ChangesAreToldOnceAndOnlyWhenTheyAreChanges) {
   RunningTablet controller;
   controller.set_tablet(three());
-  int told = 0;
-  controller.state_changed.connect([&] { ++told; });
+  int changes = 0;
+  controller.state_changed.connect([&] { ++changes; });
   controller.set_numbers_visible(true);
-  EXPECT_EQ(told, 0);
+  EXPECT_EQ(changes, 0);
   controller.set_numbers_visible(false);
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(changes, 1);
 }
 
 TEST(TabletControl, PressingInAGrooveTouchesItsBottomAndNotThrough) {

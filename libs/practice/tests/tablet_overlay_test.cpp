@@ -80,10 +80,10 @@ TEST_F(Drawn, EveryChangeAsksForAPicture) {
   controller_.picture_changed.connect([&] { ++pictures; });
   int states = 0;
   controller_.state_changed.connect([&] { ++states; });
-  auto asks = [&, before = int(0), told = int(0)](bool state) mutable {
-    const bool asked = pictures > before && (states > told) == state;
+  auto asks = [&, before = int(0), seen_states = int(0)](bool state) mutable {
+    const bool asked = pictures > before && (states > seen_states) == state;
     before = pictures;
-    told = states;
+    seen_states = states;
     return asked;
   };
   controller_.set_arrows_visible(false);
@@ -275,7 +275,7 @@ TEST_F(PointerOnTheTablet, LeansAsFarAsPensDoAndNoFurther) {
   EXPECT_NEAR(controller_.lean_rad(), 0, 1e-12);
   controller_.lean_stylus(PenTilt{0, 0});
   EXPECT_NEAR(controller_.lean_rad(), 0, 1e-12) << "upright, by a pen that has tilt";
-  // 45 degrees both ways: its axis goes one to the right and one down for one up.
+  // 45 degrees in both directions: its axis goes one unit right and one down per unit up.
   controller_.lean_stylus(PenTilt{45, 45});
   EXPECT_NEAR(controller_.lean_rad(), std::acos(1 / std::sqrt(3.0)), 1e-12);
   controller_.lean_stylus({});

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that goes with its test.
+/// A folder that is removed with its test.
 class Folder {
  public:
   Folder() {
@@ -38,7 +38,7 @@ class Folder {
   fs::path path_;
 };
 
-/// A workshop, and all that it answers.
+/// A workshop, and all its answers.
 struct WorkshopUnderTest {
   WorkshopUnderTest() {
     workshop.carved.connect(
@@ -62,7 +62,7 @@ struct WorkshopUnderTest {
 class OwnFiles : public testing::Test {
  protected:
   [[nodiscard]] fs::path path(const char* name) const { return folder_ / name; }
-  /// A stroke file whose farthest point lies there.
+  /// A stroke file with its farthest point there.
   fs::path strokes(const char* name, std::int32_t x, std::int32_t y) {
     kanji::StrokeOrder order;
     order.add_stroke({{10, 10}, {x, y}});
@@ -104,7 +104,7 @@ TEST_F(OwnFiles, StrokesAloneAreCarvedInTheWindowsSizeOnTheirGrid) {
   EXPECT_TRUE(own.has_strokes);
   EXPECT_EQ(own.map_size, 0);
   EXPECT_EQ(own.tablet->height_map().size(), TabletWorkshop::kSize);
-  // The same points on a grid of twice the side lie half as far.
+  // On a grid of twice the side, the same points are half as far away.
   const auto wide = load({}, path("a.str"), {}, 256);
   ASSERT_TRUE(wide.tablet);
   const auto end = own.tablet->lines()[0].points.back();

@@ -65,7 +65,7 @@ TEST(TracedInkBounds, ADotIsFinishedByATouch) {
 }
 
 TEST(TracedInkBounds, WhileALongerStrokeMayBeMeantTheLiftDecides) {
-  // The first lies wholly on the second.
+  // The first lies completely on the second.
   auto ink = tracker({line({0, 0, 0}, {0.02, 0, 0}), line({0, 0, 0}, {0.04, 0, 0})});
   go(ink, {0, 0, 0}, {0.02, 0, 0});
   EXPECT_FALSE(ink.is_finished(1));
@@ -218,7 +218,7 @@ TEST(TracedInkBounds, WhatIsUndoneOrClearedInTheMiddleOfATouchIsNotGoneOnWith) {
     go(ink, {-0.01, 0, 0}, {0.01, 0, 0});
     EXPECT_EQ(ink.progress(), (std::vector{0.0, 0.0}));
     EXPECT_EQ(lift(ink).event, TraceEvent::none);
-    // The same where the stylus had gone astray.
+    // The same if the stylus has left the stroke.
     go(ink, {-0.03, 0, 0}, {-0.01, 0, 0});
     go(ink, {-0.01, 0, 0}, {-0.01, -0.02, 0});
     undone ? void(ink.undo()) : ink.clear();

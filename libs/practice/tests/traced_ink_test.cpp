@@ -110,7 +110,7 @@ TEST(TracedInk, WhoStraysTwiceTheReachFromTheInkMustComeBackToIt) {
     go({-0.03, 0, 0}, front);
     const double before = ink.progress()[0];
     ASSERT_NEAR(before, 1.0 / 3, 1e-6);
-    // The way back passes the ink at more than the reach.
+    // The way back passes the ink beyond its reach.
     const Vec3 astray = front + Vec3(0, -away * kReach, 0);
     const Vec3 further = front + Vec3(1.5 * kReach, 0, 0);
     go(front, astray);
@@ -175,9 +175,9 @@ TEST(TracedInk, ClearingTakesAllInkAway) {
 
 /// Draws a bent line with a sample each 0.2 mm and lifts. @return all events but none.
 std::vector<TracedInk::Step> draw_along(TracedInk& ink, const std::vector<Vec3>& line) {
-  std::vector<TracedInk::Step> told;
-  const auto take = [&told](const TracedInk::Step& step) {
-    if (step.event != TraceEvent::none) told.push_back(step);
+  std::vector<TracedInk::Step> steps;
+  const auto take = [&steps](const TracedInk::Step& step) {
+    if (step.event != TraceEvent::none) steps.push_back(step);
   };
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const Vec3 way = line[k + 1] - line[k];
@@ -186,24 +186,24 @@ std::vector<TracedInk::Step> draw_along(TracedInk& ink, const std::vector<Vec3>&
       take(ink.follow(line[k] + way * (static_cast<double>(i) / samples), true, 0));
   }
   take(ink.follow(line.back(), false, 0));
-  return told;
+  return steps;
 }
 
 TEST(TracedInk, LiftedALittleBeforeTheEndAStrokeIsFinished) {
   auto ink = cross();
-  const auto told = draw_along(ink, {{-0.03, 0, 0}, {0.0255, 0, 0}});
-  ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[1].event, TraceEvent::finished);
-  EXPECT_EQ(told[1].stroke, 1);
+  const auto steps = draw_along(ink, {{-0.03, 0, 0}, {0.0255, 0, 0}});
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[1].event, TraceEvent::finished);
+  EXPECT_EQ(steps[1].stroke, 1);
   EXPECT_EQ(ink.progress()[0], 1.0);
 }
 
 TEST(TracedInk, LiftedEarlierAStrokeIsLeftOpenAndShowsWhatIsMissing) {
   auto ink = cross();
-  const auto told = draw_along(ink, {{-0.03, 0, 0}, {0.0235, 0, 0}});
-  ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[1].event, TraceEvent::left_open);
-  EXPECT_EQ(told[1].stroke, 1);
+  const auto steps = draw_along(ink, {{-0.03, 0, 0}, {0.0235, 0, 0}});
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[1].event, TraceEvent::left_open);
+  EXPECT_EQ(steps[1].stroke, 1);
   EXPECT_FALSE(ink.is_finished(1));
   EXPECT_EQ(ink.left_open(), std::vector{1});
   const auto bit = ink.missing_bit(1);
@@ -228,9 +228,9 @@ TEST(TracedInk, OfAShortStrokeNoMoreThanAQuarterMayBeLeft) {
 
 TEST(TracedInk, AStrokeThatWasOnlyTouchedIsNotCalledLeft) {
   auto ink = cross();
-  const auto told = draw_along(ink, {{-0.03, 0, 0}, {-0.0285, 0, 0}});
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].event, TraceEvent::began);
+  const auto steps = draw_along(ink, {{-0.03, 0, 0}, {-0.0285, 0, 0}});
+  ASSERT_EQ(steps.size(), 1U);
+  EXPECT_EQ(steps[0].event, TraceEvent::began);
   EXPECT_TRUE(ink.left_open().empty());
 }
 
@@ -255,13 +255,13 @@ TracedInk corner() {
 
 TEST(TracedInk, WhereTwoStrokesBeginTogetherTheHandShowsWhichItFollows) {
   auto ink = corner();
-  const auto told = draw_along(ink, {{0, 0, 0}, {0, -0.04, 0}});
+  const auto steps = draw_along(ink, {{0, 0, 0}, {0, -0.04, 0}});
   EXPECT_EQ(ink.progress(), (std::vector<double>{0, 1})) << "the first takes back the ink it was given";
-  ASSERT_EQ(told.size(), 3U);
-  EXPECT_EQ(told[1].event, TraceEvent::too_early) << "told as soon as it shows";
-  EXPECT_EQ(told[1].stroke, 2);
-  EXPECT_EQ(told[2].event, TraceEvent::finished);
-  EXPECT_EQ(told[2].stroke, 2);
+  ASSERT_EQ(steps.size(), 3U);
+  EXPECT_EQ(steps[1].event, TraceEvent::too_early) << "told as soon as it shows";
+  EXPECT_EQ(steps[1].stroke, 2);
+  EXPECT_EQ(steps[2].event, TraceEvent::finished);
+  EXPECT_EQ(steps[2].stroke, 2);
   EXPECT_EQ(ink.undo(), 2) << "the first has no ink to be taken off";
   EXPECT_EQ(ink.undo(), 0);
 }
@@ -298,9 +298,9 @@ TEST(TracedInk, GoingOnALittlePastTheEndLeavesNoInkOnTheNextStroke) {
   const StrokePath further{{Vec3(0, 0, -0.01), Vec3(0.04, 0.002, -0.01)}};
   TracedInk ink;
   ink.set_strokes(std::vector{level, further});
-  const auto told = draw_along(ink, {{-0.04, 0, 0}, {0.003, 0, 0}});
+  const auto steps = draw_along(ink, {{-0.04, 0, 0}, {0.003, 0, 0}});
   EXPECT_EQ(ink.progress(), (std::vector<double>{1, 0}));
-  EXPECT_EQ(told.back().event, TraceEvent::finished) << "nothing is said of the next";
+  EXPECT_EQ(steps.back().event, TraceEvent::finished) << "nothing is said of the next";
   draw_along(ink, {{0, 0, 0}, {0.04, 0.002, 0}});
   EXPECT_EQ(ink.next_stroke(), 0);
 }
@@ -316,10 +316,10 @@ TEST(TracedInk, WrittenInOneGoWithoutALiftTheNextStrokeKeepsItsInk) {
 
 TEST(TracedInk, InTurnTheFirstOfTwoThatBeginTogetherIsWrittenWithoutAdvice) {
   auto ink = corner();
-  const auto told = draw_along(ink, {{0, 0, 0}, {0.04, 0, 0}});
-  ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[0].event, TraceEvent::began);
-  EXPECT_EQ(told[1].event, TraceEvent::finished);
+  const auto steps = draw_along(ink, {{0, 0, 0}, {0.04, 0, 0}});
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].event, TraceEvent::began);
+  EXPECT_EQ(steps[1].event, TraceEvent::finished);
   EXPECT_EQ(ink.progress(), (std::vector<double>{1, 0}));
 }
 
@@ -341,7 +341,7 @@ class Shake {
 };
 
 /// A hand that follows a line with care: it begins and ends a little off, trembles slowly by about half a
-/// millimetre, and what it holds lags behind by half a millimetre of friction.
+/// millimetre, and the stylus lags behind by half a millimetre because of friction.
 std::vector<Vec3> careful(const std::vector<Vec3>& line, Shake& shake) {
   std::vector<nazori::geometry::TabletPoint> points;
   for (const auto& p : line) points.push_back({p.x, p.y});
@@ -374,7 +374,7 @@ std::vector<Vec3> careful(const std::vector<Vec3>& line, Shake& shake) {
 
 TEST(TracedInk, NineteenOfTwentyCarefulTracingsAreTaken) {
   int tracings = 0;
-  int taken = 0;
+  int completed = 0;
   for (const char32_t character : std::u32string(U"休年人木水火花書国四心必川女子食あうおかけこさすたなぬねは"
                                                  U"ふほまむやらるれろをアキケシツネヒホモ")) {
     std::vector<StrokePath> strokes;
@@ -396,10 +396,10 @@ TEST(TracedInk, NineteenOfTwentyCarefulTracingsAreTaken) {
         (void)ink.follow(hand.back(), false, 0);
       }
       ++tracings;
-      taken += ink.next_stroke() == 0 ? 1 : 0;
+      completed += ink.next_stroke() == 0 ? 1 : 0;
     }
   }
-  EXPECT_GE(taken, tracings * 19 / 20) << "of " << tracings;
+  EXPECT_GE(completed, tracings * 19 / 20) << "of " << tracings;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using std::chrono::milliseconds;
 class WatchStageTest : public StageTest {
  protected:
   WatchStageTest() { listen(watch_); }
-  /// Frame by frame, until the writing stops or that time has passed.
+  /// Plays frame by frame until the writing stops or that time has passed.
   void play(double most_s) {
     for (double passed_s = 0; watch_.is_playing() && passed_s < most_s; passed_s += 0.016) {
       clock_.advance(milliseconds{16});

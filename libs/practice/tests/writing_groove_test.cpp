@@ -11,7 +11,7 @@ namespace {
 
 using Mode = WritingGroove::Mode;
 
-/// A groove for 二, and what it put before the learner.
+/// A groove for 二, and the tablets that it showed to the learner.
 struct GrooveUnderTest {
   GrooveUnderTest() {
     std::vector<kanji::StrokeLine> lines(2);
@@ -19,7 +19,7 @@ struct GrooveUnderTest {
     lines[1].points = {{20, 80}, {90, 80}};
     model = *tablet::CarvedTablet::from_lines(lines, 128);
   }
-  /// How deep the newest tablet is at a height of the glyph frame, 0..1 of a full groove.
+  /// Depth of the newest tablet at a height of the glyph frame, 0..1 of a full groove.
   [[nodiscard]] double depth_at(double y) const {
     const auto& map = put.back()->height_map();
     const int side = map.size();

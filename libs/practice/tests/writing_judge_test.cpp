@@ -25,7 +25,7 @@ JudgeRequest request(char32_t asked, char32_t written) {
   return made;
 }
 
-/// A judge, and all that it answers.
+/// A judge, and all its answers.
 struct Court {
   explicit Court(const std::filesystem::path& path = database()) : judge(inbox, path) {
     judge.judged.connect([this](std::uint64_t number, const writing::Grade& grade) {

@@ -114,7 +114,7 @@ std::shared_ptr<const haptics::HapticScene> grooves(bool friction) {
   return scene;
 }
 
-/// What nazori-cli feel does: CSV from a file, the servo, CSV to a file that is flushed to the disk.
+/// The work of nazori-cli feel: CSV from a file, the servo, CSV to a file that is flushed to the disk.
 void replay_ten_minutes(benchmark::State& state) {
   const auto input = write_hand();
   const auto output = std::filesystem::path(input.string() + ".csv");

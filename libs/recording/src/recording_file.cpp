@@ -19,8 +19,8 @@ using base::Errc;
 using haptics::ServoSample;
 using haptics::Vec3;
 
-// As in PNG: a byte with its high bit set, line ends of both kinds and the end-of-file byte of DOS show what
-// a transfer as text has done.
+// As in PNG: a byte with its high bit set, line ends of both kinds and the end-of-file byte of DOS reveal
+// damage by a transfer as text.
 constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'N', 'Z', 'R', '\r', '\n', 0x1A, '\n'};
 constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::uint16_t kMajor = 1, kMinor = 0;
@@ -36,7 +36,7 @@ std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
   return static_cast<std::uint32_t>(::crc32(0, bytes.data(), static_cast<uInt>(bytes.size())));
 }
 
-/// `text` or its longest beginning that fits and does not end within a character; the rest stays zero.
+/// Copies `text` or its longest beginning that fits and ends with a whole character; the rest stays zero.
 void store_text(std::span<std::uint8_t> bytes, std::size_t offset, std::size_t room, std::string_view text) {
   std::size_t length = std::min(text.size(), room - 1);
   while (length > 0 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U)
@@ -199,7 +199,7 @@ base::Result<RecordingReader> RecordingReader::from(std::unique_ptr<ByteSource> 
   return reader;
 }
 
-/// Has at least `wanted` bytes from begin_ on, fewer only at the end.
+/// Provides at least `wanted` bytes from begin_ on, fewer only at the end.
 base::Result<void> RecordingReader::fill(std::size_t wanted) {
   if (filled_ - begin_ >= wanted) return {};
   std::memmove(buffer_.data(), buffer_.data() + begin_, filled_ - begin_);

@@ -24,7 +24,7 @@ tl::unexpected<base::Error> refusal(const fs::path& path, int error) {
   return base::fail(Errc::io, "cannot be written: " + std::generic_category().message(error), path.string());
 }
 
-/// Of the records after the header, the last one perhaps not whole.
+/// The bytes of the records after the header; the last one may be incomplete.
 std::uint64_t whole_records(off_t size) {
   const auto bytes = static_cast<std::uint64_t>(std::max<off_t>(size, 0));
   return bytes <= kHeaderBytes ? 0 : (bytes - kHeaderBytes) / kRecordBytes;

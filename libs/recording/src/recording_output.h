@@ -10,18 +10,18 @@
 
 namespace nazori::recording {
 
-/// A recording that grows at its end. Thread rules: one thread at a time.
+/// A recording to which records are appended. Thread rules: one thread at a time.
 class RecordingOutput {
  public:
   enum class Ending { regular, recovered };
 
-  /// A recording with its header and no records yet, in the place of whatever was at `path`: until the header
-  /// is whole the old file stands.
+  /// Creates a recording with a header and no records in place of any file at `path`; the old file is kept
+  /// until the header is complete.
   [[nodiscard]] static base::Result<RecordingOutput> create(const std::filesystem::path& path,
                                                             const Session& session);
-  /// Goes on with one that broke off; half a record at its end is cut off.
+  /// Continues an incomplete recording; an incomplete record at its end is cut off.
   [[nodiscard]] static base::Result<RecordingOutput> reopen(const std::filesystem::path& path);
-  /// Its last record says that it is complete.
+  /// Whether its last record marks it as complete.
   [[nodiscard]] static bool is_complete(const std::filesystem::path& path);
 
   RecordingOutput(RecordingOutput&& other) noexcept;
@@ -31,12 +31,12 @@ class RecordingOutput {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::uint64_t records() const { return records_; }
 
-  /// Appends what is in the ring and then tells the ring that it is safe.
-  /// @return Errc::io, the file then ending with a whole record.
+  /// Appends the content of the ring and then marks it as stored.
+  /// @return Errc::io; the file then ends with a complete record.
   [[nodiscard]] base::Result<void> take(haptics::SampleRing& ring);
-  /// As far as the disk.
+  /// Flushes the file to the disk.
   void flush() const;
-  /// Appends the end and closes the file.
+  /// Appends the end record and closes the file.
   [[nodiscard]] base::Result<void> close(std::uint64_t lost, Ending ending);
 
  private:

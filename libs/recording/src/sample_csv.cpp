@@ -65,7 +65,7 @@ void append_csv_row(std::string& text, const haptics::ServoSample& sample) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     *at++ = ',';
-    // Above the tablet the proxy is the device; copying its text costs less than making it again.
+    // Above the tablet the proxy is the device; copying its text is faster than formatting it again.
     const auto i = static_cast<std::size_t>(axis);
     at = sample.proxy_m[axis] == sample.device_m[axis] ? copy(at, starts[i], lengths[i])
                                                        : put(at, sample.proxy_m[axis]);

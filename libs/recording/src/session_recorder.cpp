@@ -46,19 +46,19 @@ struct SessionRecorder::Inside {
   [[nodiscard]] bool drain();
 
   haptics::Servo& servo;
-  const fs::path path;  // as asked for; with .csv not the one that is recorded into
+  const fs::path path;  // the requested path; for .csv not the file being written
   SharedRing shared;
-  RecordingOutput output;  // the thread's while it runs
+  RecordingOutput output;  // used by the thread while it runs
 
   mutable std::mutex mutex;
   std::condition_variable wake, drained;
   bool stopping = false, hurry = false;  // under mutex
   base::Error error;                     // under mutex
-  bool exported = false;                 // the .csv is written from the .nzr
+  bool exported = false;                 // whether the .csv was written from the .nzr
   std::thread thread;
 };
 
-/// Moves what is in the ring into the file. @return false when the file cannot be written.
+/// Moves the content of the ring into the file. @return false when the file cannot be written.
 bool SessionRecorder::Inside::drain() {
   auto written = output.take(shared.ring());
   if (written) return true;
@@ -92,7 +92,7 @@ base::Result<std::unique_ptr<SessionRecorder>> SessionRecorder::start(haptics::S
   const std::string extension = path.extension().string();
   if (extension != kRecordingExtension && extension != ".csv") {
     return base::fail(Errc::bad_argument, "is not a kind of recording", path.string(),
-                      "end the name with .nzr or .csv");
+                      "use a name that ends in .nzr or .csv");
   }
   const auto id = random_id();
   if (!id) return tl::unexpected(id.error());
@@ -208,14 +208,15 @@ base::Result<Recovery> recover(const fs::path& path) {
         return tl::unexpected(std::move(shared.error()));
     }
   }
-  if (RecordingOutput::is_complete(path)) {  // it died in between finishing the file and removing the ring
+  if (RecordingOutput::is_complete(
+          path)) {  // the program crashed between finishing the file and removing the ring
     shared->remove();
     return Recovery::not_needed;
   }
   auto output = RecordingOutput::reopen(path);
   if (!output) return tl::unexpected(std::move(output.error()));
   SampleRing& ring = shared->ring();
-  // The recorder may have died between writing and saying so.
+  // The recorder may have crashed between writing a record and marking it as stored.
   const std::uint64_t pushed = ring.pushed.load(std::memory_order_acquire);
   const std::uint64_t oldest = pushed - std::min(pushed, SampleRing::kCapacity);
   const std::uint64_t from = std::max(output->records(), ring.taken.load(std::memory_order_acquire));

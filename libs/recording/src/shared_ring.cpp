@@ -28,7 +28,7 @@ struct Preamble {
   SessionId id;
 };
 constexpr std::array<char, 8> kMagic{'N', 'Z', 'R', 'r', 'i', 'n', 'g', '\n'};
-// To be raised whenever the meaning of ServoSample changes.
+// Increase this whenever the meaning of ServoSample changes.
 constexpr std::uint32_t kLayout = 1;
 constexpr std::size_t kRingAt = 4096;
 constexpr std::size_t kBytes = kRingAt + sizeof(SampleRing);
@@ -70,10 +70,9 @@ base::Result<SharedRing> SharedRing::create(const SessionId& id) {
   const std::string name = name_of(id);
   const int fd = ::shm_open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (fd < 0) return base::fail(Errc::io, "no shared memory: " + reason(errno), name);
-  // The lock first, so that nobody takes the ring for one left behind.
+  // Lock first, so that no other process mistakes the ring for an abandoned one.
   int error = ::flock(fd, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
-  // Where there is no room it is refused here; without this the first push to a missing page would end the
-  // program.
+  // Fails here if there is no room; otherwise the first push to a missing page would end the program.
   if (error == 0) error = ::posix_fallocate(fd, 0, static_cast<off_t>(kBytes));
   void* memory = error == 0 ? map(fd) : MAP_FAILED;
   if (error == 0 && memory == MAP_FAILED) error = errno;
@@ -83,8 +82,8 @@ base::Result<SharedRing> SharedRing::create(const SessionId& id) {
     return base::fail(Errc::io, "no shared memory to record into: " + reason(error), name,
                       fmt::format("{} MiB are needed", (kBytes >> 20) + 1));
   }
-  // So that no page is swapped out. Where the limit on locked memory forbids it, a page that was swapped out
-  // can make a tick late, as any other page can.
+  // Keeps pages from being swapped out. Where the limit on locked memory forbids it, a page that was swapped
+  // out can make a tick late, as any other page can.
   (void)::mlock(memory, kBytes);
   const Preamble preamble{kMagic, kLayout, sizeof(haptics::ServoSample), id};
   new (static_cast<char*>(memory) + kRingAt) SampleRing;

@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// The field at the start of `row`, without its quotes; `row` then begins after the comma. A field in quotes
-/// may hold commas.
+/// may contain commas.
 std::string_view take_field(std::string_view& row, bool& more) {
   std::size_t from = 0;
   const std::string_view start = trimmed(row);
@@ -45,7 +45,7 @@ std::string_view take_field(std::string_view& row, bool& more) {
   return field;
 }
 
-/// As it may stand in a message: cut, and without bytes that are no letters.
+/// Text for a message: shortened, and only printable ASCII.
 std::string quoted(std::string_view text) {
   std::string shown(text.substr(0, 40));
   for (char& c : shown)

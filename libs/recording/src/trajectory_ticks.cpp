@@ -46,9 +46,10 @@ base::Result<TrajectoryTicks> TrajectoryTicks::create(TrajectoryReader reader,
   if (ticks.ahead_.size() < 2) return ticks;
   const double measured = 1 / median_distance(ticks.ahead_);
   if (!(measured >= kLowestRate_hz && measured <= kHighestRate_hz)) {
-    return base::fail(base::Errc::parse,
-                      fmt::format("the rows are {:g} s apart, which is no rate of a servo", 1 / measured),
-                      "t", "give --rate 1000 to have points between them");
+    return base::fail(
+        base::Errc::parse,
+        fmt::format("the rows are {:g} s apart, which is not the rate of a servo", 1 / measured), "t",
+        "give --rate 1000 to have points between them");
   }
   const double whole = std::round(measured);
   ticks.rate_hz_ = std::abs(measured - whole) <= kNearlyWhole * whole ? whole : measured;
@@ -66,7 +67,7 @@ base::Result<bool> TrajectoryTicks::next_row(TrajectoryPoint& point) {
 base::Result<bool> TrajectoryTicks::next(TrajectoryPoint& point) {
   if (!resampled_) return next_row(point);
   const double time_s = start_s_ + static_cast<double>(ticks_) / rate_hz_;
-  // Rounding must not cost the last tick.
+  // Rounding must not lose the last tick.
   while (to_.time_s < time_s - kRounding / rate_hz_) {
     from_ = to_;
     const auto more = next_row(to_);

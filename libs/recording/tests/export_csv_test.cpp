@@ -36,10 +36,10 @@ class ExportCsv : public testing::Test {
 };
 
 TEST_F(ExportCsv, WritesEverySoundSampleInItsOrder) {
-  std::vector<double> told;
+  std::vector<double> reported;
   const auto ended = export_csv(recording_, csv_, [&](double done, std::string_view step) {
     EXPECT_EQ(step, "exporting");
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   });
   ASSERT_TRUE(ended);
@@ -50,10 +50,10 @@ TEST_F(ExportCsv, WritesEverySoundSampleInItsOrder) {
   std::string expected(kSampleCsvHeader);
   for (const auto& sample : samples_) append_csv_row(expected, sample);
   EXPECT_EQ(test::text_of(csv_), expected);
-  ASSERT_FALSE(told.empty());
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GT(told.front(), 0);
-  EXPECT_EQ(told.back(), 1);
+  ASSERT_FALSE(reported.empty());
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_GT(reported.front(), 0);
+  EXPECT_EQ(reported.back(), 1);
   EXPECT_TRUE(export_csv(recording_, csv_, {})) << "with nobody to tell";
 }
 

@@ -10,7 +10,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nazori::recording;
-  // As it is, and behind a sound header: nothing but luck would get past its checksum.
+  // Tested unchanged and after a valid header, because random input would hardly ever pass its checksum.
   static const auto kHeader = encode_header(Session{});
   std::string behind(kHeader.begin(), kHeader.end());
   const std::size_t header = behind.size();

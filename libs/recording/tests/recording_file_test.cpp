@@ -97,7 +97,7 @@ TEST(RecordingFile, GivesBackEverySampleBitForBit) {
   EXPECT_EQ(got.end.trailing_bytes, 0U);
 }
 
-// The layout that docs/file-formats.md promises, read without any of our code.
+// The layout of docs/file-formats.md, read independently of the code under test.
 TEST(RecordingFile, LiesInTheFileAsDocumented) {
   const auto samples = test::some_samples(2);
   const std::string bytes = recording_of(samples, true);
@@ -257,7 +257,7 @@ TEST(RecordingFile, ProgressIsTheShareOfTheFileThatWasRead) {
   EXPECT_EQ(growing->progress(), 1) << "a file that has grown since";
 }
 
-/// A header that was changed on purpose: its checksum is right.
+/// A header that was changed on purpose, with a correct checksum.
 std::array<std::uint8_t, kHeaderBytes> resealed(std::array<std::uint8_t, kHeaderBytes> bytes) {
   const auto sum = static_cast<std::uint32_t>(::crc32(0, bytes.data(), 508));
   std::memcpy(bytes.data() + 508, &sum, 4);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 std::string refusal(int error) { return "cannot be written: " + std::generic_category().message(error); }
 
-/// What a recording of these samples is in the file.
+/// The bytes of a recording of these samples.
 std::string bytes_of(const std::vector<haptics::ServoSample>& samples) {
   const auto header = encode_header(Session{});
   std::vector<std::uint8_t> bytes(header.begin(), header.end());

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// An identity that no other process of the tests has.
+/// An id that no other test process has.
 SessionId some_id(std::uint8_t number) {
   SessionId id{};
   const auto process = static_cast<std::uint32_t>(::getpid());
@@ -99,7 +99,7 @@ TEST(SharedRing, ThatIsNotOneOfOursIsRefused) {
   const long open = base::test::open_descriptors();
   const int memory = ::shm_open(name.c_str(), O_RDWR | O_CLOEXEC, 0);
   ASSERT_GE(memory, 0);
-  // The magic word, the layout, the size of a sample, the identity.
+  // The magic word, the layout, the size of a sample, the id.
   for (const off_t field : {0, 8, 12, 16, 31}) {
     char is = 0;
     ASSERT_EQ(::pread(memory, &is, 1, field), 1);
@@ -128,10 +128,10 @@ TEST(SharedRing, ThatIsNotOneOfOursIsRefused) {
   ::shm_unlink(name.c_str());
 }
 
-/// A recording whose program has died: a file with some of the records, and the ring it left.
+/// A recording whose program has crashed: a file with some of the records, and its ring.
 class Recover : public testing::Test {
  protected:
-  /// Pushes all samples, `taken` of which the ring says are safe; the file has `written` of them.
+  /// Pushes all samples. The ring marks `taken` of them as stored; the file contains `written` of them.
   void die(const std::vector<haptics::ServoSample>& samples, std::uint64_t taken, std::size_t written,
            bool closed = false) {
     session_.id = some_id(4);

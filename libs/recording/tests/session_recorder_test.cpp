@@ -142,7 +142,7 @@ TEST(SessionRecorder, ABrokenOffFileWithoutItsMemoryStaysAsItIs) {
   EXPECT_EQ(test::text_of(folder / "b.nzr"), part);
 }
 
-/// What a process that is about to be killed tells the test: memory that outlives it.
+/// Data from a process that will be killed, in memory that outlives it.
 struct Witness {
   static constexpr std::uint64_t kMost = 60'000;
   std::atomic<std::uint64_t> ticks{0};

@@ -61,7 +61,7 @@ std::set<std::string> rings() {
 TEST(SessionRecorder, ThatCannotBeginOrHasEndedLeavesNoMemoryBehind) {
   const test::TemporaryFolder folder;
   haptics::Servo servo({});
-  // Other tests run beside this one: theirs are told apart by the session's identity.
+  // Other tests run in parallel: their rings are distinguished by the id of the session.
   const auto left = [](const std::array<std::uint8_t, 16>& id) {
     return SharedRing::adopt(id).has_value() || SharedRing::adopt(id).error().code != base::Errc::not_found;
   };

@@ -13,7 +13,7 @@
 
 namespace nazori::recording::test {
 
-/// A folder of its own that is gone with the object.
+/// A temporary folder that is removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -71,12 +71,13 @@ TEST(TrajectoryTicks, TheRateIsWholeWhereItIsWithinAThousandthOfAWholeOne) {
 
 TEST(TrajectoryTicks, OnlyRatesThatAServoMayHaveAreTaken) {
   EXPECT_NEAR(ticks(rows(30, 1 / 20.1)).rate_hz, 20.1, 1e-6);
-  EXPECT_THAT(ticks(rows(30, 1 / 19.9)).trouble, testing::HasSubstr("no rate of a servo"));
+  EXPECT_THAT(ticks(rows(30, 1 / 19.9)).trouble, testing::HasSubstr("not the rate of a servo"));
   EXPECT_NEAR(ticks(rows(30, 1 / 19'900.0)).rate_hz, 19'900, 1);
-  EXPECT_THAT(ticks(rows(30, 1 / 20'100.0)).trouble, testing::HasSubstr("no rate of a servo"));
-  EXPECT_EQ(ticks("t,x,y,z\n0,0,0,0\n2,0,0,0\n").trouble,
-            "t: the rows are 2 s apart, which is no rate of a servo (give --rate 1000 to have points between "
-            "them)");
+  EXPECT_THAT(ticks(rows(30, 1 / 20'100.0)).trouble, testing::HasSubstr("not the rate of a servo"));
+  EXPECT_EQ(
+      ticks("t,x,y,z\n0,0,0,0\n2,0,0,0\n").trouble,
+      "t: the rows are 2 s apart, which is not the rate of a servo (give --rate 1000 to have points between "
+      "them)");
 }
 
 TEST(TrajectoryTicks, TheFirstThousandDistancesGiveTheRate) {

@@ -27,13 +27,13 @@ double memory_mib(const std::string& name) {
   return -1;
 }
 
-/// From here on the peak is the present.
+/// Resets the peak to the present value.
 void forget_peak() {
   (void)::malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";
 }
 
-/// A learner with so many entries, made when it is first asked for and kept for the whole run.
+/// A learner with this many entries, made at the first call and kept for the whole run.
 class Learner {
  public:
   Learner() : folder_(fs::temp_directory_path() / ("nazori-exchange-bench-" + std::to_string(::getpid()))) {}

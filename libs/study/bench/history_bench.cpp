@@ -14,7 +14,7 @@ namespace {
 
 using test::must;
 
-/// A store on disk, made once for each length.
+/// A store on disk, made once per number of entries.
 struct History {
   explicit History(int entries) : file(folder / "learner.db") {
     auto store = must(LearnerStore::open(file, Access::write, clock.clock()));

@@ -9,8 +9,8 @@
 #include <array>
 #include <memory>
 
-#include "json_text.h"
 #include "nazori/base/utf8.h"
+#include "nazori/json/json.h"
 #include "nazori/kanji/romaji.h"
 #include "nazori/study/exchange.h"
 
@@ -103,8 +103,8 @@ std::int64_t checksum(std::string_view text) {
   return (static_cast<std::int64_t>(digest[0]) << 24) | (digest[1] << 16) | (digest[2] << 8) | digest[3];
 }
 
-Json models_json(std::int64_t seconds) {
-  Json fields = Json::array();
+json::Value models_json(std::int64_t seconds) {
+  json::Value fields = json::Value::array();
   int place = 0;
   for (const char* name : {"Kanji", "Meanings", "On", "Kun", "Words", "Strokes"}) {
     fields.push_back({{"name", name},
@@ -113,10 +113,10 @@ Json models_json(std::int64_t seconds) {
                       {"rtl", false},
                       {"font", "Arial"},
                       {"size", 20},
-                      {"media", Json::array()}});
+                      {"media", json::Value::array()}});
   }
-  const Json card{{"name", "Write"}, {"ord", 0},    {"qfmt", kQuestion}, {"afmt", kAnswer},
-                  {"did", nullptr},  {"bqfmt", ""}, {"bafmt", ""}};
+  const json::Value card{{"name", "Write"}, {"ord", 0},    {"qfmt", kQuestion}, {"afmt", kAnswer},
+                         {"did", nullptr},  {"bqfmt", ""}, {"bafmt", ""}};
   return {{std::to_string(kModel),
            {{"id", kModel},
             {"name", "Nazori kanji"},
@@ -125,25 +125,25 @@ Json models_json(std::int64_t seconds) {
             {"usn", -1},
             {"sortf", 0},
             {"did", kDeck},
-            {"tmpls", Json::array({card})},
+            {"tmpls", json::Value::array({card})},
             {"flds", fields},
             {"css", kStyle},
             {"latexPre", ""},
             {"latexPost", ""},
-            {"req", Json::array({Json::array({0, "any", Json::array({1, 2, 3})})})},
-            {"tags", Json::array()},
-            {"vers", Json::array()}}}};
+            {"req", json::Value::array({json::Value::array({0, "any", json::Value::array({1, 2, 3})})})},
+            {"tags", json::Value::array()},
+            {"vers", json::Value::array()}}}};
 }
 
-Json deck_json(std::int64_t id, const std::string& name, std::int64_t seconds) {
-  const Json today = Json::array({0, 0});
+json::Value deck_json(std::int64_t id, const std::string& name, std::int64_t seconds) {
+  const json::Value today = json::Value::array({0, 0});
   return {{"id", id},          {"name", name},      {"mod", seconds},     {"usn", -1},
           {"desc", ""},        {"dyn", 0},          {"collapsed", false}, {"browserCollapsed", false},
           {"conf", 1},         {"extendNew", 0},    {"extendRev", 0},     {"newToday", today},
           {"revToday", today}, {"lrnToday", today}, {"timeToday", today}};
 }
 
-Json deck_options_json(std::int64_t seconds) {
+json::Value deck_options_json(std::int64_t seconds) {
   return {{"1",
            {{"id", 1},
             {"name", "Default"},
@@ -171,7 +171,7 @@ Json deck_options_json(std::int64_t seconds) {
               {"maxIvl", 36500},
               {"bury", false}}},
             {"lapse",
-             {{"delays", Json::array({10})},
+             {{"delays", json::Value::array({10})},
               {"mult", 0},
               {"minInt", 1},
               {"leechFails", 8},
@@ -181,13 +181,14 @@ Json deck_options_json(std::int64_t seconds) {
 void insert_collection(SQLite::Database& db, const std::string& deck, Time now) {
   const std::int64_t milliseconds = now.time_since_epoch().count();
   const std::int64_t seconds = milliseconds / 1000;
-  const Json configuration{{"nextPos", 1},          {"estTimes", true},  {"activeDecks", Json::array({1})},
-                           {"sortType", "noteFld"}, {"timeLim", 0},      {"sortBackwards", false},
-                           {"addToCur", true},      {"curDeck", 1},      {"newBury", true},
-                           {"newSpread", 0},        {"dueCounts", true}, {"curModel", std::to_string(kModel)},
-                           {"collapseTime", 1200}};
-  const Json decks{{"1", deck_json(1, "Default", seconds)},
-                   {std::to_string(kDeck), deck_json(kDeck, deck, seconds)}};
+  const json::Value configuration{
+      {"nextPos", 1},          {"estTimes", true},  {"activeDecks", json::Value::array({1})},
+      {"sortType", "noteFld"}, {"timeLim", 0},      {"sortBackwards", false},
+      {"addToCur", true},      {"curDeck", 1},      {"newBury", true},
+      {"newSpread", 0},        {"dueCounts", true}, {"curModel", std::to_string(kModel)},
+      {"collapseTime", 1200}};
+  const json::Value decks{{"1", deck_json(1, "Default", seconds)},
+                          {std::to_string(kDeck), deck_json(kDeck, deck, seconds)}};
   SQLite::Statement insert(db, "INSERT INTO col VALUES(1,?,?,?,11,0,0,0,?,?,?,?,'{}')");
   insert.bind(1, seconds);
   insert.bind(2, milliseconds);
@@ -205,20 +206,19 @@ std::string picture_name(char32_t character) {
 
 /// Kana that romaji cannot type: nullptr where `hiragana` is none of them.
 const char* special_sound(std::string_view hiragana) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 13> kSpecial{
-      {{"っ", "small tsu"},
-       {"ゃ", "small ya"},
-       {"ゅ", "small yu"},
-       {"ょ", "small yo"},
-       {"ゎ", "small wa"},
-       {"ゕ", "small ka"},
-       {"ゖ", "small ke"},
-       {"ゔ", "vu"},
-       {"ヷ", "va"},
-       {"ヸ", "vi"},
-       {"ヹ", "ve"},
-       {"ヺ", "vo"},
-       {"ー", "the mark of a long sound"}}};
+  constexpr std::array<std::pair<std::string_view, const char*>, 13> kSpecial{{{"っ", "small tsu"},
+                                                                               {"ゃ", "small ya"},
+                                                                               {"ゅ", "small yu"},
+                                                                               {"ょ", "small yo"},
+                                                                               {"ゎ", "small wa"},
+                                                                               {"ゕ", "small ka"},
+                                                                               {"ゖ", "small ke"},
+                                                                               {"ゔ", "vu"},
+                                                                               {"ヷ", "va"},
+                                                                               {"ヸ", "vi"},
+                                                                               {"ヹ", "ve"},
+                                                                               {"ヺ", "vo"},
+                                                                               {"ー", "long vowel mark"}}};
   for (const auto& [kana, name] : kSpecial) {
     if (kana == hiragana) return name;
   }
@@ -352,11 +352,11 @@ std::span<const std::uint8_t> as_bytes(const std::string& text) {
 base::Result<Bytes> anki_package(const kanji::KanjiDatabase& database, std::span<const char32_t> characters,
                                  const AnkiOptions& options, Time now, const base::Progress& progress) {
   if (!can_be_name(options.deck)) {
-    return base::fail(Errc::bad_argument, "is no name of a deck", options.deck,
+    return base::fail(Errc::bad_argument, "is not a valid deck name", options.deck,
                       "give 1 to 100 bytes of text");
   }
   if (options.words < 0 || options.words > kMostWords) {
-    return base::fail(Errc::bad_argument, fmt::format("{} is outside its range", options.words), "words",
+    return base::fail(Errc::bad_argument, fmt::format("{} is out of range", options.words), "words",
                       "give 0 to 20");
   }
   try {
@@ -364,7 +364,7 @@ base::Result<Bytes> anki_package(const kanji::KanjiDatabase& database, std::span
     db.exec(kTables);
     insert_collection(db, options.deck, now);
     ZipWriter zip;
-    Json media = Json::object();
+    json::Value media = json::Value::object();
     int position = 0;
     SQLite::Transaction transaction(db);
     for (std::size_t i = 0; i < characters.size(); ++i) {
@@ -384,8 +384,8 @@ base::Result<Bytes> anki_package(const kanji::KanjiDatabase& database, std::span
     }
     transaction.commit();
     if (database.trouble()) return tl::unexpected(*database.trouble());
-    if (position == 0) return base::fail(Errc::not_found, "none of the characters is drawn", "characters");
-    Json names = Json::object();
+    if (position == 0) return base::fail(Errc::not_found, "none of the characters has strokes", "characters");
+    json::Value names = json::Value::object();
     for (const auto& [name, number] : media.items()) names[number.get<std::string>()] = name;
     const std::string index = names.dump();
     zip.add("media", as_bytes(index));

@@ -37,7 +37,7 @@ bool is_daily(const fs::path& file) {
       .has_value();
 }
 
-/// On disk, not only on its way there.
+/// Flushes it to the disk.
 base::Result<void> flush(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool done = descriptor >= 0 && ::fsync(descriptor) == 0;
@@ -55,7 +55,7 @@ std::string stamp(Time time) {
   return text;
 }
 
-/// A file that is not there yet: "own-20261121T134206Z.db".
+/// The name of a file that does not exist yet: "own-20261121T134206Z.db".
 fs::path free_file(const fs::path& folder, std::string_view kind, Time time) {
   const std::string name = fmt::format("{}-{}", kind, stamp(time));
   fs::path file = folder / (name + std::string(kExtension));
@@ -65,14 +65,14 @@ fs::path free_file(const fs::path& folder, std::string_view kind, Time time) {
   return file;
 }
 
-/// Removes a database and what SQLite keeps beside one.
+/// Removes a database and the journals of SQLite beside it.
 void remove_database(const fs::path& file) {
   std::error_code gone_already;
   for (const char* part : {"", "-journal", "-wal", "-shm"}) fs::remove(file.string() + part, gone_already);
 }
 
-/// Removes the daily copies that a program which was killed meanwhile has left: only the holder of the
-/// learner's lock makes them.
+/// Removes unfinished daily copies of a killed program. Only a program that has the learner's lock makes such
+/// copies, so no other one is at work.
 void remove_unfinished(const fs::path& learner) {
   std::error_code error;
   std::vector<fs::path> unfinished;
@@ -106,8 +106,9 @@ std::vector<DatedBackup> dated_backups(const fs::path& learner) {
   return found;
 }
 
-/// Lets the oldest of one kind go until `most` are left; never those in `kept`, the first of which was made
-/// just now. Goes by the time of the files: their names follow a clock that may have been set back.
+/// Removes the oldest backups of one kind until `most` are left, but never those in `kept`, the first of
+/// which was made just now. The age is the time of the file, because the names follow a clock that may have
+/// been set back.
 template <class IsOfKind>
 void let_oldest_go(const fs::path& learner, int most, const std::vector<fs::path>& kept,
                    IsOfKind is_of_kind) {
@@ -116,7 +117,7 @@ void let_oldest_go(const fs::path& learner, int most, const std::vector<fs::path
   if (error) return;
   std::vector<DatedBackup> all = dated_backups(learner);
   std::erase_if(all, [&](const DatedBackup& one) { return !is_of_kind(one.backup.file); });
-  // What seems to come from the future was made before the clock was set back.
+  // A file with a time in the future was made before the clock was set back.
   std::stable_partition(all.begin(), all.end(), [now](const DatedBackup& one) { return one.time <= now; });
   auto left = static_cast<std::ptrdiff_t>(all.size());
   for (auto one = all.rbegin(); one != all.rend() && left > most; ++one) {
@@ -126,22 +127,22 @@ void let_oldest_go(const fs::path& learner, int most, const std::vector<fs::path
   }
 }
 
-/// Brings what the write-ahead log holds into its file, where both are sound.
+/// Writes the content of the write-ahead log into its file, if both are valid.
 void take_in_log(const fs::path& database) {
   try {
     SQLite::Database db(database.string(), SQLite::OPEN_READWRITE);
     db.exec("PRAGMA wal_checkpoint(TRUNCATE)");
   } catch (const SQLite::Exception&) {
-    // A damaged file is kept with its log as they are.
+    // A damaged file and its log are kept unchanged.
   }
 }
 
-/// Keeps what stands at `learner` as `kept`, too. It stays there, so that there is a file at any moment; only
-/// where the file system has no links it is gone for one.
+/// Keeps the file `learner` also as `kept`. It stays in its place, so that there is a file at any moment;
+/// only on a file system without links it is missing for a moment.
 bool keep_as(const fs::path& learner, const fs::path& kept) {
   take_in_log(learner);
   std::error_code error;
-  // A log that could not be taken in goes with its file; its index can always be made from it.
+  // A log that could not be written into its file is kept with it; its index can always be rebuilt.
   const fs::path log = learner.string() + "-wal";
   if (fs::exists(log, error)) {
     if (fs::file_size(log, error) > 0) {
@@ -185,13 +186,13 @@ base::Result<void> copy_database(SQLite::Database& database, const fs::path& fil
         if (progress && !progress(1 - backup.getRemainingPageCount() / all, "copy"))
           return base::fail(Errc::cancelled, "stopped", file.string());
         // While the system writes hundreds of megabytes at once, not even a signal ends the program. This
-        // takes SQLite's lock off the file, which nobody else knows.
+        // also releases SQLite's lock on the file, which no other program uses.
         const int copied_pages = backup.getTotalPageCount() - backup.getRemainingPageCount();
         if (copied_pages - flushed < kPagesBetweenFlushes) continue;
         flushed = copied_pages;
         if (auto done = flush(beside); !done) return done;
       }
-      // A copy of a WAL file is one too; a backup shall be a single file.
+      // A copy of a file in WAL mode is in WAL mode, too; a backup must be a single file.
       (void)target.execAndGet("PRAGMA journal_mode = DELETE");
     } catch (const SQLite::Exception& trouble) {
       return tl::unexpected(error_of(trouble, file.string()));
@@ -220,7 +221,7 @@ base::Result<void> keep_daily_backup(SQLite::Database& database, const fs::path&
   const fs::path folder = backup_folder(learner);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return base::fail(Errc::io, "cannot be made: " + error.message(), folder.string());
+  if (error) return base::fail(Errc::io, "cannot be created: " + error.message(), folder.string());
   const fs::path file = folder / fmt::format("{}{}{}", kDaily, to_text(day), kExtension);
   if (fs::exists(file, error)) return {};
   remove_unfinished(learner);
@@ -234,7 +235,7 @@ base::Result<void> keep_backup_before_migration(SQLite::Database& database, cons
   const fs::path folder = backup_folder(learner);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return base::fail(Errc::io, "cannot be made: " + error.message(), folder.string());
+  if (error) return base::fail(Errc::io, "cannot be created: " + error.message(), folder.string());
   return copy_database(database, folder / fmt::format("before-version-{}{}", version + 1, kExtension));
 }
 
@@ -244,7 +245,7 @@ base::Result<fs::path> make_backup(const LearnerStore& learner, const fs::path& 
   const fs::path folder = backup_folder(file);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return base::fail(Errc::io, "cannot be made: " + error.message(), folder.string());
+  if (error) return base::fail(Errc::io, "cannot be created: " + error.message(), folder.string());
   fs::path backup = free_file(folder, "own", learner.now());
   if (auto done = learner.copy_to(backup, progress); !done) return tl::unexpected(std::move(done.error()));
   return backup;
@@ -253,7 +254,7 @@ base::Result<fs::path> make_backup(const LearnerStore& learner, const fs::path& 
 base::Result<BackupContents> look_into(const fs::path& backup) {
   std::error_code error;
   if (!fs::is_regular_file(backup, error))
-    return base::fail(Errc::not_found, "there is no such backup", backup.string());
+    return base::fail(Errc::not_found, "this backup does not exist", backup.string());
   const auto learner = LearnerStore::open(backup, Access::backup);
   if (!learner) return tl::unexpected(learner.error());
   BackupContents contents;
@@ -273,21 +274,22 @@ base::Result<fs::path> restore_backup(const fs::path& backup, const fs::path& le
                                       const base::Progress& progress) {
   std::error_code error;
   if (!fs::is_regular_file(backup, error)) {
-    return base::fail(Errc::not_found, "there is no such backup", backup.string(),
-                      "nazori-cli study restore --list names them");
+    return base::fail(Errc::not_found, "this backup does not exist", backup.string(),
+                      "list backups with: nazori-cli study restore --list");
   }
   if (learner.has_parent_path()) fs::create_directories(learner.parent_path(), error);
-  bool taken = false;
-  const auto lock = FileLock::take(learner.string() + ".lock", taken);
-  if (taken)
-    return base::fail(Errc::in_use, "is open in another Nazori", learner.string(), "close it there first");
+  bool is_locked = false;
+  const auto lock = FileLock::take(learner.string() + ".lock", is_locked);
+  if (is_locked)
+    return base::fail(Errc::in_use, "is open in another Nazori window", learner.string(),
+                      "close it there first");
   if (!lock) return tl::unexpected(lock.error());
 
   clear_unfinished_restore(learner);
   const fs::path beside = restored_beside(learner);
   base::UnfinishedFile unfinished(beside, base::UnfinishedKind::database);
   {
-    // Read as a learner's file would be, so that what is put in place can be opened.
+    // Read like a learner's file, so that the restored file is known to open.
     auto source = LearnerStore::open(backup, Access::backup, clock);
     if (!source) return tl::unexpected(std::move(source.error()));
     if (auto copied = source->copy_to(beside, progress); !copied)

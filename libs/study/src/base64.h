@@ -11,7 +11,7 @@
 namespace nazori::study {
 
 [[nodiscard]] std::string to_base64(std::span<const std::uint8_t> bytes);
-/// nullopt for what to_base64() never writes, so that what was read is written alike.
+/// nullopt for text that to_base64() would not write, so that a decoded text is encoded identically.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text);
 
 }  // namespace nazori::study

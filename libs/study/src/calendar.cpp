@@ -43,13 +43,14 @@ Calendar::Calendar(const void* zone, std::string name, int day_starts_at)
 base::Result<Calendar> Calendar::create(std::string_view zone, int day_starts_at) {
   if (day_starts_at < 0 || day_starts_at > 12) {
     return base::fail(base::Errc::bad_argument,
-                      std::to_string(day_starts_at) + " is no hour a day may start at", "start of the day",
-                      "give 0 to 12");
+                      std::to_string(day_starts_at) + " is not a valid hour for the start of the day",
+                      "start of the day", "give 0 to 12");
   }
   const date::time_zone* found = zone.empty() ? zone_of_computer() : zone_named(zone);
   if (found == nullptr) {
-    return base::fail(base::Errc::bad_argument, "'" + std::string(zone) + "' is no time zone known here",
-                      "time zone", "give a name such as Asia/Tokyo, and install tzdata");
+    return base::fail(base::Errc::bad_argument,
+                      "'" + std::string(zone) + "' is not a time zone known on this computer", "time zone",
+                      "give a name such as Asia/Tokyo, and install tzdata");
   }
   return Calendar(found, found->name(), day_starts_at);
 }

@@ -9,7 +9,7 @@
 namespace nazori::study {
 namespace {
 
-/// Settings of the log are checked before they are written, so they always make a scheduler.
+/// Settings of the log are checked before they are written, so creating a scheduler from them cannot fail.
 Fsrs scheduler_of(const Settings& settings) {
   auto fsrs = Fsrs::create(settings.fsrs);
   assert(fsrs);
@@ -44,7 +44,7 @@ std::optional<EntryKind> entry_kind_named(std::string_view name) { return value_
 
 void CardHistory::review(const LogEntry& entry, const Settings& settings) {
   const Fsrs fsrs = scheduler_of(settings);
-  // A clock that was put back counts as no time at all.
+  // A clock that was set back counts as no time.
   const int elapsed_days =
       card_.last_day ? std::max(0, static_cast<int>((entry.day - *card_.last_day).count())) : 0;
   const Rating rating = entry.writing.rating;

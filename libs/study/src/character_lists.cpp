@@ -47,7 +47,7 @@ void collect_components(const kanji::Component& node, char32_t whole, std::set<c
   for (const kanji::Component& child : node.children) collect_components(child, whole, found);
 }
 
-/// Parts first: each character after those of its components that are in the list too.
+/// Parts first: each character after those of its components that are also in the list.
 std::vector<char32_t> parts_before_wholes(const std::vector<char32_t>& characters,
                                           const std::function<const CharacterFacts*(char32_t)>& facts) {
   const std::set<char32_t> wanted(characters.begin(), characters.end());
@@ -152,8 +152,8 @@ base::Result<std::vector<char32_t>> CharacterLists::members(std::string_view id,
       return ready(id);
     }
   }
-  return base::fail(Errc::not_found, "there is no such list", std::string(id),
-                    "nazori-cli study lists names them");
+  return base::fail(Errc::not_found, "this list does not exist", std::string(id),
+                    "show all lists with: nazori-cli study lists");
 }
 
 std::vector<char32_t> sort_for_learning(std::vector<char32_t> characters, NewOrder order,
@@ -196,13 +196,13 @@ base::Result<std::vector<char32_t>> CharacterLists::in_learning_order(const Sett
                                                                       const LearnerStore& learner) {
   std::vector<char32_t> all;
   std::set<char32_t> known;
-  // The ready lists of grades are in the default order already: no need to read every character for it.
+  // The built-in lists of grades are already in the default order, so the characters need not be read.
   bool ready_order = settings.new_order == NewOrder::grade;
   for (const std::string& id : settings.new_lists) {
     ready_order = ready_order && (id.starts_with("grade-") || id == "secondary");
     const auto list = members(id, learner);
     if (!list && list.error().code != Errc::not_found) return tl::unexpected(list.error());
-    if (!list) continue;  // a list that was removed is still chosen
+    if (!list) continue;  // a removed list may still be chosen
     for (const char32_t character : *list) {
       if (known.insert(character).second) all.push_back(character);
     }
@@ -217,7 +217,7 @@ base::Result<std::vector<char32_t>> CharacterLists::in_learning_order(const Sett
 base::Result<std::vector<char32_t>> parse_list(std::string_view text,
                                                const std::function<bool(char32_t)>& known) {
   std::vector<char32_t> characters;
-  std::set<char32_t> taken;
+  std::set<char32_t> added;
   int number = 0;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   while (!text.empty()) {
@@ -234,18 +234,18 @@ base::Result<std::vector<char32_t>> parse_list(std::string_view text,
       if (!known(c)) {
         const bool control = c < 0x20 || (c >= 0x7F && c < 0xA0);
         return base::fail(Errc::parse,
-                          fmt::format("'{}' (U+{:04X}) is no character that can be studied",
+                          fmt::format("'{}' (U+{:04X}) cannot be studied",
                                       control ? "?" : base::encode_utf8(c), static_cast<unsigned>(c)),
                           where, "give kanji and kana; a note begins with #");
       }
-      if (taken.insert(c).second) characters.push_back(c);
+      if (added.insert(c).second) characters.push_back(c);
       if (characters.size() > kMostCharacters) {
-        return base::fail(Errc::parse, "is the place where the list gets too long", where,
+        return base::fail(Errc::parse, "exceeds the maximum length of the list", where,
                           fmt::format("give at most {} characters", kMostCharacters));
       }
     }
   }
-  if (characters.empty()) return base::fail(Errc::parse, "holds no character", "the list");
+  if (characters.empty()) return base::fail(Errc::parse, "contains no characters", "the list");
   return characters;
 }
 

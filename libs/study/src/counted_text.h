@@ -14,19 +14,19 @@
 
 namespace nazori::study {
 
-/// A text that is read once, byte by byte, and is never held whole. Counts its lines, and keeps the text of
-/// one part for messages. Where its source fails, or the learner stops it, or a part gets too long, the text
-/// ends there and trouble() says why.
+/// A text that is read once, byte by byte, and is never in memory as a whole. Counts its lines, and keeps the
+/// text of one part for messages. If its source fails, the learner stops it, or a part becomes too long, the
+/// text ends there and trouble() says why.
 class CountedText {
  public:
-  /// Between two calls of reset_limit() at most so many bytes are handed out.
+  /// Maximum number of bytes between two calls of reset_limit().
   static constexpr std::size_t kLongestPart = std::size_t{16} << 20;
 
-  /// @param source  must live as long as this.
+  /// @param source  must outlive this.
   CountedText(const TextSource& source, base::Progress progress);
 
   [[nodiscard]] bool at_end() { return at_ == size_ && !refill(); }
-  /// The next byte; not at the end.
+  /// The next byte. Must not be called at the end.
   [[nodiscard]] const char& front() const { return buffer_[at_]; }
   void pop() {
     last_ = buffer_[at_++];
@@ -34,12 +34,12 @@ class CountedText {
   }
 
   [[nodiscard]] int line() const { return line_; }   ///< of the next byte, from 1
-  [[nodiscard]] char last() const { return last_; }  ///< the byte that was taken last
+  [[nodiscard]] char last() const { return last_; }  ///< the byte that was read last
   [[nodiscard]] const std::optional<base::Error>& trouble() const { return trouble_; }
 
-  /// Keeps the text from the byte that was taken last on.
+  /// Keeps the text from the last read byte on.
   void begin_part();
-  /// What was taken since begin_part(). Valid until the next call of anything here.
+  /// The text read since begin_part(). Valid until the next call of any function.
   [[nodiscard]] std::string_view part();
   void end_part() { keeps_part_ = false; }
   void reset_limit() { limit_ = taken_ + at_ + kLongestPart; }
@@ -63,7 +63,7 @@ class CountedText {
   std::optional<base::Error> trouble_;
 };
 
-/// Hands a counted text to a parser that takes iterators.
+/// Makes a counted text readable for a parser that takes iterators.
 class CountedTextIterator {
  public:
   using iterator_category = std::input_iterator_tag;

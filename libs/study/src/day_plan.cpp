@@ -19,10 +19,10 @@ using std::chrono::minutes;
 constexpr minutes kAhead{20};
 constexpr std::array<double, kDaysOfReturn> kShareOfReturn{0.5, 0.75, 0.9};
 
-/// What is known of the days before and of today.
+/// The study days so far, including today.
 struct Past {
   std::set<char32_t> reviewed_today;
-  std::vector<Day> days;  ///< with a review, oldest first
+  std::vector<Day> days;  ///< days with a review, oldest first
   Pace pace;
 };
 
@@ -41,7 +41,7 @@ base::Result<Past> read_past(const LearnerStore& learner, Day today) {
   return past;
 }
 
-/// Which day since the return today is, from 0; kDaysOfReturn and more where the limit is full.
+/// The number of today since the return, from 0; kDaysOfReturn or more where the limit is not lowered.
 int day_of_return(std::vector<Day> all, Day today) {
   if (all.empty()) return kDaysOfReturn;
   if (all.back() < today) all.push_back(today);
@@ -53,7 +53,7 @@ int day_of_return(std::vector<Day> all, Day today) {
   return kDaysOfReturn;
 }
 
-/// What a task will take; a review fails as often as FSRS thinks.
+/// The expected time of a task; a review fails with the probability that FSRS predicts.
 milliseconds time_for(const StudyTask& task, const Pace& pace) {
   switch (task.kind) {
     case TaskKind::fresh:
@@ -68,7 +68,7 @@ milliseconds time_for(const StudyTask& task, const Pace& pace) {
   return pace.recalled;
 }
 
-/// Reviews due on each of the coming days, for how long a backlog lasts.
+/// Reviews due on each of the coming days, to compute how long a backlog lasts.
 GentlePlan spread(int overdue, int per_day, int full_limit, const Cards& cards, Day today, int return_day) {
   constexpr int kMostDays = 3'650;
   GentlePlan plan{overdue, per_day, 0, today};
@@ -140,7 +140,7 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
         break;
       case Phase::learning:
       case Phase::relearning:
-        // A step that was left unfinished on an earlier day waits like any review that is overdue.
+        // A step left unfinished on an earlier day is treated like an overdue review.
         if (card.memory.due < begin_of_day) {
           reviews.push_back({TaskKind::step, character, card.next_stage, card.memory.due, chance});
           ++overdue;
@@ -206,7 +206,7 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
       --fresh;
     }
   }
-  // With nothing else to do, a step that is nearly due is better done than waited for.
+  // With nothing else to do, a step that is nearly due is offered now.
   if (plan.now.empty()) {
     while (!plan.later_today.empty() && plan.later_today.front().due <= now + kAhead) {
       plan.now.push_back(plan.later_today.front());

@@ -3,7 +3,7 @@
 
 namespace nazori::study {
 
-/// Entries of the log from one report of progress to the next: some milliseconds.
+/// Number of log entries between two progress reports: some milliseconds.
 constexpr int kEntriesBetweenProgress = 256;
 
 }  // namespace nazori::study

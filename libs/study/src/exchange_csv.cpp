@@ -46,7 +46,7 @@ base::Result<void> export_csv(const LearnerStore& learner, const TextSink& sink,
       mistakes +=
           fmt::format("{}{}:{}", mistakes.empty() ? "" : " ", name_of(mistake.kind), mistake.stroke + 1);
     }
-    // A comma or a quotation mark can be studied too.
+    // Commas and quotation marks can be studied, too.
     std::string character = base::encode_utf8(entry.character);
     if (character == "\"") character = "\"\"";
     text.add(fmt::format("{},{},{},\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", entry.id,

@@ -6,8 +6,8 @@
 
 #include "base64.h"
 #include "entry_progress.h"
-#include "json_text.h"
 #include "nazori/base/utf8.h"
+#include "nazori/json/json.h"
 #include "text_pieces.h"
 
 namespace nazori::study {
@@ -15,12 +15,12 @@ namespace {
 
 using base::Errc;
 
-Json entry_json(const LogEntry& entry, std::span<const std::uint8_t> ink) {
-  Json json{{"id", entry.id},
-            {"action", entry.action},
-            {"at", to_text(entry.at)},
-            {"day", to_text(entry.day)},
-            {"kind", name_of(entry.kind)}};
+json::Value entry_json(const LogEntry& entry, std::span<const std::uint8_t> ink) {
+  json::Value json{{"id", entry.id},
+                   {"action", entry.action},
+                   {"at", to_text(entry.at)},
+                   {"day", to_text(entry.day)},
+                   {"kind", name_of(entry.kind)}};
   if (entry.character != 0) json["character"] = base::encode_utf8(entry.character);
   switch (entry.kind) {
     case EntryKind::writing: {
@@ -31,7 +31,7 @@ Json entry_json(const LogEntry& entry, std::span<const std::uint8_t> ink) {
       json["proposed"] = name_of(writing.proposed);
       json["accepted"] = result.accepted;
       json["score"] = result.score;
-      json["faults"] = Json::array();
+      json["faults"] = json::Value::array();
       for (const StrokeMistake& mistake : result.mistakes) {
         json["faults"].push_back({{"kind", name_of(mistake.kind)}, {"stroke", mistake.stroke}});
       }
@@ -49,7 +49,7 @@ Json entry_json(const LogEntry& entry, std::span<const std::uint8_t> ink) {
       json["undoes"] = *entry.undoes;
       break;
     case EntryKind::settings:
-      json["settings"] = Json::parse(entry.settings, nullptr, false);
+      json["settings"] = json::parse(entry.settings).value_or(json::Value());
       break;
     case EntryKind::postpone:
       json["until"] = to_text(*entry.until);
@@ -88,7 +88,7 @@ base::Result<void> export_json(const LearnerStore& learner, const TextSink& sink
   const auto add_list = [&](const std::string& name, const std::vector<char32_t>& members) {
     const std::u32string characters(members.begin(), members.end());
     text.add(between(first));
-    text.add(Json{{"name", name}, {"characters", base::encode_utf8(characters)}}.dump());
+    text.add(json::Value{{"name", name}, {"characters", base::encode_utf8(characters)}}.dump());
   };
   const auto lists = learner.lists();
   if (!lists) return tl::unexpected(lists.error());

@@ -14,8 +14,8 @@ FileLock::~FileLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-base::Result<FileLock> FileLock::take(const std::filesystem::path& path, bool& taken) {
-  taken = false;
+base::Result<FileLock> FileLock::take(const std::filesystem::path& path, bool& is_locked) {
+  is_locked = false;
   FileLock lock(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (lock.descriptor_ < 0) {
     return base::fail(base::Errc::io, "cannot be written: " + std::generic_category().message(errno),
@@ -23,7 +23,7 @@ base::Result<FileLock> FileLock::take(const std::filesystem::path& path, bool& t
   }
   while (::flock(lock.descriptor_, LOCK_EX | LOCK_NB) != 0) {
     if (errno == EINTR) continue;
-    taken = errno == EWOULDBLOCK;
+    is_locked = errno == EWOULDBLOCK;
     return base::fail(base::Errc::io, "cannot be locked: " + std::generic_category().message(errno),
                       path.string());
   }

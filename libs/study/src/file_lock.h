@@ -8,8 +8,8 @@
 
 namespace nazori::study {
 
-/// A lock on a file that only one holder in the whole computer can have. The system gives it back when the
-/// holder is gone, however it ended.
+/// A lock on a file that only one process on the computer can have. The system releases it when the process
+/// ends, in whatever way.
 class FileLock {
  public:
   FileLock() = default;
@@ -20,9 +20,9 @@ class FileLock {
   }
   ~FileLock();
 
-  /// Takes the lock on `path`, made where it is not there. @return Errc::io; `taken` tells whether another
-  /// holds it.
-  [[nodiscard]] static base::Result<FileLock> take(const std::filesystem::path& path, bool& taken);
+  /// Locks `path`, which is created if needed. @return Errc::io; `is_locked` says whether another process has
+  /// the lock.
+  [[nodiscard]] static base::Result<FileLock> take(const std::filesystem::path& path, bool& is_locked);
 
  private:
   explicit FileLock(int descriptor) : descriptor_(descriptor) {}

@@ -20,7 +20,7 @@ constexpr double kShortestStability = 0.001;
 constexpr double kLongestStability = 36'500;
 constexpr int kMinutesOfDay = 24 * 60;
 
-/// Half goes up, as in the reference programs.
+/// Halves are rounded up, as in the reference programs.
 double round_half_up(double value) { return std::floor(value + 0.5); }
 double round_8(double value) { return round_half_up(value * 1e8) / 1e8; }
 double clamp_stability(double value) { return std::clamp(value, kShortestStability, kLongestStability); }
@@ -32,12 +32,12 @@ base::Result<void> check_steps(std::span<const minutes> steps, const char* name)
                       return step.count() >= 1 && step.count() <= 100 * kMinutesOfDay;
                     });
   if (fits) return {};
-  return base::fail(base::Errc::bad_argument, "holds a step that is no time", name,
+  return base::fail(base::Errc::bad_argument, "contains a step that is not a valid time", name,
                     "give at most 20 steps of 1 minute to 100 days");
 }
 
 /// Keeps the two weights of same-day reviews so small that several relearning steps cannot leave more than
-/// was there before the lapse, and the third so large that the gain of one day ends.
+/// was there before the lapse, and the third so large that the gain within one day converges.
 void keep_same_day_weights_sound(FsrsSettings& settings) {
   FsrsWeights& w = settings.weights;
   if (settings.short_term_steps) w[19] = std::max(w[19], 0.01);
@@ -64,13 +64,12 @@ Fsrs::Fsrs(FsrsSettings settings) : settings_(std::move(settings)) {
 
 base::Result<Fsrs> Fsrs::create(FsrsSettings settings) {
   if (!(settings.desired_retention >= kLowestRetention && settings.desired_retention <= kHighestRetention)) {
-    return base::fail(base::Errc::bad_argument,
-                      fmt::format("{} is outside what can be asked for", settings.desired_retention),
+    return base::fail(base::Errc::bad_argument, fmt::format("{} is out of range", settings.desired_retention),
                       "desired retention", "give 0.80 to 0.97");
   }
   if (settings.maximum_interval_days < 1 || settings.maximum_interval_days > 36'500) {
     return base::fail(base::Errc::bad_argument,
-                      fmt::format("{} is no longest interval", settings.maximum_interval_days),
+                      fmt::format("{} is not a valid maximum interval", settings.maximum_interval_days),
                       "longest interval", "give 1 to 36500 days");
   }
   if (auto fine = check_steps(settings.learning_steps, "learning steps"); !fine) {
@@ -142,7 +141,7 @@ double Fsrs::forgotten(const Memory& memory, double retrievability) const {
   const double after_lapse = round_8(clamp_stability(w[11] * std::pow(memory.difficulty, -w[12]) *
                                                      (std::pow(memory.stability + 1, w[13]) - 1) *
                                                      std::exp((1 - retrievability) * w[14])));
-  // Forgetting never leaves more than what a lapse and one relearning step would.
+  // After forgetting, the stability is at most that after a lapse and one relearning step.
   const double exponent = settings_.short_term_steps ? w[17] * w[18] : 0;
   const double most = round_8(memory.stability / std::exp(exponent));
   return std::min(std::max(most, kShortestStability), after_lapse);
@@ -169,7 +168,7 @@ Fsrs::StabilityAndDifficulty Fsrs::after(const Memory& memory, Rating rating, in
   return {recalled(memory, chance, rating), difficulty};
 }
 
-/// Minutes until the next (re)learning step, 0 where the steps are over.
+/// Minutes until the next (re)learning step, 0 after the last step.
 int Fsrs::step_minutes(const Memory& before, Rating rating, int& next_step) const {
   const bool relearning = before.phase == Phase::relearning || before.phase == Phase::review;
   const std::vector<minutes>& steps = relearning ? settings_.relearning_steps : settings_.learning_steps;
@@ -217,7 +216,7 @@ void Fsrs::take_step(Memory& memory, const Memory& before, Rating rating, Time n
   memory.due = now + days(memory.scheduled_days);
 }
 
-/// Interval after a recall in the phase `review`: hard < good < easy, whatever the stabilities say.
+/// Interval after a recall in the phase `review`: hard < good < easy, whatever the stabilities are.
 int Fsrs::review_interval(const Memory& before, Rating rating, int elapsed_days) const {
   const auto raw = [&](Rating one) { return interval_days(after(before, one, elapsed_days).stability); };
   const int hard = std::min(raw(Rating::hard), raw(Rating::good));
@@ -256,7 +255,7 @@ Memory Fsrs::next(const Memory& memory, Rating rating, Time now, int elapsed_day
   ++result.reps;
   if (memory.phase == Phase::review && rating == Rating::again) ++result.lapses;
   const bool in_days = !settings_.short_term_steps;
-  // Without steps every forgetting but the first answer is a lapse, also of a card begun with steps.
+  // Without steps every Again but the first answer is a lapse, also for a card begun with steps.
   if (in_days && rating == Rating::again &&
       (memory.phase == Phase::learning || memory.phase == Phase::relearning)) {
     ++result.lapses;

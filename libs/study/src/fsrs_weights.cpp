@@ -16,7 +16,7 @@ struct Range {
   double lowest, highest;
 };
 
-/// What the optimiser keeps each weight within. @source fsrs-rs and ts-fsrs 5.4.2.
+/// The range of each weight in the optimiser. @source fsrs-rs and ts-fsrs 5.4.2.
 constexpr std::array<Range, 21> kRanges{
     {{0.001, 100},  {0.001, 100}, {0.001, 100}, {0.001, 100}, {1, 10},    {0.001, 4},    {0.001, 4},
      {0.001, 0.75}, {0, 4.5},     {0, 0.8},     {0.001, 3.5}, {0.001, 5}, {0.001, 0.25}, {0.001, 0.9},
@@ -27,7 +27,7 @@ constexpr double kDecayBeforeFsrs6 = 0.5;
 
 base::Result<FsrsWeights> weights_from(std::span<const double> numbers) {
   if (!std::all_of(numbers.begin(), numbers.end(), [](double one) { return std::isfinite(one); })) {
-    return base::fail(base::Errc::bad_argument, "hold a number that is not finite", "weights");
+    return base::fail(base::Errc::bad_argument, "contain a number that is not finite", "weights");
   }
   if (numbers.size() != 21 && numbers.size() != 19 && numbers.size() != 17) {
     return base::fail(base::Errc::bad_argument, fmt::format("{} numbers", numbers.size()), "weights",
@@ -47,7 +47,7 @@ base::Result<FsrsWeights> weights_from(std::span<const double> numbers) {
     weights[6] += 0.5;
   }
   if (numbers.size() < 21) weights[20] = kDecayBeforeFsrs6;
-  bring_into_range(numbers.size());  // what was converted may have left it
+  bring_into_range(numbers.size());  // converted weights may be outside
   return weights;
 }
 
@@ -68,8 +68,8 @@ base::Result<FsrsWeights> parse_weights(std::string_view text) {
     if (!whole || numbers.size() > 21) {
       const std::string_view rest(at, static_cast<std::size_t>(end - at));
       const std::string_view word = rest.substr(0, std::min(rest.find_first_of(kBetween), std::size_t{40}));
-      return base::fail(base::Errc::parse, "is not a number of a list of weights", std::string(word),
-                        "give 21 numbers with commas between them");
+      return base::fail(base::Errc::parse, "is not a number", std::string(word),
+                        "give 21 numbers separated by commas");
     }
     numbers.push_back(value);
     at = read.ptr;

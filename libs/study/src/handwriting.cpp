@@ -13,7 +13,7 @@ namespace nazori::study {
 namespace {
 
 constexpr std::uint8_t kVersion = 1;
-// Four varints of at most five bytes a point, and one a stroke.
+// Four varints of at most five bytes per point, and one per stroke.
 constexpr std::size_t kMostBytes = kMostSavedPoints * 20 + kMostSavedStrokes * 5 + 8;
 
 using Bytes = std::vector<std::uint8_t>;
@@ -27,7 +27,7 @@ void put_difference(Bytes& bytes, std::int32_t value) {
   put(bytes, (static_cast<std::uint32_t>(value) << 1U) ^ static_cast<std::uint32_t>(value >> 31));
 }
 
-/// Takes varints off; after a failure everything is 0.
+/// Reads varints; after a failure every value is 0.
 class VarintReader {
  public:
   explicit VarintReader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
@@ -84,7 +84,9 @@ bool may_be_saved(const Handwriting& ink) {
   return ink.size() <= kMostSavedStrokes && points <= kMostSavedPoints;
 }
 
-tl::unexpected<base::Error> not_ink() { return base::fail(base::Errc::parse, "is no ink that can be read"); }
+tl::unexpected<base::Error> not_ink() {
+  return base::fail(base::Errc::parse, "is not readable handwriting data");
+}
 
 base::Result<Handwriting> read_strokes(std::span<const std::uint8_t> bytes) {
   VarintReader reader(bytes);
@@ -177,7 +179,7 @@ base::Result<Handwriting> unpack_handwriting(std::span<const std::uint8_t> bytes
   if (bytes.empty()) return Handwriting{};
   if (bytes.front() != kVersion || bytes.size() > kMostBytes) return not_ink();
   const std::span<const std::uint8_t> packed = bytes.subspan(1);
-  // Room for what ink usually holds; DEFLATE can hold a thousand times as much.
+  // Enough for usual ink; a DEFLATE stream can expand a thousandfold.
   Bytes plain;
   uLongf size = 0;
   uLong used = 0;

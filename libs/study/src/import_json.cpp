@@ -6,9 +6,9 @@
 
 #include "base64.h"
 #include "counted_text.h"
-#include "json_text.h"
 #include "nazori/base/file.h"
 #include "nazori/base/utf8.h"
+#include "nazori/json/reader.h"
 #include "nazori/study/store_filling.h"
 #include "text_pieces.h"
 
@@ -17,6 +17,7 @@ namespace {
 
 using base::Errc;
 
+constexpr int kDeepest = json::Limits{}.depth;
 constexpr std::size_t kLongestInk = 4 << 20;
 constexpr double kReading = 0.8;  // of an import; the rest works the cards out
 
@@ -27,29 +28,29 @@ struct ReadEntry {
 
 /// A name that one of ours has; the first of ours and a failure otherwise.
 template <class Value, class Find>
-Value named(JsonReader::Object& object, const char* member, Value otherwise, Find find) {
+Value named(json::Reader::Object& object, const char* member, Value otherwise, Find find) {
   const std::string name = object.text(member, 40);
   const std::optional<Value> value = find(name);
   if (!value) object.refuse(member, "'" + name + "' is none that is known");
   return value.value_or(otherwise);
 }
 
-Day read_day(JsonReader::Object& object, const char* member) {
+Day read_day(json::Reader::Object& object, const char* member) {
   const std::string text = object.text(member, 40);
   const auto day = parse_day(text);
   if (!day) object.refuse(member, "'" + text + "' " + day.error().what, day.error().remedy);
   return day.value_or(Day{});
 }
 
-char32_t read_character(JsonReader::Object& object) {
+char32_t read_character(json::Reader::Object& object) {
   const std::string text = object.text("character", 10);
   const auto decoded = base::decode_utf8(text);
   if (decoded && decoded->size() == 1 && decoded->front() != 0) return decoded->front();
-  object.refuse("character", "is not one character");
+  object.refuse("character", "must be one character");
   return 1;
 }
 
-void read_writing(JsonReader::Object& object, ReadEntry& one) {
+void read_writing(json::Reader::Object& object, ReadEntry& one) {
   LogEntry& entry = one.entry;
   Writing& writing = entry.writing;
   WritingResult& result = writing.result;
@@ -58,7 +59,7 @@ void read_writing(JsonReader::Object& object, ReadEntry& one) {
   writing.proposed = named(object, "proposed", Rating::good, rating_named);
   result.accepted = object.truth("accepted");
   result.score = static_cast<int>(object.whole("score", 0, 100));
-  object.each("faults", [&](JsonReader::Object& mistake) {
+  object.each("faults", [&](json::Reader::Object& mistake) {
     result.mistakes.push_back({named(mistake, "kind", kanji::MistakeKind::wrong, kanji::mistake_named),
                                static_cast<int>(mistake.whole("stroke", 0, 1'000))});
   });
@@ -72,12 +73,12 @@ void read_writing(JsonReader::Object& object, ReadEntry& one) {
     entry.interval_days = static_cast<int>(object.whole("interval_days", 1, 36'600));
   if (object.has("ink")) {
     auto ink = from_base64(object.text("ink", kLongestInk));
-    if (!ink) object.refuse("ink", "is no ink that can be read");
+    if (!ink) object.refuse("ink", "is not readable handwriting data");
     one.ink = std::move(ink).value_or(std::vector<std::uint8_t>());
   }
 }
 
-ReadEntry read_entry(JsonReader::Object& object) {
+ReadEntry read_entry(json::Reader::Object& object) {
   ReadEntry one;
   LogEntry& entry = one.entry;
   entry.id = object.whole("id", 1, 1'000'000'000);
@@ -120,7 +121,7 @@ ReadEntry read_entry(JsonReader::Object& object) {
   return one;
 }
 
-std::vector<char32_t> read_characters(JsonReader::Object& object, const char* member) {
+std::vector<char32_t> read_characters(json::Reader::Object& object, const char* member) {
   const auto decoded = base::decode_utf8(object.text(member, 1 << 20));
   if (!decoded) {
     object.refuse(member, "is not UTF-8");
@@ -130,7 +131,7 @@ std::vector<char32_t> read_characters(JsonReader::Object& object, const char* me
 }
 
 /// Reads an export of a learner as it comes, and holds one entry, list or tag at a time.
-class LearnerJson : public nlohmann::json_sax<Json> {
+class LearnerJson : public nlohmann::json_sax<json::Value> {
  public:
   LearnerJson(CountedText& text, LearnerStore::Filling& filling) : text_(text), filling_(filling) {}
 
@@ -141,21 +142,21 @@ class LearnerJson : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t number, const string_t& /*text*/) override { return value(number); }
   bool string(string_t& text) override { return value(std::move(text)); }
   bool binary(binary_t& /*value*/) override { return value(nullptr); }
-  bool start_object(std::size_t /*elements*/) override { return open(Json::object()); }
+  bool start_object(std::size_t /*elements*/) override { return open(json::Value::object()); }
   bool end_object() override { return close(); }
   bool key(string_t& name) override {
     begin_token();
     (depth_ == 1 ? member_ : key_) = std::move(name);
     return true;
   }
-  bool start_array(std::size_t /*elements*/) override { return open(Json::array()); }
+  bool start_array(std::size_t /*elements*/) override { return open(json::Value::array()); }
   bool end_array() override { return close(); }
   bool parse_error(std::size_t /*byte*/, const std::string& /*token*/,
                    const nlohmann::detail::exception& error) override {
     // The byte that does not belong was taken already.
     const bool next_line = text_.last() == '\n' && !text_.at_end();
     if (!error_)
-      error_ = base::Error{Errc::parse, "is not JSON: " + reason_of(error),
+      error_ = base::Error{Errc::parse, "is not JSON: " + json::reason_of(error),
                            fmt::format("line {}", text_.line() - (next_line ? 1 : 0)), ""};
     return false;
   }
@@ -179,7 +180,7 @@ class LearnerJson : public nlohmann::json_sax<Json> {
   static constexpr std::array<const char*, 3> kParts{"entries", "lists", "tags"};
   static constexpr std::size_t kNoPart = kParts.size();
 
-  bool open(Json container) {
+  bool open(json::Value container) {
     begin_token();
     if (++depth_ > kDeepest) {
       error_ = error_.value_or(base::Error{Errc::parse, "is nested too deeply", "the JSON text", ""});
@@ -196,14 +197,14 @@ class LearnerJson : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  bool open_member(const Json& container) {
+  bool open_member(const json::Value& container) {
     part_ = kNoPart;
     index_ = 0;
     for (std::size_t i = 0; i < kParts.size(); ++i)
       if (member_ == kParts[i]) part_ = i;
     if (part_ == kNoPart) return head(container);
     seen_[part_] = true;
-    if (!container.is_array()) refuse_member(member_.c_str(), "is no list", "give [ ... ]");
+    if (!container.is_array()) refuse_member(member_.c_str(), "is not a list", "give [ ... ]");
     return goes_on();
   }
 
@@ -216,14 +217,14 @@ class LearnerJson : public nlohmann::json_sax<Json> {
     return depth_ > 2 || element(text_.part());
   }
 
-  bool value(Json value) {
+  bool value(json::Value value) {
     begin_token();
     if (depth_ == 0) return refuse_root();
     if (depth_ == 1) {
       for (std::size_t i = 0; i < kParts.size(); ++i) {
         if (member_ != kParts[i]) continue;
         seen_[i] = true;
-        refuse_member(kParts[i], "is no list", "give [ ... ]");
+        refuse_member(kParts[i], "is not a list", "give [ ... ]");
       }
       return head(value);
     }
@@ -246,23 +247,23 @@ class LearnerJson : public nlohmann::json_sax<Json> {
     return !error_ || !head_.contains("format") || !head_.contains("version");
   }
 
-  void begin_element(Json value) {
+  void begin_element(json::Value value) {
     text_.begin_part();
     part_line_ = text_.line();
     element_ = std::move(value);
     open_.assign(1, &element_);
   }
 
-  Json* put(Json value) {
-    Json& into = *open_.back();
+  json::Value* put(json::Value value) {
+    json::Value& into = *open_.back();
     if (into.is_array()) return &into.emplace_back(std::move(value));
     return &(into[key_] = std::move(value));
   }
 
   /// One entry, list or tag is whole.
   bool element(std::string_view text) {
-    JsonReader reader(text, fmt::format("/{}/{}", kParts[part_], index_++), part_line_);
-    JsonReader::Object object = reader.root(element_);
+    json::Reader reader(text, fmt::format("/{}/{}", kParts[part_], index_++), part_line_);
+    json::Reader::Object object = reader.root(element_);
     auto taken = take(reader, object);
     text_.end_part();
     open_.clear();
@@ -277,7 +278,7 @@ class LearnerJson : public nlohmann::json_sax<Json> {
     return goes_on();
   }
 
-  base::Result<void> take(const JsonReader& reader, JsonReader::Object& object) {
+  base::Result<void> take(const json::Reader& reader, json::Reader::Object& object) {
     if (part_ == 0) {
       const ReadEntry one = read_entry(object);
       return reader.ok() ? filling_.add(one.entry, one.ink) : base::Result<void>();
@@ -289,50 +290,50 @@ class LearnerJson : public nlohmann::json_sax<Json> {
   }
 
   /// A member of the whole that is no list.
-  bool head(const Json& value) {
+  bool head(const json::Value& value) {
     if (member_ != "format" && member_ != "version") return goes_on();
     head_[member_] = value;
     return check_head().has_value() && goes_on();
   }
 
   [[nodiscard]] base::Result<void> check_head() const {
-    JsonReader reader({}, "", text_.line());
-    JsonReader::Object root = reader.root(head_);
+    json::Reader reader({}, "", text_.line());
+    json::Reader::Object root = reader.root(head_);
     const std::string format = head_.contains("format") ? root.text("format", 100) : kLearnerFormat;
     const std::int64_t version = head_.contains("version") ? root.whole("version", 1, 1'000'000) : 1;
     if (!reader.ok()) return tl::unexpected(reader.error());
     if (format == kLearnerFormat && version <= kLearnerFormatVersion) return {};
     return base::fail(Errc::schema,
                       format != kLearnerFormat
-                          ? "is no export of a learner"
+                          ? "is not an export of study data"
                           : fmt::format("is of version {}, written by a newer Nazori", version),
                       "line 1", "give a file that study export wrote");
   }
 
   bool refuse_root() {
-    JsonReader reader({}, "", text_.line());
-    reader.refuse("", "is no object", "give { ... }");
+    json::Reader reader({}, "", text_.line());
+    reader.refuse("", "is not an object", "give { ... }");
     error_ = error_.value_or(reader.error());
     return false;
   }
   void refuse_member(const char* member, const char* what, const char* remedy = "") {
     if (error_) return;
-    JsonReader reader({}, "", text_.line());
+    json::Reader reader({}, "", text_.line());
     reader.refuse(std::string("/") + member, what, remedy);
     error_ = reader.error();
   }
 
   CountedText& text_;
   LearnerStore::Filling& filling_;
-  Json head_ = Json::object();  ///< format and version
+  json::Value head_ = json::Value::object();  ///< format and version
   std::array<bool, kParts.size()> seen_{};
   int depth_ = 0;
   std::string member_;  ///< of the whole
   std::size_t part_ = kNoPart;
   std::size_t index_ = 0;
-  Json element_;
+  json::Value element_;
   int part_line_ = 1;
-  std::vector<Json*> open_;  ///< containers within the element, the innermost last
+  std::vector<json::Value*> open_;  ///< containers within the element, the innermost last
   std::string key_;
   std::optional<base::Error> error_;
 };
@@ -341,7 +342,7 @@ base::Result<void> read_learner(const TextSource& json, LearnerStore::Filling& f
                                 const base::Progress& progress) {
   CountedText text(json, progress);
   LearnerJson reader(text, filling);
-  (void)Json::sax_parse(CountedTextIterator(text), CountedTextIterator(), &reader);
+  (void)json::Value::sax_parse(CountedTextIterator(text), CountedTextIterator(), &reader);
   return reader.result();
 }
 

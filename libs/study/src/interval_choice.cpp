@@ -9,8 +9,7 @@
 namespace nazori::study {
 namespace {
 
-/// A number 0..1 that looks random and depends on the review only. @source splitmix64, S. Vigna, public
-/// domain.
+/// A pseudo-random number 0..1 that depends only on the review. @source splitmix64, S. Vigna, public domain.
 double scattered(std::uint64_t seed) {
   seed += 0x9E3779B97F4A7C15ULL;
   seed = (seed ^ (seed >> 30U)) * 0xBF58476D1CE4E5B9ULL;

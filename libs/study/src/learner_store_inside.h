@@ -16,16 +16,16 @@
 
 namespace nazori::study {
 
-/// Settings and the entry from which on they are in force, oldest first.
+/// Settings, each with the entry from which on they apply, oldest first.
 using SettingsTimeline = std::vector<std::pair<std::int64_t, Settings>>;
 
-/// Goes through a timeline beside the entries of the log.
+/// Walks through a timeline in parallel with the entries of the log.
 class SettingsInForce {
  public:
   explicit SettingsInForce(const SettingsTimeline& timeline) : timeline_(timeline) {}
 
-  /// Settings of the entry `id`, which must not be before the last one asked for. Those on the way that lead
-  /// to other numbers are handed to `history`.
+  /// Settings of the entry `id`, which must not be before that of the previous call. Settings passed on the
+  /// way that lead to other numbers are applied to `history`.
   template <class History>
   const Settings& at(std::int64_t id, History& history) {
     for (; place_ + 1 < timeline_.size() && timeline_[place_ + 1].first < id; ++place_) {
@@ -60,28 +60,28 @@ struct LearnerStore::Inside {
   bool rebuilds = false;  ///< opened to be rebuilt
   std::optional<base::Error> backup_trouble;
 
-  /// Reads timeline, undone actions, cards. @return Errc::parse for what cannot be.
+  /// Reads timeline, undone actions, cards. @return Errc::parse for impossible data.
   [[nodiscard]] base::Result<void> load();
   [[nodiscard]] const Settings& settings() const { return timeline.back().second; }
   void take_calendar();
 
-  /// Writings and other entries of one character that are in force. Throws SQLite::Exception, also for a row
-  /// that cannot be: a card must not be worked out without it.
+  /// Writings and other entries of one character that were not undone. Throws SQLite::Exception, also for an
+  /// invalid row, because a card must not be computed without it.
   [[nodiscard]] std::vector<LoggedEntry> entries_of(char32_t character);
-  /// Follows one character through its entries in force.
+  /// Computes the history of one character from its entries that were not undone.
   [[nodiscard]] CardHistory history_of(char32_t character, std::span<const LoggedEntry> entries) const;
-  /// The entry of an action that is about to happen, with the time of now.
+  /// A new entry for an action at the present time.
   [[nodiscard]] LogEntry next_entry(EntryKind kind) const;
-  /// What a review would lead to, where intervals may vary with the interval that it would be given.
+  /// The result of a review; where intervals may vary, with the varied interval.
   struct Outlook {
     Card card;
-    std::optional<int> interval_days;  ///< for the log: where it is moved within its range
+    std::optional<int> interval_days;  ///< for the log: set if it is moved within its range
   };
   [[nodiscard]] Outlook outlook(char32_t character, Rating rating);
-  /// Works out the card and the study days of one character again and keeps them in their tables; the map is
-  /// the caller's.
+  /// Computes the card and the study days of one character again and stores them in their tables; updating
+  /// the map is up to the caller.
   [[nodiscard]] std::optional<Card> refresh_row(char32_t character);
-  /// Runs `work`, which throws SQLite::Exception, and turns that into an error.
+  /// Runs `work`, which throws SQLite::Exception, and converts the exception to an error.
   template <class Work>
   auto guarded(Work work) const -> decltype(work()) {
     try {
@@ -96,11 +96,11 @@ struct LearnerStore::Inside {
 };
 
 // Rows. All throw SQLite::Exception.
-/// The columns of the log as read_entry() wants them: SELECT log_columns FROM log.
+/// The columns of the log as read_entry() expects them: SELECT log_columns FROM log.
 extern const char* const log_columns;
-/// @return nullopt for a row that no program of this version writes.
+/// @return nullopt for a row that this version never writes.
 [[nodiscard]] std::optional<LearnerStore::LoggedEntry> read_entry(SQLite::Statement& row);
-/// Adds entries to the log; its statements are made once for all of them.
+/// Adds entries to the log; its statements are prepared once for all of them.
 class LogWriter {
  public:
   explicit LogWriter(SQLite::Database& db);
@@ -117,7 +117,7 @@ void put_tag(SQLite::Database& db, char32_t character, const std::string& tag);
 void put_card(SQLite::Database& db, const Card& card);
 /// Whether entries of a kind are about a character.
 [[nodiscard]] bool names_a_character(EntryKind kind);
-/// Errc::bad_argument where a writing is not one that may be logged.
+/// Errc::bad_argument for a writing that must not be logged.
 [[nodiscard]] base::Result<void> check_writing(char32_t character, int strokes, const Writing& writing);
 
 }  // namespace nazori::study

@@ -9,9 +9,9 @@
 
 namespace nazori::study {
 
-/// The enumerator with this number, where there is one. It is one that name_of() has a name for: that is a
-/// switch, and the compiler refuses a switch that leaves an enumerator out, so no range has to be kept in
-/// step by hand.
+/// The enumerator with this number, if there is one. An enumerator is valid if name_of() has a name for it.
+/// name_of() is a switch, and the compiler requires it to be complete, so no range has to be maintained by
+/// hand.
 template <class Enum>
 [[nodiscard]] std::optional<Enum> value_of(std::int64_t number) {
   using Number = std::underlying_type_t<Enum>;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kLastDays = 200;
 
-/// The median of the newest days, or what was assumed.
+/// The median of the newest days, or the assumption.
 base::Result<void> look(const LearnerStore& learner, DayOutcome outcome, std::chrono::milliseconds& time,
                         int& days) {
   auto times = learner.newest_times(outcome, kLastDays);

@@ -17,10 +17,10 @@ constexpr double kFrequencyStepHz = 0.1;
 constexpr double kAmplitudeLimit = 0.05;
 constexpr double kShortestLength = 2;
 constexpr double kShortestS = 0.08;
-// A stroke that rests longer is cut there: its end is no movement.
+// A stroke ends where it rests longer than this: the rest is not a movement.
 constexpr double kLongestS = 20;
 
-/// A point as it is saved, so that an imported history has the same measures.
+/// A point as it is saved, so that an imported history gives the same measures.
 struct TimedPoint {
   geometry::GlyphPoint at;
   std::int32_t time_ms = 0;
@@ -49,7 +49,8 @@ double duration_s(const TimedStroke& stroke) {
   return stroke.empty() ? 0 : (stroke.back().time_ms - stroke.front().time_ms) / 1000.0;
 }
 
-/// Speed in samples of 10 ms. The pen's points come unevenly, so the drawn length is read off between them.
+/// Speed in samples of 10 ms. The pen's points are unevenly spaced in time, so the drawn length is
+/// interpolated between them.
 std::vector<double> speed_profile(const TimedStroke& stroke) {
   const auto samples = static_cast<std::size_t>(std::min(duration_s(stroke), kLongestS) / kSampleS);
   std::vector<double> speed(samples);
@@ -76,7 +77,7 @@ std::vector<double> speed_profile(const TimedStroke& stroke) {
 constexpr std::size_t kSteps = 101;  // 0 Hz to the cut-off
 static_assert((kSteps - 1) * kFrequencyStepHz > kCutOffHz - 1e-6 &&
               (kSteps - 1) * kFrequencyStepHz < kCutOffHz + 1e-6);
-/// Filled up, so that they go through the processor side by side.
+/// Padded, so that the processor can handle them in parallel.
 constexpr std::size_t kLanes = (kSteps + 7) / 8 * 8;
 using Lanes = std::array<double, kLanes>;
 
@@ -86,8 +87,8 @@ struct Waves {
   Lanes imaginary{};
 };
 
-/// One turn in as many parts as there are samples in a period of the frequency step: after so many samples
-/// every wave begins anew.
+/// One turn, divided into as many parts as there are samples in a period of the frequency step: after that
+/// many samples every wave repeats.
 constexpr std::size_t kParts = 1000;
 static_assert(kFrequencyStepHz * kSampleS * kParts > 0.999999 &&
               kFrequencyStepHz * kSampleS * kParts < 1.000001);

@@ -16,16 +16,16 @@ using base::Errc;
 constexpr const char* kFile = "learner.db";
 constexpr std::size_t kLongestProfile = 60;
 
-/// The folder of a profile that is there and that nobody holds.
+/// The folder of an existing profile that is not in use.
 base::Result<fs::path> free_profile(const fs::path& folder, std::string_view profile) {
   const auto file = learner_file(folder, profile);
   if (!file) return tl::unexpected(file.error());
   std::error_code ignored;
   if (!fs::exists(*file, ignored)) {
-    return base::fail(Errc::not_found, "there is no such profile", std::string(profile));
+    return base::fail(Errc::not_found, "this profile does not exist", std::string(profile));
   }
   if (LearnerStore::in_use(*file)) {
-    return base::fail(Errc::in_use, "is open in another Nazori", std::string(profile),
+    return base::fail(Errc::in_use, "is open in another Nazori window", std::string(profile),
                       "close it there first");
   }
   return file->parent_path();
@@ -44,7 +44,7 @@ base::Result<fs::path> profiles_folder() {
   if (const fs::path home = variable("HOME"); !home.empty()) {
     return home / ".local" / "share" / "nazori" / "learners";
   }
-  return base::fail(Errc::not_found, "no folder for learners is known", "HOME", "set NAZORI_LEARNERS");
+  return base::fail(Errc::not_found, "there is no folder for study data", "HOME", "set NAZORI_LEARNERS");
 }
 
 bool can_be_profile(std::string_view name) {
@@ -54,8 +54,8 @@ bool can_be_profile(std::string_view name) {
 
 base::Result<fs::path> learner_file(const fs::path& folder, std::string_view profile) {
   if (!can_be_profile(profile)) {
-    return base::fail(Errc::bad_argument, "is no name of a profile", std::string(profile),
-                      "give 1 to 60 bytes without '/', not beginning with a dot");
+    return base::fail(Errc::bad_argument, "is not a valid profile name", std::string(profile),
+                      "give 1 to 60 bytes without '/' that do not start with a dot");
   }
   return folder / fs::path(profile) / kFile;
 }
@@ -78,7 +78,7 @@ base::Result<void> rename_profile(const fs::path& folder, std::string_view from,
   if (!file) return tl::unexpected(file.error());
   std::error_code error;
   if (fs::exists(file->parent_path(), error)) {
-    return base::fail(Errc::bad_argument, "is taken already", std::string(to), "give another name");
+    return base::fail(Errc::bad_argument, "already exists", std::string(to), "give another name");
   }
   fs::rename(*old, file->parent_path(), error);
   if (error) return base::fail(Errc::io, "cannot be renamed: " + error.message(), old->string());

@@ -7,11 +7,12 @@
 #include <cmath>
 #include <utility>
 
-#include "json_text.h"
+#include "nazori/json/reader.h"
 
 namespace nazori::study {
 namespace {
 
+constexpr json::Limits kLimits{.bytes = std::size_t{1} << 30};
 constexpr double kSameTo8Decimals = 0.5e-8;
 
 /// Whole days of 24 hours from `from` to `to`.
@@ -20,7 +21,7 @@ int full_days(Time from, Time to) {
       std::max<std::int64_t>(0, std::chrono::floor<std::chrono::days>(to - from).count()));
 }
 
-void read_step(JsonReader::Object& object, std::vector<ReplayStep>& steps) {
+void read_step(json::Reader::Object& object, std::vector<ReplayStep>& steps) {
   const std::string at = object.text("at", 40);
   ReplayStep step;
   step.rating = static_cast<Rating>(
@@ -36,11 +37,11 @@ void read_step(JsonReader::Object& object, std::vector<ReplayStep>& steps) {
   steps.push_back(step);
 }
 
-ReplayCase read_case(JsonReader::Object& object) {
+ReplayCase read_case(json::Reader::Object& object) {
   ReplayCase one;
   one.desired_retention = object.number("request_retention", kLowestRetention, kHighestRetention);
   if (object.has("short_term_steps")) one.short_term_steps = object.truth("short_term_steps");
-  object.each("steps", [&](JsonReader::Object& step) { read_step(step, one.steps); });
+  object.each("steps", [&](json::Reader::Object& step) { read_step(step, one.steps); });
   return one;
 }
 
@@ -60,7 +61,7 @@ void schedule(ReplayCase& one, const Fsrs& fsrs) {
 }
 
 /// A whole number without ".0", as other programs write it.
-Json number(double value) {
+json::Value number(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
   return value;
 }
@@ -68,15 +69,16 @@ Json number(double value) {
 }  // namespace
 
 base::Result<Replay> replay_histories(std::string_view json, const base::Progress& progress) {
-  const auto document = parse_json(json);
+  const auto document = json::parse(json, kLimits);
   if (!document) return tl::unexpected(document.error());
-  JsonReader reader(json);
-  JsonReader::Object root = reader.root(*document);
+  json::Reader reader(json);
+  json::Reader::Object root = reader.root(*document);
   Replay replay;
+  if (root.has("version")) (void)root.whole("version", 1, kReplayVersion);
   if (root.has("weights")) {
     std::vector<double> numbers;
-    if (const Json* list = root.array("weights")) {
-      for (const Json& one : *list) numbers.push_back(one.is_number() ? one.get<double>() : NAN);
+    if (const json::Value* list = root.array("weights")) {
+      for (const json::Value& one : *list) numbers.push_back(one.is_number() ? one.get<double>() : NAN);
     }
     if (const auto weights = weights_from(numbers)) {
       replay.weights = *weights;
@@ -84,7 +86,7 @@ base::Result<Replay> replay_histories(std::string_view json, const base::Progres
       root.refuse("weights", weights.error().what, weights.error().remedy);
     }
   }
-  root.each("cases", [&](JsonReader::Object& object) { replay.cases.push_back(read_case(object)); });
+  root.each("cases", [&](json::Reader::Object& object) { replay.cases.push_back(read_case(object)); });
   if (!reader.ok()) return tl::unexpected(reader.error());
   for (std::size_t i = 0; i < replay.cases.size(); ++i) {
     ReplayCase& one = replay.cases[i];
@@ -103,18 +105,19 @@ base::Result<Replay> replay_histories(std::string_view json, const base::Progres
 }
 
 std::string to_json(const Replay& replay) {
-  Json root;
+  json::Value root;
+  root["version"] = kReplayVersion;
   root["algorithm"] =
       "FSRS-6, no fuzz, learning steps 1 min and 10 min, relearning step 10 min, maximum interval 36500 days";
   root["weights"] = replay.weights;
-  root["cases"] = Json::array();
+  root["cases"] = json::Value::array();
   for (const ReplayCase& one : replay.cases) {
-    Json steps = Json::array();
+    json::Value steps = json::Value::array();
     for (const ReplayStep& step : one.steps) {
       steps.push_back({{"at", to_text(step.at)},
                        {"rating", static_cast<int>(step.rating)},
                        {"retrievability_before",
-                        step.retrievability_before ? number(*step.retrievability_before) : Json()},
+                        step.retrievability_before ? number(*step.retrievability_before) : json::Value()},
                        {"stability", number(step.after.stability)},
                        {"difficulty", number(step.after.difficulty)},
                        {"state", name_of(step.after.phase)},
@@ -131,17 +134,17 @@ std::string to_json(const Replay& replay) {
 }
 
 base::Result<ReplayDifferences> compare_with_own_numbers(std::string_view json, const Replay& replay) {
-  const auto document = parse_json(json);
+  const auto document = json::parse(json, kLimits);
   if (!document) return tl::unexpected(document.error());
-  JsonReader reader(json);
-  JsonReader::Object root = reader.root(*document);
+  json::Reader reader(json);
+  json::Reader::Object root = reader.root(*document);
   ReplayDifferences differences;
   std::size_t case_index = 0;
-  root.each("cases", [&](JsonReader::Object& one) {
+  root.each("cases", [&](json::Reader::Object& one) {
     if (case_index >= replay.cases.size()) return;
     const ReplayCase& computed = replay.cases[case_index++];
     std::size_t step_index = 0;
-    one.each("steps", [&](JsonReader::Object& step) {
+    one.each("steps", [&](json::Reader::Object& step) {
       if (step_index >= computed.steps.size()) return;
       const ReplayStep& own = computed.steps[step_index++];
       if (!step.has("stability")) return;

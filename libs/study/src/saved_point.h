@@ -7,7 +7,7 @@
 
 namespace nazori::study {
 
-/// A point in the whole steps in which it is saved.
+/// A point in the units in which it is saved.
 struct SavedPoint {
   static constexpr std::int32_t kFarthest = static_cast<std::int32_t>(kFarthestSaved) * kSavedStepsPerUnit;
   static constexpr std::int32_t kLatest = static_cast<std::int32_t>(kLatestSaved_s) * 1'000;
@@ -17,7 +17,7 @@ struct SavedPoint {
   std::uint8_t pressure = 0;  ///< 0 where it was not known
 };
 
-/// Rounded and brought within range.
+/// The point rounded and limited to the range.
 [[nodiscard]] SavedPoint in_steps(const HandwritingPoint& point);
 [[nodiscard]] HandwritingPoint from_steps(const SavedPoint& point);
 

@@ -21,23 +21,23 @@ constexpr std::size_t kMostLists = 100;
 
 base::Result<void> check_number(const char* name, double value, double lowest, double highest) {
   if (value >= lowest && value <= highest) return {};
-  return base::fail(base::Errc::bad_argument, fmt::format("{} is outside its range", value), name,
+  return base::fail(base::Errc::bad_argument, fmt::format("{} is out of range", value), name,
                     fmt::format("give {} to {}", lowest, highest));
 }
 
-Json minutes_json(const std::vector<minutes>& steps) {
-  Json list = Json::array();
+json::Value minutes_json(const std::vector<minutes>& steps) {
+  json::Value list = json::Value::array();
   for (const minutes step : steps) list.push_back(step.count());
   return list;
 }
 
-std::vector<minutes> read_minutes(JsonReader::Object& object, const char* member) {
+std::vector<minutes> read_minutes(json::Reader::Object& object, const char* member) {
   std::vector<minutes> steps;
-  const Json* list = object.array(member);
+  const json::Value* list = object.array(member);
   if (list == nullptr) return steps;
-  for (const Json& one : *list) {
+  for (const json::Value& one : *list) {
     if (!one.is_number_integer() || steps.size() > 100) {
-      object.refuse(member, "holds what is no whole number of minutes");
+      object.refuse(member, "holds what is not a whole number of minutes");
       return steps;
     }
     steps.emplace_back(one.get<std::int64_t>());
@@ -45,11 +45,11 @@ std::vector<minutes> read_minutes(JsonReader::Object& object, const char* member
   return steps;
 }
 
-void read_weights(JsonReader::Object& object, FsrsWeights& weights) {
-  const Json* list = object.array("weights");
+void read_weights(json::Reader::Object& object, FsrsWeights& weights) {
+  const json::Value* list = object.array("weights");
   if (list == nullptr) return;
   std::vector<double> numbers;
-  for (const Json& one : *list) numbers.push_back(one.is_number() ? one.get<double>() : NAN);
+  for (const json::Value& one : *list) numbers.push_back(one.is_number() ? one.get<double>() : NAN);
   if (const auto read = weights_from(numbers)) {
     weights = *read;
   } else {
@@ -112,7 +112,7 @@ base::Result<void> check(const Settings& settings) {
   return check_rules(settings);
 }
 
-Json settings_json(const Settings& settings) {
+json::Value settings_json(const Settings& settings) {
   const LessonRules& lesson = settings.lesson;
   return {{"desired_retention", settings.fsrs.desired_retention},
           {"weights", settings.fsrs.weights},
@@ -136,7 +136,7 @@ Json settings_json(const Settings& settings) {
           {"help_is_over", lesson.help_is_over}};
 }
 
-Settings read_settings(JsonReader::Object object) {
+Settings read_settings(json::Reader::Object object) {
   Settings settings;
   const auto whole = [&](const char* name, int& value, int lowest, int highest) {
     if (object.has(name)) value = static_cast<int>(object.whole(name, lowest, highest));
@@ -168,16 +168,16 @@ Settings read_settings(JsonReader::Object object) {
     if (const auto order = new_order_named(name)) {
       settings.new_order = *order;
     } else {
-      object.refuse("new_order", "'" + name + "' is no order",
+      object.refuse("new_order", "'" + name + "' is not an order",
                     "give grade, frequency, strokes, components or own");
     }
   }
   if (object.has("new_lists")) {
     settings.new_lists.clear();
-    if (const Json* lists = object.array("new_lists")) {
-      for (const Json& one : *lists) {
+    if (const json::Value* lists = object.array("new_lists")) {
+      for (const json::Value& one : *lists) {
         if (!one.is_string() || settings.new_lists.size() >= kMostLists) {
-          object.refuse("new_lists", "holds what is no name of a list, or too many");
+          object.refuse("new_lists", "has an invalid list name, or too many");
           break;
         }
         settings.new_lists.push_back(one.get<std::string>());
@@ -194,13 +194,13 @@ Settings read_settings(JsonReader::Object object) {
 }
 
 std::string to_json(const Settings& settings) {
-  return settings_json(settings).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return settings_json(settings).dump(-1, ' ', false, json::Value::error_handler_t::replace);
 }
 
 base::Result<Settings> parse_settings(std::string_view json) {
-  const auto document = parse_json(json);
+  const auto document = json::parse(json);
   if (!document) return tl::unexpected(document.error());
-  JsonReader reader(json);
+  json::Reader reader(json);
   Settings settings = read_settings(reader.root(*document));
   if (!reader.ok()) return tl::unexpected(reader.error());
   if (auto fine = check_rules(settings); !fine) return tl::unexpected(std::move(fine.error()));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "json_text.h"
+#include "nazori/json/reader.h"
 #include "nazori/study/settings.h"
 
 namespace nazori::study {
 
-[[nodiscard]] Json settings_json(const Settings& settings);
+[[nodiscard]] json::Value settings_json(const Settings& settings);
 /// What is wrong is left in the reader of `object`.
-[[nodiscard]] Settings read_settings(JsonReader::Object object);
+[[nodiscard]] Settings read_settings(json::Reader::Object object);
 
 }  // namespace nazori::study

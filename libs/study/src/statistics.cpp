@@ -17,16 +17,16 @@ constexpr double kMatureDays = 21;
 constexpr std::size_t kMostHardStrokes = 100;
 constexpr int kForgiveness = 7;
 
-/// What a review was up against.
+/// The circumstances of a review.
 struct Before {
   Day last_day;
   double stability;
 };
 
-/// Goes through the log once and adds everything up.
+/// Computes all sums in one pass over the log.
 class Summing {
  public:
-  /// The settings a learner begins with; others come with the log.
+  /// The settings of a new learner; later ones come from the log.
   explicit Summing(Day today) : today_(today) {}
 
   void take(const LearnerStore::LoggedEntry& logged) {
@@ -70,7 +70,7 @@ class Summing {
   }
 
  private:
-  /// The chances that count are those of the weights in force at the time.
+  /// The predicted probabilities use the weights that applied at the time.
   void change_settings(const LogEntry& entry) {
     const auto settings = parse_settings(entry.settings);
     if (!settings) return;
@@ -204,7 +204,7 @@ Streak streak_of(const std::vector<Day>& studied, Day today) {
     streak.longest = std::max(streak.longest, run);
   }
   streak.today_done = last == today;
-  // Today may still be done, so yesterday's streak stands as long as today could join it.
+  // Today may still be done, so yesterday's streak lasts while today can still continue it.
   streak.days = streak.today_done || follows(today) ? run : 0;
   if (streak.days > 0 && !streak.today_done && (today - *last).count() == 2) last_off = today - days(1);
   streak.day_off_used = streak.days > 0 && (today - last_off).count() < kForgiveness;
@@ -218,9 +218,9 @@ base::Result<Statistics> statistics_of(const LearnerStore& learner, const base::
   statistics.today = learner.today();
   Summing sums(statistics.today);
   bool cancelled = false;
-  int taken = 0;
+  int entries_read = 0;
   auto read = learner.for_each_entry(true, [&](const LearnerStore::LoggedEntry& logged) {
-    if (progress && ++taken % kEntriesBetweenProgress == 0) {
+    if (progress && ++entries_read % kEntriesBetweenProgress == 0) {
       const auto all = static_cast<double>(learner.last_entry());
       cancelled = !progress(static_cast<double>(logged.entry.id) / all, "statistics");
       if (cancelled) return false;

@@ -9,7 +9,7 @@ namespace {
 
 using base::Errc;
 
-/// Follows every character through the log at once.
+/// Computes the histories of all characters in one pass.
 class WholeHistory {
  public:
   void apply(const LogEntry& entry, const Settings& settings) {

@@ -55,7 +55,7 @@ std::vector<CharacterDay> read_character_days(SQLite::Database& db, char32_t cha
   return days;
 }
 
-/// What one row of study_day holds, from the rows of character_day.
+/// The values of one row of study_day, from the rows of character_day.
 constexpr const char* kSums =
     "day, sum(writings), sum(reviews), sum(outcome IS 0 AND time_ms > 0), sum(outcome IS 1 AND time_ms > 0), "
     "sum(outcome IS 2 AND time_ms > 0)";

@@ -9,14 +9,15 @@
 
 namespace nazori::study {
 
-// The tables character_day and study_day follow from the log. They make what a day needs cost the same with a
-// short and a long history. All functions throw SQLite::Exception; the caller holds the transaction.
+// The tables character_day and study_day are computed from the log. With them the cost of a day's queries
+// does not depend on the length of the history. All functions throw SQLite::Exception; the caller has opened
+// the transaction.
 
-/// Brings the rows of one character to `days` and adds the study days that changed up again. Writes only the
-/// rows that differ.
+/// Updates the rows of one character to `days` and computes the sums of the changed study days again. Writes
+/// only the rows that differ.
 void put_character_days(SQLite::Database& db, char32_t character, std::span<const CharacterDay> days);
 
-/// Works both tables out from the whole log.
+/// Computes both tables from the whole log.
 void rebuild_days(SQLite::Database& db);
 
 }  // namespace nazori::study

@@ -12,10 +12,10 @@ namespace {
 
 using base::Errc;
 
-/// Whether entries make a log: numbered in order, each with what its kind needs.
+/// Checks that entries form a valid log: numbered in order, each with the data its kind needs.
 class LogCheck {
  public:
-  /// @param has_ink  the entry brings ink; @param ink  what could be read of it.
+  /// @param has_ink  the entry has ink; @param ink  the part of it that could be read.
   base::Result<void> next(const LogEntry& entry, bool has_ink, const base::Result<Handwriting>& ink) {
     const auto refuse = [&id = entry.id](const char* what) -> base::Result<void> {
       return base::fail(Errc::bad_argument, what, "entry " + std::to_string(id));
@@ -23,7 +23,8 @@ class LogCheck {
     if (entry.id != last_id_ + 1) return refuse("is out of order: entries are numbered 1, 2, 3, ...");
     if (entry.action != entry.id && entry.action != last_action_) return refuse("belongs to no action");
     if ((entry.character != 0) != names_a_character(entry.kind)) {
-      return refuse(entry.character == 0 ? "names no character" : "names a character where none belongs");
+      return refuse(entry.character == 0 ? "is not the name of a character"
+                                         : "names a character where none belongs");
     }
     if (entry.kind == EntryKind::writing) {
       if (auto fine = check_writing(entry.character, entry.strokes, entry.writing); !fine) {
@@ -31,7 +32,7 @@ class LogCheck {
       }
       if (!ink) return refuse("has ink that cannot be read");
     } else if (has_ink) {
-      return refuse("has ink but is no writing");
+      return refuse("has ink but is not a writing");
     }
     if ((entry.kind == EntryKind::undo) != entry.undoes.has_value() ||
         (entry.undoes && !actions_.contains(*entry.undoes))) {
@@ -78,14 +79,14 @@ base::Result<void> LearnerStore::Filling::add(const LogEntry& entry,
 }
 
 base::Result<void> LearnerStore::Filling::add_list(const CustomList& list) {
-  if (!can_be_name(list.name)) return base::fail(Errc::bad_argument, "is no name of a list", list.name);
+  if (!can_be_name(list.name)) return base::fail(Errc::bad_argument, "is not a valid list name", list.name);
   if (parts_->db != nullptr) put_list(*parts_->db, list);
   return {};
 }
 
 base::Result<void> LearnerStore::Filling::add_tag(const std::string& tag,
                                                   std::span<const char32_t> characters) {
-  if (!can_be_name(tag)) return base::fail(Errc::bad_argument, "is no tag", tag);
+  if (!can_be_name(tag)) return base::fail(Errc::bad_argument, "is not a valid tag", tag);
   if (parts_->db == nullptr) return {};
   for (const char32_t character : characters) put_tag(*parts_->db, character, tag);
   return {};
@@ -103,10 +104,10 @@ base::Result<void> LearnerStore::fill(const Source& source, const base::Progress
   const auto own_tags = tags();
   if (!own_tags) return tl::unexpected(own_tags.error());
   if (in.last_id > 0 || !own_lists->empty() || !own_tags->empty()) {
-    return base::fail(Errc::bad_argument, "is not empty", in.name, "take a new profile for what is imported");
+    return base::fail(Errc::bad_argument, "is not empty", in.name, "import into a new profile");
   }
   auto filled = in.guarded([&]() -> base::Result<void> {
-    // One transaction, so that an import is there whole or not at all.
+    // One transaction, so that an import is either complete or not there at all.
     SQLite::Transaction transaction(in.db, SQLite::TransactionBehavior::IMMEDIATE);
     {
       Filling filling(in.db);

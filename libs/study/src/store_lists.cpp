@@ -12,8 +12,9 @@ constexpr std::size_t kLongestName = 100;
 
 base::Result<void> check_name(std::string_view name, const char* what) {
   if (can_be_name(name)) return {};
-  return base::fail(base::Errc::bad_argument, std::string("is no name of a ") + what, std::string(name),
-                    "give 1 to 100 bytes of text without line breaks or blanks at its ends");
+  return base::fail(base::Errc::bad_argument, std::string("is not a valid ") + what + " name",
+                    std::string(name),
+                    "give 1 to 100 bytes of text without line breaks and without spaces at the ends");
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ base::Result<void> LearnerStore::remove_list(std::string_view name) {
     SQLite::Statement remove(inside_->db, "DELETE FROM list WHERE name = ?");
     remove.bind(1, std::string(name));
     if (remove.exec() == 0)
-      return base::fail(base::Errc::not_found, "there is no such list", std::string(name));
+      return base::fail(base::Errc::not_found, "this list does not exist", std::string(name));
     SQLite::Statement clear(inside_->db, "DELETE FROM list_member WHERE list = ?");
     clear.bind(1, std::string(name));
     clear.exec();

@@ -22,7 +22,7 @@ constexpr int kBusyMs = 5'000;
 
 fs::path lock_of(const fs::path& path) { return path.string() + ".lock"; }
 
-/// Refuses a file that SQLite would take for damaged only after it had looked around it.
+/// Refuses a damaged file before SQLite makes other files beside it.
 base::Result<void> check_beginning(const fs::path& path) {
   std::array<char, 16> begin{};
   std::ifstream file(path, std::ios::binary);
@@ -31,19 +31,19 @@ base::Result<void> check_beginning(const fs::path& path) {
   if (file.gcount() == 0) return {};
   constexpr std::string_view kMagic("SQLite format 3\0", 16);
   if (std::string_view(begin.data(), static_cast<std::size_t>(file.gcount())) == kMagic) return {};
-  return base::fail(Errc::parse, "is damaged, or no learner's file of Nazori", path.string(),
-                    "nothing was changed; take a backup: nazori-cli study restore");
+  return base::fail(Errc::parse, "is damaged or not a Nazori study file", path.string(),
+                    "nothing was changed; restore a backup: nazori-cli study restore");
 }
 
-/// Whether the file has a write-ahead log with something in it.
+/// Whether the file has a write-ahead log that is not empty.
 bool has_log(const fs::path& path) {
   std::error_code error;
   const auto bytes = fs::file_size(path.string() + "-wal", error);
   return !error && bytes > 0;
 }
 
-/// How to name the file to SQLite so that reading it leaves its folder alone. @param immutable  nobody
-/// writes.
+/// The URI with which SQLite reads the file without changing its folder. @param immutable  no program writes
+/// it.
 std::string read_only_uri(const fs::path& path, bool immutable) {
   std::string uri = "file:";
   for (const char c : fs::absolute(path).string()) {
@@ -54,8 +54,7 @@ std::string read_only_uri(const fs::path& path, bool immutable) {
   return uri + (immutable ? "?mode=ro&immutable=1" : "?mode=ro");
 }
 
-/// A copy of an older file, brought up to date in a temporary file that SQLite removes. The older one stays
-/// as it is.
+/// A copy of an older file, upgraded in a temporary file that SQLite removes. The older one is not changed.
 SQLite::Database newer_copy(SQLite::Database& older, int version, Time now) {
   SQLite::Database copy("", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   SQLite::Backup(copy, older).executeStep(-1);
@@ -77,7 +76,7 @@ LearnerStore::Inside::Inside(SQLite::Database opened, std::string file_name, Clo
       timeline{{0, Settings{}}} {}
 
 void LearnerStore::Inside::take_calendar() {
-  // A zone this computer does not know is no reason to keep a learner from studying.
+  // A time zone that this computer does not know must not keep a learner from studying.
   auto own = Calendar::create(settings().time_zone, settings().day_starts_at);
   if (!own) own = Calendar::create("", settings().day_starts_at);
   if (own) calendar = *std::move(own);
@@ -85,9 +84,8 @@ void LearnerStore::Inside::take_calendar() {
 
 base::Result<void> LearnerStore::Inside::load() {
   const auto damaged = [&](const char* what) {
-    return base::fail(
-        Errc::parse, fmt::format("is damaged: {}", what), name,
-        "work it out anew: nazori-cli study rebuild; or take a backup: nazori-cli study restore");
+    return base::fail(Errc::parse, fmt::format("is damaged: {}", what), name,
+                      "rebuild it: nazori-cli study rebuild; or restore a backup: nazori-cli study restore");
   };
   timeline.assign(1, {0, Settings{}});
   undone.clear();
@@ -112,9 +110,9 @@ base::Result<void> LearnerStore::Inside::load() {
 bool LearnerStore::in_use(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(lock_of(path), ignored)) return false;
-  bool taken = false;
-  (void)FileLock::take(lock_of(path), taken);
-  return taken;
+  bool is_locked = false;
+  (void)FileLock::take(lock_of(path), is_locked);
+  return is_locked;
 }
 
 base::Result<LearnerStore> LearnerStore::in_memory(Clock clock) {
@@ -133,7 +131,7 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
                                               Upkeep upkeep) {
   std::error_code error;
   const bool there = fs::exists(path, error);
-  // What cannot be looked at is not an empty learner.
+  // A file that cannot be inspected must not be treated as an empty learner.
   if (error) {
     return base::fail(Errc::io, "cannot be read: " + error.message(), path.string(),
                       "check the permissions of the folder");
@@ -144,13 +142,14 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
   if (writes) {
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
     if (error) {
-      return base::fail(Errc::io, "cannot be made: " + error.message(), path.parent_path().string(),
+      return base::fail(Errc::io, "cannot be created: " + error.message(), path.parent_path().string(),
                         "check the permissions of the folder");
     }
-    bool taken = false;
-    auto own = FileLock::take(lock_of(path), taken);
-    if (taken) {
-      return base::fail(Errc::in_use, "is open in another Nazori", path.string(), "close it there first");
+    bool is_locked = false;
+    auto own = FileLock::take(lock_of(path), is_locked);
+    if (is_locked) {
+      return base::fail(Errc::in_use, "is open in another Nazori window", path.string(),
+                        "close it there first");
     }
     if (!own) return tl::unexpected(std::move(own.error()));
     lock = *std::move(own);
@@ -168,7 +167,7 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
       keep_wal_as_it_is(db, true);
       const auto version = check_store(db, path.string());
       if (!version) return tl::unexpected(version.error());
-      // A damaged file is never brought up to date.
+      // A damaged file is never upgraded.
       const bool older = *version > 0 && *version < kLearnerVersion;
       if (upkeep == Upkeep::now || older) {
         if (auto sound = check_pages(db, path.string()); !sound) return tl::unexpected(sound.error());
@@ -199,11 +198,11 @@ base::Result<LearnerStore> LearnerStore::open(const fs::path& path, Access acces
       return tl::unexpected(error_of(trouble, path.string()));
     }
   };
-  // Without write permission the files beside a log cannot be made; a file that was closed well has none.
+  // Without write permission the files of a write-ahead log cannot be made; a properly closed file has none.
   const bool closed = ::access(path.parent_path().empty() ? "." : path.parent_path().c_str(), W_OK) != 0;
   const bool still = access == Access::backup && !has_log(path) && !in_use(path);
   auto opened = attempt(still || (!writes && closed && !fs::exists(path.string() + "-wal", error)));
-  // Nor where there is no room for them.
+  // They cannot be made on a full disk either.
   if (!opened && !writes && opened.error().code == Errc::io && !has_log(path)) opened = attempt(true);
   return opened;
 }
@@ -214,7 +213,7 @@ base::Result<UpkeepReport> keep_up(const fs::path& learner, Day day, const base:
     keep_wal_as_it_is(db, true);
     if (const auto version = check_store(db, learner.string()); !version)
       return tl::unexpected(version.error());
-    // One reading transaction for both, so that what is copied is what was checked, whatever is written.
+    // One reading transaction for both, so that the checked data are copied, whatever is written meanwhile.
     SQLite::Transaction reading(db);
     if (auto sound = check_pages(db, learner.string(), progress); !sound)
       return tl::unexpected(sound.error());

@@ -48,7 +48,7 @@ class Binder {
   int column_ = 0;
 };
 
-/// Takes columns one after another and notes where one is outside its range.
+/// Reads columns one after another and records whether one is outside its range.
 class RowReader {
  public:
   explicit RowReader(SQLite::Statement& row) : row_(row) {}
@@ -59,7 +59,7 @@ class RowReader {
     return ok_ ? value : lowest;
   }
   int integer(int lowest, int highest) { return static_cast<int>(whole(lowest, highest)); }
-  /// An enumerator that is known here.
+  /// An enumerator that this version knows.
   template <class Enum>
   Enum one_of() {
     const auto value = value_of<Enum>(whole(0, UINT8_MAX));

@@ -12,9 +12,10 @@
 namespace nazori::study {
 namespace {
 
-constexpr const char* kRestore = "nothing was changed; take a backup: nazori-cli study restore";
+constexpr const char* kRestore = "nothing was changed; restore a backup: nazori-cli study restore";
 
-/// What brings a file from version i to version i + 1. A step that was released is never changed again.
+/// The statements that upgrade a file from version i to version i + 1. A released step is never changed
+/// again.
 constexpr std::array<const char*, kLearnerVersion> kMigrations{R"sql(
 -- Which versions this file has had.
 CREATE TABLE schema_version(
@@ -109,7 +110,7 @@ CREATE TABLE study_day(
   introduced INTEGER NOT NULL);
 )sql"};
 
-constexpr int kDaysSince = 2;  ///< the version that brought character_day and study_day
+constexpr int kDaysSince = 2;  ///< the version that introduced character_day and study_day
 
 }  // namespace
 
@@ -119,7 +120,7 @@ base::Result<int> check_store(SQLite::Database& database, const std::string& nam
   const int version = database.execAndGet("PRAGMA user_version").getInt();
   if (tables == 0 && id == 0 && version == 0) return 0;
   if (id != kLearnerApplicationId || version < 1) {
-    return base::fail(base::Errc::schema, "is no learner's file of Nazori", name, "nothing was changed");
+    return base::fail(base::Errc::schema, "is not a Nazori study file", name, "nothing was changed");
   }
   if (version > kLearnerVersion) {
     return base::fail(
@@ -172,7 +173,7 @@ void migrate_store(SQLite::Database& database, int version, Time now) {
 base::Error error_of(const SQLite::Exception& trouble, const std::string& name) {
   using base::Errc;
   base::Error full{Errc::io, "the disk is full", name, "make room; what was acknowledged before is safe"};
-  // The index of the write-ahead log is written past the error that says so.
+  // For the index of the write-ahead log SQLite reports a full disk with another error.
   if (trouble.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE) return full;
   switch (trouble.getErrorCode()) {
     case SQLITE_FULL:

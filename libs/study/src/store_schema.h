@@ -24,11 +24,11 @@ inline constexpr std::int32_t kLearnerVersion = 2;
 [[nodiscard]] base::Result<void> check_pages(SQLite::Database& database, const std::string& name,
                                              const base::Progress& progress = {});
 
-/// Brings the layout from `version` (0: nothing there) to the present one, in one transaction. Throws
+/// Upgrades the layout from `version` (0: empty file) to the present one, in one transaction. Throws
 /// SQLite::Exception.
 void migrate_store(SQLite::Database& database, int version, Time now);
 
-/// What SQLite says, for people. `name`: the file.
+/// An error message of SQLite, for people. `name`: the file.
 [[nodiscard]] base::Error error_of(const SQLite::Exception& trouble, const std::string& name);
 
 }  // namespace nazori::study

@@ -13,11 +13,11 @@ namespace nazori::study {
 inline constexpr const char* kLearnerFormat = "nazori-learner";
 inline constexpr int kLearnerFormatVersion = 1;
 
-/// Gathers small texts for a sink that is better given larger ones. After the sink has failed nothing more
-/// goes to it.
+/// Collects small texts and passes larger ones to a sink. After the sink has failed nothing more is passed to
+/// it.
 class TextPieces {
  public:
-  /// @param sink  must live as long as this.
+  /// @param sink  must outlive this.
   explicit TextPieces(const TextSink& sink) : sink_(sink) { piece_.reserve(2 * kPieceBytes); }
   void add(std::string_view text) {
     if (!sent_) return;
@@ -25,7 +25,7 @@ class TextPieces {
     if (piece_.size() >= kPieceBytes) send();
   }
   [[nodiscard]] bool ok() const { return sent_.has_value(); }
-  /// Hands on what is left. @return what the sink failed with.
+  /// Passes the rest. @return the error of the sink.
   [[nodiscard]] base::Result<void> finish() {
     if (sent_ && !piece_.empty()) send();
     return sent_;
@@ -42,7 +42,7 @@ class TextPieces {
   base::Result<void> sent_;
 };
 
-/// What `write` hands to its sink, as one text.
+/// Everything that `write` passes to its sink, as one text.
 template <class Write>
 [[nodiscard]] base::Result<std::string> as_one_text(Write write) {
   std::string text;

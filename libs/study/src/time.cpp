@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 using std::chrono::minutes;
 using std::chrono::seconds;
 
-/// Takes pieces off the front of a text.
+/// Reads a text piece by piece.
 class Reader {
  public:
   explicit Reader(std::string_view text) : rest_(text) {}
@@ -68,7 +68,7 @@ std::optional<Day> read_day(Reader& reader) {
   return std::chrono::sys_days(date);
 }
 
-/// What an offset such as "+09:00" adds to UTC.
+/// The difference from UTC of an offset such as "+09:00".
 std::optional<minutes> read_offset(Reader& reader) {
   if (reader.take('Z')) return minutes(0);
   const int sign = reader.take('-') ? -1 : 1;
@@ -143,7 +143,7 @@ base::Result<Time> parse_time(std::string_view text) {
   Reader reader(text);
   const auto time = read_time(reader);
   if (!time || !reader.empty() || *time < Time{}) {
-    return base::fail(base::Errc::parse, "is no time", std::string(text),
+    return base::fail(base::Errc::parse, "is not a valid time", std::string(text),
                       "write it as 2026-01-01T09:00:00Z or 2026-01-01T18:00:00+09:00");
   }
   return *time;
@@ -153,7 +153,7 @@ base::Result<Day> parse_day(std::string_view text) {
   Reader reader(text);
   const auto day = read_day(reader);
   if (!day || !reader.empty()) {
-    return base::fail(base::Errc::parse, "is no date", std::string(text), "write it as 2026-01-01");
+    return base::fail(base::Errc::parse, "is not a valid date", std::string(text), "write it as 2026-01-01");
   }
   return *day;
 }

@@ -6,7 +6,7 @@
 
 #include "nazori/study/time.h"
 
-/// Times and days as the store's columns hold them.
+/// Times and days as the numbers in the store's columns.
 namespace nazori::study {
 
 inline std::int64_t number_of(Time time) {

@@ -14,7 +14,8 @@ using std::chrono::days;
 
 constexpr int kDays = 365;
 
-/// The same numbers on every computer, which distributions of the library do not promise.
+/// Gives the same numbers on every computer, which the distributions of the standard library do not
+/// guarantee.
 double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 
 double seconds_of(std::chrono::milliseconds time) { return std::chrono::duration<double>(time).count(); }
@@ -23,7 +24,7 @@ double seconds_of(std::chrono::milliseconds time) { return std::chrono::duration
 
 base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_per_day, const Pace& pace) {
   if (new_per_day < 0 || new_per_day > 100) {
-    return base::fail(base::Errc::bad_argument, fmt::format("{} is outside its range", new_per_day),
+    return base::fail(base::Errc::bad_argument, fmt::format("{} is out of range", new_per_day),
                       "new characters a day", "give 0 to 100");
   }
   const auto fsrs = Fsrs::create(settings);
@@ -34,7 +35,8 @@ base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_p
   const Time start{};
   int reviews = 0;
   double seconds = 0;
-  // Steps of minutes are done on the same day, until the card is given days; a day's pace has their time.
+  // Steps of minutes are done on the same day, until the card gets an interval of days; the pace includes
+  // their time.
   const auto schedule = [&](Memory memory, int day) {
     for (int steps = 0; memory.phase != Phase::review && steps < 10; ++steps) {
       memory = fsrs->next(memory, uniform(random) < 0.9 ? Rating::good : Rating::again, start + days(day), 0);

@@ -28,7 +28,7 @@ const kanji::KanjiDatabase& database() {
   return opened;
 }
 
-/// A package, taken apart.
+/// The parts of a package.
 class Package {
  public:
   explicit Package(std::u32string_view characters, const AnkiOptions& options = {},
@@ -165,7 +165,7 @@ TEST(AnkiCollection, DescribesItsFieldsAndItsCard) {
   EXPECT_EQ(model["usn"], -1);
   EXPECT_EQ(model["sortf"], 0);
   EXPECT_EQ(std::to_string(model["did"].get<std::int64_t>()), package.rows("SELECT did FROM cards").at(0));
-  // The question shows the fields 1 to 3; the card needs any of them.
+  // The question shows the fields 1 to 3; the card needs at least one of them.
   EXPECT_EQ(model["req"], json::parse(R"([[0, "any", [1, 2, 3]]])"));
   const std::array kNames{"Kanji", "Meanings", "On", "Kun", "Words", "Strokes"};
   ASSERT_EQ(model["flds"].size(), kNames.size());
@@ -191,10 +191,10 @@ TEST(AnkiNotes, HaveNumbersThatStayWhateverElseIsInThePackage) {
         "SELECT id, nid, did FROM cards WHERE nid = (SELECT id FROM notes WHERE sfld = '木')"})
     EXPECT_EQ(alone.rows(table), both.rows(table));
   EXPECT_THAT(both.rows("SELECT guid FROM notes ORDER BY id"), ElementsAre("nazori-04f11", "nazori-06728"));
-  // Numbers are as far apart as code points are.
+  // The numbers differ as much as the code points.
   EXPECT_THAT(both.rows("SELECT max(id) - min(id) FROM notes"), ElementsAre(std::to_string(0x6728 - 0x4F11)));
   EXPECT_THAT(both.rows("SELECT max(id) - min(id) FROM cards"), ElementsAre(std::to_string(0x6728 - 0x4F11)));
-  // Notes and cards are moments of milliseconds for Anki, of two tables.
+  // Anki's ids of notes and cards are times in milliseconds, in two tables.
   EXPECT_THAT(both.rows("SELECT count(*) FROM notes WHERE id BETWEEN 1500000000000 AND 1800000000000"),
               ElementsAre("2"));
 }
@@ -235,21 +235,16 @@ TEST(AnkiNotes, AnswerWithReadingsMeaningsAndWords) {
 
 TEST(AnkiNotes, AskForAKanaByItsSound) {
   const std::array<std::pair<std::string, std::string>, 30> kSounds{
-      {{"あ", "a (hiragana)"},         {"ア", "a (katakana)"},
-       {"し", "shi (hiragana)"},       {"チ", "chi (katakana)"},
-       {"つ", "tsu (hiragana)"},       {"フ", "fu (katakana)"},
-       {"じ", "ji (hiragana)"},        {"ん", "n (hiragana)"},
-       {"ン", "n (katakana)"},         {"っ", "small tsu (hiragana)"},
-       {"ッ", "small tsu (katakana)"}, {"ゃ", "small ya (hiragana)"},
-       {"ュ", "small yu (katakana)"},  {"ょ", "small yo (hiragana)"},
-       {"ぁ", "small a (hiragana)"},   {"ィ", "small i (katakana)"},
-       {"ぉ", "small o (hiragana)"},   {"か", "ka (hiragana)"},
-       {"ゴ", "go (katakana)"},        {"ざ", "za (hiragana)"},
-       {"ど", "do (hiragana)"},        {"ベ", "be (katakana)"},
-       {"ぽ", "po (hiragana)"},        {"や", "ya (hiragana)"},
-       {"ル", "ru (katakana)"},        {"わ", "wa (hiragana)"},
-       {"ヲ", "wo (katakana)"},        {"ヴ", "vu (katakana)"},
-       {"な", "na (hiragana)"},        {"ー", "the mark of a long sound (katakana)"}}};
+      {{"あ", "a (hiragana)"},         {"ア", "a (katakana)"},         {"し", "shi (hiragana)"},
+       {"チ", "chi (katakana)"},       {"つ", "tsu (hiragana)"},       {"フ", "fu (katakana)"},
+       {"じ", "ji (hiragana)"},        {"ん", "n (hiragana)"},         {"ン", "n (katakana)"},
+       {"っ", "small tsu (hiragana)"}, {"ッ", "small tsu (katakana)"}, {"ゃ", "small ya (hiragana)"},
+       {"ュ", "small yu (katakana)"},  {"ょ", "small yo (hiragana)"},  {"ぁ", "small a (hiragana)"},
+       {"ィ", "small i (katakana)"},   {"ぉ", "small o (hiragana)"},   {"か", "ka (hiragana)"},
+       {"ゴ", "go (katakana)"},        {"ざ", "za (hiragana)"},        {"ど", "do (hiragana)"},
+       {"ベ", "be (katakana)"},        {"ぽ", "po (hiragana)"},        {"や", "ya (hiragana)"},
+       {"ル", "ru (katakana)"},        {"わ", "wa (hiragana)"},        {"ヲ", "wo (katakana)"},
+       {"ヴ", "vu (katakana)"},        {"な", "na (hiragana)"},        {"ー", "long vowel mark (katakana)"}}};
   std::u32string all;
   for (const auto& [kana, sound] : kSounds) {
     const char32_t c = base::decode_utf8(kana)->front();
@@ -271,18 +266,18 @@ TEST(AnkiNotes, AreMadeOfUpToTwentyWordsAndTellHowFarTheyAre) {
   EXPECT_TRUE(made(0));
   EXPECT_TRUE(made(20));
   EXPECT_FALSE(made(21));
-  std::vector<double> told;
+  std::vector<double> reported;
   ASSERT_TRUE(anki_package(database(), two, {}, {}, [&](double done, std::string_view) {
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   }));
-  EXPECT_THAT(told, ElementsAre(0, 0.5));
-  // What is not drawn is left out.
+  EXPECT_THAT(reported, ElementsAre(0, 0.5));
+  // Characters without strokes are left out.
   const Package package(U"\x1F600木");
   EXPECT_THAT(package.rows("SELECT due FROM cards"), ElementsAre("1"));
 }
 
-/// A made-up character: strokes whose paths are their numbers.
+/// An invented character: the path of each stroke is its number.
 kanji::Character drawn(int strokes) {
   kanji::Character character;
   for (int i = 1; i <= strokes; ++i) {
@@ -322,7 +317,7 @@ TEST(StrokeOrderSvg, PutsSixSquaresInARow) {
 
 TEST(StrokeOrderSvg, ShowsTheStrokesSoFarAndTheNewOneBlack) {
   const std::string svg = stroke_order_svg(drawn(3));
-  // Of three squares the first stroke is in each, once black.
+  // The first stroke is in each of the three squares, in one of them black.
   EXPECT_EQ(count(svg, "<path d=\"M1\" stroke=\"#999\""), 2U);
   EXPECT_EQ(count(svg, "<path d=\"M2\" stroke=\"#999\""), 1U);
   EXPECT_EQ(count(svg, "<path d=\"M3\" stroke=\"#999\""), 0U);

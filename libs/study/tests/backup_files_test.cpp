@@ -58,7 +58,7 @@ TEST(BackupFiles, AreListedNewestFirstWithWhatTheyAre) {
                            "daily-.db", "before-restore-x.db", "daily-2026-01-01.db"})
     expected.push_back({backups / name, expected.size() + 1, expected.empty() || expected.size() == 5});
   EXPECT_EQ(backups_of(file), expected);
-  // Of one moment by name, the last first.
+  // Files of the same time are sorted by name, the last first.
   for (const Backup& one : expected) fs::last_write_time(one.file, now);
   std::vector<std::string> names;
   for (const Backup& one : backups_of(file)) names.push_back(one.file.filename().string());
@@ -89,19 +89,19 @@ TEST(BackupFiles, TellTheShareThatIsCopiedAndStop) {
   const MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = must(LearnerStore::open(file, Access::write, clock.clock()));
   ASSERT_TRUE(store.fill(test::long_history(40'000)));
-  std::vector<double> told;
+  std::vector<double> reported;
   const fs::path made = must(make_backup(store, file, [&](double done, std::string_view step) {
     EXPECT_EQ(step, "copy");
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   }));
   // 1,024 pages of 4 KiB at a time.
   const auto pages = static_cast<double>(fs::file_size(made)) / 4'096;
   ASSERT_GT(pages, 1'024);
-  ASSERT_EQ(told.size(), static_cast<std::size_t>(std::ceil(pages / 1'024)));
-  for (std::size_t i = 0; i + 1 < told.size(); ++i)
-    EXPECT_NEAR(told[i], static_cast<double>(i + 1) * 1'024 / pages, 1e-9);
-  EXPECT_EQ(told.back(), 1);
+  ASSERT_EQ(reported.size(), static_cast<std::size_t>(std::ceil(pages / 1'024)));
+  for (std::size_t i = 0; i + 1 < reported.size(); ++i)
+    EXPECT_NEAR(reported[i], static_cast<double>(i + 1) * 1'024 / pages, 1e-9);
+  EXPECT_EQ(reported.back(), 1);
   std::size_t asked = 0;
   const auto stopped =
       store.copy_to(folder / "copy.db", [&](double, std::string_view) { return ++asked < 2; });
@@ -121,7 +121,7 @@ TEST(BackupFiles, AFolderThatCannotBeMadeIsNamed) {
   const auto made = make_backup(store, file);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().where, backup_folder(file).string());
-  EXPECT_THAT(made.error().what, HasSubstr("cannot be made"));
+  EXPECT_THAT(made.error().what, HasSubstr("cannot be created"));
 }
 
 TEST(BackupFiles, ALearnerWhoIsGoneIsRestoredWithoutAnythingReplaced) {

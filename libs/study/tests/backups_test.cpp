@@ -19,13 +19,13 @@
 namespace {
 
 bool links_work = true;
-bool flush_works = true;  ///< of files that are open to be read: SQLite's own stand open to be written
+bool flush_works = true;  ///< for files that are open for reading; SQLite's own are open for writing
 std::string onto_fails;   ///< the first rename to this file fails
 
 }  // namespace
 
-// These stand in for the system's: what std::filesystem does can fail as on a full disk, or on one without
-// links.
+// These replace the system's functions, so that operations of std::filesystem can fail as on a full disk, or
+// on one without links.
 extern "C" int link(const char* from, const char* to) {
   if (!links_work) {
     errno = EPERM;
@@ -89,7 +89,8 @@ std::vector<std::string> dailies(const fs::path& file) {
   return names;
 }
 
-/// Gives the files of a folder times an hour apart, in the order of their names, the last an hour ago.
+/// Sets the times of the files of a folder an hour apart, in the order of their names, the last to an hour
+/// ago.
 void age(const fs::path& folder) {
   const auto names = names_in(folder);
   auto time = fs::file_time_type::clock::now();
@@ -109,14 +110,14 @@ TEST(Backups, AClockThatWasSetBackDoesNotCostTheNewBackup) {
   study(file, clock);
   EXPECT_THAT(dailies(file), Contains("daily-2026-01-01.db"));
   EXPECT_EQ(dailies(file).size(), 7U);
-  // And it is not copied again at each opening.
+  // It is not copied again at each opening.
   const fs::path made = backup_folder(file) / "daily-2026-01-01.db";
   const auto time = fs::last_write_time(made);
   const std::string bytes = bytes_of(made);
   study(file, clock);
   EXPECT_EQ(fs::last_write_time(made), time);
   EXPECT_EQ(bytes_of(made), bytes);
-  // Day after day the oldest by time goes, until only the new ones are left.
+  // Each day the oldest by time is removed, until only the new ones are left.
   for (int day = 0; day < 6; ++day) {
     clock.advance(days(1));
     study(file, clock);
@@ -131,7 +132,7 @@ TEST(Backups, WhatWasMadeByAClockThatWasAheadIsOlderThanWhatIsMadeNow) {
   const fs::path file = folder / "learner.db";
   MovedClock clock("2030-06-01T09:00:00Z");
   for (int day = 0; day < 9; ++day, clock.advance(days(1))) study(file, clock);
-  // The clock of the whole computer was four years ahead: the files' times too.
+  // The clock of the whole computer was four years ahead, and so are the times of the files.
   for (const std::string& name : dailies(file)) {
     const fs::path one = backup_folder(file) / name;
     fs::last_write_time(one, fs::last_write_time(one) + days(1'400));
@@ -155,7 +156,7 @@ TEST(Backups, OneThatFailsIsSaidAndLeavesNothing) {
   ASSERT_GT(fs::file_size(file), 80'000U);
   const pid_t child = ::fork();
   if (child == 0) {
-    // Stands for a disk with room for the index of a write-ahead log, but not for a copy.
+    // Simulates a disk with room for the index of a write-ahead log, but not for a copy.
     const rlimit limit{50'000, 50'000};
     (void)std::signal(SIGXFSZ, SIG_IGN);
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(1);
@@ -185,7 +186,7 @@ TEST(Backups, WhatAProgramThatWasKilledLeftIsClearedAway) {
   for (const char* name : {"learner.db.restored", "learner.db.restored.part", "learner.db.restored.part-wal"})
     std::ofstream(folder / name) << "half";
   study(file, clock);
-  // Another program may be making one of the learner's own at this moment.
+  // Another program may be making one of the learner's own backups at this moment.
   EXPECT_THAT(names_in(backup_folder(file)),
               ElementsAre("daily-2026-01-01.db", "letter.part", "own-20260101T080000Z.db.part"));
   EXPECT_THAT(names_in(folder / ""), ElementsAre("backups", "learner.db", "learner.db.lock"));
@@ -231,7 +232,7 @@ TEST(Backups, OfWhatWasReplacedTheNewestAreKept) {
   std::vector<std::string> kept;
   for (int i = 0; i < 6; ++i, clock.advance(std::chrono::hours(1))) {
     kept.push_back(must(restore_backup(folder / "one.db", file, clock.clock())).filename().string());
-    // A log beside it goes with it.
+    // A log beside the file is moved with it.
     std::ofstream(backup_folder(file) / (kept.back() + "-wal")) << "";
     age(backup_folder(file));
   }

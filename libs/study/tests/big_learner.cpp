@@ -28,7 +28,7 @@ Handwriting written_ink(unsigned seed) {
   return ink;
 }
 
-/// The ink as an export has it.
+/// The ink as in an export.
 std::string in_base64(const Handwriting& ink) {
   auto store = LearnerStore::in_memory([] { return Time{}; });
   Writing writing;

@@ -9,14 +9,15 @@
 
 namespace nazori::study::test {
 
-/// The export of a learner of many years, made up while it is read and never held whole: the tenth year has
-/// 296,000 entries. 2,000 characters in turn, a review every half minute for an hour a day, ink on 23 of 25.
+/// The export of a learner of many years, generated while it is read and never in memory as a whole: the
+/// tenth year has 296,000 entries. 2,000 characters in turn, a review every half minute for an hour a day,
+/// ink on 23 of 25.
 class BigLearner {
  public:
   /// @param entries  of the log; 0 for one that never ends.
   explicit BigLearner(std::int64_t entries);
 
-  /// The text, from its beginning. It must not live longer than this.
+  /// The text, from its beginning. This must outlive it.
   [[nodiscard]] TextSource json();
 
  private:

@@ -69,7 +69,7 @@ TEST(Card, IsDueAfterTheIntervalThatTheLogHolds) {
   EXPECT_EQ(history.card().memory.scheduled_days, 6);
   EXPECT_EQ(history.card().memory.due, entry.at + days(6));
   EXPECT_EQ(history.card().due_day, kFirst + days(6));
-  // In its steps no day is kept, whatever the log says.
+  // In its steps it has no due day, whatever the log says.
   CardHistory step(U'木');
   entry.writing.rating = Rating::again;
   step.apply(entry, {});
@@ -134,7 +134,7 @@ TEST(Card, IsALeechAfterJustSoManyLapses) {
   history.apply(written(30, Stage::memory, Rating::again), settings);
   EXPECT_EQ(history.card().memory.lapses, 2);
   EXPECT_TRUE(history.card().leech);
-  // Its lesson was done: two more lapses are allowed.
+  // It was relearned: two more lapses are allowed.
   history.apply(about(EntryKind::leech_met), settings);
   EXPECT_FALSE(history.card().leech);
   EXPECT_EQ(history.card().leech_at, 4);

@@ -42,7 +42,7 @@ TEST(ReadyLists, AreTheSchoolYearsNamesKanaAndOldLevels) {
 TEST(ReadyLists, HoldAsManyCharactersAsThereAre) {
   const LearnerStore store = learner_with_notes();
   CharacterLists lists(database());
-  // The kyouiku kanji since 2020, the jouyou kanji besides them.
+  // The kyouiku kanji since 2020, the other jouyou kanji.
   const std::array<std::pair<const char*, std::size_t>, 7> kCounts{{{"grade-1", 80U},
                                                                     {"grade-2", 160U},
                                                                     {"grade-3", 200U},
@@ -56,7 +56,7 @@ TEST(ReadyLists, HoldAsManyCharactersAsThereAre) {
   EXPECT_THAT(must(lists.members("jinmeiyou", store)), testing::Contains(U'彦')) << "for names";
   for (const char32_t c : must(lists.members("old-jlpt-2", store)))
     ASSERT_EQ(lists.facts(c)->old_jlpt_level, 2);
-  // Asked again they are the same.
+  // A second call gives the same.
   EXPECT_EQ(must(lists.members("grade-1", store)).size(), 80U);
   EXPECT_EQ(must(lists.members("list:trees", store)), (std::vector{U'森', U'林'}));
   EXPECT_EQ(must(lists.members("tag:exam", store)), (std::vector{U'一', U'木'}));
@@ -101,11 +101,11 @@ TEST(LearningOrder, OfReadyGradesIsThatOfTheListsOthersAreSorted) {
             members("grade-1") + members("grade-2"));
   EXPECT_EQ(learning_order(lists, {"grade-2", "grade-1"}, NewOrder::own),
             members("grade-2") + members("grade-1"));
-  // Chosen the other way round, the grades still come in their order.
+  // Chosen in reverse, the grades still come in their order.
   const std::u32string sorted = learning_order(lists, {"grade-2", "grade-1"}, NewOrder::grade);
   ASSERT_EQ(sorted.size(), 240U);
   for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(lists.facts(sorted[i])->grade, i < 80 ? 1 : 2);
-  // What stands in two lists comes once.
+  // A character in two lists comes once.
   EXPECT_EQ(learning_order(lists, {"list:trees", "tag:exam", "list:gone", "list:trees"}, NewOrder::own),
             U"森林一木");
   EXPECT_EQ(learning_order(lists, {"list:trees", "tag:exam"}, NewOrder::strokes), U"一木林森");
@@ -114,7 +114,7 @@ TEST(LearningOrder, OfReadyGradesIsThatOfTheListsOthersAreSorted) {
   EXPECT_EQ(learning_order(lists, {}, NewOrder::grade), U"");
 }
 
-/// Facts by hand: letters stand for characters.
+/// Invented facts: letters stand for characters.
 const CharacterFacts* made_up(char32_t c) {
   static const std::map<char32_t, CharacterFacts> kFacts{{U'a', {U'a', 2, 5, 4, 3, {}}},
                                                          {U'b', {U'b', 1, 9, 4, 3, {}}},

@@ -74,7 +74,7 @@ TEST(DayPlanReturn, TheThreeDaysBackAreThoseWithAReview) {
   for (const int limit : {50, 75, 90, 100, 100}) {
     EXPECT_EQ(learner.plan().count(TaskKind::review), limit);
     EXPECT_EQ(learner.plan().gentle->per_day, limit);
-    // One review, and the rest of the day is still the same day back.
+    // After one review, the rest of the day still counts as the same day of the return.
     learner.write(learner.plan().now.front().character, Rating::easy);
     EXPECT_EQ(learner.plan().count(TaskKind::review), limit - 1);
     EXPECT_EQ(learner.plan().reviews_done, 1);
@@ -89,7 +89,7 @@ TEST(DayPlanReturn, OnlyTheLastAbsenceCounts) {
   learner.write(U'龍', Rating::easy);
   learner.clock.advance(days(7));
   EXPECT_EQ(learner.plan().count(TaskKind::review), 5) << "a return again";
-  // Without any review there is nothing to come back to.
+  // Without any earlier review it is not a return.
   Learner first(20, 10);
   EXPECT_EQ(first.plan().count(TaskKind::fresh), 10);
 }
@@ -100,7 +100,7 @@ TEST(DayPlanGentle, IsMadeOnlyForWhatIsOverdue) {
   learner.clock.advance(days(5));
   learner.write(U'龍', Rating::easy);
   learner.clock.advance(days(3));
-  // Due today and no earlier: more than the limit, but nothing has piled up.
+  // Due today and no earlier: more than the limit, but not a backlog.
   ASSERT_EQ(learner.store.today(), *learner.store.card(U'亜').due_day);
   DayPlan plan = learner.plan();
   EXPECT_EQ(plan.held_back, 2);
@@ -109,7 +109,7 @@ TEST(DayPlanGentle, IsMadeOnlyForWhatIsOverdue) {
   plan = learner.plan();
   ASSERT_TRUE(plan.gentle);
   EXPECT_EQ(*plan.gentle, (GentlePlan{5, 3, 2, learner.store.today() + days(1)}));
-  // With room for all of it there is nothing to plan.
+  // If the limit allows all of it, no plan is needed.
   learner.settings([](Settings& s) { s.reviews_per_day = 5; });
   EXPECT_FALSE(learner.plan().gentle);
   EXPECT_EQ(learner.plan().held_back, 0);
@@ -210,7 +210,7 @@ TEST(DayPlanOrder, ReviewsComeBestKnownFirstThenLongestDueThenByCharacter) {
   learner.write(U'一', Rating::easy);
   learner.clock.advance(days(9));
   const DayPlan plan = learner.plan();
-  // 一 was seen a day later, so it is the best known; 九 (4E5D) stands before 亜 (4E9C).
+  // 一 was reviewed a day later, so it is the best known; 九 (4E5D) comes before 亜 (4E9C).
   EXPECT_EQ(characters(plan.now), (std::u32string{U'一', U'九', U'亜', U'亝'}));
   EXPECT_EQ(plan.now[0].due, learner.store.calendar().begin_of(*parse_day("2026-01-10")));
   EXPECT_EQ(plan.now[1].due, learner.store.calendar().begin_of(*parse_day("2026-01-09")));
@@ -252,7 +252,7 @@ TEST(DayPlanNew, PausedPostponedAndKnownCharactersArePassedOver) {
   EXPECT_EQ(characters(learner.plan().now), U"二三五");
   ASSERT_TRUE(learner.store.reset(std::array{U'四'}));
   EXPECT_EQ(characters(learner.plan().now), U"二三四") << "it is new again";
-  // More than the day's number were met already.
+  // More than the day's number have already been introduced.
   learner.settings([](Settings& s) { s.new_per_day = 1; });
   for (const char32_t c : {U'七', U'八'}) learner.write(c, Rating::easy);
   EXPECT_EQ(learner.plan().count(TaskKind::fresh), 0);

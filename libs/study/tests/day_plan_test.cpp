@@ -109,7 +109,7 @@ TEST(DayPlan, WhatIsPausedPostponedOrSetApartDoesNotCome) {
   EXPECT_EQ(learner.plan().count(TaskKind::review), 3);
 }
 
-/// 200 characters learnt in ten days, then away.
+/// 200 characters learned in ten days, then an absence.
 Learner away(int days_away) {
   Learner learner;
   learner.settings([](Settings& s) {
@@ -136,7 +136,7 @@ TEST(DayPlan, AfterAMonthAwayAGentlePlanWaitsNotAWall) {
   for (std::size_t i = 1; i < plan.now.size(); ++i) {
     EXPECT_GE(plan.now[i - 1].retrievability, plan.now[i].retrievability);
   }
-  // The plan holds what it says: studied as planned, it ends on its last day, with no day over the limit.
+  // The plan is correct: studied as planned, the backlog ends on its last day, with no day over the limit.
   const Day last = plan.gentle->last_day;
   EXPECT_GT(plan.gentle->days, 3);
   int studied = 0;
@@ -168,7 +168,7 @@ TEST(DayPlan, TheGentlePlanCountsWhatFallsDueMeanwhile) {
   EXPECT_EQ(plan.gentle->days, static_cast<int>(days_of.size()));
   EXPECT_EQ(plan.gentle->last_day, learner.store.today() + days(8));
   for (std::size_t i = 0; i < days_of.size(); ++i) {
-    // The last day holds no more than its limit, so there is nothing left to plan.
+    // The last day has no more than its limit, so no plan is needed.
     EXPECT_EQ(plan.gentle.has_value(), i + 1 < days_of.size()) << i;
     EXPECT_EQ(plan.count(TaskKind::review), days_of.at(i));
     for (const StudyTask& task : plan.now) learner.write(task.character, Rating::easy);
@@ -210,7 +210,7 @@ TEST(DayPlan, UnfinishedStepsOfEarlierDaysObeyTheLimit) {
   EXPECT_EQ(plan.gentle->days, 3);
   EXPECT_EQ(plan.estimate, 25 * Pace().recalled);
 
-  // What is done today counts; a step that follows from it comes all the same.
+  // Reviews done today count; a step that follows from them comes nevertheless.
   learner.write(plan.now[0].character, Rating::good);
   learner.write(plan.now[1].character, Rating::easy);
   plan = learner.plan();
@@ -367,7 +367,7 @@ TEST(CharacterLists, HoldWhatTheDatabaseSays) {
   EXPECT_EQ(order.size(), 2136U);
   EXPECT_EQ(lists.facts(order[79])->grade, 1);
   EXPECT_EQ(lists.facts(order[80])->grade, 2);
-  // A list that was removed is passed over.
+  // A removed list is ignored.
   Settings settings = learner.store.settings();
   settings.new_lists = {"list:gone", "grade-1", "tag:gone"};
   EXPECT_EQ(must(lists.in_learning_order(settings, learner.store)).size(), 80U);

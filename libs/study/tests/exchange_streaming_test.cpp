@@ -83,19 +83,19 @@ TEST(ExchangeStreaming, ASinkThatFailsEndsTheExportWithItsError) {
 TEST(ExchangeStreaming, AnExportTellsHowFarItIsAndStopsWhenAsked) {
   const LearnerStore store = learner_of(2'000);
   for (const Export& write : kExports) {
-    std::vector<double> told;
+    std::vector<double> reported;
     const auto keep = [](std::string_view) -> base::Result<void> { return {}; };
     ASSERT_TRUE(write(store, keep, [&](double done, std::string_view) {
-      told.push_back(done);
+      reported.push_back(done);
       return true;
     }));
-    ASSERT_GT(told.size(), 4U);
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_GE(told.front(), 0);
-    EXPECT_LE(told.back(), 1);
-    EXPECT_GT(told.back(), 0.8);
-    // At each moment that it asks.
-    for (std::size_t at = 1; at <= told.size(); at += 3) {
+    ASSERT_GT(reported.size(), 4U);
+    EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+    EXPECT_GE(reported.front(), 0);
+    EXPECT_LE(reported.back(), 1);
+    EXPECT_GT(reported.back(), 0.8);
+    // Stops at each moment at which it may be stopped.
+    for (std::size_t at = 1; at <= reported.size(); at += 3) {
       std::size_t asked = 0;
       const auto stopped = write(store, keep, [&](double, std::string_view) { return ++asked < at; });
       ASSERT_FALSE(stopped) << at;
@@ -235,27 +235,27 @@ TEST(ExchangeStreaming, WhatIsMissingOrOfAnotherKindIsNamed) {
     json.erase(member);
     EXPECT_THAT(refusal(json), testing::AllOf(HasSubstr(member), HasSubstr("missing")));
     json[member] = nlohmann::json::object();
-    EXPECT_THAT(refusal(json), testing::AllOf(HasSubstr(member), HasSubstr("is no "))) << member;
+    EXPECT_THAT(refusal(json), testing::AllOf(HasSubstr(member), HasSubstr("is not "))) << member;
     json[member] = true;
-    EXPECT_THAT(refusal(json), testing::AllOf(HasSubstr(member), HasSubstr("is no "))) << member;
+    EXPECT_THAT(refusal(json), testing::AllOf(HasSubstr(member), HasSubstr("is not "))) << member;
   }
   for (const char* list : {"entries", "lists", "tags"}) {
     for (const nlohmann::json& element : {nlohmann::json(7), nlohmann::json::array({1, 2})}) {
       nlohmann::json json = rewritten();
       json[list].push_back(element);
-      EXPECT_THAT(refusal(json), testing::AllOf(HasSubstr(list), HasSubstr("is no object"))) << list;
+      EXPECT_THAT(refusal(json), testing::AllOf(HasSubstr(list), HasSubstr("is not an object"))) << list;
     }
   }
   nlohmann::json json = rewritten();
   json["notes"] = {{"entries", {1, 2, {{"id", 3}}}}};
   EXPECT_EQ(refusal(json), "") << "what is not known is passed over";
-  EXPECT_THAT(refusal(nlohmann::json::array({rewritten()})), HasSubstr("is no object"));
-  EXPECT_THAT(refusal(nlohmann::json("text")), HasSubstr("is no object"));
+  EXPECT_THAT(refusal(nlohmann::json::array({rewritten()})), HasSubstr("is not an object"));
+  EXPECT_THAT(refusal(nlohmann::json("text")), HasSubstr("is not an object"));
   EXPECT_THAT(base::to_line(check_json(text_source(rewritten().dump() + "x")).error()),
               HasSubstr("not JSON"));
   EXPECT_THAT(base::to_line(check_json(text_source("")).error()), HasSubstr("not JSON"));
   EXPECT_THAT(base::to_line(check_json(text_source(std::string(100'000, '['))).error()),
-              HasSubstr("is no object"));
+              HasSubstr("is not an object"));
   EXPECT_THAT(base::to_line(check_json(text_source("{\"x\":" + std::string(100'000, '['))).error()),
               HasSubstr("nested too deeply"));
 }
@@ -276,7 +276,7 @@ TEST(ExchangeStreaming, AFileIsReadAsItsTextIs) {
 }
 
 #ifndef NAZORI_SANITIZED
-/// By how much the memory of a process of its own grows at most while it does `work`, in MiB.
+/// The largest growth of the memory of a separate process during `work`, in MiB.
 template <class Work>
 double growth_mib(Work work) {
   const auto field = [](const char* name) {
@@ -292,7 +292,7 @@ double growth_mib(Work work) {
   const pid_t child = ::fork();
   if (child == 0) {
     (void)::malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << "5";  // the peak is the present from here on
+    std::ofstream("/proc/self/clear_refs") << "5";  // resets the peak to the present value
     const long before = field("VmRSS:");
     const bool fine = work();
     const double grown = static_cast<double>(field("VmHWM:") - before) / 1024;

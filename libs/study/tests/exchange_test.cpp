@@ -98,7 +98,7 @@ TEST(ExportJson, BadInputIsRefusedWithItsLineAndNothingChanges) {
     EXPECT_TRUE(other.cards().empty() && must(other.lists()).empty()) << to;
     return imported ? std::string() : base::to_line(imported.error());
   };
-  // The first entry stands in line 3, the first writing in line 5.
+  // The first entry is in line 3, the first writing in line 5.
   EXPECT_THAT(refusal("\"rating\":\"hard\"", "\"rating\":\"poor\""),
               testing::AllOf(HasSubstr("line 5"), HasSubstr("poor")));
   EXPECT_THAT(refusal("\"score\":85", "\"score\":850"),
@@ -108,12 +108,12 @@ TEST(ExportJson, BadInputIsRefusedWithItsLineAndNothingChanges) {
   EXPECT_THAT(refusal("\"ink\":\"A", "\"ink\":\"!"), HasSubstr("ink"));
   EXPECT_THAT(refusal("\"undoes\":", "\"undoes\":9"), HasSubstr("undoes no action"));
   EXPECT_THAT(refusal("0.87", "0.5"), HasSubstr("line 4"));
-  EXPECT_THAT(refusal("nazori-learner", "letter"), HasSubstr("no export"));
+  EXPECT_THAT(refusal("nazori-learner", "letter"), HasSubstr("is not an export"));
   EXPECT_THAT(refusal("\"version\": 1", "\"version\": 2"), HasSubstr("newer"));
   EXPECT_THAT(refusal("\n],\n\"lists\"", "\n\"lists\""), HasSubstr("not JSON"));
 }
 
-/// Renames a table of an open learner's file behind its back.
+/// Renames a table of a learner's file while it is open.
 void take_away(const std::filesystem::path& file, const std::string& table) {
   SQLite::Database(file.string(), SQLite::OPEN_READWRITE, 1'000)
       .exec("ALTER TABLE " + table + " RENAME TO gone");
@@ -220,7 +220,7 @@ TEST(AnkiPackage, HoldsACollectionOfSchema11AndItsPictures) {
 }
 
 TEST(AnkiPackage, AsksSomethingOfEveryKanaAndKanji) {
-  // Anki takes a card whose question is empty for one that may be deleted.
+  // Anki offers to delete a card with an empty question.
   const auto database = open_kanji();
   std::vector<char32_t> wanted;
   for (const auto list : {kanji::List::hiragana, kanji::List::katakana, kanji::List::grade_1}) {

@@ -57,22 +57,22 @@ TEST(ExportProgress, IsTheShareOfTheWork) {
   const MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = in_memory(clock);
   ASSERT_TRUE(store.fill(test::long_history(512)));
-  std::vector<double> told;
+  std::vector<double> reported;
   const auto keep = [&](double done, std::string_view step) {
     EXPECT_EQ(step, "export");
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   };
   const TextSink nowhere = [](std::string_view) -> base::Result<void> { return {}; };
   ASSERT_TRUE(export_json(store, nowhere, keep));
-  EXPECT_THAT(told, ElementsAre(0.5, 1));
-  told.clear();
-  // Once through the log for what was undone, then again for the table.
+  EXPECT_THAT(reported, ElementsAre(0.5, 1));
+  reported.clear();
+  // One pass over the log for undone entries, another for the table.
   ASSERT_TRUE(export_csv(store, nowhere, keep));
-  ASSERT_EQ(told.size(), 4U);
-  EXPECT_NEAR(told[1], 2 * told[0], 1e-12);
-  EXPECT_NEAR(told[2], (told[1] + 1) / 2, 1e-12);
-  EXPECT_EQ(told[3], 1);
+  ASSERT_EQ(reported.size(), 4U);
+  EXPECT_NEAR(reported[1], 2 * reported[0], 1e-12);
+  EXPECT_NEAR(reported[2], (reported[1] + 1) / 2, 1e-12);
+  EXPECT_EQ(reported[3], 1);
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST(FsrsLimits, StabilityStaysBetweenAThousandthOfADayAndAHundredYears) {
     s.weights[14] = 0;
   });
   EXPECT_EQ(forgetful.next(known(1, 10), Rating::again, kStart, 1).stability, 0.001);
-  // A lapse could leave 0.002 here, but no more than there was before.
+  // A lapse would give 0.002 here, but not more than the stability before it.
   EXPECT_EQ(Fsrs().next(known(0.001, 1), Rating::again, kStart, 1'000).stability, 0.001);
   const Fsrs dropping = with([](FsrsSettings& s) {
     s.weights[17] = 2;
@@ -136,7 +136,7 @@ TEST(FsrsLimits, AFirstStabilityIsATenthOfADayAtLeast) {
 }
 
 TEST(FsrsLimits, ForgettingLeavesNoMoreThanALapseAndAStepWould) {
-  // Forgotten long after: the lapse alone would leave 0.02 days.
+  // Forgotten much later: the lapse alone would give 0.02 days.
   const FsrsWeights& w = kDefaultWeights;
   const double with_steps = Fsrs().next(known(0.01, 1), Rating::again, kStart, 10'000).stability;
   EXPECT_NEAR(with_steps, 0.01 / std::exp(w[17] * w[18]), 1e-8);
@@ -161,12 +161,12 @@ TEST(FsrsLimits, SeveralRelearningStepsLeaveNoMoreThanThereWas) {
   for (const std::size_t steps : {std::size_t{2}, std::size_t{5}}) {
     const FsrsWeights w = same_day_weights(steps, 1.4835);
     EXPECT_EQ(w[17], w[18]);
-    // One day known with a chance of 0.7, lapsed at the least difficulty, then every step good.
+    // One day with a probability of 0.7, lapsed at the lowest difficulty, then every step good.
     const double left = w[11] * (std::pow(2, w[13]) - 1) * std::exp(0.3 * w[14]) *
                         std::exp(w[17] * w[18] * static_cast<double>(steps));
     EXPECT_NEAR(left, 1, 1e-6) << steps;
   }
-  // Here the lapse alone leaves more than that, so hardly any gain is allowed.
+  // Here the lapse alone gives more than that, so hardly any gain is allowed.
   EXPECT_EQ(same_day_weights(2, 5)[17], 0.01);
   EXPECT_EQ(same_day_weights(2, 5)[18], 0.01);
 }
@@ -195,13 +195,13 @@ TEST(FsrsIntervals, HalfADayGoesUp) {
 }
 
 TEST(FsrsIntervals, MayMoveByWhatIsPublishedWhateverTheirLength) {
-  // 15 % of what lies over 2.5 days, 10 % over 7, 5 % over 20, and one day: in two hundredths of a day.
+  // 15 % of the part over 2.5 days, 10 % over 7, 5 % over 20, and one day: in two hundredths of a day.
   const Fsrs fsrs;
   const auto rounded = [](int parts) { return (parts + 100) / 200; };
   for (int interval = 3; interval <= 1'000; ++interval) {
     const int delta = 200 + 15 * (2 * std::min(interval, 7) - 5) + 20 * std::clamp(interval - 7, 0, 13) +
                       10 * std::max(interval - 20, 0);
-    // A half can fall to either side: the shares are no binary fractions.
+    // A half can be rounded to either side, because the shares are not binary fractions.
     if ((delta + 100) % 200 == 0) continue;
     const DayRange expected{std::max(2, rounded(200 * interval - delta)), rounded(200 * interval + delta)};
     EXPECT_EQ(fsrs.fuzz_range(interval, 0), expected) << interval;
@@ -222,7 +222,7 @@ TEST(FsrsIntervals, MoveNeitherBeyondTheLongestNorToADayThatHasPassed) {
 }
 
 TEST(FsrsIntervals, HardGoodAndEasyDifferByADayAtLeast) {
-  // With these weights all three leave the same stability.
+  // With these weights all three give the same stability.
   const Fsrs fsrs = with([](FsrsSettings& s) { s.weights[15] = s.weights[16] = 1; });
   const Memory memory = known(30, 5);
   const auto interval = [&](Rating rating) { return fsrs.next(memory, rating, kStart, 30).scheduled_days; };
@@ -276,7 +276,7 @@ TEST(FsrsSteps, GoodGoesOnHardStaysAgainBeginsAnew) {
   card = fsrs.next(card, Rating::good, kStart, 0);
   EXPECT_EQ(card.step, 2);
   EXPECT_EQ(wait(card), minutes(30));
-  // Between the first two steps, whichever is at hand: 7.5 minutes, rounded up.
+  // The mean of the first two steps, whichever is present: 7.5 minutes, rounded up.
   const Memory hard = fsrs.next(card, Rating::hard, kStart, 0);
   EXPECT_EQ(hard.step, 2);
   EXPECT_EQ(wait(hard), minutes(8));
@@ -331,7 +331,7 @@ TEST(FsrsSteps, WithoutAnyOrBeyondTheLastACardGetsDays) {
   EXPECT_EQ(lapsed.phase, Phase::review);
   EXPECT_EQ(lapsed.lapses, 2);
   EXPECT_GE(lapsed.scheduled_days, 1);
-  // The steps were made fewer meanwhile.
+  // The number of steps was reduced meanwhile.
   Memory late = known(1, 5);
   late.phase = Phase::learning;
   late.step = 2;

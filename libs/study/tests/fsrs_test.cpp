@@ -120,7 +120,7 @@ TEST(Fsrs, IntervalsMayMoveByThePublishedRangesOnly) {
   EXPECT_EQ(fsrs.fuzz_range(6, 0), (DayRange{4, 8}));
   EXPECT_EQ(fsrs.fuzz_range(15, 0), (DayRange{13, 17}));
   EXPECT_EQ(fsrs.fuzz_range(50, 0), (DayRange{46, 54}));
-  // A review after just the interval may come back as early as any other.
+  // A review exactly after its interval has the same range as any other.
   EXPECT_EQ(fsrs.fuzz_range(10, 10), (DayRange{8, 12}));
 }
 

@@ -56,7 +56,7 @@ TEST(FsrsWeights, OfSeventeenAreBroughtToTheNewForm) {
   EXPECT_EQ((*weights)[6], 2.5);
   for (const std::size_t i : {17U, 18U, 19U}) EXPECT_EQ(weights->at(i), 0) << i;
   EXPECT_EQ((*weights)[20], 0.5);
-  // What is far outside is brought into its range before.
+  // Values far outside are first limited to their range.
   numbers[5] = 1'000;
   EXPECT_NEAR((*weights_from(numbers))[5], std::log(13) / 3, 1e-12);
   EXPECT_EQ((*weights_from(numbers))[4], 10);
@@ -86,7 +86,7 @@ TEST(FsrsWeights, AreTakenWithWhateverStandsBetweenThem) {
   EXPECT_EQ(parse_weights("1.5x, 2").error().where, "1.5x");
   EXPECT_EQ(parse_weights("2 x").error().where, "x");
   EXPECT_EQ(parse_weights("1e999").error().where, "1e999");
-  // A word of a whole page is not repeated whole.
+  // A very long word is not repeated completely.
   EXPECT_EQ(parse_weights("1, " + std::string(50, 'y')).error().where, std::string(40, 'y'));
 }
 

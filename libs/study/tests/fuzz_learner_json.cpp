@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto clock = [] { return Time{}; };
   auto learner = LearnerStore::in_memory(clock);
   if (!learner || !import_json(*learner, text_source(text))) return 0;
-  // What was read is written in the one spelling, which comes back exactly.
+  // Valid input is exported in canonical form, and reading that gives the same again.
   const auto written = export_json(*learner);
   auto again = LearnerStore::in_memory(clock);
   if (!written || !again || !import_json(*again, text_source(*written)) || export_json(*again) != written)

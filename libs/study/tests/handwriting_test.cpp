@@ -17,7 +17,7 @@ using test::some_ink;
 
 constexpr int kFarthest = 32'000;  // a thousand units
 
-/// A point in the steps in which it is saved.
+/// A point in the units in which it is saved.
 HandwritingPoint steps(int x, int y, int time_ms, int pressure) {
   return {{x / 32.0, y / 32.0}, time_ms / 1000.0, pressure / 255.0};
 }
@@ -42,7 +42,7 @@ TEST(Handwriting, ComesBackExactly) {
 }
 
 TEST(Handwriting, IsCompact) {
-  // 120 points: 8 ms apart, as a pen gives them.
+  // 120 points, 8 ms apart, as from a pen.
   EXPECT_LT(must(pack(some_ink())).size(), 400U);
 }
 
@@ -87,12 +87,12 @@ TEST(Handwriting, AsMuchAsMayBeKeptIsKept) {
                            HandwritingStroke(30'000, steps(0, 0, 0, 0))};
   EXPECT_EQ(must(unpack_handwriting(must(pack(points)))), points);
   EXPECT_FALSE(pack(Handwriting{HandwritingStroke(20'000), HandwritingStroke(30'001)}));
-  // Time goes on over strokes and may stand still.
+  // Time continues across strokes and may stay the same.
   EXPECT_TRUE(pack(Handwriting{{steps(0, 0, 5, 0), steps(1, 0, 5, 0)}, {steps(0, 0, 5, 0)}}));
   EXPECT_FALSE(pack(Handwriting{{steps(0, 0, 5, 0)}, {steps(0, 0, 4, 0)}}));
 }
 
-/// Bytes as pack() lays them out, whatever numbers they hold.
+/// Bytes in the layout of pack(), with any numbers.
 std::vector<std::uint8_t> packed_by_hand(std::vector<std::uint8_t> plain, std::uint8_t version = 1) {
   uLongf size = compressBound(static_cast<uLong>(plain.size()));
   std::vector<std::uint8_t> bytes(1 + size);
@@ -141,12 +141,13 @@ TEST(Handwriting, BytesThatPackDoesNotWriteAreRefused) {
 }
 
 TEST(Handwriting, NumbersAreFiveBytesAtMost) {
-  // 2^32 - 1 in five bytes is a number, though no count of strokes; a sixth byte or more bits are none.
+  // 2^32 - 1 in five bytes is a valid number, though not a valid count of strokes; a sixth byte or more bits
+  // are invalid.
   EXPECT_TRUE(unpack_handwriting(packed_by_hand({0x81, 0x80, 0x80, 0x80, 0x00, 0})));
   EXPECT_FALSE(unpack_handwriting(packed_by_hand({0x81, 0x80, 0x80, 0x80, 0x10, 0})));
   EXPECT_FALSE(unpack_handwriting(packed_by_hand({0x81, 0x80, 0x80, 0x80, 0x80, 0x00, 0})));
   EXPECT_FALSE(unpack_handwriting(packed_by_hand({1, 0xFF, 0xFF, 0xFF, 0xFF, 0x0F}))) << "points";
-  // 50,000 points (0xC350) and one more, all at one place.
+  // 50,000 points (0xC350) and one more, all at the same position.
   std::vector<std::uint8_t> most{1, 0xD0, 0x86, 0x03};
   most.resize(most.size() + std::size_t{4} * 50'000);
   EXPECT_TRUE(unpack_handwriting(packed_by_hand(most)));

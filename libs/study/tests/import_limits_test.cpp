@@ -46,7 +46,7 @@ std::string refusal(const json& text) {
   return checked ? std::string() : base::to_line(checked.error());
 }
 
-/// What is said of an export in which one member of an entry is another.
+/// The error for an export in which one member of an entry is changed.
 std::string with(std::size_t entry, const char* member, const json& value) {
   json all = small_export();
   all["entries"][entry][member] = value;
@@ -65,8 +65,8 @@ TEST(ImportLimits, NumbersOfAWritingHaveTheirRanges) {
     EXPECT_EQ(with(kWriting, member, lowest), "") << member;
     EXPECT_EQ(with(kWriting, member, highest), "") << member;
     for (const std::int64_t outside : {lowest - 1, highest + 1}) {
-      const std::string said = "give " + std::to_string(lowest) + " to " + std::to_string(highest);
-      EXPECT_THAT(with(kWriting, member, outside), AllOf(HasSubstr(member), HasSubstr(said)));
+      const std::string remedy = "give " + std::to_string(lowest) + " to " + std::to_string(highest);
+      EXPECT_THAT(with(kWriting, member, outside), AllOf(HasSubstr(member), HasSubstr(remedy)));
     }
     EXPECT_THAT(with(kWriting, member, "many"), HasSubstr(member));
   }
@@ -113,15 +113,15 @@ TEST(ImportLimits, NamesAreFortyBytesAtMost) {
   }
   EXPECT_THAT(with(kPostponement, "until", longest), HasSubstr("'" + longest + "'"));
   EXPECT_THAT(with(kPostponement, "until", longest + "x"), HasSubstr("longer than 40 bytes"));
-  EXPECT_THAT(with(kWriting, "character", std::string(10, 'x')), HasSubstr("is not one character"));
+  EXPECT_THAT(with(kWriting, "character", std::string(10, 'x')), HasSubstr("must be one character"));
   EXPECT_THAT(with(kWriting, "character", std::string(11, 'x')), HasSubstr("longer than 10 bytes"));
-  EXPECT_THAT(with(kWriting, "character", ""), HasSubstr("is not one character"));
-  EXPECT_THAT(with(kWriting, "character", std::string(1, '\0')), HasSubstr("is not one character"));
+  EXPECT_THAT(with(kWriting, "character", ""), HasSubstr("must be one character"));
+  EXPECT_THAT(with(kWriting, "character", std::string(1, '\0')), HasSubstr("must be one character"));
   json all = small_export();
   all["format"] = std::string(101, 'x');
   EXPECT_THAT(refusal(all), HasSubstr("longer than 100 bytes"));
   all["format"] = std::string(100, 'x');
-  EXPECT_THAT(refusal(all), HasSubstr("no export of a learner"));
+  EXPECT_THAT(refusal(all), HasSubstr("is not an export of study data"));
 }
 
 TEST(ImportLimits, NamesOfListsAndTagsAreAHundredBytesAtMost) {
@@ -132,7 +132,7 @@ TEST(ImportLimits, NamesOfListsAndTagsAreAHundredBytesAtMost) {
     all[part][0]["name"] = std::string(101, 'x');
     EXPECT_THAT(refusal(all), HasSubstr("longer than 100 bytes")) << part;
     all[part][0]["name"] = " x";
-    EXPECT_THAT(refusal(all), HasSubstr("is no ")) << part;
+    EXPECT_THAT(refusal(all), HasSubstr("is not ")) << part;
     all = small_export();
     all[part][0]["characters"] = std::string(std::size_t{1} << 20, 'x');
     EXPECT_EQ(refusal(all), "") << part;
@@ -170,7 +170,7 @@ TEST(ImportLimits, InkIsOfAWritingAndCanBeRead) {
   ASSERT_TRUE(whole["entries"][kWriting].contains("ink"));
   const std::string ink = whole["entries"][kWriting]["ink"];
   EXPECT_THAT(with(kWriting, "ink", ink.substr(0, ink.size() - 4)), HasSubstr("ink that cannot be read"));
-  EXPECT_THAT(with(kWriting, "ink", ink + "="), HasSubstr("is no ink"));
+  EXPECT_THAT(with(kWriting, "ink", ink + "="), HasSubstr("is not readable handwriting data"));
   EXPECT_THAT(with(kWriting, "ink", std::string((4U << 20) + 4, 'A')),
               HasSubstr("longer than 4194304 bytes"));
   EXPECT_THAT(with(kWriting, "ink", std::string(4U << 20, 'A')), HasSubstr("ink that cannot be read"));

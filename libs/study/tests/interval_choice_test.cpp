@@ -12,7 +12,7 @@ using std::chrono::days;
 
 const Day kToday = *parse_day("2026-03-01");
 
-/// Adds `count` characters due after `interval` days, numbered on from those that are there.
+/// Adds `count` characters due after `interval` days, numbered after the existing ones.
 void add(Cards& cards, int interval, int count, void (*change)(Card&) = nullptr) {
   for (int i = 0; i < count; ++i) {
     Card card;
@@ -92,7 +92,7 @@ TEST(IntervalChoice, WithoutTheSettingsOrOutsideOfReviewsNothingMoves) {
 TEST(IntervalChoice, ByChanceEveryDayOfTheRangeIsTakenAboutAsOften) {
   Settings settings;
   settings.fuzz = true;
-  std::map<int, int> taken;
+  std::map<int, int> counts;
   constexpr int kReviews = 5'000;
   for (int i = 0; i < kReviews; ++i) {
     Memory after;
@@ -101,10 +101,10 @@ TEST(IntervalChoice, ByChanceEveryDayOfTheRangeIsTakenAboutAsOften) {
     after.reps = i % 50;
     const auto chosen =
         choose_interval(Fsrs(), settings, {}, U'一' + static_cast<char32_t>(i / 50), after, 3, kToday);
-    ++taken[chosen.value_or(10)];
+    ++counts[chosen.value_or(10)];
   }
-  ASSERT_EQ(taken.size(), 5U);
-  for (const auto& [interval, times] : taken) {
+  ASSERT_EQ(counts.size(), 5U);
+  for (const auto& [interval, times] : counts) {
     EXPECT_GE(interval, 8);
     EXPECT_LE(interval, 12);
     EXPECT_NEAR(times, kReviews / 5, 5 * 30) << interval;  // five standard deviations

@@ -11,7 +11,7 @@
 
 namespace nazori::study::test {
 
-/// A folder of its own that is gone with the object.
+/// A temporary folder that is removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -44,7 +44,7 @@ Writing review(Rating rating);
 /// Ink of two strokes with times.
 Handwriting some_ink(int seed = 1);
 
-/// The value, or a failed test and an abort.
+/// The value; a missing value fails the test and aborts.
 template <class T>
 T must(base::Result<T> result) {
   if (!result) {
@@ -57,10 +57,10 @@ T must(base::Result<T> result) {
 /// Settings with a zone that does not depend on the computer.
 void use_zone(LearnerStore& store, const char* zone);
 
-/// Studies for some weeks with every kind of action; the same seed, the same weeks.
+/// Studies for some weeks with every kind of action; the same seed gives the same weeks.
 void study_at_random(LearnerStore& store, MovedClock& clock, unsigned seed, int actions);
 
-/// A log of a learner who writes 30 characters from memory on every day, over and over.
+/// A log of a learner who writes 30 characters from memory on every day, repeatedly.
 LearnerStore::Source long_history(int entries);
 
 std::string bytes_of(const std::filesystem::path& path);

@@ -49,7 +49,7 @@ TEST(LearnerStore, SchedulesAReviewAsTheSchedulerSays) {
 }
 
 TEST(LearnerStore, CountsStudyDaysNotHours) {
-  // 23:00 and 01:00 are one evening; 03:00 and 05:00 are two days.
+  // 23:00 and 01:00 belong to the same study day; 03:00 and 05:00 are two days.
   MovedClock clock("2026-01-01T23:00:00Z");
   LearnerStore store = must(LearnerStore::in_memory(clock.clock()));
   use_zone(store, "UTC");
@@ -132,7 +132,7 @@ TEST(LearnerStore, UndoTakesBackAnyNumberAcrossRestarts) {
   LearnerStore store = open(folder / "learner.db", clock);
   EXPECT_FALSE(must(store.undo()));
   EXPECT_TRUE(store.cards().empty());
-  EXPECT_EQ(store.last_entry(), 8);  // nothing was ever taken out of the log
+  EXPECT_EQ(store.last_entry(), 8);  // nothing was ever removed from the log
 }
 
 TEST(LearnerStore, AnActionOnManyCharactersIsTakenBackAtOnce) {
@@ -290,13 +290,13 @@ TEST(LearnerStore, ChangedClocksAndJourneysMoveNoDueDay) {
     const Card card = must(store.add_writing(kRest, 6, review(Rating::easy)));
     ASSERT_TRUE(card.due_day) << change.zone;
     EXPECT_EQ(*card.due_day, evening + days(card.memory.scheduled_days)) << change.zone;
-    // Whatever the clocks did, days are counted by the calendar: due when that day begins, not before.
+    // Days are counted by the calendar even when the clocks change: due when that day begins, not before.
     const Time due = store.calendar().begin_of(*card.due_day);
     clock.set(to_text(due - std::chrono::minutes(1)).c_str());
     EXPECT_EQ(store.today() + days(1), *card.due_day) << change.zone;
     clock.set(to_text(due).c_str());
     EXPECT_EQ(store.today(), *card.due_day) << change.zone;
-    // Elsewhere the day of the log stays, and rebuilding changes nothing.
+    // In another time zone the day of the log is kept, and rebuilding changes nothing.
     use_zone(store, "Pacific/Auckland");
     EXPECT_EQ(store.card(kRest).due_day, card.due_day) << change.zone;
     EXPECT_EQ(must(store.rebuild()).differences, 0) << change.zone;
@@ -436,7 +436,7 @@ TEST(LearnerStore, WhereIntervalsVaryAPreviewTellsTheDayThatIsKept) {
             << static_cast<int>(rating) << (balance ? " balanced" : " fuzz");
         EXPECT_EQ(seen.memory, kept.memory);
         if (kept.due_day && kept.memory.scheduled_days != fsrs.interval_days(kept.memory.stability)) ++moved;
-        // What was easy stays, so that there is a load to balance.
+        // Characters rated Easy stay, so that there is a load to balance.
         if (rating != Rating::easy) (void)must(store.undo());
       }
     }

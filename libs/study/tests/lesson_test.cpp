@@ -217,7 +217,7 @@ WritingResult not_accepted() {
 }
 
 TEST(Lesson, ASuccessEndsARowOfFailures) {
-  // Help that does not fade and one miss each: the learner stays where he is.
+  // Help that does not fade and one miss each: the learner stays in the stage.
   LessonRules rules;
   rules.help_retained = 1;
   WritingResult shaky = good();
@@ -230,7 +230,7 @@ TEST(Lesson, ASuccessEndsARowOfFailures) {
     EXPECT_EQ(lesson.failures(), 0);
     EXPECT_EQ(lesson.next_stage(), Stage::guided);
   }
-  // Failures of another stage are another row.
+  // Failures in another stage are counted separately.
   lesson.finish(Stage::trace, not_accepted(), 6);
   EXPECT_EQ(lesson.failures(), 1);
   lesson.finish(Stage::guided, not_accepted(), 6);

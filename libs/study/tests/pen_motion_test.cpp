@@ -52,7 +52,7 @@ double arc_length(const std::vector<double>& speed) {
 double arc_length_of(const std::vector<int>& steps) { return arc_length({steps.begin(), steps.end()}); }
 
 TEST(PenMotion, SmoothnessIsTheSpectralArcLengthOfTheSpeed) {
-  // Speeds that go up and down in other ways, also over a halt.
+  // Other sequences of speeds, also with a halt.
   std::vector<std::vector<int>> profiles{std::vector(30, 12)};
   std::vector<int> bell, two, uneven;
   for (int i = 0; i < 50; ++i)
@@ -93,7 +93,7 @@ TEST(PenMotion, OfConstantSpeedHasTheSpectrumOfAPulse) {
 }
 
 TEST(PenMotion, IsTheSameHoweverUnevenlyThePointsCome) {
-  // 4 units in 40 ms, then 1 unit in 60 ms, then 6 units in 100 ms: read off every 10 ms.
+  // 4 units in 40 ms, then 1 unit in 60 ms, then 6 units in 100 ms: sampled every 10 ms.
   const HandwritingStroke few{at(0, 500), at(4, 540), at(5, 600), at(11, 700)};
   std::vector<double> speed(4, 100.0);
   speed.insert(speed.end(), 6, 1 / 0.06);

@@ -18,7 +18,7 @@ using test::must;
 using test::TemporaryFolder;
 using testing::ElementsAre;
 
-/// An environment variable that is as it was once the object is gone.
+/// Sets an environment variable and restores it when destroyed.
 class Variable {
  public:
   Variable(const char* name, const char* value) : name_(name) {
@@ -117,8 +117,8 @@ TEST(Profiles, GetNoNameThatIsTakenOrNone) {
   const fs::path root = folder / "learners";
   (void)must(LearnerStore::open(must(learner_file(root, "Mari")), Access::write));
   fs::create_directories(root / "empty");
-  EXPECT_EQ(rename_profile(root, "Mari", "empty").error().what, "is taken already");
-  EXPECT_EQ(rename_profile(root, "Mari", "Mari").error().what, "is taken already");
+  EXPECT_EQ(rename_profile(root, "Mari", "empty").error().what, "already exists");
+  EXPECT_EQ(rename_profile(root, "Mari", "Mari").error().what, "already exists");
   EXPECT_EQ(rename_profile(root, "Mari", ".x").error().code, Errc::bad_argument);
   EXPECT_EQ(rename_profile(root, "none", "x").error().code, Errc::not_found);
   {

@@ -82,9 +82,9 @@ TEST(Replay, RefusesBadInputWithLineAndReason) {
   EXPECT_FALSE(replay_histories(std::string(100'000, '[')));
 }
 
-/// One history of two answers, with numbers of its own.
+/// One history of two answers, with its own numbers.
 std::string with_numbers(const std::string& member, const std::string& value) {
-  // What the program itself writes, but for one member.
+  // The output of the program itself, without one member.
   const auto own = replay_histories(R"({"cases": [{"request_retention": 0.9, "steps": [
       {"at": "2026-01-01T09:00Z", "rating": 4}, {"at": "2026-01-09T10:00Z", "rating": 3}]}]})");
   EXPECT_TRUE(own);
@@ -187,7 +187,7 @@ TEST(Replay, CountsDatesInUtcForTheStepAndFullDaysForTheChance) {
   const Fsrs fsrs = *Fsrs::create(settings);
   ASSERT_EQ(one.steps.size(), 4U);
   EXPECT_FALSE(one.steps[0].retrievability_before);
-  // Two hours, but another date; then less than a day, and another date again.
+  // Two hours later, but on another date; then less than a day later, again on another date.
   for (std::size_t i = 1; i < 3; ++i) {
     EXPECT_EQ(one.steps[i].retrievability_before, 1) << i;
     EXPECT_EQ(one.steps[i].after, fsrs.next(one.steps[i - 1].after, Rating::good, one.steps[i].at, 1)) << i;

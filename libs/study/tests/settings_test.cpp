@@ -42,7 +42,7 @@ TEST(Settings, BeginAsTheManualSays) {
   EXPECT_EQ(pace.recalled_days + pace.failed_days + pace.introduced_days, 0);
 }
 
-/// Every setting other than at the beginning.
+/// Every setting different from its default.
 Settings other_settings() {
   Settings settings;
   settings.fsrs.desired_retention = 0.85;
@@ -77,11 +77,11 @@ TEST(Settings, ComeBackFromTheirText) {
 
 TEST(Settings, ThatAreMissingKeepTheirDefaults) {
   EXPECT_EQ(*parse_settings("{}"), Settings());
-  // Each alone: all the others stay as they are.
+  // Each setting alone: all others are unchanged.
   const json all = json::parse(to_json(other_settings()));
   const json before = json::parse(to_json(Settings()));
   for (const auto& [name, value] : all.items()) {
-    if (name == "hint_after_misses") continue;  // not after the stroke is shown
+    if (name == "hint_after_misses") continue;  // it must not exceed show_after_misses
     json expected = before;
     expected[name] = value;
     const auto read = parse_settings(json{{name, value}}.dump());
@@ -176,7 +176,7 @@ TEST(Settings, AHundredListsMayBeChosen) {
     }
   }
   EXPECT_THAT(base::to_line(parse_settings(R"({"new_lists": ["grade-1", 2]})").error()),
-              HasSubstr("no name of a list"));
+              HasSubstr("an invalid list name"));
 }
 
 TEST(Settings, ThatCannotBeReadAreNamed) {
@@ -188,19 +188,20 @@ TEST(Settings, ThatCannotBeReadAreNamed) {
               AllOf(HasSubstr("by chance"), HasSubstr("give grade")));
   EXPECT_THAT(refusal(R"({"new_order": "12345678901234567890123456789012345678901"})"),
               HasSubstr("longer than 40"));
-  EXPECT_THAT(refusal(R"({"new_order": "1234567890123456789012345678901234567890"})"), HasSubstr("no order"));
+  EXPECT_THAT(refusal(R"({"new_order": "1234567890123456789012345678901234567890"})"),
+              HasSubstr("is not an order"));
   EXPECT_THAT(refusal(("{\"time_zone\": \"" + std::string(101, 'x') + "\"}").c_str()),
               HasSubstr("longer than 100"));
   EXPECT_EQ(refusal(("{\"time_zone\": \"" + std::string(100, 'x') + "\"}").c_str()), "")
       << "another computer may know it";
   EXPECT_THAT(refusal(R"({"weights": [1, 2]})"), HasSubstr("2 numbers"));
-  EXPECT_THAT(refusal(R"({"weights": 1})"), HasSubstr("no list"));
+  EXPECT_THAT(refusal(R"({"weights": 1})"), HasSubstr("is not a list"));
   EXPECT_THAT(refusal(R"({"weights": ["x"]})"), HasSubstr("not finite"));
   EXPECT_THAT(refusal(R"({"learning_steps_min": [1, 2.5]})"), HasSubstr("whole number of minutes"));
   EXPECT_THAT(refusal(R"({"learning_steps_min": [0]})"), HasSubstr("learning steps"));
-  EXPECT_THAT(refusal(R"({"relearning_steps_min": 10})"), HasSubstr("no list"));
+  EXPECT_THAT(refusal(R"({"relearning_steps_min": 10})"), HasSubstr("is not a list"));
   EXPECT_THAT(refusal(R"({"fuzz": 1})"), HasSubstr("true nor false"));
-  EXPECT_THAT(refusal("[]"), HasSubstr("no object"));
+  EXPECT_THAT(refusal("[]"), HasSubstr("is not an object"));
   EXPECT_THAT(refusal("{"), HasSubstr("not JSON"));
   std::string many = "1";
   for (int i = 0; i < 100; ++i) many += ",1";

@@ -44,13 +44,13 @@ struct Learner {
 TEST(StatisticsForecast, HoldsTodayWithWhatIsOverdueAndTheNextTwentyNineDays) {
   Learner learner;
   const auto due_after = [&](char32_t c, int wait) {
-    // An interval that is given is the one of the log.
+    // A moved interval is the one in the log.
     learner.write(c, Rating::easy);
     EXPECT_TRUE(learner.store.postpone(std::span(&c, 1), learner.store.today() + days(wait)));
   };
   due_after(U'一', 29);
   due_after(U'二', 30);
-  due_after(U'三', 0);  // in eight days, as it would be
+  due_after(U'三', 0);  // in eight days, the normal interval
   due_after(U'四', 8);
   due_after(U'五', 9);
   learner.write(U'六', Rating::again);  // in its steps
@@ -220,13 +220,13 @@ TEST(StatisticsProgress, TellsTheShareOfTheLog) {
   Learner learner;
   for (int i = 0; i < 1'023; ++i) learner.write(U'一', Rating::good, Stage::trace);
   ASSERT_EQ(learner.store.last_entry(), 1'024);
-  std::vector<double> told;
+  std::vector<double> reported;
   ASSERT_TRUE(statistics_of(learner.store, [&](double done, std::string_view step) {
     EXPECT_EQ(step, "statistics");
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   }));
-  EXPECT_THAT(told, ElementsAre(0.25, 0.5, 0.75, 1));
+  EXPECT_THAT(reported, ElementsAre(0.25, 0.5, 0.75, 1));
 }
 
 Streak streak(std::initializer_list<int> studied, int today) {
@@ -236,10 +236,10 @@ Streak streak(std::initializer_list<int> studied, int today) {
 }
 
 TEST(Streak, ADayOffIsForgivenSevenDaysAfterTheLastOne) {
-  // Off on day 3, then on day 9 or on day 10.
+  // No study on day 3, then on day 9 or on day 10.
   EXPECT_EQ(streak({1, 2, 4, 5, 6, 7, 8, 10}, 10), (Streak{1, 7, true, false}));
   EXPECT_EQ(streak({1, 2, 4, 5, 6, 7, 8, 9, 11}, 11), (Streak{9, 9, true, true}));
-  // Two days off in a row are never forgiven.
+  // Two days off in a row always break the streak.
   EXPECT_EQ(streak({1, 2, 5}, 5), (Streak{1, 2, true, false}));
 }
 

@@ -37,7 +37,7 @@ struct Learner {
   }
 };
 
-/// Ten characters met on the first day with three writings of 20 s each, then reviewed once.
+/// Ten characters introduced on the first day with three writings of 20 s each, then reviewed once.
 void act_out(Learner& learner, int characters, Rating later) {
   for (int i = 0; i < characters; ++i) {
     const auto c = U'一' + static_cast<char32_t>(i);
@@ -49,7 +49,7 @@ void act_out(Learner& learner, int characters, Rating later) {
   for (int i = 0; i < characters; ++i) {
     const auto c = U'一' + static_cast<char32_t>(i);
     learner.write(c, Stage::memory, later, 5 + i);
-    // What is done again the same day belongs to the same piece of work.
+    // Writing again on the same day belongs to the same piece of work.
     if (later == Rating::again) learner.write(c, Stage::memory, Rating::good, 30);
   }
 }
@@ -106,7 +106,7 @@ TEST(Pace, TellsWhatADayAndAYearTake) {
   EXPECT_EQ(must(plan_day(learner.store, fresh)).estimate, milliseconds(120'000));
   const Pace quick{milliseconds(1'000), milliseconds(1'000), milliseconds(0)};
   const Workload workload = must(expected_workload({}, 5, quick));
-  EXPECT_GT(workload.reviews_per_day, 60 * workload.minutes_per_day);  // steps take no second of their own
+  EXPECT_GT(workload.reviews_per_day, 60 * workload.minutes_per_day);  // steps take no extra time
   EXPECT_GT(must(expected_workload({}, 5)).minutes_per_day, 15 * workload.minutes_per_day);
 }
 

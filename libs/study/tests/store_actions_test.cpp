@@ -100,16 +100,16 @@ TEST(ChangeSettings, TellsHowManyCardsAreWorkedOutAndIsTakenBackWhereItIsStopped
     EXPECT_EQ(store.settings(), Settings());
     EXPECT_EQ(store.last_entry(), 4);
   }
-  std::vector<double> told;
+  std::vector<double> reported;
   ASSERT_TRUE(store.change_settings(settings, [&](double done, std::string_view step) {
     EXPECT_EQ(step, "cards");
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   }));
-  EXPECT_THAT(told, ElementsAre(0.25, 0.5, 0.75, 1));
+  EXPECT_THAT(reported, ElementsAre(0.25, 0.5, 0.75, 1));
   EXPECT_EQ(store.card(U'一').memory.stability, 20);
   EXPECT_EQ(store.last_entry(), 5);
-  // Settings that change no number work no card out.
+  // Settings that change no numbers do not cause cards to be computed again.
   Settings more = store.settings();
   more.new_per_day = 1;
   ASSERT_TRUE(store.change_settings(more, [](double, std::string_view) {
@@ -133,7 +133,7 @@ TEST(ChangeSettings, OfTheDayMoveTheCalendarAtOnce) {
 }
 
 TEST(ChangeSettings, CountFromTheirEntryOn) {
-  // Retention 0.8 from the second review on: the first interval stays, also after a rebuilding.
+  // Retention 0.8 from the second review on: the first interval is unchanged, also after rebuilding.
   MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = in_memory(clock);
   use_zone(store, "UTC");
@@ -201,13 +201,13 @@ TEST(Rebuild, TellsHowFarItIsAndStops) {
   const MovedClock clock("2026-01-01T09:00:00Z");
   LearnerStore store = in_memory(clock);
   ASSERT_TRUE(store.fill(test::long_history(1'023)));
-  std::vector<double> told;
+  std::vector<double> reported;
   ASSERT_TRUE(store.rebuild([&](double done, std::string_view step) {
     EXPECT_EQ(step, "rebuild");
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   }));
-  EXPECT_THAT(told, ElementsAre(0.25, 0.5, 0.75));
+  EXPECT_THAT(reported, ElementsAre(0.25, 0.5, 0.75));
   const Cards before = store.cards();
   EXPECT_EQ(store.rebuild([](double, std::string_view) { return false; }).error().code,
             base::Errc::cancelled);

@@ -22,7 +22,7 @@ constexpr char32_t kTree = U'木';
 
 LearnerStore in_memory(const MovedClock& clock) { return must(LearnerStore::in_memory(clock.clock())); }
 
-/// What is said of entries that make no log; empty where they do.
+/// The error for entries that do not form a valid log; empty where they do.
 std::string refused(const std::vector<LogEntry>& entries,
                     const std::vector<std::uint8_t>& ink_of_the_last = {}) {
   const auto checked =
@@ -67,9 +67,9 @@ TEST(Filling, EntriesAreNumberedInOrderAndBelongToAnAction) {
 TEST(Filling, EachKindHasWhatBelongsToItAndNothingElse) {
   for (const EntryKind kind : {EntryKind::pause, EntryKind::resume, EntryKind::reset, EntryKind::leech_met}) {
     EXPECT_EQ(refused({entry(1, kind, kTree)}), "");
-    EXPECT_THAT(refused({entry(1, kind)}), HasSubstr("names no character"));
+    EXPECT_THAT(refused({entry(1, kind)}), HasSubstr("is not the name of a character"));
     EXPECT_THAT(refused({entry(1, kind, kTree)}, must(pack(some_ink()))),
-                HasSubstr("has ink but is no writing"));
+                HasSubstr("has ink but is not a writing"));
   }
   LogEntry writing = entry(1, EntryKind::writing, kTree);
   EXPECT_EQ(refused({writing}), "");
@@ -77,7 +77,7 @@ TEST(Filling, EachKindHasWhatBelongsToItAndNothingElse) {
   EXPECT_THAT(refused({writing}, {1, 2, 3}), HasSubstr("ink that cannot be read"));
   writing.writing.result.score = 101;
   EXPECT_THAT(refused({writing}), HasSubstr("0..100"));
-  EXPECT_THAT(refused({entry(1, EntryKind::writing)}), HasSubstr("names no character"));
+  EXPECT_THAT(refused({entry(1, EntryKind::writing)}), HasSubstr("is not the name of a character"));
 
   LogEntry settings = entry(1, EntryKind::settings);
   EXPECT_THAT(refused({settings}), HasSubstr("settings that cannot be read"));

@@ -118,7 +118,7 @@ TEST(StoreOpening, AFileIsKeptWithAWriteAheadLogThatIsTakenInAtTheEnd) {
     EXPECT_GT(fs::file_size(file.string() + "-wal"), 0U);
     SQLite::Database other(file.string(), SQLite::OPEN_READONLY);
     EXPECT_EQ(other.execAndGet("PRAGMA journal_mode").getString(), "wal");
-    // Who only reads takes nothing in.
+    // Opening for reading does not write the log into the file.
     { (void)must(LearnerStore::open(file, Access::read)); }
     EXPECT_GT(fs::file_size(file.string() + "-wal"), 0U);
   }
@@ -275,44 +275,44 @@ TEST(StoreSchema, AFileIsALearnersByItsNumberAndVersion) {
   EXPECT_THAT(version(own + user(kLearnerVersion + 1) + table), HasSubstr("newer Nazori (version 3"));
   for (const std::string& foreign : {table, user(1), own, own + user(0) + table, own + user(-1) + table,
                                      "PRAGMA application_id = 5;" + user(1) + table})
-    EXPECT_THAT(version(foreign), HasSubstr("no learner's file")) << foreign;
+    EXPECT_THAT(version(foreign), HasSubstr("is not a Nazori study file")) << foreign;
 }
 
 TEST(StoreSchema, TroubleOfTheDatabaseIsNamedByWhatCanBeDone) {
-  const auto said = [](int code) {
+  const auto message = [](int code) {
     const base::Error error = error_of(SQLite::Exception("trouble", code), "me.db");
     EXPECT_EQ(error.where, "me.db");
     EXPECT_FALSE(error.remedy.empty());
     return (error.code == Errc::parse ? "parse: " : error.code == Errc::io ? "io: " : "?") + error.what;
   };
-  EXPECT_EQ(said(SQLITE_FULL), "io: the disk is full");
-  EXPECT_EQ(said(SQLITE_READONLY), "io: may not be written");
-  EXPECT_EQ(said(SQLITE_CANTOPEN), "io: cannot be opened");
-  EXPECT_EQ(said(SQLITE_BUSY), "io: is in use by another program");
-  EXPECT_EQ(said(SQLITE_LOCKED), "io: is in use by another program");
-  EXPECT_EQ(said(SQLITE_CORRUPT), "parse: is damaged: trouble");
-  EXPECT_EQ(said(SQLITE_NOTADB), "parse: is damaged: trouble");
-  EXPECT_EQ(said(SQLITE_IOERR), "io: cannot be read or written: trouble");
+  EXPECT_EQ(message(SQLITE_FULL), "io: the disk is full");
+  EXPECT_EQ(message(SQLITE_READONLY), "io: may not be written");
+  EXPECT_EQ(message(SQLITE_CANTOPEN), "io: cannot be opened");
+  EXPECT_EQ(message(SQLITE_BUSY), "io: is in use by another program");
+  EXPECT_EQ(message(SQLITE_LOCKED), "io: is in use by another program");
+  EXPECT_EQ(message(SQLITE_CORRUPT), "parse: is damaged: trouble");
+  EXPECT_EQ(message(SQLITE_NOTADB), "parse: is damaged: trouble");
+  EXPECT_EQ(message(SQLITE_IOERR), "io: cannot be read or written: trouble");
 }
 
 TEST(FileLock, IsHeldByOneUntilItIsGone) {
   const TemporaryFolder folder;
-  bool taken = true;
+  bool is_locked = true;
   {
-    const auto first = FileLock::take(folder / "a.lock", taken);
+    const auto first = FileLock::take(folder / "a.lock", is_locked);
     ASSERT_TRUE(first);
-    EXPECT_FALSE(taken);
-    const auto second = FileLock::take(folder / "a.lock", taken);
+    EXPECT_FALSE(is_locked);
+    const auto second = FileLock::take(folder / "a.lock", is_locked);
     ASSERT_FALSE(second);
-    EXPECT_TRUE(taken);
-    EXPECT_TRUE(FileLock::take(folder / "b.lock", taken));
-    EXPECT_FALSE(taken);
+    EXPECT_TRUE(is_locked);
+    EXPECT_TRUE(FileLock::take(folder / "b.lock", is_locked));
+    EXPECT_FALSE(is_locked);
   }
-  EXPECT_TRUE(FileLock::take(folder / "a.lock", taken));
-  taken = true;
-  const auto nowhere = FileLock::take(folder / "none" / "a.lock", taken);
+  EXPECT_TRUE(FileLock::take(folder / "a.lock", is_locked));
+  is_locked = true;
+  const auto nowhere = FileLock::take(folder / "none" / "a.lock", is_locked);
   ASSERT_FALSE(nowhere);
-  EXPECT_FALSE(taken);
+  EXPECT_FALSE(is_locked);
   EXPECT_EQ(nowhere.error().code, Errc::io);
   EXPECT_EQ(nowhere.error().where, (folder / "none").string());
 }

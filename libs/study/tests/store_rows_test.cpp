@@ -24,7 +24,7 @@ using testing::ElementsAre;
 
 constexpr char32_t kRest = U'休';
 
-/// Where the writing is refused; empty where it is taken.
+/// The place of the error if the writing is refused; empty if it is accepted.
 std::string refused(const std::function<void(Writing&)>& change, int strokes = 6,
                     char32_t character = kRest) {
   LearnerStore store = must(LearnerStore::in_memory(MovedClock("2026-01-01T09:00:00Z").clock()));
@@ -90,7 +90,7 @@ TEST(WritingLimits, AThousandMistakesOfAThousandStrokesAreTaken) {
             "fault");
 }
 
-/// A learner's file whose rows are changed behind the store's back.
+/// A learner's file whose rows are changed without the store.
 class ChangedFile {
  public:
   ChangedFile() {
@@ -108,7 +108,7 @@ class ChangedFile {
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "learner.db"; }
   void execute(const std::string& sql) {
     SQLite::Database db(file().string(), SQLite::OPEN_READWRITE, 1'000);
-    // Nothing here has to outlive the computer.
+    // Data here need not survive a crash of the computer.
     db.exec("PRAGMA synchronous = OFF; DROP TRIGGER IF EXISTS log_is_not_changed; " + sql);
   }
 

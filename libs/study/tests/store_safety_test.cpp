@@ -38,7 +38,7 @@ void write_file(const fs::path& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// Runs `work` in a process of its own. @return its exit code, 128 + a signal's number.
+/// Runs `work` in a separate process. @return its exit code, 128 + a signal's number.
 template <class Work>
 int in_child(Work work) {
   const pid_t child = ::fork();
@@ -48,14 +48,14 @@ int in_child(Work work) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// Permissions mean nothing to the superuser, and the group of a file's owner has some of its own.
+/// Permissions do not restrict the superuser, and the group has its own permissions.
 bool gives_up_privileges() {
   constexpr int kNobody = 65'534;
   return ::geteuid() != 0 ||
          (::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0);
 }
 
-/// Reviews without end; writes the number of each acknowledged entry into `channel`.
+/// Reviews endlessly; writes the number of each acknowledged entry into `channel`.
 [[noreturn]] void review_until_killed(const fs::path& file, int channel) {
   auto store = LearnerStore::open(file, Access::write);
   if (!store) ::_exit(3);
@@ -82,7 +82,7 @@ TEST(StoreSafety, NoAcknowledgedReviewIsLostWhenTheProgramIsKilled) {
       review_until_killed(file, channel[1]);
     }
     ::close(channel[1]);
-    // In most rounds the child is killed a moment after some acknowledgement, else while it opens the file.
+    // In most rounds the child is killed shortly after an acknowledgement, else while it opens the file.
     std::int64_t entry = 0;
     int wanted = static_cast<int>(random() % 4);
     const int had = wanted;
@@ -101,7 +101,7 @@ TEST(StoreSafety, NoAcknowledgedReviewIsLostWhenTheProgramIsKilled) {
     ASSERT_TRUE(store) << "round " << round << ": " << base::to_line(store.error());
     ASSERT_GE(store->last_entry(), acknowledged) << "round " << round;
     ASSERT_LE(store->last_entry(), acknowledged + 2) << "round " << round;
-    // What belongs to one action is there whole or not at all, indexes too.
+    // The rows of one action are all there or none is, also in the indexes.
     const auto report = store->rebuild();
     ASSERT_TRUE(report) << base::to_line(report.error());
     ASSERT_EQ(report->differences, 0) << "round " << round;
@@ -162,7 +162,7 @@ TEST(StoreSafety, AFileThatMayNotGrowLosesNothing) {
   const int code = in_child([&] {
     auto store = LearnerStore::open(file, Access::write);
     if (!store) return 1;
-    // Stands for a disk that fills up: writes beyond this size fail.
+    // Simulates a disk that fills up: writes beyond this size fail.
     const rlimit limit{240'000, 240'000};
     (void)std::signal(SIGXFSZ, SIG_IGN);
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return 2;
@@ -190,7 +190,7 @@ TEST(StoreSafety, WhereNothingMayGrowALearnerCanBeReadAndIsToldWhyNotMore) {
   const fs::path file = folder / "learner.db";
   (void)must(must(LearnerStore::open(file, Access::write)).add_writing(kRest, 6, review(Rating::good)));
   const int code = in_child([&] {
-    // Stands for a disk without a free block: not even the index of a write-ahead log can be made.
+    // Simulates a disk without a free block: not even the index of a write-ahead log can be made.
     const rlimit limit{100, 100};
     (void)std::signal(SIGXFSZ, SIG_IGN);
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return 1;
@@ -223,7 +223,7 @@ TEST(StoreSafety, AFolderThatMayNotBeWrittenIsNamed) {
   fs::permissions(folder / "closed", fs::perms::owner_all);
 }
 
-/// Opening must fail with `code` and leave the file as it is, to write and to read.
+/// Opening must fail with `code` and leave the file unchanged, both for writing and for reading.
 void expect_refused_untouched(const fs::path& file, Errc code, const char* word) {
   const std::string before = bytes_of(file);
   for (const Access access : {Access::write, Access::read}) {
@@ -257,7 +257,7 @@ TEST(StoreSafety, AForeignFileIsLeftAlone) {
     SQLite::Database db(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     db.exec("CREATE TABLE x(y)");
   }
-  expect_refused_untouched(file, Errc::schema, "no learner's file");
+  expect_refused_untouched(file, Errc::schema, "is not a Nazori study file");
 }
 
 TEST(StoreSafety, ADamagedFileIsLeftAloneAndABackupBringsTheLearnerBack) {
@@ -305,7 +305,7 @@ TEST(StoreSafety, OneBackupADayAndSevenAreKept) {
   ASSERT_EQ(names.size(), 7U);
   EXPECT_EQ(names.front(), "daily-2026-01-06.db");
   EXPECT_EQ(names.back(), "daily-2026-01-12.db");
-  // The backup of a day holds what was there when the day began.
+  // The backup of a day contains the data from the beginning of the day.
   EXPECT_EQ(must(LearnerStore::open(folder / "backups" / "daily-2026-01-12.db", Access::read)).last_entry(),
             22);
 }
@@ -348,7 +348,7 @@ TEST(StoreSafety, WhoIsKilledWhileRestoringHasTheOldFileOrTheBackup) {
       }
     }
     ::close(channel[1]);
-    // Killed a moment after some restoring was done, or in the first one.
+    // Killed shortly after a restore has finished, or during the first one.
     char done = 0;
     for (auto wanted = random() % 3; wanted > 0 && ::read(channel[0], &done, 1) == 1;) --wanted;
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 20'000));

@@ -73,7 +73,7 @@ TEST(CharacterDays, ACharacterThatStartsOverIsNewOnTheSameDayToo) {
                           on(2, DayOutcome::failed, 9, 1, 1)));
 }
 
-/// What the sums are by definition, from the whole log.
+/// The sums by their definition, from the whole log.
 struct FromTheLog {
   std::map<Day, StudyDay> days;
   std::map<Day, std::set<char32_t>> reviewed;
@@ -209,7 +209,7 @@ class StepCount {
   }
 };
 
-/// What a learner with so long a history pays for each thing, in steps.
+/// The cost of each operation for a learner with a history of this length, in steps.
 std::map<std::string, std::int64_t> costs(int entries) {
   StepCount steps;
   const TemporaryFolder folder;
@@ -231,7 +231,8 @@ std::map<std::string, std::int64_t> costs(int entries) {
 }
 
 TEST(StudyDays, MakeADayCostTheSameWithALongHistory) {
-  // The same characters, three times as many entries. Looking at each entry once takes many steps for each.
+  // The same characters, three times as many entries. Reading every entry would take many steps for each of
+  // them.
   constexpr int kSome = 8'000;
   constexpr int kMany = 24'000;
   const auto some = costs(kSome);

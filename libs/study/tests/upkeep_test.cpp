@@ -81,7 +81,7 @@ TEST(Upkeep, FindsADamagedPage) {
     ASSERT_TRUE(store.fill(test::long_history(3'000)));
   }
   {
-    // Far behind what opening reads: a page of the log.
+    // Far after the pages that opening reads: a page of the log.
     std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
     bytes.seekp(static_cast<std::streamoff>(fs::file_size(file) / 2));
     bytes << std::string(8'192, '\xee');

@@ -9,7 +9,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Counts a quarter of a million evenly spread dice.
+/// Counts the results of a quarter of a million equally spaced random numbers.
 template <class Rate>
 std::array<double, 5> shares(Rate rate) {
   constexpr int kDice = 250'000;
@@ -36,7 +36,7 @@ TEST(UsualRatings, AreThoseOfTheFsrsOptimizer) {
   EXPECT_EQ(next_rating(0, 0, 0.5), Rating::again) << "what is surely forgotten";
 }
 
-/// So well known after the first answer, whichever it is, that nothing is due within a year.
+/// After the first answer, whichever it is, the stability is so high that nothing is due within a year.
 FsrsSettings known_at_once() {
   FsrsSettings settings;
   settings.desired_retention = 0.8;
@@ -57,7 +57,7 @@ TEST(Workload, OfWhatIsNotReviewedIsMeetingItOnly) {
   ASSERT_TRUE(workload);
   EXPECT_EQ(workload->reviews_per_day, 0);
   EXPECT_NEAR(workload->minutes_per_day, 4.5, 1e-9);
-  // Those of the first day were met 365 days ago, those of the last one yesterday.
+  // Those of the first day were introduced 365 days ago, those of the last one yesterday.
   double known = 0;
   for (int ago = 1; ago <= 365; ++ago) known += 3 * fsrs.retrievability(100, ago);
   EXPECT_NEAR(workload->known, known, 1e-6);
@@ -89,7 +89,8 @@ TEST(Workload, EachReviewTakesAsLongAsItsOutcome) {
   const double recalled = seconds(1'000, 0);
   const double failed = seconds(0, 1'000);
   EXPECT_NEAR(recalled + failed, reviews, 1e-6);
-  // Each comes when its chance has fallen to nine tenths; of short intervals a little later or earlier.
+  // Each is due when its probability has fallen to nine tenths; with short intervals a little later or
+  // earlier.
   EXPECT_NEAR(failed / reviews, 0.1, 0.03);
   EXPECT_NEAR(seconds(2'000, 3'000), 2 * recalled + 3 * failed, 1e-6);
 }

@@ -11,7 +11,7 @@
 namespace nazori::surface {
 namespace {
 
-// 16 bits a sample, none of it compressible, with room for the format's own bytes.
+// 16 bits a sample, none of it compressible, plus the overhead of the format.
 constexpr std::size_t kMaxBytes =
     std::size_t{HeightMap::kMaxSize} * HeightMap::kMaxSize * 2 + (std::size_t{16} << 20);
 

@@ -17,12 +17,12 @@ namespace {
 // 16-bit samples of the largest map and room for headers and text.
 constexpr std::size_t kMaxFileBytes =
     std::size_t{2} * HeightMap::kMaxSize * HeightMap::kMaxSize + (1U << 20U);
-// Deflate packs at most 1032 bytes into one: a file that promises more than this has lost its end.
+// Deflate packs at most 1032 bytes into one: a file whose header requires more is truncated.
 constexpr std::size_t kMostPixelBytesPerFileByte = 1040;
 constexpr png_uint_32 kSide = HeightMap::kMaxSize;
 
-/// What libpng tells and reads during one picture; no destructor may be skipped by its longjmp, so everything
-/// that owns memory lives in the callers of guarded().
+/// The state of libpng for one picture. Its longjmp skips destructors, so everything that owns memory lives
+/// in the callers of guarded().
 struct Exchange {
   const std::uint8_t* next = nullptr;
   std::size_t left = 0;
@@ -65,8 +65,8 @@ void on_write(png_structp png, png_bytep data, std::size_t count) {
 
 void on_flush(png_structp /*png*/) {}
 
-/// The one place where libpng's errors land: runs `work`, which must hold nothing with a destructor.
-/// @return false where libpng gave up; Exchange::message says why.
+/// Catches libpng's errors: runs `work`, which must have no variable with a destructor.
+/// @return false where libpng failed; Exchange::message says why.
 template <class Work>
 bool guarded(png_structp png, const Work& work) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp)
@@ -116,7 +116,7 @@ class Writer {
   png_infop info_ = nullptr;
 };
 
-/// What the head of a picture says.
+/// The content of a picture's header.
 struct Head {
   png_uint_32 width = 0;
   png_uint_32 height = 0;
@@ -129,7 +129,7 @@ base::Error damaged(const Reader& reader) {
   return {base::Errc::parse, std::string("is not a whole PNG picture: ") + reader.message(), {}, {}};
 }
 
-/// Refuses what is no height map, from the head alone.
+/// Refuses pictures that are not height maps, from the header alone.
 base::Result<void> check(const Head& head, std::size_t file_bytes) {
   if (head.colour != PNG_COLOR_TYPE_GRAY) {
     const bool alpha = head.colour == PNG_COLOR_TYPE_GRAY_ALPHA;
@@ -182,7 +182,8 @@ base::Result<HeightMap> read_picture(std::span<const std::uint8_t> bytes) {
   Head head;
   const bool has_head = guarded(png, [&] {
     png_set_read_fn(png, png_get_error_ptr(png), on_read);
-    // A side over the limit of a map must reach check(), which says so; the hard limit is libpng's own.
+    // A side over the limit of a map must reach check(), which reports it; beyond that libpng's own limit
+    // applies.
     png_set_chunk_malloc_max(png, 1U << 20U);
     png_set_chunk_cache_max(png, 64);
     png_read_info(png, info);
@@ -198,7 +199,7 @@ base::Result<HeightMap> read_picture(std::span<const std::uint8_t> bytes) {
   const bool wide = head.depth == 16;
   const std::size_t row_bytes = side * (wide ? 2U : 1U);
   const bool interlaced = head.interlace != PNG_INTERLACE_NONE;
-  // An interlaced picture is complete only after its last pass, so all of its rows are kept until then.
+  // An interlaced picture is complete only after its last pass, so all its rows are kept until then.
   std::vector<std::uint8_t> pixels(interlaced ? row_bytes * side : row_bytes);
   std::vector<std::uint8_t> row(interlaced ? row_bytes : 0);
   const bool has_pixels = guarded(png, [&] {

@@ -20,11 +20,11 @@ std::string bytes_of(int side) {
   return std::to_string(square(side)) + " (" + std::to_string(side) + " x " + std::to_string(side) + ")";
 }
 
-/// The side of the square that `length` bytes fill, or what would be right instead.
+/// The side of the square of `length` bytes, or an error that names a valid length.
 base::Result<int> side_of(std::size_t length) {
   if (length > kMaxBytes) {
-    return base::fail(base::Errc::parse, "has " + std::to_string(length) + " bytes, at most " +
-                                             bytes_of(HeightMap::kMaxSize) + " are allowed");
+    return base::fail(base::Errc::parse, "has " + std::to_string(length) + " bytes; the limit is " +
+                                             bytes_of(HeightMap::kMaxSize));
   }
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(length))));
   if (side >= HeightMap::kMinSize && square(side) == length) return side;

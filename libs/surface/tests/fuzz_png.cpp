@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Makes the checksums of all chunks right, so that what lies behind them is tried too.
+/// Corrects the checksums of all chunks, so that the code that reads their content is tested, too.
 void repair_checksums(std::vector<std::uint8_t>& png) {
   constexpr std::size_t kSignature = 8;
   std::size_t at = kSignature;

@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Pictures are put together here by the PNG specification (ISO/IEC 15948), not by the library under test.
+// Pictures are built here from the PNG specification (ISO/IEC 15948), not by the library under test.
 
 void append_u32(Bytes& bytes, std::uint32_t value) {
   for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
@@ -131,7 +131,7 @@ TEST(PngFile, RefusesColourTransparencyAndOtherShapesAsTheWrongKind) {
 }
 
 TEST(PngFile, AHeadThatPromisesMorePixelsThanTheFileCanHoldIsRefused) {
-  // 8192 x 8192 samples of 16 bits in a file of a hundred bytes: refused before 256 MiB are set aside.
+  // 8192 x 8192 samples of 16 bits in a file of a hundred bytes: refused before 256 MiB are allocated.
   const auto map = parse_png(png_of({.width = 8192, .height = 8192, .depth = 16, .pixels = Bytes(20)}));
   ASSERT_FALSE(map);
   EXPECT_EQ(map.error().code, base::Errc::parse);
@@ -139,7 +139,7 @@ TEST(PngFile, AHeadThatPromisesMorePixelsThanTheFileCanHoldIsRefused) {
 
 TEST(PngFile, OfTheSmallestAndOfTheLargestSizeIsNoWrongKind) {
   EXPECT_TRUE(parse_png(png_of({.width = 2, .height = 2, .pixels = Bytes(6)})));
-  // The head is accepted, the pixels are missing.
+  // The header is accepted, the pixels are missing.
   const auto largest = parse_png(png_of({.width = 8192, .height = 8192, .depth = 1, .pixels = Bytes(20)}));
   EXPECT_EQ(largest.error().code, base::Errc::parse);
   EXPECT_NE(parse_png(png_of({.width = 8193, .height = 8193, .pixels = Bytes(20)}))
@@ -149,7 +149,7 @@ TEST(PngFile, OfTheSmallestAndOfTheLargestSizeIsNoWrongKind) {
 }
 
 TEST(PngFile, PackedAsTightlyAsDeflatePacksIsRead) {
-  // A thousandth of its pixels: nothing of it is missing.
+  // A thousandth of its size, but complete.
   constexpr std::size_t kSide = 1024;
   const Bytes png =
       png_of({.width = kSide, .height = kSide, .depth = 16, .pixels = Bytes(kSide * (2 * kSide + 1))});

@@ -63,7 +63,7 @@ TEST(RawFile, ALengthThatIsNoSquareNamesTheSquaresAroundIt) {
   EXPECT_EQ(remedy(8192 * 8192 - 1),
             "a whole file has 67092481 (8191 x 8191) or 67108864 (8192 x 8192) bytes");
   EXPECT_EQ(parse_raw(Bytes(8192 * 8192 + 1)).error().what,
-            "has 67108865 bytes, at most 67108864 (8192 x 8192) are allowed");
+            "has 67108865 bytes; the limit is 67108864 (8192 x 8192)");
 }
 
 TEST(RawFile, OfAGivenSizeTheSamplesAreRead) {

@@ -14,18 +14,19 @@ namespace {
 using geometry::GlyphPoint;
 using kanji::StrokeLine;
 
-// 0.5 glyph units are 0.46 mm on a tablet of 100 mm: the rise of a kick, which takes a few units, is followed
+// 0.5 glyph units are 0.46 mm on a tablet of 100 mm: the rise of a hook, which takes a few units, is sampled
 // to a hundredth of the depth. A stroke file may hold millions of long segments, so the total is bounded too.
 constexpr double kStep = 0.5;
 constexpr double kMostSteps = 200'000;
 
-/// A place on a stroke's line.
+/// A location on a stroke's line.
 struct Place {
   GlyphPoint point;
   double s;  ///< arc length from the start [glyph units]
 };
 
-/// The line with all its bends kept and no two neighbours further apart than `step`.
+/// The line with all its points and, between them, more points, so that no two neighbours are further apart
+/// than `step`.
 std::vector<Place> walk(const TabletLine& line, double step) {
   std::vector<Place> places;
   if (line.points.empty()) return places;
@@ -45,7 +46,7 @@ std::vector<Place> walk(const TabletLine& line, double step) {
   return places;
 }
 
-/// The distance between places for all strokes together.
+/// The sampling distance for all strokes.
 double step_for(std::span<const TabletLine> lines) {
   double length = 0;
   for (const TabletLine& line : lines) length += geometry::arc_length<geometry::GlyphFrame>(line.points);
@@ -57,8 +58,8 @@ haptics::Vec3 in_tablet(GlyphPoint p, double z_m, const geometry::TabletShape& s
   return {at.x, at.y, z_m};
 }
 
-/// One path for each line; `depth_of_line` gives, by a line's index, the depth of its groove at a place, as a
-/// fraction of the tablet's depth.
+/// One path for each line; `depth_of_line` gives, by a line's index, the depth of its groove at a location,
+/// as a fraction of the tablet's depth.
 template <class DepthOfLine>
 std::vector<haptics::StrokePath> paths_of(std::span<const TabletLine> lines,
                                           const geometry::TabletShape& shape, DepthOfLine depth_of_line) {

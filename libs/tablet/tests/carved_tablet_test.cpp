@@ -61,7 +61,7 @@ TEST(CarvedTablet, PathsLieOnTheBottomOfTheGrooveTheyCarved) {
                              512);
   for (const auto& path : tablet->paths()) {
     for (const auto& p : path.points) {
-      // A tenth of the depth: where a taper is narrower than a sample, the grid cannot hold its depth.
+      // A tenth of the depth: where a sweep is narrower than a sample, the grid cannot represent its depth.
       EXPECT_NEAR(p.z, relief_z_m(*tablet, p), 1.0 * kMm) << p.x << ' ' << p.y;
     }
   }
@@ -103,7 +103,7 @@ TEST(CarvedTablet, NeighbouringPointsOfAPathAreCloseEnoughToBeFeltAsOneCurve) {
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     EXPECT_LE(std::hypot(points[i + 1].x - points[i].x, points[i + 1].y - points[i].y), kHalfAUnit_m + 1e-12);
   }
-  // The bend itself is kept: it is not cut off by walking in even steps.
+  // The bend itself is kept and not cut off by equal steps.
   EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const haptics::Vec3& p) {
     return std::hypot(p.x - (104.0 / 109 - 0.5) * 0.1, p.y - (0.5 - 5.0 / 109) * 0.1) < 1e-12;
   }));

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names, keys and menus of the actions, against the table that users have in their fingers and settings.
+// Names, keys and menus of the actions, against a table: users know the keys by heart, and settings use the
+// names.
 #include <gtest/gtest.h>
 
 #include <QActionGroup>
 #include <QWidget>
 
 #include "characters/character_actions.h"
-#include "language.h"
 #include "learners/learner_actions.h"
 #include "progress/progress_actions.h"
 #include "study/home.h"
 #include "study/session_actions.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -94,6 +95,7 @@ clear_ink Del
 *trace F6
 *guided F7
 *memory F8
+*dictation F9
 -
 *play Space
 step_back Left
@@ -130,8 +132,8 @@ more_strict Ctrl+]
 TEST_F(ActionTables, OfCharactersThoseThatExcludeEachOtherDo) {
   const CharacterActions a(&window_);
   for (const auto& group :
-       {QList{a.watch, a.trace, a.guided, a.memory}, QList{a.by_groove, a.by_starts},
-        QList{a.groove_hidden, a.groove_shown, a.groove_appears}, QList{a.lenient, a.normal, a.strict}})
+       {a.stages, QList{a.by_groove, a.by_starts}, QList{a.groove_hidden, a.groove_shown, a.groove_appears},
+        QList{a.lenient, a.normal, a.strict}})
     for (auto* chosen : group) {
       chosen->setChecked(true);
       for (const auto* other : group) EXPECT_EQ(other->isChecked(), other == chosen);
@@ -144,7 +146,8 @@ TEST_F(ActionTables, WhatStandsInAToolbarHasAPicture) {
   EXPECT_EQ(
       with_icons(characters),
       lines("draw_to_find\nnext_stroke\nprevious_stroke\nstrokes\nnumbers\narrows\nsnap\nclear_ink\nwatch\n"
-            "trace\nguided\nmemory\nplay\nstep_back\nstep_on\nslower\nfaster\nloop\nby_groove\nby_starts\n"
+            "trace\nguided\nmemory\ndictation\nplay\nstep_back\nstep_on\nslower\nfaster\nloop\nby_groove\nby_"
+            "starts\n"
             "lead_hand\nundo_stroke\ndone\nhint\ngive_up\ncompare_over\ncompare_beside"));
   SessionActions session(&window_);
   EXPECT_EQ(with_icons(session), lines("study_start\nstudy_go_on\nstudy_undo"));

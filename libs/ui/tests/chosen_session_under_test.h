@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "language.h"
 #include "session_under_test.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 
@@ -11,7 +11,7 @@ class ChosenSessionTest : public SessionTest {
  protected:
   void SetUp() override { install_language(QStringLiteral("en")); }
 
-  /// Only these are learnt, in this order, two a day.
+  /// New characters are only these, in this order, two a day.
   void learn_from(std::vector<char32_t> characters) {
     ASSERT_TRUE(learner_->store().save_list({"few", std::move(characters)}));
     auto settings = learner_->store().settings();
@@ -20,7 +20,7 @@ class ChosenSessionTest : public SessionTest {
     ASSERT_TRUE(learner_->store().change_settings(settings));
     learner_->renew_order();
   }
-  /// A character that was written from memory once more, on the day after it is due again.
+  /// Adds one writing from memory, and moves the clock to the day after the character is due again.
   void know(char32_t character, study::Rating rating = study::Rating::easy,
             const study::WritingResult& result = {}) {
     study::Writing writing;
@@ -38,7 +38,7 @@ class ChosenSessionTest : public SessionTest {
     made->character = *kanji::KanjiDatabase::open(kanji_db())->find(session_->character());
     return made;
   }
-  /// The same without what a dictionary says.
+  /// The same without the entry of a dictionary.
   [[nodiscard]] std::shared_ptr<practice::CharacterSheet> bare_sheet() const {
     auto made = sheet();
     made->character.entry = {};

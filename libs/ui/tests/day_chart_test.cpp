@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chart as it is painted: where bars, lines and names stand, and the row that is read.
+// A chart as it is painted: the positions of bars, lines and names, and the row that is read.
 #include "progress/day_chart.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
-#include "palette.h"
+#include "look/palette.h"
 #include "progress/role_colours.h"
 
 namespace nazori::ui {
@@ -65,7 +65,7 @@ class DayChartTest : public testing::Test {
                std::abs(qBlue(pixel) - colour.blue()) <
            12;
   }
-  /// Pixels that have more of the colour than of the white around it: thin lines are smoothed.
+  /// Pixels that have more of the colour than of the white around it, because thin lines are anti-aliased.
   static int count_about(const QImage& picture, const QColor& colour, const QRect& part) {
     const auto apart = [](QRgb a, QRgb b) {
       return std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) + std::abs(qBlue(a) - qBlue(b));
@@ -79,7 +79,7 @@ class DayChartTest : public testing::Test {
                      : 0;
     return found;
   }
-  /// A place in the plot as a pixel: shares of its width from the left and of its height from below.
+  /// A point in the plot as a pixel: as shares of its width from the left and of its height from below.
   [[nodiscard]] QPoint at(double along, double up) const {
     const QRectF plot = view_->plot_area();
     return QPointF(plot.left() + plot.width() * along, plot.bottom() - plot.height() * up).toPoint();

@@ -14,10 +14,11 @@
 
 #include "device/button_lines.h"
 #include "device/device_actions.h"
+#include "device/device_choice_panel.h"
 #include "device/feel_panel.h"
-#include "device/seat_panel.h"
-#include "number_slider.h"
-#include "window_tablet.h"
+#include "print_qt.h"
+#include "tablet/window_tablet.h"
+#include "widgets/number_slider.h"
 
 namespace nazori::ui {
 namespace {
@@ -89,13 +90,13 @@ TEST(TextInLines, AWordThatIsTooWideIsCutInTwoAndNothingIsLost) {
   QString all = lines.join(QString());
   EXPECT_EQ(all.remove(u' '), QStringLiteral("anabcdefghijklmnopqrstuvwxyzend"));
   for (const auto& line : lines) EXPECT_LE(metrics.horizontalAdvance(line), width);
-  // No room at all: a letter a line, and it comes to an end.
+  // With no space at all there is one letter per line, and the function returns.
   EXPECT_EQ(in_lines(QStringLiteral("abc"), metrics, 1), QStringLiteral("a\nb\nc"));
 }
 
-class Seat : public testing::Test {
+class DeviceChoice : public testing::Test {
  protected:
-  Seat() {
+  DeviceChoice() {
     panel_.resize(360, 1200);
     panel_.show();
   }
@@ -105,7 +106,7 @@ class Seat : public testing::Test {
   }
   /// The devices to choose from, each with its id; a star marks the one that is chosen.
   QStringList choices() {
-    QCoreApplication::processEvents();  // what is new in a window is shown with its next layout
+    QCoreApplication::processEvents();  // new widgets are shown with the next layout
     QStringList all;
     for (const auto* one : panel_.findChildren<QRadioButton*>())
       if (!one->isHidden())
@@ -131,40 +132,41 @@ class Seat : public testing::Test {
 
   QWidget window_;
   DeviceActions actions_{&window_};
-  SeatPanel panel_{actions_, nullptr};
+  DeviceChoicePanel panel_{actions_, nullptr};
 };
 
-TEST_F(Seat, ListsTheBestThenWhatWasFoundThenWhy) {
+TEST_F(DeviceChoice, ListsTheBestThenWhatWasFoundThenWhy) {
   panel_.show_searching();
   EXPECT_TRUE(find("searching")->isVisible());
   panel_.show_findings({findings("Arms", {{"a:1", "Arm one", true, true}, {"a:2", "Arm two", true, true}}),
                         findings("Touch", {}, DeviceTrouble::device_absent)},
                        {}, QStringLiteral("a:2"), QStringLiteral("Arm two"));
   EXPECT_FALSE(find("searching")->isVisible());
-  EXPECT_EQ(choices(), (QStringList{QStringLiteral("|The best there is*"), QStringLiteral("a:1|Arm one"),
-                                    QStringLiteral("a:2|Arm two – in use")}));
-  EXPECT_EQ(reasons(),
-            QStringList{QStringLiteral("Touch: nothing is plugged in. Check cable and power. (do this)")});
+  EXPECT_EQ(choices(), (QStringList{QStringLiteral("|Automatic (best available)*"),
+                                    QStringLiteral("a:1|Arm one"), QStringLiteral("a:2|Arm two – in use")}));
+  EXPECT_EQ(
+      reasons(),
+      QStringList{QStringLiteral("Touch: no device is connected. Check the cable and the power. (do this)")});
 }
 
-TEST_F(Seat, MarksTheOneThatWasChosen) {
+TEST_F(DeviceChoice, MarksTheOneThatWasChosen) {
   panel_.show_findings({findings("Arms", {{"a:1", "Arm one", true, true}, {"a:2", "Arm two", true, true}})},
                        QStringLiteral("a:1"), QStringLiteral("a:2"), QStringLiteral("Arm two"));
-  EXPECT_EQ(choices(), (QStringList{QStringLiteral("|The best there is"), QStringLiteral("a:1|Arm one*"),
-                                    QStringLiteral("a:2|Arm two – in use")}));
+  EXPECT_EQ(choices(), (QStringList{QStringLiteral("|Automatic (best available)"),
+                                    QStringLiteral("a:1|Arm one*"), QStringLiteral("a:2|Arm two – in use")}));
 }
 
-TEST_F(Seat, ListsWhatIsInUseOrWasChosenThoughItWasNotFound) {
+TEST_F(DeviceChoice, ListsWhatIsInUseOrWasChosenThoughItWasNotFound) {
   panel_.show_findings({}, QStringLiteral("gone:1"), QStringLiteral("pointer"), QStringLiteral("Mouse"));
-  EXPECT_EQ(choices(),
-            (QStringList{QStringLiteral("|The best there is"), QStringLiteral("pointer|Mouse – in use"),
-                         QStringLiteral("gone:1|gone:1 – not there*")}));
+  EXPECT_EQ(choices(), (QStringList{QStringLiteral("|Automatic (best available)"),
+                                    QStringLiteral("pointer|Mouse – in use"),
+                                    QStringLiteral("gone:1|gone:1 – not connected*")}));
   panel_.show_findings({}, QStringLiteral("pointer"), QStringLiteral("pointer"), QStringLiteral("Mouse"));
-  EXPECT_EQ(choices(),
-            (QStringList{QStringLiteral("|The best there is"), QStringLiteral("pointer|Mouse – in use*")}));
+  EXPECT_EQ(choices(), (QStringList{QStringLiteral("|Automatic (best available)"),
+                                    QStringLiteral("pointer|Mouse – in use*")}));
 }
 
-TEST_F(Seat, DoesNotSayThatWhatIsOpenHereIsInUse) {
+TEST_F(DeviceChoice, DoesNotSayThatWhatIsOpenHereIsInUse) {
   const auto both = [](const char* used) {
     return std::vector{findings("Arms", {{"a:1", "Arm", true, true}}, DeviceTrouble::in_use),
                        findings("Others", {{"o:1", "Other", true, true}}, DeviceTrouble::in_use),
@@ -173,11 +175,11 @@ TEST_F(Seat, DoesNotSayThatWhatIsOpenHereIsInUse) {
   panel_.show_findings(both("Third"), {}, QStringLiteral("a:1"), QStringLiteral("Arm"));
   ASSERT_EQ(reasons().size(), 2);
   EXPECT_TRUE(reasons()[0].startsWith(QStringLiteral("Others is in use")));
-  EXPECT_TRUE(reasons()[1].startsWith(QStringLiteral("Third is there")));
+  EXPECT_TRUE(reasons()[1].startsWith(QStringLiteral("Third is connected, but")));
 }
 
-TEST_F(Seat, TellsWhichOneAHandChooses) {
-  QSignalSpy chosen(&panel_, &SeatPanel::chosen);
+TEST_F(DeviceChoice, TellsWhichOneAHandChooses) {
+  QSignalSpy chosen(&panel_, &DeviceChoicePanel::chosen);
   panel_.show_findings({findings("Arms", {{"a:1", "Arm", true, true}})}, {}, QStringLiteral("pointer"),
                        QStringLiteral("Mouse"));
   EXPECT_EQ(chosen.count(), 0);
@@ -188,7 +190,7 @@ TEST_F(Seat, TellsWhichOneAHandChooses) {
   EXPECT_FALSE(find<QRadioButton>("device_a:1")->isChecked()) << "one of them";
 }
 
-TEST_F(Seat, KeepsTheKeyboardAmongTheDevicesWhenTheyAreListedAnew) {
+TEST_F(DeviceChoice, KeepsTheKeyboardAmongTheDevicesWhenTheyAreListedAnew) {
   panel_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
   const auto list = [&] {
@@ -209,10 +211,10 @@ TEST_F(Seat, KeepsTheKeyboardAmongTheDevicesWhenTheyAreListedAnew) {
   EXPECT_TRUE(now->isChecked());
 }
 
-TEST_F(Seat, ShowsWhatIsRememberedOfADeviceAndTellsNothingOfIt) {
-  QSignalSpy posture(&panel_, &SeatPanel::posture_changed);
-  QSignalSpy limits(&panel_, &SeatPanel::limits_changed);
-  QSignalSpy buttons(&panel_, &SeatPanel::buttons_changed);
+TEST_F(DeviceChoice, ShowsWhatIsRememberedOfADeviceAndTellsNothingOfIt) {
+  QSignalSpy posture(&panel_, &DeviceChoicePanel::posture_changed);
+  QSignalSpy limits(&panel_, &DeviceChoicePanel::limits_changed);
+  QSignalSpy buttons(&panel_, &DeviceChoicePanel::buttons_changed);
   devices::DeviceSettings settings;
   settings.posture = {30 * kDegree, -20 * kDegree, devices::WritingHand::left};
   settings.buttons = {devices::ButtonDoes::clear_ink, devices::ButtonDoes::previous_stroke};
@@ -220,11 +222,11 @@ TEST_F(Seat, ShowsWhatIsRememberedOfADeviceAndTellsNothingOfIt) {
   settings.max_stiffness_n_m = 200;
   panel_.show_device(settings, arm(), 1.256);
   EXPECT_EQ(find<QLabel>("fit_text")->text(),
-            QStringLiteral("Fitted by itself: 1 cm of the hand is 1.26 cm on the tablet."));
-  EXPECT_EQ(find<QComboBox>("writing_hand")->currentText(), QStringLiteral("Left hand writes"));
+            QStringLiteral("Automatic fit: 1 cm of hand movement is 1.26 cm on the tablet."));
+  EXPECT_EQ(find<QComboBox>("writing_hand")->currentText(), QStringLiteral("Left hand"));
   EXPECT_EQ(find<QLabel>("tilt_value")->text(), QStringLiteral("30°"));
   EXPECT_EQ(find<QLabel>("yaw_value")->text(), QStringLiteral("-20°"));
-  EXPECT_EQ(find<QComboBox>("stylus_button_1")->currentText(), QStringLiteral("wipe the ink off"));
+  EXPECT_EQ(find<QComboBox>("stylus_button_1")->currentText(), QStringLiteral("clear ink"));
   EXPECT_EQ(find<QComboBox>("stylus_button_2")->currentText(), QStringLiteral("previous stroke"));
   EXPECT_EQ(find<QLabel>("max_force_value")->text(), QStringLiteral("1.5 N"));
   EXPECT_EQ(find<QLabel>("max_stiffness_value")->text(), QStringLiteral("200 N/m"));
@@ -232,8 +234,8 @@ TEST_F(Seat, ShowsWhatIsRememberedOfADeviceAndTellsNothingOfIt) {
   settings.calibration = devices::WorkspaceCalibration{};
   panel_.show_device(settings, arm(), 0.8);
   EXPECT_EQ(find<QLabel>("fit_text")->text(),
-            QStringLiteral("Fitted by corners: 1 cm of the hand is 0.80 cm on the tablet."));
-  EXPECT_EQ(find<QComboBox>("writing_hand")->currentText(), QStringLiteral("Right hand writes"));
+            QStringLiteral("Calibrated with corners: 1 cm of hand movement is 0.80 cm on the tablet."));
+  EXPECT_EQ(find<QComboBox>("writing_hand")->currentText(), QStringLiteral("Right hand"));
   EXPECT_EQ(find<QLabel>("tilt_value")->text(), QStringLiteral("90°"));
   EXPECT_EQ(find<QComboBox>("stylus_button_1")->currentText(), QStringLiteral("next stroke"));
   EXPECT_EQ(find<QComboBox>("stylus_button_2")->currentText(), QStringLiteral("all strokes"));
@@ -242,10 +244,10 @@ TEST_F(Seat, ShowsWhatIsRememberedOfADeviceAndTellsNothingOfIt) {
   EXPECT_EQ(posture.count() + limits.count() + buttons.count(), 0);
 }
 
-TEST_F(Seat, TellsEachSettingThatAHandChanges) {
+TEST_F(DeviceChoice, TellsEachSettingThatAHandChanges) {
   panel_.show_device({}, arm(), 1);
   std::vector<devices::TabletPosture> postures;
-  QObject::connect(&panel_, &SeatPanel::posture_changed, &panel_,
+  QObject::connect(&panel_, &DeviceChoicePanel::posture_changed, &panel_,
                    [&](const devices::TabletPosture& posture) { postures.push_back(posture); });
   find<QComboBox>("writing_hand")->setCurrentIndex(1);
   find<QSlider>("tilt")->setValue(9);  // steps of 5 degrees from 0
@@ -264,7 +266,7 @@ TEST_F(Seat, TellsEachSettingThatAHandChanges) {
 
   std::vector<std::pair<devices::ButtonDoes, devices::ButtonDoes>> buttons;
   QObject::connect(
-      &panel_, &SeatPanel::buttons_changed, &panel_,
+      &panel_, &DeviceChoicePanel::buttons_changed, &panel_,
       [&](devices::ButtonDoes first, devices::ButtonDoes second) { buttons.emplace_back(first, second); });
   find<QComboBox>("stylus_button_1")->setCurrentIndex(0);
   find<QComboBox>("stylus_button_2")->setCurrentIndex(4);
@@ -273,9 +275,9 @@ TEST_F(Seat, TellsEachSettingThatAHandChanges) {
                          {nothing, all_strokes}, {nothing, clear_ink}}));
 
   std::vector<std::pair<double, double>> limits;
-  QObject::connect(&panel_, &SeatPanel::limits_changed, &panel_, [&](double force_n, double stiffness_n_m) {
-    limits.emplace_back(force_n, stiffness_n_m);
-  });
+  QObject::connect(
+      &panel_, &DeviceChoicePanel::limits_changed, &panel_,
+      [&](double force_n, double stiffness_n_m) { limits.emplace_back(force_n, stiffness_n_m); });
   find<QSlider>("max_force")->setValue(0);
   find<QSlider>("max_stiffness")->setValue(0);
   ASSERT_EQ(limits.size(), 2U);
@@ -286,18 +288,18 @@ TEST_F(Seat, TellsEachSettingThatAHandChanges) {
   EXPECT_NEAR(limits.back().second, 60, 1e-9);
 }
 
-TEST_F(Seat, WhatAButtonMayDoStandsInOneOrderForBoth) {
+TEST_F(DeviceChoice, WhatAButtonMayDoStandsInOneOrderForBoth) {
   for (const char* name : {"stylus_button_1", "stylus_button_2"}) {
     QStringList does;
     for (int i = 0; i < find<QComboBox>(name)->count(); ++i) does.append(find<QComboBox>(name)->itemText(i));
     EXPECT_EQ(does.join(u'|'),
-              QStringLiteral("nothing|next stroke|previous stroke|all strokes|wipe the ink off"));
+              QStringLiteral("do nothing|next stroke|previous stroke|all strokes|clear ink"));
   }
   EXPECT_EQ(find("stylus_button_1")->accessibleName(), QStringLiteral("First button"));
   EXPECT_EQ(find("stylus_button_2")->accessibleName(), QStringLiteral("Second button"));
 }
 
-TEST_F(Seat, WithoutForceThereIsNothingToFitOrLimit) {
+TEST_F(DeviceChoice, WithoutForceThereIsNothingToFitOrLimit) {
   const char* only[] = {"fit_text",         "writing_hand",    "tilt",      "yaw",
                         "stylus_button_1",  "stylus_button_2", "max_force", "max_stiffness",
                         "button_calibrate", "button_fit"};
@@ -308,12 +310,12 @@ TEST_F(Seat, WithoutForceThereIsNothingToFitOrLimit) {
   for (const char* name : only) EXPECT_TRUE(find(name)->isVisible()) << name;
 }
 
-TEST_F(Seat, AStepOfTheCalibrationIsShownWithItsButton) {
+TEST_F(DeviceChoice, AStepOfTheCalibrationIsShownWithItsButton) {
   panel_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
   EXPECT_FALSE(find("calibration_step")->isVisible());
   EXPECT_FALSE(find("corner")->isVisible());
-  QSignalSpy shown(&panel_, &SeatPanel::corner_shown);
+  QSignalSpy shown(&panel_, &DeviceChoicePanel::corner_shown);
   panel_.show_step(QStringLiteral("1 of 3"));
   EXPECT_EQ(find<QLabel>("calibration_step")->text(), QStringLiteral("1 of 3"));
   EXPECT_TRUE(find("calibration_step")->isVisible());
@@ -325,7 +327,7 @@ TEST_F(Seat, AStepOfTheCalibrationIsShownWithItsButton) {
   EXPECT_FALSE(find("corner")->isVisible());
 }
 
-TEST_F(Seat, ButtonsDoWhatTheMenusDo) {
+TEST_F(DeviceChoice, ButtonsDoWhatTheMenusDo) {
   const std::pair<const char*, QAction*> all[] = {{"button_look_again", actions_.look_again},
                                                   {"button_calibrate", actions_.calibrate},
                                                   {"button_fit", actions_.fit}};
@@ -411,9 +413,9 @@ TEST_F(Feel, TheTrialIsThereWithForceOnlyAndSaysHowStrongItIs) {
   const auto* words = find<QLabel>("strength");
   panel_.show_strength(0.295, true);
   EXPECT_TRUE(words->isVisible());
-  EXPECT_EQ(words->text(),
-            QStringLiteral("At 30 % of the device's limits. On the left stands a wall, on the right lies a "
-                           "groove."));
+  EXPECT_EQ(
+      words->text(),
+      QStringLiteral("Force at 30% of the device's limits. A wall is on the left, a groove on the right."));
   panel_.show_strength(1, false);
   EXPECT_FALSE(words->isVisible());
   for (auto* action : {actions_.weaker, actions_.stronger}) {
@@ -441,7 +443,7 @@ TEST_F(Feel, WhatIsFeltNowIsToldInNumbers) {
   EXPECT_TRUE(shown("live_pose", QStringLiteral("12.3, -4.5, -10.0 mm"))) << text("live_pose").toStdString();
   EXPECT_TRUE(shown("live_buttons", QStringLiteral("1"))) << text("live_buttons").toStdString();
   EXPECT_EQ(text("live_force"), QStringLiteral("0.00 N")) << "there is no tablet";
-  EXPECT_TRUE(text("live_rate").endsWith(QStringLiteral("times a second")))
+  EXPECT_TRUE(text("live_rate").endsWith(QStringLiteral("times per second")))
       << text("live_rate").toStdString();
   EXPECT_TRUE(text("live_lateness").endsWith(QStringLiteral(" ms")));
   EXPECT_TRUE(text("live_delay").endsWith(QStringLiteral(" ms")));

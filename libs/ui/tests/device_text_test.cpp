@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device_text.h"
+#include "words/device_text.h"
 
 #include <gtest/gtest.h>
+#include "print_qt.h"
 
 namespace nazori::ui {
 namespace {
@@ -10,7 +11,7 @@ TEST(DeviceText, NamesThatAreWordsAreSaidInTheLanguageOfTheWindow) {
   EXPECT_EQ(device_name("Mouse or pen"), QStringLiteral("Mouse, pen or finger"));
   EXPECT_EQ(device_name("Mouse, pen or finger"), QStringLiteral("Mouse, pen or finger"));
   EXPECT_EQ(device_name("Joysticks, wheels and gamepads"), QStringLiteral("Joysticks, wheels and gamepads"));
-  EXPECT_EQ(device_name("Simulations"), QStringLiteral("Simulations"));
+  EXPECT_EQ(device_name("Simulated devices"), QStringLiteral("Simulated devices"));
   EXPECT_EQ(device_name("Touch (serial 12345)"), QStringLiteral("Touch (serial 12345)"));
 }
 
@@ -29,7 +30,7 @@ TEST(DeviceText, EachTroubleNamesItsDeviceAndNoTwoSayTheSame) {
 
 TEST(DeviceText, WhatTheDriverSaysStandsBehindTheSentence) {
   EXPECT_EQ(trouble_text(haptics::DeviceTrouble::in_use, QStringLiteral("Arm"), QStringLiteral("by cat")),
-            QStringLiteral("Arm is in use. Close the other program. (by cat)"));
+            QStringLiteral("Arm is in use. Close the program that uses it. (by cat)"));
   EXPECT_EQ(trouble_text(haptics::DeviceTrouble::docked, QStringLiteral("Arm"), QStringLiteral("by cat")),
             QStringLiteral("Arm rests in its inkwell. Take the stylus out to go on."));
 }

@@ -5,26 +5,26 @@
 #include <vector>
 
 #include "characters/characters.h"
-#include "desk.h"
-#include "device/device_place.h"
+#include "device/device_page.h"
+#include "page/window_parts.h"
 #include "scripted_device.h"
 #include "window_under_test.h"
 
 namespace nazori::ui::test {
 
-inline Desk* desk_under_test = nullptr;
+inline WindowParts* parts_under_test = nullptr;
 
 template <class T>
-std::unique_ptr<Workplace> make_place(Desk& desk) {
-  desk_under_test = &desk;
-  return std::make_unique<T>(desk);
+std::unique_ptr<Page> make_page(WindowParts& parts) {
+  parts_under_test = &parts;
+  return std::make_unique<T>(parts);
 }
 
-/// The real window with an arm whose hand is the test's.
+/// The real window with a scripted device that the test moves.
 class Device : public WindowTest {
  protected:
   Device() {
-    workplaces_ = {make_place<Characters>, make_place<DevicePlace>};
+    pages_ = {make_page<Characters>, make_page<DevicePage>};
     back_ends_ = [script = script_] {
       std::vector<std::unique_ptr<devices::BackEnd>> all;
       all.push_back(std::make_unique<devices::test::ScriptedBackEnd>(script));
@@ -45,12 +45,12 @@ class Device : public WindowTest {
     };
     open_window();
   }
-  practice::TabletControl& controller() { return desk_under_test->tablet(); }
+  practice::TabletControl& controller() { return parts_under_test->tablet(); }
   devices::TabletDevice& stylus() { return controller().device(); }
   bool says(const QString& part) {
     return QTest::qWaitFor([&] { return feedback().contains(part); }, 5000);
   }
-  /// Presses the tip this deep below the plateau, away from the grooves of 休, until it is there.
+  /// Presses the tip this deep below the plateau, away from the grooves of 休, and waits until it is there.
   void press_to(double z_m) {
     script_->x_m = script_->y_m = 0.049;
     script_->z_m = 0.002;
@@ -58,7 +58,7 @@ class Device : public WindowTest {
     script_->z_m = z_m;
     ASSERT_TRUE(ticks_pass(600));
   }
-  /// Milliseconds of the servo, however busy the machine is.
+  /// Waits for this many ticks of the servo (milliseconds), even on a busy machine.
   bool ticks_pass(std::uint64_t count) {
     const std::uint64_t from = script_->ticks;
     return QTest::qWaitFor([&] { return script_->ticks >= from + count; }, 60'000);

@@ -8,7 +8,7 @@
 #include <QTabletEvent>
 #include <QTest>
 
-#include "palette.h"
+#include "look/palette.h"
 #include "picture_under_test.h"
 
 namespace nazori::ui {
@@ -87,7 +87,7 @@ TEST_F(Pad, UndoTakesTheLastStrokeAndClearAll) {
   pad_.clear();
   EXPECT_EQ(drawn.count(), 2);
   EXPECT_TRUE(pad_.ink().strokes.empty());
-  // In the middle of a stroke what follows belongs to none.
+  // If the pad is cleared in the middle of a stroke, the rest of that stroke is ignored.
   for (const bool all : {true, false}) {
     QTest::mousePress(&pad_, Qt::LeftButton, {}, {20, 20});
     all ? pad_.clear() : pad_.undo();
@@ -100,7 +100,7 @@ TEST_F(Pad, UndoTakesTheLastStrokeAndClearAll) {
 TEST_F(Pad, APenHasItsPressureAndItsOtherEndRubsOut) {
   const auto send = [this](QEvent::Type type, QPointF at, double pressure,
                            QPointingDevice::PointerType pointer) {
-    // Qt may keep a device that it has seen.
+    // Qt may remember a device that it has seen.
     auto* device = new QPointingDevice(QStringLiteral("pen"), 1, QInputDevice::DeviceType::Stylus, pointer,
                                        QInputDevice::Capability::Pressure, 1, 2, QString(), {}, qApp);
     QTabletEvent event(type, device, at, at, pressure, 0, 0, 0, 0, 0, Qt::NoModifier, Qt::LeftButton,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "event_loop_inbox.h"
+#include "events/event_loop_inbox.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <QImage>
 #include <QTest>
 
-#include "palette.h"
+#include "look/palette.h"
 
 namespace nazori::ui {
 namespace {

@@ -9,7 +9,7 @@
 namespace nazori::ui {
 namespace {
 
-/// SDL takes the driver that this variable names.
+/// Sets the environment variable by which SDL chooses its audio driver.
 class WithDriver {
  public:
   explicit WithDriver(const char* name) : before_(qgetenv("SDL_AUDIODRIVER")) {

@@ -6,27 +6,26 @@
 #include <utility>
 
 #include "characters/characters.h"
-#include "desk.h"
-#include "functions/functions_workplace.h"
+#include "functions/functions_page.h"
+#include "page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui::test {
 
-inline FunctionsWorkplace* the_functions = nullptr;
-inline Desk* the_functions_desk = nullptr;
+inline FunctionsPage* the_functions = nullptr;
+inline WindowParts* the_functions_parts = nullptr;
 
-/// The real window at the functions, with the sound card that only counts.
+/// The real window on the page for functions, with a sound card that only counts.
 class FunctionsWindow : public WindowTest {
  protected:
   FunctionsWindow() {
-    workplaces_ = {
-        [](Desk& desk) -> std::unique_ptr<Workplace> { return std::make_unique<Characters>(desk); },
-        [](Desk& desk) -> std::unique_ptr<Workplace> {
-          auto place = std::make_unique<FunctionsWorkplace>(desk);
-          the_functions = place.get();
-          the_functions_desk = &desk;
-          return place;
-        }};
+    pages_ = {[](WindowParts& parts) -> std::unique_ptr<Page> { return std::make_unique<Characters>(parts); },
+              [](WindowParts& parts) -> std::unique_ptr<Page> {
+                auto page = std::make_unique<FunctionsPage>(parts);
+                the_functions = page.get();
+                the_functions_parts = &parts;
+                return page;
+              }};
     qputenv("SDL_AUDIODRIVER", "dummy");
   }
 

@@ -26,7 +26,7 @@ inline std::vector<Points> model(char32_t character) {
   return strokes;
 }
 
-/// What a hand would have written along a line, a point each 10 ms, without waiting for a hand.
+/// The stroke that a hand would have written along a line, with a point every 10 ms, without waiting.
 inline practice::HandStroke hand_stroke(const Points& line, double begin_s = 0) {
   practice::HandStroke stroke;
   for (double at = 0; at <= geometry::arc_length<geometry::GlyphFrame>(line); at += 1)

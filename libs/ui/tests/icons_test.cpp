@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "icons.h"
+#include "look/icons.h"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ TEST(Icons, WhatPointsTheOtherWayIsTheMirrorImage) {
 
 TEST(Icons, ThreeBarsOfProgressStandOnOneLineAndGrow) {
   const QImage picture = drawn_icon(Icon::progress);
-  // The upper end of what stands in a column, right of the axis.
+  // The upper end of the drawing in a column, to the right of the axis.
   std::array<int, 3> tops{};
   std::array<int, 3> widths{};
   for (const int bar : {0, 1, 2}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel tells of a character that is made up for it.
+// What the panel shows of a character that the test makes up.
 #include "characters/information_panel.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <QTest>
 #include <QTextDocument>
 
-#include "language.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -44,19 +44,12 @@ class InformationPanelTest : public testing::Test {
 };
 
 TEST_F(InformationPanelTest, WithoutMeaningsItSaysWhatKindOfLetterItIs) {
-  const std::pair<char32_t, const char*> kinds[] = {{0x3040, "No meaning is recorded"},
-                                                    {0x3041, "Hiragana"},
-                                                    {0x309F, "Hiragana"},
-                                                    {0x30A0, "Katakana"},
-                                                    {0x30FF, "Katakana"},
-                                                    {0x3100, "No meaning is recorded"},
-                                                    {0x24F, "Letter or digit"},
-                                                    {0x250, "No meaning is recorded"},
-                                                    {0xFF00, "No meaning is recorded"},
-                                                    {0xFF01, "Letter or digit"},
-                                                    {0xFF5E, "Letter or digit"},
-                                                    {0xFF5F, "No meaning is recorded"},
-                                                    {U'休', "No meaning is recorded"}};
+  const std::pair<char32_t, const char*> kinds[] = {
+      {0x3040, "No meaning given"}, {0x3041, "Hiragana"},        {0x309F, "Hiragana"},
+      {0x30A0, "Katakana"},         {0x30FF, "Katakana"},        {0x3100, "No meaning given"},
+      {0x24F, "Letter or digit"},   {0x250, "No meaning given"}, {0xFF00, "No meaning given"},
+      {0xFF01, "Letter or digit"},  {0xFF5E, "Letter or digit"}, {0xFF5F, "No meaning given"},
+      {U'休', "No meaning given"}};
   for (const auto& [character, words] : kinds) {
     show(sheet(character));
     EXPECT_EQ(text("meanings").toStdString(), words) << std::hex << static_cast<std::uint32_t>(character);
@@ -90,13 +83,13 @@ TEST_F(InformationPanelTest, FactsAreStrokesGradeRankAndLevel) {
   EXPECT_EQ(facts([](auto& e) { e.stroke_counts = {7, 6}; }), "6 strokes here, 7 in the dictionary");
   EXPECT_EQ(facts([](auto& e) { e.grade = 6; }), "6 strokes · grade 6");
   EXPECT_EQ(facts([](auto& e) { e.grade = 8; }), "6 strokes · secondary school");
-  EXPECT_EQ(facts([](auto& e) { e.grade = 9; }), "6 strokes · for names");
+  EXPECT_EQ(facts([](auto& e) { e.grade = 9; }), "6 strokes · used in names");
   EXPECT_EQ(facts([](auto& e) {
               e.grade = 1;
               e.frequency = 1204;
               e.old_jlpt_level = 3;
             }),
-            "6 strokes · grade 1 · no. 1,204 in newspapers · old JLPT 3");
+            "6 strokes · grade 1 · newspaper frequency: no. 1,204 · old JLPT level 3");
 }
 
 TEST_F(InformationPanelTest, AnOwnTabletHasItsNameSizeAndStrokes) {
@@ -125,8 +118,8 @@ TEST_F(InformationPanelTest, SectionsAreThereWhereTheyHaveSomething) {
   QStringList tips;
   for (const auto* label : panel_.findChildren<QLabel*>(QStringLiteral("kun_reading")))
     if (!label->isHidden()) tips.append(label->toolTip());
-  EXPECT_EQ(tips,
-            (QStringList{QStringLiteral("The kanji stands for やす; む follows it in kana"), QString()}));
+  EXPECT_EQ(tips, (QStringList{QStringLiteral("The kanji is read やす; む follows in kana (okurigana)"),
+                               QString()}));
 }
 
 TEST_F(InformationPanelTest, TheFormOfTheRadicalThatIsInTheCharacterIsNamed) {
@@ -156,7 +149,7 @@ TEST_F(InformationPanelTest, PartsLeadOnWhereTheyCan) {
     return found;
   };
   EXPECT_EQ(part("亻")->accessibleName(), QStringLiteral("亻, a form of 人: person"));
-  EXPECT_EQ(part("亻")->toolTip(), QStringLiteral("亻, a form of 人: person. Go there"));
+  EXPECT_EQ(part("亻")->toolTip(), QStringLiteral("亻, a form of 人: person. Open this character"));
   EXPECT_EQ(part("木")->accessibleName(), QStringLiteral("木"));
   EXPECT_EQ(part("𠂉")->toolTip(), QStringLiteral("𠂉"));
   EXPECT_TRUE(part("木")->isEnabled());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kanji_text.h"
+#include "words/kanji_text.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,6 @@
 #include <QTimer>
 #include <fstream>
 
-#include "language.h"
 #include "learners/anki_dialog.h"
 #include "learners/backups_dialog.h"
 #include "learners/exchange_progress.h"
@@ -24,6 +23,7 @@
 #include "nazori/study/profiles.h"
 #include "session_under_test.h"
 #include "study/settings_progress.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -50,7 +50,7 @@ class LearnerDialogs : public SessionTest {
   struct Exchange : practice::LearnerExchange {
     explicit Exchange(LearnerDialogs& test)
         : LearnerExchange(test.inbox_.inbox(), *test.learner_), progress(*this, &test.window_) {
-      QObject::connect(&progress, &ExchangeProgress::said, &test.window_,
+      QObject::connect(&progress, &ExchangeProgress::announced, &test.window_,
                        [&test](Feedback kind, const QString& sentence) {
                          test.kind_ = kind;
                          test.told_ = sentence;
@@ -73,7 +73,7 @@ class LearnerDialogs : public SessionTest {
 class LearnersList : public LearnerDialogs {
  protected:
   LearnersList() {
-    QObject::connect(&dialog_, &LearnersDialog::said, &window_,
+    QObject::connect(&dialog_, &LearnersDialog::announced, &window_,
                      [this](Feedback, const QString& sentence) { told_ = sentence; });
   }
   QStringList names() {
@@ -94,17 +94,17 @@ class LearnersList : public LearnerDialogs {
   QLineEdit* name_ = part<QLineEdit>(dialog_, "learner_name");
 };
 
-TEST_F(LearnersList, WhoStudiesIsMarkedAndEveryoneIsListed) {
-  EXPECT_EQ(says(), "Everyone has their own log, settings and backups.");
-  EXPECT_EQ(names(), QStringList{QStringLiteral("✓ learner (studies now)")});
+TEST_F(LearnersList, TheCurrentLearnerIsMarkedAndAllAreListed) {
+  EXPECT_EQ(says(), "Each learner has their own study history, settings and backups.");
+  EXPECT_EQ(names(), QStringList{QStringLiteral("✓ learner (current)")});
   EXPECT_EQ(list_->currentRow(), 0);
   type(" Mari ");
   press("learner_add");
-  EXPECT_EQ(says(), "Mari studies now.");
-  EXPECT_EQ(told_, QStringLiteral("Mari studies now."));
+  EXPECT_EQ(says(), "Now studying as Mari.");
+  EXPECT_EQ(told_, QStringLiteral("Now studying as Mari."));
   EXPECT_TRUE(name_->text().isEmpty());
   EXPECT_EQ(names().size(), 2);
-  EXPECT_TRUE(names().contains(QStringLiteral("✓ Mari (studies now)")));
+  EXPECT_TRUE(names().contains(QStringLiteral("✓ Mari (current)")));
   EXPECT_TRUE(names().contains(QStringLiteral("learner")));
   EXPECT_EQ(list_->currentItem()->data(Qt::UserRole).toString(), QStringLiteral("Mari"));
 }
@@ -112,7 +112,7 @@ TEST_F(LearnersList, WhoStudiesIsMarkedAndEveryoneIsListed) {
 TEST_F(LearnersList, ChoosingSwitchesAndClosesIt) {
   ASSERT_TRUE(learner_->switch_profile("Mari"));
   LearnersDialog dialog(*learner_, &window_);
-  QSignalSpy said(&dialog, &LearnersDialog::said);
+  QSignalSpy said(&dialog, &LearnersDialog::announced);
   auto* list = part<QListWidget>(dialog, "learners_list");
   QSignalSpy closed(&dialog, &QDialog::accepted);
   emit list->itemActivated(list->currentItem());
@@ -123,7 +123,7 @@ TEST_F(LearnersList, ChoosingSwitchesAndClosesIt) {
   part<QPushButton>(dialog, "learner_choose")->click();
   EXPECT_EQ(closed.count(), 2);
   ASSERT_EQ(said.count(), 1);
-  EXPECT_EQ(said.at(0).at(1).toString(), QStringLiteral("learner studies now."));
+  EXPECT_EQ(said.at(0).at(1).toString(), QStringLiteral("Now studying as learner."));
 }
 
 TEST_F(LearnersList, ANameThatCanBeNoneOrIsTakenIsExplained) {
@@ -131,13 +131,14 @@ TEST_F(LearnersList, ANameThatCanBeNoneOrIsTakenIsExplained) {
     for (const char* button : {"learner_add", "learner_rename"}) {
       type(name);
       press(button);
-      EXPECT_EQ(says(), "Type a name first: up to 60 bytes, no “/”, and no dot at its beginning.");
+      EXPECT_EQ(says(),
+                "Type a name first: at most 60 letters (20 in Japanese), no “/”, and no dot at the start.");
     }
   type("learner");
   press("learner_add");
-  EXPECT_EQ(says(), "learner is there already. Type another name.");
+  EXPECT_EQ(says(), "learner already exists. Type another name.");
   press("learner_rename");
-  EXPECT_EQ(says(), "learner is there already. Type another name.");
+  EXPECT_EQ(says(), "learner already exists. Type another name.");
   EXPECT_EQ(learner_->profile(), "learner");
 }
 
@@ -149,7 +150,7 @@ TEST_F(LearnersList, AnotherLearnerIsRenamedWithoutASwitch) {
   choose("learner");
   type("Aiko");
   press("learner_rename");
-  EXPECT_EQ(says(), "learner is called Aiko now.");
+  EXPECT_EQ(says(), "Renamed learner to Aiko.");
   EXPECT_TRUE(name_->text().isEmpty());
   EXPECT_EQ(learner_->profile(), "x");
   const auto all = study::profiles(learner_->folder());
@@ -169,7 +170,8 @@ TEST_F(LearnersList, RemovingAsksAndSaysWhereTheFolderLies) {
       ASSERT_NE(question, nullptr);
       EXPECT_EQ(question->objectName(), QStringLiteral("learner_remove_question"));
       EXPECT_EQ(question->text(),
-                QStringLiteral("Remove Mari with all reviews, ink and backups from the list of learners?"));
+                QStringLiteral(
+                    "Remove Mari, with all reviews, handwriting and backups, from the list of learners?"));
       EXPECT_TRUE(question->informativeText().startsWith(QStringLiteral("Nothing is deleted")));
       EXPECT_EQ(question->defaultButton(), question->button(QMessageBox::Cancel));
       if (!yes) return question->reject();
@@ -178,7 +180,7 @@ TEST_F(LearnersList, RemovingAsksAndSaysWhereTheFolderLies) {
     });
     press("learner_remove");
   }
-  EXPECT_EQ(says(), "Mari is removed. The folder lies in " +
+  EXPECT_EQ(says(), "Removed Mari. The folder is now in " +
                         (learner_->folder() / ".removed" / "Mari").string() + ".");
   EXPECT_EQ(learner_->profile(), "x") << "who studies goes on";
   EXPECT_EQ(names().size(), 2);
@@ -192,7 +194,7 @@ class BackupsList : public LearnerDialogs {
     if (sound)
       ASSERT_TRUE(learner_->store().copy_to(folder / name));
     else
-      std::ofstream(folder / name) << "nothing";
+      std::ofstream(folder / name) << "do nothing";
   }
 };
 
@@ -227,10 +229,12 @@ TEST_F(BackupsList, EachHasItsKindAndWhatItHolds) {
   EXPECT_EQ(
       rows,
       (QStringList{
-          QStringLiteral("Made by you, last day 2 Mar 2026, writings 2, characters 2"),
-          QStringLiteral("Of 1 Feb 2026, last day 2 Mar 2026, writings 2, characters 2"),
-          QStringLiteral("Of 31 Jan 2026, last day cannot be used, writings –, characters –"),
-          QStringLiteral("What a restored one replaced, last day 2 Mar 2026, writings 2, characters 2")}));
+          QStringLiteral("Daily (1 Feb 2026), last study day 2 Mar 2026, times written: 2, characters: 2"),
+          QStringLiteral(
+              "Daily (31 Jan 2026), last study day cannot be used, times written: –, characters: –"),
+          QStringLiteral("Made by you, last study day 2 Mar 2026, times written: 2, characters: 2"),
+          QStringLiteral(
+              "Saved before a restore, last study day 2 Mar 2026, times written: 2, characters: 2")}));
   for (int row = 0; row < table->rowCount(); ++row) {
     table->setCurrentCell(row, 0);
     EXPECT_EQ(part<QPushButton>(dialog, "backup_restore")->isEnabled(),
@@ -249,7 +253,7 @@ TEST_F(BackupsList, WithoutAnyItSaysWhenOneIsMade) {
   std::filesystem::remove_all(study::backup_folder(learner_->file()));
   Exchange exchange(*this);
   BackupsDialog dialog(inbox_.inbox(), *learner_, exchange, exchange.progress, &window_);
-  EXPECT_TRUE(words(dialog, "backups_words").starts_with("There is no backup yet."));
+  EXPECT_TRUE(words(dialog, "backups_words").starts_with("No backups yet."));
   EXPECT_FALSE(part<QPushButton>(dialog, "backup_restore")->isEnabled());
 }
 
@@ -261,7 +265,8 @@ TEST_F(LearnerDialogs, OneThingAtATimeIsWrittenOrRead) {
   const QString first = folder_.filePath(QStringLiteral("a.json"));
   exchange.write(Format::json, path("a.json"));
   EXPECT_TRUE(exchange.is_busy());
-  const QString busy = QStringLiteral("Something is being written or read already. Wait for it, or stop it.");
+  const QString busy =
+      QStringLiteral("An export, import or backup is already running. Wait for it or stop it.");
   for (const auto& again : std::initializer_list<std::function<void()>>{
            [&] { exchange.write(Format::csv, path("b.csv")); }, [&] { exchange.read(path("a.json")); },
            [&] { exchange.back_up(); }, [&] { exchange.restore("x"); }}) {
@@ -285,14 +290,14 @@ TEST_F(LearnerDialogs, WhatFailsIsNamedWithItsFile) {
     wait_for(exchange);
     EXPECT_EQ(kind_, Feedback::wrong);
     EXPECT_TRUE(told_.startsWith(QStringLiteral("a.x: "))) << told_.toStdString();
-    EXPECT_TRUE(told_.endsWith(QStringLiteral(". Everything is as it was."))) << told_.toStdString();
+    EXPECT_TRUE(told_.endsWith(QStringLiteral(". Nothing was changed."))) << told_.toStdString();
   }
   exchange.read(path("none.json"));
   wait_for(exchange);
   EXPECT_TRUE(told_.startsWith(QStringLiteral("none.json: "))) << told_.toStdString();
   exchange.restore(path("none.db"));
   wait_for(exchange);
-  EXPECT_TRUE(told_.startsWith(QStringLiteral("The backup was not put in place: "))) << told_.toStdString();
+  EXPECT_TRUE(told_.startsWith(QStringLiteral("The backup could not be restored: "))) << told_.toStdString();
   EXPECT_TRUE(learner_->can_write());
   EXPECT_TRUE(learner_->store().cards().contains(U'一'));
 }
@@ -306,7 +311,7 @@ TEST_F(LearnerDialogs, AnImportSaysForWhomAndHowMuch) {
   wait_for(exchange);
   exchange.read(file);
   wait_for(exchange);
-  EXPECT_EQ(told_, QStringLiteral("Imported for learner 2: characters 2. learner 2 studies now."))
+  EXPECT_EQ(told_, QStringLiteral("Imported 2 characters for learner 2. Now studying as learner 2."))
       << "the name of the file can be none";
   ASSERT_TRUE(learner_->switch_profile("noted"));
   ASSERT_TRUE(learner_->store().save_list({"mine", {U'一'}}));
@@ -319,7 +324,7 @@ TEST_F(LearnerDialogs, WhatCannotBeBackedUpIsExplained) {
   ASSERT_TRUE(learner_->switch_profile("fresh"));
   Exchange exchange(*this);
   exchange.back_up();
-  EXPECT_EQ(told_, QStringLiteral("Nothing is studied yet: there is nothing to back up."));
+  EXPECT_EQ(told_, QStringLiteral("Nothing studied yet, so there is nothing to back up."));
   EXPECT_EQ(kind_, Feedback::advice);
   learner_->let_go(practice::LearnerEvent::Kind::replacing);
   exchange.back_up();
@@ -354,7 +359,7 @@ TEST_F(LearnerDialogs, SettingsThatChangeEveryCharacterAreWorkedOutBehindTheWind
   practice::SettingsChange change(inbox_.inbox(), *learner_);
   const auto begin = [&] {
     auto* progress = new SettingsProgress(change, wanted, &window_);
-    QObject::connect(progress, &SettingsProgress::said, &window_,
+    QObject::connect(progress, &SettingsProgress::announced, &window_,
                      [this](Feedback kind, const QString& sentence) {
                        kind_ = kind;
                        told_ = sentence;
@@ -366,7 +371,7 @@ TEST_F(LearnerDialogs, SettingsThatChangeEveryCharacterAreWorkedOutBehindTheWind
             QStringLiteral(
                 "Every character of learner is being worked out anew. Nothing is kept until that is done."));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !told_.isEmpty(); }, 20'000));
-  EXPECT_EQ(told_, QStringLiteral("The study settings hold from now on."));
+  EXPECT_EQ(told_, QStringLiteral("Settings saved."));
   EXPECT_EQ(kind_, Feedback::good);
   EXPECT_TRUE(learner_->can_write());
   EXPECT_EQ(learner_->store().settings(), wanted);

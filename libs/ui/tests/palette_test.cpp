@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "palette.h"
+#include "look/palette.h"
 
 #include <gtest/gtest.h>
 
-#include "resources.h"
-#include "style_sheet.h"
+#include "look/resources.h"
+#include "look/style_sheet.h"
 
 namespace {
 
@@ -76,7 +76,7 @@ TEST_P(PaletteColours, EachRoleOfTheWindowHasItsColour) {
     EXPECT_LT(contrast_ratio(off, c.paper), contrast_ratio(c.muted, c.paper)) << role;
     EXPECT_GT(contrast_ratio(off, c.paper), 2) << role;
   }
-  // Edges between the surface and what is muted, one darker than the other.
+  // Edges between the surface and muted widgets, one darker than the other.
   double before = contrast_ratio(c.surface, c.surface);
   for (const auto role : {QPalette::Midlight, QPalette::Mid, QPalette::Dark, QPalette::Shadow}) {
     const double now = contrast_ratio(p.color(role), c.surface);

@@ -338,9 +338,9 @@ TEST_F(PlotPanelByHand, EveryFieldHasANameForTheScreenReader) {
       {"window_y1", "y to"},
       {"window_z0", "z from"},
       {"window_z1", "z to"},
-      {"plate_size", "Samples a side"},
+      {"plate_size", "Samples per side"},
       {"volume", "Volume"},
-      {"groove_width", "Width of the grooves in millimetres"},
+      {"groove_width", "Groove width in millimetres"},
       {"plot_progress", "Drawing"},
   };
   for (const auto& [field, name] : names)

@@ -17,8 +17,8 @@ TEST(PlotWords, ASlopeIsSaidInFourDigitsAndWithItsSign) {
   EXPECT_EQ(slope_words(1e-13), QStringLiteral("slope 0")) << "rounding, not a slope";
   EXPECT_EQ(slope_words(-1e-13), QStringLiteral("slope 0"));
   EXPECT_EQ(slope_words(1e-11), QStringLiteral("slope 1e-11"));
-  EXPECT_EQ(slope_words(kInfinite), QStringLiteral("The curve is upright here."));
-  EXPECT_EQ(slope_words(-kInfinite), QStringLiteral("The curve is upright here."));
+  EXPECT_EQ(slope_words(kInfinite), QStringLiteral("The curve is vertical here."));
+  EXPECT_EQ(slope_words(-kInfinite), QStringLiteral("The curve is vertical here."));
 }
 
 TEST(PlotWords, AWindowIsSaidWithTheTicksOfEachAxis) {
@@ -77,14 +77,14 @@ TEST(PlotWords, EveryEventHasASentence) {
     return event_words(event, plot);
   };
   EXPECT_EQ(words(Kind::here), QStringLiteral("x = 1; y = minus 2."));
-  EXPECT_EQ(words(Kind::next_branch), QStringLiteral("Next piece: x = 1; y = minus 2."));
+  EXPECT_EQ(words(Kind::next_branch), QStringLiteral("Next branch: x = 1; y = minus 2."));
   EXPECT_EQ(words(Kind::end_of_branch), QStringLiteral("End: x = 1; y = minus 2."));
   EXPECT_EQ(words(Kind::other_branch), QStringLiteral("y equals 2: x = 1; y = minus 2."));
-  EXPECT_EQ(words(Kind::beacon_reached), QStringLiteral("Beacon 3: x = 1; y = minus 2."));
-  EXPECT_EQ(words(Kind::beacon_dropped), QStringLiteral("Beacon 3 is here: x = 1; y = minus 2."));
+  EXPECT_EQ(words(Kind::beacon_reached), QStringLiteral("Marker 3: x = 1; y = minus 2."));
+  EXPECT_EQ(words(Kind::beacon_dropped), QStringLiteral("Marker 3 set: x = 1; y = minus 2."));
   EXPECT_EQ(words(Kind::slope), QStringLiteral("slope 0.5"));
-  EXPECT_EQ(words(Kind::curve_alone), QStringLiteral("Curve 2 alone: y equals 2."));
-  EXPECT_EQ(words(Kind::groove), QStringLiteral("Piece 3 of 7: y equals 2"));
+  EXPECT_EQ(words(Kind::curve_alone), QStringLiteral("Only curve 2: y equals 2."));
+  EXPECT_EQ(words(Kind::groove), QStringLiteral("Branch 3 of 7: y equals 2"));
   EXPECT_EQ(words(Kind::speed), QStringLiteral("Speed 3 of 7"));
   EXPECT_TRUE(words(Kind::window_changed).startsWith(QStringLiteral("x from minus 6 to 6, one tick is")));
   for (auto kind = static_cast<int>(Kind::here); kind <= static_cast<int>(Kind::window_limit); ++kind)

@@ -33,7 +33,7 @@ class PointsTable : public testing::Test {
     for (int column = 0; column < 3; ++column) cells.append(table()->item(number, column)->text());
     return cells;
   }
-  const QString none_ = QStringLiteral("There are none in this window.");
+  const QString none_ = QStringLiteral("None in this range.");
   PointsPanel panel_;
 };
 
@@ -54,7 +54,7 @@ TEST_F(PointsTable, OfADrawingStandInItsOrderWithKindAndPlace) {
   }
   QStringList heads;
   for (int column = 0; column < 3; ++column) heads.append(table()->horizontalHeaderItem(column)->text());
-  EXPECT_EQ(heads.join(u' '), QStringLiteral("Kind x y"));
+  EXPECT_EQ(heads.join(u' '), QStringLiteral("Type x y"));
   EXPECT_TRUE(table()->isVisible());
   EXPECT_FALSE(says(none_));
   EXPECT_EQ(summary()->text(), QString::fromStdString(drawing->summary));
@@ -87,7 +87,7 @@ TEST_F(PointsTable, OfAStoppedDrawingWereNotLookedFor) {
   drawing->final = false;
   panel_.show_drawing(drawing);
   EXPECT_EQ(summary()->text(),
-            QStringLiteral("The drawing was stopped before points of interest were looked for."));
+            QStringLiteral("The drawing was stopped before the points of interest were found."));
   EXPECT_FALSE(says(none_)) << "nobody knows";
 }
 

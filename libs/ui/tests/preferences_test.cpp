@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "preferences.h"
+#include "settings/preferences.h"
 
 #include <gtest/gtest.h>
 
@@ -76,12 +76,12 @@ TEST(Preferences, EachOneIsKeptByItself) {
   }
   Preferences p;
   p.sound_volume = 0.3;
-  p.workplace = QStringLiteral("functions");
+  p.page = QStringLiteral("functions");
   p.text_pt = 14;
   ASSERT_TRUE(p.save(file));
   const auto read = Preferences::load(file);
   EXPECT_EQ(read.sound_volume, 0.3);
-  EXPECT_EQ(read.workplace, p.workplace);
+  EXPECT_EQ(read.page, p.page);
   EXPECT_EQ(read.text_pt, 14);
 }
 

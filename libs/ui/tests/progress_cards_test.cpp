@@ -13,16 +13,16 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "language.h"
 #include "nazori/practice/study_charts.h"
 #include "progress/characters_card.h"
 #include "progress/day_chart.h"
 #include "progress/hard_strokes_card.h"
-#include "progress/progress_page.h"
+#include "progress/progress_view.h"
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
 #include "session_under_test.h"
 #include "study/list_choice.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -103,8 +103,8 @@ TEST_F(ProgressCards, ACardShowsItsChartItsNumbersOrWhatMakesSome) {
   EXPECT_EQ(shown(card)->objectName(), QStringLiteral("x_chart"));
   EXPECT_EQ(shown(card)->accessibleName(), QStringLiteral("T"));
   EXPECT_EQ(shown(card)->accessibleDescription(),
-            QStringLiteral("S. Left and right go from row to row, N shows all numbers."));
-  EXPECT_EQ(text(card, "x_reading"), QStringLiteral("Left and right read it row by row."));
+            QStringLiteral("S. Left and Right: read row by row. N: show all numbers."));
+  EXPECT_EQ(text(card, "x_reading"), QStringLiteral("Left and Right: read row by row."));
   const auto* reading = card.findChild<QLabel*>(QStringLiteral("x_reading"));
   EXPECT_FALSE(reading->isHidden());
   card.findChild<DayChart*>()->set_row(1);
@@ -160,14 +160,16 @@ TEST_F(ProgressCards, CharactersAreCountedByStrengthTheFirmestFirst) {
   s.characters.push_back({U'五', Strength::paused, 0.5});
   s.characters.push_back({U'六', Strength::leech, 0.5});
   card.show_characters(s, learner_->lists(), learner_->store());
-  EXPECT_EQ(text(card, "characters_summary"),
-            QStringLiteral("● firm 1  ·  ◑ young 2  ·  ◔ learning 1  ·  ! set apart 1  ·  ‖ paused 1"));
+  EXPECT_EQ(
+      text(card, "characters_summary"),
+      QStringLiteral(
+          "● well known 1  ·  ◑ recently learned 2  ·  ◔ learning 1  ·  ! difficult 1  ·  ‖ suspended 1"));
   EXPECT_EQ(card.shown().numbers.rows.size(), 6);
   EXPECT_EQ(card.shown().numbers.rows[1],
-            (QStringList{QStringLiteral("二"), QStringLiteral("young"), QStringLiteral("90 %")}));
+            (QStringList{QStringLiteral("二"), QStringLiteral("recently learned"), QStringLiteral("90%")}));
   EXPECT_EQ(card.grid().states().rowCount(), 6);
-  EXPECT_EQ(card.grid().accessibleName(), QStringLiteral("Every character"));
-  EXPECT_TRUE(card.grid().accessibleDescription().endsWith(QStringLiteral("Enter opens a character.")));
+  EXPECT_EQ(card.grid().accessibleName(), QStringLiteral("Characters by strength"));
+  EXPECT_TRUE(card.grid().accessibleDescription().endsWith(QStringLiteral("Enter: open a character.")));
   auto* list = card.findChild<ListChoice*>();
   const QSignalSpy changed(&card, &CharactersCard::list_changed);
   list->setCurrentIndex(list->findData(QStringLiteral("grade-1")));
@@ -176,18 +178,18 @@ TEST_F(ProgressCards, CharactersAreCountedByStrengthTheFirmestFirst) {
   card.show_characters(s, learner_->lists(), learner_->store());
   EXPECT_EQ(changed.count(), 1);
   EXPECT_EQ(card.grid().states().rowCount(), 80);
-  EXPECT_TRUE(text(card, "characters_summary").endsWith(QStringLiteral("not met 74")))
+  EXPECT_TRUE(text(card, "characters_summary").endsWith(QStringLiteral("not studied 74")))
       << text(card, "characters_summary").toStdString();
   const auto& rows = card.shown().numbers.rows;
   EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const QStringList& row) {
-    return row == QStringList{QStringLiteral("休"), QStringLiteral("not met"), QStringLiteral("–")};
+    return row == QStringList{QStringLiteral("休"), QStringLiteral("not studied"), QStringLiteral("–")};
   }));
   card.show_characters(s, nullptr, learner_->store());
   EXPECT_TRUE(text(card, "characters_empty").startsWith(QStringLiteral("The list cannot be read: ")));
   card.set_list({});
   card.show_characters({}, learner_->lists(), learner_->store());
   EXPECT_TRUE(
-      text(card, "characters_empty").startsWith(QStringLiteral("Characters you have met stand here")));
+      text(card, "characters_empty").startsWith(QStringLiteral("Characters you have studied appear here")));
 }
 
 TEST_F(ProgressCards, TheGridKeepsItsPlaceAndOpensWhatIsActivated) {
@@ -196,7 +198,7 @@ TEST_F(ProgressCards, TheGridKeepsItsPlaceAndOpensWhatIsActivated) {
   QSignalSpy opened(&grid, &StrengthGrid::opened);
   grid.show_states(statistics().characters);
   EXPECT_EQ(grid.currentIndex().row(), 0);
-  EXPECT_EQ(walked.last().at(0).toString(), QStringLiteral("一, firm, known with a chance of 95 %"));
+  EXPECT_EQ(walked.last().at(0).toString(), QStringLiteral("一, well known, 95% likely to be remembered"));
   grid.setCurrentIndex(grid.model()->index(2, 0));
   auto others = statistics().characters;
   others.erase(others.begin());
@@ -213,9 +215,9 @@ TEST_F(ProgressCards, AHardStrokeIsSaidAndItsCharacterOpens) {
   auto* list = card.findChild<QListWidget*>(QStringLiteral("hard_strokes_chart"));
   ASSERT_EQ(list->count(), 2);
   EXPECT_EQ(list->item(0)->text(),
-            QStringLiteral("Stroke 3 of 休 went wrong in 4 of 9 writings: wrong shape or place (4)"));
+            QStringLiteral("Stroke 3 of 休 was wrong in 4 of 9 attempts: wrong shape or position (4)"));
   EXPECT_EQ(text(card, "hard_strokes_summary"),
-            QStringLiteral("Strokes that went wrong more than once: 2. Enter opens the character."));
+            QStringLiteral("Strokes that were wrong more than once: 2. Enter: open the character."));
   EXPECT_EQ(list->currentRow(), 0);
   EXPECT_EQ(list->accessibleName(), QStringLiteral("Hardest strokes"));
   QSignalSpy opened(&card, &HardStrokesCard::opened);
@@ -266,113 +268,114 @@ TEST_F(ProgressCards, OfAHardCharacterTheStrokeIsMarkedInItsPlace) {
 
 class ProgressPageTest : public ProgressCards {
  protected:
-  ProgressPageTest() : page_(*learner_) { page_.resize(1600, 900); }
+  ProgressPageTest() : view_(*learner_) { view_.resize(1600, 900); }
   void show(const study::Statistics& s) {
-    page_.show_statistics(std::make_shared<const study::Statistics>(s));
+    view_.show_statistics(std::make_shared<const study::Statistics>(s));
   }
-  QStringList figures() const { return text(page_, "progress_figures").split(QLatin1Char('\n')); }
-  ProgressPage page_;
+  QStringList figures() const { return text(view_, "progress_figures").split(QLatin1Char('\n')); }
+  ProgressView view_;
 };
 
 TEST_F(ProgressPageTest, TheFiguresSayWhatStudyBrought) {
   auto s = statistics();
   show(s);
-  EXPECT_EQ(figures(), (QStringList{QStringLiteral("Days in a row: 3, longest 12"),
-                                    QStringLiteral("Reviews: 1,234 in 1 h 15 min"),
-                                    QStringLiteral("Recalled in 30 days: 90 % of 20, predicted 88 %"),
-                                    QStringLiteral("Characters: 4 met, 3 learnt")}));
+  EXPECT_EQ(figures(),
+            (QStringList{QStringLiteral("Days in a row: 3, longest 12"),
+                         QStringLiteral("Reviews: 1,234 in 1 h 15 min"),
+                         QStringLiteral("Recall in the last 30 days: 90% of 20 reviews (predicted: 88%)"),
+                         QStringLiteral("Characters: 4 studied, 3 learned")}));
   s.streak.today_done = false;
   s.streak.day_off_used = true;
   s.last_30_days.reviews = 0;
   show(s);
   EXPECT_EQ(figures().size(), 3);
-  EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 3, longest 12; today is open"));
+  EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 3, longest 12; not yet today"));
   s.streak.today_done = true;
   show(s);
-  EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 3, longest 12; a day off this week is taken"));
+  EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 3, longest 12; day off used this week"));
   s.streak.days = 0;
   show(s);
   EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 0, longest 12"));
   s.characters.clear();
   show(s);
-  EXPECT_TRUE(figures()[0].startsWith(QStringLiteral("Nothing is studied yet.")));
+  EXPECT_TRUE(figures()[0].startsWith(QStringLiteral("Nothing studied yet.")));
 }
 
 TEST_F(ProgressPageTest, ChartsOfTimeBeginWhereItIsChosen) {
   show(statistics());
-  const auto rows = [this] { return page_.card(QStringLiteral("activity"))->shown().numbers.rows.size(); };
-  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::season);
+  const auto rows = [this] { return view_.card(QStringLiteral("activity"))->shown().numbers.rows.size(); };
+  EXPECT_EQ(view_.time_shown(), ProgressView::TimeShown::season);
   EXPECT_EQ(rows(), 41) << "from the day of study forty days ago";
-  QSignalSpy changed(&page_, &ProgressPage::time_changed);
-  EXPECT_TRUE(page_.change_time_shown(-1));
-  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::month);
+  QSignalSpy changed(&view_, &ProgressView::time_changed);
+  EXPECT_TRUE(view_.change_time_shown(-1));
+  EXPECT_EQ(view_.time_shown(), ProgressView::TimeShown::month);
   EXPECT_EQ(rows(), 21) << "every day since, also without study";
   EXPECT_EQ(changed.count(), 1);
-  EXPECT_FALSE(page_.change_time_shown(-1));
-  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::month);
-  page_.set_time_shown(ProgressPage::TimeShown::year);
+  EXPECT_FALSE(view_.change_time_shown(-1));
+  EXPECT_EQ(view_.time_shown(), ProgressView::TimeShown::month);
+  view_.set_time_shown(ProgressView::TimeShown::year);
   EXPECT_EQ(rows(), 16) << "weeks";
-  EXPECT_TRUE(page_.change_time_shown(1));
-  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::everything);
+  EXPECT_TRUE(view_.change_time_shown(1));
+  EXPECT_EQ(view_.time_shown(), ProgressView::TimeShown::everything);
   EXPECT_EQ(rows(), 16);
-  EXPECT_FALSE(page_.change_time_shown(1));
-  page_.set_time_shown(static_cast<ProgressPage::TimeShown>(7));
-  EXPECT_EQ(page_.time_shown(), ProgressPage::TimeShown::month) << "no such time";
-  const auto* time = page_.findChild<QComboBox*>(QStringLiteral("progress_time"));
-  EXPECT_EQ(time->accessibleName(), QStringLiteral("Time shown"));
+  EXPECT_FALSE(view_.change_time_shown(1));
+  view_.set_time_shown(static_cast<ProgressView::TimeShown>(7));
+  EXPECT_EQ(view_.time_shown(), ProgressView::TimeShown::month) << "no such time";
+  const auto* time = view_.findChild<QComboBox*>(QStringLiteral("progress_time"));
+  EXPECT_EQ(time->accessibleName(), QStringLiteral("Period shown"));
   QStringList names;
   for (int i = 0; i < time->count(); ++i) names.append(time->itemText(i));
-  EXPECT_EQ(names, (QStringList{QStringLiteral("A month"), QStringLiteral("Three months"),
-                                QStringLiteral("A year"), QStringLiteral("Everything")}));
+  EXPECT_EQ(names, (QStringList{QStringLiteral("1 month"), QStringLiteral("3 months"),
+                                QStringLiteral("1 year"), QStringLiteral("All time")}));
 }
 
 TEST_F(ProgressPageTest, EveryChartIsOnItsCard) {
   show(statistics());
   const char* const ids[] = {"forecast", "retention", "activity", "motion", "characters", "hard_strokes"};
   for (const char* id : ids) {
-    auto* card = page_.card(QString::fromLatin1(id));
+    auto* card = view_.card(QString::fromLatin1(id));
     EXPECT_EQ(card->objectName(), QString::fromLatin1(id) + QStringLiteral("_card"));
     EXPECT_FALSE(card->shown().numbers.rows.isEmpty()) << id;
-    page_.go_to(QString::fromLatin1(id));
-    EXPECT_EQ(page_.card_at_hand(), card);
-    QSignalSpy wanted(&page_, &ProgressPage::copy_wanted);
+    view_.go_to(QString::fromLatin1(id));
+    EXPECT_EQ(view_.card_at_hand(), card);
+    QSignalSpy wanted(&view_, &ProgressView::copy_wanted);
     card->findChild<QToolButton*>(QString::fromLatin1(id) + QStringLiteral("_copy"))->click();
     ASSERT_EQ(wanted.count(), 1) << id;
     EXPECT_EQ(wanted.at(0).at(0).value<ChartCard*>(), card);
   }
-  EXPECT_EQ(page_.card(QStringLiteral("unknown"))->objectName(), QStringLiteral("forecast_card"));
+  EXPECT_EQ(view_.card(QStringLiteral("unknown"))->objectName(), QStringLiteral("forecast_card"));
 }
 
 TEST_F(ProgressPageTest, CardsStandInTwoColumnsWhereThereIsRoomForAHundredLetters) {
   show(statistics());
-  page_.show();
-  const int letter = page_.fontMetrics().averageCharWidth();
+  view_.show();
+  const int letter = view_.fontMetrics().averageCharWidth();
   const auto column_of = [this](const char* id) {
     QCoreApplication::processEvents();
-    return page_.card(QString::fromLatin1(id))->x() > 100 ? 1 : 0;
+    return view_.card(QString::fromLatin1(id))->x() > 100 ? 1 : 0;
   };
-  page_.resize(letter * 100 + 2, 900);
+  view_.resize(letter * 100 + 2, 900);
   EXPECT_EQ(column_of("forecast"), 0);
   EXPECT_EQ(column_of("retention"), 1);
   EXPECT_EQ(column_of("activity"), 0);
   EXPECT_EQ(column_of("hard_strokes"), 1);
-  const auto* first = page_.card(QStringLiteral("forecast"));
-  EXPECT_NEAR(first->width(), page_.card(QStringLiteral("retention"))->width(), 2);
-  page_.resize(letter * 100 - 2, 900);
+  const auto* first = view_.card(QStringLiteral("forecast"));
+  EXPECT_NEAR(first->width(), view_.card(QStringLiteral("retention"))->width(), 2);
+  view_.resize(letter * 100 - 2, 900);
   EXPECT_EQ(column_of("retention"), 0);
   EXPECT_GT(first->width(), letter * 80);
 }
 
 TEST_F(ProgressPageTest, WorkAndTroubleAreShownAndGoAway) {
-  auto* work = page_.findChild<QProgressBar*>(QStringLiteral("progress_work"));
-  auto* trouble = page_.findChild<QLabel*>(QStringLiteral("progress_trouble"));
-  auto* scroll = page_.findChild<QScrollArea*>(QStringLiteral("progress_scroll"));
+  auto* work = view_.findChild<QProgressBar*>(QStringLiteral("progress_work"));
+  auto* trouble = view_.findChild<QLabel*>(QStringLiteral("progress_trouble"));
+  auto* scroll = view_.findChild<QScrollArea*>(QStringLiteral("progress_scroll"));
   EXPECT_TRUE(work->isHidden());
-  page_.show_work(0.255);
+  view_.show_work(0.255);
   EXPECT_FALSE(work->isHidden());
   EXPECT_EQ(work->value(), 25);
   EXPECT_EQ(work->maximum(), 100);
-  page_.show_trouble(QStringLiteral("No."));
+  view_.show_trouble(QStringLiteral("No."));
   EXPECT_FALSE(trouble->isHidden());
   EXPECT_EQ(trouble->text(), QStringLiteral("No."));
   EXPECT_TRUE(scroll->isHidden());
@@ -384,22 +387,22 @@ TEST_F(ProgressPageTest, WorkAndTroubleAreShownAndGoAway) {
 
 TEST_F(ProgressPageTest, WhatHasTheKeyboardIsAtHandAndWhatIsOpenedIsTold) {
   show(statistics());
-  page_.show();
-  page_.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&page_));
-  page_.setFocus();
-  EXPECT_TRUE(page_.findChild<DayChart*>(QStringLiteral("forecast_chart"))->hasFocus());
-  page_.findChild<DayChart*>(QStringLiteral("motion_chart"))->setFocus();
-  EXPECT_EQ(page_.card_at_hand()->objectName(), QStringLiteral("motion_card"));
-  page_.go_to(QStringLiteral("hard_strokes"));
-  auto* scroll = page_.findChild<QScrollArea*>(QStringLiteral("progress_scroll"));
-  const auto* last = page_.card(QStringLiteral("hard_strokes"));
+  view_.show();
+  view_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
+  view_.setFocus();
+  EXPECT_TRUE(view_.findChild<DayChart*>(QStringLiteral("forecast_chart"))->hasFocus());
+  view_.findChild<DayChart*>(QStringLiteral("motion_chart"))->setFocus();
+  EXPECT_EQ(view_.card_at_hand()->objectName(), QStringLiteral("motion_card"));
+  view_.go_to(QStringLiteral("hard_strokes"));
+  auto* scroll = view_.findChild<QScrollArea*>(QStringLiteral("progress_scroll"));
+  const auto* last = view_.card(QStringLiteral("hard_strokes"));
   const int top = last->mapTo(scroll->viewport(), QPoint()).y();
   EXPECT_LT(top, scroll->viewport()->height());
-  QSignalSpy opened(&page_, &ProgressPage::opened);
-  auto* list = page_.findChild<QListWidget*>(QStringLiteral("hard_strokes_chart"));
+  QSignalSpy opened(&view_, &ProgressView::opened);
+  auto* list = view_.findChild<QListWidget*>(QStringLiteral("hard_strokes_chart"));
   emit list->itemActivated(list->item(0));
-  auto* grid = page_.findChild<StrengthGrid*>();
+  auto* grid = view_.findChild<StrengthGrid*>();
   emit grid->activated(grid->model()->index(1, 0));
   ASSERT_EQ(opened.count(), 2);
   EXPECT_EQ(opened.at(0).at(0).value<char32_t>(), U'休');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which action of a session means something when, and which keys it has then.
+// Which actions of a session are enabled in each state, and which keys they have.
 #include <QWidget>
 
 #include "characters/character_actions.h"
@@ -68,7 +68,7 @@ TEST_F(SessionActionsTest, EachMeansSomethingAtItsTime) {
   EXPECT_EQ(enabled(), QStringLiteral("g1234uparte")) << "judged";
   bring(U'雨');
   show();
-  EXPECT_EQ(enabled(), QStringLiteral("guparte")) << "judged, but another is on the desk";
+  EXPECT_EQ(enabled(), QStringLiteral("guparte")) << "judged, but another is shown";
 }
 
 TEST_F(SessionActionsTest, OneHandReachesEveryKeyAndLosesNoneOfTheUsual) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands beside the tablet while a session runs, without a window around it.
+// The panel beside the tablet during a session, without a window around it.
 #include "study/session_panel.h"
 
 #include <QLabel>
@@ -32,7 +32,7 @@ TEST_F(SessionPanelTest, SaysWhyACharacterComesAndWhichStageItIsAt) {
   SessionPanel panel(*session_, actions_, *learner_, &window_);
   panel.show_state(nullptr);
   EXPECT_EQ(shown("session_kind"), QStringLiteral("Review"));
-  EXPECT_EQ(shown("session_steps"), QStringLiteral("Watch  Trace  Guided  ▸\u00a0From memory"));
+  EXPECT_EQ(shown("session_steps"), QStringLiteral("Watch  Trace  Guided  ▸Memory"));
   EXPECT_EQ(shown("session_history"), QStringLiteral("Written from memory: once"));
   EXPECT_EQ(shown("session_note"), QStringLiteral("(hidden)"));
   bring(U'八');
@@ -40,9 +40,9 @@ TEST_F(SessionPanelTest, SaysWhyACharacterComesAndWhichStageItIsAt) {
   session_->rate(Rating::good);
   panel.show_state(nullptr);
   EXPECT_EQ(shown("session_kind"), QStringLiteral("New"));
-  EXPECT_EQ(shown("session_steps"), QStringLiteral("▸\u00a0Watch  Trace  Guided  From memory"));
+  EXPECT_EQ(shown("session_steps"), QStringLiteral("▸Watch  Trace  Guided  Memory"));
   EXPECT_EQ(shown("session_history"), QStringLiteral("Not yet written from memory."));
-  EXPECT_TRUE(shown("session_note").startsWith(QStringLiteral("Kept: 八 is “Good” and comes in")));
+  EXPECT_TRUE(shown("session_note").startsWith(QStringLiteral("Saved: 八, Good. Next review in")));
   bring(session_->character());
   learn();
   session_->rate(Rating::again);
@@ -53,7 +53,7 @@ TEST_F(SessionPanelTest, SaysWhyACharacterComesAndWhichStageItIsAt) {
     ASSERT_TRUE(session_->is_running());
   }
   panel.show_state(nullptr);
-  EXPECT_EQ(shown("session_kind"), QStringLiteral("Once more today"));
+  EXPECT_EQ(shown("session_kind"), QStringLiteral("Again today"));
 }
 
 TEST_F(SessionPanelTest, TellsWhatWasForgottenAndWhichThreeStrokesWentWrongMost) {
@@ -82,7 +82,7 @@ TEST_F(SessionPanelTest, TellsWhatWasForgottenAndWhichThreeStrokesWentWrongMost)
   EXPECT_EQ(shown("session_history"), QStringLiteral("Written from memory: 2 times\nForgotten: once"));
   EXPECT_EQ(shown("session_faults"),
             QStringLiteral(
-                "Stroke 3 went wrong 3 times.\nStroke 6 went wrong 2 times.\nStroke 2 went wrong 2 times."));
+                "Stroke 3 was wrong 3 times.\nStroke 6 was wrong 2 times.\nStroke 2 was wrong 2 times."));
 }
 
 TEST_F(SessionPanelTest, SaysWhatHelpLoweredTheProposal) {
@@ -98,7 +98,8 @@ TEST_F(SessionPanelTest, SaysWhatHelpLoweredTheProposal) {
   EXPECT_EQ(shown("session_help"), QStringLiteral("(hidden)"));
   write(true);
   panel.show_state(sheet());
-  EXPECT_EQ(shown("session_help"), QStringLiteral("“Again” is proposed: 1 stroke shown, 2 hints, 3 misses."));
+  EXPECT_EQ(shown("session_help"),
+            QStringLiteral("Suggested: “Again” (1 stroke shown, 2 hints, 3 mistakes)."));
   session_->reopen();
   write(false);
   panel.show_state(sheet());

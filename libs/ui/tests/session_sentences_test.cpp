@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a session says at each step, and what it keeps and adds up.
-#include "language.h"
+// What a session announces at each step, and what it saves and sums up.
 #include "session_under_test.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -30,10 +30,10 @@ TEST_F(SessionSentences, WhatIsRatedIsSaidWithWhenItComesAgain) {
   EXPECT_EQ(note(), "");
   learn();
   session_->rate(Rating::easy);
-  EXPECT_EQ(note(), "Kept: 一 is “Easy” and comes in 8 days.");
+  EXPECT_EQ(note(), "Saved: 一, Easy. Next review in 8 days.");
   EXPECT_EQ(said(), note());
   session_->end();
-  EXPECT_EQ(said(), "The session has ended. Everything that was rated is kept.");
+  EXPECT_EQ(said(), "Session ended. Everything you rated is saved.");
   const auto count = said_.size();
   session_->end();
   EXPECT_EQ(said_.size(), count) << "it has ended already";
@@ -45,28 +45,28 @@ TEST_F(SessionSentences, WhatIsRatedIsSaidWithWhenItComesAgain) {
 TEST_F(SessionSentences, WhatIsPutAsideIsSaidWithHowToTakeItBack) {
   ASSERT_TRUE(session_->start());
   session_->postpone();
-  EXPECT_EQ(note(), "一 comes tomorrow. Ctrl+Shift+Z takes it back.");
+  EXPECT_EQ(note(), "Postponed 一 to tomorrow. Ctrl+Shift+Z: undo.");
   session_->undo();
-  EXPECT_EQ(note(), "Taken back: 一 is not postponed.");
+  EXPECT_EQ(note(), "Undone: 一 is no longer postponed.");
   session_->pause();
-  EXPECT_EQ(note(), "一 is paused until it is asked for. Ctrl+Shift+Z takes it back.");
+  EXPECT_EQ(note(), "Suspended 一 until you resume it. Ctrl+Shift+Z: undo.");
   session_->undo();
-  EXPECT_EQ(note(), "Taken back: 一 is not paused.");
+  EXPECT_EQ(note(), "Undone: 一 is no longer suspended.");
   session_->reset();
-  EXPECT_EQ(note(), "一 is new again. Ctrl+Shift+Z takes it back.");
+  EXPECT_EQ(note(), "Started 一 over as a new character. Ctrl+Shift+Z: undo.");
   session_->undo();
-  EXPECT_EQ(note(), "Taken back: what was learnt of 一 is there again.");
+  EXPECT_EQ(note(), "Undone: your progress with 一 is back.");
   session_->finish_stage(Stage::watch, {});
   session_->undo();
-  EXPECT_EQ(note(), "Taken back: the last writing of 一.");
+  EXPECT_EQ(note(), "Undone: the last entry for 一.");
   const std::vector<char32_t> both{U'一', U'二'};
   ASSERT_TRUE(learner_->store().pause(both));
   ASSERT_TRUE(learner_->store().resume(both));
   session_->undo();
-  EXPECT_EQ(note(), "Taken back: 一二 is paused again.");
+  EXPECT_EQ(note(), "Undone: 一二 is suspended again.");
   session_->undo();
   session_->undo();
-  EXPECT_EQ(said(), "There is nothing to take back.");
+  EXPECT_EQ(said(), "Nothing to undo.");
 }
 
 TEST_F(SessionSentences, OfManyCharactersThatAreTakenBackTheFirstAreNamed) {
@@ -108,7 +108,7 @@ TEST_F(SessionSentences, WhatIsForgottenOftenIsSetApart) {
       ASSERT_TRUE(learner_->store().add_writing(U'一', 1, writing));
     }
   }
-  EXPECT_EQ(note(), "一 is forgotten often. It is set apart: Home offers another lesson for it.");
+  EXPECT_EQ(note(), "一 was forgotten too often and taken out of reviews. Relearn it from Home.");
   ASSERT_TRUE(session_->start(true));
   EXPECT_EQ(session_->total(), 1);
   EXPECT_EQ(session_->time_left(), std::chrono::minutes(2));
@@ -119,7 +119,7 @@ TEST_F(SessionSentences, WhatIsForgottenOftenIsSetApart) {
   }
   EXPECT_FALSE(session_->is_running());
   EXPECT_EQ(session_->summary().lessons, std::vector<char32_t>{U'一'});
-  EXPECT_EQ(said(), "That was all for now. Everything is kept.");
+  EXPECT_EQ(said(), "All done for now. Everything is saved.");
 }
 
 TEST_F(SessionSentences, WhatWasForgottenIsInTheSummaryUntilItIsKnown) {
@@ -159,7 +159,7 @@ TEST_F(SessionSentences, WithoutASessionNothingCanBePutAsideOrJudged) {
   EXPECT_EQ(session_->state(), State::idle);
   EXPECT_EQ(learner_->store().card(U'一').postponed_until, std::nullopt);
   session_->undo();
-  EXPECT_EQ(said(), "There is nothing to take back.");
+  EXPECT_EQ(said(), "Nothing to undo.");
   EXPECT_FALSE(session_->is_running());
   learner_->let_go(practice::LearnerEvent::Kind::replacing);
   EXPECT_FALSE(session_->start());

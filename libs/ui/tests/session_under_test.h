@@ -7,10 +7,11 @@
 #include <memory>
 #include <vector>
 
-#include "event_loop_inbox.h"
+#include "events/event_loop_inbox.h"
 #include "nazori/practice/study_session.h"
-#include "study/learner_words.h"
-#include "study/session_words.h"
+#include "print_qt.h"
+#include "words/learner_words.h"
+#include "words/session_words.h"
 
 namespace nazori::ui {
 
@@ -46,7 +47,7 @@ class SessionTest : public testing::Test {
     }
   }
 
-  /// The character comes to the desk.
+  /// The character is shown.
   void bring(char32_t character) {
     auto sheet = std::make_shared<practice::CharacterSheet>();
     sheet->character = *kanji::KanjiDatabase::open(kanji_db())->find(character);
@@ -90,10 +91,10 @@ class SessionTest : public testing::Test {
     ASSERT_EQ(session_->state(), practice::StudySession::State::judged);
   }
 
-  /// What is said while another file is put in the place of the learner's.
+  /// The announcement while another file replaces the learner's.
   static QString replaced() {
     return QStringLiteral(
-        "Something is being put in the place of what learner has done. Nothing is kept until it is there.");
+        "The study data of learner is being replaced. Nothing is saved until this is done.");
   }
 
   QTemporaryDir folder_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands under the tablet while a session runs, without a window around it.
+// The bar under the tablet during a session, without a window around it.
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -8,7 +8,7 @@
 
 #include "chosen_session_under_test.h"
 #include "study/session_bar.h"
-#include "study/study_words.h"
+#include "words/study_words.h"
 
 namespace nazori::ui {
 namespace {
@@ -99,7 +99,7 @@ TEST_F(SessionWidgets, OneSyllabaryAsksForTheOtherAndWhatHasNoWordsForItsStrokes
        {std::pair(U'あ', "hiragana for ア"), std::pair(U'ん', "hiragana for ン"),
         std::pair(U'ア', "katakana for あ"), std::pair(U'ぁ', "hiragana for ァ"),
         std::pair(U'ン', "katakana for ん"), std::pair(U'ァ', "katakana for ぁ"),
-        std::pair(U'一', "a character of 1 stroke"), std::pair(U'二', "a character of 2 strokes")}) {
+        std::pair(U'一', "a character with 1 stroke"), std::pair(U'二', "a character with 2 strokes")}) {
     learn_from({character});
     ASSERT_TRUE(session_->start()) << words;
     ASSERT_EQ(session_->character(), character);
@@ -187,7 +187,7 @@ TEST_F(SessionWidgets, TheNextStepIsNamedWhereThereIsOne) {
   bring(U'雨');
   all.bar.show_state(sheet());
   EXPECT_EQ(next->text(), QStringLiteral("Back to the session  ⏎"));
-  EXPECT_EQ(all.question(), QStringLiteral("This character is not the one that is asked for."));
+  EXPECT_EQ(all.question(), QStringLiteral("This is not the character you are being asked for."));
   all.actions.show_state(*session_, true);
   int gone_on = 0;
   QObject::connect(all.actions.go_on, &QAction::triggered, &all.window, [&] { ++gone_on; });
@@ -227,7 +227,7 @@ TEST_F(SessionWidgets, TheRatingsTakeThePlaceOfTheQuestionOnceItIsJudged) {
   EXPECT_EQ(all.rating("hard")->text(), QStringLiteral("2  Hard \nin 6 minutes"));
   EXPECT_EQ(all.rating("good")->text(), QStringLiteral("3  Good  ⏎\nin 10 minutes"));
   EXPECT_EQ(all.rating("easy")->text(), QStringLiteral("4  Easy \nin 8 days"));
-  EXPECT_EQ(all.rating("good")->accessibleName(), QStringLiteral("Good: in 10 minutes, proposed"));
+  EXPECT_EQ(all.rating("good")->accessibleName(), QStringLiteral("Good: in 10 minutes, suggested"));
   EXPECT_EQ(all.rating("easy")->accessibleName(), QStringLiteral("Easy: in 8 days"));
   EXPECT_EQ(all.rating("good")->property("role").toString(), QStringLiteral("primary"));
   EXPECT_EQ(all.rating("easy")->property("role").toString(), QStringLiteral("rating"));
@@ -249,7 +249,7 @@ TEST_F(SessionWidgets, TheRatingsTakeThePlaceOfTheQuestionOnceItIsJudged) {
   EXPECT_EQ(rated, 1);
   bring(U'雨');
   all.bar.show_state(sheet());
-  EXPECT_TRUE(all.rating("good")->parentWidget()->isHidden()) << "not while another is on the desk";
+  EXPECT_TRUE(all.rating("good")->parentWidget()->isHidden()) << "not while another is shown";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The smaller parts of the workplace for characters, each alone: what they say, draw and hand on.
+// The small widgets of the page for characters, each alone: what they say, draw and emit.
 #include <gtest/gtest.h>
 
 #include <QLabel>
@@ -15,10 +15,10 @@
 #include "characters/glyph_view.h"
 #include "characters/strictness_slider.h"
 #include "characters/writing_report.h"
-#include "language.h"
-#include "palette.h"
+#include "look/palette.h"
 #include "picture_under_test.h"
 #include "study/ink_gallery.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -41,11 +41,11 @@ TEST_F(SmallWidgets, StrictnessHasWordsForEveryStepAndKeysGoByAQuarter) {
   for (int step = 0; step <= StrictnessSlider::kSteps; ++step) {
     strictness.set_strictness(step / 20.0);
     EXPECT_EQ(strictness.strictness(), step / 20.0);
-    const QString expected = step == 0    ? QStringLiteral("leniently")
-                             : step < 10  ? QStringLiteral("rather leniently")
-                             : step == 10 ? QStringLiteral("as a teacher does")
-                             : step < 20  ? QStringLiteral("rather strictly")
-                                          : QStringLiteral("strictly");
+    const QString expected = step == 0    ? QStringLiteral("lenient")
+                             : step < 10  ? QStringLiteral("fairly lenient")
+                             : step == 10 ? QStringLiteral("normal")
+                             : step < 20  ? QStringLiteral("fairly strict")
+                                          : QStringLiteral("strict");
     EXPECT_EQ(strictness.words(), expected) << step;
     EXPECT_EQ(label->text(), expected);
     EXPECT_EQ(slider->accessibleDescription(), expected);
@@ -109,7 +109,7 @@ TEST_F(SmallWidgets, AListOfCharactersTellsThemWithMeaningAndReading) {
   EXPECT_FALSE(model.data({}, Qt::DisplayRole).isValid());
 }
 
-TEST_F(SmallWidgets, TheTileOfTheCharacterOnTheDeskStandsOutFromTheOthers) {
+TEST_F(SmallWidgets, TheTileOfTheShownCharacterStandsOutFromTheOthers) {
   CharacterListModel model;
   model.set_characters(std::make_shared<const std::vector<kanji::Summary>>(
       std::vector{kanji::Summary{U'田', "", "", 5, {}}, kanji::Summary{U'口', "", "", 3, {}}}));
@@ -245,12 +245,12 @@ TEST_F(SmallWidgets, TheGlyphIsLargeAndInTheMiddleAlsoDrawnFromStrokes) {
   drawn->character.strokes = {stroke};
   view.show_character(drawn);
   const QRect box = box_of(picture_of(view), current_colours().ink);
-  const auto place = [](double at) { return 200 * (0.08 + 0.84 * at / 109); };
-  EXPECT_NEAR(box.left(), place(20), 6);
-  EXPECT_NEAR(box.right(), place(89), 6);
-  EXPECT_NEAR(box.top(), place(20), 6);
-  EXPECT_NEAR(box.bottom(), place(89), 6);
-  EXPECT_FALSE(is(picture_of(view), {place(55), place(55)}, current_colours().ink)) << "it is not filled";
+  const auto pixel = [](double at) { return 200 * (0.08 + 0.84 * at / 109); };
+  EXPECT_NEAR(box.left(), pixel(20), 6);
+  EXPECT_NEAR(box.right(), pixel(89), 6);
+  EXPECT_NEAR(box.top(), pixel(20), 6);
+  EXPECT_NEAR(box.bottom(), pixel(89), 6);
+  EXPECT_FALSE(is(picture_of(view), {pixel(55), pixel(55)}, current_colours().ink)) << "it is not filled";
   EXPECT_EQ(view.sizeHint().width(), view.sizeHint().height());
   view.show_character(nullptr);
   EXPECT_TRUE(view.accessibleName().isEmpty());
@@ -285,25 +285,37 @@ TEST_F(SmallWidgets, PiecesOfWritingStandInRowsWithTheirWords) {
   EXPECT_TRUE(gallery.isHidden());
 }
 
-TEST_F(SmallWidgets, AReportTellsPointsMistakesAndHowThePenMoved) {
+TEST_F(SmallWidgets, AReportShowsTheFormInStarsAndSpeaksThem) {
   WritingReport report(nullptr);
   const auto label = [&report](const char* name) {
     return report.findChild<QLabel*>(QString::fromLatin1(name));
   };
   writing::Grade grade;
   grade.accepted = true;
-  grade.score = 87;
+  grade.form = 3;
   report.show_grade(grade, {});
-  EXPECT_EQ(label("report_points")->text(), QStringLiteral("Accepted: 87 of 100 points"));
+  EXPECT_EQ(label("report_verdict")->text(), QStringLiteral("Correct. Form: ★★★☆☆"));
+  EXPECT_EQ(label("report_verdict")->accessibleName(), QStringLiteral("Correct. Form: 3 of 5 stars"));
   EXPECT_FALSE(label("report_parts")->text().isEmpty());
+  EXPECT_FALSE(label("report_parts")->isHidden());
   EXPECT_FALSE(label("report_faults")->text().isEmpty());
   EXPECT_TRUE(label("report_pen")->isHidden());
-  grade.accepted = false;
-  grade.score = 12;
+}
+
+TEST_F(SmallWidgets, AReportOnARefusedWritingHasNoFigureThatLooksLikePraise) {
+  WritingReport report(nullptr);
+  writing::Grade grade;
+  grade.score = 95;
   practice::PenReport pen;
   pen.motions = {writing::PenMotion{}};
   report.show_grade(grade, pen);
-  EXPECT_EQ(label("report_points")->text(), QStringLiteral("Not yet: 12 of 100 points"));
+  auto* verdict = report.findChild<QLabel*>(QStringLiteral("report_verdict"));
+  EXPECT_EQ(verdict->text(), QStringLiteral("Not quite"));
+  EXPECT_EQ(verdict->accessibleName(), QStringLiteral("Not quite"));
+  EXPECT_TRUE(report.findChild<QLabel*>(QStringLiteral("report_parts"))->isHidden());
+  for (const auto* shown : report.findChildren<QLabel*>())
+    EXPECT_TRUE(shown->isHidden() || !shown->text().contains(QStringLiteral("95")))
+        << shown->text().toStdString();
 }
 
 }  // namespace

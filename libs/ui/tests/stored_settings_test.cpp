@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stored_settings.h"
+#include "settings/stored_settings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of strokes: their names, their ends, and what happens to them on the tablet.
+// The sentences about strokes: their names, their endings, and what happens to them on the tablet.
 #include "characters/stroke_words.h"
 
 #include <map>
 
 #include "characters/stage_words.h"
 #include "characters/stroke_counter.h"
-#include "feedback_tone.h"
 #include "hand_under_test.h"
-#include "language.h"
 #include "nazori/practice/tracing_feedback.h"
-#include "window_tablet.h"
+#include "tablet/window_tablet.h"
+#include "words/feedback_tone.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -23,38 +23,38 @@ class StrokeWordsTest : public testing::Test {
 TEST_F(StrokeWordsTest, EveryStrokeOfUnicodesChartHasItsName) {
   // By the letters of the chart: H level, S upright, P to the left, N to the right, D dot, T rising, Z turn,
   // G hook, W bend, X slanting, B flat.
-  const std::map<const char*, std::string> names{{"㇐", "horizontal line"},
-                                                 {"㇑", "vertical line"},
+  const std::map<const char*, std::string> names{{"㇐", "horizontal stroke"},
+                                                 {"㇑", "vertical stroke"},
                                                  {"㇒", "sweep to the left"},
                                                  {"㇓", "sweep to the left"},
                                                  {"㇏", "sweep to the right"},
                                                  {"㇝", "sweep to the right"},
                                                  {"㇔", "dot"},
                                                  {"㇀", "rising stroke"},
-                                                 {"㇖", "horizontal line with a hook"},
-                                                 {"㇚", "vertical line with a hook"},
-                                                 {"㇕", "horizontal line that turns down"},
-                                                 {"㇆", "horizontal line that turns down, with a hook"},
-                                                 {"㇗", "vertical line that turns right"},
-                                                 {"㇄", "vertical line that turns right"},
-                                                 {"㇟", "vertical line that bends right, with a hook"},
-                                                 {"㇙", "vertical line with a rise"},
-                                                 {"㇇", "horizontal line that sweeps to the left"},
-                                                 {"㇁", "curved line with a hook"},
-                                                 {"㇂", "slanting line with a hook"},
+                                                 {"㇖", "horizontal stroke with a hook"},
+                                                 {"㇚", "vertical stroke with a hook"},
+                                                 {"㇕", "horizontal stroke that turns down"},
+                                                 {"㇆", "horizontal stroke that turns down, with a hook"},
+                                                 {"㇗", "vertical stroke that turns right"},
+                                                 {"㇄", "vertical stroke that turns right"},
+                                                 {"㇟", "vertical stroke that bends right, with a hook"},
+                                                 {"㇙", "vertical stroke that rises at the end"},
+                                                 {"㇇", "horizontal stroke that turns into a left sweep"},
+                                                 {"㇁", "curved stroke with a hook"},
+                                                 {"㇂", "slanting stroke with a hook"},
                                                  {"㇃", "flat curve with a hook"},
-                                                 {"㇈", "horizontal line that bends, with a hook"},
-                                                 {"㇠", "horizontal line that bends, with a hook"},
-                                                 {"㇊", "horizontal line that turns down, then rises"},
+                                                 {"㇈", "horizontal stroke that bends, with a hook"},
+                                                 {"㇠", "horizontal stroke that bends, with a hook"},
+                                                 {"㇊", "horizontal stroke that turns down, then rises"},
                                                  {"㇜", "sweep to the left that turns right"},
-                                                 {"㇛", "sweep to the left that turns to a dot"},
-                                                 {"㇞", "line with three turns"},
-                                                 {"㇅", "line with three turns"},
-                                                 {"㇎", "line with three turns"},
-                                                 {"㇉", "line with several turns and a hook"},
-                                                 {"㇡", "line with several turns and a hook"},
-                                                 {"㇋", "line with two turns that sweeps to the left"},
-                                                 {"㇌", "line that turns and curves, with a hook"}};
+                                                 {"㇛", "sweep to the left that turns into a dot"},
+                                                 {"㇞", "stroke with three turns"},
+                                                 {"㇅", "stroke with three turns"},
+                                                 {"㇎", "stroke with three turns"},
+                                                 {"㇉", "stroke with several turns and a hook"},
+                                                 {"㇡", "stroke with several turns and a hook"},
+                                                 {"㇋", "stroke with two turns and a sweep to the left"},
+                                                 {"㇌", "stroke that turns and curves, with a hook"}};
   for (const auto& [type, name] : names) {
     EXPECT_EQ(StrokeWords::name(type).toStdString(), name) << type;
     EXPECT_EQ(StrokeWords::name(std::string(type) + "b/㇐").toStdString(), name) << type;
@@ -65,11 +65,11 @@ TEST_F(StrokeWordsTest, EveryStrokeOfUnicodesChartHasItsName) {
 
 TEST_F(StrokeWordsTest, EveryEndHasItsSentence) {
   using kanji::StrokeEnding;
-  EXPECT_EQ(StrokeWords::ending(StrokeEnding::stop), QStringLiteral("It stops at the end."));
-  EXPECT_EQ(StrokeWords::ending(StrokeEnding::hook), QStringLiteral("It stops, then kicks."));
+  EXPECT_EQ(StrokeWords::ending(StrokeEnding::stop), QStringLiteral("It ends with a stop."));
+  EXPECT_EQ(StrokeWords::ending(StrokeEnding::hook), QStringLiteral("It ends with a hook."));
   EXPECT_EQ(StrokeWords::ending(StrokeEnding::taper),
-            QStringLiteral("It is lifted while it moves, and thins out."));
-  EXPECT_EQ(StrokeWords::ending(StrokeEnding::either), QStringLiteral("It may stop or thin out."));
+            QStringLiteral("It ends with a sweep: lift the pen while it is still moving."));
+  EXPECT_EQ(StrokeWords::ending(StrokeEnding::either), QStringLiteral("It may end with a stop or a sweep."));
 }
 
 /// Three level strokes on a tablet.
@@ -103,25 +103,24 @@ TEST_F(StageWordsTest, InvitesByWhatIsToBeSeen) {
   expect(practice::shown_stroke_feedback(controller_), Feedback::hint,
          "Hold the left button at number 1 and draw along the groove.");
   controller_.set_current_stroke(2);
-  expect(practice::shown_stroke_feedback(controller_), Feedback::hint,
-         "Stroke 2 of 3. Draw it from its number.");
+  expect(practice::shown_stroke_feedback(controller_), Feedback::hint, "Stroke 2 of 3. Start at its number.");
   controller_.set_strokes_visible(false);
   expect(practice::shown_stroke_feedback(controller_), Feedback::advice,
-         "Stroke 2 is chosen, but the strokes are hidden: press S.");
+         "Stroke 2 is selected, but the strokes are hidden. S: show them.");
   expect(practice::tracing_invitation(controller_), Feedback::hint,
-         "Press the left button in a groove and follow it. S shows the strokes.");
+         "Hold the left button in a groove and follow it. S: show the strokes.");
 }
 
 TEST_F(StageWordsTest, SaysWhetherStrokesHoldTheStylus) {
   put_three();
   controller_.set_snapping(false);
-  expect(practice::snapping_feedback(controller_), Feedback::hint, "The stylus is free.");
+  expect(practice::snapping_feedback(controller_), Feedback::hint, "Snapping off: the stylus moves freely.");
   controller_.set_snapping(true);
   expect(practice::snapping_feedback(controller_), Feedback::hint,
-         "Strokes now hold the stylus. Pull away firmly to leave one.");
+         "Snapping on: strokes attract the stylus. Pull firmly to leave a stroke.");
   controller_.set_strokes_visible(false);
   expect(practice::snapping_feedback(controller_), Feedback::advice,
-         "Strokes hold the stylus only while they are shown: press S.");
+         "Snapping works only while strokes are visible. S: show them.");
 }
 
 TEST_F(StageWordsTest, ToldInTurnOutOfTurnAndLeftOpen) {
@@ -129,7 +128,7 @@ TEST_F(StageWordsTest, ToldInTurnOutOfTurnAndLeftOpen) {
   EXPECT_FALSE(about(practice::TraceEvent::none, 1));
   expect(about(practice::TraceEvent::began, 1), Feedback::hint, "Stroke 1: follow the groove to its end.");
   expect(about(practice::TraceEvent::from_the_end, 1), Feedback::advice,
-         "Stroke 1 begins at its other end, where its number stands.");
+         "Start stroke 1 at its other end, at the number.");
   expect(about(practice::TraceEvent::left_open, 1), Feedback::advice,
          "Stroke 1 is not finished: the blue bit is missing. Draw on from there.");
   expect(about(practice::TraceEvent::too_early, 2), Feedback::advice, "Stroke 1 comes before stroke 2.");
@@ -137,7 +136,7 @@ TEST_F(StageWordsTest, ToldInTurnOutOfTurnAndLeftOpen) {
          "Stroke 2 is written, but stroke 1 comes first. Write it now.");
   controller_.set_current_stroke(2);
   expect(about(practice::TraceEvent::finished, 2), Feedback::good,
-         "Stroke 2 is written. The full stop key (.) shows the next.");
+         "Stroke 2 written. Full stop (.): show the next one.");
   controller_.set_current_stroke(0);
   EXPECT_TRUE(practice::is_mistake(practice::TraceEvent::from_the_end, controller_));
   EXPECT_TRUE(practice::is_mistake(practice::TraceEvent::too_early, controller_));
@@ -156,11 +155,11 @@ TEST_F(StageWordsTest, ToldInTurnOutOfTurnAndLeftOpen) {
   EXPECT_TRUE(practice::is_mistake(practice::TraceEvent::from_the_end, controller_));
   test::write(controller_, {{60, 24.5}, {89, 24.5}});
   ASSERT_EQ(controller_.ink().next_stroke(), 2);
-  expect(about(practice::TraceEvent::finished, 1), Feedback::good, "Stroke 1 is written. Stroke 2 is next.");
+  expect(about(practice::TraceEvent::finished, 1), Feedback::good, "Stroke 1 written. Next: stroke 2.");
   test::write(controller_, line(1, 89));
   test::write(controller_, line(2, 89));
   expect(about(practice::TraceEvent::finished, 3), Feedback::good,
-         "All 3 strokes are written. Delete clears the tablet.");
+         "All 3 strokes written. Delete: clear the tablet.");
 }
 
 TEST_F(StageWordsTest, TheCounterNamesTheStrokeAndKeepsItsWidth) {

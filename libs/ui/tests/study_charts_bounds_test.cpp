@@ -4,10 +4,11 @@
 
 #include <map>
 
-#include "language.h"
 #include "nazori/practice/study_charts.h"
+#include "print_qt.h"
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -35,16 +36,20 @@ std::string text(const QString& words) { return words.toStdString(); }
 TEST_F(StudyChartsBounds, EveryStrengthAndEveryMistakeHasItsWords) {
   using study::Strength;
   const std::map<Strength, std::string> strengths{
-      {Strength::unseen, "not met"}, {Strength::learning, "learning"}, {Strength::young, "young"},
-      {Strength::mature, "firm"},    {Strength::leech, "set apart"},   {Strength::paused, "paused"}};
+      {Strength::unseen, "not studied"},     {Strength::learning, "learning"},
+      {Strength::young, "recently learned"}, {Strength::mature, "well known"},
+      {Strength::leech, "difficult"},        {Strength::paused, "suspended"}};
   for (const auto& [strength, words] : strengths) EXPECT_EQ(text(StudyCharts::strength(strength)), words);
   using kanji::MistakeKind;
-  const std::map<MistakeKind, std::string> mistakes{
-      {MistakeKind::order, "out of turn"},          {MistakeKind::reversed, "drawn backwards"},
-      {MistakeKind::missing, "left out"},           {MistakeKind::extra, "one too many"},
-      {MistakeKind::joined, "joined with another"}, {MistakeKind::split, "drawn in pieces"},
-      {MistakeKind::wrong, "wrong shape or place"}, {MistakeKind::other, "of another character"},
-      {MistakeKind::ending, "wrong ending"}};
+  const std::map<MistakeKind, std::string> mistakes{{MistakeKind::order, "wrong order"},
+                                                    {MistakeKind::reversed, "drawn backwards"},
+                                                    {MistakeKind::missing, "missing"},
+                                                    {MistakeKind::extra, "extra stroke"},
+                                                    {MistakeKind::joined, "joined to another stroke"},
+                                                    {MistakeKind::split, "split into pieces"},
+                                                    {MistakeKind::wrong, "wrong shape or position"},
+                                                    {MistakeKind::other, "stroke of another character"},
+                                                    {MistakeKind::ending, "wrong ending"}};
   for (const auto& [mistake, words] : mistakes) EXPECT_EQ(text(StudyCharts::mistake(mistake)), words);
 }
 
@@ -53,7 +58,7 @@ TEST_F(StudyChartsBounds, MistakesThatAreAsFrequentStandInTheirOwnOrder) {
   const study::HardStroke stroke{
       U'休', 0, 3, 3, {{MistakeKind::reversed, 1}, {MistakeKind::order, 1}, {MistakeKind::wrong, 2}}};
   EXPECT_EQ(text(StudyCharts::mistakes(stroke)),
-            "wrong shape or place (2), out of turn (1), drawn backwards (1)");
+            "wrong shape or position (2), wrong order (1), drawn backwards (1)");
 }
 
 TEST_F(StudyChartsBounds, TimesAreMinutesThenHours) {
@@ -65,10 +70,10 @@ TEST_F(StudyChartsBounds, TimesAreMinutesThenHours) {
 }
 
 TEST_F(StudyChartsBounds, SharesAreWholePercents) {
-  EXPECT_EQ(text(StudyCharts::percent(0)), "0 %");
-  EXPECT_EQ(text(StudyCharts::percent(0.914)), "91 %");
-  EXPECT_EQ(text(StudyCharts::percent(0.916)), "92 %");
-  EXPECT_EQ(text(StudyCharts::percent(1)), "100 %");
+  EXPECT_EQ(text(StudyCharts::percent(0)), "0%");
+  EXPECT_EQ(text(StudyCharts::percent(0.914)), "91%");
+  EXPECT_EQ(text(StudyCharts::percent(0.916)), "92%");
+  EXPECT_EQ(text(StudyCharts::percent(1)), "100%");
 }
 
 TEST_F(StudyChartsBounds, DatesAreThoseOfTheLanguage) {
@@ -87,7 +92,7 @@ TEST_F(StudyChartsBounds, DatesAreThoseOfTheLanguage) {
   EXPECT_EQ(text(chart_text(ChartId::activity, s, Day()).row_names.back()), "20 Mar");
 }
 
-/// A chart's first head where the first row lies so many days back, today counted.
+/// The first heading of a chart whose first row is this many days ago, including today.
 std::string head(ChartId chart, int day_count, Day first = {}) {
   const Day begin = kToday - days(day_count - 1);
   study::Statistics s;
@@ -101,14 +106,14 @@ std::string head(ChartId chart, int day_count, Day first = {}) {
 TEST_F(StudyChartsBounds, ASeasonIsShownByDaysAndTwoYearsByWeeks) {
   for (const auto chart : {ChartId::activity, ChartId::motion}) {
     EXPECT_EQ(head(chart, 92), "Day");
-    EXPECT_EQ(head(chart, 93), "Week from");
-    EXPECT_EQ(head(chart, 800), "Week from");
-    EXPECT_EQ(head(chart, 801), "Month from");
+    EXPECT_EQ(head(chart, 93), "Week starting");
+    EXPECT_EQ(head(chart, 800), "Week starting");
+    EXPECT_EQ(head(chart, 801), "Month starting");
     EXPECT_EQ(head(chart, 801, kToday - days(91)), "Day") << "less is shown";
   }
   EXPECT_EQ(head(ChartId::retention, 31), "Day");
-  EXPECT_EQ(head(ChartId::retention, 32), "Week from");
-  EXPECT_EQ(head(ChartId::retention, 801), "Month from");
+  EXPECT_EQ(head(ChartId::retention, 32), "Week starting");
+  EXPECT_EQ(head(ChartId::retention, 801), "Month starting");
   EXPECT_EQ(head(ChartId::retention, 801, kToday - days(30)), "Day");
 }
 
@@ -117,10 +122,10 @@ TEST_F(StudyChartsBounds, OfReviewsToComeTheFirstOfTheFullestDaysIsNamed) {
   s.today = kToday;
   for (const int reviews : {2, 5, 1, 5}) s.forecast.push_back({kToday + days(s.forecast.size()), reviews});
   const ChartText chart = chart_text(ChartId::forecast, s);
-  EXPECT_EQ(text(chart.summary), "In 30 days: 13, today: 2. Most on 21 Mar 2026: 5.");
+  EXPECT_EQ(text(chart.summary), "Next 30 days: 13. Today: 2. Busiest day: 21 Mar 2026 (5).");
   EXPECT_EQ(text(chart.row_names[1]), "21 Mar");
   s.forecast.front().reviews = 5;
-  EXPECT_TRUE(chart_text(ChartId::forecast, s).summary.contains(QStringLiteral("Most on 20 Mar 2026")));
+  EXPECT_TRUE(chart_text(ChartId::forecast, s).summary.contains(QStringLiteral("Busiest day: 20 Mar 2026")));
 }
 
 TEST_F(StudyChartsBounds, MinutesHaveAnAxisOfTheirOwn) {
@@ -131,11 +136,9 @@ TEST_F(StudyChartsBounds, MinutesHaveAnAxisOfTheirOwn) {
   EXPECT_EQ(chart.series_names, (QStringList{QStringLiteral("Reviews"), QStringLiteral("Minutes")}));
   EXPECT_EQ(chart.numbers.row_text(0).toStdString(),
             "19 Mar 2026: Reviews 3, Practice 2, New 1, Minutes 1.5");
-  EXPECT_TRUE(
-      chart.summary.startsWith(QStringLiteral("Reviews: 9 in 2 min. Days of study: 2, each with about")));
+  EXPECT_TRUE(chart.summary.startsWith(QStringLiteral("Reviews: 9 in 2 min. Study days: 2, with about")));
   const ChartText last = chart_text(ChartId::activity, s, kToday);
-  EXPECT_TRUE(
-      last.summary.startsWith(QStringLiteral("Reviews: 6 in 0 min. Days of study: 1, each with about 6 ")));
+  EXPECT_TRUE(last.summary.startsWith(QStringLiteral("Reviews: 6 in 0 min. Study days: 1, with about 6 ")));
 }
 
 TEST_F(StudyChartsBounds, RecalledAndPredictedAreMeansOverTheReviews) {
@@ -145,7 +148,7 @@ TEST_F(StudyChartsBounds, RecalledAndPredictedAreMeansOverTheReviews) {
   const ChartText chart = chart_text(ChartId::retention, s, Day());
   EXPECT_EQ(chart.series_names, (QStringList{QStringLiteral("Recalled"), QStringLiteral("Predicted")}));
   // (4 * 0.62 + 2 * 0.92) / 6 = 0.72
-  EXPECT_EQ(text(chart.summary), "Reviews after a day or more: 6. Recalled 83 %, predicted 72 %.");
+  EXPECT_EQ(text(chart.summary), "Reviews after a day or more: 6. Recalled 83%, predicted 72%.");
 }
 
 TEST_F(StudyChartsBounds, OfThePenTheFirstAndTheLastAreSaid) {
@@ -153,10 +156,9 @@ TEST_F(StudyChartsBounds, OfThePenTheFirstAndTheLastAreSaid) {
   s.today = kToday;
   s.motion = {{kToday - days(2), 1, 109, -2.5}, {kToday - days(1), 1, 545, -9}, {kToday, 1, 218, -1.75}};
   const ChartText chart = chart_text(ChartId::motion, s, Day());
-  EXPECT_EQ(
-      text(chart.summary),
-      "Speed 1.00 at first, 2.00 now, in character widths a second. Smoothness -2.50 at first, -1.75 now; "
-      "nearer to 0 is smoother.");
+  EXPECT_EQ(text(chart.summary),
+            "Speed in character widths per second: 1.00 at first, 2.00 now. Smoothness: -2.50 at first, "
+            "-1.75 now (closer to 0 is smoother).");
 }
 
 TEST_F(StudyChartsBounds, ARowOutsideTheTableHasNoWords) {
@@ -186,10 +188,11 @@ TEST_F(StudyChartsBounds, TheGridTellsStrengthAndChanceOfWhatIsKnown) {
   EXPECT_EQ(model.at(3), 0U);
   const auto data = [&](int row, int role) { return model.data(model.index(row), role); };
   EXPECT_EQ(data(0, Qt::DisplayRole).toString(), QStringLiteral("休"));
-  EXPECT_EQ(data(0, Qt::ToolTipRole).toString(), QStringLiteral("休, young, known with a chance of 93 %"));
+  EXPECT_EQ(data(0, Qt::ToolTipRole).toString(),
+            QStringLiteral("休, recently learned, 93% likely to be remembered"));
   EXPECT_EQ(data(0, Qt::AccessibleTextRole), data(0, Qt::ToolTipRole));
-  EXPECT_EQ(data(1, Qt::ToolTipRole).toString(), QStringLiteral("木, not met"));
-  EXPECT_EQ(data(2, Qt::ToolTipRole).toString(), QStringLiteral("人, paused"));
+  EXPECT_EQ(data(1, Qt::ToolTipRole).toString(), QStringLiteral("木, not studied"));
+  EXPECT_EQ(data(2, Qt::ToolTipRole).toString(), QStringLiteral("人, suspended"));
   EXPECT_EQ(data(2, StrengthModel::kStrengthRole).toInt(), static_cast<int>(study::Strength::paused));
   EXPECT_FALSE(data(0, Qt::DecorationRole).isValid());
   EXPECT_FALSE(model.data({}, Qt::DisplayRole).isValid());

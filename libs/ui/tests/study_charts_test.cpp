@@ -7,10 +7,11 @@
 #include <cmath>
 #include <set>
 
-#include "language.h"
+#include "look/palette.h"
 #include "nazori/practice/study_charts.h"
-#include "palette.h"
+#include "print_qt.h"
 #include "progress/strength_grid.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -55,7 +56,7 @@ TEST_F(StudyChartsTest, ForecastHasARowForEachOfThirtyDays) {
   for (int i = 0; i < 30; ++i) {
     EXPECT_EQ(chart.numbers.rows[i][1].toInt(), s.forecast[static_cast<std::size_t>(i)].reviews);
   }
-  EXPECT_EQ(chart.summary, QStringLiteral("In 30 days: 42, today: 1. Most on 22 Mar 2026: 4."));
+  EXPECT_EQ(chart.summary, QStringLiteral("Next 30 days: 42. Today: 1. Busiest day: 22 Mar 2026 (4)."));
   EXPECT_EQ(chart.numbers.row_text(2), QStringLiteral("22 Mar 2026: Reviews 4"));
 }
 
@@ -66,7 +67,7 @@ TEST_F(StudyChartsTest, ActivityCountsDaysWithoutStudyToo) {
             (QStringList{QStringLiteral("10 Mar 2026"), QStringLiteral("10"), QStringLiteral("1"),
                          QStringLiteral("0"), QStringLiteral("4.0")}));
   EXPECT_EQ(chart.summary,
-            QStringLiteral("Reviews: 19 in 17 min. Days of study: 4, each with about 5 reviews in 4 min."));
+            QStringLiteral("Reviews: 19 in 17 min. Study days: 4, with about 5 reviews in 4 min each."));
   EXPECT_EQ(chart_text(ChartId::activity, some_statistics(), day("2026-03-05")).row_names.size(), 11);
 }
 
@@ -74,31 +75,30 @@ TEST_F(StudyChartsTest, ALongTimeIsTakenTogetherByWeekAndByMonth) {
   auto s = some_statistics();
   s.days.insert(s.days.begin(), {day("2025-11-03"), 3, 0, 0, minutes(1)});
   const ChartText weeks = chart_text(ChartId::activity, s, Day());
-  EXPECT_EQ(weeks.numbers.head[0], QStringLiteral("Week from"));
+  EXPECT_EQ(weeks.numbers.head[0], QStringLiteral("Week starting"));
   EXPECT_EQ(weeks.row_names.size(), 20);  // Mondays from 3 November to 16 March
   s.days.front().day = day("2023-06-15");
   const ChartText months = chart_text(ChartId::activity, s, Day());
-  EXPECT_EQ(months.numbers.head[0], QStringLiteral("Month from"));
+  EXPECT_EQ(months.numbers.head[0], QStringLiteral("Month starting"));
   EXPECT_EQ(months.row_names.size(), 34);
 }
 
 TEST_F(StudyChartsTest, RetentionShowsTrueBesidePredicted) {
   const ChartText chart = chart_text(ChartId::retention, some_statistics(), Day());
-  EXPECT_EQ(chart.numbers.row_text(1),
-            QStringLiteral("20 Mar 2026: Reviews 5, Recalled 80 %, Predicted 89 %"));
-  EXPECT_EQ(chart.summary, QStringLiteral("Reviews after a day or more: 15. Recalled 87 %, predicted 90 %."));
+  EXPECT_EQ(chart.numbers.row_text(1), QStringLiteral("20 Mar 2026: Reviews 5, Recalled 80%, Predicted 89%"));
+  EXPECT_EQ(chart.summary, QStringLiteral("Reviews after a day or more: 15. Recalled 87%, predicted 90%."));
 }
 
 TEST_F(StudyChartsTest, ThePenIsMeasuredInCharacterWidths) {
   const ChartText chart = chart_text(ChartId::motion, some_statistics(), Day());
   EXPECT_EQ(chart.numbers.row_text(0),
-            QStringLiteral("10 Mar 2026: Writings 10, Speed 1.00, Smoothness -2.50"));
+            QStringLiteral("10 Mar 2026: Times written 10, Speed 1.00, Smoothness -2.50"));
 }
 
 TEST_F(StudyChartsTest, AHardStrokeSaysWhatGoesWrongMostFirst) {
   const auto s = some_statistics();
   EXPECT_EQ(StudyCharts::mistakes(s.hard_strokes[0]),
-            QStringLiteral("out of turn (3), wrong shape or place (1)"));
+            QStringLiteral("wrong order (3), wrong shape or position (1)"));
   const Numbers numbers = StudyCharts::hard_strokes(s);
   ASSERT_EQ(numbers.rows.size(), 1);
   EXPECT_EQ(numbers.rows[0].mid(0, 4), (QStringList{QStringLiteral("休"), QStringLiteral("3"),
@@ -140,8 +140,8 @@ TEST_F(StudyChartsTest, EveryChartHasWordsOfItsOwn) {
 
 TEST_F(StudyChartsTest, NumbersAreCopiedAsASpreadsheetTakesThem) {
   const QString text = chart_text(ChartId::retention, some_statistics(), Day()).numbers.as_text();
-  EXPECT_EQ(text, QStringLiteral("Day\tReviews\tRecalled\tPredicted\n10 Mar 2026\t10\t90 %\t91 %\n"
-                                 "20 Mar 2026\t5\t80 %\t89 %\n"));
+  EXPECT_EQ(text, QStringLiteral("Day\tReviews\tRecalled\tPredicted\n10 Mar 2026\t10\t90%\t91%\n"
+                                 "20 Mar 2026\t5\t80%\t89%\n"));
 }
 
 TEST(StrengthLook, TextStandsOutAndEverySignIsAnother) {
@@ -154,7 +154,7 @@ TEST(StrengthLook, TextStandsOutAndEverySignIsAnother) {
       EXPECT_GE(contrast_ratio(look.fill, look.text), 4.5) << static_cast<int>(strength);
       EXPECT_TRUE(signs.insert(look.sign).second) << static_cast<int>(strength);
     }
-    // Firmer is told by lightness alone, whatever colours an eye sees.
+    // A higher strength has more contrast, so that it can be seen without colour vision.
     const auto against_paper = [&](study::Strength strength) {
       return contrast_ratio(look_of(strength, *colours).fill, colours->surface);
     };

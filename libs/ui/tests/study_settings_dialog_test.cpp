@@ -16,11 +16,11 @@
 #include <QTabWidget>
 #include <QTimer>
 
-#include "language.h"
 #include "nazori/practice/list_members.h"
 #include "nazori/study/statistics.h"
 #include "session_under_test.h"
 #include "study/list_choice.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {
@@ -109,11 +109,11 @@ TEST_F(SettingsDialog, EveryFieldHasItsPlaceItsBoundsAndItsName) {
     const char* name;
     int low, high;
     int study::Settings::*value;
-  } spins[] = {{"study_new", "New characters a day, at most", 0, 1000, &study::Settings::new_per_day},
-               {"study_reviews", "Reviews a day, at most", 1, 10'000, &study::Settings::reviews_per_day},
-               {"study_day_starts", "A study day begins at (hour)", 0, 12, &study::Settings::day_starts_at},
-               {"study_leech", "Forgotten so often, a character gets another lesson", 2, 100,
-                &study::Settings::leech_lapses}};
+  } spins[] = {
+      {"study_new", "New characters per day (maximum)", 0, 1000, &study::Settings::new_per_day},
+      {"study_reviews", "Reviews per day (maximum)", 1, 10'000, &study::Settings::reviews_per_day},
+      {"study_day_starts", "A study day starts at (hour)", 0, 12, &study::Settings::day_starts_at},
+      {"study_leech", "Lapses before a character must be relearned", 2, 100, &study::Settings::leech_lapses}};
   for (const auto& one : spins) {
     auto* spin = part<QSpinBox>(one.object);
     EXPECT_EQ(spin->minimum(), one.low) << one.object;
@@ -147,10 +147,10 @@ TEST_F(SettingsDialog, TheOrderOfNewCharactersIsOneOfFive) {
   open();
   auto* order = part<QComboBox>("study_order");
   const std::pair<const char*, study::NewOrder> all[] = {{"by school grade", study::NewOrder::grade},
-                                                         {"commonest first", study::NewOrder::frequency},
+                                                         {"most common first", study::NewOrder::frequency},
                                                          {"fewest strokes first", study::NewOrder::strokes},
-                                                         {"parts before wholes", study::NewOrder::components},
-                                                         {"as in the lists", study::NewOrder::own}};
+                                                         {"simple parts first", study::NewOrder::components},
+                                                         {"in list order", study::NewOrder::own}};
   ASSERT_EQ(order->count(), 5);
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(order->itemText(i).toStdString(), all[i].first);
@@ -160,8 +160,8 @@ TEST_F(SettingsDialog, TheOrderOfNewCharactersIsOneOfFive) {
   QStringList pages;
   auto* tabs = part<QTabWidget>("study_settings_tabs");
   for (int i = 0; i < tabs->count(); ++i) pages.append(tabs->tabText(i));
-  EXPECT_EQ(pages, (QStringList{QStringLiteral("How much"), QStringLiteral("What"), QStringLiteral("How"),
-                                QStringLiteral("Window")}));
+  EXPECT_EQ(pages, (QStringList{QStringLiteral("Daily goal"), QStringLiteral("Lists"),
+                                QStringLiteral("Review"), QStringLiteral("Window")}));
 }
 
 TEST_F(SettingsDialog, TheWindowsPartGoesToThePreferences) {
@@ -191,21 +191,22 @@ TEST_F(SettingsDialog, WhatIsExpectedFollowsRetentionAndNumber) {
   open();
   const auto expected = [this] { return part<QLabel>("study_workload")->text(); };
   part<QSpinBox>("study_new")->setValue(4);
-  EXPECT_TRUE(expected().startsWith(QStringLiteral("With 4 new a day about "))) << expected().toStdString();
+  EXPECT_TRUE(expected().startsWith(QStringLiteral("With 4 new characters a day: about ")))
+      << expected().toStdString();
   const auto workload =
       study::expected_workload(dialog_->settings().fsrs, 4, *study::pace_of(learner_->store()));
   const QLocale locale;
   EXPECT_TRUE(expected().contains(QStringLiteral("about %1 reviews and %2 minute")
                                       .arg(locale.toString(std::lround(workload->reviews_per_day)),
                                            QString::number(std::lround(workload->minutes_per_day)))));
-  EXPECT_TRUE(expected().contains(
-      QStringLiteral("after a year about %1 characters").arg(locale.toString(std::lround(workload->known)))));
+  EXPECT_TRUE(expected().contains(QStringLiteral("about %1 characters known after a year")
+                                      .arg(locale.toString(std::lround(workload->known)))));
   const QString before = expected();
   auto* retention = part<QSlider>("study_retention");
   retention->setValue(retention->maximum());
   EXPECT_NE(expected(), before);
   part<QSpinBox>("study_new")->setValue(500);
-  EXPECT_TRUE(expected().startsWith(QStringLiteral("With 100 new a day ")));
+  EXPECT_TRUE(expected().startsWith(QStringLiteral("With 100 new characters a day")));
 }
 
 TEST_F(SettingsDialog, ChosenListsStandFirstAndMove) {
@@ -214,7 +215,7 @@ TEST_F(SettingsDialog, ChosenListsStandFirstAndMove) {
   EXPECT_EQ(ids().size(), static_cast<qsizetype>(study::ready_lists().size()) + 2);
   EXPECT_TRUE(ids().contains(QStringLiteral("tag:exam")));
   EXPECT_EQ(lists()->currentRow(), 0);
-  EXPECT_EQ(choice(), QStringLiteral("80 characters are chosen, 0 of them met already."));
+  EXPECT_EQ(choice(), QStringLiteral("80 characters selected, 0 of them already studied."));
   press("list_up");
   EXPECT_EQ(lists()->currentRow(), 0);
   press("list_down");
@@ -229,10 +230,10 @@ TEST_F(SettingsDialog, ChosenListsStandFirstAndMove) {
   EXPECT_EQ(ids(), all);
   choose("grade-1");
   lists()->currentItem()->setCheckState(Qt::Unchecked);
-  EXPECT_EQ(choice(), QStringLiteral("3 characters are chosen, 0 of them met already."));
+  EXPECT_EQ(choice(), QStringLiteral("3 characters selected, 0 of them already studied."));
   choose("list:few");
   lists()->currentItem()->setCheckState(Qt::Unchecked);
-  EXPECT_EQ(choice(), QStringLiteral("No list is chosen: nothing new will come."));
+  EXPECT_EQ(choice(), QStringLiteral("No list is selected, so no new characters will come up."));
   EXPECT_TRUE(dialog_->settings().new_lists.empty());
 }
 
@@ -240,14 +241,14 @@ TEST_F(SettingsDialog, AWholeListIsPausedResumedPostponedAndReset) {
   study::Writing writing;
   ASSERT_TRUE(learner_->store().add_writing(U'一', 1, writing));
   open();
-  EXPECT_EQ(choice(), QStringLiteral("80 characters are chosen, 1 of them met already."));
+  EXPECT_EQ(choice(), QStringLiteral("80 characters selected, 1 of them already studied."));
   choose("list:few");
   const auto card = [this](char32_t one) { return learner_->store().card(one); };
   press("list_pause");
-  EXPECT_EQ(choice(), QStringLiteral("3 characters are paused. Ctrl+Shift+Z takes it back."));
+  EXPECT_EQ(choice(), QStringLiteral("3 characters suspended. Ctrl+Shift+Z: undo."));
   EXPECT_TRUE(card(U'一').paused && card(U'二').paused && card(U'雨').paused);
   press("list_resume");
-  EXPECT_EQ(choice(), QStringLiteral("3 characters come again. Ctrl+Shift+Z takes it back."));
+  EXPECT_EQ(choice(), QStringLiteral("3 characters resumed. Ctrl+Shift+Z: undo."));
   EXPECT_FALSE(card(U'雨').paused);
   then<QInputDialog>([](QInputDialog* days) {
     EXPECT_EQ(days->intValue(), 7);
@@ -257,32 +258,32 @@ TEST_F(SettingsDialog, AWholeListIsPausedResumedPostponedAndReset) {
     days->accept();
   });
   press("list_postpone");
-  EXPECT_EQ(choice(), QStringLiteral("3 characters are postponed. Ctrl+Shift+Z takes it back."));
+  EXPECT_EQ(choice(), QStringLiteral("3 characters postponed. Ctrl+Shift+Z: undo."));
   EXPECT_EQ(card(U'二').postponed_until, learner_->store().today() + std::chrono::days(3));
   then<QInputDialog>([](QInputDialog* days) { days->reject(); });
   press("list_postpone");
   EXPECT_EQ(card(U'二').postponed_until, learner_->store().today() + std::chrono::days(3));
   press("list_reset");
-  EXPECT_EQ(choice(), QStringLiteral("3 characters are new again. Ctrl+Shift+Z takes it back."));
+  EXPECT_EQ(choice(), QStringLiteral("3 characters started over as new. Ctrl+Shift+Z: undo."));
   EXPECT_EQ(card(U'一').memory.reps, 0);
   ASSERT_TRUE(learner_->store().save_list({"none", {}}));
   open();
   choose("list:none");
   press("list_pause");
-  EXPECT_EQ(choice(), QStringLiteral("There is nothing in this list."));
+  EXPECT_EQ(choice(), QStringLiteral("This list is empty."));
 }
 
 TEST_F(SettingsDialog, OnlyOwnListsAreRemovedAndOnlyAfterAQuestion) {
   open();
   choose("grade-2");
   press("list_remove");
-  EXPECT_EQ(choice(), QStringLiteral("Only lists of your own can be removed."));
+  EXPECT_EQ(choice(), QStringLiteral("Only your own lists can be removed."));
   choose("list:few");
   for (const auto answer : {QMessageBox::Cancel, QMessageBox::Ok}) {
     EXPECT_TRUE(ids().contains(QStringLiteral("list:few")));
     then<QMessageBox>([answer](QMessageBox* box) {
       EXPECT_EQ(box->objectName(), QStringLiteral("remove_list_box"));
-      EXPECT_EQ(box->text(), QStringLiteral("Remove “few”? What was learnt of its characters stays."));
+      EXPECT_EQ(box->text(), QStringLiteral("Remove “few”? Your progress with its characters is kept."));
       box->button(answer)->click();
     });
     press("list_remove");
@@ -295,7 +296,7 @@ TEST_F(SettingsDialog, OnlyOwnListsAreRemovedAndOnlyAfterAQuestion) {
 TEST_F(SettingsDialog, WeightsAreTakenWhereTheyAreWeights) {
   open();
   const auto said = [this] { return part<QLabel>("study_weights")->text(); };
-  EXPECT_EQ(said(), QStringLiteral("FSRS-6 with its usual weights."));
+  EXPECT_EQ(said(), QStringLiteral("FSRS-6 with default parameters."));
   const auto type = [this](const QString& text, bool taken) {
     then<QInputDialog>([text, taken](QInputDialog* asked) {
       EXPECT_EQ(asked->textValue().split(QStringLiteral(", ")).size(), 21);
@@ -305,7 +306,7 @@ TEST_F(SettingsDialog, WeightsAreTakenWhereTheyAreWeights) {
     press("weights_import");
   };
   type(QStringLiteral("1, 2"), true);
-  EXPECT_TRUE(said().startsWith(QStringLiteral("These weights are not taken: "))) << said().toStdString();
+  EXPECT_TRUE(said().startsWith(QStringLiteral("These parameters cannot be used: "))) << said().toStdString();
   QStringList own;
   auto weights = study::kDefaultWeights;
   weights.front() = 0.5;
@@ -313,10 +314,10 @@ TEST_F(SettingsDialog, WeightsAreTakenWhereTheyAreWeights) {
   type(own.join(QLatin1Char(' ')), false);
   EXPECT_EQ(dialog_->settings().fsrs.weights, study::kDefaultWeights);
   type(own.join(QStringLiteral(", ")), true);
-  EXPECT_EQ(said(), QStringLiteral("FSRS-6 with weights of your own, the first 0.5000."));
+  EXPECT_EQ(said(), QStringLiteral("FSRS-6 with custom parameters (the first is 0.5000)."));
   EXPECT_DOUBLE_EQ(dialog_->settings().fsrs.weights.front(), 0.5);
   press("weights_default");
-  EXPECT_EQ(said(), QStringLiteral("FSRS-6 with its usual weights."));
+  EXPECT_EQ(said(), QStringLiteral("FSRS-6 with default parameters."));
   EXPECT_EQ(dialog_->settings().fsrs.weights, study::kDefaultWeights);
 }
 
@@ -332,13 +333,13 @@ TEST_F(SettingsDialog, WithoutAStoreToWriteNothingCanBeAccepted) {
 }
 
 TEST_F(SettingsDialog, EveryKindOfListHasAName) {
-  const std::pair<const char*, const char*> names[] = {{"grade-3", "School grade 3"},
+  const std::pair<const char*, const char*> names[] = {{"grade-3", "Grade 3"},
                                                        {"secondary", "Secondary school"},
-                                                       {"jinmeiyou", "For names"},
+                                                       {"jinmeiyou", "Kanji for names"},
                                                        {"hiragana", "Hiragana"},
                                                        {"katakana", "Katakana"},
                                                        {"old-jlpt-2", "Old JLPT level 2 (before 2010)"},
-                                                       {"list:week", "Own list: week"},
+                                                       {"list:week", "My list: week"},
                                                        {"tag:exam", "Tag: exam"},
                                                        {"other", "other"}};
   for (const auto& [id, name] : names)
@@ -346,7 +347,7 @@ TEST_F(SettingsDialog, EveryKindOfListHasAName) {
   ListChoice lists;
   EXPECT_EQ(lists.count(), 1);
   lists.fill(learner_->store());
-  EXPECT_EQ(lists.itemText(0), QStringLiteral("Met so far"));
+  EXPECT_EQ(lists.itemText(0), QStringLiteral("Studied so far"));
   EXPECT_EQ(lists.count(), static_cast<int>(study::ready_lists().size()) + 3);
   lists.set_list(QStringLiteral("tag:exam"));
   EXPECT_EQ(lists.list(), QStringLiteral("tag:exam"));

@@ -4,8 +4,8 @@
 #include <QPushButton>
 
 #include "characters/characters.h"
-#include "desk.h"
 #include "hand_under_test.h"
+#include "page/window_parts.h"
 #include "study/home.h"
 #include "window_under_test.h"
 
@@ -15,7 +15,7 @@ namespace nazori::ui {
 class StudyTest : public WindowTest {
  protected:
   StudyTest() {
-    workplaces_ = {make_home, make_characters};
+    pages_ = {make_home, make_characters};
     clock_ = [this] { return now_; };
   }
 
@@ -43,28 +43,29 @@ class StudyTest : public WindowTest {
     window_.reset();
     window_ = std::make_unique<MainWindow>(setup(), appearance_);
     QSignalSpy opened(window_.get(), &MainWindow::opened);
-    QObject::connect(window_.get(), &MainWindow::character_shown, [this](char32_t c) { on_desk_ = c; });
+    QObject::connect(window_.get(), &MainWindow::character_shown,
+                     [this](char32_t c) { shown_character_ = c; });
     window_->show();
     window_->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
     ASSERT_TRUE(opened.count() > 0 || opened.wait(20000));
     window_->resize(1280, 800);
-    the_desk->session().set_asks_by_words(false);
+    the_parts->session().set_asks_by_words(false);
     QCoreApplication::processEvents();
   }
 
-  static practice::StudySession& session() { return the_desk->session(); }
-  static study::LearnerStore& store() { return the_desk->learner().store(); }
+  static practice::StudySession& session() { return the_parts->session(); }
+  static study::LearnerStore& store() { return the_parts->learner().store(); }
 
   void start() {
     ASSERT_TRUE(find("home_page")->isVisible());
     ASSERT_TRUE(find<QPushButton>("home_start")->isVisible()) << text("home_advice").toStdString();
-    on_desk_ = 0;
+    shown_character_ = 0;
     QTest::keyClick(find<QPushButton>("home_start"), Qt::Key_Return);
     ASSERT_TRUE(session().is_running());
   }
 
-  /// A character is learnt today and lies on the desk as a review eight days later.
+  /// A character is learnt today and is asked as a review eight days later.
   void learn_and_come_back() {
     start();
     learn();
@@ -72,14 +73,14 @@ class StudyTest : public WindowTest {
     now_ += std::chrono::days(8);
     open_home();
     start();
-    ASSERT_TRUE(is_on_desk());
+    ASSERT_TRUE(is_shown());
   }
 
-  bool is_on_desk() {
-    return QTest::qWaitFor([&] { return on_desk_ == session().character(); }, 20000);
+  bool is_shown() {
+    return QTest::qWaitFor([&] { return shown_character_ == session().character(); }, 20000);
   }
 
-  /// Writes from memory as the model is, or gives up; the judgement stands then.
+  /// Writes from memory as the model, or shows the answer. Then the check is done.
   void write_from_memory(bool well) {
     ASSERT_EQ(session().stage(), study::Stage::memory);
     const char32_t character = session().character();
@@ -90,7 +91,7 @@ class StudyTest : public WindowTest {
       for (const auto& line : test::model(character)) {
         const practice::HandStroke stroke = test::hand_stroke(line, time_s);
         time_s = stroke.back().time_s.value_or(0);
-        the_desk->practice().memory().add_stroke(stroke);
+        the_parts->practice().memory().add_stroke(stroke);
       }
     }
     ASSERT_TRUE(
@@ -98,9 +99,9 @@ class StudyTest : public WindowTest {
         << feedback().toStdString();
   }
 
-  /// The stage at hand, done well.
+  /// Completes the current stage without mistakes.
   void do_stage() {
-    ASSERT_TRUE(is_on_desk());
+    ASSERT_TRUE(is_shown());
     switch (session().stage()) {
       case study::Stage::watch:
         ASSERT_TRUE(action("watch")->isChecked());
@@ -110,7 +111,7 @@ class StudyTest : public WindowTest {
         break;
       case study::Stage::trace:
       case study::Stage::guided:
-        for (const auto& line : test::model(session().character())) test::write(the_desk->tablet(), line);
+        for (const auto& line : test::model(session().character())) test::write(the_parts->tablet(), line);
         break;
       case study::Stage::memory:
         write_from_memory(true);
@@ -121,15 +122,15 @@ class StudyTest : public WindowTest {
         << feedback().toStdString();
   }
 
-  /// Enter goes on; another character is waited for.
+  /// Enter goes on. Waits until another character is shown.
   void go_on() {
     const char32_t before = session().character();
-    on_desk_ = 0;
+    shown_character_ = 0;
     press(Qt::Key_Return);
-    if (session().is_running() && session().character() == before) on_desk_ = before;
+    if (session().is_running() && session().character() == before) shown_character_ = before;
   }
 
-  /// A new character up to its judgement.
+  /// A new character, up to the check of its writing.
   void learn() {
     while (session().state() != practice::StudySession::State::judged) {
       do_stage();
@@ -150,19 +151,19 @@ class StudyTest : public WindowTest {
     return count;
   }
 
-  static std::unique_ptr<Workplace> make_home(Desk& desk) { return std::make_unique<Home>(desk); }
+  static std::unique_ptr<Page> make_home(WindowParts& parts) { return std::make_unique<Home>(parts); }
 
-  static std::unique_ptr<Workplace> make_characters(Desk& desk) {
-    the_desk = &desk;
-    auto made = std::make_unique<Characters>(desk);
+  static std::unique_ptr<Page> make_characters(WindowParts& parts) {
+    the_parts = &parts;
+    auto made = std::make_unique<Characters>(parts);
     the_characters = made.get();
     return made;
   }
 
-  static inline Desk* the_desk = nullptr;
+  static inline WindowParts* the_parts = nullptr;
   static inline Characters* the_characters = nullptr;
   study::Time now_ = *study::parse_time("2026-03-02T10:00Z");
-  char32_t on_desk_ = 0;
+  char32_t shown_character_ = 0;
 };
 
 }  // namespace nazori::ui

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/study_words.h"
+#include "words/study_words.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "language.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What mouse and keys do with the view of the tablet; nothing is drawn.
+// How mouse and keys change the view of the tablet. Nothing is drawn.
 #include <gtest/gtest.h>
 
 #include <QDropEvent>
@@ -12,8 +12,8 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "tablet_window.h"
-#include "window_tablet.h"
+#include "tablet/tablet_window.h"
+#include "tablet/window_tablet.h"
 
 namespace nazori::ui {
 namespace {
@@ -40,7 +40,7 @@ class CameraByHand : public testing::Test {
   void release(QPointF at, Qt::MouseButton button) {
     mouse(QEvent::MouseButtonRelease, at, button, Qt::NoButton);
   }
-  /// The place of the tablet that lies so far from the middle of the window, as a click finds it.
+  /// The point of the tablet at this distance from the middle of the window, as a click finds it.
   geometry::TabletPoint under(double right, double down) {
     pressed_ = {9, 9};
     const QPointF at(400 + right, 300 + down);
@@ -203,7 +203,7 @@ TEST_F(CameraByHand, WithMotionTheViewGlidesToTheSamePlace) {
   const auto at_once = under(100, 0);
   window_.reset_camera();
   const auto before = under(100, 0);
-  // A press would hold the view where it is: the stylus only hovers.
+  // The stylus only hovers, because a press would keep the view from moving.
   const auto hovers_at_m = [&] {
     move({500, 300}, Qt::NoButton);
     return controller_.latest().device_m.x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pen and fingers on the tablet, as Qt tells of them; nothing is drawn.
-#include "tablet_window.h"
+// Events of pen and fingers on the tablet, as Qt sends them. Nothing is drawn.
+#include "tablet/tablet_window.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 
 #include "nazori/practice/pen_recorder.h"
 #include "nazori/view/point_under.h"
-#include "window_tablet.h"
+#include "tablet/window_tablet.h"
 
 namespace nazori::ui {
 namespace {
@@ -173,14 +173,14 @@ TEST_F(PenAndFingers, AButtonInHoverWritesNothing) {
 }
 
 TEST_F(PenAndFingers, EveryMoveOfAFastPenReachesTheServoInItsOwnTime) {
-  // Ten moves in one go, as when the window was busy: 20 ms apart, 40 px each.
+  // Ten moves at once, as after the window was busy: 20 ms apart, 40 px each.
   const QPointF from = middle_ - QPointF(100, 0);
   pen(QEvent::TabletPress, from, 0.5);
   std::vector<double> seen_x_m;
   controller_.sampled.connect([&](std::span<const haptics::ServoSample> samples) {
     for (const auto& sample : samples) seen_x_m.push_back(sample.device_m.x);
   });
-  // There and back: whoever keeps the last event only sees no stroke at all.
+  // There and back: if only the last event were used, there would be no stroke.
   for (const double x : {40., 80., 120., 160., 200., 160., 120., 80., 40., 0.})
     pen(QEvent::TabletMove, from + QPointF(x, 0), 0.5);
   const double begin_m =

@@ -5,7 +5,7 @@
 
 #include "watchdog.h"
 
-// Widgets need an application, and no test may read or write the settings of whoever runs it.
+// Widgets need an application. No test may read or write the settings of the person who runs it.
 int main(int argc, char** argv) {
   const QTemporaryDir config;
   qputenv("XDG_CONFIG_HOME", config.path().toUtf8());

@@ -8,8 +8,8 @@
 #include <QXmlStreamReader>
 #include <functional>
 
-#include "language.h"
 #include "test_paths.h"
+#include "words/language.h"
 
 namespace {
 
@@ -17,7 +17,7 @@ QString translations(const char* name) {
   return QLatin1String(nazori::test_paths::kTranslations) + QLatin1Char('/') + QLatin1String(name);
 }
 
-/// Every place holder of the source must be in the translation, and no other.
+/// The placeholders of a text. The translation must have the same as the source.
 QStringList place_holders(const QString& text) {
   // As QString::arg() reads them: "%1100" is number 11.
   static const QRegularExpression holder(QStringLiteral("%(\\d{1,2}|L?n)"));
@@ -68,7 +68,7 @@ TEST(JapaneseTranslation, IsLoadedFromTheProgramItself) {
   EXPECT_EQ(nazori::ui::install_language(QStringLiteral("ja")), QStringLiteral("ja"));
   EXPECT_EQ(QCoreApplication::translate("nazori::ui::InformationPanel", "Radical"), QStringLiteral("部首"));
   EXPECT_EQ(QCoreApplication::translate("nazori::ui::InformationPanel", "%n strokes", nullptr, 6),
-            QStringLiteral("6 画"));
+            QStringLiteral("6画"));
   EXPECT_EQ(QLocale().language(), QLocale::Japanese);
   nazori::ui::install_language(QStringLiteral("en"));
 }
@@ -81,7 +81,7 @@ TEST(EnglishTexts, KnowOneFromMany) {
   EXPECT_EQ(strokes(1), QStringLiteral("1 stroke"));
   EXPECT_EQ(strokes(6), QStringLiteral("6 strokes"));
   const auto streak = [](int n) {
-    return QCoreApplication::translate("nazori::ui::HomePage", "days in a row", nullptr, n);
+    return QCoreApplication::translate("nazori::ui::HomeView", "days in a row", nullptr, n);
   };
   EXPECT_EQ(streak(0), QStringLiteral("days in a row"));
   EXPECT_EQ(streak(1), QStringLiteral("day in a row"));

@@ -37,7 +37,7 @@ double processor_ms() {
 
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   const int level = QThread::currentThread()->loopLevel();
-  // What is sent on the way belongs to the event that is being measured.
+  // Events that are sent meanwhile belong to the event that is being measured.
   if (QThread::currentThread() != thread() || level <= g_level) return QApplication::notify(receiver, event);
   const QString name =
       QStringLiteral("%1 of a %2 %3")

@@ -6,22 +6,22 @@
 
 namespace nazori::ui::test {
 
-/// An application that measures how long the thread of the window works on each event. Time is the thread's
-/// own processor time, so a busy machine changes nothing. What a nested event loop does is counted for its
-/// own events.
+/// An application that measures how long the thread of the window works on each event. It measures the
+/// processor time of the thread, so a busy machine does not matter. The work of a nested event loop counts
+/// for the events of that loop.
 class WatchedApplication final : public QApplication {
  public:
   using QApplication::QApplication;
   bool notify(QObject* receiver, QEvent* event) override;
 };
 
-/// The longest event since it was made.
+/// The longest event since this object was made.
 class Watchdog {
  public:
   Watchdog();
   /// Longest event [ms of processor time]; what a sanitizer adds is taken off.
   [[nodiscard]] static double longest_ms();
-  /// Which it was.
+  /// Which event it was.
   [[nodiscard]] static QString longest();
 };
 

@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "device_window.h"
+#include "events/signals.h"
 #include "hand_under_test.h"
-#include "signals.h"
 
 namespace nazori::ui {
 namespace {
@@ -34,17 +34,17 @@ TEST_F(Device, WhenItIsDockedTheForceIsGoneItIsSaidAndTheMouseWritesUntilItComes
   ASSERT_GT(script_->force_n, 0.5);
   script_->trouble = DeviceTrouble::docked;
   script_->state = DeviceState::paused;
-  ASSERT_TRUE(says(QStringLiteral("rests in its inkwell. Take the stylus out to go on. Until then mouse")));
+  ASSERT_TRUE(says(QStringLiteral("rests in its inkwell. Take the stylus out to go on. Until then, use")));
   EXPECT_EQ(script_->force_n, 0);
   EXPECT_TRUE(stylus().is_pointer());
-  EXPECT_EQ(text("device"), QStringLiteral("Mouse, pen or finger, without force"));
+  EXPECT_EQ(text("device"), QStringLiteral("Mouse, pen or finger (no force)"));
   controller().move_stylus({-0.03, 0}, true);
   EXPECT_TRUE(QTest::qWaitFor([&] { return controller().latest().touching; }));
   const auto progress = controller().ink().progress();
 
   script_->most_step_n = 0;
   script_->state = DeviceState::running;
-  ASSERT_TRUE(says(QStringLiteral("Scripted arm goes on. What was written is still there.")));
+  ASSERT_TRUE(says(QStringLiteral("Scripted arm is working again. Your writing is still there.")));
   EXPECT_FALSE(stylus().is_pointer());
   EXPECT_TRUE(QTest::qWaitFor([&] { return script_->force_n > 0.5; }));
   EXPECT_LT(script_->most_step_n, 0.05) << "a ramp of 0.3 s, no kick";
@@ -56,14 +56,14 @@ TEST_F(Device, ThatIsUnpluggedIsSaidAndTakenAgainWhenItIsPluggedIn) {
   script_->plugged_in = false;
   script_->trouble = DeviceTrouble::communication_lost;
   script_->state = DeviceState::lost;
-  ASSERT_TRUE(says(QStringLiteral("The connection to Scripted arm broke off. Check the cable. Until then")));
+  ASSERT_TRUE(says(QStringLiteral("The connection to Scripted arm was lost. Check the cable. Until then")));
   EXPECT_TRUE(stylus().is_pointer());
   EXPECT_EQ(stylus().opened(), nullptr);
   script_->state = DeviceState::running;
   script_->trouble = DeviceTrouble::none;
   script_->plugged_in = true;
   EXPECT_TRUE(QTest::qWaitFor([&] { return !stylus().is_pointer(); }, 8000));
-  EXPECT_TRUE(says(QStringLiteral("Scripted arm has the tablet.")));
+  EXPECT_TRUE(says(QStringLiteral("Now using Scripted arm.")));
 }
 
 TEST_F(Device, GivesNoMoreForceThanTheLearnerAllowsAndNeverMoreThanItsOwnLimit) {
@@ -108,7 +108,7 @@ TEST_F(Device, ATrialBeginsWithATenthOfItsLimitsAndRisesOnlyOnRequest) {
   script_->most_force_n = 0;
   press_to(-0.2);
   EXPECT_NEAR(script_->most_force_n, 0.1 * peak_n, 0.01);
-  EXPECT_TRUE(text("strength").contains(QStringLiteral("10 %"))) << text("strength").toStdString();
+  EXPECT_TRUE(text("strength").contains(QStringLiteral("10%"))) << text("strength").toStdString();
   EXPECT_FALSE(action("weaker")->isEnabled());
   find<QPushButton>("button_stronger")->click();
   script_->most_force_n = 0;
@@ -128,11 +128,12 @@ TEST_F(Device, IsFittedByThreeCornersAndKeepsTheFit) {
     find<QPushButton>("corner")->click();
   };
   EXPECT_TRUE(text("calibration_step").startsWith(QStringLiteral("1 of 3")));
-  // In the tablet's frame as it was; the arm is at 1:1, so these are 8 cm for 10 cm of tablet.
+  // In the frame of the tablet before the calibration. The arm is at 1:1, so 8 cm are shown for the 10 cm of
+  // the tablet.
   corner(-0.04, -0.04);
   corner(0.04, -0.04);
   corner(-0.04, 0.04);
-  ASSERT_TRUE(says(QStringLiteral("The tablet stands where you showed it."))) << feedback().toStdString();
+  ASSERT_TRUE(says(QStringLiteral("The tablet is now where you pointed."))) << feedback().toStdString();
   ASSERT_TRUE(script_->asked_calibrated);
   EXPECT_NEAR(stylus().opened()->calibration.scale, 0.100 / 0.080, 1e-6);
   EXPECT_TRUE(text("fit_text").contains(QStringLiteral("1.25 cm"))) << text("fit_text").toStdString();
@@ -149,7 +150,7 @@ TEST_F(Device, CornersThatMakeNoTabletChangeNothing) {
   press(Qt::Key_2, Qt::AltModifier);
   action("calibrate")->trigger();
   for (int i = 0; i < 3; ++i) find<QPushButton>("corner")->click();
-  EXPECT_TRUE(says(QStringLiteral("These corners make no tablet")));
+  EXPECT_TRUE(says(QStringLiteral("These corners do not form a tablet")));
   EXPECT_EQ(script_->opened, 1);
   EXPECT_FALSE(find("corner")->isVisible());
 }
@@ -157,7 +158,7 @@ TEST_F(Device, CornersThatMakeNoTabletChangeNothing) {
 TEST_F(Device, TheStatusLineTellsDeviceRateAndMissedTicks) {
   EXPECT_EQ(text("device"), QStringLiteral("Scripted arm"));
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return text("rate").contains(QStringLiteral("times a second")); }, 30'000))
+      QTest::qWaitFor([&] { return text("rate").contains(QStringLiteral("times per second")); }, 30'000))
       << text("rate").toStdString();
   EXPECT_TRUE(text("missed").contains(QStringLiteral(" missed"))) << text("missed").toStdString();
 }
@@ -196,9 +197,10 @@ TEST_F(Device, ThePageSaysWhyADeviceIsNotThere) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return stylus().is_pointer(); }));
   press(Qt::Key_2, Qt::AltModifier);
   EXPECT_TRUE(QTest::qWaitFor([&] {
-    return texts("reason").contains(QStringLiteral("Scripts: nothing is plugged in. Check cable and power."));
+    return texts("reason").contains(
+        QStringLiteral("Scripts: no device is connected. Check the cable and the power."));
   })) << texts("reason").join(QStringLiteral("; ")).toStdString()
-      << " visible " << find("seat_panel")->isVisible();
+      << " visible " << find("device_choice_panel")->isVisible();
 }
 
 TEST_F(Device, ASimulationIsLedByTheMouse) {
@@ -225,9 +227,9 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
     samples += taken.size();
     for (const auto& one : taken) strongest_n = std::max(strongest_n, glm::length(one.force_n));
   });
-  /// The most that is felt of the simulation in so many ticks, while the hand rests in the air, away from the
-  /// stroke. The force rises and fades in its own time: where a busy machine loses ticks meanwhile, it is
-  /// tried again until `least_n` is reached.
+  /// The largest force of the simulation within this many ticks, while the hand rests in the air, away from
+  /// the stroke. The force needs time to rise. If a busy machine misses ticks, this tries again until
+  /// `least_n` is reached.
   const auto felt = [&](std::uint64_t ticks, double least_n) {
     tablet.device().choose("simulated:touch");
     EXPECT_TRUE(QTest::qWaitFor([&] { return !tablet.device().is_pointer(); }, 20'000));
@@ -235,7 +237,7 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
     tablet.pump();
     strongest_n = 0;
     samples = 0;
-    tablet.clear_ink();  // it begins anew
+    tablet.clear_ink();  // writing starts again
     EXPECT_TRUE(QTest::qWaitFor(
         [&] {
           if (samples <= ticks) return false;
@@ -253,7 +255,7 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
   press(Qt::Key_F7);
   EXPECT_LT(felt(300, 0), 0.01) << "the stroke holds, nothing leads";
   action("lead_hand")->trigger();
-  EXPECT_TRUE(feedback().contains(QStringLiteral("Only a device with force leads the hand")))
+  EXPECT_TRUE(feedback().contains(QStringLiteral("Only a force-feedback device can lead your hand")))
       << feedback().toStdString();
   EXPECT_TRUE(tablet.snapping_in_effect()) << "where nothing can lead";
   // At most the cap of 0.8 N times the help that is left.
@@ -265,14 +267,14 @@ TEST_F(Device, GuidedLeadsTheHandOfADeviceWithForceLessAfterEachSuccess) {
     EXPECT_LT(now_n, before_n);
     before_n = now_n;
     test::write(tablet, line);
-    ASSERT_TRUE(feedback().startsWith(QStringLiteral("Without a slip"))) << feedback().toStdString();
+    ASSERT_TRUE(feedback().startsWith(QStringLiteral("No mistakes"))) << feedback().toStdString();
   }
   EXPECT_EQ(felt(300, 0), 0) << "and at last unaided";
 }
 
 TEST_F(Device, WhatIsOnItsPageHasNamesForTheScreenReader) {
   press(Qt::Key_2, Qt::AltModifier);
-  for (const char* panel : {"seat_panel", "feel_panel"}) {
+  for (const char* panel : {"device_choice_panel", "feel_panel"}) {
     EXPECT_FALSE(find(panel)->accessibleName().isEmpty());
     for (const auto* slider : find(panel)->findChildren<QSlider*>())
       EXPECT_FALSE(slider->accessibleName().isEmpty()) << slider->objectName().toStdString();
@@ -289,16 +291,17 @@ TEST_F(Device, ItsPageHoldsInANarrowWindowWithTheLargestTextInBothLanguages) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !stylus().is_pointer(); }));
     press(Qt::Key_2, Qt::AltModifier);
     ASSERT_TRUE(QTest::qWaitFor([&] { return find("device_scripted:arm") != nullptr; }));
-    action("calibrate")->trigger();  // with all that can be there
+    action("calibrate")->trigger();  // so that every widget of the panel is visible
     for (const int text_pt : {Preferences::kMinText_pt, Preferences::kMaxText_pt}) {
       for (const int width : {1000, 1600}) {
         set_text_size(text_pt, width, 800);
-        for (const char* name : {"seat_panel", "feel_panel"}) {
+        for (const char* name : {"device_choice_panel", "feel_panel"}) {
           const auto* area = find<QScrollArea>(name);
           const QWidget* content = area->widget();
           EXPECT_TRUE(QTest::qWaitFor([&] { return content->width() <= area->viewport()->width(); }))
               << content->width() << " in " << area->viewport()->width() << ' ' << name << ' ' << width << ' '
-              << QApplication::font().pointSize() << ' ' << language;
+              << QApplication::font().pointSize() << ' ' << language
+              << widest_parts(content, area->viewport()->width());
           for (const auto* child : content->findChildren<QWidget*>()) {
             if (!child->isVisible()) continue;
             const int right = child->mapTo(content, QPoint(child->width(), 0)).x();

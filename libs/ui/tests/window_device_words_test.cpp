@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the place of the devices says, allows and keeps.
+// What the page for devices announces, allows and saves.
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -72,7 +72,7 @@ TEST(WallAndGroove, AFloorASteepWallAndARoundGrooveInThePlateau) {
 }
 
 TEST_F(DevicesOnTheirPage, ATrialGoesByTenthsFromOneToTen) {
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Feel the wall and the groove gently.")));
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Touch the wall and the groove gently.")));
   EXPECT_EQ(controller().stroke_count(), 1) << "the trial's groove";
   EXPECT_TRUE(action("stronger")->isEnabled());
   EXPECT_FALSE(action("weaker")->isEnabled());
@@ -80,7 +80,7 @@ TEST_F(DevicesOnTheirPage, ATrialGoesByTenthsFromOneToTen) {
     EXPECT_TRUE(action("stronger")->isEnabled()) << tenths;
     action("stronger")->trigger();
     EXPECT_NEAR(stylus().strength(), 0.1 * tenths, 1e-9);
-    EXPECT_TRUE(text("strength").startsWith(QStringLiteral("At %1 % of").arg(10 * tenths)));
+    EXPECT_TRUE(text("strength").startsWith(QStringLiteral("Force at %1% of").arg(10 * tenths)));
     EXPECT_TRUE(action("weaker")->isEnabled());
   }
   EXPECT_FALSE(action("stronger")->isEnabled());
@@ -99,26 +99,27 @@ TEST_F(DevicesOnTheirPage, WithoutADeviceThereIsNothingToBeFittedOrMadeStronger)
     EXPECT_TRUE(QTest::qWaitFor([&] { return !action(name)->isEnabled(); })) << name;
   press(Qt::Key_1, Qt::AltModifier);
   press(Qt::Key_2, Qt::AltModifier);
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Mouse and pen see the wall and the groove.")))
+  EXPECT_TRUE(
+      feedback().startsWith(QStringLiteral("With a mouse or pen you can only see the wall and the groove.")))
       << feedback().toStdString();
 }
 
 TEST_F(DevicesOnTheirPage, EachCornerIsAskedForInTurnAndAButtonOfTheStylusWillDo) {
   action("calibrate")->trigger();
-  EXPECT_EQ(feedback(), QStringLiteral("Show three corners of the tablet in the air or on the desk."));
+  EXPECT_EQ(feedback(), QStringLiteral("Point at three corners for the tablet, in the air or on your desk."));
   EXPECT_EQ(controller().tablet(), nullptr) << "nothing pushes";
   EXPECT_EQ(text("calibration_step"),
-            QStringLiteral("1 of 3: hold the tip where the bottom left corner is to be."));
+            QStringLiteral("1 of 3: hold the tip where you want the bottom left corner."));
   click(1);
   EXPECT_TRUE(QTest::qWaitFor([&] {
     return text("calibration_step") ==
-           QStringLiteral("2 of 3: hold the tip where the bottom right corner is to be.");
+           QStringLiteral("2 of 3: hold the tip where you want the bottom right corner.");
   }));
   EXPECT_EQ(controller().current_stroke(), 0) << "it does nothing else meanwhile";
   click(2);
   EXPECT_TRUE(QTest::qWaitFor([&] {
     return text("calibration_step") ==
-           QStringLiteral("3 of 3: hold the tip where the top left corner is to be.");
+           QStringLiteral("3 of 3: hold the tip where you want the top left corner.");
   }));
   press(Qt::Key_1, Qt::AltModifier);
   press(Qt::Key_2, Qt::AltModifier);
@@ -131,7 +132,7 @@ TEST_F(DevicesOnTheirPage, ADeviceThatGoesAwayEndsItsCalibration) {
   action("calibrate")->trigger();
   lose_it();
   find<QPushButton>("corner")->click();
-  EXPECT_EQ(feedback(), QStringLiteral("The device went away. The tablet is as it was."));
+  EXPECT_EQ(feedback(), QStringLiteral("The device was disconnected. The tablet was not changed."));
   EXPECT_FALSE(find("corner")->isVisible());
   EXPECT_TRUE(controller().tablet());
 }
@@ -144,11 +145,11 @@ TEST_F(DevicesOnTheirPage, ATabletThatFitsByItselfForgetsTheCorners) {
     ASSERT_TRUE(ticks_pass(60));
     find<QPushButton>("corner")->click();
   }
-  ASSERT_TRUE(says(QStringLiteral("The tablet stands where you showed it.")));
-  EXPECT_TRUE(text("fit_text").startsWith(QStringLiteral("Fitted by corners")));
+  ASSERT_TRUE(says(QStringLiteral("The tablet is now where you pointed.")));
+  EXPECT_TRUE(text("fit_text").startsWith(QStringLiteral("Calibrated with corners")));
   action("fit")->trigger();
-  ASSERT_TRUE(says(QStringLiteral("The tablet is as large as the stylus can reach.")));
-  EXPECT_TRUE(text("fit_text").startsWith(QStringLiteral("Fitted by itself")));
+  ASSERT_TRUE(says(QStringLiteral("The tablet is now as large as the stylus can reach.")));
+  EXPECT_TRUE(text("fit_text").startsWith(QStringLiteral("Automatic fit")));
   EXPECT_FALSE(script_->asked_calibrated);
   EXPECT_FALSE(kept("scale").isValid());
 }
@@ -157,7 +158,7 @@ TEST_F(DevicesOnTheirPage, APostureIsTakenUpOnceItsSliderRests) {
   auto* tilt = find<QSlider>("tilt");
   for (const int step : {17, 12, 6}) tilt->setValue(step);
   EXPECT_EQ(script_->opened, 1);
-  ASSERT_TRUE(says(QStringLiteral("The tablet stands as you set it.")));
+  ASSERT_TRUE(says(QStringLiteral("The position of the tablet was updated.")));
   EXPECT_EQ(script_->opened, 2) << "once, not at each step";
   EXPECT_NEAR(script_->asked_tilt_rad, 30 * std::numbers::pi / 180, 1e-9);
   EXPECT_EQ(text("tilt_value"), QStringLiteral("30°"));

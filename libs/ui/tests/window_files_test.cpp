@@ -44,22 +44,22 @@ class Files : public WindowTest {
 
 TEST_F(Files, ARawOfPerfectSquareLengthIsOpenedWithoutAsking) {
   open({write("own.raw", QByteArray(128 * 128, '\x80'))});
-  EXPECT_TRUE(feedback().contains(QStringLiteral("own.raw is on the desk"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().contains(QStringLiteral("Opened own.raw"))) << feedback().toStdString();
   EXPECT_TRUE(text("facts").contains(QStringLiteral("128 × 128")));
   EXPECT_EQ(text("stroke_label"), QStringLiteral("no strokes"));
 }
 
 TEST_F(Files, GivenAtTheStartAreShownInPlaceOfTheLastCharacter) {
-  // Large, so that the character is ready before the file is.
+  // A large file, so that the character is loaded first.
   for (const QString& path : {write("own.raw", QByteArray(2048 * 2048, '\x80')), kyuu_2005()}) {
     window_.reset();
     window_ = std::make_unique<MainWindow>(setup(), appearance_);
     window_->show();
-    // As the program does: the last character has been asked for, and not come yet.
+    // As in the program: the last character was requested and is not loaded yet.
     window_->open_files({path});
     const QString name = QFileInfo(path).fileName();
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return feedback().startsWith(name + QStringLiteral(" is on the desk")); }, 20000))
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Opened ") + name); }, 20000))
         << feedback().toStdString();
     EXPECT_TRUE(window_->windowTitle().startsWith(name)) << window_->windowTitle().toStdString();
   }
@@ -83,7 +83,7 @@ TEST_F(Files, APictureIsKnownByWhatItHoldsWhateverItsName) {
   const std::string picture = folder_.filePath(QStringLiteral("picture.raw")).toStdString();
   ASSERT_TRUE(surface::save_png(slope, picture, surface::PngDepth::bits_8));
   open({QString::fromStdString(picture)});
-  EXPECT_TRUE(feedback().contains(QStringLiteral("picture.raw is on the desk"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().contains(QStringLiteral("Opened picture.raw"))) << feedback().toStdString();
   EXPECT_TRUE(text("facts").contains(QStringLiteral("32 × 32")));
 }
 
@@ -91,7 +91,7 @@ TEST_F(Files, ABadFileIsExplainedAndTheTabletKept) {
   const QString bad = write("bad.raw", QByteArray(16385, 'x'));
   open({bad});
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("bad.raw: "))) << feedback().toStdString();
-  EXPECT_TRUE(feedback().endsWith(QStringLiteral("The tablet is as it was.")));
+  EXPECT_TRUE(feedback().endsWith(QStringLiteral("The tablet was not changed.")));
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("休 – Nazori"));
   EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
 }
@@ -101,7 +101,8 @@ TEST_F(Files, EveryKindOfUnreadableFileIsRefusedInOneSentence) {
                               write("text.png", "no picture"), write("song.mp3", "x"),
                               folder_.filePath(QStringLiteral("missing.raw"))}) {
     open({path});
-    EXPECT_TRUE(feedback().endsWith(QStringLiteral("The tablet is as it was."))) << feedback().toStdString();
+    EXPECT_TRUE(feedback().endsWith(QStringLiteral("The tablet was not changed.")))
+        << feedback().toStdString();
     EXPECT_FALSE(feedback().contains(QLatin1Char('\n')));
     EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
   }
@@ -109,7 +110,7 @@ TEST_F(Files, EveryKindOfUnreadableFileIsRefusedInOneSentence) {
 
 TEST_F(Files, TheStrokesOf2005AreCarvedWithoutAskingForTheirGrid) {
   open({kyuu_2005()});
-  EXPECT_EQ(feedback(), QStringLiteral("0018.str is on the desk."));
+  EXPECT_EQ(feedback(), QStringLiteral("Opened 0018.str."));
   EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
 }
 
@@ -124,14 +125,14 @@ TEST_F(Files, AMapAndItsStrokesCanBeDroppedTogether) {
   QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(window_.get(), &drop);
   EXPECT_TRUE(QTest::qWaitFor([&] { return feedback() != before; }, 10000));
-  EXPECT_EQ(feedback(), QStringLiteral("0018.raw + 0018.str is on the desk."));
+  EXPECT_EQ(feedback(), QStringLiteral("Opened 0018.raw + 0018.str."));
   EXPECT_EQ(text("stroke_label"), QStringLiteral("all 6 strokes"));
 }
 
 TEST_F(Files, StrokesAreLaidOverAMapThatIsAlreadyOpen) {
   open({write("0018.raw", QByteArray(128 * 128, '\xff'))});
   open({kyuu_2005()});
-  EXPECT_EQ(feedback(), QStringLiteral("0018.raw + 0018.str is on the desk."));
+  EXPECT_EQ(feedback(), QStringLiteral("Opened 0018.raw + 0018.str."));
   EXPECT_TRUE(text("facts").contains(QStringLiteral("128 × 128")));
 }
 

@@ -31,7 +31,7 @@ TEST_F(FunctionsWindow, AnExpressionIsCarvedWhileItIsTyped) {
   type(QStringLiteral("y = x^2"));
   EXPECT_EQ(shown().request.plot.statements.size(), 1U);
   EXPECT_EQ(text("expression_words"), QStringLiteral("y equals x squared"));
-  EXPECT_TRUE(text("plot_summary").startsWith(QStringLiteral("y equals x squared: 1 piece")))
+  EXPECT_TRUE(text("plot_summary").startsWith(QStringLiteral("y equals x squared: 1 branch")))
       << text("plot_summary").toStdString();
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("y = x^2 – Nazori"));
   // Where the parabola is the plate is cut, beside it not. (Window -6..6 by -4..4, samples from the top.)
@@ -144,7 +144,7 @@ TEST_F(FunctionsWindow, CoordinatesSlopeSummaryAndBeaconsAreTold) {
   press(Qt::Key_D);
   EXPECT_EQ(feedback(), QStringLiteral("slope 2"));
   press(Qt::Key_B);
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Beacon 1 is here"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Marker 1 set"))) << feedback().toStdString();
   press(Qt::Key_Home);
   press(Qt::Key_G);
   EXPECT_NEAR(the_functions->location()->x, 2, 1e-3);
@@ -186,12 +186,12 @@ TEST_F(FunctionsWindow, BordersAreTypedAsNumbersOrExpressions) {
   border->selectAll();
   QTest::keyClicks(border, QStringLiteral("-7"));
   QTest::keyClick(border, Qt::Key_Return);
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("This window cannot be shown")))
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("This range cannot be shown")))
       << feedback().toStdString();
   border->selectAll();
   QTest::keyClicks(border, QStringLiteral("wide"));
   QTest::keyClick(border, Qt::Key_Return);
-  EXPECT_TRUE(feedback().contains(QStringLiteral("is no number"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().contains(QStringLiteral("is not a number"))) << feedback().toStdString();
   EXPECT_NEAR(shown().request.window.x1, 2 * 3.14159265358979, 1e-12);
 }
 
@@ -206,10 +206,10 @@ TEST_F(FunctionsWindow, CurvesHoldTheStylusAsStrokesDo) {
   press(Qt::Key_F);
   EXPECT_TRUE(action("plot_snap")->isChecked());
   press(Qt::Key_Period);
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Piece 1 of 2: y equals 1"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Branch 1 of 2: y equals 1"))) << feedback().toStdString();
   press(Qt::Key_Period);
   press(Qt::Key_Period);
-  EXPECT_EQ(feedback(), QStringLiteral("2 pieces"));
+  EXPECT_EQ(feedback(), QStringLiteral("2 branches"));
 }
 
 TEST_F(FunctionsWindow, NumbersAndArrowsOfCharactersAreAsTheyWereOnComingBack) {
@@ -251,7 +251,7 @@ TEST_F(FunctionsWindow, AFileThatIsNoPlotLeavesThePlateAsItIs) {
   file.write("{\"nazori_plot\": 1}");
   file.close();
   window_->open_files({path});
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("other.json was not opened"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Could not open other.json"))) << feedback().toStdString();
   EXPECT_EQ(the_functions->shown(), before);
 }
 
@@ -327,7 +327,7 @@ TEST_F(FunctionsWindow, EveryExampleCanBeReadAndDrawn) {
 
 TEST_F(FunctionsWindow, ANewerExpressionStopsAnOlderOne) {
   auto* line = find<QLineEdit>("expression");
-  // Takes a second and more.
+  // This drawing takes more than a second.
   line->setText(QStringLiteral("e^(sin x + cos y) = sin(e^(x + y))"));
   line->setText(QStringLiteral("y = 1"));
   ASSERT_TRUE(wait_for_drawing());
@@ -348,7 +348,8 @@ TEST_F(FunctionsWindow, NoKeyIsGivenTwiceAndEveryFieldHasAName) {
       auto* accessible = QAccessible::queryAccessibleInterface(widget);
       ASSERT_NE(accessible, nullptr);
       EXPECT_FALSE(accessible->text(QAccessible::Name).isEmpty())
-          << widget->metaObject()->className() << ' ' << widget->objectName().toStdString();
+          << widget->metaObject()->className() << ' ' << widget->objectName().toStdString() << ' '
+          << widget->property("text").toString().toStdString();
     }
 }
 
@@ -371,13 +372,13 @@ TEST_F(FunctionsWindow, OneCurveCanBeFeltAndHeardAlone) {
   to_tablet();
   press(Qt::Key_O, Qt::ShiftModifier);
   ASSERT_TRUE(wait_for_drawing());
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Curve 1 alone: y equals 1"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Only curve 1: y equals 1"))) << feedback().toStdString();
   EXPECT_EQ(carved().lines().size(), 1U);
   press(Qt::Key_O, Qt::ShiftModifier);
   ASSERT_TRUE(wait_for_drawing());
   ASSERT_EQ(carved().lines().size(), 1U);
   for (const auto& point : carved().paths()[0].points) EXPECT_LT(point.y, 0);
-  EXPECT_TRUE(shown().summary.find("y equals minus 1: 1 piece") == 0) << shown().summary;
+  EXPECT_TRUE(shown().summary.find("y equals minus 1: 1 branch") == 0) << shown().summary;
   press(Qt::Key_O);
   ASSERT_TRUE(wait_for_drawing());
   EXPECT_EQ(carved().lines().size(), 2U);
@@ -410,7 +411,7 @@ TEST_F(FunctionsWindow, TheToneOfZeroIsPlayedWhereItIsInTheWindow) {
   window(-1, 1, 2, 4);
   to_tablet();
   press(Qt::Key_Y);
-  EXPECT_EQ(feedback(), QStringLiteral("y = 0 lies outside the window."));
+  EXPECT_EQ(feedback(), QStringLiteral("y = 0 is outside the range."));
 }
 
 TEST_F(FunctionsWindow, ASurfaceHasARangeOfHeights) {
@@ -469,14 +470,16 @@ TEST_F(FunctionsWindow, CoordinatesAreReadWithoutWideningAnything) {
 TEST_F(FunctionsWindow, NothingIsWiderThanItsPanelInTheLargestText) {
   set_text_size(Preferences::kMaxText_pt);
   auto* panel = find<QScrollArea>("plot_panel");
-  EXPECT_EQ(panel->horizontalScrollBar()->maximum(), 0);
+  EXPECT_EQ(panel->horizontalScrollBar()->maximum(), 0)
+      << widest_parts(panel->widget(), panel->viewport()->width());
   for (auto* widget : panel->findChildren<QWidget*>()) {
     if (!widget->isVisible()) continue;
     // Not the parts of its scroll bar.
     if (!panel->widget()->isAncestorOf(widget)) continue;
     const int right = widget->mapTo(panel, QPoint(widget->width(), 0)).x();
     EXPECT_LE(right, panel->viewport()->width())
-        << widget->metaObject()->className() << ' ' << widget->objectName().toStdString();
+        << widget->metaObject()->className() << ' ' << widget->objectName().toStdString() << ' '
+        << widget->property("text").toString().toStdString();
     if (const auto* box = qobject_cast<QCheckBox*>(widget)) {
       EXPECT_GE(box->width(), box->sizeHint().width()) << box->text().toStdString();
     }

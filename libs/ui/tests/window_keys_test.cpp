@@ -5,7 +5,7 @@
 #include <QMenuBar>
 #include <QToolBar>
 
-#include "focus_frame.h"
+#include "widgets/focus_frame.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -33,7 +33,8 @@ TEST_F(Keys, SAndFSwitchStrokesAndSnapping) {
   press(Qt::Key_F);
   EXPECT_FALSE(action("strokes")->isChecked());
   EXPECT_TRUE(action("snap")->isChecked());
-  EXPECT_TRUE(feedback().contains(QStringLiteral("only while they are shown"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().contains(QStringLiteral("only while strokes are visible")))
+      << feedback().toStdString();
 }
 
 TEST_F(Keys, LettersTypedIntoTheSearchBoxAreOnlyLetters) {
@@ -97,7 +98,7 @@ TEST_F(Keys, EveryMenuEntryShowsAKeyAndNoKeyIsGivenTwice) {
 }
 
 TEST_F(Keys, TheTextGrowsFrom12To28PointsAndNoFurther) {
-  // Each step lays the whole window out: only the last ones before the end are taken.
+  // Each step needs a new layout of the window, so the test starts shortly before the last size.
   window_.reset();
   QSettings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat)
       .setValue(QStringLiteral("window/text_pt"), 24);
@@ -113,12 +114,12 @@ TEST_F(Keys, TheTextGrowsFrom12To28PointsAndNoFurther) {
   EXPECT_EQ(QApplication::font().pointSize(), 12);
 }
 
-TEST_F(Keys, WhoComesToTheTabletByKeySeesItsRingAndWhoClicksDoesNot) {
+TEST_F(Keys, TheRingIsShownWhenTheTabletIsReachedByKeyAndNotByClick) {
   auto* frame = find<FocusFrame>("tablet_frame");
   ASSERT_NE(frame, nullptr);
   find<QLineEdit>("search")->setFocus();
   EXPECT_FALSE(frame->shows_ring());
-  // Not with Tab: with a key of the window, which then gives the keyboard to the tablet.
+  // The focus comes not by Tab but after a key of the window.
   press(Qt::Key_Period);
   find("tablet")->setFocus(Qt::OtherFocusReason);
   EXPECT_TRUE(frame->shows_ring());

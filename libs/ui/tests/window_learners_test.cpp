@@ -11,7 +11,6 @@
 #include <QTimer>
 
 #include "characters/characters.h"
-#include "desk.h"
 #include "learners/anki_dialog.h"
 #include "learners/backups_dialog.h"
 #include "learners/exchange_progress.h"
@@ -21,31 +20,32 @@
 #include "nazori/study/backups.h"
 #include "nazori/study/exchange.h"
 #include "nazori/study/profiles.h"
-#include "study/learner_words.h"
+#include "page/window_parts.h"
 #include "study/list_choice.h"
 #include "study/study_dialogs.h"
 #include "window_under_test.h"
+#include "words/learner_words.h"
 
 namespace nazori::ui {
 namespace {
 
 using Format = practice::LearnerExchange::Format;
 
-Desk* the_desk = nullptr;
+WindowParts* the_parts = nullptr;
 
-std::unique_ptr<Workplace> make_characters(Desk& desk) {
-  the_desk = &desk;
-  return std::make_unique<Characters>(desk);
+std::unique_ptr<Page> make_characters(WindowParts& parts) {
+  the_parts = &parts;
+  return std::make_unique<Characters>(parts);
 }
 
 class LearnersTest : public WindowTest {
  protected:
   LearnersTest() {
-    workplaces_ = {make_characters};
+    pages_ = {make_characters};
     clock_ = [] { return *study::parse_time("2026-03-01T09:00:00Z"); };
   }
 
-  [[nodiscard]] practice::Learner& learner() const { return the_desk->learner(); }
+  [[nodiscard]] practice::Learner& learner() const { return the_parts->learner(); }
   [[nodiscard]] std::vector<std::string> names() const { return study::profiles(learner().folder()); }
 
   void write(char32_t character) {
@@ -73,7 +73,7 @@ class LearnersTest : public WindowTest {
   /// An exchange of the learner with its dialog.
   struct Exchange : practice::LearnerExchange {
     explicit Exchange(QWidget* window)
-        : LearnerExchange(the_desk->inbox(), the_desk->learner()), progress(*this, window) {}
+        : LearnerExchange(the_parts->inbox(), the_parts->learner()), progress(*this, window) {}
     ExchangeProgress progress;
   };
   void wait_for(const Exchange& exchange) {
@@ -128,7 +128,7 @@ TEST_F(LearnersTest, TheLearnerAtHandKeepsEverythingUnderAnotherName) {
   EXPECT_EQ(names(), std::vector<std::string>{"Mari"});
 }
 
-TEST_F(LearnersTest, WhoIsRemovedAfterAQuestionIsKeptAside) {
+TEST_F(LearnersTest, ARemovedLearnerIsMovedAsideAfterAQuestion) {
   write(U'一');
   ASSERT_TRUE(learner().switch_profile("Mari"));
   write(U'二');
@@ -142,14 +142,14 @@ TEST_F(LearnersTest, WhoIsRemovedAfterAQuestionIsKeptAside) {
   EXPECT_TRUE(std::filesystem::exists(learner().folder() / ".removed" / "Mari" / "learner.db"));
 }
 
-TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
+TEST_F(LearnersTest, ABackupIsMadeListedAndRestored) {
   write(U'一');
   action("back_up")->trigger();
   ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Backed up as")); }, 20'000))
       << feedback().toStdString();
   write(U'二');
   Exchange exchange(window_.get());
-  BackupsDialog dialog(the_desk->inbox(), learner(), exchange, exchange.progress, window_.get());
+  BackupsDialog dialog(the_parts->inbox(), learner(), exchange, exchange.progress, window_.get());
   auto* table = part<QTableWidget>(dialog, "backups_table");
   ASSERT_EQ(table->rowCount(), 1);
   ASSERT_TRUE(QTest::qWaitFor([&] { return table->item(0, 2)->text() == QStringLiteral("1"); }, 20'000));
@@ -158,7 +158,7 @@ TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
   answer(part<QPushButton>(dialog, "backup_restore"), nullptr);
   EXPECT_TRUE(learner().store().cards().contains(U'二'));
   answer(part<QPushButton>(dialog, "backup_restore"), "backup_yes");
-  // The window does not wait for it, and meanwhile says why nothing is kept.
+  // The window does not wait, and meanwhile says why nothing is saved.
   EXPECT_TRUE(exchange.is_busy());
   EXPECT_FALSE(learner().can_write());
   EXPECT_TRUE(learner().trouble());
@@ -166,7 +166,7 @@ TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
   EXPECT_TRUE(learner().can_write());
   EXPECT_TRUE(learner().store().cards().contains(U'一'));
   EXPECT_FALSE(learner().store().cards().contains(U'二'));
-  // What stood there is a backup now, with both.
+  // The replaced store is a backup now, with both characters.
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         for (int row = 0; row < table->rowCount(); ++row)
@@ -176,7 +176,7 @@ TEST_F(LearnersTest, ABackupIsMadeListedAndPutInPlace) {
       20'000));
 }
 
-TEST_F(LearnersTest, AWindowClosedWhileABackupIsPutInPlaceLeavesAWholeStore) {
+TEST_F(LearnersTest, AWindowClosedWhileABackupIsRestoredLeavesAWholeStore) {
   write(U'一');
   const auto backup = study::make_backup(learner().store(), learner().file());
   ASSERT_TRUE(backup);
@@ -188,11 +188,11 @@ TEST_F(LearnersTest, AWindowClosedWhileABackupIsPutInPlaceLeavesAWholeStore) {
       exchange.restore(*backup);
       QTest::qWait(round / 4);
     }
-    // Where the backup was in place by then, the window has opened it. Closing lets go of that, too.
+    // If the backup was restored by then, the window has opened it. let_go() closes it too.
     learner().let_go(practice::LearnerEvent::Kind::replacing);
     const auto store = study::LearnerStore::open(file, study::Access::write);
     ASSERT_TRUE(store) << base::to_line(store.error());
-    // What stood there, or the backup; nothing else.
+    // Either the old store or the backup, nothing else.
     EXPECT_EQ(store->last_entry(), store->cards().contains(U'二') ? 2 : 1);
     EXPECT_TRUE(store->cards().contains(U'一'));
   }
@@ -207,8 +207,8 @@ TEST_F(LearnersTest, ABackupThatFailedStaysSaidUntilOneIsMade) {
   in_the_way.close();
   ASSERT_TRUE(learner().open_again());
   ASSERT_TRUE(QTest::qWaitFor([this] { return learner().backup_trouble().has_value(); }, 20'000));
-  EXPECT_TRUE(LearnerWords::sentence(learner().backup_trouble())
-                  .startsWith(QStringLiteral("Today's backup could not be made")));
+  EXPECT_TRUE(
+      LearnerWords::sentence(learner().backup_trouble()).startsWith(QStringLiteral("Today's backup failed")));
   write(U'二');
   EXPECT_TRUE(learner().backup_trouble());
   EXPECT_FALSE(learner().trouble()) << "studying works";
@@ -227,11 +227,11 @@ TEST_F(LearnersTest, TagsThatCannotBeReadAreNotReplacedByNone) {
         .exec(std::string("ALTER TABLE ") + from + " RENAME TO " + to);
   };
   rename("tag", "gone");
-  // Whatever is asked would be answered with what it shows.
+  // If a dialog opens, accept it with the values that it shows.
   QTimer::singleShot(0, window_.get(), [] {
     if (auto* asked = qobject_cast<QDialog*>(QApplication::activeModalWidget())) asked->accept();
   });
-  ask_tags(*the_desk, U'一');
+  ask_tags(*the_parts, U'一');
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("The study data cannot be read")))
       << feedback().toStdString();
   rename("gone", "tag");
@@ -250,7 +250,7 @@ TEST_F(LearnersTest, ListsThatCannotBeReadAreSaidWhereOneIsChosen) {
   EXPECT_TRUE(choice.itemText(before).startsWith(QStringLiteral("Your lists and tags cannot be read")));
   choice.setCurrentIndex(before);
   EXPECT_FALSE(choice.model()->flags(choice.model()->index(before, 0)).testFlag(Qt::ItemIsEnabled));
-  // An export of a list that cannot be read is no export of all that was met.
+  // If a list cannot be read, the export must not contain all studied characters instead.
   EXPECT_FALSE(practice::list_members("list:trees", learner().lists(), learner().store()));
   EXPECT_EQ(practice::list_members({}, learner().lists(), learner().store())->size(), 1U);
 }
@@ -264,7 +264,7 @@ TEST_F(LearnersTest, ABackupThatCannotBeUsedCannotBeChosen) {
   broken.write("no database at all");
   broken.close();
   Exchange exchange(window_.get());
-  BackupsDialog dialog(the_desk->inbox(), learner(), exchange, exchange.progress, window_.get());
+  BackupsDialog dialog(the_parts->inbox(), learner(), exchange, exchange.progress, window_.get());
   auto* table = part<QTableWidget>(dialog, "backups_table");
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return table->item(0, 1)->text() == QStringLiteral("cannot be used"); }, 20'000));
@@ -284,11 +284,11 @@ TEST_F(LearnersTest, WhatIsExportedIsImportedWholeForANewLearner) {
   EXPECT_EQ(learner().profile(), "Mari");
   EXPECT_TRUE(learner().can_write());
   EXPECT_EQ(*study::export_json(learner().store()), *exported);
-  // Once more: the name is taken.
+  // The second time the name is taken, so it gets a number.
   exchange.read(file.toStdString());
   wait_for(exchange);
   EXPECT_EQ(learner().profile(), "Mari 2");
-  // Into a learner with nothing studied it goes itself.
+  // If the learner has not studied anything, the import goes to this learner.
   ASSERT_TRUE(learner().switch_profile("empty"));
   exchange.read(file.toStdString());
   wait_for(exchange);
@@ -305,7 +305,7 @@ TEST_F(LearnersTest, WhatCannotBeImportedLeavesNoLearnerBehind) {
   Exchange exchange(window_.get());
   QString said;
   Feedback kind = Feedback::hint;
-  QObject::connect(&exchange.progress, &ExchangeProgress::said, window_.get(),
+  QObject::connect(&exchange.progress, &ExchangeProgress::announced, window_.get(),
                    [&](Feedback how, const QString& sentence) {
                      kind = how;
                      said = sentence;
@@ -314,7 +314,7 @@ TEST_F(LearnersTest, WhatCannotBeImportedLeavesNoLearnerBehind) {
   wait_for(exchange);
   EXPECT_EQ(kind, Feedback::wrong);
   EXPECT_TRUE(said.startsWith(QStringLiteral("bad.json: "))) << said.toStdString();
-  EXPECT_TRUE(said.endsWith(QStringLiteral("Everything is as it was."))) << said.toStdString();
+  EXPECT_TRUE(said.endsWith(QStringLiteral("Nothing was changed."))) << said.toStdString();
   EXPECT_EQ(names(), std::vector<std::string>{"learner"});
   EXPECT_EQ(learner().profile(), "learner");
 }
@@ -323,13 +323,13 @@ TEST_F(LearnersTest, WorkThatIsStoppedWritesNothing) {
   write(U'一');
   Exchange exchange(window_.get());
   QString said;
-  QObject::connect(&exchange.progress, &ExchangeProgress::said, window_.get(),
+  QObject::connect(&exchange.progress, &ExchangeProgress::announced, window_.get(),
                    [&](Feedback, const QString& sentence) { said = sentence; });
   const QString file = folder_.filePath(QStringLiteral("a.apkg"));
   exchange.write(Format::anki, file.toStdString(), {"secondary", "Deck", 4});
   exchange.stop();
   wait_for(exchange);
-  EXPECT_EQ(said, QStringLiteral("Stopped. Everything is as it was."));
+  EXPECT_EQ(said, QStringLiteral("Stopped. Nothing was changed."));
   EXPECT_FALSE(QFile::exists(file));
 }
 
@@ -364,7 +364,7 @@ TEST_F(LearnersTest, TheMenuIsThereWithAKeyForEachEntry) {
     EXPECT_FALSE(action(name)->shortcut().isEmpty()) << name;
   }
   action("back_up")->trigger();
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Nothing is studied yet"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Nothing studied yet"))) << feedback().toStdString();
 }
 
 }  // namespace

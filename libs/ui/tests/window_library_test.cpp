@@ -50,7 +50,7 @@ TEST_F(Finding, RomajiEnglishKanaAndTheCharacterItselfAllFindKyuu) {
   }
 }
 
-TEST_F(Finding, EnterPutsTheBestFindOnTheDesk) {
+TEST_F(Finding, EnterShowsTheBestFind) {
   QSignalSpy shown(window_.get(), &MainWindow::character_shown);
   auto* box = find<QLineEdit>("search");
   box->setFocus();

@@ -49,7 +49,7 @@ TEST_F(Memory, AnotherLanguageIsSavedAndAskedFor) {
   install_language(QStringLiteral("ja"));
   open_window();
   EXPECT_TRUE(action("language_japanese")->isChecked());
-  EXPECT_EQ(text("stroke_label"), QStringLiteral("全 6 画"));
+  EXPECT_EQ(text("stroke_label"), QStringLiteral("全6画"));
   EXPECT_TRUE(text("facts").contains(QStringLiteral("小学1年")));
   install_language(QStringLiteral("en"));
 }

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of a stroke out of its turn, at once and by the numbers of the model.
+// What is announced for a stroke in the wrong order, at once and with the numbers of the model.
 #include "characters/characters.h"
-#include "desk.h"
 #include "hand_under_test.h"
+#include "page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
 namespace {
 
-Desk* the_desk = nullptr;
+WindowParts* the_parts = nullptr;
 Characters* the_characters = nullptr;
 
-std::unique_ptr<Workplace> make_characters(Desk& desk) {
-  the_desk = &desk;
-  auto made = std::make_unique<Characters>(desk);
+std::unique_ptr<Page> make_characters(WindowParts& parts) {
+  the_parts = &parts;
+  auto made = std::make_unique<Characters>(parts);
   the_characters = made.get();
   return made;
 }
 
 class Order : public WindowTest {
  protected:
-  Order() { workplaces_ = {make_characters}; }
+  Order() { pages_ = {make_characters}; }
 
-  /// Strokes of the model as the hand wrote them, without waiting for a hand.
+  /// Strokes of the model as if written by hand, without waiting.
   void add(char32_t character, std::initializer_list<int> numbers) {
     const auto lines = test::model(character);
     for (const int number : numbers) add(lines[static_cast<std::size_t>(number - 1)]);
@@ -32,7 +32,7 @@ class Order : public WindowTest {
     for (double at = 0; at <= geometry::arc_length<geometry::GlyphFrame>(line); at += 1)
       made.push_back({geometry::glyph_to_tablet(geometry::point_at<geometry::GlyphFrame>(line, at), {}),
                       time_s_ += 0.01, 0.5});
-    the_desk->practice().memory().add_stroke(made);
+    the_parts->practice().memory().add_stroke(made);
   }
 
   bool says(const char* words) {
@@ -40,7 +40,7 @@ class Order : public WindowTest {
   }
   std::vector<view::Verdict> seen_verdicts() {
     std::vector<view::Verdict> out;
-    for (const auto& stroke : the_desk->tablet().overlay().writing) out.push_back(stroke.verdict);
+    for (const auto& stroke : the_parts->tablet().overlay().writing) out.push_back(stroke.verdict);
     return out;
   }
 
@@ -51,16 +51,16 @@ TEST_F(Order, FromMemoryTheStrokeToComeFirstIsNamedAtOnceAndIsRightThen) {
   show(U'年');
   press(Qt::Key_F8);
   add(U'年', {1, 2, 3, 4});
-  ASSERT_TRUE(says("Stroke 4 is right. 2 to go.")) << feedback().toStdString();
+  ASSERT_TRUE(says("Stroke 4 is correct. 2 to go.")) << feedback().toStdString();
   add(U'年', {6});
   ASSERT_TRUE(says("Stroke 5 comes first.")) << feedback().toStdString();
   EXPECT_EQ(seen_verdicts().back(), view::Verdict::wrong);
   add(U'年', {5});
-  ASSERT_TRUE(says("Stroke 5 is right. Enter is done.")) << feedback().toStdString();
+  ASSERT_TRUE(says("Stroke 5 is correct. Enter: finish.")) << feedback().toStdString();
   EXPECT_EQ(seen_verdicts().back(), view::Verdict::right);
   press(Qt::Key_Return);
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return feedback().contains(QStringLiteral("Stroke 6 was drawn before stroke 5.")); }, 20000))
+      [&] { return feedback().contains(QStringLiteral("Stroke 5 comes before stroke 6.")); }, 20000))
       << feedback().toStdString();
 }
 
@@ -79,13 +79,14 @@ TEST_F(Order, FromMemoryAStrokeTooManyIsNeverRight) {
   auto second = test::model(U'人')[1];
   for (auto& p : second) p = {p.x + 4, p.y - 3};
   add(U'人', {1});
-  ASSERT_TRUE(says("Stroke 1 is right. 1 to go.")) << feedback().toStdString();
+  ASSERT_TRUE(says("Stroke 1 is correct. 1 to go.")) << feedback().toStdString();
   action("judge_each")->trigger();  // else the second stroke ends it
   add(second);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().contains(QStringLiteral("2 strokes are")); }, 20000));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return feedback().contains(QStringLiteral("2 strokes written")); }, 20000));
   action("judge_each")->trigger();
   add(U'人', {2});
-  EXPECT_TRUE(says("The stroke you wrote as number 3 does not belong here.")) << feedback().toStdString();
+  EXPECT_TRUE(says("Your stroke 3 isn't part of this character.")) << feedback().toStdString();
 }
 
 TEST_F(Order, TracedTheStrokeToComeFirstStaysNamedWhenTheStrokeEnds) {
@@ -94,12 +95,12 @@ TEST_F(Order, TracedTheStrokeToComeFirstStaysNamedWhenTheStrokeEnds) {
     press(key);
     QStringList said;
     const auto heard =
-        QObject::connect(the_desk, &Desk::said, [&said](Feedback kind, const QString& sentence) {
+        QObject::connect(the_parts, &WindowParts::announced, [&said](Feedback kind, const QString& sentence) {
           if (!sentence.isEmpty())
             said.append(QStringLiteral("%1 %2").arg(static_cast<int>(kind)).arg(sentence));
         });
     const auto lines = test::model(U'十');
-    test::write(the_desk->tablet(), lines[1]);
+    test::write(the_parts->tablet(), lines[1]);
     EXPECT_EQ(feedback(), QStringLiteral("Stroke 2 is written, but stroke 1 comes first. Write it now."));
     const QString advice = QStringLiteral("%1 ").arg(static_cast<int>(Feedback::advice));
     EXPECT_EQ(said, (QStringList{advice + QStringLiteral("Stroke 1 comes before stroke 2."),
@@ -118,22 +119,22 @@ TEST_F(Order, ATracedStrokeThatIsLeftBeforeItsEndIsNotPraisedAndItsBitIsShown) {
   test::Points most;
   for (double at = 0; at <= length - 14; at += 1)
     most.push_back(geometry::point_at<geometry::GlyphFrame>(half, at));
-  test::write(the_desk->tablet(), most);
+  test::write(the_parts->tablet(), most);
   EXPECT_EQ(feedback(),
             QStringLiteral("Stroke 1 is not finished: the blue bit is missing. Draw on from there."));
   ASSERT_EQ(seen_verdicts(), (std::vector{view::Verdict::shown}));
-  const auto& bit = the_desk->tablet().overlay().writing.front().points;
+  const auto& bit = the_parts->tablet().overlay().writing.front().points;
   const auto end = geometry::glyph_to_tablet(lines[0].back(), {});
   EXPECT_NEAR(geometry::distance(bit.back().at, end), 0, 1e-4);
   EXPECT_NEAR(geometry::distance(bit.front().at, end), 0.013, 0.004);
-  test::write(the_desk->tablet(), lines[1]);
+  test::write(the_parts->tablet(), lines[1]);
   EXPECT_EQ(feedback(),
             QStringLiteral("Stroke 2 is written, but stroke 1 is not finished: the blue bit is missing."));
   test::Points rest;
   for (double at = length - 14; at <= length; at += 1)
     rest.push_back(geometry::point_at<geometry::GlyphFrame>(half, at));
-  test::write(the_desk->tablet(), rest);
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("All 2 strokes are written"))) << feedback().toStdString();
+  test::write(the_parts->tablet(), rest);
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("All 2 strokes written"))) << feedback().toStdString();
   EXPECT_TRUE(seen_verdicts().empty());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the window is put together from, without the window.
+// The widgets of the window, without the window.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -16,13 +16,13 @@
 #include <QToolButton>
 #include <utility>
 
-#include "error_text.h"
-#include "feedback_line.h"
-#include "flow_layout.h"
-#include "key_guard.h"
-#include "panes.h"
-#include "save_dialog.h"
-#include "workplace_rail.h"
+#include "dialogs/save_dialog.h"
+#include "widgets/feedback_line.h"
+#include "widgets/flow_layout.h"
+#include "widgets/key_guard.h"
+#include "widgets/panes.h"
+#include "window/page_rail.h"
+#include "words/error_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -112,7 +112,7 @@ class PanesBesideTheTablet : public testing::Test {
   }
   std::pair<bool, bool> shown() { return {panes_.shown_left() == &left_, panes_.shown_right() == &right_}; }
   using Two = std::pair<bool, bool>;
-  QWidget owner_;  // of what the panes have not taken over
+  QWidget owner_;  // owns the panels that the panes do not own yet
   QLabel& tablet_ = *new QLabel(&owner_);
   QLabel& left_ = *new QLabel(&owner_);
   QLabel& right_ = *new QLabel(&owner_);
@@ -175,7 +175,7 @@ TEST_F(PanesBesideTheTablet, AloneTheTabletHasTheWindowUntilTheyComeBack) {
   EXPECT_EQ(shown(), Two(true, false));
 }
 
-TEST_F(PanesBesideTheTablet, AnotherWorkplaceBringsItsOwn) {
+TEST_F(PanesBesideTheTablet, AnotherPageBringsItsOwn) {
   panes_.set_panels(&other_, nullptr);
   EXPECT_EQ(panes_.shown_left(), &other_);
   EXPECT_EQ(panes_.shown_right(), nullptr);
@@ -239,7 +239,7 @@ TEST_F(PanesBesideTheTablet, ForALeftHandTheyChangeSidesAndKeepTheirWidths) {
   EXPECT_LT(side(left_), side(tablet_));
 }
 
-/// Whether a key that may be a shortcut is kept for a widget.
+/// Whether a key that may be a shortcut goes to the widget instead.
 bool guards(QObject& widget, Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier,
             QEvent::Type type = QEvent::ShortcutOverride) {
   KeyGuard guard;
@@ -290,7 +290,7 @@ TEST(FeedbackLine, SaysASentenceWithItsSignAndSpeaksItOnce) {
   };
   QList<QImage> signs;
   for (const Feedback kind : {Feedback::hint, Feedback::good, Feedback::advice, Feedback::wrong}) {
-    line.say(kind, QStringLiteral("a"));
+    line.announce(kind, QStringLiteral("a"));
     EXPECT_EQ(line.kind(), kind);
     for (const auto& other : signs) EXPECT_NE(sign(), other);
     signs.append(sign());
@@ -329,7 +329,7 @@ TEST(SaveDialog, OffersEachFormatAndSizeForACarvedTablet) {
   const practice::FileFormat formats[] = {practice::FileFormat::raw, practice::FileFormat::png,
                                           practice::FileFormat::strokes};
   const char* suffixes[] = {"raw", "png", "str"};
-  const char* filters[] = {"Height maps (*.raw)", "Pictures (*.png)", "Stroke orders (*.str)"};
+  const char* filters[] = {"Height maps (*.raw)", "Pictures (*.png)", "Stroke order files (*.str)"};
   for (int i = 0; i < 3; ++i) {
     format->setCurrentIndex(i);
     EXPECT_EQ(dialog.format(), formats[i]);
@@ -342,7 +342,7 @@ TEST(SaveDialog, OffersEachFormatAndSizeForACarvedTablet) {
     size->setCurrentIndex(i);
     EXPECT_TRUE(size->currentText().startsWith(QStringLiteral("%1 × %1").arg(dialog.size())));
     sizes.append(QString::number(dialog.size()));
-    EXPECT_EQ(size->currentText().contains(QStringLiteral("as in 2005")), dialog.size() == 128);
+    EXPECT_EQ(size->currentText().contains(QStringLiteral("2005 format")), dialog.size() == 128);
   }
   EXPECT_EQ(sizes.join(u' '), QStringLiteral("128 256 512 1024 2048"));
   EXPECT_TRUE(size->isEnabled());
@@ -368,10 +368,10 @@ TEST(ReasonOfAnError, IsItsKindWithWhatIsKnownOfIt) {
   const std::pair<Errc, const char*> kinds[] = {
       {Errc::bad_argument, "a value is out of range"},
       {Errc::io, "it could not be read or written"},
-      {Errc::parse, "its content does not follow the format"},
-      {Errc::schema, "it is of another kind than expected"},
+      {Errc::parse, "the file format is not valid"},
+      {Errc::schema, "it is a different kind of file than expected"},
       {Errc::not_found, "it does not exist"},
-      {Errc::device, "the graphics or the device refused"},
+      {Errc::device, "the graphics driver or the device reported an error"},
       {Errc::cancelled, "it was stopped"},
       {Errc::in_use, "another program is using it"},
   };
@@ -382,11 +382,11 @@ TEST(ReasonOfAnError, IsItsKindWithWhatIsKnownOfIt) {
             QStringLiteral("it could not be read or written (disk full; delete something)"));
 }
 
-TEST(WorkplaceRail, ShowsWordsOnlyInAWideWindow) {
+TEST(PageRail, ShowsWordsOnlyInAWideWindow) {
   QAction one(QStringLiteral("One"));
   one.setObjectName(QStringLiteral("go_one"));
   one.setStatusTip(QStringLiteral("The first"));
-  WorkplaceRail rail({&one}, nullptr);
+  PageRail rail({&one}, nullptr);
   const auto* button = rail.findChild<QToolButton*>(QStringLiteral("rail_go_one"));
   ASSERT_NE(button, nullptr);
   EXPECT_EQ(button->accessibleName(), QStringLiteral("One"));

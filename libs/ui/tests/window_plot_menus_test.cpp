@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Menus, keys and tools of the window at the functions, as learners have them in their fingers.
+// Menus, keys and tools of the page for functions, which learners know by heart.
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said at the functions, and what is kept of them.
+// What the page for functions announces, and what it saves.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -16,11 +16,11 @@ namespace nazori::ui {
 namespace {
 
 using test::the_functions;
-using test::the_functions_desk;
+using test::the_functions_parts;
 
 class PlotWordsInTheWindow : public test::FunctionsWindow {
  protected:
-  practice::TabletControl& controller() { return the_functions_desk->tablet(); }
+  practice::TabletControl& controller() { return the_functions_parts->tablet(); }
   void set_up_with(const QList<std::pair<const char*, QVariant>>& kept) {
     window_->close();
     QSettings settings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat);
@@ -55,7 +55,7 @@ TEST_F(PlotWordsInTheWindow, TheEndOfACurveAndTheNextPieceAreSaid) {
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("End: x = about minus 6"))) << feedback().toStdString();
   press(Qt::Key_End);
   press(Qt::Key_Right);
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Next piece: x = about 0.25")))
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Next branch: x = about 0.25")))
       << feedback().toStdString();
   EXPECT_GT(the_functions->location()->x, 0);
   press(Qt::Key_Left, Qt::ControlModifier);
@@ -99,15 +99,15 @@ TEST_F(PlotWordsInTheWindow, AnotherCurveIsNamedWhereItIsEntered) {
 TEST_F(PlotWordsInTheWindow, BeforeTheFirstStepItIsSaidHowToBegin) {
   type(QStringLiteral("y = x"));
   to_tablet();
-  const QString begin = QStringLiteral("Go to a place on a curve first, with the arrow keys.");
+  const QString begin = QStringLiteral("First move to a point on a curve with the arrow keys.");
   press(Qt::Key_C);
   EXPECT_EQ(feedback(), begin);
   press(Qt::Key_D);
-  EXPECT_EQ(feedback(), QStringLiteral("There is no slope here."));
+  EXPECT_EQ(feedback(), QStringLiteral("The curve has no slope here."));
   press(Qt::Key_B);
   EXPECT_EQ(feedback(), begin);
   press(Qt::Key_G);
-  EXPECT_EQ(feedback(), QStringLiteral("There is no beacon yet. B drops one."));
+  EXPECT_EQ(feedback(), QStringLiteral("There are no markers yet. B: add one."));
 }
 
 TEST_F(PlotWordsInTheWindow, WhereThereIsNoCurveThatIsSaid) {
@@ -118,7 +118,7 @@ TEST_F(PlotWordsInTheWindow, WhereThereIsNoCurveThatIsSaid) {
   press(Qt::Key_Right);
   EXPECT_EQ(feedback(), QStringLiteral("There is no curve to follow here."));
   press(Qt::Key_Tab);
-  EXPECT_EQ(feedback(), QStringLiteral("There are no points of interest in this window."));
+  EXPECT_EQ(feedback(), QStringLiteral("There are no points of interest in this range."));
 }
 
 TEST_F(PlotWordsInTheWindow, PointsAreGoneToInTheTableToo) {
@@ -132,12 +132,12 @@ TEST_F(PlotWordsInTheWindow, PointsAreGoneToInTheTableToo) {
   press(Qt::Key_Backtab, Qt::ShiftModifier);
   EXPECT_EQ(table->currentRow(), 0);
   press(Qt::Key_B);
-  EXPECT_EQ(feedback(), QStringLiteral("Beacon 1 is here: %1.").arg(point_words(shown().points[0])));
+  EXPECT_EQ(feedback(), QStringLiteral("Marker 1 set: %1.").arg(point_words(shown().points[0])));
   press(Qt::Key_End);
   press(Qt::Key_B);
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Beacon 2 is here: x = "))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Marker 2 set: x = "))) << feedback().toStdString();
   press(Qt::Key_G);
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Beacon 1: "))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Marker 1: "))) << feedback().toStdString();
 }
 
 TEST_F(PlotWordsInTheWindow, OneCurveAmongOneIsNoChoice) {
@@ -156,13 +156,13 @@ TEST_F(PlotWordsInTheWindow, EachCurveAloneAndThenAllAgain) {
   press(Qt::Key_Right);
   while (the_functions->location()->statement != 1) press(Qt::Key_Up);
   press(Qt::Key_O);
-  EXPECT_EQ(feedback(), QStringLiteral("Curve 2 alone: y equals minus 1."));
+  EXPECT_EQ(feedback(), QStringLiteral("Only curve 2: y equals minus 1."));
   EXPECT_TRUE(action("curve_alone")->isChecked());
   press(Qt::Key_O, Qt::ShiftModifier);
   EXPECT_EQ(feedback(), QStringLiteral("All curves are shown."));
   EXPECT_FALSE(action("curve_alone")->isChecked());
   press(Qt::Key_O, Qt::ShiftModifier);
-  EXPECT_EQ(feedback(), QStringLiteral("Curve 1 alone: y equals 1."));
+  EXPECT_EQ(feedback(), QStringLiteral("Only curve 1: y equals 1."));
   type(QStringLiteral("y = 3; y = 2"));
   EXPECT_FALSE(action("curve_alone")->isChecked()) << "another plot is shown whole";
   EXPECT_EQ(carved().lines().size(), 2U);
@@ -199,16 +199,16 @@ TEST_F(PlotWordsInTheWindow, WithoutSoundItIsSaidHowToTurnItOn) {
   type(QStringLiteral("y = x"));
   to_tablet();
   press(Qt::Key_M);
-  EXPECT_EQ(feedback(), QStringLiteral("The sound is off."));
+  EXPECT_EQ(feedback(), QStringLiteral("Sound off."));
   EXPECT_TRUE(find<QCheckBox>("no_sound")->isChecked());
   EXPECT_TRUE(action("sound_mute")->isChecked());
   for (const auto key : {Qt::Key_H, Qt::Key_Y}) {
     press(key);
-    EXPECT_EQ(feedback(), QStringLiteral("The sound is off. M turns it on."));
+    EXPECT_EQ(feedback(), QStringLiteral("Sound is off. M: turn it on."));
     press(Qt::Key_C);
   }
   find<QCheckBox>("no_sound")->click();
-  EXPECT_EQ(feedback(), QStringLiteral("The sound is on."));
+  EXPECT_EQ(feedback(), QStringLiteral("Sound on."));
   EXPECT_FALSE(action("sound_mute")->isChecked());
   to_tablet();
   press(Qt::Key_H);
@@ -230,10 +230,10 @@ TEST_F(PlotWordsInTheWindow, ASurfaceHasNothingToPlayOrToPrint) {
 TEST_F(PlotWordsInTheWindow, HoldingTheStylusIsSaidAndKept) {
   to_tablet();
   press(Qt::Key_F);
-  EXPECT_EQ(feedback(), QStringLiteral("Curves hold the stylus."));
+  EXPECT_EQ(feedback(), QStringLiteral("Snapping on: curves attract the stylus."));
   EXPECT_TRUE(controller().snapping_in_effect());
   press(Qt::Key_F);
-  EXPECT_EQ(feedback(), QStringLiteral("Curves let the stylus go."));
+  EXPECT_EQ(feedback(), QStringLiteral("Snapping off: the stylus moves freely."));
   EXPECT_FALSE(controller().snapping());
   press(Qt::Key_F);
   EXPECT_TRUE(kept("snapping").toBool());
@@ -243,12 +243,12 @@ TEST_F(PlotWordsInTheWindow, PiecesAreHeldOneByOneAndAllAgain) {
   type(QStringLiteral("y = 1; y = -1"));
   to_tablet();
   press(Qt::Key_Comma);
-  EXPECT_EQ(feedback(), QStringLiteral("Piece 2 of 2: y equals minus 1"));
+  EXPECT_EQ(feedback(), QStringLiteral("Branch 2 of 2: y equals minus 1"));
   press(Qt::Key_Comma);
-  EXPECT_EQ(feedback(), QStringLiteral("Piece 1 of 2: y equals 1"));
+  EXPECT_EQ(feedback(), QStringLiteral("Branch 1 of 2: y equals 1"));
   EXPECT_EQ(controller().current_stroke(), 1);
   press(Qt::Key_0);
-  EXPECT_EQ(feedback(), QStringLiteral("2 pieces"));
+  EXPECT_EQ(feedback(), QStringLiteral("2 branches"));
   EXPECT_EQ(controller().current_stroke(), 0);
 }
 
@@ -282,7 +282,7 @@ TEST_F(PlotWordsInTheWindow, AWindowThatCannotBeSmallerStaysAsItIs) {
   type(QStringLiteral("y = 1"));
   window(1, 2, 0, 3);
   to_tablet();
-  const QString no_further = QStringLiteral("The window cannot be changed any further.");
+  const QString no_further = QStringLiteral("The range cannot be changed any further.");
   for (int i = 0; i < 100 && feedback() != no_further; ++i) press(Qt::Key_Z);
   EXPECT_EQ(feedback(), no_further);
 }
@@ -291,7 +291,7 @@ TEST_F(PlotWordsInTheWindow, AStoppedDrawingIsSaidToBeOneUntilTheNext) {
   find<QLineEdit>("expression")->setText(QStringLiteral("e^(sin x + cos y) = sin(e^(x + y))"));
   ASSERT_TRUE(the_functions->is_drawing());
   to_tablet();
-  const QString stopped = QStringLiteral("The drawing was stopped. What is shown need not be all of it.");
+  const QString stopped = QStringLiteral("The drawing was stopped and may be incomplete.");
   ASSERT_TRUE(
       QTest::qWaitFor([] { return the_functions->shown() && !the_functions->shown()->final; }, 30'000));
   press(Qt::Key_S);

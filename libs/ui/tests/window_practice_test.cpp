@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Watching, tracing and being guided, step by step: what is shown, held and said.
+// Watching, tracing and guided writing, step by step: what is shown, snapped and announced.
 #include "characters/characters.h"
-#include "desk.h"
 #include "hand_under_test.h"
+#include "page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -12,15 +12,15 @@ using study::MissReply;
 
 class Practice : public WindowTest {
  protected:
-  Practice() { workplaces_ = {make}; }
-  static std::unique_ptr<Workplace> make(Desk& desk) {
-    desk_of_practice = &desk;
-    auto made = std::make_unique<Characters>(desk);
+  Practice() { pages_ = {make}; }
+  static std::unique_ptr<Page> make(WindowParts& parts) {
+    parts_of_practice = &parts;
+    auto made = std::make_unique<Characters>(parts);
     characters_of_practice = made.get();
     return made;
   }
-  static practice::TabletControl& controller() { return desk_of_practice->tablet(); }
-  static practice::CharacterPractice& characters() { return desk_of_practice->practice(); }
+  static practice::TabletControl& controller() { return parts_of_practice->tablet(); }
+  static practice::CharacterPractice& characters() { return parts_of_practice->practice(); }
   /// How often a stage was gone through to its end, from now on.
   static std::shared_ptr<int> count_finished(practice::PracticeStage& stage) {
     auto count = std::make_shared<int>(0);
@@ -28,7 +28,7 @@ class Practice : public WindowTest {
     return count;
   }
   std::string said() { return feedback().toStdString(); }
-  static inline Desk* desk_of_practice = nullptr;
+  static inline WindowParts* parts_of_practice = nullptr;
   static inline Characters* characters_of_practice = nullptr;
 };
 
@@ -43,7 +43,7 @@ class Watching : public Practice {
     const auto overlay = controller().overlay();
     return {overlay.groove_ink.begin(), overlay.groove_ink.end()};
   }
-  std::string place() { return text("watch_label").toStdString(); }
+  std::string position() { return text("watch_label").toStdString(); }
 };
 
 TEST_F(Watching, StepsStopAtTheBeginningAndAtTheEndOfEachStroke) {
@@ -51,22 +51,22 @@ TEST_F(Watching, StepsStopAtTheBeginningAndAtTheEndOfEachStroke) {
   const auto finished = count_finished(characters().watch());
   using Ink = std::vector<double>;
   EXPECT_EQ(ink(), (Ink{0, 0}));
-  EXPECT_EQ(place(), "1 of 2 · × 1");
+  EXPECT_EQ(position(), "1 of 2 · 1×");
   const auto step = [this](const char* name) {
     action(name)->trigger();
     return ink();
   };
   EXPECT_EQ(step("step_on"), (Ink{0, 0})) << "where the first begins";
-  EXPECT_EQ(said(), "Stroke 1 of 2: horizontal line. It stops at the end.");
+  EXPECT_EQ(said(), "Stroke 1 of 2: horizontal stroke. It ends with a stop.");
   EXPECT_EQ(step("step_on"), (Ink{1, 0}));
   EXPECT_EQ(*finished, 0);
   EXPECT_EQ(step("step_on"), (Ink{1, 1}));
-  EXPECT_EQ(said(), "Stroke 2 of 2: horizontal line. It stops at the end.");
-  EXPECT_EQ(place(), "2 of 2 · × 1");
+  EXPECT_EQ(said(), "Stroke 2 of 2: horizontal stroke. It ends with a stop.");
+  EXPECT_EQ(position(), "2 of 2 · 1×");
   EXPECT_EQ(*finished, 1);
   EXPECT_EQ(step("step_on"), (Ink{1, 1}));
   EXPECT_EQ(step("step_back"), (Ink{1, 0}));
-  EXPECT_EQ(said(), "Stroke 1 of 2: horizontal line. It stops at the end.");
+  EXPECT_EQ(said(), "Stroke 1 of 2: horizontal stroke. It ends with a stop.");
   EXPECT_EQ(step("step_back"), (Ink{0, 0}));
   EXPECT_EQ(step("step_back"), (Ink{0, 0}));
   EXPECT_FALSE(action("play")->isChecked());
@@ -75,16 +75,16 @@ TEST_F(Watching, StepsStopAtTheBeginningAndAtTheEndOfEachStroke) {
 TEST_F(Watching, SpeedGoesInEvenStepsFromAQuarterToFourTimes) {
   begin(U'二');
   action("faster")->trigger();
-  EXPECT_EQ(said(), "Speed 1.41.");
-  EXPECT_EQ(place(), "1 of 2 · × 1.4");
+  EXPECT_EQ(said(), "Speed: 1.41×.");
+  EXPECT_EQ(position(), "1 of 2 · 1.4×");
   action("faster")->trigger();
-  EXPECT_EQ(said(), "Speed 2.00.");
+  EXPECT_EQ(said(), "Speed: 2.00×.");
   for (int i = 0; i < 5; ++i) action("faster")->trigger();
-  EXPECT_EQ(said(), "Speed 4.00.");
+  EXPECT_EQ(said(), "Speed: 4.00×.");
   action("slower")->trigger();
-  EXPECT_EQ(said(), "Speed 2.83.");
+  EXPECT_EQ(said(), "Speed: 2.83×.");
   for (int i = 0; i < 12; ++i) action("slower")->trigger();
-  EXPECT_EQ(said(), "Speed 0.25.");
+  EXPECT_EQ(said(), "Speed: 0.25×.");
 }
 
 TEST_F(Watching, AtTheEndItStopsOrBeginsAgain) {
@@ -95,7 +95,7 @@ TEST_F(Watching, AtTheEndItStopsOrBeginsAgain) {
   action("play")->trigger();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !action("play")->isChecked(); }, 10'000));
   EXPECT_EQ(*finished, 1);
-  EXPECT_EQ(said(), "All 2 strokes. Space plays them again; F6 goes on to tracing.");
+  EXPECT_EQ(said(), "All 2 strokes shown. Space: play again. F6: trace.");
   EXPECT_EQ(ink(), (std::vector<double>{1, 1}));
   action("play")->trigger();
   EXPECT_EQ(ink()[0], 0) << "from the beginning again";
@@ -129,7 +129,7 @@ class Tracing : public Practice {
 TEST_F(Tracing, SwitchesHoldAtOnceAndAreRemembered) {
   begin(U'二');
   EXPECT_EQ(said(), "Hold the left button at number 1 and draw along the groove.");
-  const auto& kept = desk_of_practice->preferences();
+  const auto& kept = parts_of_practice->preferences();
   action("numbers")->trigger();
   EXPECT_FALSE(controller().numbers_visible());
   EXPECT_FALSE(kept.numbers_visible);
@@ -139,11 +139,11 @@ TEST_F(Tracing, SwitchesHoldAtOnceAndAreRemembered) {
   action("snap")->trigger();
   EXPECT_TRUE(controller().snapping());
   EXPECT_TRUE(kept.snapping);
-  EXPECT_EQ(said(), "Strokes now hold the stylus. Pull away firmly to leave one.");
+  EXPECT_EQ(said(), "Snapping on: strokes attract the stylus. Pull firmly to leave a stroke.");
   action("strokes")->trigger();
   EXPECT_FALSE(controller().strokes_visible());
   EXPECT_FALSE(kept.strokes_visible);
-  EXPECT_EQ(said(), "Strokes hold the stylus only while they are shown: press S.");
+  EXPECT_EQ(said(), "Snapping works only while strokes are visible. S: show them.");
   EXPECT_FALSE(action("numbers")->isEnabled());
   EXPECT_FALSE(action("arrows")->isEnabled());
   action("snap")->trigger();
@@ -151,12 +151,12 @@ TEST_F(Tracing, SwitchesHoldAtOnceAndAreRemembered) {
   EXPECT_TRUE(action("numbers")->isEnabled());
   EXPECT_EQ(said(), "Hold the left button at number 1 and draw along the groove.");
   action("next_stroke")->trigger();
-  EXPECT_EQ(said(), "Stroke 1 of 2. Draw it from its number.");
+  EXPECT_EQ(said(), "Stroke 1 of 2. Start at its number.");
   EXPECT_EQ(text("stroke_label"), QStringLiteral("stroke 1 of 2"));
   action("previous_stroke")->trigger();
   EXPECT_EQ(text("stroke_label"), QStringLiteral("all 2 strokes"));
   action("previous_stroke")->trigger();
-  EXPECT_EQ(said(), "Stroke 2 of 2. Draw it from its number.");
+  EXPECT_EQ(said(), "Stroke 2 of 2. Start at its number.");
   action("all_strokes")->trigger();
   EXPECT_EQ(controller().current_stroke(), 0);
 }
@@ -178,7 +178,7 @@ TEST_F(Tracing, AfterTheMissesOfALessonAStrokeIsShownAlone) {
   controller().stroke_event(practice::TraceEvent::from_the_end, 1);
   EXPECT_EQ(missed, (std::vector{0, 0}));
   EXPECT_EQ(controller().current_stroke(), 1);
-  EXPECT_EQ(said(), "Stroke 1 of 2. Draw it from its number.");
+  EXPECT_EQ(said(), "Stroke 1 of 2. Start at its number.");
   controller().stroke_event(practice::TraceEvent::finished, 1);
   EXPECT_EQ(controller().current_stroke(), 0) << "all are there again";
   action("next_stroke")->trigger();
@@ -233,11 +233,9 @@ TEST_F(Guided, HelpFadesWithEveryTracingWithoutASlip) {
   EXPECT_EQ(lines[2], 0);
   EXPECT_EQ(lines[3], 0);
   EXPECT_EQ(holds, (std::vector{true, true, true, false}));
-  const QString less = QStringLiteral("Without a slip. There is less help now: write it again.");
-  EXPECT_EQ(
-      told,
-      (QStringList{less, less,
-                   QStringLiteral("Without a slip, and without help. F8 goes on to writing from memory.")}));
+  const QString less = QStringLiteral("No mistakes. Write it again, now with less help.");
+  EXPECT_EQ(told, (QStringList{less, less,
+                               QStringLiteral("No mistakes, and no help used. F8: write from memory.")}));
   EXPECT_EQ(controller().ink().next_stroke(), 1) << "the tablet is empty for the next time";
 }
 
@@ -245,7 +243,8 @@ TEST_F(Guided, ASlipCostsTheSuccessUntilTheTabletIsCleared) {
   begin(U'一');
   controller().stroke_event(practice::TraceEvent::from_the_end, 1);
   test::write(controller(), test::model(U'一').front());
-  EXPECT_EQ(said(), "All strokes are there, not all at their turn. Delete clears the tablet.");
+  EXPECT_EQ(said(),
+            "All strokes written, but not all in the right order or direction. Delete: clear and try again.");
   EXPECT_EQ(guided().successes(), 0);
   action("clear_ink")->trigger();
   EXPECT_EQ(said(), "Follow the groove.");
@@ -274,12 +273,12 @@ TEST_F(Guided, InALessonHelpIsWhatTheCourseGives) {
   test::write(controller(), test::model(U'一').front());
   ASSERT_EQ(*finished, 1);
   EXPECT_EQ(help_used, 0.6);
-  EXPECT_EQ(said(), "Without a slip.");
+  EXPECT_EQ(said(), "No mistakes.");
   EXPECT_EQ(guided().successes(), 0);
   help(0.6);
   controller().stroke_event(practice::TraceEvent::from_the_end, 1);
   test::write(controller(), test::model(U'一').front());
-  EXPECT_EQ(said(), "All strokes are there, not all at their turn.");
+  EXPECT_EQ(said(), "All strokes written, but not all in the right order or direction.");
   EXPECT_EQ(*finished, 2);
 }
 
@@ -287,7 +286,7 @@ TEST_F(Guided, AStrokeThatIsShownStandsOutUntilItIsWritten) {
   begin(U'二');
   guided().set_on_mistake([](int stroke) { return stroke == 0 ? MissReply::show : MissReply::try_again; });
   controller().stroke_event(practice::TraceEvent::too_early, 2);
-  EXPECT_EQ(said(), "Stroke 1 is shown. Draw it from its number.");
+  EXPECT_EQ(said(), "Stroke 1 is shown. Start at its number.");
   EXPECT_EQ(seen().lines_opacity, 1);
   EXPECT_EQ(controller().current_stroke(), 1);
   controller().stroke_event(practice::TraceEvent::finished, 2);
@@ -301,11 +300,11 @@ TEST_F(Guided, LeadingNeedsADeviceWithForceAndIsRemembered) {
   begin(U'一');
   EXPECT_EQ(said(), "Follow the groove.");
   action("by_starts")->trigger();
-  EXPECT_EQ(said(), "Write each stroke from its number.");
+  EXPECT_EQ(said(), "Start each stroke at its number.");
   action("lead_hand")->trigger();
-  EXPECT_EQ(
-      said(),
-      "Write each stroke from its number. Only a device with force leads the hand; here strokes hold it.");
+  EXPECT_EQ(said(),
+            "Start each stroke at its number. Only a force-feedback device can lead your hand; here strokes "
+            "attract the stylus.");
   window_->close();
   open_window();
   EXPECT_TRUE(action("lead_hand")->isChecked());
@@ -318,8 +317,8 @@ TEST_F(Guided, ThatTheStylusGivesWayIsSaidOnce) {
   EXPECT_EQ(said(), "Follow the groove.");
   samples[1].events = static_cast<std::uint16_t>(haptics::ServoEvent::resisted);
   controller().sampled(samples);
-  EXPECT_EQ(said(), "The stylus gives way. Go on a little by yourself, and it leads again.");
-  desk_of_practice->say(Feedback::hint, QStringLiteral("x"));
+  EXPECT_EQ(said(), "The stylus has let go. Move on a little by yourself and it leads again.");
+  parts_of_practice->announce(Feedback::hint, QStringLiteral("x"));
   controller().sampled(samples);
   EXPECT_EQ(said(), "x");
   action("clear_ink")->trigger();

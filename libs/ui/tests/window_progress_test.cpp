@@ -9,11 +9,11 @@
 #include <QToolButton>
 
 #include "characters/characters.h"
-#include "desk.h"
+#include "page/window_parts.h"
 #include "progress/characters_card.h"
 #include "progress/day_chart.h"
 #include "progress/progress.h"
-#include "progress/progress_page.h"
+#include "progress/progress_view.h"
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
 #include "window_under_test.h"
@@ -25,13 +25,13 @@ using std::chrono::days;
 using std::chrono::minutes;
 using study::Rating;
 
-Desk* the_desk = nullptr;
+WindowParts* the_parts = nullptr;
 Progress* the_progress = nullptr;
 
-std::unique_ptr<Workplace> make_characters(Desk& desk) { return std::make_unique<Characters>(desk); }
-std::unique_ptr<Workplace> make_progress(Desk& desk) {
-  the_desk = &desk;
-  auto made = std::make_unique<Progress>(desk);
+std::unique_ptr<Page> make_characters(WindowParts& parts) { return std::make_unique<Characters>(parts); }
+std::unique_ptr<Page> make_progress(WindowParts& parts) {
+  the_parts = &parts;
+  auto made = std::make_unique<Progress>(parts);
   the_progress = made.get();
   return made;
 }
@@ -45,7 +45,7 @@ study::Handwriting straight_ink() {
 class ProgressTest : public WindowTest {
  protected:
   ProgressTest() {
-    workplaces_ = {make_characters, make_progress};
+    pages_ = {make_characters, make_progress};
     clock_ = [this] { return now_; };
   }
 
@@ -131,14 +131,14 @@ TEST_F(ProgressTest, TheTablesHoldTheNumbersOfTheStatistics) {
 
 TEST_F(ProgressTest, WithNothingStudiedThePageSaysHowToBegin) {
   go_to_progress();
-  EXPECT_TRUE(text("progress_figures").startsWith(QStringLiteral("Nothing is studied yet.")));
+  EXPECT_TRUE(text("progress_figures").startsWith(QStringLiteral("Nothing studied yet.")));
   for (const char* id : {"forecast_empty", "retention_empty", "activity_empty", "motion_empty",
                          "characters_empty", "hard_strokes_empty"}) {
     EXPECT_TRUE(find<QLabel>(id)->isVisible()) << id;
     EXPECT_FALSE(text(id).isEmpty()) << id;
   }
   action("progress_copy")->trigger();
-  EXPECT_TRUE(feedback().contains(QStringLiteral("no numbers yet"))) << feedback().toStdString();
+  EXPECT_TRUE(feedback().contains(QStringLiteral("no data yet"))) << feedback().toStdString();
 }
 
 TEST_F(ProgressTest, DigitsGoToChartsAndNShowsTheirNumbers) {
@@ -200,14 +200,14 @@ TEST_F(ProgressTest, AListShowsWhatIsNotMetYetToo) {
   auto* lists = find<QComboBox>("characters_list");
   lists->setCurrentIndex(lists->findData(QStringLiteral("grade-1")));
   EXPECT_EQ(find<StrengthGrid>("strength_grid")->states().rowCount(), 80);
-  EXPECT_TRUE(text("characters_summary").contains(QStringLiteral("not met 77")))
+  EXPECT_TRUE(text("characters_summary").contains(QStringLiteral("not studied 77")))
       << text("characters_summary").toStdString();
 }
 
 TEST_F(ProgressTest, WhatIsUndoneMeanwhileIsGoneFromTheCharts) {
   study_for_weeks();
   go_to_progress();
-  auto& learner = the_desk->learner();
+  auto& learner = the_parts->learner();
   ASSERT_TRUE(learner.report(learner.store().undo()));
   wait_for_statistics();
   EXPECT_EQ(truth().reviews, 17);
@@ -226,7 +226,7 @@ TEST_F(ProgressTest, LongerAndShorterTimesAreChosenByKeyAndRemembered) {
   EXPECT_EQ(time->currentIndex(), 2);
   press(Qt::Key_L);
   press(Qt::Key_L);
-  EXPECT_EQ(feedback(), QStringLiteral("Everything is shown."));
+  EXPECT_EQ(feedback(), QStringLiteral("All data is shown."));
   window_->close();
   QSettings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat)
       .setValue(QStringLiteral("window/workplace"), QStringLiteral("characters"));
@@ -258,7 +258,7 @@ TEST_F(ProgressTest, EveryChartHasWordsForAScreenReader) {
   for (const char* id : {"forecast", "retention", "activity", "motion", "characters", "hard_strokes"}) {
     const auto* drawing = find((std::string(id) + "_chart").c_str());
     EXPECT_FALSE(drawing->accessibleName().isEmpty()) << id;
-    EXPECT_TRUE(drawing->accessibleDescription().contains(QStringLiteral("N shows all numbers"))) << id;
+    EXPECT_TRUE(drawing->accessibleDescription().contains(QStringLiteral("N: show all numbers"))) << id;
     EXPECT_FALSE(table(id)->item(0, 0)->data(Qt::AccessibleTextRole).toString().isEmpty()) << id;
   }
 }

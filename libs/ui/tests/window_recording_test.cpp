@@ -9,23 +9,23 @@
 #include <QTimer>
 
 #include "characters/characters.h"
-#include "desk.h"
-#include "device/device_place.h"
+#include "device/device_page.h"
+#include "events/signals.h"
 #include "nazori/recording/recording_file.h"
 #include "nazori/recording/sample_csv.h"
-#include "signals.h"
-#include "stored_settings.h"
+#include "page/window_parts.h"
+#include "settings/stored_settings.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
 namespace {
 
-Desk* desk_under_test = nullptr;
+WindowParts* parts_under_test = nullptr;
 
 template <class T>
-std::unique_ptr<Workplace> make(Desk& desk) {
-  desk_under_test = &desk;
-  return std::make_unique<T>(desk);
+std::unique_ptr<Page> make(WindowParts& parts) {
+  parts_under_test = &parts;
+  return std::make_unique<T>(parts);
 }
 
 std::vector<haptics::ServoSample> read_all(const QString& path, recording::RecordingEnd* end = nullptr) {
@@ -45,7 +45,7 @@ std::vector<haptics::ServoSample> read_all(const QString& path, recording::Recor
 
 class Recording : public WindowTest {
  protected:
-  Recording() { workplaces_ = {make<Characters>, make<DevicePlace>}; }
+  Recording() { pages_ = {make<Characters>, make<DevicePage>}; }
 
   /// Ctrl+Shift+R and the dialog, as a learner would.
   void record_to(const QString& path) {
@@ -60,10 +60,10 @@ class Recording : public WindowTest {
 
   /// Waits until the servo has given `count` more samples. What had queued up before does not count.
   bool samples_come(std::size_t count) {
-    desk_under_test->tablet().pump();
+    parts_under_test->tablet().pump();
     std::size_t seen = 0;
     QObject context;
-    subscribe(desk_under_test->tablet().device().sampled, &context,
+    subscribe(parts_under_test->tablet().device().sampled, &context,
               [&seen](std::span<const haptics::ServoSample> some) { seen += some.size(); });
     return QTest::qWaitFor([&] { return seen >= count; }, 10000);
   }
@@ -72,7 +72,7 @@ class Recording : public WindowTest {
 TEST_F(Recording, HoldsEveryMomentThatTheServoSaw) {
   const QString path = folder_.filePath(QStringLiteral("session.nzr"));
   std::vector<haptics::ServoSample> seen;
-  auto& stylus = desk_under_test->tablet().device();
+  auto& stylus = parts_under_test->tablet().device();
   subscribe(stylus.sampled, window_.get(), [&seen](std::span<const haptics::ServoSample> some) {
     seen.insert(seen.end(), some.begin(), some.end());
   });
@@ -81,14 +81,14 @@ TEST_F(Recording, HoldsEveryMomentThatTheServoSaw) {
   EXPECT_TRUE(find("recording")->isVisible());
   EXPECT_TRUE(text("recording").contains(QStringLiteral("session.nzr"))) << text("recording").toStdString();
   for (int i = 0; i < 60; ++i) {
-    desk_under_test->tablet().move_stylus({0.0005 * i, 0.0}, i > 10);
+    parts_under_test->tablet().move_stylus({0.0005 * i, 0.0}, i > 10);
     QTest::qWait(5);
   }
   action("record")->trigger();
   EXPECT_FALSE(action("record")->isChecked());
   EXPECT_FALSE(find("recording")->isVisible());
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Recorded: "))) << feedback().toStdString();
-  desk_under_test->tablet().pump();
+  parts_under_test->tablet().pump();
 
   recording::RecordingEnd end;
   const auto recorded = read_all(path, &end);
@@ -125,8 +125,8 @@ TEST_F(Recording, GoesOnInAFileOfItsOwnWhereAnotherDeviceTakesTheTablet) {
   const QString path = folder_.filePath(QStringLiteral("session.nzr"));
   record_to(path);
   ASSERT_TRUE(samples_come(50));
-  desk_under_test->tablet().device().choose("simulated:touch");
-  ASSERT_TRUE(QTest::qWaitFor([] { return !desk_under_test->tablet().device().is_pointer(); }, 20'000));
+  parts_under_test->tablet().device().choose("simulated:touch");
+  ASSERT_TRUE(QTest::qWaitFor([] { return !parts_under_test->tablet().device().is_pointer(); }, 20'000));
   ASSERT_TRUE(samples_come(50));
   action("record")->trigger();
   const auto second =
@@ -166,8 +166,7 @@ TEST_F(Recording, OfAWindowThatWasKilledIsCompletedByTheNextOneWhichSaysSo) {
   close(told[1]);
   open_window();
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return feedback().startsWith(QStringLiteral("A recording had broken off. It is complete")); },
-      5000))
+      [&] { return feedback().startsWith(QStringLiteral("An interrupted recording was recovered")); }, 5000))
       << feedback().toStdString();
   recording::RecordingEnd end;
   const auto recorded = read_all(path, &end);

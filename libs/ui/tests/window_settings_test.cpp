@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Switches of the whole window: what they do, say and keep.
+// Switches of the whole window: what they do, announce and save.
 #include <QApplication>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QToolButton>
 
-#include "palette.h"
+#include "look/palette.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
@@ -21,13 +21,13 @@ class Switches : public WindowTest {
 
 TEST_F(Switches, TheGrooveSoundsBetweenATenthAndAllOfItsLoudness) {
   press(Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(feedback(), QStringLiteral("Loudness 60 %."));
+  EXPECT_EQ(feedback(), QStringLiteral("Volume 60%."));
   for (int i = 0; i < 5; ++i) action("sound_louder")->trigger();
-  EXPECT_EQ(feedback(), QStringLiteral("Loudness 100 %."));
+  EXPECT_EQ(feedback(), QStringLiteral("Volume 100%."));
   action("sound_softer")->trigger();
-  EXPECT_EQ(feedback(), QStringLiteral("Loudness 90 %."));
+  EXPECT_EQ(feedback(), QStringLiteral("Volume 90%."));
   for (int i = 0; i < 9; ++i) action("sound_softer")->trigger();
-  EXPECT_EQ(feedback(), QStringLiteral("Loudness 10 %."));
+  EXPECT_EQ(feedback(), QStringLiteral("Volume 10%."));
   EXPECT_NEAR(kept().sound_volume, 0.1, 1e-9);
 }
 
@@ -57,7 +57,7 @@ TEST_F(Switches, TheLookOfTheTabletIsOneOfThree) {
   for (const auto& [name, words] : looks) {
     action(name)->trigger();
     EXPECT_EQ(tool->text(), QString::fromLatin1(words) + QStringLiteral("  ▾"));
-    EXPECT_EQ(tool->accessibleName(), QStringLiteral("Look of the tablet: ") + QString::fromLatin1(words));
+    EXPECT_EQ(tool->accessibleName(), QStringLiteral("Tablet style: ") + QString::fromLatin1(words));
     for (const char* other : {"wood", "slate", "classic"})
       EXPECT_EQ(action(other)->isChecked(), QLatin1String(other) == QLatin1String(name)) << other;
   }
@@ -134,12 +134,12 @@ TEST_F(Switches, InFullScreenNothingButTheTabletAndItsSentenceIsLeft) {
   press(Qt::Key_F11);
   EXPECT_TRUE(action("full_screen")->isChecked());
   EXPECT_TRUE(window_->windowState().testFlag(Qt::WindowFullScreen));
-  for (const char* name : {"menu_bar", "tool_bar", "status_line", "workplace_rail"})
+  for (const char* name : {"menu_bar", "tool_bar", "status_line", "page_rail"})
     EXPECT_FALSE(find(name)->isVisible()) << name;
   press(Qt::Key_Escape);
   EXPECT_FALSE(action("full_screen")->isChecked());
   EXPECT_FALSE(window_->windowState().testFlag(Qt::WindowFullScreen));
-  for (const char* name : {"menu_bar", "tool_bar", "status_line", "workplace_rail"})
+  for (const char* name : {"menu_bar", "tool_bar", "status_line", "page_rail"})
     EXPECT_TRUE(find(name)->isVisible()) << name;
 }
 

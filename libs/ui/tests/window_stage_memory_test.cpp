@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a stage keeps while the learner goes on, and what it forgets.
+// What a stage remembers while the learner goes on, and what it forgets.
 #include "study_under_test.h"
 
 namespace nazori::ui {
@@ -9,30 +9,30 @@ class StageMemory : public StudyTest {
  protected:
   void bring(char32_t character) {
     window_->show_character(character);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return on_desk_ == character; }, 20'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return shown_character_ == character; }, 20'000));
   }
-  static practice::MemoryStage& memory() { return the_desk->practice().memory(); }
-  /// Writes from memory and waits for what is said of it.
+  static practice::MemoryStage& memory() { return the_parts->practice().memory(); }
+  /// Writes from memory and waits for the announcement.
   void put(const test::Points& line) {
-    the_desk->say(Feedback::hint, QStringLiteral("not judged yet"));
+    the_parts->announce(Feedback::hint, QStringLiteral("not judged yet"));
     memory().add_stroke(test::hand_stroke(line));
     ASSERT_TRUE(QTest::qWaitFor([&] { return feedback() != QStringLiteral("not judged yet"); }, 20'000));
   }
 };
 
 TEST_F(StageMemory, HelpThatFadedForOneCharacterIsWholeAgainForAnother) {
-  const auto lines = [] { return the_desk->tablet().overlay().lines_opacity; };
+  const auto lines = [] { return the_parts->tablet().overlay().lines_opacity; };
   bring(U'一');
   action("guided")->trigger();
   const double whole = lines();
-  test::write(the_desk->tablet(), test::model(U'一').front());
-  ASSERT_TRUE(feedback().startsWith(QStringLiteral("Without a slip"))) << feedback().toStdString();
+  test::write(the_parts->tablet(), test::model(U'一').front());
+  ASSERT_TRUE(feedback().startsWith(QStringLiteral("No mistakes"))) << feedback().toStdString();
   const double faded = lines();
   ASSERT_LT(faded, whole);
   action("trace")->trigger();
   action("guided")->trigger();
   EXPECT_EQ(lines(), faded) << "it is the same character";
-  EXPECT_EQ(feedback(), QStringLiteral("Follow the groove. Without a slip so far: 1."));
+  EXPECT_EQ(feedback(), QStringLiteral("Follow the groove. Written without mistakes so far: 1."));
   bring(U'二');
   EXPECT_EQ(lines(), whole);
   EXPECT_EQ(feedback(), QStringLiteral("Follow the groove."));
@@ -45,11 +45,11 @@ TEST_F(StageMemory, AfterARefusedStrokeIsTakenBackTheNextTakesNoOtherAway) {
   now_ += std::chrono::days(40);
   open_home();
   start();
-  ASSERT_TRUE(is_on_desk());
+  ASSERT_TRUE(is_shown());
   ASSERT_EQ(session().character(), U'二');
   const auto lines = test::model(U'二');
   put(lines[0]);
-  ASSERT_TRUE(feedback().startsWith(QStringLiteral("Stroke 1 is right"))) << feedback().toStdString();
+  ASSERT_TRUE(feedback().startsWith(QStringLiteral("Stroke 1 is correct"))) << feedback().toStdString();
   const test::Points refused{{70, 20}, {70, 95}};
   put(refused);
   put(refused);
@@ -69,7 +69,7 @@ TEST_F(StageMemory, WhatTheJudgeSaysOfAWritingThatWasPutAsideMeanwhileIsNotTold)
   action("memory")->trigger();
   int judged = 0;
   const base::Connection counting =
-      the_desk->judge().judged.connect([&](std::uint64_t, const writing::Grade&) { ++judged; });
+      the_parts->judge().judged.connect([&](std::uint64_t, const writing::Grade&) { ++judged; });
   memory().add_stroke(test::hand_stroke(test::model(U'十').front()));
   action("give_up")->trigger();
   const QString told = feedback();
@@ -82,12 +82,12 @@ TEST_F(StageMemory, WhatTheJudgeSaysOfAWritingThatWasPutAsideMeanwhileIsNotTold)
   EXPECT_EQ(memory().strokes().size(), 1U) << "it is there again";
 }
 
-TEST_F(StageMemory, WhoGivesUpIsToldNothingMoreOfTheStrokeThatIsStillBeingJudged) {
+TEST_F(StageMemory, AfterTheAnswerIsShownNothingIsSaidOfAStrokeThatIsStillBeingChecked) {
   bring(U'一');
   action("memory")->trigger();
   int judged = 0;
   const base::Connection counting =
-      the_desk->judge().judged.connect([&](std::uint64_t, const writing::Grade&) { ++judged; });
+      the_parts->judge().judged.connect([&](std::uint64_t, const writing::Grade&) { ++judged; });
   memory().add_stroke(test::hand_stroke(test::model(U'一').front()));
   ASSERT_EQ(judged, 0);
   action("give_up")->trigger();

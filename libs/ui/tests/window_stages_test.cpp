@@ -9,35 +9,35 @@
 #include "characters/character_actions.h"
 #include "characters/characters.h"
 #include "characters/compare_view.h"
-#include "desk.h"
 #include "hand_under_test.h"
+#include "page/window_parts.h"
 #include "window_under_test.h"
 
 namespace nazori::ui {
 namespace {
 
-Desk* the_desk = nullptr;
+WindowParts* the_parts = nullptr;
 
-std::unique_ptr<Workplace> make_characters(Desk& desk) {
-  the_desk = &desk;
-  return std::make_unique<Characters>(desk);
+std::unique_ptr<Page> make_characters(WindowParts& parts) {
+  the_parts = &parts;
+  return std::make_unique<Characters>(parts);
 }
 
 using test::Points;
 
 class Stages : public WindowTest {
  protected:
-  Stages() { workplaces_ = {make_characters}; }
+  Stages() { pages_ = {make_characters}; }
 
   static std::vector<Points> model(char32_t character) { return test::model(character); }
-  static void write(const Points& line) { test::write(the_desk->tablet(), line); }
+  static void write(const Points& line) { test::write(the_parts->tablet(), line); }
 
   bool says(const char* words) {
     return QTest::qWaitFor([&] { return feedback().contains(QString::fromUtf8(words)); }, 10000);
   }
   std::vector<view::Verdict> seen_verdicts() {
     std::vector<view::Verdict> out;
-    for (const auto& stroke : the_desk->tablet().overlay().writing) out.push_back(stroke.verdict);
+    for (const auto& stroke : the_parts->tablet().overlay().writing) out.push_back(stroke.verdict);
     return out;
   }
 };
@@ -50,10 +50,10 @@ TEST_F(Stages, WritingRightFromMemoryIsToldStrokeByStrokeAndAccepted) {
   EXPECT_TRUE(feedback().contains(QStringLiteral("2 strokes"))) << feedback().toStdString();
   const auto strokes = model(U'十');
   write(strokes[0]);
-  EXPECT_TRUE(says("Stroke 1 is right. 1 to go.")) << feedback().toStdString();
+  EXPECT_TRUE(says("Stroke 1 is correct. 1 to go.")) << feedback().toStdString();
   EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::right}));
   write(strokes[1]);
-  EXPECT_TRUE(says("of 100 points")) << feedback().toStdString();
+  EXPECT_TRUE(says("of 5 stars")) << feedback().toStdString();
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("十 – Nazori"));
   EXPECT_TRUE(find("glyph")->isVisible());
 }
@@ -80,10 +80,10 @@ TEST_F(Stages, StrokesInTheWrongOrderAreNamedAtTheEnd) {
   action("judge_each")->trigger();
   const auto strokes = model(U'十');
   write(strokes[1]);
-  EXPECT_TRUE(says("1 stroke is written")) << feedback().toStdString();
+  EXPECT_TRUE(says("1 stroke written")) << feedback().toStdString();
   EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::none})) << "not judged before the end";
   write(strokes[0]);
-  EXPECT_TRUE(says("2 strokes are written")) << feedback().toStdString();
+  EXPECT_TRUE(says("2 strokes written")) << feedback().toStdString();
   press(Qt::Key_Return);
   EXPECT_TRUE(says("before")) << feedback().toStdString();
   const auto verdicts = seen_verdicts();
@@ -95,12 +95,12 @@ TEST_F(Stages, JudgedOnlyAtTheEndIsJudgedWhenTheLearnerSaysSo) {
   press(Qt::Key_F8);
   action("judge_each")->trigger();
   for (const auto& stroke : model(U'十')) write(stroke);
-  EXPECT_TRUE(says("2 strokes are written")) << feedback().toStdString();
+  EXPECT_TRUE(says("2 strokes written")) << feedback().toStdString();
   QTest::qWait(300);
   EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::none, view::Verdict::none}))
       << "all is right, but nobody asked yet";
   press(Qt::Key_Return);
-  EXPECT_TRUE(says("points")) << feedback().toStdString();
+  EXPECT_TRUE(says("stars")) << feedback().toStdString();
 }
 
 TEST_F(Stages, AHintShowsOneStrokeASecondAllAndGivingUpEverything) {
@@ -122,7 +122,7 @@ TEST_F(Stages, TheGrooveIsHiddenShownOrComesWithEachRightStroke) {
   show(U'十');
   press(Qt::Key_F8);
   const auto carved = [] {
-    const auto& map = the_desk->tablet().tablet()->height_map();
+    const auto& map = the_parts->tablet().tablet()->height_map();
     return *std::min_element(map.samples().begin(), map.samples().end()) < 0.5F;
   };
   EXPECT_FALSE(carved());
@@ -140,7 +140,7 @@ TEST_F(Stages, ComparingShowsTheModelOverTheWritingAndBothBesideEachOther) {
   press(Qt::Key_F8);
   EXPECT_FALSE(action("compare_over")->isEnabled());
   write(model(U'十')[0]);
-  ASSERT_TRUE(says("is right"));
+  ASSERT_TRUE(says("is correct"));
   press(Qt::Key_O);
   EXPECT_EQ(seen_verdicts(), (std::vector{view::Verdict::right, view::Verdict::shown, view::Verdict::shown}));
   press(Qt::Key_B);
@@ -158,7 +158,7 @@ TEST_F(Stages, AnotherCharacterIsNotGivenAwayByTheComparisonOfTheLast) {
   show(U'十');
   press(Qt::Key_F8);
   write(model(U'十')[0]);
-  ASSERT_TRUE(says("is right"));
+  ASSERT_TRUE(says("is correct"));
   press(Qt::Key_O);
   press(Qt::Key_B);
   show(U'休');
@@ -172,10 +172,10 @@ TEST_F(Stages, TheWritingIsReplayedOnTheTabletAtItsOwnSpeed) {
   press(Qt::Key_F8);
   EXPECT_FALSE(action("play")->isEnabled()) << "there is nothing to replay";
   write(model(U'十')[0]);
-  ASSERT_TRUE(says("is right"));
+  ASSERT_TRUE(says("is correct"));
   const auto points = [] {
     std::size_t count = 0;
-    for (const auto& stroke : the_desk->tablet().overlay().writing) count += stroke.points.size();
+    for (const auto& stroke : the_parts->tablet().overlay().writing) count += stroke.points.size();
     return count;
   };
   const auto all = points();
@@ -198,10 +198,10 @@ TEST_F(Stages, StrictnessIsASliderThatKeysMoveToo) {
   press(Qt::Key_BracketRight, Qt::ControlModifier);
   EXPECT_EQ(slider->value(), slider->maximum() / 2 + 1);
   EXPECT_FALSE(action("normal")->isChecked());
-  EXPECT_EQ(feedback(), QStringLiteral("Your writing is judged rather strictly."));
+  EXPECT_EQ(feedback(), QStringLiteral("Strictness: fairly strict."));
   action("strict")->trigger();
   EXPECT_EQ(slider->value(), slider->maximum());
-  EXPECT_EQ(slider->accessibleDescription(), QStringLiteral("strictly"));
+  EXPECT_EQ(slider->accessibleDescription(), QStringLiteral("strict"));
   slider->setFocus(Qt::TabFocusReason);
   QTest::keyClick(slider, Qt::Key_Home);
   EXPECT_TRUE(action("lenient")->isChecked());
@@ -232,13 +232,13 @@ TEST_F(Stages, TheReportTellsThePartsOfTheScoreAndHowThePenMoved) {
   press(Qt::Key_F8);
   const auto strokes = model(U'十');
   write(strokes[0]);
-  ASSERT_TRUE(says("Stroke 1 is right"));
+  ASSERT_TRUE(says("Stroke 1 is correct"));
   EXPECT_FALSE(find("writing_report")->isVisible()) << "not while it is written";
   write(strokes[1]);
-  ASSERT_TRUE(says("of 100 points")) << feedback().toStdString();
+  ASSERT_TRUE(says("of 5 stars")) << feedback().toStdString();
   EXPECT_TRUE(find("writing_report")->isVisible());
-  EXPECT_TRUE(text("report_points").startsWith(QStringLiteral("Accepted: ")));
-  EXPECT_TRUE(text("report_parts").contains(QStringLiteral("Order: 15 of 15 points")))
+  EXPECT_TRUE(text("report_verdict").startsWith(QStringLiteral("Correct. Form: ")));
+  EXPECT_TRUE(text("report_parts").contains(QStringLiteral("Order: 15/15")))
       << text("report_parts").toStdString();
   EXPECT_TRUE(text("report_pen").startsWith(QStringLiteral("Written in ")))
       << text("report_pen").toStdString();
@@ -250,15 +250,15 @@ TEST_F(Stages, WatchingNamesTheStrokesAndStepsThroughThem) {
   action("reduced_motion")->trigger();
   press(Qt::Key_F5);
   EXPECT_FALSE(action("play")->isChecked()) << "nothing moves unasked";
-  EXPECT_TRUE(feedback().contains(QStringLiteral("Space plays")));
+  EXPECT_TRUE(feedback().contains(QStringLiteral("Space: play")));
   press(Qt::Key_Right);
   EXPECT_TRUE(feedback().startsWith(QStringLiteral("Stroke 1 of 6: sweep to the left.")))
       << feedback().toStdString();
   press(Qt::Key_Right);
   press(Qt::Key_Right);
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Stroke 2 of 6: vertical line. It stops")))
+  EXPECT_TRUE(feedback().startsWith(QStringLiteral("Stroke 2 of 6: vertical stroke. It ends with a stop")))
       << feedback().toStdString();
-  const auto overlay = the_desk->tablet().overlay();
+  const auto overlay = the_parts->tablet().overlay();
   ASSERT_EQ(overlay.groove_ink.size(), 6U);
   EXPECT_EQ(overlay.groove_ink[1], 1);
   EXPECT_EQ(overlay.groove_ink[2], 0);
@@ -272,25 +272,25 @@ TEST_F(Stages, WatchingNamesTheStrokesAndStepsThroughThem) {
 
 TEST_F(Stages, GuidedShowsOnlyTheGrooveOrOnlyTheStartsAndHoldsTheStylus) {
   press(Qt::Key_F7);
-  EXPECT_TRUE(the_desk->tablet().snapping_in_effect());
-  EXPECT_LT(the_desk->tablet().overlay().lines_opacity, 0.5);
+  EXPECT_TRUE(the_parts->tablet().snapping_in_effect());
+  EXPECT_LT(the_parts->tablet().overlay().lines_opacity, 0.5);
   action("by_starts")->trigger();
-  const auto& map = the_desk->tablet().tablet()->height_map();
+  const auto& map = the_parts->tablet().tablet()->height_map();
   EXPECT_GT(*std::min_element(map.samples().begin(), map.samples().end()), 0.99F);
-  EXPECT_TRUE(the_desk->tablet().overlay().numbers_visible);
+  EXPECT_TRUE(the_parts->tablet().overlay().numbers_visible);
   press(Qt::Key_F6);
-  EXPECT_FALSE(the_desk->tablet().snapping_in_effect()) << "the learner's own switch counts again";
+  EXPECT_FALSE(the_parts->tablet().snapping_in_effect()) << "the learner's own switch counts again";
 }
 
 TEST_F(Stages, KeysOfOneStageDoNothingInAnother) {
   press(Qt::Key_F8);
   press(Qt::Key_N);
-  EXPECT_TRUE(the_desk->tablet().numbers_visible());
+  EXPECT_TRUE(the_parts->tablet().numbers_visible());
   press(Qt::Key_F6);
   press(Qt::Key_H);
   EXPECT_FALSE(feedback().contains(QStringLiteral("blue")));
   press(Qt::Key_N);
-  EXPECT_FALSE(the_desk->tablet().numbers_visible());
+  EXPECT_FALSE(the_parts->tablet().numbers_visible());
 }
 
 TEST_F(Stages, SpaceOnAButtonPressesTheButton) {

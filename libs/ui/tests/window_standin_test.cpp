@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The real window with the real back ends; what they reach are the stand-ins for the makers' libraries, the
-// Inverse Service's and SDL's virtual gamepad.
+// The real window with the real back ends. They use stand-ins for the makers' libraries and for the Inverse
+// Service, and SDL's virtual gamepad.
 #include <SDL2/SDL.h>
 #include <dlfcn.h>
 
@@ -13,13 +13,13 @@
 #include <mutex>
 
 #include "characters/characters.h"
-#include "desk.h"
-#include "device/device_place.h"
+#include "device/device_page.h"
+#include "events/signals.h"
 #include "nazori/devices/force_dimension.h"
 #include "nazori/devices/game_controllers.h"
 #include "nazori/devices/inverse_service.h"
 #include "nazori/devices/openhaptics.h"
-#include "signals.h"
+#include "page/window_parts.h"
 #include "standins/dhd_standin.h"
 #include "standins/hd_standin.h"
 #include "standins/inverse_standin.h"
@@ -34,12 +34,12 @@ using devices::standin::InverseService;
 using devices::standin::VirtualPad;
 using haptics::Vec3;
 
-Desk* desk_under_test = nullptr;
+WindowParts* parts_under_test = nullptr;
 
 template <class T>
-std::unique_ptr<Workplace> make(Desk& desk) {
-  desk_under_test = &desk;
-  return std::make_unique<T>(desk);
+std::unique_ptr<Page> make(WindowParts& parts) {
+  parts_under_test = &parts;
+  return std::make_unique<T>(parts);
 }
 
 constexpr int kPatience_ms = 30'000;
@@ -47,7 +47,7 @@ constexpr int kPatience_ms = 30'000;
 class StandIn : public WindowTest {
  protected:
   StandIn() {
-    workplaces_ = {make<Characters>, make<DevicePlace>};
+    pages_ = {make<Characters>, make<DevicePage>};
     hd_ = stage<devices::standin::HdStage>("libHD.so", "nazori_standin_hd");
     dhd_ = stage<devices::standin::DhdStage>("libdhd.so", "nazori_standin_dhd");
     hd_->plugged = false;
@@ -55,10 +55,10 @@ class StandIn : public WindowTest {
     where_.openhaptics.library = std::string(test_paths::kStandins) + "/libHD.so";
     where_.openhaptics.device_folder = "/nowhere";
     where_.force_dimension.library = std::string(test_paths::kStandins) + "/libdhd.so";
-    where_.inverse_service.port = 1;         // nobody listens there
+    where_.inverse_service.port = 1;         // no service listens on this port
     where_.inverse_service.delay_s = 0.020;  // so that no force depends on how busy the machine is
     where_.inverse_service.give_up_s = 3600;
-    // What joysticks happen to be plugged in is nobody's business but that of the test of gamepads.
+    // Only the test of gamepads may use the joysticks that are plugged in.
     back_ends_ = [this] {
       std::vector<std::unique_ptr<devices::BackEnd>> all;
       all.push_back(devices::openhaptics_back_end(where_.openhaptics));
@@ -81,7 +81,7 @@ class StandIn : public WindowTest {
     return reinterpret_cast<Stage* (*)()>(dlsym(handle, function.c_str()))();
   }
 
-  practice::TabletControl& controller() { return desk_under_test->tablet(); }
+  practice::TabletControl& controller() { return parts_under_test->tablet(); }
   devices::TabletDevice& stylus() { return controller().device(); }
   template <class Truth>
   static bool comes(Truth truth) {
@@ -93,7 +93,7 @@ class StandIn : public WindowTest {
   bool says(const char* part) {
     return comes([&] { return feedback().contains(QString::fromLatin1(part)); });
   }
-  /// Where a point of the tablet is for the device.
+  /// A point of the tablet, in the frame of the device.
   Vec3 in_device_m(const Vec3& tablet_m) {
     const auto mapping = devices::WorkspaceMapping::create(stylus().opened()->calibration);
     return mapping->to_device_m(tablet_m);
@@ -122,7 +122,7 @@ class StandIn : public WindowTest {
   [[nodiscard]] Vec3 falcon_n() const {  // x right, y up, z towards the operator
     return {dhd_->force_y_n.load(), dhd_->force_z_n.load(), dhd_->force_x_n.load()};
   }
-  /// Traces the first stroke with `hold`, as far as a part of it.
+  /// Traces a stroke with `hold`, up to this share of its length.
   template <class Hold>
   bool trace(const Hold& hold, std::size_t stroke, double part) {
     const auto& path = controller().tablet()->paths()[stroke].points;
@@ -142,14 +142,14 @@ class StandIn : public WindowTest {
     controller().pump();
     return controller().ink().progress()[stroke] > 0.5 * part;
   }
-  /// Collects the forces of the servo that takes the tablet next.
+  /// Collects the forces of the next servo that uses the tablet.
   void watch_ramp() {
     subscribe(stylus().changed, window_.get(), [this] { ramp_.clear(); });
     subscribe(stylus().sampled, window_.get(), [this](std::span<const haptics::ServoSample> samples) {
       for (const auto& s : samples) ramp_.emplace_back(s.time_s, glm::length(s.force_n));
     });
   }
-  /// Whether the force of a device that was just opened came within 0.3 s from its start, not at once.
+  /// Expects that the force of a device that was just opened rises within 0.3 s, not at once.
   void expect_ramp() {
     ASSERT_TRUE(comes([&] { return !ramp_.empty() && ramp_.back().second > 0.1; }));
     constexpr double kRamp_s = 0.3, kMost_n = 8;  // of the strongest of these devices
@@ -174,7 +174,7 @@ TEST_F(StandIn, ATouchIsFoundFeltAndWrittenWith) {
   hd_->plugged = true;
   open_window();
   ASSERT_TRUE(has_tablet("Stand-in Touch (serial 0042)")) << text("device").toStdString();
-  EXPECT_TRUE(says("Stand-in Touch (serial 0042) has the tablet."));
+  EXPECT_TRUE(says("Now using Stand-in Touch (serial 0042)."));
   hold_touch({0.045, 0.045, 0.004});  // above the plateau
   ASSERT_TRUE(comes([&] { return controller().latest().device_m.z > 0.003; }));
   EXPECT_EQ(glm::length(touch_n()), 0);
@@ -197,8 +197,8 @@ TEST_F(StandIn, ATouchThatIsUnpluggedInAStrokeIsFollowedByTheNextBestAndComesBac
 
   hd_->plugged = false;
   ASSERT_TRUE(
-      says("The connection to Stand-in Touch (serial 0042) broke off. Check the cable. Until then FALCON "
-           "has the tablet."))
+      says("The connection to Stand-in Touch (serial 0042) was lost. Check the cable. Until then, FALCON is "
+           "used."))
       << feedback().toStdString();
   EXPECT_EQ(glm::length(touch_n()), 0);
   EXPECT_EQ(hd_->force_despite_error_n, 0);
@@ -208,7 +208,7 @@ TEST_F(StandIn, ATouchThatIsUnpluggedInAStrokeIsFollowedByTheNextBestAndComesBac
       << "nothing that was written is lost";
   hold_falcon({0.045, 0.045, -0.003});
   EXPECT_TRUE(comes([&] { return falcon_n().z > 0.3; }));
-  hold_falcon({0.045, 0.045, 0.010});  // no stroke is interrupted by the change
+  hold_falcon({0.045, 0.045, 0.010});  // so that the change of device interrupts no stroke
   ASSERT_TRUE(comes([&] { return !controller().latest().touching; }));
 
   watch_ramp();
@@ -218,7 +218,7 @@ TEST_F(StandIn, ATouchThatIsUnpluggedInAStrokeIsFollowedByTheNextBestAndComesBac
   expect_ramp();
   EXPECT_EQ(glm::length(falcon_n()), 0);
   EXPECT_FALSE(dhd_->force_on);
-  EXPECT_TRUE(says("Stand-in Touch (serial 0042) has the tablet."));
+  EXPECT_TRUE(says("Now using Stand-in Touch (serial 0042)."));
 }
 
 TEST_F(StandIn, AFalconIsFoundFeltAndWhenItIsUnpluggedTheMouseWrites) {
@@ -230,7 +230,7 @@ TEST_F(StandIn, AFalconIsFoundFeltAndWhenItIsUnpluggedTheMouseWrites) {
   hold_falcon({0.045, 0.045, -0.003});
   ASSERT_TRUE(comes([&] { return falcon_n().z > 0.3; }));
   dhd_->devices = 0;
-  ASSERT_TRUE(says("The connection to FALCON broke off. Check the cable. Until then mouse and pen write."));
+  ASSERT_TRUE(says("The connection to FALCON was lost. Check the cable. Until then, use a mouse or pen."));
   EXPECT_EQ(dhd_->force_despite_error_n, 0);
   EXPECT_TRUE(stylus().is_pointer());
   EXPECT_GT(controller().ink().progress()[0], 0.3);
@@ -252,13 +252,13 @@ TEST_F(StandIn, AnInverse3IsFoundFeltAndGoesOnWhenItsServiceIsBack) {
 
   service.reset();
   ASSERT_TRUE(
-      says("The service of Inverse3 049D has stopped. Start it again. Until then mouse and pen write."))
+      says("The service for Inverse3 049D has stopped. Start it again. Until then, use a mouse or pen."))
       << feedback().toStdString();
   EXPECT_TRUE(stylus().is_pointer());
   EXPECT_NE(stylus().opened(), nullptr) << "it is waited for";
   service = std::make_unique<InverseService>(port);
   hold_inverse(*service, {0.045, 0.045, -0.004});
-  ASSERT_TRUE(says("Inverse3 049D goes on. What was written is still there."));
+  ASSERT_TRUE(says("Inverse3 049D is working again. Your writing is still there."));
   EXPECT_TRUE(comes([&] { return service->force_y_n < -0.05; }));
   EXPECT_EQ(service->malformed, 0);
 }
@@ -273,12 +273,12 @@ TEST_F(StandIn, AServiceThatTalksNonsenseIsSaidOnItsPageAndHoldsNothingUp) {
   press(Qt::Key_2, Qt::AltModifier);
   ASSERT_TRUE(comes([&] { return texts("reason").size() == 2; })) << texts("reason").join('\n').toStdString();
   const QStringList reasons = texts("reason");
-  EXPECT_TRUE(reasons[0].startsWith(
-      QStringLiteral("OpenHaptics (PHANTOM, Touch): the maker's library is too old or not the right one.")))
+  EXPECT_TRUE(reasons[0].startsWith(QStringLiteral(
+      "OpenHaptics (PHANTOM, Touch): the manufacturer's library is too old or the wrong one.")))
       << reasons[0].toStdString();
-  EXPECT_TRUE(reasons[1].contains(QStringLiteral("the maker's library is not installed")))
+  EXPECT_TRUE(reasons[1].contains(QStringLiteral("the manufacturer's library is not installed")))
       << reasons[1].toStdString();
-  EXPECT_TRUE(says("What Inverse3 049D sends cannot be understood")) << feedback().toStdString();
+  EXPECT_TRUE(says("Inverse3 049D sends data that cannot be read")) << feedback().toStdString();
   EXPECT_TRUE(stylus().is_pointer());
 }
 
@@ -287,9 +287,9 @@ TEST_F(StandIn, TheTroubleOfADeviceIsSaidAgainWhereItsPageIsEntered) {
   service.answer = InverseService::Answer::garbage;
   where_.inverse_service.port = service.port();
   open_window();
-  ASSERT_TRUE(says("What Inverse3 049D sends cannot be understood")) << feedback().toStdString();
+  ASSERT_TRUE(says("Inverse3 049D sends data that cannot be read")) << feedback().toStdString();
   press(Qt::Key_2, Qt::AltModifier);
-  EXPECT_TRUE(says("What Inverse3 049D sends cannot be understood")) << feedback().toStdString();
+  EXPECT_TRUE(says("Inverse3 049D sends data that cannot be read")) << feedback().toStdString();
 }
 
 TEST_F(StandIn, TheChosenDeviceThatIsAbsentIsSaidTheNextBestServesAndItComesWhenPluggedIn) {
@@ -299,7 +299,7 @@ TEST_F(StandIn, TheChosenDeviceThatIsAbsentIsSaidTheNextBestServesAndItComesWhen
       .setValue(QStringLiteral("device/chosen"), QStringLiteral("openhaptics"));
   open_window();
   ASSERT_TRUE(has_tablet("FALCON"));
-  EXPECT_TRUE(says("Until then FALCON has the tablet.")) << feedback().toStdString();
+  EXPECT_TRUE(says("Until then, FALCON is used.")) << feedback().toStdString();
   hd_->plugged = true;
   EXPECT_TRUE(has_tablet("Stand-in Touch"));
 }
@@ -321,7 +321,8 @@ TEST_F(StandIn, AGamepadIsChosenMovesTheTipRumblesAndIsTakenUpAgain) {
   ASSERT_TRUE(has_tablet("Nazori's virtual pad"));
   pad->axis(SDL_CONTROLLER_AXIS_RIGHTX, 16'384);
   EXPECT_TRUE(comes([&] { return controller().latest().device_m.x > 0.02; }));
-  // From the trial's floor, pressed, a little into its wall, where the tip stays: further in, it slides over.
+  // From the floor of the trial, pressed a little into the wall, where the tip stays. Further in, it would
+  // slide over the wall.
   pad->axis(SDL_CONTROLLER_AXIS_RIGHTX, -32'768);
   ASSERT_TRUE(comes([&] { return controller().latest().device_m.x < -0.04; }));
   pad->axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 32'767);
@@ -331,9 +332,8 @@ TEST_F(StandIn, AGamepadIsChosenMovesTheTipRumblesAndIsTakenUpAgain) {
   EXPECT_TRUE(comes([&] { return pad->low > 0; })) << "the wall is felt";
 
   pad.reset();
-  ASSERT_TRUE(
-      says("The connection to Nazori's virtual pad broke off. Check the cable. Until then mouse and pen "
-           "write."))
+  ASSERT_TRUE(says(
+      "The connection to Nazori's virtual pad was lost. Check the cable. Until then, use a mouse or pen."))
       << feedback().toStdString();
   EXPECT_TRUE(stylus().is_pointer());
   pad = std::make_unique<VirtualPad>();
@@ -343,7 +343,7 @@ TEST_F(StandIn, AGamepadIsChosenMovesTheTipRumblesAndIsTakenUpAgain) {
   SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
 }
 
-/// A back end that is stuck in its maker's library until it is let go.
+/// A back end that blocks in its maker's library until the test releases it.
 struct Stuck final : devices::BackEnd {
   struct Gate {
     std::mutex lock;

@@ -28,7 +28,7 @@ TEST_F(StudyDays, UndoFromHomeTakesBackReviewsOfOtherDaysToo) {
   now_ += std::chrono::days(1);
   open_home();
   press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_TRUE(feedback().contains(QStringLiteral("Taken back: the last writing of 一")))
+  EXPECT_TRUE(feedback().contains(QStringLiteral("Undone: the last entry for 一")))
       << feedback().toStdString();
   EXPECT_EQ(reviews_in_log(), 0);
   EXPECT_EQ(store().card(U'一').next_stage, study::Stage::memory);
@@ -40,21 +40,22 @@ TEST_F(StudyDays, ASecondWindowIsToldAndChangesNothing) {
   press(Qt::Key_4);
   MainWindow::Setup second_setup = setup();
   second_setup.settings_file = folder_.filePath(QStringLiteral("second.ini"));
-  Desk* const first_desk = the_desk;
+  WindowParts* const first_parts = the_parts;
   Characters* const first_characters = the_characters;
   {
     MainWindow second(second_setup, appearance_);
     second.show();
     const auto* trouble = second.findChild<QLabel*>(QStringLiteral("home_trouble"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return trouble->isVisible(); }));
-    EXPECT_TRUE(trouble->text().contains(QStringLiteral("another window"))) << trouble->text().toStdString();
+    EXPECT_TRUE(trouble->text().contains(QStringLiteral("another Nazori window")))
+        << trouble->text().toStdString();
     EXPECT_FALSE(second.findChild<QPushButton*>(QStringLiteral("home_start"))->isVisible());
     EXPECT_TRUE(second.findChild<QPushButton*>(QStringLiteral("home_try_again"))->isVisible());
-    EXPECT_EQ(the_desk->learner().store().card(U'一').memory.reps, 1) << "reading is possible";
+    EXPECT_EQ(the_parts->learner().store().card(U'一').memory.reps, 1) << "reading is possible";
   }
-  the_desk = first_desk;
+  the_parts = first_parts;
   the_characters = first_characters;
-  EXPECT_TRUE(the_desk->learner().can_write());
+  EXPECT_TRUE(the_parts->learner().can_write());
 }
 
 TEST_F(StudyDays, ABackupThatFailedStaysSaidAtHome) {
@@ -64,10 +65,10 @@ TEST_F(StudyDays, ABackupThatFailedStaysSaidAtHome) {
   std::filesystem::copy_file(learner_file(), backups);
   open_home();
   ASSERT_TRUE(QTest::qWaitFor([this] { return find("home_trouble")->isVisible(); }, 20'000));
-  EXPECT_TRUE(text("home_trouble").startsWith(QStringLiteral("Today's backup could not be made")));
+  EXPECT_TRUE(text("home_trouble").startsWith(QStringLiteral("Today's backup failed")));
   EXPECT_TRUE(find("home_trouble")->isVisible());
   EXPECT_TRUE(find<QPushButton>("home_start")->isVisible()) << "studying works";
-  emit the_desk->learner().changed();
+  emit the_parts->learner().changed();
   EXPECT_TRUE(find("home_trouble")->isVisible());
   window_.reset();
   std::filesystem::remove(backups);
@@ -79,8 +80,8 @@ TEST_F(StudyDays, ABackupThatFailedStaysSaidAtHome) {
 TEST_F(StudyDays, AWindowThatStaysOpenOverMidnightBacksUpEachDayOnce) {
   const auto backups = [this] { return study::backups_of(learner_file()).size(); };
   const auto look = [] {
-    the_desk->learner().tick();
-    return QTest::qWaitFor([] { return !the_desk->learner().keeps_up(); }, 20'000);
+    the_parts->learner().tick();
+    return QTest::qWaitFor([] { return !the_parts->learner().keeps_up(); }, 20'000);
   };
   ASSERT_TRUE(look());
   ASSERT_EQ(backups(), 1U);
@@ -109,7 +110,7 @@ TEST_F(StudyDays, AfterAMonthAwayThereIsAPlanAndNoWall) {
   open_home();
   EXPECT_EQ(text("home_due"), QStringLiteral("1"));
   EXPECT_EQ(text("home_new"), QStringLiteral("0"));
-  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("4 reviews have piled up")))
+  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("4 reviews are waiting")))
       << text("home_advice").toStdString();
   EXPECT_TRUE(text("home_advice").contains(QStringLiteral("4 days")));
 }
@@ -122,11 +123,11 @@ TEST_F(StudyDays, AWeekThroughTheWindowAndAMonthAwayLoseNothingThatWasRatedWhate
     open_home();
     ASSERT_EQ(reviews_in_log(), rated) << "day " << day;
     ASSERT_TRUE(find<QPushButton>("home_start")->isVisible()) << "day " << day;
-    on_desk_ = 0;
+    shown_character_ = 0;
     start();
     int steps = 0;
     while (session().is_running() && ++steps < 60) {
-      ASSERT_TRUE(is_on_desk());
+      ASSERT_TRUE(is_shown());
       const char32_t character = session().character();
       if (session().stage() == study::Stage::memory) {
         // On the fourth day one is forgotten.
@@ -134,17 +135,17 @@ TEST_F(StudyDays, AWeekThroughTheWindowAndAMonthAwayLoseNothingThatWasRatedWhate
         ASSERT_FALSE(HasFatalFailure());
         ++seen[character];
         ++rated;
-        on_desk_ = 0;
+        shown_character_ = 0;
         press(Qt::Key_Return);
         if (session().is_running() && session().character() == character &&
             session().stage() != study::Stage::memory)
-          on_desk_ = character;
+          shown_character_ = character;
       } else {
         do_stage();
         ASSERT_FALSE(HasFatalFailure()) << "day " << day << ", step " << steps;
         go_on();
       }
-      // On the third day the window goes in the middle, with a stage half done.
+      // On the third day the window is closed in the middle of a stage.
       if (day == 2 && rated > 0 && steps == 2) break;
     }
     if (day != 2) {
@@ -161,7 +162,7 @@ TEST_F(StudyDays, AWeekThroughTheWindowAndAMonthAwayLoseNothingThatWasRatedWhate
   ASSERT_TRUE(rebuilt);
   EXPECT_EQ(rebuilt->differences, 0);
 
-  // Six weeks later, for a learner of four reviews a day: half of them on the first day back.
+  // Six weeks later, with a limit of four reviews a day, half of the limit is asked on the first day.
   auto settings = store().settings();
   settings.reviews_per_day = 4;
   settings.new_per_day = 2;
@@ -171,26 +172,26 @@ TEST_F(StudyDays, AWeekThroughTheWindowAndAMonthAwayLoseNothingThatWasRatedWhate
   EXPECT_EQ(text("home_due"), QStringLiteral("2"));
   EXPECT_EQ(text("home_new"), QStringLiteral("0"));
   EXPECT_EQ(text("home_streak"), QStringLiteral("0"));
-  // Of seven two, three and then the last two.
-  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("7 reviews have piled up. No hurry: today 2")))
+  // The seven reviews are spread over three days: two, three and two.
+  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("7 reviews are waiting. No hurry: do 2 today")))
       << text("home_advice").toStdString();
-  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("Catching up takes 3 days")))
+  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("You will catch up in 3 days")))
       << text("home_advice").toStdString();
-  on_desk_ = 0;
+  shown_character_ = 0;
   start();
   for (int review = 0; review < 2; ++review) {
     ASSERT_TRUE(session().is_running());
-    ASSERT_TRUE(is_on_desk());
+    ASSERT_TRUE(is_shown());
     EXPECT_EQ(session().task().kind, study::TaskKind::review);
     write_from_memory(true);
     ASSERT_FALSE(HasFatalFailure());
     ++rated;
-    on_desk_ = 0;
+    shown_character_ = 0;
     press(Qt::Key_Return);
   }
   EXPECT_FALSE(session().is_running());
-  EXPECT_TRUE(text("home_summary").contains(QStringLiteral("2 written from memory")));
-  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("your limit is reached")))
+  EXPECT_TRUE(text("home_summary").contains(QStringLiteral("Written from memory: 2")));
+  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("you have reached your daily limit")))
       << text("home_advice").toStdString();
   EXPECT_EQ(reviews_in_log(), rated);
 
@@ -224,7 +225,8 @@ TEST_F(StudyDays, SettingsAreChosenInTheWindowAndHoldAtOnce) {
     auto* order = dialog->findChild<QComboBox*>(QStringLiteral("study_order"));
     order->setCurrentIndex(order->findData(static_cast<int>(study::NewOrder::strokes)));
     const auto* workload = dialog->findChild<QLabel*>(QStringLiteral("study_workload"));
-    EXPECT_TRUE(workload->text().contains(QStringLiteral("3 new a day"))) << workload->text().toStdString();
+    EXPECT_TRUE(workload->text().contains(QStringLiteral("3 new characters a day")))
+        << workload->text().toStdString();
     dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
   });
   press(Qt::Key_Comma, Qt::ControlModifier);
@@ -248,7 +250,7 @@ TEST_F(StudyDays, AListFromTextIsTakenAndABadLineRefusedWithItsNumber) {
     });
     dialog->findChild<QPushButton*>(QStringLiteral("list_new"))->click();
     auto* lists = dialog->findChild<QListWidget*>(QStringLiteral("study_lists"));
-    EXPECT_EQ(lists->currentItem()->text(), QStringLiteral("Own list: week"));
+    EXPECT_EQ(lists->currentItem()->text(), QStringLiteral("My list: week"));
     EXPECT_EQ(lists->currentItem()->checkState(), Qt::Checked);
     dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
   });
@@ -258,11 +260,11 @@ TEST_F(StudyDays, AListFromTextIsTakenAndABadLineRefusedWithItsNumber) {
 
 TEST_F(StudyDays, ALeftHandedLayoutChangesSides) {
   press(Qt::Key_2, Qt::AltModifier);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return on_desk_ != 0; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shown_character_ != 0; }, 20000));
   const auto x_of = [this](const char* name) { return find(name)->mapTo(window_.get(), QPoint()).x(); };
   EXPECT_LT(x_of("library_panel"), x_of("information_panel"));
-  the_desk->preferences().left_handed = true;
-  the_desk->note_study_settings();
+  the_parts->preferences().left_handed = true;
+  the_parts->note_study_settings();
   QCoreApplication::processEvents();
   EXPECT_GT(x_of("library_panel"), x_of("information_panel"));
   EXPECT_GE(find("tablet")->width(), 639);

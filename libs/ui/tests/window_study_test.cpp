@@ -21,7 +21,7 @@ TEST_F(Study, TheWindowOpensWithWhatIsDueAndOneKeyStarts) {
   EXPECT_TRUE(text("home_advice").contains(QStringLiteral("一")));
   EXPECT_EQ(window_->focusWidget(), find("home_start"));
   start();
-  ASSERT_TRUE(is_on_desk());
+  ASSERT_TRUE(is_shown());
   EXPECT_TRUE(find("session_bar")->isVisible());
   EXPECT_TRUE(find("session_panel")->isVisible());
   EXPECT_FALSE(find("library_panel")->isVisible());
@@ -48,7 +48,7 @@ TEST_F(Study, FourRatingsTellWhenTheCharacterComesAgainAndEnterTakesTheProposedO
   EXPECT_TRUE(find<QPushButton>("button_rate_again")->text().contains(QStringLiteral("in 1 minute")));
   EXPECT_TRUE(find<QPushButton>("button_rate_good")->text().contains(QStringLiteral("in 10 minutes")));
   EXPECT_TRUE(find<QPushButton>("button_rate_easy")->text().contains(QStringLiteral("in 8 days")));
-  EXPECT_TRUE(find<QPushButton>("button_rate_good")->accessibleName().contains(QStringLiteral("proposed")));
+  EXPECT_TRUE(find<QPushButton>("button_rate_good")->accessibleName().contains(QStringLiteral("suggested")));
   EXPECT_FALSE(action("done")->isEnabled()) << "Enter has one meaning";
   go_on();
   EXPECT_EQ(store().card(U'一').memory.reps, 1);
@@ -72,16 +72,16 @@ TEST_F(Study, NoKeyHasTwoMeaningsAtAnyStepOfASession) {
         for (const auto& key : entry->shortcuts()) keys.append(key.toString());
     return keys.removeDuplicates();
   };
-  the_desk->preferences().one_hand = OneHand::left;
-  the_desk->note_study_settings();
+  the_parts->preferences().one_hand = OneHand::left;
+  the_parts->note_study_settings();
   while (session().state() != State::judged) {
     do_stage();
     ASSERT_FALSE(HasFatalFailure());
     EXPECT_EQ(twice(), 0);
     if (session().state() == State::offered) go_on();
   }
-  the_desk->preferences().one_hand = OneHand::right;
-  the_desk->note_study_settings();
+  the_parts->preferences().one_hand = OneHand::right;
+  the_parts->note_study_settings();
   EXPECT_EQ(twice(), 0);
   press(Qt::Key_8);
   EXPECT_EQ(store().card(U'一').memory.reps, 1) << "the right hand's key for hard";
@@ -95,7 +95,7 @@ TEST_F(Study, MeaningAndReadingsAreAskedAndTheCharacterIsHidden) {
   open_home();
   EXPECT_EQ(text("home_due"), QStringLiteral("1"));
   start();
-  ASSERT_TRUE(is_on_desk());
+  ASSERT_TRUE(is_shown());
   EXPECT_EQ(session().task().kind, study::TaskKind::review);
   EXPECT_TRUE(action("memory")->isChecked());
   EXPECT_TRUE(text("session_question").contains(QStringLiteral("one")))
@@ -111,12 +111,12 @@ TEST_F(Study, AWordWithTheCharacterLeftOutAsksInPlace) {
   learn();
   press(Qt::Key_4);
   const int reps = store().card(U'一').memory.reps;
-  // One review in three asks so; the character and the number of its reviews decide.
+  // One review in three asks by a word. The character and the number of its reviews decide which.
   now_ += std::chrono::days(8);
   open_home();
-  the_desk->session().set_asks_by_words(true);
+  the_parts->session().set_asks_by_words(true);
   start();
-  ASSERT_TRUE(is_on_desk());
+  ASSERT_TRUE(is_shown());
   const bool by_word = (reps + static_cast<int>(U'一')) % 3 == 0;
   EXPECT_EQ(session().word() != nullptr, by_word);
   if (by_word) {
@@ -145,7 +145,7 @@ TEST_F(Study, GivingUpIsAgainAndLeadsToGuidedWritingWithHelp) {
   go_on();
   EXPECT_EQ(session().character(), U'一');
   EXPECT_TRUE(action("guided")->isChecked());
-  EXPECT_GT(the_desk->tablet().overlay().lines_opacity, 0.2);
+  EXPECT_GT(the_parts->tablet().overlay().lines_opacity, 0.2);
   do_stage();
   go_on();
   EXPECT_EQ(store().card(U'一').memory.lapses, 1);
@@ -158,16 +158,16 @@ TEST_F(Study, AStrokeRefusedThreeTimesIsShownAndTheLessonGoesOn) {
     ASSERT_FALSE(HasFatalFailure());
     go_on();
   }
-  ASSERT_TRUE(is_on_desk());
-  auto* memory = &the_desk->practice().memory();
+  ASSERT_TRUE(is_shown());
+  auto* memory = &the_parts->practice().memory();
   practice::HandStroke down;
   for (int i = 0; i <= 40; ++i) down.push_back({{0.01, 0.03 - i * 0.0015}, i * 0.01, 0.5});
   for (int miss = 1; miss <= 3; ++miss) {
-    the_desk->say(Feedback::hint, QStringLiteral("not judged yet"));
+    the_parts->announce(Feedback::hint, QStringLiteral("not judged yet"));
     memory->add_stroke(down);
     ASSERT_TRUE(QTest::qWaitFor([&] { return feedback() != QStringLiteral("not judged yet"); }, 20000));
     EXPECT_EQ(memory->strokes().size(), miss < 3 ? 1U : 0U) << "the refused one made room";
-    EXPECT_EQ(feedback().contains(QStringLiteral("H shows where")), miss == 2) << feedback().toStdString();
+    EXPECT_EQ(feedback().contains(QStringLiteral("H: show where")), miss == 2) << feedback().toStdString();
   }
   EXPECT_TRUE(feedback().contains(QStringLiteral("Stroke 1 is shown in blue"))) << feedback().toStdString();
   write_from_memory(true);
@@ -176,16 +176,16 @@ TEST_F(Study, AStrokeRefusedThreeTimesIsShownAndTheLessonGoesOn) {
 
 TEST_F(Study, GoingElsewhereKeepsTheSessionAndEnterComesBack) {
   start();
-  ASSERT_TRUE(is_on_desk());
+  ASSERT_TRUE(is_shown());
   show(U'雨');
   EXPECT_TRUE(session().is_away());
   EXPECT_TRUE(find("session_next")->isVisible());
-  on_desk_ = 0;
+  shown_character_ = 0;
   press(Qt::Key_Return);
-  ASSERT_TRUE(is_on_desk());
+  ASSERT_TRUE(is_shown());
   EXPECT_FALSE(session().is_away());
   press(Qt::Key_1, Qt::AltModifier);
-  EXPECT_EQ(find<QPushButton>("home_start")->text(), QStringLiteral("Go on with the session"));
+  EXPECT_EQ(find<QPushButton>("home_start")->text(), QStringLiteral("Continue the session"));
   QTest::keyClick(find<QPushButton>("home_start"), Qt::Key_Return);
   EXPECT_TRUE(find("session_bar")->isVisible());
 }
@@ -194,15 +194,15 @@ TEST_F(Study, TheEndTellsWhatWasDoneAndWhatComes) {
   start();
   learn();
   press(Qt::Key_3);
-  // The step of ten minutes is near enough with nothing else to do.
+  // The review in ten minutes is asked now, because nothing else is due.
   ASSERT_TRUE(session().is_running());
-  on_desk_ = 0;
-  ASSERT_TRUE(is_on_desk());
+  shown_character_ = 0;
+  ASSERT_TRUE(is_shown());
   write_from_memory(true);
   press(Qt::Key_3);
   EXPECT_FALSE(session().is_running());
   EXPECT_TRUE(find("home_page")->isVisible());
-  EXPECT_TRUE(text("home_summary").contains(QStringLiteral("2 written from memory")))
+  EXPECT_TRUE(text("home_summary").contains(QStringLiteral("Written from memory: 2")))
       << text("home_summary").toStdString();
   EXPECT_TRUE(text("home_summary").contains(QStringLiteral("Good 2")));
   EXPECT_TRUE(text("home_advice").contains(QStringLiteral("Done for today")))
@@ -227,15 +227,14 @@ TEST_F(Study, WhatWasKeptLastStandsAboveTheButtonThatTakesItBack) {
   learn();
   press(Qt::Key_3);
   ASSERT_TRUE(session().is_running());
-  on_desk_ = 0;
-  ASSERT_TRUE(is_on_desk());
+  shown_character_ = 0;
+  ASSERT_TRUE(is_shown());
   EXPECT_FALSE(feedback().contains(QStringLiteral("Kept"))) << "the next task has words of its own";
-  EXPECT_TRUE(text("session_note").contains(QStringLiteral("“Good” and comes in 10 minutes")))
+  EXPECT_TRUE(text("session_note").contains(QStringLiteral("Good. Next review in 10 minutes")))
       << text("session_note").toStdString();
   EXPECT_TRUE(find("session_note")->isVisible());
   press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_TRUE(text("session_note").contains(QStringLiteral("Taken back")))
-      << text("session_note").toStdString();
+  EXPECT_TRUE(text("session_note").contains(QStringLiteral("Undone"))) << text("session_note").toStdString();
 }
 
 TEST_F(Study, AnAcceptedWritingThatTookHintsSaysWhyLessIsProposed) {
@@ -247,22 +246,22 @@ TEST_F(Study, AnAcceptedWritingThatTookHintsSaysWhyLessIsProposed) {
   write_from_memory(true);
   EXPECT_EQ(session().proposed(), Rating::again);
   EXPECT_TRUE(find("session_help")->isVisible());
-  EXPECT_EQ(text("session_help"), QStringLiteral("“Again” is proposed: 2 hints."));
+  EXPECT_EQ(text("session_help"), QStringLiteral("Suggested: “Again” (2 hints)."));
 }
 
 TEST_F(Study, TheTabletKeepsItsPlaceWhateverIsSaidUnderIt) {
   start();
-  ASSERT_TRUE(is_on_desk());
+  ASSERT_TRUE(is_shown());
   const auto tablet = [this] {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     QCoreApplication::processEvents();
     return find("tablet")->geometry();
   };
-  the_desk->say(Feedback::hint, QStringLiteral("Short."));
+  the_parts->announce(Feedback::hint, QStringLiteral("Short."));
   const QRect before = tablet();
-  the_desk->say(Feedback::hint,
-                QStringLiteral("A sentence as long as those that explain two faults of a writing "
-                               "at once, which takes a second line in a window like this."));
+  the_parts->announce(Feedback::hint,
+                      QStringLiteral("A sentence as long as those that explain two faults of a writing "
+                                     "at once, which takes a second line in a window like this."));
   ASSERT_GT(find<QLabel>("feedback_text")->heightForWidth(find("feedback_text")->width()),
             find("feedback_text")->fontMetrics().lineSpacing() * 3 / 2);
   EXPECT_EQ(tablet(), before);

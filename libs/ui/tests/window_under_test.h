@@ -11,16 +11,17 @@
 #include <QTest>
 #include <memory>
 
-#include "appearance.h"
-#include "language.h"
+#include "look/appearance.h"
 #include "nazori/devices/device_catalogue.h"
 #include "nazori/ui/main_window.h"
-#include "preferences.h"
-#include "workplace.h"
+#include "page/page.h"
+#include "print_qt.h"
+#include "settings/preferences.h"
+#include "words/language.h"
 
 namespace nazori::ui {
 
-/// The real window on the real database, without OpenGL, with settings in a folder of its own.
+/// The real window with the real database, without OpenGL, with settings in its own folder.
 class WindowTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -28,7 +29,7 @@ class WindowTest : public testing::Test {
     open_window();
   }
 
-  /// Of a window without OpenGL, with settings and learners in a folder of the test.
+  /// The setup of a window without OpenGL, with settings and learners in a folder of the test.
   [[nodiscard]] MainWindow::Setup setup() const {
     MainWindow::Setup made;
     made.database = std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db";
@@ -36,7 +37,7 @@ class WindowTest : public testing::Test {
     made.learners = folder_.filePath(QStringLiteral("learners")).toStdString();
     made.clock = clock_;
     made.draws_tablet = false;
-    made.workplaces = workplaces_;
+    made.pages = pages_;
     made.back_ends = back_ends_;
     return made;
   }
@@ -57,7 +58,7 @@ class WindowTest : public testing::Test {
     QCoreApplication::processEvents();
   }
 
-  /// As for a learner who does not want Home first, so that there is a tablet at once.
+  /// The settings of a learner who does not start with Home, so that there is a tablet at once.
   void begin_with_characters() {
     QSettings settings(folder_.filePath(QStringLiteral("nazori.ini")), QSettings::IniFormat);
     if (settings.contains(QStringLiteral("study/begin_at_home"))) return;
@@ -82,8 +83,8 @@ class WindowTest : public testing::Test {
     }
   }
 
-  /// As the preference does, but in one step instead of one for each press of a key: each lays the window
-  /// out.
+  /// Sets the text size in one step. The menu entry changes it by 2 points at a time, with a new layout of
+  /// the window for each.
   void set_text_size(int text_pt, int width = 1280, int height = 800) {
     appearance_.apply(ThemeChoice::desktop, text_pt);
     // The window fits its parts only where its size changes.
@@ -109,15 +110,15 @@ class WindowTest : public testing::Test {
     QTest::keyClick(at, key, modifiers);
   }
 
-  /// No test may take hold of a device that happens to be plugged in.
+  /// No test may open a device that is plugged in.
   std::function<std::vector<std::unique_ptr<devices::BackEnd>>()> back_ends_ = [] {
     std::vector<std::unique_ptr<devices::BackEnd>> all;
     all.push_back(devices::pointer_back_end());
     all.push_back(devices::simulated_back_end());
     return all;
   };
-  study::Clock clock_;                     ///< empty: the computer's
-  std::vector<MakeWorkplace> workplaces_;  ///< empty: all that are registered
+  study::Clock clock_;           ///< empty: the computer's
+  std::vector<MakePage> pages_;  ///< empty: all that are registered
   QTemporaryDir folder_;
   Appearance appearance_;
   std::unique_ptr<MainWindow> window_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stays, and what goes, while a writing waits for its rating: other pages, looks, learners, the end.
+// What stays and what is lost while a writing waits for its rating: other pages, looks, learners, closing.
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QMenu>
@@ -11,8 +11,8 @@
 
 #include "characters/character_actions.h"
 #include "characters/characters.h"
-#include "desk.h"
 #include "hand_under_test.h"
+#include "page/window_parts.h"
 #include "study/home.h"
 #include "window_under_test.h"
 
@@ -21,14 +21,14 @@ namespace {
 
 using State = practice::StudySession::State;
 
-Desk* the_desk = nullptr;
+WindowParts* the_parts = nullptr;
 Characters* the_characters = nullptr;
 
-std::unique_ptr<Workplace> make_home(Desk& desk) { return std::make_unique<Home>(desk); }
+std::unique_ptr<Page> make_home(WindowParts& parts) { return std::make_unique<Home>(parts); }
 
-std::unique_ptr<Workplace> make_characters(Desk& desk) {
-  the_desk = &desk;
-  auto made = std::make_unique<Characters>(desk);
+std::unique_ptr<Page> make_characters(WindowParts& parts) {
+  the_parts = &parts;
+  auto made = std::make_unique<Characters>(parts);
   the_characters = made.get();
   return made;
 }
@@ -37,7 +37,7 @@ std::unique_ptr<Workplace> make_characters(Desk& desk) {
 class Unrated : public WindowTest {
  protected:
   Unrated() {
-    workplaces_ = {make_home, make_characters};
+    pages_ = {make_home, make_characters};
     clock_ = [] { return *study::parse_time("2026-03-02T10:00Z"); };
   }
 
@@ -66,15 +66,15 @@ class Unrated : public WindowTest {
     ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
     ASSERT_TRUE(opened.count() > 0 || opened.wait(20000));
     window_->resize(1280, 800);
-    the_desk->session().set_asks_by_words(false);
+    the_parts->session().set_asks_by_words(false);
   }
 
-  static practice::StudySession& session() { return the_desk->session(); }
-  static practice::MemoryStage& memory() { return the_desk->practice().memory(); }
-  static std::size_t lines_on_tablet() { return the_desk->tablet().overlay().writing.size(); }
-  static int reps() { return the_desk->learner().store().card(U'人').memory.reps; }
+  static practice::StudySession& session() { return the_parts->session(); }
+  static practice::MemoryStage& memory() { return the_parts->practice().memory(); }
+  static std::size_t lines_on_tablet() { return the_parts->tablet().overlay().writing.size(); }
+  static int reps() { return the_parts->learner().store().card(U'人').memory.reps; }
 
-  /// As far as the question, without the stages before it.
+  /// Starts a session and finishes the stages before the question from memory.
   void ask() {
     QSignalSpy shown(window_.get(), &MainWindow::character_shown);
     action("home_study")->trigger();
@@ -116,7 +116,7 @@ class Unrated : public WindowTest {
     window_->go_to(QStringLiteral("characters"));
   }
 
-  /// How many keys are of more than one action that could be meant.
+  /// The number of keys that belong to more than one visible and enabled action.
   int keys_with_two_meanings() {
     QStringList keys;
     for (const auto* entry : window_->findChildren<QAction*>())
@@ -125,7 +125,7 @@ class Unrated : public WindowTest {
     return static_cast<int>(keys.removeDuplicates());
   }
 
-  /// Presses a button of the question that closing asks; the first button whose words begin so.
+  /// Answers the question when the window closes: presses the first button whose text begins with `words`.
   void answer_with(const QString& words) {
     auto* timer = new QTimer(window_.get());
     connect_answer(timer, words);
@@ -195,7 +195,7 @@ TEST_F(Unrated, WhatIsHalfWrittenGoesOnAfterAnotherPage) {
   ASSERT_FALSE(HasFatalFailure());
   memory().add_stroke(stroke(1));
   ASSERT_TRUE(
-      QTest::qWaitFor([&] { return feedback().contains(QStringLiteral("Stroke 1 is right")); }, 20000));
+      QTest::qWaitFor([&] { return feedback().contains(QStringLiteral("Stroke 1 is correct")); }, 20000));
   away_and_back();
   ASSERT_EQ(memory().strokes().size(), 1U);
   EXPECT_EQ(keys_with_two_meanings(), 0);
@@ -241,7 +241,7 @@ TEST_F(Unrated, AnotherLearnerSeesNeitherTheInkNorTheSummaryOfTheLast) {
   press(Qt::Key_F8);
   memory().add_stroke(stroke(1));
   window_->go_to(QStringLiteral("home"));
-  ASSERT_TRUE(the_desk->learner().switch_profile("aiko"));
+  ASSERT_TRUE(the_parts->learner().switch_profile("aiko"));
   EXPECT_FALSE(find("home_summary")->isVisible());
   window_->go_to(QStringLiteral("characters"));
   press(Qt::Key_F8);
@@ -330,7 +330,8 @@ TEST_F(Unrated, WithTheLargestTextEveryButtonOfTheSessionIsInTheWindow) {
     auto* button = find<QPushButton>(name);
     ASSERT_TRUE(button->isVisible()) << name;
     EXPECT_EQ(button->visibleRegion().boundingRect(), button->rect()) << name;
-    EXPECT_GE(button->width(), button->minimumSizeHint().width()) << name;
+    EXPECT_GE(button->width(), button->minimumSizeHint().width())
+        << name << " in " << button->parentWidget()->width();
   }
 }
 
@@ -341,7 +342,7 @@ TEST_F(Unrated, WithTheLargestTextNoPanelIsWiderThanItsPlace) {
       for (auto* area : find(side)->findChildren<QScrollArea*>())
         if (area->isVisible() && area->widget() != nullptr &&
             area->widget()->minimumSizeHint().width() > area->viewport()->width())
-          names.append(area->objectName());
+          names.append(area->objectName() + widest_parts(area->widget(), area->viewport()->width()).c_str());
     return names;
   };
   write_what_is_asked();

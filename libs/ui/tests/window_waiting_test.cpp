@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window never waits: not for a history of ten years, a new day, or a long recording.
+// The window never blocks: not for a history of ten years, a new day, or a long recording.
 #include <QLabel>
 #include <QPointer>
 #include <QProgressDialog>
@@ -8,18 +8,18 @@
 #include <fstream>
 
 #include "characters/characters.h"
-#include "desk.h"
 #include "nazori/haptics/servo.h"
 #include "nazori/recording/session_recorder.h"
 #include "nazori/study/backups.h"
 #include "nazori/study/character_lists.h"
 #include "nazori/study/store_filling.h"
+#include "page/window_parts.h"
 #include "progress/progress.h"
 #include "study/home.h"
-#include "study/learner_words.h"
 #include "study/settings_progress.h"
 #include "watchdog.h"
 #include "window_under_test.h"
+#include "words/learner_words.h"
 
 namespace nazori::ui {
 namespace {
@@ -28,17 +28,17 @@ using test::Watchdog;
 
 constexpr double kLongest_ms = 50;
 
-Desk* the_desk = nullptr;
+WindowParts* the_parts = nullptr;
 
-std::unique_ptr<Workplace> make_home(Desk& desk) {
-  the_desk = &desk;
-  return std::make_unique<Home>(desk);
+std::unique_ptr<Page> make_home(WindowParts& parts) {
+  the_parts = &parts;
+  return std::make_unique<Home>(parts);
 }
-std::unique_ptr<Workplace> make_characters(Desk& desk) { return std::make_unique<Characters>(desk); }
-std::unique_ptr<Workplace> make_progress(Desk& desk) { return std::make_unique<Progress>(desk); }
+std::unique_ptr<Page> make_characters(WindowParts& parts) { return std::make_unique<Characters>(parts); }
+std::unique_ptr<Page> make_progress(WindowParts& parts) { return std::make_unique<Progress>(parts); }
 
-/// A heavy learner's ten years: 300,000 writings, 80 a day. The first thousand characters were written once
-/// and are due for long.
+/// Ten years of a learner who studies much: 300,000 writings, 80 a day. The first thousand characters were
+/// written once and have been due for a long time.
 study::LearnerStore::Source ten_years(const std::vector<char32_t>& characters, study::Time end,
                                       int entries = 300'000) {
   return [=](study::LearnerStore::Filling& filling) -> base::Result<void> {
@@ -65,7 +65,7 @@ study::LearnerStore::Source ten_years(const std::vector<char32_t>& characters, s
 class Waiting : public WindowTest {
  protected:
   Waiting() {
-    workplaces_ = {make_home, make_characters, make_progress};
+    pages_ = {make_home, make_characters, make_progress};
     clock_ = [this] { return now_; };
   }
   void SetUp() override { install_language(QStringLiteral("en")); }
@@ -73,12 +73,13 @@ class Waiting : public WindowTest {
   void open_home() {
     window_ = std::make_unique<MainWindow>(setup(), appearance_);
     QSignalSpy opened(window_.get(), &MainWindow::opened);
-    QObject::connect(window_.get(), &MainWindow::character_shown, [this](char32_t c) { on_desk_ = c; });
+    QObject::connect(window_.get(), &MainWindow::character_shown,
+                     [this](char32_t c) { shown_character_ = c; });
     window_->show();
     window_->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
     ASSERT_TRUE(opened.count() > 0 || opened.wait(20000));
-    the_desk->session().set_asks_by_words(false);
+    the_parts->session().set_asks_by_words(false);
   }
 
   [[nodiscard]] std::filesystem::path learner_file() const {
@@ -97,10 +98,10 @@ class Waiting : public WindowTest {
   }
 
   bool keeps_up_to_date() {
-    return QTest::qWaitFor([] { return !the_desk->learner().keeps_up(); }, 120'000);
+    return QTest::qWaitFor([] { return !the_parts->learner().keeps_up(); }, 120'000);
   }
 
-  char32_t on_desk_ = 0;
+  char32_t shown_character_ = 0;
   study::Time now_ = *study::parse_time("2036-03-01T09:00:00Z");
 };
 
@@ -117,7 +118,7 @@ TEST_F(Waiting, NoEventIsLongWithAHistoryOfTenYears) {
 
   const Watchdog opening;
   bool opened = false;
-  QTimer::singleShot(0, qApp, [&] { opened = the_desk->learner().open_again(); });
+  QTimer::singleShot(0, qApp, [&] { opened = the_parts->learner().open_again(); });
   ASSERT_TRUE(QTest::qWaitFor([&] { return opened; }));
   EXPECT_LT(opening.longest_ms(), kLongest_ms) << "opening: " << opening.longest().toStdString();
   ASSERT_TRUE(keeps_up_to_date());
@@ -125,19 +126,20 @@ TEST_F(Waiting, NoEventIsLongWithAHistoryOfTenYears) {
   const Watchdog watchdog;
   ASSERT_TRUE(find<QPushButton>("home_start")->isVisible());
   QTest::keyClick(find<QPushButton>("home_start"), Qt::Key_Return);
-  ASSERT_TRUE(the_desk->session().is_running());
+  ASSERT_TRUE(the_parts->session().is_running());
   QCoreApplication::processEvents();
   EXPECT_LT(watchdog.longest_ms(), kLongest_ms) << "starting: " << watchdog.longest().toStdString();
 
   const Watchdog steps;
-  const auto entries = [] { return the_desk->learner().store().last_entry(); };
+  const auto entries = [] { return the_parts->learner().store().last_entry(); };
   for (int i = 0; i < 3; ++i) {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return on_desk_ == the_desk->session().character(); }, 20'000));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return shown_character_ == the_parts->session().character(); }, 20'000));
     ASSERT_TRUE(QTest::qWaitFor([&] { return feedback().startsWith(QStringLiteral("Write the")); }, 20'000));
     const std::int64_t before = entries();
     press(Qt::Key_G);
     ASSERT_TRUE(QTest::qWaitFor(
-        [] { return the_desk->session().state() == practice::StudySession::State::judged; }, 20'000))
+        [] { return the_parts->session().state() == practice::StudySession::State::judged; }, 20'000))
         << feedback().toStdString();
     press(Qt::Key_3);
     EXPECT_EQ(entries(), before + 1);
@@ -153,7 +155,7 @@ TEST_F(Waiting, NoEventIsLongWithAHistoryOfTenYears) {
 
   const Watchdog midnight;
   now_ += std::chrono::days(1);
-  the_desk->learner().tick();
+  the_parts->learner().tick();
   ASSERT_TRUE(keeps_up_to_date());
   EXPECT_EQ(study::backups_of(learner_file()).size(), 2U) << "of the new day";
   EXPECT_LT(midnight.longest_ms(), kLongest_ms) << "a new day: " << midnight.longest().toStdString();
@@ -172,8 +174,8 @@ TEST_F(Waiting, ADamagedFileIsFoundBehindTheWindowAndNothingMoreIsWritten) {
     bytes << std::string(8'192, '\xee');
   }
   open_home();
-  ASSERT_TRUE(QTest::qWaitFor([] { return !the_desk->learner().can_write(); }, 60'000));
-  const QString trouble = LearnerWords::sentence(the_desk->learner().trouble());
+  ASSERT_TRUE(QTest::qWaitFor([] { return !the_parts->learner().can_write(); }, 60'000));
+  const QString trouble = LearnerWords::sentence(the_parts->learner().trouble());
   EXPECT_TRUE(trouble.contains(QStringLiteral("damaged"))) << trouble.toStdString();
   EXPECT_TRUE(study::backups_of(learner_file()).empty()) << "a damaged file is not backed up";
 }
@@ -186,7 +188,7 @@ TEST_F(Waiting, SettingsThatChangeEveryCharacterAreKeptBehindTheWindowOrNotAtAll
   }
   open_home();
   ASSERT_TRUE(keeps_up_to_date());
-  practice::Learner& learner = the_desk->learner();
+  practice::Learner& learner = the_parts->learner();
   const study::Settings before = learner.store().settings();
   study::Settings wanted = before;
   wanted.fsrs.weights[2] *= 1.1;
@@ -195,8 +197,9 @@ TEST_F(Waiting, SettingsThatChangeEveryCharacterAreKeptBehindTheWindowOrNotAtAll
   Feedback kind{};
   const auto change = [&](bool is_stopped) {
     const QPointer<SettingsProgress> work =
-        new SettingsProgress(the_desk->settings_change(), wanted, window_.get());
-    QObject::connect(work, &SettingsProgress::said, [&kind](Feedback said, const QString&) { kind = said; });
+        new SettingsProgress(the_parts->settings_change(), wanted, window_.get());
+    QObject::connect(work, &SettingsProgress::announced,
+                     [&kind](Feedback said, const QString&) { kind = said; });
     if (is_stopped) emit find<QProgressDialog>("settings_progress")->canceled();
     return QTest::qWaitFor([&work] { return work.isNull(); }, 60'000);
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free writing from memory, going from character to character, and finding one: states and sentences.
+// Writing from memory without a session, going from character to character, and finding one: states and
+// sentences.
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListView>
@@ -10,32 +11,32 @@
 #include "characters/characters.h"
 #include "characters/draw_panel.h"
 #include "characters/drawing_pad.h"
-#include "desk.h"
 #include "hand_under_test.h"
-#include "kanji_text.h"
+#include "page/window_parts.h"
 #include "window_under_test.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
 
 class Writing : public WindowTest {
  protected:
-  Writing() { workplaces_ = {make}; }
-  static std::unique_ptr<Workplace> make(Desk& desk) {
-    desk_of_writing = &desk;
-    auto made = std::make_unique<Characters>(desk);
+  Writing() { pages_ = {make}; }
+  static std::unique_ptr<Page> make(WindowParts& parts) {
+    parts_of_writing = &parts;
+    auto made = std::make_unique<Characters>(parts);
     characters_of_writing = made.get();
     return made;
   }
-  static practice::MemoryStage& memory() { return desk_of_writing->practice().memory(); }
+  static practice::MemoryStage& memory() { return parts_of_writing->practice().memory(); }
   std::string said() { return feedback().toStdString(); }
   void begin(char32_t character) {
     show(character);
     action("memory")->trigger();
   }
-  /// Writes a stroke of the character and waits for what is said of it.
+  /// Writes a stroke of the character and waits for the announcement.
   void put(char32_t character, std::size_t stroke) {
-    desk_of_writing->say(Feedback::hint, QStringLiteral("not judged yet"));
+    parts_of_writing->announce(Feedback::hint, QStringLiteral("not judged yet"));
     memory().add_stroke(test::hand_stroke(test::model(character)[stroke], static_cast<double>(stroke) * 3));
     ASSERT_TRUE(QTest::qWaitFor([&] { return feedback() != QStringLiteral("not judged yet"); }, 20'000));
   }
@@ -49,13 +50,13 @@ class Writing : public WindowTest {
   bool says(const char* words) {
     return QTest::qWaitFor([&] { return feedback().contains(QString::fromUtf8(words)); }, 20'000);
   }
-  /// Waits for another character on the desk.
+  /// Waits until another character is shown.
   void after(const std::function<void()>& what) {
     QSignalSpy shown(window_.get(), &MainWindow::character_shown);
     what();
     ASSERT_TRUE(shown.count() > 0 || shown.wait(20'000)) << said();
   }
-  static inline Desk* desk_of_writing = nullptr;
+  static inline WindowParts* parts_of_writing = nullptr;
   static inline Characters* characters_of_writing = nullptr;
 };
 
@@ -65,52 +66,51 @@ TEST_F(Writing, EveryStepHasItsActionsAndItsSentence) {
       kanji::KanjiDatabase::open(std::filesystem::path(qgetenv("NAZORI_DATA").toStdString()) / "kanji.db")
           ->find(U'十')
           ->entry;
-  EXPECT_EQ(feedback(),
-            QStringLiteral("%1, %2: Write the character of 2 strokes. H gives a hint, Enter is done.")
-                .arg(kun_plain(kanji::split_kun(entry.kun_readings.front())),
-                     to_text(entry.meanings.front().text)));
+  EXPECT_EQ(feedback(), QStringLiteral("%1, %2: Write the character (2 strokes). H: hint. Enter: finish.")
+                            .arg(kun_plain(kanji::split_kun(entry.kun_readings.front())),
+                                 to_text(entry.meanings.front().text)));
   EXPECT_EQ(enabled(), QStringLiteral("done hint give_up"));
   action("done")->trigger();
-  EXPECT_EQ(said(), "Nothing is written yet. H shows the first stroke.");
+  EXPECT_EQ(said(), "Nothing written yet. H: show the first stroke.");
   action("hint")->trigger();
-  EXPECT_EQ(said(), "Stroke 1 is shown in blue. H again shows all that are left.");
+  EXPECT_EQ(said(), "Stroke 1 is shown in blue. H again: show all remaining strokes.");
   action("hint")->trigger();
-  EXPECT_EQ(said(), "All strokes that are left are shown in blue.");
+  EXPECT_EQ(said(), "All remaining strokes are shown in blue.");
   put(U'十', 0);
-  EXPECT_EQ(said(), "Stroke 1 is right. 1 to go.");
+  EXPECT_EQ(said(), "Stroke 1 is correct. 1 to go.");
   EXPECT_EQ(enabled(), QStringLiteral("undo_stroke done hint give_up compare_over compare_beside play"));
   action("hint")->trigger();
-  EXPECT_EQ(said(), "Stroke 2 is shown in blue. H again shows all that are left.")
+  EXPECT_EQ(said(), "Stroke 2 is shown in blue. H again: show all remaining strokes.")
       << "counted anew after a stroke";
   action("undo_stroke")->trigger();
-  EXPECT_EQ(said(), "Taken back. 0 strokes are written.");
+  EXPECT_EQ(said(), "Undone. 0 strokes written.");
   EXPECT_EQ(enabled(), QStringLiteral("done hint give_up"));
   put(U'十', 0);
   memory().add_stroke(test::hand_stroke(test::model(U'十')[1], 3));
-  ASSERT_TRUE(says("of 100 points"));
+  ASSERT_TRUE(says("of 5 stars"));
   EXPECT_EQ(enabled(), QStringLiteral("undo_stroke hint give_up compare_over compare_beside play"));
   action("hint")->trigger();
-  EXPECT_EQ(said(), "Every stroke is there. Enter is done.");
+  EXPECT_EQ(said(), "All strokes written. Enter: finish.");
   action("give_up")->trigger();
-  EXPECT_EQ(said(), "This is how it is written. Delete clears the tablet to try again.");
+  EXPECT_EQ(said(), "This is how it is written. Delete: clear and try again.");
   EXPECT_FALSE(memory().has_unjudged());
 }
 
 TEST_F(Writing, JudgedAtTheEndNothingIsMarkedBefore) {
   begin(U'十');
   action("judge_each")->trigger();
-  EXPECT_EQ(said(), "The writing is judged at the end: press Enter.");
+  EXPECT_EQ(said(), "Your writing is checked at the end: press Enter.");
   put(U'十', 0);
-  EXPECT_EQ(said(), "1 stroke is written. Enter judges it.");
-  const auto verdict = [] { return desk_of_writing->tablet().overlay().writing.front().verdict; };
+  EXPECT_EQ(said(), "1 stroke written. Enter: finish.");
+  const auto verdict = [] { return parts_of_writing->tablet().overlay().writing.front().verdict; };
   EXPECT_EQ(verdict(), view::Verdict::none);
   action("judge_each")->trigger();
-  EXPECT_EQ(said(), "Every stroke is judged as it ends.");
+  EXPECT_EQ(said(), "Each stroke is checked as you finish it.");
   EXPECT_EQ(verdict(), view::Verdict::right);
   EXPECT_TRUE(memory().has_unjudged());
   action("judge_each")->trigger();
   action("done")->trigger();
-  ASSERT_TRUE(says("O shows the model.")) << said();
+  ASSERT_TRUE(says("O: show the model.")) << said();
   EXPECT_EQ(verdict(), view::Verdict::right) << "judged as a whole, it is seen";
   EXPECT_FALSE(memory().has_unjudged());
 }
@@ -122,23 +122,23 @@ TEST_F(Writing, ATabletThatIsFullTakesNoMore) {
   EXPECT_EQ(memory().strokes().size(), writing::kMaxInkStrokes);
   memory().add_stroke(stroke);
   EXPECT_EQ(memory().strokes().size(), writing::kMaxInkStrokes);
-  EXPECT_EQ(said(), "The tablet is full. Delete clears it.");
+  EXPECT_EQ(said(), "The tablet is full. Delete: clear it.");
   action("clear_ink")->trigger();
   EXPECT_TRUE(memory().strokes().empty());
-  EXPECT_TRUE(desk_of_writing->tablet().overlay().writing.empty());
+  EXPECT_TRUE(parts_of_writing->tablet().overlay().writing.empty());
 }
 
 TEST_F(Writing, TheEraserAndTheKeyTakeBackOneStrokeEach) {
   begin(U'十');
   put(U'十', 0);
   memory().add_stroke(test::hand_stroke(test::model(U'休')[0], 5));
-  desk_of_writing->tablet().eraser_used();
-  EXPECT_EQ(said(), "Taken back. 1 stroke is written.");
+  parts_of_writing->tablet().eraser_used();
+  EXPECT_EQ(said(), "Undone. 1 stroke written.");
   EXPECT_EQ(memory().strokes().size(), 1U);
   int back = 0;
   const base::Connection counting = memory().continued.connect([&] { ++back; });
   action("undo_stroke")->trigger();
-  desk_of_writing->tablet().eraser_used();
+  parts_of_writing->tablet().eraser_used();
   EXPECT_EQ(back, 1) << "there was nothing left";
 }
 
@@ -155,7 +155,7 @@ TEST_F(Writing, HowItIsJudgedIsChosenAndRemembered) {
   action("lenient")->trigger();
   EXPECT_EQ(slider->value(), 0);
   EXPECT_EQ(checked(), QStringLiteral("100"));
-  EXPECT_EQ(said(), "Your writing is judged leniently.");
+  EXPECT_EQ(said(), "Strictness: lenient.");
   action("more_strict")->trigger();
   EXPECT_EQ(slider->value(), 1);
   EXPECT_EQ(checked(), QStringLiteral("000"));
@@ -228,25 +228,25 @@ TEST_F(Writing, NextAndPreviousAreThoseOfTheList) {
   EXPECT_EQ(here(), tile(0)) << "from outside to the first";
 }
 
-TEST_F(Writing, WithoutASessionTheCharacterOnTheDeskIsPutAside) {
-  auto& store = desk_of_writing->learner().store();
+TEST_F(Writing, WithoutASessionTheShownCharacterIsPutAside) {
+  auto& store = parts_of_writing->learner().store();
   show(U'木');
   action("study_pause")->trigger();
-  EXPECT_EQ(said(), "木 is paused until it is resumed.");
+  EXPECT_EQ(said(), "Suspended 木 until you resume it.");
   EXPECT_TRUE(store.card(U'木').paused);
   action("study_pause")->trigger();
-  EXPECT_EQ(said(), "木 comes again.");
+  EXPECT_EQ(said(), "Resumed 木.");
   EXPECT_FALSE(store.card(U'木').paused);
   action("study_postpone")->trigger();
-  EXPECT_EQ(said(), "木 comes tomorrow.");
+  EXPECT_EQ(said(), "Postponed 木 to tomorrow.");
   EXPECT_EQ(store.card(U'木').postponed_until, store.today() + std::chrono::days(1));
   study::Writing writing;
   ASSERT_TRUE(store.add_writing(U'木', 4, writing));
   action("study_reset")->trigger();
-  EXPECT_EQ(said(), "木 is new again. Ctrl+Shift+Z takes it back.");
+  EXPECT_EQ(said(), "Started 木 over as a new character. Ctrl+Shift+Z: undo.");
   EXPECT_EQ(store.card(U'木').memory.reps, 0);
   action("study_undo")->trigger();
-  EXPECT_EQ(said(), "Taken back: what was learnt of 木 is there again.");
+  EXPECT_EQ(said(), "Undone: your progress with 木 is back.");
 }
 
 TEST_F(Writing, TakesPicturesAndStrokesFromFilesAndNothingElse) {
@@ -265,16 +265,16 @@ TEST_F(Writing, TheListsAreNamedAndOneIsShownUntilSomethingIsSearched) {
   auto* lists = find<QComboBox>("lists");
   QStringList names;
   for (int i = 0; i < lists->count(); ++i) names.append(lists->itemText(i));
-  EXPECT_EQ(
-      names.join(QLatin1Char('|')),
-      QStringLiteral("Grade 1|Grade 2|Grade 3|Grade 4|Grade 5|Grade 6|Secondary school|For names|Hiragana|"
-                     "Katakana|Letters and digits|All characters"));
+  EXPECT_EQ(names.join(QLatin1Char('|')),
+            QStringLiteral(
+                "Grade 1|Grade 2|Grade 3|Grade 4|Grade 5|Grade 6|Secondary school|Kanji for names|Hiragana|"
+                "Katakana|Letters and digits|All characters"));
   lists->setCurrentIndex(8);
   emit lists->activated(8);
   auto* tiles = find<QListView>("character_grid")->model();
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return tiles->index(0, 0).data().toString() == QStringLiteral("あ"); }, 5'000));
-  EXPECT_EQ(desk_of_writing->preferences().list, kanji::List::hiragana);
+  EXPECT_EQ(parts_of_writing->preferences().list, kanji::List::hiragana);
   EXPECT_EQ(text("list_count"), QString::number(tiles->rowCount()));
   EXPECT_EQ(find<QLabel>("list_count")->accessibleName(),
             QStringLiteral("%1 characters").arg(tiles->rowCount()));
@@ -298,7 +298,7 @@ TEST_F(Writing, TheListsAreNamedAndOneIsShownUntilSomethingIsSearched) {
 
 TEST_F(Writing, WhatIsDrawnIsFoundAndChosenByKeyOrPointer) {
   action("draw_to_find")->trigger();
-  EXPECT_EQ(said(), "Draw the character you look for. Order and direction do not matter much.");
+  EXPECT_EQ(said(), "Draw the character you are looking for. Stroke order and direction hardly matter.");
   auto* pad = find<DrawingPad>("drawing_pad");
   EXPECT_TRUE(pad->hasFocus());
   auto* found = find<QListWidget>("candidates");
@@ -316,11 +316,10 @@ TEST_F(Writing, WhatIsDrawnIsFoundAndChosenByKeyOrPointer) {
   }
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return found->count() > 3 && found->item(0)->text() == QStringLiteral("木"); }, 60'000));
-  EXPECT_EQ(said(), "木 is likeliest. Enter takes it.");
+  EXPECT_EQ(said(), "Best match: 木. Enter: open it.");
   EXPECT_LE(found->count(), DrawPanel::kMostCandidates);
   QTest::keyClick(pad, Qt::Key_Right);
-  EXPECT_EQ(feedback(),
-            QStringLiteral("%1, number 2 of %2.").arg(found->item(1)->text()).arg(found->count()));
+  EXPECT_EQ(feedback(), QStringLiteral("%1, 2 of %2.").arg(found->item(1)->text()).arg(found->count()));
   QTest::keyClick(pad, Qt::Key_Down);
   const int below = found->currentRow();
   EXPECT_GT(below, 2) << "a row below";
@@ -344,7 +343,7 @@ TEST_F(Writing, WhatIsDrawnIsFoundAndChosenByKeyOrPointer) {
   EXPECT_TRUE(find("draw_panel")->isVisible()) << "there is nothing to take";
   find<QPushButton>("draw_close")->click();
   EXPECT_FALSE(find("draw_panel")->isVisible());
-  EXPECT_EQ(said(), "Closed. What lies on the tablet stays.");
+  EXPECT_EQ(said(), "Closed. The tablet was not changed.");
   EXPECT_FALSE(action("draw_to_find")->isChecked());
   action("draw_to_find")->trigger();
   action("find")->trigger();

@@ -2,68 +2,68 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>nazori::ui::HomePage</name>
+    <name>nazori::ui::HomeView</name>
     <message numerus="yes">
-        <source>Done for now. %n characters come once more, the first at %1.</source>
+        <source>Done for now. %n characters come back today, the first at %1.</source>
         <translation>
-            <numerusform>Done for now. %n character comes once more, at %1.</numerusform>
-            <numerusform>Done for now. %n characters come once more, the first at %1.</numerusform>
+            <numerusform>Done for now. %n character comes back today, at %1.</numerusform>
+            <numerusform>Done for now. %n characters come back today, the first at %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Done for today: your limit is reached. %n reviews wait for tomorrow.</source>
+        <source>Done for today: you have reached your daily limit. %n reviews will wait until tomorrow.</source>
         <translation>
-            <numerusform>Done for today: your limit is reached. %n review waits for tomorrow.</numerusform>
-            <numerusform>Done for today: your limit is reached. %n reviews wait for tomorrow.</numerusform>
+            <numerusform>Done for today: you have reached your daily limit. %n review will wait until tomorrow.</numerusform>
+            <numerusform>Done for today: you have reached your daily limit. %n reviews will wait until tomorrow.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Done for today. Tomorrow %n reviews are due.</source>
+        <source>Done for today. %n reviews are due tomorrow.</source>
         <translation>
-            <numerusform>Done for today. Tomorrow %n review is due.</numerusform>
-            <numerusform>Done for today. Tomorrow %n reviews are due.</numerusform>
+            <numerusform>Done for today. %n review is due tomorrow.</numerusform>
+            <numerusform>Done for today. %n reviews are due tomorrow.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.</source>
+        <source>%n reviews are waiting. No hurry: do %1 today, starting with the characters you know best.</source>
         <translation>
-            <numerusform>%n review has been waiting. No hurry: today %1.</numerusform>
-            <numerusform>%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.</numerusform>
+            <numerusform>%n review is waiting. No hurry: do %1 today.</numerusform>
+            <numerusform>%n reviews are waiting. No hurry: do %1 today, starting with the characters you know best.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Catching up takes %n days; the last is %1. Until then nothing new is added.</source>
+        <source>You will catch up in %n days, on %1. No new characters until then.</source>
         <translation>
-            <numerusform>Catching up takes %n day (%1). Until then nothing new is added.</numerusform>
-            <numerusform>Catching up takes %n days; the last is %1. Until then nothing new is added.</numerusform>
+            <numerusform>You will catch up in %n day, on %1. No new characters until then.</numerusform>
+            <numerusform>You will catch up in %n days, on %1. No new characters until then.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n more reviews wait for another day: that is your limit.</source>
+        <source>%n more reviews will wait for another day because of your daily limit.</source>
         <translation>
-            <numerusform>%n more review waits for another day: that is your limit.</numerusform>
-            <numerusform>%n more reviews wait for another day: that is your limit.</numerusform>
+            <numerusform>%n more review will wait for another day because of your daily limit.</numerusform>
+            <numerusform>%n more reviews will wait for another day because of your daily limit.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>minutes, about</source>
+        <source>minutes (estimate)</source>
         <translation>
-            <numerusform>minute, about</numerusform>
-            <numerusform>minutes, about</numerusform>
+            <numerusform>minute (estimate)</numerusform>
+            <numerusform>minutes (estimate)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n characters are forgotten often and set apart: %1</source>
+        <source>%n characters were forgotten too often and taken out of reviews: %1</source>
         <translation>
-            <numerusform>%n character is forgotten often and set apart: %1</numerusform>
-            <numerusform>%n characters are forgotten often and set apart: %1</numerusform>
+            <numerusform>%n character was forgotten too often and taken out of reviews: %1</numerusform>
+            <numerusform>%n characters were forgotten too often and taken out of reviews: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Done: %n written from memory.</source>
+        <source>Written from memory: %n</source>
         <translation>
-            <numerusform>Done: %n written from memory.</numerusform>
-            <numerusform>Done: %n written from memory.</numerusform>
+            <numerusform>Written from memory: %n</numerusform>
+            <numerusform>Written from memory: %n</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -81,17 +81,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>days in a row; this week&apos;s day off is used</source>
+        <source>days in a row (day off used this week)</source>
         <translation>
-            <numerusform>day in a row; this week&apos;s day off is used</numerusform>
-            <numerusform>days in a row; this week&apos;s day off is used</numerusform>
+            <numerusform>day in a row (day off used this week)</numerusform>
+            <numerusform>days in a row (day off used this week)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>days in a row; one day off a week is forgiven</source>
+        <source>days in a row (one day off per week is fine)</source>
         <translation>
-            <numerusform>day in a row; one day off a week is forgiven</numerusform>
-            <numerusform>days in a row; one day off a week is forgiven</numerusform>
+            <numerusform>day in a row (one day off per week is fine)</numerusform>
+            <numerusform>days in a row (one day off per week is fine)</numerusform>
         </translation>
     </message>
 </context>
@@ -125,10 +125,10 @@
 <context>
     <name>nazori::ui::SessionBar</name>
     <message numerus="yes">
-        <source>a character of %n strokes</source>
+        <source>a character with %n strokes</source>
         <translation>
-            <numerusform>a character of %n stroke</numerusform>
-            <numerusform>a character of %n strokes</numerusform>
+            <numerusform>a character with %n stroke</numerusform>
+            <numerusform>a character with %n strokes</numerusform>
         </translation>
     </message>
 </context>
@@ -149,10 +149,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Stroke %1 went wrong %n times.</source>
+        <source>Stroke %1 was wrong %n times.</source>
         <translation>
-            <numerusform>Stroke %1 went wrong once.</numerusform>
-            <numerusform>Stroke %1 went wrong %n times.</numerusform>
+            <numerusform>Stroke %1 was wrong once.</numerusform>
+            <numerusform>Stroke %1 was wrong %n times.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -170,55 +170,55 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n misses</source>
+        <source>%n mistakes</source>
         <translation>
-            <numerusform>%n miss</numerusform>
-            <numerusform>%n misses</numerusform>
+            <numerusform>%n mistake</numerusform>
+            <numerusform>%n mistakes</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::StageWords</name>
     <message numerus="yes">
-        <source>All %n strokes. Space plays them again; F6 goes on to tracing.</source>
+        <source>All %n strokes shown. Space: play again. F6: trace.</source>
         <translation>
-            <numerusform>The one stroke. Space plays it again; F6 goes on to tracing.</numerusform>
-            <numerusform>All %n strokes. Space plays them again; F6 goes on to tracing.</numerusform>
+            <numerusform>Stroke shown. Space: play again. F6: trace.</numerusform>
+            <numerusform>All %n strokes shown. Space: play again. F6: trace.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>All %n strokes are written. Delete clears the tablet.</source>
+        <source>All %n strokes written. Delete: clear the tablet.</source>
         <translation>
-            <numerusform>The one stroke is written. Delete clears the tablet.</numerusform>
-            <numerusform>All %n strokes are written. Delete clears the tablet.</numerusform>
+            <numerusform>Stroke written. Delete: clear the tablet.</numerusform>
+            <numerusform>All %n strokes written. Delete: clear the tablet.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n strokes are written. Enter judges them.</source>
+        <source>%n strokes written. Enter: finish.</source>
         <translation>
-            <numerusform>%n stroke is written. Enter judges it.</numerusform>
-            <numerusform>%n strokes are written. Enter judges them.</numerusform>
+            <numerusform>%n stroke written. Enter: finish.</numerusform>
+            <numerusform>%n strokes written. Enter: finish.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Stroke %1 is right. %n to go.</source>
+        <source>Stroke %1 is correct. %n to go.</source>
         <translation>
-            <numerusform>Stroke %1 is right. %n to go.</numerusform>
-            <numerusform>Stroke %1 is right. %n to go.</numerusform>
+            <numerusform>Stroke %1 is correct. %n to go.</numerusform>
+            <numerusform>Stroke %1 is correct. %n to go.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Taken back. %n strokes are written.</source>
+        <source>Undone. %n strokes written.</source>
         <translation>
-            <numerusform>Taken back. %n stroke is written.</numerusform>
-            <numerusform>Taken back. %n strokes are written.</numerusform>
+            <numerusform>Undone. %n stroke written.</numerusform>
+            <numerusform>Undone. %n strokes written.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Write the character of %n strokes.</source>
+        <source>Write the character (%n strokes).</source>
         <translation>
-            <numerusform>Write the character of %n stroke.</numerusform>
-            <numerusform>Write the character of %n strokes.</numerusform>
+            <numerusform>Write the character (%n stroke).</numerusform>
+            <numerusform>Write the character (%n strokes).</numerusform>
         </translation>
     </message>
 </context>
@@ -235,45 +235,45 @@
 <context>
     <name>nazori::ui::StudySettingsDialog</name>
     <message numerus="yes">
-        <source>%n characters are postponed.</source>
+        <source>%n characters postponed.</source>
         <translation>
-            <numerusform>%n character is postponed.</numerusform>
-            <numerusform>%n characters are postponed.</numerusform>
+            <numerusform>%n character postponed.</numerusform>
+            <numerusform>%n characters postponed.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n characters are paused.</source>
+        <source>%n characters suspended.</source>
         <translation>
-            <numerusform>%n character is paused.</numerusform>
-            <numerusform>%n characters are paused.</numerusform>
+            <numerusform>%n character suspended.</numerusform>
+            <numerusform>%n characters suspended.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n characters come again.</source>
+        <source>%n characters resumed.</source>
         <translation>
-            <numerusform>%n character comes again.</numerusform>
-            <numerusform>%n characters come again.</numerusform>
+            <numerusform>%n character resumed.</numerusform>
+            <numerusform>%n characters resumed.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n characters are new again.</source>
+        <source>%n characters started over as new.</source>
         <translation>
-            <numerusform>%n character is new again.</numerusform>
-            <numerusform>%n characters are new again.</numerusform>
+            <numerusform>%n character started over as new.</numerusform>
+            <numerusform>%n characters started over as new.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>With %1 new a day about %2 reviews and %n minutes a day; after a year about %3 characters known. Higher retention means more reviews.</source>
+        <source>With %1 new characters a day: about %2 reviews and %n minutes a day, and about %3 characters known after a year. Higher retention means more reviews.</source>
         <translation>
-            <numerusform>With %1 new a day about %2 reviews and %n minute a day; after a year about %3 characters known. Higher retention means more reviews.</numerusform>
-            <numerusform>With %1 new a day about %2 reviews and %n minutes a day; after a year about %3 characters known. Higher retention means more reviews.</numerusform>
+            <numerusform>With %1 new characters a day: about %2 reviews and %n minute a day, and about %3 characters known after a year. Higher retention means more reviews.</numerusform>
+            <numerusform>With %1 new characters a day: about %2 reviews and %n minutes a day, and about %3 characters known after a year. Higher retention means more reviews.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln characters are chosen, %1 of them met already.</source>
+        <source>%Ln characters selected, %1 of them already studied.</source>
         <translation>
-            <numerusform>%Ln character is chosen, %1 met already.</numerusform>
-            <numerusform>%Ln characters are chosen, %1 of them met already.</numerusform>
+            <numerusform>%Ln character selected, %1 already studied.</numerusform>
+            <numerusform>%Ln characters selected, %1 of them already studied.</numerusform>
         </translation>
     </message>
 </context>
@@ -311,10 +311,10 @@
 <context>
     <name>nazori::ui::plot_words</name>
     <message numerus="yes">
-        <source>%n pieces</source>
+        <source>%n branches</source>
         <translation>
-            <numerusform>%n piece</numerusform>
-            <numerusform>%n pieces</numerusform>
+            <numerusform>%n branch</numerusform>
+            <numerusform>%n branches</numerusform>
         </translation>
     </message>
 </context>

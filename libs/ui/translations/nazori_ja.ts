@@ -9,31 +9,31 @@
     </message>
     <message>
         <source>Carved kanji you can see, feel and trace</source>
-        <translation>見て、触れて、なぞれる、彫られた漢字</translation>
+        <translation>彫られた漢字を、見て、触れて、なぞって学ぶ</translation>
     </message>
     <message>
         <source>Licences</source>
         <translation>ライセンス</translation>
     </message>
     <message>
-        <source>Nazori, the program</source>
-        <translation>プログラム Nazori</translation>
+        <source>Nazori (program)</source>
+        <translation>Nazori（プログラム本体）</translation>
     </message>
     <message>
         <source>Strokes: KanjiVG, © Ulrich Apel</source>
-        <translation>筆画：KanjiVG © Ulrich Apel</translation>
+        <translation>画のデータ：KanjiVG © Ulrich Apel</translation>
     </message>
     <message>
         <source>Readings, meanings and words: KANJIDIC2 and EDICT, © EDRDG</source>
-        <translation>読み・意味・熟語：KANJIDIC2、EDICT © EDRDG</translation>
+        <translation>読み・意味・言葉：KANJIDIC2、EDICT © EDRDG</translation>
     </message>
     <message>
-        <source>Textbook face: Klee One, © Fontworks Inc.</source>
-        <translation>教科書風の書体：クレー One © Fontworks Inc.</translation>
+        <source>Textbook font: Klee One, © Fontworks Inc.</source>
+        <translation>教科書体風のフォント：クレー One © Fontworks Inc.</translation>
     </message>
     <message>
-        <source>Interface toolkit: Qt %1</source>
-        <translation>画面部品：Qt %1</translation>
+        <source>User interface: Qt %1</source>
+        <translation>ユーザーインターフェース：Qt %1</translation>
     </message>
     <message>
         <source>Sources of the kanji database</source>
@@ -47,8 +47,8 @@
         <translation>開く(&amp;O)…</translation>
     </message>
     <message>
-        <source>Open a height map (RAW, PNG) or a stroke order (.str)</source>
-        <translation>高さマップ（RAW、PNG）または筆順（.str）を開きます</translation>
+        <source>Open a height map (RAW, PNG) or a stroke order file (.str)</source>
+        <translation>高さマップ（RAW、PNG）または書き順（.str）を開きます</translation>
     </message>
     <message>
         <source>&amp;Save as…</source>
@@ -84,19 +84,19 @@
     </message>
     <message>
         <source>&amp;Classic</source>
-        <translation>2005年風(&amp;C)</translation>
+        <translation>クラシック(&amp;C)</translation>
     </message>
     <message>
-        <source>The look of 2005</source>
-        <translation>2005年のプログラムの見た目</translation>
+        <source>The look of the 2005 program</source>
+        <translation>2005年版の見た目</translation>
     </message>
     <message>
-        <source>Colours of the &amp;desktop</source>
-        <translation>デスクトップの配色(&amp;D)</translation>
+        <source>&amp;Desktop colours</source>
+        <translation>デスクトップと同じ配色(&amp;D)</translation>
     </message>
     <message>
-        <source>Light or dark, as the desktop is</source>
-        <translation>明暗をデスクトップに合わせます</translation>
+        <source>Light or dark, following the desktop</source>
+        <translation>明るい配色か暗い配色かをデスクトップに合わせます</translation>
     </message>
     <message>
         <source>&amp;Light colours</source>
@@ -104,7 +104,7 @@
     </message>
     <message>
         <source>Always light</source>
-        <translation>いつも明るく</translation>
+        <translation>いつも明るい配色にします</translation>
     </message>
     <message>
         <source>Dar&amp;k colours</source>
@@ -112,14 +112,14 @@
     </message>
     <message>
         <source>Always dark</source>
-        <translation>いつも暗く</translation>
+        <translation>いつも暗い配色にします</translation>
     </message>
     <message>
-        <source>Language of the des&amp;ktop</source>
-        <translation>デスクトップの言語(&amp;K)</translation>
+        <source>Des&amp;ktop language</source>
+        <translation>デスクトップと同じ言語(&amp;K)</translation>
     </message>
     <message>
-        <source>The language of the desktop</source>
+        <source>Use the language of the desktop</source>
         <translation>デスクトップの言語に合わせます</translation>
     </message>
     <message>
@@ -127,7 +127,7 @@
         <translation>文字を大きく(&amp;L)</translation>
     </message>
     <message>
-        <source>Larger text</source>
+        <source>Make the text larger</source>
         <translation>文字を大きくします</translation>
     </message>
     <message>
@@ -135,32 +135,32 @@
         <translation>文字を小さく(&amp;M)</translation>
     </message>
     <message>
-        <source>Smaller text</source>
+        <source>Make the text smaller</source>
         <translation>文字を小さくします</translation>
     </message>
     <message>
-        <source>&amp;Usual text size</source>
+        <source>Defa&amp;ult text size</source>
         <translation>標準の文字サイズ(&amp;U)</translation>
     </message>
     <message>
-        <source>Text as at first</source>
-        <translation>文字を初めの大きさに戻します</translation>
+        <source>Reset the text size</source>
+        <translation>文字を標準の大きさに戻します</translation>
     </message>
     <message>
-        <source>&amp;Reduced motion</source>
+        <source>&amp;Reduce motion</source>
         <translation>動きを減らす(&amp;R)</translation>
     </message>
     <message>
-        <source>Nothing glides, everything is there at once</source>
-        <translation>滑るような動きをやめ、すぐに切り替えます</translation>
+        <source>No animations: changes appear at once</source>
+        <translation>アニメーションを使わず、すぐに切り替えます</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
         <translation>全画面(&amp;F)</translation>
     </message>
     <message>
-        <source>Only the tablet</source>
-        <translation>文字板だけにします</translation>
+        <source>Show only the tablet</source>
+        <translation>文字板だけを表示します</translation>
     </message>
     <message>
         <source>Turn left</source>
@@ -183,7 +183,7 @@
         <translation>寝かせる</translation>
     </message>
     <message>
-        <source>Look along the tablet</source>
+        <source>Look at the tablet at an angle</source>
         <translation>文字板を斜めから見ます</translation>
     </message>
     <message>
@@ -191,8 +191,8 @@
         <translation>起こす</translation>
     </message>
     <message>
-        <source>Look from above</source>
-        <translation>文字板を真上から見ます</translation>
+        <source>Look more from above</source>
+        <translation>文字板を上から見ます</translation>
     </message>
     <message>
         <source>Move left</source>
@@ -227,28 +227,28 @@
         <translation>文字板を下へ動かします</translation>
     </message>
     <message>
-        <source>Nearer</source>
-        <translation>近づく</translation>
+        <source>Zoom in</source>
+        <translation>拡大</translation>
     </message>
     <message>
-        <source>Farther</source>
-        <translation>遠ざかる</translation>
+        <source>Zoom out</source>
+        <translation>縮小</translation>
     </message>
     <message>
-        <source>&amp;Straight view</source>
+        <source>Re&amp;set view</source>
         <translation>正面に戻す(&amp;S)</translation>
     </message>
     <message>
-        <source>The whole tablet, straight from above</source>
+        <source>Show the whole tablet from straight above</source>
         <translation>文字板全体を正面から見ます</translation>
     </message>
     <message>
-        <source>&amp;Keys</source>
-        <translation>キー一覧(&amp;K)</translation>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>ショートカットキー(&amp;K)</translation>
     </message>
     <message>
-        <source>All keys and what the mouse does</source>
-        <translation>すべてのキーとマウスの働き</translation>
+        <source>All keyboard shortcuts and mouse actions</source>
+        <translation>すべてのショートカットキーとマウスの操作</translation>
     </message>
     <message>
         <source>&amp;About Nazori</source>
@@ -279,19 +279,19 @@
         <translation>移動(&amp;G)</translation>
     </message>
     <message>
-        <source>&amp;Record the session</source>
-        <translation>記録する(&amp;R)</translation>
+        <source>&amp;Record pen motion</source>
+        <translation>ペンの動きを記録(&amp;R)</translation>
     </message>
     <message>
-        <source>Write every moment of feeling to a file</source>
-        <translation>触った一瞬一瞬をファイルに書き留めます</translation>
+        <source>Save every position and force of the pen to a file</source>
+        <translation>ペンの位置と力をすべてファイルに記録します</translation>
     </message>
     <message>
         <source>Groove s&amp;ound</source>
         <translation>溝の音(&amp;O)</translation>
     </message>
     <message>
-        <source>Hear the stylus scratch in the groove</source>
+        <source>Play the sound of the stylus in the groove</source>
         <translation>ペン先が溝をこする音を鳴らします</translation>
     </message>
     <message>
@@ -299,24 +299,24 @@
         <translation>音を大きく(&amp;U)</translation>
     </message>
     <message>
-        <source>The scratch becomes louder</source>
-        <translation>こする音を大きくします</translation>
+        <source>Make the groove sound louder</source>
+        <translation>溝の音を大きくします</translation>
     </message>
     <message>
-        <source>So&amp;fter</source>
-        <translation>音を小さく(&amp;F)</translation>
+        <source>Quie&amp;ter</source>
+        <translation>音を小さく(&amp;T)</translation>
     </message>
     <message>
-        <source>The scratch becomes softer</source>
-        <translation>こする音を小さくします</translation>
+        <source>Make the groove sound quieter</source>
+        <translation>溝の音を小さくします</translation>
     </message>
     <message>
-        <source>Mouse feels s&amp;lopes</source>
-        <translation>マウスで坂を感じる(&amp;L)</translation>
+        <source>Feel s&amp;lopes with the mouse</source>
+        <translation>マウスで溝の傾きを感じる(&amp;L)</translation>
     </message>
     <message>
-        <source>The stylus of the mouse goes slower up a slope and faster down, as if held in the groove</source>
-        <translation>マウスのペン先が上り坂で遅く、下り坂で速くなり、溝に留まるように感じられます</translation>
+        <source>The pointer moves more slowly uphill and faster downhill, as if held in the groove</source>
+        <translation>ポインターが上り坂で遅く、下り坂で速くなり、溝に留まるように感じられます</translation>
     </message>
     <message>
         <source>More</source>
@@ -330,7 +330,7 @@
         <translation>Anki 用に書き出す</translation>
     </message>
     <message>
-        <source>Choose the file…</source>
+        <source>Choose file…</source>
         <translation>ファイルを選ぶ…</translation>
     </message>
     <message>
@@ -342,46 +342,46 @@
         <translation>デッキ(&amp;D)</translation>
     </message>
     <message>
-        <source>&amp;Words to a character</source>
-        <translation>一字あたりの語数(&amp;W)</translation>
+        <source>&amp;Words per character</source>
+        <translation>1字あたりの言葉の数(&amp;W)</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::BackupsDialog</name>
     <message>
         <source>Daily</source>
-        <translation>毎日</translation>
+        <translation>毎日の自動保存</translation>
     </message>
     <message>
         <source>Made by you</source>
         <translation>自分で作成</translation>
     </message>
     <message>
-        <source>What a restored one replaced</source>
-        <translation>復元の前のもの</translation>
+        <source>Saved before a restore</source>
+        <translation>復元前の自動保存</translation>
     </message>
     <message>
-        <source>Before a newer version</source>
-        <translation>新しい版になる前のもの</translation>
+        <source>Saved before an update</source>
+        <translation>更新前の自動保存</translation>
     </message>
     <message>
         <source>Backups of %1</source>
         <translation>%1 のバックアップ</translation>
     </message>
     <message>
-        <source>Backups, the newest first</source>
+        <source>Backups, newest first</source>
         <translation>バックアップ（新しい順）</translation>
     </message>
     <message>
-        <source>Kind</source>
+        <source>Type</source>
         <translation>種類</translation>
     </message>
     <message>
-        <source>Last day in it</source>
-        <translation>最後の日</translation>
+        <source>Last study day</source>
+        <translation>最後の学習日</translation>
     </message>
     <message>
-        <source>Writings</source>
+        <source>Times written</source>
         <translation>書いた回数</translation>
     </message>
     <message>
@@ -393,12 +393,12 @@
         <translation>今すぐバックアップ(&amp;B)</translation>
     </message>
     <message>
-        <source>&amp;Put it in place…</source>
-        <translation>これに戻す(&amp;P)…</translation>
+        <source>&amp;Restore…</source>
+        <translation>復元(&amp;R)…</translation>
     </message>
     <message>
-        <source>There is no backup yet. One is made by itself on each day of study, when Nazori opens.</source>
-        <translation>バックアップはまだありません。学習した日ごとに、なぞりを開いたとき自動で一つ作られます。</translation>
+        <source>No backups yet. Your data is backed up automatically on every study day.</source>
+        <translation>バックアップはまだありません。学習した日ごとに自動でバックアップされます。</translation>
     </message>
     <message>
         <source>One is made by itself on each day of study; seven are kept. Of what a backup replaced, the last three are kept.</source>
@@ -409,47 +409,47 @@
         <translation>使えません</translation>
     </message>
     <message>
-        <source>%1, last day %2, writings %3, characters %4</source>
-        <translation>%1、最後の日 %2、書いた回数 %3、文字 %4</translation>
+        <source>%1, last study day %2, times written: %3, characters: %4</source>
+        <translation>%1、最後の学習日：%2、書いた回数：%3、文字数：%4</translation>
     </message>
     <message>
         <source>Restore from a backup</source>
-        <translation>バックアップから戻す</translation>
+        <translation>バックアップから復元</translation>
     </message>
     <message>
-        <source>Put this backup in the place of what %1 has done so far? %2</source>
-        <translation>%1 のこれまでの記録を、このバックアップに置き換えますか。%2</translation>
+        <source>Replace the study data of %1 with this backup? %2</source>
+        <translation>%1 の学習データを、このバックアップに置き換えますか。%2</translation>
     </message>
     <message>
-        <source>What stands there now is kept as a backup, so this can be taken back.</source>
-        <translation>今の記録はバックアップとして残るので、元に戻せます。</translation>
+        <source>Your current data is backed up first, so you can undo this.</source>
+        <translation>今のデータは先にバックアップされるので、元に戻せます。</translation>
     </message>
     <message>
-        <source>&amp;Put it in place</source>
-        <translation>これに戻す(&amp;P)</translation>
+        <source>&amp;Restore</source>
+        <translation>復元(&amp;R)</translation>
     </message>
     <message>
-        <source>Of %1</source>
-        <translation>%1 のもの</translation>
+        <source>Daily (%1)</source>
+        <translation>毎日の自動保存（%1）</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::CharacterActions</name>
     <message>
-        <source>&amp;More leniently</source>
-        <translation>もっと甘く(&amp;M)</translation>
+        <source>&amp;More lenient</source>
+        <translation>もう少しやさしく(&amp;M)</translation>
     </message>
     <message>
-        <source>Judge a little more leniently</source>
-        <translation>少し甘く採点します</translation>
+        <source>Check a little more leniently</source>
+        <translation>少しやさしく判定します</translation>
     </message>
     <message>
-        <source>More str&amp;ictly</source>
-        <translation>もっと厳しく(&amp;I)</translation>
+        <source>More str&amp;ict</source>
+        <translation>もう少しきびしく(&amp;I)</translation>
     </message>
     <message>
-        <source>Judge a little more strictly</source>
-        <translation>少し厳しく採点します</translation>
+        <source>Check a little more strictly</source>
+        <translation>少しきびしく判定します</translation>
     </message>
     <message>
         <source>&amp;Find a character</source>
@@ -461,67 +461,67 @@
     </message>
     <message>
         <source>&amp;Next in the list</source>
-        <translation>一覧の次の字(&amp;N)</translation>
+        <translation>一覧の次の文字(&amp;N)</translation>
     </message>
     <message>
-        <source>The next character of the list</source>
-        <translation>一覧の次の字へ</translation>
+        <source>Go to the next character in the list</source>
+        <translation>一覧の次の文字へ移ります</translation>
     </message>
     <message>
         <source>&amp;Previous in the list</source>
-        <translation>一覧の前の字(&amp;P)</translation>
+        <translation>一覧の前の文字(&amp;P)</translation>
     </message>
     <message>
-        <source>The character before in the list</source>
-        <translation>一覧の前の字へ</translation>
+        <source>Go to the previous character in the list</source>
+        <translation>一覧の前の文字へ移ります</translation>
     </message>
     <message>
         <source>&amp;Back</source>
         <translation>戻る(&amp;B)</translation>
     </message>
     <message>
-        <source>Back to the character before</source>
-        <translation>さっきの字へ戻ります</translation>
+        <source>Go back to the character you viewed before</source>
+        <translation>直前に見た文字へ戻ります</translation>
     </message>
     <message>
         <source>For&amp;ward</source>
         <translation>進む(&amp;W)</translation>
     </message>
     <message>
-        <source>Forward again</source>
-        <translation>また先へ進みます</translation>
+        <source>Go forward again to the character you came back from</source>
+        <translation>戻る前の文字へ進みます</translation>
     </message>
     <message>
         <source>&amp;Next stroke</source>
         <translation>次の画(&amp;N)</translation>
     </message>
     <message>
-        <source>Show the next stroke alone; after the last, all</source>
-        <translation>次の画だけを見せます。最後の画の次は全画です</translation>
+        <source>Show only the next stroke; after the last one, show all</source>
+        <translation>次の画だけを表示します。最後の画の次はすべて表示します</translation>
     </message>
     <message>
         <source>&amp;Previous stroke</source>
         <translation>前の画(&amp;P)</translation>
     </message>
     <message>
-        <source>Show the stroke before alone; before the first, all</source>
-        <translation>前の画だけを見せます。最初の画の前は全画です</translation>
+        <source>Show only the previous stroke; before the first one, show all</source>
+        <translation>前の画だけを表示します。最初の画の前はすべて表示します</translation>
     </message>
     <message>
         <source>&amp;All strokes</source>
-        <translation>全画(&amp;A)</translation>
+        <translation>すべての画(&amp;A)</translation>
     </message>
     <message>
         <source>Show all strokes at once</source>
-        <translation>すべての画を一度に見せます</translation>
+        <translation>すべての画を表示します</translation>
     </message>
     <message>
         <source>&amp;Strokes</source>
-        <translation>筆画(&amp;S)</translation>
+        <translation>画(&amp;S)</translation>
     </message>
     <message>
         <source>Show or hide the strokes</source>
-        <translation>筆画の線を見せる／隠す</translation>
+        <translation>画を表示／非表示にします</translation>
     </message>
     <message>
         <source>N&amp;umbers</source>
@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>Show or hide the number at each stroke&apos;s start</source>
-        <translation>書き始めの番号を見せる／隠す</translation>
+        <translation>書き始めの番号を表示／非表示にします</translation>
     </message>
     <message>
         <source>A&amp;rrows</source>
@@ -537,23 +537,23 @@
     </message>
     <message>
         <source>Show or hide the arrowheads</source>
-        <translation>矢印を見せる／隠す</translation>
+        <translation>矢印を表示／非表示にします</translation>
     </message>
     <message>
         <source>S&amp;nap</source>
-        <translation>吸着(&amp;N)</translation>
+        <translation>引き寄せ(&amp;N)</translation>
     </message>
     <message>
-        <source>Strokes hold the stylus, while they are shown</source>
-        <translation>見えている画がペン先を引き留めます</translation>
+        <source>Strokes attract the stylus while they are visible</source>
+        <translation>見えている画がペン先を引き寄せます</translation>
     </message>
     <message>
-        <source>&amp;Clear the ink</source>
-        <translation>墨を消す(&amp;C)</translation>
+        <source>&amp;Clear ink</source>
+        <translation>書いた線を消す(&amp;C)</translation>
     </message>
     <message>
-        <source>Wipe the tablet clean to write again</source>
-        <translation>文字板をきれいにして、もう一度書けるようにします</translation>
+        <source>Clear the tablet so that you can write again</source>
+        <translation>書いた線を消し、もう一度書けるようにします</translation>
     </message>
     <message>
         <source>&amp;Character</source>
@@ -561,11 +561,11 @@
     </message>
     <message>
         <source>&amp;Draw to find</source>
-        <translation>書いて探す(&amp;D)</translation>
+        <translation>手書きで探す(&amp;D)</translation>
     </message>
     <message>
         <source>Find a character by drawing it</source>
-        <translation>字を書いて探します</translation>
+        <translation>文字を手書きして探します</translation>
     </message>
     <message>
         <source>&amp;Watch</source>
@@ -585,18 +585,18 @@
     </message>
     <message>
         <source>&amp;Guided</source>
-        <translation>導かれて書く(&amp;G)</translation>
+        <translation>ガイド付きで書く(&amp;G)</translation>
     </message>
     <message>
-        <source>Only the groove, or only where strokes start; strokes hold the stylus</source>
-        <translation>溝だけ、または書き始めだけを頼りに書きます。画がペン先を引き留めます</translation>
+        <source>Write with only the groove or the starting points as a guide; strokes attract the stylus</source>
+        <translation>溝だけ、または書き始めだけを頼りに書きます。画がペン先を引き寄せます</translation>
     </message>
     <message>
         <source>&amp;Memory</source>
-        <translation>覚えて書く(&amp;M)</translation>
+        <translation>見ないで書く(&amp;M)</translation>
     </message>
     <message>
-        <source>Write on a blank tablet, and be judged</source>
+        <source>Write on a blank tablet and have your writing checked</source>
         <translation>何もない文字板に書き、判定を受けます</translation>
     </message>
     <message>
@@ -605,22 +605,22 @@
     </message>
     <message>
         <source>Play or pause</source>
-        <translation>再生／一時停止</translation>
+        <translation>再生または一時停止します</translation>
     </message>
     <message>
-        <source>Stroke &amp;back</source>
+        <source>One stroke &amp;back</source>
         <translation>一画戻る(&amp;B)</translation>
     </message>
     <message>
-        <source>Back to the start of the stroke</source>
-        <translation>画の初めに戻ります</translation>
+        <source>Go back to the start of the stroke</source>
+        <translation>画の始まりに戻ります</translation>
     </message>
     <message>
-        <source>Stroke &amp;on</source>
+        <source>One stroke f&amp;orward</source>
         <translation>一画進む(&amp;O)</translation>
     </message>
     <message>
-        <source>On to the end of the stroke</source>
+        <source>Go forward to the end of the stroke</source>
         <translation>画の終わりに進みます</translation>
     </message>
     <message>
@@ -628,7 +628,7 @@
         <translation>遅く(&amp;S)</translation>
     </message>
     <message>
-        <source>Slower</source>
+        <source>Play more slowly</source>
         <translation>遅くします</translation>
     </message>
     <message>
@@ -636,47 +636,47 @@
         <translation>速く(&amp;F)</translation>
     </message>
     <message>
-        <source>Faster</source>
+        <source>Play faster</source>
         <translation>速くします</translation>
     </message>
     <message>
         <source>&amp;Loop</source>
-        <translation>くり返す(&amp;L)</translation>
+        <translation>繰り返す(&amp;L)</translation>
     </message>
     <message>
-        <source>Begin again at the end</source>
-        <translation>終わったら初めから</translation>
+        <source>Start again after the last stroke</source>
+        <translation>終わったら最初から再生します</translation>
     </message>
     <message>
-        <source>Only the g&amp;roove</source>
+        <source>G&amp;roove only</source>
         <translation>溝だけ(&amp;R)</translation>
     </message>
     <message>
-        <source>The groove leads, without lines</source>
-        <translation>線なしで、溝が導きます</translation>
+        <source>Follow the groove without lines</source>
+        <translation>線を表示せず、溝だけを頼りに書きます</translation>
     </message>
     <message>
-        <source>Only the &amp;starts</source>
+        <source>&amp;Starting points only</source>
         <translation>書き始めだけ(&amp;S)</translation>
     </message>
     <message>
-        <source>Numbers say where strokes start</source>
+        <source>Numbers show where each stroke starts</source>
         <translation>番号が書き始めを示します</translation>
     </message>
     <message>
-        <source>&amp;Undo the stroke</source>
+        <source>&amp;Undo stroke</source>
         <translation>一画取り消す(&amp;U)</translation>
     </message>
     <message>
-        <source>Take back the last stroke</source>
+        <source>Undo the last stroke</source>
         <translation>最後の画を取り消します</translation>
     </message>
     <message>
-        <source>&amp;Done</source>
-        <translation>できた(&amp;D)</translation>
+        <source>&amp;Finish</source>
+        <translation>判定(&amp;F)</translation>
     </message>
     <message>
-        <source>Judge what is written</source>
+        <source>Check what you wrote</source>
         <translation>書いた字を判定します</translation>
     </message>
     <message>
@@ -684,55 +684,55 @@
         <translation>ヒント(&amp;H)</translation>
     </message>
     <message>
-        <source>Show the next stroke; asked again, all of them</source>
-        <translation>次の画を見せます。もう一度押すと残り全部です</translation>
+        <source>Show the next stroke; press again to show all of them</source>
+        <translation>次の画を表示します。もう一度押すと残りをすべて表示します</translation>
     </message>
     <message>
-        <source>Gi&amp;ve up</source>
-        <translation>あきらめる(&amp;V)</translation>
+        <source>Show a&amp;nswer</source>
+        <translation>答えを見る(&amp;N)</translation>
     </message>
     <message>
-        <source>Show the character</source>
-        <translation>字を見せます</translation>
+        <source>Show how the character is written</source>
+        <translation>書き方を表示します</translation>
     </message>
     <message>
-        <source>&amp;Judge each stroke</source>
-        <translation>一画ごとに判定(&amp;J)</translation>
+        <source>Chec&amp;k each stroke</source>
+        <translation>一画ごとに判定(&amp;K)</translation>
     </message>
     <message>
-        <source>Judge every stroke as it ends, or all at the end</source>
-        <translation>一画ごとに判定するか、最後にまとめて判定するか</translation>
+        <source>Check each stroke as you finish it, or everything at the end</source>
+        <translation>一画ごとに判定するか、最後にまとめて判定するかを切り替えます</translation>
     </message>
     <message>
         <source>Tablet: &amp;blank</source>
         <translation>文字板：溝なし(&amp;B)</translation>
     </message>
     <message>
-        <source>No groove is shown</source>
-        <translation>溝を見せません</translation>
+        <source>Hide the grooves</source>
+        <translation>溝を表示しません</translation>
     </message>
     <message>
-        <source>Tablet: groo&amp;ve</source>
+        <source>Tablet: with groo&amp;ves</source>
         <translation>文字板：溝あり(&amp;V)</translation>
     </message>
     <message>
-        <source>The groove is shown</source>
-        <translation>溝を見せます</translation>
+        <source>Show the grooves</source>
+        <translation>溝を表示します</translation>
     </message>
     <message>
-        <source>Tablet: groove &amp;after each stroke</source>
-        <translation>文字板：書けた画から溝が現れる(&amp;A)</translation>
+        <source>Tablet: groove &amp;after each correct stroke</source>
+        <translation>文字板：書けた画だけ溝を表示(&amp;A)</translation>
     </message>
     <message>
-        <source>The groove of each stroke appears when it is written right</source>
-        <translation>正しく書けた画の溝が現れます</translation>
+        <source>The groove of a stroke appears once you write it correctly</source>
+        <translation>正しく書けた画の溝を表示します</translation>
     </message>
     <message>
         <source>L&amp;enient</source>
-        <translation>やさしく(&amp;E)</translation>
+        <translation>やさしい(&amp;E)</translation>
     </message>
     <message>
-        <source>Judge leniently</source>
+        <source>Check leniently</source>
         <translation>やさしく判定します</translation>
     </message>
     <message>
@@ -740,31 +740,31 @@
         <translation>ふつう(&amp;O)</translation>
     </message>
     <message>
-        <source>Judge as a teacher does</source>
-        <translation>先生のように判定します</translation>
+        <source>Check about as strictly as a teacher would</source>
+        <translation>ふつうの厳しさで判定します</translation>
     </message>
     <message>
         <source>St&amp;rict</source>
-        <translation>きびしく(&amp;R)</translation>
+        <translation>きびしい(&amp;R)</translation>
     </message>
     <message>
-        <source>Judge strictly</source>
+        <source>Check strictly</source>
         <translation>きびしく判定します</translation>
     </message>
     <message>
-        <source>Model o&amp;ver the writing</source>
+        <source>Model o&amp;ver your writing</source>
         <translation>手本を重ねる(&amp;V)</translation>
     </message>
     <message>
-        <source>Lay the model over what is written</source>
+        <source>Lay the model over your writing</source>
         <translation>書いた字に手本を重ねます</translation>
     </message>
     <message>
-        <source>Writing beside the &amp;model</source>
+        <source>Your writing beside the &amp;model</source>
         <translation>手本と並べる(&amp;M)</translation>
     </message>
     <message>
-        <source>Show writing and model side by side, and replay both</source>
+        <source>Show your writing and the model side by side and replay both</source>
         <translation>書いた字と手本を並べ、両方を再生します</translation>
     </message>
     <message>
@@ -776,12 +776,20 @@
         <translation>手を導く(&amp;L)</translation>
     </message>
     <message>
-        <source>A device with force takes the hand along; else strokes hold it</source>
-        <translation>力覚デバイスが手を導く。ほかでは画が引き寄せる</translation>
+        <source>A force-feedback device leads your hand along the strokes; with other devices, strokes attract the stylus</source>
+        <translation>力覚デバイスが手を導きます。ほかのデバイスでは画がペン先を引き寄せます</translation>
     </message>
     <message>
         <source>&amp;Writing</source>
         <translation>書く(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Di&amp;ctation</source>
+        <translation>書き取り(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Write a whole word that has the character, from its reading and meaning</source>
+        <translation>読みと意味から、この文字を使う言葉を全部書きます</translation>
     </message>
 </context>
 <context>
@@ -799,55 +807,55 @@
         <translation>文字の一覧(&amp;L)</translation>
     </message>
     <message>
-        <source>Show or fold away the list</source>
-        <translation>一覧を出す／たたむ</translation>
+        <source>Show or hide the list</source>
+        <translation>一覧を表示／非表示にします</translation>
     </message>
     <message>
         <source>&amp;Information</source>
-        <translation>字の情報(&amp;I)</translation>
+        <translation>文字の情報(&amp;I)</translation>
     </message>
     <message>
-        <source>Show or fold away the information</source>
-        <translation>字の情報を出す／たたむ</translation>
+        <source>Show or hide the information</source>
+        <translation>文字の情報を表示／非表示にします</translation>
     </message>
     <message>
-        <source>The character as grooves to be traced: the left button presses the stylus down, the right button turns</source>
-        <translation>溝になった字をなぞります。左ボタンでペン先を下ろし、右ボタンで回します</translation>
+        <source>The character as grooves to trace. The left button presses the stylus down; the right button turns the tablet</source>
+        <translation>溝になった文字をなぞります。左ボタンでペン先を下ろし、右ボタンで文字板を回します</translation>
     </message>
     <message>
-        <source>%1 has no strokes in the database. The tablet is as it was.</source>
-        <translation>「%1」の筆画はデータベースにありません。文字板は元のままです。</translation>
+        <source>There are no strokes for %1 in the database. The tablet was not changed.</source>
+        <translation>「%1」の画はデータベースにありません。文字板は元のままです。</translation>
     </message>
     <message>
-        <source>%1 is on the desk.</source>
+        <source>Opened %1.</source>
         <translation>%1 を開きました。</translation>
     </message>
     <message>
-        <source>%1 is on the desk. A .str file adds its strokes.</source>
-        <translation>%1 を開きました。.str ファイルを開くと筆画が加わります。</translation>
+        <source>Opened %1. Open a .str file to add its strokes.</source>
+        <translation>%1 を開きました。.str ファイルを開くと画が加わります。</translation>
     </message>
     <message>
         <source>Write from memory</source>
-        <translation>覚えて書く</translation>
+        <translation>見ないで書く</translation>
     </message>
     <message>
-        <source>%1 comes tomorrow.</source>
-        <translation>%1 は明日出ます。</translation>
+        <source>Postponed %1 to tomorrow.</source>
+        <translation>「%1」を明日に延期しました。</translation>
     </message>
     <message>
-        <source>%1 comes again.</source>
-        <translation>%1 はまた出ます。</translation>
+        <source>Resumed %1.</source>
+        <translation>「%1」を再開しました。</translation>
     </message>
     <message>
-        <source>%1 is paused until it is resumed.</source>
-        <translation>%1 は再開するまで休みです。</translation>
+        <source>Suspended %1 until you resume it.</source>
+        <translation>「%1」を再開するまで休止します。</translation>
     </message>
     <message>
-        <source>%1 is new again. Ctrl+Shift+Z takes it back.</source>
-        <translation>%1 は新しい文字に戻りました。Ctrl+Shift+Z で取り消せます。</translation>
+        <source>Started %1 over as a new character. Ctrl+Shift+Z: undo.</source>
+        <translation>「%1」を新しい字に戻しました。Ctrl+Shift+Z で取り消せます。</translation>
     </message>
     <message>
-        <source>Closed. What lies on the tablet stays.</source>
+        <source>Closed. The tablet was not changed.</source>
         <translation>閉じました。文字板はそのままです。</translation>
     </message>
 </context>
@@ -858,16 +866,16 @@
         <translation>リストを読めません：%1</translation>
     </message>
     <message>
-        <source>Which characters</source>
-        <translation>どの文字</translation>
+        <source>Characters to show</source>
+        <translation>表示する文字</translation>
     </message>
     <message>
-        <source>Every character</source>
-        <translation>文字ごとの状態</translation>
+        <source>Characters by strength</source>
+        <translation>文字ごとの定着度</translation>
     </message>
     <message>
-        <source>Characters you have met stand here, each with how firmly you know it.</source>
-        <translation>学んだ文字がここに並び、どれほど身についたかがわかります。</translation>
+        <source>Characters you have studied appear here, with how well you know each one.</source>
+        <translation>学習した文字がここに並び、どれほど身についたかがわかります。</translation>
     </message>
     <message>
         <source>Character</source>
@@ -875,14 +883,14 @@
     </message>
     <message>
         <source>Strength</source>
-        <translation>強さ</translation>
+        <translation>定着度</translation>
     </message>
     <message>
-        <source>Chance to recall it now</source>
-        <translation>いま思い出せる見込み</translation>
+        <source>Chance of recall now</source>
+        <translation>今思い出せる確率</translation>
     </message>
     <message>
-        <source>%1. Enter opens a character.</source>
+        <source>%1. Enter: open a character.</source>
         <translation>%1。Enter で文字を開きます。</translation>
     </message>
 </context>
@@ -890,11 +898,11 @@
     <name>nazori::ui::ChartCard</name>
     <message>
         <source>Numbers</source>
-        <translation>数字</translation>
+        <translation>数値</translation>
     </message>
     <message>
-        <source>The same as a table (N)</source>
-        <translation>同じものを表で (N)</translation>
+        <source>Show the numbers as a table (N)</source>
+        <translation>数値の表を表示します（N）</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -902,23 +910,23 @@
     </message>
     <message>
         <source>Copy the numbers (Ctrl+C)</source>
-        <translation>数字をコピー (Ctrl+C)</translation>
+        <translation>数値をコピーします（Ctrl+C）</translation>
     </message>
     <message>
-        <source>%1 Left and right go from row to row, N shows all numbers.</source>
-        <translation>%1 左右のキーで一行ずつ読み、N ですべての数字を表示します。</translation>
+        <source>%1 Left and Right: read row by row. N: show all numbers.</source>
+        <translation>%1 左右の矢印キーで1行ずつ読み、N ですべての数値を表示します。</translation>
     </message>
     <message>
         <source>Numbers of %1</source>
-        <translation>%1の数字</translation>
+        <translation>%1の数値</translation>
     </message>
     <message>
         <source>Copy the numbers of %1</source>
-        <translation>%1の数字をコピー</translation>
+        <translation>%1の数値をコピー</translation>
     </message>
     <message>
-        <source>Left and right read it row by row.</source>
-        <translation>左右のキーで一行ずつ読みます。</translation>
+        <source>Left and Right: read row by row.</source>
+        <translation>左右の矢印キーで1行ずつ読みます。</translation>
     </message>
 </context>
 <context>
@@ -940,142 +948,266 @@
     <name>nazori::ui::DeviceActions</name>
     <message>
         <source>&amp;Look for devices</source>
-        <translation>装置を探す(&amp;L)</translation>
+        <translation>デバイスを探す(&amp;L)</translation>
     </message>
     <message>
-        <source>Look again for what is plugged in</source>
-        <translation>つながっている装置をもう一度探します</translation>
+        <source>Search again for connected devices</source>
+        <translation>接続されたデバイスをもう一度探します</translation>
     </message>
     <message>
         <source>S&amp;tronger</source>
         <translation>強く(&amp;T)</translation>
     </message>
     <message>
-        <source>The trial pushes harder by a tenth of the device&apos;s limit</source>
-        <translation>試し触りの力を、装置の上限の一割だけ強くします</translation>
+        <source>Make the test force stronger by 10% of the device&apos;s limit</source>
+        <translation>試す力をデバイスの上限の10%だけ強くします</translation>
     </message>
     <message>
         <source>&amp;Weaker</source>
         <translation>弱く(&amp;W)</translation>
     </message>
     <message>
-        <source>The trial pushes less hard</source>
-        <translation>試し触りの力を弱くします</translation>
+        <source>Make the test force weaker</source>
+        <translation>試す力を弱くします</translation>
     </message>
     <message>
-        <source>Fit by &amp;corners…</source>
-        <translation>四隅で合わせる(&amp;C)…</translation>
+        <source>Calibrate with &amp;corners…</source>
+        <translation>隅を指して位置合わせ(&amp;C)…</translation>
     </message>
     <message>
-        <source>Show three corners of the tablet with the stylus</source>
-        <translation>文字板の三つの隅をペン先で示します</translation>
+        <source>Point at three corners of the tablet with the stylus</source>
+        <translation>文字板の3つの隅をペン先で指します</translation>
     </message>
     <message>
-        <source>&amp;Fit by itself</source>
+        <source>&amp;Fit automatically</source>
         <translation>自動で合わせる(&amp;F)</translation>
     </message>
     <message>
-        <source>The largest tablet that the stylus can reach whole</source>
+        <source>Use the largest tablet that the stylus can reach completely</source>
         <translation>ペン先が隅まで届くいちばん大きな文字板にします</translation>
     </message>
     <message>
         <source>&amp;Device</source>
-        <translation>装置(&amp;D)</translation>
+        <translation>デバイス(&amp;D)</translation>
     </message>
 </context>
 <context>
-    <name>nazori::ui::DevicePlace</name>
+    <name>nazori::ui::DeviceChoicePanel</name>
     <message>
-        <source>&amp;Device</source>
-        <translation>装置(&amp;D)</translation>
+        <source>Searching for devices…</source>
+        <translation>デバイスを探しています…</translation>
     </message>
     <message>
-        <source>What the tablet is felt with, and what it is made of</source>
-        <translation>文字板に触れる装置と、文字板の材質</translation>
+        <source>Set corner here</source>
+        <translation>この位置に決める</translation>
+    </message>
+    <message>
+        <source>Devices and their position</source>
+        <translation>デバイスと位置</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>デバイス</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>位置合わせ</translation>
+    </message>
+    <message>
+        <source>Writing hand</source>
+        <translation>書く手</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>右手</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>左手</translation>
+    </message>
+    <message>
+        <source>Tilt of the tablet</source>
+        <translation>文字板の傾き</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>angle, 90 upright</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Angle of your seat to the device</source>
+        <translation>デバイスに対する座る向き</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Stylus buttons</source>
+        <translation>ペンのボタン</translation>
+    </message>
+    <message>
+        <source>do nothing</source>
+        <translation>何もしない</translation>
+    </message>
+    <message>
+        <source>next stroke</source>
+        <translation>次の画</translation>
+    </message>
+    <message>
+        <source>previous stroke</source>
+        <translation>前の画</translation>
+    </message>
+    <message>
+        <source>all strokes</source>
+        <translation>すべての画</translation>
+    </message>
+    <message>
+        <source>clear ink</source>
+        <translation>書いた線を消す</translation>
+    </message>
+    <message>
+        <source>First button</source>
+        <translation>1つ目のボタン</translation>
+    </message>
+    <message>
+        <source>Second button</source>
+        <translation>2つ目のボタン</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>硬さ</translation>
+    </message>
+    <message>
+        <source>%1 N/m</source>
+        <translation>%1 N/m</translation>
+    </message>
+    <message>
+        <source>Automatic (best available)</source>
+        <translation>自動（最適なデバイス）</translation>
+    </message>
+    <message>
+        <source>%1 – in use</source>
+        <translation>%1 – 使用中</translation>
+    </message>
+    <message>
+        <source>%1 – not connected</source>
+        <translation>%1 – 未接続</translation>
+    </message>
+    <message>
+        <source>Calibrated with corners: 1 cm of hand movement is %1 cm on the tablet.</source>
+        <translation>隅で位置合わせをしました。手の 1 cm が文字板の %1 cm です。</translation>
+    </message>
+    <message>
+        <source>Automatic fit: 1 cm of hand movement is %1 cm on the tablet.</source>
+        <translation>自動で合わせました。手の 1 cm が文字板の %1 cm です。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::DevicePage</name>
+    <message>
+        <source>&amp;Device</source>
+        <translation>デバイス(&amp;D)</translation>
+    </message>
+    <message>
+        <source>The device you feel the tablet with, and the material of the tablet</source>
+        <translation>文字板に触れるデバイスと、文字板の材質</translation>
     </message>
     <message>
         <source>&amp;Devices</source>
-        <translation>装置の一覧(&amp;D)</translation>
+        <translation>デバイスの一覧(&amp;D)</translation>
     </message>
     <message>
-        <source>Show or fold away the devices</source>
-        <translation>装置の一覧を出す／たたむ</translation>
+        <source>Show or hide the devices</source>
+        <translation>デバイスの一覧を表示／非表示にします</translation>
     </message>
     <message>
-        <source>&amp;What is felt</source>
+        <source>&amp;What you feel</source>
         <translation>手ごたえ(&amp;W)</translation>
     </message>
     <message>
-        <source>Show or fold away what is felt</source>
-        <translation>手ごたえを出す／たたむ</translation>
+        <source>Show or hide what you feel</source>
+        <translation>手ごたえを表示／非表示にします</translation>
     </message>
     <message>
         <source>A tablet to try the stylus on: a wall on the left, a groove on the right</source>
         <translation>ペン先を試す文字板。左に壁、右に溝があります</translation>
     </message>
     <message>
-        <source>Feel the wall and the groove gently. It becomes stronger only when you ask for it.</source>
-        <translation>壁と溝にそっと触れてみてください。力は頼んだときだけ強くなります。</translation>
+        <source>Touch the wall and the groove gently. The force grows only when you ask for it.</source>
+        <translation>壁と溝にそっと触れてみてください。力は「強く」を押したときだけ強くなります。</translation>
     </message>
     <message>
-        <source>Mouse and pen see the wall and the groove. A device with force is felt as soon as it is plugged in.</source>
-        <translation>マウスとペンでは壁と溝が見えます。力覚装置をつなぐと、すぐに手ごたえが伝わります。</translation>
+        <source>With a mouse or pen you can only see the wall and the groove. Plug in a force-feedback device to feel them.</source>
+        <translation>マウスとペンでは壁と溝が見えるだけです。力覚デバイスをつなぐと、手ごたえが伝わります。</translation>
     </message>
     <message>
-        <source>The tablet is as large as the stylus can reach.</source>
+        <source>The tablet is now as large as the stylus can reach.</source>
         <translation>文字板をペン先の届く範囲いっぱいに合わせました。</translation>
     </message>
     <message>
-        <source>%1 goes on. What was written is still there.</source>
-        <translation>%1 を再開します。書いたものはそのまま残っています。</translation>
+        <source>%1 is working again. Your writing is still there.</source>
+        <translation>%1 がまた使えます。書いたものはそのまま残っています。</translation>
     </message>
     <message>
-        <source>%1 has the tablet.</source>
-        <translation>%1 で文字板に触れています。</translation>
+        <source>Now using %1.</source>
+        <translation>%1 を使っています。</translation>
     </message>
     <message>
-        <source>%1 Until then %2 has the tablet.</source>
-        <translation>%1それまでは %2 で文字板に触れています。</translation>
+        <source>%1 Until then, %2 is used.</source>
+        <translation>%1それまでは %2 を使います。</translation>
     </message>
     <message>
-        <source>The tablet stands as you set it.</source>
+        <source>The position of the tablet was updated.</source>
         <translation>文字板を設定どおりの向きにしました。</translation>
     </message>
     <message>
-        <source>%1 Until then mouse and pen write.</source>
+        <source>%1 Until then, use a mouse or pen.</source>
         <translation>%1それまではマウスとペンで書けます。</translation>
     </message>
     <message>
-        <source>There is no device to be fitted.</source>
-        <translation>合わせる装置がありません。</translation>
+        <source>There is no device to calibrate.</source>
+        <translation>位置合わせするデバイスがありません。</translation>
     </message>
     <message>
-        <source>1 of 3: hold the tip where the bottom left corner is to be.</source>
+        <source>1 of 3: hold the tip where you want the bottom left corner.</source>
         <translation>1／3：左下の隅にしたい所にペン先を置いてください。</translation>
     </message>
     <message>
-        <source>Show three corners of the tablet in the air or on the desk.</source>
-        <translation>空中か机の上で、文字板の三つの隅を示してください。</translation>
+        <source>Point at three corners for the tablet, in the air or on your desk.</source>
+        <translation>空中か机の上で、文字板の3つの隅を指してください。</translation>
     </message>
     <message>
-        <source>The device went away. The tablet is as it was.</source>
-        <translation>装置がなくなりました。文字板は元のままです。</translation>
+        <source>The device was disconnected. The tablet was not changed.</source>
+        <translation>デバイスの接続が切れました。文字板は元のままです。</translation>
     </message>
     <message>
-        <source>2 of 3: hold the tip where the bottom right corner is to be.</source>
+        <source>2 of 3: hold the tip where you want the bottom right corner.</source>
         <translation>2／3：右下の隅にしたい所にペン先を置いてください。</translation>
     </message>
     <message>
-        <source>3 of 3: hold the tip where the top left corner is to be.</source>
+        <source>3 of 3: hold the tip where you want the top left corner.</source>
         <translation>3／3：左上の隅にしたい所にペン先を置いてください。</translation>
     </message>
     <message>
-        <source>These corners make no tablet: they must be at least 2 cm apart, square, and in order. The tablet is as it was.</source>
-        <translation>この三隅では文字板になりません。2 cm 以上離し、直角に、順番どおりに示してください。文字板は元のままです。</translation>
+        <source>These corners do not form a tablet. Point at them in order, at least 2 cm apart, as the corners of a square. The tablet was not changed.</source>
+        <translation>この3つの隅では文字板になりません。正方形になるように、2 cm 以上離して順番に指してください。文字板は元のままです。</translation>
     </message>
     <message>
-        <source>The tablet stands where you showed it.</source>
-        <translation>示した所に文字板を置きました。</translation>
+        <source>The tablet is now where you pointed.</source>
+        <translation>指した位置に文字板を置きました。</translation>
     </message>
 </context>
 <context>
@@ -1089,52 +1221,52 @@
         <translation>ジョイスティック・ハンドル・ゲームパッド</translation>
     </message>
     <message>
-        <source>Simulations</source>
-        <translation>模擬装置</translation>
+        <source>Simulated devices</source>
+        <translation>模擬デバイス</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
     </message>
     <message>
-        <source>%1: the maker&apos;s library is not installed.</source>
-        <translation>%1：製造元のライブラリーが入っていません。</translation>
+        <source>%1: the manufacturer&apos;s library is not installed.</source>
+        <translation>%1：製造元のライブラリがインストールされていません。</translation>
     </message>
     <message>
-        <source>%1: the maker&apos;s library is too old or not the right one. Install a newer one.</source>
-        <translation>%1：製造元のライブラリーが古いか、別物です。新しいものを入れてください。</translation>
+        <source>%1: the manufacturer&apos;s library is too old or the wrong one. Install a newer version.</source>
+        <translation>%1：製造元のライブラリが古いか、別のものです。新しいものをインストールしてください。</translation>
     </message>
     <message>
-        <source>%1: the maker&apos;s service does not answer. Start it.</source>
+        <source>%1: the manufacturer&apos;s service is not responding. Start it.</source>
         <translation>%1：製造元のサービスが応答しません。起動してください。</translation>
     </message>
     <message>
-        <source>%1: nothing is plugged in. Check cable and power.</source>
+        <source>%1: no device is connected. Check the cable and the power.</source>
         <translation>%1：何もつながっていません。ケーブルと電源を確かめてください。</translation>
     </message>
     <message>
-        <source>%1 is there, but you may not open it. Add yourself to its group, or install its udev rule.</source>
-        <translation>%1 はありますが、開く権限がありません。装置のグループに加わるか、udev 規則を入れてください。</translation>
+        <source>%1 is connected, but you do not have permission to use it. Add yourself to its group or install its udev rule.</source>
+        <translation>%1 は接続されていますが、使う権限がありません。デバイスのグループに加わるか、udev ルールを入れてください。</translation>
     </message>
     <message>
-        <source>%1 is in use. Close the other program.</source>
-        <translation>%1 は使用中です。もう一方のプログラムを閉じてください。</translation>
+        <source>%1 is in use. Close the program that uses it.</source>
+        <translation>%1 は使用中です。使っているプログラムを閉じてください。</translation>
     </message>
     <message>
-        <source>%1 is there but does not start. Unplug it and plug it in again.</source>
-        <translation>%1 はありますが、動き出しません。抜いてもう一度つないでください。</translation>
+        <source>%1 is connected but does not start. Unplug it and plug it in again.</source>
+        <translation>%1 は接続されていますが、起動しません。抜いてもう一度つないでください。</translation>
     </message>
     <message>
-        <source>%1: how the tablet was fitted cannot be used. Fit it again.</source>
-        <translation>%1：文字板の合わせ方が使えません。もう一度合わせてください。</translation>
+        <source>%1: the saved calibration cannot be used. Calibrate it again.</source>
+        <translation>%1：保存された位置合わせが使えません。もう一度位置合わせをしてください。</translation>
     </message>
     <message>
         <source>%1 rests in its inkwell. Take the stylus out to go on.</source>
         <translation>%1 はペン立てに収まっています。ペンを取ると続きます。</translation>
     </message>
     <message>
-        <source>%1 gives no force: its safety switch is not held.</source>
-        <translation>%1 は力を出していません。安全スイッチが押されていません。</translation>
+        <source>%1 gives no force. Hold its safety switch.</source>
+        <translation>%1 は力を出していません。安全スイッチを押したままにしてください。</translation>
     </message>
     <message>
         <source>%1 is not calibrated. Move the stylus through all of its space, or use the maker&apos;s program.</source>
@@ -1161,63 +1293,134 @@
         <translation>%1 の力が切れています。力のボタンを押すか、もっとゆっくり動かしてください。</translation>
     </message>
     <message>
-        <source>%1 guarded itself against too large a force. It goes on by itself.</source>
-        <translation>%1 が大きすぎる力から身を守りました。ひとりでに続きます。</translation>
+        <source>%1 paused because the force was too large. It resumes by itself.</source>
+        <translation>%1 は力が大きすぎたため一時停止しました。自動で再開します。</translation>
     </message>
     <message>
-        <source>%1 guarded itself against too fast a motion. It goes on by itself.</source>
-        <translation>%1 が速すぎる動きから身を守りました。ひとりでに続きます。</translation>
+        <source>%1 paused because it was moved too fast. It resumes by itself.</source>
+        <translation>%1 は動きが速すぎたため一時停止しました。自動で再開します。</translation>
     </message>
     <message>
-        <source>The motors of %1 are warm. It goes on when they have cooled.</source>
-        <translation>%1 のモーターが熱くなりました。冷めると続きます。</translation>
+        <source>The motors of %1 are too warm. It resumes when they have cooled down.</source>
+        <translation>%1 のモーターが熱くなりました。冷めると再開します。</translation>
     </message>
     <message>
-        <source>%1 is switched off or braked. Switch it on.</source>
-        <translation>%1 の電源が切れているか、ブレーキがかかっています。入れてください。</translation>
+        <source>%1 is switched off, or its brake is on. Switch it on.</source>
+        <translation>%1 の電源が切れているか、ブレーキがかかっています。電源を入れてください。</translation>
     </message>
     <message>
-        <source>%1 answers too late to be felt safely. Close other programs, or use a cable.</source>
+        <source>%1 responds too slowly for safe force feedback. Close other programs, or connect it by cable.</source>
         <translation>%1 の応答が遅く、安全に力を返せません。ほかのプログラムを閉じるか、ケーブルで接続してください。</translation>
     </message>
     <message>
-        <source>The connection to %1 broke off. Check the cable.</source>
+        <source>The connection to %1 was lost. Check the cable.</source>
         <translation>%1 との接続が切れました。ケーブルを確かめてください。</translation>
     </message>
     <message>
         <source>%1 reports a fault. Switch it off and on again.</source>
-        <translation>%1 が故障を知らせています。電源を入れ直してください。</translation>
+        <translation>%1 が異常を知らせています。電源を入れ直してください。</translation>
     </message>
     <message>
         <source>The library of %1 gets no timer from the system. Close other programs.</source>
         <translation>%1 のライブラリがシステムのタイマーを使えません。ほかのプログラムを閉じてください。</translation>
     </message>
     <message>
-        <source>%1 does not answer any more. Unplug it and plug it in again.</source>
+        <source>%1 no longer responds. Unplug it and plug it in again.</source>
         <translation>%1 が応答しなくなりました。抜いてもう一度つないでください。</translation>
     </message>
     <message>
-        <source>The service of %1 has stopped. Start it again.</source>
+        <source>The service for %1 has stopped. Start it again.</source>
         <translation>%1 のサービスが止まりました。もう一度起動してください。</translation>
     </message>
     <message>
-        <source>What %1 sends cannot be understood. Update its service.</source>
-        <translation>%1 から届くものが読み取れません。サービスを更新してください。</translation>
+        <source>%1 sends data that cannot be read. Update its service.</source>
+        <translation>%1 から届くデータが読み取れません。サービスを更新してください。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::DictationView</name>
+    <message>
+        <source>Spea&amp;k the word</source>
+        <translation>言葉を読み上げる(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Say the reading and the meaning of the word again</source>
+        <translation>言葉の読みと意味をもう一度伝えます</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt word</source>
+        <translation>次の言葉(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Write another word that has the character</source>
+        <translation>この文字を使う別の言葉を書きます</translation>
+    </message>
+    <message>
+        <source>The word to write</source>
+        <translation>書く言葉</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Character %1 of %2. H: hint. Enter: finish.</source>
+        <translation>%2文字中%1文字目です。H：ヒント、Enter：判定</translation>
+    </message>
+    <message>
+        <source>%1: shown, not written from memory.</source>
+        <translation>%1：手本を見たので、見ないで書いたことにはなりません。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Correct: %1/100</source>
+        <translation>正解：100点中%1点</translation>
+    </message>
+    <message>
+        <source>Not quite: %1/100</source>
+        <translation>もう少し：100点中%1点</translation>
+    </message>
+    <message>
+        <source>No word of two or three characters can be asked for. Choose another character.</source>
+        <translation>この文字には、書き取りに使える2文字か3文字の言葉がありません。別の文字を選んでください。</translation>
+    </message>
+    <message>
+        <source>The word is finished. Enter: next word. Delete: write it again.</source>
+        <translation>この言葉は書き終わりました。Enter：次の言葉、Delete：書き直す</translation>
+    </message>
+    <message>
+        <source>Write the word %1 (%2). %3</source>
+        <translation>「%1」（%2）を書いてください。%3</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>%1 is right: %2 of 100 points. Enter: next word.</source>
+        <translation>「%1」は正解です。100点中%2点。Enter：次の言葉</translation>
+    </message>
+    <message>
+        <source>%1 is not right yet: %2 of 100 points. Delete: write it again. Enter: next word.</source>
+        <translation>「%1」はもう少しです。100点中%2点。Delete：書き直す、Enter：次の言葉</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::DrawPanel</name>
     <message>
         <source>Draw to find</source>
-        <translation>書いて探す</translation>
+        <translation>手書きで探す</translation>
     </message>
     <message>
-        <source>Enter takes the first, arrows choose. Ctrl+Z takes back a stroke, Delete clears, Esc closes.</source>
-        <translation>Enter で先頭の字を選び、矢印キーで選び直せます。Ctrl+Z で一画取り消し、Delete で消去、Esc で閉じます。</translation>
+        <source>Enter: open the first match. Arrow keys: choose another. Ctrl+Z: undo a stroke. Delete: clear. Esc: close.</source>
+        <translation>Enter で先頭の文字を開き、矢印キーで選び直せます。Ctrl+Z で一画取り消し、Delete で消去、Esc で閉じます。</translation>
     </message>
     <message>
-        <source>Characters that look like it</source>
-        <translation>似ている字</translation>
+        <source>Similar characters</source>
+        <translation>似ている文字</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -1232,49 +1435,49 @@
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>The drawing could not be read: %1.</source>
+        <source>Your drawing could not be recognised: %1.</source>
         <translation>書いた形を読み取れませんでした：%1。</translation>
     </message>
     <message>
-        <source>Draw the character you look for. Order and direction do not matter much.</source>
-        <translation>探している字を書いてください。筆順や方向はあまり気にしなくてかまいません。</translation>
+        <source>Draw the character you are looking for. Stroke order and direction hardly matter.</source>
+        <translation>探している文字を書いてください。書き順や向きは多少違ってもかまいません。</translation>
     </message>
     <message>
-        <source>%1 is likeliest. Enter takes it.</source>
-        <translation>「%1」がいちばん似ています。Enter で選びます。</translation>
+        <source>Best match: %1. Enter: open it.</source>
+        <translation>「%1」がいちばん似ています。Enter で開きます。</translation>
     </message>
     <message>
-        <source>%1, number %2 of %3.</source>
-        <translation>%1（%3 字中 %2 番目）。</translation>
+        <source>%1, %2 of %3.</source>
+        <translation>%1（%3字中%2番目）。</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::DrawingPad</name>
     <message>
         <source>Draw the character here</source>
-        <translation>ここに字を書いてください</translation>
+        <translation>ここに文字を書いてください</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::ExchangeProgress</name>
     <message>
-        <source>Something is being written or read already. Wait for it, or stop it.</source>
-        <translation>すでに書き出しか読み込みの途中です。終わるまで待つか、止めてください。</translation>
+        <source>An export, import or backup is already running. Wait for it or stop it.</source>
+        <translation>書き出し、読み込み、バックアップのどれかが進行中です。終わるまで待つか、止めてください。</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>止める</translation>
     </message>
     <message>
-        <source>Stopped. Everything is as it was.</source>
+        <source>Stopped. Nothing was changed.</source>
         <translation>止めました。すべて元のままです。</translation>
     </message>
     <message>
-        <source>%1: %2. Everything is as it was.</source>
+        <source>%1: %2. Nothing was changed.</source>
         <translation>%1：%2。すべて元のままです。</translation>
     </message>
     <message>
-        <source>Writing %1…</source>
+        <source>Exporting %1…</source>
         <translation>%1 を書き出し中…</translation>
     </message>
     <message>
@@ -1282,15 +1485,15 @@
         <translation>%1 に保存しました。</translation>
     </message>
     <message>
-        <source>Reading %1…</source>
+        <source>Importing %1…</source>
         <translation>%1 を読み込み中…</translation>
     </message>
     <message>
-        <source>Imported for %1: characters %2. %1 studies now.</source>
-        <translation>%1 に読み込みました。文字 %2。いまの学習者は %1 です。</translation>
+        <source>Imported %2 characters for %1. Now studying as %1.</source>
+        <translation>%1 に%2字を読み込みました。現在の学習者は %1 です。</translation>
     </message>
     <message>
-        <source>Nothing is studied yet: there is nothing to back up.</source>
+        <source>Nothing studied yet, so there is nothing to back up.</source>
         <translation>まだ何も学習していないので、バックアップするものがありません。</translation>
     </message>
     <message>
@@ -1302,27 +1505,27 @@
         <translation>%1 としてバックアップしました。</translation>
     </message>
     <message>
-        <source>No backup was made: %1.</source>
+        <source>Backup failed: %1.</source>
         <translation>バックアップできませんでした：%1。</translation>
     </message>
     <message>
-        <source>Putting the backup in place…</source>
-        <translation>バックアップから元に戻しています…</translation>
+        <source>Restoring the backup…</source>
+        <translation>バックアップから復元中…</translation>
     </message>
     <message>
-        <source>The backup is in place. What stood there is kept.</source>
-        <translation>バックアップに戻しました。前の記録は残してあります。</translation>
+        <source>Backup restored. Your previous data was backed up.</source>
+        <translation>復元しました。前のデータはバックアップしてあります。</translation>
     </message>
     <message>
-        <source>The backup was not put in place: %1. Everything is as it was.</source>
-        <translation>バックアップに戻せませんでした：%1。すべて元のままです。</translation>
+        <source>The backup could not be restored: %1. Nothing was changed.</source>
+        <translation>復元できませんでした：%1。すべて元のままです。</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::FeedbackLine</name>
     <message>
-        <source>What just happened</source>
-        <translation>今のお知らせ</translation>
+        <source>Feedback</source>
+        <translation>お知らせ</translation>
     </message>
 </context>
 <context>
@@ -1332,7 +1535,7 @@
         <translation>待機中</translation>
     </message>
     <message>
-        <source>What the stylus feels</source>
+        <source>What you feel</source>
         <translation>ペン先の手ごたえ</translation>
     </message>
     <message>
@@ -1340,8 +1543,8 @@
         <translation>今</translation>
     </message>
     <message>
-        <source>Tip</source>
-        <translation>ペン先</translation>
+        <source>Tip position</source>
+        <translation>ペン先の位置</translation>
     </message>
     <message>
         <source>Buttons</source>
@@ -1352,23 +1555,23 @@
         <translation>力</translation>
     </message>
     <message>
-        <source>Rate</source>
-        <translation>速さ</translation>
+        <source>Update rate</source>
+        <translation>更新頻度</translation>
     </message>
     <message>
-        <source>Latest</source>
+        <source>Longest delay</source>
         <translation>最大の遅れ</translation>
     </message>
     <message>
-        <source>Missed</source>
-        <translation>抜け</translation>
+        <source>Missed updates</source>
+        <translation>抜けた更新</translation>
     </message>
     <message>
-        <source>Delay</source>
+        <source>Latency</source>
         <translation>遅延</translation>
     </message>
     <message>
-        <source>Feel a wall, feel a groove</source>
+        <source>Feel a wall and a groove</source>
         <translation>壁に触れる、溝に触れる</translation>
     </message>
     <message>
@@ -1381,7 +1584,7 @@
     </message>
     <message>
         <source>Damping</source>
-        <translation>粘り</translation>
+        <translation>粘性</translation>
     </message>
     <message>
         <source>Static friction</source>
@@ -1392,7 +1595,7 @@
         <translation>動摩擦</translation>
     </message>
     <message>
-        <source>Popthrough</source>
+        <source>Pop-through</source>
         <translation>突き抜け</translation>
     </message>
     <message>
@@ -1432,26 +1635,26 @@
         <translation>%1 N</translation>
     </message>
     <message>
-        <source>%1 times a second</source>
-        <translation>毎秒 %1 回</translation>
+        <source>%1 times per second</source>
+        <translation>毎秒%1回</translation>
     </message>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>At %1 % of the device&apos;s limits. On the left stands a wall, on the right lies a groove.</source>
-        <translation>装置の上限の %1 % です。左に壁、右に溝があります。</translation>
+        <source>Force at %1% of the device&apos;s limits. A wall is on the left, a groove on the right.</source>
+        <translation>力はデバイスの上限の%1%です。左に壁、右に溝があります。</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::FileExchange</name>
     <message>
         <source>The character</source>
-        <translation>この字</translation>
+        <translation>この文字</translation>
     </message>
     <message>
-        <source>%1: %2. The tablet is as it was.</source>
+        <source>%1: %2. The tablet was not changed.</source>
         <translation>%1：%2。文字板は元のままです。</translation>
     </message>
     <message>
@@ -1459,30 +1662,30 @@
         <translation>%1 に保存しました。</translation>
     </message>
     <message>
-        <source>Open a height map, a stroke order, or both</source>
-        <translation>高さマップ、筆順、またはその両方を開く</translation>
+        <source>Open a height map, a stroke order file, or both</source>
+        <translation>高さマップ、書き順、またはその両方を開く</translation>
     </message>
     <message>
-        <source>Height maps and stroke orders (*.raw *.png *.str);;All files (*)</source>
-        <translation>高さマップと筆順 (*.raw *.png *.str);;すべてのファイル (*)</translation>
+        <source>Height maps and stroke order files (*.raw *.png *.str);;All files (*)</source>
+        <translation>高さマップと書き順 (*.raw *.png *.str);;すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>%1 is one too many: open one height map and one stroke order. The tablet is as it was.</source>
-        <translation>%1 は余分です。高さマップと筆順を一つずつ開いてください。文字板は元のままです。</translation>
+        <source>%1 is one file too many: open one height map and one stroke order file. The tablet was not changed.</source>
+        <translation>%1 は余分です。高さマップと書き順は1つずつ開いてください。文字板は元のままです。</translation>
     </message>
     <message>
-        <source>%1 is neither RAW, PNG nor .str. The tablet is as it was.</source>
+        <source>%1 is not a RAW, PNG or .str file. The tablet was not changed.</source>
         <translation>%1 は RAW、PNG、.str のどれでもありません。文字板は元のままです。</translation>
     </message>
     <message>
-        <source>Size of the grid</source>
-        <translation>升目の大きさ</translation>
+        <source>Grid size</source>
+        <translation>グリッドの大きさ</translation>
     </message>
     <message>
-        <source>%1 does not say how large its grid is.
+        <source>%1 does not contain its grid size.
 Columns and rows:</source>
-        <translation>%1 には升目の大きさが書かれていません。
-一辺の升の数：</translation>
+        <translation>%1 にはグリッドの大きさが書かれていません。
+1辺の点の数：</translation>
     </message>
     <message>
         <source>There is no tablet to save yet.</source>
@@ -1500,7 +1703,7 @@ Columns and rows:</source>
         <translation>式(&amp;E)</translation>
     </message>
     <message>
-        <source>Go to the line with the expression</source>
+        <source>Go to the expression box</source>
         <translation>式の入力欄へ移ります</translation>
     </message>
     <message>
@@ -1516,7 +1719,7 @@ Columns and rows:</source>
         <translation>拡大(&amp;Z)</translation>
     </message>
     <message>
-        <source>Half of the window, about the point</source>
+        <source>Show half the range, centred on the point</source>
         <translation>点を中心に範囲を半分にします</translation>
     </message>
     <message>
@@ -1524,32 +1727,32 @@ Columns and rows:</source>
         <translation>縮小(&amp;O)</translation>
     </message>
     <message>
-        <source>Twice the window, about the point</source>
+        <source>Show twice the range, centred on the point</source>
         <translation>点を中心に範囲を2倍にします</translation>
     </message>
     <message>
-        <source>&amp;Whole window</source>
-        <translation>はじめの範囲(&amp;W)</translation>
+        <source>Reset vie&amp;w</source>
+        <translation>最初の範囲に戻す(&amp;W)</translation>
     </message>
     <message>
-        <source>The window as it was at first</source>
-        <translation>範囲をはじめに戻します</translation>
+        <source>Go back to the original range</source>
+        <translation>最初の範囲に戻します</translation>
     </message>
     <message>
         <source>Save the height map as &amp;RAW…</source>
         <translation>高さマップを RAW で保存(&amp;R)…</translation>
     </message>
     <message>
-        <source>8-bit height map without header, as in 2005</source>
-        <translation>2005年と同じ、ヘッダーのない 8 ビットの高さマップ</translation>
+        <source>8-bit height map without a header, as in the 2005 program</source>
+        <translation>2005年版と同じ、ヘッダーのない8ビットの高さマップ</translation>
     </message>
     <message>
         <source>Save the height map as P&amp;NG…</source>
         <translation>高さマップを PNG で保存(&amp;N)…</translation>
     </message>
     <message>
-        <source>16-bit grey height map</source>
-        <translation>16 ビット・グレースケールの高さマップ</translation>
+        <source>16-bit greyscale height map</source>
+        <translation>16ビット・グレースケールの高さマップ</translation>
     </message>
     <message>
         <source>Save for &amp;tactile paper…</source>
@@ -1557,126 +1760,126 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Black and white picture with thick lines, for swell paper and for low vision</source>
-        <translation>太い線の白黒画像。立体コピー用紙と弱視の方のために</translation>
+        <translation>太い線の白黒画像。立体コピー用紙や弱視の方に向いています</translation>
     </message>
     <message>
         <source>Save the s&amp;ound…</source>
         <translation>音を保存(&amp;O)…</translation>
     </message>
     <message>
-        <source>The sweep of all curves as WAV</source>
+        <source>Save the sound of all curves as WAV</source>
         <translation>すべての曲線の音を WAV で保存します</translation>
     </message>
     <message>
-        <source>&amp;Along the curve</source>
+        <source>Forward &amp;along the curve</source>
         <translation>曲線に沿って進む(&amp;A)</translation>
     </message>
     <message>
-        <source>A hundredth of the window to the right</source>
-        <translation>範囲の百分の一だけ右へ</translation>
+        <source>Move right by 1% of the range</source>
+        <translation>範囲の1%だけ右へ進みます</translation>
     </message>
     <message>
         <source>&amp;Back along the curve</source>
         <translation>曲線に沿って戻る(&amp;B)</translation>
     </message>
     <message>
-        <source>A hundredth of the window to the left</source>
-        <translation>範囲の百分の一だけ左へ</translation>
+        <source>Move left by 1% of the range</source>
+        <translation>範囲の1%だけ左へ戻ります</translation>
     </message>
     <message>
         <source>To the next &amp;tick</source>
         <translation>次の目盛りへ(&amp;T)</translation>
     </message>
     <message>
-        <source>Along the curve to the next tick of the x axis</source>
-        <translation>曲線に沿って x 軸の次の目盛りまで</translation>
+        <source>Go along the curve to the next tick of the x axis</source>
+        <translation>曲線に沿って x 軸の次の目盛りまで進みます</translation>
     </message>
     <message>
-        <source>To the tick be&amp;fore</source>
-        <translation>前の目盛りへ(&amp;F)</translation>
+        <source>To the previous tic&amp;k</source>
+        <translation>前の目盛りへ(&amp;K)</translation>
     </message>
     <message>
-        <source>Back along the curve to the tick before</source>
+        <source>Go back along the curve to the previous tick</source>
         <translation>曲線に沿って前の目盛りまで戻ります</translation>
     </message>
     <message>
-        <source>To its &amp;start</source>
-        <translation>はじめへ(&amp;S)</translation>
+        <source>To the &amp;start</source>
+        <translation>始まりへ(&amp;S)</translation>
     </message>
     <message>
-        <source>Where this piece of the curve begins</source>
-        <translation>曲線のこの部分のはじまり</translation>
+        <source>Go to the start of this branch of the curve</source>
+        <translation>曲線のこの部分の始まりへ移ります</translation>
     </message>
     <message>
-        <source>To its &amp;end</source>
+        <source>To the &amp;end</source>
         <translation>終わりへ(&amp;E)</translation>
     </message>
     <message>
-        <source>Where this piece of the curve ends</source>
-        <translation>曲線のこの部分の終わり</translation>
+        <source>Go to the end of this branch of the curve</source>
+        <translation>曲線のこの部分の終わりへ移ります</translation>
     </message>
     <message>
         <source>&amp;Next curve or branch</source>
         <translation>次の曲線・枝(&amp;N)</translation>
     </message>
     <message>
-        <source>To the next curve or branch</source>
-        <translation>次の曲線または枝へ</translation>
+        <source>Go to the next curve or branch</source>
+        <translation>次の曲線または枝へ移ります</translation>
     </message>
     <message>
         <source>&amp;Previous curve or branch</source>
         <translation>前の曲線・枝(&amp;P)</translation>
     </message>
     <message>
-        <source>To the curve or branch before</source>
-        <translation>前の曲線または枝へ</translation>
+        <source>Go to the previous curve or branch</source>
+        <translation>前の曲線または枝へ移ります</translation>
     </message>
     <message>
         <source>Next po&amp;int</source>
         <translation>次の注目点(&amp;I)</translation>
     </message>
     <message>
-        <source>To the next point of interest</source>
-        <translation>次の注目点へ</translation>
+        <source>Go to the next point of interest</source>
+        <translation>次の注目点へ移ります</translation>
     </message>
     <message>
-        <source>P&amp;oint before</source>
+        <source>Previous p&amp;oint</source>
         <translation>前の注目点(&amp;O)</translation>
     </message>
     <message>
-        <source>To the point of interest before</source>
-        <translation>前の注目点へ</translation>
+        <source>Go to the previous point of interest</source>
+        <translation>前の注目点へ移ります</translation>
     </message>
     <message>
-        <source>Window to the &amp;left</source>
+        <source>Pan &amp;left</source>
         <translation>範囲を左へ(&amp;L)</translation>
     </message>
     <message>
-        <source>Show what lies to the left</source>
+        <source>Show more on the left</source>
         <translation>左側を表示します</translation>
     </message>
     <message>
-        <source>Window to the r&amp;ight</source>
+        <source>Pan r&amp;ight</source>
         <translation>範囲を右へ(&amp;I)</translation>
     </message>
     <message>
-        <source>Show what lies to the right</source>
+        <source>Show more on the right</source>
         <translation>右側を表示します</translation>
     </message>
     <message>
-        <source>Window &amp;up</source>
+        <source>Pan &amp;up</source>
         <translation>範囲を上へ(&amp;U)</translation>
     </message>
     <message>
-        <source>Show what lies above</source>
+        <source>Show more above</source>
         <translation>上側を表示します</translation>
     </message>
     <message>
-        <source>Window &amp;down</source>
+        <source>Pan &amp;down</source>
         <translation>範囲を下へ(&amp;D)</translation>
     </message>
     <message>
-        <source>Show what lies below</source>
+        <source>Show more below</source>
         <translation>下側を表示します</translation>
     </message>
     <message>
@@ -1684,80 +1887,80 @@ Columns and rows:</source>
         <translation>座標(&amp;C)</translation>
     </message>
     <message>
-        <source>Say where the point is</source>
-        <translation>点の位置を伝えます</translation>
+        <source>Read out the coordinates of the point</source>
+        <translation>点の座標を読み上げます</translation>
     </message>
     <message>
         <source>S&amp;lope</source>
         <translation>傾き(&amp;L)</translation>
     </message>
     <message>
-        <source>Say how steep the curve is here</source>
-        <translation>ここでの曲線の傾きを伝えます</translation>
+        <source>Read out the slope of the curve here</source>
+        <translation>ここでの曲線の傾きを読み上げます</translation>
     </message>
     <message>
         <source>Su&amp;mmary</source>
         <translation>要約(&amp;M)</translation>
     </message>
     <message>
-        <source>Say in one sentence what is drawn</source>
-        <translation>描かれているものを一文で伝えます</translation>
+        <source>Describe the plot in one sentence</source>
+        <translation>グラフを1文で説明します</translation>
     </message>
     <message>
-        <source>&amp;Drop a beacon</source>
+        <source>A&amp;dd a marker</source>
         <translation>目印を置く(&amp;D)</translation>
     </message>
     <message>
-        <source>Remember this place</source>
-        <translation>この場所を覚えます</translation>
+        <source>Mark this place</source>
+        <translation>この場所に目印を置きます</translation>
     </message>
     <message>
-        <source>&amp;Go to the next beacon</source>
+        <source>&amp;Go to the next marker</source>
         <translation>次の目印へ(&amp;G)</translation>
     </message>
     <message>
-        <source>To the next of the places remembered</source>
-        <translation>覚えた場所の次へ</translation>
+        <source>Go to the next marked place</source>
+        <translation>次の目印へ移ります</translation>
     </message>
     <message>
-        <source>Next piece alone</source>
+        <source>Next branch only</source>
         <translation>次の曲線だけ</translation>
     </message>
     <message>
-        <source>Hold the stylus to the next piece alone</source>
-        <translation>次の曲線だけがペンを引き寄せます</translation>
+        <source>Only the next branch attracts the stylus</source>
+        <translation>次の曲線だけがペン先を引き寄せます</translation>
     </message>
     <message>
-        <source>Piece before alone</source>
+        <source>Previous branch only</source>
         <translation>前の曲線だけ</translation>
     </message>
     <message>
-        <source>Hold the stylus to the piece before alone</source>
-        <translation>前の曲線だけがペンを引き寄せます</translation>
+        <source>Only the previous branch attracts the stylus</source>
+        <translation>前の曲線だけがペン先を引き寄せます</translation>
     </message>
     <message>
-        <source>All pieces</source>
+        <source>All branches</source>
         <translation>すべての曲線</translation>
     </message>
     <message>
-        <source>Hold the stylus to any piece</source>
-        <translation>どの曲線もペンを引き寄せます</translation>
+        <source>All branches attract the stylus</source>
+        <translation>どの曲線もペン先を引き寄せます</translation>
     </message>
     <message>
         <source>Snap</source>
-        <translation>吸着</translation>
+        <translation>引き寄せ</translation>
     </message>
     <message>
-        <source>Curves hold the stylus</source>
-        <translation>曲線がペンを引き寄せます</translation>
+        <source>Curves attract the stylus</source>
+        <translation>曲線がペン先を引き寄せます</translation>
     </message>
     <message>
-        <source>Clear the ink</source>
-        <translation>墨を消す</translation>
+        <source>Clear ink</source>
+        <translation>書いた線を消す</translation>
     </message>
     <message>
-        <source>Wipe the tablet clean</source>
-        <translation>板の墨をふき取ります</translation>
+        <source>Clear the tablet</source>
+        <translation>グラフに書いた線を消します</translation>
     </message>
     <message>
         <source>&amp;Hear the curves</source>
@@ -1772,7 +1975,7 @@ Columns and rows:</source>
         <translation>止める(&amp;S)</translation>
     </message>
     <message>
-        <source>Stop every sound, and the drawing</source>
+        <source>Stop all sounds and the drawing</source>
         <translation>すべての音と描画を止めます</translation>
     </message>
     <message>
@@ -1788,23 +1991,23 @@ Columns and rows:</source>
         <translation>遅く(&amp;L)</translation>
     </message>
     <message>
-        <source>Play the curves slower</source>
+        <source>Play the curves more slowly</source>
         <translation>曲線を遅く鳴らします</translation>
     </message>
     <message>
         <source>L&amp;ouder</source>
-        <translation>大きく(&amp;O)</translation>
+        <translation>音を大きく(&amp;O)</translation>
     </message>
     <message>
-        <source>More volume</source>
+        <source>Turn the volume up</source>
         <translation>音量を上げます</translation>
     </message>
     <message>
         <source>&amp;Quieter</source>
-        <translation>小さく(&amp;Q)</translation>
+        <translation>音を小さく(&amp;Q)</translation>
     </message>
     <message>
-        <source>Less volume</source>
+        <source>Turn the volume down</source>
         <translation>音量を下げます</translation>
     </message>
     <message>
@@ -1812,8 +2015,8 @@ Columns and rows:</source>
         <translation>消音(&amp;M)</translation>
     </message>
     <message>
-        <source>No sound at all</source>
-        <translation>音を出しません</translation>
+        <source>Turn off all sound</source>
+        <translation>すべての音を消します</translation>
     </message>
     <message>
         <source>&amp;Plot</source>
@@ -1832,28 +2035,28 @@ Columns and rows:</source>
         <translation>この曲線だけ(&amp;O)</translation>
     </message>
     <message>
-        <source>Carve and play one curve without the others</source>
-        <translation>ほかの曲線を除いて一本だけを彫り、鳴らします</translation>
+        <source>Carve and play only one curve</source>
+        <translation>1本の曲線だけを彫り、鳴らします</translation>
     </message>
     <message>
-        <source>Next cur&amp;ve alone</source>
+        <source>Only the next cur&amp;ve</source>
         <translation>次の曲線だけ(&amp;V)</translation>
     </message>
     <message>
-        <source>Carve and play the next curve without the others, after the last one all</source>
-        <translation>次の曲線だけを彫り、鳴らします。最後の次はすべてです</translation>
+        <source>Carve and play only the next curve; after the last one, all of them</source>
+        <translation>次の曲線だけを彫り、鳴らします。最後の曲線の次はすべてに戻ります</translation>
     </message>
     <message>
         <source>&amp;Tone of y = 0</source>
         <translation>y = 0 の音(&amp;T)</translation>
     </message>
     <message>
-        <source>Play the tone of y = 0, to compare with</source>
+        <source>Play the tone of y = 0 for comparison</source>
         <translation>比べるための y = 0 の音を鳴らします</translation>
     </message>
 </context>
 <context>
-    <name>nazori::ui::FunctionsWorkplace</name>
+    <name>nazori::ui::FunctionsPage</name>
     <message>
         <source>F&amp;unctions</source>
         <translation>関数(&amp;U)</translation>
@@ -1863,51 +2066,51 @@ Columns and rows:</source>
         <translation>見て、触れて、聴く曲線</translation>
     </message>
     <message>
-        <source>&amp;Expression and window</source>
+        <source>&amp;Expression and range</source>
         <translation>式と範囲(&amp;E)</translation>
     </message>
     <message>
-        <source>Show or fold away the expression</source>
-        <translation>式の欄を表示または折りたたみます</translation>
+        <source>Show or hide the expression</source>
+        <translation>式の欄を表示／非表示にします</translation>
     </message>
     <message>
         <source>&amp;Points of interest</source>
         <translation>注目点(&amp;P)</translation>
     </message>
     <message>
-        <source>Show or fold away the points of interest</source>
-        <translation>注目点を表示または折りたたみます</translation>
+        <source>Show or hide the points of interest</source>
+        <translation>注目点を表示／非表示にします</translation>
     </message>
     <message>
-        <source>The plot as grooves. Left and right go along the curve, up and down to another, Tab to the next point of interest, H plays it, S says what it is; Control L leaves to the expression, Control T to the table</source>
-        <translation>溝として彫られたグラフ。左右キーで曲線に沿って動き、上下キーで別の曲線へ、Tab で次の注目点へ移ります。H で音を鳴らし、S で要約を伝えます。Ctrl+L で式へ、Ctrl+T で表へ移ります</translation>
+        <source>The plot as grooves. Left and Right: move along the curve. Up and Down: go to another curve. Tab: next point of interest. H: play it. S: summary. Ctrl+L: expression. Ctrl+T: table</source>
+        <translation>溝として彫られたグラフ。左右の矢印キーで曲線に沿って動き、上下の矢印キーで別の曲線へ移ります。Tab：次の注目点、H：音を鳴らす、S：要約、Ctrl+L：式、Ctrl+T：表</translation>
     </message>
     <message>
-        <source>This window cannot be shown: %1.</source>
-        <translation>この範囲は表示できません: %1。</translation>
+        <source>This range cannot be shown: %1.</source>
+        <translation>この範囲は表示できません：%1。</translation>
     </message>
     <message>
-        <source>“%1” is no number. The window is as it was.</source>
+        <source>“%1” is not a number. The range was not changed.</source>
         <translation>「%1」は数ではありません。範囲は変わっていません。</translation>
     </message>
     <message>
-        <source>Curves hold the stylus.</source>
-        <translation>曲線がペンを引き寄せます。</translation>
+        <source>Snapping on: curves attract the stylus.</source>
+        <translation>引き寄せを入れました。曲線がペン先を引き寄せます。</translation>
     </message>
     <message>
-        <source>Curves let the stylus go.</source>
-        <translation>曲線はペンを放します。</translation>
+        <source>Snapping off: the stylus moves freely.</source>
+        <translation>引き寄せを切りました。ペン先は自由に動きます。</translation>
     </message>
     <message>
-        <source>The drawing was stopped. What is shown need not be all of it.</source>
-        <translation>描画を止めました。見えているものが全部とは限りません。</translation>
+        <source>The drawing was stopped and may be incomplete.</source>
+        <translation>描画を止めました。まだ途中かもしれません。</translation>
     </message>
     <message>
         <source>The curve is still being drawn.</source>
         <translation>曲線を描いているところです。</translation>
     </message>
     <message>
-        <source>Nothing can be heard on this computer.</source>
+        <source>Sound is not available on this computer.</source>
         <translation>このコンピューターでは音を出せません。</translation>
     </message>
     <message>
@@ -1915,39 +2118,39 @@ Columns and rows:</source>
         <translation>音量 %1</translation>
     </message>
     <message>
-        <source>This cannot be drawn: %1. The plate is as it was.</source>
-        <translation>これは描けません: %1。板は変わっていません。</translation>
+        <source>This cannot be drawn: %1. The plot was not changed.</source>
+        <translation>これは描けません：%1。グラフは元のままです。</translation>
     </message>
     <message>
-        <source>%1 is saved.</source>
+        <source>Saved %1.</source>
         <translation>%1 を保存しました。</translation>
     </message>
     <message>
-        <source>%1 was not saved: %2.</source>
-        <translation>%1 を保存できませんでした: %2。</translation>
+        <source>Could not save %1: %2.</source>
+        <translation>%1 を保存できませんでした：%2。</translation>
     </message>
     <message>
         <source>A surface has no curve to play.</source>
         <translation>曲面には鳴らす曲線がありません。</translation>
     </message>
     <message>
-        <source>The sound is off. M turns it on.</source>
-        <translation>音は切れています。M で入ります。</translation>
+        <source>Sound is off. M: turn it on.</source>
+        <translation>音は消してあります。M で音を出します。</translation>
     </message>
     <message>
-        <source>The sound is off.</source>
-        <translation>音を切りました。</translation>
+        <source>Sound off.</source>
+        <translation>音を消しました。</translation>
     </message>
     <message>
-        <source>The sound is on.</source>
-        <translation>音を入れました。</translation>
+        <source>Sound on.</source>
+        <translation>音を出します。</translation>
     </message>
     <message>
-        <source>%1 was not opened: %2. The plate is as it was.</source>
-        <translation>%1 を開けませんでした: %2。板は変わっていません。</translation>
+        <source>Could not open %1: %2. The plot was not changed.</source>
+        <translation>%1 を開けませんでした：%2。グラフは元のままです。</translation>
     </message>
     <message>
-        <source>%1 is on the desk.</source>
+        <source>Opened %1.</source>
         <translation>%1 を開きました。</translation>
     </message>
     <message>
@@ -1967,11 +2170,11 @@ Columns and rows:</source>
         <translation>グラフ</translation>
     </message>
     <message>
-        <source>“%1” is no range of heights. The range is as it was.</source>
-        <translation>「%1」は高さの範囲ではありません。範囲は前のままです。</translation>
+        <source>“%1” is not a valid height range. The range was not changed.</source>
+        <translation>「%1」は高さの範囲ではありません。範囲は変わっていません。</translation>
     </message>
     <message>
-        <source>y = 0 lies outside the window.</source>
+        <source>y = 0 is outside the range.</source>
         <translation>y = 0 は範囲の外です。</translation>
     </message>
     <message>
@@ -1986,20 +2189,20 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::HardStrokesCard</name>
     <message>
-        <source>Stroke %1 of %2 went wrong in %3 of %4 writings: %5</source>
-        <translation>「%2」の%1画目：%4回のうち%3回まちがい。%5</translation>
+        <source>Stroke %1 of %2 was wrong in %3 of %4 attempts: %5</source>
+        <translation>「%2」の%1画目：%4回中%3回間違い。%5</translation>
     </message>
     <message>
         <source>Hardest strokes</source>
         <translation>苦手な画</translation>
     </message>
     <message>
-        <source>No stroke has gone wrong twice. Those that do will stand here.</source>
-        <translation>二度まちがえた画はありません。あればここに並びます。</translation>
+        <source>No stroke has been wrong more than once. Those that are will appear here.</source>
+        <translation>2回以上間違えた画はまだありません。あればここに並びます。</translation>
     </message>
     <message>
-        <source>Strokes that went wrong more than once: %1. Enter opens the character.</source>
-        <translation>二度以上まちがえた画：%1。Enter で文字を開きます。</translation>
+        <source>Strokes that were wrong more than once: %1. Enter: open the character.</source>
+        <translation>2回以上間違えた画：%1。Enter で文字を開きます。</translation>
     </message>
 </context>
 <context>
@@ -2009,47 +2212,47 @@ Columns and rows:</source>
         <translation>ホーム(&amp;O)</translation>
     </message>
     <message>
-        <source>What is due today, and how to begin</source>
-        <translation>今日の学習と、その始め方</translation>
+        <source>Today&apos;s reviews and new characters</source>
+        <translation>今日の復習と新しい字</translation>
     </message>
     <message>
-        <source>Enter starts. Everything is kept as soon as it is rated.</source>
-        <translation>Enter で始まります。評価したものはすぐに保存されます。</translation>
+        <source>Enter: start. Each review is saved as soon as you rate it.</source>
+        <translation>Enter で始めます。評価するとすぐに保存されます。</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::HomeActions</name>
     <message>
-        <source>&amp;Study what is due</source>
-        <translation>今日の分を学習する(&amp;S)</translation>
+        <source>&amp;Start today&apos;s study</source>
+        <translation>今日の学習を始める(&amp;S)</translation>
     </message>
     <message>
-        <source>Begin with what is due now</source>
-        <translation>今の分から始めます</translation>
+        <source>Start today&apos;s reviews and new characters</source>
+        <translation>今日の復習と新しい字を始めます</translation>
     </message>
     <message>
-        <source>&amp;Another lesson for what is forgotten often</source>
-        <translation>よく忘れる文字の別の練習(&amp;A)</translation>
+        <source>Rele&amp;arn difficult characters</source>
+        <translation>苦手な文字を覚え直す(&amp;A)</translation>
     </message>
     <message>
-        <source>Characters that were set apart, from watching on</source>
-        <translation>取り分けた文字を、見るところからやり直します</translation>
+        <source>Relearn characters you forgot too often, starting with Watch</source>
+        <translation>何度も忘れた文字を、「見る」からやり直します</translation>
     </message>
     <message>
-        <source>&amp;Take back the last review</source>
+        <source>Undo las&amp;t review</source>
         <translation>最後の復習を取り消す(&amp;T)</translation>
     </message>
     <message>
-        <source>Take back what was kept last; again for the one before, also of other days</source>
-        <translation>最後に保存したものを取り消します。繰り返すと、その前のものや別の日のものも取り消せます</translation>
+        <source>Undo the last saved review or change; repeat to go further back, even to earlier days</source>
+        <translation>最後に保存した復習や変更を取り消します。繰り返すと、さらに前や別の日のものも取り消せます</translation>
     </message>
     <message>
         <source>Study se&amp;ttings…</source>
         <translation>学習の設定(&amp;T)…</translation>
     </message>
     <message>
-        <source>Limits, lists, order, desired retention</source>
-        <translation>一日の量、リスト、順番、目標の定着率</translation>
+        <source>Daily goal, lists, order and desired retention</source>
+        <translation>1日の目標、リスト、順番、目標の定着率</translation>
     </message>
     <message>
         <source>St&amp;udy</source>
@@ -2057,7 +2260,7 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::HomePage</name>
+    <name>nazori::ui::HomeView</name>
     <message>
         <source>Today</source>
         <translation>今日</translation>
@@ -2067,8 +2270,8 @@ Columns and rows:</source>
         <translation>もう一度試す</translation>
     </message>
     <message>
-        <source>Another lesson for these</source>
-        <translation>これらの文字の別の練習</translation>
+        <source>Relearn these</source>
+        <translation>これらの文字を覚え直す</translation>
     </message>
     <message>
         <source>Study settings…</source>
@@ -2079,52 +2282,52 @@ Columns and rows:</source>
         <translation>文字を選ぶ</translation>
     </message>
     <message numerus="yes">
-        <source>Done for now. %n characters come once more, the first at %1.</source>
+        <source>Done for now. %n characters come back today, the first at %1.</source>
         <translation>
-            <numerusform>今のところ終わりです。あと %n 字がもう一度出ます。最初は %1 です。</numerusform>
+            <numerusform>ひとまず終わりです。あと%n字が今日もう一度出ます。最初は%1です。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Done for today: your limit is reached. %n reviews wait for tomorrow.</source>
+        <source>Done for today: you have reached your daily limit. %n reviews will wait until tomorrow.</source>
         <translation>
-            <numerusform>今日は終わりです。一日の上限に達しました。%n 件の復習は明日にまわります。</numerusform>
+            <numerusform>今日は終わりです。1日の上限に達しました。%n件の復習は明日にまわします。</numerusform>
         </translation>
     </message>
     <message>
-        <source>There is nothing to learn yet. Choose lists and new characters a day in the study settings.</source>
-        <translation>まだ学ぶものがありません。学習の設定でリストと一日の新しい文字の数を選んでください。</translation>
+        <source>Nothing to learn yet. In the study settings, choose lists and how many new characters you want per day.</source>
+        <translation>まだ学習するものがありません。学習の設定で、リストと1日の新しい字の数を選んでください。</translation>
     </message>
     <message numerus="yes">
-        <source>Done for today. Tomorrow %n reviews are due.</source>
+        <source>Done for today. %n reviews are due tomorrow.</source>
         <translation>
-            <numerusform>今日は終わりです。明日は %n 件の復習があります。</numerusform>
+            <numerusform>今日は終わりです。明日は%n件の復習があります。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n reviews have piled up. No hurry: today %1, what is best known first, so that most is kept.</source>
+        <source>%n reviews are waiting. No hurry: do %1 today, starting with the characters you know best.</source>
         <translation>
-            <numerusform>復習が %n 件たまっています。急ぐことはありません。今日は %1 件、よく覚えているものからです。そのほうが多く残ります。</numerusform>
+            <numerusform>復習が%n件たまっています。急がなくて大丈夫です。今日は%1件、よく覚えている文字から復習します。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Catching up takes %n days; the last is %1. Until then nothing new is added.</source>
+        <source>You will catch up in %n days, on %1. No new characters until then.</source>
         <translation>
-            <numerusform>%n 日かかり、%1に追いつきます。それまで新しい文字は加わりません。</numerusform>
+            <numerusform>%n日で追いつきます（%1まで）。それまで新しい字は出ません。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n more reviews wait for another day: that is your limit.</source>
+        <source>%n more reviews will wait for another day because of your daily limit.</source>
         <translation>
-            <numerusform>あと %n 件の復習は別の日にまわります。一日の上限です。</numerusform>
+            <numerusform>あと%n件の復習は、1日の上限のため別の日にまわします。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Each new character is first watched, then traced, then written with help that fades, then from memory. It comes back just before it would be forgotten.</source>
-        <translation>新しい文字は、まず見て、次になぞり、だんだん減る助けとともに書き、それから覚えて書きます。忘れそうになる少し前にまた出てきます。</translation>
+        <source>You first watch each new character, then trace it, then write it with less and less help, and finally from memory. It comes back just before you would forget it.</source>
+        <translation>新しい字は、まず見て、次になぞり、ガイドを減らしながら書き、最後は見ないで書きます。忘れそうになる少し前にまた出てきます。</translation>
     </message>
     <message>
         <source>New today: %1</source>
-        <translation>今日の新しい文字：%1</translation>
+        <translation>今日の新しい字：%1</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -2132,71 +2335,71 @@ Columns and rows:</source>
     </message>
     <message>
         <source>due now</source>
-        <translation>件の復習</translation>
+        <translation>今日の復習</translation>
     </message>
     <message>
-        <source>new, after %1 today</source>
-        <translation>字が新しい文字（今日すでに %1 字）</translation>
+        <source>new (%1 already done today)</source>
+        <translation>新しい字（今日は%1字済み）</translation>
     </message>
     <message>
         <source>new today</source>
-        <translation>字が新しい文字</translation>
+        <translation>新しい字</translation>
     </message>
     <message numerus="yes">
-        <source>minutes, about</source>
+        <source>minutes (estimate)</source>
         <translation>
-            <numerusform>分ほど</numerusform>
+            <numerusform>分（目安）</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>days in a row</source>
         <translation>
-            <numerusform>日続けて</numerusform>
+            <numerusform>日連続</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>days in a row; this week&apos;s day off is used</source>
+        <source>days in a row (day off used this week)</source>
         <translation>
-            <numerusform>日続けて（今週の休みは使いました）</numerusform>
+            <numerusform>日連続（今週の休みは使用済み）</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>days in a row; one day off a week is forgiven</source>
+        <source>days in a row (one day off per week is fine)</source>
         <translation>
-            <numerusform>日続けて（週に一日は休んでも続きます）</numerusform>
+            <numerusform>日連続（週に1日休んでも途切れません）</numerusform>
         </translation>
     </message>
     <message>
-        <source>Go on with the session</source>
+        <source>Continue the session</source>
         <translation>学習を続ける</translation>
     </message>
     <message>
-        <source>Enter or the space bar starts</source>
-        <translation>Enter またはスペースキーで始まります</translation>
+        <source>Enter or Space: start</source>
+        <translation>Enter またはスペースキーで始めます</translation>
     </message>
     <message numerus="yes">
-        <source>%n characters are forgotten often and set apart: %1</source>
+        <source>%n characters were forgotten too often and taken out of reviews: %1</source>
         <translation>
-            <numerusform>よく忘れるため取り分けた文字が %n 字あります：%1</numerusform>
+            <numerusform>何度も忘れたため、%n字を復習から外しました：%1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Done: %n written from memory.</source>
+        <source>Written from memory: %n</source>
         <translation>
-            <numerusform>覚えて書いたもの：%n 件</numerusform>
+            <numerusform>見ないで書いた回数：%n回</numerusform>
         </translation>
     </message>
     <message>
-        <source>Met first: %1</source>
-        <translation>初めての文字：%1</translation>
+        <source>New: %1</source>
+        <translation>新しい字：%1</translation>
     </message>
     <message>
-        <source>Had another lesson: %1</source>
-        <translation>別の練習をした文字：%1</translation>
+        <source>Relearned: %1</source>
+        <translation>覚え直した文字：%1</translation>
     </message>
     <message>
-        <source>To see again soon: %1</source>
-        <translation>まもなくもう一度：%1</translation>
+        <source>Coming back soon: %1</source>
+        <translation>まもなくまた出る文字：%1</translation>
     </message>
     <message>
         <source>Time: %1</source>
@@ -2205,12 +2408,12 @@ Columns and rows:</source>
     <message numerus="yes">
         <source>Start: %n characters, %1</source>
         <translation>
-            <numerusform>始める：%n 字、%1</numerusform>
+            <numerusform>始める（%n字、%1）</numerusform>
         </translation>
     </message>
     <message>
-        <source>Done for today. Tomorrow new characters come, and no reviews.</source>
-        <translation>今日は終わりです。明日は新しい文字だけで、復習はありません。</translation>
+        <source>Done for today. Tomorrow: new characters, no reviews.</source>
+        <translation>今日は終わりです。明日は新しい字だけで、復習はありません。</translation>
     </message>
     <message>
         <source>Done for today. Nothing is due tomorrow.</source>
@@ -2221,14 +2424,14 @@ Columns and rows:</source>
     <name>nazori::ui::InformationPanel</name>
     <message>
         <source>About the character</source>
-        <translation>字の情報</translation>
+        <translation>文字の情報</translation>
     </message>
     <message>
-        <source>On reading</source>
+        <source>On&apos;yomi</source>
         <translation>音読み</translation>
     </message>
     <message>
-        <source>Kun reading</source>
+        <source>Kun&apos;yomi</source>
         <translation>訓読み</translation>
     </message>
     <message>
@@ -2237,11 +2440,11 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Parts</source>
-        <translation>構成要素</translation>
+        <translation>パーツ</translation>
     </message>
     <message>
         <source>Words</source>
-        <translation>熟語・ことば</translation>
+        <translation>言葉</translation>
     </message>
     <message>
         <source>Your own tablet</source>
@@ -2254,7 +2457,7 @@ Columns and rows:</source>
     <message numerus="yes">
         <source>%n strokes</source>
         <translation>
-            <numerusform>%n 画</numerusform>
+            <numerusform>%n画</numerusform>
         </translation>
     </message>
     <message>
@@ -2270,12 +2473,12 @@ Columns and rows:</source>
         <translation>英字・数字</translation>
     </message>
     <message>
-        <source>No meaning is recorded</source>
+        <source>No meaning given</source>
         <translation>意味の記載はありません</translation>
     </message>
     <message>
         <source>%1 here, %2 in the dictionary</source>
-        <translation>ここでは%1、辞書では %2 画</translation>
+        <translation>ここでは%1、辞書では%2画</translation>
     </message>
     <message>
         <source>grade %1</source>
@@ -2286,28 +2489,28 @@ Columns and rows:</source>
         <translation>中学以上</translation>
     </message>
     <message>
-        <source>for names</source>
+        <source>used in names</source>
         <translation>人名用</translation>
     </message>
     <message>
-        <source>old JLPT %1</source>
-        <translation>旧日本語能力試験 %1 級</translation>
+        <source>old JLPT level %1</source>
+        <translation>旧日本語能力試験%1級</translation>
     </message>
     <message>
-        <source>The kanji stands for %1; %2 follows it in kana</source>
-        <translation>漢字が「%1」に当たり、「%2」を送ります</translation>
+        <source>The kanji is read %1; %2 follows in kana (okurigana)</source>
+        <translation>漢字の読みが「%1」、送り仮名が「%2」です</translation>
     </message>
     <message>
         <source>, a form of %1</source>
         <translation>（%1の形）</translation>
     </message>
     <message>
-        <source>%1. Go there</source>
-        <translation>%1&#x3000;この字へ</translation>
+        <source>%1. Open this character</source>
+        <translation>%1&#x3000;この文字を開く</translation>
     </message>
     <message>
-        <source>no. %1 in newspapers</source>
-        <translation>新聞での頻度 %1 位</translation>
+        <source>newspaper frequency: no. %1</source>
+        <translation>新聞での頻度%1位</translation>
     </message>
 </context>
 <context>
@@ -2320,15 +2523,15 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::KeyListDialog</name>
     <message>
-        <source>Keys and mouse</source>
-        <translation>キーとマウス</translation>
+        <source>Keyboard and mouse</source>
+        <translation>キーボードとマウス</translation>
     </message>
     <message>
         <source>On the tablet</source>
         <translation>文字板の上で</translation>
     </message>
     <message>
-        <source>Stylus down</source>
+        <source>Press the stylus down</source>
         <translation>ペン先を下ろす</translation>
     </message>
     <message>
@@ -2336,11 +2539,11 @@ Columns and rows:</source>
         <translation>左ボタン、ペン先</translation>
     </message>
     <message>
-        <source>Deeper, less deep</source>
+        <source>Press deeper or more lightly</source>
         <translation>深く／浅く</translation>
     </message>
     <message>
-        <source>wheel while pressed, pen pressure</source>
+        <source>wheel while pressing, or pen pressure</source>
         <translation>押したままホイール、筆圧</translation>
     </message>
     <message>
@@ -2348,27 +2551,27 @@ Columns and rows:</source>
         <translation>回す・傾ける</translation>
     </message>
     <message>
-        <source>right button, pen&apos;s side button</source>
-        <translation>右ボタン、ペンのボタン</translation>
+        <source>right button, or side button of the pen</source>
+        <translation>右ボタン、ペンのサイドボタン</translation>
     </message>
     <message>
         <source>Move</source>
         <translation>動かす</translation>
     </message>
     <message>
-        <source>middle button, or right with Shift</source>
+        <source>middle button, or Shift + right button</source>
         <translation>中ボタン、または Shift＋右ボタン</translation>
     </message>
     <message>
-        <source>Nearer, farther</source>
-        <translation>近づく／遠ざかる</translation>
+        <source>Zoom</source>
+        <translation>拡大／縮小</translation>
     </message>
     <message>
         <source>wheel</source>
         <translation>ホイール</translation>
     </message>
     <message>
-        <source>Straight view</source>
+        <source>Reset view</source>
         <translation>正面に戻す</translation>
     </message>
     <message>
@@ -2376,71 +2579,71 @@ Columns and rows:</source>
         <translation>Home</translation>
     </message>
     <message>
-        <source>Take back a stroke (Memory)</source>
-        <translation>一画取り消す（覚えて書く）</translation>
+        <source>Undo a stroke (Memory)</source>
+        <translation>一画取り消す（見ないで書く）</translation>
     </message>
     <message>
-        <source>pen&apos;s other end</source>
-        <translation>ペンの反対側</translation>
+        <source>eraser end of the pen</source>
+        <translation>ペンの消しゴム側</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::LearnerActions</name>
     <message>
-        <source>&amp;Who studies…</source>
-        <translation>学習者(&amp;W)…</translation>
+        <source>S&amp;witch learner…</source>
+        <translation>学習者の切り替え(&amp;W)…</translation>
     </message>
     <message>
         <source>Choose, add, rename or remove a learner</source>
-        <translation>学習者を選ぶ、加える、名前を変える、外す</translation>
+        <translation>学習者を選ぶ、追加する、名前を変更する、一覧から外す</translation>
     </message>
     <message>
         <source>&amp;Back up now</source>
         <translation>今すぐバックアップ(&amp;B)</translation>
     </message>
     <message>
-        <source>Keep a copy of everything besides the daily ones</source>
-        <translation>毎日のもののほかに、すべての控えを残す</translation>
+        <source>Make a backup now, in addition to the daily ones</source>
+        <translation>毎日のバックアップとは別に、今すぐ作ります</translation>
     </message>
     <message>
         <source>&amp;Restore from a backup…</source>
-        <translation>バックアップから戻す(&amp;R)…</translation>
+        <translation>バックアップから復元(&amp;R)…</translation>
     </message>
     <message>
-        <source>See the backups and put one in place</source>
-        <translation>バックアップを見て、一つに戻す</translation>
+        <source>See your backups and restore one</source>
+        <translation>バックアップの一覧から選んで復元します</translation>
     </message>
     <message>
         <source>&amp;Export everything…</source>
         <translation>すべて書き出す(&amp;E)…</translation>
     </message>
     <message>
-        <source>Write the whole log with its ink, lists and tags to a file (JSON)</source>
-        <translation>記録、筆跡、リスト、タグをすべてファイルに書く (JSON)</translation>
+        <source>Save the complete study history with handwriting, lists and tags to a file (JSON)</source>
+        <translation>学習履歴、筆跡、リスト、タグをすべてファイルに保存します（JSON）</translation>
     </message>
     <message>
         <source>Export a &amp;table of reviews…</source>
         <translation>復習の表を書き出す(&amp;T)…</translation>
     </message>
     <message>
-        <source>Write every writing to a table (CSV)</source>
-        <translation>書いたものをすべて表にする (CSV)</translation>
+        <source>Save every entry as a row of a table (CSV)</source>
+        <translation>書いた記録をすべて表に保存します（CSV）</translation>
     </message>
     <message>
         <source>Export for &amp;Anki…</source>
         <translation>Anki 用に書き出す(&amp;A)…</translation>
     </message>
     <message>
-        <source>Write cards with stroke order, readings, meanings and words (.apkg)</source>
-        <translation>筆順、読み、意味、語のカードを書き出す (.apkg)</translation>
+        <source>Save cards with stroke order, readings, meanings and words (.apkg)</source>
+        <translation>書き順、読み、意味、言葉のカードを書き出します（.apkg）</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
         <translation>読み込む(&amp;I)…</translation>
     </message>
     <message>
-        <source>Read what was exported (JSON), also elsewhere</source>
-        <translation>書き出したもの（ほかのパソコンのものも）を読み込む (JSON)</translation>
+        <source>Load exported data (JSON), also from another computer</source>
+        <translation>書き出したデータ（JSON）を読み込みます。ほかのパソコンのものも使えます</translation>
     </message>
     <message>
         <source>&amp;Learner</source>
@@ -2450,8 +2653,8 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::LearnerMenu</name>
     <message>
-        <source>Everything of a learner (*.json)</source>
-        <translation>学習者のすべて (*.json)</translation>
+        <source>All study data (*.json)</source>
+        <translation>学習データ (*.json)</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -2462,7 +2665,7 @@ Columns and rows:</source>
         <translation>Anki パッケージ (*.apkg)</translation>
     </message>
     <message>
-        <source>Nothing is studied yet: there is nothing to export.</source>
+        <source>Nothing studied yet, so there is nothing to export.</source>
         <translation>まだ何も学習していないので、書き出すものがありません。</translation>
     </message>
     <message>
@@ -2474,8 +2677,8 @@ Columns and rows:</source>
         <translation>読み込む</translation>
     </message>
     <message>
-        <source>Everything of a learner (*.json);;All files (*)</source>
-        <translation>学習者のすべて (*.json);;すべてのファイル (*)</translation>
+        <source>All study data (*.json);;All files (*)</source>
+        <translation>学習データ (*.json);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
@@ -2485,47 +2688,47 @@ Columns and rows:</source>
         <translation>学習データを読めません：%1。</translation>
     </message>
     <message>
-        <source>“%1” cannot be the name of a learner: up to 60 bytes, no “/”, and no dot at its beginning.</source>
-        <translation>「%1」は学習者の名前にできません。60 バイトまでで、「/」を含まず、点で始まらないものにしてください。</translation>
+        <source>“%1” cannot be a learner name: use at most 60 letters (20 in Japanese), no “/”, and no dot at the start.</source>
+        <translation>「%1」は学習者の名前に使えません。半角60文字（全角20文字）までで、「/」を含まず、点で始まらない名前にしてください。</translation>
     </message>
     <message>
-        <source>No folder for learners is known: set NAZORI_LEARNERS. Nothing is kept.</source>
-        <translation>学習者のフォルダーが分かりません。NAZORI_LEARNERS を設定してください。何も保存されません。</translation>
+        <source>There is no folder for study data: set NAZORI_LEARNERS. Nothing will be saved.</source>
+        <translation>学習データの保存先がありません。NAZORI_LEARNERS を設定してください。何も保存されません。</translation>
     </message>
     <message>
-        <source>Today&apos;s backup could not be made: %1. Studying works.</source>
-        <translation>今日のバックアップを作れませんでした：%1。学習はできます。</translation>
+        <source>Today&apos;s backup failed: %1. You can still study.</source>
+        <translation>今日のバックアップを作れませんでした：%1。学習は続けられます。</translation>
     </message>
     <message>
-        <source>The store of %1 was written by a newer Nazori or another program: %2. Nothing was changed, and nothing is kept.</source>
-        <translation>%1 の記録は新しい版の Nazori か別のプログラムのものです：%2。何も変えていません。何も保存されません。</translation>
+        <source>The study data of %1 was written by a newer Nazori or by another program: %2. Nothing was changed, and nothing will be saved.</source>
+        <translation>%1 の学習データは、新しい版の Nazori か別のプログラムのものです：%2。何も変更していません。何も保存されません。</translation>
     </message>
     <message>
-        <source>The store of %1 is damaged: %2. Nothing was changed. A backup can be put in its place.</source>
-        <translation>%1 の記録が壊れています：%2。何も変えていません。バックアップから戻せます。</translation>
+        <source>The study data of %1 is damaged: %2. Nothing was changed. You can restore a backup.</source>
+        <translation>%1 の学習データが壊れています：%2。何も変更していません。バックアップから復元できます。</translation>
     </message>
     <message>
-        <source>The store of %1 cannot be written: %2. Nothing is kept.</source>
-        <translation>%1 の記録に書き込めません：%2。何も保存されません。</translation>
+        <source>The study data of %1 cannot be saved: %2. Nothing will be saved.</source>
+        <translation>%1 の学習データに書き込めません：%2。何も保存されません。</translation>
     </message>
     <message>
-        <source>It could not be kept: %1.</source>
+        <source>Could not save: %1.</source>
         <translation>保存できませんでした：%1。</translation>
     </message>
     <message>
-        <source>“%1” is open here now: everything is kept.</source>
+        <source>“%1” is now open here. Everything is saved again.</source>
         <translation>「%1」をここで開きました。すべて保存されます。</translation>
     </message>
     <message>
-        <source>“%1” is open in another window of Nazori. Close it there; until then nothing is kept here.</source>
-        <translation>「%1」は別の Nazori の窓で開いています。そちらを閉じてください。それまでここでは何も保存されません。</translation>
+        <source>“%1” is open in another Nazori window. Close it there; until then nothing is saved here.</source>
+        <translation>「%1」は別の Nazori のウィンドウで開いています。そちらを閉じてください。それまで、ここでは何も保存されません。</translation>
     </message>
     <message>
-        <source>the disk is full. Make room; what was kept before is safe</source>
-        <translation>ディスクがいっぱいです。空きを作ってください。前に保存したものは無事です</translation>
+        <source>the disk is full. Free up some space; everything saved before is safe</source>
+        <translation>ディスクがいっぱいです。空き容量を増やしてください。これまでに保存したものは無事です</translation>
     </message>
     <message>
-        <source>%1 may not be written. Check the permissions of the folder</source>
+        <source>there is no permission to write to %1. Check the permissions of the folder</source>
         <translation>%1 に書き込めません。フォルダーの権限を確かめてください</translation>
     </message>
     <message>
@@ -2533,14 +2736,14 @@ Columns and rows:</source>
         <translation>%1 のすべての漢字を計算し直しています。終わるまで、書いたものは保存されません。</translation>
     </message>
     <message>
-        <source>Something is being put in the place of what %1 has done. Nothing is kept until it is there.</source>
-        <translation>%1 の記録を置き換えています。終わるまで、書いたものは保存されません。</translation>
+        <source>The study data of %1 is being replaced. Nothing is saved until this is done.</source>
+        <translation>%1 の学習データを置き換えています。終わるまで何も保存されません。</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::LearnersDialog</name>
     <message>
-        <source>Who studies</source>
+        <source>Learners</source>
         <translation>学習者</translation>
     </message>
     <message>
@@ -2548,79 +2751,75 @@ Columns and rows:</source>
         <translation>学習者(&amp;L)</translation>
     </message>
     <message>
-        <source>Learners</source>
-        <translation>学習者</translation>
+        <source>&amp;Name (to add or rename)</source>
+        <translation>名前（追加・変更用）(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Name, to add or rename</source>
-        <translation>名前（加える・変える）(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Name, to add or rename</source>
-        <translation>名前（加える・変える）</translation>
+        <source>Name (to add or rename)</source>
+        <translation>名前（追加・変更用）</translation>
     </message>
     <message>
         <source>&amp;Study as this learner</source>
-        <translation>この学習者で学ぶ(&amp;S)</translation>
+        <translation>この学習者で学習(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation>加える(&amp;A)</translation>
+        <translation>追加(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Rename</source>
-        <translation>名前を変える(&amp;R)</translation>
+        <translation>名前を変更(&amp;R)</translation>
     </message>
     <message>
         <source>Re&amp;move…</source>
-        <translation>外す(&amp;M)…</translation>
+        <translation>一覧から外す(&amp;M)…</translation>
     </message>
     <message>
-        <source>Everyone has their own log, settings and backups.</source>
-        <translation>記録、設定、バックアップは学習者ごとにあります。</translation>
+        <source>Each learner has their own study history, settings and backups.</source>
+        <translation>学習履歴、設定、バックアップは学習者ごとに分かれています。</translation>
     </message>
     <message>
-        <source>✓ %1 (studies now)</source>
-        <translation>✓ %1（学習中）</translation>
+        <source>✓ %1 (current)</source>
+        <translation>✓ %1（現在）</translation>
     </message>
     <message>
-        <source>Type a name first: up to 60 bytes, no “/”, and no dot at its beginning.</source>
-        <translation>まず名前を入力してください。60 バイトまで、「/」なし、先頭の点なし。</translation>
+        <source>Type a name first: at most 60 letters (20 in Japanese), no “/”, and no dot at the start.</source>
+        <translation>まず名前を入力してください。半角60文字（全角20文字）までで、「/」を含まず、点で始まらない名前にしてください。</translation>
     </message>
     <message>
-        <source>%1 is there already. Type another name.</source>
-        <translation>%1 はもうあります。ほかの名前にしてください。</translation>
+        <source>%1 already exists. Type another name.</source>
+        <translation>%1 はすでにあります。ほかの名前にしてください。</translation>
     </message>
     <message>
-        <source>%1 studies now.</source>
-        <translation>いまの学習者は %1 です。</translation>
+        <source>Now studying as %1.</source>
+        <translation>現在の学習者は %1 です。</translation>
     </message>
     <message>
-        <source>%1 keeps its name: %2.</source>
-        <translation>%1 の名前は変わりません：%2。</translation>
+        <source>%1 could not be renamed: %2.</source>
+        <translation>%1 の名前を変更できませんでした：%2。</translation>
     </message>
     <message>
-        <source>%1 is called %2 now.</source>
-        <translation>%1 の名前は %2 になりました。</translation>
+        <source>Renamed %1 to %2.</source>
+        <translation>%1 の名前を %2 に変更しました。</translation>
     </message>
     <message>
         <source>Remove a learner</source>
-        <translation>学習者を外す</translation>
+        <translation>学習者を一覧から外す</translation>
     </message>
     <message>
-        <source>Remove %1 with all reviews, ink and backups from the list of learners?</source>
-        <translation>%1 を、復習、筆跡、バックアップとともに学習者の一覧から外しますか。</translation>
+        <source>Remove %1, with all reviews, handwriting and backups, from the list of learners?</source>
+        <translation>%1 を、復習、筆跡、バックアップごと学習者の一覧から外しますか。</translation>
     </message>
     <message>
-        <source>Nothing is deleted: the folder is moved to “.removed” beside the other learners, and moved back it is there again.</source>
-        <translation>何も消えません。フォルダーはほかの学習者の隣の「.removed」に移り、戻せばまた使えます。</translation>
+        <source>Nothing is deleted. The folder is moved to “.removed”, next to the other learners. Move it back to use it again.</source>
+        <translation>何も削除されません。フォルダーは、ほかの学習者の隣の「.removed」に移ります。戻せばまた使えます。</translation>
     </message>
     <message>
         <source>Re&amp;move</source>
-        <translation>外す(&amp;M)</translation>
+        <translation>一覧から外す(&amp;M)</translation>
     </message>
     <message>
-        <source>%1 is removed. The folder lies in %2.</source>
+        <source>Removed %1. The folder is now in %2.</source>
         <translation>%1 を外しました。フォルダーは %2 にあります。</translation>
     </message>
     <message>
@@ -2643,8 +2842,8 @@ Columns and rows:</source>
         <translation>文字を探す</translation>
     </message>
     <message>
-        <source>Find a character by itself, by a reading in kana or romaji, or by an English meaning (Ctrl+F)</source>
-        <translation>字そのもの、かな・ローマ字の読み、英語の意味で探せます (Ctrl+F)</translation>
+        <source>Search by character, by reading (kana or romaji) or by English meaning (Ctrl+F)</source>
+        <translation>文字、読み（かな・ローマ字）、英語の意味で探せます（Ctrl+F）</translation>
     </message>
     <message>
         <source>Grade 1</source>
@@ -2675,8 +2874,8 @@ Columns and rows:</source>
         <translation>中学以上（常用）</translation>
     </message>
     <message>
-        <source>For names</source>
-        <translation>人名用</translation>
+        <source>Kanji for names</source>
+        <translation>人名用漢字</translation>
     </message>
     <message>
         <source>Hiragana</source>
@@ -2692,34 +2891,34 @@ Columns and rows:</source>
     </message>
     <message>
         <source>All characters</source>
-        <translation>すべての字</translation>
+        <translation>すべての文字</translation>
     </message>
     <message>
         <source>List of characters</source>
         <translation>文字の一覧</translation>
     </message>
     <message>
-        <source>Characters of the list</source>
-        <translation>一覧の字</translation>
+        <source>Characters in the list</source>
+        <translation>一覧の文字</translation>
     </message>
     <message numerus="yes">
         <source>%n found</source>
         <translation>
-            <numerusform>%n 件</numerusform>
+            <numerusform>%n件</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n characters</source>
         <translation>
-            <numerusform>%n 字</numerusform>
+            <numerusform>%n字</numerusform>
         </translation>
     </message>
     <message>
-        <source>Nothing found for “%1”. Try a character (休), a reading (やすむ, yasumu) or the beginning of an English meaning (rest).</source>
-        <translation>「%1」は見つかりませんでした。字（休）、読み（やすむ、yasumu）、英語の意味の初め（rest）を試してください。</translation>
+        <source>Nothing found for “%1”. Try a character (休), a reading (やすむ, yasumu) or an English meaning (rest).</source>
+        <translation>「%1」は見つかりませんでした。文字（休）、読み（やすむ、yasumu）、英語の意味（rest）で探してみてください。</translation>
     </message>
     <message>
-        <source>Search</source>
+        <source>Search results</source>
         <translation>検索結果</translation>
     </message>
 </context>
@@ -2730,11 +2929,11 @@ Columns and rows:</source>
         <translation>自分のリストとタグを読めません：%1</translation>
     </message>
     <message>
-        <source>Met so far</source>
-        <translation>これまでに学んだ文字</translation>
+        <source>Studied so far</source>
+        <translation>これまでに学習した文字</translation>
     </message>
     <message>
-        <source>School grade %1</source>
+        <source>Grade %1</source>
         <translation>小学%1年</translation>
     </message>
     <message>
@@ -2742,8 +2941,8 @@ Columns and rows:</source>
         <translation>中学以上（常用）</translation>
     </message>
     <message>
-        <source>For names</source>
-        <translation>人名用</translation>
+        <source>Kanji for names</source>
+        <translation>人名用漢字</translation>
     </message>
     <message>
         <source>Hiragana</source>
@@ -2755,10 +2954,10 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Old JLPT level %1 (before 2010)</source>
-        <translation>旧日本語能力試験 %1 級（2010年より前）</translation>
+        <translation>旧日本語能力試験%1級（2009年まで）</translation>
     </message>
     <message>
-        <source>Own list: %1</source>
+        <source>My list: %1</source>
         <translation>自分のリスト：%1</translation>
     </message>
     <message>
@@ -2773,67 +2972,67 @@ Columns and rows:</source>
         <translation>記録を終えました。%1 を書き出しています。</translation>
     </message>
     <message>
-        <source>The tablet cannot be drawn here: OpenGL 3.3 is missing. The package libgl1-mesa-dri draws it on any computer. Lists and information work.</source>
-        <translation>OpenGL 3.3 がないため、ここでは文字板を描けません。libgl1-mesa-dri パッケージがあればどの計算機でも描けます。一覧と字の情報は使えます。</translation>
+        <source>The tablet cannot be shown: OpenGL 3.3 is missing. Install the package libgl1-mesa-dri, which works on any computer. Lists and character information still work.</source>
+        <translation>OpenGL 3.3 がないため、文字板を表示できません。libgl1-mesa-dri パッケージを入れると、どのコンピューターでも表示できます。一覧と文字の情報は使えます。</translation>
     </message>
     <message>
         <source>Carved tablet</source>
         <translation>彫られた文字板</translation>
     </message>
     <message>
-        <source>The settings could not be saved in %1. They hold until Nazori is closed.</source>
+        <source>Settings could not be saved in %1. They apply until you close Nazori.</source>
         <translation>設定を %1 に保存できませんでした。Nazori を閉じるまでは有効です。</translation>
     </message>
     <message>
-        <source>The kanji database: %1.</source>
+        <source>Kanji database: %1.</source>
         <translation>漢字データベース：%1。</translation>
     </message>
     <message>
-        <source>The tablet cannot be drawn: %1.</source>
-        <translation>文字板を描けません：%1。</translation>
+        <source>The tablet cannot be shown: %1.</source>
+        <translation>文字板を表示できません：%1。</translation>
     </message>
     <message>
         <source>The stylus does not work: %1.</source>
-        <translation>ペン先が動きません：%1。</translation>
+        <translation>ペンが使えません：%1。</translation>
     </message>
     <message>
         <source>%1 – Nazori</source>
         <translation>%1 – Nazori</translation>
     </message>
     <message>
-        <source>Another device: the recording goes on in %1.</source>
-        <translation>装置が替わったので、記録は %1 に続きます。</translation>
+        <source>Device changed: the recording continues in %1.</source>
+        <translation>デバイスが替わったので、記録は %1 に続きます。</translation>
     </message>
     <message>
-        <source>The recording %1 has ended: %2.</source>
-        <translation>記録 %1 は終わりました：%2。</translation>
+        <source>The recording %1 stopped: %2.</source>
+        <translation>記録 %1 が止まりました：%2。</translation>
     </message>
     <message>
-        <source>A recording had broken off. It is complete now: %1.</source>
-        <translation>途切れていた記録を最後まで復元しました：%1。</translation>
+        <source>An interrupted recording was recovered: %1.</source>
+        <translation>中断された記録を復元しました：%1。</translation>
     </message>
     <message>
-        <source>A recording had broken off with the computer. It may lack its last second: %1.</source>
-        <translation>計算機とともに途切れた記録があります。最後の一秒が欠けているかもしれません：%1。</translation>
+        <source>A recording was cut off when the computer stopped. Its last second may be missing: %1.</source>
+        <translation>コンピューターの停止で途切れた記録があります。最後の1秒が欠けているかもしれません：%1。</translation>
     </message>
     <message>
-        <source>Loudness %1 %.</source>
-        <translation>音の大きさ %1 %。</translation>
+        <source>Volume %1%.</source>
+        <translation>音量 %1%。</translation>
     </message>
     <message>
         <source>Recorded: %1.</source>
         <translation>記録しました：%1。</translation>
     </message>
     <message>
-        <source>The recording is not whole: %1.</source>
+        <source>The recording is incomplete: %1.</source>
         <translation>記録は完全ではありません：%1。</translation>
     </message>
     <message>
-        <source>Record the session</source>
-        <translation>記録する</translation>
+        <source>Record pen motion</source>
+        <translation>ペンの動きを記録</translation>
     </message>
     <message>
-        <source>Recording, to be replayed (*.nzr)</source>
+        <source>Recording for replay (*.nzr)</source>
         <translation>再生できる記録 (*.nzr)</translation>
     </message>
     <message>
@@ -2845,8 +3044,8 @@ Columns and rows:</source>
         <translation>%1：%2。記録していません。</translation>
     </message>
     <message>
-        <source>Recording to %1 until %2 is pressed again.</source>
-        <translation>もう一度 %2 を押すまで %1 に記録します。</translation>
+        <source>Recording to %1. Press %2 to stop.</source>
+        <translation>%1 に記録しています。%2 で停止します。</translation>
     </message>
     <message>
         <source>Your writing of %1 is not rated yet.</source>
@@ -2878,13 +3077,13 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::MemoryPage</name>
+    <name>nazori::ui::MemoryView</name>
     <message>
-        <source>Your writing is judged %1.</source>
-        <translation>%1採点します。</translation>
+        <source>Strictness: %1.</source>
+        <translation>判定の厳しさ：%1。</translation>
     </message>
     <message>
-        <source>Your writing beside the model. Space replays both.</source>
+        <source>Your writing beside the model. Space: replay both.</source>
         <translation>書いた字と手本を並べました。スペースキーで両方を再生します。</translation>
     </message>
 </context>
@@ -2900,9 +3099,9 @@ Columns and rows:</source>
     </message>
     <message>
         <source>休日月火水木金土
-# what follows such a sign is a note</source>
+# text after # is a comment</source>
         <translation>休日月火水木金土
-# この印の後はメモです</translation>
+# から行末まではメモです</translation>
     </message>
     <message>
         <source>From a file…</source>
@@ -2917,16 +3116,16 @@ Columns and rows:</source>
         <translation>文字(&amp;C)</translation>
     </message>
     <message>
-        <source>Read a list</source>
-        <translation>リストを読む</translation>
+        <source>Open a list</source>
+        <translation>リストを開く</translation>
     </message>
     <message>
-        <source>Texts (*.txt *.csv *.tsv);;All files (*)</source>
-        <translation>テキスト (*.txt *.csv *.tsv);;すべてのファイル (*)</translation>
+        <source>Text files (*.txt *.csv *.tsv);;All files (*)</source>
+        <translation>テキストファイル (*.txt *.csv *.tsv);;すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>Give the list a name of at most 100 bytes.</source>
-        <translation>リストに 100 バイトまでの名前を付けてください。</translation>
+        <source>Give the list a name of at most 100 letters (33 in Japanese).</source>
+        <translation>リストに半角100文字（全角33文字）までの名前を付けてください。</translation>
     </message>
 </context>
 <context>
@@ -2940,6 +3139,13 @@ Columns and rows:</source>
         <source>%1: %2</source>
         <comment>a row of a table, its numbers</comment>
         <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::PageRail</name>
+    <message>
+        <source>Pages</source>
+        <translation>ページ</translation>
     </message>
 </context>
 <context>
@@ -2957,15 +3163,15 @@ Columns and rows:</source>
         <translation>格子(&amp;G)</translation>
     </message>
     <message>
-        <source>Ri&amp;m</source>
-        <translation>縁(&amp;M)</translation>
+        <source>Fra&amp;me</source>
+        <translation>枠(&amp;M)</translation>
     </message>
     <message>
-        <source>No soun&amp;d</source>
-        <translation>音なし(&amp;D)</translation>
+        <source>Soun&amp;d off</source>
+        <translation>消音(&amp;D)</translation>
     </message>
     <message>
-        <source>Expression and window</source>
+        <source>Expression and range</source>
         <translation>式と範囲</translation>
     </message>
     <message>
@@ -2973,8 +3179,8 @@ Columns and rows:</source>
         <translation>式</translation>
     </message>
     <message>
-        <source>Several are separated by semicolons. Up and down: what was entered before</source>
-        <translation>複数の式はセミコロンで区切ります。上下キーで以前の式を呼び出します</translation>
+        <source>Separate several expressions with semicolons. Up and Down: earlier expressions</source>
+        <translation>複数の式はセミコロンで区切ります。上下の矢印キーで以前の式を呼び出します</translation>
     </message>
     <message>
         <source>The expression in words</source>
@@ -2997,10 +3203,6 @@ Columns and rows:</source>
         <translation>式(&amp;X)</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>範囲</translation>
-    </message>
-    <message>
         <source>x from</source>
         <translation>x の下限</translation>
     </message>
@@ -3017,24 +3219,24 @@ Columns and rows:</source>
         <translation>y の上限</translation>
     </message>
     <message>
-        <source>On the plate</source>
-        <translation>板の上</translation>
+        <source>Show on the plot</source>
+        <translation>グラフに表示</translation>
     </message>
     <message>
-        <source>Width of the grooves in millimetres</source>
-        <translation>溝の幅(ミリメートル)</translation>
+        <source>Groove width in millimetres</source>
+        <translation>溝の幅（ミリメートル）</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
     <message>
-        <source>Groo&amp;ves</source>
+        <source>Groo&amp;ve width</source>
         <translation>溝の幅(&amp;V)</translation>
     </message>
     <message>
-        <source>Samples a side</source>
-        <translation>一辺のサンプル数</translation>
+        <source>Samples per side</source>
+        <translation>1辺のサンプル数</translation>
     </message>
     <message>
         <source>Sam&amp;ples</source>
@@ -3050,7 +3252,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Column %1: %2; %3.</source>
-        <translation>%1 文字目: %2; %3。</translation>
+        <translation>%1文字目：%2。%3。</translation>
     </message>
     <message>
         <source>z from</source>
@@ -3061,8 +3263,12 @@ Columns and rows:</source>
         <translation>z の上限</translation>
     </message>
     <message>
-        <source>Of a surface; empty: as its values are</source>
-        <translation>曲面の高さ。空欄なら値に合わせます</translation>
+        <source>Height range of a surface; leave empty to fit its values</source>
+        <translation>曲面の高さの範囲。空欄なら値に合わせます</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>範囲</translation>
     </message>
 </context>
 <context>
@@ -3072,11 +3278,11 @@ Columns and rows:</source>
         <translation>注目点(&amp;I)</translation>
     </message>
     <message>
-        <source>There are none in this window.</source>
+        <source>None in this range.</source>
         <translation>この範囲にはありません。</translation>
     </message>
     <message>
-        <source>The drawing was stopped before points of interest were looked for.</source>
+        <source>The drawing was stopped before the points of interest were found.</source>
         <translation>注目点を調べる前に描画を止めました。</translation>
     </message>
     <message>
@@ -3088,7 +3294,7 @@ Columns and rows:</source>
         <translation>注目点</translation>
     </message>
     <message>
-        <source>Kind</source>
+        <source>Type</source>
         <translation>種類</translation>
     </message>
     <message>
@@ -3115,153 +3321,153 @@ Columns and rows:</source>
     </message>
     <message>
         <source>P&amp;rogress</source>
-        <translation>歩み(&amp;R)</translation>
+        <translation>学習の記録(&amp;R)</translation>
     </message>
     <message>
-        <source>What study has brought: charts and numbers</source>
-        <translation>学習の成果：グラフと数字</translation>
+        <source>Your progress in charts and numbers</source>
+        <translation>学習の成果をグラフと数値で見ます</translation>
     </message>
     <message>
         <source>Progress of %1</source>
-        <translation>%1 の歩み</translation>
+        <translation>%1 の学習の記録</translation>
     </message>
     <message>
-        <source>Everything is shown.</source>
-        <translation>すべて表示しています。</translation>
+        <source>All data is shown.</source>
+        <translation>すべての期間を表示しています。</translation>
     </message>
     <message>
-        <source>A month is the shortest time.</source>
-        <translation>一か月が最短です。</translation>
+        <source>One month is the shortest period.</source>
+        <translation>最短の期間は1か月です。</translation>
     </message>
     <message>
         <source>1 to %1 go to a chart, N shows its numbers, Ctrl+C copies them.</source>
         <translation>1～%1 でグラフへ、N で数字を表示、Ctrl+C でコピー。</translation>
     </message>
     <message>
-        <source>%1: there are no numbers yet.</source>
-        <translation>%1：まだ数字がありません。</translation>
+        <source>%1: no data yet.</source>
+        <translation>%1：まだデータがありません。</translation>
     </message>
     <message>
-        <source>The numbers of “%1” are copied, lines: %2.</source>
-        <translation>「%1」の数字をコピーしました。行数：%2。</translation>
+        <source>Copied “%1” (rows: %2).</source>
+        <translation>「%1」の数値をコピーしました（%2行）。</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::ProgressActions</name>
     <message>
-        <source>&amp;Every character</source>
-        <translation>文字ごとの状態(&amp;E)</translation>
+        <source>Characters by str&amp;ength</source>
+        <translation>文字ごとの定着度(&amp;E)</translation>
     </message>
     <message>
         <source>Go to the grid of characters</source>
-        <translation>文字の一覧へ</translation>
+        <translation>文字の一覧へ移ります</translation>
     </message>
     <message>
         <source>&amp;Hardest strokes</source>
         <translation>苦手な画(&amp;H)</translation>
     </message>
     <message>
-        <source>Go to the strokes that go wrong</source>
-        <translation>まちがえる画へ</translation>
+        <source>Go to the strokes you get wrong most often</source>
+        <translation>よく間違える画へ移ります</translation>
     </message>
     <message>
-        <source>&amp;Numbers or drawing</source>
-        <translation>数字か図(&amp;N)</translation>
+        <source>&amp;Numbers or chart</source>
+        <translation>数値とグラフの切り替え(&amp;N)</translation>
     </message>
     <message>
-        <source>Show the chart at hand as a table, or as a drawing again</source>
-        <translation>今のグラフを表に、または図に戻す</translation>
+        <source>Switch the current chart between numbers and drawing</source>
+        <translation>今のグラフを数値の表に、または図に切り替えます</translation>
     </message>
     <message>
-        <source>Co&amp;py the numbers</source>
-        <translation>数字をコピー(&amp;P)</translation>
+        <source>Co&amp;py numbers</source>
+        <translation>数値をコピー(&amp;P)</translation>
     </message>
     <message>
-        <source>Copy the numbers of the chart at hand</source>
-        <translation>今のグラフの数字をコピー</translation>
+        <source>Copy the numbers of the current chart</source>
+        <translation>今のグラフの数値をコピーします</translation>
     </message>
     <message>
-        <source>&amp;Longer time</source>
+        <source>&amp;Longer period</source>
         <translation>長い期間(&amp;L)</translation>
     </message>
     <message>
-        <source>Show a longer time</source>
-        <translation>もっと長い期間を表示</translation>
+        <source>Show a longer period</source>
+        <translation>もっと長い期間を表示します</translation>
     </message>
     <message>
-        <source>Shorter &amp;time</source>
+        <source>Shor&amp;ter period</source>
         <translation>短い期間(&amp;T)</translation>
     </message>
     <message>
-        <source>Show a shorter time</source>
-        <translation>もっと短い期間を表示</translation>
+        <source>Show a shorter period</source>
+        <translation>もっと短い期間を表示します</translation>
     </message>
     <message>
         <source>&amp;Progress</source>
-        <translation>歩み(&amp;P)</translation>
+        <translation>学習の記録(&amp;P)</translation>
     </message>
 </context>
 <context>
-    <name>nazori::ui::ProgressPage</name>
+    <name>nazori::ui::ProgressView</name>
     <message>
         <source>Progress</source>
-        <translation>歩み</translation>
+        <translation>学習の記録</translation>
     </message>
     <message>
-        <source>Time s&amp;hown</source>
+        <source>Period s&amp;hown</source>
         <translation>期間(&amp;H)</translation>
     </message>
     <message>
-        <source>Time shown</source>
+        <source>Period shown</source>
         <translation>期間</translation>
     </message>
     <message>
-        <source>A month</source>
-        <translation>一か月</translation>
+        <source>1 month</source>
+        <translation>1か月</translation>
     </message>
     <message>
-        <source>Three months</source>
-        <translation>三か月</translation>
+        <source>3 months</source>
+        <translation>3か月</translation>
     </message>
     <message>
-        <source>A year</source>
-        <translation>一年</translation>
+        <source>1 year</source>
+        <translation>1年</translation>
     </message>
     <message>
-        <source>Everything</source>
-        <translation>すべて</translation>
+        <source>All time</source>
+        <translation>全期間</translation>
     </message>
     <message>
-        <source>The log is added up</source>
-        <translation>記録を集計しています</translation>
+        <source>Calculating statistics</source>
+        <translation>学習履歴を集計しています</translation>
     </message>
     <message>
-        <source>Nothing is studied yet. Begin with a few characters at Home, or trace one in Characters; what you do will stand here, with every number as text.</source>
-        <translation>まだ何も学習していません。ホームで数文字から始めるか、文字の画面で一字なぞってください。したことがここに、すべての数字つきで並びます。</translation>
+        <source>Nothing studied yet. Start with a few characters on Home, or trace one on the Characters page. Your progress will appear here in charts and tables.</source>
+        <translation>まだ何も学習していません。ホームで数文字から始めるか、「文字」のページで1字なぞってみてください。学習の記録がここにグラフと表で並びます。</translation>
     </message>
     <message>
         <source>Days in a row: %1, longest %2%3</source>
-        <translation>続いた日数：%1、最長 %2%3</translation>
+        <translation>連続日数：%1日、最長%2日%3</translation>
     </message>
     <message>
-        <source>; today is open</source>
+        <source>; not yet today</source>
         <translation>（今日はこれから）</translation>
     </message>
     <message>
-        <source>; a day off this week is taken</source>
-        <translation>（今週の休みは使いました）</translation>
+        <source>; day off used this week</source>
+        <translation>（今週の休みは使用済み）</translation>
     </message>
     <message>
         <source>Reviews: %1 in %2</source>
-        <translation>復習：%1 回、%2</translation>
+        <translation>復習：%1回、%2</translation>
     </message>
     <message>
-        <source>Recalled in 30 days: %1 of %2, predicted %3</source>
-        <translation>30日間：%2 回のうち %1 思い出せた、予測 %3</translation>
+        <source>Recall in the last 30 days: %1 of %2 reviews (predicted: %3)</source>
+        <translation>思い出せた割合（過去30日間）：復習%2回で%1、予測%3</translation>
     </message>
     <message>
-        <source>Characters: %1 met, %2 learnt</source>
-        <translation>文字：学んだ %1、身についた %2</translation>
+        <source>Characters: %1 studied, %2 learned</source>
+        <translation>文字：学習した字 %1、身についた字 %2</translation>
     </message>
 </context>
 <context>
@@ -3271,28 +3477,28 @@ Columns and rows:</source>
         <translation>文字板を保存</translation>
     </message>
     <message>
-        <source>Height map, 8-bit RAW as in 2005</source>
-        <translation>高さマップ（2005年と同じ8ビット RAW）</translation>
+        <source>Height map, 8-bit RAW (2005 format)</source>
+        <translation>高さマップ（8ビット RAW、2005年版の形式）</translation>
     </message>
     <message>
         <source>Height map, 16-bit PNG</source>
         <translation>高さマップ（16ビット PNG）</translation>
     </message>
     <message>
-        <source>Stroke order, .str as in 2005</source>
-        <translation>筆順（2005年と同じ .str）</translation>
+        <source>Stroke order, .str (2005 format)</source>
+        <translation>書き順（.str、2005年版の形式）</translation>
     </message>
     <message>
-        <source>%1 × %1, as in 2005</source>
-        <translation>%1 × %1（2005年と同じ）</translation>
+        <source>%1 × %1 (2005 format)</source>
+        <translation>%1 × %1（2005年版の形式）</translation>
     </message>
     <message>
-        <source>Choose the file…</source>
+        <source>Choose file…</source>
         <translation>ファイルを選ぶ…</translation>
     </message>
     <message>
-        <source>&amp;Kind</source>
-        <translation>種類(&amp;K)</translation>
+        <source>&amp;Format</source>
+        <translation>形式(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Size</source>
@@ -3307,8 +3513,8 @@ Columns and rows:</source>
         <translation>画像 (*.png)</translation>
     </message>
     <message>
-        <source>Stroke orders (*.str)</source>
-        <translation>筆順 (*.str)</translation>
+        <source>Stroke order files (*.str)</source>
+        <translation>書き順 (*.str)</translation>
     </message>
     <message>
         <source>%1 × %1</source>
@@ -3316,161 +3522,37 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::SeatPanel</name>
-    <message>
-        <source>Looking for devices …</source>
-        <translation>装置を探しています…</translation>
-    </message>
-    <message>
-        <source>The tip is there</source>
-        <translation>ペン先を置いた</translation>
-    </message>
-    <message>
-        <source>Devices and how they stand</source>
-        <translation>装置とその置き方</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>装置</translation>
-    </message>
-    <message>
-        <source>Fit to the tablet</source>
-        <translation>文字板に合わせる</translation>
-    </message>
-    <message>
-        <source>Writing hand</source>
-        <translation>書く手</translation>
-    </message>
-    <message>
-        <source>Right hand writes</source>
-        <translation>右手で書く</translation>
-    </message>
-    <message>
-        <source>Left hand writes</source>
-        <translation>左手で書く</translation>
-    </message>
-    <message>
-        <source>Tilt of the tablet</source>
-        <translation>文字板の傾き</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <comment>angle, 90 upright</comment>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>Seat beside the device</source>
-        <translation>装置に対する座る向き</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>Buttons of the stylus</source>
-        <translation>ペンのボタン</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>何もしない</translation>
-    </message>
-    <message>
-        <source>next stroke</source>
-        <translation>次の画</translation>
-    </message>
-    <message>
-        <source>previous stroke</source>
-        <translation>前の画</translation>
-    </message>
-    <message>
-        <source>all strokes</source>
-        <translation>全画</translation>
-    </message>
-    <message>
-        <source>wipe the ink off</source>
-        <translation>墨を消す</translation>
-    </message>
-    <message>
-        <source>First button</source>
-        <translation>一つ目のボタン</translation>
-    </message>
-    <message>
-        <source>Second button</source>
-        <translation>二つ目のボタン</translation>
-    </message>
-    <message>
-        <source>At most</source>
-        <translation>上限</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>力</translation>
-    </message>
-    <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>硬さ</translation>
-    </message>
-    <message>
-        <source>%1 N/m</source>
-        <translation>%1 N/m</translation>
-    </message>
-    <message>
-        <source>The best there is</source>
-        <translation>いちばん良い装置</translation>
-    </message>
-    <message>
-        <source>%1 – in use</source>
-        <translation>%1 – 使用中</translation>
-    </message>
-    <message>
-        <source>%1 – not there</source>
-        <translation>%1 – 見つかりません</translation>
-    </message>
-    <message>
-        <source>Fitted by corners: 1 cm of the hand is %1 cm on the tablet.</source>
-        <translation>隅で合わせました。手の 1 cm が文字板の %1 cm です。</translation>
-    </message>
-    <message>
-        <source>Fitted by itself: 1 cm of the hand is %1 cm on the tablet.</source>
-        <translation>自動で合わせました。手の 1 cm が文字板の %1 cm です。</translation>
-    </message>
-</context>
-<context>
     <name>nazori::ui::SessionActions</name>
     <message>
-        <source>&amp;Study what is due</source>
-        <translation>今日の分を学習する(&amp;S)</translation>
+        <source>&amp;Start today&apos;s study</source>
+        <translation>今日の学習を始める(&amp;S)</translation>
     </message>
     <message>
-        <source>Begin with what is due now</source>
-        <translation>今の分から始めます</translation>
+        <source>Start today&apos;s reviews and new characters</source>
+        <translation>今日の復習と新しい字を始めます</translation>
     </message>
     <message>
-        <source>&amp;Go on</source>
-        <translation>次へ(&amp;G)</translation>
+        <source>&amp;Next</source>
+        <translation>次へ(&amp;N)</translation>
     </message>
     <message>
-        <source>To the next stage, or with the proposed rating</source>
-        <translation>次の段階へ、または提案された評価で進みます</translation>
+        <source>Go to the next stage, or accept the suggested rating</source>
+        <translation>次の段階へ進みます。評価のときは、おすすめの評価を付けます</translation>
     </message>
     <message>
         <source>&amp;Again</source>
         <translation>もう一度(&amp;A)</translation>
     </message>
     <message>
-        <source>Forgotten: it comes again soon</source>
-        <translation>忘れていた：まもなくまた出ます</translation>
+        <source>Forgotten: comes back soon</source>
+        <translation>忘れていた。まもなくまた出ます</translation>
     </message>
     <message>
         <source>&amp;Hard</source>
         <translation>難しい(&amp;H)</translation>
     </message>
     <message>
-        <source>Known with effort</source>
+        <source>Remembered with effort</source>
         <translation>苦労して思い出した</translation>
     </message>
     <message>
@@ -3478,7 +3560,7 @@ Columns and rows:</source>
         <translation>できた(&amp;D)</translation>
     </message>
     <message>
-        <source>Known</source>
+        <source>Remembered</source>
         <translation>思い出した</translation>
     </message>
     <message>
@@ -3486,55 +3568,55 @@ Columns and rows:</source>
         <translation>簡単(&amp;E)</translation>
     </message>
     <message>
-        <source>Known without effort</source>
+        <source>Remembered easily</source>
         <translation>楽に思い出した</translation>
     </message>
     <message>
-        <source>&amp;Take back the last review</source>
+        <source>Undo las&amp;t review</source>
         <translation>最後の復習を取り消す(&amp;T)</translation>
     </message>
     <message>
-        <source>Take back what was kept last; again for the one before, also of other days</source>
-        <translation>最後に保存したものを取り消します。繰り返すと、その前のものや別の日のものも取り消せます</translation>
+        <source>Undo the last saved review or change; repeat to go further back, even to earlier days</source>
+        <translation>最後に保存した復習や変更を取り消します。繰り返すと、さらに前や別の日のものも取り消せます</translation>
     </message>
     <message>
         <source>&amp;Postpone to tomorrow</source>
-        <translation>明日にまわす(&amp;P)</translation>
+        <translation>明日に延期(&amp;P)</translation>
     </message>
     <message>
-        <source>This character comes tomorrow</source>
-        <translation>この文字は明日出ます</translation>
+        <source>Show this character tomorrow instead</source>
+        <translation>この文字を明日に延期します</translation>
     </message>
     <message>
-        <source>Pa&amp;use or resume</source>
+        <source>S&amp;uspend or resume</source>
         <translation>休止・再開(&amp;U)</translation>
     </message>
     <message>
-        <source>This character does not come until it is resumed</source>
-        <translation>この文字は再開するまで出ません</translation>
+        <source>A suspended character does not come up until you resume it</source>
+        <translation>休止した文字は、再開するまで出ません</translation>
     </message>
     <message>
-        <source>&amp;Begin anew</source>
-        <translation>初めからやり直す(&amp;B)</translation>
+        <source>Start &amp;over</source>
+        <translation>最初からやり直す(&amp;O)</translation>
     </message>
     <message>
-        <source>This character is new again</source>
-        <translation>この文字は新しい文字に戻ります</translation>
+        <source>Treat this character as new again</source>
+        <translation>この文字を新しい字に戻します</translation>
     </message>
     <message>
         <source>&amp;Tags…</source>
         <translation>タグ(&amp;T)…</translation>
     </message>
     <message>
-        <source>Words of your own for this character, to learn by</source>
-        <translation>この文字に付ける自分の言葉。それで選んで学べます</translation>
+        <source>Your own labels for this character; you can study by tag</source>
+        <translation>この文字に自分のタグを付けます。タグごとに学習できます</translation>
     </message>
     <message>
         <source>End the &amp;session</source>
         <translation>学習を終える(&amp;S)</translation>
     </message>
     <message>
-        <source>What was rated is kept</source>
+        <source>Everything you rated is saved</source>
         <translation>評価したものは保存されています</translation>
     </message>
     <message>
@@ -3542,8 +3624,8 @@ Columns and rows:</source>
         <translation>学習の設定(&amp;T)…</translation>
     </message>
     <message>
-        <source>Limits, lists, order, desired retention</source>
-        <translation>一日の量、リスト、順番、目標の定着率</translation>
+        <source>Daily goal, lists, order and desired retention</source>
+        <translation>1日の目標、リスト、順番、目標の定着率</translation>
     </message>
     <message>
         <source>St&amp;udy</source>
@@ -3554,10 +3636,10 @@ Columns and rows:</source>
     <name>nazori::ui::SessionBar</name>
     <message>
         <source>Study session</source>
-        <translation>学習中</translation>
+        <translation>今日の学習</translation>
     </message>
     <message>
-        <source>How far the session is</source>
+        <source>Session progress</source>
         <translation>学習の進み具合</translation>
     </message>
     <message>
@@ -3569,22 +3651,22 @@ Columns and rows:</source>
         <translation>%1 のカタカナ</translation>
     </message>
     <message numerus="yes">
-        <source>a character of %n strokes</source>
+        <source>a character with %n strokes</source>
         <translation>
-            <numerusform>%n 画の文字</numerusform>
+            <numerusform>%n画の文字</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of %2 · %3 left</source>
-        <translation>%2 のうち %1 · 残り %3</translation>
+        <translation>%1／%2 · 残り%3</translation>
     </message>
     <message>
-        <source>This character is not the one that is asked for.</source>
+        <source>This is not the character you are being asked for.</source>
         <translation>これは今の問題の文字ではありません。</translation>
     </message>
     <message>
-        <source>%1: %2, proposed</source>
-        <translation>%1：%2、提案</translation>
+        <source>%1: %2, suggested</source>
+        <translation>%1：%2、おすすめ</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -3606,7 +3688,7 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::SessionPanel</name>
     <message>
-        <source>The character that is studied</source>
+        <source>Character being studied</source>
         <translation>学習中の文字</translation>
     </message>
     <message>
@@ -3614,7 +3696,7 @@ Columns and rows:</source>
         <translation>前に書いたもの</translation>
     </message>
     <message>
-        <source>Once more today</source>
+        <source>Again today</source>
         <translation>今日もう一度</translation>
     </message>
     <message>
@@ -3623,24 +3705,24 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Not yet written from memory.</source>
-        <translation>まだ覚えて書いたことがありません。</translation>
+        <translation>まだ見ないで書いたことがありません。</translation>
     </message>
     <message numerus="yes">
         <source>Written from memory: %n times</source>
         <translation>
-            <numerusform>覚えて書いた回数：%n</numerusform>
+            <numerusform>見ないで書いた回数：%n回</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Forgotten: %n times</source>
         <translation>
-            <numerusform>忘れた回数：%n</numerusform>
+            <numerusform>忘れた回数：%n回</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Stroke %1 went wrong %n times.</source>
+        <source>Stroke %1 was wrong %n times.</source>
         <translation>
-            <numerusform>%1画目を %n 回間違えました。</numerusform>
+            <numerusform>%1画目を%n回間違えました。</numerusform>
         </translation>
     </message>
     <message>
@@ -3648,38 +3730,38 @@ Columns and rows:</source>
         <translation>今</translation>
     </message>
     <message>
-        <source>Its parts: %1.</source>
-        <translation>部分：%1</translation>
+        <source>Parts: %1.</source>
+        <translation>パーツ：%1</translation>
     </message>
     <message numerus="yes">
         <source>%n strokes shown</source>
         <translation>
-            <numerusform>見せた画 %n 画</numerusform>
+            <numerusform>表示した画：%n画</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n hints</source>
         <translation>
-            <numerusform>ヒント %n 回</numerusform>
+            <numerusform>ヒント：%n回</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n misses</source>
+        <source>%n mistakes</source>
         <translation>
-            <numerusform>やり直し %n 回</numerusform>
+            <numerusform>間違い：%n回</numerusform>
         </translation>
     </message>
     <message>
-        <source>“%1” is proposed: %2.</source>
-        <translation>「%1」をすすめます: %2。</translation>
+        <source>Suggested: “%1” (%2).</source>
+        <translation>おすすめは「%1」です（%2）。</translation>
     </message>
     <message>
-        <source>Pause</source>
+        <source>Suspend</source>
         <translation>休止</translation>
     </message>
     <message>
-        <source>Anew</source>
-        <translation>初めから</translation>
+        <source>Start over</source>
+        <translation>最初から</translation>
     </message>
     <message>
         <source>End</source>
@@ -3690,86 +3772,86 @@ Columns and rows:</source>
         <translation>取り消す</translation>
     </message>
     <message>
-        <source>Later</source>
-        <translation>明日へ</translation>
+        <source>Tomorrow</source>
+        <translation>明日に延期</translation>
     </message>
     <message>
-        <source>Another lesson: often forgotten</source>
-        <translation>別の練習：よく忘れる文字</translation>
+        <source>Relearning: forgotten too often</source>
+        <translation>覚え直し：苦手な文字</translation>
     </message>
     <message>
         <source>New</source>
-        <translation>新しい文字</translation>
+        <translation>新しい字</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::SessionWords</name>
     <message>
-        <source>What is due cannot be told: %1.</source>
-        <translation>今日の分が分かりません：%1。</translation>
+        <source>Today&apos;s study could not be prepared: %1.</source>
+        <translation>今日の学習を準備できませんでした：%1。</translation>
     </message>
     <message>
         <source>Nothing is due now.</source>
-        <translation>今の分はありません。</translation>
+        <translation>今学習するものはありません。</translation>
     </message>
     <message>
-        <source>The session has ended. Everything that was rated is kept.</source>
+        <source>Session ended. Everything you rated is saved.</source>
         <translation>学習を終えました。評価したものはすべて保存されています。</translation>
     </message>
     <message>
-        <source>%1 is forgotten often. It is set apart: Home offers another lesson for it.</source>
-        <translation>%1 はよく忘れるので取り分けました。ホームに別の練習があります。</translation>
+        <source>%1 was forgotten too often and taken out of reviews. Relearn it from Home.</source>
+        <translation>「%1」は何度も忘れたので、復習から外しました。ホームで覚え直せます。</translation>
     </message>
     <message>
-        <source>Kept: %1 is “%2” and comes %3.</source>
-        <translation>保存しました：%1 は「%2」、次は%3。</translation>
+        <source>Saved: %1, %2. Next review %3.</source>
+        <translation>保存しました：%1、%2。次の復習は%3です。</translation>
     </message>
     <message>
-        <source>There is nothing to take back.</source>
+        <source>Nothing to undo.</source>
         <translation>取り消すものはありません。</translation>
     </message>
     <message>
-        <source>Taken back: the last writing of %1.</source>
-        <translation>取り消しました：%1 の最後に書いたもの。</translation>
+        <source>Undone: the last entry for %1.</source>
+        <translation>取り消しました：最後に書いた「%1」。</translation>
     </message>
     <message>
-        <source>Taken back: %1 is not postponed.</source>
-        <translation>取り消しました：%1 はまた予定どおりです。</translation>
+        <source>Undone: %1 is no longer postponed.</source>
+        <translation>取り消しました：「%1」の延期をやめました。</translation>
     </message>
     <message>
-        <source>Taken back: %1 is not paused.</source>
-        <translation>取り消しました：%1 は休止していません。</translation>
+        <source>Undone: %1 is no longer suspended.</source>
+        <translation>取り消しました：「%1」の休止をやめました。</translation>
     </message>
     <message>
-        <source>Taken back: %1 is paused again.</source>
-        <translation>取り消しました：%1 はまた休止です。</translation>
+        <source>Undone: %1 is suspended again.</source>
+        <translation>取り消しました：「%1」をまた休止しました。</translation>
     </message>
     <message>
-        <source>Taken back: what was learnt of %1 is there again.</source>
-        <translation>取り消しました：%1 の学習が元に戻りました。</translation>
+        <source>Undone: your progress with %1 is back.</source>
+        <translation>取り消しました：「%1」の学習が元に戻りました。</translation>
     </message>
     <message>
-        <source>Taken back: %1.</source>
+        <source>Undone: %1.</source>
         <translation>取り消しました：%1。</translation>
     </message>
     <message>
-        <source>%1 Ctrl+Shift+Z takes it back.</source>
+        <source>%1 Ctrl+Shift+Z: undo.</source>
         <translation>%1Ctrl+Shift+Z で取り消せます。</translation>
     </message>
     <message>
-        <source>%1 comes tomorrow.</source>
-        <translation>%1 は明日出ます。</translation>
+        <source>Postponed %1 to tomorrow.</source>
+        <translation>「%1」を明日に延期しました。</translation>
     </message>
     <message>
-        <source>%1 is paused until it is asked for.</source>
-        <translation>%1 は再開するまで休みです。</translation>
+        <source>Suspended %1 until you resume it.</source>
+        <translation>「%1」を再開するまで休止します。</translation>
     </message>
     <message>
-        <source>%1 is new again.</source>
-        <translation>%1 は新しい文字に戻りました。</translation>
+        <source>Started %1 over as a new character.</source>
+        <translation>「%1」を新しい字に戻しました。</translation>
     </message>
     <message>
-        <source>That was all for now. Everything is kept.</source>
+        <source>All done for now. Everything is saved.</source>
         <translation>今の分はこれで終わりです。すべて保存されています。</translation>
     </message>
 </context>
@@ -3784,8 +3866,8 @@ Columns and rows:</source>
         <translation>止める</translation>
     </message>
     <message>
-        <source>The study settings hold from now on.</source>
-        <translation>学習の設定はこれから有効です。</translation>
+        <source>Settings saved.</source>
+        <translation>設定を保存しました。</translation>
     </message>
     <message>
         <source>Stopped. The study settings are as they were.</source>
@@ -3799,7 +3881,7 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::StageWords</name>
     <message>
-        <source>Space plays, Left and Right step from stroke to stroke.</source>
+        <source>Space: play. Left and Right: step stroke by stroke.</source>
         <translation>スペースキーで再生、左右の矢印キーで一画ずつ進みます。</translation>
     </message>
     <message>
@@ -3815,22 +3897,22 @@ Columns and rows:</source>
         <translation>%1：%2。%3</translation>
     </message>
     <message numerus="yes">
-        <source>All %n strokes. Space plays them again; F6 goes on to tracing.</source>
+        <source>All %n strokes shown. Space: play again. F6: trace.</source>
         <translation>
-            <numerusform>全 %n 画です。スペースキーでもう一度再生、F6 でなぞりに進みます。</numerusform>
+            <numerusform>全%n画です。スペースキーでもう一度再生、F6 で「なぞる」に進みます。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Speed %1.</source>
-        <translation>速さ %1 倍です。</translation>
+        <source>Speed: %1×.</source>
+        <translation>速さ：%1倍。</translation>
     </message>
     <message>
         <source>Press the left button to touch the tablet; the right button turns it.</source>
         <translation>左ボタンで文字板に触れ、右ボタンで回せます。</translation>
     </message>
     <message>
-        <source>Press the left button in a groove and follow it. S shows the strokes.</source>
-        <translation>溝の上で左ボタンを押し、溝に沿って動かしましょう。S キーで筆画が見えます。</translation>
+        <source>Hold the left button in a groove and follow it. S: show the strokes.</source>
+        <translation>溝の上で左ボタンを押したまま、溝に沿って動かしましょう。S で画を表示します。</translation>
     </message>
     <message>
         <source>Hold the left button at number 1 and draw along the groove.</source>
@@ -3841,31 +3923,31 @@ Columns and rows:</source>
         <translation>溝に沿って書きましょう。</translation>
     </message>
     <message>
-        <source>Write each stroke from its number.</source>
+        <source>Start each stroke at its number.</source>
         <translation>番号のところから一画ずつ書きましょう。</translation>
     </message>
     <message>
-        <source>Let the stylus take the hand along; hold back, and it gives way.</source>
-        <translation>ペンが手を導くのに任せましょう。逆らうと力をゆるめます。</translation>
+        <source>Let the stylus lead your hand. If you hold back, it gives way.</source>
+        <translation>ペンに手を任せましょう。逆らうと力をゆるめます。</translation>
     </message>
     <message>
-        <source>%1 Only a device with force leads the hand; here strokes hold it.</source>
-        <translation>%1 手を導けるのは力覚デバイスだけです。ここでは画が引き寄せます。</translation>
+        <source>%1 Only a force-feedback device can lead your hand; here strokes attract the stylus.</source>
+        <translation>%1手を導けるのは力覚デバイスだけです。ここでは画がペン先を引き寄せます。</translation>
     </message>
     <message>
-        <source>%1 Without a slip so far: %2.</source>
-        <translation>%1これまで %2 回、間違いなく書けました。</translation>
+        <source>%1 Written without mistakes so far: %2.</source>
+        <translation>%1これまで%2回、間違えずに書けました。</translation>
     </message>
     <message>
         <source>Stroke %1: follow the groove to its end.</source>
         <translation>%1画目：溝の終わりまでなぞりましょう。</translation>
     </message>
     <message>
-        <source>Stroke %1 is written. The full stop key (.) shows the next.</source>
+        <source>Stroke %1 written. Full stop (.): show the next one.</source>
         <translation>%1画目が書けました。ピリオド（.）キーで次の画へ進みます。</translation>
     </message>
     <message>
-        <source>Stroke %1 is written. Stroke %2 is next.</source>
+        <source>Stroke %1 written. Next: stroke %2.</source>
         <translation>%1画目が書けました。次は%2画目です。</translation>
     </message>
     <message>
@@ -3877,9 +3959,9 @@ Columns and rows:</source>
         <translation>%1画目を書きましたが、先に書くのは%2画目です。次に書いてください。</translation>
     </message>
     <message numerus="yes">
-        <source>All %n strokes are written. Delete clears the tablet.</source>
+        <source>All %n strokes written. Delete: clear the tablet.</source>
         <translation>
-            <numerusform>%n 画すべて書けました。Delete キーで墨を消せます。</numerusform>
+            <numerusform>%n画すべて書けました。Delete で消せます。</numerusform>
         </translation>
     </message>
     <message>
@@ -3895,83 +3977,83 @@ Columns and rows:</source>
         <translation>%1画目は%2画目より先に書きます。</translation>
     </message>
     <message>
-        <source>Stroke %1 begins at its other end, where its number stands.</source>
+        <source>Start stroke %1 at its other end, at the number.</source>
         <translation>%1画目は反対の端、番号のある所から書き始めます。</translation>
     </message>
     <message>
-        <source>Stroke %1 is shown. Draw it from its number.</source>
-        <translation>%1画目を示しました。番号のところから書いてください。</translation>
+        <source>Stroke %1 is shown. Start at its number.</source>
+        <translation>%1画目を表示しました。番号のところから書いてください。</translation>
     </message>
     <message>
-        <source>The stylus gives way. Go on a little by yourself, and it leads again.</source>
+        <source>The stylus has let go. Move on a little by yourself and it leads again.</source>
         <translation>ペンが力をゆるめました。少し自分で進むと、また導きます。</translation>
     </message>
     <message>
-        <source>Stroke %1 of %2. Draw it from its number.</source>
+        <source>Stroke %1 of %2. Start at its number.</source>
         <translation>%2画のうち%1画目です。番号から書きましょう。</translation>
     </message>
     <message>
-        <source>Stroke %1 is chosen, but the strokes are hidden: press S.</source>
-        <translation>%1画目を選びましたが、筆画は隠れています。S キーで見えます。</translation>
+        <source>Stroke %1 is selected, but the strokes are hidden. S: show them.</source>
+        <translation>%1画目を選びましたが、画は表示されていません。S で表示します。</translation>
     </message>
     <message>
-        <source>The stylus is free.</source>
-        <translation>ペン先は自由に動きます。</translation>
+        <source>Snapping off: the stylus moves freely.</source>
+        <translation>引き寄せを切りました。ペン先は自由に動きます。</translation>
     </message>
     <message>
-        <source>Strokes now hold the stylus. Pull away firmly to leave one.</source>
-        <translation>画がペン先を引き留めます。強く引くと離れます。</translation>
+        <source>Snapping on: strokes attract the stylus. Pull firmly to leave a stroke.</source>
+        <translation>引き寄せを入れました。画がペン先を引き寄せます。強く引くと離れます。</translation>
     </message>
     <message>
-        <source>Strokes hold the stylus only while they are shown: press S.</source>
-        <translation>画が見えている間だけ吸着します。S キーで筆画を見せてください。</translation>
+        <source>Snapping works only while strokes are visible. S: show them.</source>
+        <translation>引き寄せは、画が見えている間だけ働きます。S で画を表示します。</translation>
     </message>
     <message>
-        <source>All strokes are there, not all at their turn. Delete clears the tablet.</source>
-        <translation>全部の画が書けましたが、順番や向きが違う画がありました。Delete で消してもう一度書けます。</translation>
+        <source>All strokes written, but not all in the right order or direction. Delete: clear and try again.</source>
+        <translation>すべて書けましたが、書き順や向きの違う画がありました。Delete で消して、もう一度書けます。</translation>
     </message>
     <message>
-        <source>All strokes are there, not all at their turn.</source>
-        <translation>すべての画がありますが、順番どおりではないものがあります。</translation>
+        <source>All strokes written, but not all in the right order or direction.</source>
+        <translation>すべて書けましたが、書き順や向きの違う画がありました。</translation>
     </message>
     <message>
-        <source>Without a slip.</source>
-        <translation>間違いなく書けました。</translation>
+        <source>No mistakes.</source>
+        <translation>間違えずに書けました。</translation>
     </message>
     <message>
-        <source>Without a slip. There is less help now: write it again.</source>
-        <translation>間違いなく書けました。助けを減らします。もう一度書きましょう。</translation>
+        <source>No mistakes. Write it again, now with less help.</source>
+        <translation>間違えずに書けました。ガイドを減らします。もう一度書きましょう。</translation>
     </message>
     <message>
-        <source>Without a slip, and without help. F8 goes on to writing from memory.</source>
-        <translation>助けなしで間違いなく書けました。F8 で覚えて書く練習に進めます。</translation>
+        <source>No mistakes, and no help used. F8: write from memory.</source>
+        <translation>ガイドなしで、間違えずに書けました。F8 で「見ないで書く」に進みます。</translation>
     </message>
     <message>
-        <source>Nothing is written yet. H shows the first stroke.</source>
-        <translation>まだ何も書かれていません。H で最初の画を見せます。</translation>
+        <source>Nothing written yet. H: show the first stroke.</source>
+        <translation>まだ何も書いていません。H で最初の画を表示します。</translation>
     </message>
     <message>
-        <source>The tablet is full. Delete clears it.</source>
+        <source>The tablet is full. Delete: clear it.</source>
         <translation>文字板がいっぱいです。Delete で消せます。</translation>
     </message>
     <message numerus="yes">
-        <source>%n strokes are written. Enter judges them.</source>
+        <source>%n strokes written. Enter: finish.</source>
         <translation>
-            <numerusform>%n 画書きました。Enter で判定します。</numerusform>
+            <numerusform>%n画書きました。Enter で判定します。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Stroke %1 is shown in blue. Write it there and go on.</source>
-        <translation>%1画目を青で示しました。そこに書いて続けてください。</translation>
+        <source>Stroke %1 is shown in blue. Write over it and go on.</source>
+        <translation>%1画目を青で表示しました。その上に書いて続けてください。</translation>
     </message>
     <message>
-        <source>Stroke %1 is right. Enter is done.</source>
+        <source>Stroke %1 is correct. Enter: finish.</source>
         <translation>%1画目は正しく書けました。Enter で判定します。</translation>
     </message>
     <message numerus="yes">
-        <source>Stroke %1 is right. %n to go.</source>
+        <source>Stroke %1 is correct. %n to go.</source>
         <translation>
-            <numerusform>%1画目は正しく書けました。あと %n 画です。</numerusform>
+            <numerusform>%1画目は正しく書けました。あと%n画です。</numerusform>
         </translation>
     </message>
     <message>
@@ -3979,68 +4061,68 @@ Columns and rows:</source>
         <translation>%1画目は正しく書けました。%2画目がまだありません。</translation>
     </message>
     <message>
-        <source>The writing could not be judged: %1. It is kept.</source>
+        <source>Your writing could not be checked: %1. It is still there.</source>
         <translation>判定できませんでした：%1。書いた字はそのままです。</translation>
     </message>
     <message numerus="yes">
-        <source>Taken back. %n strokes are written.</source>
+        <source>Undone. %n strokes written.</source>
         <translation>
-            <numerusform>取り消しました。今は %n 画です。</numerusform>
+            <numerusform>取り消しました。今は%n画です。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Every stroke is there. Enter is done.</source>
+        <source>All strokes written. Enter: finish.</source>
         <translation>すべての画が書けています。Enter で判定します。</translation>
     </message>
     <message>
-        <source>Stroke %1 is shown in blue. H again shows all that are left.</source>
-        <translation>%1画目を青で示しました。もう一度 H を押すと残り全部を示します。</translation>
+        <source>Stroke %1 is shown in blue. H again: show all remaining strokes.</source>
+        <translation>%1画目を青で表示しました。もう一度 H を押すと、残りをすべて表示します。</translation>
     </message>
     <message>
-        <source>All strokes that are left are shown in blue.</source>
-        <translation>残りの画をすべて青で示しました。</translation>
+        <source>All remaining strokes are shown in blue.</source>
+        <translation>残りの画をすべて青で表示しました。</translation>
     </message>
     <message>
-        <source>This is how it is written. Delete clears the tablet to try again.</source>
+        <source>This is how it is written. Delete: clear and try again.</source>
         <translation>こう書きます。Delete で消して、もう一度書けます。</translation>
     </message>
     <message>
-        <source>Every stroke is judged as it ends.</source>
+        <source>Each stroke is checked as you finish it.</source>
         <translation>一画ごとに判定します。</translation>
     </message>
     <message>
-        <source>The writing is judged at the end: press Enter.</source>
+        <source>Your writing is checked at the end: press Enter.</source>
         <translation>最後に判定します。Enter を押してください。</translation>
     </message>
     <message numerus="yes">
-        <source>Write the character of %n strokes.</source>
+        <source>Write the character (%n strokes).</source>
         <translation>
-            <numerusform>%n 画の字を書きましょう。</numerusform>
+            <numerusform>%n画の字を書きましょう。</numerusform>
         </translation>
     </message>
     <message>
-        <source>%1 H gives a hint, Enter is done.</source>
-        <translation>%1H でヒント、Enter で終わりです。</translation>
+        <source>%1 H: hint. Enter: finish.</source>
+        <translation>%1H でヒント、Enter で判定します。</translation>
     </message>
     <message>
-        <source>%1: %2 H gives a hint, Enter is done.</source>
+        <source>%1: %2 H: hint. Enter: finish.</source>
         <translation>%1：%2H でヒント、Enter で判定します。</translation>
     </message>
     <message>
-        <source>That is no stroke of this character. Ctrl+Z takes it back.</source>
-        <translation>この字にない画です。Ctrl+Z で取り消せます。</translation>
+        <source>That stroke isn&apos;t part of this character. Ctrl+Z: undo.</source>
+        <translation>この字にはない画です。Ctrl+Z で取り消せます。</translation>
     </message>
     <message>
-        <source>%1 H shows where the stroke goes.</source>
-        <translation>%1H キーで書く場所を示します。</translation>
+        <source>%1 H: show where the stroke goes.</source>
+        <translation>%1H で書く場所を表示します。</translation>
     </message>
     <message>
-        <source>%1 Ctrl+Z takes back a stroke, O shows the model.</source>
+        <source>%1 Ctrl+Z: undo a stroke. O: show the model.</source>
         <translation>%1Ctrl+Z で一画取り消し、O で手本を重ねます。</translation>
     </message>
     <message>
-        <source>%1 %2 of 100 points.</source>
-        <translation>%1 %2 点（100 点満点）です。</translation>
+        <source>%1 Form: %2 of %3 stars.</source>
+        <translation>%1字形は星%3つ中%2つです。</translation>
     </message>
 </context>
 <context>
@@ -4054,15 +4136,15 @@ Columns and rows:</source>
         <translation>待機中</translation>
     </message>
     <message>
-        <source>How often a second the stylus is felt</source>
-        <translation>ペン先の感触を1秒に計算する回数</translation>
+        <source>Force updates per second</source>
+        <translation>1秒間に力を更新する回数</translation>
     </message>
     <message>
-        <source>Moments of feeling that came too late or not at all, since the start</source>
-        <translation>起動してから、間に合わなかった、または抜けた回数</translation>
+        <source>Updates that were late or missing since the start</source>
+        <translation>起動してから、遅れたか抜けた更新の回数</translation>
     </message>
     <message>
-        <source>%1, without force</source>
+        <source>%1 (no force)</source>
         <translation>%1（力覚なし）</translation>
     </message>
     <message>
@@ -4070,40 +4152,40 @@ Columns and rows:</source>
         <translation>深さ %1 mm</translation>
     </message>
     <message>
-        <source>%1 times a second</source>
-        <translation>毎秒 %1 回</translation>
+        <source>%1 times per second</source>
+        <translation>毎秒%1回</translation>
     </message>
     <message>
         <source>starting</source>
         <translation>開始中</translation>
     </message>
     <message>
-        <source>How long a moment of feeling takes to compute on average, how late one came at most since the start, and how old the drawn stylus was at most in the last second</source>
-        <translation>力覚の計算一回にかかる平均時間、開始から今までの最大の遅れ、直前の一秒間に描いたペン先の最大の古さ</translation>
+        <source>Average time per update, longest delay of an update since the start, and longest delay of the display in the last second</source>
+        <translation>更新1回の平均時間、起動してからの最大の遅れ、直前の1秒間の表示の最大の遅れ</translation>
     </message>
     <message>
-        <source>tick %1 µs, late %2 ms</source>
-        <translation>一回 %1 µs・遅れ %2 ms</translation>
+        <source>update %1 µs, delay %2 ms</source>
+        <translation>更新 %1 µs・遅れ %2 ms</translation>
     </message>
     <message>
-        <source>%1, seen after %2 ms</source>
-        <translation>%1・表示まで %2 ms</translation>
+        <source>%1, display %2 ms</source>
+        <translation>%1・表示 %2 ms</translation>
     </message>
     <message>
         <source>%1 missed</source>
-        <translation>抜け %1 回</translation>
+        <translation>抜け%1回</translation>
     </message>
     <message>
         <source>● %1, %2 s</source>
-        <translation>● %1、%2 秒</translation>
+        <translation>● %1、%2秒</translation>
     </message>
     <message>
         <source>%1, %2 lost</source>
         <translation>%1、抜け %2</translation>
     </message>
     <message>
-        <source>The session is being recorded to %1</source>
-        <translation>%1 に記録しています</translation>
+        <source>Recording pen motion to %1</source>
+        <translation>ペンの動きを %1 に記録しています</translation>
     </message>
 </context>
 <context>
@@ -4113,27 +4195,27 @@ Columns and rows:</source>
         <translation>%1、%2</translation>
     </message>
     <message>
-        <source>%1, %2, known with a chance of %3</source>
-        <translation>%1、%2、思い出せる見込み %3</translation>
+        <source>%1, %2, %3 likely to be remembered</source>
+        <translation>%1、%2、思い出せる確率%3</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::StrictnessSlider</name>
     <message>
-        <source>&amp;Judged</source>
-        <translation>採点(&amp;J)</translation>
+        <source>Str&amp;ictness</source>
+        <translation>判定の厳しさ(&amp;I)</translation>
     </message>
     <message>
         <source>Strictness</source>
-        <translation>採点の厳しさ</translation>
+        <translation>判定の厳しさ</translation>
     </message>
     <message>
-        <source>How strictly writing is judged (Ctrl+[ and Ctrl+])</source>
-        <translation>採点の厳しさ（Ctrl+[ と Ctrl+]）</translation>
+        <source>How strictly your writing is checked (Ctrl+[ and Ctrl+])</source>
+        <translation>判定の厳しさ（Ctrl+[ と Ctrl+]）</translation>
     </message>
     <message>
         <source>lenient</source>
-        <translation>甘い</translation>
+        <translation>やさしい</translation>
     </message>
     <message>
         <source>normal</source>
@@ -4141,39 +4223,27 @@ Columns and rows:</source>
     </message>
     <message>
         <source>strict</source>
-        <translation>厳しい</translation>
+        <translation>きびしい</translation>
     </message>
     <message>
-        <source>leniently</source>
-        <translation>甘く</translation>
+        <source>fairly lenient</source>
+        <translation>少しやさしい</translation>
     </message>
     <message>
-        <source>strictly</source>
-        <translation>厳しく</translation>
-    </message>
-    <message>
-        <source>as a teacher does</source>
-        <translation>先生のように</translation>
-    </message>
-    <message>
-        <source>rather leniently</source>
-        <translation>やや甘く</translation>
-    </message>
-    <message>
-        <source>rather strictly</source>
-        <translation>やや厳しく</translation>
+        <source>fairly strict</source>
+        <translation>少しきびしい</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::StrokeCounter</name>
     <message>
         <source>no strokes</source>
-        <translation>筆画なし</translation>
+        <translation>画なし</translation>
     </message>
     <message numerus="yes">
         <source>all %n strokes</source>
         <translation>
-            <numerusform>全 %n 画</numerusform>
+            <numerusform>全%n画</numerusform>
         </translation>
     </message>
     <message>
@@ -4184,11 +4254,11 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::StrokeWords</name>
     <message>
-        <source>horizontal line</source>
+        <source>horizontal stroke</source>
         <translation>横画</translation>
     </message>
     <message>
-        <source>vertical line</source>
+        <source>vertical stroke</source>
         <translation>縦画</translation>
     </message>
     <message>
@@ -4205,46 +4275,46 @@ Columns and rows:</source>
     </message>
     <message>
         <source>rising stroke</source>
-        <translation>はね上げ</translation>
+        <translation>右上払い</translation>
     </message>
     <message>
-        <source>horizontal line with a hook</source>
-        <translation>横画かぎ</translation>
+        <source>horizontal stroke with a hook</source>
+        <translation>横画はね</translation>
     </message>
     <message>
-        <source>vertical line with a hook</source>
+        <source>vertical stroke with a hook</source>
         <translation>縦画はね</translation>
     </message>
     <message>
-        <source>horizontal line that turns down</source>
+        <source>horizontal stroke that turns down</source>
         <translation>横折れ</translation>
     </message>
     <message>
-        <source>horizontal line that turns down, with a hook</source>
+        <source>horizontal stroke that turns down, with a hook</source>
         <translation>横折れはね</translation>
     </message>
     <message>
-        <source>vertical line that turns right</source>
+        <source>vertical stroke that turns right</source>
         <translation>縦折れ</translation>
     </message>
     <message>
-        <source>vertical line that bends right, with a hook</source>
+        <source>vertical stroke that bends right, with a hook</source>
         <translation>縦曲がりはね</translation>
     </message>
     <message>
-        <source>vertical line with a rise</source>
-        <translation>縦はね上げ</translation>
+        <source>vertical stroke that rises at the end</source>
+        <translation>縦画から右上払い</translation>
     </message>
     <message>
-        <source>horizontal line that sweeps to the left</source>
-        <translation>横左払い</translation>
+        <source>horizontal stroke that turns into a left sweep</source>
+        <translation>横折れ左払い</translation>
     </message>
     <message>
-        <source>curved line with a hook</source>
+        <source>curved stroke with a hook</source>
         <translation>曲がりはね</translation>
     </message>
     <message>
-        <source>slanting line with a hook</source>
+        <source>slanting stroke with a hook</source>
         <translation>そりはね</translation>
     </message>
     <message>
@@ -4252,52 +4322,52 @@ Columns and rows:</source>
         <translation>平そりはね</translation>
     </message>
     <message>
-        <source>horizontal line that bends, with a hook</source>
+        <source>horizontal stroke that bends, with a hook</source>
         <translation>横曲がりはね</translation>
     </message>
     <message>
-        <source>horizontal line that turns down, then rises</source>
-        <translation>横折れはね上げ</translation>
+        <source>horizontal stroke that turns down, then rises</source>
+        <translation>横折れ右上払い</translation>
     </message>
     <message>
         <source>sweep to the left that turns right</source>
         <translation>左払い折れ</translation>
     </message>
     <message>
-        <source>sweep to the left that turns to a dot</source>
+        <source>sweep to the left that turns into a dot</source>
         <translation>左払い点</translation>
     </message>
     <message>
-        <source>line with three turns</source>
+        <source>stroke with three turns</source>
         <translation>三つ折れ</translation>
     </message>
     <message>
-        <source>line with several turns and a hook</source>
+        <source>stroke with several turns and a hook</source>
         <translation>折れ重なりはね</translation>
     </message>
     <message>
-        <source>line with two turns that sweeps to the left</source>
+        <source>stroke with two turns and a sweep to the left</source>
         <translation>二つ折れ左払い</translation>
     </message>
     <message>
-        <source>line that turns and curves, with a hook</source>
+        <source>stroke that turns and curves, with a hook</source>
         <translation>横折れ曲がりはね</translation>
     </message>
     <message>
-        <source>It stops at the end.</source>
-        <translation>終わりは止めます。</translation>
+        <source>It ends with a stop.</source>
+        <translation>終わりは、とめます。</translation>
     </message>
     <message>
-        <source>It stops, then kicks.</source>
-        <translation>止めてから、はねます。</translation>
+        <source>It ends with a hook.</source>
+        <translation>終わりは、はねます。</translation>
     </message>
     <message>
-        <source>It is lifted while it moves, and thins out.</source>
-        <translation>動かしながら筆を上げ、払います。</translation>
+        <source>It ends with a sweep: lift the pen while it is still moving.</source>
+        <translation>終わりは、はらいます。</translation>
     </message>
     <message>
-        <source>It may stop or thin out.</source>
-        <translation>止めても払ってもかまいません。</translation>
+        <source>It may end with a stop or a sweep.</source>
+        <translation>終わりは、とめても、はらってもかまいません。</translation>
     </message>
 </context>
 <context>
@@ -4307,84 +4377,84 @@ Columns and rows:</source>
         <translation>日</translation>
     </message>
     <message>
-        <source>Week from</source>
+        <source>Week starting</source>
         <translation>週（始まり）</translation>
     </message>
     <message>
-        <source>Month from</source>
+        <source>Month starting</source>
         <translation>月（始まり）</translation>
     </message>
     <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
+        <source>%1%</source>
+        <translation>%1%</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation>%1 分</translation>
+        <translation>%1分</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
-        <translation>%1 時間 %2 分</translation>
+        <translation>%1時間%2分</translation>
     </message>
     <message>
-        <source>not met</source>
-        <translation>まだ</translation>
+        <source>not studied</source>
+        <translation>未学習</translation>
     </message>
     <message>
         <source>learning</source>
         <translation>学習中</translation>
     </message>
     <message>
-        <source>young</source>
+        <source>recently learned</source>
         <translation>覚えたて</translation>
     </message>
     <message>
-        <source>firm</source>
+        <source>well known</source>
         <translation>定着</translation>
     </message>
     <message>
-        <source>set apart</source>
-        <translation>取り分け</translation>
+        <source>difficult</source>
+        <translation>苦手</translation>
     </message>
     <message>
-        <source>paused</source>
+        <source>suspended</source>
         <translation>休止中</translation>
     </message>
     <message>
-        <source>out of turn</source>
-        <translation>順番ちがい</translation>
+        <source>wrong order</source>
+        <translation>書き順の違い</translation>
     </message>
     <message>
         <source>drawn backwards</source>
         <translation>逆向き</translation>
     </message>
     <message>
-        <source>left out</source>
+        <source>missing</source>
         <translation>書き忘れ</translation>
     </message>
     <message>
-        <source>one too many</source>
+        <source>extra stroke</source>
         <translation>余分な画</translation>
     </message>
     <message>
-        <source>joined with another</source>
-        <translation>ほかの画とつながった</translation>
+        <source>joined to another stroke</source>
+        <translation>ほかの画とつながり</translation>
     </message>
     <message>
-        <source>drawn in pieces</source>
-        <translation>切れた</translation>
+        <source>split into pieces</source>
+        <translation>途切れた画</translation>
     </message>
     <message>
-        <source>wrong shape or place</source>
-        <translation>形か位置がちがう</translation>
+        <source>wrong shape or position</source>
+        <translation>形や位置の違い</translation>
     </message>
     <message>
-        <source>of another character</source>
+        <source>stroke of another character</source>
         <translation>ほかの文字の画</translation>
     </message>
     <message>
         <source>wrong ending</source>
-        <translation>とめ・はね・はらいのちがい</translation>
+        <translation>とめ・はね・はらいの違い</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -4392,27 +4462,27 @@ Columns and rows:</source>
         <translation>%1（%2）</translation>
     </message>
     <message>
-        <source>Reviews to come</source>
+        <source>Upcoming reviews</source>
         <translation>これからの復習</translation>
     </message>
     <message>
-        <source>Write a character from memory once, and the day it comes back stands here.</source>
-        <translation>一度そらで書くと、次に出る日がここに並びます。</translation>
+        <source>Write a character from memory once, and its next review will appear here.</source>
+        <translation>見ないで一度書くと、次の復習日がここに並びます。</translation>
     </message>
     <message>
         <source>Reviews</source>
         <translation>復習</translation>
     </message>
     <message>
-        <source>In 30 days: %1, today: %2. Most on %3: %4.</source>
-        <translation>30日間：%1、今日：%2。最も多いのは %3：%4。</translation>
+        <source>Next 30 days: %1. Today: %2. Busiest day: %3 (%4).</source>
+        <translation>今後30日間：%1件、今日：%2件。最も多い日：%3（%4件）。</translation>
     </message>
     <message>
         <source>Reviews and minutes</source>
         <translation>復習と時間</translation>
     </message>
     <message>
-        <source>Nothing was written in this time. What you write stands here, day by day.</source>
+        <source>Nothing written in this period. What you write appears here, day by day.</source>
         <translation>この期間には何も書いていません。書いたものが日ごとに並びます。</translation>
     </message>
     <message>
@@ -4421,27 +4491,27 @@ Columns and rows:</source>
     </message>
     <message>
         <source>New</source>
-        <translation>新しい文字</translation>
+        <translation>新しい字</translation>
     </message>
     <message>
         <source>Minutes</source>
         <translation>分</translation>
     </message>
     <message>
-        <source>Reviews: %1 in %2. Days of study: %3, each with about %4 reviews in %5 min.</source>
-        <translation>復習：%1 回、%2。学習した日：%3 日、一日におよそ %4 回、%5 分。</translation>
+        <source>Reviews: %1 in %2. Study days: %3, with about %4 reviews in %5 min each.</source>
+        <translation>復習：%1回、%2。学習した日：%3日（1日に約%4回、%5分）。</translation>
     </message>
     <message>
-        <source>Recalled, and predicted</source>
-        <translation>思い出せた率と予測</translation>
+        <source>Recall: actual and predicted</source>
+        <translation>思い出せた割合と予測</translation>
     </message>
     <message>
-        <source>Counted once a character comes back after a day or more. Come back tomorrow.</source>
-        <translation>一日以上たって文字がまた出ると数えます。明日また来てください。</translation>
+        <source>Starts when a character comes back after a day or more. Come back tomorrow.</source>
+        <translation>1日以上たって文字がまた出ると集計します。明日また来てください。</translation>
     </message>
     <message>
         <source>Recalled</source>
-        <translation>思い出せた</translation>
+        <translation>思い出せた割合</translation>
     </message>
     <message>
         <source>Predicted</source>
@@ -4449,18 +4519,18 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Reviews after a day or more: %1. Recalled %2, predicted %3.</source>
-        <translation>一日以上たってからの復習：%1 回。思い出せた %2、予測 %3。</translation>
+        <translation>1日以上たってからの復習：%1回。思い出せた割合 %2、予測 %3。</translation>
     </message>
     <message>
         <source>Speed and smoothness of the pen</source>
-        <translation>筆の速さとなめらかさ</translation>
+        <translation>ペンの速さとなめらかさ</translation>
     </message>
     <message>
-        <source>Shown once characters were written on the tablet, with pen, mouse or stylus.</source>
-        <translation>ペン、マウス、スタイラスで文字を書くと表示されます。</translation>
+        <source>Shown once you have written on the tablet with a mouse, pen or stylus.</source>
+        <translation>文字板に書くと表示されます（マウス、ペン、力覚デバイス）。</translation>
     </message>
     <message>
-        <source>Writings</source>
+        <source>Times written</source>
         <translation>書いた回数</translation>
     </message>
     <message>
@@ -4472,8 +4542,8 @@ Columns and rows:</source>
         <translation>なめらかさ</translation>
     </message>
     <message>
-        <source>Speed %1 at first, %2 now, in character widths a second. Smoothness %3 at first, %4 now; nearer to 0 is smoother.</source>
-        <translation>速さは初め毎秒 %1 字幅、今は %2。なめらかさは初め %3、今は %4。0 に近いほどなめらかです。</translation>
+        <source>Speed in character widths per second: %1 at first, %2 now. Smoothness: %3 at first, %4 now (closer to 0 is smoother).</source>
+        <translation>速さ（毎秒の字幅）：最初 %1、今 %2。なめらかさ：最初 %3、今 %4（0 に近いほどなめらか）。</translation>
     </message>
     <message>
         <source>Character</source>
@@ -4484,44 +4554,44 @@ Columns and rows:</source>
         <translation>画</translation>
     </message>
     <message>
-        <source>Wrong in</source>
-        <translation>まちがい</translation>
+        <source>Times wrong</source>
+        <translation>間違えた回数</translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>どのように</translation>
+        <source>Mistakes</source>
+        <translation>間違いの内容</translation>
     </message>
     <message>
-        <source>Reviews to &amp;come</source>
+        <source>Up&amp;coming reviews</source>
         <translation>これからの復習(&amp;C)</translation>
     </message>
     <message>
-        <source>Go to the reviews to come</source>
-        <translation>これからの復習へ</translation>
+        <source>Go to the upcoming reviews</source>
+        <translation>これからの復習へ移ります</translation>
     </message>
     <message>
-        <source>&amp;Recalled, and predicted</source>
-        <translation>思い出せた率と予測(&amp;R)</translation>
+        <source>&amp;Recall: actual and predicted</source>
+        <translation>思い出せた割合と予測(&amp;R)</translation>
     </message>
     <message>
-        <source>Go to what was recalled and predicted</source>
-        <translation>思い出せた率と予測へ</translation>
+        <source>Go to actual and predicted recall</source>
+        <translation>思い出せた割合と予測へ移ります</translation>
     </message>
     <message>
         <source>Reviews and &amp;minutes</source>
         <translation>復習と時間(&amp;M)</translation>
     </message>
     <message>
-        <source>Go to the reviews and minutes</source>
-        <translation>復習と時間へ</translation>
+        <source>Go to reviews and minutes</source>
+        <translation>復習と時間へ移ります</translation>
     </message>
     <message>
         <source>&amp;Speed and smoothness</source>
         <translation>速さとなめらかさ(&amp;S)</translation>
     </message>
     <message>
-        <source>Go to how the pen moved</source>
-        <translation>筆の動きへ</translation>
+        <source>Go to speed and smoothness of the pen</source>
+        <translation>ペンの速さとなめらかさへ移ります</translation>
     </message>
 </context>
 <context>
@@ -4531,15 +4601,15 @@ Columns and rows:</source>
         <translation>自分のリストとタグを読めません：%1</translation>
     </message>
     <message>
-        <source>The study settings hold from now on.</source>
-        <translation>学習の設定はこれから有効です。</translation>
+        <source>Settings saved.</source>
+        <translation>設定を保存しました。</translation>
     </message>
     <message>
         <source>Tags</source>
         <translation>タグ</translation>
     </message>
     <message>
-        <source>Tags of %1, with commas between them:</source>
+        <source>Tags for %1, separated by commas:</source>
         <translation>%1 のタグ（コンマで区切ります）：</translation>
     </message>
     <message>
@@ -4547,51 +4617,51 @@ Columns and rows:</source>
         <translation>学習の設定</translation>
     </message>
     <message>
-        <source>How much</source>
-        <translation>量</translation>
+        <source>Daily goal</source>
+        <translation>1日の目標</translation>
     </message>
     <message>
         <source>Desired retention</source>
         <translation>目標の定着率</translation>
     </message>
     <message>
-        <source>&amp;New characters a day, at most</source>
-        <translation>一日の新しい文字の上限(&amp;N)</translation>
+        <source>&amp;New characters per day (maximum)</source>
+        <translation>1日の新しい字の上限(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Reviews a day, at most</source>
-        <translation>一日の復習の上限(&amp;R)</translation>
+        <source>&amp;Reviews per day (maximum)</source>
+        <translation>1日の復習の上限(&amp;R)</translation>
     </message>
     <message>
-        <source>A study &amp;day begins at (hour)</source>
-        <translation>学習の一日が始まる時刻（時）(&amp;D)</translation>
+        <source>A study &amp;day starts at (hour)</source>
+        <translation>学習の1日が始まる時刻（時）(&amp;D)</translation>
     </message>
     <message>
         <source>Time zone</source>
-        <translation>時間帯</translation>
+        <translation>タイムゾーン</translation>
     </message>
     <message>
-        <source>as the computer</source>
+        <source>same as the computer</source>
         <translation>コンピューターと同じ</translation>
     </message>
     <message>
         <source>Time &amp;zone</source>
-        <translation>時間帯(&amp;Z)</translation>
+        <translation>タイムゾーン(&amp;Z)</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>内容</translation>
+        <source>Lists</source>
+        <translation>リスト</translation>
     </message>
     <message>
         <source>Order of new characters</source>
-        <translation>新しい文字の順番</translation>
+        <translation>新しい字の順番</translation>
     </message>
     <message>
         <source>by school grade</source>
         <translation>学年順</translation>
     </message>
     <message>
-        <source>commonest first</source>
+        <source>most common first</source>
         <translation>よく使う順</translation>
     </message>
     <message>
@@ -4599,20 +4669,20 @@ Columns and rows:</source>
         <translation>画数の少ない順</translation>
     </message>
     <message>
-        <source>parts before wholes</source>
-        <translation>部分から全体へ</translation>
+        <source>simple parts first</source>
+        <translation>パーツになる字から先に</translation>
     </message>
     <message>
-        <source>as in the lists</source>
+        <source>in list order</source>
         <translation>リストの順</translation>
     </message>
     <message>
         <source>&amp;Order of new characters</source>
-        <translation>新しい文字の順番(&amp;O)</translation>
+        <translation>新しい字の順番(&amp;O)</translation>
     </message>
     <message>
         <source>Lists to learn from</source>
-        <translation>学ぶリスト</translation>
+        <translation>学習するリスト</translation>
     </message>
     <message>
         <source>New list…</source>
@@ -4632,30 +4702,30 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Postpone all…</source>
-        <translation>すべて延ばす…</translation>
+        <translation>すべて延期…</translation>
     </message>
     <message>
         <source>Postpone</source>
-        <translation>延ばす</translation>
+        <translation>延期</translation>
     </message>
     <message>
         <source>Days</source>
         <translation>日数</translation>
     </message>
     <message numerus="yes">
-        <source>%n characters are postponed.</source>
+        <source>%n characters postponed.</source>
         <translation>
-            <numerusform>%n 字を延ばしました。</numerusform>
+            <numerusform>%n字を延期しました。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Pause all</source>
+        <source>Suspend all</source>
         <translation>すべて休止</translation>
     </message>
     <message numerus="yes">
-        <source>%n characters are paused.</source>
+        <source>%n characters suspended.</source>
         <translation>
-            <numerusform>%n 字を休止しました。</numerusform>
+            <numerusform>%n字を休止しました。</numerusform>
         </translation>
     </message>
     <message>
@@ -4663,107 +4733,99 @@ Columns and rows:</source>
         <translation>すべて再開</translation>
     </message>
     <message numerus="yes">
-        <source>%n characters come again.</source>
+        <source>%n characters resumed.</source>
         <translation>
-            <numerusform>%n 字がまた出ます。</numerusform>
+            <numerusform>%n字を再開しました。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Begin all anew</source>
-        <translation>すべて初めから</translation>
+        <source>Start all over</source>
+        <translation>すべて最初から</translation>
     </message>
     <message numerus="yes">
-        <source>%n characters are new again.</source>
+        <source>%n characters started over as new.</source>
         <translation>
-            <numerusform>%n 字が新しい文字に戻りました。</numerusform>
+            <numerusform>%n字を新しい字に戻しました。</numerusform>
         </translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>方法</translation>
+        <source>Mistakes on a stroke before a &amp;hint is offered</source>
+        <translation>ヒントを勧めるまでに間違える回数（1画あたり）(&amp;H)</translation>
     </message>
     <message>
-        <source>Misses of a stroke until a &amp;hint is offered</source>
-        <translation>ヒントを勧めるまでの一画の失敗の数(&amp;H)</translation>
+        <source>Mistakes before the stroke is &amp;shown</source>
+        <translation>画を表示するまでに間違える回数(&amp;S)</translation>
     </message>
     <message>
-        <source>Misses until the stroke is &amp;shown</source>
-        <translation>画を示すまでの失敗の数(&amp;S)</translation>
+        <source>&amp;Lapses before a character must be relearned</source>
+        <translation>覚え直しになるまでに忘れる回数(&amp;L)</translation>
     </message>
     <message>
-        <source>Forgotten so often, a character gets another &amp;lesson</source>
-        <translation>この回数忘れた文字は別の練習へ(&amp;L)</translation>
+        <source>&amp;Vary review intervals a little</source>
+        <translation>復習の間隔を少しずらす(&amp;V)</translation>
     </message>
     <message>
-        <source>&amp;Vary intervals a little</source>
-        <translation>間隔を少しずらす(&amp;V)</translation>
+        <source>Pref&amp;er days with fewer reviews</source>
+        <translation>復習の少ない日を選ぶ(&amp;E)</translation>
     </message>
     <message>
-        <source>Choose the &amp;emptier day</source>
-        <translation>少ない日を選ぶ(&amp;E)</translation>
+        <source>Custom FSRS parameters…</source>
+        <translation>FSRS パラメーターを指定…</translation>
     </message>
     <message>
-        <source>FSRS weights of your own…</source>
-        <translation>自分の FSRS の重み…</translation>
+        <source>Default parameters</source>
+        <translation>標準のパラメーター</translation>
     </message>
     <message>
-        <source>The usual weights</source>
-        <translation>標準の重み</translation>
+        <source>Start Nazori on &amp;Home</source>
+        <translation>起動したらホームを開く(&amp;H)</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>窓</translation>
+        <source>Sometimes ask with a &amp;word that leaves out the character</source>
+        <translation>ときどき、その文字を抜いた言葉で出題する(&amp;W)</translation>
     </message>
     <message>
-        <source>Nazori opens with &amp;Home</source>
-        <translation>ホームから始める(&amp;H)</translation>
+        <source>&amp;Left-handed: swap the panels beside the tablet</source>
+        <translation>左利き：文字板の左右のパネルを入れ替える(&amp;L)</translation>
     </message>
     <message>
-        <source>Ask by a &amp;word at times, the character left out</source>
-        <translation>ときどき、文字を抜いた熟語で尋ねる(&amp;W)</translation>
-    </message>
-    <message>
-        <source>&amp;Left-handed: what stands beside the tablet changes sides</source>
-        <translation>左利き：文字板の左右を入れ替える(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Keys for one hand</source>
-        <translation>片手のキー</translation>
+        <source>One-handed keys</source>
+        <translation>片手用のキー</translation>
     </message>
     <message>
         <source>none</source>
         <translation>なし</translation>
     </message>
     <message>
-        <source>left hand: 1 2 3 4, E goes on, W hint, X takes back</source>
+        <source>left hand: 1 2 3 4, E next, W hint, X undo</source>
         <translation>左手：1 2 3 4、E で次へ、W でヒント、X で取り消し</translation>
     </message>
     <message>
-        <source>right hand: 7 8 9 0, K goes on, U hint, Backspace takes back</source>
+        <source>right hand: 7 8 9 0, K next, U hint, Backspace undo</source>
         <translation>右手：7 8 9 0、K で次へ、U でヒント、Backspace で取り消し</translation>
     </message>
     <message>
-        <source>&amp;Keys for one hand</source>
-        <translation>片手のキー(&amp;K)</translation>
+        <source>One-handed &amp;keys</source>
+        <translation>片手用のキー(&amp;K)</translation>
     </message>
     <message numerus="yes">
-        <source>With %1 new a day about %2 reviews and %n minutes a day; after a year about %3 characters known. Higher retention means more reviews.</source>
+        <source>With %1 new characters a day: about %2 reviews and %n minutes a day, and about %3 characters known after a year. Higher retention means more reviews.</source>
         <translation>
-            <numerusform>一日に新しい文字 %1 字なら、一日およそ復習 %2 件、%n 分。一年後にはおよそ %3 字を覚えています。定着率を高くすると復習が増えます。</numerusform>
+            <numerusform>1日に新しい字が%1字なら、復習は1日に約%2件、約%n分です。1年後には約%3字を覚えています。定着率を高くすると復習が増えます。</numerusform>
         </translation>
     </message>
     <message>
-        <source>No list is chosen: nothing new will come.</source>
-        <translation>リストが選ばれていません。新しい文字は出ません。</translation>
+        <source>No list is selected, so no new characters will come up.</source>
+        <translation>リストが選ばれていません。新しい字は出ません。</translation>
     </message>
     <message numerus="yes">
-        <source>%Ln characters are chosen, %1 of them met already.</source>
+        <source>%Ln characters selected, %1 of them already studied.</source>
         <translation>
-            <numerusform>%Ln 字が選ばれ、そのうち %1 字はもう学び始めました。</numerusform>
+            <numerusform>%Ln字が選ばれ、そのうち%1字は学習済みです。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Only lists of your own can be removed.</source>
+        <source>Only your own lists can be removed.</source>
         <translation>削除できるのは自分のリストだけです。</translation>
     </message>
     <message>
@@ -4771,36 +4833,44 @@ Columns and rows:</source>
         <translation>リストの削除</translation>
     </message>
     <message>
-        <source>Remove “%1”? What was learnt of its characters stays.</source>
-        <translation>「%1」を削除しますか。その文字の学習は残ります。</translation>
+        <source>Remove “%1”? Your progress with its characters is kept.</source>
+        <translation>「%1」を削除しますか。文字の学習データは残ります。</translation>
     </message>
     <message>
-        <source>There is nothing in this list.</source>
-        <translation>このリストには何もありません。</translation>
+        <source>This list is empty.</source>
+        <translation>このリストは空です。</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+Z takes it back.</source>
+        <source>Ctrl+Shift+Z: undo.</source>
         <translation>Ctrl+Shift+Z で取り消せます。</translation>
     </message>
     <message>
-        <source>FSRS-6 with its usual weights.</source>
-        <translation>FSRS-6、標準の重み。</translation>
+        <source>FSRS-6 with default parameters.</source>
+        <translation>FSRS-6、標準のパラメーター。</translation>
     </message>
     <message>
-        <source>FSRS-6 with weights of your own, the first %1.</source>
-        <translation>FSRS-6、自分の重み（最初は %1）。</translation>
+        <source>FSRS-6 with custom parameters (the first is %1).</source>
+        <translation>FSRS-6、指定したパラメーター（最初の値は %1）。</translation>
     </message>
     <message>
-        <source>FSRS weights</source>
-        <translation>FSRS の重み</translation>
+        <source>FSRS parameters</source>
+        <translation>FSRS パラメーター</translation>
     </message>
     <message>
         <source>21, 19 or 17 numbers, as Anki shows them:</source>
-        <translation>Anki が示すとおりの 21、19 または 17 個の数：</translation>
+        <translation>Anki に表示されるとおりの 21、19 または 17 個の数値：</translation>
     </message>
     <message>
-        <source>These weights are not taken: %1.</source>
-        <translation>この重みは使えません：%1。</translation>
+        <source>These parameters cannot be used: %1.</source>
+        <translation>このパラメーターは使えません：%1。</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>復習</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>ウィンドウ</translation>
     </message>
 </context>
 <context>
@@ -4831,16 +4901,16 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Guided</source>
-        <translation>導き</translation>
+        <translation>ガイド付きで書く</translation>
     </message>
     <message>
-        <source>From memory</source>
-        <translation>覚えて書く</translation>
+        <source>Memory</source>
+        <translation>見ないで書く</translation>
     </message>
     <message numerus="yes">
         <source>in %n minutes</source>
         <translation>
-            <numerusform>%n 分後</numerusform>
+            <numerusform>%n分後</numerusform>
         </translation>
     </message>
     <message>
@@ -4850,77 +4920,93 @@ Columns and rows:</source>
     <message numerus="yes">
         <source>in %n days</source>
         <translation>
-            <numerusform>%n 日後</numerusform>
+            <numerusform>%n日後</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>in %n months</source>
         <translation>
-            <numerusform>%n か月後</numerusform>
+            <numerusform>%nか月後</numerusform>
         </translation>
     </message>
     <message>
         <source>in %1 years</source>
-        <translation>%1 年後</translation>
+        <translation>%1年後</translation>
     </message>
     <message>
         <source>less than a minute</source>
-        <translation>一分足らず</translation>
+        <translation>1分未満</translation>
     </message>
     <message numerus="yes">
         <source>about %n minutes</source>
         <translation>
-            <numerusform>約 %n 分</numerusform>
+            <numerusform>約%n分</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation>%1 分</translation>
+        <translation>%1分</translation>
     </message>
     <message>
         <source>%1 d</source>
-        <translation>%1 日</translation>
+        <translation>%1日</translation>
     </message>
     <message>
         <source>%1 mo</source>
-        <translation>%1 か月</translation>
+        <translation>%1か月</translation>
     </message>
     <message>
         <source>%1 y</source>
-        <translation>%1 年</translation>
+        <translation>%1年</translation>
     </message>
 </context>
 <context>
     <name>nazori::ui::ToolBar</name>
     <message>
-        <source>How the tablet looks (Ctrl+1, 2, 3)</source>
-        <translation>文字板の見た目 (Ctrl+1, 2, 3)</translation>
+        <source>Tablet style (Ctrl+1, 2, 3)</source>
+        <translation>文字板の見た目（Ctrl+1、2、3）</translation>
     </message>
     <message>
-        <source>Look of the tablet: %1</source>
+        <source>Tablet style: %1</source>
         <translation>文字板の見た目：%1</translation>
     </message>
     <message>
-        <source>Tools</source>
-        <translation>道具</translation>
+        <source>Toolbar</source>
+        <translation>ツールバー</translation>
     </message>
 </context>
 <context>
-    <name>nazori::ui::WatchPage</name>
+    <name>nazori::ui::WatchView</name>
     <message>
-        <source>%1 of %2 · × %3</source>
-        <translation>%1 / %2 画 · × %3</translation>
+        <source>%1 of %2 · %3×</source>
+        <translation>%1／%2画 · %3倍</translation>
     </message>
     <message>
         <source>no strokes</source>
-        <translation>筆画なし</translation>
+        <translation>画なし</translation>
     </message>
 </context>
 <context>
-    <name>nazori::ui::WorkplaceRail</name>
+    <name>nazori::ui::WordBoxes</name>
     <message>
-        <source>Workplaces</source>
-        <translation>作業の場</translation>
+        <source>The characters of the word</source>
+        <translation>言葉の文字</translation>
+    </message>
+    <message>
+        <source>Character %1: right</source>
+        <translation>%1文字目：正解</translation>
+    </message>
+    <message>
+        <source>Character %1: not right</source>
+        <translation>%1文字目：もう少し</translation>
+    </message>
+    <message>
+        <source>Character %1: being written</source>
+        <translation>%1文字目：書いています</translation>
+    </message>
+    <message>
+        <source>Character %1: empty</source>
+        <translation>%1文字目：まだ書いていません</translation>
     </message>
 </context>
 <context>
@@ -4933,16 +5019,24 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::WritingReport</name>
     <message>
-        <source>What was found in your writing</source>
+        <source>Feedback on your writing</source>
         <translation>書いた字の講評</translation>
     </message>
     <message>
-        <source>Accepted: %1 of 100 points</source>
-        <translation>合格：100点中%1点</translation>
+        <source>Not quite</source>
+        <translation>もう少し</translation>
     </message>
     <message>
-        <source>Not yet: %1 of 100 points</source>
-        <translation>もう少し：100点中%1点</translation>
+        <source>Correct</source>
+        <translation>正解</translation>
+    </message>
+    <message>
+        <source>Correct. Form: %1</source>
+        <translation>正解。字形：%1</translation>
+    </message>
+    <message>
+        <source>Correct. Form: %1 of %2 stars</source>
+        <translation>正解。字形は星%2つ中%1つ</translation>
     </message>
 </context>
 <context>
@@ -4960,7 +5054,7 @@ Columns and rows:</source>
         <translation>マイナス%1</translation>
     </message>
     <message>
-        <source>The curve is upright here.</source>
+        <source>The curve is vertical here.</source>
         <translation>ここでは曲線が垂直です。</translation>
     </message>
     <message>
@@ -4976,7 +5070,7 @@ Columns and rows:</source>
         <translation>ほかの曲線や枝はありません。</translation>
     </message>
     <message>
-        <source>Next piece</source>
+        <source>Next branch</source>
         <translation>次の部分</translation>
     </message>
     <message>
@@ -4984,61 +5078,61 @@ Columns and rows:</source>
         <translation>端</translation>
     </message>
     <message>
-        <source>Beacon %1</source>
+        <source>Marker %1</source>
         <translation>目印 %1</translation>
     </message>
     <message>
-        <source>Beacon %1 is here: %2.</source>
-        <translation>目印 %1 をここに置きました: %2。</translation>
+        <source>Marker %1 set: %2.</source>
+        <translation>目印 %1 をここに置きました：%2。</translation>
     </message>
     <message>
-        <source>Curve %1 alone: %2.</source>
-        <translation>曲線 %1 だけ: %2。</translation>
+        <source>Only curve %1: %2.</source>
+        <translation>曲線 %1 だけ：%2。</translation>
     </message>
     <message>
         <source>All curves are shown.</source>
         <translation>すべての曲線を表示しています。</translation>
     </message>
     <message>
-        <source>Piece %1 of %2: %3</source>
-        <translation>%2 本中 %1 本目: %3</translation>
+        <source>Branch %1 of %2: %3</source>
+        <translation>%2本中%1本目：%3</translation>
     </message>
     <message numerus="yes">
-        <source>%n pieces</source>
+        <source>%n branches</source>
         <translation>
-            <numerusform>曲線 %n 本</numerusform>
+            <numerusform>曲線%n本</numerusform>
         </translation>
     </message>
     <message>
         <source>Speed %1 of %2</source>
-        <translation>速さ %2 段階の %1</translation>
+        <translation>速さ：%2段階中%1</translation>
     </message>
     <message>
         <source>There is no curve to follow here.</source>
         <translation>ここにはたどる曲線がありません。</translation>
     </message>
     <message>
-        <source>There are no points of interest in this window.</source>
+        <source>There are no points of interest in this range.</source>
         <translation>この範囲に注目点はありません。</translation>
     </message>
     <message>
-        <source>Go to a place on a curve first, with the arrow keys.</source>
+        <source>First move to a point on a curve with the arrow keys.</source>
         <translation>まず矢印キーで曲線上の場所へ移ってください。</translation>
     </message>
     <message>
-        <source>There is no slope here.</source>
+        <source>The curve has no slope here.</source>
         <translation>ここには傾きがありません。</translation>
     </message>
     <message>
-        <source>There is no beacon yet. B drops one.</source>
+        <source>There are no markers yet. B: add one.</source>
         <translation>目印はまだありません。B で置けます。</translation>
     </message>
     <message>
         <source>There is only one curve.</source>
-        <translation>曲線は一本だけです。</translation>
+        <translation>曲線は1本だけです。</translation>
     </message>
     <message>
-        <source>The window cannot be changed any further.</source>
+        <source>The range cannot be changed any further.</source>
         <translation>範囲はこれ以上変えられません。</translation>
     </message>
     <message>
@@ -5069,24 +5163,8 @@ Columns and rows:</source>
         <translation>読み書きできませんでした</translation>
     </message>
     <message>
-        <source>its content does not follow the format</source>
-        <translation>内容が形式に合っていません</translation>
-    </message>
-    <message>
-        <source>it is of another kind than expected</source>
-        <translation>種類が違います</translation>
-    </message>
-    <message>
         <source>it does not exist</source>
         <translation>存在しません</translation>
-    </message>
-    <message>
-        <source>Nothing can be heard: no sound card answers (%1). Plug in or switch on loudspeakers or headphones; everything else works.</source>
-        <translation>音を出せません。使えるサウンドカードがありません（%1）。スピーカーかヘッドホンをつなぐか、電源を入れてください。ほかはすべて使えます。</translation>
-    </message>
-    <message>
-        <source>the graphics or the device refused</source>
-        <translation>グラフィックスまたは装置が応じません</translation>
     </message>
     <message>
         <source>it was stopped</source>
@@ -5095,6 +5173,22 @@ Columns and rows:</source>
     <message>
         <source>another program is using it</source>
         <translation>ほかのプログラムが使用中です</translation>
+    </message>
+    <message>
+        <source>the file format is not valid</source>
+        <translation>ファイルの形式が正しくありません</translation>
+    </message>
+    <message>
+        <source>it is a different kind of file than expected</source>
+        <translation>想定と違う種類のファイルです</translation>
+    </message>
+    <message>
+        <source>the graphics driver or the device reported an error</source>
+        <translation>グラフィックスドライバーまたはデバイスでエラーが起きました</translation>
+    </message>
+    <message>
+        <source>No sound: no working sound card was found (%1). Connect or switch on speakers or headphones. Everything else works.</source>
+        <translation>音が出ません：使えるサウンドカードがありません（%1）。スピーカーかヘッドホンを接続するか、電源を入れてください。ほかの機能は使えます。</translation>
     </message>
 </context>
 </TS>

@@ -14,10 +14,10 @@
 #include "nazori/view/offscreen.h"
 #include "nazori/view/tablet_view.h"
 
-// CPU is the time of all threads together, which other programs on the machine disturb least.
-// Pictures of 1280 x 800 with Mesa's software renderer: items per second are pictures per second. Budgets on
-// two cores: BM_Tracing at least 60, BM_Orbiting at least 20. BM_ImmediateMode2005 is how the 2005 program
-// drew, with the same driver in the same run.
+// CPU is the time of all threads together, which other programs on the machine influence least. Pictures of
+// 1280 x 800 with Mesa's software renderer: items per second are pictures per second. Budgets on two cores:
+// BM_Tracing at least 60, BM_Orbiting at least 20. BM_ImmediateMode2005 draws as the 2005 program did, with
+// the same driver in the same run.
 namespace nazori::view {
 namespace {
 
@@ -62,7 +62,7 @@ struct Stage {
 
 Style style_of(const benchmark::State& state) { return static_cast<Style>(state.range(1)); }
 
-/// A still camera, the stylus moving, the ink of all strokes growing a little with every picture.
+/// A still camera, the stylus moving, with the ink of all strokes growing a little in every picture.
 void BM_Tracing(benchmark::State& state) {
   Stage stage(static_cast<int>(state.range(0)), style_of(state));
   stage.overlay.current_stroke = 1;

@@ -19,7 +19,8 @@ constexpr double kCornerFraction = 0.036;
 constexpr double kEdgeFraction = 0.012;  ///< radius of the rounded edge
 constexpr int kCornerSteps = 8;
 constexpr int kEdgeSteps = 4;
-/// The rim reaches this far under the carved square, a hair lower, so that no gap can show between them.
+/// The rim reaches this far under the carved square and is slightly lower, so that no gap is visible between
+/// them.
 constexpr double kOverlapFraction = 0.002;
 constexpr double kHairFraction = 0.0002;
 constexpr float kGrooveEndLight = 0.6F;

@@ -10,8 +10,7 @@
 
 namespace nazori::view {
 
-/// Vertices x, y, z [m] and the light they get relative to the plateau; triangles counter-clockwise from
-/// outside.
+/// Vertices x, y, z [m] and their light relative to the plateau; triangles counter-clockwise from outside.
 struct BoardMesh {
   std::vector<glm::vec4> vertices;
   std::vector<std::uint32_t> indices;
@@ -22,7 +21,7 @@ struct BoardMesh {
 /// Radius of its corners seen from above [m].
 [[nodiscard]] double board_corner_m(const geometry::TabletShape& shape);
 
-/// All of the board but the carved square: rim, rounded edge and sides, and the ends of grooves that run
+/// All of the board except the carved square: rim, rounded edge and sides, and the ends of grooves that run
 /// out of the square.
 [[nodiscard]] BoardMesh make_board_mesh(const ReliefMesh& relief, const geometry::TabletShape& shape,
                                         Hand hand);

@@ -19,17 +19,17 @@ struct PixelBox {
 };
 
 /// The picture that is kept between draws: the tablet is drawn with four samples a pixel and resolved, or
-/// with one sample straight away where time matters more; lines and numbers (which smooth their own edges)
-/// are drawn over it.
+/// directly with one sample where speed matters more; lines and numbers (which smooth their own edges) are
+/// drawn over it.
 class Canvas {
  public:
-  /// Keeps the pixels when the size stays. @return false when the GPU refuses framebuffers of this size.
+  /// Keeps the pixels if the size is unchanged. @return false when the GPU refuses framebuffers of this size.
   bool resize(int width, int height);
   /// Binds the framebuffer for the tablet. @param quick  one sample a pixel: the picture itself.
   void bind_tablet(bool quick) const;
   /// Resolves `box` of the tablet, then binds the resolved picture.
   void resolve(const PixelBox& box) const;
-  /// Copies the resolved picture into `framebuffer` at the origin and leaves that bound.
+  /// Copies the resolved picture into `framebuffer` at the origin and leaves it bound.
   void show(GLuint framebuffer) const;
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }

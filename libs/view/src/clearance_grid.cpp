@@ -84,7 +84,7 @@ double ClearanceGrid::at(GlyphPoint place, double most) const {
   const int column = cell_of(place.x);
   const int row = cell_of(place.y);
   double least = most;
-  // Rings of cells around that of the place: what lies n rings away is more than n - 1 units off.
+  // Rings of cells around that of the point: pieces n rings away are more than n - 1 units off.
   for (int ring = 0; ring - 1 < least; ++ring) {
     for (int r = std::max(row - ring, 0); r <= std::min(row + ring, kSide - 1); ++r) {
       const bool whole_row = std::abs(r - row) == ring;

@@ -12,14 +12,14 @@
 
 namespace nazori::view {
 
-/// How far places are from all lines, asked again and again. The lines may have millions of pieces: those
-/// near a place are found in a grid over the glyph box and its surroundings.
+/// Answers many queries for the distance from a point to all lines. The lines may have millions of pieces:
+/// those near a point are found in a grid over the glyph box and its surroundings.
 class ClearanceGrid {
  public:
   explicit ClearanceGrid(std::span<const geometry::Polyline<geometry::GlyphFrame>> lines);
 
-  /// Distance from `place` to the nearest line, at most `most`. Where so many pieces lie in one glyph unit
-  /// that no place in it is clear, the distance to that unit.
+  /// Distance from `place` to the nearest line, at most `most`. If one glyph unit contains so many pieces
+  /// that no point in it is clear, the distance to that unit.
   /// @param most  at most kReach.
   [[nodiscard]] double at(geometry::GlyphPoint place, double most) const;
 
@@ -31,7 +31,7 @@ class ClearanceGrid {
     geometry::GlyphPoint from;
     geometry::GlyphPoint to;
   };
-  /// No place in a glyph unit with so many pieces is clear of them.
+  /// No point in a glyph unit with this many pieces is clear of them.
   static constexpr std::size_t kCrowd = 32;
   struct Cell {
     std::array<std::uint32_t, kCrowd> pieces;

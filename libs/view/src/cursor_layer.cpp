@@ -234,7 +234,7 @@ void CursorLayer::draw_body(const Projection& projection, const Body& body, glm:
   const bool fades = body.rings == kBrush.size();
   body_.set("fade", glm::vec3(fades ? 0.55F : 2.0F, fades ? 1.0F : 3.0F, opacity));
   glBindVertexArray(array_.name());
-  // Bands on the eye's side of a plane across the axis hide those beyond it: far to near needs no depth.
+  // Drawn from far to near along the axis, the bands need no depth buffer.
   const auto band = [&](std::size_t k) {
     const std::size_t offset = (body.first_ring + k) * kIndicesPerBand * sizeof(std::uint32_t);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(kIndicesPerBand), GL_UNSIGNED_INT,
@@ -266,7 +266,7 @@ CursorLayer::Trace CursorLayer::draw(const Projection& projection, const Cursor&
   const glm::dvec2 tip = projection.pixel(cursor.proxy_m);
   const glm::dvec2 device = projection.pixel(cursor.device_m);
 
-  // Directions of the view in the tablet frame: right, up and towards the learner.
+  // Axes of the view in the tablet frame: right, up and towards the learner.
   const glm::dvec3 towards = glm::normalize(projection.eye_m - cursor.proxy_m);
   const glm::dmat4& clip = projection.clip_from_tablet;
   const glm::dvec3 right = glm::normalize(glm::dvec3(clip[0][0], clip[1][0], clip[2][0]));

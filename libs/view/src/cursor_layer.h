@@ -9,19 +9,19 @@
 
 namespace nazori::view {
 
-/// The stylus: a writing brush (2005: a green cone) whose tip is the proxy, its shadow, and the device's own
-/// point where that differs. Drawn straight into the picture shown, so that moving it costs little.
+/// The stylus: a writing brush (classic: a green cone) whose tip is the proxy, its shadow, and the device's
+/// own point where that differs. Drawn directly into the displayed picture, so that moving it costs little.
 class CursorLayer {
  public:
   [[nodiscard]] static base::Result<CursorLayer> create(DrawStatistics& statistics);
 
-  /// What the stylus covers: the way from tip to end [pixels, y down] and how far to its sides.
+  /// The area that the stylus covers: the line from tip to end [pixels, y down] and its half width.
   struct Trace {
     glm::dvec2 tip{0};
     glm::dvec2 end{0};
     double reach = 0;
   };
-  /// @param current  the stroke being written is the current one: the brush carries its colour.
+  /// @param current  the stroke being written is the current one: the brush has its colour.
   /// @param scale  device pixels per logical pixel.
   Trace draw(const Projection& projection, const Cursor& cursor, const Look& look, bool current,
              double scale);

@@ -7,7 +7,8 @@
 
 namespace nazori::view {
 
-/// Owner of one OpenGL name, made at construction. Needs the context to be current from birth to death.
+/// Owner of one OpenGL name, made at construction. The context must be current at construction and
+/// destruction.
 template <class Kind>
 class GlObject {
  public:

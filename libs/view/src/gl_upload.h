@@ -10,7 +10,7 @@
 
 namespace nazori::view {
 
-/// The only ways by which vertices and pixels reach the GPU: each is counted.
+/// The only functions that send vertices and pixels to the GPU; each call is counted.
 template <class T>
 void upload(const Buffer& buffer, GLenum target, std::span<const T> data, DrawStatistics& statistics) {
   glBindBuffer(target, buffer.name());
@@ -31,7 +31,7 @@ struct TexelLayout {
 void upload(const Texture& texture, const TexelLayout& layout, std::span<const std::uint8_t> texels,
             DrawStatistics& statistics);
 
-/// Makes an empty texture to be drawn into, filtered linearly.
+/// Makes an empty texture as a render target, filtered linearly.
 void allocate(const Texture& texture, GLint internal_format, GLenum format, int width, int height);
 
 /// One attribute of the buffer bound to GL_ARRAY_BUFFER. @param divisor  1 for one value per instance.

@@ -40,7 +40,7 @@ void main() {
 }
 )glsl";
 
-/// The relief decides where the shore of the ink lies: it stops short of the lip of the groove.
+/// The relief determines the edge of the ink: it ends before the rim of the groove.
 constexpr const char* kFragment = R"glsl(
 in vec2 place;
 in vec2 along;
@@ -131,7 +131,7 @@ GrooveInk::Change GrooveInk::update(std::span<const double> ink, int current_str
     change.everywhere = wanted[i] < drawn_[i];
   if (change.everywhere) drawn_.assign(wanted.size(), 0.0);
 
-  const bool had_ink = has_ink_;  // of the strokes before, too: it is in the texture still
+  const bool had_ink = has_ink_;  // including the previous strokes, whose ink is still in the texture
   drawn_current_ = current_stroke;
   drawn_valid_ = true;
   has_ink_ = std::any_of(wanted.begin(), wanted.end(), [](double share) { return share > 0; });

@@ -12,7 +12,7 @@
 namespace nazori::view {
 
 /// Ink on the tablet's face, as a texture into which the brush is drawn: red is sumi, green the vermilion of
-/// the current stroke. Fresh ink is added without touching what has dried.
+/// the current stroke. New ink is added without drawing the old ink again.
 class GrooveInk {
  public:
   [[nodiscard]] static base::Result<GrooveInk> create();
@@ -20,16 +20,16 @@ class GrooveInk {
   void set_strokes(const StrokeGeometry& strokes, const geometry::TabletShape& shape,
                    DrawStatistics& statistics);
 
-  /// What a change of ink means for the picture.
+  /// The part of the picture that a change of ink affects.
   struct Change {
-    bool everywhere = false;         ///< ink has been taken away or another stroke is current
+    bool everywhere = false;         ///< ink was removed or another stroke is current
     std::vector<glm::vec3> fresh_m;  ///< x, y and radius of discs that cover all fresh ink
     [[nodiscard]] bool is_none() const { return !everywhere && fresh_m.empty(); }
   };
-  /// Brings the texture to `ink` (one share per stroke, 0..1).
+  /// Updates the texture to `ink` (one share per stroke, 0..1).
   /// @param heights  texture of heights over the face.  @param face_from_square  scale and offset.
   Change update(std::span<const double> ink, int current_stroke, GLuint heights, glm::vec2 face_from_square);
-  /// Forgets all ink, so that the next update draws it anew.
+  /// Discards all ink, so that the next update draws it again.
   void invalidate() { drawn_valid_ = false; }
 
   [[nodiscard]] bool has_ink() const { return has_ink_; }

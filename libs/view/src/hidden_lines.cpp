@@ -16,7 +16,7 @@ constexpr int kLineCells = 256;
 constexpr int kHeadCells = 64;
 constexpr int kEnough = 4;
 
-/// How often each place of the tablet is covered.
+/// How often each cell of the tablet is covered.
 class Coverage {
  public:
   Coverage(const geometry::TabletShape& shape, int cells)
@@ -24,8 +24,7 @@ class Coverage {
         per_metre_(static_cast<float>(cells / shape.width_m)),
         counts_(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells), 0) {}
 
-  /// Takes a line in. @return whether some place on it was not yet covered often enough; if not, nothing is
-  /// taken in.
+  /// Adds a line. @return whether some cell on it was not yet covered often enough; if not, nothing is added.
   bool take(glm::vec2 from_m, glm::vec2 to_m) {
     const glm::vec2 from = place(from_m);
     const glm::vec2 way = place(to_m) - from;
@@ -45,7 +44,7 @@ class Coverage {
   }
 
  private:
-  /// In cells, held within the tablet: what lies outside counts to its rim.
+  /// In cells, limited to the tablet: points outside count to its rim.
   [[nodiscard]] glm::vec2 place(glm::vec2 at_m) const {
     const auto side = static_cast<float>(cells_);
     return glm::clamp(at_m * per_metre_ + side * 0.5F, 0.0F, side - 1.0F);

@@ -7,7 +7,7 @@
 
 namespace nazori::view {
 
-/// What the tablet is made of: the colour of the substance at every point of its volume, so that a groove
+/// The material of the tablet: the colour of the substance at every point of its volume, so that a groove
 /// cuts through the rings of the wood.
 class Material {
  public:
@@ -27,7 +27,7 @@ class Material {
   glm::vec3 fresh_;  ///< freshly cut stone
 };
 
-/// sRGB's transfer function, both ways, channel by channel. @source IEC 61966-2-1.
+/// sRGB's transfer function, in both directions, channel by channel. @source IEC 61966-2-1.
 [[nodiscard]] glm::vec3 linear_from_srgb(glm::vec3 colour);
 [[nodiscard]] float srgb_from_linear(float value);
 

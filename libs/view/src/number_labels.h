@@ -16,8 +16,8 @@ struct LabelSheet {
   std::vector<std::uint8_t> coverage;  ///< columns * cell wide, rows * cell high
 };
 
-/// Draws digits with the system's sans-serif bold face, found by fontconfig; where there is no font with
-/// digits, with figures of its own, so a picture never lacks its numbers.
+/// Draws digits with the system's sans-serif bold face, found by fontconfig; without a font with digits,
+/// built-in figures are used, so that a picture always has its numbers.
 class NumberFont {
  public:
   NumberFont();
@@ -27,7 +27,7 @@ class NumberFont {
   NumberFont(const NumberFont&) = delete;
   NumberFont& operator=(const NumberFont&) = delete;
 
-  /// The figures drawn without a font. For systems that have none, and for tests.
+  /// The figures drawn without a font. For systems without fonts, and for tests.
   [[nodiscard]] static NumberFont built_in();
 
   /// Family of the face in use, "built-in" without one.

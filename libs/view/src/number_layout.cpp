@@ -14,11 +14,11 @@ namespace nazori::view {
 namespace {
 
 constexpr int kRounds = 60;
-/// Share of the way back to its wish that a disc is drawn each round.
+/// Share of the distance to its preferred position that a disc moves in each round.
 constexpr double kPull = 0.08;
 constexpr int kMostRings = 400;
 
-/// Discs that have their place, found by where they are.
+/// Discs with a final position, indexed by position.
 class Placed {
  public:
   explicit Placed(double apart) : apart_(apart) {}
@@ -47,7 +47,7 @@ class Placed {
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<glm::dvec2>> cells_;
 };
 
-/// The free place nearest to the wish, on rings around it.
+/// The free position nearest to the preferred one, on rings around it.
 glm::dvec2 nearest_free(const Placed& placed, glm::dvec2 wish, double apart) {
   if (placed.fits(wish)) return wish;
   for (int ring = 1; ring <= kMostRings; ++ring) {
@@ -77,7 +77,7 @@ std::vector<glm::dvec2> lay_out_numbers(std::span<const NumberWish> wishes, doub
         double distance = glm::length(between);
         if (distance >= apart) continue;
         if (distance < 1e-9) {
-          // Two discs on one spot part in a direction of their own, always the same.
+          // Two discs on one spot are separated in a direction that is always the same for them.
           const double angle = 2.399963 * static_cast<double>(i * 31 + j);
           between = {std::cos(angle), std::sin(angle)};
           distance = 1;

@@ -7,7 +7,7 @@
 
 namespace nazori::view {
 
-/// Where a number wants to stand: beside its start, on a side. Pixels, y down.
+/// The preferred position of a number: next to its start, on a side. Pixels, y down.
 struct NumberWish {
   glm::dvec2 start;
   glm::dvec2 side;  ///< unit vector, or zero where no side is better

@@ -77,7 +77,7 @@ struct OffscreenContext::Inside {
 };
 
 base::Result<void> OffscreenContext::Inside::make_context() {
-  // libepoxy ends the program when the library is missing, so it is looked for before the first EGL call.
+  // libepoxy ends the program when the library is missing, so check for it before the first EGL call.
   if (dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL) == nullptr)
     return refused("the EGL library (libEGL.so.1) is not installed");
   display = surfaceless_display();
@@ -85,7 +85,7 @@ base::Result<void> OffscreenContext::Inside::make_context() {
   EGLint major = 0;
   EGLint minor = 0;
   if (eglInitialize(display, &major, &minor) != EGL_TRUE)
-    return refused(fmt::format("EGL does not start (error 0x{:04x})", eglGetError()));
+    return refused(fmt::format("EGL cannot be started (error 0x{:04x})", eglGetError()));
   const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
   if (!has_extension(extensions, "EGL_KHR_surfaceless_context"))
     return refused("EGL here has no contexts without a surface");

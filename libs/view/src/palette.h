@@ -20,8 +20,8 @@ using Colour = glm::vec3;
 /// Every colour of a picture that is not a material.
 struct Palette {
   Colour background;
-  float shadow;        ///< darkness of the board's shadow on the desk, 0..1
-  Colour ink;          ///< a finished stroke, before light falls on it
+  float shadow;        ///< darkness of the board's shadow on the table, 0..1
+  Colour ink;          ///< a finished stroke, without lighting
   Colour current_ink;  ///< the current stroke's
   float ink_gloss;     ///< how much the light shines back from wet ink
   Colour stroke;       ///< centre line and arrowheads
@@ -35,8 +35,8 @@ struct Palette {
   Colour device;  ///< the faint device point and its thread
 };
 
-/// Colours of writing by what is said of it; each at least 3 : 1 against the face of the tablet, its sign at
-/// least 4.5 : 1 against the sign's ground.
+/// Colours of writing by verdict; each at least 3 : 1 against the face of the tablet, its sign at least 4.5 :
+/// 1 against the sign's ground.
 struct WritingColours {
   Colour unjudged;
   Colour right;

@@ -17,7 +17,7 @@ constexpr double kHalfView = 13.0 * std::numbers::pi / 180.0;
 constexpr double kFill = 0.87;
 
 /// The view shows the full field of view across its smaller side, so that a tall window does not cut the
-/// tablet off. Zooming is a crop around the middle: the perspective stays as calm as it was.
+/// tablet off. Zooming is a crop around the middle: the perspective does not change.
 glm::dmat4 lens(double half_view, double zoom, int width, int height, double near_m, double far_m) {
   const double focal = zoom / std::tan(half_view);
   const double smaller = std::min(width, height);

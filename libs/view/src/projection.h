@@ -22,7 +22,7 @@ struct Projection {
   int width = 0;
   int height = 0;
 
-  /// Where a point of the tablet frame is seen; it must lie in front of the eye.
+  /// The position of a point of the tablet frame in the picture; the point must lie in front of the eye.
   [[nodiscard]] glm::dvec2 pixel(glm::dvec3 point_m) const;
   /// Where the line of sight through a pixel meets the plane z = z_m, nothing where it misses it.
   [[nodiscard]] std::optional<geometry::TabletPoint> on_plane(glm::dvec2 pixel, double z_m) const;

@@ -22,7 +22,7 @@ double catmull_rom(double x) {
 
 double tent(double x) { return std::max(0.0, 1 - std::abs(x)); }
 
-/// Samples beyond the edge count as the edge's.
+/// Samples beyond the edge have the value of the edge.
 std::vector<Taps> make_taps(int from, int to) {
   const double step = static_cast<double>(from - 1) / (to - 1);
   const double width = std::max(step, 1.0);

@@ -8,8 +8,8 @@
 
 namespace nazori::view {
 
-/// A square lattice of heights in [0, 1], row 0 at the top, for drawing: a height map brought to the
-/// resolution at which it is shaded or meshed.
+/// A square lattice of heights in [0, 1], row 0 at the top, for drawing: a height map resampled to the
+/// resolution of shading or meshing.
 struct Relief {
   int size = 0;
   std::vector<float> heights;
@@ -20,9 +20,9 @@ struct Relief {
   }
 };
 
-/// The map at another resolution; both lattices span the tablet from edge to edge. Finer: cubic
-/// (Catmull-Rom) interpolation held within [0, 1]. Coarser: tent filter, so nothing fine is skipped. The
-/// same size: the map itself.
+/// The map at another resolution; both lattices span the tablet from edge to edge. Finer: cubic (Catmull-Rom)
+/// interpolation limited to [0, 1]. Coarser: tent filter, so nothing fine is skipped. The same size: the map
+/// itself.
 /// @param size  >= 2.  @param map  loaded.
 [[nodiscard]] Relief resampled(const surface::HeightMap& map, int size);
 

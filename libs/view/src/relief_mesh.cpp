@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kTilesPerSide = 16;
 
-/// For the middle of each hypotenuse, how far the coarser triangle misses the relief there or anywhere below
-/// it in the hierarchy.
+/// For the middle of each hypotenuse, the error of the coarser triangle there or anywhere below it in the
+/// hierarchy.
 class ErrorPyramid {
  public:
   explicit ErrorPyramid(const Relief& relief)

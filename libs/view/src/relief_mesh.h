@@ -34,8 +34,8 @@ struct ReliefMesh {
 
 /// Right-triangulated irregular network over a lattice of 2^k + 1 samples.
 /// @param relief  size 2^k + 1, k >= 5.
-/// @param tolerance  largest height by which a triangle may miss the sample in the middle of its longest
-/// side, there and wherever it could be cut further, as a fraction of the tablet's depth.
+/// @param tolerance  largest height difference between a triangle and the sample in the middle of its longest
+///   side, there and at all finer levels, as a fraction of the tablet's depth.
 /// @source W. Evans, D. Kirkpatrick, G. Townsend, "Right-Triangulated Irregular Networks", Algorithmica 30,
 /// 2001.
 [[nodiscard]] ReliefMesh make_relief_mesh(const Relief& relief, float tolerance);

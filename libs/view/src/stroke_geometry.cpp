@@ -23,14 +23,16 @@ constexpr double kCornerTurn = 35 * kDegree;
 constexpr double kCornerReach = 2.5;    ///< glyph units before and after a point between which a turn counts
 constexpr double kStraightPiece = 6.0;  ///< glyph units: no flattened curve has pieces this long that bend
 constexpr double kStraightTurn = 8 * kDegree;
-constexpr double kShortestStart = 5.0;  ///< glyph units: the press of a brush at its start is no run
-constexpr double kShortestEnd = 2.5;    ///< nor is a rounding of the last point; a kick is longer
-constexpr double kHeadReach = 5.0;      ///< glyph units over which an arrowhead's direction is taken
+constexpr double kShortestStart =
+    5.0;  ///< glyph units: the press of a brush at its start does not count as a run
+constexpr double kShortestEnd = 2.5;  ///< nor does a rounding of the last point; a hook is longer
+constexpr double kHeadReach = 5.0;    ///< glyph units over which an arrowhead's direction is measured
 constexpr double kClassicHead = 5.0 / 127.0;
 constexpr double kClassicSpread = 30 * kDegree;
 
 constexpr double kInkStep = 1.0;  ///< glyph units
-/// Pieces of ink. No character has a hundredth of them; a file of strokes may hold millions of long lines.
+/// Maximum number of pieces of ink. No character has a hundredth of it; a file of strokes may hold millions
+/// of long lines.
 constexpr double kMostInk = 200'000;
 constexpr double kWidthStep = 0.2;
 constexpr double kWidestGroove = 20.0;
@@ -45,7 +47,7 @@ GlyphLine without_repeats(std::span<const GlyphPoint> line) {
   return kept;
 }
 
-/// The point at arc length `s`, held within the line. @param along  arc length at each of its points.
+/// The point at arc length `s`, limited to the line. @param along  arc length at each of its points.
 GlyphPoint point_at(std::span<const GlyphPoint> line, std::span<const double> along, double s) {
   return geometry::point_on(line, geometry::place_at(along, s));
 }
@@ -80,7 +82,7 @@ float height_at(const Relief& relief, GlyphPoint p) {
          (relief.at(i, j + 1) * (1 - u) + relief.at(i + 1, j + 1) * u) * v;
 }
 
-/// The height that most of the upper half of the relief has: under ridges, as of axes, the plateau is lower
+/// The most frequent height in the upper half of the relief: under ridges, as of axes, the plateau is lower
 /// than 1.
 float plateau_of(const Relief& relief) {
   constexpr std::size_t kSteps = 1024;
@@ -94,7 +96,8 @@ float plateau_of(const Relief& relief) {
   return 0.5F + 0.5F * static_cast<float>(most - counts.begin() + 1) / static_cast<float>(kSteps);
 }
 
-/// From the centre line to the nearer lip of the groove; the farther one may belong to a crossing stroke.
+/// Distance from the centre line to the nearer edge of the groove; the farther one may belong to a crossing
+/// stroke.
 double groove_half_width(const Relief& relief, float lip, GlyphPoint centre, GlyphPoint direction) {
   if (relief.size < 2) return kPlainRadius;
   const GlyphPoint across{-direction.y, direction.x};
@@ -124,7 +127,8 @@ std::vector<double> ink_radii(const Relief& relief, float lip, std::span<const G
     along = size > 0 ? along * (1 / size) : GlyphPoint{1, 0};
     raw.push_back(groove_half_width(relief, lip, points[i], along));
   }
-  // Where grooves cross, the lip is that of the other one: such widths give way to those before and after.
+  // Where grooves cross, the edge is that of the other one: such widths are replaced by those before and
+  // after.
   const double widest = median(raw) * 1.06;
   std::vector<double> radii = raw;
   std::size_t after = 0;
@@ -245,7 +249,7 @@ std::vector<std::size_t> run_ends(std::span<const GlyphPoint> points) {
         before >= kStraightPiece && after >= kStraightPiece && at_point >= kStraightTurn;
     if (turn >= kCornerTurn || straight_bend) corners.push_back({i, turn});
   }
-  // Of the points of one rounded corner the sharpest stands for all.
+  // Among the points of one rounded corner the sharpest represents all.
   for (std::size_t k = 0; k < corners.size();) {
     std::size_t last = k;
     std::size_t sharpest = k;

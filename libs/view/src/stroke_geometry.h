@@ -19,14 +19,14 @@ struct LinePiece {
   float stroke;  ///< number from 1
 };
 
-/// An arrowhead: where it points and from which way it comes [m, unit vector]. Laid out for the GPU.
+/// An arrowhead: the position of its tip and its direction [m, unit vector]. Laid out for the GPU.
 struct ArrowHead {
   glm::vec2 tip_m;
   glm::vec2 direction;
   float stroke;
 };
 
-/// A piece of the brush's way: a disc of growing or shrinking radius moved along it. Laid out for the GPU.
+/// A piece of the brush's path: a disc of growing or shrinking radius moved along it. Laid out for the GPU.
 struct InkPiece {
   glm::vec2 from_m;
   glm::vec2 to_m;
@@ -34,7 +34,7 @@ struct InkPiece {
   glm::vec2 along_m;   ///< arc length from the stroke's start at both ends
 };
 
-/// Where a stroke begins and on which side of it its number hides least.
+/// The start of a stroke and the side of it on which its number hides least.
 struct NumberAnchor {
   geometry::TabletPoint start;
   glm::dvec2 side{0, 1};  ///< unit vector in the plane of the plateau
@@ -47,9 +47,8 @@ struct InkRange {
   double length_m = 0;
 };
 
-/// Everything that is drawn for the strokes of a character.
-/// Of very many lines and heads those that others hide come last: "shown" says how many are worth drawing
-/// when all strokes are shown.
+/// Everything that is drawn for the strokes of a character. If there are very many lines and heads, those
+/// that others hide come last: "shown" is the number to draw when all strokes are shown.
 struct StrokeGeometry {
   std::vector<LinePiece> lines;
   std::vector<ArrowHead> heads;

@@ -25,7 +25,7 @@ constexpr double kHeadLength = 13;
 constexpr double kDiscRadius = 10;
 constexpr double kDiscGap = 3;
 
-/// A line of even width on the screen: a rectangle around each piece, its edge smoothed by distance.
+/// A line of constant width on the screen: a rectangle around each piece, its edge smoothed by distance.
 constexpr const char* kLineVertex = R"glsl(
 layout(location = 0) in vec4 ends;
 layout(location = 1) in float stroke;
@@ -72,7 +72,7 @@ void main() {
 }
 )glsl";
 
-/// A dart that lies in the plane of the plateau. Its own frame: along from the tip backwards, across.
+/// An arrowhead in the plane of the plateau. Its own frame: along from the tip backwards, across.
 constexpr const char* kHeadVertex = R"glsl(
 layout(location = 0) in vec4 head;    // tip, direction
 layout(location = 1) in float stroke;
@@ -141,7 +141,7 @@ void point_lines(const VertexArray& array, const Buffer& buffer) {
   attribute(1, 1, sizeof(LinePiece), offsetof(LinePiece, stroke), 1);
 }
 
-/// Where lines are see-through, no pixel may be painted twice by pieces of one line that overlap.
+/// Where lines are transparent, no pixel may be painted twice by pieces of one line that overlap.
 class FadedOnce {
  public:
   explicit FadedOnce(double opacity) : fades_(opacity < 1) {

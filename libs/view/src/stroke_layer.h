@@ -14,7 +14,7 @@
 
 namespace nazori::view {
 
-/// What is drawn of the strokes.
+/// Which parts of the strokes are drawn.
 struct StrokeChoice {
   bool lines = false;
   bool heads = true;
@@ -33,11 +33,11 @@ class StrokeLayer {
 
   void set_strokes(const StrokeGeometry& strokes, const geometry::TabletShape& shape,
                    DrawStatistics& statistics);
-  /// Draws inside `box` of the framebuffer bound.
+  /// Draws inside `box` of the bound framebuffer.
   void draw(const Projection& projection, const PixelBox& box, const Look& look, const StrokeChoice& choice,
             DrawStatistics& statistics);
-  /// Draws those numbers of the last draw again that touch the way from `from` to `to` [pixels, y down],
-  /// `reach` wide on both sides: what has been drawn over them since shall not hide them.
+  /// Draws again those numbers of the last draw that touch the line from `from` to `to` [pixels, y down],
+  /// `reach` wide on both sides, so that later drawing does not hide them.
   void draw_numbers_again(const Projection& projection, const Look& look, const StrokeChoice& choice,
                           glm::dvec2 from, glm::dvec2 to, double reach);
   /// The numbers of the last draw.
@@ -67,7 +67,7 @@ class StrokeLayer {
   NumberFont font_;
   LabelSheet sheet_;
   int sheet_numbers_ = 0;
-  /// How many there are, and how many are drawn when all strokes are shown.
+  /// The number of all, and of those drawn when all strokes are shown.
   struct Count {
     std::size_t all = 0;
     std::size_t shown = 0;

@@ -31,10 +31,9 @@ constexpr float kBounce = 0.42F;
 constexpr float kShadeDepth = 0.55F;
 /// Half the width of the shadow's edge, as a slope: the key light is a window, not a point.
 constexpr float kShadowSoftness = 0.55F;
-/// From here on the face is as plain as if nothing were carved: a thousandth of the depth is no pixel's
-/// worth.
+/// From this height on the face is drawn as not carved: a thousandth of the depth is not visible.
 constexpr float kPlainHeight = 0.9995F;
-/// Nothing this high can be shaded by a plateau that is no higher.
+/// Samples this high cannot be in the shadow of the plateau.
 constexpr float kOpenHeight = 0.998F;
 constexpr std::array<float, 8> kReachSteps{1, 2, 4, 7, 11, 16, 23, 32};
 
@@ -62,7 +61,7 @@ float sample_clamped(const Relief& relief, float column, float row) {
   return relief.at(std::clamp(static_cast<int>(column), 0, last), std::clamp(static_cast<int>(row), 0, last));
 }
 
-/// Marches to the horizon: once towards the light, and eight ways for the sky.
+/// Marches to the horizon: once towards the light, and in eight directions for the sky.
 Exposure make_exposure(const Relief& relief, const geometry::TabletShape& shape, Hand hand) {
   Exposure exposure;
   exposure.size = relief.size;
@@ -180,7 +179,7 @@ glm::vec3 light_direction(Hand hand) {
 
 float open_light(glm::vec3 normal, Hand hand) {
   const glm::vec3 light = light_direction(hand);
-  // The desk throws light back onto the sides.
+  // The table reflects light onto the sides.
   return kAmbient * (0.80F + 0.20F * normal.z) + 0.12F * (1 - normal.z) +
          kKey * std::max(glm::dot(normal, light), 0.0F) / light.z;
 }
@@ -265,7 +264,7 @@ SurfacePicture lit_picture(const surface::HeightMap& map, const geometry::Tablet
         const glm::vec3 point(static_cast<float>(column) * step_m - 0.05F,
                               0.05F - static_cast<float>(row) * step_m, (height - 1) * depth_m);
         const glm::vec3 albedo = material.reflectance(point, 1 - height);
-        // Light that reaches a deep place has bounced off the walls and taken their colour.
+        // Light that reaches a deep place was reflected by the walls and has their colour.
         const glm::vec3 bounce = albedo * ((1 - sky) * kBounce);
         const glm::vec3 colour = albedo * (kKeyTint * lit + kSkyTint * ambient + bounce);
         picture.rgba[out * 4] = code(colour.x);

@@ -9,7 +9,7 @@
 
 namespace nazori::view {
 
-/// What decides how the tablet looks, apart from the camera.
+/// The settings of the tablet's look, apart from the camera.
 struct Look {
   Style style = Style::wood;
   Theme theme = Theme::light;
@@ -17,8 +17,8 @@ struct Look {
   friend bool operator==(const Look&, const Look&) = default;
 };
 
-/// The tablet's face as a picture: colour with its light and shadow already in it, since the light stands
-/// still relative to the tablet. Drawing then costs one texture look-up per pixel.
+/// The tablet's face as a picture: colour with its light and shadow already in it, because the light is fixed
+/// relative to the tablet. Drawing then costs one texture look-up per pixel.
 struct SurfacePicture {
   int size = 0;                       ///< texels a side
   int rim = 0;                        ///< texels of rim on every side; the map's lattice spans the rest
@@ -29,7 +29,7 @@ struct SurfacePicture {
 /// Alpha 255 stands for this much light (1 is what the plateau gets), gamma-coded like the colours.
 inline constexpr float kLightRange = 1.6F;
 
-/// From the tablet to its light; unit length.
+/// Direction from the tablet to its light; unit length.
 [[nodiscard]] glm::vec3 light_direction(Hand hand);
 
 /// Light on a surface that nothing shades, 1 on the plateau. @param normal  unit length, tablet frame.
@@ -49,15 +49,15 @@ struct PlainFace {
 /// @param samples  a side, without the rim.
 [[nodiscard]] PlainFace make_plain_face(const Look& look, int samples);
 
-/// The same, shared by all views of the program; the last two that were made are kept. Any thread.
+/// The same, shared by all views of the program; the last two are cached. Any thread.
 [[nodiscard]] std::shared_ptr<const PlainFace> shared_plain_face(const Look& look, int samples);
 
-/// Wood or slate with its light, and shadow in the grooves. Only what is carved is worked out.
+/// Wood or slate with its light, and shadow in the grooves. Only the carved part is computed.
 /// @param map  loaded.  @param plain  of shaded_size(map.size()) samples.
 [[nodiscard]] SurfacePicture lit_picture(const surface::HeightMap& map, const geometry::TabletShape& shape,
                                          const PlainFace& plain);
 
-/// 2005: grey by height, no light, no rim.
+/// The classic look: grey by height, no light, no rim.
 [[nodiscard]] SurfacePicture grey_picture(const surface::HeightMap& map);
 
 }  // namespace nazori::view

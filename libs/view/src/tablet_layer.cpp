@@ -61,10 +61,10 @@ void main() {
 }
 )glsl";
 
-/// The board's shadow on the desk: the distance to a rounded square, softened.
+/// The board's shadow on the table: the distance to a rounded square, softened.
 constexpr const char* kShadowVertex = R"glsl(
 uniform mat4 clip_from_tablet;
-uniform vec4 square;   // half side, corner radius, reach of the shadow, height of the desk
+uniform vec4 square;  // half side, corner radius, reach of the shadow, height of the table
 uniform vec2 offset;
 out vec2 place;
 void main() {

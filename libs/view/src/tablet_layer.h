@@ -14,7 +14,7 @@
 
 namespace nazori::view {
 
-/// Tablet, desk and shadow: mesh and face on the GPU.
+/// Tablet, table and shadow: mesh and face on the GPU.
 class TabletLayer {
  public:
   [[nodiscard]] static base::Result<TabletLayer> create();
@@ -22,10 +22,10 @@ class TabletLayer {
   /// Sends mesh and face. An empty map leaves nothing to draw.
   void set_relief(const surface::HeightMap& map, const geometry::TabletShape& shape, const Look& look,
                   DrawStatistics& statistics);
-  /// Sends the face anew, the mesh only where the hand has changed the light on its edges.
+  /// Sends the face again, and the mesh only if the hand has changed the light on its edges.
   void set_look(const surface::HeightMap& map, const Look& look, DrawStatistics& statistics);
 
-  /// Background, shadow and tablet inside `box` of the framebuffer bound.
+  /// Background, shadow and tablet inside `box` of the bound framebuffer.
   /// @param ink  texture of GrooveInk, 0 for none.
   void draw(const Projection& projection, const PixelBox& box, GLuint ink);
 

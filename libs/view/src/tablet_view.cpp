@@ -29,7 +29,7 @@ constexpr int kInkMargin = 4;
 constexpr double kMaxTextScale = 4;
 constexpr double kMinTextScale = 0.5;
 
-/// Nothing is assumed of the context: whoever shares it may have left anything switched on.
+/// Makes no assumption about the context: other users may have left any state switched on.
 void reset_state() {
   for (const GLenum feature :
        {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB,
@@ -45,7 +45,7 @@ void reset_state() {
   for (const GLuint unit : {0U, 1U}) glBindSampler(unit, 0);
 }
 
-/// What the kept picture shows, apart from ink.
+/// The content of the cached picture, apart from ink.
 struct PictureKey {
   int width = 0;
   int height = 0;
@@ -66,7 +66,7 @@ bool same_picture(const PictureKey& a, const PictureKey& b) {
 
 PixelBox whole(const Projection& projection) { return {0, 0, projection.width, projection.height}; }
 
-/// The pixels that the grooves under discs of ink can cover, from lip to bottom.
+/// The pixels that the grooves under discs of ink can cover, from edge to bottom.
 PixelBox box_around(std::span<const glm::vec3> discs_m, const Projection& projection, double depth_m) {
   glm::dvec2 low(1e9);
   glm::dvec2 high(-1e9);
@@ -105,12 +105,12 @@ struct TabletView::Inside {
   Relief ink_relief;
   Look look;
   Camera camera;
-  std::uint64_t content = 1;  ///< counts what has been set
+  std::uint64_t content = 1;  ///< counts changes of the content
   bool strokes_stale = false;
   bool look_stale = false;
   PictureKey drawn;
   Refinement refinement = Refinement::when_still;
-  bool in_motion = false;  ///< the last picture was drawn from another place than the one before
+  bool in_motion = false;  ///< the last two pictures had different cameras
   bool drawn_quickly = false;
 
   Inside(DrawStatistics counted, TabletLayer tablet_layer, GrooveInk ink_layer, StrokeLayer stroke_layer,
@@ -158,7 +158,8 @@ void TabletView::Inside::update_picture(const Projection& projection, const Over
   if (inkable)
     change =
         ink.update(overlay.groove_ink, choice.current, tablet.height_texture(), tablet.face_from_square());
-  // The first picture from a new place is a full one; from the second in a row on the camera is in motion.
+  // The first picture from a new camera has full quality; from the second in a row on the camera is in
+  // motion.
   const bool turned = drawn.content == content && !same_camera(camera, drawn.camera);
   const bool quick = refinement == Refinement::when_still && turned && in_motion;
   in_motion = turned;

@@ -171,17 +171,17 @@ void WritingLayer::place_signs(const Projection& projection, std::span<const Ink
     if (!has_sign(stroke)) continue;
     const glm::dvec2 start = projection.pixel({stroke.points.front().at.x, stroke.points.front().at.y, 0});
     const glm::dvec2 end = projection.pixel({stroke.points.back().at.x, stroke.points.back().at.y, 0});
-    // Before the start, on the line of the stroke, so that it hides none of it.
+    // Before the start, in line with the stroke, so that it does not hide the stroke.
     const glm::dvec2 way = start - end;
     const double length = glm::length(way);
     const glm::dvec2 away = length > 1 ? way / length : glm::dvec2(-0.7, -0.7);
     glm::dvec2 place = start + away * (radius + kSignGap);
-    // Signs of strokes that start together step aside.
+    // Signs of strokes that start together are moved apart.
     for (int tries = 0; tries < 8; ++tries) {
-      const auto taken = std::find_if(signs_.begin(), signs_.end(), [&](const SignPlace& other) {
+      const auto overlapping = std::find_if(signs_.begin(), signs_.end(), [&](const SignPlace& other) {
         return glm::distance(other.pixel, place) < 2 * radius;
       });
-      if (taken == signs_.end()) break;
+      if (overlapping == signs_.end()) break;
       place += glm::dvec2(-away.y, away.x) * (radius * 0.75);
     }
     place =

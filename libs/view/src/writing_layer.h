@@ -10,8 +10,8 @@
 
 namespace nazori::view {
 
-/// The learner's own writing, flat on the tablet's face, with what is said of each stroke. Drawn straight
-/// into the picture shown, so that a stroke being written costs no new picture of the tablet.
+/// The learner's own writing, flat on the tablet's face, with the verdict on each stroke. Drawn directly into
+/// the displayed picture, so that a stroke being written does not require a new picture of the tablet.
 class WritingLayer {
  public:
   [[nodiscard]] static base::Result<WritingLayer> create();
@@ -23,7 +23,7 @@ class WritingLayer {
   [[nodiscard]] std::span<const SignPlace> signs() const { return signs_; }
 
  private:
-  /// A piece of a stroke as the GPU takes it.
+  /// A piece of a stroke in the layout of the GPU.
   struct Piece {
     glm::vec2 from_m;
     glm::vec2 to_m;

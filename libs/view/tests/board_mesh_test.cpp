@@ -29,7 +29,7 @@ BoardMesh board(const ReliefMesh& relief = flat()) { return make_board_mesh(reli
 
 glm::dvec3 place(const glm::vec4& v) { return {v.x, v.y, v.z}; }
 
-/// How far a place lies outside of a rounded square, seen from above; negative within.
+/// How far a point lies outside a rounded square, seen from above; negative within.
 double outside(double x, double y, double half, double radius) {
   const double dx = std::max(std::abs(x) - (half - radius), 0.0);
   const double dy = std::max(std::abs(y) - (half - radius), 0.0);
@@ -115,7 +115,7 @@ TEST(BoardMesh, IsClosedAndAllOfItFacesOutward) {
     EXPECT_EQ(times, 1);
     open += sides.contains({side.second, side.first}) ? 0 : 1;
   }
-  // Only the ring under the square and the one on the desk are open, with as many points each.
+  // Only the ring under the square and the one on the table are open, with as many points each.
   std::size_t lowest = 0;
   for (const glm::vec4& v : mesh.vertices) lowest += v.z < -kDepth - 0.03 * kWidth + 1e-6 ? 1 : 0;
   EXPECT_EQ(open, 2 * lowest);
@@ -170,7 +170,7 @@ TEST(BoardMesh, GroovesThatRunOutOfTheSquareAreClosedByWallsThatFaceThem) {
 TEST(BoardMesh, TheLightOnTheSidesChangesWithTheHand) {
   const BoardMesh right = make_board_mesh(flat(), kShape, Hand::right);
   const BoardMesh left = make_board_mesh(flat(), kShape, Hand::left);
-  // What one has on the left the other has on the right.
+  // One has on the left what the other has on the right.
   std::map<std::tuple<long, long, long>, float> light;
   const auto key = [](double x, double y, double z) {
     return std::tuple(std::lround(x * 1e7), std::lround(y * 1e7), std::lround(z * 1e7));

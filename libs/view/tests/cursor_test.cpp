@@ -17,7 +17,7 @@ using fixtures::pixel;
 using fixtures::Rgb;
 using fixtures::Studio;
 
-/// What the stylus changes of a picture, seen from its tip: pixels right and up.
+/// The pixels that the stylus changes, relative to its tip: pixels right and up.
 std::vector<glm::dvec2> changed(const Studio& studio, const Picture& without, const Picture& with,
                                 glm::dvec3 tip_m, int least) {
   const glm::dvec2 tip = studio.view->project(tip_m, without.width, without.height);
@@ -38,7 +38,7 @@ double reach(const std::vector<glm::dvec2>& places, glm::dvec2 way) {
 class Stylus : public testing::Test {
  protected:
   static constexpr int kSide = 600;
-  // One for all: what takes time is to make the face.
+  // One for all tests, because making the face takes time.
   static void SetUpTestSuite() { shared_ = std::make_unique<Studio>(kSide, kSide); }
   static void TearDownTestSuite() { shared_.reset(); }
   static inline std::unique_ptr<Studio> shared_;
@@ -189,7 +189,7 @@ TEST_F(Stylus, TheDevicesOwnPlaceIsARingOnAThread) {
     EXPECT_GT(change((device + proxy) / 2.0), 20) << "a thread leads to it";
     EXPECT_LT(change((device + proxy) / 2.0 + glm::dvec2(away.y, -away.x) * (3 * scale)), 10);
   }
-  // Where both are in one place there is no ring.
+  // Where both are at the same point there is no ring.
   cursor.device_m = {0.0001, 0, 0};
   EXPECT_EQ(fixtures::changed_pixels(without, studio.shoot(with(cursor)), 0), 0);
 }

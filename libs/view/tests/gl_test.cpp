@@ -72,7 +72,7 @@ TEST_F(Gl, AShaderThatTheDriverRefusesIsNamedInItsWords) {
     EXPECT_EQ(program.error().where, "brush");
     EXPECT_GT(program.error().what.size(), std::string("the graphics driver refuses a shader: ").size() + 5);
   }
-  // Each part is in order, but the fragments want something else than the vertices give.
+  // Each shader is valid, but the fragment shader needs other inputs than the vertex shader gives.
   const auto unlinked = ShaderProgram::compile(
       "pair", "out vec2 given; void main() { given = vec2(1.0); gl_Position = vec4(0.0); }",
       "in vec3 given; out vec4 c; void main() { c = vec4(given, 1.0); }");

@@ -18,7 +18,7 @@ using fixtures::pixel;
 using fixtures::rest;
 using fixtures::Studio;
 
-/// What other versions of Mesa, other fonts for the numbers and other GPUs may change: the mean over all
+/// The tolerance for other versions of Mesa, other fonts for the numbers and other GPUs: the mean over all
 /// channels by this much of 255, and this share of the pixels by more than kFar summed over the channels.
 constexpr double kMeanTolerance = 1.5;
 constexpr double kFarShare = 0.015;

@@ -31,10 +31,10 @@ Rgb mixed(Rgb a, Rgb b, double share) {
   return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
 }
 
-/// A level stroke on a plateau, without heads and numbers unless they are asked for.
+/// A level stroke on a plateau, without heads and numbers unless requested.
 class Lines : public testing::Test {
  protected:
-  // One for all: what takes time is to make the face.
+  // One for all tests, because making the face takes time.
   static void SetUpTestSuite() {
     shared_ = std::make_unique<Studio>(600, 600);
     shared_->view->set_height_map(surface::HeightMap::create(64).value());
@@ -211,7 +211,7 @@ TEST_F(Lines, ANumberIsADiscOfTenPixelsWithARingAndADotOnItsStart) {
 }
 
 TEST_F(Lines, ANumberThatHadToMoveAwayIsLedToByDots) {
-  // So many start in one place that most numbers stand far from it.
+  // So many start at one point that most numbers are far from it.
   std::vector<kanji::StrokeLine> lines(12, straight({54, 54}, {54.2, 54}));
   studio_.view->set_strokes(lines);
   overlay_.numbers_visible = true;

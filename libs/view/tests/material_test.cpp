@@ -139,7 +139,7 @@ TEST_P(Substances, LieBetweenTheirTwoColoursAndVaryLittleMore) {
   // The hue of the mean is that of the two colours.
   EXPECT_GT(mean.x / mean.z, std::min(pale.x / pale.z, deep.x / deep.z) * 0.99F);
   EXPECT_LT(mean.x / mean.z, std::max(pale.x / pale.z, deep.x / deep.z) * 1.01F);
-  // And it is a substance, not a coat of paint.
+  // The colour varies in depth, too.
   double spread = 0;
   for (const glm::vec3& colour : all)
     spread += std::pow(colour.y / mean.y - 1, 2) / static_cast<double>(all.size());
@@ -168,7 +168,7 @@ TEST(Wood, ItsRingsGoDownIntoTheGrooves) {
     differ +=
         std::abs(wood.reflectance({x, 0, 0}, 0).y - wood.reflectance({x, 0, -0.008F}, 0).y) > 0.004F ? 1 : 0;
   EXPECT_GT(differ, 20);
-  // How much is carved away does not change the wood itself.
+  // The carving does not change the wood itself.
   EXPECT_EQ(wood.reflectance({0.01F, 0.02F, -0.003F}, 0), wood.reflectance({0.01F, 0.02F, -0.003F}, 1));
 }
 

@@ -156,7 +156,7 @@ TEST(StrokeNumbers, AThousandThatStartInOnePlaceOverlapNowhereAndStayNear) {
   ASSERT_EQ(places.size(), wishes.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_GE(glm::distance(places[i], places[j]), 2 * kRadius - 1e-9);
-    // Discs of that number fill a circle of 316 pixels; twice as far no disc need be.
+    // Discs of that number fill a circle of 316 pixels; no disc needs to be twice as far.
     EXPECT_LT(glm::distance(places[i], wishes[i].start), 2 * 316);
   }
 }

@@ -57,7 +57,7 @@ TEST(Projection, AllThatCanBeDrawnLiesBetweenItsNearAndFarPlane) {
               for (const double y : {-half, half})
                 for (const double z : {0.0, -shape.depth_m}) {
                   const glm::dvec4 clip = view.clip_from_tablet * glm::dvec4(x, y, z, 1);
-                  if (clip.w <= 0) continue;  // behind the eye of a camera that stands close
+                  if (clip.w <= 0) continue;  // behind the eye of a close camera
                   EXPECT_LE(clip.z / clip.w, 1) << azimuth << ' ' << tilt << ' ' << pan;
                   if (pan == 0 && shape.depth_m < 0.05) {
                     EXPECT_GE(clip.z / clip.w, -1) << azimuth << ' ' << tilt;

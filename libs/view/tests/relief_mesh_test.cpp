@@ -12,7 +12,7 @@
 namespace nazori::view {
 namespace {
 
-/// Smooth hills, a steep groove and some noise: all that a relief may have.
+/// Smooth hills, a steep groove and some noise: everything that can occur in a relief.
 Relief hills(int size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> noise(0, 0.02F);
@@ -55,8 +55,8 @@ TEST(ReliefMesh, CoversAllAndMissesNoSampleByMuch) {
           const double w = 1 - u - v;
           if (std::min({u, v, w}) < -1e-9) continue;
           covered[static_cast<std::size_t>(row) * 129 + static_cast<std::size_t>(column)] = 1;
-          // The middle of each hypotenuse is met within the tolerance; what is missed there and what is
-          // missed below it may add up.
+          // At the middle of each hypotenuse the error is within the tolerance; errors of several levels may
+          // add up.
           const double off = std::abs(u * a.z + v * b.z + w * c.z - relief.at(column, row));
           ASSERT_LE(off, 2 * tolerance + 1.0 / 65535) << column << ", " << row << " at " << tolerance;
         }

@@ -34,7 +34,7 @@ TEST(ArrowHeads, OfAKickPointsAlongTheKickAloneHoweverShortItIs) {
 }
 
 TEST(ArrowHeads, OfABendPointsAsItsLastBitDoes) {
-  // A bend of five degrees is no corner; the last five units are straight.
+  // A bend of five degrees is not a corner; the last five units are straight.
   const auto heads = heads_of({{20, 20}, {60, 20}, {64.980973, 20.435779}});
   ASSERT_EQ(heads.size(), 1U);
   expect_head(heads[0], {64.980973, 20.435779}, 0.9961947, -0.0871557);

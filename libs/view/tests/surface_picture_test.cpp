@@ -29,7 +29,7 @@ surface::HeightMap map_of(auto height) {
 
 double linear(int level) { return linear_from_srgb({static_cast<float>(level) / 255, 0, 0}).x; }
 
-/// A picture and what it says of places of the square, 0..1 each way.
+/// A picture and its values at points of the square, 0..1 in each direction.
 struct Lit {
   SurfacePicture picture;
   [[nodiscard]] std::size_t texel(double x, double y) const {
@@ -61,7 +61,7 @@ TEST(Light, ComesFromBesideAndAboveTheOtherHand) {
 TEST(Light, OnThePlateauIsOneAndOnASideThatOfLampSkyAndDesk) {
   EXPECT_NEAR(open_light({0, 0, 1}, Hand::right), 1, 1e-6);
   const glm::vec3 lamp = light_direction(Hand::right);
-  // A side sees four fifths of the sky's light and 0.12 from the desk.
+  // A side sees four fifths of the sky's light and 0.12 from the table.
   EXPECT_NEAR(open_light({0, 1, 0}, Hand::right), kSky * 0.8 + 0.12 + kKey * lamp.y / lamp.z, 1e-5);
   EXPECT_NEAR(open_light({1, 0, 0}, Hand::right), kSky * 0.8 + 0.12, 1e-5) << "away from the lamp";
   EXPECT_NEAR(open_light({-1, 0, 0}, Hand::left), kSky * 0.8 + 0.12, 1e-5);
@@ -171,7 +171,7 @@ TEST(LitPicture, BesideAWallTheLampIsHiddenAndTheSkyHalf) {
   // A quarter and three quarters of the window: 3 t^2 - 2 t^3.
   EXPECT_NEAR(light(away(rise + 0.275)), kSky + kKey * 0.15625, 0.04);
   EXPECT_NEAR(light(away(rise - 0.275)), kSky + kKey * 0.84375, 0.04);
-  // Close to the wall four of the eight ways see it.
+  // Close to the wall it is in four of the eight directions.
   double sky = 0.5;
   for (const double a : {std::numbers::pi / 8, 3 * std::numbers::pi / 8}) {
     const double slope = height * std::cos(a) / 0.02;
@@ -182,7 +182,7 @@ TEST(LitPicture, BesideAWallTheLampIsHiddenAndTheSkyHalf) {
 }
 
 TEST(LitPicture, LightBetweenWallsTakesTheirColour) {
-  // A narrow pit: what reaches its floor has bounced off the wood.
+  // A narrow pit: the light on its floor is reflected by the wood.
   const Lit pit = lit(map_of([](double x, double) { return std::abs(x - 0.5) < 0.04 ? 0.0 : 1.0; }), 0.03);
   double warmth = 0;
   for (double y = 0.2; y < 0.8; y += 0.01) {

@@ -13,7 +13,7 @@
 
 namespace nazori::view::fixtures {
 
-/// 休 as the 2005 program held it: points on a grid of 128, y down.
+/// 休 as in the 2005 program: points on a grid of 128, y down.
 /// @source A. D. Horne, "Computer Assisted Learning of Japanese Kanji", West Virginia University, 2005.
 inline std::vector<kanji::StrokeLine> rest() {
   using Points = std::vector<geometry::GridPoint>;

@@ -20,7 +20,7 @@ using fixtures::Studio;
 /// A picture with everything in it.
 class Everything : public testing::Test {
  protected:
-  // One for all: what takes time is to make the face.
+  // One for all tests, because making the face takes time.
   static void SetUpTestSuite() { shared_ = std::make_unique<Studio>(300, 200); }
   static void TearDownTestSuite() { shared_.reset(); }
   Everything() {
@@ -40,7 +40,7 @@ class Everything : public testing::Test {
     overlay_.groove_ink = ink_;
     overlay_.writing = writing_;
   }
-  /// The same picture without anything kept of those before.
+  /// The same picture without anything cached from earlier ones.
   Picture anew(const Overlay& overlay) {
     studio_.view->set_strokes(rest());
     return studio_.shoot(overlay);
@@ -137,7 +137,7 @@ TEST_F(Everything, WhatIsSetAgainIsNotSentAgain) {
 }
 
 TEST_F(Everything, AnotherLookSendsTheFaceAndOnlyAnotherHandTheMesh) {
-  overlay_.writing = {};  // its colours go with the look
+  overlay_.writing = {};  // its colours depend on the look
   (void)studio_.shoot(overlay_);
   const auto sent = [&] {
     const DrawStatistics before = studio_.view->statistics();

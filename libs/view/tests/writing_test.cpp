@@ -83,7 +83,7 @@ TEST_P(WritingInEveryLook, TheSignsOfTheVerdictsDifferInShape) {
     EXPECT_EQ(studio.view->signs()[0].verdict, verdict);
   }
   const SignPlace sign = studio.view->signs()[0];
-  // Which pixels of the disc are ground tells the shapes apart whatever their colour.
+  // Which pixels of the disc are ground distinguishes the shapes whatever their colour.
   const auto mask = [&](const Picture& picture) {
     const Rgb ground = pixel(picture, sign.pixel + glm::dvec2(-sign.radius * 0.72, 0));
     std::vector<bool> bits;

@@ -12,21 +12,21 @@
 namespace nazori::writing {
 namespace {
 
-// Costs of what is not a stroke in its place, in the units of StrokeDifference::cost.
-constexpr float kWrong = 34;    // a strange stroke in the place of a right one
+// Costs of everything but a right stroke, in the units of StrokeDifference::cost.
+constexpr float kWrong = 34;    // a wrong stroke in place of a right one
 constexpr float kMissing = 24;  // wrong < missing + extra
 constexpr float kExtra = 24;
-constexpr float kJoined = 19;  // joined < missing: else every joined pair were one missing stroke
+constexpr float kJoined = 19;  // joined < missing, or every joined pair would count as a missing stroke
 constexpr float kSplit = 16;
 constexpr float kOutOfOrder = 3.5F;
-constexpr float kFar = 60;  // beyond kWrong: how strange strokes differ is told to the learner
+constexpr float kFar = 60;  // beyond kWrong, because the learner is told how wrong strokes differ
 constexpr float kNever = std::numeric_limits<float>::max();
 
-/// While the character is still being written, a strange stroke stands for the one that is due.
+/// While the character is still being written, a wrong stroke counts as the one that is due.
 float extra_cost(Extent extent) { return extent == Extent::beginning ? kWrong + 2 : kExtra; }
 
-/// Cost of `count` strokes not drawn. While the character is still being written it is one slip to begin with
-/// a later stroke, however many are passed over: else that stroke would be one too many.
+/// Cost of `count` strokes not drawn. While the character is still being written, beginning with a later
+/// stroke costs the same however many are skipped; otherwise that stroke would count as extra.
 float missing_cost(Extent extent, std::size_t count) {
   constexpr float kPassedOver = 12;
   constexpr float kEachMore = 1;
@@ -36,7 +36,7 @@ float missing_cost(Extent extent, std::size_t count) {
   return std::min(kPassedOver + kEachMore * (strokes - 1), kMost);
 }
 
-/// All that is compared under one map.
+/// Everything that is compared under one map.
 struct Table {
   std::size_t drawn_count;
   std::size_t model_count;
@@ -93,7 +93,7 @@ bool goes_through_both(const Samples& drawn, const Samples& both, const Samples&
   };
   const auto nearer = [&](const Samples& wanted, const Samples& other, std::size_t k) {
     const auto right = at(wanted, k), wrong = at(other, k), here = at(drawn, k);
-    // Where both strokes end in one corner, that end does not tell.
+    // Where both strokes end in one corner, that end is not significant.
     return 6 * geometry::dot(right - wrong, right - wrong) < static_cast<double>(both.length * both.length) ||
            geometry::distance(here, right) <= geometry::distance(here, wrong);
   };
@@ -195,7 +195,7 @@ Alignment align_in_any_order(const AlignmentInput& input, const Table& t) {
       strange_model.push_back(j);
     }
   }
-  // Strange strokes stand for each other in the order of their turns.
+  // Wrong strokes are matched in their order.
   std::sort(strange_model.begin(), strange_model.end());
   for (std::size_t k = 0; k < strange_drawn.size(); ++k)
     links.push_back({static_cast<int>(strange_drawn[k]), 1, static_cast<int>(strange_model[k]), 1,
@@ -207,7 +207,7 @@ Alignment align_in_any_order(const AlignmentInput& input, const Table& t) {
 
 double scale_of(const Affine& map) { return std::sqrt(std::abs(map.a * map.d - map.b * map.c)); }
 
-/// What it costs that the writing is not where and as large as the box suggests; little, it breaks ties.
+/// Cost of a position and size that differ from what the box suggests; small, because it only breaks ties.
 float box_cost(const AlignmentInput& input, const Affine& map) {
   if (!input.box) return 0;
   // The middle of the model's box, seen in both maps.
@@ -220,7 +220,7 @@ float box_cost(const AlignmentInput& input, const Affine& map) {
   const double dx = input.box->a * x + input.box->tx - geometry::kGlyphSide / 2;
   const double dy = input.box->d * y + input.box->ty - geometry::kGlyphSide / 2;
   const double size = std::log(scale_of(map) / input.box->a);
-  // The beginning says little of its own place: the box says more.
+  // The beginning says little about its own position; the box says more.
   const double place_sigma = input.extent == Extent::beginning ? 7 : 12;
   const double size_sigma = 0.25;
   return static_cast<float>(std::min(
@@ -374,7 +374,7 @@ Alignment align(const AlignmentInput& input) {
   } else if (input.extent == Extent::whole && (n + 1 == m || m + 1 == n)) {
     const auto left_out = guess_around_a_gap(input, false, scale);
     take(settle(input, left_out.map, scale));
-    // Nothing explains a stroke too few or too many for less.
+    // No explanation with one stroke too few or too many costs less.
     const auto settled = [&best, m] {
       return best.cost - std::min(kMissing, kExtra) < std::min(1.0F * static_cast<float>(m), kJoined);
     };
@@ -400,7 +400,7 @@ Alignment align_roughly(const AlignmentInput& input, float hopeless) {
   const auto moments = fit_by_moments(input.drawn, input.model);
   const bool in_turn = n == m || (input.extent == Extent::beginning && n < m);
   if (in_turn) {
-    // Taken one after another, first: that is how most is written.
+    // Strokes in order first, because most writing is in order.
     auto g = guess_in_order(input, one_after_another(n), fit_by_moments(input.drawn, input.model.first(n)).a);
     if (g.cost < 4 * static_cast<float>(n)) {
       auto a = collect(std::move(g.links), input, g.cost);
@@ -408,7 +408,7 @@ Alignment align_roughly(const AlignmentInput& input, float hopeless) {
       return a;
     }
   }
-  // A second round hardly halves what the first costs.
+  // A second round hardly ever halves the cost of the first.
   return settle(input, moments, moments.a, 2, 2 * hopeless, kWrong);
 }
 

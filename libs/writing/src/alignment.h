@@ -10,7 +10,7 @@
 
 namespace nazori::writing {
 
-/// A drawn stroke (or two) and the model stroke (or two) it is taken for.
+/// A drawn stroke (or two) and the model stroke (or two) that it is matched with.
 struct Link {
   int drawn = 0;        ///< first drawn stroke
   int drawn_count = 1;  ///< 2: the model stroke was written in two pieces
@@ -28,7 +28,7 @@ struct Alignment {
   float cost = 0;            ///< of the whole explanation; lower is likelier
 };
 
-/// How far the model may be looked at.
+/// How much of the model is expected.
 enum class Extent {
   whole,      ///< all of the model was to be written
   beginning,  ///< the character is still being written: strokes after the last drawn one are not missing
@@ -37,15 +37,15 @@ enum class Extent {
 struct AlignmentInput {
   std::span<const Shape> drawn;  ///< ink frame
   std::span<const Shape> model;  ///< glyph frame
-  std::span<const Shape> pairs;  ///< of the model: strokes k and k + 1 joined, at k; empty: not thought of
+  std::span<const Shape> pairs;  ///< of the model: strokes k and k + 1 joined, at k; empty: not considered
   std::optional<Affine> box;     ///< writing box to glyph frame
   Extent extent = Extent::whole;
 };
 
 /// The likeliest explanation of the drawn strokes; at least one drawn and one model stroke.
 [[nodiscard]] Alignment align(const AlignmentInput& input);
-/// Nearly that, for telling many models apart: one starting point, two rounds. What costs far more than
-/// `hopeless` after the first is not looked at again.
+/// A faster approximation, for comparing many models: one starting point, two rounds. Models that cost far
+/// more than `hopeless` after the first round are not examined again.
 [[nodiscard]] Alignment align_roughly(const AlignmentInput& input, float hopeless);
 
 }  // namespace nazori::writing

@@ -13,7 +13,7 @@ std::vector<Mistake> ending_mistakes(std::span<const Shape> drawn, const Alignme
     const bool kick = drawn[static_cast<std::size_t>(link.drawn)].kicked;
     const auto& model = form.shapes[j];
     const auto ending = form.endings[j];
-    // A kick is asked for only where the model's own line has one; a bend that looks like one is no kick.
+    // A hook is required only where the model's own line has one; a bend that looks like one does not count.
     const bool missing = ending == kanji::StrokeEnding::hook && model.kicked && !kick;
     const bool needless = ending == kanji::StrokeEnding::stop && !model.kicked && kick;
     if (!missing && !needless) continue;

@@ -10,8 +10,8 @@
 
 namespace nazori::writing {
 
-/// Kicks that are missing and kicks that should not be, of strokes taken for one stroke each. Endings that
-/// are officially free, or of which the source names two, are never among them.
+/// Missing hooks and unneeded hooks, of strokes matched one to one. Endings that are officially free, or of
+/// which the source names two, are never among them.
 [[nodiscard]] std::vector<Mistake> ending_mistakes(std::span<const Shape> drawn, const Alignment& alignment,
                                                    const Form& form);
 

@@ -51,7 +51,7 @@ Text text_of_wrong(const Mistake& mistake, const StrokeVerdict& verdict) {
   return Text::wrong_shape;
 }
 
-/// "2 1 3 (Tebiki 1958 list)": the strokes by their usual numbers, and who attests the order.
+/// "2 1 3 (Tebiki 1958 list)": the strokes by their usual numbers, and the source of the order.
 std::string order_words(const kanji::AlternativeOrder& order) {
   const auto remark = order.source.find(';');
   return fmt::format("{} ({})", fmt::join(order.order, " "), order.source.substr(0, remark));
@@ -120,7 +120,7 @@ std::vector<std::string> explain_score(const Grade& grade, Language language) {
                              {Text::points_for_direction, p.direction, kPointsForDirection},
                              {Text::points_for_shape, p.shape, kPointsForShape},
                              {Text::points_for_place, p.place, kPointsForPlace}}};
-  // Whole points that add up to the score: those cut most get the points that are left.
+  // Whole points that add up to the score: the parts with the largest remainders get the remaining points.
   int left = grade.score;
   for (auto& part : parts) {
     part.points = static_cast<int>(part.share * part.most);

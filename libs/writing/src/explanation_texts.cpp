@@ -12,14 +12,13 @@ struct Sentence {
 Sentence sentence(Text which) {
   switch (which) {
     case Text::right:
-      return {"Right.", "正しく書けました。"};
+      return {"Correct.", "正解です。"};
     case Text::right_other_order:
-      return {"Right; this stroke order is also used: {0}.",
-              "正しく書けました。この書き順も使われます：{0}。"};
+      return {"Correct. This stroke order is also accepted: {0}.", "正解です。この書き順も使われます：{0}。"};
     case Text::right_other_form:
-      return {"Right; this is another accepted form.", "正しく書けました。この字形も認められています。"};
+      return {"Correct. This form is also accepted.", "正解です。この字形も認められています。"};
     case Text::order:
-      return {"Stroke {0} was drawn before stroke {1}.", "{1}画目より先に{0}画目を書きました。"};
+      return {"Stroke {1} comes before stroke {0}.", "{1}画目は{0}画目より先に書きます。"};
     case Text::comes_first:
       return {"Stroke {0} comes first.", "先に{0}画目を書きます。"};
     case Text::starts_top:
@@ -31,19 +30,19 @@ Sentence sentence(Text which) {
     case Text::starts_right:
       return {"Stroke {0} starts at the right.", "{0}画目は右から書き始めます。"};
     case Text::missing:
-      return {"Stroke {0} is missing.", "{0}画目が足りません。"};
+      return {"Stroke {0} is missing.", "{0}画目が抜けています。"};
     case Text::extra:
-      return {"The stroke you wrote as number {0} does not belong here.", "{0}番目に書いた線は余分です。"};
+      return {"Your stroke {0} isn't part of this character.", "{0}番目に書いた画は、この字にはありません。"};
     case Text::joined:
-      return {"Strokes {0} and {1} are two strokes: lift the pen between them.",
+      return {"Write strokes {0} and {1} separately: lift the pen between them.",
               "{0}画目と{1}画目は別の画です。間でペンを離してください。"};
     case Text::split:
-      return {"Stroke {0} is one stroke: do not lift the pen in it.",
+      return {"Write stroke {0} in one go: do not lift the pen.",
               "{0}画目は一画です。途中でペンを離さずに書いてください。"};
     case Text::wrong_shape:
-      return {"Stroke {0} has another shape.", "{0}画目の形が違います。"};
+      return {"Stroke {0} has the wrong shape.", "{0}画目の形が違います。"};
     case Text::wrong_direction:
-      return {"Stroke {0} goes in another direction.", "{0}画目の向きが違います。"};
+      return {"Stroke {0} slants the wrong way.", "{0}画目の傾きが違います。"};
     case Text::too_long:
       return {"Stroke {0} is too long.", "{0}画目が長すぎます。"};
     case Text::too_short:
@@ -57,49 +56,44 @@ Sentence sentence(Text which) {
     case Text::too_low:
       return {"Stroke {0} is too low.", "{0}画目が下に寄りすぎています。"};
     case Text::other_character:
-      return {"This looks like {0}: mind stroke {1}.",
-              "これでは「{0}」に見えます。{1}画目に気をつけてください。"};
+      return {"This looks like {0}. Check stroke {1}.", "「{0}」に見えます。{1}画目を見直しましょう。"};
     case Text::kick_missing:
-      return {"Stroke {0} ends with a small kick.", "{0}画目の最後は、はねます。"};
+      return {"Stroke {0} ends with a hook.", "{0}画目の最後は、はねます。"};
     case Text::kick_needless:
-      return {"Stroke {0} stops without a kick.", "{0}画目の最後は、はねずにとめます。"};
+      return {"Stroke {0} ends with a stop, not a hook.", "{0}画目の最後は、はねずにとめます。"};
     case Text::paused:
-      return {"You paused within {0}, for up to {1} seconds: try to write on without stopping.",
+      return {"You paused in {0} (up to {1} seconds). Try to write without stopping.",
               "{0}の途中で止まりました（最長{1}秒）。一気に書いてみましょう。"};
     case Text::hesitant:
-      return {"You wrote {0} in many short moves: try to let the pen flow.",
+      return {"You wrote {0} in many short movements. Try one smooth movement.",
               "{0}は細かく区切れていました。流れるように書いてみましょう。"};
     case Text::not_stopped:
-      return {"Stop at the end of {0}: hold the pen still before you lift it.",
+      return {"End {0} with a stop: hold the pen still before you lift it.",
               "{0}は、とめます。ペンを止めてから離しましょう。"};
     case Text::not_swept:
-      return {"Sweep out {0}: lift the pen while it still moves.",
+      return {"Let {0} trail off: lift the pen while it is still moving.",
               "{0}は、はらいます。動かしながらペンを離しましょう。"};
     case Text::kick_held:
-      return {"Flick out of the kick of {0}: lift the pen while it still moves.",
+      return {"Flick the hook of {0}: lift the pen while it is still moving.",
               "{0}のはねは、動かしながらペンを離しましょう。"};
     case Text::heavy_end:
-      return {"Let {0} thin out: press less and less towards the end.",
+      return {"Let {0} get thinner: press less and less towards the end.",
               "{0}は、終わりに向かって力を抜きましょう。"};
     case Text::light_end:
-      return {"Keep the pressure to the very end of {0}.", "{0}は、最後まで力を入れてとめましょう。"};
+      return {"Keep pressing until the end of {0}.", "{0}は、最後まで力を入れてとめましょう。"};
     case Text::pace:
-      return {"Written in {0} seconds; {1} of {2} strokes flowed.",
-              "{0}秒で書きました。{2}画のうち{1}画が滑らかでした。"};
+      return {"Written in {0} seconds. {1} of {2} strokes were smooth.",
+              "{0}秒で書きました。{2}画のうち{1}画がなめらかでした。"};
     case Text::points_for_strokes:
-      return {"Strokes: {0} of {1} points, for each being there, once.",
-              "画：{1}点中{0}点（過不足なく書けたか）。"};
+      return {"Strokes: {0}/{1}", "画数：{1}点中{0}点"};
     case Text::points_for_order:
-      return {"Order: {0} of {1} points, for each at its turn.", "書き順：{1}点中{0}点（順番どおりか）。"};
+      return {"Order: {0}/{1}", "書き順：{1}点中{0}点"};
     case Text::points_for_direction:
-      return {"Direction: {0} of {1} points, for each from its beginning.",
-              "方向：{1}点中{0}点（書き始めは正しいか）。"};
+      return {"Direction: {0}/{1}", "向き：{1}点中{0}点"};
     case Text::points_for_shape:
-      return {"Shape and size: {0} of {1} points, for being like the model.",
-              "形と大きさ：{1}点中{0}点（手本に近いか）。"};
+      return {"Shape and size: {0}/{1}", "形と大きさ：{1}点中{0}点"};
     case Text::points_for_place:
-      return {"Place: {0} of {1} points, for lying well among the others.",
-              "位置：{1}点中{0}点（釣り合いはよいか）。"};
+      return {"Balance: {0}/{1}", "バランス：{1}点中{0}点"};
   }
   return {};
 }

@@ -112,7 +112,7 @@ Affine fit(std::span<const FitPair> pairs, double expected_scale) {
                    {xy, yy + slant, 0, 0, yu},
                    {0, 0, xx + slant, xy, xv},
                    {-aspect, 0, xy, yy + aspect + scale, yv + scale * s}}});
-  // Writing is neither mirrored nor squeezed flat: rather no freedom at all.
+  // Writing is neither mirrored nor squashed flat: in that case use no freedom at all.
   if (x[0] < 0.4 * s || x[3] < 0.4 * s || x[0] > 2.5 * s || x[3] > 2.5 * s) x = {s, 0, 0, s};
   // Nor is it stretched beyond what hands do.
   constexpr double kMostAspect = 1.6;
@@ -131,7 +131,7 @@ Affine fit(std::span<const FitPair> pairs, double expected_scale) {
 Affine fit_by_moments(std::span<const Shape> drawn, std::span<const Shape> model) {
   const auto d = ink_of(drawn);
   const auto m = ink_of(model);
-  // A point spreads by what rounding leaves of it; no ink is that small.
+  // The spread of a point is only rounding; no ink is that small.
   constexpr double kOnePoint = 1e-12;
   const double s = d.spread > kOnePoint && m.spread > 0 ? m.spread / d.spread : 1.0;
   return {s, 0, m.x - s * d.x, 0, s, m.y - s * d.y};

@@ -7,7 +7,7 @@
 
 namespace nazori::writing {
 
-/// A drawn stroke and the model stroke it is taken for.
+/// A drawn stroke and the model stroke it is matched with.
 struct FitPair {
   const Samples* drawn = nullptr;
   const Samples* model = nullptr;
@@ -15,9 +15,9 @@ struct FitPair {
   double weight = 1;
 };
 
-/// The map that lays the drawn strokes on those of the model in the least squares sense. Size and place are
-/// free; aspect and slant are held back the more, the fewer strokes speak for them, so that a single stroke
-/// can neither turn nor be squeezed into another. `expected_scale` decides where nothing else does.
+/// The least-squares map from the drawn strokes to those of the model. Size and position are free. Aspect and
+/// slant are restrained, the more the fewer strokes there are, so that a single stroke cannot be turned or
+/// squeezed into another. `expected_scale` decides where nothing else does.
 [[nodiscard]] Affine fit(std::span<const FitPair> pairs, double expected_scale);
 
 /// Maps drawn samples so that place and size of all ink agree with the model's: no correspondence needed.

@@ -347,7 +347,7 @@ struct Prepared {
 base::Result<Prepared> prepare(const WrittenCharacter& ink, const GradeOptions& options) {
   if (auto good = check(ink); !good) return tl::unexpected(good.error());
   if (!(options.strictness >= 0 && options.strictness <= 1))
-    return base::fail(base::Errc::bad_argument, "The strictness is not between 0 and 1.", "strictness");
+    return base::fail(base::Errc::bad_argument, "must be between 0 and 1", "strictness");
   Prepared p;
   for (const auto& s : ink.strokes) p.drawn.push_back(make_shape<WritingFrame>(geometry::line_of(s)));
   if (ink.box) p.box = box_map(*ink.box);

@@ -6,13 +6,13 @@
 
 namespace nazori::writing {
 
-// The weights are those that tell strokes of real writing from strange strokes put in their places best,
-// rounded; docs/writing.md names the data and the figures.
+// The weights, rounded, separate strokes of real writing best from wrong strokes in their places;
+// docs/writing.md names the data and the figures.
 Judgement judge(const StrokeDifference& d, const Placement& placement, const Residue& residue, float touch) {
   constexpr double kLimit = 6.3;
   const double length = static_cast<double>(d.model_length);
   const double shortness = 1 / (length + 3);
-  // 1 for a dot, 0 for a long stroke: the place of a dot varies more.
+  // 1 for a dot, 0 for a long stroke: the position of a dot varies more.
   const double dot = std::exp(-(length / 17) * (length / 17));
   const auto square = [](auto v) { return static_cast<double>(v * v); };
   const double off = square(d.offset_x) + square(d.offset_y);
@@ -29,7 +29,7 @@ Judgement judge(const StrokeDifference& d, const Placement& placement, const Res
   // A dot may be as short as a touch.
   const double free_length = std::exp(-std::pow(length / static_cast<double>(touch), 4));
   const double stretch = std::min(std::abs(static_cast<double>(d.length_log)), 1.2);
-  // Hardly a stroke somebody meant is half as long as it should be.
+  // An intended stroke is hardly ever only half as long as it should be.
   const double beyond = std::clamp(-static_cast<double>(placement.length_log) - 0.7, 0.0, 0.5);
   const double size_part =
       (1 - free_length) * (3.0 * square(stretch) + 40.0 * square(beyond) * (1 - free_length));

@@ -11,7 +11,7 @@ namespace nazori::writing {
 /// All deviations of a stroke in one figure: 0 is the model, 1 the limit at normal strictness.
 struct Judgement {
   double deviation = 0;
-  double place = 0;  ///< what of it comes from the place
+  double place = 0;  ///< the part that comes from the position
   Deviation most = Deviation::none;
 };
 

@@ -10,8 +10,9 @@
 namespace nazori::writing {
 namespace {
 
-/// Squared deviation of both ends and of the shape, in units of what is natural. Unlike
-/// StrokeDifference::cost it counts kicks and is strict about lengths and ends: they tell lookalikes apart.
+/// Squared deviation of both ends and of the shape, in units of the natural variation. Unlike
+/// StrokeDifference::cost it includes hooks and is strict about lengths and ends, because they distinguish
+/// lookalikes.
 double contrast(const Samples& d, const Samples& m) {
   constexpr double kEnds = 5.0;         // glyph units
   constexpr double kProportion = 0.07;  // of the length
@@ -57,8 +58,8 @@ double distance_of_forms(const Form& a, const Form& b) {
 std::optional<Mistaken> mistaken_for(std::span<const Shape> drawn, const Form& asked,
                                      std::span<const Model> lookalikes) {
   // Where the two models are `apart`, the difference of deviations is -apart for the asked character drawn as
-  // the model and +apart for the other: the border lies on the other's side of the middle, the more the less
-  // there is to judge by.
+  // the model and +apart for the other: the limit lies on the other's side of the middle, further away the
+  // smaller the difference is.
   constexpr double kBorder = 0.1;
   constexpr double kDoubt = 2.0;
   std::optional<Mistaken> result;

@@ -9,7 +9,7 @@
 
 namespace nazori::writing {
 
-/// Which of the lookalikes was written rather than `asked`, and the stroke that shows it most.
+/// The lookalike that was written instead of `asked`, and the stroke that shows it most.
 struct Mistaken {
   char32_t character = 0;
   int stroke = 0;
@@ -18,8 +18,8 @@ struct Mistaken {
 [[nodiscard]] std::optional<Mistaken> mistaken_for(std::span<const Shape> drawn, const Form& asked,
                                                    std::span<const Model> lookalikes);
 
-/// How far apart two forms with as many strokes are once laid over each other, stroke by stroke in order:
-/// squared deviations of ends and shapes in units of what is natural. Infinite for another number of strokes.
+/// Distance of two forms with the same number of strokes after fitting, stroke by stroke in order: squared
+/// deviations of ends and shapes in units of the natural variation. Infinite for another number of strokes.
 [[nodiscard]] double distance_of_forms(const Form& a, const Form& b);
 
 }  // namespace nazori::writing

@@ -13,7 +13,7 @@ namespace {
 /// Types with two readings ("㇔/㇑") may be drawn either way.
 constexpr float kFreedomOfTwoTypes = 1.6F;
 
-/// Kana, which have no types, come from running hands.
+/// Kana have no types, because they come from cursive writing.
 constexpr float kFreedomOfUntyped = 1.12F;
 
 constexpr float kTouchOfDots = 24;  // glyph units
@@ -35,20 +35,20 @@ float freedom_of_short_strokes(const Samples& model) {
 
 base::Result<Form> make_form(const kanji::Character& character) {
   if (character.strokes.empty())
-    return base::fail(base::Errc::bad_argument, "The character has no strokes.", {},
-                      "give a character that is drawn");
+    return base::fail(base::Errc::bad_argument, "the character has no strokes", {},
+                      "choose a character that has strokes");
   Form form;
   form.variant = character.variant;
   for (const auto& stroke : character.strokes) {
     if (stroke.line.points.empty())
-      return base::fail(base::Errc::bad_argument, "A stroke of the character has no points.");
+      return base::fail(base::Errc::bad_argument, "a stroke of the character has no points");
     auto shape = make_shape<geometry::GlyphFrame>(stroke.line.points);
     const bool two_types = stroke.type.find('/') != std::string::npos;
     shape.freedom = two_types ? kFreedomOfTwoTypes : freedom_of_short_strokes(shape.whole);
-    // What the source calls a dot may be a mere touch even where its model is long: those of 心, 小.
+    // A stroke that the source calls a dot may be a mere touch even if its model is long: those of 心, 小.
     if (stroke.type.starts_with("㇔")) shape.touch = kTouchOfDots;
     if (stroke.type.empty()) shape.freedom *= kFreedomOfUntyped;
-    // What the source does not call a kick is part of the stroke: the second leg of 糸's first stroke.
+    // A part that the source does not call a hook belongs to the stroke: the second leg of 糸's first stroke.
     if (stroke.line.ending == kanji::StrokeEnding::stop) shape.body.reset();
     form.shapes.push_back(shape);
     form.endings.push_back(stroke.line.ending);

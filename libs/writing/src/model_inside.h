@@ -14,9 +14,9 @@ namespace nazori::writing {
 struct Form {
   std::string variant;
   std::vector<Shape> shapes;
-  std::vector<Shape> pairs;  ///< stroke k and k + 1 without lifting the pen, at k
+  std::vector<Shape> pairs;  ///< strokes k and k + 1 written without lifting the pen, at k
   std::vector<kanji::StrokeEnding> endings;
-  std::vector<char> free_ending;  ///< the source names two types: nobody is told off
+  std::vector<char> free_ending;  ///< the source names two types: both endings are right
 };
 
 struct ModelInside {

@@ -13,8 +13,8 @@ base::Result<const ModelLibrary::Entry*> ModelLibrary::find(char32_t character) 
   const auto main = database_->find(character);
   if (!main && database_->trouble()) return tl::unexpected(*database_->trouble());
   if (!main || main->strokes.empty())
-    return base::fail(base::Errc::not_found, "There are no strokes of this character in the database.",
-                      base::encode_utf8(character), "ask for a character that is drawn");
+    return base::fail(base::Errc::not_found, "there are no strokes for this character in the database",
+                      base::encode_utf8(character), "choose a character that has strokes");
   std::vector<kanji::Character> variants;
   for (const auto& name : main->variants)
     if (auto form = database_->find(character, name)) variants.push_back(std::move(*form));

@@ -15,17 +15,17 @@
 namespace nazori::writing {
 namespace {
 
-constexpr double kLongRest_s = 0.4;   // shorter ones belong to corners and to the beginning of a kick
+constexpr double kLongRest_s = 0.4;   // shorter ones belong to corners and to the beginning of a hook
 constexpr double kAtAnEnd_s = 0.05;   // a rest this near to either end is the pen coming down or stopping
 constexpr int kFluentMoves = 4;       // of a straight stroke, written with care
 constexpr int kMovesPerTurn = 3;      // for each quarter turn of the model
 constexpr double kStillMoving = 1.0;  // of the mean speed: certainly not stopped
 constexpr double kAtRest = 0.15;      // and certainly not swept
-constexpr double kVaries = 0.08;      // range of pressures that a hand makes
+constexpr double kVaries = 0.08;      // smallest range of pressures that counts as varying
 constexpr double kStillHeavy = 0.85;  // of the mean pressure
 constexpr double kFaded = 0.35;
 
-/// Half a quarter turn of shake is no turn.
+/// An eighth of a turn due to trembling does not count.
 int quarter_turns(const Samples& s) {
   double sum = 0;
   constexpr std::size_t kReach = 3;
@@ -135,10 +135,10 @@ std::vector<MotionRemark> motion_remarks(std::span<const PenMotion> motions, con
 
 std::vector<std::string> explain(std::span<const MotionRemark> remarks, Language language) {
   std::vector<std::string> sentences;
-  std::vector<MotionRemarkKind> said;
+  std::vector<MotionRemarkKind> kinds;
   for (const auto& first : remarks) {
-    if (std::find(said.begin(), said.end(), first.kind) != said.end()) continue;
-    said.push_back(first.kind);
+    if (std::find(kinds.begin(), kinds.end(), first.kind) != kinds.end()) continue;
+    kinds.push_back(first.kind);
     std::vector<int> strokes;
     double most = 0;
     for (const auto& remark : remarks) {

@@ -16,7 +16,7 @@ constexpr double kShortestPause_s = 0.15;
 constexpr double kRestShare = 0.05;  // of the greatest speed: below it the pen rests
 constexpr std::size_t kMostSteps = 60'000;
 
-/// A stroke by columns: times and pressures of each point, or none.
+/// A stroke by columns: times and pressures of all points, or none.
 struct Columns {
   geometry::Polyline<WritingFrame> points;
   std::vector<double> times_s;
@@ -40,7 +40,7 @@ Columns columns_of(const WrittenStroke& stroke) {
 std::vector<double> speeds(const Columns& s) {
   const double begin = s.times_s.front();
   const double duration = s.times_s.back() - begin;
-  // Times that run backwards, or are no numbers, tell no speed.
+  // Decreasing times, or times that are not numbers, give no speed.
   if (!(duration >= 3 * kStep_s)) return {};
   const auto steps = static_cast<std::size_t>(std::min(duration / kStep_s, static_cast<double>(kMostSteps)));
   std::vector<WritingPoint> at;
@@ -108,7 +108,7 @@ std::vector<Pause> find_pauses(const std::vector<double>& speed) {
   return pauses;
 }
 
-/// The last speed by the mean; 0 where there are none.
+/// The last speed relative to the mean; 0 without speeds.
 double speed_at_end(const std::vector<double>& speed) {
   const double sum = std::accumulate(speed.begin(), speed.end(), 0.0);
   return sum > 0 ? speed.back() * static_cast<double>(speed.size()) / sum : 0;

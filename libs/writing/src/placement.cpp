@@ -8,10 +8,10 @@ namespace nazori::writing {
 
 std::vector<Placement> placements(const Alignment& alignment, std::span<const Shape> model) {
   constexpr float kReach = 24.0F;       // glyph units
-  constexpr float kDoubt = 0.6F;        // weight of "no offset" beside the neighbours
-  constexpr float kLengthDoubt = 0.3F;  // weight of "right length" beside the others
-  constexpr float kLong = 30.0F;        // glyph units: shorter strokes say less of the size of the whole
-  constexpr float kStrange = 13.0F;     // cost at which a neighbour's word counts a quarter
+  constexpr float kDoubt = 0.6F;        // weight of "no offset" compared with the neighbours
+  constexpr float kLengthDoubt = 0.3F;  // weight of "right length" compared with the others
+  constexpr float kLong = 30.0F;        // glyph units: shorter strokes say less about the size of the whole
+  constexpr float kStrange = 13.0F;     // cost at which a neighbour has a quarter of its weight
   std::vector<Placement> result;
   result.reserve(alignment.links.size());
   for (const auto& own : alignment.links) {

@@ -90,7 +90,7 @@ float distance(float both, const Sums& drawn, const Sums& model, std::size_t str
   return std::max(0.0F, 2 - 2 * centred / (count * drawn.spread(count) * model.spread(count)));
 }
 
-/// `longer` has one stroke more than `shorter`: the one is left out with which they are nearest.
+/// `longer` has one stroke more than `shorter`: leaves out the one without which they are nearest.
 float distance_but_one(std::span<const ThreePoints> shorter, std::span<const ThreePoints> longer) {
   const std::size_t n = shorter.size();
   // First the gap is at 0, then it moves up stroke by stroke.

@@ -18,7 +18,7 @@
 namespace nazori::writing {
 namespace {
 
-/// A known character: where its strokes lie in the common arrays.
+/// A known character: the position of its strokes in the common arrays.
 struct Known {
   char32_t code_point = 0;
   int place = 0;  // 0: the commonest
@@ -33,7 +33,7 @@ struct RecogniserInside {
   std::vector<Picture> pictures;    // of each character
   std::vector<ThreePoints> points;  // of each stroke
   std::vector<std::size_t> starts;  // of each stroke in `lines`, and one more
-  std::vector<float> lines;         // x and y in turns
+  std::vector<float> lines;         // x and y alternating
 
   [[nodiscard]] FlatLine line(std::size_t stroke) const {
     return FlatLine(lines).subspan(starts[stroke], starts[stroke + 1] - starts[stroke]);
@@ -69,7 +69,7 @@ struct RecogniserInside {
 
 namespace {
 
-/// A few points of each curve are enough: what is compared is sampled again.
+/// A few points of each curve are enough, because they are resampled for comparison.
 void add_path(RecogniserInside& inside, const geometry::BezierPath& path) {
   auto from = path.start;
   inside.add_point(from);
@@ -85,7 +85,7 @@ void add_path(RecogniserInside& inside, const geometry::BezierPath& path) {
   inside.end_stroke();
 }
 
-/// What was drawn, in all the ways it is looked at.
+/// The drawn strokes in all forms needed for comparison.
 struct Drawn {
   std::vector<Shape> shapes;
   QuickDrawing points;
@@ -124,10 +124,10 @@ std::vector<std::size_t> smallest(const std::vector<float>& scores, std::size_t 
   return index;
 }
 
-/// Characters worth a closer look: by their picture, and by three points of each stroke in order, also with
-/// one of them not drawn or one too many; those that look likest first.
+/// Characters worth a closer comparison: selected by their picture, and by three points of each stroke in
+/// order, also with one stroke missing or extra; the most similar first.
 std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& drawn, bool unfinished) {
-  // The picture of a beginning is not that of the whole.
+  // The picture of a beginning differs from that of the whole.
   const std::size_t most_by_picture = unfinished ? 18 : 26;
   const std::size_t most_by_order = unfinished ? 28 : 14;
   constexpr float kNever = std::numeric_limits<float>::max();
@@ -142,7 +142,7 @@ std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& 
   for (std::size_t i = 0; i < inside.characters.size(); ++i) {
     const auto& known = inside.characters[i];
     const auto m = known.strokes;
-    // Strokes run together in quick writing: rather too few drawn than too many.
+    // In quick writing strokes are joined: more often too few are drawn than too many.
     if (m + 2 + m / 8 >= n && m <= 2 * n + 2) {
       const float apart = static_cast<float>(m > n ? m - n : n - m);
       by_picture[i] = kPerStroke * apart - likeness(drawn.picture, inside.pictures[i]);
@@ -187,7 +187,7 @@ Form form_of(const RecogniserInside& inside, const Known& known) {
   return form;
 }
 
-/// What is drawn is likelier to be a kanji than a kana of the same strokes (二, ニ), and rarely a letter or a
+/// A drawing is likelier to be a kanji than a kana with the same strokes (二, ニ), and rarely a letter or a
 /// mark.
 double cost_of_kind(char32_t c) {
   constexpr double kKana = 0.8;
@@ -213,7 +213,7 @@ std::optional<double> cost_of(const RecogniserInside& inside, const Drawn& drawn
   const auto form = form_of(inside, known);
   std::vector<Shape> pairs;
   if (const auto n = drawn.shapes.size(); n < known.strokes) {
-    // Strokes after the last drawn one are not looked at.
+    // Strokes after the last drawn one are ignored.
     const auto last = beginning ? std::min(known.strokes, n + 2) : known.strokes;
     pairs.reserve(last);
     for (std::size_t k = 0; k + 1 < last; ++k)
@@ -253,7 +253,7 @@ base::Result<Recogniser> Recogniser::make(const kanji::KanjiDatabase& database) 
     return base::fail(base::Errc::schema, "A stroke of this character is no path.",
                       base::encode_utf8(damaged), "build it again: nazori-cli database build");
   if (inside->characters.empty())
-    return base::fail(base::Errc::not_found, "The database has no drawn characters.", {},
+    return base::fail(base::Errc::not_found, "the database has no characters with strokes", {},
                       "build it again: nazori-cli database build");
   return Recogniser(std::move(inside));
 }
@@ -271,7 +271,7 @@ base::Result<Recogniser> Recogniser::make(const std::vector<kanji::Character>& c
   }
   inside->finish();
   if (inside->characters.empty())
-    return base::fail(base::Errc::not_found, "None of the characters has strokes.");
+    return base::fail(base::Errc::not_found, "none of the characters has strokes");
   return Recogniser(std::move(inside));
 }
 
@@ -280,7 +280,7 @@ int Recogniser::size() const { return static_cast<int>(inside_->characters.size(
 base::Result<std::vector<Candidate>> Recogniser::recognise(const WrittenCharacter& ink,
                                                            const RecogniseOptions& options) const {
   if (auto good = check(ink); !good) return tl::unexpected(good.error());
-  if (options.limit < 1) return base::fail(base::Errc::bad_argument, "The limit is below 1.", "limit");
+  if (options.limit < 1) return base::fail(base::Errc::bad_argument, "must be at least 1", "limit");
   const auto drawn = look_at(ink);
   constexpr double kUnlikely = 1e6;
   std::vector<Scored> scored;  // ascending

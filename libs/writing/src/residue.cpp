@@ -8,7 +8,7 @@ namespace nazori::writing {
 
 Residue residue(const Shape& drawn, const Shape& model, const StrokeDifference& difference,
                 const Placement& placement) {
-  // With their kicks: comparing without them hides much else.
+  // Includes hooks, because comparing without them hides much else.
   const Samples& d = drawn.whole;
   const Samples& m = model.whole;
   const float fd = 1 / std::max(d.length, 1e-3F);
@@ -30,7 +30,7 @@ Residue residue(const Shape& drawn, const Shape& model, const StrokeDifference& 
   r.turn_rad = std::atan2(across, along);
   const float left = own - 2 * std::sqrt(along * along + across * across);
   r.bend = std::sqrt(std::max(left, 0.0F) / static_cast<float>(kSamples));
-  // The offset the neighbours share is no fault of this stroke.
+  // An offset that the neighbours share is not a deviation of this stroke.
   const float shared_x = difference.offset_x - placement.x;
   const float shared_y = difference.offset_y - placement.y;
   const auto off = [&](std::size_t j, std::size_t k) {

@@ -8,7 +8,7 @@
 namespace nazori::writing {
 namespace {
 
-/// Coordinates are at most 1e9: no need of hypot's care.
+/// Coordinates are at most 1e9: hypot is not needed.
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
 /// A line with the length from its start to each point.
@@ -59,7 +59,7 @@ float polyline_length(const Samples& s) {
   return length;
 }
 
-/// Length from the start to the corner where a kick begins; nullopt where there is none.
+/// Length from the start to the corner where a hook begins; nullopt if there is none.
 std::optional<double> kick_start(const Samples& s) {
   constexpr std::size_t kLongestKick = 7;  // of 23 steps
   constexpr float kCosine = 0.57F;         // 55 degrees
@@ -146,7 +146,8 @@ Shape make_shape(std::span<const double> xs, std::span<const double> ys) {
     out.body = line.part(0, *corner);
     out.kicked = true;
   }
-  // After the corners were looked for; model and ink alike, so that rounded corners meet rounded corners.
+  // After the search for corners; for both model and ink, so that rounded corners are compared with rounded
+  // corners.
   constexpr int kPasses = 2;
   out.whole.smooth(kPasses);
   if (out.body) out.body->smooth(kPasses);

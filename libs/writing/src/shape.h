@@ -11,7 +11,7 @@
 
 namespace nazori::writing {
 
-/// Points a stroke is compared by.
+/// Number of points by which strokes are compared.
 inline constexpr std::size_t kSamples = 24;
 
 /// Coordinates kept apart, so that comparing is a loop over plain arrays.
@@ -25,15 +25,15 @@ struct Samples {
 
   /// To be called once x and y are known.
   void find_centre();
-  /// Takes the shake out of a line: each sample but the ends moves half way to the mean of its neighbours.
+  /// Smooths a line: each sample but the ends moves halfway to the mean of its neighbours.
   void smooth(int passes);
 };
 
-/// A stroke ready to be compared: sampled at even steps, whole and without the kick at its end.
+/// A stroke prepared for comparison: sampled at equal steps, as a whole and without the hook at its end.
 struct Shape {
   Samples whole;
-  std::optional<Samples> body;  ///< without the kick; nullopt where there is none
-  bool kicked = false;          ///< it ends like a kick; a fold may do so too
+  std::optional<Samples> body;  ///< without the hook; nullopt if there is none
+  bool kicked = false;          ///< it ends like a hook; a fold may do so, too
   float touch = 14;             ///< of a model stroke: much below this length it may be as short as a touch
   float freedom = 1;            ///< of a model stroke: how much more its shape may vary than is usual
 };
@@ -49,7 +49,7 @@ struct Affine {
 
 /// Samples of a line given as x, y pairs; at least one point.
 [[nodiscard]] Samples sample_line(std::span<const double> xs, std::span<const double> ys);
-/// A line ready to be compared. A kick is a last part of at most 0.3 of the length, turned by more than 55
+/// A line prepared for comparison. A hook is a last part of at most 0.3 of the length, turned by more than 55
 /// degrees from what comes before it.
 [[nodiscard]] Shape make_shape(std::span<const double> xs, std::span<const double> ys);
 

@@ -7,8 +7,8 @@
 namespace nazori::writing {
 namespace {
 
-/// Positions in `links` of a longest sequence whose model strokes ascend. Of several the strokes drawn first
-/// are kept, so that the later ones are told.
+/// Positions in `links` of a longest sequence whose model strokes ascend. If there are several, the strokes
+/// drawn first are kept, so that the later ones are reported.
 std::vector<char> longest_in_order(std::span<const Link> links) {
   const std::size_t n = links.size();
   std::vector<std::size_t> length(n, 1), before(n, n);
@@ -24,7 +24,7 @@ std::vector<char> longest_in_order(std::span<const Link> links) {
   return kept;
 }
 
-/// The two positions whose exchange restores the order, if there are such.
+/// The two positions whose exchange restores the order, if any.
 std::pair<std::size_t, std::size_t> exchanged(std::span<const Link> links) {
   std::vector<int> sorted;
   for (const auto& l : links) sorted.push_back(l.model);
@@ -48,7 +48,7 @@ std::vector<OutOfTurn> strokes_out_of_turn(std::span<const Link> links) {
   const auto kept = longest_in_order(links);
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (kept[i] != 0) continue;
-    // Say it of the stroke that came too early, whichever of the two was moved.
+    // Report the stroke that came too early, whichever of the two was moved.
     OutOfTurn mistake{links[i].drawn, links[i].drawn, {links[i].drawn}};
     for (std::size_t k = 0; k < links.size(); ++k) {
       if (kept[k] == 0) continue;

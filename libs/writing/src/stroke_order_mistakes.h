@@ -8,14 +8,15 @@
 
 namespace nazori::writing {
 
-/// A stroke that was not drawn at its turn.
+/// A stroke that was drawn in the wrong order.
 struct OutOfTurn {
-  int drawn = 0;               ///< the stroke drawn too early
-  int before = 0;              ///< the drawn stroke that should have come before it
-  std::vector<int> misplaced;  ///< drawn strokes to blame: the two exchanged ones, or the one that was moved
+  int drawn = 0;   ///< the stroke drawn too early
+  int before = 0;  ///< the drawn stroke that should have come before it
+  std::vector<int>
+      misplaced;  ///< drawn strokes in the wrong position: the two exchanged ones, or the one that was moved
 };
 
-/// The fewest strokes whose moving mends the order. Empty where the order is the model's.
+/// The smallest set of strokes whose moving corrects the order. Empty where the order is the model's.
 [[nodiscard]] std::vector<OutOfTurn> strokes_out_of_turn(std::span<const Link> links);
 
 }  // namespace nazori::writing

@@ -84,7 +84,7 @@ Picture make_picture(std::span<const FlatLine> strokes) {
       }
     }
   }
-  // Square roots keep a crowded cell from drowning the others.
+  // Square roots keep a crowded cell from dominating the others.
   float sum = 0;
   for (auto& v : p) {
     sum += v;

@@ -28,36 +28,36 @@ std::string stroke_name(std::size_t index) { return "stroke " + std::to_string(i
 base::Result<void> check(const WrittenCharacter& ink) {
   using base::Errc;
   using base::fail;
-  if (ink.strokes.empty()) return fail(Errc::bad_argument, "There are no strokes.");
+  if (ink.strokes.empty()) return fail(Errc::bad_argument, "there are no strokes");
   if (ink.strokes.size() > kMaxInkStrokes)
-    return fail(Errc::bad_argument, "There are too many strokes.", std::to_string(ink.strokes.size()),
+    return fail(Errc::bad_argument, "there are too many strokes", std::to_string(ink.strokes.size()),
                 "give at most " + std::to_string(kMaxInkStrokes));
   if (ink.box &&
       !(usable(ink.box->corner.x) && usable(ink.box->corner.y) && ink.box->side > 0 && usable(ink.box->side)))
-    return fail(Errc::bad_argument, "The writing box is not a square with a size.");
+    return fail(Errc::bad_argument, "the writing box must be a square larger than zero");
   std::size_t count = 0;
   bool apart = false;
   const WritingPoint* first = nullptr;
   for (std::size_t i = 0; i < ink.strokes.size(); ++i) {
     const auto& s = ink.strokes[i];
-    if (s.empty()) return fail(Errc::bad_argument, "A stroke has no points.", stroke_name(i));
+    if (s.empty()) return fail(Errc::bad_argument, "has no points", stroke_name(i));
     if (!all_or_none(s, &WrittenPoint::time_s))
-      return fail(Errc::bad_argument, "A stroke has not as many times as points.", stroke_name(i));
+      return fail(Errc::bad_argument, "must have as many times as points", stroke_name(i));
     if (!all_or_none(s, &WrittenPoint::pressure))
-      return fail(Errc::bad_argument, "A stroke has not as many pressures as points.", stroke_name(i));
+      return fail(Errc::bad_argument, "must have as many pressures as points", stroke_name(i));
     count += s.size();
     if (count > kMaxInkPoints)
-      return fail(Errc::bad_argument, "There are too many points.", stroke_name(i),
+      return fail(Errc::bad_argument, "has too many points", stroke_name(i),
                   "give at most " + std::to_string(kMaxInkPoints));
     for (const WrittenPoint& p : s) {
       const WritingPoint& at = p.at;
       if (!usable(at.x) || !usable(at.y))
-        return fail(Errc::bad_argument, "A coordinate is not a usable number.", stroke_name(i));
+        return fail(Errc::bad_argument, "has an invalid coordinate", stroke_name(i));
       if (first == nullptr) first = &at;
       apart = apart || !(at == *first);
     }
   }
-  if (!apart) return fail(Errc::bad_argument, "All points are equal.");
+  if (!apart) return fail(Errc::bad_argument, "all points are the same");
   return {};
 }
 

@@ -17,7 +17,7 @@ using testing::IsEmpty;
 
 Shape line(std::vector<double> xs, std::vector<double> ys) { return make_shape(xs, ys); }
 
-/// Seven strokes that nobody takes for each other.
+/// Seven strokes that are clearly different.
 std::vector<Shape> seven() {
   return {line({10, 60}, {10, 10}), line({80, 80}, {8, 60}),  line({15, 55}, {25, 45}),
           line({55, 12}, {52, 85}), line({40, 70}, {60, 62}), line({70, 100}, {75, 100}),

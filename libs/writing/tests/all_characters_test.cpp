@@ -57,7 +57,7 @@ std::vector<kanji::Summary> sampled() {
   return some;
 }
 
-/// Kept, like the models of the library: several tests want each of them.
+/// Cached, like the models of the library, because several tests need each of them.
 const kanji::Character& known(char32_t character) {
   static std::map<char32_t, kanji::Character> read;
   const auto found = read.find(character);
@@ -70,14 +70,15 @@ ModelLibrary& library() {
   return made;
 }
 
-/// Which stroke of a character is spoilt: another one for each character and mistake, the same every run.
+/// The stroke of a character to be spoilt: a different one for each character and mistake, but the same in
+/// every run.
 std::size_t chosen(char32_t character, std::size_t salt, std::size_t count) {
   return (static_cast<std::size_t>(character) * 2654435761U + salt * 40503U) % 104729U % count;
 }
 
 class AllCharacters : public testing::Test {
  protected:
-  /// Calls `judge` for each main form that is looked at.
+  /// Calls `judge` for each tested main form.
   template <class Judge>
   static void each(Judge judge) {
     for (const auto& summary : sampled()) {
@@ -307,7 +308,7 @@ TEST(Lookalikes, TheTableNamesAllPairsOfTheDatabase) {
       }
       by_count[{k, c.strokes.size()}].push_back({model_of(c), points, quick_drawing(points)});
     }
-  // Strokes that lie that far apart are never mistaken, whatever the laying over does.
+  // Strokes this far apart are never confused, whatever the fit does.
   const auto alike = [](const Member& a, const Member& b) {
     constexpr float kApart = 0.4F;
     return a.points.size() < 6 || distance_in_order(a.drawing, b.points) < kApart;

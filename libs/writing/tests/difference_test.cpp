@@ -146,7 +146,7 @@ TEST(Difference, AFreerModelMayVaryMoreInItsShapeOnly) {
               1e-3);
 }
 
-// What is left of a difference once place and length are taken out.
+// The difference that remains after removing position and length.
 
 using Complex = std::complex<double>;
 std::vector<Complex> normal(const Samples& s, bool backwards) {
@@ -203,7 +203,7 @@ TEST(Residue, TheNearerEndIsMeasuredFromWhereTheNeighboursPutIt) {
   const auto drawn = line({33, 74}, {54, 49});  // ends 3, 4 and 4, -1 off
   StrokeDifference difference;
   EXPECT_NEAR(residue(drawn, model, difference, {}).nearer_end, std::sqrt(17), 1e-3);
-  // Half of the offset is shared by the neighbours.
+  // The neighbours share half of the offset.
   difference.offset_x = 3;
   difference.offset_y = 2;
   EXPECT_NEAR(residue(drawn, model, difference, {1, -1, 0}).nearer_end, std::sqrt(1 + 1), 1e-3);
@@ -364,7 +364,7 @@ TEST(Judgement, LengthCountsByItsRatioAndADotMayBeATouch) {
   EXPECT_NEAR(with(80, 2, 0, 14), with(80, 1.3F, 0, 14), 1e-9);
   EXPECT_LT(with(5, -1, 0, 14), 0.1 * with(80, -1, 0, 14));
   EXPECT_LT(with(20, -1, 0, 24), 0.6 * with(20, -1, 0, 14)) << "where the touch is longer";
-  // Half as long as the others lead one to expect is natural, less is not; more than expected is no matter.
+  // Half the expected length is natural, less is not; more than expected does not matter.
   EXPECT_EQ(with(80, 0, std::log(0.51F), 14), 0);
   EXPECT_EQ(with(80, 0, 1, 14), 0);
   EXPECT_GT(with(80, 0, std::log(0.4F), 14), 0.2);

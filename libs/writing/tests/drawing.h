@@ -33,10 +33,10 @@ WrittenStroke along(const geometry::Polyline<WritingFrame>& line, const std::vec
 
 /// The first `share` of the length.
 WrittenStroke shortened(const WrittenStroke& stroke, double share);
-/// Both without lifting the pen.
+/// Both strokes without lifting the pen.
 WrittenStroke joined(const WrittenStroke& first, const WrittenStroke& second);
 WrittenStroke reversed(WrittenStroke stroke);
-/// `count` points at even steps.
+/// `count` points at equal steps.
 WrittenStroke resampled(const WrittenStroke& stroke, std::size_t count);
 
 /// Every point through x' = a x + b y + e, y' = c x + d y + f; the box is forgotten.

@@ -15,8 +15,8 @@ TEST(Explanation, SaysWhichStrokeWasDrawnBeforeWhich) {
   auto ink = trace(rest());
   std::swap(ink.strokes[1], ink.strokes[2]);
   const auto g = graded(ink, model_of(rest()));
-  EXPECT_THAT(explain(g, Language::english), ElementsAre("Stroke 3 was drawn before stroke 2."));
-  EXPECT_THAT(explain(g, Language::japanese), ElementsAre("2画目より先に3画目を書きました。"));
+  EXPECT_THAT(explain(g, Language::english), ElementsAre("Stroke 2 comes before stroke 3."));
+  EXPECT_THAT(explain(g, Language::japanese), ElementsAre("2画目は3画目より先に書きます。"));
 }
 
 TEST(Explanation, NamesTheStrokeToComeFirstByTheNumberOfTheModel) {
@@ -56,7 +56,7 @@ TEST(Explanation, SaysInWhichDirectionAStrokeIsOff) {
 
 TEST(Explanation, PraisesInBothLanguages) {
   const auto g = graded(trace(rest()), model_of(rest()));
-  EXPECT_THAT(explain(g, Language::english), ElementsAre("Right."));
+  EXPECT_THAT(explain(g, Language::english), ElementsAre("Correct."));
   EXPECT_THAT(explain(g, Language::japanese), ElementsAre("正しく書けました。"));
 }
 
@@ -65,9 +65,9 @@ TEST(Explanation, NamesTheOrderThatIsAlsoUsed) {
   g.accepted = true;
   g.alternative = kanji::AlternativeOrder{{2, 1, 3}, "Tebiki 1958 list; the older order, short bar first"};
   EXPECT_THAT(explain(g, Language::english),
-              ElementsAre("Right; this stroke order is also used: 2 1 3 (Tebiki 1958 list)."));
+              ElementsAre("Correct. This stroke order is also accepted: 2 1 3 (Tebiki 1958 list)."));
   EXPECT_THAT(explain(g, Language::japanese),
-              ElementsAre("正しく書けました。この書き順も使われます：2 1 3 (Tebiki 1958 list)。"));
+              ElementsAre("正解です。この書き順も使われます：2 1 3 (Tebiki 1958 list)。"));
 }
 
 TEST(Explanation, ThePartsOfTheScoreAddUpToIt) {
@@ -84,13 +84,13 @@ TEST(Explanation, ThePartsOfTheScoreAddUpToIt) {
       const auto colon = sentence.find(": ");
       ASSERT_NE(colon, std::string::npos) << sentence;
       points += std::stoi(sentence.substr(colon + 2));
-      most += std::stoi(sentence.substr(sentence.find(" of ") + 4));
+      most += std::stoi(sentence.substr(sentence.find('/') + 1));
     }
     EXPECT_EQ(points, g.score);
     EXPECT_EQ(most, 100);
   }
   EXPECT_EQ(explain_score(graded(trace(rest()), model_of(rest())), Language::japanese)[1],
-            "書き順：15点中15点（順番どおりか）。");
+            "書き順：15点中15点");
 }
 
 TEST(Explanation, SaysOfAWrongStrokeWhatDeviatesMost) {
@@ -112,25 +112,24 @@ TEST(Explanation, SaysOfAWrongStrokeWhatDeviatesMost) {
   EXPECT_EQ(said(Deviation::length), "Stroke 2 is too long.");
   v.size = 0.9;
   EXPECT_EQ(said(Deviation::length), "Stroke 2 is too short.");
-  EXPECT_EQ(said(Deviation::direction), "Stroke 2 goes in another direction.");
-  EXPECT_EQ(said(Deviation::shape), "Stroke 2 has another shape.");
-  EXPECT_EQ(said(Deviation::none), "Stroke 2 has another shape.");
+  EXPECT_EQ(said(Deviation::direction), "Stroke 2 slants the wrong way.");
+  EXPECT_EQ(said(Deviation::shape), "Stroke 2 has the wrong shape.");
+  EXPECT_EQ(said(Deviation::none), "Stroke 2 has the wrong shape.");
   EXPECT_EQ(explain(Mistake{kanji::MistakeKind::wrong, 1, {}, {1}, Deviation::length}, g, Language::english),
-            "Stroke 2 has another shape.")
+            "Stroke 2 has the wrong shape.")
       << "a stroke that nobody looked at";
 }
 
 TEST(Explanation, EachMistakeHasItsOwnWords) {
   Grade g;
   const auto said = [&g](const Mistake& mistake) { return explain(mistake, g, Language::english); };
-  EXPECT_EQ(said({kanji::MistakeKind::order, 0, 1, {4, 2}}), "Stroke 5 was drawn before stroke 3.");
+  EXPECT_EQ(said({kanji::MistakeKind::order, 0, 1, {4, 2}}), "Stroke 3 comes before stroke 5.");
   EXPECT_EQ(said({kanji::MistakeKind::order, 0, {}, {4, 2}}), "Stroke 3 comes first.");
-  EXPECT_EQ(said({kanji::MistakeKind::order, 0, 1, {4}}), "Stroke 5 has another shape.");
+  EXPECT_EQ(said({kanji::MistakeKind::order, 0, 1, {4}}), "Stroke 5 has the wrong shape.");
   EXPECT_EQ(said({kanji::MistakeKind::joined, 0, {}, {4, 5}}),
-            "Strokes 5 and 6 are two strokes: lift the pen between them.");
-  EXPECT_EQ(said({kanji::MistakeKind::joined, 0, {}, {4}}), "Stroke 5 has another shape.");
-  EXPECT_EQ(said({kanji::MistakeKind::extra, 3, {}, {}}),
-            "The stroke you wrote as number 4 does not belong here.");
+            "Write strokes 5 and 6 separately: lift the pen between them.");
+  EXPECT_EQ(said({kanji::MistakeKind::joined, 0, {}, {4}}), "Stroke 5 has the wrong shape.");
+  EXPECT_EQ(said({kanji::MistakeKind::extra, 3, {}, {}}), "Your stroke 4 isn't part of this character.");
   EXPECT_EQ(said({kanji::MistakeKind::missing, 3, {}, {}}), "Stroke 4 is missing.")
       << "by its own number where none is named";
   Mistake mistake{kanji::MistakeKind::reversed, 0, {}, {1}};
@@ -142,12 +141,12 @@ TEST(Explanation, EachMistakeHasItsOwnWords) {
   }
   Mistake ending{kanji::MistakeKind::ending, 0, {}, {1}};
   ending.expected = kanji::StrokeEnding::hook;
-  EXPECT_EQ(said(ending), "Stroke 2 ends with a small kick.");
+  EXPECT_EQ(said(ending), "Stroke 2 ends with a hook.");
   ending.expected = kanji::StrokeEnding::stop;
-  EXPECT_EQ(said(ending), "Stroke 2 stops without a kick.");
+  EXPECT_EQ(said(ending), "Stroke 2 ends with a stop, not a hook.");
   Mistake other{kanji::MistakeKind::other, 0, {}, {1}};
   other.character = U'士';
-  EXPECT_EQ(said(other), "This looks like 士: mind stroke 2.");
+  EXPECT_EQ(said(other), "This looks like 士. Check stroke 2.");
 }
 
 TEST(Explanation, SaysMistakesBeforeAdviceAndWhichFormWasRight) {
@@ -159,7 +158,7 @@ TEST(Explanation, SaysMistakesBeforeAdviceAndWhichFormWasRight) {
   Grade other;
   other.accepted = true;
   other.variant = "Kaisho";
-  EXPECT_THAT(explain(other, Language::english), ElementsAre("Right; this is another accepted form."));
+  EXPECT_THAT(explain(other, Language::english), ElementsAre("Correct. This form is also accepted."));
 }
 
 TEST(Explanation, ThePointsThatRoundingCutGoToThePartsThatLostMost) {
@@ -169,9 +168,9 @@ TEST(Explanation, ThePointsThatRoundingCutGoToThePartsThatLostMost) {
   g.score = 69;
   EXPECT_THAT(
       explain_score(g, Language::english),
-      ElementsAre(testing::StartsWith("Strokes: 15 of 30"), testing::StartsWith("Order: 14 of 15"),
-                  testing::StartsWith("Direction: 13 of 15"), testing::StartsWith("Shape and size: 20 of 25"),
-                  testing::StartsWith("Place: 7 of 15")));
+      ElementsAre(testing::StartsWith("Strokes: 15/30"), testing::StartsWith("Order: 14/15"),
+                  testing::StartsWith("Direction: 13/15"), testing::StartsWith("Shape and size: 20/25"),
+                  testing::StartsWith("Balance: 7/15")));
 }
 
 TEST(Explanation, EveryKindOfMistakeIsASentenceInEveryLanguage) {

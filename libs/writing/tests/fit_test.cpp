@@ -13,7 +13,7 @@ namespace {
 
 Shape line(std::vector<double> xs, std::vector<double> ys) { return make_shape(xs, ys); }
 
-/// Strokes all over the box, so many that nothing holds the map back noticeably.
+/// Strokes all over the box, so many that the map is not noticeably restrained.
 std::vector<Samples> many(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(-500, 500);
@@ -108,14 +108,14 @@ TEST(Fit, ASlantIsHeldBackTheLessTheMoreStrokesHaveIt) {
   const double one = 1 / share(1), two = 1 / share(2), four = 1 / share(4);
   EXPECT_NEAR((one - two) / (two - four), 2, 0.2);
   EXPECT_NEAR(1 / share(10'000), 1, 0.01);
-  // A bar that rises alone is held back as much as a post that leans.
+  // A single rising bar is restrained as much as a leaning vertical.
   const auto rising = transformed(bar, {1, 0, 0, -0.3, 1, 0});
   const std::vector<FitPair> bars{{&rising, &bar, false, 1}}, posts{{&leaning, &post, false, 1}};
   EXPECT_NEAR(fit(bars, 1).c, fit(posts, 1).b, 1e-3);
 }
 
 TEST(Fit, WhatNoStrokeTellsIsAsExpected) {
-  // One bar tells nothing of the height: it follows the width.
+  // One bar does not determine the height: it follows the width.
   const auto bar = line({10, 90}, {50, 50}).whole;
   const auto half = transformed(bar, {0.5, 0, 0, 0, 0.5, 0});
   const std::vector<FitPair> pairs{{&half, &bar, false, 1}};
@@ -126,7 +126,7 @@ TEST(Fit, WhatNoStrokeTellsIsAsExpected) {
   EXPECT_LE(map.d, map.a + 1e-6);
   EXPECT_NEAR(map.a * half.centre_x + map.tx, 50, 1e-3) << "centre on centre";
   EXPECT_NEAR(map.d * half.centre_y + map.ty, 50, 1e-3);
-  // Points tell nothing at all.
+  // Points determine nothing.
   const auto point = line({20}, {30}).whole, place = line({70}, {80}).whole;
   const std::vector<FitPair> points{{&point, &place, false, 1}};
   expect_near(fit(points, 4), {4, 0, 70 - 4 * 20, 0, 4, 80 - 4 * 30}, 1e-6);

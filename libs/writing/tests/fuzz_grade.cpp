@@ -71,7 +71,7 @@ void look_over(const base::Result<writing::Grade>& grade, const writing::Written
 
 }  // namespace
 
-/// Any ink is refused, or judged in finite numbers and words, in both ways and at any strictness.
+/// Any ink is refused, or graded with finite numbers and words, whole and live and at any strictness.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const auto kModel = writing::Model::make(cross());
   static const auto kRecogniser = writing::Recogniser::make(std::vector{cross()});

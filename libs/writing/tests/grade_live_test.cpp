@@ -69,7 +69,7 @@ TEST(GradeLive, AStrokeDrawnTooEarlyIsToldOnce) {
   EXPECT_THAT(mistake_names(*before), ElementsAre("order@0"));
 }
 
-/// What is told of the last stroke, as the window asks for it after each.
+/// The verdict on the last stroke, as the window requests it after each.
 Grade told(const WrittenCharacter& ink, const kanji::Character& c, double strictness = kNormal) {
   const auto live = grade_live(ink, model_of(c), {strictness, true});
   EXPECT_TRUE(live);
@@ -144,7 +144,8 @@ TEST(GradeLive, AStrangeStrokeDoesNotPassOverAnything) {
 }
 
 TEST(GradeLive, AStrangeStrokeIsNotRightWhateverItWasTakenForAtFirst) {
-  // Alone it looks like the fourth stroke, drawn too early. Among the others it only stands for the first.
+  // Alone it looks like the fourth stroke, drawn too early. Together with the others it only counts as the
+  // first.
   auto ink = trace(rest());
   ink.strokes[0] = along({{60, 20}, {62, 50}, {58, 70}});
   const auto live = grade_live(ink, model_of(rest()));
@@ -171,7 +172,7 @@ TEST(GradeLive, AStrokeDrawnOverOneThatWasRightIsTheOneTooMany) {
 }
 
 TEST(GradeLive, AWarningThatTheWholeDoesNotBearOutIsTakenBack) {
-  // Whatever the first two of three bars were taken for: in the end they are in order.
+  // Whatever the first two of three bars were matched with: in the end they are in order.
   const auto model = model_of(three());
   for (double shift = -30; shift <= 30; shift += 1) {
     auto ink = trace(three());

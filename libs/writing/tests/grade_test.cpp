@@ -101,7 +101,7 @@ TEST(Grade, TwoStrokesWithoutLiftingThePenAreJoined) {
 }
 
 TEST(Grade, AStrokeThatCoversOneOfTwoIsNotBothOfThem) {
-  // However uneven the hand: what is missing is missing, not joined to its neighbour.
+  // However uneven the hand: a missing stroke is missing, not joined to its neighbour.
   for (const auto& c : {rest(), soil(), eye()}) {
     const auto model = model_of(c);
     for (std::size_t gone = 0; gone < c.strokes.size(); ++gone)
@@ -236,7 +236,7 @@ TEST(Grade, AnotherOrderIsAdviceWhenLenient) {
 }
 
 TEST(Grade, StrictnessIsContinuous) {
-  // A bar moved down more and more is given up the earlier, the stricter.
+  // A bar moved down step by step is rejected earlier the stricter the grading.
   const auto model = model_of(rest());
   double before = 1e9;
   for (const double strictness : {0.0, 0.25, 0.5, 0.75, 1.0}) {

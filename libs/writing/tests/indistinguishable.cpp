@@ -18,11 +18,11 @@ constexpr Spoilt kMostlyKick[] = {
     {U'賓', 5}, {U'鷲', 6}, {U'嬪', 8}, {U'寳', 10}, {U'擯', 8}, {U'檳', 9}, {U'殯', 9}, {U'濱', 8}, {U'繽', 11},
     {U'蹙', 6}, {U'躑', 14}, {U'顰', 5},
 };
-// Few strokes, and this one decides the proportions of the whole: it is also how a flat hand writes it.
+// Few strokes, and this one determines the proportions of the whole: it looks the same as flat writing.
 constexpr Spoilt kProportions[] = {
     {U'T', 2}, {U'i', 1}, {U'j', 1}, {U'r', 1}, {U'了', 2}, {U'冖', 2}, {U'厂', 2},
 };
-// A comma is a speck: its tail tells no direction.
+// A comma is so small that its tail shows no direction.
 constexpr Spoilt kSpecks[] = {{U',', 1}, {U';', 2}};
 // clang-format on
 

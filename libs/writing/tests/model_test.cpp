@@ -34,11 +34,11 @@ Shape shape_of(const std::string& stroke) {
 
 TEST(Model, NeedsStrokesWithPoints) {
   EXPECT_EQ(Model::make(kanji::Character{}).error(),
-            (base::Error{base::Errc::bad_argument, "The character has no strokes.", "",
-                         "give a character that is drawn"}));
+            (base::Error{base::Errc::bad_argument, "the character has no strokes", "",
+                         "choose a character that has strokes"}));
   auto c = three();
   c.strokes[1].line.points.clear();
-  EXPECT_EQ(Model::make(c).error().what, "A stroke of the character has no points.");
+  EXPECT_EQ(Model::make(c).error().what, "a stroke of the character has no points");
   const auto model = model_of(three());
   EXPECT_EQ(model.stroke_count(), 3);
   EXPECT_EQ(model.code_point(), U'三');
@@ -147,14 +147,13 @@ WrittenCharacter ink_of(std::size_t strokes, std::size_t points) {
 
 TEST(WrittenCharacter, HasAtMostAHundredStrokesAndFiftyThousandPoints) {
   EXPECT_TRUE(check(ink_of(100, 2)));
-  EXPECT_EQ(
-      check(ink_of(101, 2)).error(),
-      (base::Error{base::Errc::bad_argument, "There are too many strokes.", "101", "give at most 100"}));
+  EXPECT_EQ(check(ink_of(101, 2)).error(),
+            (base::Error{base::Errc::bad_argument, "there are too many strokes", "101", "give at most 100"}));
   EXPECT_TRUE(check(ink_of(50, 1000)));
   auto more = ink_of(50, 1000);
   more.strokes[20].push_back({{1, 1}});
-  EXPECT_EQ(check(more).error(), (base::Error{base::Errc::bad_argument, "There are too many points.",
-                                              "stroke 50", "give at most 50000"}));
+  EXPECT_EQ(check(more).error(), (base::Error{base::Errc::bad_argument, "has too many points", "stroke 50",
+                                              "give at most 50000"}));
 }
 
 TEST(WrittenCharacter, IsCalledBadByWhatIsWrongWithIt) {
@@ -166,19 +165,19 @@ TEST(WrittenCharacter, IsCalledBadByWhatIsWrongWithIt) {
     return good ? std::string() : base::to_line(good.error());
   };
   EXPECT_EQ(wrong([](WrittenCharacter&) {}), "");
-  EXPECT_EQ(wrong([](WrittenCharacter& i) { i.strokes.clear(); }), "There are no strokes.");
-  EXPECT_EQ(wrong([](WrittenCharacter& i) { i.strokes[1].clear(); }), "stroke 2: A stroke has no points.");
+  EXPECT_EQ(wrong([](WrittenCharacter& i) { i.strokes.clear(); }), "there are no strokes");
+  EXPECT_EQ(wrong([](WrittenCharacter& i) { i.strokes[1].clear(); }), "stroke 2: has no points");
   EXPECT_EQ(wrong([](WrittenCharacter& i) {
               i.strokes[2][0].time_s = 1;
               i.strokes[2][1].time_s = 2;
             }),
-            "stroke 3: A stroke has not as many times as points.");
+            "stroke 3: must have as many times as points");
   EXPECT_EQ(wrong([](WrittenCharacter& i) {
               for (auto& p : i.strokes[2]) p.time_s = 1;
             }),
             "");
   EXPECT_EQ(wrong([](WrittenCharacter& i) { i.strokes[0].back().pressure = 1; }),
-            "stroke 1: A stroke has not as many pressures as points.");
+            "stroke 1: must have as many pressures as points");
   EXPECT_EQ(wrong([](WrittenCharacter& i) {
               for (auto& p : i.strokes[0]) p.pressure = 1;
             }),
@@ -191,23 +190,23 @@ TEST(WrittenCharacter, IsCalledBadByWhatIsWrongWithIt) {
   }
   for (const double v : {beyond, -beyond, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.strokes[1][1].at.x = v; }),
-              "stroke 2: A coordinate is not a usable number.");
+              "stroke 2: has an invalid coordinate");
     EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.strokes[2][2].at.y = v; }),
-              "stroke 3: A coordinate is not a usable number.");
+              "stroke 3: has an invalid coordinate");
     EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.box->corner.x = v; }),
-              "The writing box is not a square with a size.");
+              "the writing box must be a square larger than zero");
     EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.box->corner.y = v; }),
-              "The writing box is not a square with a size.");
+              "the writing box must be a square larger than zero");
     EXPECT_EQ(wrong([v](WrittenCharacter& i) { i.box->side = v; }),
-              "The writing box is not a square with a size.");
+              "the writing box must be a square larger than zero");
   }
   EXPECT_EQ(wrong([](WrittenCharacter& i) { i.box->side = -1; }),
-            "The writing box is not a square with a size.");
+            "the writing box must be a square larger than zero");
   EXPECT_EQ(wrong([](WrittenCharacter& i) {
               for (auto& s : i.strokes)
                 for (auto& p : s) p.at = {4, 5};
             }),
-            "All points are equal.");
+            "all points are the same");
   EXPECT_EQ(wrong([](WrittenCharacter& i) {
               for (auto& s : i.strokes)
                 for (auto& p : s) p.at = {4, 5};

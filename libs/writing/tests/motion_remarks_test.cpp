@@ -45,7 +45,7 @@ WrittenStroke timed(const WrittenStroke& stroke, double begin_s, double duration
   return out;
 }
 
-/// 休 as it is taught: sweep, stop, stop, stop, sweep, sweep.
+/// 休 as taught: sweep, stop, stop, stop, sweep, sweep.
 kanji::Character rest_with_endings() {
   auto character = rest();
   using enum kanji::StrokeEnding;
@@ -82,9 +82,9 @@ TEST(MotionRemarks, ThereIsNothingToSayOfAFluentHandThatEndsItsStrokesRight) {
   const auto t = told(written_with_endings());
   EXPECT_THAT(t.remarks, IsEmpty());
   EXPECT_EQ(explain_pace(t.motions, t.remarks, Language::english),
-            "Written in 5.7 seconds; 6 of 6 strokes flowed.");
+            "Written in 5.7 seconds. 6 of 6 strokes were smooth.");
   EXPECT_EQ(explain_pace(t.motions, t.remarks, Language::japanese),
-            "5.7秒で書きました。6画のうち6画が滑らかでした。");
+            "5.7秒で書きました。6画のうち6画がなめらかでした。");
 }
 
 TEST(MotionRemarks, ARestWithinAStrokeIsAPauseThatIsNotOneAtItsEnd) {
@@ -96,9 +96,9 @@ TEST(MotionRemarks, ARestWithinAStrokeIsAPauseThatIsNotOneAtItsEnd) {
   EXPECT_EQ(t.remarks[0].stroke, 2);
   EXPECT_NEAR(t.remarks[0].amount, 0.63, 0.15);
   EXPECT_THAT(explain(t.remarks, Language::english),
-              testing::ElementsAre(testing::StartsWith("You paused within stroke 3, for up to 0.")));
+              testing::ElementsAre(testing::StartsWith("You paused in stroke 3 (up to 0.")));
   EXPECT_THAT(explain_pace(t.motions, t.remarks, Language::english),
-              testing::EndsWith(" 5 of 6 strokes flowed."));
+              testing::EndsWith(" 5 of 6 strokes were smooth."));
 }
 
 TEST(MotionRemarks, ARestBeforeTheFirstMoveIsNoPause) {
@@ -126,8 +126,8 @@ TEST(MotionRemarks, EachEndingIsAskedForInItsOwnWay) {
   const auto t = told(ink);
   ASSERT_EQ(t.remarks.size(), 2U);
   EXPECT_THAT(explain(t.remarks, Language::english),
-              testing::ElementsAre("Sweep out stroke 1: lift the pen while it still moves.",
-                                   "Stop at the end of stroke 2: hold the pen still before you lift it."));
+              testing::ElementsAre("Let stroke 1 trail off: lift the pen while it is still moving.",
+                                   "End stroke 2 with a stop: hold the pen still before you lift it."));
   EXPECT_EQ(explain(t.remarks, Language::japanese).back(),
             "2画目は、とめます。ペンを止めてから離しましょう。");
 }
@@ -159,8 +159,9 @@ TEST(MotionRemarks, TheSameRemarkOnSeveralStrokesIsOneSentence) {
     ink.strokes[k] = timed(trace(rest()).strokes[k], static_cast<double>(k), 0.7, stops);
   const auto t = told(ink);
   EXPECT_EQ(t.remarks.size(), 3U);
-  EXPECT_THAT(explain(t.remarks, Language::english),
-              testing::ElementsAre("Sweep out strokes 1, 5 and 6: lift the pen while it still moves."));
+  EXPECT_THAT(
+      explain(t.remarks, Language::english),
+      testing::ElementsAre("Let strokes 1, 5 and 6 trail off: lift the pen while it is still moving."));
   EXPECT_THAT(explain(t.remarks, Language::japanese),
               testing::ElementsAre("1・5・6画目は、はらいます。動かしながらペンを離しましょう。"));
 }

@@ -39,7 +39,7 @@ WrittenStroke paced(const std::vector<Pace>& paces, double begin_s = 0) {
 PenMotion motion_of(const std::vector<Pace>& paces) { return pen_motion({{paced(paces)}, {}}).front(); }
 
 TEST(Pauses, AreRestsOfMoreThanAFifthOfASecondBlurredByTheSmoothing) {
-  // Smoothed over 60 ms, what touches a move is none of the rest: 30 ms on either side.
+  // Smoothed over 60 ms, 30 ms on either side of a move do not belong to the rest.
   const auto rest = [](double seconds) { return motion_of({{100, 0.5}, {0, seconds}, {100, 0.5}}).pauses; };
   EXPECT_THAT(rest(0.2), IsEmpty());
   const auto pauses = rest(0.22);
@@ -142,7 +142,7 @@ TEST(PausesBefore, AreBetweenTimedStrokes) {
   EXPECT_NEAR(m[2].duration_s, 1, 1e-9);
 }
 
-// What is said.
+// The remarks.
 
 /// 目, of which the second stroke turns by a quarter, all with this ending.
 kanji::Character with_ending(kanji::StrokeEnding ending) {
@@ -151,7 +151,7 @@ kanji::Character with_ending(kanji::StrokeEnding ending) {
   return c;
 }
 
-/// What is said of one stroke of 目.
+/// The remarks about one stroke of 目.
 std::vector<Kind> said(const PenMotion& motion, kanji::StrokeEnding ending, int stroke = 0, bool ok = true) {
   Grade grade;
   grade.strokes.resize(1);
@@ -338,7 +338,7 @@ TEST(PaceSentence, CountsTheStrokesThatFlowedAndAllTheTime) {
   const std::vector<MotionRemark> remarks{
       {Kind::paused, 0, 0, 1}, {Kind::not_swept, 1, 1, 0}, {Kind::hesitant, 2, 2, 9}};
   EXPECT_EQ(explain_pace(motions, remarks, Language::english),
-            "Written in 6.8 seconds; 1 of 3 strokes flowed.");
+            "Written in 6.8 seconds. 1 of 3 strokes were smooth.");
 }
 
 TEST(RemarkSentences, TellTheLongestOfAllRestsAndEachKindOnce) {
@@ -348,9 +348,8 @@ TEST(RemarkSentences, TellTheLongestOfAllRestsAndEachKindOnce) {
                                           {Kind::paused, 3, 6, 0.7}};
   EXPECT_THAT(
       explain(remarks, Language::english),
-      ElementsAre(
-          "You paused within strokes 2, 5 and 7, for up to 1.2 seconds: try to write on without stopping.",
-          "Sweep out stroke 3: lift the pen while it still moves."));
+      ElementsAre("You paused in strokes 2, 5 and 7 (up to 1.2 seconds). Try to write without stopping.",
+                  "Let stroke 3 trail off: lift the pen while it is still moving."));
   EXPECT_THAT(explain(std::vector<MotionRemark>{}, Language::english), IsEmpty());
 }
 

@@ -111,7 +111,7 @@ TEST(StrokesOutOfTurn, NamesTheFewest) {
 }
 
 TEST(StrokesOutOfTurn, OfEquallyFewTheLaterDrawnAreNamed) {
-  // Either of the first two may be the one out of turn, beside the last: no single exchange mends it.
+  // Either of the first two may be out of order, besides the last: no single exchange corrects it.
   const auto mistakes = strokes_out_of_turn(links({1, 0, 2, 4, 5, 3}));
   ASSERT_EQ(mistakes.size(), 2U);
   EXPECT_THAT(mistakes[0].misplaced, ElementsAre(1));
@@ -122,7 +122,7 @@ TEST(StrokesOutOfTurn, OfEquallyFewTheLaterDrawnAreNamed) {
   EXPECT_EQ(mistakes[1].before, 5);
 }
 
-/// What is told of the order, by the definition: the fewest strokes are moved.
+/// The order mistakes by definition: the fewest strokes are moved.
 TEST(StrokesOutOfTurn, AreTheFewestThatMendTheOrderWhateverItIs) {
   std::vector<int> order{0, 1, 2, 3, 4, 5};
   do {
@@ -171,8 +171,8 @@ TEST(StrokesOutOfTurn, AreTheFewestThatMendTheOrderWhateverItIs) {
     }
     for (const auto& f : mistakes) {
       const auto moved = static_cast<std::size_t>(f.misplaced[0]);
-      // Said of the stroke that came too early: the first in order that should have come after the one moved,
-      // or the one moved itself and the last that should have come before it.
+      // Reported for the stroke that came too early: the first in order that should have come after the one
+      // moved, or the one moved itself and the last that should have come before it.
       int drawn = -1, before = -1;
       for (std::size_t k = moved; k-- > 0;)
         if ((kept >> k & 1U) != 0 && order[k] > order[moved])
@@ -189,7 +189,7 @@ TEST(StrokesOutOfTurn, AreTheFewestThatMendTheOrderWhateverItIs) {
 }
 
 TEST(StrokesOutOfTurn, OfTwoThatMayHaveComeFirstTheOneDrawnFirstIsInItsTurn) {
-  // Both 2 and 1 may stand before 3 and 4; 2 was drawn first, so 1 is the one that is late.
+  // Both 2 and 1 may come before 3 and 4; 2 was drawn first, so 1 is the one that is late.
   const auto mistakes = strokes_out_of_turn(links({2, 1, 3, 0, 4}));
   ASSERT_EQ(mistakes.size(), 2U);
   EXPECT_THAT(mistakes[0].misplaced, ElementsAre(1));

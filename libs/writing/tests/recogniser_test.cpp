@@ -83,7 +83,7 @@ TEST(Recogniser, OfCharactersOfTheSameStrokesKanjiComeBeforeKanaAndThoseBeforeSi
     for (const auto& c : *candidates) found += c.character;
     return found;
   };
-  // Among equals the commoner first.
+  // Among equals the commoner comes first.
   EXPECT_EQ(names({19, false}), kanji + kana + others);
   EXPECT_EQ(names({19, true}), kanji + kana + others);
   EXPECT_EQ(names({}), kanji + kana) << "ten unless more are asked for";

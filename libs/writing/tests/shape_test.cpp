@@ -105,7 +105,7 @@ TEST(SampledLine, PointsThatComeTwiceAndASinglePointDoNoHarm) {
   EXPECT_EQ(dot.inertia, 0);
 }
 
-/// A line of 23 steps whose last `kick` turn by `degrees`; `before` that it is straight.
+/// A line of 23 steps of which the last `kick` steps turn by `degrees`; `before` that it is straight.
 struct Bent {
   std::vector<double> xs{0}, ys{0};
   void go(int steps, double degrees) {

@@ -99,7 +99,7 @@ TEST(Verdict, SaysWhereAndHowLargeAStrokeIs) {
   auto ink = trace(eye());
   for (auto& p : ink.strokes[3]) p.at = {p.at.x + 6, p.at.y - 4};
   const auto g = graded(ink, model);
-  // Of the box; the laying over takes a part of it.
+  // In shares of the box; the fit removes a part of it.
   EXPECT_NEAR(g.strokes[3].offset_x, 6 / 109.0, 0.02);
   EXPECT_NEAR(g.strokes[3].offset_y, -4 / 109.0, 0.015);
   EXPECT_NEAR(g.strokes[3].size, 1, 0.05);

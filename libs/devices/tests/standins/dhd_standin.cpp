@@ -36,7 +36,7 @@ void motors(double x, double y, double z) {
   }
 }
 
-/// A device that is not homed brakes, whatever it was told, and so does one whose forces went off.
+/// A device that is not homed brakes, whatever the command, and so does one whose forces went off.
 [[maybe_unused]] bool pushes() { return stage.force_on && !stage.not_homed && stage.force_off_cause == 0; }
 
 }  // namespace
@@ -90,7 +90,7 @@ EXPORTED int dhdGetPosition(double* x, double* y, double* z, char id) {
     --stage.bad_reads;
     return fail(7);
   }
-  // Before it is homed a device tells one place for ever.
+  // Before it is homed a device always reports the same position.
   *x = stage.not_homed ? 0 : stage.x_m.load();
   *y = stage.not_homed ? 0 : stage.y_m.load();
   *z = stage.not_homed ? 0 : stage.z_m.load();
@@ -99,7 +99,7 @@ EXPORTED int dhdGetPosition(double* x, double* y, double* z, char id) {
 EXPORTED int dhdSetForce(double x, double y, double z, char id) {
   if (!there(id)) {
     stage.force_despite_error_n = std::max(stage.force_despite_error_n.load(), std::hypot(x, y, z));
-    // The device's own watchdog drops the force once the cable is out.
+    // The device's own watchdog removes the force once the cable is unplugged.
     motors(0, 0, 0);
     return fail(2);
   }
@@ -138,6 +138,6 @@ EXPORTED int dhdSetGravityCompensation(int on, char) {
 }
 
 namespace {
-// A program that knows nothing of the stage finds a device that works.
+// A program that does not use the stage finds a working device.
 [[maybe_unused]] const bool kReady = (nazori_standin_dhd_reset(), true);
 }  // namespace

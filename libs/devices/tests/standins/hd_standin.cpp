@@ -40,7 +40,7 @@ struct Scheduled {
 
 // The scheduler's thread and the caller's take turns under this, as the maker's critical section does.
 std::recursive_mutex everything;
-// Never destroyed: the servo thread of the real library, too, goes on while the program exits.
+// Never destroyed: the servo thread of the real library also continues while the program exits.
 auto& errors = *new std::vector<ErrorInfo>;
 auto& callbacks = *new std::vector<Scheduled>;
 // Never destroyed: a program may end while the scheduler runs.
@@ -52,7 +52,7 @@ bool fails_to_write;  // from the first failed hdEndFrame on
 std::set<unsigned int> latched;
 double wanted[3];
 
-/// The real library latches errors of the connection and the timer: it says each once for each cause.
+/// The real library latches errors of the connection and the timer: it reports each one once per cause.
 bool is_latched(unsigned int code) { return code >= 0x0302 && code <= 0x0304; }
 
 void push(unsigned int code, int internal_code = 0) {
@@ -98,7 +98,7 @@ void run_tick() {
   }
   if (const unsigned int code = stage.every_error; code != 0 && !comes_with_the_write(code)) push(code);
   error_this_tick = errors.size() > errors_before;
-  // Sorting asks for memory, which would be counted as the callback's.
+  // Sorting allocates memory, which would be counted as the callback's.
   const auto goes_first = [](const Scheduled& a, const Scheduled& b) { return a.priority > b.priority; };
   if (!std::is_sorted(callbacks.begin(), callbacks.end(), goes_first))
     std::stable_sort(callbacks.begin(), callbacks.end(), goes_first);
@@ -370,6 +370,6 @@ EXPORTED unsigned char hdWaitForCompletion(unsigned long handle, unsigned int) {
 EXPORTED double hdGetSchedulerTimeStamp() { return 0; }
 
 namespace {
-// A program that knows nothing of the stage finds a device that works.
+// A program that does not use the stage finds a working device.
 [[maybe_unused]] const bool kReady = (nazori_standin_hd_reset(), true);
 }  // namespace

@@ -6,18 +6,19 @@
 
 namespace nazori::devices::standin {
 
-/// What stays of a device when the program that used it is gone. In memory that the test shares with it.
+/// The state of a device that remains when the program that used it has ended. In memory that the test shares
+/// with it.
 struct Remains {
   std::atomic<double> force_n;        ///< that was written last
   std::atomic<bool> output;           ///< whether forces are on
   std::atomic<std::uint64_t> writes;  ///< of forces, so far
 };
 
-/// The hand, the cable and the faults of the stand-in for libHD.so; and what the device was made to do.
-/// Shared by the test and the library.
+/// The hand, the cable and the faults of the stand-in for libHD.so; and a record of the commands. Shared by
+/// the test and the library.
 struct HdStage {
   // The test writes.
-  std::atomic<double> x_mm, y_mm, z_mm;  ///< where the hand holds the stylus
+  std::atomic<double> x_mm, y_mm, z_mm;  ///< position of the stylus
   std::atomic<int> buttons;
   std::atomic<bool> plugged;
   std::atomic<bool> out_of_inkwell;
@@ -28,20 +29,20 @@ struct HdStage {
   std::atomic<unsigned int> every_error;  ///< appears in every tick, likewise
   std::atomic<unsigned int> start_error;  ///< hdStartScheduler leaves it, and the scheduler does not tick
   std::atomic<bool> frozen;               ///< the scheduler does not tick
-  std::atomic<bool> dumb;                 ///< getters of limits answer 0
-  std::atomic<bool> large;                ///< ... as a Desktop would, and its reach is not around 0
+  std::atomic<bool> dumb;                 ///< getters of limits return 0
+  std::atomic<bool> large;                ///< ... those of a Desktop, and its workspace is not centred at 0
   std::atomic<bool> silent;               ///< failed inits leave no error
   std::atomic<bool> garbage_handle;       ///< failed inits return a number instead of "no device"
-  std::atomic<const char*> only_name;     ///< init takes only this name; "" is NULL; null: any
+  std::atomic<const char*> only_name;     ///< init accepts only this name; "" is NULL; null: any
   std::atomic<unsigned int> calibration;  ///< 0x5000, 0x5001, 0x5002
   std::atomic<int> calibration_style;
   std::atomic<double> max_force_n;
-  std::atomic<Remains*> remains;  ///< kept up to date where it is not null
+  std::atomic<Remains*> remains;  ///< updated if it is not null
   // The library writes.
-  /// What was written last and stays until something else is: no error, no stop and no end of the device
-  /// makes it zero.
+  /// The last written force, which stays until another one is written: errors, stopping and closing do not
+  /// set it to zero.
   std::atomic<double> force_x_n, force_y_n, force_z_n;
-  std::atomic<double> force_despite_error_n;     ///< most that was written after an error was there to read
+  std::atomic<double> force_despite_error_n;     ///< largest force written after an error could be read
   std::atomic<std::uint64_t> ticks, zero_ticks;  ///< zero_ticks: in a row, without force
   std::atomic<int> inits, disables, calibrations;
   std::atomic<unsigned int> calibrated_by;  ///< the style of the last one
@@ -49,7 +50,7 @@ struct HdStage {
   std::atomic<bool> running;
 };
 
-/// Exported by the stand-in as "nazori_standin_hd"; "nazori_standin_hd_reset" puts the stage back.
+/// Exported by the stand-in as "nazori_standin_hd"; "nazori_standin_hd_reset" resets the stage.
 using HdStageFunction = HdStage* (*)();
 
 }  // namespace nazori::devices::standin

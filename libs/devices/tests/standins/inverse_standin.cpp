@@ -67,8 +67,8 @@ struct InverseService::Inside {
     if (failed) return;
     if (!websocket::is_upgrade(request)) {
       http::response<http::string_body> response{http::status::ok, 11};
-      if (const char* told = stage.version; told != nullptr && request.target() == "/version")
-        response.body() = Json{{"ok", true}, {"data", {{"git_tag", told}}}}.dump();
+      if (const char* tag = stage.version; tag != nullptr && request.target() == "/version")
+        response.body() = Json{{"ok", true}, {"data", {{"git_tag", tag}}}}.dump();
       else
         response.result(http::status::not_found);
       response.prepare_payload();
@@ -166,7 +166,7 @@ struct InverseService::Inside {
       ++stage.malformed;
       return;
     }
-    if (!command.contains(key)) return push(0, 0, 0);  // passed over, in silence
+    if (!command.contains(key)) return push(0, 0, 0);  // silently ignored
     push(command[key].value("x", 0.0), command[key].value("y", 0.0), command[key].value("z", 0.0));
     stage.last_command_n = std::hypot(stage.force_x_n, stage.force_y_n, stage.force_z_n);
   }

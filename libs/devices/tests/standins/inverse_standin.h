@@ -23,16 +23,17 @@ class InverseService {
   InverseService& operator=(const InverseService&) = delete;
   [[nodiscard]] std::uint16_t port() const;
 
-  /// The middle of the reach of a right-handed Inverse3, seen from its base.
+  /// The middle of the workspace of a right-handed Inverse3, measured from its base.
   static constexpr double kCentre_m[3] = {0.0186, -0.153, 0.151};
 
-  // The test writes. Metres from the middle of the reach, in the service's frame: x right, y forward, z up.
+  // Written by the test. Metres from the middle of the workspace, in the service's frame: x right, y forward,
+  // z up.
   std::atomic<double> x_m{0}, y_m{-0.02}, z_m{0};
   std::atomic<bool> plugged{true}, calibrated{true}, ready{true}, button_a{false}, button_b{false};
-  std::atomic<bool> takes_vector{true};  ///< else "values"; the other spelling is passed over
+  std::atomic<bool> takes_vector{true};  ///< else "values"; the other spelling is ignored
   std::atomic<bool> reports_force{true};
   std::atomic<const char*> version{"v3.5.1"};  ///< null: /version is not there
-  std::atomic<bool> knows_presets{true};       ///< from 3.5 on; before, a preset is passed over
+  std::atomic<bool> knows_presets{true};       ///< from 3.5 on; before, a preset is ignored
   std::atomic<const char*> type{"inverse3"};
   std::atomic<bool> left_handed{false};
   std::atomic<int> states_for_a_message{1};
@@ -41,7 +42,7 @@ class InverseService {
   std::atomic<bool> hang_up{false};  ///< ends the connection once
   // The service writes.
   std::atomic<double> force_x_n{0}, force_y_n{0}, force_z_n{0};
-  std::atomic<double> last_command_n{-1};  ///< size of the force that was commanded last, by any session
+  std::atomic<double> last_command_n{-1};  ///< size of the last commanded force, of any session
   std::atomic<int> sessions{0}, malformed{0}, messages{0};
 
  private:

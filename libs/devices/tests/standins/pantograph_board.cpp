@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr auto kReadWait = std::chrono::seconds(1);  // of Arduino's Stream::readBytes
-constexpr int kNobody = -1;                          // Stream::read, where nothing has come
+constexpr int kNobody = -1;                          // Stream::read, without any data
 
 void add(Bytes& bytes, float number) {
   const auto bits = std::bit_cast<std::uint32_t>(number);
@@ -62,7 +62,7 @@ struct PantographBoard::Inside {
     }
   }
 
-  /// @return whether something came within a millisecond.
+  /// @return whether data came within a millisecond.
   bool listen() {
     pollfd one{board_side, POLLIN, 0};
     if (poll(&one, 1, 1) <= 0) return false;

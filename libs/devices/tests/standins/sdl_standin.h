@@ -13,7 +13,7 @@
 
 namespace nazori::devices::standin {
 
-/// A joystick, wheel or pad that is acted out, and what was asked of it: SDL has no virtual haptic device.
+/// A simulated joystick, wheel or pad that records its commands, because SDL has no virtual haptic device.
 struct Stick {
   sdl::Listed listed;
   std::atomic<bool> attached{true}, refuses_effects{false};
@@ -39,8 +39,8 @@ struct Stick {
     }
     return {};
   }
-  /// What the running constant force pushes with, as a part of the full one, by SDL_haptic.h: the direction
-  /// is where the force comes from, +x is east and +y is south.
+  /// The running constant force as a share of the full one, as defined in SDL_haptic.h: the direction is
+  /// where the force comes from, +x is east and +y is south.
   [[nodiscard]] double push_right() const { return push().first; }
   [[nodiscard]] double push_up() const { return push().second; }
   [[nodiscard]] bool anything_runs() const {
@@ -110,10 +110,10 @@ class StickController final : public sdl::Controller {
   std::shared_ptr<Stick> stick_;
 };
 
-/// What is plugged in, as the test says. Thread rules: the test's thread.
+/// The plugged-in devices, chosen by the test. Thread rules: the test's thread.
 struct StickPort final : sdl::Port {
   [[nodiscard]] base::Result<std::vector<sdl::Listed>> list() override {
-    if (!starts) return base::fail(base::Errc::device, "SDL does not start", "joysticks and pads");
+    if (!starts) return base::fail(base::Errc::device, "SDL cannot be started", "joysticks and gamepads");
     std::vector<sdl::Listed> all;
     for (const auto& stick : plugged) all.push_back(stick->listed);
     return all;
@@ -124,7 +124,7 @@ struct StickPort final : sdl::Port {
     for (const auto& stick : plugged) {
       if (stick->listed.instance == device.instance && opens) return std::make_unique<StickController>(stick);
     }
-    return base::fail(base::Errc::device, "it does not open", device.name, "plug it in again");
+    return base::fail(base::Errc::device, "it cannot be opened", device.name, "plug it in again");
   }
   std::shared_ptr<Stick> plug_in(const std::string& name, const sdl::Abilities& abilities) {
     auto stick = std::make_shared<Stick>();

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kanji_text.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 

@@ -5,8 +5,8 @@
 #include <QPainter>
 
 #include "characters/character_list_model.h"
-#include "kanji_text.h"
-#include "palette.h"
+#include "look/palette.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 

@@ -21,7 +21,7 @@ class CharacterTileDelegate final : public QStyledItemDelegate {
 
  private:
   int side_ = 48;
-  char32_t current_ = 0;  ///< the character on the desk
+  char32_t current_ = 0;  ///< the character that is shown
 };
 
 }  // namespace nazori::ui

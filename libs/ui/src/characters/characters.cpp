@@ -8,29 +8,27 @@
 
 #include "characters/character_actions.h"
 #include "characters/draw_panel.h"
-#include "characters/guided_page.h"
 #include "characters/information_panel.h"
 #include "characters/library_panel.h"
-#include "characters/memory_page.h"
-#include "characters/trace_page.h"
-#include "characters/watch_page.h"
+#include "characters/stage_table.h"
+#include "characters/stage_view.h"
 #include "characters/writing_panel.h"
-#include "desk.h"
-#include "error_text.h"
-#include "feedback_tone.h"
-#include "file_exchange.h"
-#include "kanji_text.h"
-#include "signals.h"
+#include "dialogs/file_exchange.h"
+#include "events/signals.h"
+#include "page/window_parts.h"
 #include "study/session_actions.h"
 #include "study/session_bar.h"
 #include "study/session_panel.h"
 #include "study/study_dialogs.h"
+#include "words/error_text.h"
+#include "words/feedback_tone.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 
 namespace {
 
-/// Of which the last is there at first.
+/// Puts widgets on top of each other; the last one is visible at first.
 QWidget* stack_up(const char* name, const QList<QWidget*>& pieces, QWidget* window) {
   auto* side = new QWidget(window);
   side->setObjectName(QString::fromLatin1(name));
@@ -46,22 +44,23 @@ QWidget* stack_up(const char* name, const QList<QWidget*>& pieces, QWidget* wind
 
 }  // namespace
 
-Characters::Characters(Desk& desk)
-    : Workplace(desk),
-      practice_(desk.practice()),
-      actions_(new CharacterActions(&desk.window())),
-      session_actions_(new SessionActions(&desk.window())),
-      library_panel_(new LibraryPanel(&desk.library(), &desk.window())),
-      information_panel_(new InformationPanel(&desk.window())),
-      writing_panel_(new WritingPanel(&desk.window())),
-      draw_panel_(new DrawPanel(desk, &desk.window())),
-      session_panel_(new SessionPanel(desk.session(), *session_actions_, desk.learner(), &desk.window())),
-      session_bar_(new SessionBar(desk.session(), *session_actions_, desk.learner(), &desk.window())),
-      left_side_(stack_up("left_side", {draw_panel_, session_panel_, library_panel_}, &desk.window())),
-      right_side_(stack_up("right_side", {writing_panel_, information_panel_}, &desk.window())),
-      files_(new FileExchange(&desk.workshop(), &desk.window())) {
-  const Preferences& preferences = desk.preferences();
-  auto& tablet = desk.tablet();
+Characters::Characters(WindowParts& parts)
+    : Page(parts),
+      practice_(parts.practice()),
+      actions_(new CharacterActions(&parts.window())),
+      session_actions_(new SessionActions(&parts.window())),
+      library_panel_(new LibraryPanel(&parts.library(), &parts.window())),
+      information_panel_(new InformationPanel(&parts.window())),
+      writing_panel_(new WritingPanel(&parts.window())),
+      draw_panel_(new DrawPanel(parts, &parts.window())),
+      session_panel_(new SessionPanel(parts.session(), *session_actions_, parts.learner(), &parts.window())),
+      session_bar_(new SessionBar(parts.session(), *session_actions_, parts.learner(), &parts.window())),
+      above_tablet_(new QWidget(&parts.window())),
+      left_side_(stack_up("left_side", {draw_panel_, session_panel_, library_panel_}, &parts.window())),
+      right_side_(stack_up("right_side", {writing_panel_, information_panel_}, &parts.window())),
+      files_(new FileExchange(&parts.workshop(), &parts.window())) {
+  const Preferences& preferences = parts.preferences();
+  auto& tablet = parts.tablet();
   tablet.set_strokes_visible(preferences.strokes_visible);
   tablet.set_numbers_visible(preferences.numbers_visible);
   tablet.set_arrows_visible(preferences.arrows_visible);
@@ -70,7 +69,7 @@ Characters::Characters(Desk& desk)
   practice_.set_first_character(preferences.kanji);
   files_->set_folder(preferences.folder);
   library_panel_->show_list(preferences.list);
-  make_pages();
+  make_stage_views();
   actions_->adopt(*session_actions_);
   connect_actions();
   connect_practice();
@@ -79,29 +78,40 @@ Characters::Characters(Desk& desk)
   connect_study_actions();
 }
 
-void Characters::make_pages() {
-  memory_page_ = new MemoryPage(practice_.memory(), desk(), *actions_, writing_panel_);
-  stages_ = {
-      {QStringLiteral("watch"), actions_->watch, new WatchPage(practice_.watch(), desk(), *actions_)},
-      {QStringLiteral("trace"), actions_->trace, new TracePage(practice_.trace(), desk(), *actions_)},
-      {QStringLiteral("guided"), actions_->guided, new GuidedPage(practice_.guided(), desk(), *actions_)},
-      {QStringLiteral("memory"), actions_->memory, memory_page_}};
-  QSettings settings(desk().settings_file(), QSettings::IniFormat);
+void Characters::make_stage_views() {
+  auto* column = new QVBoxLayout(above_tablet_);
+  column->setContentsMargins(0, 0, 0, 0);
+  QSettings settings(parts().settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
   const QString last = settings.value(QStringLiteral("stage")).toString();
-  for (const auto& entry : stages_) {
-    entry.page->setParent(this);
-    entry.page->load(settings);
-    if (entry.id == last) practice_.enter_stage(entry.page->stage());
-    connect(entry.action, &QAction::triggered, this,
-            [this, page = entry.page] { practice_.enter_stage(page->stage()); });
+  const StageViewParts view_parts{parts(), *actions_, writing_panel_};
+  for (const auto& row : stage_rows()) {
+    auto& stage = *practice_.stage_named(row.id);
+    auto* action = actions_->stages[static_cast<qsizetype>(stages_.size())];
+    auto* view = row.make_view(stage, view_parts);
+    view->setParent(this);
+    view->load(settings);
+    if (auto* strip = view->above_tablet()) column->addWidget(strip);
+    stages_.push_back({action, action->toolTip(), view});
+    if (last == to_text(row.id)) practice_.enter_stage(stage);
+    connect(action, &QAction::triggered, this, [this, &stage] { practice_.enter_stage(stage); });
   }
 }
 
-const Characters::StageEntry& Characters::current() const {
-  return *std::find_if(stages_.begin(), stages_.end(), [this](const StageEntry& entry) {
-    return &entry.page->stage() == &practice_.current_stage();
-  });
+const Characters::StageEntry& Characters::entry_of(const practice::PracticeStage& stage) const {
+  return *std::find_if(stages_.begin(), stages_.end(),
+                       [&stage](const StageEntry& entry) { return &entry.view->stage() == &stage; });
+}
+
+const Characters::StageEntry& Characters::current() const { return entry_of(practice_.current_stage()); }
+
+void Characters::show_available() {
+  for (const auto& entry : stages_) {
+    const bool can = entry.view->stage().can_practise({practice_.sheet(), practice_.tablet()});
+    const QString why = can ? QString() : entry.view->why_unavailable();
+    entry.action->setEnabled(can);
+    entry.action->setToolTip(why.isEmpty() ? entry.tip : why);
+  }
 }
 
 Characters::~Characters() = default;
@@ -114,16 +124,18 @@ Icon Characters::drawing() const { return Icon::strokes; }
 QString Characters::title() const {
   if (practice_.current_stage().hides_character()) return tr("Write from memory");
   if (practice_.own().tablet) return to_text(practice_.own().name);
-  return practice_.tablet() ? to_text(desk().preferences().kanji) : QString();
+  return practice_.tablet() ? to_text(parts().preferences().kanji) : QString();
 }
 
-Workplace::Panel Characters::left() const {
-  return {left_side_, tr("&List of characters"), tr("Show or fold away the list")};
+Page::Panel Characters::left() const {
+  return {left_side_, tr("&List of characters"), tr("Show or hide the list")};
 }
 
-Workplace::Panel Characters::right() const {
-  return {right_side_, tr("&Information"), tr("Show or fold away the information")};
+Page::Panel Characters::right() const {
+  return {right_side_, tr("&Information"), tr("Show or hide the information")};
 }
+
+QWidget* Characters::above_tablet() const { return above_tablet_; }
 
 QWidget* Characters::under_tablet() const { return session_bar_; }
 
@@ -133,14 +145,14 @@ QList<Tool> Characters::tools() const {
   QList<Tool> tools;
   for (const auto& entry : stages_) tools.append({entry.action, true});
   tools.append(Tool{});
-  tools.append(current().page->tools());
+  tools.append(current().view->tools());
   return tools;
 }
 
 QString Characters::tablet_description() const {
   return tr(
-      "The character as grooves to be traced: the left button presses the stylus down, the right button "
-      "turns");
+      "The character as grooves to trace. The left button presses the stylus down; the right button turns "
+      "the tablet");
 }
 
 void Characters::enter() {
@@ -155,11 +167,11 @@ void Characters::leave() {
 
 void Characters::show_stage() {
   for (const auto& entry : stages_)
-    for (auto* action : entry.page->own_actions()) action->setEnabled(false);
+    for (auto* action : entry.view->own_actions()) action->setEnabled(false);
   current().action->setChecked(true);
-  for (auto* action : current().page->own_actions()) action->setEnabled(true);
+  for (auto* action : current().view->own_actions()) action->setEnabled(true);
   emit tools_changed();
-  desk().save_later();
+  parts().save_later();
 }
 
 void Characters::show_hiding() {
@@ -173,45 +185,45 @@ void Characters::show_hiding() {
 void Characters::show_character() {
   const auto& sheet = practice_.sheet();
   searching_ = false;
-  desk().preferences().kanji = sheet->character.code_point;
+  parts().preferences().kanji = sheet->character.code_point;
   practice_.set_first_character(sheet->character.code_point);
-  desk().save_later();
-  for (const auto& entry : stages_) entry.action->setEnabled(true);
+  parts().save_later();
+  show_available();
   information_panel_->show_character(sheet);
 }
 
 void Characters::show_own() {
   const auto& own = practice_.own();
   const QString name = to_text(own.name);
-  information_panel_->show_own(name, own.map_size, desk().tablet().stroke_count());
-  desk().say(Feedback::good, own.has_strokes
-                                 ? tr("%1 is on the desk.").arg(name)
-                                 : tr("%1 is on the desk. A .str file adds its strokes.").arg(name));
+  information_panel_->show_own(name, own.map_size, parts().tablet().stroke_count());
+  parts().announce(Feedback::good, own.has_strokes
+                                       ? tr("Opened %1.").arg(name)
+                                       : tr("Opened %1. Open a .str file to add its strokes.").arg(name));
 }
 
 void Characters::save(QSettings& settings) const {
-  settings.setValue(QStringLiteral("stage"), current().id);
-  for (const auto& entry : stages_) entry.page->save(settings);
+  settings.setValue(QStringLiteral("stage"), to_text(practice_.current_stage().id()));
+  for (const auto& entry : stages_) entry.view->save(settings);
 }
 
 void Characters::open_drawing(bool open) {
-  if (open) desk().open_left_panel();
+  if (open) parts().open_left_panel();
   draw_panel_->setVisible(open);
   actions_->draw_to_find->setChecked(open);
   show_session();
   if (open)
     draw_panel_->begin();
   else
-    desk().focus_tablet();
+    parts().focus_tablet();
 }
 
 void Characters::close_drawing() {
   open_drawing(false);
-  // What was said of the drawing holds no more.
-  desk().say(Feedback::hint, tr("Closed. What lies on the tablet stays."));
+  // The sentence about the drawing is no longer true.
+  parts().announce(Feedback::hint, tr("Closed. The tablet was not changed."));
 }
 
-void Characters::take_appearance() {
+void Characters::refresh_appearance() {
   information_panel_->refresh();
   session_actions_->draw_icons();
   session_bar_->refresh();
@@ -236,7 +248,7 @@ void Characters::ask_and_open() {
 void Characters::ask_and_save() {
   const auto& own = practice_.own();
   const QString file_name =
-      own.tablet ? to_text(own.name).section(QLatin1Char('.'), 0, 0) : to_text(desk().preferences().kanji);
+      own.tablet ? to_text(own.name).section(QLatin1Char('.'), 0, 0) : to_text(parts().preferences().kanji);
   files_->ask_and_save(practice_.tablet(), own, file_name);
 }
 
@@ -248,7 +260,7 @@ void Characters::connect_actions() {
     if (actions_->draw_to_find->isChecked()) open_drawing(false);
     searching_ = true;
     show_session();
-    desk().open_left_panel();
+    parts().open_left_panel();
     library_panel_->focus_search();
   });
   on(actions_->next_character, [this] {
@@ -272,39 +284,38 @@ void Characters::connect_practice() {
   subscribe(practice_.hiding_changed, this, [this] { show_hiding(); });
   subscribe(practice_.character_arrived, this, [this](char32_t) { show_character(); });
   subscribe(practice_.character_shown, this,
-            [this](char32_t character) { emit desk().character_shown(character); });
+            [this](char32_t character) { emit parts().character_shown(character); });
   subscribe(practice_.character_missing, this, [this](char32_t character) {
-    desk().say(Feedback::advice,
-               tr("%1 has no strokes in the database. The tablet is as it was.").arg(to_text(character)));
+    parts().announce(Feedback::advice,
+                     tr("There are no strokes for %1 in the database. The tablet was not changed.")
+                         .arg(to_text(character)));
   });
-  subscribe(practice_.own_arrived, this, [this] {
-    for (const auto& entry : stages_) entry.action->setEnabled(entry.action == actions_->trace);
-  });
+  subscribe(practice_.own_arrived, this, [this] { show_available(); });
   subscribe(practice_.own_shown, this, [this] { show_own(); });
   subscribe(practice_.wanted, this, [this] { emit wants_to_be_entered(); });
   subscribe(practice_.feedback, this,
-            [this](const practice::PracticeStage&, const practice::StageFeedback& feedback) {
-              desk().say(to_feedback(feedback.tone), StageWords::sentence(feedback, &practice_.memory()));
+            [this](const practice::PracticeStage& stage, const practice::StageFeedback& feedback) {
+              parts().announce(to_feedback(feedback.tone), entry_of(stage).view->sentence(feedback));
             });
 }
 
 void Characters::connect_work() {
-  connect(&desk(), &Desk::character_wanted, this, [this](char32_t code_point) {
+  connect(&parts(), &WindowParts::character_wanted, this, [this](char32_t code_point) {
     practice_.show(code_point);
     emit wants_to_be_entered();
   });
-  connect(files_, &FileExchange::say, &desk(), &Desk::say);
+  connect(files_, &FileExchange::announced, &parts(), &WindowParts::announce);
   connect(files_, &FileExchange::folder_changed, this, [this](const QString& folder) {
-    desk().preferences().folder = folder;
-    desk().save_later();
+    parts().preferences().folder = folder;
+    parts().save_later();
   });
   connect(library_panel_, &LibraryPanel::character_chosen, this, [this](char32_t code_point) {
     practice_.show(code_point);
-    desk().close_drawers();
+    parts().close_drawers();
   });
   connect(library_panel_, &LibraryPanel::list_changed, this, [this](kanji::List list) {
-    desk().preferences().list = list;
-    desk().save_later();
+    parts().preferences().list = list;
+    parts().save_later();
   });
   connect(information_panel_, &InformationPanel::character_chosen, this,
           [this](char32_t code_point) { practice_.show(code_point); });
@@ -312,7 +323,7 @@ void Characters::connect_work() {
   connect(draw_panel_, &DrawPanel::character_chosen, this, [this](char32_t code_point) {
     open_drawing(false);
     practice_.show(code_point);
-    desk().close_drawers();
+    parts().close_drawers();
   });
 }
 

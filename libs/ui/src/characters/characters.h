@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "nazori/practice/character_practice.h"
-#include "workplace.h"
+#include "page/page.h"
 
 namespace nazori::ui {
 
@@ -14,19 +14,17 @@ class DrawPanel;
 class FileExchange;
 class InformationPanel;
 class LibraryPanel;
-class MemoryPage;
 class SessionActions;
 class SessionBar;
 class SessionPanel;
-class StagePage;
+class StageView;
 class WritingPanel;
 
-/// The workplace for characters: those to choose from on the left, all about the one on the desk on the
-/// right.
-class Characters final : public Workplace {
+/// The page for characters: the list on the left, all about the character that is shown on the right.
+class Characters final : public Page {
   Q_OBJECT
  public:
-  explicit Characters(Desk& desk);
+  explicit Characters(WindowParts& parts);
   ~Characters() override;
 
   [[nodiscard]] QString id() const override;
@@ -36,6 +34,7 @@ class Characters final : public Workplace {
   [[nodiscard]] QString title() const override;
   [[nodiscard]] Panel left() const override;
   [[nodiscard]] Panel right() const override;
+  [[nodiscard]] QWidget* above_tablet() const override;
   [[nodiscard]] QWidget* under_tablet() const override;
   [[nodiscard]] ActionSet* actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
@@ -43,7 +42,7 @@ class Characters final : public Workplace {
 
   void enter() override;
   void leave() override;
-  void take_appearance() override;
+  void refresh_appearance() override;
   void save(QSettings& settings) const override;
 
   [[nodiscard]] bool opens(const QStringList& paths) const override;
@@ -53,14 +52,14 @@ class Characters final : public Workplace {
   void ask_and_save() override;
 
  private:
-  /// A stage with its action and its page, in the order of the actions.
+  /// A stage with its action and its view, in the order of the actions.
   struct StageEntry {
-    QString id;  ///< in the settings
     QAction* action;
-    StagePage* page;
+    QString tip;  ///< of the action while the stage can be chosen
+    StageView* view;
   };
 
-  void make_pages();
+  void make_stage_views();
   void connect_actions();
   void connect_practice();
   void connect_work();
@@ -73,6 +72,8 @@ class Characters final : public Workplace {
   void show_session();
   void open_drawing(bool open);
   void close_drawing();
+  void show_available();
+  [[nodiscard]] const StageEntry& entry_of(const practice::PracticeStage& stage) const;
   [[nodiscard]] const StageEntry& current() const;
 
   practice::CharacterPractice& practice_;
@@ -84,12 +85,12 @@ class Characters final : public Workplace {
   DrawPanel* draw_panel_;
   SessionPanel* session_panel_;
   SessionBar* session_bar_;
-  QWidget* left_side_;   ///< the list, or what is drawn to find
+  QWidget* above_tablet_;
+  QWidget* left_side_;   ///< the list, or the panel for finding a character by drawing it
   QWidget* right_side_;  ///< the report on the writing above the information
   FileExchange* files_;
   std::vector<StageEntry> stages_;
-  MemoryPage* memory_page_ = nullptr;
-  bool searching_ = false;  ///< the list is shown in place of the session
+  bool searching_ = false;  ///< the list is shown instead of the session
 };
 
 }  // namespace nazori::ui

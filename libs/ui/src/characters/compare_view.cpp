@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "icons.h"
-#include "palette.h"
+#include "look/icons.h"
+#include "look/palette.h"
 
 namespace nazori::ui {
 namespace {
@@ -19,7 +19,7 @@ constexpr int kGap = 10;
 constexpr int kMargin = 2;
 constexpr double kTabletWidth_m = 0.1;
 
-QPointF place(geometry::TabletPoint p, const QRectF& box) {
+QPointF to_pixel(geometry::TabletPoint p, const QRectF& box) {
   return {box.center().x() + p.x / kTabletWidth_m * box.width(),
           box.center().y() - p.y / kTabletWidth_m * box.height()};
 }
@@ -121,7 +121,7 @@ QSize CompareView::sizeHint() const {
 }
 
 QSize CompareView::minimumSizeHint() const {
-  // Narrower, both are drawn smaller.
+  // In a narrower view both are drawn smaller.
   return {sizeHint().width() / 2, sizeHint().height()};
 }
 
@@ -152,7 +152,7 @@ void CompareView::paint_own(QPainter& painter, const QRectF& box) const {
       if (time_s_ >= 0 && stroke[k].time_s.value_or(0) - zero_s > time_s_) return;
       painter.setPen(QPen(colour, std::max(2 * per_m * view::ink_half_width_m(stroke[k]), 1.5), Qt::SolidLine,
                           Qt::RoundCap, Qt::RoundJoin));
-      painter.drawLine(place(stroke[k - 1].at, box), place(stroke[k].at, box));
+      painter.drawLine(to_pixel(stroke[k - 1].at, box), to_pixel(stroke[k].at, box));
     }
     if (time_s_ >= 0 || verdict == view::Verdict::none) continue;
     const Icon drawing = verdict == view::Verdict::right    ? Icon::tick
@@ -160,7 +160,7 @@ void CompareView::paint_own(QPainter& painter, const QRectF& box) const {
                                                             : Icon::cross;
     constexpr int kSign = 12;
     constexpr int kDisc = 9;
-    const QPointF middle = place(stroke.front().at, box) - QPointF(kDisc, kDisc) * 0.8;
+    const QPointF middle = to_pixel(stroke.front().at, box) - QPointF(kDisc, kDisc) * 0.8;
     painter.setPen(QPen(colour, 1));
     painter.setBrush(current_colours().surface);
     painter.drawEllipse(middle, kDisc, kDisc);
@@ -181,11 +181,11 @@ void CompareView::paint_model(QPainter& painter, const QRectF& box) const {
     double whole_m = 0;
     for (std::size_t k = 1; k < points.size(); ++k) whole_m += glm::distance(points[k - 1], points[k]);
     double left_m = whole_m * share;
-    QPainterPath path(place({points.front().x, points.front().y}, box));
+    QPainterPath path(to_pixel({points.front().x, points.front().y}, box));
     for (std::size_t k = 1; k < points.size() && left_m > 0; ++k) {
       const double piece_m = glm::distance(points[k - 1], points[k]);
       const auto to = piece_m > left_m ? glm::mix(points[k - 1], points[k], left_m / piece_m) : points[k];
-      path.lineTo(place({to.x, to.y}, box));
+      path.lineTo(to_pixel({to.x, to.y}, box));
       left_m -= piece_m;
     }
     painter.drawPath(path);

@@ -25,18 +25,18 @@ class CompareView final : public QWidget {
   void show_writing(const std::vector<practice::HandStroke>& strokes,
                     const std::vector<view::Verdict>& verdicts, const practice::Tablet& model);
   void set_playing(bool playing);
-  /// Both as they were at a moment since the start [s].
+  /// Shows both as they were at this time since the start [s].
   void show_moment(double time_s);
-  /// When the longer of both is written [s].
+  /// When the longer of the two ends [s].
   [[nodiscard]] double duration_s() const;
-  /// How many points of the writing are seen.
+  /// How many points of the writing are visible.
   [[nodiscard]] int points_shown() const;
 
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  signals:
-  /// Of the replay [s]; below 0: it is over, all is shown.
+  /// The time of the replay [s]; below 0: it is over, everything is shown.
   void moment_shown(double time_s);
   void finished();
 

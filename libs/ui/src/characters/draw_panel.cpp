@@ -11,16 +11,16 @@
 #include <algorithm>
 
 #include "characters/drawing_pad.h"
-#include "error_text.h"
-#include "flow_layout.h"
-#include "kanji_text.h"
-#include "signals.h"
+#include "events/signals.h"
+#include "widgets/flow_layout.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 
-DrawPanel::DrawPanel(Desk& desk, QWidget* parent)
+DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
     : QWidget(parent),
-      desk_(desk),
+      parts_(parts),
       pad_(new DrawingPad(this)),
       candidates_(new QListWidget(this)),
       words_(new QLabel(this)) {
@@ -31,10 +31,11 @@ DrawPanel::DrawPanel(Desk& desk, QWidget* parent)
   words_->setWordWrap(true);
   words_->setProperty("role", QStringLiteral("muted"));
   words_->setText(
-      tr("Enter takes the first, arrows choose. Ctrl+Z takes back a stroke, Delete clears, Esc closes."));
+      tr("Enter: open the first match. Arrow keys: choose another. Ctrl+Z: undo a stroke. Delete: clear. "
+         "Esc: close."));
 
   candidates_->setObjectName(QStringLiteral("candidates"));
-  candidates_->setAccessibleName(tr("Characters that look like it"));
+  candidates_->setAccessibleName(tr("Similar characters"));
   candidates_->setViewMode(QListView::IconMode);
   candidates_->setFlow(QListView::LeftToRight);
   candidates_->setMovement(QListView::Static);
@@ -50,7 +51,7 @@ DrawPanel::DrawPanel(Desk& desk, QWidget* parent)
     connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
     return made;
   };
-  // In a narrow panel, or with large letters, they stand in several rows.
+  // In a narrow panel, or with large text, the buttons are in several rows.
   auto* row = new FlowLayout(6, 6);
   row->addWidget(button(tr("Undo"), "draw_undo", [this] { pad_->undo(); }));
   row->addWidget(button(tr("Clear"), "draw_clear", [this] { pad_->clear(); }));
@@ -66,23 +67,24 @@ DrawPanel::DrawPanel(Desk& desk, QWidget* parent)
   connect(pad_, &DrawingPad::drawn, this, &DrawPanel::ask);
   connect(candidates_, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { choose(candidates_->row(item)); });
-  subscribe(desk_.judge().recognised, this,
+  subscribe(parts_.judge().recognised, this,
             [this](std::uint64_t ticket, const std::vector<writing::Candidate>& candidates) {
               if (ticket == ticket_) show_candidates(candidates);
             });
-  subscribe(desk_.judge().recognising_failed, this, [this](std::uint64_t ticket, const base::Error& error) {
+  subscribe(parts_.judge().recognising_failed, this, [this](std::uint64_t ticket, const base::Error& error) {
     // A stroke of one point is no drawing yet.
     if (ticket == ticket_ && error.code != base::Errc::bad_argument)
-      desk_.say(Feedback::wrong, tr("The drawing could not be read: %1.").arg(reason(error)));
+      parts_.announce(Feedback::wrong, tr("Your drawing could not be recognised: %1.").arg(reason(error)));
   });
   fit();
 }
 
 void DrawPanel::begin() {
-  desk_.judge().prepare_recogniser();
+  parts_.judge().prepare_recogniser();
   pad_->clear();
   pad_->setFocus(Qt::OtherFocusReason);
-  desk_.say(Feedback::hint, tr("Draw the character you look for. Order and direction do not matter much."));
+  parts_.announce(Feedback::hint,
+                  tr("Draw the character you are looking for. Stroke order and direction hardly matter."));
 }
 
 void DrawPanel::ask() {
@@ -93,7 +95,7 @@ void DrawPanel::ask() {
     candidates_->clear();
     return;
   }
-  ticket_ = desk_.judge().recognise(ink, kMostCandidates);
+  ticket_ = parts_.judge().recognise(ink, kMostCandidates);
 }
 
 void DrawPanel::show_candidates(const std::vector<writing::Candidate>& candidates) {
@@ -110,7 +112,7 @@ void DrawPanel::show_candidates(const std::vector<writing::Candidate>& candidate
   }
   candidates_->setCurrentRow(row);
   if (!candidates.empty())
-    desk_.say(Feedback::hint, tr("%1 is likeliest. Enter takes it.").arg(candidates_->item(0)->text()));
+    parts_.announce(Feedback::hint, tr("Best match: %1. Enter: open it.").arg(candidates_->item(0)->text()));
 }
 
 void DrawPanel::choose(int row) {
@@ -124,10 +126,9 @@ void DrawPanel::select(int by) {
   if (candidates_->count() == 0) return;
   candidates_->setCurrentRow(std::clamp(candidates_->currentRow() + by, 0, candidates_->count() - 1));
   const auto* item = candidates_->currentItem();
-  desk_.say(Feedback::hint, tr("%1, number %2 of %3.")
-                                .arg(item->text())
-                                .arg(candidates_->currentRow() + 1)
-                                .arg(candidates_->count()));
+  parts_.announce(
+      Feedback::hint,
+      tr("%1, %2 of %3.").arg(item->text()).arg(candidates_->currentRow() + 1).arg(candidates_->count()));
 }
 
 bool DrawPanel::take_key(int key, Qt::KeyboardModifiers modifiers) {
@@ -173,7 +174,7 @@ bool DrawPanel::eventFilter(QObject* watched, QEvent* event) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (take_key(key->key(), key->modifiers())) return true;
   } else if (event->type() == QEvent::ShortcutOverride) {
-    // Here these keys belong to the drawing, whatever they mean elsewhere in the window.
+    // These keys belong to the drawing here, even where they are shortcuts of the window.
     const auto* key = static_cast<QKeyEvent*>(event);
     switch (key->key()) {
       case Qt::Key_Return:
@@ -215,7 +216,7 @@ void DrawPanel::fit() {
   candidates_->setFont(textbook_font(QFontInfo(font()).pointSizeF() * 1.8));
   const int em = QFontInfo(font()).pixelSize();
   candidates_->setGridSize({em * 3, em * 3});
-  // The candidates need the room more.
+  // The candidates need the space more.
   constexpr int kRoomForWords = 26;
   words_->setVisible(height() >= kRoomForWords * em);
 }

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <cstdint>
 
-#include "desk.h"
+#include "page/window_parts.h"
 
 class QLabel;
 class QListWidget;
@@ -13,15 +13,15 @@ namespace nazori::ui {
 
 class DrawingPad;
 
-/// Finding a character by drawing it: the likeliest are listed while the drawing goes on.
+/// Finds a character by a drawing: the most likely ones are listed while the learner draws.
 class DrawPanel final : public QWidget {
   Q_OBJECT
  public:
   static constexpr int kMostCandidates = 20;
 
-  DrawPanel(Desk& desk, QWidget* parent);
+  DrawPanel(WindowParts& parts, QWidget* parent);
 
-  /// Empty paper, and the keyboard.
+  /// Clears the paper and takes the keyboard focus.
   void begin();
   [[nodiscard]] DrawingPad& pad() const { return *pad_; }
 
@@ -42,7 +42,7 @@ class DrawPanel final : public QWidget {
   bool take_key(int key, Qt::KeyboardModifiers modifiers);
   void fit();
 
-  Desk& desk_;
+  WindowParts& parts_;
   DrawingPad* pad_;
   QListWidget* candidates_;
   QLabel* words_;

@@ -6,7 +6,7 @@
 #include <QTabletEvent>
 #include <algorithm>
 
-#include "palette.h"
+#include "look/palette.h"
 
 namespace nazori::ui {
 namespace {
@@ -66,7 +66,7 @@ void DrawingPad::go_on(QPointF at, double pressure) {
 void DrawingPad::finish() {
   if (!down_) return;
   down_ = false;
-  // A tap without a way is no stroke.
+  // A tap without movement is not a stroke.
   if (ink_.strokes.back().size() < 2) ink_.strokes.pop_back();
   update();
   emit drawn();
@@ -113,7 +113,8 @@ void DrawingPad::paintEvent(QPaintEvent* /*event*/) {
     const QRectF room = box.adjusted(16, 16, -16, -16);
     const int how = Qt::AlignCenter | Qt::TextWordWrap;
     const QString words = tr("Draw the character here");
-    // Large letters in a narrow panel: rather none than cut ones; the feedback line says it too.
+    // With large text in a narrow panel the hint would be cut off. It is left out, because the feedback line
+    // says it too.
     if (room.contains(painter.boundingRect(room, how, words))) painter.drawText(room, how, words);
   }
   for (const auto& stroke : ink_.strokes)

@@ -24,7 +24,7 @@ class DrawingPad final : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {220, 220}; }
 
  signals:
-  /// A stroke has grown, was added or was taken away.
+  /// A stroke has grown, was added or was removed.
   void drawn();
 
  protected:

@@ -5,8 +5,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "kanji_text.h"
-#include "palette.h"
+#include "look/palette.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 

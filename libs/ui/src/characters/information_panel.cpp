@@ -11,10 +11,10 @@
 #include <algorithm>
 
 #include "characters/glyph_view.h"
-#include "flow_layout.h"
-#include "kanji_text.h"
+#include "look/palette.h"
 #include "nazori/kanji/kana.h"
-#include "palette.h"
+#include "widgets/flow_layout.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -93,8 +93,8 @@ InformationPanel::InformationPanel(QWidget* parent)
   head_->addWidget(glyph_, 0, Qt::AlignTop | Qt::AlignLeft);
   head_->addLayout(beside, 1);
   column->addLayout(head_);
-  on_ = add_section(QStringLiteral("on"), tr("On reading"), 14, 2);
-  kun_ = add_section(QStringLiteral("kun"), tr("Kun reading"), 14, 2);
+  on_ = add_section(QStringLiteral("on"), tr("On'yomi"), 14, 2);
+  kun_ = add_section(QStringLiteral("kun"), tr("Kun'yomi"), 14, 2);
   radical_ = add_section(QStringLiteral("radical"), tr("Radical"), 8, 2);
   parts_ = add_section(QStringLiteral("parts"), tr("Parts"), 8, 8);
   words_ = add_section(QStringLiteral("words"), tr("Words"), 0, 0);
@@ -207,7 +207,7 @@ void InformationPanel::fill_facts() {
       case kanji::Script::latin:
         return tr("Letter or digit");
       case kanji::Script::other:
-        return tr("No meaning is recorded");
+        return tr("No meaning given");
     }
     return QString();
   }();
@@ -216,7 +216,7 @@ void InformationPanel::fill_facts() {
   QStringList facts;
   const auto drawn = static_cast<int>(character.strokes.size());
   QString strokes = tr("%n strokes", nullptr, drawn);
-  // The sources differ for a few characters; both counts are told.
+  // The sources differ for a few characters. Both counts are shown.
   if (!entry.stroke_counts.empty() && entry.stroke_counts.front() != drawn)
     strokes = tr("%1 here, %2 in the dictionary").arg(strokes).arg(entry.stroke_counts.front());
   facts.append(strokes);
@@ -224,10 +224,11 @@ void InformationPanel::fill_facts() {
     if (*entry.grade <= 6)
       facts.append(tr("grade %1").arg(*entry.grade));
     else
-      facts.append(*entry.grade == 8 ? tr("secondary school") : tr("for names"));
+      facts.append(*entry.grade == 8 ? tr("secondary school") : tr("used in names"));
   }
-  if (entry.frequency) facts.append(tr("no. %1 in newspapers").arg(QLocale().toString(*entry.frequency)));
-  if (entry.old_jlpt_level) facts.append(tr("old JLPT %1").arg(*entry.old_jlpt_level));
+  if (entry.frequency)
+    facts.append(tr("newspaper frequency: no. %1").arg(QLocale().toString(*entry.frequency)));
+  if (entry.old_jlpt_level) facts.append(tr("old JLPT level %1").arg(*entry.old_jlpt_level));
   facts_->setText(facts.join(QStringLiteral(" · ")));
 }
 
@@ -243,7 +244,7 @@ void InformationPanel::fill_readings() {
     label->setObjectName(QStringLiteral("kun_reading"));
     label->setAccessibleName(kun_plain(reading));
     if (!reading.okurigana.empty())
-      label->setToolTip(tr("The kanji stands for %1; %2 follows it in kana")
+      label->setToolTip(tr("The kanji is read %1; %2 follows in kana (okurigana)")
                             .arg(to_text(reading.stem), to_text(reading.okurigana)));
   }
   on_.box->setVisible(!entry.on_readings.empty());
@@ -256,7 +257,7 @@ void InformationPanel::fill_radical() {
   add_label(radical_.flow, QString::number(radical.number), 1.0, false)
       ->setObjectName(QStringLiteral("radical_number"));
   add_label(radical_.flow, to_text(radical.form), 1.4, true)->setObjectName(QStringLiteral("radical_form"));
-  // The form it has in this character, where that is another one.
+  // The part is written in another form in this character.
   const auto& parts = sheet_->parts;
   for (const auto& form : radical.variant_forms) {
     const bool here = std::any_of(parts.begin(), parts.end(),
@@ -286,7 +287,7 @@ void InformationPanel::fill_parts() {
     button->setAccessibleName(says);
     button->setEnabled(part.target != 0);
     button->setCursor(Qt::PointingHandCursor);
-    button->setToolTip(part.target != 0 ? tr("%1. Go there").arg(says) : says);
+    button->setToolTip(part.target != 0 ? tr("%1. Open this character").arg(says) : says);
     connect(button, &QPushButton::clicked, this,
             [this, target = part.target] { emit character_chosen(target); });
     parts_.flow->addWidget(button);
@@ -333,9 +334,9 @@ void InformationPanel::set_hidden_character(bool hidden) {
 }
 
 void InformationPanel::refresh() {
-  const int place = verticalScrollBar()->value();
+  const int scrolled = verticalScrollBar()->value();
   if (sheet_) rebuild();
-  verticalScrollBar()->setValue(place);
+  verticalScrollBar()->setValue(scrolled);
 }
 
 void InformationPanel::resizeEvent(QResizeEvent* event) {

@@ -15,8 +15,8 @@ namespace nazori::ui {
 class FlowLayout;
 class GlyphView;
 
-/// Everything about the character on the desk: meanings, readings with the okurigana set apart, radical with
-/// its names, components that lead on, compounds.
+/// Everything about the character that is shown: meanings, readings with the okurigana in another colour, the
+/// radical with its names, components that can be opened, and compounds.
 class InformationPanel final : public QScrollArea {
   Q_OBJECT
  public:
@@ -26,10 +26,10 @@ class InformationPanel final : public QScrollArea {
   /// A tablet of the learner's own: its name, and how large it is.
   void show_own(const QString& name, int map_size, int strokes);
 
-  /// Keeps to meanings and readings, without the character itself, its parts and its words: it is to be
-  /// written from memory.
+  /// Shows only meanings and readings, not the character, its parts and its words: the learner writes it from
+  /// memory.
   void set_hidden_character(bool hidden);
-  /// Takes up other colours and another text size.
+  /// Uses the current colours and text size.
   void refresh();
 
  signals:
@@ -56,7 +56,7 @@ class InformationPanel final : public QScrollArea {
 
   std::shared_ptr<const practice::CharacterSheet> sheet_;
   bool hides_character_ = false;
-  bool is_narrow_ = false;  ///< large text in little room
+  bool is_narrow_ = false;  ///< large text in a narrow panel
   QWidget* content_;
   QBoxLayout* head_;
   GlyphView* glyph_;

@@ -16,10 +16,10 @@
 #include <algorithm>
 
 #include "characters/character_tile_delegate.h"
-#include "icons.h"
-#include "kanji_text.h"
-#include "palette.h"
-#include "signals.h"
+#include "events/signals.h"
+#include "look/icons.h"
+#include "look/palette.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 
@@ -42,8 +42,7 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
   search_->setObjectName(QStringLiteral("search"));
   search_->setPlaceholderText(tr("休, yasumu, rest …"));
   search_->setAccessibleName(tr("Find a character"));
-  search_->setToolTip(
-      tr("Find a character by itself, by a reading in kana or romaji, or by an English meaning (Ctrl+F)"));
+  search_->setToolTip(tr("Search by character, by reading (kana or romaji) or by English meaning (Ctrl+F)"));
   search_->setClearButtonEnabled(true);
   lens_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
   draw_lens();
@@ -56,7 +55,7 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
                                                    {kanji::List::grade_5, tr("Grade 5")},
                                                    {kanji::List::grade_6, tr("Grade 6")},
                                                    {kanji::List::secondary, tr("Secondary school")},
-                                                   {kanji::List::jinmeiyou, tr("For names")},
+                                                   {kanji::List::jinmeiyou, tr("Kanji for names")},
                                                    {kanji::List::hiragana, tr("Hiragana")},
                                                    {kanji::List::katakana, tr("Katakana")},
                                                    {kanji::List::latin_and_digits, tr("Letters and digits")},
@@ -67,12 +66,12 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
   lists_->setMaxVisibleItems(static_cast<int>(std::size(lists)));
   lists_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   lists_->setMinimumContentsLength(5);
-  lists_->setPlaceholderText(tr("Search"));
+  lists_->setPlaceholderText(tr("Search results"));
   count_->setObjectName(QStringLiteral("list_count"));
   count_->setProperty("role", QStringLiteral("muted"));
 
   grid_->setObjectName(QStringLiteral("character_grid"));
-  grid_->setAccessibleName(tr("Characters of the list"));
+  grid_->setAccessibleName(tr("Characters in the list"));
   grid_->setModel(model_);
   grid_->setItemDelegate(delegate_);
   grid_->setFlow(QListView::LeftToRight);
@@ -152,10 +151,9 @@ void LibraryPanel::show_characters(const practice::Summaries& characters) {
   count_->setText(searched ? tr("%n found", nullptr, count) : QString::number(count));
   count_->setAccessibleName(searched ? count_->text() : tr("%n characters", nullptr, count));
   fit_row();
-  nothing_->setText(
-      tr("Nothing found for “%1”. Try a character (休), a reading (やすむ, yasumu) or the beginning of an "
-         "English meaning (rest).")
-          .arg(wanted));
+  nothing_->setText(tr("Nothing found for “%1”. Try a character (休), a reading (やすむ, yasumu) or an "
+                       "English meaning (rest).")
+                        .arg(wanted));
   stack_->setCurrentWidget(count == 0 && searched ? static_cast<QWidget*>(nothing_) : grid_);
   if (searched)
     grid_->scrollToTop();
@@ -252,7 +250,7 @@ void LibraryPanel::fit_tiles() {
   const int side = std::clamp(room / columns, wished / 2, wished * 3 / 2);
   delegate_->set_side(side);
   grid_->setGridSize({side, side});
-  // The new layout comes with the next turn of the event loop.
+  // The new layout is applied by the next pass of the event loop.
   QTimer::singleShot(0, grid_, [this] {
     if (const int row = model_->row_of(current_); row >= 0)
       grid_->scrollTo(model_->index(row), QAbstractItemView::PositionAtCenter);

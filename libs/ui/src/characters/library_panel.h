@@ -18,7 +18,7 @@ namespace nazori::ui {
 
 class CharacterTileDelegate;
 
-/// Where a character is chosen: a search box, the ready lists, and their characters as tiles.
+/// Where a character is chosen: a search box, the built-in lists, and their characters as tiles.
 class LibraryPanel final : public QWidget {
   Q_OBJECT
  public:
@@ -26,7 +26,7 @@ class LibraryPanel final : public QWidget {
 
   void show_list(kanji::List list);
   [[nodiscard]] kanji::List list() const { return list_; }
-  /// Marks the character on the desk and scrolls to it where it is in the list.
+  /// Marks the character that is shown and scrolls to it if it is in the list.
   void set_current(char32_t code_point);
   /// The character before (-1) or after (+1) the current one in the list; 0 where there is none.
   [[nodiscard]] char32_t neighbour(int step) const;
@@ -58,14 +58,14 @@ class LibraryPanel final : public QWidget {
   QAction* lens_;
   QComboBox* lists_;
   QLabel* count_;
-  QBoxLayout* row_;  ///< of both
+  QBoxLayout* row_;  ///< of the box for lists and the count
   QListView* grid_;
   QLabel* nothing_;
   QStackedWidget* stack_;
   kanji::List list_ = kanji::List::grade_1;
   char32_t current_ = 0;
-  QString shown_search_;            ///< what the tiles answer; empty: the list
-  bool choose_when_found_ = false;  ///< Enter came before the answer
+  QString shown_search_;            ///< the search whose results the tiles show; empty: the list
+  bool choose_when_found_ = false;  ///< Enter was pressed before the results arrived
 };
 
 }  // namespace nazori::ui

@@ -6,9 +6,9 @@
 #include <QStringList>
 
 #include "characters/stroke_words.h"
-#include "error_text.h"
-#include "kanji_text.h"
-#include "writing_language.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
+#include "words/writing_language.h"
 
 namespace nazori::ui {
 
@@ -26,7 +26,7 @@ QString StageWords::sentence(const StageFeedback& feedback, const practice::Memo
 QString StageWords::watching(const StageFeedback& f) {
   switch (f.event) {
     case StageEvent::watch_paused:
-      return tr("Space plays, Left and Right step from stroke to stroke.");
+      return tr("Space: play. Left and Right: step stroke by stroke.");
     case StageEvent::stroke_watched: {
       const QString which = tr("Stroke %1 of %2").arg(f.stroke).arg(f.count);
       const QString name = StrokeWords::name(f.type);
@@ -34,9 +34,9 @@ QString StageWords::watching(const StageFeedback& f) {
       return name.isEmpty() ? tr("%1. %2").arg(which, ending) : tr("%1: %2. %3").arg(which, name, ending);
     }
     case StageEvent::all_watched:
-      return tr("All %n strokes. Space plays them again; F6 goes on to tracing.", nullptr, f.count);
+      return tr("All %n strokes shown. Space: play again. F6: trace.", nullptr, f.count);
     case StageEvent::speed_changed:
-      return tr("Speed %1.").arg(QLocale().toString(f.value, 'f', 2));
+      return tr("Speed: %1×.").arg(QLocale().toString(f.value, 'f', 2));
     default:
       return {};
   }
@@ -48,23 +48,24 @@ QString StageWords::invitation(const StageFeedback& f) {
     case StageEvent::touch_tablet:
       return tr("Press the left button to touch the tablet; the right button turns it.");
     case StageEvent::follow_groove:
-      return tr("Press the left button in a groove and follow it. S shows the strokes.");
+      return tr("Hold the left button in a groove and follow it. S: show the strokes.");
     case StageEvent::draw_from_one:
       return tr("Hold the left button at number 1 and draw along the groove.");
     case StageEvent::follow_hidden:
       sentence = tr("Follow the groove.");
       break;
     case StageEvent::write_from_starts:
-      sentence = tr("Write each stroke from its number.");
+      sentence = tr("Start each stroke at its number.");
       break;
     default:
       return {};
   }
   if (f.leading == Leading::leading)
-    sentence = tr("Let the stylus take the hand along; hold back, and it gives way.");
+    sentence = tr("Let the stylus lead your hand. If you hold back, it gives way.");
   else if (f.leading == Leading::missing)
-    sentence = tr("%1 Only a device with force leads the hand; here strokes hold it.").arg(sentence);
-  return f.count > 0 ? tr("%1 Without a slip so far: %2.").arg(sentence).arg(f.count) : sentence;
+    sentence = tr("%1 Only a force-feedback device can lead your hand; here strokes attract the stylus.")
+                   .arg(sentence);
+  return f.count > 0 ? tr("%1 Written without mistakes so far: %2.").arg(sentence).arg(f.count) : sentence;
 }
 
 QString StageWords::tracing(const StageFeedback& f) {
@@ -72,9 +73,9 @@ QString StageWords::tracing(const StageFeedback& f) {
     case StageEvent::stroke_began:
       return tr("Stroke %1: follow the groove to its end.").arg(f.stroke);
     case StageEvent::stroke_written_alone:
-      return tr("Stroke %1 is written. The full stop key (.) shows the next.").arg(f.stroke);
+      return tr("Stroke %1 written. Full stop (.): show the next one.").arg(f.stroke);
     case StageEvent::stroke_written:
-      return tr("Stroke %1 is written. Stroke %2 is next.").arg(f.stroke).arg(f.other);
+      return tr("Stroke %1 written. Next: stroke %2.").arg(f.stroke).arg(f.other);
     case StageEvent::stroke_written_but_open:
       return tr("Stroke %1 is written, but stroke %2 is not finished: the blue bit is missing.")
           .arg(f.stroke)
@@ -82,7 +83,7 @@ QString StageWords::tracing(const StageFeedback& f) {
     case StageEvent::stroke_written_early:
       return tr("Stroke %1 is written, but stroke %2 comes first. Write it now.").arg(f.stroke).arg(f.other);
     case StageEvent::all_written:
-      return tr("All %n strokes are written. Delete clears the tablet.", nullptr, f.count);
+      return tr("All %n strokes written. Delete: clear the tablet.", nullptr, f.count);
     case StageEvent::left_open:
       return tr("Stroke %1 is not finished: the blue bit is missing. Draw on from there.").arg(f.stroke);
     case StageEvent::open_stroke_first:
@@ -90,11 +91,11 @@ QString StageWords::tracing(const StageFeedback& f) {
     case StageEvent::too_early:
       return tr("Stroke %1 comes before stroke %2.").arg(f.stroke).arg(f.other);
     case StageEvent::from_the_end:
-      return tr("Stroke %1 begins at its other end, where its number stands.").arg(f.stroke);
+      return tr("Start stroke %1 at its other end, at the number.").arg(f.stroke);
     case StageEvent::stroke_shown_alone:
-      return tr("Stroke %1 is shown. Draw it from its number.").arg(f.stroke);
+      return tr("Stroke %1 is shown. Start at its number.").arg(f.stroke);
     case StageEvent::gives_way:
-      return tr("The stylus gives way. Go on a little by yourself, and it leads again.");
+      return tr("The stylus has let go. Move on a little by yourself and it leads again.");
     default:
       return {};
   }
@@ -103,15 +104,15 @@ QString StageWords::tracing(const StageFeedback& f) {
 QString StageWords::switches(const StageFeedback& f) {
   switch (f.event) {
     case StageEvent::stroke_chosen:
-      return tr("Stroke %1 of %2. Draw it from its number.").arg(f.stroke).arg(f.count);
+      return tr("Stroke %1 of %2. Start at its number.").arg(f.stroke).arg(f.count);
     case StageEvent::stroke_chosen_hidden:
-      return tr("Stroke %1 is chosen, but the strokes are hidden: press S.").arg(f.stroke);
+      return tr("Stroke %1 is selected, but the strokes are hidden. S: show them.").arg(f.stroke);
     case StageEvent::snapping_off:
-      return tr("The stylus is free.");
+      return tr("Snapping off: the stylus moves freely.");
     case StageEvent::snapping_on:
-      return tr("Strokes now hold the stylus. Pull away firmly to leave one.");
+      return tr("Snapping on: strokes attract the stylus. Pull firmly to leave a stroke.");
     case StageEvent::snapping_needs_strokes:
-      return tr("Strokes hold the stylus only while they are shown: press S.");
+      return tr("Snapping works only while strokes are visible. S: show them.");
     default:
       return {};
   }
@@ -120,15 +121,16 @@ QString StageWords::switches(const StageFeedback& f) {
 QString StageWords::guiding(const StageFeedback& f) {
   switch (f.event) {
     case StageEvent::guided_with_mistakes:
-      return tr("All strokes are there, not all at their turn. Delete clears the tablet.");
+      return tr(
+          "All strokes written, but not all in the right order or direction. Delete: clear and try again.");
     case StageEvent::lesson_with_mistakes:
-      return tr("All strokes are there, not all at their turn.");
+      return tr("All strokes written, but not all in the right order or direction.");
     case StageEvent::guided_without_mistake:
-      return tr("Without a slip.");
+      return tr("No mistakes.");
     case StageEvent::guided_less_help:
-      return tr("Without a slip. There is less help now: write it again.");
+      return tr("No mistakes. Write it again, now with less help.");
     case StageEvent::guided_without_help:
-      return tr("Without a slip, and without help. F8 goes on to writing from memory.");
+      return tr("No mistakes, and no help used. F8: write from memory.");
     default:
       return {};
   }
@@ -138,42 +140,49 @@ QString StageWords::writing(const StageFeedback& f, const practice::MemoryStage&
   switch (f.event) {
     case StageEvent::write_character:
       return invitation_to_write(f.count, memory);
+    case StageEvent::judged:
+      return judgement(memory);
+    default:
+      return of_strokes(f, memory.grade());
+  }
+}
+
+QString StageWords::of_strokes(const StageFeedback& f, const writing::Grade& grade) {
+  switch (f.event) {
     case StageEvent::nothing_written:
-      return tr("Nothing is written yet. H shows the first stroke.");
+      return tr("Nothing written yet. H: show the first stroke.");
     case StageEvent::tablet_full:
-      return tr("The tablet is full. Delete clears it.");
+      return tr("The tablet is full. Delete: clear it.");
     case StageEvent::strokes_unjudged:
-      return tr("%n strokes are written. Enter judges them.", nullptr, f.count);
+      return tr("%n strokes written. Enter: finish.", nullptr, f.count);
     case StageEvent::mistake:
     case StageEvent::not_of_character:
     case StageEvent::stroke_advice:
-      return mistake(f, memory);
+      return mistake(f, grade);
     case StageEvent::stroke_hinted:
-      return tr("Stroke %1 is shown in blue. Write it there and go on.").arg(f.stroke);
+      return tr("Stroke %1 is shown in blue. Write over it and go on.").arg(f.stroke);
     case StageEvent::stroke_right:
-      return f.count == 0 ? tr("Stroke %1 is right. Enter is done.").arg(f.stroke)
-                          : tr("Stroke %1 is right. %n to go.", nullptr, f.count).arg(f.stroke);
+      return f.count == 0 ? tr("Stroke %1 is correct. Enter: finish.").arg(f.stroke)
+                          : tr("Stroke %1 is correct. %n to go.", nullptr, f.count).arg(f.stroke);
     case StageEvent::stroke_right_other_missing:
       return tr("Stroke %1 is right. Stroke %2 is still missing.").arg(f.stroke).arg(f.other);
-    case StageEvent::judged:
-      return judgement(memory);
     case StageEvent::judging_failed:
-      return f.error ? tr("The writing could not be judged: %1. It is kept.").arg(reason(*f.error))
+      return f.error ? tr("Your writing could not be checked: %1. It is still there.").arg(reason(*f.error))
                      : QString();
     case StageEvent::stroke_undone:
-      return tr("Taken back. %n strokes are written.", nullptr, f.count);
+      return tr("Undone. %n strokes written.", nullptr, f.count);
     case StageEvent::all_strokes_there:
-      return tr("Every stroke is there. Enter is done.");
+      return tr("All strokes written. Enter: finish.");
     case StageEvent::hint_given:
-      return tr("Stroke %1 is shown in blue. H again shows all that are left.").arg(f.stroke);
+      return tr("Stroke %1 is shown in blue. H again: show all remaining strokes.").arg(f.stroke);
     case StageEvent::all_hints_given:
-      return tr("All strokes that are left are shown in blue.");
+      return tr("All remaining strokes are shown in blue.");
     case StageEvent::answer_shown:
-      return tr("This is how it is written. Delete clears the tablet to try again.");
+      return tr("This is how it is written. Delete: clear and try again.");
     case StageEvent::judges_each:
-      return tr("Every stroke is judged as it ends.");
+      return tr("Each stroke is checked as you finish it.");
     case StageEvent::judges_at_end:
-      return tr("The writing is judged at the end: press Enter.");
+      return tr("Your writing is checked at the end: press Enter.");
     default:
       return {};
   }
@@ -196,16 +205,16 @@ QString StageWords::invitation_to_write(int strokes, const practice::MemoryStage
   const QString asked = QStringList{reading, meaning}
                             .filter(QRegularExpression(QStringLiteral(".")))
                             .join(QStringLiteral(", "));
-  const QString what = tr("Write the character of %n strokes.", nullptr, strokes);
-  // In a lesson the question stands under the tablet already.
-  if (memory.is_lesson()) return tr("%1 H gives a hint, Enter is done.").arg(what);
-  return asked.isEmpty() ? what : tr("%1: %2 H gives a hint, Enter is done.").arg(asked, what);
+  const QString what = tr("Write the character (%n strokes).", nullptr, strokes);
+  // In a lesson the question is already shown under the tablet.
+  if (memory.is_lesson()) return tr("%1 H: hint. Enter: finish.").arg(what);
+  return asked.isEmpty() ? what : tr("%1: %2 H: hint. Enter: finish.").arg(asked, what);
 }
 
-QString StageWords::mistake(const StageFeedback& f, const practice::MemoryStage& memory) {
-  const QString why = f.mistake ? to_text(writing::explain(*f.mistake, memory.grade(), writing_language()))
-                                : tr("That is no stroke of this character. Ctrl+Z takes it back.");
-  return f.more == practice::MistakeHelp::hint ? tr("%1 H shows where the stroke goes.").arg(why) : why;
+QString StageWords::mistake(const StageFeedback& f, const writing::Grade& grade) {
+  const QString why = f.mistake ? to_text(writing::explain(*f.mistake, grade, writing_language()))
+                                : tr("That stroke isn't part of this character. Ctrl+Z: undo.");
+  return f.more == practice::MistakeHelp::hint ? tr("%1 H: show where the stroke goes.").arg(why) : why;
 }
 
 QString StageWords::judgement(const practice::MemoryStage& memory) {
@@ -218,9 +227,10 @@ QString StageWords::judgement(const practice::MemoryStage& memory) {
   }
   const QString between = writing_language() == writing::Language::japanese ? QString() : QStringLiteral(" ");
   const QString found = sentences.join(between);
-  if (!grade.accepted) return tr("%1 Ctrl+Z takes back a stroke, O shows the model.").arg(found);
-  QString words = tr("%1 %2 of 100 points.").arg(found).arg(grade.score);
-  // Of how the pen moved one thing is mentioned, and only where nothing else could be better.
+  if (!grade.accepted) return tr("%1 Ctrl+Z: undo a stroke. O: show the model.").arg(found);
+  QString words =
+      grade.form ? tr("%1 Form: %2 of %3 stars.").arg(found).arg(*grade.form).arg(writing::kBestForm) : found;
+  // At most one remark is about how the pen moved, and only if there is no other remark.
   if (grade.advice.empty() && !memory.pen_report().remarks.empty())
     words += between + to_text(writing::explain(memory.pen_report().remarks, writing_language()).front());
   return words;

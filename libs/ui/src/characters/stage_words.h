@@ -9,14 +9,17 @@
 
 namespace nazori::ui {
 
-/// The sentences of the practice stages, in the language of the interface: short, kind, exact.
+/// The sentences of the practice stages, in the language of the interface. They are short, kind and exact.
 class StageWords {
   Q_DECLARE_TR_FUNCTIONS(nazori::ui::StageWords)
  public:
-  /// What a stage reports; empty where it is not worth a sentence.
+  /// The sentence for the feedback of a stage; empty if it needs none.
   /// @param memory  the stage whose grade is meant, for StageEvent::judged and mistakes; else nullptr.
   [[nodiscard]] static QString sentence(const practice::StageFeedback& feedback,
                                         const practice::MemoryStage* memory = nullptr);
+  /// The same of what is written from memory stroke by stroke. @param grade  of it.
+  [[nodiscard]] static QString of_strokes(const practice::StageFeedback& feedback,
+                                          const writing::Grade& grade);
 
  private:
   [[nodiscard]] static QString watching(const practice::StageFeedback& feedback);
@@ -27,8 +30,7 @@ class StageWords {
   [[nodiscard]] static QString writing(const practice::StageFeedback& feedback,
                                        const practice::MemoryStage& memory);
   [[nodiscard]] static QString invitation_to_write(int strokes, const practice::MemoryStage& memory);
-  [[nodiscard]] static QString mistake(const practice::StageFeedback& feedback,
-                                       const practice::MemoryStage& memory);
+  [[nodiscard]] static QString mistake(const practice::StageFeedback& feedback, const writing::Grade& grade);
   [[nodiscard]] static QString judgement(const practice::MemoryStage& memory);
 };
 

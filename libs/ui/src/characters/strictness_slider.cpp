@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flow_layout.h"
+#include "widgets/flow_layout.h"
 
 namespace nazori::ui {
 
 StrictnessSlider::StrictnessSlider(QWidget* parent)
     : QWidget(parent), slider_(new QSlider(Qt::Horizontal, this)), words_(new QLabel(this)) {
-  auto* name = new QLabel(tr("&Judged"), this);
+  auto* name = new QLabel(tr("Str&ictness"), this);
   name->setBuddy(slider_);
   slider_->setObjectName(QStringLiteral("strictness"));
   slider_->setAccessibleName(tr("Strictness"));
@@ -23,7 +23,7 @@ StrictnessSlider::StrictnessSlider(QWidget* parent)
   slider_->setPageStep(kSteps / 4);
   slider_->setTickInterval(kSteps / 2);
   slider_->setTickPosition(QSlider::TicksBelow);
-  slider_->setToolTip(tr("How strictly writing is judged (Ctrl+[ and Ctrl+])"));
+  slider_->setToolTip(tr("How strictly your writing is checked (Ctrl+[ and Ctrl+])"));
   words_->setObjectName(QStringLiteral("strictness_words"));
   words_->setWordWrap(true);
   auto* column = new QVBoxLayout(this);
@@ -68,15 +68,15 @@ void StrictnessSlider::step(int by) { slider_->setValue(slider_->value() + by); 
 
 QString StrictnessSlider::words() const {
   const int value = slider_->value();
-  if (value == 0) return tr("leniently");
-  if (value == kSteps) return tr("strictly");
-  if (value == kSteps / 2) return tr("as a teacher does");
-  return value < kSteps / 2 ? tr("rather leniently") : tr("rather strictly");
+  if (value == 0) return tr("lenient");
+  if (value == kSteps) return tr("strict");
+  if (value == kSteps / 2) return tr("normal");
+  return value < kSteps / 2 ? tr("fairly lenient") : tr("fairly strict");
 }
 
 void StrictnessSlider::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  // Where large letters leave no room for them, the words above tell as much.
+  // With large text there is no space for these labels. The words above say the same.
   const bool fit = std::all_of(marks_.begin(), marks_.end(), [this](const QLabel* mark) {
     return mark->sizeHint().width() <= width() / static_cast<int>(marks_.size());
   });

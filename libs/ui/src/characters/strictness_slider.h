@@ -25,7 +25,7 @@ class StrictnessSlider final : public QWidget {
   [[nodiscard]] QString words() const;
 
  signals:
-  /// By hand; not by set_strictness().
+  /// The learner moved the slider; set_strictness() does not emit it.
   void moved(double strictness);
 
  protected:

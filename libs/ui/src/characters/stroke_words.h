@@ -8,14 +8,14 @@
 
 namespace nazori::ui {
 
-/// What a stroke is called and how it ends, in the language of the interface.
+/// The names and endings of strokes, in the language of the interface.
 class StrokeWords {
   Q_DECLARE_TR_FUNCTIONS(nazori::ui::StrokeWords)
  public:
   /// By the type that KanjiVG gives ("㇔/㇏", "㇕b"); empty where it gives none.
   /// @source names after the Unicode chart of CJK strokes (U+31C0..U+31E3) and school usage.
   [[nodiscard]] static QString name(const std::string& type);
-  /// "It stops at the end."
+  /// "It ends with a stop."
   [[nodiscard]] static QString ending(kanji::StrokeEnding ending);
 };
 

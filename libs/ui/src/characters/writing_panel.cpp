@@ -70,7 +70,7 @@ bool WritingPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void WritingPanel::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
-  // Text wraps elsewhere in another width.
+  // At another width the text wraps differently and needs another height.
   updateGeometry();
 }
 

@@ -9,8 +9,8 @@ class CompareView;
 class StrictnessSlider;
 class WritingReport;
 
-/// Beside the tablet while the learner writes from memory: how strictly it is judged, the writing beside the
-/// model, and what was found. As high as what it shows, up to where the information below needs room.
+/// The panel beside the tablet while the learner writes from memory: strictness, the writing beside the
+/// model, and the report. As high as its content, but it leaves enough space for the information below.
 class WritingPanel final : public QScrollArea {
   Q_OBJECT
  public:

@@ -4,10 +4,10 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "kanji_text.h"
 #include "nazori/writing/explanation.h"
-#include "sentence_label.h"
-#include "writing_language.h"
+#include "widgets/sentence_label.h"
+#include "words/kanji_text.h"
+#include "words/writing_language.h"
 
 namespace nazori::ui {
 namespace {
@@ -22,11 +22,11 @@ QString lines(const std::vector<std::string>& sentences) {
 
 WritingReport::WritingReport(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("writing_report"));
-  setAccessibleName(tr("What was found in your writing"));
+  setAccessibleName(tr("Feedback on your writing"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  points_ = add_label("report_points", "title");
+  verdict_ = add_label("report_verdict", "title");
   mistakes_ = add_label("report_faults", "");
   parts_ = add_label("report_parts", "muted");
   pen_ = add_label("report_pen", "");
@@ -39,12 +39,27 @@ QLabel* WritingReport::add_label(const char* name, const char* role) {
   return label;
 }
 
+QString WritingReport::verdict(const writing::Grade& grade) {
+  if (!grade.accepted) return tr("Not quite");
+  if (!grade.form) return tr("Correct");
+  const int form = *grade.form;
+  return tr("Correct. Form: %1")
+      .arg(QString(form, QChar(0x2605)) + QString(writing::kBestForm - form, QChar(0x2606)));
+}
+
+QString WritingReport::spoken_verdict(const writing::Grade& grade) {
+  if (!grade.form) return verdict(grade);
+  return tr("Correct. Form: %1 of %2 stars").arg(*grade.form).arg(writing::kBestForm);
+}
+
 void WritingReport::show_grade(const writing::Grade& grade, const practice::PenReport& pen) {
   const auto language = writing_language();
-  points_->setText(grade.accepted ? tr("Accepted: %1 of 100 points").arg(grade.score)
-                                  : tr("Not yet: %1 of 100 points").arg(grade.score));
+  // A refused writing shows what to mend, and no figure beside it.
+  verdict_->setText(verdict(grade));
+  verdict_->setAccessibleName(spoken_verdict(grade));
   mistakes_->setText(lines(writing::explain(grade, language)));
   parts_->setText(lines(writing::explain_score(grade, language)));
+  parts_->setVisible(grade.accepted);
   auto motion = writing::explain(pen.remarks, language);
   if (auto pace = writing::explain_pace(pen.motions, pen.remarks, language); !pace.empty())
     motion.insert(motion.begin(), std::move(pace));

@@ -11,8 +11,7 @@ class QLabel;
 
 namespace nazori::ui {
 
-/// All that was found in a piece of writing, in words: what is wrong, what could be better, what the score is
-/// made of, and how the pen moved.
+/// The report on a writing: mistakes, what could be better, the parts of the score, and how the pen moved.
 class WritingReport final : public QWidget {
   Q_OBJECT
  public:
@@ -21,9 +20,13 @@ class WritingReport final : public QWidget {
   void show_grade(const writing::Grade& grade, const practice::PenReport& pen);
 
  private:
+  /// "Correct. Form: ★★★★☆"; a refused writing has no stars.
+  static QString verdict(const writing::Grade& grade);
+  /// The same for a screen reader, which does not count stars.
+  static QString spoken_verdict(const writing::Grade& grade);
   QLabel* add_label(const char* name, const char* role);
 
-  QLabel* points_;
+  QLabel* verdict_;
   QLabel* mistakes_;
   QLabel* parts_;
   QLabel* pen_;

@@ -20,7 +20,7 @@ QString in_lines(const QString& text, const QFontMetrics& metrics, int width_px)
   for (qsizetype to = finder.toNextBoundary(); to >= 0; to = finder.toNextBoundary()) {
     QString piece = text.mid(from, to - from);
     from = to;
-    // A word that is wider by itself: better in two parts than cut off.
+    // A word that is wider than a line is broken, so that it is not cut off.
     while (piece.size() > 1 && metrics.horizontalAdvance(piece.trimmed()) > width_px) {
       if (!line.isEmpty()) lines += line.trimmed() + QLatin1Char('\n');
       qsizetype fits = piece.size() - 1;
@@ -30,7 +30,7 @@ QString in_lines(const QString& text, const QFontMetrics& metrics, int width_px)
       piece = piece.mid(fits);
     }
     const QString longer = line + piece;
-    // The blank at the end of a line takes no room.
+    // A space at the end of a line takes no width.
     if (!line.isEmpty() && metrics.horizontalAdvance(longer.trimmed()) > width_px) {
       lines += line.trimmed() + QLatin1Char('\n');
       line = piece;
@@ -67,10 +67,10 @@ bool ButtonLines::eventFilter(QObject* watched, QEvent* event) {
 void ButtonLines::break_lines(QAbstractButton* button) const {
   if (!viewport_) return;
   constexpr int kAnyWidth = 1000;
-  constexpr int kSlack_px = 6;  // styles measure a little otherwise
+  constexpr int kSlack_px = 6;  // some styles measure text a little wider
   QStyleOptionButton option;
   option.initFrom(button);
-  option.text = texts_.value(button);  // the room beside it is there only where there is a text
+  option.text = texts_.value(button);  // the style reserves space beside the icon only if there is a text
   const auto kind =
       qobject_cast<QPushButton*>(button) != nullptr ? QStyle::CT_PushButton : QStyle::CT_RadioButton;
   const QFontMetrics metrics = button->fontMetrics();

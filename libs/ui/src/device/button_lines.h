@@ -13,8 +13,8 @@ class QScrollArea;
 
 namespace nazori::ui {
 
-/// Breaks the lines of buttons to the width of the panel they stand in, which buttons do not do by
-/// themselves: a panel with large text is as wide as one with small text. Thread: interface.
+/// Wraps the text of buttons to the width of their panel, which buttons do not do by themselves. So a panel
+/// with large text is as wide as one with small text. Thread: interface.
 class ButtonLines final : public QObject {
  public:
   /// @param area  the panel; owns this. @param margin_px  of its content, on each side.
@@ -29,7 +29,7 @@ class ButtonLines final : public QObject {
  private:
   void break_lines(QAbstractButton* button) const;
 
-  QPointer<QWidget> viewport_;  ///< its panel may be on its way out already
+  QPointer<QWidget> viewport_;  ///< the panel may be destroyed first
   int margin_px_;
   QHash<QAbstractButton*, QString> texts_;
 };

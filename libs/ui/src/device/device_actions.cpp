@@ -4,15 +4,16 @@
 namespace nazori::ui {
 
 DeviceActions::DeviceActions(QWidget* window) : ActionSet(window) {
-  look_again = make("look_again", tr("&Look for devices"), tr("Look again for what is plugged in"),
+  look_again = make("look_again", tr("&Look for devices"), tr("Search again for connected devices"),
                     {QStringLiteral("F5")});
-  stronger = make("stronger", tr("S&tronger"), tr("The trial pushes harder by a tenth of the device's limit"),
-                  {QStringLiteral("Ctrl+PgUp")});
-  weaker = make("weaker", tr("&Weaker"), tr("The trial pushes less hard"), {QStringLiteral("Ctrl+PgDown")});
-  calibrate = make("calibrate", tr("Fit by &corners…"),
-                   tr("Show three corners of the tablet with the stylus"), {QStringLiteral("C")});
-  fit = make("fit", tr("&Fit by itself"), tr("The largest tablet that the stylus can reach whole"),
-             {QStringLiteral("Shift+C")});
+  stronger =
+      make("stronger", tr("S&tronger"), tr("Make the test force stronger by 10% of the device's limit"),
+           {QStringLiteral("Ctrl+PgUp")});
+  weaker = make("weaker", tr("&Weaker"), tr("Make the test force weaker"), {QStringLiteral("Ctrl+PgDown")});
+  calibrate = make("calibrate", tr("Calibrate with &corners…"),
+                   tr("Point at three corners of the tablet with the stylus"), {QStringLiteral("C")});
+  fit = make("fit", tr("&Fit automatically"),
+             tr("Use the largest tablet that the stylus can reach completely"), {QStringLiteral("Shift+C")});
   draw(look_again, Icon::search);
   add_group(tr("&Device"), {look_again, nullptr, stronger, weaker, nullptr, calibrate, fit});
 }

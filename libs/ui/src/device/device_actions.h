@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "action_set.h"
+#include "widgets/action_set.h"
 
 namespace nazori::ui {
 
-/// What can be done in the workplace for devices.
+/// The actions of the page for devices.
 class DeviceActions final : public ActionSet {
   Q_OBJECT
  public:

@@ -12,9 +12,9 @@
 #include <glm/geometric.hpp>
 
 #include "device/device_actions.h"
-#include "flow_layout.h"
 #include "nazori/devices/tablet_device.h"
-#include "number_slider.h"
+#include "widgets/flow_layout.h"
+#include "widgets/number_slider.h"
 
 namespace nazori::ui {
 namespace {
@@ -38,7 +38,7 @@ QLabel* heading(const QString& text, QWidget* parent) {
 FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions, QWidget* parent)
     : QScrollArea(parent), stylus_(stylus), content_(new QWidget(this)) {
   setObjectName(QStringLiteral("feel_panel"));
-  setAccessibleName(tr("What the stylus feels"));
+  setAccessibleName(tr("What you feel"));
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWidgetResizable(true);
   content_->setObjectName(QStringLiteral("information_content"));
@@ -51,13 +51,13 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
   form->setVerticalSpacing(3);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   const std::array<std::pair<const char*, QString>, line_count> names{{
-      {"live_pose", tr("Tip")},
+      {"live_pose", tr("Tip position")},
       {"live_buttons", tr("Buttons")},
       {"live_force", tr("Force")},
-      {"live_rate", tr("Rate")},
-      {"live_lateness", tr("Latest")},
-      {"live_missed", tr("Missed")},
-      {"live_delay", tr("Delay")},
+      {"live_rate", tr("Update rate")},
+      {"live_lateness", tr("Longest delay")},
+      {"live_missed", tr("Missed updates")},
+      {"live_delay", tr("Latency")},
   }};
   for (std::size_t i = 0; i < names.size(); ++i) {
     lines_[i] = new QLabel(content_);
@@ -72,7 +72,7 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
   trial_ = new QWidget(content_);
   auto* trial = new QVBoxLayout(trial_);
   trial->setContentsMargins(0, 0, 0, 0);
-  trial->addWidget(heading(tr("Feel a wall, feel a groove"), trial_));
+  trial->addWidget(heading(tr("Feel a wall and a groove"), trial_));
   strength_ = new QLabel(trial_);
   strength_->setObjectName(QStringLiteral("strength"));
   strength_->setWordWrap(true);
@@ -93,14 +93,14 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
     auto* made =
         new NumberSlider(name, QString::fromLatin1(object), 0, 1, 0.05, QStringLiteral("%1"), 2, content_);
     column->addWidget(made);
-    connect(made, &NumberSlider::moved, this, &FeelPanel::tell_material);
+    connect(made, &NumberSlider::moved, this, &FeelPanel::emit_material);
     return made;
   };
   stiffness_ = slider(tr("Stiffness"), "material_stiffness");
   damping_ = slider(tr("Damping"), "material_damping");
   hold_ = slider(tr("Static friction"), "material_static_friction");
   slide_ = slider(tr("Dynamic friction"), "material_dynamic_friction");
-  popthrough_ = slider(tr("Popthrough"), "material_popthrough");
+  popthrough_ = slider(tr("Pop-through"), "material_popthrough");
   texture_ = new QComboBox(content_);
   texture_->setObjectName(QStringLiteral("material_texture"));
   texture_->setAccessibleName(tr("Texture"));
@@ -110,7 +110,7 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
   texture_name->setBuddy(texture_);
   column->addWidget(texture_name);
   texture_->addItems({tr("smooth"), tr("paper"), tr("wood"), tr("stone")});
-  connect(texture_, &QComboBox::currentIndexChanged, this, &FeelPanel::tell_material);
+  connect(texture_, &QComboBox::currentIndexChanged, this, &FeelPanel::emit_material);
   column->addWidget(texture_);
   roughness_ = slider(tr("Roughness"), "material_roughness");
   column->addStretch(1);
@@ -147,8 +147,8 @@ void FeelPanel::look() {
   show(buttons, down.isEmpty() ? tr("none") : down.join(QStringLiteral(", ")));
   show(force, tr("%1 N").arg(locale.toString(glm::length(now.force_n), 'f', 2)));
   const double rate_hz = status.rate_hz > 0 ? status.rate_hz : stylus_.describe().rate_hz;
-  show(rate,
-       stylus_.is_resting() ? tr("at rest") : tr("%1 times a second").arg(locale.toString(rate_hz, 'f', 0)));
+  show(rate, stylus_.is_resting() ? tr("at rest")
+                                  : tr("%1 times per second").arg(locale.toString(rate_hz, 'f', 0)));
   show(lateness, tr("%1 ms").arg(locale.toString(timing.max_lateness_s * 1e3, 'f', 1)));
   show(missed, locale.toString(static_cast<qulonglong>(timing.missed_ticks)));
   show(delay, tr("%1 ms").arg(locale.toString(status.delay_s * 1e3, 'f', 1)));
@@ -156,9 +156,8 @@ void FeelPanel::look() {
 
 void FeelPanel::show_strength(double strength, bool has_force) {
   trial_->setVisible(has_force);
-  strength_->setText(
-      tr("At %1 % of the device's limits. On the left stands a wall, on the right lies a groove.")
-          .arg(QLocale().toString(std::lround(strength * 100))));
+  strength_->setText(tr("Force at %1% of the device's limits. A wall is on the left, a groove on the right.")
+                         .arg(QLocale().toString(std::lround(strength * 100))));
 }
 
 void FeelPanel::show_material(const haptics::Material& material) {
@@ -174,12 +173,12 @@ void FeelPanel::show_material(const haptics::Material& material) {
   showing_ = false;
 }
 
-void FeelPanel::tell_material() {
+void FeelPanel::emit_material() {
   if (showing_) return;
   material_.stiffness = stiffness_->value();
   material_.damping = damping_->value();
   material_.static_friction = hold_->value();
-  // What slides is never held less than what rests.
+  // Static friction is never less than sliding friction.
   if (slide_->value() > hold_->value()) slide_->set_value(hold_->value());
   material_.dynamic_friction = slide_->value();
   material_.popthrough = popthrough_->value();

@@ -20,7 +20,8 @@ namespace nazori::ui {
 class DeviceActions;
 class NumberSlider;
 
-/// What the stylus is doing now, how hard the trial pushes, and what the tablet is made of.
+/// The panel for the feel of the tablet: the live state of the stylus, the strength of the trial, and the
+/// material.
 class FeelPanel final : public QScrollArea {
   Q_OBJECT
  public:
@@ -38,7 +39,7 @@ class FeelPanel final : public QScrollArea {
   enum Line : std::uint8_t { pose, buttons, force, rate, lateness, missed, delay, line_count };
 
   void look();
-  void tell_material();
+  void emit_material();
 
   devices::TabletDevice& stylus_;
   QWidget* content_;

@@ -6,7 +6,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "palette.h"
+#include "look/palette.h"
 
 namespace nazori::ui {
 
@@ -34,7 +34,7 @@ void ExpressionLine::mark_error(int column) {
 void ExpressionLine::recall(int step) {
   if (at_ == history_.size()) draft_ = text();
   qsizetype to = at_ + step;
-  // What stands in the line already is no step back.
+  // An entry that equals the current text is skipped.
   while (to >= 0 && to < history_.size() && history_[to] == text()) to += step;
   if (to < 0 || to > history_.size()) return;
   at_ = to;
@@ -62,7 +62,7 @@ void ExpressionLine::paintEvent(QPaintEvent* event) {
   QLineEdit::paintEvent(event);
   if (error_column_ <= 0) return;
   const QString all = text();
-  // Columns count code points; two code units are one where they stand for one beyond the basic plane.
+  // Columns count code points: a surrogate pair is one column.
   qsizetype from = 0;
   for (int column = 1; column < error_column_ && from < all.size(); ++column)
     from += all[from].isHighSurrogate() && from + 1 < all.size() ? 2 : 1;

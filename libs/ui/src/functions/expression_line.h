@@ -6,8 +6,8 @@
 
 namespace nazori::ui {
 
-/// The line in which an expression is typed. Up and down go through what was entered before; the place of an
-/// error is underlined with a zigzag.
+/// The field for an expression. Up and down go through earlier entries. The position of an error is
+/// underlined with a zigzag.
 class ExpressionLine final : public QLineEdit {
   Q_OBJECT
  public:

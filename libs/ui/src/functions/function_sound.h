@@ -8,8 +8,8 @@
 
 namespace nazori::ui {
 
-/// audio::PlotSound in the window: a step by key is heard for a moment, and that there is no sound card is a
-/// signal. Thread: interface.
+/// audio::PlotSound in the window: a step by key is heard for a moment, and a signal says that there is no
+/// sound card. Thread: interface.
 class FunctionSound final : public QObject {
   Q_OBJECT
  public:
@@ -21,16 +21,16 @@ class FunctionSound final : public QObject {
   void set_muted(bool muted) { sound_.set_muted(muted); }
   [[nodiscard]] bool muted() const { return sound_.muted(); }
 
-  /// What is under the hand, until the next call. A loudness of 0 is silence.
+  /// Plays the tone at the position of the hand, until the next call. A loudness of 0 is silence.
   void touch(const functions::Cue& cue, bool trembles = false);
-  /// The same for a moment: a step by key.
+  /// Plays the tone for a moment: a step by key.
   void touch_briefly(const functions::Cue& cue);
   void sign(functions::PointKind kind, double pan) { sound_.sign(kind, pan); }
   void play(functions::Sound sound) { sound_.play(std::move(sound)); }
-  /// Every sound.
+  /// Stops every sound.
   void stop();
   [[nodiscard]] bool is_playing() const;
-  /// The computer has refused to play: there is nothing to be heard before the next start.
+  /// The computer refused to play. There is no sound until the next start.
   [[nodiscard]] bool is_refused() const { return sound_.is_refused(); }
 
  signals:

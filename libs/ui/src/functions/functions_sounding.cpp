@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is heard of a plot: under the hand, by key, and the sweep.
+// The sound of a plot: at the hand, by key, and the sweep along a curve.
 #include <algorithm>
 #include <cmath>
 
-#include "desk.h"
-#include "error_text.h"
+#include "events/signals.h"
 #include "functions/function_actions.h"
 #include "functions/function_sound.h"
-#include "functions/functions_workplace.h"
+#include "functions/functions_page.h"
 #include "functions/plot_panel.h"
 #include "functions/plot_words.h"
 #include "functions/points_panel.h"
-#include "signals.h"
+#include "page/window_parts.h"
+#include "words/error_text.h"
 
 namespace nazori::ui {
 namespace {
 
-constexpr double kMoved_m = 1.5e-3;  ///< the stylus is no longer where keys put it
+constexpr double kMoved_m = 1.5e-3;  ///< farther: the stylus was moved away from where the keys put it
 
 }  // namespace
 
-void FunctionsWorkplace::connect_sound() {
+void FunctionsPage::connect_sound() {
   const auto on = [this](QAction* action, auto&& what) {
     connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
   };
@@ -30,50 +30,50 @@ void FunctionsWorkplace::connect_sound() {
     sound_->stop();
     if (!plotter_.is_busy()) return;
     plotter_.stop();
-    // The first picture, which has no points, is what tracing and table are of then.
+    // The explorer and the table then belong to the first picture, which has no points.
     if (shown() && !shown()->final) {
       explorer_.settle();
       points_->show_drawing(shown());
     }
-    desk().answer(Feedback::advice, tr("The drawing was stopped. What is shown need not be all of it."));
+    parts().answer(Feedback::advice, tr("The drawing was stopped and may be incomplete."));
   });
   const auto change_speed = [this](int by) {
     const auto event = model_.change_speed(by);
-    desk().save_later();
+    parts().save_later();
     announce(event);
   };
   on(actions_->faster, [change_speed] { change_speed(+1); });
   on(actions_->slower, [change_speed] { change_speed(-1); });
   on(actions_->louder, [this] {
     set_volume(sound_->volume() + 10);
-    desk().answer(Feedback::hint, tr("Volume %1").arg(sound_->volume()));
+    parts().answer(Feedback::hint, tr("Volume %1").arg(sound_->volume()));
   });
   on(actions_->quieter, [this] {
     set_volume(sound_->volume() - 10);
-    desk().answer(Feedback::hint, tr("Volume %1").arg(sound_->volume()));
+    parts().answer(Feedback::hint, tr("Volume %1").arg(sound_->volume()));
   });
   on(actions_->mute, [this](bool muted) { set_muted(muted); });
   on(actions_->reference, [this] { play_reference(); });
   connect(sound_, &FunctionSound::unavailable, this,
-          [this](const base::Error& error) { desk().say(Feedback::advice, no_sound(error)); });
-  connect(&touch_timer_, &QTimer::timeout, this, &FunctionsWorkplace::follow_stylus);
+          [this](const base::Error& error) { parts().announce(Feedback::advice, no_sound(error)); });
+  connect(&touch_timer_, &QTimer::timeout, this, &FunctionsPage::follow_stylus);
   const auto follow = [this] {
     if (entered_ && !touch_timer_.isActive()) touch_timer_.start();
   };
-  auto& controller = desk().tablet();
+  auto& controller = parts().tablet();
   subscribe(controller.depth_changed, this, [follow](double) { follow(); });
   subscribe(controller.device().changed, this, follow);
 }
 
-void FunctionsWorkplace::follow_stylus() {
-  auto& controller = desk().tablet();
-  // Its next move begins this again.
+void FunctionsPage::follow_stylus() {
+  auto& controller = parts().tablet();
+  // The next move of the stylus starts the sound again.
   if (controller.device().is_resting()) touch_timer_.stop();
   const auto& sample = controller.latest();
   const geometry::TabletPoint tip{sample.proxy_m.x, sample.proxy_m.y};
   if (put_) {
     if (std::hypot(tip.x - put_->x, tip.y - put_->y) < kMoved_m || !controller.is_pressed()) return;
-    // A hand has taken the stylus, or it is still on its way to where keys sent it.
+    // Either a hand moved the stylus, or it has not arrived yet where the keys sent it.
     const geometry::TabletPoint wanted{sample.device_m.x, sample.device_m.y};
     if (std::hypot(wanted.x - put_->x, wanted.y - put_->y) < kMoved_m) return;
   }
@@ -87,59 +87,59 @@ void FunctionsWorkplace::follow_stylus() {
   sound_->touch(touch.cue, touch.trembles);
   if (touch.reached == nullptr) return;
   sound_->sign(touch.reached->kind, 2 * hand.u - 1);
-  desk().say(Feedback::hint, point_words(*touch.reached) + QLatin1Char('.'));
+  parts().announce(Feedback::hint, point_words(*touch.reached) + QLatin1Char('.'));
 }
 
-void FunctionsWorkplace::play_reference() {
+void FunctionsPage::play_reference() {
   const auto cue = functions::reference_cue(model_.window());
   if (!cue) {
-    desk().answer(Feedback::hint, tr("y = 0 lies outside the window."));
+    parts().answer(Feedback::hint, tr("y = 0 is outside the range."));
     return;
   }
   if (!can_be_heard()) return;
   sound_->touch_briefly(*cue);
-  // Refused just now, the sentence that says so stands there already.
+  // If playing was refused just now, the feedback line already says why.
   if (sound_->is_refused()) return;
-  desk().answer(Feedback::hint, tr("This is the tone of y = 0."));
+  parts().answer(Feedback::hint, tr("This is the tone of y = 0."));
 }
 
-bool FunctionsWorkplace::can_be_heard() const {
+bool FunctionsPage::can_be_heard() const {
   if (sound_->muted())
-    desk().answer(Feedback::hint, tr("The sound is off. M turns it on."));
+    parts().answer(Feedback::hint, tr("Sound is off. M: turn it on."));
   else if (sound_->is_refused())
-    desk().answer(Feedback::advice, tr("Nothing can be heard on this computer."));
+    parts().answer(Feedback::advice, tr("Sound is not available on this computer."));
   return !sound_->muted() && !sound_->is_refused();
 }
 
-void FunctionsWorkplace::hear() {
+void FunctionsPage::hear() {
   if (!shown() || !shown()->final) return;
   if (shown()->request.plot.is_surface()) {
-    desk().answer(Feedback::hint, tr("A surface has no curve to play."));
+    parts().answer(Feedback::hint, tr("A surface has no curve to play."));
     return;
   }
   if (!can_be_heard()) return;
   const auto& request = shown()->request;
-  desk().answer(Feedback::hint,
-                localised(request.plate.alone < 0
-                              ? functions::in_words(request.plot, plot_language())
-                              : functions::in_words(
-                                    request.plot.statements[static_cast<std::size_t>(request.plate.alone)],
-                                    plot_language())));
+  parts().answer(Feedback::hint,
+                 localised(request.plate.alone < 0
+                               ? functions::in_words(request.plot, plot_language())
+                               : functions::in_words(
+                                     request.plot.statements[static_cast<std::size_t>(request.plate.alone)],
+                                     plot_language())));
   export_.compose(shown(), model_.sound());
 }
 
-void FunctionsWorkplace::set_volume(int percent) {
+void FunctionsPage::set_volume(int percent) {
   sound_->set_volume(percent);
   panel_->show_volume(sound_->volume(), sound_->muted());
-  desk().save_later();
+  parts().save_later();
 }
 
-void FunctionsWorkplace::set_muted(bool muted) {
+void FunctionsPage::set_muted(bool muted) {
   sound_->set_muted(muted);
   actions_->mute->setChecked(muted);
   panel_->show_volume(sound_->volume(), muted);
-  desk().save_later();
-  desk().say(Feedback::hint, muted ? tr("The sound is off.") : tr("The sound is on."));
+  parts().save_later();
+  parts().announce(Feedback::hint, muted ? tr("Sound off.") : tr("Sound on."));
 }
 
 }  // namespace nazori::ui

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// What keys do along the curves, and the words for it.
+// Following the curves with keys, and the sentences for it.
 #include <QApplication>
 #include <QKeyEvent>
 #include <QTimer>
 #include <cmath>
 
-#include "desk.h"
 #include "functions/function_actions.h"
 #include "functions/function_sound.h"
-#include "functions/functions_workplace.h"
+#include "functions/functions_page.h"
 #include "functions/plot_words.h"
 #include "functions/points_panel.h"
+#include "page/window_parts.h"
 
 namespace nazori::ui {
 namespace {
 
-constexpr double kSlide_m = 2.5e-3;  ///< farther than a step: lifted on the way
+constexpr double kSlide_m = 2.5e-3;  ///< farther than a step: the stylus is lifted on the way
 constexpr int kLift_ms = 30;
 
-/// The tablet's window still gets keys until the window system has followed the keyboard to another widget.
+/// The window of the tablet still receives keys until the window system has moved the focus to another
+/// widget.
 bool belongs_elsewhere(const QObject* watched, const QWidget* keyboard) {
   return qobject_cast<const QWidget*>(watched) == nullptr && keyboard != nullptr &&
          keyboard->objectName() != QLatin1String("tablet");
@@ -31,7 +32,7 @@ bool is_tablet(const QObject* object) {
 
 }  // namespace
 
-void FunctionsWorkplace::connect_trace() {
+void FunctionsPage::connect_trace() {
   const auto on = [this](QAction* action, auto&& what) {
     connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
   };
@@ -50,12 +51,12 @@ void FunctionsWorkplace::connect_trace() {
   on(actions_->slope, [this] { announce(explorer_.slope()); });
   on(actions_->summary, [this] {
     if (shown())
-      desk().answer(Feedback::hint,
-                    QStringLiteral("%1 %2.").arg(what_is_shown(), window_words(shown()->request.window)));
+      parts().answer(Feedback::hint,
+                     QStringLiteral("%1 %2.").arg(what_is_shown(), window_words(shown()->request.window)));
   });
   on(actions_->beacon, [this] {
-    desk().answer(Feedback::good,
-                  event_words(explorer_.drop_beacon(), shown() ? shown()->request.plot : functions::Plot()));
+    parts().answer(Feedback::good,
+                   event_words(explorer_.drop_beacon(), shown() ? shown()->request.plot : functions::Plot()));
   });
   on(actions_->next_beacon, [this] { announce(explorer_.go_to_next_beacon()); });
   on(actions_->alone, [this](bool alone) {
@@ -65,7 +66,7 @@ void FunctionsWorkplace::connect_trace() {
   on(actions_->next_alone, [this] {
     if (model_.plot()) show_alone(model_.show_next_alone());
   });
-  auto& controller = desk().tablet();
+  auto& controller = parts().tablet();
   on(actions_->curve_on, [this, &controller] {
     controller.next_stroke();
     show_groove();
@@ -81,27 +82,28 @@ void FunctionsWorkplace::connect_trace() {
   on(actions_->snap, [this, &controller](bool hold) {
     snapping_ = hold;
     controller.set_snapping(hold);
-    desk().save_later();
-    desk().answer(Feedback::hint, hold ? tr("Curves hold the stylus.") : tr("Curves let the stylus go."));
+    parts().save_later();
+    parts().answer(Feedback::hint, hold ? tr("Snapping on: curves attract the stylus.")
+                                        : tr("Snapping off: the stylus moves freely."));
   });
   on(actions_->clear_ink, [&controller] { controller.clear_ink(); });
 }
 
-QString FunctionsWorkplace::what_is_shown() const {
+QString FunctionsPage::what_is_shown() const {
   if (shown()->final) return localised(shown()->summary);
   return plotter_.is_busy() ? tr("The curve is still being drawn.")
-                            : tr("The drawing was stopped. What is shown need not be all of it.");
+                            : tr("The drawing was stopped and may be incomplete.");
 }
 
-void FunctionsWorkplace::show_alone(const functions::PlotEvent& event) {
+void FunctionsPage::show_alone(const functions::PlotEvent& event) {
   actions_->alone->setChecked(model_.plate().alone >= 0);
   announce_summary_ = false;
   draw();
-  desk().answer(Feedback::hint, event_words(event, *model_.plot()));
+  parts().answer(Feedback::hint, event_words(event, *model_.plot()));
 }
 
-void FunctionsWorkplace::announce(const functions::PlotEvent& event) {
-  desk().answer(Feedback::hint, event_words(event, shown() ? shown()->request.plot : functions::Plot()));
+void FunctionsPage::announce(const functions::PlotEvent& event) {
+  parts().answer(Feedback::hint, event_words(event, shown() ? shown()->request.plot : functions::Plot()));
   if (!event.moves_hand()) return;
   if (event.kind == functions::PlotEventKind::point_reached) points_->set_current(event.number - 1);
   sound_->touch_briefly(explorer_.cue_of(*event.location));
@@ -109,38 +111,38 @@ void FunctionsWorkplace::announce(const functions::PlotEvent& event) {
   put_stylus();
 }
 
-void FunctionsWorkplace::put_stylus() {
+void FunctionsPage::put_stylus() {
   const auto size = shown()->picture.plate.heights.size();
   const auto from = put_;
   put_ = functions::tablet_place(explorer_.location()->at, size, tablet_->shape());
-  auto& controller = desk().tablet();
+  auto& controller = parts().tablet();
   if (from && std::hypot(from->x - put_->x, from->y - put_->y) < kSlide_m) {
     controller.move_stylus(*put_, true);
     return;
   }
-  // Over walls a stylus is lifted; pressed, it would stay behind one.
+  // The stylus is lifted over walls. Pressed, it would get stuck behind one.
   controller.move_stylus(*put_, false);
   QTimer::singleShot(kLift_ms, this, [this, to = *put_] {
-    if (entered_ && put_ && put_->x == to.x && put_->y == to.y) desk().tablet().move_stylus(to, true);
+    if (entered_ && put_ && put_->x == to.x && put_->y == to.y) parts().tablet().move_stylus(to, true);
   });
 }
 
-void FunctionsWorkplace::show_groove() {
-  const auto& controller = desk().tablet();
+void FunctionsPage::show_groove() {
+  const auto& controller = parts().tablet();
   announce(explorer_.groove(controller.current_stroke(), controller.stroke_count()));
 }
 
-bool FunctionsWorkplace::eventFilter(QObject* watched, QEvent* event) {
+bool FunctionsPage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
-    return Workplace::eventFilter(watched, event);
+    return Page::eventFilter(watched, event);
   if (QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr)
     return false;
-  if (QWidget* keyboard = desk().window().focusWidget();
+  if (QWidget* keyboard = parts().window().focusWidget();
       is_tablet(watched) && belongs_elsewhere(watched, keyboard))
     return QCoreApplication::sendEvent(keyboard, event);
   auto* key = static_cast<QKeyEvent*>(event);
   const bool stops = key->key() == Qt::Key_Escape;
-  // Esc stops what sounds or is being drawn wherever the keyboard is; else it is the window's.
+  // Esc stops sound and drawing wherever the focus is. Otherwise it belongs to the window.
   if (stops ? !sound_->is_playing() && !plotter_.is_busy() : !is_tablet(watched)) return false;
   if (qobject_cast<const QWidget*>(watched) == nullptr && !is_tablet(watched)) return false;
   auto* action = actions_->on_tablet(key->keyCombination());

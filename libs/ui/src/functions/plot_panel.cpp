@@ -20,10 +20,10 @@
 
 #include "functions/expression_line.h"
 #include "functions/plot_words.h"
-#include "icons.h"
-#include "kanji_text.h"
-#include "palette.h"
-#include "sentence_label.h"
+#include "look/icons.h"
+#include "look/palette.h"
+#include "widgets/sentence_label.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -88,13 +88,13 @@ PlotPanel::PlotPanel(QWidget* parent)
       axes_(new QCheckBox(tr("&Axes"), content_)),
       ticks_(new QCheckBox(tr("Tic&ks"), content_)),
       grid_(new QCheckBox(tr("&Grid"), content_)),
-      rim_(new QCheckBox(tr("Ri&m"), content_)),
+      rim_(new QCheckBox(tr("Fra&me"), content_)),
       width_(new QDoubleSpinBox(content_)),
       size_(new QComboBox(content_)),
       volume_(new QSlider(Qt::Horizontal, content_)),
-      mute_(new QCheckBox(tr("No soun&d"), content_)) {
+      mute_(new QCheckBox(tr("Soun&d off"), content_)) {
   setObjectName(QStringLiteral("plot_panel"));
-  setAccessibleName(tr("Expression and window"));
+  setAccessibleName(tr("Expression and range"));
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWidgetResizable(true);
   setFocusPolicy(Qt::NoFocus);
@@ -103,7 +103,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   line_->setObjectName(QStringLiteral("expression"));
   line_->setAccessibleName(tr("Expression"));
   line_->setPlaceholderText(QStringLiteral("y = sin x"));
-  line_->setToolTip(tr("Several are separated by semicolons. Up and down: what was entered before"));
+  line_->setToolTip(tr("Separate several expressions with semicolons. Up and Down: earlier expressions"));
   words_->setProperty("role", QStringLiteral("muted"));
   words_->setAccessibleName(tr("The expression in words"));
   auto* error_layout = new QHBoxLayout(error_row_);
@@ -126,7 +126,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   examples_->addItem(tr("Examples…"));
   for (const auto& example : kExamples) examples_->addItem(QString::fromUtf8(example.expression));
   examples_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  examples_->setMinimumContentsLength(8);
+  examples_->setMinimumContentsLength(6);
   connect(examples_, &QComboBox::activated, this, [this](int row) {
     if (row > 0)
       emit example_chosen(QString::fromUtf8(kExamples[row - 1].expression), kExamples[row - 1].window);
@@ -143,7 +143,7 @@ PlotPanel::PlotPanel(QWidget* parent)
     column->addWidget(widget);
 
   column->addSpacing(8);
-  column->addWidget(heading(tr("Window"), content_));
+  column->addWidget(heading(tr("Range"), content_));
   window_form_ = new QFormLayout;
   window_form_->setSpacing(6);
   const QString names[] = {tr("x from"), tr("x to"), tr("y from"), tr("y to")};
@@ -161,14 +161,14 @@ PlotPanel::PlotPanel(QWidget* parent)
     heights_[i] = new QLineEdit(content_);
     heights_[i]->setObjectName(QString::fromLatin1(height_ids[i]));
     heights_[i]->setAccessibleName(height_names[i]);
-    heights_[i]->setToolTip(tr("Of a surface; empty: as its values are"));
+    heights_[i]->setToolTip(tr("Height range of a surface; leave empty to fit its values"));
     connect(heights_[i], &QLineEdit::editingFinished, this, &PlotPanel::take_heights);
     window_form_->addRow(height_names[i], heights_[i]);
   }
   column->addLayout(window_form_);
 
   column->addSpacing(8);
-  column->addWidget(heading(tr("On the plate"), content_));
+  column->addWidget(heading(tr("Show on the plot"), content_));
   axes_->setObjectName(QStringLiteral("layer_axes"));
   ticks_->setObjectName(QStringLiteral("layer_ticks"));
   grid_->setObjectName(QStringLiteral("layer_grid"));
@@ -180,7 +180,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   plate_form_ = new QFormLayout;
   plate_form_->setSpacing(6);
   width_->setObjectName(QStringLiteral("groove_width"));
-  width_->setAccessibleName(tr("Width of the grooves in millimetres"));
+  width_->setAccessibleName(tr("Groove width in millimetres"));
   width_->findChild<QLineEdit*>()->setAccessibleName(width_->accessibleName());
   width_->setRange(0.4, 10);
   width_->setSingleStep(0.1);
@@ -189,9 +189,9 @@ PlotPanel::PlotPanel(QWidget* parent)
   width_->setKeyboardTracking(false);
   width_->setLocale(QLocale::system());
   connect(width_, &QDoubleSpinBox::valueChanged, this, &PlotPanel::take_plate);
-  plate_form_->addRow(tr("Groo&ves"), width_);
+  plate_form_->addRow(tr("Groo&ve width"), width_);
   size_->setObjectName(QStringLiteral("plate_size"));
-  size_->setAccessibleName(tr("Samples a side"));
+  size_->setAccessibleName(tr("Samples per side"));
   for (const int side : {128, 256, 512, 1024, 2048}) size_->addItem(QString::number(side), side);
   connect(size_, &QComboBox::activated, this, &PlotPanel::take_plate);
   size_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -216,17 +216,17 @@ PlotPanel::PlotPanel(QWidget* parent)
   setWidget(content_);
   viewport()->setAutoFillBackground(false);
   content_->setAutoFillBackground(false);
-  // Fields give way before the panel gets wider than its place.
+  // The fields shrink before the panel becomes too wide.
   for (QWidget* field : {static_cast<QWidget*>(line_), static_cast<QWidget*>(examples_),
                          static_cast<QWidget*>(width_), static_cast<QWidget*>(size_)})
     field->setMinimumWidth(1);
   connect(line_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    // The list names the example that stands in the line, and none where something else stands there.
+    // The list shows the example that is in the field, or none if the field contains another expression.
     examples_->setCurrentIndex(
         std::max(0, examples_->findText(text, Qt::MatchExactly | Qt::MatchCaseSensitive)));
     emit expression_typed(text);
   });
-  // From top to bottom, not in the order of making.
+  // Tab goes from top to bottom, not in the order of creation.
   QWidget* before = line_;
   for (QWidget* next : std::initializer_list<QWidget*>{examples_, borders_[0], borders_[1], borders_[2],
                                                        borders_[3], heights_[0], heights_[1], axes_, ticks_,
@@ -251,10 +251,14 @@ void PlotPanel::fit() {
   // Large text in a narrow panel: the names above their fields instead of beside them.
   const int em = QFontInfo(font()).pixelSize();
   const bool narrow = viewport()->width() - 2 * kMargin < kBeside_em * em;
-  const int margin = narrow ? kMargin / 2 : kMargin;
+  const int margin = narrow ? kMargin / 4 : kMargin;
   content_->layout()->setContentsMargins(margin, kMargin, margin, kMargin);
-  for (auto* form : {window_form_, plate_form_})
+  for (auto* form : {window_form_, plate_form_}) {
     form->setRowWrapPolicy(narrow ? QFormLayout::WrapAllRows : QFormLayout::DontWrapRows);
+    for (int row = 0; row < form->rowCount(); ++row)
+      if (auto* item = form->itemAt(row, QFormLayout::LabelRole))
+        if (auto* label = qobject_cast<QLabel*>(item->widget())) label->setWordWrap(narrow);
+  }
 }
 
 void PlotPanel::show_surface(bool surface) {
@@ -284,12 +288,12 @@ void PlotPanel::show_error(const functions::SyntaxError& error) {
   line_->setAccessibleDescription(text);
   QAccessibleEvent changed(line_, QAccessible::DescriptionChanged);
   QAccessible::updateAccessibility(&changed);
-  take_appearance();
+  refresh_appearance();
   words_->hide();
   error_row_->show();
 }
 
-void PlotPanel::take_appearance() {
+void PlotPanel::refresh_appearance() {
   const int side = QFontInfo(font()).pixelSize() * 5 / 4;
   error_sign_->setPixmap(sign(Icon::cross, current_colours().vermilion, side, devicePixelRatioF()));
 }
@@ -333,7 +337,7 @@ void PlotPanel::take_heights() {
     ++given;
     typed[i] = number_of(text);
   }
-  // One alone is a range that is still being typed.
+  // With only one of the two numbers the range is still being typed.
   if (!modified || given == 1) return;
   plate_.heights.reset();
   if (given == 2) {

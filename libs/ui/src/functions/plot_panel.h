@@ -20,8 +20,8 @@ namespace nazori::ui {
 
 class ExpressionLine;
 
-/// The left panel: the expression with its echo, the window, what is shown on the plate, and the sound. It
-/// only shows and asks; the workplace decides.
+/// The left panel: the expression and how it was read, the range, what is shown on the plate, and the sound.
+/// It only shows values and emits signals; the page decides.
 class PlotPanel final : public QScrollArea {
   Q_OBJECT
  public:
@@ -30,25 +30,25 @@ class PlotPanel final : public QScrollArea {
   [[nodiscard]] ExpressionLine* line() const { return line_; }
 
   void show_words(const QString& words);
-  /// Marks the place and says what is wrong; the last words go.
+  /// Marks the position of an error and says what is wrong, instead of the sentence before.
   void show_error(const functions::SyntaxError& error);
   void show_window(const functions::Window& window);
   void show_plate(const functions::PlateSettings& plate);
   void show_volume(int percent, bool muted);
-  /// Whether what is typed is a surface, which has a range of heights.
+  /// Whether the expression is a surface, which has a range of heights.
   void show_surface(bool surface);
-  /// 0 to 1; below 0: nothing is being drawn.
+  /// Progress of the drawing, 0 to 1; below 0: nothing is being drawn.
   void show_progress(double done);
-  /// The colours are others now.
-  void take_appearance();
+  /// Uses the current colours.
+  void refresh_appearance();
 
  signals:
   void expression_typed(QString expression);
   void example_chosen(QString expression, nazori::functions::Window window);
   void window_typed(nazori::functions::Window window);
-  /// A border that is no number. @param text  what stands there.
+  /// A border that is not a number. @param text  what was typed.
   void window_refused(QString text);
-  /// Heights that are no range. @param text  what stands there.
+  /// Heights that are not a range. @param text  what was typed.
   void heights_refused(QString text);
   void plate_changed(nazori::functions::PlateSettings plate);
   void volume_changed(int percent);

@@ -6,21 +6,21 @@
 #include <QRegularExpression>
 #include <cmath>
 
-#include "kanji_text.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
 
-QString say(const char* text) { return QCoreApplication::translate("nazori::ui::plot_words", text); }
+QString translated(const char* text) { return QCoreApplication::translate("nazori::ui::plot_words", text); }
 
 /// Four significant digits; "minus", because screen readers pass over a hyphen.
 QString spoken(double value) {
   if (std::isinf(value))
-    return value > 0 ? say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "infinity"))
-                     : say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "minus infinity"));
+    return value > 0 ? translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "infinity"))
+                     : translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "minus infinity"));
   const double shown = std::abs(value) < 1e-12 ? 0 : value;
   const QString digits = number_text(std::abs(shown), 4);
-  return shown < 0 ? say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "minus %1")).arg(digits) : digits;
+  return shown < 0 ? translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "minus %1")).arg(digits) : digits;
 }
 
 /// The curve of this index in words.
@@ -87,13 +87,13 @@ QString kind_words(functions::PointKind kind) { return to_text(functions::in_wor
 
 QString slope_words(double slope) {
   if (std::isinf(slope))
-    return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "The curve is upright here."));
-  return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "slope %1")).arg(spoken(slope));
+    return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "The curve is vertical here."));
+  return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "slope %1")).arg(spoken(slope));
 }
 
 QString window_words(const functions::Window& window) {
-  return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words",
-                               "x from %1 to %2, one tick is %3; y from %4 to %5, one tick is %6"))
+  return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words",
+                                      "x from %1 to %2, one tick is %3; y from %4 to %5, one tick is %6"))
       .arg(spoken(window.x0), spoken(window.x1), spoken(functions::tick_step(window.x0, window.x1)),
            spoken(window.y0), spoken(window.y1), spoken(functions::tick_step(window.y0, window.y1)));
 }
@@ -105,57 +105,58 @@ QString event_words(const functions::PlotEvent& event, const functions::Plot& pl
     case Kind::point_reached:
       return spot_words(event) + QLatin1Char('.');
     case Kind::next_branch:
-      return arrival_words(say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Next piece")), event);
+      return arrival_words(translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Next branch")), event);
     case Kind::end_of_branch:
-      return arrival_words(say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "End")), event);
+      return arrival_words(translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "End")), event);
     case Kind::other_branch:
       return arrival_words(curve_words(plot, event.statement), event);
     case Kind::beacon_reached:
-      return arrival_words(say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Beacon %1")).arg(event.number),
-                           event);
+      return arrival_words(
+          translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Marker %1")).arg(event.number), event);
     case Kind::beacon_dropped:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Beacon %1 is here: %2."))
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Marker %1 set: %2."))
           .arg(event.number)
           .arg(spot_words(event));
     case Kind::slope:
       return slope_words(event.slope);
     case Kind::curve_alone:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Curve %1 alone: %2."))
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Only curve %1: %2."))
           .arg(event.statement + 1)
           .arg(curve_words(plot, event.statement));
     case Kind::all_curves:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "All curves are shown."));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "All curves are shown."));
     case Kind::groove:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Piece %1 of %2: %3"))
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Branch %1 of %2: %3"))
           .arg(event.number)
           .arg(event.count)
           .arg(curve_words(plot, event.statement));
     case Kind::all_grooves:
-      return QCoreApplication::translate("nazori::ui::plot_words", "%n pieces", nullptr, event.count);
+      return QCoreApplication::translate("nazori::ui::plot_words", "%n branches", nullptr, event.count);
     case Kind::speed:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Speed %1 of %2"))
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Speed %1 of %2"))
           .arg(event.number)
           .arg(event.count);
     case Kind::window_changed:
       return window_words(event.window) + QLatin1Char('.');
     case Kind::no_curve:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no curve to follow here."));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no curve to follow here."));
     case Kind::no_other_branch:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no other curve or branch."));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no other curve or branch."));
     case Kind::no_point:
-      return say(
-          QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There are no points of interest in this window."));
+      return translated(
+          QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There are no points of interest in this range."));
     case Kind::no_location:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words",
-                                   "Go to a place on a curve first, with the arrow keys."));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words",
+                                          "First move to a point on a curve with the arrow keys."));
     case Kind::no_slope:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no slope here."));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "The curve has no slope here."));
     case Kind::no_beacon:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no beacon yet. B drops one."));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There are no markers yet. B: add one."));
     case Kind::only_one_curve:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is only one curve."));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is only one curve."));
     case Kind::window_limit:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "The window cannot be changed any further."));
+      return translated(
+          QT_TRANSLATE_NOOP("nazori::ui::plot_words", "The range cannot be changed any further."));
   }
   return {};
 }
@@ -163,14 +164,14 @@ QString event_words(const functions::PlotEvent& event, const functions::Plot& pl
 QString file_filter(functions::PlotFile kind) {
   switch (kind) {
     case functions::PlotFile::document:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Plots (*.json)"));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Plots (*.json)"));
     case functions::PlotFile::raw:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Height maps (*.raw)"));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Height maps (*.raw)"));
     case functions::PlotFile::png:
     case functions::PlotFile::print:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Pictures (*.png)"));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Pictures (*.png)"));
     case functions::PlotFile::sound:
-      return say(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Sounds (*.wav)"));
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Sounds (*.wav)"));
   }
   return {};
 }

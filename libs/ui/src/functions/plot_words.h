@@ -8,29 +8,29 @@
 
 namespace nazori::ui {
 
-/// The language of the interface as the room of functions knows it.
+/// The language of the interface, as the module `functions` names it.
 [[nodiscard]] functions::Language plot_language();
 /// Whether the learner's desktop writes 1,5.
 [[nodiscard]] bool uses_decimal_comma();
 
-/// Words and numbers from the room of functions with the learner's decimal sign.
+/// A text of the module `functions`, with the learner's decimal sign.
 [[nodiscard]] QString localised(const std::string& words);
-/// A number for the eye, in `digits` significant digits.
+/// A number to read, with `digits` significant digits.
 [[nodiscard]] QString number_text(double value, int digits = 6);
-/// A coordinate for the eye: "π/2 ≈ 1.571", the number alone where no exact name is known.
+/// A coordinate to read: "π/2 ≈ 1.571", or only the number if no exact name is known.
 [[nodiscard]] QString coordinate_text(double value, const std::string& exact_name);
 
-/// What stands where a coordinate does not exist.
+/// The text for a coordinate that does not exist.
 [[nodiscard]] QString no_coordinate();
 
-/// For the ear: "x = 1.5; y = minus 2".
+/// To be spoken: "x = 1.5; y = minus 2".
 [[nodiscard]] QString location_words(const functions::PlotLocation& location);
 [[nodiscard]] QString point_words(const functions::PointOfInterest& point);
 [[nodiscard]] QString kind_words(functions::PointKind kind);
 [[nodiscard]] QString slope_words(double slope);
 /// "x from minus 6 to 6, one tick is 1; y from minus 4 to 4, one tick is 1".
 [[nodiscard]] QString window_words(const functions::Window& window);
-/// The sentence that announces an event. @param plot  that the event belongs to.
+/// The sentence that announces an event. @param plot  the plot of the event.
 [[nodiscard]] QString event_words(const functions::PlotEvent& event, const functions::Plot& plot);
 
 /// For the file dialog: "Plots (*.json)".

@@ -22,7 +22,7 @@ namespace {
 constexpr int kMargin = 16;
 constexpr int kPadding = 4;
 
-/// In a narrow table the coordinates stand under the kind: nothing has to be widened to be read.
+/// In a narrow table the coordinates are under the kind, so that they can be read without widening the panel.
 class StackedCell final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -33,7 +33,7 @@ class StackedCell final : public QStyledItemDelegate {
     initStyleOption(&filled, index);
     const QSize text =
         QFontMetrics(filled.font).boundingRect(room_for_text(filled), kText, filled.text).size();
-    // A gap, so that the lines of one point are seen to belong together.
+    // A gap shows which lines belong to one point.
     return {text.width() + 2 * kPadding, text.height() + QFontMetrics(filled.font).height() / 2};
   }
 
@@ -70,7 +70,7 @@ class StackedCell final : public QStyledItemDelegate {
  private:
   static constexpr int kText = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
   static QRect room_for_text(const QStyleOptionViewItem& option) {
-    // As high as it needs: rows are made to fit.
+    // The height of a row follows its text.
     return {option.rect.left() + kPadding, option.rect.top(), option.rect.width() - 2 * kPadding,
             QWIDGETSIZE_MAX};
   }
@@ -93,7 +93,7 @@ PointsPanel::PointsPanel(QWidget* parent)
       summary_(new QLabel(this)),
       caption_(new QLabel(tr("Points of &interest"), this)),
       table_(new QTableWidget(0, 3, this)),
-      empty_(new QLabel(tr("There are none in this window."), this)) {
+      empty_(new QLabel(tr("None in this range."), this)) {
   setObjectName(QStringLiteral("points_panel"));
   setAccessibleName(tr("About the plot"));
   summary_->setObjectName(QStringLiteral("plot_summary"));
@@ -107,7 +107,7 @@ PointsPanel::PointsPanel(QWidget* parent)
   empty_->setWordWrap(true);
   table_->setObjectName(QStringLiteral("points_table"));
   table_->setAccessibleName(tr("Points of interest"));
-  table_->setHorizontalHeaderLabels({tr("Kind"), QStringLiteral("x"), QStringLiteral("y")});
+  table_->setHorizontalHeaderLabels({tr("Type"), QStringLiteral("x"), QStringLiteral("y")});
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
@@ -137,7 +137,7 @@ PointsPanel::PointsPanel(QWidget* parent)
 void PointsPanel::show_drawing(const functions::SharedDrawing& drawing) {
   const bool stopped = drawing && !drawing->final;
   summary_->setText(!drawing  ? QString()
-                    : stopped ? tr("The drawing was stopped before points of interest were looked for.")
+                    : stopped ? tr("The drawing was stopped before the points of interest were found.")
                               : localised(drawing->summary));
   const auto count = drawing ? static_cast<int>(drawing->points.size()) : 0;
   table_->clearContents();
@@ -191,8 +191,8 @@ void PointsPanel::fit() {
     table_->setColumnWidth(column, stacked ? room : widths[static_cast<std::size_t>(column)]);
   }
   table_->horizontalHeader()->setVisible(!stacked);
-  // The sentence also stands below the tablet and is told by key: in large text it must not crowd out the
-  // table.
+  // With large text the sentence would leave no space for the table. A key announces it, and it is shown
+  // below the tablet too.
   const int sentence = summary_->heightForWidth(width() - 2 * kMargin);
   summary_->setVisible(table_->rowCount() == 0 || sentence <= height() * 2 / 5);
   table_->resizeRowsToContents();

@@ -11,7 +11,7 @@ class QTableWidget;
 
 namespace nazori::ui {
 
-/// What is remarkable about a plot: one sentence, and a table of its points of interest.
+/// The summary of a plot: one sentence, and a table of its points of interest.
 class PointsPanel final : public QWidget {
   Q_OBJECT
  public:
@@ -30,7 +30,7 @@ class PointsPanel final : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// Coordinates beside the kind where there is room, else under it.
+  /// Puts the coordinates beside the kind if there is space, otherwise under it.
   void fit();
 
   QLabel* summary_;

@@ -7,8 +7,8 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "kanji_text.h"
 #include "study/list_choice.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -31,7 +31,7 @@ AnkiDialog::AnkiDialog(const study::LearnerStore& store, QWidget* parent)
   words_->setRange(0, kMostWords);
   words_->setValue(practice::AnkiChoice().words);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  auto* choose = buttons->addButton(tr("Choose the file…"), QDialogButtonBox::AcceptRole);
+  auto* choose = buttons->addButton(tr("Choose file…"), QDialogButtonBox::AcceptRole);
   choose->setDefault(true);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -41,7 +41,7 @@ AnkiDialog::AnkiDialog(const study::LearnerStore& store, QWidget* parent)
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->addRow(tr("&Characters"), list_);
   form->addRow(tr("&Deck"), deck_);
-  form->addRow(tr("&Words to a character"), words_);
+  form->addRow(tr("&Words per character"), words_);
   form->addRow(buttons);
 }
 

@@ -12,7 +12,7 @@ namespace nazori::ui {
 
 class ListChoice;
 
-/// Asks what goes into an Anki package: which characters, the deck's name, how many words.
+/// Asks for the content of an Anki package: which characters, the name of the deck, how many words.
 class AnkiDialog final : public QDialog {
   Q_OBJECT
  public:

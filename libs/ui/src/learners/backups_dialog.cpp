@@ -12,10 +12,10 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "kanji_text.h"
+#include "events/signals.h"
 #include "learners/exchange_progress.h"
 #include "progress/study_charts.h"
-#include "signals.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -25,14 +25,14 @@ enum Column { kKind, kLast, kWritings, kCharacters, kColumns };
 QString kind_of(const practice::ListedBackup& backup) {
   switch (backup.kind) {
     case practice::BackupKind::daily:
-      return backup.day ? BackupsDialog::tr("Of %1").arg(StudyCharts::date(*backup.day))
+      return backup.day ? BackupsDialog::tr("Daily (%1)").arg(StudyCharts::date(*backup.day))
                         : BackupsDialog::tr("Daily");
     case practice::BackupKind::own:
       return BackupsDialog::tr("Made by you");
     case practice::BackupKind::before_restore:
-      return BackupsDialog::tr("What a restored one replaced");
+      return BackupsDialog::tr("Saved before a restore");
     case practice::BackupKind::before_upgrade:
-      return BackupsDialog::tr("Before a newer version");
+      return BackupsDialog::tr("Saved before an update");
   }
   return {};
 }
@@ -51,8 +51,9 @@ BackupsDialog::BackupsDialog(base::Inbox& inbox, practice::Learner& learner,
   setObjectName(QStringLiteral("backups_dialog"));
   setWindowTitle(tr("Backups of %1").arg(to_text(learner.profile())));
   table_->setObjectName(QStringLiteral("backups_table"));
-  table_->setAccessibleName(tr("Backups, the newest first"));
-  table_->setHorizontalHeaderLabels({tr("Kind"), tr("Last day in it"), tr("Writings"), tr("Characters")});
+  table_->setAccessibleName(tr("Backups, newest first"));
+  table_->setHorizontalHeaderLabels(
+      {tr("Type"), tr("Last study day"), tr("Times written"), tr("Characters")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -68,13 +69,13 @@ BackupsDialog::BackupsDialog(base::Inbox& inbox, practice::Learner& learner,
   auto* now = new QPushButton(tr("&Back up now"), this);
   now->setObjectName(QStringLiteral("backup_now"));
   now->setAutoDefault(false);
-  restore_ = new QPushButton(tr("&Put it in place…"), this);
+  restore_ = new QPushButton(tr("&Restore…"), this);
   restore_->setObjectName(QStringLiteral("backup_restore"));
   restore_->setAutoDefault(false);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(now, &QPushButton::clicked, this, [this] { exchange_.back_up(); });
-  connect(&progress, &ExchangeProgress::said, this, [this](Feedback, const QString& sentence) {
+  connect(&progress, &ExchangeProgress::announced, this, [this](Feedback, const QString& sentence) {
     refresh();
     show_words(sentence);
   });
@@ -121,7 +122,7 @@ void BackupsDialog::refresh() {
   }
   show_words(
       all.empty()
-          ? tr("There is no backup yet. One is made by itself on each day of study, when Nazori opens.")
+          ? tr("No backups yet. Your data is backed up automatically on every study day.")
           : tr("One is made by itself on each day of study; seven are kept. Of what a backup replaced, the "
                "last three are kept."));
   if (!all.empty()) table_->setCurrentCell(0, 0);
@@ -142,7 +143,7 @@ void BackupsDialog::show_contents(int row) {
   }
   QStringList cells;
   for (int column = 0; column < kColumns; ++column) cells.append(table_->item(row, column)->text());
-  const QString words = tr("%1, last day %2, writings %3, characters %4")
+  const QString words = tr("%1, last study day %2, times written: %3, characters: %4")
                             .arg(cells[kKind], cells[kLast], cells[kWritings], cells[kCharacters]);
   for (int column = 0; column < kColumns; ++column)
     table_->item(row, column)->setData(Qt::AccessibleTextRole, words);
@@ -155,12 +156,12 @@ void BackupsDialog::restore() {
   const study::Backup backup = backups_.backups()[static_cast<std::size_t>(row)].backup;
   QMessageBox question(
       QMessageBox::Question, tr("Restore from a backup"),
-      tr("Put this backup in the place of what %1 has done so far? %2")
+      tr("Replace the study data of %1 with this backup? %2")
           .arg(to_text(learner_.profile()), table_->item(row, 0)->data(Qt::AccessibleTextRole).toString()),
       QMessageBox::Cancel, this);
   question.setObjectName(QStringLiteral("backup_question"));
-  question.setInformativeText(tr("What stands there now is kept as a backup, so this can be taken back."));
-  auto* yes = question.addButton(tr("&Put it in place"), QMessageBox::AcceptRole);
+  question.setInformativeText(tr("Your current data is backed up first, so you can undo this."));
+  auto* yes = question.addButton(tr("&Restore"), QMessageBox::AcceptRole);
   yes->setObjectName(QStringLiteral("backup_yes"));
   question.setDefaultButton(QMessageBox::Cancel);
   question.exec();

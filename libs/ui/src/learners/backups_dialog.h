@@ -15,8 +15,8 @@ namespace nazori::ui {
 
 class ExchangeProgress;
 
-/// The backups of the present learner, each with its day and what it holds; one can be put in place of the
-/// store, and one made.
+/// The backups of the current learner, each with its day and its content. One can be restored, and a new one
+/// made.
 class BackupsDialog final : public QDialog {
   Q_OBJECT
  public:

@@ -6,11 +6,11 @@
 #include <QLocale>
 #include <QProgressDialog>
 
-#include "error_text.h"
-#include "kanji_text.h"
-#include "signals.h"
-#include "study/learner_words.h"
-#include "work_dialog.h"
+#include "dialogs/work_dialog.h"
+#include "events/signals.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
+#include "words/learner_words.h"
 
 namespace nazori::ui {
 
@@ -25,7 +25,7 @@ ExchangeProgress::ExchangeProgress(LearnerExchange& exchange, QWidget* window)
     if (dialog_ != nullptr) dialog_->setValue(percent);
   });
   subscribe(exchange.finished, this, [this] { end(); });
-  subscribe(exchange.announced, this, [this](const ExchangeEvent& event) { say(event); });
+  subscribe(exchange.announced, this, [this](const ExchangeEvent& event) { announce(event); });
 }
 
 void ExchangeProgress::begin(LearnerExchange::Work work, const std::filesystem::path& file) {
@@ -33,17 +33,17 @@ void ExchangeProgress::begin(LearnerExchange::Work work, const std::filesystem::
   const auto words = [&] {
     switch (work) {
       case LearnerExchange::Work::write:
-        return tr("Writing %1…").arg(name);
+        return tr("Exporting %1…").arg(name);
       case LearnerExchange::Work::read:
-        return tr("Reading %1…").arg(name);
+        return tr("Importing %1…").arg(name);
       case LearnerExchange::Work::back_up:
         return tr("Making a backup…");
       case LearnerExchange::Work::restore:
-        return tr("Putting the backup in place…");
+        return tr("Restoring the backup…");
     }
     return QString();
   };
-  // Above a dialog that is open, which would hold its input up otherwise.
+  // Its parent is the open dialog, if there is one: otherwise that modal dialog would block its input.
   QWidget* above = QApplication::activeModalWidget();
   dialog_ = make_work_dialog(QStringLiteral("exchange_progress"), words(), tr("Stop"),
                              above != nullptr ? above : window_);
@@ -55,45 +55,47 @@ void ExchangeProgress::end() {
   dialog_ = nullptr;
 }
 
-void ExchangeProgress::say(const ExchangeEvent& event) {
+void ExchangeProgress::announce(const ExchangeEvent& event) {
   using Kind = ExchangeEvent::Kind;
   const QString name = to_text(event.file.filename().string());
   switch (event.kind) {
     case Kind::busy:
-      emit said(Feedback::advice, tr("Something is being written or read already. Wait for it, or stop it."));
+      emit announced(Feedback::advice,
+                     tr("An export, import or backup is already running. Wait for it or stop it."));
       return;
     case Kind::nothing_to_back_up:
-      emit said(Feedback::advice, tr("Nothing is studied yet: there is nothing to back up."));
+      emit announced(Feedback::advice, tr("Nothing studied yet, so there is nothing to back up."));
       return;
     case Kind::no_store:
-      emit said(Feedback::wrong, LearnerWords::sentence(event.trouble));
+      emit announced(Feedback::wrong, LearnerWords::sentence(event.trouble));
       return;
     case Kind::saved:
-      emit said(Feedback::good,
-                tr("Saved as %1.").arg(QDir::toNativeSeparators(to_text(event.file.string()))));
+      emit announced(Feedback::good,
+                     tr("Saved as %1.").arg(QDir::toNativeSeparators(to_text(event.file.string()))));
       return;
     case Kind::imported:
-      emit said(Feedback::good, tr("Imported for %1: characters %2. %1 studies now.")
-                                    .arg(to_text(event.profile), QLocale().toString(event.characters)));
+      emit announced(Feedback::good, tr("Imported %2 characters for %1. Now studying as %1.")
+                                         .arg(to_text(event.profile), QLocale().toString(event.characters)));
       return;
     case Kind::backed_up:
-      emit said(Feedback::good, tr("Backed up as %1.").arg(name));
+      emit announced(Feedback::good, tr("Backed up as %1.").arg(name));
       return;
     case Kind::restored:
-      emit said(Feedback::good, tr("The backup is in place. What stood there is kept."));
+      emit announced(Feedback::good, tr("Backup restored. Your previous data was backed up."));
       return;
     case Kind::stopped:
-      emit said(Feedback::hint, tr("Stopped. Everything is as it was."));
+      emit announced(Feedback::hint, tr("Stopped. Nothing was changed."));
       return;
     case Kind::exchange_failed:
-      emit said(Feedback::wrong, tr("%1: %2. Everything is as it was.").arg(name, reason(event.error)));
+      emit announced(Feedback::wrong, tr("%1: %2. Nothing was changed.").arg(name, reason(event.error)));
       return;
     case Kind::backup_failed:
-      emit said(Feedback::wrong, tr("No backup was made: %1.").arg(reason(event.error)));
+      emit announced(Feedback::wrong, tr("Backup failed: %1.").arg(reason(event.error)));
       return;
     case Kind::restore_failed:
-      emit said(Feedback::wrong,
-                tr("The backup was not put in place: %1. Everything is as it was.").arg(reason(event.error)));
+      emit announced(
+          Feedback::wrong,
+          tr("The backup could not be restored: %1. Nothing was changed.").arg(reason(event.error)));
       return;
   }
 }

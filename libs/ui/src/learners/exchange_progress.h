@@ -4,14 +4,14 @@
 #include <QObject>
 #include <QPointer>
 
-#include "feedback_line.h"
 #include "nazori/practice/learner_exchange.h"
+#include "words/feedback.h"
 
 class QProgressDialog;
 
 namespace nazori::ui {
 
-/// Shows how far an exchange is, with a way to stop it, and says in one sentence how it went.
+/// Shows the progress of an exchange with a button to stop it, and announces the result in one sentence.
 /// Thread: interface.
 class ExchangeProgress final : public QObject {
   Q_OBJECT
@@ -21,12 +21,12 @@ class ExchangeProgress final : public QObject {
   ExchangeProgress(practice::LearnerExchange& exchange, QWidget* window);
 
  signals:
-  void said(nazori::ui::Feedback kind, QString sentence);
+  void announced(nazori::ui::Feedback kind, QString sentence);
 
  private:
   void begin(practice::LearnerExchange::Work work, const std::filesystem::path& file);
   void end();
-  void say(const practice::ExchangeEvent& event);
+  void announce(const practice::ExchangeEvent& event);
 
   practice::LearnerExchange& exchange_;
   QWidget* window_;

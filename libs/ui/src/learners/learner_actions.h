@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "action_set.h"
+#include "widgets/action_set.h"
 
 namespace nazori::ui {
 
-/// Who studies, and what can be done with everything they have done: in every workplace.
+/// The actions for learners and their study data. They are available on every page.
 class LearnerActions final : public ActionSet {
   Q_OBJECT
  public:

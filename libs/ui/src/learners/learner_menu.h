@@ -7,15 +7,15 @@
 
 namespace nazori::ui {
 
-class Desk;
+class WindowParts;
 class ExchangeProgress;
 class LearnerActions;
 
-/// The menu "Learner": opens its dialogs, asks for files, and says how it went.
+/// The menu "Learner": opens its dialogs, asks for files, and announces the result.
 class LearnerMenu final : public QObject {
   Q_OBJECT
  public:
-  explicit LearnerMenu(Desk& desk);
+  explicit LearnerMenu(WindowParts& parts);
 
   [[nodiscard]] LearnerActions& actions() const { return *actions_; }
 
@@ -27,7 +27,7 @@ class LearnerMenu final : public QObject {
   [[nodiscard]] QString folder() const;
   void remember_folder_of(const QString& path);
 
-  Desk& desk_;
+  WindowParts& parts_;
   LearnerActions* actions_;
   ExchangeProgress* progress_;
 };

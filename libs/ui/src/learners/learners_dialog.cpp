@@ -11,9 +11,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "error_text.h"
-#include "kanji_text.h"
 #include "nazori/study/profiles.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 
@@ -24,15 +24,15 @@ LearnersDialog::LearnersDialog(practice::Learner& learner, QWidget* parent)
       name_(new QLineEdit(this)),
       words_(new QLabel(this)) {
   setObjectName(QStringLiteral("learners_dialog"));
-  setWindowTitle(tr("Who studies"));
+  setWindowTitle(tr("Learners"));
   auto* list_caption = new QLabel(tr("&Learners"), this);
   list_caption->setBuddy(list_);
   list_->setObjectName(QStringLiteral("learners_list"));
   list_->setAccessibleName(tr("Learners"));
-  auto* name_caption = new QLabel(tr("&Name, to add or rename"), this);
+  auto* name_caption = new QLabel(tr("&Name (to add or rename)"), this);
   name_caption->setBuddy(name_);
   name_->setObjectName(QStringLiteral("learner_name"));
-  name_->setAccessibleName(tr("Name, to add or rename"));
+  name_->setAccessibleName(tr("Name (to add or rename)"));
   words_->setObjectName(QStringLiteral("learners_words"));
   words_->setWordWrap(true);
   words_->setTextFormat(Qt::PlainText);
@@ -74,7 +74,7 @@ LearnersDialog::LearnersDialog(practice::Learner& learner, QWidget* parent)
   const int em = fontMetrics().height();
   resize(em * 20, em * 22);
   refresh();
-  show_words(tr("Everyone has their own log, settings and backups."));
+  show_words(tr("Each learner has their own study history, settings and backups."));
 }
 
 void LearnersDialog::show_words(const QString& sentence) {
@@ -94,7 +94,7 @@ void LearnersDialog::refresh() {
   for (const std::string& one : names) {
     const QString name = to_text(one);
     const bool studies = one == current;
-    auto* item = new QListWidgetItem(studies ? tr("✓ %1 (studies now)").arg(name) : name, list_);
+    auto* item = new QListWidgetItem(studies ? tr("✓ %1 (current)").arg(name) : name, list_);
     item->setData(Qt::UserRole, name);
     if (studies) list_->setCurrentItem(item);
   }
@@ -103,14 +103,15 @@ void LearnersDialog::refresh() {
 QString LearnersDialog::typed_name() {
   const QString name = name_->text().trimmed();
   if (!study::can_be_profile(name.toStdString())) {
-    show_words(tr("Type a name first: up to 60 bytes, no “/”, and no dot at its beginning."));
+    show_words(
+        tr("Type a name first: at most 60 letters (20 in Japanese), no “/”, and no dot at the start."));
     name_->setFocus();
     return {};
   }
   const auto file = study::learner_file(learner_.folder(), name.toStdString());
   std::error_code ignored;
   if (file && std::filesystem::exists(file->parent_path(), ignored)) {
-    show_words(tr("%1 is there already. Type another name.").arg(name));
+    show_words(tr("%1 already exists. Type another name.").arg(name));
     name_->setFocus();
     return {};
   }
@@ -121,7 +122,7 @@ void LearnersDialog::choose() {
   const QString name = chosen();
   if (name.isEmpty()) return;
   if (name.toStdString() != learner_.profile() && learner_.switch_profile(name.toStdString()))
-    emit said(Feedback::good, tr("%1 studies now.").arg(name));
+    emit announced(Feedback::good, tr("Now studying as %1.").arg(name));
   accept();
 }
 
@@ -130,8 +131,8 @@ void LearnersDialog::add() {
   if (name.isEmpty() || !learner_.switch_profile(name.toStdString())) return;
   name_->clear();
   refresh();
-  show_words(tr("%1 studies now.").arg(name));
-  emit said(Feedback::good, tr("%1 studies now.").arg(name));
+  show_words(tr("Now studying as %1.").arg(name));
+  emit announced(Feedback::good, tr("Now studying as %1.").arg(name));
 }
 
 void LearnersDialog::rename() {
@@ -150,23 +151,24 @@ void LearnersDialog::rename() {
     (void)work();
   refresh();
   if (!done) {
-    show_words(tr("%1 keeps its name: %2.").arg(from, reason(done.error())));
+    show_words(tr("%1 could not be renamed: %2.").arg(from, reason(done.error())));
     return;
   }
   name_->clear();
-  show_words(tr("%1 is called %2 now.").arg(from, to));
+  show_words(tr("Renamed %1 to %2.").arg(from, to));
 }
 
 void LearnersDialog::remove() {
   const QString name = chosen();
   if (name.isEmpty()) return;
-  QMessageBox question(QMessageBox::Question, tr("Remove a learner"),
-                       tr("Remove %1 with all reviews, ink and backups from the list of learners?").arg(name),
-                       QMessageBox::Cancel, this);
+  QMessageBox question(
+      QMessageBox::Question, tr("Remove a learner"),
+      tr("Remove %1, with all reviews, handwriting and backups, from the list of learners?").arg(name),
+      QMessageBox::Cancel, this);
   question.setObjectName(QStringLiteral("learner_remove_question"));
   question.setInformativeText(
-      tr("Nothing is deleted: the folder is moved to “.removed” beside the other learners, and moved back it "
-         "is there again."));
+      tr("Nothing is deleted. The folder is moved to “.removed”, next to the other learners. Move it back to "
+         "use it again."));
   auto* yes = question.addButton(tr("Re&move"), QMessageBox::AcceptRole);
   yes->setObjectName(QStringLiteral("learner_remove_yes"));
   question.setDefaultButton(QMessageBox::Cancel);
@@ -184,7 +186,7 @@ void LearnersDialog::remove() {
   else
     (void)work();
   refresh();
-  show_words(kept ? tr("%1 is removed. The folder lies in %2.").arg(name, to_text(kept->string()))
+  show_words(kept ? tr("Removed %1. The folder is now in %2.").arg(name, to_text(kept->string()))
                   : tr("%1 could not be removed: %2.").arg(name, reason(kept.error())));
 }
 

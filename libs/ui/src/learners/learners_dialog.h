@@ -3,8 +3,8 @@
 
 #include <QDialog>
 
-#include "feedback_line.h"
 #include "nazori/practice/learner.h"
+#include "words/feedback.h"
 
 class QLabel;
 class QLineEdit;
@@ -13,20 +13,20 @@ class QPushButton;
 
 namespace nazori::ui {
 
-/// The learners of this computer account: one is chosen, added, given another name, or removed. Nothing is
-/// ever deleted: what is removed lies in the folder ".removed" beside the others.
+/// The learners of this computer account: one can be chosen, added, renamed or removed. Nothing is ever
+/// deleted: the data of a removed learner is moved to the folder ".removed" beside the others.
 class LearnersDialog final : public QDialog {
   Q_OBJECT
  public:
   LearnersDialog(practice::Learner& learner, QWidget* parent);
 
  signals:
-  void said(nazori::ui::Feedback kind, QString sentence);
+  void announced(nazori::ui::Feedback kind, QString sentence);
 
  private:
   void refresh();
   [[nodiscard]] QString chosen() const;
-  /// The name that is typed, if it can be one and is free; says why not.
+  /// The typed name, if it is valid and free. Otherwise shows why it is not.
   [[nodiscard]] QString typed_name();
   void choose();
   void add();

@@ -6,13 +6,13 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "error_text.h"
-#include "kanji_text.h"
 #include "nazori/practice/list_members.h"
 #include "nazori/practice/strengths.h"
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
 #include "study/list_choice.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 
@@ -23,7 +23,7 @@ CharactersCard::CharactersCard(QWidget* drawing, QWidget* parent)
       list_(new ListChoice(drawing)),
       grid_(new StrengthGrid(drawing)) {
   list_->setObjectName(QStringLiteral("characters_list"));
-  list_->setAccessibleName(tr("Which characters"));
+  list_->setAccessibleName(tr("Characters to show"));
   grid_->setObjectName(QStringLiteral("strength_grid"));
   auto* here = new QLabel(drawing);
   here->setObjectName(QStringLiteral("strength_reading"));
@@ -65,10 +65,11 @@ void CharactersCard::show_characters(const study::Statistics& statistics, study:
     states = practice::states_of(*members, statistics);
   ChartText text;
   text.id = QStringLiteral("characters");
-  text.title = tr("Every character");
-  text.empty = trouble.isEmpty() ? tr("Characters you have met stand here, each with how firmly you know it.")
-                                 : trouble;
-  text.numbers.head = {tr("Character"), tr("Strength"), tr("Chance to recall it now")};
+  text.title = tr("Characters by strength");
+  text.empty = trouble.isEmpty()
+                   ? tr("Characters you have studied appear here, with how well you know each one.")
+                   : trouble;
+  text.numbers.head = {tr("Character"), tr("Strength"), tr("Chance of recall now")};
   for (const auto& state : states)
     text.numbers.rows.append({to_text(state.character), StudyCharts::strength(state.strength),
                               state.strength == study::Strength::unseen
@@ -82,7 +83,7 @@ void CharactersCard::show_characters(const study::Statistics& statistics, study:
                      .trimmed());
   text.summary = words.join(QStringLiteral("  ·  "));
   grid_->setAccessibleName(text.title);
-  grid_->setAccessibleDescription(tr("%1. Enter opens a character.").arg(text.summary));
+  grid_->setAccessibleDescription(tr("%1. Enter: open a character.").arg(text.summary));
   grid_->show_states(std::move(states));
   show_text(text);
 }

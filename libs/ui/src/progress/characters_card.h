@@ -11,16 +11,16 @@ namespace nazori::ui {
 class ListChoice;
 class StrengthGrid;
 
-/// The state of every character of a list, or of all that were met.
+/// The strength of every character of a list, or of all that were studied.
 class CharactersCard final : public ChartCard {
   Q_OBJECT
  public:
   explicit CharactersCard(QWidget* parent = nullptr);
 
-  /// @param lists  may be nullptr: then only what was met can be shown.
+  /// @param lists  may be nullptr: then only the characters that were studied can be shown.
   void show_characters(const study::Statistics& statistics, study::CharacterLists* lists,
                        const study::LearnerStore& store);
-  /// The id of the list that is shown; empty: all that were met.
+  /// The id of the list that is shown; empty: all characters that were studied.
   [[nodiscard]] QString list() const;
   void set_list(const QString& id);
   [[nodiscard]] const StrengthGrid& grid() const { return *grid_; }

@@ -54,7 +54,7 @@ void ChartCard::build(const QString& id, QWidget* drawing) {
   numbers_->setObjectName(id + QStringLiteral("_numbers"));
   numbers_->setText(tr("Numbers"));
   numbers_->setCheckable(true);
-  numbers_->setToolTip(tr("The same as a table (N)"));
+  numbers_->setToolTip(tr("Show the numbers as a table (N)"));
   copy_ = new QToolButton(this);
   copy_->setObjectName(id + QStringLiteral("_copy"));
   copy_->setText(tr("Copy"));
@@ -90,7 +90,7 @@ void ChartCard::build(const QString& id, QWidget* drawing) {
   column->addWidget(reading_);
   connect(numbers_, &QToolButton::toggled, this, &ChartCard::set_shows_numbers);
   connect(copy_, &QToolButton::clicked, this, &ChartCard::copy_wanted);
-  take_appearance();
+  refresh_appearance();
 }
 
 void ChartCard::show_chart(const practice::Chart& chart, const ChartText& text) {
@@ -110,7 +110,7 @@ void ChartCard::show_text(const ChartText& text) {
   setAccessibleName(text_.title);
   drawing_->setAccessibleName(text_.title);
   drawing_->setAccessibleDescription(
-      tr("%1 Left and right go from row to row, N shows all numbers.").arg(text_.summary));
+      tr("%1 Left and Right: read row by row. N: show all numbers.").arg(text_.summary));
   numbers_->setVisible(any);
   numbers_->setAccessibleName(tr("Numbers of %1").arg(text_.title));
   copy_->setVisible(any);
@@ -139,13 +139,13 @@ void ChartCard::fill_table() {
 }
 
 void ChartCard::fit_table() {
-  // Thousands of rows are measured only when they are to be seen.
+  // Thousands of rows are measured only when the table is shown.
   if (numbers_->isChecked()) table_->resizeColumnsToContents();
 }
 
 void ChartCard::read_row(int row) {
   const QString words = text_.numbers.row_text(row);
-  reading_->setText(words.isEmpty() ? tr("Left and right read it row by row.") : words);
+  reading_->setText(words.isEmpty() ? tr("Left and Right: read row by row.") : words);
   reading_->setVisible(day_chart_ != nullptr && !text_.row_names.isEmpty() && !numbers_->isChecked());
   if (words.isEmpty()) return;
   drawing_->setAccessibleDescription(words);
@@ -174,14 +174,14 @@ void ChartCard::focus_content() {
   content->setFocus(Qt::ShortcutFocusReason);
 }
 
-void ChartCard::take_appearance() {
+void ChartCard::refresh_appearance() {
   const QFontMetrics metrics(font());
   stack_->setMinimumHeight(metrics.lineSpacing() * kLinesHigh);
   table_->verticalHeader()->setDefaultSectionSize(metrics.lineSpacing() + 8);
   fit_table();
   if (day_chart_ != nullptr) {
     day_chart_->setFont(font());
-    day_chart_->take_appearance();
+    day_chart_->refresh_appearance();
   }
 }
 

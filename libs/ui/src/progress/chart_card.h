@@ -15,8 +15,8 @@ namespace nazori::ui {
 
 class DayChart;
 
-/// Something of the page with its numbers: a heading, a sentence, what is drawn, and the same as a table.
-/// Thread: interface.
+/// One card of the page: a heading, a sentence, a drawing, and the same numbers as a table. Thread:
+/// interface.
 class ChartCard : public QFrame {
   Q_OBJECT
  public:
@@ -25,20 +25,20 @@ class ChartCard : public QFrame {
 
   /// @param text  the words of `chart`.
   void show_chart(const practice::Chart& chart, const ChartText& text);
-  /// What the card says.
+  /// The words and numbers of the card.
   [[nodiscard]] const ChartText& shown() const { return text_; }
   [[nodiscard]] bool shows_numbers() const;
   void set_shows_numbers(bool numbers);
   [[nodiscard]] QString title() const { return text_.title; }
-  /// The keyboard goes to what is drawn, or to the table.
+  /// Gives the focus to the drawing, or to the table.
   void focus_content();
-  void take_appearance();
+  void refresh_appearance();
 
  signals:
   void copy_wanted();
 
  protected:
-  /// Without a chart: what is drawn is the derived class's.
+  /// Without a chart: the derived class makes the drawing.
   ChartCard(const QString& id, QWidget* drawing, QWidget* parent);
   void show_text(const ChartText& text);
 

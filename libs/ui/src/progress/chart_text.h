@@ -12,7 +12,7 @@ struct Numbers {
   QStringList head;
   QList<QStringList> rows;
 
-  /// A line each, parted by tabs, the head first: what a spreadsheet takes.
+  /// One line for each row, with tabs between the cells and the heads first, as spreadsheets read it.
   [[nodiscard]] QString as_text() const;
   /// One row with its heads: "12 Nov 2026: reviews 34, minutes 11".
   [[nodiscard]] QString row_text(int row) const;
@@ -23,7 +23,7 @@ struct ChartText {
   QString id;  ///< never translated; also of the widgets' object names
   QString title;
   QString summary;           ///< what there is to see, in a sentence or two
-  QString empty;             ///< where there are no rows: what makes some
+  QString empty;             ///< shown if there are no rows: how to get some
   QStringList row_names;     ///< short dates, for the axis
   QStringList series_names;  ///< for the legend
   Numbers numbers;           ///< a row to a row

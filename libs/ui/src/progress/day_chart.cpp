@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palette.h"
+#include "look/palette.h"
 #include "progress/role_colours.h"
 #include "progress/study_charts.h"
 
@@ -63,7 +63,7 @@ void DayChart::show_chart(const practice::Chart& chart, const ChartText& text) {
 
 QString DayChart::label(const ValueAxis& axis, int tick) const {
   const QString number = QString::number(axis.value(tick), 'f', axis.numbers.decimals);
-  return axis.numbers.percent ? StudyCharts::tr("%1 %").arg(number) : number;
+  return axis.numbers.percent ? StudyCharts::tr("%1%").arg(number) : number;
 }
 
 double DayChart::label_room(Side side) const {
@@ -78,7 +78,7 @@ double DayChart::label_room(Side side) const {
 
 QRectF DayChart::plot_area() const {
   const QFontMetricsF metrics(font());
-  // The uppermost label stands half above the plot.
+  // Half of the uppermost label is above the plot.
   const double above = kMargin_px + metrics.height() / 2;
   const double below =
       row_names_gap(metrics) + metrics.height() + kMargin_px + (has_legend() ? legend_height(metrics) : 0);
@@ -117,7 +117,7 @@ void DayChart::paintEvent(QPaintEvent* event) {
   paint_axis(painter, Side::right);
   paint_row_names(painter);
   painter.save();
-  // A second series on an axis may go beyond it.
+  // A second series may be larger than the range of the axis.
   const double room = kMark_px / 2 + 1;
   painter.setClipRect(plot.adjusted(-room, -room, room, room));
   for (const Series& series : chart_.series) {

@@ -18,18 +18,18 @@ class DayChart final : public QFrame {
 
   /// @param text  the names of its rows and series.
   void show_chart(const practice::Chart& chart, const ChartText& text);
-  /// Draws it again in the colours and the text size in force.
-  void take_appearance() { update(); }
+  /// Draws again in the current colours and text size.
+  void refresh_appearance() { update(); }
   [[nodiscard]] int row() const { return row_; }
   void set_row(int row);
 
-  /// Where bars and lines lie, between the axes; in the widget's own pixels.
+  /// The area of bars and lines, between the axes; in the widget's own pixels.
   [[nodiscard]] QRectF plot_area() const;
-  /// The rows that are named below the plot, as far as there is room.
+  /// The rows that are named below the plot, as many as fit.
   [[nodiscard]] std::vector<int> named_rows() const;
   /// Whether the series are named below: one alone is named by the title.
   [[nodiscard]] bool has_legend() const { return chart_.series.size() > 1; }
-  /// Where the mark of the row that is read stands; in the widget's own pixels.
+  /// Where the mark of the row that is read is drawn; in the widget's own pixels.
   [[nodiscard]] double mark_x() const;
 
  signals:

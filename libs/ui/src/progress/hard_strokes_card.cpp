@@ -7,10 +7,10 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "kanji_text.h"
+#include "look/palette.h"
 #include "nazori/geometry/point.h"
-#include "palette.h"
 #include "progress/study_charts.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -69,7 +69,7 @@ void HardStrokeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
   const auto& lines = lines_of(static_cast<char32_t>(index.data(kCharacterRole).toUInt()));
   const int hard = index.data(kStrokeRole).toInt();
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    // The hard one is also the thick one.
+    // The hard stroke is drawn thicker.
     const bool marked = static_cast<int>(i) == hard;
     QPainterPath path;
     for (const auto& point : lines[i].points)
@@ -102,7 +102,7 @@ void HardStrokesCard::show_strokes(const study::Statistics& statistics,
   static_cast<HardStrokeDelegate*>(list_->itemDelegate())->set_database(database);
   list_->clear();
   for (const auto& stroke : statistics.hard_strokes) {
-    const QString words = tr("Stroke %1 of %2 went wrong in %3 of %4 writings: %5")
+    const QString words = tr("Stroke %1 of %2 was wrong in %3 of %4 attempts: %5")
                               .arg(stroke.stroke + 1)
                               .arg(to_text(stroke.character))
                               .arg(stroke.mistakes)
@@ -115,10 +115,10 @@ void HardStrokesCard::show_strokes(const study::Statistics& statistics,
   ChartText text;
   text.id = QStringLiteral("hard_strokes");
   text.title = tr("Hardest strokes");
-  text.empty = tr("No stroke has gone wrong twice. Those that do will stand here.");
+  text.empty = tr("No stroke has been wrong more than once. Those that are will appear here.");
   text.numbers = StudyCharts::hard_strokes(statistics);
   if (!statistics.hard_strokes.empty())
-    text.summary = tr("Strokes that went wrong more than once: %1. Enter opens the character.")
+    text.summary = tr("Strokes that were wrong more than once: %1. Enter: open the character.")
                        .arg(QLocale().toString(static_cast<qlonglong>(statistics.hard_strokes.size())));
   list_->setAccessibleName(text.title);
   list_->setCurrentRow(0);

@@ -2,19 +2,19 @@
 #pragma once
 
 #include "nazori/practice/statistics_reader.h"
-#include "workplace.h"
+#include "page/page.h"
 
 namespace nazori::ui {
 
 class ChartCard;
 class ProgressActions;
-class ProgressPage;
+class ProgressView;
 
-/// The workplace that shows what study has brought: a page of charts, each with its numbers.
-class Progress final : public Workplace {
+/// The page for progress: charts, each with its numbers.
+class Progress final : public Page {
   Q_OBJECT
  public:
-  explicit Progress(Desk& desk);
+  explicit Progress(WindowParts& parts);
   ~Progress() override;
 
   [[nodiscard]] QString id() const override;
@@ -22,13 +22,13 @@ class Progress final : public Workplace {
   [[nodiscard]] QString purpose() const override;
   [[nodiscard]] Icon drawing() const override;
   [[nodiscard]] QString title() const override;
-  [[nodiscard]] QWidget* page() const override;
+  [[nodiscard]] QWidget* instead_of_tablet() const override;
   [[nodiscard]] ActionSet* actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
 
   void enter() override;
   void leave() override;
-  void take_appearance() override;
+  void refresh_appearance() override;
   void save(QSettings& settings) const override;
 
   [[nodiscard]] bool is_reading() const { return reader_.is_busy(); }
@@ -39,7 +39,7 @@ class Progress final : public Workplace {
   void copy(const ChartCard& card);
 
   ProgressActions* actions_;
-  ProgressPage* page_;
+  ProgressView* view_;
   practice::StatisticsReader reader_;
   bool entered_ = false;
   bool stale_ = true;

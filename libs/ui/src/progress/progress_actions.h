@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "action_set.h"
+#include "widgets/action_set.h"
 
 namespace nazori::ui {
 
-/// What can be done on the page of progress.
+/// The actions of the page for progress.
 class ProgressActions final : public ActionSet {
   Q_OBJECT
  public:
   explicit ProgressActions(QWidget* window);
 
   /// Goes to a card of the page.
-  struct Place {
+  struct CardEntry {
     QString id;  ///< of the card
     QAction* action;
   };
-  QList<Place> places;  ///< in the page's order; their keys are 1, 2, 3, ...
+  QList<CardEntry> card_entries;  ///< in the page's order; their keys are 1, 2, 3, ...
   QAction *numbers, *copy, *longer, *shorter;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "look/palette.h"
 #include "nazori/practice/chart.h"
-#include "palette.h"
 
 namespace nazori::ui {
 

@@ -5,10 +5,10 @@
 #include <QPainter>
 #include <QScrollBar>
 
-#include "kanji_text.h"
 #include "nazori/practice/strengths.h"
 #include "progress/role_colours.h"
 #include "progress/study_charts.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 
@@ -32,7 +32,7 @@ QString StrengthModel::words(const study::CharacterState& state) {
   const QString strength = StudyCharts::strength(state.strength);
   if (state.strength == study::Strength::unseen || state.retrievability <= 0)
     return tr("%1, %2").arg(to_text(state.character), strength);
-  return tr("%1, %2, known with a chance of %3")
+  return tr("%1, %2, %3 likely to be remembered")
       .arg(to_text(state.character), strength, StudyCharts::percent(state.retrievability));
 }
 

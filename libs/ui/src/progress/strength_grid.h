@@ -6,8 +6,8 @@
 #include <QStyledItemDelegate>
 #include <vector>
 
+#include "look/palette.h"
 #include "nazori/study/statistics.h"
-#include "palette.h"
 
 namespace nazori::ui {
 
@@ -15,12 +15,12 @@ namespace nazori::ui {
 struct StrengthLook {
   QColor fill;
   QColor text;
-  QString sign;         ///< one character: ◔ ◑ ● ! ‖, nothing for one not met
+  QString sign;         ///< one character: ◔ ◑ ● ! ‖; none for a character that was not studied
   bool dashed = false;  ///< the edge
 };
 [[nodiscard]] StrengthLook look_of(study::Strength strength, const Colours& colours);
 
-/// Characters with how firmly each is known.
+/// Characters, each with its strength.
 class StrengthModel final : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -60,7 +60,7 @@ class StrengthGrid final : public QListView {
 
  signals:
   void opened(char32_t character);
-  /// The words of the character the keyboard is at.
+  /// The words of the current character.
   void walked(QString words);
 
  private:

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "kanji_text.h"
 #include "nazori/practice/study_charts.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -34,9 +34,9 @@ QString head_of_days(Period period) {
     case Period::day:
       return StudyCharts::tr("Day");
     case Period::week:
-      return StudyCharts::tr("Week from");
+      return StudyCharts::tr("Week starting");
     case Period::month:
-      return StudyCharts::tr("Month from");
+      return StudyCharts::tr("Month starting");
   }
   return {};
 }
@@ -56,7 +56,7 @@ QString head_of(Quantity quantity) {
     case Quantity::predicted:
       return StudyCharts::tr("Predicted");
     case Quantity::writings:
-      return StudyCharts::tr("Writings");
+      return StudyCharts::tr("Times written");
     case Quantity::speed:
       return StudyCharts::tr("Speed");
     case Quantity::smoothness:
@@ -66,13 +66,13 @@ QString head_of(Quantity quantity) {
 }
 
 QString summary_of(const practice::ForecastSummary& s) {
-  return StudyCharts::tr("In 30 days: %1, today: %2. Most on %3: %4.")
+  return StudyCharts::tr("Next 30 days: %1. Today: %2. Busiest day: %3 (%4).")
       .arg(QLocale().toString(s.reviews), QLocale().toString(s.today), StudyCharts::date(s.fullest),
            QLocale().toString(s.most));
 }
 
 QString summary_of(const practice::ActivitySummary& s) {
-  return StudyCharts::tr("Reviews: %1 in %2. Days of study: %3, each with about %4 reviews in %5 min.")
+  return StudyCharts::tr("Reviews: %1 in %2. Study days: %3, with about %4 reviews in %5 min each.")
       .arg(QLocale().toString(s.reviews), StudyCharts::duration(s.time), QLocale().toString(s.days),
            decimal(s.reviews_per_day, 0), decimal(s.minutes_per_day, 0));
 }
@@ -85,47 +85,46 @@ QString summary_of(const practice::RetentionSummary& s) {
 
 QString summary_of(const practice::MotionSummary& s) {
   return StudyCharts::tr(
-             "Speed %1 at first, %2 now, in character widths a second. Smoothness %3 at first, %4 now; "
-             "nearer to 0 is smoother.")
+             "Speed in character widths per second: %1 at first, %2 now. Smoothness: %3 at first, %4 now "
+             "(closer to 0 is smoother).")
       .arg(decimal(s.first_speed, 2), decimal(s.last_speed, 2), decimal(s.first_smoothness, 2),
            decimal(s.last_smoothness, 2));
 }
 
 QString summary_of(std::monostate /*without rows*/) { return {}; }
 
-/// What does not depend on the numbers of a chart; not yet translated.
+/// The words that do not depend on the numbers of a chart; not yet translated.
 struct ChartWords {
   ChartId id;
   const char* title;
-  const char* empty;  ///< what to do so that it has rows
+  const char* empty;  ///< shown if there are no rows: how to get some
   const char* menu_text;
   const char* menu_tip;
 };
 
 constexpr std::array kWords{
+    ChartWords{ChartId::forecast, QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Upcoming reviews"),
+               QT_TRANSLATE_NOOP("nazori::ui::StudyCharts",
+                                 "Write a character from memory once, and its next review will appear here."),
+               QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Up&coming reviews"),
+               QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Go to the upcoming reviews")},
     ChartWords{
-        ChartId::forecast, QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Reviews to come"),
+        ChartId::retention, QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Recall: actual and predicted"),
         QT_TRANSLATE_NOOP("nazori::ui::StudyCharts",
-                          "Write a character from memory once, and the day it comes back stands here."),
-        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Reviews to &come"),
-        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Go to the reviews to come")},
-    ChartWords{
-        ChartId::retention, QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Recalled, and predicted"),
-        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts",
-                          "Counted once a character comes back after a day or more. Come back tomorrow."),
-        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "&Recalled, and predicted"),
-        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Go to what was recalled and predicted")},
+                          "Starts when a character comes back after a day or more. Come back tomorrow."),
+        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "&Recall: actual and predicted"),
+        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Go to actual and predicted recall")},
     ChartWords{ChartId::activity, QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Reviews and minutes"),
                QT_TRANSLATE_NOOP("nazori::ui::StudyCharts",
-                                 "Nothing was written in this time. What you write stands here, day by day."),
+                                 "Nothing written in this period. What you write appears here, day by day."),
                QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Reviews and &minutes"),
-               QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Go to the reviews and minutes")},
-    ChartWords{
-        ChartId::motion, QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Speed and smoothness of the pen"),
-        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts",
-                          "Shown once characters were written on the tablet, with pen, mouse or stylus."),
-        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "&Speed and smoothness"),
-        QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Go to how the pen moved")},
+               QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Go to reviews and minutes")},
+    ChartWords{ChartId::motion,
+               QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Speed and smoothness of the pen"),
+               QT_TRANSLATE_NOOP("nazori::ui::StudyCharts",
+                                 "Shown once you have written on the tablet with a mouse, pen or stylus."),
+               QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "&Speed and smoothness"),
+               QT_TRANSLATE_NOOP("nazori::ui::StudyCharts", "Go to speed and smoothness of the pen")},
 };
 
 const ChartWords& words_of(ChartId id) {
@@ -141,7 +140,7 @@ QString StudyCharts::date(Day day) {
 
 QString StudyCharts::number(double value, practice::NumberFormat format) {
   const QString written = decimal(value, format.decimals);
-  return format.percent ? tr("%1 %").arg(written) : written;
+  return format.percent ? tr("%1%").arg(written) : written;
 }
 
 QString StudyCharts::percent(double share) { return number(100 * share, {0, true}); }
@@ -157,17 +156,17 @@ QString StudyCharts::duration(std::chrono::milliseconds time) {
 QString StudyCharts::strength(study::Strength strength) {
   switch (strength) {
     case study::Strength::unseen:
-      return tr("not met");
+      return tr("not studied");
     case study::Strength::learning:
       return tr("learning");
     case study::Strength::young:
-      return tr("young");
+      return tr("recently learned");
     case study::Strength::mature:
-      return tr("firm");
+      return tr("well known");
     case study::Strength::leech:
-      return tr("set apart");
+      return tr("difficult");
     case study::Strength::paused:
-      return tr("paused");
+      return tr("suspended");
   }
   return {};
 }
@@ -175,21 +174,21 @@ QString StudyCharts::strength(study::Strength strength) {
 QString StudyCharts::mistake(kanji::MistakeKind kind) {
   switch (kind) {
     case kanji::MistakeKind::order:
-      return tr("out of turn");
+      return tr("wrong order");
     case kanji::MistakeKind::reversed:
       return tr("drawn backwards");
     case kanji::MistakeKind::missing:
-      return tr("left out");
+      return tr("missing");
     case kanji::MistakeKind::extra:
-      return tr("one too many");
+      return tr("extra stroke");
     case kanji::MistakeKind::joined:
-      return tr("joined with another");
+      return tr("joined to another stroke");
     case kanji::MistakeKind::split:
-      return tr("drawn in pieces");
+      return tr("split into pieces");
     case kanji::MistakeKind::wrong:
-      return tr("wrong shape or place");
+      return tr("wrong shape or position");
     case kanji::MistakeKind::other:
-      return tr("of another character");
+      return tr("stroke of another character");
     case kanji::MistakeKind::ending:
       return tr("wrong ending");
   }
@@ -236,7 +235,7 @@ QString StudyCharts::menu_tip(ChartId chart) { return tr(words_of(chart).menu_ti
 
 Numbers StudyCharts::hard_strokes(const study::Statistics& statistics) {
   Numbers numbers;
-  numbers.head = {tr("Character"), tr("Stroke"), tr("Wrong in"), tr("Writings"), tr("How")};
+  numbers.head = {tr("Character"), tr("Stroke"), tr("Times wrong"), tr("Times written"), tr("Mistakes")};
   for (const auto& stroke : statistics.hard_strokes)
     numbers.rows.append({to_text(stroke.character), QLocale().toString(stroke.stroke + 1),
                          QLocale().toString(stroke.mistakes), QLocale().toString(stroke.writings),

@@ -17,9 +17,9 @@ class StudyCharts {
   [[nodiscard]] static ChartText text(const practice::Chart& chart);
   /// "forecast": never translated.
   [[nodiscard]] static QString id(practice::ChartId chart);
-  /// What the menu calls a chart, with its mnemonic: "Reviews to &come".
+  /// What the menu calls a chart, with its mnemonic: "Up&coming reviews".
   [[nodiscard]] static QString menu_text(practice::ChartId chart);
-  /// What its menu item does: "Go to the reviews to come".
+  /// What its menu item does: "Go to the upcoming reviews".
   [[nodiscard]] static QString menu_tip(practice::ChartId chart);
   /// The hardest strokes as numbers only.
   [[nodiscard]] static Numbers hard_strokes(const study::Statistics& statistics);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/home.h"
 
-#include "desk.h"
-#include "signals.h"
-#include "study/home_page.h"
+#include "events/signals.h"
+#include "page/window_parts.h"
+#include "study/home_view.h"
 #include "study/study_dialogs.h"
 
 namespace nazori::ui {
@@ -15,42 +15,44 @@ constexpr int kLook_ms = 30'000;
 
 HomeActions::HomeActions(QWidget* window) : ActionSet(window) {
   const auto key = [](const char* text) { return QStringList{QString::fromLatin1(text)}; };
-  start = make("home_study", tr("&Study what is due"), tr("Begin with what is due now"), key("Ctrl+Return"));
-  leeches = make("home_leeches_lesson", tr("&Another lesson for what is forgotten often"),
-                 tr("Characters that were set apart, from watching on"), key("Ctrl+Shift+Return"));
-  undo = make("home_undo", tr("&Take back the last review"),
-              tr("Take back what was kept last; again for the one before, also of other days"),
+  start = make("home_study", tr("&Start today's study"), tr("Start today's reviews and new characters"),
+               key("Ctrl+Return"));
+  leeches =
+      make("home_leeches_lesson", tr("Rele&arn difficult characters"),
+           tr("Relearn characters you forgot too often, starting with Watch"), key("Ctrl+Shift+Return"));
+  undo = make("home_undo", tr("Undo las&t review"),
+              tr("Undo the last saved review or change; repeat to go further back, even to earlier days"),
               key("Ctrl+Shift+Z"));
   settings = make("home_study_settings", tr("Study se&ttings…"),
-                  tr("Limits, lists, order, desired retention"), key("Ctrl+,"));
+                  tr("Daily goal, lists, order and desired retention"), key("Ctrl+,"));
   draw(start, Icon::play);
   draw(undo, Icon::undo);
   add_group(tr("St&udy"), {start, leeches, nullptr, undo, nullptr, settings});
 }
 
-Home::Home(Desk& desk)
-    : Workplace(desk),
-      actions_(new HomeActions(&desk.window())),
-      page_(new HomePage(desk.learner(), desk.session(), &desk.window())) {
+Home::Home(WindowParts& parts)
+    : Page(parts),
+      actions_(new HomeActions(&parts.window())),
+      view_(new HomeView(parts.learner(), parts.session(), &parts.window())) {
   connect(actions_->start, &QAction::triggered, this, [this] { start(false); });
   connect(actions_->leeches, &QAction::triggered, this, [this] { start(true); });
   connect(actions_->undo, &QAction::triggered, this, [this] {
-    this->desk().session().undo();
-    page_->show_summary({});  // what it counts is no longer so
+    this->parts().session().undo();
+    view_->show_summary({});  // the undone review is still counted in it
   });
-  connect(page_, &HomePage::start_wanted, actions_->start, &QAction::trigger);
-  connect(page_, &HomePage::leeches_wanted, actions_->leeches, &QAction::trigger);
-  connect(page_, &HomePage::settings_wanted, actions_->settings, &QAction::trigger);
-  connect(page_, &HomePage::free_writing_wanted, this,
-          [this] { this->desk().go_to(QStringLiteral("characters")); });
+  connect(view_, &HomeView::start_wanted, actions_->start, &QAction::trigger);
+  connect(view_, &HomeView::leeches_wanted, actions_->leeches, &QAction::trigger);
+  connect(view_, &HomeView::settings_wanted, actions_->settings, &QAction::trigger);
+  connect(view_, &HomeView::free_writing_wanted, this,
+          [this] { this->parts().go_to(QStringLiteral("characters")); });
   connect(actions_->settings, &QAction::triggered, this, [this] {
-    ask_study_settings(this->desk());
-    this->desk().focus_tablet();
+    ask_study_settings(this->parts());
+    this->parts().focus_tablet();
   });
-  subscribe(desk.learner().changed, this, [this] { refresh(); });
-  subscribe(desk.session().ended, this, [this] { page_->show_summary(this->desk().session().summary()); });
-  // After the session of the learner before has ended, which shows what it came to.
-  subscribe(desk.learner().profile_changed, this, [this] { page_->show_summary({}); });
+  subscribe(parts.learner().changed, this, [this] { refresh(); });
+  subscribe(parts.session().ended, this, [this] { view_->show_summary(this->parts().session().summary()); });
+  // When the learner changes, the previous session ends first and shows its summary. Remove it again.
+  subscribe(parts.learner().profile_changed, this, [this] { view_->show_summary({}); });
   connect(&look_, &QTimer::timeout, this, &Home::refresh);
 }
 
@@ -58,9 +60,9 @@ Home::~Home() = default;
 
 QString Home::id() const { return QStringLiteral("home"); }
 QString Home::name() const { return tr("H&ome"); }
-QString Home::purpose() const { return tr("What is due today, and how to begin"); }
+QString Home::purpose() const { return tr("Today's reviews and new characters"); }
 Icon Home::drawing() const { return Icon::home; }
-QWidget* Home::page() const { return page_; }
+QWidget* Home::instead_of_tablet() const { return view_; }
 
 QList<Tool> Home::tools() const { return {{actions_->start, true}, {}, {actions_->undo, true}}; }
 
@@ -68,10 +70,10 @@ void Home::enter() {
   entered_ = true;
   refresh();
   look_.start(kLook_ms);
-  if (page_->can_start())
-    desk().say(Feedback::hint, tr("Enter starts. Everything is kept as soon as it is rated."));
-  // After the window's own connections are made.
-  QTimer::singleShot(0, &desk(), &Desk::note_opened);
+  if (view_->can_start())
+    parts().announce(Feedback::hint, tr("Enter: start. Each review is saved as soon as you rate it."));
+  // Later, because the window has not made its own connections yet.
+  QTimer::singleShot(0, &parts(), &WindowParts::note_opened);
 }
 
 void Home::leave() {
@@ -80,17 +82,17 @@ void Home::leave() {
 }
 
 void Home::refresh() {
-  if (entered_) page_->refresh();
+  if (entered_) view_->refresh();
 }
 
 void Home::start(bool leeches) {
-  auto& session = desk().session();
+  auto& session = parts().session();
   if (session.is_running()) {
-    desk().go_to(QStringLiteral("characters"));
+    parts().go_to(QStringLiteral("characters"));
     return;
   }
   if (!session.start(leeches)) return;
-  page_->show_summary({});
+  view_->show_summary({});
 }
 
 }  // namespace nazori::ui

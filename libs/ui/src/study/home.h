@@ -3,13 +3,13 @@
 
 #include <QTimer>
 
-#include "workplace.h"
+#include "page/page.h"
 
 namespace nazori::ui {
 
-class HomePage;
+class HomeView;
 
-/// What can be done at home.
+/// The actions of Home.
 class HomeActions final : public ActionSet {
   Q_OBJECT
  public:
@@ -17,18 +17,18 @@ class HomeActions final : public ActionSet {
   QAction *start, *leeches, *undo, *settings;
 };
 
-/// The first workplace: what today holds, and the beginning of a session.
-class Home final : public Workplace {
+/// The first page: what is due today, and the button that starts a session.
+class Home final : public Page {
   Q_OBJECT
  public:
-  explicit Home(Desk& desk);
+  explicit Home(WindowParts& parts);
   ~Home() override;
 
   [[nodiscard]] QString id() const override;
   [[nodiscard]] QString name() const override;
   [[nodiscard]] QString purpose() const override;
   [[nodiscard]] Icon drawing() const override;
-  [[nodiscard]] QWidget* page() const override;
+  [[nodiscard]] QWidget* instead_of_tablet() const override;
   [[nodiscard]] ActionSet* actions() const override { return actions_; }
   [[nodiscard]] QList<Tool> tools() const override;
 
@@ -40,7 +40,7 @@ class Home final : public Workplace {
   void refresh();
 
   HomeActions* actions_;
-  HomePage* page_;
+  HomeView* view_;
   QTimer look_;
   bool entered_ = false;
 };

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "look/palette.h"
 #include "nazori/geometry/frames.h"
-#include "palette.h"
 
 namespace nazori::ui {
 namespace {
@@ -66,7 +66,7 @@ int InkGallery::columns(int width) const {
 }
 
 int InkGallery::words_flags(int side) const {
-  // A date is not cut: where it is wider than its piece, it goes on in the next line.
+  // A date is not cut off: if it is wider than the picture above it, it wraps.
   static const QRegularExpression between_words(QStringLiteral("\\s"));
   const QFontMetrics metrics(font());
   for (const auto& piece : pieces_)

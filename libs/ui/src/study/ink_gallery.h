@@ -9,8 +9,7 @@
 
 namespace nazori::ui {
 
-/// Pieces of writing of one character side by side, as many as there is room for in rows, each with its words
-/// below.
+/// Writings of one character side by side, in as many rows as needed, each with its words below.
 class InkGallery final : public QWidget {
   Q_OBJECT
  public:

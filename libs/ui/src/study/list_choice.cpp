@@ -5,25 +5,25 @@
 #include <QStandardItemModel>
 #include <algorithm>
 
-#include "error_text.h"
-#include "kanji_text.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 
 ListChoice::ListChoice(QWidget* parent) : QComboBox(parent) {
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(20);
-  addItem(tr("Met so far"), QString());
+  addItem(tr("Studied so far"), QString());
 }
 
 QString ListChoice::name_of(const QString& id) {
-  if (id.startsWith(QLatin1String("grade-"))) return tr("School grade %1").arg(id.mid(6));
+  if (id.startsWith(QLatin1String("grade-"))) return tr("Grade %1").arg(id.mid(6));
   if (id == QLatin1String("secondary")) return tr("Secondary school");
-  if (id == QLatin1String("jinmeiyou")) return tr("For names");
+  if (id == QLatin1String("jinmeiyou")) return tr("Kanji for names");
   if (id == QLatin1String("hiragana")) return tr("Hiragana");
   if (id == QLatin1String("katakana")) return tr("Katakana");
   if (id.startsWith(QLatin1String("old-jlpt-"))) return tr("Old JLPT level %1 (before 2010)").arg(id.mid(9));
-  if (id.startsWith(QLatin1String("list:"))) return tr("Own list: %1").arg(id.mid(5));
+  if (id.startsWith(QLatin1String("list:"))) return tr("My list: %1").arg(id.mid(5));
   if (id.startsWith(QLatin1String("tag:"))) return tr("Tag: %1").arg(id.mid(4));
   return id;
 }
@@ -32,7 +32,7 @@ void ListChoice::fill(const study::LearnerStore& store) {
   const QSignalBlocker quiet(this);
   const QString before = list();
   clear();
-  addItem(tr("Met so far"), QString());
+  addItem(tr("Studied so far"), QString());
   const auto add = [this](const QString& id) { addItem(name_of(id), id); };
   for (const study::ReadyList& ready : study::ready_lists()) add(to_text(ready.id));
   const auto own_lists = store.lists();

@@ -8,14 +8,15 @@
 
 namespace nazori::ui {
 
-/// A list of characters to choose: those met so far (id: empty), the ready lists, the learner's own.
+/// A box to choose a list of characters: those studied so far (id: empty), the built-in lists, and the
+/// learner's own.
 class ListChoice final : public QComboBox {
   Q_OBJECT
  public:
   explicit ListChoice(QWidget* parent = nullptr);
 
-  /// Fills it anew; what was chosen stays where it is still there. Where lists and tags of one's own cannot
-  /// be read a line that cannot be chosen says so. Emits nothing.
+  /// Fills the box again. The choice stays if it still exists. If the learner's lists and tags cannot be
+  /// read, an entry that cannot be chosen says so. Emits nothing.
   void fill(const study::LearnerStore& store);
   /// As practice::list_members() reads it.
   [[nodiscard]] QString list() const { return currentData().toString(); }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "study/new_list_dialog.h"
+
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -7,10 +9,9 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
-#include "error_text.h"
-#include "kanji_text.h"
 #include "nazori/base/file.h"
-#include "study/study_settings_dialog.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 namespace {
@@ -30,7 +31,7 @@ NewListDialog::NewListDialog(practice::Learner& learner, QWidget* parent)
   name_->setObjectName(QStringLiteral("new_list_name"));
   text_->setObjectName(QStringLiteral("new_list_text"));
   text_->setAccessibleName(tr("Characters"));
-  text_->setPlaceholderText(tr("休日月火水木金土\n# what follows such a sign is a note"));
+  text_->setPlaceholderText(tr("休日月火水木金土\n# text after # is a comment"));
   text_->setTabChangesFocus(true);
   trouble_->setObjectName(QStringLiteral("new_list_trouble"));
   trouble_->setWordWrap(true);
@@ -50,8 +51,8 @@ NewListDialog::NewListDialog(practice::Learner& learner, QWidget* parent)
 }
 
 void NewListDialog::read_file() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Read a list"), {},
-                                                    tr("Texts (*.txt *.csv *.tsv);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open a list"), {},
+                                                    tr("Text files (*.txt *.csv *.tsv);;All files (*)"));
   if (path.isEmpty()) return;
   const auto bytes = base::read_file(path.toStdString(), kLargestFile);
   if (!bytes) {
@@ -67,7 +68,7 @@ void NewListDialog::read_file() {
 void NewListDialog::take() {
   const std::string name = name_->text().trimmed().toStdString();
   if (!study::can_be_name(name)) {
-    trouble_->setText(tr("Give the list a name of at most 100 bytes."));
+    trouble_->setText(tr("Give the list a name of at most 100 letters (33 in Japanese)."));
     return;
   }
   const auto known = [this](char32_t one) {

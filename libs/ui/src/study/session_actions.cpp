@@ -7,27 +7,29 @@ namespace nazori::ui {
 
 SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
   const auto key = [](const char* text) { return QStringList{QString::fromLatin1(text)}; };
-  start = make("study_start", tr("&Study what is due"), tr("Begin with what is due now"), key("Ctrl+Return"));
-  go_on = make("study_go_on", tr("&Go on"), tr("To the next stage, or with the proposed rating"),
+  start = make("study_start", tr("&Start today's study"), tr("Start today's reviews and new characters"),
+               key("Ctrl+Return"));
+  go_on = make("study_go_on", tr("&Next"), tr("Go to the next stage, or accept the suggested rating"),
                key("Shift+Return"));
   go_on->setEnabled(false);
-  rate = {make("rate_again", tr("&Again"), tr("Forgotten: it comes again soon"), key("1")),
-          make("rate_hard", tr("&Hard"), tr("Known with effort"), key("2")),
-          make("rate_good", tr("Goo&d"), tr("Known"), key("3")),
-          make("rate_easy", tr("&Easy"), tr("Known without effort"), key("4"))};
-  undo = make("study_undo", tr("&Take back the last review"),
-              tr("Take back what was kept last; again for the one before, also of other days"),
+  rate = {make("rate_again", tr("&Again"), tr("Forgotten: comes back soon"), key("1")),
+          make("rate_hard", tr("&Hard"), tr("Remembered with effort"), key("2")),
+          make("rate_good", tr("Goo&d"), tr("Remembered"), key("3")),
+          make("rate_easy", tr("&Easy"), tr("Remembered easily"), key("4"))};
+  undo = make("study_undo", tr("Undo las&t review"),
+              tr("Undo the last saved review or change; repeat to go further back, even to earlier days"),
               key("Ctrl+Shift+Z"));
-  postpone = make("study_postpone", tr("&Postpone to tomorrow"), tr("This character comes tomorrow"),
+  postpone = make("study_postpone", tr("&Postpone to tomorrow"), tr("Show this character tomorrow instead"),
                   key("Ctrl+Shift+P"));
-  pause = make("study_pause", tr("Pa&use or resume"), tr("This character does not come until it is resumed"),
-               key("Ctrl+Shift+U"));
-  reset = make("study_reset", tr("&Begin anew"), tr("This character is new again"), key("Ctrl+Shift+N"));
-  tags = make("study_tags", tr("&Tags…"), tr("Words of your own for this character, to learn by"),
+  pause = make("study_pause", tr("S&uspend or resume"),
+               tr("A suspended character does not come up until you resume it"), key("Ctrl+Shift+U"));
+  reset =
+      make("study_reset", tr("Start &over"), tr("Treat this character as new again"), key("Ctrl+Shift+N"));
+  tags = make("study_tags", tr("&Tags…"), tr("Your own labels for this character; you can study by tag"),
               key("Ctrl+Shift+T"));
-  end = make("study_end", tr("End the &session"), tr("What was rated is kept"), key("Ctrl+Shift+E"));
-  settings = make("study_settings", tr("Study se&ttings…"), tr("Limits, lists, order, desired retention"),
-                  key("Ctrl+,"));
+  end = make("study_end", tr("End the &session"), tr("Everything you rated is saved"), key("Ctrl+Shift+E"));
+  settings = make("study_settings", tr("Study se&ttings…"),
+                  tr("Daily goal, lists, order and desired retention"), key("Ctrl+,"));
   draw(undo, Icon::undo);
   draw(go_on, Icon::next);
   draw(start, Icon::play);
@@ -84,7 +86,7 @@ void SessionActions::set_has_unjudged(bool has_unjudged) {
 }
 
 void SessionActions::give_keys() {
-  // Return judges while something is written; when that is over it goes on.
+  // Return finishes a writing that is not judged yet. Otherwise it goes on.
   if (done_ == nullptr) return;
   const bool goes_on = go_on->isEnabled() && !has_unjudged_;
   QList<QKeySequence> keys{QKeySequence(Qt::ShiftModifier | Qt::Key_Return)};

@@ -3,13 +3,13 @@
 
 #include <array>
 
-#include "action_set.h"
 #include "nazori/practice/study_session.h"
-#include "preferences.h"
+#include "settings/preferences.h"
+#include "widgets/action_set.h"
 
 namespace nazori::ui {
 
-/// What can be done in a session, and with the character on the desk as something to be learnt.
+/// The actions of a session, and those for studying the character that is shown.
 class SessionActions final : public ActionSet {
   Q_OBJECT
  public:
@@ -20,13 +20,13 @@ class SessionActions final : public ActionSet {
   QAction *undo, *postpone, *pause, *reset, *end;
   QAction *tags, *settings;
 
-  /// Which of them mean something now.
+  /// Enables the actions that are possible now.
   void show_state(const practice::StudySession& session, bool can_write);
-  /// Return, and what else `done` has, is `go_on`'s while there is something to go on to and nothing is
-  /// written that waits to be judged: two actions with one key would both be dead. Adds keys that one
-  /// hand reaches while the other writes, also to `hint`, `undo_stroke` and `done`.
+  /// Gives Return and the other keys of `done` to `go_on` while the session can go on and no writing waits to
+  /// be judged. With one key on two actions, neither would work. Also adds keys for one hand, for `hint`,
+  /// `undo_stroke` and `done` too.
   void set_one_hand(OneHand hand, QAction* hint, QAction* undo_stroke, QAction* done);
-  /// Whether something is written that waits to be judged.
+  /// Whether a writing waits to be judged.
   void set_has_unjudged(bool has_unjudged);
 
  private:
@@ -35,7 +35,7 @@ class SessionActions final : public ActionSet {
   QAction* done_ = nullptr;
   QList<QKeySequence> done_keys_;
   bool has_unjudged_ = false;
-  QHash<QAction*, QList<QKeySequence>> own_keys_;  ///< before one hand's were added
+  QHash<QAction*, QList<QKeySequence>> own_keys_;  ///< before the keys for one hand were added
 };
 
 }  // namespace nazori::ui

@@ -12,17 +12,17 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "kanji_text.h"
+#include "look/palette.h"
 #include "nazori/kanji/kana.h"
 #include "nazori/practice/session_question.h"
-#include "palette.h"
-#include "study/study_words.h"
+#include "words/kanji_text.h"
+#include "words/study_words.h"
 
 namespace nazori::ui {
 namespace {
 
 constexpr int kWide_em = 36;
-constexpr double kLarge = 1.25;  ///< of the size of other letters: what is asked for
+constexpr double kLarge = 1.25;  ///< size of the question, relative to other text
 
 QString joined(const std::vector<std::string>& texts, const QString& between) {
   QStringList all;
@@ -50,7 +50,7 @@ SessionBar::SessionBar(const practice::StudySession& session, const SessionActio
   progress_->setProperty("role", QStringLiteral("muted"));
   line_->setObjectName(QStringLiteral("session_line"));
   line_->setTextVisible(false);
-  line_->setAccessibleName(tr("How far the session is"));
+  line_->setAccessibleName(tr("Session progress"));
   question_->setObjectName(QStringLiteral("session_question"));
   question_->setWordWrap(true);
   question_->setTextFormat(Qt::RichText);
@@ -81,7 +81,7 @@ SessionBar::SessionBar(const practice::StudySession& session, const SessionActio
   column->setContentsMargins(16, 8, 16, 8);
   column->setSpacing(6);
   column->addLayout(head);
-  // The ratings stand where the question stood: the tablet must not move under the pen.
+  // The ratings take the space of the question, so that the tablet does not move under the pen.
   column->addWidget(task_);
   column->addWidget(ratings_);
   fit();
@@ -108,7 +108,7 @@ QString SessionBar::question(const practice::CharacterSheet& sheet) const {
   if (!asks.readings.empty()) asked += in_hand(joined(asks.readings, QStringLiteral("、")));
   if (asks.meanings.empty() && asks.readings.empty()) {
     if (asks.other_kana == 0)
-      asked += tr("a character of %n strokes", nullptr, asks.strokes);
+      asked += tr("a character with %n strokes", nullptr, asks.strokes);
     else if (kanji::script_of(asks.other_kana) == kanji::Script::katakana)
       asked += tr("hiragana for %1").arg(in_hand(to_text(asks.other_kana)));
     else
@@ -128,7 +128,7 @@ void SessionBar::show_state(const std::shared_ptr<const practice::CharacterSheet
   line_->setValue(session_.done());
   const bool ours = sheet && sheet->character.code_point == session_.character();
   if (session_.is_away())
-    question_->setText(tr("This character is not the one that is asked for.").toHtmlEscaped());
+    question_->setText(tr("This is not the character you are being asked for.").toHtmlEscaped());
   else
     question_->setText(ours ? question(*sheet) : QString());
   show_ratings();
@@ -150,7 +150,7 @@ void SessionBar::show_ratings() {
   for (std::size_t i = 0; i < rating_.size(); ++i) {
     const auto rating = study::kRatings[i];
     const auto after = session_.after(rating);
-    // A day that cannot be told is left out; rating then says why it fails.
+    // A day that cannot be computed is left out. Rating then says why it fails.
     const QString when = after ? StudyWords::comes_again(*after, now, today) : QStringLiteral("–");
     const QString short_when =
         after ? StudyWords::comes_again_short(*after, now, today) : QStringLiteral("–");
@@ -159,7 +159,7 @@ void SessionBar::show_ratings() {
     rating_[i]->setText(
         narrow_ ? QStringLiteral("%1 %2%3 · %4").arg(i + 1).arg(StudyWords::rating(rating), sign, short_when)
                 : QStringLiteral("%1  %2 %3\n%4").arg(i + 1).arg(StudyWords::rating(rating), sign, when));
-    rating_[i]->setAccessibleName(proposed ? tr("%1: %2, proposed").arg(StudyWords::rating(rating), when)
+    rating_[i]->setAccessibleName(proposed ? tr("%1: %2, suggested").arg(StudyWords::rating(rating), when)
                                            : tr("%1: %2").arg(StudyWords::rating(rating), when));
     rating_[i]->setProperty("role", proposed ? QStringLiteral("primary") : QStringLiteral("rating"));
     rating_[i]->setStyle(rating_[i]->style());
@@ -178,7 +178,7 @@ void SessionBar::show_next() {
 }
 
 void SessionBar::fit() {
-  // Four in a row with two lines each where they fit, else two and two with one line.
+  // Four in a row with two lines each if they fit, otherwise two rows of two with one line each.
   const int em = QFontInfo(font()).pixelSize();
   const bool narrow = width() < em * kWide_em;
   const int columns = narrow ? 2 : 4;
@@ -188,7 +188,7 @@ void SessionBar::fit() {
   const int line = QFontMetrics(font()).lineSpacing();
   const int button = narrow ? line + em / 2 : 2 * line + em;
   for (auto* one : rating_) one->setFixedHeight(button);
-  // As high as each other, and as a question of two lines: the tablet must not move.
+  // Both are as high as a question of two lines, so that the tablet does not move.
   const int question = 2 * QFontMetrics(textbook_font(QFontInfo(font()).pointSizeF() * kLarge)).lineSpacing();
   const int height = std::max(question, narrow ? 2 * button + grid_->spacing() : button);
   for (auto* one : {task_, ratings_}) one->setMinimumHeight(height);

@@ -14,17 +14,17 @@ class QPushButton;
 
 namespace nazori::ui {
 
-/// Under the tablet while a session runs: how far it is, what is asked, and after the writing the four
-/// ratings, each with the day it leads to.
+/// The bar under the tablet during a session: the progress, the question, and after the writing the four
+/// ratings, each with the day of the next review.
 class SessionBar final : public QFrame {
   Q_OBJECT
  public:
   SessionBar(const practice::StudySession& session, const SessionActions& actions,
              const practice::Learner& learner, QWidget* parent);
 
-  /// Shows where the session is. @param sheet  of the session's character; null while it is on its way.
+  /// Shows the state of the session. @param sheet  of the session's character; null while it is loading.
   void show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet);
-  /// The same again in the colours and the text size of now.
+  /// Shows the same in the current colours and text size.
   void refresh();
 
  protected:

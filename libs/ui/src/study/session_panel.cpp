@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/session_panel.h"
 
+#include <QApplication>
+#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "flow_layout.h"
-#include "kanji_text.h"
 #include "nazori/practice/character_history.h"
 #include "study/ink_gallery.h"
-#include "study/session_words.h"
-#include "study/study_words.h"
+#include "widgets/flow_layout.h"
+#include "words/kanji_text.h"
+#include "words/session_words.h"
+#include "words/study_words.h"
 
 namespace nazori::ui {
 namespace {
@@ -36,7 +38,7 @@ SessionPanel::SessionPanel(const practice::StudySession& session, const SessionA
                            practice::Learner& learner, QWidget* parent)
     : QWidget(parent), session_(session), learner_(learner) {
   setObjectName(QStringLiteral("session_panel"));
-  setAccessibleName(tr("The character that is studied"));
+  setAccessibleName(tr("Character being studied"));
   setAttribute(Qt::WA_StyledBackground);
   auto* words = new QScrollArea(this);
   words->setObjectName(QStringLiteral("session_words"));
@@ -67,29 +69,32 @@ SessionPanel::SessionPanel(const practice::StudySession& session, const SessionA
   foot->setObjectName(QStringLiteral("session_foot"));
   auto* rows = new FlowLayout(kGap, kGap, foot);
   rows->setContentsMargins(0, 0, 0, 0);
-  // Few words: the panel is narrow, and the menu has the whole ones.
+  // Short texts, because the panel is narrow. The menu has the full ones.
   const std::pair<QAction*, QString> buttons[] = {{actions.undo, tr("Undo")},
-                                                  {actions.postpone, tr("Later")},
-                                                  {actions.pause, tr("Pause")},
-                                                  {actions.reset, tr("Anew")},
+                                                  {actions.postpone, tr("Tomorrow")},
+                                                  {actions.pause, tr("Suspend")},
+                                                  {actions.reset, tr("Start over")},
                                                   {actions.end, tr("End")}};
   for (const auto& [action, text] : buttons) {
     auto* button = new QPushButton(text, foot);
     button->setAccessibleName(action->iconText());
+    button->setProperty("role", QStringLiteral("compact"));
     button->setObjectName(QStringLiteral("button_") + action->objectName());
     button->setToolTip(action->toolTip());
     connect(button, &QPushButton::clicked, action, &QAction::trigger);
     connect(action, &QAction::changed, button,
             [button, at = action] { button->setEnabled(at->isEnabled()); });
     rows->addWidget(button);
+    buttons_.append(button);
   }
+  fit_buttons();
   words->setWidget(content);
   words->viewport()->setAutoFillBackground(false);
   content->setAutoFillBackground(false);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, kMargin);
   whole->addWidget(words, 1);
-  // Right above what takes it back.
+  // The note is directly above the button that undoes it.
   for (auto* one : {static_cast<QWidget*>(note_), foot}) {
     auto* row = new QHBoxLayout;
     row->setContentsMargins(kMargin, 0, kMargin, 0);
@@ -98,11 +103,25 @@ SessionPanel::SessionPanel(const practice::StudySession& session, const SessionA
   }
 }
 
+void SessionPanel::fit_buttons() {
+  // The panel does not grow with the text: beyond this size the buttons keep a little behind.
+  constexpr int kUsual_pt = 20;
+  constexpr double kSmaller = 0.85;
+  QFont own = QApplication::font();
+  if (own.pointSize() > kUsual_pt) own.setPointSizeF(own.pointSize() * kSmaller);
+  for (auto* button : buttons_) button->setFont(own);
+}
+
+void SessionPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fit_buttons();
+}
+
 QString SessionPanel::why() const {
-  if (session_.is_leech_lesson()) return tr("Another lesson: often forgotten");
+  if (session_.is_leech_lesson()) return tr("Relearning: forgotten too often");
   switch (session_.task().kind) {
     case study::TaskKind::step:
-      return tr("Once more today");
+      return tr("Again today");
     case study::TaskKind::review:
       return tr("Review");
     case study::TaskKind::fresh:
@@ -122,7 +141,7 @@ QString SessionPanel::history() const {
 QString SessionPanel::hard_strokes() const {
   QStringList lines;
   for (const auto& hard : practice::hard_strokes(learner_, session_.character(), kMostHardStrokes))
-    lines.append(tr("Stroke %1 went wrong %n times.", nullptr, hard.times).arg(hard.stroke + 1));
+    lines.append(tr("Stroke %1 was wrong %n times.", nullptr, hard.times).arg(hard.stroke + 1));
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -133,9 +152,9 @@ QString SessionPanel::help_used() const {
   QStringList used;
   if (result.shown_strokes > 0) used.append(tr("%n strokes shown", nullptr, result.shown_strokes));
   if (result.hints > 0) used.append(tr("%n hints", nullptr, result.hints));
-  if (result.misses > 0) used.append(tr("%n misses", nullptr, result.misses));
+  if (result.misses > 0) used.append(tr("%n mistakes", nullptr, result.misses));
   if (used.isEmpty()) return {};
-  return tr("“%1” is proposed: %2.")
+  return tr("Suggested: “%1” (%2).")
       .arg(StudyWords::rating(session_.proposed()), used.join(QStringLiteral(", ")));
 }
 
@@ -163,8 +182,7 @@ void SessionPanel::show_state(const std::shared_ptr<const practice::CharacterShe
   QStringList steps;
   for (const auto stage : study::kStages) {
     const bool here = stage == session_.stage();
-    const QString step =
-        here ? QStringLiteral("▸") + QChar(QChar::Nbsp) + StudyWords::stage(stage) : StudyWords::stage(stage);
+    const QString step = here ? QStringLiteral("▸") + StudyWords::stage(stage) : StudyWords::stage(stage);
     steps.append(step);
   }
   steps_->setText(steps.join(QStringLiteral("  ")));
@@ -186,7 +204,7 @@ void SessionPanel::show_state(const std::shared_ptr<const practice::CharacterShe
                        ? to_text(part.element)
                        : QStringLiteral("%1 %2").arg(to_text(part.element), to_text(part.meaning)));
   parts_->setVisible(session_.is_leech_lesson() && !parts.isEmpty());
-  parts_->setText(tr("Its parts: %1.").arg(parts.join(QStringLiteral(" + "))));
+  parts_->setText(tr("Parts: %1.").arg(parts.join(QStringLiteral(" + "))));
   show_ink();
 }
 

@@ -3,9 +3,9 @@
 
 #include <QProgressDialog>
 
-#include "error_text.h"
-#include "signals.h"
-#include "work_dialog.h"
+#include "dialogs/work_dialog.h"
+#include "events/signals.h"
+#include "words/error_text.h"
 
 namespace nazori::ui {
 
@@ -25,11 +25,11 @@ SettingsProgress::SettingsProgress(practice::SettingsChange& change, const study
 void SettingsProgress::finish(const base::Result<void>& changed) {
   if (dialog_ != nullptr) dialog_->deleteLater();
   if (changed)
-    emit said(Feedback::good, tr("The study settings hold from now on."));
+    emit announced(Feedback::good, tr("Settings saved."));
   else if (changed.error().code == base::Errc::cancelled)
-    emit said(Feedback::hint, tr("Stopped. The study settings are as they were."));
+    emit announced(Feedback::hint, tr("Stopped. The study settings are as they were."));
   else
-    emit said(
+    emit announced(
         Feedback::wrong,
         tr("The study settings were not kept: %1. They are as they were.").arg(reason(changed.error())));
   deleteLater();

@@ -4,15 +4,15 @@
 #include <QObject>
 #include <QPointer>
 
-#include "feedback_line.h"
 #include "nazori/practice/settings_change.h"
+#include "words/feedback.h"
 
 class QProgressDialog;
 
 namespace nazori::ui {
 
-/// Shows how far a change of the study settings is, with a way to stop it, and says in one sentence how it
-/// went. Deletes itself then. Thread: interface.
+/// Shows the progress of a change of the study settings with a button to stop it, announces the result in one
+/// sentence, and deletes itself. Thread: interface.
 class SettingsProgress final : public QObject {
   Q_OBJECT
  public:
@@ -21,7 +21,7 @@ class SettingsProgress final : public QObject {
   SettingsProgress(practice::SettingsChange& change, const study::Settings& wanted, QWidget* window);
 
  signals:
-  void said(nazori::ui::Feedback kind, QString sentence);
+  void announced(nazori::ui::Feedback kind, QString sentence);
 
  private:
   void finish(const base::Result<void>& changed);

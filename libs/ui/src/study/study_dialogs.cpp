@@ -5,45 +5,45 @@
 #include <QInputDialog>
 #include <QRegularExpression>
 
-#include "desk.h"
-#include "error_text.h"
-#include "kanji_text.h"
+#include "page/window_parts.h"
 #include "study/settings_progress.h"
 #include "study/study_settings_dialog.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
 
 namespace nazori::ui {
 
-void ask_study_settings(Desk& desk) {
-  auto& learner = desk.learner();
-  StudySettingsDialog dialog(learner, desk.preferences(), &desk.window());
+void ask_study_settings(WindowParts& parts) {
+  auto& learner = parts.learner();
+  StudySettingsDialog dialog(learner, parts.preferences(), &parts.window());
   if (dialog.exec() != QDialog::Accepted) return;
-  dialog.fill(desk.preferences());
-  desk.save_later();
-  desk.note_study_settings();
+  dialog.fill(parts.preferences());
+  parts.save_later();
+  parts.note_study_settings();
   const auto wanted = dialog.settings();
   if (learner.can_write() && wanted != learner.store().settings()) {
     if (practice::SettingsChange::takes_long(learner.store(), wanted)) {
-      auto* change = new SettingsProgress(desk.settings_change(), wanted, &desk.window());
-      QObject::connect(change, &SettingsProgress::said, &desk, &Desk::say);
+      auto* change = new SettingsProgress(parts.settings_change(), wanted, &parts.window());
+      QObject::connect(change, &SettingsProgress::announced, &parts, &WindowParts::announce);
       return;
     }
     if (!learner.report(learner.store().change_settings(wanted))) return;
   }
-  desk.say(Feedback::good, QCoreApplication::translate("nazori::ui::StudySettingsDialog",
-                                                       "The study settings hold from now on."));
+  parts.announce(Feedback::good,
+                 QCoreApplication::translate("nazori::ui::StudySettingsDialog", "Settings saved."));
 }
 
-void ask_tags(Desk& desk, char32_t character) {
-  auto& learner = desk.learner();
+void ask_tags(WindowParts& parts, char32_t character) {
+  auto& learner = parts.learner();
   const auto own = learner.store().tags_of(character);
-  // An empty line would look as if there were none, and would replace those there are.
+  // An empty field would look as if there were no tags, and OK would replace the stored ones.
   if (!own) return learner.announce_unread(own.error());
   QStringList before;
   for (const auto& tag : *own) before.append(to_text(tag));
   bool fine = false;
   const QString text = QInputDialog::getText(
-      &desk.window(), QCoreApplication::translate("nazori::ui::StudySettingsDialog", "Tags"),
-      QCoreApplication::translate("nazori::ui::StudySettingsDialog", "Tags of %1, with commas between them:")
+      &parts.window(), QCoreApplication::translate("nazori::ui::StudySettingsDialog", "Tags"),
+      QCoreApplication::translate("nazori::ui::StudySettingsDialog", "Tags for %1, separated by commas:")
           .arg(to_text(character)),
       QLineEdit::Normal, before.join(QStringLiteral(", ")), &fine);
   if (!fine) return;

@@ -5,12 +5,12 @@
 
 namespace nazori::ui {
 
-class Desk;
+class WindowParts;
 
-/// Asks how the learner wants to study and keeps what was chosen. Blocks until the dialog is closed.
-void ask_study_settings(Desk& desk);
+/// Shows the study settings and saves what was chosen. Blocks until the dialog is closed.
+void ask_study_settings(WindowParts& parts);
 
-/// Asks for a character's tags: words of the learner's own, by which it can be learnt.
-void ask_tags(Desk& desk, char32_t character);
+/// Asks for the tags of a character: words of the learner's own. A tag can be studied like a list.
+void ask_tags(WindowParts& parts, char32_t character);
 
 }  // namespace nazori::ui

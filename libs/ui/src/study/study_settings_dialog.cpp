@@ -5,12 +5,10 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSpinBox>
@@ -20,28 +18,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "error_text.h"
-#include "flow_layout.h"
-#include "kanji_text.h"
 #include "nazori/study/statistics.h"
-#include "number_slider.h"
-#include "study/learner_words.h"
-#include "study/list_choice.h"
+#include "widgets/flow_layout.h"
+#include "widgets/number_slider.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
+#include "words/learner_words.h"
 
 namespace nazori::ui {
-namespace {
-
-constexpr int kGap = 6;
-
-QLabel* sentence(const char* name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QString::fromLatin1(name));
-  label->setWordWrap(true);
-  label->setProperty("role", QStringLiteral("muted"));
-  return label;
-}
-
-}  // namespace
 
 StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Preferences& preferences,
                                          QWidget* parent)
@@ -69,7 +53,7 @@ StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Prefe
   column->setContentsMargins(16, 16, 16, 12);
   column->addWidget(tabs_, 1);
   if (!learner.can_write()) {
-    auto* trouble = sentence("study_settings_trouble", this);
+    auto* trouble = muted_sentence("study_settings_trouble", this);
     trouble->setText(LearnerWords::sentence(learner.trouble()));
     column->addWidget(trouble);
   }
@@ -81,6 +65,14 @@ StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Prefe
     const int em = QFontInfo(font()).pixelSize();
     resize(QSize(em * 44, em * 38).boundedTo(parent->size() * 0.95));
   }
+}
+
+QLabel* StudySettingsDialog::muted_sentence(const char* name, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QString::fromLatin1(name));
+  label->setWordWrap(true);
+  label->setProperty("role", QStringLiteral("muted"));
+  return label;
 }
 
 QWidget* StudySettingsDialog::add_page(const QString& name) {
@@ -122,25 +114,25 @@ QCheckBox* StudySettingsDialog::add_check(QWidget* page, const QString& name, co
 }
 
 QWidget* StudySettingsDialog::make_amount() {
-  auto* page = add_page(tr("How much"));
+  auto* page = add_page(tr("Daily goal"));
   auto* form = static_cast<QFormLayout*>(page->layout());
   retention_ = new NumberSlider(tr("Desired retention"), QStringLiteral("study_retention"),
                                 study::kLowestRetention * 100, study::kHighestRetention * 100, 1,
-                                QStringLiteral("%1 %"), 0, page);
+                                QStringLiteral("%1%"), 0, page);
   retention_->set_value(before_.fsrs.desired_retention * 100);
   form->addRow(retention_);
-  workload_ = sentence("study_workload", page);
+  workload_ = muted_sentence("study_workload", page);
   form->addRow(workload_);
-  new_ = add_spin(page, tr("&New characters a day, at most"), "study_new", 0, 1000, before_.new_per_day);
+  new_ = add_spin(page, tr("&New characters per day (maximum)"), "study_new", 0, 1000, before_.new_per_day);
   reviews_ =
-      add_spin(page, tr("&Reviews a day, at most"), "study_reviews", 1, 10'000, before_.reviews_per_day);
+      add_spin(page, tr("&Reviews per day (maximum)"), "study_reviews", 1, 10'000, before_.reviews_per_day);
   day_starts_ =
-      add_spin(page, tr("A study &day begins at (hour)"), "study_day_starts", 0, 12, before_.day_starts_at);
+      add_spin(page, tr("A study &day starts at (hour)"), "study_day_starts", 0, 12, before_.day_starts_at);
   zone_ = new QComboBox(page);
   zone_->setObjectName(QStringLiteral("study_zone"));
   zone_->setAccessibleName(tr("Time zone"));
   zone_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  zone_->addItem(tr("as the computer"), QString());
+  zone_->addItem(tr("same as the computer"), QString());
   for (const auto& id : QTimeZone::availableTimeZoneIds()) {
     const QString name = QString::fromLatin1(id);
     if (name.contains(QLatin1Char('/'))) zone_->addItem(name, name);
@@ -154,83 +146,25 @@ QWidget* StudySettingsDialog::make_amount() {
   return page;
 }
 
-QWidget* StudySettingsDialog::make_lists() {
-  auto* page = add_page(tr("What"));
-  auto* form = static_cast<QFormLayout*>(page->layout());
-  order_ = new QComboBox(page);
-  order_->setObjectName(QStringLiteral("study_order"));
-  order_->setAccessibleName(tr("Order of new characters"));
-  order_->addItem(tr("by school grade"), static_cast<int>(study::NewOrder::grade));
-  order_->addItem(tr("commonest first"), static_cast<int>(study::NewOrder::frequency));
-  order_->addItem(tr("fewest strokes first"), static_cast<int>(study::NewOrder::strokes));
-  order_->addItem(tr("parts before wholes"), static_cast<int>(study::NewOrder::components));
-  order_->addItem(tr("as in the lists"), static_cast<int>(study::NewOrder::own));
-  order_->setCurrentIndex(order_->findData(static_cast<int>(before_.new_order)));
-  form->addRow(tr("&Order of new characters"), order_);
-  lists_ = new QListWidget(page);
-  lists_->setObjectName(QStringLiteral("study_lists"));
-  lists_->setAccessibleName(tr("Lists to learn from"));
-  lists_->setMinimumHeight(QFontMetrics(font()).height() * 9);
-  form->addRow(lists_);
-  choice_ = sentence("study_choice", page);
-  form->addRow(choice_);
-  auto* buttons = new QWidget(page);
-  auto* flow = new FlowLayout(kGap, kGap, buttons);
-  const auto button = [&](const char* name, const QString& text, auto&& what) {
-    auto* made = new QPushButton(text, buttons);
-    made->setObjectName(QString::fromLatin1(name));
-    connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
-    made->setEnabled(learner_.can_write());
-    flow->addWidget(made);
-  };
-  button("list_new", tr("New list…"), [this] { new_list(); });
-  button("list_remove", tr("Remove"), [this] { remove_list(); });
-  button("list_up", tr("Up"), [this] { move_list(-1); });
-  button("list_down", tr("Down"), [this] { move_list(+1); });
-  button("list_postpone", tr("Postpone all…"), [this] {
-    bool fine = false;
-    const int days = QInputDialog::getInt(this, tr("Postpone"), tr("Days"), 7, 1, 3650, 1, &fine);
-    if (!fine) return;
-    const auto until = learner_.store().today() + std::chrono::days(days);
-    for_list([&](std::span<const char32_t> all) { return learner_.store().postpone(all, until); },
-             [](int n) { return tr("%n characters are postponed.", nullptr, n); });
-  });
-  button("list_pause", tr("Pause all"), [this] {
-    for_list([this](std::span<const char32_t> all) { return learner_.store().pause(all); },
-             [](int n) { return tr("%n characters are paused.", nullptr, n); });
-  });
-  button("list_resume", tr("Resume all"), [this] {
-    for_list([this](std::span<const char32_t> all) { return learner_.store().resume(all); },
-             [](int n) { return tr("%n characters come again.", nullptr, n); });
-  });
-  button("list_reset", tr("Begin all anew"), [this] {
-    for_list([this](std::span<const char32_t> all) { return learner_.store().reset(all); },
-             [](int n) { return tr("%n characters are new again.", nullptr, n); });
-  });
-  form->addRow(buttons);
-  connect(lists_, &QListWidget::itemChanged, this, &StudySettingsDialog::show_choice);
-  return page;
-}
-
 QWidget* StudySettingsDialog::make_schedule() {
-  auto* page = add_page(tr("How"));
+  auto* page = add_page(tr("Review"));
   auto* form = static_cast<QFormLayout*>(page->layout());
-  hint_ = add_spin(page, tr("Misses of a stroke until a &hint is offered"), "study_hint_after", 1, 20,
+  hint_ = add_spin(page, tr("Mistakes on a stroke before a &hint is offered"), "study_hint_after", 1, 20,
                    before_.lesson.hint_after_misses);
-  show_ = add_spin(page, tr("Misses until the stroke is &shown"), "study_show_after", 1, 20,
+  show_ = add_spin(page, tr("Mistakes before the stroke is &shown"), "study_show_after", 1, 20,
                    before_.lesson.show_after_misses);
-  leech_ = add_spin(page, tr("Forgotten so often, a character gets another &lesson"), "study_leech", 2, 100,
+  leech_ = add_spin(page, tr("&Lapses before a character must be relearned"), "study_leech", 2, 100,
                     before_.leech_lapses);
-  fuzz_ = add_check(page, tr("&Vary intervals a little"), "study_fuzz", before_.fuzz);
-  balance_ = add_check(page, tr("Choose the &emptier day"), "study_balance", before_.load_balance);
-  weights_words_ = sentence("study_weights", page);
+  fuzz_ = add_check(page, tr("&Vary review intervals a little"), "study_fuzz", before_.fuzz);
+  balance_ = add_check(page, tr("Pref&er days with fewer reviews"), "study_balance", before_.load_balance);
+  weights_words_ = muted_sentence("study_weights", page);
   form->addRow(weights_words_);
   auto* buttons = new QWidget(page);
-  auto* flow = new FlowLayout(kGap, kGap, buttons);
-  auto* import = new QPushButton(tr("FSRS weights of your own…"), buttons);
+  auto* flow = new FlowLayout(kButtonGap_px, kButtonGap_px, buttons);
+  auto* import = new QPushButton(tr("Custom FSRS parameters…"), buttons);
   import->setObjectName(QStringLiteral("weights_import"));
   connect(import, &QPushButton::clicked, this, &StudySettingsDialog::import_weights);
-  auto* usual = new QPushButton(tr("The usual weights"), buttons);
+  auto* usual = new QPushButton(tr("Default parameters"), buttons);
   usual->setObjectName(QStringLiteral("weights_default"));
   connect(usual, &QPushButton::clicked, this, [this] {
     weights_ = study::kDefaultWeights;
@@ -245,22 +179,21 @@ QWidget* StudySettingsDialog::make_schedule() {
 QWidget* StudySettingsDialog::make_window(const Preferences& preferences) {
   auto* page = add_page(tr("Window"));
   auto* form = static_cast<QFormLayout*>(page->layout());
-  at_home_ = add_check(page, tr("Nazori opens with &Home"), "study_at_home", preferences.begin_at_home);
-  by_words_ = add_check(page, tr("Ask by a &word at times, the character left out"), "study_by_words",
-                        preferences.asks_by_words);
-  left_handed_ = add_check(page, tr("&Left-handed: what stands beside the tablet changes sides"),
-                           "study_left_handed", preferences.left_handed);
+  at_home_ = add_check(page, tr("Start Nazori on &Home"), "study_at_home", preferences.begin_at_home);
+  by_words_ = add_check(page, tr("Sometimes ask with a &word that leaves out the character"),
+                        "study_by_words", preferences.asks_by_words);
+  left_handed_ = add_check(page, tr("&Left-handed: swap the panels beside the tablet"), "study_left_handed",
+                           preferences.left_handed);
   one_hand_ = new QComboBox(page);
   one_hand_->setObjectName(QStringLiteral("study_one_hand"));
-  one_hand_->setAccessibleName(tr("Keys for one hand"));
+  one_hand_->setAccessibleName(tr("One-handed keys"));
   one_hand_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   one_hand_->addItem(tr("none"), static_cast<int>(OneHand::none));
-  one_hand_->addItem(tr("left hand: 1 2 3 4, E goes on, W hint, X takes back"),
-                     static_cast<int>(OneHand::left));
-  one_hand_->addItem(tr("right hand: 7 8 9 0, K goes on, U hint, Backspace takes back"),
+  one_hand_->addItem(tr("left hand: 1 2 3 4, E next, W hint, X undo"), static_cast<int>(OneHand::left));
+  one_hand_->addItem(tr("right hand: 7 8 9 0, K next, U hint, Backspace undo"),
                      static_cast<int>(OneHand::right));
   one_hand_->setCurrentIndex(one_hand_->findData(static_cast<int>(preferences.one_hand)));
-  form->addRow(tr("&Keys for one hand"), one_hand_);
+  form->addRow(tr("One-handed &keys"), one_hand_);
   return page;
 }
 
@@ -281,7 +214,7 @@ study::Settings StudySettingsDialog::settings() const {
   to.load_balance = balance_->isChecked();
   to.leech_lapses = leech_->value();
   to.lesson.hint_after_misses = hint_->value();
-  // What is shown at once needs no hint before.
+  // The stroke is never shown before the hint.
   to.lesson.show_after_misses = std::max(show_->value(), hint_->value());
   return to;
 }
@@ -303,145 +236,18 @@ void StudySettingsDialog::show_workload() {
     return;
   }
   const QLocale locale;
-  workload_->setText(
-      tr("With %1 new a day about %2 reviews and %n minutes a day; after a year about %3 characters "
-         "known. Higher retention means more reviews.",
-         nullptr, static_cast<int>(std::lround(workload->minutes_per_day)))
-          .arg(locale.toString(std::min(new_->value(), 100)),
-               locale.toString(std::lround(workload->reviews_per_day)),
-               locale.toString(std::lround(workload->known))));
-}
-
-void StudySettingsDialog::show_lists() {
-  const QSignalBlocker quiet(lists_);
-  const QString at = current_list();
-  QStringList chosen;
-  if (lists_->count() == 0) {
-    for (const auto& id : before_.new_lists) chosen.append(to_text(id));
-  } else {
-    for (int row = 0; row < lists_->count(); ++row)
-      if (lists_->item(row)->checkState() == Qt::Checked)
-        chosen.append(lists_->item(row)->data(Qt::UserRole).toString());
-  }
-  // Those that are chosen first, in their order; then the others.
-  QStringList all = chosen;
-  QStringList there;
-  for (const auto& ready : study::ready_lists()) there.append(to_text(ready.id));
-  const auto own_lists = learner_.store().lists();
-  const auto tags = learner_.store().tags();
-  if (own_lists)
-    for (const auto& own : *own_lists) there.append(QStringLiteral("list:") + to_text(own.name));
-  if (tags)
-    for (const auto& [tag, members] : *tags) there.append(QStringLiteral("tag:") + to_text(tag));
-  // What is chosen and cannot be read now stays chosen.
-  if (!own_lists || !tags) there.append(chosen);
-  for (const auto& id : there)
-    if (!all.contains(id)) all.append(id);
-  lists_->clear();
-  for (const auto& id : all) {
-    if (!there.contains(id)) continue;
-    auto* item = new QListWidgetItem(ListChoice::name_of(id), lists_);
-    item->setData(Qt::UserRole, id);
-    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-    item->setCheckState(chosen.contains(id) ? Qt::Checked : Qt::Unchecked);
-    if (id == at) lists_->setCurrentItem(item);
-  }
-  if (lists_->currentRow() < 0) lists_->setCurrentRow(0);
-  show_choice();
-  if (!own_lists || !tags)
-    choice_->setText(tr("Your lists and tags cannot be read: %1")
-                         .arg(reason(own_lists ? tags.error() : own_lists.error())));
-}
-
-void StudySettingsDialog::show_choice() {
-  if (learner_.lists() == nullptr) return;
-  const auto ordered = learner_.lists()->in_learning_order(settings(), learner_.store());
-  if (!ordered) {
-    choice_->setText(tr("Your lists and tags cannot be read: %1").arg(reason(ordered.error())));
-    return;
-  }
-  const auto& order = *ordered;
-  const auto& cards = learner_.store().cards();
-  const auto met =
-      std::count_if(order.begin(), order.end(), [&](char32_t one) { return cards.contains(one); });
-  const QLocale locale;
-  choice_->setText(order.empty() ? tr("No list is chosen: nothing new will come.")
-                                 : tr("%Ln characters are chosen, %1 of them met already.", nullptr,
-                                      static_cast<int>(order.size()))
-                                       .arg(locale.toString(static_cast<qlonglong>(met))));
-}
-
-QString StudySettingsDialog::current_list() const {
-  const auto* item = lists_->currentItem();
-  return item == nullptr ? QString() : item->data(Qt::UserRole).toString();
-}
-
-void StudySettingsDialog::new_list() {
-  NewListDialog dialog(learner_, this);
-  if (dialog.exec() != QDialog::Accepted) return;
-  const auto saved = learner_.store().save_list(dialog.list());
-  if (!saved) {
-    choice_->setText(reason(saved.error()));
-    return;
-  }
-  learner_.renew_order();
-  show_lists();
-  const QString id = QStringLiteral("list:") + to_text(dialog.list().name);
-  for (int row = 0; row < lists_->count(); ++row)
-    if (lists_->item(row)->data(Qt::UserRole).toString() == id) {
-      lists_->item(row)->setCheckState(Qt::Checked);
-      lists_->setCurrentRow(row);
-    }
-}
-
-void StudySettingsDialog::remove_list() {
-  const QString id = current_list();
-  if (!id.startsWith(QLatin1String("list:"))) {
-    choice_->setText(tr("Only lists of your own can be removed."));
-    return;
-  }
-  QMessageBox box(QMessageBox::Question, tr("Remove the list"),
-                  tr("Remove “%1”? What was learnt of its characters stays.").arg(id.mid(5)),
-                  QMessageBox::Ok | QMessageBox::Cancel, this);
-  box.setObjectName(QStringLiteral("remove_list_box"));
-  if (box.exec() != QMessageBox::Ok) return;
-  const auto removed = learner_.store().remove_list(id.mid(5).toStdString());
-  if (!removed) choice_->setText(reason(removed.error()));
-  learner_.renew_order();
-  show_lists();
-}
-
-void StudySettingsDialog::move_list(int by) {
-  const int row = lists_->currentRow();
-  const int to = row + by;
-  if (row < 0 || to < 0 || to >= lists_->count()) return;
-  lists_->insertItem(to, lists_->takeItem(row));
-  lists_->setCurrentRow(to);
-}
-
-void StudySettingsDialog::for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what,
-                                   const std::function<QString(int)>& done) {
-  if (learner_.lists() == nullptr) return;
-  const auto members = learner_.lists()->members(current_list().toStdString(), learner_.store());
-  if (!members || members->empty()) {
-    choice_->setText(members || members.error().code == base::Errc::not_found
-                         ? tr("There is nothing in this list.")
-                         : tr("Your lists and tags cannot be read: %1").arg(reason(members.error())));
-    return;
-  }
-  const auto result = what(*members);
-  if (!learner_.report(result)) {
-    choice_->setText(reason(result.error()));
-    return;
-  }
-  choice_->setText(done(static_cast<int>(members->size())) + QLatin1Char(' ') +
-                   tr("Ctrl+Shift+Z takes it back."));
+  workload_->setText(tr("With %1 new characters a day: about %2 reviews and %n minutes a day, and about %3 "
+                        "characters known after a year. Higher retention means more reviews.",
+                        nullptr, static_cast<int>(std::lround(workload->minutes_per_day)))
+                         .arg(locale.toString(std::min(new_->value(), 100)),
+                              locale.toString(std::lround(workload->reviews_per_day)),
+                              locale.toString(std::lround(workload->known))));
 }
 
 void StudySettingsDialog::show_weights() {
   weights_words_->setText(weights_ == study::kDefaultWeights
-                              ? tr("FSRS-6 with its usual weights.")
-                              : tr("FSRS-6 with weights of your own, the first %1.")
+                              ? tr("FSRS-6 with default parameters.")
+                              : tr("FSRS-6 with custom parameters (the first is %1).")
                                     .arg(QLocale().toString(weights_.front(), 'f', 4)));
   show_workload();
 }
@@ -450,13 +256,13 @@ void StudySettingsDialog::import_weights() {
   bool fine = false;
   QStringList all;
   for (const double weight : weights_) all.append(QString::number(weight));
-  const QString text = QInputDialog::getMultiLineText(this, tr("FSRS weights"),
+  const QString text = QInputDialog::getMultiLineText(this, tr("FSRS parameters"),
                                                       tr("21, 19 or 17 numbers, as Anki shows them:"),
                                                       all.join(QStringLiteral(", ")), &fine);
   if (!fine) return;
   const auto weights = study::parse_weights(text.toStdString());
   if (!weights) {
-    weights_words_->setText(tr("These weights are not taken: %1.").arg(reason(weights.error())));
+    weights_words_->setText(tr("These parameters cannot be used: %1.").arg(reason(weights.error())));
     return;
   }
   weights_ = *weights;

@@ -5,7 +5,7 @@
 
 #include "nazori/practice/learner.h"
 #include "nazori/study/pace.h"
-#include "preferences.h"
+#include "settings/preferences.h"
 
 class QCheckBox;
 class QComboBox;
@@ -18,19 +18,22 @@ namespace nazori::ui {
 
 class NumberSlider;
 
-/// How much, what, when and how a learner wants to study. Lists are kept as soon as they are made; all else
-/// when the dialog is accepted.
+/// How much, what, when and how a learner wants to study. A new list is saved at once, everything else when
+/// the dialog is accepted.
 class StudySettingsDialog final : public QDialog {
   Q_OBJECT
  public:
   StudySettingsDialog(practice::Learner& learner, const Preferences& preferences, QWidget* parent);
 
-  /// As chosen.
+  /// The settings as chosen.
   [[nodiscard]] study::Settings settings() const;
-  /// Puts the window's part of it there.
+  /// Writes the settings that concern the window.
   void fill(Preferences& preferences) const;
 
  private:
+  static constexpr int kButtonGap_px = 6;
+
+  static QLabel* muted_sentence(const char* name, QWidget* parent);
   QWidget* make_amount();
   QWidget* make_lists();
   QWidget* make_schedule();
@@ -46,7 +49,7 @@ class StudySettingsDialog final : public QDialog {
   void remove_list();
   void move_list(int by);
   void import_weights();
-  /// Does something with every character of the list that has the keyboard.
+  /// Calls `what` with every character of the current list, and shows the sentence of `done`.
   void for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what,
                 const std::function<QString(int)>& done);
   [[nodiscard]] QString current_list() const;
@@ -68,24 +71,6 @@ class StudySettingsDialog final : public QDialog {
   QLabel* weights_words_;
   QCheckBox *by_words_, *at_home_, *left_handed_;
   QComboBox* one_hand_;
-};
-
-/// Asks for a list of the learner's own, typed or read from a file.
-class NewListDialog final : public QDialog {
-  Q_OBJECT
- public:
-  NewListDialog(practice::Learner& learner, QWidget* parent);
-  [[nodiscard]] const study::CustomList& list() const { return list_; }
-
- private:
-  void read_file();
-  void take();
-
-  practice::Learner& learner_;
-  study::CustomList list_;
-  class QLineEdit* name_;
-  class QPlainTextEdit* text_;
-  QLabel* trouble_;
 };
 
 }  // namespace nazori::ui

@@ -10,9 +10,9 @@
 
 namespace nazori::audio {
 
-/// What is heard of a plot through the loudspeakers: the tone under the hand, the signs of points of
-/// interest, and the sweep of whole curves, with one volume. The sound card is opened when the first sound is
-/// to be heard. Thread: one (interface).
+/// The sound of a plot: the tone under the hand, the short sounds of points of interest, and the sweep of
+/// whole curves, with one volume. The sound card is opened when the first sound is to be played. Thread: one
+/// (interface).
 class PlotSound {
  public:
   PlotSound();
@@ -20,29 +20,29 @@ class PlotSound {
   PlotSound(const PlotSound&) = delete;
   PlotSound& operator=(const PlotSound&) = delete;
 
-  /// @param failed  called once if there is no sound card, from the call that wanted to be heard; everything
-  ///   else goes on.
+  /// @param failed  called once if there is no sound card, within the call that was to play a sound;
+  ///   everything else works.
   void on_failure(std::function<void(const base::Error&)> failed);
 
-  /// 0 to 100; what is beyond is held to that.
+  /// 0 to 100; other values are limited to this range.
   void set_volume(int percent);
   [[nodiscard]] int volume() const { return volume_; }
   void set_muted(bool muted);
   [[nodiscard]] bool muted() const { return muted_; }
 
-  /// What is under the hand, until the next call. A loudness of 0 is silence.
+  /// Sets the tone of what is under the hand, until the next call. A loudness of 0 is silence.
   void touch(const functions::Cue& cue, bool trembles = false);
-  /// The sign of a point of interest. @param pan  -1 left to 1 right.
+  /// Plays the short sound of a point of interest. @param pan  -1 left to 1 right.
   void sign(functions::PointKind kind, double pan);
-  /// Plays a sweep from its start, in place of the one before.
+  /// Plays a sweep from its start, and stops the previous one.
   void play(functions::Sound sound);
   /// Ends every sound.
   void stop();
   /// Whether the sound card is open.
   [[nodiscard]] bool is_open() const { return output_ != nullptr; }
-  /// Whether a sweep is heard and has not come to its end.
+  /// Whether a sweep is playing.
   [[nodiscard]] bool is_playing() const;
-  /// There is no sound card: nothing can be heard from this object.
+  /// Whether opening the sound card has failed, so that nothing can be heard from this object.
   [[nodiscard]] bool is_refused() const { return refused_; }
 
  private:
@@ -55,7 +55,7 @@ class PlotSound {
   bool refused_ = false;
   std::function<void(const base::Error&)> failed_;
   std::unique_ptr<Heard> heard_;
-  std::unique_ptr<Output> output_;  // declared last, so that it ends before the sound that it asks for
+  std::unique_ptr<Output> output_;  // declared last, so that it is destroyed before the sounds it plays
 };
 
 }  // namespace nazori::audio

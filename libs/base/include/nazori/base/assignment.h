@@ -17,7 +17,7 @@ template <class Cost>
 [[nodiscard]] std::vector<std::size_t> cheapest_assignment(std::span<const Cost> costs, std::size_t size) {
   assert(costs.size() == size * size);
   constexpr Cost kMost = std::numeric_limits<Cost>::max();
-  // Rows and columns count from 1; 0 stands for none.
+  // Rows and columns count from 1; 0 means none.
   const std::size_t places = size + 1;
   std::vector<Cost> row_potential(places), column_potential(places), least;
   std::vector<std::size_t> row_of(places), before(places);

@@ -5,9 +5,9 @@
 
 namespace nazori::base {
 
-/// Where the time comes from, so that a test can turn it. Two times as everywhere: one of calendars, which
-/// may be set and jump, and one that only goes forward, for how long something took. Any thread, unless a
-/// derived class says otherwise.
+/// The source of the current time, replaceable in tests. There are two times: calendar time, which may be set
+/// and so jump, and steady time, which only goes forward and measures durations. Any thread, unless a derived
+/// class says otherwise.
 class Clock {
  public:
   using Calendar = std::chrono::sys_time<std::chrono::milliseconds>;
@@ -30,7 +30,7 @@ class SystemClock final : public Clock {
   [[nodiscard]] Steady steady() const override;
 };
 
-/// A clock that stands still until it is turned. Thread: one.
+/// A clock that stands still until a test advances it. Thread: one.
 class ManualClock final : public Clock {
  public:
   explicit ManualClock(Calendar start) : calendar_(start) {}
@@ -38,7 +38,7 @@ class ManualClock final : public Clock {
   [[nodiscard]] Steady steady() const override { return steady_; }
   /// Turns both times forward.
   void advance(std::chrono::milliseconds by);
-  /// Sets the calendar, as a learner may set the computer's; the steady time stays.
+  /// Sets the calendar time, as a user may set the computer's clock. The steady time does not change.
   void set_calendar(Calendar time) { calendar_ = time; }
 
  private:

@@ -7,11 +7,11 @@
 
 namespace nazori::base {
 
-/// A piece of work for some thread.
+/// A task for some thread.
 using Task = std::function<void()>;
 
-/// The tasks that other threads want run on one thread, the owner, such as the thread of a window.
-/// Tasks run in the order in which they were posted.
+/// Tasks that other threads post to one thread, the owner, such as the thread of a window. Tasks run in the
+/// order in which they were posted.
 class Inbox {
  public:
   /// @param wake  makes the owner call run_one() soon, once for each call of `wake`. Called by any thread,
@@ -22,13 +22,13 @@ class Inbox {
   Inbox(const Inbox&) = delete;
   Inbox& operator=(const Inbox&) = delete;
 
-  /// Has `task` run by the owner, later. Any thread.
+  /// Asks the owner to run `task` later. Any thread.
   void post(Task task);
   /// Runs the oldest task, if there is one. A task may call run_one() itself, as a nested event loop does.
   /// Thread: the owner.
   /// @return whether there was a task.
   bool run_one();
-  /// Runs tasks, and waits for more, until `enough` is true; it is asked before each task. For an owner
+  /// Runs tasks and waits for more until `enough` returns true. It is called before each task. For an owner
   /// without an event loop. Thread: the owner.
   void run_until(const std::function<bool()>& enough);
 
@@ -55,9 +55,10 @@ class Executor {
   std::unique_ptr<Inside> inside_;
 };
 
-/// Work behind the thread that owns this object: an executor, and answers that the owner runs through its
-/// inbox. The destructor finishes the task that is running; answers that have not run by then never run, so
-/// both may use what belongs to the owner of this object, if that object declares it last.
+/// Background work for the thread that owns this object: an executor for the work, and results that the owner
+/// runs through its inbox. The destructor finishes the task that is running. Results that have not run by
+/// then never run. So both may use other members of the object that owns this one, if that object declares
+/// this one last.
 class Background {
  public:
   /// @param name  for debuggers; 15 bytes of it are shown.
@@ -69,14 +70,14 @@ class Background {
 
   /// Runs `task` on a thread of its own, later. Any thread.
   void post(Task task);
-  /// Has `task` run on the owner's thread, later. A task may destroy this object. Any thread.
+  /// Asks the owner's thread to run `task` later. A task may destroy this object. Any thread.
   void answer(Task task);
 
  private:
   Inbox& inbox_;
-  std::shared_ptr<const int> alive_;  ///< looked at by the owner's thread only
+  std::shared_ptr<const int> alive_;  ///< read by the owner's thread only
   std::weak_ptr<const int>
-      watch_;          ///< the executor's own way to `alive_`, never written after the constructor
+      watch_;          ///< how the executor refers to `alive_`; never written after the constructor
   Executor executor_;  // declared last, so that its thread ends first
 };
 

@@ -24,9 +24,9 @@ class InputFile {
   InputFile& operator=(InputFile&&) = delete;
   ~InputFile();
 
-  /// Bytes it had when it was opened.
+  /// Size in bytes when it was opened.
   [[nodiscard]] std::uintmax_t size() const { return size_; }
-  /// Puts the next bytes at the beginning of `room`. @return how many; 0 at the end. Errc::io.
+  /// Reads the next bytes into the beginning of `room`. @return how many; 0 at the end. Errc::io.
   [[nodiscard]] Result<std::size_t> read(std::span<std::uint8_t> room);
 
  private:
@@ -42,9 +42,10 @@ class InputFile {
 [[nodiscard]] Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path,
                                                           std::size_t max_bytes);
 
-/// A file that is written piece by piece, so that readers see the old content or the new, never a part: the
-/// pieces go into a file beside it under another name, which commit() flushes to disk and renames over.
-/// Without a commit the old file stands and nothing is left behind. Thread rules: one thread.
+/// Writes a file piece by piece, so that readers see either the old content or the new, never a part. The
+/// pieces go into a temporary file in the same folder, which commit() flushes to disk and renames to the
+/// final name. Without a commit the old file is unchanged and nothing is left behind. Thread rules: one
+/// thread.
 class OutputFile {
  public:
   [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& path);
@@ -54,7 +55,7 @@ class OutputFile {
 
   [[nodiscard]] Result<void> append(std::span<const std::uint8_t> bytes);
   [[nodiscard]] Result<void> append(std::string_view text);
-  /// Once, as the last call.
+  /// Call it once, as the last call.
   [[nodiscard]] Result<void> commit();
 
  private:
@@ -68,9 +69,9 @@ class OutputFile {
   int fd_;
 };
 
-/// Writes a file so that readers see the old content or the new, never a part: it is written beside under
-/// another name, flushed to disk, then renamed over. On failure the old file stands and nothing is left
-/// behind.
+/// Writes a file so that readers see either the old content or the new, never a part: it is written to a
+/// temporary file in the same folder, flushed to disk, then renamed. On failure the old file is unchanged and
+/// nothing is left behind.
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& path, std::string_view text);
 

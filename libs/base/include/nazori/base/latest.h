@@ -12,24 +12,24 @@
 
 namespace nazori::base {
 
-/// Requests that are answered behind the thread that makes them, of which only the newest matters: an older
-/// one that has not begun is skipped, one that is running is asked to stop, and its answer is dropped.
+/// Requests that another thread answers and of which only the newest matters. An older one that has not begun
+/// is skipped. One that is running is asked to stop, and its answer is dropped.
 /// @tparam Request, Answer  copied or moved between the threads.
-/// @tparam Part  what a running request may report before its answer, such as how far it is. Reports arrive
-/// in
-///   order, before the answer, and only while their request is the newest.
+/// @tparam Part  what a running request may report before its answer, such as its progress. Reports arrive in
+/// order, before the answer, and only while their request is the newest.
 /// Thread: the owner of the inbox makes, uses and destroys this object.
 template <class Request, class Answer, class Part = double>
 class Latest {
  public:
-  /// What the work of one request may ask and report. Thread: that of the work.
+  /// What the work of one request may ask and report. Thread: the one that does the work.
   class Run {
    public:
-    /// False once a newer request was made, or this one was cancelled: the work ends as soon as it can.
+    /// False once a newer request was made, or this one was cancelled: the work must then end as soon as it
+    /// can.
     [[nodiscard]] bool is_wanted() const { return newest_->load() == ticket_; }
     /// The number that request() returned.
     [[nodiscard]] std::uint64_t ticket() const { return ticket_; }
-    /// Has the owner hear of a part of the work.
+    /// Sends a partial result to the owner.
     void report(Part part) const { report_(std::move(part)); }
 
    private:
@@ -46,29 +46,29 @@ class Latest {
   /// On the owner's thread.
   using Reported = std::function<void(Part part)>;
 
-  /// With a thread of its own. @param name  of the thread, for debuggers. @param inbox  outlives this.
-  /// @param work  is called by that thread alone, and holds what it uses.
+  /// Uses a thread of its own. @param name  of the thread, for debuggers. @param inbox  outlives this.
+  /// @param work  is called by that thread alone and owns what it uses.
   Latest(const std::string& name, Inbox& inbox, Work work, Answered answered, Reported reported = {})
       : Latest(std::make_shared<Background>(name, inbox), std::move(work), std::move(answered),
                std::move(reported)) {}
-  /// With a thread that it shares with others.
+  /// Uses a thread that others use, too.
   Latest(std::shared_ptr<Background> background, Work work, Answered answered, Reported reported = {})
       : work_(std::make_shared<const Work>(std::move(work))),
         answered_(std::move(answered)),
         reported_(std::move(reported)),
         background_(std::move(background)) {}
-  /// Asks what is running to stop. Waits until it has, unless others share the thread.
+  /// Asks the running work to stop. Waits until it has stopped, unless others share the thread.
   ~Latest() { ++*newest_; }
   Latest(const Latest&) = delete;
   Latest& operator=(const Latest&) = delete;
 
-  /// Has `request` answered; what was requested before is no longer wanted.
+  /// Requests an answer to `request`. Earlier requests are cancelled.
   /// @return its number, counted from 1.
   std::uint64_t request(Request request) {
     Run run;
     run.newest_ = newest_;
     run.ticket_ = ++*newest_;
-    // The thread that runs it belongs to the background, which therefore outlives it.
+    // The thread that runs this belongs to the background, so the background outlives it.
     run.report_ = [this, background = background_.get(), alive = std::weak_ptr(alive_),
                    ticket = run.ticket_](Part part) {
       background->answer([this, alive, ticket, part = std::move(part)]() mutable {
@@ -82,19 +82,19 @@ class Latest {
       background->answer([this, alive, ticket = run.ticket_, answer = (*work)(request, run)]() mutable {
         if (alive.expired() || *newest_ != ticket) return;
         is_busy_ = false;
-        // A copy: the answer may be the end of this object.
+        // A copy, because the answer may destroy this object.
         const auto answered = answered_;
         answered(std::move(answer));
       });
     });
     return *newest_;
   }
-  /// Nothing that was requested is wanted any more. Does not wait.
+  /// Cancels all requests. Does not wait.
   void cancel() {
     ++*newest_;
     is_busy_ = false;
   }
-  /// Cancels, and waits until the work has let go of what it uses.
+  /// Cancels, and waits until the work no longer uses anything.
   void cancel_and_wait() {
     cancel();
     std::atomic<bool> is_idle{false};
@@ -109,8 +109,7 @@ class Latest {
 
  private:
   std::shared_ptr<std::atomic<std::uint64_t>> newest_ = std::make_shared<std::atomic<std::uint64_t>>(0);
-  std::shared_ptr<const int> alive_ =
-      std::make_shared<const int>(0);  ///< looked at by the owner's thread only
+  std::shared_ptr<const int> alive_ = std::make_shared<const int>(0);  ///< read by the owner's thread only
   std::shared_ptr<const Work> work_;
   Answered answered_;
   Reported reported_;

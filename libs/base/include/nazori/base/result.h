@@ -10,14 +10,14 @@ namespace nazori::base {
 
 /// What kind of thing went wrong. Callers branch on this, never on the text.
 enum class Errc : std::uint8_t {
-  bad_argument,  ///< a value the caller gave is outside what is allowed
+  bad_argument,  ///< the caller gave a value outside the allowed range
   io,            ///< the file system or another outside service refused
   parse,         ///< data do not follow their format
   schema,        ///< data follow their format but are of the wrong kind or version
-  not_found,     ///< what was asked for does not exist
+  not_found,     ///< the requested item does not exist
   device,        ///< a haptic or graphics device failed
   cancelled,     ///< the user stopped the work
-  in_use,        ///< another program has it open; to wait and try again may help
+  in_use,        ///< another program has it open; trying again later may help
 };
 
 /// A failure that the caller is expected to handle. The texts are English, for logs and the command line; the
@@ -25,13 +25,13 @@ enum class Errc : std::uint8_t {
 struct Error {
   Errc code = Errc::bad_argument;
   std::string what;    ///< what happened: one sentence, no trailing newline
-  std::string where;   ///< the datum at fault: "休.raw", "edict:1042", "--size"; may be empty
-  std::string remedy;  ///< what would be right: "give --map-size", may be empty
+  std::string where;   ///< the item in question: "休.raw", "edict:1042", "--size"; may be empty
+  std::string remedy;  ///< how to put it right: "give --map-size", may be empty
 
   friend bool operator==(const Error&, const Error&) = default;
 };
 
-/// A value, or why there is none. Every function that returns one is [[nodiscard]].
+/// A value, or the error that says why there is none. Every function that returns one is [[nodiscard]].
 template <class T>
 using Result = tl::expected<T, Error>;
 

@@ -5,8 +5,9 @@
 
 namespace nazori::base {
 
-/// Held while SDL's subsystems and hints are begun, set or ended: SDL keeps both without a lock of its own,
-/// and sound and controllers are begun by different threads. Nobody waits for another thread under it.
+/// Locked while SDL's subsystems are started or ended and while its hints are set: SDL protects neither, and
+/// different threads start sound and controllers. A thread must not wait for another one while it has this
+/// lock.
 inline std::mutex& sdl_lock() {
   static std::mutex lock;
   return lock;

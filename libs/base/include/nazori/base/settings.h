@@ -12,20 +12,21 @@ namespace nazori::base {
 
 /// Settings as they are stored: text by key, UTF-8. A key may have folders: "known/61/tilt". Numbers are
 /// written as C++ writes them, values of an enumeration by their names, so that the order of the enumeration
-/// may change. Where and how the text is stored (a file, the storage of a browser) is for others to know.
+/// may change. Where and how the text is stored (a file, the storage of a browser) is decided by the program.
 using Settings = std::map<std::string, std::string, std::less<>>;
 
 /// The text of a setting, empty where there is none. Valid until `settings` changes.
 [[nodiscard]] std::string_view text_setting(const Settings& settings, std::string_view key);
 
-/// A number, held between `low` and `high`; `fallback` where there is none, or text that is no finite number.
+/// A number, limited to `low` .. `high`; `fallback` where there is none or the text is not a finite number.
 [[nodiscard]] double number_setting(const Settings& settings, std::string_view key, double fallback,
                                     double low, double high);
 
-/// Stores a number, so that the same number is read again.
+/// Stores a number so that reading it gives exactly the same number.
 void set_number(Settings& settings, std::string key, double value);
 
-/// A value of an enumeration, counted from 0, by its name; `fallback` where there is none, or no such name.
+/// A value of an enumeration, counted from 0, by its name; `fallback` where there is none, or the name is
+/// unknown.
 template <class Enum, std::size_t N>
 [[nodiscard]] Enum named_setting(const Settings& settings, std::string_view key,
                                  const std::array<std::string_view, N>& names, Enum fallback) {

@@ -7,9 +7,9 @@
 
 namespace nazori::base {
 
-/// Something that happens, and whoever wants to hear of it: `signal.connect(function)`,
-/// `signal(arguments...)`. Without a lock: one thread connects, emits and disconnects. Functions run in the
-/// order in which they were connected; one may connect or disconnect others while it runs.
+/// An event to which any number of functions may be connected: `signal.connect(function)`,
+/// `signal(arguments...)`. It has no lock: one thread connects, emits and disconnects. Functions run in the
+/// order in which they were connected; a function may connect or disconnect others while it runs.
 template <class... Arguments>
 using Signal = typename boost::signals2::signal_type<
     void(Arguments...), boost::signals2::keywords::mutex_type<boost::signals2::dummy_mutex>>::type;

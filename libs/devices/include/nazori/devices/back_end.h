@@ -13,13 +13,14 @@
 
 namespace nazori::devices {
 
-/// Why a device cannot be felt: what the window translates by, and the English sentence with what to do.
+/// Why a device cannot be used: a code for the window's translation, and an English sentence that says what
+/// to do.
 struct DeviceProblem {
   haptics::DeviceTrouble trouble = haptics::DeviceTrouble::none;
   base::Error error;
 };
 
-/// A value, or why no device.
+/// A value, or the reason why there is no device.
 template <class T>
 using DeviceResult = tl::expected<T, DeviceProblem>;
 
@@ -35,17 +36,17 @@ struct FoundDevice {
   std::string id;    ///< "openhaptics", "inverse3:049D": what open() takes, the same after unplugging
   std::string name;  ///< for people: "Touch (serial 12345)"
   bool has_force = false;
-  bool automatic = true;  ///< may be chosen when nobody asked for it by name
+  bool automatic = true;  ///< may be chosen when none was requested by name
 };
 
-/// What one back end found, and why not more.
+/// The devices that one back end found, and why others are missing.
 struct BackEndFindings {
   std::string back_end;  ///< its name: "OpenHaptics"
   std::vector<FoundDevice> devices;
-  std::optional<DeviceProblem> problem;  ///< always there where there are no devices
+  std::optional<DeviceProblem> problem;  ///< always set if there are no devices
 };
 
-/// What the tablet is and how it should stand; the calibration takes the place of the automatic fit.
+/// The size of the tablet and its pose. A calibration replaces the automatic fit.
 struct OpenRequest {
   geometry::TabletShape shape;
   TabletPosture posture;
@@ -55,19 +56,19 @@ struct OpenRequest {
 /// An open device, not yet started. One that is destroyed is closed.
 struct OpenedDevice {
   std::string id;
-  std::unique_ptr<haptics::HapticDevice> device;  ///< its limits are those on the tablet
-  WorkspaceCalibration calibration;  ///< where the tablet stands in it; turns poses back into its frame
-  DeviceWorkspace workspace;         ///< what the stylus can reach
+  std::unique_ptr<haptics::HapticDevice> device;  ///< its limits apply in the tablet frame
+  WorkspaceCalibration
+      calibration;  ///< where the tablet lies in the workspace; converts poses back to the device frame
+  DeviceWorkspace workspace;  ///< the space that the stylus can reach
 };
 
-/// One way to reach devices: a maker's library, a service, an interface of the system.
-/// Thread rules: one thread at a time calls it and destroys what it opened (the window has one for that);
-/// meanwhile another may start, stop and ask the devices that are open. find() and open() may take up to some
-/// seconds.
+/// One way to reach devices: a maker's library, a service, an interface of the system. Thread rules: one
+/// thread at a time calls it and destroys what it opened (the window has a thread for that). Meanwhile
+/// another thread may start, stop and query the open devices. find() and open() may take up to some seconds.
 class BackEnd {
  public:
   virtual ~BackEnd() = default;
-  /// "openhaptics": what ids of its devices start with, before a colon.
+  /// "openhaptics": the part before the colon in the ids of its devices.
   [[nodiscard]] virtual std::string_view id() const = 0;
   /// Looks for its devices. A device of this back end that is open already is listed with a problem of
   /// DeviceTrouble::in_use.

@@ -12,12 +12,13 @@ namespace nazori::devices {
 
 /// What open_best() came to.
 struct BestDevice {
-  std::vector<DeviceProblem> passed_over;  ///< why better ones were not taken, in the order of the attempts
+  std::vector<DeviceProblem> passed_over;  ///< why better ones were not opened, in the order of the attempts
   DeviceResult<OpenedDevice> opened;       ///< fails only where nothing at all could be opened
 };
 
-/// Every way to a haptic device in one list, best first: lists what is there and why the rest is not, opens
-/// by name, and falls back to the next best. Remembers nothing between calls. Thread rules: those of BackEnd.
+/// All back ends in one list, best first. It lists the devices that are present and why others are missing,
+/// opens one by name, and falls back to the next best. It keeps no state between calls. Thread rules: those
+/// of BackEnd.
 class DeviceCatalogue {
  public:
   /// @param back_ends  best first.
@@ -26,13 +27,13 @@ class DeviceCatalogue {
   /// One entry for each back end, best first.
   [[nodiscard]] std::vector<BackEndFindings> find();
 
-  /// Opens what `name` says: an id, a back end ("openhaptics": its first device), or a part of a device's
-  /// name in small or capital letters.
-  /// @return DeviceTrouble::device_absent where nothing has that name, with the names that are there.
+  /// Opens the device that `name` describes: an id, a back end ("openhaptics": its first device), or a part
+  /// of a device's name in small or capital letters.
+  /// @return DeviceTrouble::device_absent where no device has that name; lists the names that exist.
   [[nodiscard]] DeviceResult<OpenedDevice> open(std::string_view name, const OpenRequest& request);
 
-  /// Opens `preferred` where it is not empty, else or where that fails the first device in the list that
-  /// opens, devices with force first.
+  /// Opens `preferred` if it is not empty. If it is empty or cannot be opened, opens the first device of the
+  /// list that can be opened, devices with force first.
   /// @param avoid  the id of a device that was just lost; tried last.
   [[nodiscard]] BestDevice open_best(std::string_view preferred, const OpenRequest& request,
                                      std::string_view avoid = {});
@@ -41,7 +42,7 @@ class DeviceCatalogue {
   std::vector<std::unique_ptr<BackEnd>> back_ends_;
 };
 
-/// The mouse, pen or finger; always there. Its device is a PointerDevice, which the window moves.
+/// The mouse, pen or finger; always available. Its device is a PointerDevice, which the window moves.
 [[nodiscard]] std::unique_ptr<BackEnd> pointer_back_end();
 /// The simulated devices; opened only by name: "simulated:touch".
 [[nodiscard]] std::unique_ptr<BackEnd> simulated_back_end();

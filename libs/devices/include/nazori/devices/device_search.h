@@ -14,23 +14,23 @@
 
 namespace nazori::devices {
 
-/// What is to be opened.
+/// Which device to open.
 struct DeviceWish {
-  std::string id;                    ///< this one first; empty: none in particular
+  std::string id;                    ///< tried first; empty: none in particular
   bool or_best = true;               ///< if that fails, the first with force that opens, best first
   std::vector<std::string> but_not;  ///< ids that or_best leaves out
 };
 
-/// What came of a wish.
+/// The result of a request.
 struct DeviceFind {
   std::optional<OpenedDevice> opened;
-  std::optional<DeviceProblem> refused;  ///< why what was asked for by name was not opened
+  std::optional<DeviceProblem> refused;  ///< why the device requested by name was not opened
 };
 
 /// Looks for devices and opens and closes them on a thread of its own, one after the other: makers' libraries
-/// and services take seconds where something is wrong, and the window must not wait.
-/// Thread: the owner of the inbox; answers run there, and never once this is gone. The destructor waits for
-/// what is being done.
+/// and services take seconds where something is wrong, and the window must not wait. Thread: the owner of the
+/// inbox. Answers run there, and never after this object is destroyed. The destructor waits for the operation
+/// in progress.
 class DeviceSearch {
  public:
   using BackEnds = std::vector<std::unique_ptr<BackEnd>>;
@@ -41,17 +41,17 @@ class DeviceSearch {
 
   /// Every back end's findings.
   void find(std::function<void(std::vector<BackEndFindings>)> done);
-  /// Opens what is wished. An earlier wish that has no answer yet is cancelled.
-  /// @param remembered  of each device: how it is to be opened.
+  /// Opens the requested device. An earlier request without an answer is cancelled.
+  /// @param remembered  for each device: how to open it.
   void open(DeviceWish wish, RememberedDevices remembered, std::function<void(DeviceFind)> done);
-  /// What open() was last asked for is no longer wanted; there is no answer.
+  /// Cancels the last open(); there will be no answer.
   void cancel();
-  /// Closes a stopped device; what is asked after that finds it closed.
+  /// Closes a stopped device. Later requests find it closed.
   void close(OpenedDevice device);
 
  private:
-  /// One wish and what came of it. The executor's thread writes `found`, and empties it if the request is
-  /// cancelled; the owner's thread takes it only if it is not.
+  /// One request and its result. The executor's thread writes `found`, and empties it if the request is
+  /// cancelled. The owner's thread moves it out only if the request is not cancelled.
   struct Request {
     std::atomic<bool> wanted{true};
     DeviceFind found;
@@ -61,7 +61,8 @@ class DeviceSearch {
   DeviceCatalogue catalogue_;  // used by the executor's thread only
   geometry::TabletShape shape_;
   std::shared_ptr<Request> request_;
-  base::Background background_;  // declared last, so that its thread ends before the rest goes
+  base::Background
+      background_;  // declared last, so that its thread ends before the other members are destroyed
 };
 
 }  // namespace nazori::devices

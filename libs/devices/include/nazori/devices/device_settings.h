@@ -15,10 +15,10 @@
 
 namespace nazori::devices {
 
-/// What a button of the stylus does.
+/// The action of a button of the stylus.
 enum class ButtonDoes : std::uint8_t { nothing, next_stroke, previous_stroke, all_strokes, clear_ink };
 
-/// What is remembered of one device.
+/// The saved settings of one device.
 struct DeviceSettings {
   static constexpr std::size_t kButtons = 2;
 
@@ -29,28 +29,27 @@ struct DeviceSettings {
   std::array<ButtonDoes, kButtons> buttons{ButtonDoes::next_stroke, ButtonDoes::all_strokes};
 };
 
-/// What is remembered of each device, by its id.
+/// The saved settings of each device, by its id.
 using RememberedDevices = std::map<std::string, DeviceSettings, std::less<>>;
 
-/// The settings of a device; of one that is not remembered, those of a device that is used for the first
-/// time.
+/// The settings of a device; where none are saved, the defaults for a new device.
 [[nodiscard]] DeviceSettings settings_of(const RememberedDevices& devices, std::string_view id);
 
-/// The device that was chosen, what is remembered of each, and the material of the tablet.
+/// The chosen device, the saved settings of each device, and the material of the tablet.
 struct DeviceMemory {
-  std::string chosen;  ///< id; empty: the best that is there; "pointer": mouse, pen or finger
+  std::string chosen;  ///< id; empty: the best one available; "pointer": mouse, pen or finger
   RememberedDevices devices;
   haptics::Material material;
 
-  /// Reads stored settings; what makes no sense keeps its default. Keys: "chosen", "material_stiffness" (and
-  /// the other numbers of haptics::Material, and "material_texture"), "known/ID/KEY" with ID as the
-  /// hexadecimal digits of a device's id, because ids hold characters that a key may not have.
+  /// Reads stored settings; invalid values keep their defaults. Keys: "chosen", "material_stiffness" (and the
+  /// other numbers of haptics::Material, and "material_texture"), "known/ID/KEY" with ID as the hexadecimal
+  /// digits of a device's id, because ids contain characters that a key may not contain.
   void load(const base::Settings& settings);
-  /// Stores all that load() reads; other keys stay as they are.
+  /// Stores all that load() reads; other keys are unchanged.
   void save(base::Settings& settings) const;
 };
 
-/// The limits of a device with those of the learner: never above its own.
+/// The limits of a device, reduced by the learner's own limits.
 [[nodiscard]] haptics::DeviceLimits limited(haptics::DeviceLimits own, const DeviceSettings& settings);
 
 }  // namespace nazori::devices

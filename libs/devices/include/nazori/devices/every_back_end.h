@@ -9,7 +9,7 @@
 
 namespace nazori::devices {
 
-/// Where back ends look: `stored`, changed by the environment.
+/// The settings of back ends: `stored`, overridden by the environment.
 ///
 /// | setting | environment | |
 /// |---|---|---|
@@ -18,12 +18,12 @@ namespace nazori::devices {
 /// | forcedimension_library | NAZORI_LIBDHD | path of the library |
 /// | inverse_port | NAZORI_INVERSE_PORT | number of the service's port |
 /// | pantograph_port | NAZORI_PANTOGRAPH_PORT | path of the serial port |
-/// | pantograph_button | NAZORI_PANTOGRAPH_BUTTON | it has one, unless empty, 0 or false |
+/// | pantograph_button | NAZORI_PANTOGRAPH_BUTTON | there is one, unless empty, 0 or false |
 [[nodiscard]] base::Settings back_end_settings(base::Settings stored = {});
 
 /// All of them, best first: OpenHaptics, Force Dimension, Inverse Service, pantograph, joysticks and pads,
-/// pointer, simulations. Nothing is loaded or looked for yet.
-/// @param settings  the settings of back_end_settings(); what is not there or makes no sense has its default.
+/// pointer, simulations. Nothing is loaded or searched yet.
+/// @param settings  as from back_end_settings(); missing or invalid values have their defaults.
 [[nodiscard]] std::vector<std::unique_ptr<BackEnd>> every_back_end(const base::Settings& settings);
 
 }  // namespace nazori::devices

@@ -14,8 +14,8 @@ struct OpenHapticsSettings {
   std::string library;      ///< path of libHD.so; empty: the usual names
   std::string device_name;  ///< as in the maker's setup program; empty: the first, then the usual names
   unsigned long rate_hz = 1000;
-  std::filesystem::path device_folder = "/dev";  ///< looked at to tell a missing permission
-  std::filesystem::path system_folder = "/sys";  ///< tells whose device an entry of /dev is
+  std::filesystem::path device_folder = "/dev";  ///< used to detect a missing permission
+  std::filesystem::path system_folder = "/sys";  ///< used to identify the device of an entry of /dev
 };
 
 /// OpenHaptics' HDAPI through libHD.so, loaded at run time and never unloaded. One device at a time; the

@@ -8,13 +8,13 @@
 
 namespace nazori::devices {
 
-/// Where a mouse, pen or finger is on the tablet.
+/// The state of a mouse, pen or finger on the tablet.
 struct PointerState {
   double x_m = 0;  ///< tablet frame
   double y_m = 0;
   double depth_m = 0;    ///< how far the tip is pushed below the plateau, >= 0; only while pressed
   bool pressed = false;  ///< button or pen contact
-  bool in_range = true;  ///< over the tablet at all
+  bool in_range = true;  ///< whether it is over the tablet
 };
 
 /// Mouse, pen tablet or touch screen as a stylus without force: pressing moves the tip below the plateau,
@@ -31,16 +31,16 @@ class PointerDevice final : public haptics::HapticDevice {
   [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override;
   void stop() noexcept override;
 
-  /// Newest pointer state, from the next tick on. Thread: interface. Wait-free.
+  /// Sets the newest pointer state, used from the next tick on. Thread: interface. Wait-free.
   void move(const PointerState& state) noexcept;
-  /// The same with the time of its event, on any clock that runs evenly: states that are handed over together
-  /// (a fast pen, a window that was busy) are played one after the other in the time they took, so that no
-  /// part of a fast stroke is lost. What is late is played up to kFastest times as fast until it has caught
-  /// up. A clock that jumps back begins anew. Thread: interface. Wait-free.
+  /// The same with the time of its event, on any steady clock. States that arrive together (from a fast pen,
+  /// or because the window was busy) are played one after the other at their original pace, so that no part
+  /// of a fast stroke is lost. Late states are played up to kFastest times as fast until they have caught up.
+  /// A clock that jumps back restarts the playback. Thread: interface. Wait-free.
   void move(const PointerState& state, double event_s) noexcept;
   static constexpr double kFastest = 4;
 
-  /// How the servo thread keeps time. Thread: interface.
+  /// The timing of the servo thread. Thread: interface.
   [[nodiscard]] ClockStatus clock() const;
 
  private:

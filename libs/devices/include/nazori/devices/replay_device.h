@@ -9,14 +9,14 @@
 
 namespace nazori::devices {
 
-/// A recording in place of a hand: gives its samples in order, one a tick, whatever the force. Either stepped
-/// (deterministic, as fast as the machine) or played in real time on a clock thread. After the last sample
-/// the stylus is absent. Thread rules: as HapticDevice; step and rewind only while it is not started;
-/// finished by any thread.
+/// A recording in place of a hand: gives its samples in order, one per tick, whatever the force. Either
+/// stepped (deterministic, as fast as the machine) or played in real time on a clock thread. After the last
+/// sample the stylus is absent. Thread rules: as HapticDevice; step and rewind only while it is not started;
+/// finished() by any thread.
 class ReplayDevice final : public haptics::HapticDevice {
  public:
   /// @param samples      in order of time. Their own times are what the servo gets.
-  /// @param description  of the device they are from; its rate is how fast start() plays them.
+  /// @param description  of the device they were recorded from; start() plays them at its rate.
   ReplayDevice(std::vector<haptics::DeviceSample> samples, haptics::DeviceDescription description);
   ~ReplayDevice() override;
 

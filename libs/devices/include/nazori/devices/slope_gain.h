@@ -8,9 +8,9 @@
 
 namespace nazori::devices {
 
-/// Lets the eye feel what the hand cannot: the stylus of a mouse goes slower up a slope and faster down, so
-/// it stays in a groove as if held. Over the plateau nothing changes. The stylus never strays farther than
-/// kStray_m from the pointer.
+/// Pseudo-haptic feedback for a mouse: the displayed stylus moves slower up a slope and faster down, so it
+/// tends to stay in a groove. On the plateau nothing changes. The stylus is never farther than kStray_m from
+/// the pointer.
 /// @source A. Lécuyer, J.-M. Burkhardt, L. Etienne, Feeling bumps and holes without a haptic interface: the
 /// perception of pseudo-haptic textures, CHI 2004.
 class SlopeGain {
@@ -18,10 +18,12 @@ class SlopeGain {
   static constexpr double kLeast = 0.3, kMost = 3;
   static constexpr double kStray_m = 0.006;
 
-  /// How much faster than the pointer the stylus goes where the surface rises by `slope` along its way.
+  /// Ratio of the stylus's speed to the pointer's where the surface rises by `slope` in the direction of
+  /// motion.
   [[nodiscard]] static double gain(double slope);
 
-  /// Where the stylus is when the pointer is at `pointer`; the first after reset() is there itself.
+  /// The position of the stylus when the pointer is at `pointer`; after reset() the first one is `pointer`
+  /// itself.
   [[nodiscard]] geometry::TabletPoint follow(geometry::TabletPoint pointer,
                                              const haptics::TabletSurface& surface);
   /// The stylus was lifted.

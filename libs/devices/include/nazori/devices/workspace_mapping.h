@@ -13,7 +13,7 @@ namespace nazori::devices {
 /// The box that a stylus can reach, in metres in the device frame.
 ///
 /// Device frame, the same for every back end: seen by someone who faces the base of the device, x right, y up
-/// against gravity, z towards that person. The origin is where the device has it.
+/// against gravity, z towards that person. The origin is the device's own.
 struct DeviceWorkspace {
   haptics::Vec3 low_m{-0.080, -0.060, -0.035};
   haptics::Vec3 high_m{0.080, 0.060, 0.035};
@@ -21,7 +21,7 @@ struct DeviceWorkspace {
 
 enum class WritingHand : std::uint8_t { right, left };
 
-/// How the learner wants the tablet to stand.
+/// The pose of the tablet that the learner has chosen.
 struct TabletPosture {
   double tilt_rad = std::numbers::pi / 2;  ///< 0 lies flat, pi/2 stands upright
   /// How far the learner sits turned from the front of the device, about the vertical, towards the writing
@@ -30,21 +30,20 @@ struct TabletPosture {
   WritingHand hand = WritingHand::right;
 };
 
-/// Where the tablet stands in a device's workspace. Plain values, to be stored as they are.
+/// Where the tablet lies in a device's workspace. Plain values that can be stored directly.
 struct WorkspaceCalibration {
-  double scale = 1;  ///< metres on the tablet for one metre of the stylus; the same in all directions
+  double scale = 1;  ///< metres on the tablet per metre of the stylus; the same in all directions
   haptics::Vec3 centre_m{0, 0, 0};  ///< device frame: the middle of the tablet's plateau
   TabletPosture posture;
   double roll_rad = 0;  ///< the tablet turned in its own plane, anticlockwise
 };
 
-/// From the device frame to the tablet frame and back: a turn, a shift and one scale, so that slopes, angles
-/// and friction stay what they are.
+/// Converts between the device frame and the tablet frame: a rotation, a translation and one scale, so that
+/// slopes, angles and friction are unchanged.
 ///
-/// A newton stays a newton: forces are only turned. A spring of K in the tablet frame is then one of
-/// K * scale at the stylus, and energy counted on the tablet is the energy at the stylus times the scale, so
-/// what is passive on one side is passive on the other.
-/// Thread-safe: yes, immutable. Real-time-safe: all but create().
+/// Forces are rotated but not scaled. A spring of K in the tablet frame is then one of K * scale at the
+/// stylus, and energy in the tablet frame is the energy at the stylus times the scale. So what is passive in
+/// one frame is passive in the other. Thread-safe: yes, immutable. Real-time-safe: all but create().
 class WorkspaceMapping {
  public:
   /// @return Errc::bad_argument for numbers that are not finite, a scale outside 0.02..50, a centre more than
@@ -56,8 +55,8 @@ class WorkspaceMapping {
   [[nodiscard]] haptics::Vec3 to_tablet_n(const haptics::Vec3& device_n) const noexcept;
   [[nodiscard]] haptics::Vec3 to_device_n(const haptics::Vec3& tablet_n) const noexcept;
 
-  /// The device's limits as the servo must keep them on the tablet: forces and slew as they are, stiffness
-  /// and damping divided by the scale.
+  /// The device's limits as the servo must apply them in the tablet frame: forces and slew unchanged,
+  /// stiffness and damping divided by the scale.
   [[nodiscard]] haptics::DeviceLimits to_tablet(haptics::DeviceLimits device) const noexcept;
 
   [[nodiscard]] const WorkspaceCalibration& calibration() const noexcept { return calibration_; }
@@ -68,11 +67,12 @@ class WorkspaceMapping {
   haptics::Vec3 x_, y_, z_;  // the tablet's axes in the device frame
 };
 
-/// Room above the plateau that fit_workspace() keeps within reach.
+/// Height above the plateau that fit_workspace() keeps within reach.
 inline constexpr double kRoomAbove_m = 0.020;
 
-/// The largest tablet that lies within reach whole, with kRoomAbove_m above it and a margin of a tenth.
-/// @param workspace  where it is empty or not finite, the default one is taken.
+/// The largest tablet that lies completely within the workspace, with kRoomAbove_m above it and a margin of a
+/// tenth.
+/// @param workspace  if it is empty or not finite, the default one is used.
 [[nodiscard]] WorkspaceCalibration fit_workspace(const DeviceWorkspace& workspace,
                                                  const geometry::TabletShape& shape,
                                                  const TabletPosture& posture);

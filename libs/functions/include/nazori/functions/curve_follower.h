@@ -12,41 +12,41 @@ namespace nazori::functions {
 /// A location on a plot.
 struct PlotLocation {
   PlatePoint at;
-  double x = 0;  ///< in the units of the window, by the expression itself where it gives them
+  double x = 0;  ///< in the units of the window, computed by the expression itself where possible
   double y = 0;
   int statement = 0;
-  std::optional<CurvePlace> on;  ///< nothing: a single point beside the curves
+  std::optional<CurvePlace> on;  ///< nothing: a single point that is not on a curve
 };
 
-/// Follows the curves of a drawing step by step, as keys ask for it. Branches come in the order of their
-/// statements, then from left to right, lower ones first. Thread: one.
+/// Follows the curves of a drawing step by step, for keys. Branches come in the order of their statements,
+/// then from left to right, lower ones first. Thread: one.
 class CurveFollower {
  public:
   /// One hundredth of the window.
   static constexpr double kStep = 0.01;
 
-  /// Another drawing: the location stays where it was in the plane, on the nearest curve.
+  /// Sets another drawing: the location stays at the same point of the plane, moved to the nearest curve.
   void set_drawing(SharedDrawing drawing);
-  /// Nothing before the first move, and where there is no curve.
+  /// The present location; nothing before the first move, and if there is no curve.
   [[nodiscard]] const std::optional<PlotLocation>& location() const { return location_; }
 
   enum class Way { back = -1, on = 1 };
   enum class Step { done, next_branch, end };
-  /// By kStep along the curve; past the end of a branch to the next one of the same curve.
+  /// Moves by kStep along the curve; from the end of a branch to the next one of the same curve.
   Step step(Way way);
-  /// To where the curve meets the next tick of the x axis, or to its end.
+  /// Moves to the point of the curve at the next tick of the x axis, or to its end.
   Step step_to_tick(Way way);
   void go_to_end(Way way);
-  /// To another branch, at the same x where it has that.
+  /// Moves to another branch, at the same x if possible.
   bool change_branch(Way way);
-  /// The next point of interest in the order of the table; round.
+  /// Moves to the next point of interest in the order of the table; after the last to the first.
   const PointOfInterest* next_point(Way way);
   void go_to(const PointOfInterest& point);
   void go_to(double x, double y);
 
-  /// The point of interest within half a step of the location; of the drawing.
+  /// The point of interest within half a step of the location, among those of the drawing.
   [[nodiscard]] const PointOfInterest* point_here() const;
-  /// dy/dx at the location; infinite where the curve is upright, nothing where it has no slope.
+  /// dy/dx at the location; infinite where the curve is vertical, nothing where it has no slope.
   [[nodiscard]] std::optional<double> slope() const;
 
   void drop_beacon();
@@ -68,15 +68,15 @@ class CurveFollower {
   [[nodiscard]] bool runs_left(std::size_t branch) const;
   [[nodiscard]] CurvePlace end_of(std::size_t branch, bool last) const;
   [[nodiscard]] PlotLocation described(const CurvePlace& on) const;
-  /// The first location, where there is none yet: the curve nearest to the middle of the window.
+  /// The first location, if there is none yet: the curve nearest to the middle of the window.
   bool begin();
   Step pass_end(Way way);
-  /// The hand is next to a tick: exactly on it, where y is known there.
+  /// Near a tick: moves exactly onto it, if y is known there.
   void stand_on_tick(double x);
 
   SharedDrawing drawing_;
   std::optional<PlotLocation> location_;
-  std::ptrdiff_t point_ = -1;  ///< of interest, the last one gone to
+  std::ptrdiff_t point_ = -1;  ///< index of the point of interest visited last
   std::vector<Beacon> beacons_;
   std::size_t beacon_ = 0;
 };

@@ -13,7 +13,7 @@
 
 namespace nazori::functions {
 
-/// An expression that was read, and how it is to be shown.
+/// A parsed expression and the settings of its picture.
 struct PlotRequest {
   Plot plot;
   Window window;
@@ -23,15 +23,16 @@ struct PlotRequest {
 
 /// Friction of parts of a plate.
 struct PlateFriction {
-  std::vector<std::uint8_t> zone;  ///< of each sample, row 0 at the top; 0: that of the material
-  std::vector<double> added;       ///< [friction coefficient], of zone 1 and on
+  std::vector<std::uint8_t> zone;  ///< for each sample, row 0 at the top; 0: the material's friction
+  std::vector<double> added;       ///< [friction coefficient], of zones 1 and up
 };
-/// Each curve has a friction of its own; of a surface, the part where it is undefined is rougher.
+/// Each curve has its own friction; where a surface is undefined, the plate is rougher.
 [[nodiscard]] PlateFriction friction_of(const Plot& plot, const Plate& plate);
 
-/// A plot that was drawn, with all that is needed to see, feel, hear and read it. Immutable once it is shown.
+/// A drawn plot, with all data needed to see, feel, hear and read it. Immutable once it is shown.
 struct Drawing {
-  /// More grooves than anyone can feel one by one only slow the servo down; the longest are kept.
+  /// Maximum number of grooves: more could not be felt one by one and would slow down the servo; the longest
+  /// are kept.
   static constexpr std::size_t kMostGrooves = 300;
 
   PlotRequest request;
@@ -39,15 +40,15 @@ struct Drawing {
   std::vector<TabletCurve>
       grooves;  ///< in the order of the statements, or the longest first where some are left out
   PlateFriction friction;
-  std::vector<PointOfInterest> points;  ///< of a final drawing; of one statement alone only its own
+  std::vector<PointOfInterest> points;  ///< of a final drawing; if one statement is shown alone, only its own
   std::string summary;                  ///< of a final drawing
   bool final = false;                   ///< false: coarse, a finer one follows
 };
 using SharedDrawing = std::shared_ptr<const Drawing>;
 
-/// Draws a plot coarse first, then fine, as draw_coarse_to_fine() does; `show` gets each picture with its
-/// grooves, the final one with its points and summary too.
-/// @param show  on this thread; false stops.
+/// Draws a plot coarse first, then fine, as draw_coarse_to_fine() does; `show` receives each picture with its
+/// grooves, and the final one also with its points and summary.
+/// @param show  called on this thread; returning false stops.
 /// @return the errors of draw_coarse_to_fine.
 [[nodiscard]] base::Result<void> draw_plot(const PlotRequest& request,
                                            const std::function<bool(Drawing&&)>& show,

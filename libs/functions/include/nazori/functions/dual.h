@@ -8,7 +8,8 @@
 
 namespace nazori::functions {
 
-// What a tape needs of plain numbers beyond <cmath>: NaN where undefined, the same conventions as intervals.
+// The operations of a tape on plain numbers that <cmath> lacks: NaN where undefined, the same conventions as
+// intervals.
 [[nodiscard]] double power_integer(double base, int exponent);
 [[nodiscard]] long double power_integer(long double base, int exponent);
 [[nodiscard]] double power_rational(double base, int p, int q);
@@ -31,7 +32,7 @@ namespace nazori::functions {
 [[nodiscard]] inline long double max(long double a, long double b) { return std::isnan(a) || a > b ? a : b; }
 
 /// A value with its derivatives by N variables (forward mode). Over intervals the derivatives enclose every
-/// slope on the box, one-sided slopes at corners included; their decorations mean nothing. Thread-safe.
+/// slope on the box, one-sided slopes at corners included; their decorations are not used. Thread-safe.
 template <class T, int N>
 struct Dual {
   T value{};
@@ -78,7 +79,7 @@ BasicInterval<R> slope_of_step(const BasicInterval<R>& step) {
                          : BasicInterval<R>::entire(Decoration::partial, Cause::jump);
 }
 
-/// Of min and max: 1 takes the slope of a, 0 of b, anything between is both.
+/// For min and max: 1 uses the slope of a, 0 that of b, anything between is both.
 template <class T>
 T share_of_smaller(const T& a, const T& b) {
   return T(a < b ? 1 : 0);

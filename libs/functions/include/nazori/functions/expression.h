@@ -80,8 +80,8 @@ using Expression = std::shared_ptr<const Node>;
 /// One node of an expression. Never changed after it was made.
 struct Node {
   NodeKind kind = NodeKind::number;
-  double value = 0;   ///< of a number: the double next to what was typed
-  bool exact = true;  ///< whether `value` is exactly what was typed (0.5 is, 0.1 is not)
+  double value = 0;   ///< of a number: the double nearest to the typed one
+  bool exact = true;  ///< whether `value` equals the typed number exactly (0.5 does, 0.1 does not)
   Constant constant = Constant::pi;
   Variable variable = Variable::x;
   Function function = Function::sin;
@@ -124,7 +124,7 @@ struct Rational {
 [[nodiscard]] double constant_value(const Expression& e);
 
 /// The same function written with fewer kinds: sec, cot, round, mod, ... become quotients, floors and sums of
-/// sin, cos, exp, ... The domain is kept, except that x/x-like cancellation is never done.
+/// sin, cos, exp, ... The domain is kept, and cancellations such as x/x are never made.
 [[nodiscard]] Expression reduced(const Expression& e);
 
 }  // namespace nazori::functions

@@ -14,18 +14,18 @@ namespace nazori::functions {
 /// @source IEEE Std 1788-2015, clause 8 (decorations trv, def, dac; the empty interval counts as undefined).
 enum class Decoration : std::uint8_t {
   undefined,   ///< nowhere defined: the interval is empty
-  partial,     ///< nothing proven: perhaps undefined or torn somewhere (trv)
+  partial,     ///< nothing proven: perhaps undefined or discontinuous somewhere (trv)
   defined,     ///< defined everywhere, perhaps with jumps (def)
   continuous,  ///< defined and continuous everywhere (dac)
 };
 
-/// Why an interval is not `continuous`, and whether a number grew over its format. Bits.
+/// Why an interval is not `continuous`, and whether a number overflowed its format. Bits.
 enum class Cause : std::uint8_t {
   none = 0,
   pole = 1,      ///< a divisor contains zero, tan or gamma contains a pole
   domain = 2,    ///< an argument was cut to the domain of a root, logarithm, arc function or power
   jump = 4,      ///< floor, ceil, sign or atan2 steps inside
-  overflow = 8,  ///< a bound is infinite only because the format ends
+  overflow = 8,  ///< a bound is infinite only because of the format's limit
 };
 constexpr Cause operator|(Cause a, Cause b) {
   return static_cast<Cause>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
@@ -34,13 +34,13 @@ constexpr bool has(Cause set, Cause one) {
   return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
 }
 
-/// Rounding to the outside by steps of the last place, without touching the processor's rounding mode: safe
-/// on every thread.
+/// Outward rounding by steps of the last place, without touching the processor's rounding mode: safe on every
+/// thread.
 template <class R>
 struct Rounding {
   static constexpr R kInf = std::numeric_limits<R>::infinity();
   static constexpr R kMax = std::numeric_limits<R>::max();
-  /// What is nearer to zero than this may be what underflow left of a number of the next wider type.
+  /// A number closer to zero than this may be the result of an underflow from the next wider type.
   static constexpr R kVanishing = std::is_same_v<R, double> ? R(1e-290) : R(0);
 
   static R down(R v) {
@@ -92,7 +92,7 @@ struct Rounding {
   }
   static R divide_up(R a, R b) { return -divide_down(-a, b); }
 
-  /// For results of libm that are wrong by at most `n` units in the last place.
+  /// For results of libm with an error of at most `n` units in the last place.
   static R down_by(R v, int n) {
     if (!std::isfinite(v)) return v == kInf ? kMax : v;
     return v - std::abs(v) * (static_cast<R>(n) * std::numeric_limits<R>::epsilon()) -
@@ -101,10 +101,11 @@ struct Rounding {
   static R up_by(R v, int n) { return -down_by(-v, n); }
 };
 
-/// A closed interval that contains every value a function takes on a box, with what is proven of it.
+/// A closed interval that contains every value a function takes on a box, with the properties that are proven
+/// of it.
 ///
-/// Plain value, 24 bytes for double. Every operation is rounded to the outside: the result contains the true
-/// value for all arguments inside, checked in tests against MPFR. Thread-safe.
+/// Plain value, 24 bytes for double. Every operation is rounded outwards: the result contains the true value
+/// for all arguments inside, checked in tests against MPFR. Thread-safe.
 template <class R>
 struct BasicInterval {
   using Real = R;
@@ -134,14 +135,14 @@ struct BasicInterval {
   [[nodiscard]] R middle() const { return lower + (upper - lower) / 2; }
   [[nodiscard]] R magnitude() const { return std::max(std::abs(lower), std::abs(upper)); }
 
-  /// The same range with no more than `proven` claimed.
+  /// The same range with the decoration reduced to at most `proven`.
   [[nodiscard]] BasicInterval weakened(Decoration proven, Cause why) const {
     return {lower, upper, std::min(decoration, proven), cause | why};
   }
 };
 
 using Interval = BasicInterval<double>;
-/// For what overflows a double: exponents to 4932.
+/// For numbers that overflow a double: exponents to 4932.
 using LongInterval = BasicInterval<long double>;
 
 namespace detail {
@@ -216,7 +217,7 @@ BasicInterval<R> operator/(const BasicInterval<R>& a, const BasicInterval<R>& b)
   if (a.is_empty() || b.is_empty()) return I::empty(a.cause | b.cause);
   if (b.contains(0)) {
     Cause why = a.cause | b.cause | Cause::pole;
-    // So near to zero that it may only have vanished in this type: 2^x/(2^x + 3^x).
+    // So close to zero that it may have underflowed in this type: 2^x/(2^x + 3^x).
     if (std::max(-b.lower, b.upper) <= Q::kVanishing) why = why | Cause::overflow;
     if (b.is_point()) return I::empty(why);
     if (a.is_point() && a.lower == 0) return {0, 0, Decoration::partial, why};

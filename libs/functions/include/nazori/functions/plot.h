@@ -13,7 +13,7 @@ namespace nazori::functions {
 
 enum class Comparison : std::uint8_t { equal, less, less_equal, greater, greater_equal };
 
-/// "<" or ">", which leave the border out.
+/// "<" or ">", which exclude the border.
 [[nodiscard]] constexpr bool is_strict(Comparison c) {
   return c == Comparison::less || c == Comparison::greater;
 }
@@ -29,20 +29,20 @@ enum class StatementKind : std::uint8_t {
   surface,         ///< z = f(x, y): terms[0] = f
 };
 
-/// One thing to draw, as it was typed.
+/// One thing to draw, as typed.
 struct Statement {
   StatementKind kind = StatementKind::explicit_y;
   std::vector<Expression> terms;
   std::vector<Comparison> comparisons;  ///< of implicit and inequality: between the terms
   Expression from;                      ///< range of the parameter, of parametric and polar statements
   Expression to;
-  bool from_is_open = false;  ///< 0 < t: the end itself does not belong to the curve
+  bool from_is_open = false;  ///< for 0 < t: the end itself does not belong to the curve
   bool to_is_open = false;
-  bool range_given = false;  ///< false: the customary 0 to 2 pi was put in
+  bool range_given = false;  ///< false: the default 0 to 2 pi is used
   int column = 1;            ///< where it starts in the text
 };
 
-/// What one line of text asks for: one or several statements. Immutable after parse(); thread-safe.
+/// The content of one line of text: one or several statements. Immutable after parse(); thread-safe.
 struct Plot {
   std::vector<Statement> statements;
   [[nodiscard]] bool is_surface() const {
@@ -58,7 +58,7 @@ struct ParseOptions {
 
 /// Reads expressions separated by ";". Precedence, from loose to tight: comparison; + -; * / and products
 /// without a sign, from left to right (1/2x is (1/2)*x); sign; power, from right to left; factorial. A
-/// function without parentheses takes the product that follows: sin 2x, ln|x|, sqrt x + 1 = sqrt(x) + 1.
+/// function without parentheses applies to the product that follows: sin 2x, ln|x|, sqrt x + 1 = sqrt(x) + 1.
 /// sin^2 x is (sin x)^2, sin^-1 x is asin x. log is to base 10, ln natural; 2e3 is 2*e*3.
 /// @param text  UTF-8 of at most 10,000 bytes, Unicode signs and full-width forms allowed.
 [[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {});
@@ -67,7 +67,7 @@ struct ParseOptions {
 [[nodiscard]] std::string canonical(const Plot& plot);
 [[nodiscard]] std::string canonical(const Statement& statement);
 
-/// The plot read aloud: "y equals 1 over 2, times x". Groups that the ear could not tell are named "the
+/// The plot read aloud: "y equals 1 over 2, times x". Groups that could not be heard are marked by "the
 /// quantity ... end".
 [[nodiscard]] std::string in_words(const Plot& plot, Language language);
 [[nodiscard]] std::string in_words(const Statement& statement, Language language);

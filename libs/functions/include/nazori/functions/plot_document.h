@@ -28,8 +28,8 @@ inline constexpr int kPlotDocumentVersion = 1;
 
 /// Reads what to_json() wrote. Members that are left out keep their defaults, "expression" must be there;
 /// unknown members are passed over. The expression must be readable, the window and the settings in range.
-/// @return Errc::parse for text that is no JSON (with line and column), Errc::schema for another kind or a
-/// newer version, Errc::bad_argument for a member with a wrong value; `where` names the member.
+/// @return Errc::parse for text that is no JSON (with line and column) and for a member with a wrong value
+/// (with line and path, "line 3, plate/size"), Errc::schema for another kind or a newer version.
 [[nodiscard]] base::Result<PlotDocument> parse_document(std::string_view json);
 
 /// The same in a file, at most 1 MB, written whole or not at all. Errors name the file.

@@ -9,12 +9,12 @@
 
 namespace nazori::functions {
 
-/// What is announced while a plot is explored. The window and other programs make sentences of it.
+/// The kinds of events while a plot is explored. The window and other programs turn them into sentences.
 enum class PlotEventKind : std::uint8_t {
-  // The hand is at `location`; `point` is what is there.
-  here,            ///< moved along the curve, or asked for
-  next_branch,     ///< past the end of a branch, on the next one of the same curve
-  end_of_branch,   ///< the branch goes no further
+  // The hand is at `location`; `point` is the point of interest there.
+  here,            ///< moved along the curve, or the location was requested
+  next_branch,     ///< moved from the end of a branch to the next one of the same curve
+  end_of_branch,   ///< the branch ends here
   other_branch,    ///< on another curve or branch, of `statement`
   point_reached,   ///< the point of interest with this `number`
   beacon_reached,  ///< the beacon with this `number`
@@ -23,22 +23,22 @@ enum class PlotEventKind : std::uint8_t {
   slope,           ///< `slope`
   curve_alone,     ///< only `statement` is shown
   all_curves,      ///< every statement is shown
-  groove,          ///< the stylus is held to groove `number` of `count`, of `statement`
-  all_grooves,     ///< the stylus is held to any of `count` grooves
+  groove,          ///< the stylus snaps to groove `number` of `count`, of `statement`
+  all_grooves,     ///< the stylus snaps to any of `count` grooves
   speed,           ///< of sweeps: `number` of `count`
   window_changed,  ///< to `window`
   // Refused.
   no_curve,         ///< nothing is drawn here that could be followed
   no_other_branch,  ///< there is one only
   no_point,         ///< no point of interest in the window
-  no_location,      ///< the hand is nowhere yet
+  no_location,      ///< the hand has no location yet
   no_slope,         ///< where the hand is
   no_beacon,        ///< none was dropped
-  only_one_curve,   ///< so it is alone already
-  window_limit,     ///< the window cannot be changed any further
+  only_one_curve,   ///< so it is already alone
+  window_limit,     ///< the window cannot be changed further
 };
 
-/// A kind with its numbers; what a kind does not name is not set.
+/// An event with its data; members that its kind does not name are not set.
 struct PlotEvent {
   PlotEventKind kind = PlotEventKind::here;
   std::optional<PlotLocation> location;
@@ -46,10 +46,10 @@ struct PlotEvent {
   int statement = -1;  ///< index into Plot::statements
   int number = 0;      ///< from 1
   int count = 0;
-  double slope = 0;  ///< dy/dx, infinite where the curve is upright
+  double slope = 0;  ///< dy/dx, infinite where the curve is vertical
   Window window;
 
-  /// Whether the stylus and the tone go to `location`.
+  /// Whether the stylus and the tone move to `location`.
   [[nodiscard]] bool moves_hand() const { return kind <= PlotEventKind::beacon_reached; }
 };
 

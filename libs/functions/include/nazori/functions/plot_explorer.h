@@ -6,22 +6,22 @@
 
 namespace nazori::functions {
 
-/// What is heard and announced at a place that a hand touches.
+/// The sound and the announcement at a point that a hand touches.
 struct Touch {
   Cue cue;
   bool trembles = false;  ///< a dense band
-  /// A point of interest that the hand has just come to, of the drawing; else null.
+  /// The point of interest of the drawing that the hand has just reached; else null.
   const PointOfInterest* reached = nullptr;
 };
 
-/// A drawing explored by key and by hand. Each key is answered with what is to be announced. Thread: one.
+/// A drawing explored by key and by hand. Each key returns the event to announce. Thread: one.
 class PlotExplorer {
  public:
   using Way = CurveFollower::Way;
 
-  /// Another picture. A coarse one has no points and is not followed yet.
+  /// Sets another picture. A coarse one has no points and cannot be followed yet.
   void show(SharedDrawing drawing);
-  /// No finer picture follows: what is shown is followed, even if it is coarse.
+  /// No finer picture follows: the present one can be followed, even if it is coarse.
   void settle();
   /// Null before the first picture.
   [[nodiscard]] const SharedDrawing& drawing() const { return drawing_; }
@@ -40,13 +40,13 @@ class PlotExplorer {
   /// Where the hand is.
   [[nodiscard]] PlotEvent where() const;
   [[nodiscard]] PlotEvent slope() const;
-  /// Of the groove with this number; 0: all. @param count  of the grooves.
+  /// The event for choosing the groove with this number; 0: all. @param count  number of grooves.
   [[nodiscard]] PlotEvent groove(int number, int count) const;
 
-  /// The tone of a location: as loud as one that is touched where it lies on a curve, silent elsewhere.
+  /// The tone of a location: as loud as a touched one if it lies on a curve, silent elsewhere.
   [[nodiscard]] Cue cue_of(const PlotLocation& location) const;
-  /// What a hand on the plate hears. Of a surface the pitch is its height, of curves that of the nearest one,
-  /// the louder the nearer. Only while something is shown.
+  /// The sound for a hand on the plate. For a surface the pitch shows its height, for curves the height of
+  /// the nearest one, louder when nearer. Call it only while something is shown.
   Touch touch(PlatePoint hand);
 
  private:
@@ -61,7 +61,7 @@ class PlotExplorer {
   const PointOfInterest* touched_ = nullptr;  ///< of the drawing
 };
 
-/// The tone of y = 0, to compare with; nothing where it lies outside the window.
+/// The tone of y = 0, for comparison; nothing where it lies outside the window.
 [[nodiscard]] std::optional<Cue> reference_cue(const Window& window);
 
 }  // namespace nazori::functions

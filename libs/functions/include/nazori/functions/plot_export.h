@@ -13,7 +13,7 @@
 
 namespace nazori::functions {
 
-/// What a plot can be written as.
+/// The formats in which a plot can be written.
 enum class PlotFile : std::uint8_t {
   document,  ///< expression and settings, to open again
   raw,       ///< 8-bit height map
@@ -22,18 +22,18 @@ enum class PlotFile : std::uint8_t {
   sound,     ///< the sweep, WAV
 };
 
-/// The end of a file's name without the dot: "png".
+/// The extension of a file name without the dot: "png".
 [[nodiscard]] std::string_view extension_of(PlotFile kind);
-/// Whether there is something to write: a surface has neither lines to print nor a curve to play.
+/// Whether the plot can be written in this format: a surface has neither lines to print nor a curve to play.
 [[nodiscard]] bool can_be_written(const Plot& plot, PlotFile kind);
-/// Writes the file whole or not at all.
-/// @param document  of PlotFile::document; of a sound its settings.
-/// @return the errors of the functions that save one kind each.
+/// Writes the file completely or not at all.
+/// @param document  for PlotFile::document; for a sound its settings.
+/// @return the errors of the functions that save the formats.
 [[nodiscard]] base::Result<void> save_plot(PlotFile kind, const std::filesystem::path& path,
                                            const Drawing& drawing, const PlotDocument& document);
 
-/// Writes plots to files and composes their sweeps, behind the thread that asks. Files are written in the
-/// order in which they were asked for. Thread: the owner of the inbox.
+/// Writes plots to files and computes their sweeps on separate threads. Files are written in the order of the
+/// requests. Thread: the owner of the inbox.
 class PlotExport {
  public:
   /// @param inbox  outlives this object.
@@ -42,7 +42,7 @@ class PlotExport {
   void write(PlotFile kind, std::filesystem::path path, SharedDrawing drawing, PlotDocument document);
   /// Of several requests only the newest is answered.
   void compose(SharedDrawing drawing, const SoundSettings& settings);
-  /// What is being composed is no longer wanted.
+  /// Cancels the computation of a sweep.
   void forget_sound() { sweep_.cancel(); }
 
   base::Signal<const std::filesystem::path&> written;
@@ -57,7 +57,7 @@ class PlotExport {
   };
 
   base::Latest<SweepRequest, base::Result<Sound>> sweep_;
-  base::Background files_;  // declared last, so that its thread ends before what it uses
+  base::Background files_;  // declared last, so that its thread ends before the members it uses are destroyed
 };
 
 }  // namespace nazori::functions

@@ -12,12 +12,12 @@
 
 namespace nazori::functions {
 
-/// All that is heard of a plot: the tone under the hand with the signs of points of interest, and over it a
-/// sound that is played once.
+/// All sound of a plot: the tone under the hand with the earcons of points of interest, mixed with a sound
+/// that is played once.
 ///
-/// add_to() is for the audio thread and does not allocate, lock, throw or call the system; all else is for
-/// one other thread (the interface). Neither waits for the other: a sound that was replaced is freed by the
-/// interface once the audio thread has left it.
+/// add_to() is for the audio thread and does not allocate, lock, throw or call the system; all other
+/// functions are for one other thread (the interface). Neither waits for the other: the interface frees a
+/// replaced sound once the audio thread no longer uses it.
 class PlotMixer {
  public:
   /// @param sample_rate  of the sound card and of every sound that is played.
@@ -28,14 +28,14 @@ class PlotMixer {
 
   /// The tone under the hand. Its volume is set by set_volume() of the mixer.
   [[nodiscard]] ToneGenerator& tone() noexcept { return tone_; }
-  /// Of everything. @param volume  0 to 1.
+  /// Sets the volume of everything. @param volume  0 to 1.
   void set_volume(double volume, bool muted);
-  /// Plays `sound` from its start, in the place of the one before; an empty one is silence.
+  /// Plays `sound` from its start and stops the previous one; an empty one is silence.
   void play(Sound sound);
-  /// Whether a sound is being played and has not come to its end.
+  /// Whether a sound is playing.
   [[nodiscard]] bool is_playing() const;
 
-  /// Adds the next samples to `stereo`, left and right by turns. Thread: audio.
+  /// Adds the next samples to `stereo`, left and right alternating. Thread: audio.
   void add_to(std::span<float> stereo) noexcept;
 
  private:
@@ -47,7 +47,7 @@ class PlotMixer {
   ToneGenerator tone_;
   std::atomic<float> gain_{0.5F};
   std::atomic<Sweep*> present_{nullptr};
-  std::atomic<Sweep*> read_{nullptr};         // what the audio thread holds: not to be freed
+  std::atomic<Sweep*> read_{nullptr};         // used by the audio thread: must not be freed
   std::vector<std::unique_ptr<Sweep>> kept_;  // interface thread
   std::array<float, 1024> piece_{};           // audio thread
 };

@@ -13,14 +13,14 @@
 
 namespace nazori::functions {
 
-/// Draws plots on a thread of its own, coarse and then fine; a newer request stops an older one. Requests
+/// Draws plots on a separate thread, coarse and then fine; a newer request stops an older one. Requests
 /// return at once, answers come as signals on the thread of the inbox.
-/// @tparam Shown  what is made of a drawing before it is shown, such as a tablet. Copied.
-/// Thread: the owner of the inbox.
+/// @tparam Shown  the type made from a drawing before it is shown, such as a tablet. Copied. Thread: the
+/// owner of the inbox.
 template <class Shown>
 class Plotter {
  public:
-  /// Makes what is shown of a drawing, on the plotter's thread. An error ends the request.
+  /// Makes a Shown from a drawing, on the plotter's thread. An error ends the request.
   using Finish = std::function<base::Result<Shown>(Drawing&& drawing)>;
 
   /// @param inbox  outlives the plotter.
@@ -42,7 +42,7 @@ class Plotter {
             }) {}
 
   void draw(PlotRequest request) { latest_.request(std::move(request)); }
-  /// What is being drawn is given up; what was shown stays.
+  /// Cancels the present drawing; the last one remains shown.
   void stop() {
     if (!latest_.is_busy()) return;
     latest_.cancel();
@@ -86,7 +86,7 @@ class Plotter {
     return finished ? std::move(drawn) : std::move(finished);
   }
 
-  Work latest_;  // declared last, so that its thread ends before what it uses
+  Work latest_;  // declared last, so that its thread ends before the members it uses are destroyed
 };
 
 }  // namespace nazori::functions

@@ -28,7 +28,7 @@ enum class PointKind : std::uint8_t {
   isolated,
 };
 
-/// A place that the trace announces and that keys go to. In the units of the window.
+/// A point of a plot that is announced and that keys move to. In the units of the window.
 struct PointOfInterest {
   PointKind kind = PointKind::zero;
   int statement = 0;
@@ -41,11 +41,11 @@ struct PointOfInterest {
 };
 
 /// All points of interest inside the window, by statement, then from left to right. At most `most` of one
-/// statement; dense curves have more than anyone can use.
+/// statement; dense curves would have too many to use.
 [[nodiscard]] std::vector<PointOfInterest> points_of_interest(const Plot& plot, const Tracing& tracing,
                                                               std::size_t most = 200);
 
-/// The exact number that `value` is to within the last places: whole numbers, fractions, multiples of pi,
+/// The exact number that equals `value` within its last places: whole numbers, fractions, multiples of pi,
 /// roots, powers of e and logarithms of whole numbers. Text as parse() reads it.
 [[nodiscard]] std::optional<std::string> exact_name(double value);
 
@@ -53,9 +53,9 @@ struct PointOfInterest {
 [[nodiscard]] std::string in_words(PointKind kind, Language language);
 /// "maximum at x = pi/2, about 1.571, y = 1".
 [[nodiscard]] std::string in_words(const PointOfInterest& point, Language language);
-/// Where a hand is, in four significant digits: "x = about 1.57; y = minus 2".
+/// The position of a hand, in four significant digits: "x = about 1.57; y = minus 2".
 [[nodiscard]] std::string place_in_words(double x, double y, Language language);
-/// One sentence on the whole: what is drawn, in how many pieces, what is remarkable, what is uncertain.
+/// A summary in one sentence: what is drawn, in how many branches, what is remarkable, what is uncertain.
 [[nodiscard]] std::string summary(const Plot& plot, const Tracing& tracing,
                                   const std::vector<PointOfInterest>& points, Language language);
 

@@ -12,9 +12,10 @@ struct PrintSettings {
 };
 
 /// A picture in pure black and white for paper that swells where it is black, and for eyes that need
-/// contrast: curves 1.6 mm wide, axes 0.7 mm, ticks, a frame; each curve with a line style of its own (whole,
-/// dashed, dotted, dash and dot), regions hatched; everything less important is broken 2 mm beside a curve.
-/// @return 1 white, 0 black, one sample a printed dot; Errc::bad_argument for settings out of range.
+/// contrast: curves 1.6 mm wide, axes 0.7 mm, ticks, a frame; each curve with its own line style (solid,
+/// dashed, dotted, dash and dot), regions hatched; everything less important is interrupted 2 mm beside a
+/// curve.
+/// @return 1 white, 0 black, one sample per printed dot; Errc::bad_argument for settings out of range.
 /// @source BANA guidelines for tactile graphics: lines differ by style, gaps where they cross.
 [[nodiscard]] base::Result<surface::HeightMap> print_picture(const Tracing& tracing,
                                                              const PrintSettings& settings = {});

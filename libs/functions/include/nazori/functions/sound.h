@@ -18,9 +18,9 @@ struct SoundSettings {
   bool earcons = true;         ///< short signs at points of interest
 };
 
-/// What a listener hears at one place of the plate: for the sweep and for touching alike.
+/// The sound of one point of the plate, both in a sweep and for touching.
 struct Cue {
-  double hertz = 0;     ///< on a logarithmic scale over the height of the window, held at its ends
+  double hertz = 0;     ///< on a logarithmic scale over the height of the window, limited to its ends
   double pan = 0;       ///< -1 left to 1 right
   double noise = 0;     ///< share of noise, above 0 where y < 0
   double loudness = 0;  ///< 0 silent to 1
@@ -29,7 +29,7 @@ struct Cue {
 [[nodiscard]] Cue cue_at(PlatePoint at, const Window& window, double nearness,
                          const SoundSettings& settings = {});
 
-/// Stereo samples in -1..1, left and right by turns.
+/// Stereo samples in -1..1, left and right alternating.
 struct Sound {
   int sample_rate = 44'100;
   std::vector<float> samples;
@@ -37,7 +37,7 @@ struct Sound {
 
 /// Each statement in turn, with a short silence between: y = f(x) from left to right in equal time, other
 /// curves along each branch, lower ones first. Silent where undefined, with a click at entry and exit; dense
-/// bands tremble; points of interest have signs of their own (below 0.2 s).
+/// bands tremble; points of interest have earcons (shorter than 0.2 s).
 /// @return Errc::bad_argument for settings out of range.
 [[nodiscard]] base::Result<Sound> sweep(const Plot& plot, const Tracing& tracing,
                                         const std::vector<PointOfInterest>& points,

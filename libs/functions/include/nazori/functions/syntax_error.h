@@ -8,21 +8,21 @@
 
 namespace nazori::functions {
 
-/// The languages in which expressions, points and mistakes are told.
+/// The languages of texts about expressions, points and errors.
 enum class Language : std::uint8_t { english, japanese };
 
-/// What can be wrong with a text that is to be an expression.
+/// The errors in a text that should be an expression.
 enum class SyntaxFault : std::uint8_t {
   no_expression,
   operand_missing,       ///< after SyntaxError::subject
-  not_an_operand,        ///< subject stands where an operand must be
+  not_an_operand,        ///< subject is where an operand must be
   does_not_fit,          ///< subject, where an expression could have ended
   no_operator,           ///< between two numbers; subject is the second
   nested_too_deep,       ///< parentheses, bars, functions, powers or signs
   bar_open,              ///< the bar of column SyntaxError::number is not closed
   bracket_open,          ///< subject of column number is not closed by `closing`
   argument_missing,      ///< of the function subject
-  argument_count,        ///< subject is given `number` arguments, not `wanted`
+  argument_count,        ///< subject has `number` arguments, not `wanted`
   unknown_character,     ///< subject
   two_decimal_signs,     ///< in one number
   number_too_large,      ///< subject
@@ -34,28 +34,29 @@ enum class SyntaxFault : std::uint8_t {
   surface_not_alone,
   too_many_statements,
   range_empty,
-  range_misplaced,   ///< not after the curve that it is for
+  range_misplaced,   ///< not after the curve it belongs to
   parameter_alone,   ///< t without both x and y
   polar_mixed,       ///< r and theta with the variable subject
   nothing_equal,     ///< an expression in r and theta without "="
-  height_misplaced,  ///< z that does not stand alone on one side
+  height_misplaced,  ///< z is not alone on one side
 };
 
-/// Why a text cannot be read: what is wrong where, in parts, so that it can be told in any language.
+/// Why a text cannot be parsed: the kind and place of the error, as data that can be expressed in any
+/// language.
 struct SyntaxError {
-  /// Of the place at fault: counted in characters from 1, past the end for a text cut short.
+  /// Column of the error: counted in characters from 1, after the end for an incomplete text.
   int column = 1;
   SyntaxFault fault = SyntaxFault::no_expression;
-  std::string subject{};  ///< what was typed and does not fit: a sign, a name, a number
+  std::string subject{};  ///< the typed text that is wrong: a sign, a name, a number
   std::string closing{};  ///< of bracket_open: the sign that is missing
-  int number = 0;         ///< of bar_open and bracket_open a column, of argument_count how many there are
-  int wanted = 0;         ///< of argument_count: how many must be; below 0: that many or more
+  int number = 0;  ///< bar_open and bracket_open: a column; argument_count: the number of arguments given
+  int wanted = 0;  ///< argument_count: the number required; below 0: that many or more
 
   /// As an Error of code parse whose `where` is "column 8", in English.
   [[nodiscard]] base::Error to_error() const;
 };
 
-/// A mistake in words, each part without a full stop.
+/// An error in words, each part without a full stop.
 struct SyntaxWords {
   std::string message;   ///< "an operand is missing after \"+\""
   std::string expected;  ///< "expected a number, a variable, a function or \"(\""

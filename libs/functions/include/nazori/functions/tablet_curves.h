@@ -10,49 +10,49 @@
 
 namespace nazori::functions {
 
-/// A piece of a curve where the plate made of `size` samples has its groove: what a stylus can snap to.
+/// A piece of a curve at the position of its groove, to which a stylus can snap.
 struct TabletCurve {
   int statement = 0;
   bool closed = false;                        ///< the last point is the first one again
   std::vector<geometry::TabletPoint> points;  ///< [m]; two or more
 };
 
-/// Where a place of the plate lies on the tablet. Samples of a plate are the middles of its cells, while
-/// samples of a height map span the tablet from edge to edge; both are taken into account.
+/// The position of a plate point on the tablet. Samples of a plate are the middles of its cells, while
+/// samples of a height map span the tablet from edge to edge; the conversion accounts for this.
 [[nodiscard]] geometry::TabletPoint tablet_place(PlatePoint at, int size, const geometry::TabletShape& shape);
-/// The other way round: for a hand on the tablet.
+/// The inverse: for a hand on the tablet.
 [[nodiscard]] PlatePoint plate_place(geometry::TabletPoint at, int size, const geometry::TabletShape& shape);
 
-/// The curves inside the window as polylines that stay within `tolerance_m` of what was traced. Branches are
-/// cut at the frame; bars of dense bands are left out, single points come as two points a micrometre apart.
-/// @param size  samples a side of the plate they belong to, >= 2.
+/// The curves inside the window as polylines within `tolerance_m` of the tracing. Branches are cut at the
+/// frame; bars of dense bands are left out, single points become two points a micrometre apart.
+/// @param size  samples per side of the plate they belong to, >= 2.
 [[nodiscard]] std::vector<TabletCurve> tablet_curves(const Tracing& tracing, int size,
                                                      const geometry::TabletShape& shape = {},
                                                      double tolerance_m = 20e-6);
 
-/// A place on a curve.
+/// A location on a curve.
 struct CurvePlace {
   std::size_t branch = 0;  ///< index into Tracing::branches
   std::size_t piece = 0;   ///< between the points with this index and the next
   PlatePoint at;
-  double distance = 0;  ///< from where was asked, in plate units
+  double distance = 0;  ///< from the query point, in plate units
 };
 
-/// The place of a traced curve nearest to a hand; nothing where there is no curve. Takes a time in proportion
+/// The location on a traced curve nearest to a hand; nothing if there is no curve. The time is proportional
 /// to the number of points: for the interface, not for the servo.
 /// @param statement  only on this one; -1: on any.
 [[nodiscard]] std::optional<CurvePlace> nearest_place(const Tracing& tracing, PlatePoint hand,
                                                       int statement = -1);
-/// The place `distance` further along the same branch (below 0: back), in plate units; stops at its ends,
-/// goes on round a closed one.
+/// The location `distance` further along the same branch (below 0: back), in plate units; stops at the ends
+/// of an open branch and continues round a closed one.
 [[nodiscard]] CurvePlace step_along(const Tracing& tracing, const CurvePlace& from, double distance);
 
-/// How the grooves of one statement feel, so that several can be told apart: friction first, then texture.
+/// The feel of the grooves of one statement, to distinguish several: first by friction, then by texture.
 struct CurveFeel {
   double friction = 0.05;     ///< coefficient of the friction cone in the groove
-  double texture_period = 0;  ///< of the bumps on its floor, as a part of the plate's side; 0: smooth
+  double texture_period = 0;  ///< of the bumps on its floor, as a share of the plate's side; 0: smooth
 };
-/// Of the statement with this index; they repeat after four.
+/// The feel of the statement with this index; it repeats after four.
 [[nodiscard]] CurveFeel feel_of(int statement);
 
 }  // namespace nazori::functions

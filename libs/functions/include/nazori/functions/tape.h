@@ -11,10 +11,11 @@
 
 namespace nazori::functions {
 
-/// Expressions as a flat list of steps, equal parts done once: what is evaluated a million times.
+/// Expressions compiled to a flat list of steps in which equal parts are computed once, for millions of
+/// evaluations.
 ///
-/// One tape serves every kind of number: double and long double (NaN where undefined), decorated intervals
-/// and duals of all of these. Immutable; thread-safe as long as each thread brings its own registers.
+/// One tape works with every kind of number: double and long double (NaN where undefined), decorated
+/// intervals and duals of all of these. Immutable; thread-safe if each thread uses its own registers.
 class Tape {
  public:
   /// @param outputs  the expressions, over `inputs` only; other variables count as undefined.
@@ -24,17 +25,17 @@ class Tape {
   /// Registers that evaluate() needs.
   [[nodiscard]] std::size_t size() const { return steps_.size(); }
   [[nodiscard]] std::size_t output_count() const { return outputs_.size(); }
-  /// Whether a step can grow over the format (exp, powers, products of them): long double may help.
+  /// Whether a step can overflow the format (exp, powers, products of them): long double may help.
   [[nodiscard]] bool can_overflow() const { return can_overflow_; }
 
-  /// Evaluates all outputs; output(i) tells where each lies in `registers`.
-  /// @param inputs     as many as compile() was given.
+  /// Evaluates all outputs; output(i) returns its index in `registers`.
+  /// @param inputs     as many as given to compile().
   /// @param registers  at least size() of them; overwritten.
   template <class T>
   void evaluate(std::span<const T> inputs, std::span<T> registers) const;
   [[nodiscard]] std::size_t output(std::size_t i) const { return outputs_[i]; }
 
-  /// The first output. Allocates; for what is done once.
+  /// The first output. Allocates; for single evaluations.
   template <class T>
   [[nodiscard]] T evaluate_one(std::span<const T> inputs) const {
     std::vector<T> registers(size());
@@ -90,7 +91,7 @@ class Tape {
     std::uint32_t b = 0;
     int p = 0;
     int q = 1;
-    double value = 0;  ///< of a constant, with the bounds of what was meant
+    double value = 0;  ///< value of a constant, with the bounds of the typed number
     double lower = 0;
     double upper = 0;
     friend bool operator==(const Step&, const Step&) = default;

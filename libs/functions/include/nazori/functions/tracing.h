@@ -30,27 +30,27 @@ struct Window {
   [[nodiscard]] double v(double y) const { return (y - y0) / (y1 - y0); }
   [[nodiscard]] double x(double u) const { return x0 + u * (x1 - x0); }
   [[nodiscard]] double y(double v) const { return y0 + v * (y1 - y0); }
-  /// The window drawn `times` larger (below 1: smaller) with the place `at` where it was.
+  /// The window zoomed so that curves are `times` larger (below 1: smaller), with the point `at` fixed.
   [[nodiscard]] Window zoomed(PlatePoint at, double times) const;
-  /// The window moved by parts of its own sides, right and up.
+  /// The window moved by shares of its sides, right and up.
   [[nodiscard]] Window moved(double du, double dv) const;
   /// Errc::bad_argument where a side is empty, not finite, or too narrow for doubles.
   [[nodiscard]] base::Result<void> check() const;
 };
 
-/// A point of a curve. `parameter` is x of y = f(x), y of x = g(y), t or theta; unused for implicit curves.
+/// A point of a curve. `parameter` is x of y = f(x), y of x = g(y), t or theta; not used for implicit curves.
 struct CurvePoint {
   double u = 0;
   double v = 0;
   double parameter = 0;
 };
 
-/// A connected piece of a curve as a polyline; its parts lie nearer to the true curve than the tolerance.
+/// A connected piece of a curve as a polyline; its segments are closer to the true curve than the tolerance.
 struct Branch {
   int statement = 0;  ///< index into Plot::statements
   bool closed = false;
   bool boundary = false;  ///< edge of a region
-  bool strict = false;    ///< that does not belong to it
+  bool strict = false;    ///< a border that does not belong to its region
   bool has_parameter = false;
   std::vector<CurvePoint> points;
 };
@@ -77,16 +77,16 @@ struct Fill {
 };
 
 enum class EventKind : std::uint8_t {
-  pole,      ///< the curve leaves for infinity on at least one side
-  hole,      ///< a single missing point, closed by the tracing
+  pole,      ///< the curve goes to infinity on at least one side
+  hole,      ///< a single missing point, bridged by the tracing
   jump,      ///< both sides end at different points
   end,       ///< the curve begins or ends
   singular,  ///< the gradient vanishes on the curve: crossing with itself, cusp
   isolated,  ///< a single point
-  limit      ///< the dense band begins to be undecidable here
+  limit      ///< from here on the dense band is undecidable
 };
 
-/// Something that happens on a curve, found while it was traced; positions in the units of the window.
+/// A feature of a curve that was found during tracing; positions in the units of the window.
 struct Event {
   EventKind kind = EventKind::hole;
   int statement = 0;
@@ -97,7 +97,7 @@ struct Event {
   double y_after = 0;
 };
 
-/// All that was found of one plot in one window.
+/// The result of tracing one plot in one window.
 struct Tracing {
   Window window;
   std::vector<Branch> branches;
@@ -105,11 +105,11 @@ struct Tracing {
   std::vector<Dot> dots;
   std::vector<Fill> fills;
   std::vector<Event> events;
-  /// Cells of the tracing's own grid that no proof could settle; they are not drawn.
+  /// Cells of the tracing's own grid that no proof could decide; they are not drawn.
   std::int64_t undecided_cells = 0;
   std::int64_t cells = 1;                    ///< of that grid
   std::vector<PlatePoint> undecided_places;  ///< centres of some of them, at most 1000
-  bool complete = true;                      ///< false where the time was out before all was looked at
+  bool complete = true;                      ///< false if the time ran out before everything was examined
   bool dense = false;                        ///< a band is drawn where the curve is finer than a cell
   [[nodiscard]] double undecided_share() const {
     return static_cast<double>(undecided_cells) / static_cast<double>(cells);
@@ -119,12 +119,12 @@ struct Tracing {
 struct TraceSettings {
   static constexpr int kFewestCells = 32;
   static constexpr int kMostCells = 8192;
-  /// Cells a side that the picture will have: decides tolerances, the grid of implicit curves and what counts
-  /// as dense. kFewestCells to kMostCells.
+  /// Cells per side of the picture: determines tolerances, the grid of implicit curves and what counts as
+  /// dense. kFewestCells to kMostCells.
   int resolution = 512;
   /// How far outside the window curves are followed, in plate units, so that grooves are whole at the edge.
   double margin = 0.02;
-  /// After this time tracing ends with what it has, Tracing::complete false; 0: it takes what it needs.
+  /// After this time tracing ends with an incomplete result, Tracing::complete false; 0: no limit.
   double most_milliseconds = 0;
 };
 

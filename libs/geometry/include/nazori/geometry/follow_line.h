@@ -18,14 +18,14 @@
 
 namespace nazori::geometry {
 
-/// A place on a line of straight segments.
+/// A location on a line of straight segments.
 struct LinePlace {
   std::size_t segment = 0;  ///< index of the point at which the segment begins
   double share = 0;         ///< 0 at that point, 1 at the next
 };
 
 /// Arc lengths of a line at each of its points, from 0 at the first.
-/// @param distance  of two points, as it is to be measured: from above, say. Called with neighbours.
+/// @param distance  measures two neighbouring points, for example as seen from above.
 template <class Point, class Distance>
 [[nodiscard]] std::vector<double> arc_lengths(std::span<const Point> line, Distance distance) {
   std::vector<double> along(line.size(), 0.0);
@@ -39,8 +39,8 @@ template <class Frame>
   return arc_lengths(line, [](Point2<Frame> a, Point2<Frame> b) { return distance(a, b); });
 }
 
-/// The place at an arc length, which is held to the ends. Where a point of the line lies there, the segment
-/// is the one that begins with it; of the last point, the one that ends with it. O(log points).
+/// The location at an arc length, which is limited to the length of the line. At a point of the line, the
+/// segment is the one that begins there; at the last point, the one that ends there. O(log points).
 /// @param along  arc lengths at the points of the line, as arc_lengths() gives them; at least one.
 /// @return the segment 0 with the share 0 for a line of one point.
 [[nodiscard]] inline LinePlace place_at(std::span<const double> along, double arc) noexcept {
@@ -52,7 +52,7 @@ template <class Frame>
   return {next - 1, length > 0 ? std::clamp((arc - along[next - 1]) / length, 0.0, 1.0) : 1.0};
 }
 
-/// The point at a place of a line. @param line  at least one point, of any type with +, - and * a number.
+/// The point at a location on a line. @param line  at least one point, of any type with +, - and * a number.
 template <class Point>
 [[nodiscard]] Point point_on(std::span<const Point> line, LinePlace place) {
   assert(!line.empty());
@@ -61,19 +61,19 @@ template <class Point>
   return from + (line[place.segment + 1] - from) * place.share;
 }
 
-/// How far a walk along a line goes on over segments that are no nearer, before it ends there.
+/// How far the search goes on over segments that are not nearer before it ends.
 struct LookPast {
   int segments = 2;   ///< as many at least
-  double length = 0;  ///< and as many as together stay below this length
+  double length = 0;  ///< and as many as have less than this total length
 };
 
-/// Follows a point along a line: from the segment where it was, walks both ways to the nearest segment. The
-/// walk ends where segments become no nearer, so that a line that comes back near itself is not jumped over
-/// to; `past` is how far it looks beyond such segments, so that a point that cuts a sharp corner comes to the
-/// other leg.
+/// Follows a point along a line: searches from the segment where it was, in both directions, for the nearest
+/// segment. The search ends where segments no longer become nearer, so that it does not jump to another part
+/// of a line that comes back near itself. `past` says how far it looks beyond such segments, so that a point
+/// that cuts a sharp corner reaches the other leg.
 /// @param segment  where the point was.  @param first,last  segments of the line, `segment` among them.
-/// @param nearer  called with the number of a segment: measures the distance to it, and keeps and returns
-/// whether it is nearer than those before.  @param length  of the segment with a number.
+/// @param nearer  called with the number of a segment: measures the distance to it, stores it and returns
+///   whether it is the shortest so far.  @param length  of the segment with a number.
 template <class Number, class Nearer, class Length>
 void walk_to_nearest(Number segment, Number first, Number last, const LookPast& past, Nearer nearer,
                      Length length) {

@@ -5,16 +5,16 @@
 
 namespace nazori::geometry {
 
-/// The size of the carved tablet in the world. The plateau spans [-width_m/2, width_m/2] in x and y at z = 0;
-/// the deepest groove lies at z = -depth_m.
+/// The physical size of the carved tablet. The plateau spans [-width_m/2, width_m/2] in x and y at z = 0; the
+/// deepest groove lies at z = -depth_m.
 struct TabletShape {
   double width_m = 0.100;  ///< side of the square [m], > 0
   double depth_m = 0.010;  ///< depth of a sample of height 0 below the plateau [m], > 0
 };
 
-/// The one place where frames meet. Samples of a map of side `size` sit on the corners of a lattice that
-/// spans the glyph box and the tablet from edge to edge: column 0 is glyph x = 0 and tablet x = -width_m/2,
-/// column size-1 is glyph x = 109 and tablet x = +width_m/2; rows likewise, row 0 at the top.
+/// The only place that converts between frames. The samples of a map of side `size` sit on the corners of a
+/// lattice that spans the glyph box and the tablet from edge to edge: column 0 is glyph x = 0 and tablet x =
+/// -width_m/2, column size-1 is glyph x = 109 and tablet x = +width_m/2; rows likewise, row 0 at the top.
 
 /// Glyph units to columns and rows. @param size side of the map in samples, >= 2.
 [[nodiscard]] inline GridPoint glyph_to_grid(GlyphPoint p, int size) {
@@ -25,7 +25,7 @@ struct TabletShape {
   const double scale = kGlyphSide / (size - 1);
   return {p.x * scale, p.y * scale};
 }
-/// Columns and rows to metres; y turns from down to up.
+/// Columns and rows to metres; y changes from down to up.
 [[nodiscard]] inline TabletPoint grid_to_tablet(GridPoint p, int size, const TabletShape& shape) {
   const double step_m = shape.width_m / (size - 1);
   return {p.x * step_m - shape.width_m / 2, shape.width_m / 2 - p.y * step_m};

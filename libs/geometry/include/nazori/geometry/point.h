@@ -6,7 +6,7 @@
 
 namespace nazori::geometry {
 
-/// A point or vector in the plane whose type says its frame, so that two frames cannot be mixed by accident.
+/// A point or vector in the plane whose type names its frame, so that frames cannot be mixed by accident.
 template <class Frame>
 struct Point2 {
   double x = 0;
@@ -26,7 +26,7 @@ double dot(Point2<Frame> a, Point2<Frame> b) {
 template <class Frame>
 double length(Point2<Frame> a) {
   const double squared = a.x * a.x + a.y * a.y;
-  // std::hypot is slow, and needed only where the squares leave the range of doubles.
+  // std::hypot is slow, and needed only where the squares exceed the range of doubles.
   constexpr double kLeast = 1e-290;
   constexpr double kMost = 1e290;
   return squared > kLeast && squared < kMost ? std::sqrt(squared) : std::hypot(a.x, a.y);

@@ -12,13 +12,13 @@
 
 namespace nazori::geometry {
 
-/// Where a polyline comes closest to a point.
+/// The point of a polyline that is closest to a given point.
 template <class Frame>
 struct NearestPoint {
   Point2<Frame> point;
   double distance = std::numeric_limits<double>::infinity();
   double arc_length = 0;    ///< from the first point of the polyline to `point`, along it
-  std::size_t segment = 0;  ///< index of the first point of the segment that holds `point`
+  std::size_t segment = 0;  ///< index of the first point of the segment that contains `point`
 };
 
 /// Sum of the lengths of all segments. 0 for fewer than two points.
@@ -35,8 +35,8 @@ template <class Frame>
   return std::abs(std::atan2(a.x * b.y - a.y * b.x, dot(a, b)));
 }
 
-/// The share of the segment from `from` to `to`, 0..1, at which it comes closest to `p`; 0 where it has no
-/// length.
+/// The share of the segment from `from` to `to`, 0..1, at which it comes closest to `p`; 0 where the segment
+/// has no length.
 /// @param p,from,to  of any type with +, -, * a number and dot(), in the plane or in space.
 template <class Point>
 [[nodiscard]] double nearest_share(const Point& p, const Point& from, const Point& to) {
@@ -72,9 +72,9 @@ template <class Frame>
   return best;
 }
 
-/// As `nearest_point`, of the part of the polyline that lies between two lengths along it.
-/// @param line  at least one point.  @param from,to  from its first point, `from` not after `to`; both are
-/// held within [0, arc length].
+/// As `nearest_point`, for the part of the polyline between two arc lengths.
+/// @param line  at least one point.  @param from,to  arc lengths from the first point, `from` not after `to`;
+///   both are limited to 0..the length.
 template <class Frame>
 [[nodiscard]] NearestPoint<Frame> nearest_point_between(std::span<const Point2<Frame>> line, Point2<Frame> p,
                                                         double from, double to) {
@@ -100,7 +100,7 @@ template <class Frame>
   return best;
 }
 
-/// The point at `s` along the polyline; s is held within [0, arc length].
+/// The point at `s` along the polyline; s is limited to 0..the length.
 /// @param line  at least one point.
 template <class Frame>
 [[nodiscard]] Point2<Frame> point_at(std::span<const Point2<Frame>> line, double s) {
@@ -114,7 +114,7 @@ template <class Frame>
   return line.back();
 }
 
-/// The polyline walked at even steps: first and last point kept, `count` points equally far apart along it.
+/// The polyline resampled: `count` points at equal distances along it, its first and last point among them.
 /// @param line  at least one point.  @param count  at least 2.
 template <class Frame>
 [[nodiscard]] Polyline<Frame> resample(std::span<const Point2<Frame>> line, std::size_t count) {

@@ -12,9 +12,10 @@ namespace nazori::geometry {
 template <class Frame>
 struct WrittenPoint {
   Point2<Frame> at;
-  std::optional<double> time_s = {};    ///< seconds from any zero, the same for all strokes of a character
+  std::optional<double> time_s =
+      {};  ///< seconds from an arbitrary zero that all strokes of a character share
   std::optional<double> pressure = {};  ///< 0..1
-  std::optional<double> lean_rad = {};  ///< of the pen from upright
+  std::optional<double> lean_rad = {};  ///< angle between the pen and upright
 
   friend bool operator==(const WrittenPoint&, const WrittenPoint&) = default;
 };
@@ -27,7 +28,7 @@ using WrittenStroke = std::vector<WrittenPoint<Frame>>;
 template <class Frame>
 using WrittenStrokes = std::vector<WrittenStroke<Frame>>;
 
-/// Where the pen was, without times, pressures and lean.
+/// The positions of the pen, without times, pressures and lean.
 template <class Frame>
 [[nodiscard]] Polyline<Frame> line_of(const std::vector<WrittenPoint<Frame>>& stroke) {
   Polyline<Frame> line;
@@ -36,7 +37,7 @@ template <class Frame>
   return line;
 }
 
-/// A stroke of which nothing but its line is known.
+/// A stroke of which only the line is known.
 template <class Frame>
 [[nodiscard]] WrittenStroke<Frame> written_along(const std::vector<Point2<Frame>>& line) {
   WrittenStroke<Frame> stroke;
@@ -45,7 +46,8 @@ template <class Frame>
   return stroke;
 }
 
-/// The stroke in another frame; times, pressures and lean stay. @param to_frame  Point2<From> to Point2<To>.
+/// The stroke in another frame; times, pressures and lean are unchanged. @param to_frame  Point2<From> to
+/// Point2<To>.
 template <class To, class From, class ToFrame>
 [[nodiscard]] WrittenStroke<To> in_frame(const std::vector<WrittenPoint<From>>& stroke,
                                          const ToFrame& to_frame) {

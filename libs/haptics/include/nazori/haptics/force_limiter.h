@@ -8,15 +8,15 @@
 
 namespace nazori::haptics {
 
-/// The one gate that every force passes on its way to a device: finite, within the peak, within what the
-/// motors bear for long, changing no faster than the slew limit, and rising over kRamp_s after every start,
-/// error or change of what is felt.
+/// The last stage of every force on its way to a device: the force is finite, within the peak, within what
+/// the motors can give continuously, changes no faster than the slew limit, and rises over kRamp_s after
+/// every start, error or change of the scene.
 ///
-/// Heat is followed as the mean square of the force over kThermal_s. Up to 80 % of what the continuous force
-/// heats, the peak is allowed; from there the allowance falls in a straight line to the continuous force.
+/// Heat is modelled as the mean square of the force over kThermal_s. Up to 80 % of the heat of the continuous
+/// force, the peak is allowed; from there the limit falls linearly to the continuous force.
 ///
-/// @source limits and ramp: the vendor's advice on kick and buzz in the OpenHaptics programmer's guide;
-/// gate in one function: libfranka's control loop. Thread-safe: no. Real-time-safe: yes.
+/// @source limits and ramp: the vendor's advice on kick and buzz in the OpenHaptics programmer's guide; one
+/// function for all limits: libfranka's control loop. Thread-safe: no. Real-time-safe: yes.
 class ForceLimiter {
  public:
   static constexpr double kRamp_s = 0.3;
@@ -26,18 +26,19 @@ class ForceLimiter {
 
   /// @param wanted_n   any value; not finite gives zero and starts the ramp again.
   /// @param period_s   since the last call, > 0.
-  /// @return what the device may be given.
+  /// @return the force to send to the device.
   [[nodiscard]] Vec3 limit(const Vec3& wanted_n, double period_s) noexcept;
 
-  /// Zero at once, whatever the slew limit says, and the ramp starts again. For faults and lost devices.
+  /// Sets the force to zero at once, regardless of the slew limit, and restarts the ramp. For faults and lost
+  /// devices.
   void drop() noexcept;
-  /// The ramp starts again; the force falls no faster than the slew limit.
+  /// Restarts the ramp; the force falls no faster than the slew limit.
   void restart_ramp() noexcept { ramp_ = 0; }
 
   [[nodiscard]] const Vec3& last_n() const noexcept { return last_; }
   /// 0 just started .. 1 full force.
   [[nodiscard]] double ramp() const noexcept { return ramp_; }
-  /// Heat as a fraction of what the continuous force leads to.
+  /// Heat as a fraction of the heat of the continuous force.
   [[nodiscard]] double heat() const noexcept;
 
  private:
@@ -47,32 +48,33 @@ class ForceLimiter {
   double mean_square_ = 0;  // [N^2]
 };
 
-/// Energy that the device has been given by the hand less what it gave back, and the damping that keeps it
-/// from giving back more: a time-domain passivity observer and controller.
+/// Energy that the device received from the hand, minus what it gave back, and the damping that keeps it from
+/// giving back more: a time-domain passivity observer and controller.
 ///
-/// What is commanded in one tick acts until the next, so the energy is known exactly one tick late:
-/// W += -F[n-1] . (x[n] - x[n-1]), plus what the device's own damping ate. W is held to at most the energy
-/// stored in the spring at that moment, so that energy lost to friction earlier is no licence to push later.
+/// The force of one tick acts until the next, so the energy is known exactly one tick late: W += -F[n-1] .
+/// (x[n] - x[n-1]), plus what the device's own damping dissipated. W is limited to the energy stored in the
+/// springs at that moment, so that energy lost to friction earlier does not allow pushing later.
 ///
 /// @source B. Hannaford, J.-H. Ryu, Time-domain passivity control of haptic interfaces, IEEE Trans. Robotics
 /// and Automation 18(1), 2002. Thread-safe: no. Real-time-safe: yes.
 class Passivity {
  public:
-  /// Deepest debt that is remembered [J]; a teleport would otherwise be paid for during minutes.
+  /// Largest debt that is recorded [J]; otherwise paying off a jump of the position would take minutes.
   static constexpr double kMostDebt_j = 0.01;
 
-  /// @param period_s  of the servo: the device's delay is booked in whole periods of it, at most kMostDelay.
+  /// @param period_s  of the servo: the device's delay counts in whole periods of it, at most kMostDelay.
   Passivity(const DeviceLimits& limits, double period_s);
 
-  /// Books the last tick. @param moved_m  since the last tick.  @param commanded_n  force in between, before
-  /// the device's delay.
+  /// Adds the energy of the last tick. @param moved_m  since the last tick.  @param commanded_n  force in
+  /// between, before the device's delay.
   /// @param stored_j  energy in the springs now.
   void observe(const Vec3& moved_m, const Vec3& commanded_n, double period_s, double stored_j) noexcept;
 
-  /// Energy that is meant to be given to the hand in this tick, by leading: no debt. Before observe().
+  /// Energy that leading intentionally gives to the hand in this tick; it does not count as debt. Call before
+  /// observe().
   void grant(double energy_j) noexcept { energy_ += energy_j; }
 
-  /// Damping force that pays the debt back, zero while there is none. Never more than most_damping * speed.
+  /// Damping force that pays off the debt; zero without debt. Never more than most_damping * speed.
   [[nodiscard]] Vec3 correction(const Vec3& moved_m, double period_s) const noexcept;
 
   [[nodiscard]] double energy_j() const noexcept { return energy_; }
@@ -83,7 +85,7 @@ class Passivity {
 
   double own_damping_, most_damping_;
   double energy_ = 0;
-  std::array<Vec3, kMostDelay + 1> commanded_{};  // ring: what was commanded in the last ticks
+  std::array<Vec3, kMostDelay + 1> commanded_{};  // ring: the forces commanded in the last ticks
   std::size_t delay_, newest_ = 0;
 };
 

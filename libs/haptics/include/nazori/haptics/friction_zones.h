@@ -6,12 +6,12 @@
 
 namespace nazori::haptics {
 
-/// Parts of a surface that are rougher or smoother than its material says, so that a groove can be told from
-/// another by friction alone. Immutable once it is in a scene.
+/// Parts of a surface with more friction than its material has, so that grooves can be told apart by friction
+/// alone. Immutable once it is in a scene.
 struct FrictionZones {
-  /// Samples a side, as the surface has them: from edge to edge, row 0 at the top.
+  /// Samples per side, the same as of the surface: from edge to edge, row 0 at the top.
   int size = 0;
-  /// Of each sample: 0 the material alone, n added[n - 1] besides.
+  /// For each sample: 0 the material alone, n the material plus added[n - 1].
   std::vector<std::uint8_t> zone;
   /// Coefficients, >= 0, added to the material's static and dynamic friction.
   std::vector<double> added;

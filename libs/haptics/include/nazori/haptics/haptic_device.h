@@ -14,7 +14,7 @@ namespace nazori::haptics {
 /// z = 0.
 using Vec3 = glm::dvec3;
 
-/// What a device reports in one tick.
+/// The report of a device in one tick.
 struct DeviceSample {
   double time_s = 0;            ///< monotonic, from the start of the device
   Vec3 position_m{0, 0, 0.02};  ///< tip of the stylus, tablet frame
@@ -22,7 +22,7 @@ struct DeviceSample {
   bool present = true;          ///< false: pen lifted out of range, device lost; the force must be zero
 };
 
-/// What a device can do. Everything the servo sends is held within these.
+/// The capabilities of a device. All forces that the servo sends stay within these limits.
 struct DeviceLimits {
   double max_force_n = 3.3;          ///< peak
   double continuous_force_n = 0.88;  ///< bearable for long (thermal)
@@ -31,27 +31,27 @@ struct DeviceLimits {
   double own_damping_n_s_m = 0.05;  ///< physical damping of its joints, b in b > KT/2 + |B|
   double max_slew_n_s = 200;        ///< fastest change of force
   double delay_s = 0;               ///< from pose to force, beyond one tick
-  /// What a hand that holds the stylus loosely adds to own_damping_n_s_m.
+  /// Damping that a loosely holding hand adds to own_damping_n_s_m.
   double hand_damping_n_s_m = 2.0;
 };
 
-/// What the window and the command line say of a device.
+/// The properties of a device that the window and the command line show.
 struct DeviceDescription {
   std::string name;        ///< "Mouse", "Simulated hand"
   double rate_hz = 1000;   ///< of its servo
-  bool has_force = false;  ///< false: pen or mouse; forces are computed, shown and not felt
+  bool has_force = false;  ///< false: pen or mouse; forces are computed and shown, but not felt
   DeviceLimits limits;
 };
 
-/// What is called once a tick, on the servo thread, by whatever drives the device: a timer thread of ours or
-/// the scheduler of the vendor's library. Real-time-safe: implementations neither allocate, lock, log, throw
-/// nor wait.
+/// Called once per tick, on the servo thread, by what drives the device: a timer thread of this program or
+/// the scheduler of the vendor's library. Real-time-safe: implementations must not allocate, lock, log, throw
+/// or wait.
 class ServoCallback {
  public:
   virtual ~ServoCallback() = default;
   /// @return force to command [N], tablet frame, finite and within the device's limits.
   virtual Vec3 tick(const DeviceSample& sample) noexcept = 0;
-  /// What the last tick told, as bits of ServoEvent, for devices that say it in a way of their own, such as
+  /// The events of the last tick, as bits of ServoEvent, for devices that signal them in another way, such as
   /// rumble. Thread: servo.
   [[nodiscard]] virtual std::uint16_t events() const noexcept { return 0; }
 };
@@ -65,9 +65,9 @@ class HapticDevice {
   [[nodiscard]] virtual DeviceDescription describe() const = 0;
   /// Starts calling `servo` at the device's rate. `servo` must live until stop() returns.
   [[nodiscard]] virtual base::Result<void> start(ServoCallback& servo) = 0;
-  /// Force to zero, no tick runs after it returns. Harmless when not started.
+  /// Sets the force to zero; no tick runs after it returns. Has no effect when not started.
   virtual void stop() noexcept = 0;
-  /// How it stands now. Never waits for the servo. Thread: interface. A device that has nothing to say runs.
+  /// The present status. Never waits for the servo. Thread: interface. The default is a running device.
   [[nodiscard]] virtual DeviceStatus status() const { return {}; }
 };
 

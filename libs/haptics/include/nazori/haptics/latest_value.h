@@ -7,8 +7,8 @@
 
 namespace nazori::haptics {
 
-/// Hands the newest value from one writer thread to one reader thread (triple buffer). The reader may miss
-/// values, never sees half of one, never goes back in time. All three slots exist from construction: no call
+/// Passes the newest value from one writer thread to one reader thread (triple buffer). The reader may miss
+/// values, but never sees an incomplete or an older one. All three slots exist from construction: no call
 /// here allocates (beyond what T's assignment does), locks or waits.
 template <class T>
 class LatestValue {
@@ -20,7 +20,7 @@ class LatestValue {
   /// Slot to fill before publish(). Thread: writer. Wait-free.
   T& back() noexcept { return slots_[back_]; }
 
-  /// Makes back() the newest value; back() is then another, stale slot. Thread: writer. Wait-free.
+  /// Makes back() the newest value; back() is then another slot with an old value. Thread: writer. Wait-free.
   void publish() noexcept {
     back_ = middle_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
   }

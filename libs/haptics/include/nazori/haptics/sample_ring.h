@@ -11,17 +11,18 @@
 
 namespace nazori::haptics {
 
-/// The ring through which a servo hands every sample to whoever records it: one thread pushes (the servo),
-/// one takes. It holds no pointers, so it can lie in memory that two processes share or that outlives one:
-/// what was pushed whole stays readable when the pushing process is killed. push() allocates nothing, waits
-/// for nobody and calls nothing. A ring of zeros is an empty ring.
+/// The ring through which a servo passes every sample to a recorder: one thread pushes (the servo), one
+/// takes. It contains no pointers, so it can lie in memory that two processes share or that outlives a
+/// process: completely pushed samples stay readable when the pushing process is killed. push() does not
+/// allocate, wait or call anything. A ring of zeros is an empty ring.
 struct SampleRing {
-  /// 32 s at 1 kHz, 8 s at 4 kHz: longer than a disk makes its writer wait.
+  /// 32 s at 1 kHz, 8 s at 4 kHz: longer than a disk blocks its writer.
   static constexpr std::uint64_t kCapacity = 32768;
 
   alignas(64) std::atomic<std::uint64_t> pushed{0};  ///< samples so far; written by the servo
   std::atomic<std::uint64_t> lost{0};  ///< samples the ring had no room for; written by the servo
-  alignas(64) std::atomic<std::uint64_t> taken{0};  ///< samples that are safe elsewhere; written by the taker
+  alignas(64) std::atomic<std::uint64_t> taken{
+      0};  ///< samples that are stored elsewhere; written by the reader
   alignas(64) std::array<ServoSample, kCapacity> slots;
 
   /// Adds a sample, or counts it as lost where the ring is full. Thread: servo. Wait-free.

@@ -11,14 +11,14 @@
 
 namespace nazori::haptics {
 
-/// Centre lines made ready for the question "what is nearest?", asked every tick. Immutable.
-/// Thread-safe: yes. Real-time-safe: all but the constructor.
+/// Centre lines prepared for the query "what is nearest?", which runs in every tick. Immutable. Thread-safe:
+/// yes. Real-time-safe: all but the constructor.
 class StrokeIndex {
  public:
-  /// A place on a stroke.
+  /// A location on a stroke.
   struct Hit {
     Vec3 point{0, 0, 0};
-    double squared_m2 = std::numeric_limits<double>::infinity();  ///< distance to the asking point, squared
+    double squared_m2 = std::numeric_limits<double>::infinity();  ///< squared distance to the query point
     std::int32_t segment = -1;                                    ///< -1: none within reach
     double along = 0;                                             ///< 0..1 on the segment
   };
@@ -28,20 +28,20 @@ class StrokeIndex {
   StrokeIndex(std::span<const StrokePath> strokes, int only);
 
   [[nodiscard]] bool empty() const noexcept { return segments_.empty(); }
-  /// Nearest place on any stroke within `reach_m` of `p`. O(segments / 8) in the worst case.
+  /// Nearest location on any stroke within `reach_m` of `p`. O(segments / 8) in the worst case.
   [[nodiscard]] Hit nearest(const Vec3& p, double reach_m) const noexcept;
-  /// Nearest place on the stroke that `segment` belongs to, as found by walking along it from there.
+  /// Nearest location on the stroke that `segment` belongs to, found by walking along it from there.
   [[nodiscard]] Hit follow(const Vec3& p, std::int32_t segment) const noexcept;
-  /// Number of the stroke, from 1, that holds `segment`.
+  /// Number of the stroke, from 1, that contains `segment`.
   [[nodiscard]] std::int32_t stroke(std::int32_t segment) const noexcept {
     return segments_[static_cast<std::size_t>(segment)].stroke;
   }
   /// Metres along the stroke from its start.
   [[nodiscard]] double arc_length_m(const Hit& hit) const noexcept;
-  /// Metres from start to end of the stroke that holds `segment`.
+  /// Metres from start to end of the stroke that contains `segment`.
   [[nodiscard]] double stroke_length_m(std::int32_t segment) const noexcept;
-  /// The place `arc_m` along the stroke numbered `stroke`, held to its ends; segment -1 when there is none.
-  /// O(log segments).
+  /// The location `arc_m` along the stroke numbered `stroke`, limited to its ends; segment -1 when there is
+  /// no such stroke. O(log segments).
   [[nodiscard]] Hit at_length(std::int32_t stroke, double arc_m) const noexcept;
   /// Unit direction of writing at `segment`; zero for a stroke of one point.
   [[nodiscard]] Vec3 direction(std::int32_t segment) const noexcept;

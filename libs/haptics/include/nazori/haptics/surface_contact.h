@@ -11,24 +11,24 @@ struct Friction {
   double slide = 0;  ///< dynamic coefficient, at most `hold`
 };
 
-/// A point held on a height field: the god-object of a stylus.
+/// The contact between the tip and a height field, by a god-object (proxy).
 ///
 /// While the device is outside the material the proxy is the device. While it is inside, the proxy is the
-/// point of the surface at a local minimum of distance to the device, found by walking downhill in distance
-/// from where the proxy was (Newton steps of at most half a sample, kRidge_m or an eighth of the way), so it
-/// follows walls of any steepness. Ten steps a tick: a long way is gone in several. With friction it stops on
-/// the way as soon as the pull lies within the friction cone: lateral pull <= coefficient x depth. On first
-/// contact it starts where the device's way crossed the surface.
+/// point of the surface at a local minimum of distance to the device. It is found by walking downhill in
+/// distance from the previous proxy (Newton steps of at most half a sample, kRidge_m or an eighth of the
+/// distance), so it follows walls of any steepness. A tick makes at most ten steps, so a long walk takes
+/// several ticks. With friction the walk stops as soon as the pull lies within the friction cone: lateral
+/// pull <= coefficient x depth. On first contact it starts where the device's path crossed the surface.
 ///
-/// A proxy behind a ridge comes over it once the surface over the device is nearer by kRidge_m; so it never
-/// hangs behind, and a wall gives way only where the hand is already nearer the other side. What enters is
-/// made finite by the caller; whatever it is, the proxy is never below the surface.
+/// A proxy behind a ridge crosses it once the surface above the device is nearer by kRidge_m. So it never
+/// stays behind, and a wall gives way only where the hand is already nearer the other side. The caller makes
+/// the input finite; whatever it is, the proxy is never below the surface.
 ///
-/// @source C. Zilles, J. Salisbury, A constraint-based god-object method, IROS 1995 (proxy, force);
-/// S. Walker, J. Salisbury, Large haptic topographic maps, I3D 2003 (walking downhill in distance);
-/// N. Melder, W. Harwin, Extending the friction cone algorithm, 2004 (friction); Newton steps and the ridge
-/// rule: own design, see docs/haptics.md.
-/// Thread-safe: no. Real-time-safe: yes, bounded: at most 64 evaluations of the surface.
+/// @source C. Zilles, J. Salisbury, A constraint-based god-object method, IROS 1995 (proxy, force); S.
+/// Walker, J. Salisbury, Large haptic topographic maps, I3D 2003 (walking downhill in distance); N. Melder,
+/// W. Harwin, Extending the friction cone algorithm, 2004 (friction); Newton steps and the ridge rule: own
+/// design, see docs/haptics.md. Thread-safe: no. Real-time-safe: yes, bounded: at most 64 evaluations of the
+/// surface.
 class SurfaceContact {
  public:
   /// How much nearer another part of the surface must be before the proxy crosses a ridge [m].
@@ -37,17 +37,18 @@ class SurfaceContact {
   /// Moves the proxy for the device at `device_m`. @param device_m  finite.
   void update(const TabletSurface& surface, const Vec3& device_m, const Friction& friction) noexcept;
 
-  /// Forgets the way the device came: the next update seats the proxy on the surface nearest the device.
+  /// Forgets the path of the device: the next update puts the proxy on the point of the surface nearest to
+  /// the device.
   void forget() noexcept { known_ = touching_ = sliding_ = false; }
 
-  /// Nothing to touch: the proxy is the device.
+  /// There is no surface: the proxy is the device.
   void free_at(const Vec3& device_m) noexcept;
 
   [[nodiscard]] const Vec3& proxy_m() const noexcept { return proxy_; }
   [[nodiscard]] bool touching() const noexcept { return touching_; }
   /// Unit vector out of the material at the proxy; meaningful while touching.
   [[nodiscard]] const Vec3& normal() const noexcept { return normal_; }
-  /// The proxy is held by friction, not moving.
+  /// Whether friction keeps the proxy in place.
   [[nodiscard]] bool held() const noexcept { return touching_ && !sliding_; }
 
  private:
@@ -55,7 +56,7 @@ class SurfaceContact {
   Vec3 normal_{0, 0, 1};
   TabletSurface surface_;       // that place_ was read from
   TabletSurface::Place place_;  // of the proxy, while touching
-  bool known_ = false;          // proxy_ says where the device was
+  bool known_ = false;          // proxy_ is the previous position of the device
   bool touching_ = false;
   bool sliding_ = false;
 };

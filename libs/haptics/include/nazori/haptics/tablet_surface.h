@@ -10,12 +10,12 @@
 
 namespace nazori::haptics {
 
-/// The carved surface as the height field z = H(x, y) in metres, tablet frame. It has no rim to fall off: the
-/// plateau (and a groove that runs into the edge) goes on level for ever.
-/// Holds no ownership: `surface` must outlive it. Real-time-safe: yes.
+/// The carved surface as the height field z = H(x, y) in metres, tablet frame. It has no outer edge: the
+/// plateau (and a groove that runs into the edge) continues level without end. Does not own `surface`, which
+/// must outlive it. Real-time-safe: yes.
 class TabletSurface {
  public:
-  /// Height, slope and bend in metres.
+  /// Height, slope and curvature, in metres.
   struct Place {
     double x = 0, y = 0;               ///< [m]
     double z = 0;                      ///< H [m], <= 0
@@ -43,7 +43,7 @@ class TabletSurface {
   /// Distance between two samples [m].
   [[nodiscard]] double cell_m() const { return cell_m_; }
 
-  /// The same surface in the same size.
+  /// Whether it is the same surface in the same size.
   friend bool operator==(const TabletSurface& a, const TabletSurface& b) {
     return a.serial_ == b.serial_ && a.half_m_ == b.half_m_ && a.depth_m_ == b.depth_m_;
   }
@@ -68,7 +68,7 @@ class TabletSurface {
 
  private:
   const surface::SmoothSurface* surface_ = nullptr;
-  std::uint64_t serial_ = 0;  // of the surface; 0 none
+  std::uint64_t serial_ = 0;  // serial number of the surface; 0 none
   double half_m_ = 0, per_m_ = 0, depth_m_ = 0, cell_m_ = 1;
 };
 

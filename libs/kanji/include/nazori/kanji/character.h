@@ -30,7 +30,7 @@ struct Component {
   friend bool operator==(const Component&, const Component&) = default;
 };
 
-/// An accepted other order of the same strokes.
+/// Another accepted order of the same strokes.
 struct AlternativeOrder {
   std::vector<int> order;  ///< 1-based stroke numbers of the main form in the order they are written
   std::string source;      ///< where it is attested: "KanjiVG variant HzFst", "Tebiki 1958 list"
@@ -67,7 +67,7 @@ struct Radical {
   friend bool operator==(const Radical&, const Radical&) = default;
 };
 
-/// What KANJIDIC2 says of a character. Empty lists and nullopt where it says nothing.
+/// The dictionary entry of a character in KANJIDIC2. Empty lists and nullopt where it has no information.
 struct DictionaryEntry {
   std::vector<std::string> on_readings;   ///< katakana: "キュウ"
   std::vector<std::string> kun_readings;  ///< hiragana, okurigana after the dot: "やす.む"
@@ -95,7 +95,7 @@ struct Character {
       variants;  ///< suffixes of the variant files of the same character (main form only)
   DictionaryEntry entry;
 
-  /// The strokes' lines only, for carving and drawing.
+  /// Only the lines of the strokes, for carving and drawing.
   [[nodiscard]] std::vector<StrokeLine> lines() const;
 };
 
@@ -104,7 +104,7 @@ struct Word {
   std::string text;                  ///< "休日"
   std::string reading;               ///< "きゅうじつ"; equal to text for words written in kana
   std::vector<std::string> glosses;  ///< English
-  std::vector<int> senses;           ///< of each gloss the number of its sense, from 1, ascending
+  std::vector<int> senses;           ///< for each gloss the number of its sense, from 1, ascending
   std::string parts_of_speech;       ///< EDICT's marks, "n,adj-no"
   bool common = false;               ///< marked (P)
 

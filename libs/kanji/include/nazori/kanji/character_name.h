@@ -10,14 +10,14 @@
 
 namespace nazori::kanji {
 
-/// A character as people name it: in a command, in a list of characters.
+/// A character as people name it in a command or in a list of characters.
 struct CharacterName {
   char32_t code_point = 0;
-  std::string variant;  ///< suffix of a variant form, mostly empty
+  std::string variant;  ///< suffix of a variant form, usually empty
 
   /// "休", "休-Kaisho".
   [[nodiscard]] std::string text() const;
-  /// text() as the name of a file; "U+002F" for what cannot stand in one.
+  /// text() as the name of a file; "U+002F" for characters that a file name cannot contain.
   [[nodiscard]] std::string file_name() const;
 
   friend bool operator==(const CharacterName&, const CharacterName&) = default;
@@ -28,8 +28,8 @@ struct CharacterName {
 
 /// Reads arguments that name characters: each is one or several characters ("休", "休日"), one with the
 /// suffix of a variant form ("休-Kaisho"), or a code point ("U+4F11"). Kana may have their sound mark as a
-/// combining character; selectors of a glyph's variation and spaces are passed over. Each character counts
-/// once.
+/// combining character; variation selectors and spaces are ignored. Each character appears once in the
+/// result.
 /// @return Errc::bad_argument for text that is not UTF-8 and for an argument without any character.
 [[nodiscard]] base::Result<std::vector<CharacterName>> parse_characters(
     std::span<const std::string> arguments);

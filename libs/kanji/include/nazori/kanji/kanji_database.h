@@ -15,20 +15,20 @@
 
 namespace nazori::kanji {
 
-/// What a search may ask for. Every condition that is set must hold.
+/// The conditions of a search. An answer meets all that are set.
 struct Query {
   /// A character or several, a reading in kana (with or without the okurigana dot), romaji (Hepburn or
-  /// Kunrei, "kyuu", "kyû"), or the beginning of an English word of a meaning. Text with kanji in it asks for
-  /// each of these, in its order. Empty: no condition.
+  /// Kunrei, "kyuu", "kyû"), or the beginning of an English word of a meaning. Text that contains kanji finds
+  /// each of these kanji, in the order of the text. Empty: no condition.
   std::string text;
   std::optional<int> grade;
   std::optional<int> strokes;  ///< as drawn, or as the dictionary counts them: they differ for a few
   std::optional<int> radical;  ///< classical number 1..214
   bool drawn_only = true;      ///< only characters that have strokes; false: the whole dictionary
-  int limit = 500;             ///< at most so many answers, >= 1
+  int limit = 500;             ///< maximum number of answers, >= 1
 };
 
-/// One line of a list of characters.
+/// One row of a list of characters.
 struct Summary {
   char32_t code_point = 0;
   std::string meaning;  ///< first English meaning, empty for kana and letters
@@ -39,7 +39,7 @@ struct Summary {
   friend bool operator==(const Summary&, const Summary&) = default;
 };
 
-/// The ready lists of characters.
+/// The built-in lists of characters.
 enum class List : std::uint8_t {
   grade_1,
   grade_2,
@@ -63,19 +63,20 @@ struct Source {
   std::string licence;
 };
 
-/// One stroke of one of all characters, as for_each_stroke() hands it on.
+/// One stroke, as for_each_stroke() passes it on.
 struct StrokePath {
   char32_t code_point = 0;
-  int place = 0;          ///< of the character, 0 the commonest
-  std::string_view path;  ///< SVG path data, glyph frame; gone after the call
+  int place = 0;          ///< rank of the character, 0 the commonest
+  std::string_view path;  ///< SVG path data, glyph frame; invalid after the call
 };
 
-/// The kanji database kanji.db, opened read only.
-/// Thread-safe: no; each thread opens its own. Not for the servo thread. Where a row cannot be read the
-/// function answers as if there were none, and trouble() says why.
+/// The kanji database kanji.db, opened read only. Thread-safe: no; each thread opens its own. Not for the
+/// servo thread. Where a row cannot be read, the function returns the same as for a missing row, and
+/// trouble() says why.
 class KanjiDatabase {
  public:
-  /// @return Errc::not_found for a missing file, Errc::schema for a file that is no kanji.db of this version.
+  /// @return Errc::not_found for a missing file, Errc::schema for a file that is not a kanji.db of this
+  /// version.
   [[nodiscard]] static base::Result<KanjiDatabase> open(const std::filesystem::path& path);
 
   /// Where kanji.db is looked for, in order: the folder in NAZORI_DATA; the folder of the running program;
@@ -84,29 +85,33 @@ class KanjiDatabase {
   /// or Errc::not_found whose remedy says how to build one.
   [[nodiscard]] static base::Result<std::filesystem::path> locate();
 
-  /// Where a new kanji.db is written when no file was named: to the folder in NAZORI_DATA, else build/data of
-  /// the program's build tree, else nazori/ in XDG_DATA_HOME. Errc::not_found where none of these is known.
+  /// Where a new kanji.db is written when no file is named: in the folder in NAZORI_DATA, else in build/data
+  /// of the program's build tree, else in nazori/ in XDG_DATA_HOME. Errc::not_found where none of these is
+  /// known.
   [[nodiscard]] static base::Result<std::filesystem::path> place_to_build();
 
   KanjiDatabase(KanjiDatabase&&) noexcept;
   KanjiDatabase& operator=(KanjiDatabase&&) noexcept;
   ~KanjiDatabase();
 
-  /// The first thing that could not be read since open(); empty where all could. Ask it before "there is
-  /// none" is taken for the answer.
+  /// The first read error since open(); empty where there was none. Check it before you take "not found" for
+  /// the answer.
   [[nodiscard]] const std::optional<base::Error>& trouble() const;
 
-  /// One character whole; `variant` is a suffix, empty for the main form. nullopt where it is not in the
+  /// One complete character; `variant` is a suffix, empty for the main form. nullopt where it is not in the
   /// database.
   [[nodiscard]] std::optional<Character> find(char32_t code_point, std::string_view variant = {}) const;
 
-  /// Characters that fit, best first: the character itself; whole readings and first meanings; readings
+  /// Whether a character has strokes. Does not read the file.
+  [[nodiscard]] bool draws(char32_t code_point) const;
+
+  /// The matching characters, best first: the character itself; whole readings and first meanings; readings
   /// without their okurigana and other whole meanings; names and single words of meanings; then beginnings.
-  /// Among equals the commoner before the rarer.
+  /// Among equals the commoner comes first.
   [[nodiscard]] std::vector<Summary> search(const Query& query) const;
 
-  /// Members of a ready list, in the order a learner meets them (grades: by frequency, then code
-  /// point; kana: as in the table of fifty sounds, then the voiced, then the small ones).
+  /// Members of a built-in list, in learning order (grades: by frequency, then code point; kana: as in the
+  /// table of fifty sounds, then the voiced, then the small ones).
   [[nodiscard]] std::vector<Summary> list(List which) const;
 
   /// Words written with the character, commonest first.
@@ -120,8 +125,8 @@ class KanjiDatabase {
 
   [[nodiscard]] std::vector<Source> sources() const;
 
-  /// Hands every stroke of every main form to `take`: a character's strokes one after another, in writing
-  /// order. For those who need them all at once; find() is many times slower for that.
+  /// Passes every stroke of every main form to `take`: all strokes of one character after another, in writing
+  /// order. For callers that need all strokes at once; find() would be many times slower.
   void for_each_stroke(const std::function<void(const StrokePath&)>& take) const;
 
  private:

@@ -6,9 +6,9 @@
 
 namespace nazori::kanji {
 
-/// A kun reading as KANJIDIC2 writes it, taken apart: "やす.む" is the stem やす, which the kanji stands for,
-/// and the okurigana む, which follows it in kana. A hyphen marks a reading used only as the end or the
-/// beginning of a word. UTF-8.
+/// A kun reading as KANJIDIC2 writes it, split into its parts: "やす.む" is the stem やす, which the kanji
+/// stands for, and the okurigana む, which follows it in kana. A hyphen marks a reading used only at the end
+/// or the beginning of a word. UTF-8.
 struct KunReading {
   std::string stem;
   std::string okurigana;
@@ -18,10 +18,10 @@ struct KunReading {
   friend bool operator==(const KunReading&, const KunReading&) = default;
 };
 
-/// Takes a reading of DictionaryEntry::kun_readings apart; a text without signs is all stem.
+/// Splits a reading of DictionaryEntry::kun_readings; a text without marks is all stem.
 [[nodiscard]] KunReading split_kun(std::string_view reading);
 
-/// "やす・む", with a wave dash ～ where the hyphen stood.
+/// "やす・む", with a wave dash ～ in place of the hyphen.
 [[nodiscard]] std::string kun_text(const KunReading& reading);
 
 }  // namespace nazori::kanji

@@ -6,8 +6,9 @@
 
 namespace nazori::kanji {
 
-/// An English meaning as it is searched: lower case, each run of anything but letters, digits and apostrophes
-/// one space, none at the ends. Letters beyond ASCII stay as they are. "Day off (work)" gives "day off work".
+/// Normalises an English meaning for searching: lower case, each run of anything but letters, digits and
+/// apostrophes becomes one space, none at the ends. Letters beyond ASCII are unchanged. "Day off (work)"
+/// gives "day off work".
 [[nodiscard]] std::string fold_meaning(std::string_view meaning);
 
 }  // namespace nazori::kanji

@@ -13,14 +13,14 @@ namespace nazori::kanji {
 /// one is given: "kyô" gives きょう, きょお and きょー.
 [[nodiscard]] std::vector<std::string> romaji_to_hiragana(std::string_view romaji);
 
-/// As romaji_to_hiragana(), for text that is still being typed: a last syllable that is not complete gives
-/// every syllable it can become. "yas" gives やさ, やし, やす, ...; "kan" gives かん, かな, かに, ...
+/// As romaji_to_hiragana(), for text that is still being typed: an incomplete last syllable gives every
+/// syllable that begins with it. "yas" gives やさ, やし, やす, ...; "kan" gives かん, かな, かに, ...
 [[nodiscard]] std::vector<std::string> romaji_beginnings(std::string_view romaji);
 
-/// Katakana, full or half width, as hiragana; all else unchanged. Bytes that are not UTF-8 stay as they are.
+/// Katakana, full or half width, as hiragana; everything else, also invalid UTF-8, is unchanged.
 [[nodiscard]] std::string to_hiragana(std::string_view text);
 
-/// A reading as it is searched: hiragana without the okurigana dot, hyphens, middle dots and spaces.
+/// A reading normalised for searching: hiragana without the okurigana dot, hyphens, middle dots and spaces.
 [[nodiscard]] std::string fold_reading(std::string_view reading);
 
 }  // namespace nazori::kanji

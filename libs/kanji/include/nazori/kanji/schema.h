@@ -6,15 +6,15 @@
 
 namespace nazori::kanji {
 
-/// The layout of kanji.db, shared by the one who writes it (ingest) and the one who reads it (KanjiDatabase).
-/// A file of another version is refused, never converted: it is rebuilt from its sources.
+/// The layout of kanji.db, shared by its writer (ingest) and its reader (KanjiDatabase). A file of another
+/// version is refused, never converted: it has to be rebuilt from its sources.
 
 /// PRAGMA application_id of a kanji.db: "NZKD".
 inline constexpr std::int32_t kSchemaApplicationId = 0x4E5A4B44;
 /// PRAGMA user_version; goes up with every change of the layout or of what a column means.
 inline constexpr std::int32_t kSchemaVersion = 1;
 
-/// The CREATE statements, in SQL. What each table and column holds is written there.
+/// The CREATE statements, in SQL. They describe each table and column.
 [[nodiscard]] std::string_view schema_sql();
 
 /// Values of character.kind.
@@ -29,7 +29,7 @@ enum class CharacterKind : std::uint8_t {
 /// Values of reading.kind.
 enum class ReadingKind : std::uint8_t { on = 0, kun = 1, nanori = 2 };
 
-/// Values of reading_key.fit and meaning_key.fit: how well a key stands for the character, best first.
+/// Values of reading_key.fit and meaning_key.fit: how well a key matches the character, best first.
 enum class KeyFit : std::uint8_t {
   whole = 0,  ///< a whole reading; the whole of the first English meaning
   part = 1,   ///< a reading without its okurigana; the whole of another English meaning

@@ -12,19 +12,18 @@ namespace nazori::kanji {
 
 /// How a stroke ends. @source the table of KanjiVG types in docs/data.md.
 enum class StrokeEnding : std::uint8_t {
-  stop,    ///< tome: the brush halts and is lifted, a blunt end
-  hook,    ///< hane: a full stop, then a short kick
-  taper,   ///< harai: the brush is lifted while it moves, the end thins to nothing
+  stop,    ///< tome: the brush stops and is then lifted; a blunt end
+  hook,    ///< hane: the brush stops, then flicks off
+  taper,   ///< harai, a sweep: the brush is lifted while it moves; the end thins out
   either,  ///< officially free: stop or another ending are both right
 };
 
-/// The line a brush follows for one stroke and how it leaves the paper: all that carving, drawing and
-/// touching need to know.
+/// The line a brush follows for one stroke, and its ending: all that carving, drawing and haptics need.
 struct StrokeLine {
   geometry::Polyline<geometry::GlyphFrame> points;  ///< centre line in writing direction, at least one point
   StrokeEnding ending = StrokeEnding::stop;
   std::optional<geometry::GlyphPoint>
-      number_position;  ///< baseline left of the printed stroke number, where the source has it
+      number_position;  ///< left end of the baseline of the printed stroke number, if the source gives it
 
   friend bool operator==(const StrokeLine&, const StrokeLine&) = default;
 };

@@ -29,7 +29,7 @@ class StrokeOrder {
  public:
   using Points = std::vector<StrokeOrderPoint>;
 
-  /// Largest side of a grid, and the largest counts a file may claim.
+  /// Largest side of a grid, and largest counts that a file may contain.
   static constexpr int kMaxGrid = 8192;
   static constexpr int kMaxStrokes = 1024;
   static constexpr int kMaxPointsPerStroke = 65536;
@@ -44,10 +44,9 @@ class StrokeOrder {
   [[nodiscard]] const std::vector<Points>& all() const { return strokes_; }
 
   /// @param grid_size  side of the grid that the points must lie in, 2..8192.
-  /// @return Errc::parse for a truncated file, left-over bytes, counts that are negative or beyond the
-  /// limits, and points
-  ///         outside the grid, with the byte offset in the text. Memory used is bounded by the length of
-  ///         `bytes`.
+  /// @return Errc::parse for a truncated file, extra bytes, counts that are negative or beyond the limits,
+  /// and points outside the grid, with the byte offset in the text. Memory used is bounded by the length of
+  /// `bytes`.
   [[nodiscard]] static base::Result<StrokeOrder> parse(std::span<const std::uint8_t> bytes, int grid_size);
   [[nodiscard]] std::vector<std::uint8_t> to_bytes() const;
 

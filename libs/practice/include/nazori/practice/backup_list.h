@@ -15,38 +15,38 @@
 
 namespace nazori::practice {
 
-/// How a backup came about.
+/// The origin of a backup.
 enum class BackupKind : std::uint8_t {
-  daily,           ///< by itself, on a study day
+  daily,           ///< made automatically, on a study day
   own,             ///< the learner asked for it
-  before_restore,  ///< what a restored backup replaced
+  before_restore,  ///< the data that a restored backup replaced
   before_upgrade,  ///< before the file was brought to a newer version
 };
 
-/// A backup, and what is known of it.
+/// A backup with what is known about it.
 struct ListedBackup {
   study::Backup backup;
   BackupKind kind = BackupKind::daily;
-  std::optional<study::Day> day;  ///< of a daily one, where its name says it
-  /// What it holds, or why it cannot be used; nothing while it is being read.
+  std::optional<study::Day> day;  ///< of a daily backup, if its name contains the day
+  /// Its content, or why it cannot be used; nothing while it is being read.
   std::optional<base::Result<study::BackupContents>> contents;
 
   /// Whether it can be restored.
   [[nodiscard]] bool is_sound() const { return contents && contents->has_value(); }
 };
 
-/// The backups of the present learner, newest first. What each holds is read on a thread of its own.
+/// The backups of the present learner, newest first. The content of each is read on a separate thread.
 /// Thread: the owner of the inbox.
 class BackupList {
  public:
-  /// Lists nothing before refresh(). @param learner  outlives this.
+  /// The list is empty before refresh(). @param learner  outlives this.
   BackupList(base::Inbox& inbox, const Learner& learner);
 
-  /// Lists what is there now; what each holds follows.
+  /// Lists the present backups; the content of each follows.
   void refresh();
   [[nodiscard]] const std::vector<ListedBackup>& backups() const { return backups_; }
 
-  /// What this one of backups() holds is known.
+  /// The content of this one of backups() is known.
   base::Signal<std::size_t> read;
 
  private:
@@ -55,7 +55,8 @@ class BackupList {
 
   const Learner& learner_;
   std::vector<ListedBackup> backups_;
-  base::Latest<Files, std::monostate, Part> reading_;  // declared last, so that it ends before what it uses
+  base::Latest<Files, std::monostate, Part>
+      reading_;  // declared last, so that it is destroyed before the members it uses
 };
 
 }  // namespace nazori::practice

@@ -5,10 +5,10 @@
 
 namespace nazori::practice {
 
-/// A tablet with nothing carved, on which strokes lie that only hold the stylus; none: just a face.
+/// A flat tablet whose strokes only attract the stylus; without strokes: just the surface.
 [[nodiscard]] Tablet blank_tablet(std::vector<tablet::TabletLine> lines = {});
 
-/// The same relief without the strokes: it is felt, but neither drawn nor followed.
+/// The same relief without the strokes: the grooves can be felt, but no strokes are drawn or tracked.
 [[nodiscard]] Tablet without_strokes(const Tablet& tablet);
 
 }  // namespace nazori::practice

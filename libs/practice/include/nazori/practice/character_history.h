@@ -19,9 +19,9 @@ struct HardStroke {
   friend bool operator==(const HardStroke&, const HardStroke&) = default;
 };
 
-/// Strokes of a character that went wrong more than once, the worst first; endings do not count. Empty where
-/// the history cannot be read, which is announced.
-/// @param most  of them.
+/// Strokes of a character that went wrong more than once, the most frequent first; endings do not count. If
+/// the history cannot be read, announces it and returns nothing.
+/// @param most  maximum number of strokes.
 [[nodiscard]] std::vector<HardStroke> hard_strokes(Learner& learner, char32_t character, std::size_t most);
 
 /// A character as the learner wrote it from memory once.
@@ -31,9 +31,9 @@ struct EarlierWriting {
   study::Rating rating = study::Rating::good;
 };
 
-/// The newest writings of a character from memory that were saved with their handwriting, the newest first.
-/// What cannot be read is announced: a writing is left out then.
-/// @param most  of them.
+/// The newest writings of a character from memory that were saved with their handwriting, the newest first. A
+/// writing that cannot be read is announced and left out.
+/// @param most  maximum number of writings.
 /// @return nothing where the history cannot be read.
 [[nodiscard]] std::optional<std::vector<EarlierWriting>> earlier_writings(Learner& learner,
                                                                           char32_t character,

@@ -11,37 +11,39 @@
 #include "nazori/base/executor.h"
 #include "nazori/base/signal.h"
 #include "nazori/kanji/kanji_database.h"
+#include "nazori/practice/dictation_words.h"
 
 namespace nazori::practice {
 
-/// A part of a character, and the character that it leads to.
+/// A part of a character, and the character that a click on it opens.
 struct Part {
   std::string element;  ///< as drawn in the character, "亻"
-  /// The character to go to: itself, or what it stands for (人); 0 where neither can be shown.
+  /// The character to open: the part itself, or what it stands for (人); 0 where neither can be shown.
   char32_t target = 0;
-  std::string original;  ///< what it is a form of, "人"; empty where it is itself
+  std::string original;  ///< the character it is a form of, "人"; empty if none
   std::string meaning;   ///< first English meaning of the target
 };
 
-/// All that is shown of one character, read in one go.
+/// All that is shown about one character.
 struct CharacterSheet {
   kanji::Character character;
   std::optional<kanji::Radical> radical;
   std::vector<Part> parts;
   std::vector<kanji::Word> words;
+  std::vector<DictationWord> dictation;  ///< those that can be asked for in a dictation, commonest first
 };
 
-/// Characters as a list shows them. Immutable, so that threads may share it.
+/// The characters of a list. Immutable, so that threads may share it.
 using Summaries = std::shared_ptr<const std::vector<kanji::Summary>>;
 
-/// The kanji database behind a thread of its own. Requests return at once, answers come as signals. Of
+/// Reads the kanji database on a separate thread. Requests return at once, answers come as signals. Of
 /// several requests of one kind only the newest is answered. Thread: the owner of the inbox.
 class CharacterLibrary {
  public:
-  /// Most words of a sheet.
+  /// Maximum number of words in a sheet.
   static constexpr int kMaxWords = 60;
 
-  /// Opens the database behind the caller; opened or failed follows.
+  /// Opens the database on the other thread; `opened` or `failed` follows.
   /// @param inbox  outlives this. @param path  of kanji.db.
   CharacterLibrary(base::Inbox& inbox, std::filesystem::path path);
   ~CharacterLibrary();
@@ -50,10 +52,12 @@ class CharacterLibrary {
 
   /// Asks for all characters of a list; `listed` follows.
   void request_list(kanji::List which);
-  /// Asks for what a search finds, as kanji::Query::text; `found` follows.
+  /// Searches with a kanji::Query::text; `found` follows.
   void request_search(const std::string& text);
   /// Asks for a character; `sheet_ready` or `sheet_missing` follows.
   void request_sheet(char32_t code_point);
+  /// Asks for characters with their strokes, one after another; `characters_ready` follows.
+  void request_characters(std::vector<char32_t> code_points);
 
   base::Signal<const std::vector<kanji::Source>&> opened;
   /// The database cannot be opened, or not all of it can be read. The latter is reported once.
@@ -61,6 +65,8 @@ class CharacterLibrary {
   base::Signal<kanji::List, const Summaries&> listed;
   base::Signal<const std::string&, const Summaries&> found;
   base::Signal<const std::shared_ptr<const CharacterSheet>&> sheet_ready;
+  /// What was asked for, in its order; those without strokes are left out.
+  base::Signal<const std::vector<kanji::Character>&> characters_ready;
   /// The character has no strokes in the database.
   base::Signal<char32_t> sheet_missing;
 

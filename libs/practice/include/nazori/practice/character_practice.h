@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <memory>
-#include <span>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "nazori/practice/guided_stage.h"
 #include "nazori/practice/memory_stage.h"
+#include "nazori/practice/stage_table.h"
 #include "nazori/practice/study_session.h"
 #include "nazori/practice/trace_stage.h"
 #include "nazori/practice/watch_stage.h"
@@ -37,12 +37,20 @@ class CharacterPractice {
   CharacterPractice(const CharacterPractice&) = delete;
   CharacterPractice& operator=(const CharacterPractice&) = delete;
 
-  [[nodiscard]] WatchStage& watch() { return watch_; }
-  [[nodiscard]] TraceStage& trace() { return trace_; }
-  [[nodiscard]] GuidedStage& guided() { return guided_; }
-  [[nodiscard]] MemoryStage& memory() { return memory_; }
-  /// All stages, in the order of a lesson.
-  [[nodiscard]] std::span<PracticeStage* const> stages() const { return stages_; }
+  // The stages of a lesson.
+  [[nodiscard]] WatchStage& watch() { return get<WatchStage>(); }
+  [[nodiscard]] TraceStage& trace() { return get<TraceStage>(); }
+  [[nodiscard]] GuidedStage& guided() { return get<GuidedStage>(); }
+  [[nodiscard]] MemoryStage& memory() { return get<MemoryStage>(); }
+  /// The stage of a class.
+  template <class Kind>
+  [[nodiscard]] Kind& get() const {
+    return static_cast<Kind&>(*stage_named(Kind::kId));
+  }
+  /// All stages, in the order of stage_kinds().
+  [[nodiscard]] const std::vector<std::unique_ptr<PracticeStage>>& stages() const { return stages_; }
+  /// @return nullptr for a name that no stage has.
+  [[nodiscard]] PracticeStage* stage_named(std::string_view id) const;
   [[nodiscard]] PracticeStage& stage_for(study::Stage stage) const;
   /// The stage at which characters are practised now.
   [[nodiscard]] PracticeStage& current_stage() const { return *stage_; }
@@ -102,17 +110,15 @@ class CharacterPractice {
   void use_tablet(char32_t character, const Tablet& tablet);
   void use_own(const OwnTablet& loaded);
   void begin_stage();
+  /// The stage of a lesson that it is; nothing: only the learner chooses it.
+  [[nodiscard]] static std::optional<study::Stage> lesson_stage(const PracticeStage& stage);
 
   TabletControl& control_;
   CharacterLibrary& library_;
   TabletWorkshop& workshop_;
   StudySession& session_;
-  WatchStage watch_;
-  TraceStage trace_;
-  GuidedStage guided_;
-  MemoryStage memory_;
-  std::array<PracticeStage*, 4> stages_{&watch_, &trace_, &guided_, &memory_};
-  PracticeStage* stage_ = &trace_;
+  std::vector<std::unique_ptr<PracticeStage>> stages_;
+  PracticeStage* stage_;
 
   bool is_entered_ = false;
   bool returns_ = false;  ///< during enter()

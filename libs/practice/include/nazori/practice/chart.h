@@ -10,11 +10,11 @@
 
 #include "nazori/study/periods.h"
 
-/// Charts as data, without words and without a toolkit: what to draw, in which colours by role, on which
-/// axes. A window paints it and names things in its language; a page in a browser can do the same.
+/// Charts as data, without words and without a toolkit: what to draw, in which role colours, on which axes. A
+/// window paints it and adds names in its language; a web page can do the same.
 namespace nazori::practice {
 
-/// The charts there are. Each has a row in chart_kinds() (study_charts.h).
+/// The available charts. Each has a row in chart_kinds() (study_charts.h).
 enum class ChartId : std::uint8_t { forecast, retention, activity, motion };
 
 /// What a column of numbers counts or measures.
@@ -27,20 +27,20 @@ enum class Quantity : std::uint8_t {
   predicted,   ///< percent: the mean chance of recall
   writings,    ///< with ink
   speed,       ///< character widths a second
-  smoothness,  ///< spectral arc length, nearer to 0 is smoother
+  smoothness,  ///< spectral arc length, closer to 0 is smoother
 };
 
-/// How a number is written.
+/// The format of a number.
 struct NumberFormat {
   int decimals = 0;
   bool percent = false;  ///< the value is a percentage, 0..100
 
   friend bool operator==(const NumberFormat&, const NumberFormat&) = default;
 };
-/// How the numbers of a table are written.
+/// The format of the numbers of a table.
 [[nodiscard]] NumberFormat format_of(Quantity quantity);
 
-/// One quantity, a value to a row of the chart.
+/// One quantity, with one value per row of the chart.
 struct Column {
   Quantity quantity{};
   std::vector<double> values;
@@ -48,7 +48,7 @@ struct Column {
   friend bool operator==(const Column&, const Column&) = default;
 };
 
-/// The meanings of the palette, for whatever paints.
+/// The roles of colours; the painter chooses the palette.
 enum class ColourRole : std::uint8_t {
   paper,    ///< behind everything
   surface,  ///< of cards and fields
@@ -59,7 +59,7 @@ enum class ColourRole : std::uint8_t {
   warning,  ///< what went wrong
 };
 
-/// A colour by role: `role`, with `share` of `over` laid on it.
+/// A colour by role: `role`, mixed with the share `share` of `over`.
 struct Colour {
   ColourRole role = ColourRole::text;
   ColourRole over = role;
@@ -68,7 +68,7 @@ struct Colour {
   friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// How a series is drawn. Form, dashes and marks tell one from another; the colour only adds to that.
+/// How a series is drawn. Form, dashes and marks distinguish series; the colour only supports this.
 struct SeriesLook {
   enum class Form : std::uint8_t { bars, line };
   enum class Mark : std::uint8_t { none, disc, square };
@@ -81,17 +81,17 @@ struct SeriesLook {
 
   friend bool operator==(const SeriesLook&, const SeriesLook&) = default;
 };
-/// Bars of what is counted.
+/// The look of bars.
 [[nodiscard]] SeriesLook bars_look();
-/// The first line of a chart: solid, with discs.
+/// The look of the first line of a chart: solid, with discs.
 [[nodiscard]] SeriesLook first_line_look();
-/// The second line of a chart: dashed, with squares.
+/// The look of the second line of a chart: dashed, with squares.
 [[nodiscard]] SeriesLook second_line_look();
 
-/// The side of the axis that a series is read from.
+/// The side of a series's axis.
 enum class Side : std::uint8_t { left, right };
 
-/// A column that is drawn.
+/// A column of numbers that is drawn.
 struct Series {
   std::size_t column = 0;  ///< index in Chart::columns
   SeriesLook look;
@@ -100,7 +100,7 @@ struct Series {
   friend bool operator==(const Series&, const Series&) = default;
 };
 
-/// What is to be seen in a chart, for a sentence above it.
+/// What a chart shows, for a sentence above it.
 struct ForecastSummary {
   int reviews = 0;  ///< in kForecastDays days
   int today = 0;
@@ -128,15 +128,15 @@ struct MotionSummary {
 using ChartSummary =
     std::variant<std::monostate, ForecastSummary, ActivitySummary, RetentionSummary, MotionSummary>;
 
-/// Everything that a chart shows. Its rows follow each other in time.
+/// Everything that a chart shows. Its rows are in order of time.
 struct Chart {
   ChartId id{};
   study::Period period{};                               ///< of each row
   std::vector<study::Day> days;                         ///< the first day of each row
   std::vector<double> positions;                        ///< x of each row, in periods from the first row
-  std::vector<Column> columns;                          ///< all numbers; also there without rows
-  std::vector<Series> series;                           ///< what is drawn of them, from back to front
-  std::optional<std::pair<double, double>> left_range;  ///< of the left axis where it is not from 0 up
+  std::vector<Column> columns;                          ///< all numbers; present even without rows
+  std::vector<Series> series;                           ///< the drawn ones, from back to front
+  std::optional<std::pair<double, double>> left_range;  ///< of the left axis, if it does not start at 0
   ChartSummary summary;
 };
 
@@ -147,40 +147,40 @@ struct Chart {
 struct ValueAxis {
   double low = 0;
   double high = 1;
-  int ticks = 5;  ///< evenly from `low` to `high`, both included
+  int ticks = 5;  ///< equally spaced from `low` to `high`, both included
   NumberFormat numbers;
   bool grid = true;  ///< a line across the chart at each tick
 
   /// The value of a tick, 0..ticks - 1.
   [[nodiscard]] double value(int tick) const { return low + (high - low) * tick / (ticks - 1); }
 };
-/// The axis of a side. It fits the first series that is read from there, ends at a round number and counts in
-/// whole numbers where bars count. Only the left one has a grid: two would cross.
-/// @return nothing where no series is read from that side, or where it has no rows.
+/// The axis of one side. Its range fits the first series of that side and ends at a round number; for bars
+/// that count, ticks are whole numbers. Only the left axis has a grid, because two grids would cross.
+/// @return nothing where no series uses that side, or where there are no rows.
 [[nodiscard]] std::optional<ValueAxis> value_axis(const Chart& chart, Side side);
 
-/// Where a row lies between the left and the right end of the chart, 0..1. Half a period is left on both
+/// The position of a row between the left and the right end of the chart, 0..1. Half a period is left on both
 /// sides.
 [[nodiscard]] double share_of_row(const Chart& chart, int row);
-/// The width of a period, as such a share.
+/// The width of a period as a share of the width of the chart.
 [[nodiscard]] double share_of_period(const Chart& chart);
-/// The row that lies nearest to a share; -1 without rows.
+/// The row nearest to a share; -1 without rows.
 [[nodiscard]] int row_near(const Chart& chart, double share);
 
-/// Rows to be named below the chart, from the first one on.
-/// @param most  names that there is room for, at least 1. Rows need not lie evenly: days without study may be
-/// left
-///              out, so names keep the distance that `most` even ones would have.
+/// The rows to be labelled below the chart, from the first one on.
+/// @param most  number of labels that fit, at least 1. Rows may be unevenly spaced, because days without
+///   study may be left out. So labels keep the distance that `most` equally spaced ones would have.
 [[nodiscard]] std::vector<int> named_rows(const Chart& chart, int most);
 
-/// Lines of more rows have no marks: those would touch each other.
+/// Lines with more rows than this have no marks, because they would touch each other.
 inline constexpr int kMostMarkedRows = 62;
 /// Whether a mark is drawn at each row of the series.
 [[nodiscard]] bool has_marks(const Chart& chart, const Series& series);
 
-/// What the keyboard asks of the row that is read.
+/// Keyboard steps of the selected row.
 enum class RowStep : std::uint8_t { previous, next, first, last };
-/// The row after a step. @param row  -1: none is read yet; then "previous" is the last and "next" the first.
+/// The row after a step. @param row  -1: none is selected yet; then "previous" is the last and "next" the
+/// first.
 /// @return -1 without rows.
 [[nodiscard]] int row_after(const Chart& chart, int row, RowStep step);
 

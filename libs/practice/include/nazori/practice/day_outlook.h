@@ -9,12 +9,12 @@
 
 namespace nazori::practice {
 
-/// What comes when nothing is due now.
+/// What comes next when nothing is due now.
 struct DayOutlook {
   enum class Kind : std::uint8_t {
-    later_today,       ///< `characters` come once more today, the first at `first`
-    limit_reached,     ///< `characters` are due, but the day's limit keeps them for tomorrow
-    nothing_to_learn,  ///< nothing was ever studied, and nothing new is chosen
+    later_today,       ///< `characters` are due again today, the first at `first`
+    limit_reached,     ///< `characters` are due, but the day's limit moves them to tomorrow
+    nothing_to_learn,  ///< nothing was ever studied, and no new characters are chosen
     reviews_tomorrow,  ///< of `characters`
     new_tomorrow,      ///< new characters and no reviews
     nothing_tomorrow,
@@ -29,7 +29,7 @@ struct DayOutlook {
 /// @param plan  of today, with nothing to do now.
 [[nodiscard]] DayOutlook outlook_of(const study::LearnerStore& learner, const study::DayPlan& plan);
 
-/// The days in a row up to today; none where the history cannot be read.
+/// The days in a row up to today; 0 where the history cannot be read.
 [[nodiscard]] study::Streak streak_now(const study::LearnerStore& learner);
 
 }  // namespace nazori::practice

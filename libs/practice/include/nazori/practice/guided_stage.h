@@ -20,7 +20,8 @@ class GuidedStage final : public PracticeStage {
 
   explicit GuidedStage(TabletControl& tablet);
 
-  [[nodiscard]] study::Stage stage() const override { return study::Stage::guided; }
+  static constexpr std::string_view kId = "guided";
+  [[nodiscard]] std::string_view id() const override { return kId; }
 
   /// Begins again with another guide.
   void set_guide(Guide guide);

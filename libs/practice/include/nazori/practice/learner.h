@@ -20,33 +20,33 @@ namespace nazori::practice {
 
 /// The current learner: the store of a profile, open for writing where that is possible. Where it is not
 /// (another program has it open, the folder is read-only, the file is damaged or of a newer version) nothing
-/// is written: can_write() is false, trouble() says why, and store() has what can be read, or is empty.
+/// is written: can_write() is false, trouble() says why, and store() contains what can be read, or is empty.
 /// Thread: the owner of the inbox.
 class Learner {
  public:
-  /// Where the study data and the dictionary are, and the learner's time.
+  /// The paths of the study data and the dictionary, and the learner's clock.
   struct Place {
     std::filesystem::path folder;    ///< of all profiles; empty: study::profiles_folder()
     std::filesystem::path database;  ///< kanji.db, for lists and their order
     study::Clock clock;              ///< empty: the computer's
   };
 
-  /// No profile is open yet: the store is an empty one in memory.
+  /// Opens no profile: the store is an empty one in memory.
   Learner(base::Inbox& inbox, Place place);
   ~Learner();
   Learner(const Learner&) = delete;
   Learner& operator=(const Learner&) = delete;
 
-  /// Opens a profile; one that is not there yet is a new learner. Emits profile_changed in any case.
-  /// @return whether it can be written. A name that no learner can have changes nothing.
+  /// Opens a profile; a profile that does not exist becomes a new learner. Always emits profile_changed.
+  /// @return whether it can be written. An invalid name changes nothing.
   bool switch_profile(const std::string& name);
-  /// Opens the same profile once more, after another program has closed it.
+  /// Opens the same profile again, after another program has closed it.
   bool open_again();
-  /// Closes the file while `work` is done (a profile renamed), then opens the profile that it returns;
-  /// empty: the same again.
+  /// Closes the file while `work` runs (renames a profile, for example), then opens the profile that it
+  /// returns; empty: the same profile.
   void while_closed(const std::function<std::string()>& work);
-  /// Closes the file, for another thread to work on it; trouble() is of this kind until the profile, or
-  /// another one, is opened again.
+  /// Closes the file, so that another thread can work on it; trouble() is of this kind until this or another
+  /// profile is opened.
   void let_go(LearnerEvent::Kind why);
 
   [[nodiscard]] const std::string& profile() const { return profile_; }
@@ -57,13 +57,14 @@ class Learner {
   /// Valid until a profile is opened or closed.
   [[nodiscard]] study::LearnerStore& store() { return *store_; }
   [[nodiscard]] const study::LearnerStore& store() const { return *store_; }
-  /// Whether what is done can be saved. Ask before every action.
+  /// Whether actions can be saved. Check it before every action.
   [[nodiscard]] bool can_write() const { return can_write_; }
   /// Why it cannot; nothing while it can, and before a profile is opened.
   [[nodiscard]] const std::optional<LearnerEvent>& trouble() const { return trouble_; }
 
-  /// What an action of the store returned: emits changed, or announces that it was not saved.
-  /// @return whether it was done.
+  /// Handles the result of an action of the store: emits `changed`, or announces that the action was not
+  /// saved.
+  /// @return whether the action succeeded.
   template <class T>
   bool report(const base::Result<T>& result) {
     if (!result) {
@@ -74,9 +75,9 @@ class Learner {
     return true;
   }
 
-  /// That today's backup could not be made; nothing where it was.
+  /// Why today's backup could not be made; nothing if it was made.
   [[nodiscard]] const std::optional<LearnerEvent>& backup_trouble() const { return backup_trouble_; }
-  /// Announces that something of the store could not be read.
+  /// Announces that something in the store could not be read.
   void announce_unread(const base::Error& error);
 
   /// Characters and lists of the kanji database; nullptr where that cannot be read.
@@ -84,18 +85,18 @@ class Learner {
   /// kanji.db, for another thread to open.
   [[nodiscard]] const std::filesystem::path& database_file() const { return database_file_; }
   [[nodiscard]] const kanji::KanjiDatabase* database() const { return database_ ? &*database_ : nullptr; }
-  /// What today holds. A few milliseconds, however long the history is.
+  /// The plan of today. Takes a few milliseconds, however long the history is.
   [[nodiscard]] base::Result<study::DayPlan> plan();
   /// Notices a new study day. To be called every minute.
   void tick();
-  /// Whether the file is still being checked and backed up behind.
+  /// Whether another thread is still checking the file and backing it up.
   [[nodiscard]] bool keeps_up() const { return upkeep_.is_busy(); }
-  /// Lists or tags have changed: what is learnt next is worked out again, and `changed` follows.
+  /// Lists or tags have changed: computes the learning order again; `changed` follows.
   void renew_order();
 
   /// Something was done, undone or set; a new study day has begun.
   base::Signal<> changed;
-  /// Another learner, or the same one opened again. `changed` follows.
+  /// Another learner was opened, or the same one again. `changed` follows.
   base::Signal<> profile_changed;
   base::Signal<const LearnerEvent&> announced;
 
@@ -119,7 +120,7 @@ class Learner {
   bool can_write_ = false;
   std::optional<LearnerEvent> trouble_;
   std::optional<LearnerEvent> backup_trouble_;
-  std::optional<std::vector<char32_t>> order_;  ///< of learning, while its settings hold
+  std::optional<std::vector<char32_t>> order_;  ///< learning order, while its settings are unchanged
   study::Settings ordered_by_;
   study::Day day_{};
   StoreUpkeep upkeep_;

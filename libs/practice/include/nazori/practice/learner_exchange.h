@@ -15,27 +15,27 @@
 
 namespace nazori::practice {
 
-/// What goes into an Anki package.
+/// The content of an Anki package.
 struct AnkiChoice {
-  std::string list;             ///< as list_members() reads it; empty: what was studied
+  std::string list;             ///< as list_members() reads it; empty: all studied characters
   std::string deck = "Nazori";  ///< its name
-  int words = 4;                ///< at most so many per character
+  int words = 4;                ///< maximum number per character
 };
 
 /// How an exchange went.
 struct ExchangeEvent {
   enum class Kind : std::uint8_t {
-    busy,                ///< something is being written or read already
+    busy,                ///< another operation is already running
     nothing_to_back_up,  ///< nothing is studied yet
     no_store,            ///< the study data cannot be read: `trouble`
     saved,               ///< an export is in `file`
     imported,            ///< `characters` for `profile`, which is now open
     backed_up,           ///< the backup is `file`
-    restored,            ///< the backup is the learner's file now; what was there is a backup
-    stopped,             ///< by stop(): everything is as it was
-    exchange_failed,     ///< of `file`, by `error`: everything is as it was
+    restored,            ///< the backup is now the learner's file; the replaced file was backed up
+    stopped,             ///< by stop(): nothing has changed
+    exchange_failed,     ///< of `file`, by `error`: nothing has changed
     backup_failed,       ///< by `error`
-    restore_failed,      ///< by `error`: everything is as it was
+    restore_failed,      ///< by `error`: nothing has changed
   };
   Kind kind = Kind::busy;
   std::filesystem::path file;
@@ -45,9 +45,9 @@ struct ExchangeEvent {
   std::optional<LearnerEvent> trouble;
 };
 
-/// Everything of a learner to a file and back, backups too, on a thread of its own, with how far it is and a
-/// way to stop. Files are written whole or not at all, also where this is destroyed meanwhile; an import is
-/// read apart first. Thread: the owner of the inbox.
+/// Exports and imports all data of a learner, and makes and restores backups, on a separate thread, with
+/// progress and a way to stop. Files are written completely or not at all, even if this object is destroyed
+/// meanwhile. An import is first read into a temporary file. Thread: the owner of the inbox.
 class LearnerExchange {
  public:
   enum class Format : std::uint8_t { json, csv, anki };
@@ -56,25 +56,25 @@ class LearnerExchange {
   /// @param learner  outlives this.
   LearnerExchange(base::Inbox& inbox, Learner& learner);
 
-  /// Writes the present learner. One work at a time: another is refused (`busy`).
+  /// Exports the current learner. Only one operation runs at a time: another one is refused (`busy`).
   void write(Format format, const std::filesystem::path& file, const AnkiChoice& choice = {});
   /// Imports an export into the current learner where nothing is studied yet, else into a new learner named
   /// after the file, whose profile is then opened.
   void read(const std::filesystem::path& file);
-  /// Makes a backup of the present learner besides the daily ones.
+  /// Makes a backup of the current learner besides the daily ones.
   void back_up();
-  /// Restores a backup of the current learner; the replaced file is backed up first. Until that is done the
+  /// Restores a backup of the current learner; the replaced file is backed up first. Until it is finished the
   /// learner has no store.
   void restore(const std::filesystem::path& backup);
   [[nodiscard]] bool is_busy() const { return work_.is_busy(); }
-  /// Asks what is running to stop; everything stays as it was, unless it is too late.
+  /// Asks the running operation to stop. Nothing changes then, unless it is too late.
   void stop() { work_.stop(); }
 
-  /// Work has begun; the file is that of write() and read().
+  /// An operation has begun; the file is that of write() or read().
   base::Signal<Work, const std::filesystem::path&> started;
-  /// Whole percents of the present step.
+  /// Progress of the present step in whole percent.
   [[nodiscard]] base::Signal<int>& progressed() { return work_.progressed; }
-  /// The work is done, one way or another; before what is announced of it.
+  /// The operation has ended, with or without success; emitted before its result is announced.
   base::Signal<> finished;
   base::Signal<const ExchangeEvent&> announced;
 
@@ -93,7 +93,7 @@ class LearnerExchange {
                std::function<void(const Placed&)> done);
 
   Learner& learner_;
-  LongWork work_;  // declared last, so that it ends before what it uses
+  LongWork work_;  // declared last, so that it is destroyed before the members it uses
 };
 
 }  // namespace nazori::practice

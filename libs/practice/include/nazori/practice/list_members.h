@@ -10,10 +10,10 @@
 
 namespace nazori::practice {
 
-/// The members of a list; what was studied so far where its id is empty.
+/// The members of a list; for an empty id, all studied characters.
 /// @param id  as study::CharacterLists::members() reads it.
-/// @param lists  may be nullptr: there is no kanji database.
-/// @return Errc::not_found for a list that is gone; else as LearnerStore::lists() says.
+/// @param lists  may be nullptr: without a kanji database.
+/// @return Errc::not_found for a list that no longer exists; else the errors of LearnerStore::lists().
 [[nodiscard]] base::Result<std::vector<char32_t>> list_members(const std::string& id,
                                                                study::CharacterLists* lists,
                                                                const study::LearnerStore& store);

@@ -3,13 +3,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "nazori/practice/pen_recorder.h"
 #include "nazori/practice/practice_stage.h"
+#include "nazori/practice/writing_attempt.h"
 #include "nazori/practice/writing_groove.h"
-#include "nazori/practice/writing_judge.h"
 
 namespace nazori::practice {
 
@@ -29,7 +27,12 @@ class MemoryStage final : public PracticeStage {
   /// @param inbox, tablet, judge  outlive this.
   MemoryStage(base::Inbox& inbox, TabletControl& tablet, WritingJudge& judge);
 
-  [[nodiscard]] study::Stage stage() const override { return study::Stage::memory; }
+  static constexpr std::string_view kId = "memory";
+  [[nodiscard]] std::string_view id() const override { return kId; }
+  [[nodiscard]] std::vector<StageCommand> commands() override;
+  [[nodiscard]] bool is_busy() const override { return is_judging(); }
+  [[nodiscard]] StageDetails details(const StageFeedback& what) const override;
+  void forget() override;
   [[nodiscard]] bool hides_character() const override;
 
   [[nodiscard]] const Options& options() const { return options_; }
@@ -38,7 +41,10 @@ class MemoryStage final : public PracticeStage {
   /// Judges what is written again.
   void set_strictness(double strictness);
   /// Takes over what was saved, without a report.
-  void set_options(const Options& options) { options_ = options; }
+  void set_options(const Options& options) {
+    options_ = options;
+    attempt_.set_strictness(options.strictness);
+  }
 
   /// Whether entering the stage with the character that was written last goes on with that writing, judged or
   /// not.
@@ -47,8 +53,6 @@ class MemoryStage final : public PracticeStage {
     resumes_ = resumes;
     is_unrated_ = unrated;
   }
-  /// Another learner: nothing that was written is shown to them.
-  void forget();
 
   // What the learner does.
   /// A stroke as if it had just been written.
@@ -62,15 +66,15 @@ class MemoryStage final : public PracticeStage {
   void show_answer();
 
   [[nodiscard]] State state() const { return state_; }
-  [[nodiscard]] const std::vector<HandStroke>& strokes() const { return strokes_; }
+  [[nodiscard]] const std::vector<HandStroke>& strokes() const { return attempt_.strokes(); }
   /// Whether an answer of the judge is still to come.
-  [[nodiscard]] bool is_judging() const { return awaited_ != 0; }
+  [[nodiscard]] bool is_judging() const { return attempt_.is_judging(); }
   /// Whether something is written that is not judged as a whole.
-  [[nodiscard]] bool has_unjudged() const { return state_ == State::writing && !strokes_.empty(); }
+  [[nodiscard]] bool has_unjudged() const { return state_ == State::writing && !attempt_.is_empty(); }
   /// The newest judgement; its strokes may lag behind what is written.
-  [[nodiscard]] const writing::Grade& grade() const { return grade_; }
+  [[nodiscard]] const writing::Grade& grade() const { return attempt_.grade(); }
   /// How the pen moved in the writing that was judged last as a whole.
-  [[nodiscard]] const PenReport& pen_report() const { return pen_; }
+  [[nodiscard]] const PenReport& pen_report() const { return attempt_.content().pen; }
 
   /// Lays the model over the writing.
   void set_model_over(bool on);
@@ -99,24 +103,15 @@ class MemoryStage final : public PracticeStage {
   /// A writing whose character left the tablet.
   struct Aside {
     char32_t character = 0;
-    std::vector<HandStroke> strokes;
-    writing::Grade grade;
-    PenReport pen;
-    std::vector<bool> seen;
-    std::vector<int> hinted;
-    int hints = 0;
+    WritingAttempt::Content content;
     State state = State::writing;
     bool unrated = false;
   };
 
   void clear();
   void invite();
-  void record(std::span<const haptics::ServoSample> samples);
-  void ask(bool as_a_whole);
-  void use_grade(std::uint64_t number, const writing::Grade& grade);
+  void use_check(bool is_about_new);
   void report_last_stroke();
-  void report_mistake(StageFeedback what, bool can_be_tried_again);
-  void drop_mistake();
   void finish();
   [[nodiscard]] Tone tone_of_judgement() const;
   void put_aside();
@@ -124,33 +119,18 @@ class MemoryStage final : public PracticeStage {
   void set_state(State state);
   [[nodiscard]] bool shows_groove() const;
   void put_groove();
-  [[nodiscard]] std::vector<int> right_strokes() const;
   void show_writing();
 
-  WritingJudge& judge_;
   Options options_;
-  PenRecorder recorder_;
-  std::vector<HandStroke> strokes_;
-  writing::Grade grade_;
-  PenReport pen_;
-  std::vector<bool> seen_;   ///< strokes whose verdict the learner may see
-  std::vector<int> hinted_;  ///< strokes of the model that are shown
-  std::uint64_t live_number_ = 0;
-  std::uint64_t whole_number_ = 0;
-  std::uint64_t awaited_ = 0;   ///< number of the newest request until it is answered
-  bool awaits_report_ = false;  ///< the answer to come is about a stroke just written
+  WritingAttempt attempt_;
+  WritingAttempt::Look look_;
   State state_ = State::writing;
-  int hints_ = 0;
   char32_t character_ = 0;  ///< that is being written
   std::optional<Aside> aside_;
   bool resumes_ = false;
   bool is_unrated_ = false;
-  bool was_lesson_ = false;     ///< what is written is part of a lesson
-  bool is_refused_ = false;     ///< the last stroke goes when another is written
-  bool is_model_over_ = false;  ///< the model lies over the writing
-  std::optional<double> moment_s_;
+  bool was_lesson_ = false;  ///< what is written is part of a lesson
   WritingGroove groove_;
-  base::Connection judged_, failed_, reported_, pressed_, sampled_, erased_;
 };
 
 }  // namespace nazori::practice

@@ -21,18 +21,19 @@ struct ModelFit {
   }
 };
 
-/// Least squares over the strokes that are matched; the model as it stands where none is.
+/// Least-squares fit over the matched strokes; the unchanged model if none is matched.
 [[nodiscard]] ModelFit fit_model(const std::vector<HandStroke>& written, const writing::Grade& grade,
                                  std::span<const haptics::StrokePath> model);
 
-/// A stroke of the model as a line over the writing. @param opacity 0..1
+/// A stroke of the model as a line drawn over the writing. @param opacity 0..1
 [[nodiscard]] view::InkedStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit,
                                            double opacity);
 
-/// What colour and sign each written stroke gets: a mistake is wrong, advice or an accepted slip nearly.
+/// The colour and sign of each written stroke: `wrong` for a mistake, `nearly` for advice or an accepted
+/// deviation.
 [[nodiscard]] std::vector<view::Verdict> verdicts(const writing::Grade& grade, std::size_t strokes);
 
-/// Strokes of the model that no written stroke is, from 0.
+/// Strokes of the model without a written stroke, from 0.
 [[nodiscard]] std::vector<int> missing_strokes(const writing::Grade& grade, int model_strokes);
 
 }  // namespace nazori::practice

@@ -18,29 +18,29 @@ namespace nazori::practice {
 using HandPoint = geometry::WrittenPoint<geometry::TabletFrame>;
 using HandStroke = geometry::WrittenStroke<geometry::TabletFrame>;
 
-/// Makes strokes of what the servo saw: one from each touch of the tablet to the next lift.
+/// Makes strokes from the samples of the servo: one from each touch of the tablet to the next lift.
 class PenRecorder {
  public:
-  /// Points closer than this to the one before are left out [m].
+  /// Points closer than this to the previous one are left out [m].
   static constexpr double kStep_m = 0.0003;
-  /// Shorter touches are slips of the hand, not strokes [m].
+  /// Shorter touches are accidental taps, not strokes [m].
   static constexpr double kSlip_m = 0.0012;
 
   enum class Event : std::uint8_t {
     none,
-    grew,   ///< the stroke at hand has a new point
+    grew,   ///< the present stroke has a new point
     ended,  ///< take() has a new stroke
     slip,   ///< the tablet was only tapped
   };
 
-  /// @param full_press_m  how deep the device lies below the proxy at full pressure.
+  /// @param full_press_m  distance of the device below the proxy at full pressure.
   explicit PenRecorder(double full_press_m = 0.015) : full_press_m_(full_press_m) {}
 
-  /// The hand pressed here. A stylus that follows a pointer needs a few milliseconds to get there; what it
-  /// glides over on its way is not written.
+  /// A pointer was pressed here. A stylus that follows a pointer needs a few milliseconds to get there; the
+  /// points on its way are not written.
   void press_at(geometry::TabletPoint at) { pressed_at_ = at; }
 
-  /// How the pen is held from now on. @param lean_rad  from upright.
+  /// Sets how the pen is held from now on. @param lean_rad  from upright.
   void lean(double lean_rad) { lean_rad_ = lean_rad; }
 
   Event follow(const haptics::ServoSample& sample);
@@ -48,7 +48,7 @@ class PenRecorder {
   [[nodiscard]] const HandStroke& current() const { return current_; }
   /// The stroke that ended last.
   [[nodiscard]] HandStroke take() { return std::exchange(ended_, {}); }
-  /// Forgets the stroke at hand; nothing is written until the next touch.
+  /// Discards the present stroke; nothing is written until the next touch.
   void drop();
 
  private:
@@ -57,21 +57,22 @@ class PenRecorder {
   double full_press_m_;
   double lean_rad_ = 0;
   HandStroke current_;
-  HandPoint last_;  ///< of the touch at hand, whether it moved or not
+  HandPoint last_;  ///< of the present touch, whether it moved or not
   HandStroke ended_;
   [[nodiscard]] bool is_on_its_way(geometry::TabletPoint at);
 
-  std::optional<geometry::TabletPoint> pressed_at_;  ///< while the stylus is on its way there
+  std::optional<geometry::TabletPoint> pressed_at_;  ///< set while the stylus is on its way there
   double nearest_m_ = kFar_m;                        ///< that it has come
   bool touching_ = false;
   bool dropped_ = false;
 };
 
-/// Ink for the judge, in the glyph frame, with times and pressures and the tablet as its box.
+/// The strokes for grading, in the glyph frame, with times and pressures and the tablet as its box.
 [[nodiscard]] writing::WrittenCharacter to_ink(const std::vector<HandStroke>& strokes,
                                                const geometry::TabletShape& shape);
 
-/// What of a stroke was written by a moment of its clock; the last piece is cut where the pen was.
+/// The part of a stroke that was written up to a moment of its clock; its last segment ends where the pen
+/// was.
 [[nodiscard]] HandStroke until(const HandStroke& stroke, double time_s);
 
 }  // namespace nazori::practice

@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <memory>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "nazori/base/signal.h"
 #include "nazori/practice/character_library.h"
@@ -21,8 +23,15 @@ struct StageSubject {
   Tablet tablet;                                ///< null: none yet
 };
 
-/// One way of practising a character: watching it, tracing it, being guided, writing it from memory. Between
-/// enter() and leave() it decides what is on the tablet. Thread: the owner of the inbox.
+/// Something that a learner can ask of a stage by name: "undo", "hint".
+struct StageCommand {
+  std::string_view name;
+  std::function<void()> run;
+};
+
+/// One way of practising a character: watching it, tracing it, being guided, writing it from memory, writing
+/// a word that has it. stage_kinds() lists them. Between enter() and leave() it decides what is on the
+/// tablet. Thread: the owner of the inbox.
 class PracticeStage {
  public:
   explicit PracticeStage(TabletControl& tablet) : tablet_(tablet) {}
@@ -30,8 +39,22 @@ class PracticeStage {
   PracticeStage(const PracticeStage&) = delete;
   PracticeStage& operator=(const PracticeStage&) = delete;
 
-  /// Which of the stages of a lesson this is.
-  [[nodiscard]] virtual study::Stage stage() const = 0;
+  /// Its name in settings and data formats, as StageKind::id has it: "memory".
+  [[nodiscard]] virtual std::string_view id() const = 0;
+  /// Whether there is something to practise with a subject; most stages need a character of the database.
+  [[nodiscard]] virtual bool can_practise(const StageSubject& subject) const {
+    return subject.sheet != nullptr;
+  }
+  /// What can be asked of it now. Names are those of the command line.
+  [[nodiscard]] virtual std::vector<StageCommand> commands() {
+    return {{"undo", [this] { tablet_.undo_ink(); }}, {"clear", [this] { tablet_.clear_ink(); }}};
+  }
+  /// Whether it waits for something that another thread looks up or judges.
+  [[nodiscard]] virtual bool is_busy() const { return false; }
+  /// What belongs to one of its reports beyond the fields of StageFeedback, for data formats.
+  [[nodiscard]] virtual StageDetails details(const StageFeedback& /*what*/) const { return {}; }
+  /// Another learner: nothing that was written is shown to them.
+  virtual void forget() {}
   /// Begins with a subject; called again for each new one.
   void enter(const StageSubject& subject) {
     subject_ = subject;

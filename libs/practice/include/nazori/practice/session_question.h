@@ -9,12 +9,12 @@
 
 namespace nazori::practice {
 
-/// What a session asks for: a word with a gap, else meanings and readings, else the other syllabary's kana,
-/// else a number of strokes. UTF-8.
+/// The question of a session: a word with a gap, else meanings and readings, else the kana of the other
+/// syllabary, else a number of strokes. UTF-8.
 struct SessionQuestion {
-  char32_t shown = 0;                 ///< the character itself; 0 where the learner must know it
-  std::string gap;                    ///< the word with ◯ for the character; empty: not asked for by a word
-  std::string reading;                ///< of that word
+  char32_t shown = 0;   ///< the character itself; 0 where the learner must know it
+  std::string gap;      ///< the word with ◯ for the character; empty: the question has no word
+  std::string reading;  ///< of that word
   std::vector<std::string> meanings;  ///< English, of the word or of the character; a few
   std::vector<std::string> readings;  ///< of the character, on'yomi first; a few
   char32_t other_kana = 0;            ///< where it has no meanings and readings: the kana of the same sound
@@ -23,7 +23,7 @@ struct SessionQuestion {
   friend bool operator==(const SessionQuestion&, const SessionQuestion&) = default;
 };
 
-/// What `session` asks for now. @param sheet  of its character.
+/// The present question of `session`. @param sheet  of its character.
 [[nodiscard]] SessionQuestion question_of(const StudySession& session, const CharacterSheet& sheet);
 
 }  // namespace nazori::practice

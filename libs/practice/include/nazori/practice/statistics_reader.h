@@ -11,21 +11,21 @@
 
 namespace nazori::practice {
 
-/// Statistics that several readers share; nobody changes them.
+/// Immutable statistics that several readers share.
 using SharedStatistics = std::shared_ptr<const study::Statistics>;
 
-/// Adds a learner's study history up on a thread of its own, through a second connection that only reads, so
-/// that nobody waits. Of several requests the newest is answered; what runs for an older one stops.
-/// Thread: the owner of the inbox.
+/// Computes statistics of a learner's study history on a separate thread, through a second connection that
+/// only reads. Of several requests the newest is answered; the work for an older one stops. Thread: the owner
+/// of the inbox.
 class StatisticsReader {
  public:
   explicit StatisticsReader(base::Inbox& inbox);
 
-  /// @param now  the present of the learner's clock.
+  /// @param now  the present time of the learner's clock.
   void request(const std::filesystem::path& learner, study::Time now);
   [[nodiscard]] bool is_busy() const { return work_.is_busy(); }
 
-  /// How much of the newest request is done, 0..1.
+  /// Progress of the newest request, 0..1.
   base::Signal<double> progressed;
   base::Signal<const SharedStatistics&> ready;
   base::Signal<const base::Error&> failed;
@@ -37,7 +37,7 @@ class StatisticsReader {
   };
   using Answer = base::Result<SharedStatistics>;
 
-  base::Latest<Request, Answer> work_;  // declared last, so that it ends before what it uses
+  base::Latest<Request, Answer> work_;  // declared last, so that it is destroyed before the members it uses
 };
 
 }  // namespace nazori::practice

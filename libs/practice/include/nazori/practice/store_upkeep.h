@@ -10,8 +10,8 @@
 
 namespace nazori::practice {
 
-/// Checks a learner's file and makes the backup of the day on a thread of its own, so that nobody waits for
-/// them. Thread: the owner of the inbox.
+/// Checks a learner's file and makes the backup of the day on a separate thread, because both read the whole
+/// file. Thread: the owner of the inbox.
 class StoreUpkeep {
  public:
   explicit StoreUpkeep(base::Inbox& inbox);
@@ -19,7 +19,7 @@ class StoreUpkeep {
   /// Of several requests only the newest is answered.
   /// @param day  the learner's study day.
   void request(const std::filesystem::path& learner, study::Day day);
-  /// Cancels what was requested and waits until its file is closed. No signal follows.
+  /// Cancels the request and waits until its file is closed. No signal follows.
   void stop();
   [[nodiscard]] bool is_busy() const { return work_.is_busy(); }
 
@@ -35,7 +35,7 @@ class StoreUpkeep {
   };
   using Answer = base::Result<study::UpkeepReport>;
 
-  base::Latest<Request, Answer> work_;  // declared last, so that it ends before what it uses
+  base::Latest<Request, Answer> work_;  // declared last, so that it is destroyed before the members it uses
 };
 
 }  // namespace nazori::practice

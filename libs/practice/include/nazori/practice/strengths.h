@@ -10,21 +10,22 @@
 
 namespace nazori::practice {
 
-/// How a strength looks in the grid of characters. The lightness of the fill alone tells how well a character
-/// is known.
+/// The look of a strength in the grid of characters. The lightness of the fill alone shows how well a
+/// character is known.
 struct StrengthLook {
   Colour fill;
   Colour text;
   char32_t sign = 0;    ///< ◔ ◑ ● ! ‖; 0: none, not studied
-  bool dashed = false;  ///< the edge: not studied or suspended
+  bool dashed = false;  ///< the edge is dashed: not studied or suspended
 };
 [[nodiscard]] StrengthLook look_of(study::Strength strength);
 
-/// The characters of a list with their states: as unseen those that the statistics do not know.
+/// The characters of a list with their states; a character without statistics is `unseen`.
 [[nodiscard]] std::vector<study::CharacterState> states_of(std::span<const char32_t> characters,
                                                            const study::Statistics& statistics);
 
-/// How many characters have each strength, the firmest first; strengths without any are left out.
+/// The number of characters of each strength, the best known first; strengths without characters are left
+/// out.
 [[nodiscard]] std::vector<std::pair<study::Strength, int>> count_by_strength(
     std::span<const study::CharacterState> states);
 

@@ -10,9 +10,9 @@
 
 namespace nazori::practice {
 
-/// How a teacher's brush writes a character: the time of every point. Slow where a stroke starts, at corners,
-/// before a kick and where it stops; flowing between and where it is swept out; lifted on the way to the next
-/// stroke. Times are those of speed 1.
+/// How a teacher's brush writes a character: the time of every point. The brush is slow where a stroke
+/// starts, at corners, before a hook and where it stops. It is fast in between and in a sweep. It is lifted
+/// on the way to the next stroke. Times are those of speed 1.
 /// @source slow starts and stops, and peaks of speed between them: the two-thirds power law of handwriting,
 /// F. Lacquaniti, C. Terzuolo, P. Viviani, "The law relating the kinematic and figural aspects of drawing
 /// movements", Acta Psychologica 54 (1983); the figures here are round numbers near a calm hand's.
@@ -21,25 +21,26 @@ class StrokePlayer {
   static constexpr double kSpeed_m_s = 0.055;  ///< of the brush on a straight piece
   static constexpr double kLift_m = 0.008;     ///< highest point between two strokes
 
-  /// @param paths  centre lines [m], z the bottom of the groove. @param lines  the same strokes, for how they
-  /// end; as many.
+  /// @param paths  centre lines [m], z the bottom of the groove. @param lines  the same strokes in the same
+  ///   order, for their endings.
   void set_strokes(std::span<const haptics::StrokePath> paths, std::span<const tablet::TabletLine> lines);
 
   /// Where the brush is.
   struct Pose {
     haptics::Vec3 tip_m{0, 0, kLift_m};
-    int stroke = 0;    ///< being written, or to be written next, from 1; past the last: how many there are
-    double share = 0;  ///< of that stroke's length
+    int stroke =
+        0;  ///< the one being written, or to be written next, from 1; after the last: the number of strokes
+    double share = 0;      ///< of that stroke's length
     bool writing = false;  ///< the brush is down
   };
   /// @param time_s  clamped to 0..duration_s().
   [[nodiscard]] Pose at(double time_s) const;
   [[nodiscard]] double duration_s() const;
   [[nodiscard]] int stroke_count() const { return static_cast<int>(strokes_.size()); }
-  /// When the brush comes down for stroke n, from 1, and when it has written it.
+  /// The times at which the brush begins and ends stroke n, from 1.
   [[nodiscard]] double start_s(int stroke) const;
   [[nodiscard]] double end_s(int stroke) const;
-  /// Of a stroke, the share of its length that is written at a moment.
+  /// The share of a stroke's length that is written at a moment.
   [[nodiscard]] double share_at(int stroke, double time_s) const;
 
  private:

@@ -34,12 +34,7 @@ struct SessionSummary {
 /// can end, or be killed, at any moment. Thread: that of the learner.
 class StudySession {
  public:
-  enum class State : std::uint8_t {
-    idle,     ///< no session
-    doing,    ///< the learner is at a stage
-    offered,  ///< the stage is done and saved; go_on() goes to the next
-    judged,   ///< written from memory: rate() saves it
-  };
+  using State = SessionState;
 
   /// @param learner  outlives this, as `clock` does.
   /// @param clock  how long a stage takes.
@@ -71,6 +66,8 @@ class StudySession {
   [[nodiscard]] bool asks_from_memory() const {
     return stage_ == study::Stage::memory && state_ == State::doing;
   }
+  /// Whether the learner has studied a character; false where that is not known.
+  [[nodiscard]] bool knows(char32_t character) const;
   [[nodiscard]] int done() const { return done_; }
   [[nodiscard]] int total() const { return done_ + left_; }
   [[nodiscard]] std::chrono::milliseconds time_left() const { return time_left_; }
@@ -97,6 +94,8 @@ class StudySession {
   [[nodiscard]] bool is_away() const { return is_running() && away_; }
   /// The learner, or the session, went to a stage.
   void enter_stage(study::Stage stage);
+  /// The learner went to a stage that is no part of a lesson.
+  void leave_lesson();
   void add_stroke();
   void add_hint() { ++hints_; }
   /// A stroke was tried and refused. @return what to do about it.
@@ -134,6 +133,7 @@ class StudySession {
   void begin_stage(study::Stage stage);
   void measure(const study::DayPlan& plan);
   void choose_word();
+  void note_look();
   bool save(study::Stage stage, study::Rating rating, study::Rating proposed,
             const study::WritingResult& result, const study::Handwriting& ink);
   void propose(study::WritingResult result, const std::vector<HandStroke>& strokes);

@@ -19,7 +19,7 @@
 
 namespace nazori::practice {
 
-/// What is drawn and held of the strokes where a stage of learning decides it instead of the learner's
+/// Which strokes are drawn and how they attract the stylus, where a stage decides it instead of the learner's
 /// switches.
 struct TabletGuides {
   bool strokes = false;  ///< lines, arrowheads and numbers
@@ -28,11 +28,11 @@ struct TabletGuides {
   double lines_opacity = 1;
   bool snapping = false;
   double snapping_strength = 1;  ///< of the usual pull, and of leading, 0..1
-  bool leading = false;          ///< a device with force takes the hand along, in place of snapping
+  bool leading = false;          ///< a force-feedback device leads the hand, in place of snapping
   bool traced = false;           ///< ink follows the stylus along the strokes
 };
 
-/// How a pen leans, in degrees from upright.
+/// The tilt of a pen, in degrees from upright.
 struct PenTilt {
   double right_deg = 0;
   double towards_learner_deg = 0;
@@ -40,23 +40,23 @@ struct PenTilt {
 
 /// A brush that writes by itself.
 struct Demonstration {
-  std::vector<double> ink;  ///< of each stroke the share that is written
+  std::vector<double> ink;  ///< the written share of each stroke
   view::Cursor brush;
   bool moving = false;  ///< the brush is drawn even where a stylus is near
 };
 
 /// The state of the tablet: the carved tablet itself, which strokes are shown, whether they attract the
-/// stylus, the ink, and the stylus. Knows no OpenGL and no widgets: a picture and a toolbar only show what is
-/// here. Thread: the owner of the inbox.
+/// stylus, the ink, and the stylus. It uses no OpenGL and no widgets: a view and a toolbar only show its
+/// state. Thread: the owner of the inbox.
 class TabletControl {
  public:
-  /// @param inbox, clock  outlive this. @param wake_at  as devices::TabletDevice has it.
+  /// @param inbox, clock  outlive this. @param wake_at  as for devices::TabletDevice.
   TabletControl(base::Inbox& inbox, const base::Clock& clock, devices::TabletDevice::WakeAt wake_at);
   ~TabletControl();
   TabletControl(const TabletControl&) = delete;
   TabletControl& operator=(const TabletControl&) = delete;
 
-  /// Starts the stylus; without it everything but touching works.
+  /// Starts the stylus; everything but touching works without it.
   [[nodiscard]] base::Result<void> start();
 
   /// Shows another tablet, with all strokes and without ink; null: none.
@@ -67,7 +67,7 @@ class TabletControl {
   /// 0: all strokes, n: stroke n alone.
   [[nodiscard]] int current_stroke() const { return current_; }
   void set_current_stroke(int stroke);
-  /// As in 2005: forwards and backwards, both wrapping through 0.
+  /// As in the 2005 program: forwards and backwards, both wrapping through 0.
   void next_stroke();
   void previous_stroke();
 
@@ -75,7 +75,7 @@ class TabletControl {
   [[nodiscard]] bool numbers_visible() const { return numbers_visible_; }
   [[nodiscard]] bool arrows_visible() const { return arrows_visible_; }
   [[nodiscard]] bool snapping() const { return snapping_; }
-  /// As in 2005: strokes attract the stylus only while they are shown.
+  /// As in the 2005 program: strokes attract the stylus only while they are shown.
   [[nodiscard]] bool snapping_in_effect() const {
     return guides_ ? guides_->snapping : snapping_ && strokes_visible_;
   }
@@ -87,60 +87,61 @@ class TabletControl {
   void set_style(view::Style style);
 
   void set_guides(const std::optional<TabletGuides>& guides);
-  /// Whether the device that has the tablet can take the hand along.
+  /// Whether the active device can lead the hand.
   [[nodiscard]] bool can_lead() const { return device_.describe().has_force; }
   /// Flat ink on the tablet, drawn as given.
   void set_writing(std::vector<view::InkedStroke> writing);
-  /// Shown in place of the learner's ink, and of the stylus while the brush moves or the stylus is away.
+  /// Sets the brush. It is shown in place of the learner's ink, and in place of the stylus while the brush
+  /// moves or the stylus is away.
   void set_demonstration(std::optional<Demonstration> demonstration);
 
   void clear_ink();
-  /// Takes the ink off the stroke that took it up last.
+  /// Removes the ink of the stroke that was inked last.
   void undo_ink();
   [[nodiscard]] const TracedInk& ink() const { return ink_; }
 
-  /// The stylus over the tablet. @param pressure  0..1 of a pen; nothing for a mouse, whose depth the wheel
-  /// sets.
+  /// Sets the position of the stylus over the tablet. @param pressure  0..1 of a pen; nothing for a mouse,
+  /// whose depth the wheel sets.
   /// @param event_s  when, on the clock of the window system; nothing: now.
   void move_stylus(geometry::TabletPoint at, bool is_down, std::optional<double> pressure = {},
                    std::optional<double> event_s = {});
   void lift_stylus();
-  /// How a pen is held from now on; nothing for what has no tilt.
+  /// Sets the tilt of the pen from now on; nothing for a pen without tilt.
   void lean_stylus(std::optional<PenTilt> tilt);
-  /// How far the pen leans from upright [rad], 0 where that is not known.
+  /// Tilt of the pen from upright [rad], 0 where it is not known.
   [[nodiscard]] double lean_rad() const { return lean_rad_; }
-  /// Lets a mouse go slower up a slope and faster down.
+  /// Makes a mouse move slower up a slope and faster down.
   void set_slope_help(bool on);
   [[nodiscard]] bool slope_help() const { return slope_help_; }
-  /// While what is written is judged nothing but the hand may move the stylus.
+  /// While handwriting is graded, only the hand may move the stylus.
   void set_judged(bool judged);
-  /// What the tablet feels like.
+  /// The material of the tablet.
   void set_material(const haptics::Material& material);
   /// Pushes the pressed stylus deeper (positive) or less deep, in notches of the wheel.
   void push_stylus(double notches);
   [[nodiscard]] bool is_pressed() const { return pointer_.pressed; }
   [[nodiscard]] double depth_m() const { return pointer_.depth_m; }
 
-  /// Reads what the servo has seen since the last call: ink flows, signals follow. What is missing of a
-  /// stroke that was left before its end is shown. To be called every pump_period().
+  /// Reads the samples of the servo since the last call: updates the ink and emits signals. Shows the missing
+  /// part of a stroke that was left before its end. To be called every pump_period().
   void pump();
   /// How often pump() is to be called: more often while something moves.
   [[nodiscard]] std::chrono::milliseconds pump_period() const;
-  /// Samples as if the servo had just seen them: for a hand that is only simulated, and for tests.
+  /// Processes samples as if they came from the servo: for a simulated hand, and for tests.
   void follow(std::span<const haptics::ServoSample> samples);
   [[nodiscard]] const haptics::ServoSample& latest() { return device_.latest(); }
   [[nodiscard]] devices::TabletDevice& device() { return device_; }
   [[nodiscard]] const devices::TabletDevice& device() const { return device_; }
 
-  /// What to draw, as of now.
+  /// What to draw at this moment.
   [[nodiscard]] view::Overlay overlay();
-  /// The picture of the last overlay() is done: how old what it shows of the stylus was by then.
+  /// The picture of the last overlay() is finished: measures the age of the stylus in it.
   void note_drawn();
   /// Greatest age of a drawn stylus since the last call [s], 0 where none was drawn.
   [[nodiscard]] double take_drawn_age_s();
   /// The stylus is over the tablet.
   [[nodiscard]] bool stylus_in_range() const { return !device_.is_pointer() || pointer_.in_range; }
-  /// Whether the picture has the learner's own stylus.
+  /// Whether the picture shows the learner's own stylus.
   [[nodiscard]] bool draws_stylus() const {
     return stylus_in_range() && !(demonstration_ && demonstration_->moving);
   }
@@ -150,9 +151,9 @@ class TabletControl {
   base::Signal<> state_changed;
   base::Signal<> picture_changed;
   base::Signal<TraceEvent, int> stroke_event;
-  /// How deep the pointer presses [m].
+  /// Depth of the pointer's press [m].
   base::Signal<double> depth_changed;
-  /// What the servo has seen since the last time, in order.
+  /// The samples of the servo since the last time, in order.
   base::Signal<std::span<const haptics::ServoSample>> sampled;
   /// A pointer was pressed on the tablet.
   base::Signal<geometry::TabletPoint> pressed;
@@ -170,7 +171,7 @@ class TabletControl {
   std::shared_ptr<const tablet::CarvedTablet> tablet_;
   TracedInk ink_;
   int current_ = 0;
-  int led_from_ = 1;  ///< first stroke to be led along
+  int led_from_ = 1;  ///< first stroke of leading
   std::uint32_t led_times_ = 0;
   bool strokes_visible_ = true;
   bool numbers_visible_ = true;
@@ -180,18 +181,18 @@ class TabletControl {
   std::optional<TabletGuides> guides_;
   std::optional<Demonstration> demonstration_;
   std::vector<view::InkedStroke> writing_;
-  std::vector<view::InkedStroke> drawn_writing_;  ///< that, and what is missing of strokes left open
+  std::vector<view::InkedStroke> drawn_writing_;  ///< that, and the missing parts of strokes left open
   haptics::Material material_;
   devices::SlopeGain slope_gain_;
   bool slope_help_ = false;
   bool judged_ = false;
   haptics::Vec3 axis_{0};  ///< of the pen, from its tip to the hand; zero: not known
   double lean_rad_ = 0;
-  haptics::Vec3 seen_m_{0};  ///< device, when its moving was last told
+  haptics::Vec3 seen_m_{0};  ///< device position when its motion was last reported
   devices::PointerState pointer_;
   double shown_s_ = 0;      ///< begun_s of the sample in the last overlay, 0 none
   double drawn_age_s_ = 0;  ///< greatest since it was taken
-  double mouse_depth_;      ///< where the mouse presses to, as a fraction of the tablet's depth
+  double mouse_depth_;      ///< depth to which the mouse presses, as a fraction of the tablet's depth
   const base::Clock& clock_;
   devices::TabletDevice device_;
   base::Connection leaving_, changed_;

@@ -6,13 +6,13 @@
 
 namespace nazori::practice {
 
-/// A plot that was drawn, and the tablet that it is carved into.
+/// A drawn plot and the tablet into which it is carved.
 struct TabletPlot {
   functions::SharedDrawing drawing;
   Tablet tablet;
 };
 
-/// Makes a tablet of a drawing: its plate is the relief, its grooves are the strokes. Any thread.
+/// Makes a tablet from a drawing: its plate is the relief, its curves are the strokes. Any thread.
 /// @return the errors of CarvedTablet::from_height_map.
 [[nodiscard]] base::Result<TabletPlot> on_tablet(functions::Drawing&& drawing);
 

@@ -17,14 +17,14 @@
 
 namespace nazori::practice {
 
-/// Records every moment of feeling to a file, whatever device has the tablet. Another device goes on in a
-/// file of its own, numbered, because a recording says of which device it is. Which file is being written is
-/// remembered, so that the next start can complete it after a crash. Tables are written and broken recordings
-/// completed behind the thread that asks. Thread: the owner of the inbox.
+/// Records every servo tick to a file, whatever device is active. When another device becomes active, the
+/// recording continues in a new, numbered file, because a recording names its device. The name of the file
+/// being written is saved, so that the next start can complete it after a crash. Tables are written and
+/// broken recordings completed on a separate thread. Thread: the owner of the inbox.
 class TabletRecording {
  public:
   using Path = std::filesystem::path;
-  /// Where the list of unfinished files outlives the program.
+  /// Where the list of unfinished files is saved.
   struct UnfinishedFiles {
     std::function<std::vector<std::string>()> read;
     std::function<void(const std::vector<std::string>& files)> write;
@@ -36,36 +36,37 @@ class TabletRecording {
   TabletRecording(const TabletRecording&) = delete;
   TabletRecording& operator=(const TabletRecording&) = delete;
 
-  /// Ends what is being recorded, and begins another recording.
+  /// Ends the present recording, if any, and begins another one.
   /// @param path  .nzr or .csv. @param character  what is on the tablet, for people.
   [[nodiscard]] base::Result<void> start(const Path& path, const std::string& character,
                                          const geometry::TabletShape& shape);
-  /// @return the files that were recorded; the error of the last. A table follows with `exported`.
+  /// @return the files that were recorded; the error of the last one. For a table, `exported` follows.
   base::Result<std::vector<Path>> finish();
-  /// Whether a table is being written. One that nobody waits for is written by the next start.
+  /// Whether a table is being written. A table that is unfinished when the program ends is written at the
+  /// next start.
   [[nodiscard]] bool is_exporting() const { return exports_ > 0; }
   [[nodiscard]] bool is_on() const { return recorder_ != nullptr; }
   /// The file that is being written.
   [[nodiscard]] const Path& path() const { return path_; }
   [[nodiscard]] recording::RecorderStatus status() const;
-  /// Looks whether the disk is full. To be called every second.
+  /// Checks whether the disk is full. To be called every second.
   void tick();
 
-  /// What a program that died has left unfinished, completed.
+  /// Recordings that a crashed program left unfinished, completed.
   struct Recovered {
     std::vector<Path> files;   ///< complete to the last moment
     std::vector<Path> broken;  ///< end before the last moment: the computer was restarted
   };
-  /// Completes it; `recovered` follows where there was something.
+  /// Completes unfinished recordings; `recovered` follows if there were any.
   void recover();
 
   base::Signal<> changed;
   base::Signal<const Recovered&> recovered;
-  /// How much of a table is written, 0..1.
+  /// Progress of writing a table, 0..1.
   base::Signal<const Path&, double> export_progressed;
   /// A table is complete.
   base::Signal<const Path&> exported;
-  /// Recording goes on in another file, with another device.
+  /// The recording continues in another file, with another device.
   base::Signal<const Path&> moved_on;
   base::Signal<const Path&, const base::Error&> failed;
 
@@ -91,7 +92,7 @@ class TabletRecording {
   std::unique_ptr<recording::SessionRecorder> recorder_;
   base::Connection leaving_, changed_;
   std::atomic<bool> is_ending_{false};
-  base::Background background_;  // declared last, so that it stops before what it uses goes
+  base::Background background_;  // declared last, so that it stops before the members it uses are destroyed
 };
 
 }  // namespace nazori::practice

@@ -14,7 +14,7 @@
 
 namespace nazori::practice {
 
-/// A tablet that threads may share; null where there is none.
+/// A tablet that threads may share; null for none.
 using Tablet = std::shared_ptr<const tablet::CarvedTablet>;
 
 /// How a tablet is written to a file.
@@ -28,17 +28,17 @@ enum class FileFormat : std::uint8_t {
 struct OwnTablet {
   Tablet tablet;
   std::string name;  ///< file names, for people
-  int map_size = 0;  ///< samples a side of the map that was loaded; 0: carved from strokes
+  int map_size = 0;  ///< samples per side of the loaded map; 0: carved from strokes
   bool has_strokes = false;
 };
 
-/// Carves tablets, loads and saves them behind the thread that asks. Requests return at once, answers come as
-/// signals. Thread: the owner of the inbox.
+/// Carves, loads and saves tablets on a separate thread. Requests return at once, answers come as signals.
+/// Thread: the owner of the inbox.
 class TabletWorkshop {
  public:
-  /// Samples a side of a tablet that is carved to be seen and felt.
+  /// Samples per side of a tablet that is carved for display and touch.
   static constexpr int kSize = 1024;
-  /// Side of the 2005 grid, proposed where a stroke file does not say its own.
+  /// Side of the 2005 grid, proposed for a stroke file, which does not contain its own.
   static constexpr int kClassicSize = 128;
 
   /// @param inbox  outlives this.
@@ -48,12 +48,12 @@ class TabletWorkshop {
   TabletWorkshop& operator=(const TabletWorkshop&) = delete;
 
   /// Carves a character; of several requests to carve or load only the newest is answered. The last few
-  /// tablets stay at hand.
+  /// tablets are cached.
   void carve(const kanji::Character& character);
 
-  /// Loads a height map and strokes, either or both; an empty path means none. Strokes alone are laid over
-  /// `onto` where that is a map from a file (of `onto.map_size` samples), else they are carved.
-  /// @param grid_size  of the stroke file; 0: that of the map, or as guess_grid() finds.
+  /// Loads a height map and strokes, either or both; an empty path means none. Strokes alone are combined
+  /// with `onto` where that is a map from a file (of `onto.map_size` samples), else they are carved.
+  /// @param grid_size  of the stroke file; 0: that of the map, or the result of guess_grid().
   void load(const std::filesystem::path& map_path, const std::filesystem::path& strokes_path,
             const OwnTablet& onto, int grid_size = 0);
 
@@ -61,7 +61,7 @@ class TabletWorkshop {
   void save(const Tablet& tablet, const std::filesystem::path& path, FileFormat format, int size,
             bool own_map);
 
-  /// The grid of a stroke file, which does not say how large it is.
+  /// An estimate of the grid of a stroke file, which does not contain its size.
   struct GridGuess {
     int side = kClassicSize;  ///< smallest power of two from 128 on that holds every point
     bool certain = false;     ///< the points fill more than half of the 2005 grid
@@ -72,7 +72,7 @@ class TabletWorkshop {
   base::Signal<char32_t, const Tablet&> carved;
   base::Signal<const OwnTablet&> loaded;
   base::Signal<const std::filesystem::path&> saved;
-  /// Nothing was changed. The path is that of the file it is about, empty for carving.
+  /// A request failed and nothing was changed. The path is that of the file in question, empty for carving.
   base::Signal<const std::filesystem::path&, const base::Error&> failed;
 
  private:

@@ -11,7 +11,10 @@ class TraceStage final : public PracticeStage {
  public:
   explicit TraceStage(TabletControl& tablet);
 
-  [[nodiscard]] study::Stage stage() const override { return study::Stage::trace; }
+  static constexpr std::string_view kId = "trace";
+  [[nodiscard]] std::string_view id() const override { return kId; }
+  /// Also a tablet of the learner's own.
+  [[nodiscard]] bool can_practise(const StageSubject& /*subject*/) const override { return true; }
 
   void show_next_stroke();
   void show_previous_stroke();

@@ -10,28 +10,28 @@
 
 namespace nazori::practice {
 
-/// What following the stylus brought to light.
+/// Events of tracking the stylus.
 enum class TraceEvent : std::uint8_t {
   none,
   began,         ///< the stylus came down on a stroke's start or where its ink ends
   finished,      ///< its end was reached
-  too_early,     ///< a stroke was taken up while an earlier one is still to write
+  too_early,     ///< a stroke was begun while an earlier one is not yet written
   from_the_end,  ///< the stylus came down at the far end of an unwritten stroke
   left_open,     ///< the stylus left a stroke before its end
 };
 
 /// Ink follows the stylus along the strokes: only forwards, only from a stroke's start or from where its ink
-/// ends, and only while the stylus stays near the line. So crossing a groove leaves no stain on it.
+/// ends, and only while the stylus stays near the line. So crossing a groove leaves no ink in it.
 ///
 /// A hand that traces with care lifts a little before the end as often as after it, and a stylus with
-/// friction lags behind the hand. So a stroke is finished as the stylus comes very near its end, or is lifted
-/// near it.
+/// friction lags behind the hand. So a stroke is finished as soon as the stylus comes very near its end, or
+/// is lifted near it.
 class TracedInk {
  public:
   /// How far beside the line still counts as on it, and how far ahead of the ink the stylus may be [m].
   static constexpr double kReach_m = 0.0055;
-  /// Of a stroke so much may be left when the stylus is lifted [m], and no more than this share of its
-  /// length.
+  /// A stroke counts as finished if at most this length is left when the stylus is lifted [m], and at most
+  /// this share of its length.
   static constexpr double kLeft_m = 0.005;
   static constexpr double kLeftShare = 0.25;
 
@@ -41,13 +41,13 @@ class TracedInk {
     bool inked = false;  ///< ink moved on
   };
 
-  /// Takes new strokes, all without ink.
+  /// Sets new strokes, all without ink.
   void set_strokes(std::span<const haptics::StrokePath> strokes);
   void clear();
-  /// Takes the ink off the stroke that took ink up last. @return that stroke, 0 where there is no ink.
+  /// Removes the ink of the stroke that was inked last. @return that stroke, 0 where there is no ink.
   int undo();
 
-  /// One sample of the stylus. @param only  0: any stroke may be written, n: only stroke n.
+  /// Processes one sample of the stylus. @param only  0: any stroke may be written, n: only stroke n.
   Step follow(const haptics::Vec3& proxy_m, bool touching, int only);
 
   /// Part of each stroke that is inked, 0..1.
@@ -57,7 +57,7 @@ class TracedInk {
   [[nodiscard]] bool is_finished(int stroke) const;
   /// Strokes that were left before their end, from 1 in their order.
   [[nodiscard]] const std::vector<int>& left_open() const { return left_open_; }
-  /// What of a stroke has no ink yet, from where its ink ends.
+  /// The part of a stroke without ink, from where its ink ends.
   [[nodiscard]] geometry::Polyline<geometry::TabletFrame> missing_bit(int stroke) const;
 
  private:
@@ -68,9 +68,9 @@ class TracedInk {
   /// A stroke that the stylus may be following in this touch.
   struct Candidate {
     int stroke = 0;         ///< from 1
-    double before_m = 0;    ///< its ink as the stylus came there
-    double front_m = 0;     ///< how far its ink would be now
-    bool is_meant = false;  ///< the stylus came down there, and did not only pass
+    double before_m = 0;    ///< its ink when the stylus arrived
+    double front_m = 0;     ///< how far its ink would reach now
+    bool is_meant = false;  ///< the stylus came down there and did not only pass by
   };
 
   Step take_up(geometry::TabletPoint at, int only, bool coming_down);
@@ -85,11 +85,12 @@ class TracedInk {
 
   std::vector<Line> lines_;
   std::vector<double> progress_;
-  std::vector<int> inked_;      ///< strokes with ink, from 1, in the order they took it up
+  std::vector<int> inked_;      ///< strokes with ink, from 1, in the order in which they were inked
   std::vector<int> left_open_;  ///< of those, ascending
-  /// Where strokes begin close together the hand shows only later which it follows: the first takes ink.
+  /// Where strokes begin close together, only the further path of the hand shows which one it follows: the
+  /// first one takes the ink.
   std::vector<Candidate> followed_;
-  Candidate lost_;             ///< last stroke that took ink in this touch; the stylus has gone astray since
+  Candidate lost_;             ///< last stroke that was inked in this touch; the stylus has left it since
   geometry::TabletPoint at_;   ///< of the newest touch
   bool was_touching_ = false;  ///< advice is given only as the stylus comes down
 };

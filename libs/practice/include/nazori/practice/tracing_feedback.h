@@ -8,15 +8,15 @@
 
 namespace nazori::practice {
 
-/// How to begin tracing, with what the tablet shows now.
+/// The instruction for beginning to trace, given what the tablet shows now.
 [[nodiscard]] StageFeedback tracing_invitation(const TabletControl& tablet);
 
-/// What an event of the ink means to a learner; nothing where it is not worth a sentence. @param stroke
-/// from 1.
+/// The feedback for an event of the ink; nothing where none is needed. @param stroke from 1.
 [[nodiscard]] std::optional<StageFeedback> tracing_feedback(TraceEvent event, int stroke,
                                                             const TabletControl& tablet);
 
-/// Whether the event is a mistake. Going on where a bit of an earlier stroke is missing is none.
+/// Whether the event is a mistake. Going on although the end of an earlier stroke is missing is not a
+/// mistake.
 [[nodiscard]] bool is_mistake(TraceEvent event, const TabletControl& tablet);
 
 /// Whether snapping is on, and whether it has an effect.

@@ -16,7 +16,9 @@ class WatchStage final : public PracticeStage {
   /// @param clock  outlives this.
   WatchStage(TabletControl& tablet, const base::Clock& clock) : PracticeStage(tablet), clock_(clock) {}
 
-  [[nodiscard]] study::Stage stage() const override { return study::Stage::watch; }
+  static constexpr std::string_view kId = "watch";
+  [[nodiscard]] std::string_view id() const override { return kId; }
+  [[nodiscard]] std::vector<StageCommand> commands() override;
 
   /// Nothing moves unless it is asked for.
   void set_reduced_motion(bool on) { reduced_motion_ = on; }

@@ -11,7 +11,7 @@
 namespace nazori::practice {
 
 /// What is carved of a character while it is written from memory: nothing, all of it, or each stroke once it
-/// is written correctly. Carves behind the thread that asks. Thread: the owner of the inbox.
+/// is written correctly. Carves on a separate thread. Thread: the owner of the inbox.
 class WritingGroove {
  public:
   enum class Mode : std::uint8_t {
@@ -20,15 +20,15 @@ class WritingGroove {
     appears,  ///< the grooves of the strokes that are written
   };
 
-  /// @param inbox  outlives this. @param put  puts a tablet before the learner.
+  /// @param inbox  outlives this. @param put  shows a tablet to the learner.
   WritingGroove(base::Inbox& inbox, std::function<void(const Tablet&)> put);
 
   /// Puts the tablet for writing a character. @param model  the character's own tablet; null: nothing
   /// happens.
   void begin(Mode mode, const Tablet& model);
-  /// Carves the grooves of these strokes of the model, from 0, and no others, where grooves appear.
+  /// Where grooves appear stroke by stroke: carves the grooves of exactly these strokes of the model, from 0.
   void carve(std::vector<int> strokes);
-  /// Another stage has the tablet: nothing more is put.
+  /// Another stage uses the tablet now: no tablet is shown any more.
   void end();
 
  private:

@@ -16,23 +16,23 @@
 
 namespace nazori::practice {
 
-/// How writing is to be judged.
+/// The settings for grading a writing.
 struct JudgeRequest {
-  char32_t character = 0;  ///< that was asked for
+  char32_t character = 0;  ///< the requested one
   writing::WrittenCharacter ink;
   double strictness = writing::kNormal;
   bool finished = true;  ///< false: stroke by stroke, more may follow
 };
 
-/// How the pen moved, and what of it is worth a remark.
+/// The motion of the pen, and remarks about it.
 struct PenReport {
   std::vector<writing::PenMotion> motions;
   std::vector<writing::MotionRemark> remarks;
 };
 
-/// Judging and recognising behind threads of their own: requests return at once, answers come as signals. Of
-/// several requests of one kind only the newest is answered. The recogniser learns all characters when it is
-/// first asked. Thread: the owner of the inbox.
+/// Grades and recognises writing on separate threads: requests return at once, answers come as signals. Of
+/// several requests of one kind only the newest is answered. The recogniser loads all characters at the first
+/// request. Thread: the owner of the inbox.
 class WritingJudge {
  public:
   /// @param inbox  outlives this. @param database  path of kanji.db.
@@ -43,13 +43,14 @@ class WritingJudge {
 
   /// @return the number that comes back with the answer.
   std::uint64_t judge(const JudgeRequest& request);
-  /// Asks for characters that end where the ink ends, and such that go on, the likeliest of both in turn.
+  /// Requests candidates: characters that are complete and characters that continue, the likeliest of both in
+  /// turn.
   /// @return the number that comes back with the answer. @param limit  most candidates, >= 1.
   std::uint64_t recognise(const writing::WrittenCharacter& ink, int limit);
-  /// Lets the recogniser learn now what it needs, so that the first answer is as fast as the others.
+  /// Loads the recogniser's data now, so that the first answer is as fast as the others.
   void prepare_recogniser();
 
-  /// How finished writing was written; just before `judged` with the same number.
+  /// The pen motion of a finished writing; emitted just before `judged` with the same number.
   base::Signal<std::uint64_t, const PenReport&> pen_reported;
   base::Signal<std::uint64_t, const writing::Grade&> judged;
   base::Signal<std::uint64_t, const std::vector<writing::Candidate>&> recognised;

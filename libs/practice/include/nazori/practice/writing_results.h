@@ -10,11 +10,11 @@
 
 namespace nazori::practice {
 
-/// A grade as the study history saves it: faults by stroke of the model where that is known,
-/// endings whether they count or are advice.
+/// A grade as the study history saves it: mistakes by stroke of the model where that is known, and endings,
+/// whether they count as mistakes or as advice.
 [[nodiscard]] study::WritingResult to_result(const writing::Grade& grade);
 
-/// What the hand wrote, as the study history saves it; no more of it than may be saved.
+/// The handwriting as the study history saves it, cut to the largest size that can be saved.
 [[nodiscard]] study::Handwriting to_handwriting(const std::vector<HandStroke>& strokes);
 
 }  // namespace nazori::practice

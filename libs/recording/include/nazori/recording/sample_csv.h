@@ -10,7 +10,7 @@
 namespace nazori::recording {
 
 /// First line of a CSV of samples, with its line feed. SI, tablet frame; `contact` is 0 or 1, `stroke` the
-/// number of the stroke that holds the stylus or 0, `event` what happened, see event_words.
+/// number of the stroke that attracts the stylus or 0, `event` the events, see event_words.
 inline constexpr std::string_view kSampleCsvHeader =
     "t,x,y,z,proxy_x,proxy_y,proxy_z,fx,fy,fz,contact,stroke,event\n";
 

@@ -8,17 +8,17 @@
 
 namespace nazori::recording {
 
-/// What a run of samples comes to.
+/// Statistics of a series of samples.
 class SampleStatistics {
  public:
   static constexpr int kEventBits = 16;
 
-  /// The next sample in order.
+  /// Adds the next sample in order.
   void add(const haptics::ServoSample& sample);
 
   std::uint64_t samples = 0;
   std::uint64_t touching = 0;  ///< samples in contact
-  std::uint64_t held = 0;      ///< samples in which a stroke held the stylus or was being written
+  std::uint64_t held = 0;      ///< samples in which a stroke attracted the stylus or was being written
   double first_s = 0;          ///< time of the first and of the last sample
   double last_s = 0;
   double peak_force_n = 0;
@@ -28,11 +28,11 @@ class SampleStatistics {
 
   [[nodiscard]] double duration_s() const { return last_s - first_s; }
   [[nodiscard]] double mean_force_n() const;  ///< over all samples
-  /// Over the samples in contact.
+  /// Mean over the samples in contact.
   [[nodiscard]] double mean_contact_force_n() const;
-  /// Work of the force on the hand, booked as the force of one sample times the way to the next: what the
-  /// hand put in, what it got back, and what stayed in the tablet (lost, or in its spring if it ends in
-  /// contact).
+  /// Work between hand and tablet, computed as the force of one sample times the displacement to the next:
+  /// given by the hand, returned to it, and kept by the tablet (dissipated, or stored in its spring if the
+  /// series ends in contact).
   [[nodiscard]] double put_in_j() const { return put_in_j_; }
   [[nodiscard]] double got_back_j() const { return got_back_j_; }
   [[nodiscard]] double dissipated_j() const { return put_in_j_ - got_back_j_; }

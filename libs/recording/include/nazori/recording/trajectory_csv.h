@@ -15,16 +15,16 @@
 
 namespace nazori::recording {
 
-/// Where a stylus was at some moment.
+/// The position of a stylus at one moment.
 struct TrajectoryPoint {
   double time_s = 0;
   haptics::Vec3 position_m{0, 0, 0};  ///< tablet frame
 };
 
-/// Reads the way of a stylus from CSV (RFC 4180): a header that names at least the columns t, x, y and z, in
-/// any order and among others, then one row a moment: seconds, and metres in the tablet frame. Numbers as in
-/// C, whatever the locale. Lines end in LF or CRLF; a byte order mark, empty lines and fields in double
-/// quotes are taken. It streams: memory does not grow with the input. Thread rules: one thread.
+/// Reads the path of a stylus from CSV (RFC 4180): a header that names at least the columns t, x, y and z, in
+/// any order and among others, then one row per moment: seconds, and metres in the tablet frame. Numbers as
+/// in C, whatever the locale. Lines end in LF or CRLF; a byte order mark, empty lines and fields in double
+/// quotes are accepted. The input is streamed: memory does not grow with it. Thread rules: one thread.
 class TrajectoryReader {
  public:
   static constexpr std::size_t kLongestLine = 65536;
@@ -36,13 +36,13 @@ class TrajectoryReader {
   [[nodiscard]] static base::Result<TrajectoryReader> from(std::unique_ptr<ByteSource> source);
 
   /// The next row. @return false at the end; Errc::parse with "file:line" for a row with more or fewer values
-  /// than the header, a value that is no finite number, a time that is not after the one before, and for an
-  /// end without any row.
+  /// than the header, a value that is not a finite number, a time that is not after the previous one, and a
+  /// file without any row.
   [[nodiscard]] base::Result<bool> next(TrajectoryPoint& point);
 
-  /// Of the line that was read last; the header is line 1.
+  /// Number of the last line read; the header is line 1.
   [[nodiscard]] std::uint64_t line() const { return line_; }
-  /// How far the input has been read, 0..1; 0 where its length is not known.
+  /// Progress of reading the input, 0..1; 0 where its length is not known.
   [[nodiscard]] double progress() const;
 
  private:
@@ -54,10 +54,10 @@ class TrajectoryReader {
 
   std::unique_ptr<ByteSource> source_;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0;  // of what is not read yet
+  std::size_t begin_ = 0, end_ = 0;  // range that is not read yet
   bool exhausted_ = false;
   std::uint64_t line_ = 0, rows_ = 0, bytes_ = 0;
-  std::vector<int> meaning_;  // of each column: 0..3 for t, x, y, z; -1: passed over
+  std::vector<int> meaning_;  // of each column: 0..3 for t, x, y, z; -1: ignored
   double last_s_ = 0;
 };
 

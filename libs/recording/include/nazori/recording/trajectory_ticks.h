@@ -11,8 +11,8 @@
 
 namespace nazori::recording {
 
-/// A trajectory as the ticks of a servo: its rows as they are, or, where a rate is asked for, points at that
-/// rate on straight lines between the rows, from the first row's time to the last one's. Thread rules: one
+/// A trajectory as the ticks of a servo: its rows unchanged or, if a rate is given, points at that rate
+/// interpolated linearly between the rows, from the first row's time to the last one's. Thread rules: one
 /// thread.
 class TrajectoryTicks {
  public:
@@ -42,7 +42,7 @@ class TrajectoryTicks {
   bool resampled_ = false;
   std::vector<TrajectoryPoint> ahead_;  // rows that were read to measure the rate
   std::size_t given_ = 0;               // of these
-  TrajectoryPoint from_, to_;           // the rows on both sides of the tick
+  TrajectoryPoint from_, to_;           // the rows before and after the tick
   double start_s_ = 0;
   std::uint64_t ticks_ = 0;
 };

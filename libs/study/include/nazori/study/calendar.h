@@ -10,9 +10,9 @@
 
 namespace nazori::study {
 
-/// Turns moments into study days. A study day begins at a fixed hour of local time, so that what is written
-/// after midnight still counts for the evening. Where the clocks change, a day is an hour shorter or longer;
-/// an hour that is left out begins the day at the moment the clocks are put forward. Immutable; thread-safe.
+/// Converts moments to study days. A study day begins at a fixed hour of local time, so that writing after
+/// midnight still counts for the evening. Where the clocks change, a day is an hour shorter or longer. If the
+/// starting hour is skipped, the day begins when the clocks are put forward. Immutable; thread-safe.
 /// @source rules of time zones: the system's tz database, read by Howard Hinnant's date library.
 class Calendar {
  public:
@@ -25,12 +25,12 @@ class Calendar {
   [[nodiscard]] Day day_of(Time time) const;
   /// The moment at which a study day begins.
   [[nodiscard]] Time begin_of(Day day) const;
-  /// The name of the zone, as the tz database has it.
+  /// The name of the zone, as in the tz database.
   [[nodiscard]] const std::string& zone() const { return zone_name_; }
 
  private:
   Calendar(const void* zone, std::string name, int day_starts_at);
-  const void* zone_;  ///< owned by the tz library for the whole run
+  const void* zone_;  ///< owned by the tz library until the program ends
   std::string zone_name_;
   int day_starts_at_;
 };

@@ -15,16 +15,16 @@
 
 namespace nazori::study {
 
-/// What an entry of the log says.
+/// The kind of an entry of the log.
 enum class EntryKind : std::uint8_t {
   writing = 0,    ///< a character was written, or watched: in stage `memory` a review, else practice
-  undo = 1,       ///< an earlier action counts no more
-  settings = 2,   ///< from here on with these settings
-  postpone = 3,   ///< a character comes no earlier than a day
-  pause = 4,      ///< a character does not come
+  undo = 1,       ///< an earlier action is undone
+  settings = 2,   ///< these settings apply from here on
+  postpone = 3,   ///< a character is not due before a given day
+  pause = 4,      ///< a character is suspended
   resume = 5,     ///< it comes again
   reset = 6,      ///< it is new again
-  leech_met = 7,  ///< the lesson for a character that is often forgotten was done; it comes again
+  leech_met = 7,  ///< a difficult character was relearned; it is reviewed again
 };
 /// "writing", "undo", ...
 [[nodiscard]] std::string_view name_of(EntryKind kind);
@@ -33,24 +33,24 @@ enum class EntryKind : std::uint8_t {
 /// One writing of a character.
 struct Writing {
   Stage stage = Stage::memory;
-  Rating rating = Rating::good;    ///< the learner's; means something in the stage `memory` only
-  Rating proposed = Rating::good;  ///< what proposed_rating() said
+  Rating rating = Rating::good;    ///< the learner's rating; only used in the stage `memory`
+  Rating proposed = Rating::good;  ///< the result of proposed_rating()
   WritingResult result;
 
   friend bool operator==(const Writing&, const Writing&) = default;
 };
 
-/// One entry of the append-only log. Which members mean something follows from `kind`.
+/// One entry of the append-only log. `kind` determines which members are used.
 struct LogEntry {
   std::int64_t id = 0;      ///< 1, 2, 3, ...
-  std::int64_t action = 0;  ///< id of the first entry of the same action; an undo takes back whole actions
+  std::int64_t action = 0;  ///< id of the first entry of the same action; an undo undoes whole actions
   Time at{};
   Day day{};  ///< study day, by the zone the learner was in
   EntryKind kind = EntryKind::writing;
-  char32_t character = 0;              ///< all but undo and settings
-  Writing writing;                     ///< writing
-  std::optional<int> interval_days;    ///< writing: the interval given, where it was moved within its range
-  int strokes = 1;                     ///< writing: strokes of the character, >= 1
+  char32_t character = 0;            ///< all but undo and settings
+  Writing writing;                   ///< writing
+  std::optional<int> interval_days;  ///< writing: the interval that was set, if it was moved within its range
+  int strokes = 1;                   ///< writing: strokes of the character, >= 1
   std::optional<std::int64_t> undoes;  ///< undo: the action
   std::optional<Day> until;            ///< postpone
   std::string settings;                ///< settings: JSON
@@ -58,17 +58,17 @@ struct LogEntry {
   friend bool operator==(const LogEntry&, const LogEntry&) = default;
 };
 
-/// Everything the program knows of one character's study. Follows from the log.
+/// The study state of one character. Computed from the log.
 struct Card {
   char32_t character = 0;
   Memory memory;
-  std::optional<Day> introduced;       ///< the first day it was met since it was last reset
+  std::optional<Day> introduced;       ///< the first day of study since it was last reset
   std::optional<Day> last_day;         ///< of the last review from memory
-  std::optional<Day> due_day;          ///< in the phase `review`: the study day it is due
+  std::optional<Day> due_day;          ///< in the phase `review`: the study day on which it is due
   std::optional<Day> postponed_until;  ///< not before this day
   bool paused = false;
-  bool leech = false;               ///< set apart: forgotten too often
-  int leech_at = 0;                 ///< lapses at which it is set apart again; 0: those of the settings
+  bool leech = false;               ///< difficult: forgotten too often and taken out of reviews
+  int leech_at = 0;                 ///< number of lapses at which it becomes difficult again; 0: as set
   int practices = 0;                ///< writings in other stages than `memory`
   Stage next_stage = Stage::watch;  ///< what the lesson proposes
   double help = 1;                  ///< help of the next guided writing
@@ -76,23 +76,23 @@ struct Card {
   friend bool operator==(const Card&, const Card&) = default;
 };
 
-/// Whether settings lead to other numbers for the same reviews.
+/// Whether two settings give different numbers for the same reviews.
 [[nodiscard]] bool changes_memory(const Settings& before, const Settings& after);
 
-/// Follows one character through the log. Entries must come in the order of the log, without those that were
-/// undone.
+/// Computes the card of one character from the log. Entries must be given in the order of the log, without
+/// those that were undone.
 class CardHistory {
  public:
   explicit CardHistory(char32_t character) { card_.character = character; }
 
   /// @param settings  in force when the entry was made.
   void apply(const LogEntry& entry, const Settings& settings);
-  /// Other settings are in force from here on. Where the weights differ, stability and difficulty are worked
-  /// out anew from all reviews; the day it is due stays.
+  /// Other settings apply from here on. If the weights differ, stability and difficulty are computed again
+  /// from all reviews; the due day is unchanged.
   void change_settings(const Settings& settings);
 
   [[nodiscard]] const Card& card() const { return card_; }
-  /// Whether anything was done that the learner would miss: false for a character never met.
+  /// Whether the learner would lose anything with this card: false for a character never studied.
   [[nodiscard]] bool met() const { return met_; }
 
  private:

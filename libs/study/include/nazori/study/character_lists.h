@@ -14,43 +14,44 @@
 
 namespace nazori::study {
 
-/// What the order of learning needs to know of a character.
+/// The data of a character that determine the learning order.
 struct CharacterFacts {
   char32_t character = 0;
   std::optional<int> grade;           ///< 1..6, 8, 9, 10
   std::optional<int> frequency;       ///< rank in newspapers
   std::optional<int> old_jlpt_level;  ///< 4 (easiest) .. 1, the levels before 2010
   int strokes = 0;
-  std::vector<char32_t> components;  ///< characters it is made of, at any depth
+  std::vector<char32_t> components;  ///< characters it is composed of, at any depth
 
   friend bool operator==(const CharacterFacts&, const CharacterFacts&) = default;
 };
 
-/// A ready list: its id and what it holds, for people (English).
+/// A built-in list: its id and its English name for people.
 struct ReadyList {
   std::string id;    ///< "grade-1", "old-jlpt-4", ...
   std::string name;  ///< "grade 1", "old JLPT level 4 (before 2010)"
 };
 
-/// The ready lists: grade-1 .. grade-6, secondary, jinmeiyou, hiragana, katakana, old-jlpt-4 .. old-jlpt-1.
+/// The built-in lists: grade-1 .. grade-6, secondary, jinmeiyou, hiragana, katakana, old-jlpt-4 ..
+/// old-jlpt-1.
 [[nodiscard]] std::span<const ReadyList> ready_lists();
 
-/// Characters and lists of the kanji database, read when they are first asked for. Thread-safe: no.
+/// Characters and lists of the kanji database, read when they are first needed. Thread-safe: no.
 class CharacterLists {
  public:
   /// @param database  must live as long as this.
   explicit CharacterLists(const kanji::KanjiDatabase& database) : database_(&database) {}
 
-  /// The members of a list, in its own order: "grade-1", "list:NAME" for a list of the learner's own,
-  /// "tag:NAME" for what carries a tag.
-  /// @return Errc::not_found; else as LearnerStore::lists() says.
+  /// The members of a list, in its own order: "grade-1", "list:NAME" for one of the learner's own lists,
+  /// "tag:NAME" for the characters with a tag.
+  /// @return Errc::not_found; else as LearnerStore::lists().
   [[nodiscard]] base::Result<std::vector<char32_t>> members(std::string_view id, const LearnerStore& learner);
 
-  /// Facts of a character; nullptr where the database does not draw it. Valid as long as this.
+  /// Facts of a character; nullptr where the database has no strokes of it. Valid as long as this object.
   [[nodiscard]] const CharacterFacts* facts(char32_t character);
 
-  /// Every character of the chosen lists once, in the order they are to be learnt. Lists that are not there
-  /// are passed over. @return as LearnerStore::lists() says.
+  /// Every character of the chosen lists once, in learning order. Lists that do not exist are ignored.
+  /// @return as LearnerStore::lists().
   [[nodiscard]] base::Result<std::vector<char32_t>> in_learning_order(const Settings& settings,
                                                                       const LearnerStore& learner);
 
@@ -61,14 +62,13 @@ class CharacterLists {
   std::map<char32_t, CharacterFacts> facts_;
 };
 
-/// Puts characters in an order. Those that are equal keep the order they came in; what a fact is not known of
-/// comes last.
+/// Sorts characters. Equal ones keep their order; a character for which a fact is unknown comes last.
 [[nodiscard]] std::vector<char32_t> sort_for_learning(
     std::vector<char32_t> characters, NewOrder order,
     const std::function<const CharacterFacts*(char32_t)>& facts);
 
-/// Reads a list from text: characters in any number to a line, blanks and commas between them or not; what
-/// follows a # is a note. Characters that come twice are taken once.
+/// Reads a list from text: characters in any number to a line, with or without blanks and commas between
+/// them; text after a # is a comment. Repeated characters count once.
 /// @param known  whether a character can be studied.
 /// @return Errc::parse with the line for anything else and for a text without characters.
 [[nodiscard]] base::Result<std::vector<char32_t>> parse_list(std::string_view text,

@@ -16,37 +16,38 @@
 
 namespace nazori::study {
 
-/// Takes a text piece by piece, for a log of many years is not held in memory whole. What it fails with ends
-/// the work.
+/// Receives a text piece by piece, so that the log of many years is never in memory as a whole. An error that
+/// it returns ends the operation.
 using TextSink = std::function<base::Result<void>(std::string_view piece)>;
 
-/// Where a text comes from, piece by piece.
+/// The source of a text, piece by piece.
 struct TextSource {
-  /// Puts the next bytes at the beginning of `room` and returns how many; 0 at the end.
+  /// Reads the next bytes into the beginning of `room` and returns how many; 0 at the end.
   std::function<base::Result<std::size_t>(std::span<char> room)> read;
-  std::uintmax_t bytes = 0;  ///< of the whole text, for the progress; 0 where that is not known
+  std::uintmax_t bytes = 0;  ///< of the whole text, for the progress; 0 where it is not known
 };
-/// A text in memory, which must live as long as the source.
+/// A text in memory, which must outlive the source.
 [[nodiscard]] TextSource text_source(std::string_view text);
-/// A file, from its beginning. @return Errc::not_found, Errc::io as base::InputFile::open() says.
+/// A file, from its beginning. @return Errc::not_found, Errc::io as base::InputFile::open().
 [[nodiscard]] base::Result<TextSource> file_source(const std::filesystem::path& path);
 
-/// Everything of a learner as JSON (docs/file-formats.md): the whole log with its ink, lists and tags. What
-/// is imported elsewhere is exported alike, byte for byte. Memory does not grow with the log.
-/// @return as LearnerStore::for_each_entry() says; what `sink` fails with; Errc::cancelled.
+/// Exports all data of a learner as JSON (docs/file-formats.md): the whole log with its ink, lists and tags.
+/// After an import, an export gives the same bytes. Memory does not grow with the log.
+/// @return the errors of LearnerStore::for_each_entry() and of `sink`; Errc::cancelled.
 [[nodiscard]] base::Result<void> export_json(const LearnerStore& learner, const TextSink& sink,
                                              const base::Progress& progress = {});
-/// The same as one text, for learners that are known to be small.
+/// The same as one text, for learners with little data.
 [[nodiscard]] base::Result<std::string> export_json(const LearnerStore& learner);
 
-/// Reads such a text and checks all of it: whether it can fill an empty learner. Memory does not grow with
+/// Reads such a text completely and checks whether it can fill an empty learner. Memory does not grow with
 /// the text.
-/// @return Errc::parse with line and reason; Errc::schema for another format or a newer version; what the
-/// source fails with; Errc::cancelled.
+/// @return Errc::parse with line and reason; Errc::schema for another format or a newer version; the errors
+/// of the source; Errc::cancelled.
 [[nodiscard]] base::Result<void> check_json(const TextSource& json, const base::Progress& progress = {});
 
-/// Fills an empty learner from such a text, as one action: all of it or nothing.
-/// @return as check_json(); Errc::bad_argument where the learner is not empty. Nothing is changed then.
+/// Fills an empty learner from such a text, as one action: completely or not at all.
+/// @return as check_json(); Errc::bad_argument where the learner is not empty. On an error nothing is
+/// changed.
 [[nodiscard]] base::Result<void> import_json(LearnerStore& learner, const TextSource& json,
                                              const base::Progress& progress = {});
 
@@ -54,29 +55,29 @@ struct TextSource {
 /// @return as export_json().
 [[nodiscard]] base::Result<void> export_csv(const LearnerStore& learner, const TextSink& sink,
                                             const base::Progress& progress = {});
-/// The same as one text, for learners that are known to be small.
+/// The same as one text, for learners with little data.
 [[nodiscard]] base::Result<std::string> export_csv(const LearnerStore& learner);
 
-/// What goes on a card for Anki.
+/// The content of a card for Anki.
 struct AnkiOptions {
-  std::string deck = "Nazori";  ///< name; "::" makes a deck within a deck
-  int words = 4;                ///< at most so many words to a character, 0..20
+  std::string deck = "Nazori";  ///< name; "::" separates a deck from a deck inside it
+  int words = 4;                ///< maximum number of words per character, 0..20
 };
 
 /// An Anki package (.apkg) of new cards that ask for a character by meaning and reading and answer with its
-/// stroke order as a picture, its readings, meanings and words. The same characters always give the same
-/// notes, so that a second import updates the first.
-/// @param characters  those that are not drawn are left out.
+/// stroke order as a picture, its readings, meanings and words. The same characters always give notes with
+/// the same ids, so that a second import updates the first.
+/// @param characters  those without strokes are left out.
 /// @source the layout "schema 11" of Anki's collections, which every Anki since 2.0 imports: AnkiDroid wiki,
 /// "Database Structure".
-/// @return Errc::not_found where no character is drawn, Errc::bad_argument, Errc::cancelled.
+/// @return Errc::not_found where no character has strokes, Errc::bad_argument, Errc::cancelled.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> anki_package(const kanji::KanjiDatabase& database,
                                                                    std::span<const char32_t> characters,
                                                                    const AnkiOptions& options, Time now,
                                                                    const base::Progress& progress = {});
 
-/// A picture of how a character is written, as SVG: a square for each stroke, the strokes so far in grey, the
-/// new one in black with its number and a dot where it begins.
+/// A picture of a character's stroke order, as SVG: a square for each stroke, with the previous strokes in
+/// grey and the new one in black, with its number and a dot where it begins.
 [[nodiscard]] std::string stroke_order_svg(const kanji::Character& character);
 
 }  // namespace nazori::study

@@ -14,7 +14,7 @@
 
 namespace nazori::study {
 
-/// How well something was remembered.
+/// How well a character was recalled.
 enum class Rating : std::uint8_t { again = 1, hard = 2, good = 3, easy = 4 };
 inline constexpr std::array kRatings{Rating::again, Rating::hard, Rating::good, Rating::easy};
 
@@ -33,13 +33,13 @@ enum class Phase : std::uint8_t {
 [[nodiscard]] std::optional<Rating> rating_named(std::string_view name);
 [[nodiscard]] std::optional<Phase> phase_named(std::string_view name);
 
-/// What is known of one card's memory. A default one was never reviewed.
+/// The state of memory of one card. A default one was never reviewed.
 struct Memory {
   Phase phase = Phase::fresh;
-  double stability = 0;    ///< days until the chance to recall it has fallen to 0.9; 0 while fresh
+  double stability = 0;    ///< days until the probability of recall has fallen to 0.9; 0 while fresh
   double difficulty = 0;   ///< 1 easy .. 10 hard; 0 while fresh
   int step = 0;            ///< which (re)learning step comes next, from 0
-  int scheduled_days = 0;  ///< interval last given; 0 within (re)learning steps
+  int scheduled_days = 0;  ///< last interval; 0 within (re)learning steps
   int reps = 0;            ///< reviews so far
   int lapses = 0;          ///< times it was forgotten in the phase `review`
   Time due{};
@@ -75,14 +75,14 @@ struct FsrsSettings {
 inline constexpr double kLowestRetention = 0.80;
 inline constexpr double kHighestRetention = 0.97;
 
-/// Weights from numbers: 21 of FSRS-6; 19 of FSRS-5 or 17 of FSRS-4.5, brought to the form of FSRS-6. Each is
-/// brought into the range the optimiser keeps to.
+/// Weights from numbers: 21 of FSRS-6, or 19 of FSRS-5 or 17 of FSRS-4.5, which are converted to FSRS-6. Each
+/// is limited to the range of the optimiser.
 /// @return Errc::bad_argument for another count or a number that is not finite.
 [[nodiscard]] base::Result<FsrsWeights> weights_from(std::span<const double> numbers);
-/// The same from text: numbers with commas, spaces, line breaks or brackets between them, as Anki shows them.
+/// The same from text: numbers separated by commas, spaces, line breaks or brackets, as Anki shows them.
 [[nodiscard]] base::Result<FsrsWeights> parse_weights(std::string_view text);
 
-/// Whole days an interval may be moved to when intervals are spread.
+/// Range of whole days within which an interval may be moved.
 struct DayRange {
   int first = 1;
   int last = 1;
@@ -90,8 +90,8 @@ struct DayRange {
 };
 
 /// The free spaced repetition scheduler, version 6: a model of memory with three variables (stability,
-/// difficulty, retrievability) and the intervals that follow from it. Immutable; thread-safe.
-/// Numbers are rounded to 8 decimals after each step, as the reference programs do.
+/// difficulty, retrievability) and the intervals that follow from it. Immutable; thread-safe. Numbers are
+/// rounded to 8 decimals after each step, as in the reference programs.
 /// @source J. Ye, "The Algorithm" (FSRS-6), open-spaced-repetition; ts-fsrs 5.4.2 for steps and rounding.
 class Fsrs {
  public:
@@ -101,19 +101,19 @@ class Fsrs {
   Fsrs();
 
   /// The memory after a review.
-  /// @param elapsed_days  days since the last review, >= 0, counted by the caller (dates in UTC give what
-  /// other
-  ///                      programs give; study days give what a learner sees); not looked at while fresh.
+  /// @param elapsed_days  days since the last review, >= 0, counted by the caller (dates in UTC give the
+  ///   results of other programs; study days match what a learner sees); ignored while fresh.
   [[nodiscard]] Memory next(const Memory& memory, Rating rating, Time now, int elapsed_days) const;
 
-  /// The chance that something with this stability is recalled after so many days: 0..1.
+  /// The probability that a character with this stability is recalled after this many days: 0..1.
   [[nodiscard]] double retrievability(double stability, double elapsed_days) const;
 
-  /// Days until the chance has fallen to the desired retention; 1..maximum_interval_days.
+  /// Days until that probability has fallen to the desired retention; 1..maximum_interval_days.
   [[nodiscard]] int interval_days(double stability) const;
 
-  /// How far an interval may be moved without harm: 15 % of what lies over 2.5 days, 10 % over 7, 5 % over
-  /// 20, and one day; never below 2 days nor to a day that has passed. Intervals under 2.5 days stay.
+  /// The range within which an interval may be moved without harm: 15 % of its part over 2.5 days, 10 % over
+  /// 7, 5 % over 20, and one day; never below 2 days nor to a past day. Intervals under 2.5 days are not
+  /// moved.
   [[nodiscard]] DayRange fuzz_range(int interval_days, int elapsed_days) const;
 
   [[nodiscard]] const FsrsSettings& settings() const { return settings_; }

@@ -12,6 +12,10 @@
 
 namespace nazori::study {
 
+/// The version of the form that to_json() writes; files without a version are of this one, newer ones are
+/// refused.
+inline constexpr int kReplayVersion = 1;
+
 /// One review of a history, and what followed from it.
 struct ReplayStep {
   Time at;

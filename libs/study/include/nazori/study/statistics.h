@@ -12,28 +12,29 @@
 
 namespace nazori::study {
 
-/// What was done on one study day.
+/// The activity of one study day.
 struct DayActivity {
   Day day{};
   int reviews = 0;     ///< from memory
   int practices = 0;   ///< in other stages
-  int introduced = 0;  ///< characters met first
+  int introduced = 0;  ///< characters introduced
   std::chrono::milliseconds time{0};
 
   friend bool operator==(const DayActivity&, const DayActivity&) = default;
 };
 
-/// How many reviews were due at a chance, and how many succeeded. Only reviews after at least one day count.
+/// The number of reviews, how many were recalled, and how many were predicted to be. Only reviews after at
+/// least one day count.
 struct Retention {
   int reviews = 0;
   int recalled = 0;
-  double predicted = 0;  ///< mean of the chances that FSRS gave them; 0 without reviews
+  double predicted = 0;  ///< mean probability that FSRS predicted for them; 0 without reviews
   [[nodiscard]] double actual() const { return reviews == 0 ? 0 : static_cast<double>(recalled) / reviews; }
 
   friend bool operator==(const Retention&, const Retention&) = default;
 };
 
-/// The retention of one study day (or of the days from one on: periods.h).
+/// The retention of one study day (or of a period: periods.h).
 struct DayRetention {
   Day day{};
   Retention retention;
@@ -43,18 +44,18 @@ struct DayRetention {
 
 /// Days in a row with study. One day off in any seven does not break it.
 struct Streak {
-  int days = 0;  ///< with study, up to today; today may still be open
+  int days = 0;  ///< days with study, up to today; today need not be done yet
   int longest = 0;
   bool today_done = false;
-  bool day_off_used = false;  ///< within the last seven days: another one would break it
+  bool day_off_used = false;  ///< within the last seven days: another one would break the streak
 
   friend bool operator==(const Streak&, const Streak&) = default;
 };
 
-/// How firmly a character is known.
+/// How well a character is learned.
 enum class Strength : std::uint8_t {
-  unseen,    ///< not met
-  learning,  ///< begun, or in its steps
+  unseen,    ///< not studied
+  learning,  ///< begun, or in its (re)learning steps
   young,     ///< stability under 21 days
   mature,    ///< stability of 21 days and more
   leech,     ///< set apart
@@ -63,7 +64,7 @@ enum class Strength : std::uint8_t {
 [[nodiscard]] std::string_view name_of(Strength strength);
 [[nodiscard]] Strength strength_of(const Card& card);
 
-/// A character's state for a grid.
+/// The state of a character in the grid of characters.
 struct CharacterState {
   char32_t character = 0;
   Strength strength = Strength::unseen;
@@ -76,24 +77,24 @@ struct CharacterState {
 struct HardStroke {
   char32_t character = 0;
   int stroke = 0;    ///< from 0
-  int mistakes = 0;  ///< writings in which it went wrong
+  int mistakes = 0;  ///< number of writings in which it went wrong
   int writings = 0;  ///< of the character
   std::map<kanji::MistakeKind, int> kinds;
 
   friend bool operator==(const HardStroke&, const HardStroke&) = default;
 };
 
-/// How the pen moved on one study day: means over its writings with ink.
+/// Pen motion of one study day: means over its writings with ink.
 struct DayMotion {
   Day day{};
   int writings = 0;
   double speed = 0;       ///< glyph units a second
-  double smoothness = 0;  ///< spectral arc length, nearer to 0 is smoother
+  double smoothness = 0;  ///< spectral arc length, closer to 0 is smoother
 
   friend bool operator==(const DayMotion&, const DayMotion&) = default;
 };
 
-/// Reviews that will fall due.
+/// Reviews that will become due.
 struct DayForecast {
   Day day{};
   int reviews = 0;  ///< today: with everything overdue
@@ -103,7 +104,7 @@ struct DayForecast {
 
 inline constexpr int kForecastDays = 30;
 
-/// Everything the statistics page shows, as data.
+/// All data of the statistics page.
 struct Statistics {
   Day today{};
   std::vector<DayActivity> days;      ///< days with study, oldest first
@@ -112,17 +113,17 @@ struct Statistics {
   Retention last_30_days;
   std::vector<DayRetention> retention_days;  ///< days with reviews that count, oldest first
   Streak streak;
-  std::vector<CharacterState> characters;  ///< every one ever met, by code point
+  std::vector<CharacterState> characters;  ///< all characters ever studied, by code point
   std::vector<HardStroke>
-      hard_strokes;               ///< the worst first, at most 100; with mistakes in two writings or more
+      hard_strokes;  ///< the most frequent first, at most 100; with mistakes in two writings or more
   std::vector<DayMotion> motion;  ///< oldest first
   Pace pace;
   int reviews = 0;
   std::chrono::milliseconds time{0};
 };
 
-/// Goes once through the whole log.
-/// @return Errc::cancelled where `progress` says so.
+/// Computes the statistics in one pass over the log.
+/// @return Errc::cancelled where `progress` stops it.
 [[nodiscard]] base::Result<Statistics> statistics_of(const LearnerStore& learner,
                                                      const base::Progress& progress = {});
 
@@ -133,15 +134,15 @@ struct Statistics {
 struct Workload {
   double reviews_per_day = 0;  ///< mean over the second half of the time
   double minutes_per_day = 0;
-  double known = 0;  ///< characters one would recall at its end
+  double known = 0;  ///< expected number of characters recalled at its end
 
   friend bool operator==(const Workload&, const Workload&) = default;
 };
 
-/// What a desired retention costs: a year of `new_per_day` new characters is played through with FSRS's own
-/// chances (the same dice each time). A few milliseconds.
-/// @param settings  whose desired retention is asked about. @param pace  how long each thing takes.
-/// @return Errc::bad_argument as Fsrs::create() says, or for new_per_day outside 0..100.
+/// The workload of a desired retention: simulates a year with `new_per_day` new characters and the
+/// probabilities of FSRS (always with the same random numbers). Takes a few milliseconds.
+/// @param settings  the desired retention is one of them. @param pace  the time for each kind of work.
+/// @return Errc::bad_argument as Fsrs::create(), or for new_per_day outside 0..100.
 [[nodiscard]] base::Result<Workload> expected_workload(const FsrsSettings& settings, int new_per_day,
                                                        const Pace& pace = {});
 

@@ -10,7 +10,7 @@
 
 namespace nazori::study {
 
-/// How a study day went for one character.
+/// The outcome of a study day for one character.
 enum class DayOutcome : std::uint8_t {
   recalled = 0,    ///< its first review succeeded
   failed = 1,      ///< its first review failed
@@ -29,13 +29,13 @@ struct CharacterDay {
 };
 
 /// Divides the history of one character into study days. A day ends where an entry of another day follows, or
-/// where the character starts over; after that it is new again.
+/// where the character is reset; after that it is new again.
 class CharacterDays {
  public:
   /// Entries of one character in the order of the log, without those that were undone. Entries other than
-  /// writings and resets are passed over.
+  /// writings and resets are ignored.
   void take(const LogEntry& entry);
-  /// The days so far, in the order of the log. A day may come twice.
+  /// The days so far, in the order of the log. A day may appear twice.
   [[nodiscard]] const std::vector<CharacterDay>& days() const { return days_; }
 
  private:
@@ -52,10 +52,10 @@ struct StudyDay {
   friend bool operator==(const StudyDay&, const StudyDay&) = default;
 };
 
-/// What the study days of one outcome took.
+/// The durations of study days with the same outcome.
 struct OutcomeTimes {
-  std::vector<std::chrono::milliseconds> newest;  ///< newest day first; of one day by code point
-  int days = 0;                                   ///< all that took any time
+  std::vector<std::chrono::milliseconds> newest;  ///< newest day first, within a day by code point
+  int days = 0;                                   ///< number of all days with a duration
 
   friend bool operator==(const OutcomeTimes&, const OutcomeTimes&) = default;
 };

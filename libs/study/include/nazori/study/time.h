@@ -17,16 +17,16 @@ using Time = std::chrono::time_point<std::chrono::system_clock, std::chrono::mil
 /// A study day: the calendar date on which it begins. Counted in days since 1970-01-01.
 using Day = std::chrono::sys_days;
 
-/// Tells what time it is. Everything of this room that needs the present asks one of these.
+/// Returns the present time. Everything in this module that needs it calls a function of this type.
 using Clock = std::function<Time()>;
 
 /// The computer's clock.
 [[nodiscard]] Time system_now();
 
-/// A clock that shows `start` now and goes on from there, for acting out other days.
+/// A clock that shows `start` now and runs on from there, to simulate other days.
 [[nodiscard]] Clock clock_from(Time start);
-/// The clock of the environment variable NAZORI_NOW ("2026-01-01T09:00Z"), which goes on from there; the
-/// computer's where it is not set. @return Errc::parse for what is no time.
+/// The clock of the environment variable NAZORI_NOW ("2026-01-01T09:00Z"), which runs on from there; the
+/// computer's clock if it is not set. @return Errc::parse for an invalid time.
 [[nodiscard]] base::Result<Clock> environment_clock();
 
 /// "2026-01-01T09:00:00.000Z".
@@ -34,14 +34,14 @@ using Clock = std::function<Time()>;
 /// "2026-01-01".
 [[nodiscard]] std::string to_text(Day day);
 
-/// Reads ISO 8601: "2026-01-01T09:00:00.000Z", with seconds and their parts left out or not, and with Z or an
-/// offset such as +09:00. Years 1970..9999.
+/// Reads ISO 8601: "2026-01-01T09:00:00.000Z", with or without seconds and fractions, and with Z or an offset
+/// such as +09:00. Years 1970..9999.
 /// @return Errc::parse, the text in Error::where.
 [[nodiscard]] base::Result<Time> parse_time(std::string_view text);
 /// Reads "2026-01-01". @return Errc::parse, the text in Error::where.
 [[nodiscard]] base::Result<Day> parse_day(std::string_view text);
 
-/// The date in UTC that holds `time`.
+/// The date of `time` in UTC.
 [[nodiscard]] Day utc_day(Time time);
 
 }  // namespace nazori::study

@@ -15,9 +15,9 @@ namespace nazori::surface {
 /// A square grid of heights: 1 is the plateau, 0 the deepest groove. Row-major, row 0 at the top of the
 /// picture.
 ///
-/// Floats inside; 8-bit RAW and PNG are exchange formats. Loading never changes a map that exists: it gives a
-/// new one or an error, so a caller that assigns on success keeps the old map on failure. Thread-safe:
-/// reading yes, writing no.
+/// Heights are floats; 8-bit RAW and PNG are exchange formats. Loading never changes an existing map: it
+/// returns a new one or an error, so a caller that assigns on success keeps the old map on failure.
+/// Thread-safe: reading yes, writing no.
 class HeightMap {
  public:
   static constexpr int kMinSize = 2;
@@ -31,7 +31,7 @@ class HeightMap {
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] bool is_loaded() const { return !samples_.empty(); }
-  /// Back to the empty map; memory is released.
+  /// Makes it an empty map and frees the memory.
   void unload();
 
   /// Height in [0, 1]. @param column,row  within [0, size).
@@ -39,11 +39,11 @@ class HeightMap {
   /// Height times `scale`, in the scale's unit: scale = 12.75 gives the grid units of 2005, scale = depth_m
   /// metres.
   [[nodiscard]] double scaled(int column, int row, double scale) const { return at(column, row) * scale; }
-  /// @param height  held within [0, 1]; not finite counts as 1.
+  /// @param height  limited to [0, 1]; not finite counts as 1.
   void set(int column, int row, float height);
 
   [[nodiscard]] std::span<const float> samples() const { return samples_; }
-  /// For makers of relief; values must be in [0, 1].
+  /// For code that makes reliefs; values must be in [0, 1].
   [[nodiscard]] std::span<float> samples() { return samples_; }
 
   friend bool operator==(const HeightMap&, const HeightMap&) = default;
@@ -61,7 +61,7 @@ class HeightMap {
 /// the deepest.
 /// @source the 2005 program.
 /// @param size  side in samples; without it the length must be a perfect square.
-/// @return Errc::parse naming the length found and the length that would be right.
+/// @return Errc::parse with the actual length and a valid one.
 [[nodiscard]] base::Result<HeightMap> parse_raw(std::span<const std::uint8_t> bytes,
                                                 std::optional<int> size = {});
 [[nodiscard]] std::vector<std::uint8_t> to_raw(const HeightMap& map);
@@ -71,7 +71,7 @@ class HeightMap {
 
 enum class PngDepth : std::uint8_t { bits_8, bits_16 };
 
-/// Square greyscale PNG of 1 to 16 bits a sample, white the plateau. Colour pictures are refused
+/// Square greyscale PNG of 1 to 16 bits per sample, white the plateau. Colour pictures are refused
 /// (Errc::schema), as are pictures that are not square or over kMaxSize, before their pixels are read.
 [[nodiscard]] base::Result<HeightMap> parse_png(std::span<const std::uint8_t> bytes);
 [[nodiscard]] std::vector<std::uint8_t> to_png(const HeightMap& map, PngDepth depth);

@@ -11,14 +11,14 @@
 
 namespace nazori::surface {
 
-/// Height and slope at a place.
+/// Height and slope at a point.
 struct SurfacePoint {
   double height;    ///< [0, 1] as HeightMap
   double d_column;  ///< change of height per sample to the right
   double d_row;     ///< change of height per sample downwards
 };
 
-/// Height, slope and bend at a place.
+/// Height, slope and second derivatives at a point.
 struct CurvedPoint {
   double height;           ///< [0, 1] as HeightMap
   double d_column;         ///< change of height per sample to the right
@@ -28,16 +28,16 @@ struct CurvedPoint {
   double d_row_row;        ///< change of d_row per sample downwards
 };
 
-/// A surface without steps in height or slope close to the samples of a height map, made to be asked a
+/// A surface close to the samples of a height map, without steps in height or slope, that can be evaluated a
 /// million times a second: the uniform biquadratic B-spline whose control heights are the samples.
 ///
-/// At a sample the height is that of the 3 x 3 neighbourhood weighted (1 6 1)/8 each way: straight slopes are
-/// met exactly, a bend is rounded by 1/8 of its second difference. The heights are a weighted mean of samples
-/// with weights >= 0, so the surface never rings above the highest or below the lowest of them. The slope has
-/// no steps, the bend is constant within the square around a sample.
+/// At a sample the height is that of the 3 x 3 neighbourhood weighted (1 6 1)/8 in each direction: constant
+/// slopes are reproduced exactly, a bend is rounded by 1/8 of its second difference. The heights are a
+/// weighted mean of samples with weights >= 0, so the surface never overshoots the highest or lowest of them.
+/// The slope has no steps; the second derivatives are constant within the square around a sample.
 ///
-/// Immutable. Thread-safe: yes. Real-time-safe: at(), curved_at() yes. Memory: 4 (size + 2)^2
-/// bytes, the side rounded up to a multiple of 4.
+/// Immutable. Thread-safe: yes. Real-time-safe: at(), curved_at() yes. Memory: 4 (size + 2)^2 bytes, the side
+/// rounded up to a multiple of 4.
 /// @source C. de Boor, A Practical Guide to Splines, 1978: quadratic B-splines on integer knots.
 class SmoothSurface {
  public:
@@ -46,16 +46,16 @@ class SmoothSurface {
   [[nodiscard]] static base::Result<std::shared_ptr<const SmoothSurface>> create(const HeightMap& map);
 
   [[nodiscard]] int size() const noexcept { return size_; }
-  /// Outside the grid the nearest edge goes on level, from half a sample beyond it; there, too, without a
-  /// step in slope. @param column,row  finite; infinities and NaN count as far outside.
+  /// Outside the grid the nearest edge continues level, from half a sample beyond it, also without a step in
+  /// slope. @param column,row  finite; infinities and NaN count as far outside.
   [[nodiscard]] SurfacePoint at(double column, double row) const noexcept {
-    const CurvedPoint p = curved_at(column, row);  // what is not used costs nothing once inlined
+    const CurvedPoint p = curved_at(column, row);  // the compiler removes the unused parts once it is inlined
     return {p.height, p.d_column, p.d_row};
   }
   /// As at(), with the second derivatives.
   [[nodiscard]] CurvedPoint curved_at(double column, double row) const noexcept {
     const Cell c = cell(column, row);
-    // The three columns and the three rows of samples, where they lie in memory.
+    // Memory offsets of the three columns and the three rows of samples.
     const float* west = samples_.get() + column_at(c.i);
     const float* mid = samples_.get() + column_at(c.i + 1);
     const float* east = samples_.get() + column_at(c.i + 2);
@@ -66,12 +66,12 @@ class SmoothSurface {
     const Piece along(c.u, left.value, centre.value, right.value);
     const Piece down(c.u, left.slope, centre.slope, right.slope);
     const Piece bend(c.u, left.bend, centre.bend, right.bend);
-    // Beyond the rim it is level: the bend of the last square ends there.
+    // Beyond the rim it is level: the curvature of the last square ends there.
     return {along.value, along.slope,
             down.value,  c.column_outside ? 0 : along.bend,
             down.slope,  c.row_outside ? 0 : bend.value};
   }
-  /// Tells surfaces apart, also ones that lived at the same address.
+  /// Identifies a surface, also among surfaces that had the same address.
   [[nodiscard]] std::uint64_t serial() const noexcept { return serial_; }
 
  private:
@@ -94,7 +94,7 @@ class SmoothSurface {
   explicit SmoothSurface(const HeightMap& map);
 
   [[nodiscard]] Cell cell(double column, double row) const noexcept {
-    // The comparisons are written so that NaN ends on the border, not outside the memory.
+    // The comparisons are written so that NaN is clamped to the border and cannot lead outside the memory.
     const double last = size_ - 0.5;
     const double x = column > -0.5 ? (column < last ? column : last) : -0.5;
     const double y = row > -0.5 ? (row < last ? row : last) : -0.5;
@@ -106,8 +106,8 @@ class SmoothSurface {
     return {static_cast<std::size_t>(i), static_cast<std::size_t>(j), x - i, y - j, x != column, y != row};
   }
 
-  // The samples lie in squares of 4 x 4, one cache line each: what lies close on the tablet lies close in
-  // memory, in both directions.
+  // The samples are stored in squares of 4 x 4, one cache line each, so that neighbours on the tablet are
+  // close in memory in both directions.
   static constexpr std::size_t kSide = 4, kLine = 64;
   static_assert(kSide * kSide * sizeof(float) == kLine);
   [[nodiscard]] static std::size_t column_at(std::size_t i) noexcept {

@@ -16,10 +16,10 @@
 
 namespace nazori::tablet {
 
-/// What stands before the learner: a relief and the lines that lie in it, ready to be seen (height map and
-/// lines), felt (surface and paths) and saved. Made from a character's strokes, or from a height map and
-/// lines in it: strokes of one's own, or the curves of a plot. Immutable after creation. Thread-safe: yes.
-/// Made on a worker thread (milliseconds), never on the servo thread.
+/// A carved tablet: a relief and the lines in it, ready to be drawn (height map and lines), felt (surface and
+/// paths) and saved. Made from a character's strokes, or from a height map with lines: strokes of a file, or
+/// the curves of a plot. Immutable after creation. Thread-safe: yes. Made on a worker thread (milliseconds),
+/// never on the servo thread.
 class CarvedTablet {
  public:
   /// Carves `lines` at `size` samples a side.
@@ -28,8 +28,8 @@ class CarvedTablet {
       std::vector<kanji::StrokeLine> lines, int size, const carving::Brush& brush = {},
       const geometry::TabletShape& shape = {});
 
-  /// A relief that exists, with lines that may be none; the lines' depth is read from the relief.
-  /// @param friction  of parts of it, of as many samples as the map; null: that of the material everywhere.
+  /// Makes a tablet from an existing relief and any number of lines, whose depth is read from the relief.
+  /// @param friction  zones with as many samples as the map; null: the material's friction everywhere.
   /// @return Errc::bad_argument for an empty map, and for zones of another size.
   [[nodiscard]] static base::Result<std::shared_ptr<const CarvedTablet>> from_height_map(
       surface::HeightMap map, std::vector<TabletLine> lines, const geometry::TabletShape& shape = {},
@@ -39,13 +39,13 @@ class CarvedTablet {
   [[nodiscard]] const std::vector<TabletLine>& lines() const { return lines_; }
   [[nodiscard]] const geometry::TabletShape& shape() const { return shape_; }
   [[nodiscard]] const std::shared_ptr<const surface::SmoothSurface>& surface() const { return surface_; }
-  /// Centre lines in metres, z at the bottom of the groove: the kick and the taper rise as they are carved.
+  /// Centre lines in metres, z at the bottom of the groove: hooks and sweeps rise as they are carved.
   [[nodiscard]] const std::vector<haptics::StrokePath>& paths() const { return paths_; }
 
-  /// Null: that of the material everywhere.
+  /// Null: the material's friction everywhere.
   [[nodiscard]] const std::shared_ptr<const haptics::FrictionZones>& friction() const { return friction_; }
 
-  /// The scene for the servo with this tablet.
+  /// The servo's scene with this tablet.
   [[nodiscard]] std::shared_ptr<const haptics::HapticScene> scene(const haptics::Material& material,
                                                                   const haptics::Snapping& snapping,
                                                                   const haptics::Guiding& guiding = {}) const;

@@ -11,11 +11,11 @@
 
 namespace nazori::tablet {
 
-/// A line that lies in a tablet: a stroke of a character, a line of a file, or a curve of a plot.
+/// A line in a tablet: a stroke of a character, a line of a file, or a curve of a plot.
 struct TabletLine {
   TabletLine() = default;
   explicit TabletLine(geometry::Polyline<geometry::GlyphFrame> line) : points(std::move(line)) {}
-  /// Not explicit: a stroke is such a line.
+  /// Implicit on purpose: a stroke is such a line.
   TabletLine(kanji::StrokeLine stroke) : points(std::move(stroke.points)), ending(stroke.ending) {}
 
   geometry::Polyline<geometry::GlyphFrame> points;  ///< from its start to its end
@@ -26,7 +26,7 @@ struct TabletLine {
 
 [[nodiscard]] std::vector<TabletLine> tablet_lines(std::span<const kanji::StrokeLine> strokes);
 
-/// The lines as strokes, to be carved, drawn or saved; one without an ending ends as a stop.
+/// The lines as strokes, to be carved, drawn or saved; one without an ending is given a stop.
 [[nodiscard]] std::vector<kanji::StrokeLine> stroke_lines(std::span<const TabletLine> lines);
 
 }  // namespace nazori::tablet

@@ -16,11 +16,11 @@ namespace nazori::ui {
 
 class Appearance;
 
-class Desk;
-class Workplace;
+class WindowParts;
+class Page;
 
-/// The window: the carved tablet in the middle, what the workplace brings on its left and right, one sentence
-/// below. Which workplaces there are is registered in src/workplaces.cpp. Every widget has an objectName.
+/// The window: the carved tablet in the middle, the panels of the current page on its left and right, and one
+/// sentence below. The pages are registered in src/window/pages.cpp. Every widget has an objectName.
 class MainWindow final : public QMainWindow {
   Q_OBJECT
  public:
@@ -28,32 +28,33 @@ class MainWindow final : public QMainWindow {
     std::filesystem::path database;  ///< kanji.db
     QString settings_file;           ///< INI; empty: nazori/nazori.ini in the XDG config home
     char32_t character = 0;          ///< to open with; 0: the last one
-    QString workplace;               ///< id of where to begin; empty: as the settings say
+    QString page;                    ///< id of the page to begin with; empty: as the settings say
     std::filesystem::path learners;  ///< folder of the profiles; empty: study::profiles_folder()
     study::Clock clock;              ///< for all that is study; empty: the computer's
     bool draws_tablet = true;        ///< false: no OpenGL (tests, machines without it)
-    /// Makes the workplaces; empty: all that are registered.
-    std::vector<std::unique_ptr<Workplace> (*)(Desk&)> workplaces;
-    /// Makes the ways to haptic devices; empty: all that the program knows.
+    /// Makes the pages; empty: all that are registered.
+    std::vector<std::unique_ptr<Page> (*)(WindowParts&)> pages;
+    /// Makes the back ends for haptic devices; empty: all that the program knows.
     std::function<std::vector<std::unique_ptr<devices::BackEnd>>()> back_ends;
   };
 
   MainWindow(const Setup& setup, Appearance& appearance);
   ~MainWindow() override;
 
-  /// Goes to a workplace by its id; one that is not registered changes nothing.
-  void go_to(const QString& workplace);
-  /// Puts a character on the desk; where the database has none of it, says so and changes nothing.
+  /// Goes to a page by its id. An id that is not registered changes nothing.
+  void go_to(const QString& page);
+  /// Shows a character on the tablet. If the database does not have it, the window says so and changes
+  /// nothing.
   void show_character(char32_t code_point);
   /// Opens height maps and stroke orders as if they had been dropped on the window.
   void open_files(const QStringList& paths);
 
  signals:
-  /// A character and its tablet are on the desk.
+  /// A character is shown, with its tablet.
   void character_shown(char32_t code_point);
-  /// Once: what the window begins with is there.
+  /// Once: the window shows its first content.
   void opened();
-  /// Another language was chosen and saved; the window must be made anew.
+  /// Another language was chosen and saved. The window must be made again.
   void language_chosen();
 
  protected:

@@ -12,7 +12,7 @@ namespace nazori::ui {
 
 class Appearance;
 
-/// The desktop program: its window, and a new one where the learner changes the language. Needs a
+/// The desktop program: its window, and a new window when the learner changes the language. Needs a
 /// QApplication. Thread: interface.
 class Program final : public QObject {
   Q_OBJECT
@@ -20,13 +20,13 @@ class Program final : public QObject {
   explicit Program(MainWindow::Setup setup);
   ~Program() override;
 
-  /// Puts words, colours and icon in place and opens the window.
+  /// Sets language, colours and icon, and opens the window.
   void show();
   [[nodiscard]] MainWindow* window() const { return window_.get(); }
 
   /// What must be set before the QApplication is made: the kind of OpenGL that the tablet needs.
   static void prepare();
-  /// Says, in a box on the screen, why the program cannot start.
+  /// Shows a message box that says why the program cannot start.
   static void show_failure(const base::Error& error);
 
  private:

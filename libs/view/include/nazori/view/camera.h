@@ -5,9 +5,9 @@
 
 namespace nazori::view {
 
-/// How the tablet is looked at. Angles in radians; the default looks straight down on the tablet.
+/// The view of the tablet. Angles in radians; the default looks straight down on the tablet.
 struct Camera {
-  double azimuth = 0;         ///< turn about the tablet's normal, counted against the clock seen from above
+  double azimuth = 0;         ///< turn about the tablet's normal, anticlockwise as seen from above
   double tilt = 0;            ///< from straight above (0) to grazing (below pi/2), towards the learner's edge
   double zoom = 1;            ///< 1 fits the tablet into the view; 0.2..20
   geometry::TabletPoint pan;  ///< the point of the plateau in the middle of the view [m]
@@ -19,8 +19,8 @@ struct Camera {
   static constexpr double kOrbitStep = 0.008;   ///< recommended turn per pixel of a drag [rad]
   static constexpr double kZoomStep = 1.15;     ///< recommended factor per notch of a wheel
 
-  /// The view that a window opens with and that "reset" goes back to (in Style::classic: the default camera,
-  /// which is the eye of 2005).
+  /// The initial view of a window, which "reset" restores (in Style::classic: the default camera, which is
+  /// that of the 2005 program).
   [[nodiscard]] static Camera resting() { return {0, kRestingTilt, 1, {}}; }
 };
 
@@ -28,8 +28,8 @@ struct Camera {
 /// [kMinZoom, kMaxZoom], pan on the tablet of `shape`. Numbers that are not finite become the default's.
 [[nodiscard]] Camera within_limits(const Camera& camera, const geometry::TabletShape& shape = {});
 
-/// On the way from `from` (t = 0) to `to` (t = 1), turning the shorter way round and zooming evenly to the
-/// eye. For eased moves of a window.
+/// Interpolates from `from` (t = 0) to `to` (t = 1), turning the shorter way round and zooming at a constant
+/// rate. For animated moves.
 [[nodiscard]] Camera between(const Camera& from, const Camera& to, double t);
 
 }  // namespace nazori::view

@@ -8,17 +8,17 @@
 
 namespace nazori::view {
 
-/// What is said of a stroke that the learner wrote. Each has a colour, and the first three a sign beside the
-/// stroke's start, so that nothing hangs on colour alone.
+/// The verdict on a stroke that the learner wrote, for display. Each has a colour, and the first three have a
+/// sign next to the stroke's start, so that nothing depends on colour alone.
 enum class Verdict : std::uint8_t {
   none,    ///< not judged: plain ink
   right,   ///< a tick
   nearly,  ///< an exclamation mark
   wrong,   ///< a cross
-  shown,   ///< not the learner's: the model, laid over or given as a hint
+  shown,   ///< not the learner's: the model, as an overlay or a hint
 };
 
-/// A written stroke as it is drawn on the face of the tablet.
+/// A written stroke to be drawn on the face of the tablet.
 struct InkedStroke {
   geometry::WrittenStroke<geometry::TabletFrame> points;  ///< [m]; times are not used
   Verdict verdict = Verdict::none;
@@ -27,11 +27,11 @@ struct InkedStroke {
   std::optional<double> half_width_m = {};
 };
 
-/// Half of the width of the ink at a point [m]: more for a firmer press, and for a pen that lies flatter.
-/// Without pressure the thinnest; without lean as of an upright pen.
+/// Half of the width of the ink at a point [m]: wider for a stronger press and for a more tilted pen. Without
+/// pressure the thinnest; without lean as with an upright pen.
 [[nodiscard]] double ink_half_width_m(const geometry::WrittenPoint<geometry::TabletFrame>& point);
 
-/// The stroke as a pen draws it: the pen at rest draws nothing.
+/// The stroke as drawn by a pen; pauses of the pen add nothing.
 [[nodiscard]] InkedStroke inked(const geometry::WrittenStroke<geometry::TabletFrame>& stroke,
                                 Verdict verdict);
 

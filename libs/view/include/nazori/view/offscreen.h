@@ -18,17 +18,17 @@ struct Picture {
 };
 
 /// An OpenGL 3.3 core context with a framebuffer of its own, through EGL on a surfaceless display: needs no
-/// screen. The context is current on the creating thread from creation to destruction,
-/// unless another is made meanwhile; destroying one leaves another that is current in place.
+/// screen. The context is current on the creating thread from creation to destruction, unless another is made
+/// meanwhile; destroying one does not affect another one that is current.
 class OffscreenContext {
  public:
-  /// @return Errc::device with the reason and the Debian package that would help.
+  /// @return Errc::device with the reason and the Debian package to install.
   [[nodiscard]] static base::Result<std::unique_ptr<OffscreenContext>> create(int width, int height);
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  /// What has been drawn (multisampling resolved). Makes this context current where it is not.
+  /// The drawn picture (multisampling resolved). Makes this context current if necessary.
   [[nodiscard]] Picture read() const;
 
  private:
@@ -37,7 +37,7 @@ class OffscreenContext {
   std::unique_ptr<Inside> inside_;
 };
 
-/// Writes an 8-bit RGB PNG beside and renames it.
+/// Writes an 8-bit RGB PNG under a temporary name and renames it.
 [[nodiscard]] base::Result<void> save_png(const Picture& picture, const std::filesystem::path& path);
 [[nodiscard]] base::Result<Picture> load_picture_png(const std::filesystem::path& path);
 

@@ -8,8 +8,8 @@
 
 namespace nazori::view {
 
-/// The point of the plateau under a pixel (y down), nothing where the line of sight misses its plane: what
-/// TabletView::pick() says of a picture of this camera, where nothing is drawn. Thread-safe: yes.
+/// The point of the plateau under a pixel (y down), nothing where the line of sight misses its plane. The
+/// same as TabletView::pick(), but without drawing. Thread-safe: yes.
 [[nodiscard]] std::optional<geometry::TabletPoint> point_under(const Camera& camera, Style style,
                                                                const geometry::TabletShape& shape,
                                                                glm::dvec2 pixel, int width, int height);

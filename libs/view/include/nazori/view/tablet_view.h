@@ -20,12 +20,13 @@
 namespace nazori::view {
 
 enum class Style : std::uint8_t {
-  classic,  ///< the look of 2005: grey by height, blue background, red arrows, green cone, its camera
+  classic,  ///< the look of the 2005 program: grey by height, blue background, red arrows, green cone, its
+            ///< camera
   wood,     ///< pale hinoki, lit from the upper left, ink in the grooves
   slate,    ///< the same, dark stone
 };
 
-/// Colours that the desktop's theme decides.
+/// Colours that depend on the desktop's theme.
 enum class Theme : std::uint8_t { light, dark };
 
 /// The stylus as drawn.
@@ -37,7 +38,7 @@ struct Cursor {
   glm::dvec3 axis{0};
 };
 
-/// A sign as it stands in a picture.
+/// The position of a sign in a picture.
 struct SignPlace {
   int stroke = 0;  ///< index into Overlay::writing
   Verdict verdict = Verdict::none;
@@ -45,25 +46,25 @@ struct SignPlace {
   double radius = 0;    ///< of the disc in pixels
 };
 
-/// What is drawn besides the surface. Strokes are numbered from 1.
+/// The elements drawn besides the surface. Strokes are numbered from 1.
 struct Overlay {
   bool strokes_visible = false;
   bool arrows_visible = true;   ///< arrowheads at the end of each segment's direction
   bool numbers_visible = true;  ///< a disc with the number at each stroke's start
-  /// Of lines and arrowheads, 0..1; at 0 the numbers alone say where strokes start.
+  /// Of lines and arrowheads, 0..1; at 0 only the numbers show where strokes start.
   double lines_opacity = 1;
-  int current_stroke = 0;  ///< 0: all strokes are drawn, n: only stroke n, as the current one
-  /// Part of each stroke's length that has been traced, 0..1; ink fills the groove so far. Missing entries
-  /// count as 0.
+  int current_stroke = 0;  ///< 0: draw all strokes, n: only stroke n, as the current one
+  /// Part of each stroke's length that has been traced, 0..1; ink fills that part of the groove. Missing
+  /// entries count as 0.
   std::span<const double> groove_ink;
-  /// Flat ink on the tablet's face, in this order: the learner's own writing, and models laid over it.
+  /// Flat ink on the tablet's face, drawn in this order: the learner's own writing, and models over it.
   std::span<const InkedStroke> writing;
   std::optional<Cursor> cursor;
   /// Size of interface text relative to 12 pt: numbers, arrowheads and lines grow with it. 0.5..4.
   double text_scale = 1;
 };
 
-/// A stroke number as it stands in a picture.
+/// The position of a stroke number in a picture.
 struct NumberPlace {
   int stroke = 0;       ///< from 1
   glm::dvec2 pixel{0};  ///< middle of the disc, y down
@@ -74,24 +75,25 @@ struct NumberPlace {
 /// its work.
 enum class Hand : std::uint8_t { right, left };
 
-/// When the edges of the tablet are smoothed with several samples a pixel.
+/// When the edges of the tablet are smoothed with several samples per pixel.
 enum class Refinement : std::uint8_t {
-  when_still,  ///< not while the camera moves from picture to picture: more pictures a second
+  when_still,  ///< not while the camera moves, for more pictures per second
   always,
 };
 
-/// What has been done since creation: how a caller or a test sees that nothing is sent twice.
+/// Counters since creation, with which a caller or a test can check that nothing is sent twice.
 struct DrawStatistics {
   std::uint64_t pictures = 0;         ///< calls of draw()
-  std::uint64_t full_redraws = 0;     ///< pictures for which tablet and strokes were drawn anew
-  std::uint64_t partial_redraws = 0;  ///< pictures for which only the region of fresh ink was drawn anew
+  std::uint64_t full_redraws = 0;     ///< pictures for which tablet and strokes were drawn again
+  std::uint64_t partial_redraws = 0;  ///< pictures for which only the region of new ink was drawn again
   std::uint64_t buffer_uploads = 0;   ///< vertex and index buffers sent
   std::uint64_t texture_uploads = 0;  ///< textures sent
 
   friend bool operator==(const DrawStatistics&, const DrawStatistics&) = default;
 };
 
-/// Draws the carved tablet with OpenGL 3.3 core into the framebuffer that is bound. Knows no window toolkit.
+/// Draws the carved tablet with OpenGL 3.3 core into the framebuffer that is bound. It does not depend on a
+/// window toolkit.
 ///
 /// Thread rules: all calls from the thread whose context is current, the same context each time; the
 /// destructor too. Cost: a height map and strokes are uploaded once when set; draw() sends only matrices and
@@ -100,7 +102,7 @@ class TabletView {
  public:
   /// Compiles shaders and loads the font for numbers.
   /// @return Errc::device when the context is older than OpenGL 3.3 or a shader fails, with the driver's
-  /// words.
+  /// message.
   [[nodiscard]] static base::Result<std::unique_ptr<TabletView>> create();
   ~TabletView();
   TabletView(const TabletView&) = delete;
@@ -112,7 +114,7 @@ class TabletView {
   void set_style(Style style);
   void set_theme(Theme theme);
   void set_hand(Hand hand);
-  /// Takes what within_limits() makes of `camera`; camera() returns that.
+  /// Sets the camera to within_limits() of `camera`, which camera() then returns.
   void set_camera(const Camera& camera);
   [[nodiscard]] const Camera& camera() const;
 
@@ -120,23 +122,23 @@ class TabletView {
   /// logical pixel (lines and numbers keep their logical size).
   void draw(int width, int height, double scale, const Overlay& overlay);
 
-  /// Refinement::when_still unless told otherwise.
+  /// Refinement::when_still by default.
   void set_refinement(Refinement refinement);
-  /// The last picture was drawn quickly because the camera moved: draw once more when it has come to rest.
+  /// Whether the last picture was drawn at lower quality because the camera moved: draw again when it has
+  /// come to rest.
   [[nodiscard]] bool wants_redraw() const;
 
   /// The point of the plateau under a pixel (y down), nothing where the line of sight misses its plane.
   [[nodiscard]] std::optional<geometry::TabletPoint> pick(glm::dvec2 pixel, int width, int height) const;
-  /// The pixel (y down) at which a point of the tablet frame [m] is seen: the inverse of pick() at z = 0.
+  /// The pixel (y down) of a point of the tablet frame [m]: the inverse of pick() at z = 0.
   [[nodiscard]] glm::dvec2 project(glm::dvec3 point_m, int width, int height) const;
-  /// The camera with the tablet moved by a drag: the point of the plateau under `from` comes to lie under
-  /// `to`.
+  /// The camera with the tablet moved by a drag: the point of the plateau under `from` moves to `to`.
   [[nodiscard]] Camera panned(glm::dvec2 from, glm::dvec2 to, int width, int height) const;
-  /// The camera zoomed by `factor` while the point of the plateau under `pixel` stays where it is.
+  /// The camera zoomed by `factor` while the point of the plateau under `pixel` stays fixed.
   [[nodiscard]] Camera zoomed(double factor, glm::dvec2 pixel, int width, int height) const;
 
-  /// The numbers of the last picture, for tests and for a window that lets them be clicked. A stroke whose
-  /// start lies outside the picture has none.
+  /// The numbers of the last picture, for tests and for clicks in a window. A stroke whose start lies outside
+  /// the picture has none.
   [[nodiscard]] std::span<const NumberPlace> numbers() const;
   /// The signs of the last picture.
   [[nodiscard]] std::span<const SignPlace> signs() const;

@@ -5,14 +5,14 @@
 
 namespace nazori::writing {
 
-/// Two forms closer than the first have no difference to judge by (カ and 力); those closer than the second
-/// are easily written for each other (土 and 士). Units of distance_of_forms().
+/// Two forms closer than the first limit have no difference that could be graded (カ and 力); those closer
+/// than the second are easily mistaken for each other (土 and 士). Units of distance_of_forms().
 inline constexpr double kSameToTheEye = 3;
 inline constexpr double kEasilyMistaken = 45;
 
-/// Kanji or kana of as many strokes that differ from `character` only in lengths, ends or proportions, so
-/// that one is easily written for the other; ascending. Kanji are compared with kanji, kana with kana that
-/// are not the small ones.
+/// Kanji or kana with the same number of strokes that differ from `character` only in lengths, ends or
+/// proportions, so that one is easily written instead of the other; ascending. Kanji are compared with kanji,
+/// kana with full-size kana.
 [[nodiscard]] std::vector<char32_t> lookalikes_of(char32_t character);
 
 }  // namespace nazori::writing

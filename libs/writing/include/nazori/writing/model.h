@@ -11,12 +11,11 @@ namespace nazori::writing {
 
 struct ModelInside;
 
-/// A character prepared for being compared with writing. Cheap to copy, never changes, safe to share among
-/// threads.
+/// A character prepared for comparison with writing. Immutable, cheap to copy, safe to share among threads.
 class Model {
  public:
   /// @param variants  other drawn forms of the same character; those whose strokes do not follow the order of
-  /// the main form are left out: they are other orders, or mistakes of the source.
+  ///   the main form are left out, because they are other orders or errors of the source.
   /// @return Errc::bad_argument for a character without strokes or with a stroke without points.
   [[nodiscard]] static base::Result<Model> make(const kanji::Character& main,
                                                 std::span<const kanji::Character> variants = {});

@@ -10,11 +10,11 @@
 
 namespace nazori::writing {
 
-/// Models of the characters of a database, made when they are first asked for and then kept.
-/// Not thread-safe, as the database is not.
+/// Models of the characters of a database, made when they are first needed and then kept. Not thread-safe,
+/// like the database.
 class ModelLibrary {
  public:
-  /// A character with all its forms, and those it must not be taken for.
+  /// A character with all its forms, and its lookalikes.
   struct Entry {
     Model model;
     std::vector<Model> lookalikes;
@@ -23,8 +23,8 @@ class ModelLibrary {
   /// @param database  must outlive the library.
   explicit ModelLibrary(const kanji::KanjiDatabase& database) : database_(&database) {}
 
-  /// @return Errc::not_found for a character that the database does not have or does not draw. The entry
-  /// stays where it is for as long as the library lives.
+  /// @return Errc::not_found for a character that is not in the database or has no strokes. The entry stays
+  /// valid as long as the library lives.
   [[nodiscard]] base::Result<const Entry*> find(char32_t character);
 
  private:

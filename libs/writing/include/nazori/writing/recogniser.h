@@ -11,29 +11,30 @@
 
 namespace nazori::writing {
 
-/// A character that may have been meant.
+/// A character that may be the one written.
 struct Candidate {
   char32_t character = 0;
-  double likeness = 0;  ///< 1 as the model, towards 0 for anything else
+  double likeness = 0;  ///< 1 for the model itself, towards 0 for anything else
 
   friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 
 struct RecogniseOptions {
-  int limit = 10;           ///< at most so many candidates, >= 1
-  bool unfinished = false;  ///< strokes may still follow: characters that begin so are candidates too
+  int limit = 10;  ///< maximum number of candidates, >= 1
+  bool unfinished =
+      false;  ///< strokes may still follow: characters that begin with these strokes are candidates, too
 };
 
 struct RecogniserInside;
 
 /// Finds the characters of a database by their strokes, whatever the order and direction in which they were
-/// drawn, with a stroke missing, too many or joined to the next. Thread-safe once made.
+/// drawn, also with a stroke missing, extra or joined to the next. Thread-safe once made.
 class Recogniser {
  public:
-  /// Learns every drawn character of the database.
+  /// Loads every character of the database that has strokes.
   /// @return Errc::not_found where it has none.
   [[nodiscard]] static base::Result<Recogniser> make(const kanji::KanjiDatabase& database);
-  /// Learns these characters only, the commonest first; those without strokes are passed over.
+  /// Loads only these characters, the commonest first; those without strokes are ignored.
   [[nodiscard]] static base::Result<Recogniser> make(const std::vector<kanji::Character>& characters);
 
   Recogniser(Recogniser&&) noexcept;
@@ -45,7 +46,7 @@ class Recogniser {
   [[nodiscard]] base::Result<std::vector<Candidate>> recognise(const WrittenCharacter& ink,
                                                                const RecogniseOptions& options = {}) const;
 
-  /// How many characters are known.
+  /// Number of loaded characters.
   [[nodiscard]] int size() const;
 
  private:

@@ -7,23 +7,23 @@
 
 namespace nazori::writing {
 
-/// Where the learner writes: any units, x right, y **down**. Pixels, millimetres or 0..1, it does not matter.
+/// The frame of writing: any unit, x right, y **down**. Pixels, millimetres or 0..1 are equally good.
 struct WritingFrame {};
 using WritingPoint = geometry::Point2<WritingFrame>;
 using WrittenPoint = geometry::WrittenPoint<WritingFrame>;
 using WrittenStroke = geometry::WrittenStroke<WritingFrame>;
 
-/// The square that was offered for writing.
+/// The square in which the learner writes.
 struct WritingBox {
   WritingPoint corner;  ///< top left
   double side = 1;      ///< > 0
 };
 
-/// What was written of one character. Of the points of a stroke all or none have times, and all or none have
-/// pressures; lean is not used.
+/// The written strokes of one character. All points of a stroke have times or none, and all have pressures or
+/// none; lean is not used.
 struct WrittenCharacter {
   geometry::WrittenStrokes<WritingFrame> strokes;
-  /// Where known: it decides only what the strokes themselves leave open (which bar of 三 is missing).
+  /// If known: used only where the strokes themselves are ambiguous (which bar of 三 is missing).
   std::optional<WritingBox> box;
 };
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "nazori/base/result.h"
+#include "nazori/exchange/document.h"
+#include "nazori/practice/session_feedback.h"
+#include "nazori/practice/stage_feedback.h"
+#include "nazori/study/card.h"
+
+namespace nazori::exchange {
+
+/// A character is on the tablet.
+struct CharacterShown {
+  char32_t character = 0;
+  int strokes = 0;
+  std::string stage;  ///< practice::StageKind::id
+};
+
+/// What a stage reports.
+struct StageReport {
+  std::string stage;  ///< practice::StageKind::id
+  practice::StageFeedback feedback;
+  practice::StageDetails details;  ///< what only this stage has to tell: practice::PracticeStage::details()
+};
+
+/// A character was practised to the end of a stage.
+struct StageFinished {
+  std::string stage;  ///< practice::StageKind::id
+};
+
+/// How far a study session is.
+struct SessionProgress {
+  /// While the session runs.
+  struct Task {
+    char32_t character = 0;
+    study::Stage stage = study::Stage::watch;
+    int done = 0;
+    int total = 0;
+  };
+  practice::SessionState state = practice::SessionState::idle;
+  std::optional<Task> task;
+  std::optional<study::Rating> proposed;  ///< when judged
+};
+
+// Events of practice: each is an object with "event" (docs/schemas/practice.json, event).
+[[nodiscard]] Value to_json(const CharacterShown& event);
+[[nodiscard]] Value to_json(const StageReport& event);
+[[nodiscard]] Value to_json(const StageFinished& event);
+[[nodiscard]] Value to_json(const SessionProgress& event);
+[[nodiscard]] Value to_json(const practice::SessionFeedback& event);
+/// Something failed that no stage reports: the database cannot be read.
+[[nodiscard]] Value error_event(const base::Error& error);
+
+/// One line of events (docs/schemas/practice.json, events). @param events  an array.
+[[nodiscard]] Value events_document(Value events);
+
+}  // namespace nazori::exchange

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/exchange/cards.h"
+
+#include <array>
+#include <string>
+
+#include "nazori/base/utf8.h"
+
+namespace nazori::exchange {
+namespace {
+
+Value day_or_null(const std::optional<study::Day>& day) {
+  return day ? Value(study::to_text(*day)) : Value();
+}
+
+Value to_json(const study::StudyTask& task) {
+  constexpr std::array<const char*, 3> kKinds{"step", "review", "new"};
+  return {{"character", base::encode_utf8(task.character)},
+          {"kind", kKinds[static_cast<std::size_t>(task.kind)]},
+          {"stage", study::name_of(task.stage)},
+          {"due", study::to_text(task.due)},
+          {"retrievability", task.retrievability}};
+}
+
+}  // namespace
+
+Value to_json(const study::Card& card, const study::LearnerStore& learner) {
+  const study::Memory& memory = card.memory;
+  const auto fsrs = study::Fsrs::create(learner.settings().fsrs);
+  return {{"character", base::encode_utf8(card.character)},
+          {"state", study::name_of(memory.phase)},
+          {"stability", memory.stability},
+          {"difficulty", memory.difficulty},
+          {"retrievability", fsrs ? study::retrievability_now(card, *fsrs, learner.today()) : 0},
+          {"scheduled_days", memory.scheduled_days},
+          {"due", memory.phase == study::Phase::fresh ? Value() : Value(study::to_text(memory.due))},
+          {"due_day", day_or_null(card.due_day)},
+          {"reps", memory.reps},
+          {"lapses", memory.lapses},
+          {"introduced", day_or_null(card.introduced)},
+          {"postponed_until", day_or_null(card.postponed_until)},
+          {"paused", card.paused},
+          {"leech", card.leech},
+          {"next_stage", study::name_of(card.next_stage)},
+          {"help", card.help}};
+}
+
+Value reviewed(const study::Card& card, const study::Writing& writing, const study::LearnerStore& learner) {
+  Value json = to_json(card, learner);
+  json["entry"] = learner.last_entry();
+  json["rating"] = study::name_of(writing.rating);
+  json["proposed"] = study::name_of(writing.proposed);
+  return json;
+}
+
+Value to_json(const study::DayPlan& plan) {
+  Value now = Value::array();
+  for (const auto& task : plan.now) now.push_back(to_json(task));
+  Value later = Value::array();
+  for (const auto& task : plan.later_today) later.push_back(to_json(task));
+  Value leeches = Value::array();
+  for (const char32_t one : plan.leeches) leeches.push_back(base::encode_utf8(one));
+  Value gentle;
+  if (plan.gentle) {
+    gentle = {{"overdue", plan.gentle->overdue},
+              {"per_day", plan.gentle->per_day},
+              {"days", plan.gentle->days},
+              {"last_day", study::to_text(plan.gentle->last_day)}};
+  }
+  return {{"day", study::to_text(plan.day)},
+          {"steps", plan.count(study::TaskKind::step)},
+          {"reviews", plan.count(study::TaskKind::review)},
+          {"new", plan.count(study::TaskKind::fresh)},
+          {"held_back", plan.held_back},
+          {"reviews_done", plan.reviews_done},
+          {"new_done", plan.new_done},
+          {"estimate_ms", plan.estimate.count()},
+          {"gentle_plan", std::move(gentle)},
+          {"leeches", std::move(leeches)},
+          {"now", std::move(now)},
+          {"later_today", std::move(later)}};
+}
+
+Value next_task(const study::StudyTask& task, std::span<const std::pair<study::Rating, study::Card>> after) {
+  Value ratings = Value::object();
+  for (const auto& [rating, card] : after)
+    ratings[std::string(study::name_of(rating))] = {{"due", study::to_text(card.memory.due)},
+                                                    {"due_day", day_or_null(card.due_day)}};
+  Value json = to_json(task);
+  json["ratings"] = std::move(ratings);
+  return json;
+}
+
+Value to_json(const study::ReplayDifferences& differences) {
+  return {{"steps", differences.steps},
+          {"stability", differences.stability},
+          {"difficulty", differences.difficulty},
+          {"retrievability", differences.retrievability},
+          {"scheduled_days", differences.scheduled_days},
+          {"due_s", differences.due_s},
+          {"states", differences.states},
+          {"first", differences.first.empty() ? Value() : Value(differences.first)}};
+}
+
+}  // namespace nazori::exchange

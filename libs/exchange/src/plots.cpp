@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/exchange/plots.h"
+
+#include <cmath>
+#include <string>
+
+#include "nazori/functions/curve_kinds.h"
+
+namespace nazori::exchange {
+namespace {
+
+std::string kind_name(functions::StatementKind kind) { return std::string(functions::curve_kind(kind).name); }
+
+std::string key_of(functions::PointKind kind) {
+  std::string name = functions::in_words(kind, functions::Language::english);
+  for (char& c : name) c = c == ' ' || c == '-' ? '_' : c;
+  return name;
+}
+
+Value number_or_null(double v) { return std::isfinite(v) ? Value(v) : Value(nullptr); }
+
+Value point_json(const functions::PointOfInterest& p, functions::Language language) {
+  Value point = {{"kind", key_of(p.kind)}, {"statement", p.statement + 1}};
+  if (p.other >= 0) point["other_statement"] = p.other + 1;
+  point["x"] = number_or_null(p.x);
+  point["y"] = number_or_null(p.y);
+  point["x_name"] = p.x_name.empty() ? Value(nullptr) : Value(p.x_name);
+  point["y_name"] = p.y_name.empty() ? Value(nullptr) : Value(p.y_name);
+  point["words"] = functions::in_words(p, language);
+  return point;
+}
+
+}  // namespace
+
+Value to_json(const functions::Plot& plot, const functions::Picture& picture,
+              const std::vector<functions::PointOfInterest>& points, const PlotTimings& timings,
+              functions::Language language) {
+  Value statements = Value::array();
+  for (const functions::Statement& s : plot.statements) {
+    statements.push_back(Value{{"kind", kind_name(s.kind)},
+                               {"canonical", functions::canonical(s)},
+                               {"words", functions::in_words(s, language)}});
+  }
+  Value list = Value::array();
+  for (const auto& p : points) list.push_back(point_json(p, language));
+  const functions::Tracing& t = picture.tracing;
+  Value document = {
+      {"kind", plot.statements.size() > 1 ? "multi" : kind_name(plot.statements[0].kind)},
+      {"canonical", functions::canonical(plot)},
+      {"words", functions::in_words(plot, language)},
+      {"summary", functions::summary(plot, t, points, language)},
+      {"window", {t.window.x0, t.window.x1, t.window.y0, t.window.y1}},
+      {"tick_step",
+       {functions::tick_step(t.window.x0, t.window.x1), functions::tick_step(t.window.y0, t.window.y1)}},
+      {"size", picture.plate.heights.size()},
+      {"statements", std::move(statements)},
+      {"points", std::move(list)},
+      {"pieces", t.branches.size()},
+      {"dense", t.dense},
+      {"undecided_share", t.undecided_share()},
+      {"timings_ms", {{"draw", timings.draw_ms}, {"points", timings.points_ms}}}};
+  if (plot.is_surface()) document["z"] = {picture.plate.range.low, picture.plate.range.high};
+  return document;
+}
+
+}  // namespace nazori::exchange

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/page.h"
+
+#include "page/window_parts.h"
+
+namespace nazori::ui {
+
+Page::Page(WindowParts& parts) : parts_(parts) {}
+
+Page::~Page() = default;
+
+void Page::save(QSettings& /*settings*/) const {}
+
+bool Page::opens(const QStringList& /*paths*/) const { return false; }
+
+void Page::open_files(const QStringList& /*paths*/) {}
+
+}  // namespace nazori::ui

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QList>
+#include <QWidget>
+
+#include "nazori/practice/learner.h"
+#include "nazori/practice/statistics_reader.h"
+#include "progress/chart_card.h"
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+class QScrollArea;
+
+namespace nazori::ui {
+
+class CharactersCard;
+class HardStrokesCard;
+
+/// The widget of the page for progress: some figures, then a card for each chart. Thread: interface.
+class ProgressView final : public QWidget {
+  Q_OBJECT
+ public:
+  /// How far back the charts go. The number is the number of days; everything: 0.
+  enum class TimeShown { month = 31, season = 92, year = 366, everything = 0 };
+
+  explicit ProgressView(practice::Learner& learner, QWidget* parent = nullptr);
+  ~ProgressView() override;
+
+  void show_statistics(const practice::SharedStatistics& statistics);
+  /// Shows one sentence instead of everything; empty: the cards again.
+  void show_trouble(const QString& sentence);
+  /// Progress of reading the study history: 0..1; 1 hides it.
+  void show_work(double done);
+  void refresh_appearance();
+
+  [[nodiscard]] TimeShown time_shown() const;
+  void set_time_shown(TimeShown time);
+  /// Longer (+1) or shorter (-1). @return false at the end.
+  bool change_time_shown(int by);
+
+  [[nodiscard]] CharactersCard& characters() const { return *characters_; }
+  /// The card with this id. Never nullptr: if there is no such card, the first one.
+  [[nodiscard]] ChartCard* card(const QString& id) const;
+  /// The card that has the focus, or had it last.
+  [[nodiscard]] ChartCard* card_at_hand() const;
+  void go_to(const QString& id);
+
+ signals:
+  void opened(char32_t character);
+  void copy_wanted(nazori::ui::ChartCard* card);
+  void time_changed();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+
+ private:
+  void arrange();
+  void show_figures();
+  /// @param all  also those that do not look back.
+  void show_charts(bool all);
+  void show_characters();
+  void note_focus(QWidget* now);
+  void scroll_to(ChartCard* card);
+
+  practice::Learner& learner_;
+  practice::SharedStatistics statistics_;
+  QScrollArea* scroll_;
+  QWidget* content_;
+  QLabel* trouble_;
+  QLabel* figures_;
+  QComboBox* time_;
+  QProgressBar* work_;
+  QGridLayout* grid_;
+  /// Those of practice::chart_kinds(), in its order.
+  QList<ChartCard*> charts_;
+  CharactersCard* characters_;
+  HardStrokesCard* hard_strokes_;
+  QList<ChartCard*> cards_;  ///< the charts, then the others
+  ChartCard* at_hand_;
+  int columns_ = 0;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tab of the study settings that says what is studied: the lists, their order, and what is done with a
+// whole list.
+#include <QComboBox>
+#include <QFormLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <algorithm>
+
+#include "study/list_choice.h"
+#include "study/new_list_dialog.h"
+#include "study/study_settings_dialog.h"
+#include "widgets/flow_layout.h"
+#include "words/error_text.h"
+#include "words/kanji_text.h"
+
+namespace nazori::ui {
+
+QWidget* StudySettingsDialog::make_lists() {
+  auto* page = add_page(tr("Lists"));
+  auto* form = static_cast<QFormLayout*>(page->layout());
+  order_ = new QComboBox(page);
+  order_->setObjectName(QStringLiteral("study_order"));
+  order_->setAccessibleName(tr("Order of new characters"));
+  order_->addItem(tr("by school grade"), static_cast<int>(study::NewOrder::grade));
+  order_->addItem(tr("most common first"), static_cast<int>(study::NewOrder::frequency));
+  order_->addItem(tr("fewest strokes first"), static_cast<int>(study::NewOrder::strokes));
+  order_->addItem(tr("simple parts first"), static_cast<int>(study::NewOrder::components));
+  order_->addItem(tr("in list order"), static_cast<int>(study::NewOrder::own));
+  order_->setCurrentIndex(order_->findData(static_cast<int>(before_.new_order)));
+  form->addRow(tr("&Order of new characters"), order_);
+  lists_ = new QListWidget(page);
+  lists_->setObjectName(QStringLiteral("study_lists"));
+  lists_->setAccessibleName(tr("Lists to learn from"));
+  lists_->setMinimumHeight(QFontMetrics(font()).height() * 9);
+  form->addRow(lists_);
+  choice_ = muted_sentence("study_choice", page);
+  form->addRow(choice_);
+  auto* buttons = new QWidget(page);
+  auto* flow = new FlowLayout(kButtonGap_px, kButtonGap_px, buttons);
+  const auto button = [&](const char* name, const QString& text, auto&& what) {
+    auto* made = new QPushButton(text, buttons);
+    made->setObjectName(QString::fromLatin1(name));
+    connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
+    made->setEnabled(learner_.can_write());
+    flow->addWidget(made);
+  };
+  button("list_new", tr("New list…"), [this] { new_list(); });
+  button("list_remove", tr("Remove"), [this] { remove_list(); });
+  button("list_up", tr("Up"), [this] { move_list(-1); });
+  button("list_down", tr("Down"), [this] { move_list(+1); });
+  button("list_postpone", tr("Postpone all…"), [this] {
+    bool fine = false;
+    const int days = QInputDialog::getInt(this, tr("Postpone"), tr("Days"), 7, 1, 3650, 1, &fine);
+    if (!fine) return;
+    const auto until = learner_.store().today() + std::chrono::days(days);
+    for_list([&](std::span<const char32_t> all) { return learner_.store().postpone(all, until); },
+             [](int n) { return tr("%n characters postponed.", nullptr, n); });
+  });
+  button("list_pause", tr("Suspend all"), [this] {
+    for_list([this](std::span<const char32_t> all) { return learner_.store().pause(all); },
+             [](int n) { return tr("%n characters suspended.", nullptr, n); });
+  });
+  button("list_resume", tr("Resume all"), [this] {
+    for_list([this](std::span<const char32_t> all) { return learner_.store().resume(all); },
+             [](int n) { return tr("%n characters resumed.", nullptr, n); });
+  });
+  button("list_reset", tr("Start all over"), [this] {
+    for_list([this](std::span<const char32_t> all) { return learner_.store().reset(all); },
+             [](int n) { return tr("%n characters started over as new.", nullptr, n); });
+  });
+  form->addRow(buttons);
+  connect(lists_, &QListWidget::itemChanged, this, &StudySettingsDialog::show_choice);
+  return page;
+}
+
+void StudySettingsDialog::show_lists() {
+  const QSignalBlocker quiet(lists_);
+  const QString at = current_list();
+  QStringList chosen;
+  if (lists_->count() == 0) {
+    for (const auto& id : before_.new_lists) chosen.append(to_text(id));
+  } else {
+    for (int row = 0; row < lists_->count(); ++row)
+      if (lists_->item(row)->checkState() == Qt::Checked)
+        chosen.append(lists_->item(row)->data(Qt::UserRole).toString());
+  }
+  // The chosen lists first, in their order; then the others.
+  QStringList all = chosen;
+  QStringList there;
+  for (const auto& ready : study::ready_lists()) there.append(to_text(ready.id));
+  const auto own_lists = learner_.store().lists();
+  const auto tags = learner_.store().tags();
+  if (own_lists)
+    for (const auto& own : *own_lists) there.append(QStringLiteral("list:") + to_text(own.name));
+  if (tags)
+    for (const auto& [tag, members] : *tags) there.append(QStringLiteral("tag:") + to_text(tag));
+  // If lists or tags cannot be read now, the chosen ones stay chosen.
+  if (!own_lists || !tags) there.append(chosen);
+  for (const auto& id : there)
+    if (!all.contains(id)) all.append(id);
+  lists_->clear();
+  for (const auto& id : all) {
+    if (!there.contains(id)) continue;
+    auto* item = new QListWidgetItem(ListChoice::name_of(id), lists_);
+    item->setData(Qt::UserRole, id);
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setCheckState(chosen.contains(id) ? Qt::Checked : Qt::Unchecked);
+    if (id == at) lists_->setCurrentItem(item);
+  }
+  if (lists_->currentRow() < 0) lists_->setCurrentRow(0);
+  show_choice();
+  if (!own_lists || !tags)
+    choice_->setText(tr("Your lists and tags cannot be read: %1")
+                         .arg(reason(own_lists ? tags.error() : own_lists.error())));
+}
+
+void StudySettingsDialog::show_choice() {
+  if (learner_.lists() == nullptr) return;
+  const auto ordered = learner_.lists()->in_learning_order(settings(), learner_.store());
+  if (!ordered) {
+    choice_->setText(tr("Your lists and tags cannot be read: %1").arg(reason(ordered.error())));
+    return;
+  }
+  const auto& order = *ordered;
+  const auto& cards = learner_.store().cards();
+  const auto met =
+      std::count_if(order.begin(), order.end(), [&](char32_t one) { return cards.contains(one); });
+  const QLocale locale;
+  choice_->setText(order.empty() ? tr("No list is selected, so no new characters will come up.")
+                                 : tr("%Ln characters selected, %1 of them already studied.", nullptr,
+                                      static_cast<int>(order.size()))
+                                       .arg(locale.toString(static_cast<qlonglong>(met))));
+}
+
+QString StudySettingsDialog::current_list() const {
+  const auto* item = lists_->currentItem();
+  return item == nullptr ? QString() : item->data(Qt::UserRole).toString();
+}
+
+void StudySettingsDialog::new_list() {
+  NewListDialog dialog(learner_, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const auto saved = learner_.store().save_list(dialog.list());
+  if (!saved) {
+    choice_->setText(reason(saved.error()));
+    return;
+  }
+  learner_.renew_order();
+  show_lists();
+  const QString id = QStringLiteral("list:") + to_text(dialog.list().name);
+  for (int row = 0; row < lists_->count(); ++row)
+    if (lists_->item(row)->data(Qt::UserRole).toString() == id) {
+      lists_->item(row)->setCheckState(Qt::Checked);
+      lists_->setCurrentRow(row);
+    }
+}
+
+void StudySettingsDialog::remove_list() {
+  const QString id = current_list();
+  if (!id.startsWith(QLatin1String("list:"))) {
+    choice_->setText(tr("Only your own lists can be removed."));
+    return;
+  }
+  QMessageBox box(QMessageBox::Question, tr("Remove the list"),
+                  tr("Remove “%1”? Your progress with its characters is kept.").arg(id.mid(5)),
+                  QMessageBox::Ok | QMessageBox::Cancel, this);
+  box.setObjectName(QStringLiteral("remove_list_box"));
+  if (box.exec() != QMessageBox::Ok) return;
+  const auto removed = learner_.store().remove_list(id.mid(5).toStdString());
+  if (!removed) choice_->setText(reason(removed.error()));
+  learner_.renew_order();
+  show_lists();
+}
+
+void StudySettingsDialog::move_list(int by) {
+  const int row = lists_->currentRow();
+  const int to = row + by;
+  if (row < 0 || to < 0 || to >= lists_->count()) return;
+  lists_->insertItem(to, lists_->takeItem(row));
+  lists_->setCurrentRow(to);
+}
+
+void StudySettingsDialog::for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what,
+                                   const std::function<QString(int)>& done) {
+  if (learner_.lists() == nullptr) return;
+  const auto members = learner_.lists()->members(current_list().toStdString(), learner_.store());
+  if (!members || members->empty()) {
+    choice_->setText(members || members.error().code == base::Errc::not_found
+                         ? tr("This list is empty.")
+                         : tr("Your lists and tags cannot be read: %1").arg(reason(members.error())));
+    return;
+  }
+  const auto result = what(*members);
+  if (!learner_.report(result)) {
+    choice_->setText(reason(result.error()));
+    return;
+  }
+  choice_->setText(done(static_cast<int>(members->size())) + QLatin1Char(' ') + tr("Ctrl+Shift+Z: undo."));
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/feedback_line.h"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QFontInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QResizeEvent>
+
+#include "look/icons.h"
+#include "look/palette.h"
+
+namespace nazori::ui {
+namespace {
+
+constexpr int kRoomForTwo_em = 32;
+
+}  // namespace
+
+FeedbackLine::FeedbackLine(QWidget* parent)
+    : QFrame(parent), sign_(new QLabel(this)), text_(new QLabel(this)) {
+  setObjectName(QStringLiteral("feedback_line"));
+  setAccessibleName(tr("Feedback"));
+  sign_->setObjectName(QStringLiteral("feedback_sign"));
+  text_->setObjectName(QStringLiteral("feedback_text"));
+  text_->setWordWrap(true);
+  text_->setTextFormat(Qt::PlainText);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(16, 9, 16, 9);
+  row->setSpacing(10);
+  row->addWidget(sign_, 0, Qt::AlignVCenter);
+  row->addWidget(text_, 1);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+  draw_sign();
+}
+
+void FeedbackLine::announce(Feedback kind, const QString& sentence) {
+  kind_ = kind;
+  draw_sign();
+  if (text_->text() == sentence) return;
+  text_->setText(sentence);
+  speak(sentence);
+}
+
+void FeedbackLine::answer(Feedback kind, const QString& sentence) {
+  if (text_->text() != sentence) return announce(kind, sentence);
+  kind_ = kind;
+  draw_sign();
+  // A screen reader ignores a name that did not change. An inaudible space makes it a new name.
+  speak(text_->accessibleName() == sentence ? sentence + QChar(QChar::Nbsp) : sentence);
+}
+
+void FeedbackLine::speak(const QString& sentence) {
+  text_->setAccessibleName(sentence);
+  setAccessibleDescription(sentence);
+  QAccessibleEvent spoken(text_, QAccessible::NameChanged);
+  QAccessible::updateAccessibility(&spoken);
+  QAccessibleEvent alert(text_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
+}
+
+QString FeedbackLine::sentence() const { return text_->text(); }
+
+void FeedbackLine::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) draw_sign();
+  if (event->type() == QEvent::FontChange) fit();
+}
+
+void FeedbackLine::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fit();
+}
+
+void FeedbackLine::fit() {
+  // Always reserves two lines, so that the tablet above does not move under the pen. In a low window with
+  // large text that space is needed elsewhere.
+  const bool roomy = window()->height() >= kRoomForTwo_em * QFontInfo(font()).pixelSize();
+  const int height = (roomy ? 2 : 1) * text_->fontMetrics().lineSpacing();
+  if (text_->minimumHeight() != height) text_->setMinimumHeight(height);
+}
+
+void FeedbackLine::draw_sign() {
+  const Colours& c = current_colours();
+  const int side = QFontInfo(font()).pixelSize() * 5 / 4;
+  switch (kind_) {
+    case Feedback::hint:
+      sign_->setPixmap(sign(Icon::hint, c.muted, side, devicePixelRatioF()));
+      break;
+    case Feedback::good:
+      sign_->setPixmap(sign(Icon::tick, c.moss, side, devicePixelRatioF()));
+      break;
+    case Feedback::advice:
+      sign_->setPixmap(sign(Icon::advice, c.amber, side, devicePixelRatioF()));
+      break;
+    case Feedback::wrong:
+      sign_->setPixmap(sign(Icon::cross, c.vermilion, side, devicePixelRatioF()));
+      break;
+  }
+}
+
+}  // namespace nazori::ui

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFrame>
+
+#include "words/feedback.h"
+
+class QLabel;
+
+namespace nazori::ui {
+
+/// One sentence and one sign below the tablet, also spoken to assistive technology.
+class FeedbackLine final : public QFrame {
+  Q_OBJECT
+ public:
+  explicit FeedbackLine(QWidget* parent = nullptr);
+  void announce(Feedback kind, const QString& sentence);
+  /// As announce(), but spoken even if the line already shows this sentence.
+  void answer(Feedback kind, const QString& sentence);
+  [[nodiscard]] QString sentence() const;
+  [[nodiscard]] Feedback kind() const { return kind_; }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void fit();
+  void draw_sign();
+  void speak(const QString& sentence);
+
+  QLabel* sign_;
+  QLabel* text_;
+  Feedback kind_ = Feedback::hint;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QStatusBar>
+#include <QTimer>
+#include <cstdint>
+
+class QLabel;
+
+namespace nazori::practice {
+class TabletControl;
+class TabletRecording;
+}  // namespace nazori::practice
+
+namespace nazori::ui {
+
+/// The device, the real rate of its servo, how long a tick takes and how late it comes, the age of the drawn
+/// pose, and missed ticks. Updated once a second.
+class StatusLine final : public QStatusBar {
+  Q_OBJECT
+ public:
+  StatusLine(practice::TabletControl& controller, practice::TabletRecording& recording, QWidget* parent);
+
+  void show_depth(double depth_m);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void fit();
+  void look();
+  void show_device();
+  void show_recording();
+
+  practice::TabletControl& controller_;
+  practice::TabletRecording& recording_;
+  QLabel* record_;
+  QLabel* device_;
+  QLabel* rate_;
+  QLabel* timing_;
+  QLabel* missed_;
+  QLabel* depth_;
+  QTimer timer_;
+  QElapsedTimer since_;
+  std::uint64_t ticks_ = 0;
+};
+
+}  // namespace nazori::ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "words/error_text.h"
+
+#include <QCoreApplication>
+
+#include "words/kanji_text.h"
+
+namespace nazori::ui {
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("nazori::ui::reason", text); }
+
+QString kind(base::Errc code) {
+  switch (code) {
+    case base::Errc::bad_argument:
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "a value is out of range"));
+    case base::Errc::io:
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it could not be read or written"));
+    case base::Errc::parse:
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "the file format is not valid"));
+    case base::Errc::schema:
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it is a different kind of file than expected"));
+    case base::Errc::not_found:
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it does not exist"));
+    case base::Errc::device:
+      return words(
+          QT_TRANSLATE_NOOP("nazori::ui::reason", "the graphics driver or the device reported an error"));
+    case base::Errc::cancelled:
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it was stopped"));
+    case base::Errc::in_use:
+      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "another program is using it"));
+  }
+  return {};
+}
+
+}  // namespace
+
+QString reason(const base::Error& error) {
+  QString detail = to_text(error.what);
+  while (detail.endsWith(QLatin1Char('.'))) detail.chop(1);
+  if (!error.remedy.empty()) detail += QStringLiteral("; ") + to_text(error.remedy);
+  return detail.isEmpty() ? kind(error.code) : QStringLiteral("%1 (%2)").arg(kind(error.code), detail);
+}
+
+QString no_sound(const base::Error& error) {
+  return words(QT_TRANSLATE_NOOP("nazori::ui::reason",
+                                 "No sound: no working sound card was found (%1). Connect or switch on "
+                                 "speakers or headphones. Everything else works."))
+      .arg(to_text(error.what));
+}
+
+}  // namespace nazori::ui

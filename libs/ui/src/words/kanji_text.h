@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QString>
+#include <string>
+#include <string_view>
+
+#include "nazori/kanji/kun_reading.h"
+
+namespace nazori::ui {
+
+[[nodiscard]] QString to_text(char32_t code_point);
+[[nodiscard]] QString to_text(std::string_view utf8);
+
+/// A kun reading as shown to the learner: "やす・む".
+[[nodiscard]] QString kun_plain(const kanji::KunReading& reading);
+
+/// The same as rich text, okurigana in `muted`.
+[[nodiscard]] QString kun_rich(const kanji::KunReading& reading, const QColor& muted);
+
+/// Klee One, the school-book hand, in points; the font's own fallback where it is not installed.
+[[nodiscard]] QFont textbook_font(double point_size, int weight = QFont::Normal);
+
+/// Whether the textbook font itself has the character; what it lacks is drawn from its strokes.
+[[nodiscard]] bool textbook_font_has(char32_t code_point);
+
+}  // namespace nazori::ui

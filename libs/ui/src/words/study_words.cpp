@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "words/study_words.h"
+
+#include <QDateTime>
+#include <QLocale>
+#include <QTimeZone>
+#include <algorithm>
+#include <cmath>
+
+namespace nazori::ui {
+namespace {
+
+using std::chrono::minutes;
+
+constexpr int kDaysInWords = 60;
+constexpr double kDaysInMonth = 30.44;
+constexpr double kDaysInYear = 365.25;
+
+int minutes_until(const study::Card& card, study::Time now) {
+  return std::max(1, static_cast<int>(std::chrono::round<minutes>(card.memory.due - now).count()));
+}
+
+int days_until(const study::Card& card, study::Day today) {
+  return card.due_day ? static_cast<int>((*card.due_day - today).count()) : 0;
+}
+
+QDate date_of(study::Day day) { return QDate(1970, 1, 1).addDays(day.time_since_epoch().count()); }
+
+}  // namespace
+
+QString StudyWords::rating(study::Rating rating) {
+  switch (rating) {
+    case study::Rating::again:
+      return tr("Again");
+    case study::Rating::hard:
+      return tr("Hard");
+    case study::Rating::good:
+      return tr("Good");
+    case study::Rating::easy:
+      return tr("Easy");
+  }
+  return {};
+}
+
+QString StudyWords::stage(study::Stage stage) {
+  switch (stage) {
+    case study::Stage::watch:
+      return tr("Watch");
+    case study::Stage::trace:
+      return tr("Trace");
+    case study::Stage::guided:
+      return tr("Guided");
+    case study::Stage::memory:
+      return tr("Memory");
+  }
+  return {};
+}
+
+QString StudyWords::comes_again(const study::Card& card, study::Time now, study::Day today) {
+  if (card.memory.phase != study::Phase::review)
+    return tr("in %n minutes", nullptr, minutes_until(card, now));
+  const int days = days_until(card, today);
+  if (days <= 1) return tr("tomorrow");
+  if (days < kDaysInWords) return tr("in %n days", nullptr, days);
+  if (days < kDaysInYear)
+    return tr("in %n months", nullptr, static_cast<int>(std::lround(days / kDaysInMonth)));
+  return tr("in %1 years").arg(QLocale().toString(days / kDaysInYear, 'f', 1));
+}
+
+QString StudyWords::comes_again_short(const study::Card& card, study::Time now, study::Day today) {
+  const QLocale locale;
+  if (card.memory.phase != study::Phase::review) return tr("%1 min").arg(minutes_until(card, now));
+  const int days = std::max(1, days_until(card, today));
+  if (days < kDaysInWords) return tr("%1 d").arg(days);
+  if (days < kDaysInYear) return tr("%1 mo").arg(std::lround(days / kDaysInMonth));
+  return tr("%1 y").arg(locale.toString(days / kDaysInYear, 'f', 1));
+}
+
+QString StudyWords::about(std::chrono::milliseconds time) {
+  const auto whole = std::chrono::round<minutes>(time).count();
+  return whole < 1 ? tr("less than a minute") : tr("about %n minutes", nullptr, static_cast<int>(whole));
+}
+
+QString StudyWords::day(study::Day day) {
+  const QLocale locale;
+  return locale.toString(date_of(day), locale.language() == QLocale::Japanese
+                                           ? QStringLiteral("M月d日（ddd）")
+                                           : QStringLiteral("dddd d MMMM"));
+}
+
+QString StudyWords::short_day(study::Day day) {
+  const QLocale locale;
+  return locale.toString(date_of(day), locale.language() == QLocale::Japanese ? QStringLiteral("yyyy/M/d")
+                                                                              : QStringLiteral("d MMM yyyy"));
+}
+
+QString StudyWords::minute(study::Time time, const study::Calendar& calendar) {
+  const QTimeZone zone(QByteArray::fromStdString(calendar.zone()));
+  const auto at = QDateTime::fromMSecsSinceEpoch(time.time_since_epoch().count(), Qt::UTC);
+  return QLocale().toString((zone.isValid() ? at.toTimeZone(zone) : at.toLocalTime()).time(),
+                            QStringLiteral("H:mm"));
+}
+
+}  // namespace nazori::ui
