@@ -50,7 +50,7 @@ double chord_angle(const Samples& drawn, const Samples& model) {
 constexpr double kCertainly = 0.5;
 /// Share of the limit that counts for forms other than the one that was asked for.
 constexpr double kOtherForm = 0.45;
-const std::vector<kanji::AlternativeOrder> kNoOrders;
+const std::vector<kanji::AlternativeOrder> no_orders;
 
 /// How much of the limit a stroke may use, from the roughness of the `count` others (square roots of their
 /// deviations, summed): in careful writing a stroke that is off is wrong; in hasty writing all are a little
@@ -314,7 +314,7 @@ Grade grade_shapes(std::span<const Shape> drawn, const std::optional<Affine>& bo
   if (!best.accepted) {
     for (const auto& variant : model.variants) {
       if (!options.unfinished && variant.shapes.size() != drawn.size()) continue;
-      Judge judge(drawn, box, variant, kNoOrders, options);
+      Judge judge(drawn, box, variant, no_orders, options);
       judge.demand(kOtherForm);
       auto other = judge.run();
       if (other.accepted) {
