@@ -54,9 +54,9 @@ TEST(GradeVerb, ExplainsTheScoreAndWhereItIsTimedThePen) {
           kBar + "\n" + R"({"char":"一","strokes":[[[0.1,0.5],[0.5,0.5],[0.9,0.5]]],"times":[[0,400,600]]})" +
               "\n");
   ASSERT_EQ(a.lines.size(), 2U);
-  EXPECT_EQ(a.lines[0]["score_explanation"][1], "書き順：15点中15点（順番どおりか）。");
+  EXPECT_EQ(a.lines[0]["score_explanation"][1], "書き順：15点中15点");
   EXPECT_FALSE(a.lines[0].contains("motion_explanation"));
-  EXPECT_EQ(a.lines[1]["motion_explanation"][0], "0.6秒で書きました。1画のうち1画が滑らかでした。");
+  EXPECT_EQ(a.lines[1]["motion_explanation"][0], "0.6秒で書きました。1画のうち1画がなめらかでした。");
   EXPECT_EQ(a.lines[1]["motion_explanation"][1], "1画目は、とめます。ペンを止めてから離しましょう。");
 }
 

@@ -57,7 +57,7 @@ TEST(Explanation, SaysInWhichDirectionAStrokeIsOff) {
 TEST(Explanation, PraisesInBothLanguages) {
   const auto g = graded(trace(rest()), model_of(rest()));
   EXPECT_THAT(explain(g, Language::english), ElementsAre("Correct."));
-  EXPECT_THAT(explain(g, Language::japanese), ElementsAre("正しく書けました。"));
+  EXPECT_THAT(explain(g, Language::japanese), ElementsAre("正解です。"));
 }
 
 TEST(Explanation, NamesTheOrderThatIsAlsoUsed) {

@@ -257,7 +257,11 @@ void PlotPanel::fit() {
     form->setRowWrapPolicy(narrow ? QFormLayout::WrapAllRows : QFormLayout::DontWrapRows);
     for (int row = 0; row < form->rowCount(); ++row)
       if (auto* item = form->itemAt(row, QFormLayout::LabelRole))
-        if (auto* label = qobject_cast<QLabel*>(item->widget())) label->setWordWrap(narrow);
+        if (auto* label = qobject_cast<QLabel*>(item->widget())) {
+          label->setWordWrap(narrow);
+          // The form layout gives a label above its field the width of its text in one line.
+          label->setMaximumWidth(narrow ? viewport()->width() - 2 * margin : QWIDGETSIZE_MAX);
+        }
   }
 }
 
