@@ -106,6 +106,8 @@ TEST_F(Inverse3, TheForceIsHeldToTheCap) {
     EXPECT_TRUE(comes_true([&] { return force() > 0.5 * cap; }));
     EXPECT_LE(force(), cap + 1e-12);
     device.device->stop();
+    // The service hears of the end a moment later, and the next device meets the same service.
+    EXPECT_TRUE(comes_true([&] { return force() == 0; }));
   }
 }
 
