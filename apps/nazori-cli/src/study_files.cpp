@@ -127,10 +127,12 @@ int import_learner(Console& console, const FileSettings& settings) {
   std::error_code unknown;
   const bool is_new = !fs::exists(*path, unknown) && !unknown;
   std::optional<NewLearner> unfinished;
+  auto making = base::making_files();
   auto learner = open_learner(settings.options, Access::write);
   if (!learner) return console.refuse(learner.error());
   // Registered only after it is open here: before that the file may belong to another program.
   if (is_new && learner->last_entry() == 0) unfinished.emplace(*path);
+  making.unlock();
   const auto done = study::import_json(*learner, *source, base::part_of(progress.callback(), kChecking, 1));
   progress.clear();
   if (!done) return console.refuse(done.error());

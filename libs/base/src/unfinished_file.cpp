@@ -29,6 +29,12 @@ Register& all() {
   return kept;
 }
 
+/// Never destroyed, as the register.
+std::timed_mutex& making() {
+  static auto& kept = *new std::timed_mutex;
+  return kept;
+}
+
 void remove(const Entry& entry) {
   std::error_code ignored;
   fs::remove(entry.path, ignored);
@@ -75,9 +81,13 @@ void UnfinishedFile::finish() noexcept {
   all().entries.erase(std::exchange(id_, 0));
 }
 
+std::unique_lock<std::timed_mutex> making_files() { return std::unique_lock(making()); }
+
 std::unique_lock<std::timed_mutex> remove_unfinished_files() {
   // Making a file may hang, on a network for example. The program must be able to end all the same.
   constexpr auto kPatience = std::chrono::milliseconds(50);
+  constexpr auto kMaking = std::chrono::seconds(2);
+  const std::unique_lock made(making(), kMaking);
   std::unique_lock lock(all().mutex, kPatience);
   if (!lock.owns_lock()) return lock;
   // In the order of destructors: the file registered last is removed first, a folder after its content.

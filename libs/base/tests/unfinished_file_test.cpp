@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
@@ -114,6 +115,25 @@ TEST_F(UnfinishedFilesDeathTest, AreRemovedBeforeAProgramEndsAtOnce) {
   const auto bytes = read_file(folder_ / "old", 100);
   ASSERT_TRUE(bytes);
   EXPECT_EQ(std::string(bytes->begin(), bytes->end()), "old");
+}
+
+TEST_F(UnfinishedFilesDeathTest, ThatAreJustBeingMadeAreRemovedOnceTheyAreRegistered) {
+  const auto end_while_making = [this] {
+    auto making = making_files();
+    std::atomic<bool> ends = false;
+    std::thread ending([&ends] {
+      ends = true;
+      const auto lock = remove_unfinished_files();
+      ::_exit(lock.owns_lock() ? 7 : 8);
+    });
+    while (!ends) std::this_thread::yield();
+    for (int i = 0; i < 10'000; ++i) std::this_thread::yield();
+    const UnfinishedFile late(make("late"));
+    making.unlock();
+    ending.join();
+  };
+  EXPECT_EXIT(end_while_making(), testing::ExitedWithCode(7), "");
+  EXPECT_EQ(entries(), 0);
 }
 
 TEST_F(UnfinishedFilesDeathTest, CannotBeMadeAnyMoreOnceTheProgramEnds) {

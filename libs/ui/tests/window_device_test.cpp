@@ -31,7 +31,7 @@ TEST_F(Device, ThatIsFoundHasTheTabletAndTheMouseDoesNot) {
 
 TEST_F(Device, WhenItIsDockedTheForceIsGoneItIsSaidAndTheMouseWritesUntilItComesBackWithARamp) {
   press_to(-0.004);
-  ASSERT_GT(script_->force_n, 0.5);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return script_->force_n > 0.5; })) << "the force begins with a ramp";
   script_->trouble = DeviceTrouble::docked;
   script_->state = DeviceState::paused;
   ASSERT_TRUE(says(QStringLiteral("rests in its inkwell. Take the stylus out to go on. Until then, use")));

@@ -40,6 +40,10 @@ class UnfinishedFile {
   std::uint64_t id_ = 0;
 };
 
+/// While the result lives, remove_unfinished_files() waits, two seconds at most: files are being made that
+/// can be registered only when they are there. One thread at a time; others wait.
+[[nodiscard]] std::unique_lock<std::timed_mutex> making_files();
+
 /// Removes every unfinished file of the program, the one registered last first. For use just before the
 /// program ends: no file can be registered while the result lives.
 [[nodiscard]] std::unique_lock<std::timed_mutex> remove_unfinished_files();
