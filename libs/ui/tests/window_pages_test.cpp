@@ -18,7 +18,7 @@ namespace {
 class SundialActions final : public ActionSet {
  public:
   explicit SundialActions(QWidget* window) : ActionSet(window) {
-    turn = make("sundial_turn", QStringLiteral("&Turn"), QStringLiteral("Turn it"), {QStringLiteral("S")});
+    turn = make("sundial_turn", QStringLiteral("&Turn"), QStringLiteral("Turn it"), "S");
     add_group(QStringLiteral("S&undial"), {turn});
   }
   QAction* turn;

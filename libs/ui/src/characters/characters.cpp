@@ -20,6 +20,7 @@
 #include "study/session_bar.h"
 #include "study/session_panel.h"
 #include "study/study_dialogs.h"
+#include "widgets/named.h"
 #include "words/error_text.h"
 #include "words/feedback_tone.h"
 #include "words/kanji_text.h"
@@ -30,8 +31,7 @@ namespace {
 
 /// Puts widgets on top of each other; the last one is visible at first.
 QWidget* stack_up(const char* name, const QList<QWidget*>& pieces, QWidget* window) {
-  auto* side = new QWidget(window);
-  side->setObjectName(QString::fromLatin1(name));
+  auto* side = named(new QWidget(window), name);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

@@ -13,6 +13,7 @@
 #include "characters/drawing_pad.h"
 #include "events/signals.h"
 #include "widgets/flow_layout.h"
+#include "widgets/named.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -22,20 +23,17 @@ DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
     : QWidget(parent),
       parts_(parts),
       pad_(new DrawingPad(this)),
-      candidates_(new QListWidget(this)),
-      words_(new QLabel(this)) {
+      candidates_(named(new QListWidget(this), "candidates", tr("Similar characters"))),
+      words_(named(new QLabel(this), "draw_words")) {
   setObjectName(QStringLiteral("draw_panel"));
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Draw to find"));
-  words_->setObjectName(QStringLiteral("draw_words"));
   words_->setWordWrap(true);
   words_->setProperty("role", QStringLiteral("muted"));
   words_->setText(
       tr("Enter: open the first match. Arrow keys: choose another. Ctrl+Z: undo a stroke. Delete: clear. "
          "Esc: close."));
 
-  candidates_->setObjectName(QStringLiteral("candidates"));
-  candidates_->setAccessibleName(tr("Similar characters"));
   candidates_->setViewMode(QListView::IconMode);
   candidates_->setFlow(QListView::LeftToRight);
   candidates_->setMovement(QListView::Static);
@@ -46,8 +44,7 @@ DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
   pad_->installEventFilter(this);
 
   const auto button = [this](const QString& text, const char* name, auto&& what) {
-    auto* made = new QPushButton(text, this);
-    made->setObjectName(QString::fromLatin1(name));
+    auto* made = named(new QPushButton(text, this), name);
     connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
     return made;
   };

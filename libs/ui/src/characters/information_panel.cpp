@@ -14,6 +14,7 @@
 #include "look/palette.h"
 #include "nazori/kanji/kana.h"
 #include "widgets/flow_layout.h"
+#include "widgets/named.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -60,22 +61,19 @@ QString breakable(const QString& text) {
 
 InformationPanel::InformationPanel(QWidget* parent)
     : QScrollArea(parent),
-      content_(new QWidget(this)),
+      content_(named(new QWidget(this), "information_content")),
       head_(new QBoxLayout(QBoxLayout::LeftToRight)),
       glyph_(new GlyphView(content_)),
-      meanings_(new QLabel(content_)),
-      facts_(new QLabel(content_)) {
+      meanings_(named(new QLabel(content_), "meanings")),
+      facts_(named(new QLabel(content_), "facts")) {
   setObjectName(QStringLiteral("information_panel"));
   setAccessibleName(tr("About the character"));
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWidgetResizable(true);
-  content_->setObjectName(QStringLiteral("information_content"));
 
-  meanings_->setObjectName(QStringLiteral("meanings"));
   meanings_->setWordWrap(true);
   meanings_->setTextFormat(Qt::PlainText);
   make_selectable(meanings_);
-  facts_->setObjectName(QStringLiteral("facts"));
   facts_->setWordWrap(true);
   facts_->setTextFormat(Qt::PlainText);
   set_role(facts_, "muted");
@@ -299,8 +297,7 @@ void InformationPanel::fill_words() {
   const double size_pt = QFontInfo(font()).pointSizeF();
   const Colours& c = current_colours();
   for (const auto& word : sheet_->words) {
-    auto* label = new QLabel(words_.box);
-    label->setObjectName(QStringLiteral("word"));
+    auto* label = named(new QLabel(words_.box), "word");
     label->setWordWrap(true);
     label->setTextFormat(Qt::RichText);
     QStringList glosses;

@@ -19,6 +19,7 @@
 #include "events/signals.h"
 #include "look/icons.h"
 #include "look/palette.h"
+#include "widgets/named.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -28,20 +29,18 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
       library_(library),
       model_(new CharacterListModel(this)),
       delegate_(new CharacterTileDelegate(this)),
-      search_(new QLineEdit(this)),
-      lists_(new QComboBox(this)),
-      count_(new QLabel(this)),
+      search_(named(new QLineEdit(this), "search", tr("Find a character"))),
+      lists_(named(new QComboBox(this), "lists", tr("List of characters"))),
+      count_(named(new QLabel(this), "list_count")),
       row_(new QBoxLayout(QBoxLayout::LeftToRight)),
-      grid_(new QListView(this)),
-      nothing_(new QLabel(this)),
+      grid_(named(new QListView(this), "character_grid", tr("Characters in the list"))),
+      nothing_(named(new QLabel(this), "nothing_found")),
       stack_(new QStackedWidget(this)) {
   setObjectName(QStringLiteral("library_panel"));
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Characters"));
 
-  search_->setObjectName(QStringLiteral("search"));
   search_->setPlaceholderText(tr("休, yasumu, rest …"));
-  search_->setAccessibleName(tr("Find a character"));
   search_->setToolTip(tr("Search by character, by reading (kana or romaji) or by English meaning (Ctrl+F)"));
   search_->setClearButtonEnabled(true);
   lens_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
@@ -61,17 +60,12 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
                                                    {kanji::List::latin_and_digits, tr("Letters and digits")},
                                                    {kanji::List::all, tr("All characters")}};
   for (const auto& [list, name] : lists) lists_->addItem(name, static_cast<int>(list));
-  lists_->setObjectName(QStringLiteral("lists"));
-  lists_->setAccessibleName(tr("List of characters"));
   lists_->setMaxVisibleItems(static_cast<int>(std::size(lists)));
   lists_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   lists_->setMinimumContentsLength(5);
   lists_->setPlaceholderText(tr("Search results"));
-  count_->setObjectName(QStringLiteral("list_count"));
   count_->setProperty("role", QStringLiteral("muted"));
 
-  grid_->setObjectName(QStringLiteral("character_grid"));
-  grid_->setAccessibleName(tr("Characters in the list"));
   grid_->setModel(model_);
   grid_->setItemDelegate(delegate_);
   grid_->setFlow(QListView::LeftToRight);
@@ -86,7 +80,6 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
   grid_->setMouseTracking(true);
   grid_->viewport()->installEventFilter(this);
 
-  nothing_->setObjectName(QStringLiteral("nothing_found"));
   nothing_->setWordWrap(true);
   nothing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   nothing_->setProperty("role", QStringLiteral("muted"));

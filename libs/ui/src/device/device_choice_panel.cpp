@@ -14,6 +14,7 @@
 
 #include "device/button_lines.h"
 #include "device/device_actions.h"
+#include "widgets/named.h"
 #include "widgets/number_slider.h"
 #include "words/device_text.h"
 #include "words/kanji_text.h"
@@ -46,28 +47,26 @@ void empty(QLayout* layout) {
 
 DeviceChoicePanel::DeviceChoicePanel(const DeviceActions& actions, QWidget* parent)
     : QScrollArea(parent),
-      content_(new QWidget(this)),
+      content_(named(new QWidget(this), "information_content")),
       lines_(new ButtonLines(this, kMargin)),
       column_(new QVBoxLayout(content_)),
       choices_(new QVBoxLayout),
       group_(new QButtonGroup(this)),
-      searching_(new QLabel(tr("Searching for devices…"), content_)),
-      fit_text_(new QLabel(content_)),
-      step_(new QLabel(content_)),
-      corner_(new QPushButton(content_)),
-      hand_(new QComboBox(content_)) {
+      searching_(named(new QLabel(tr("Searching for devices…"), content_), "searching")),
+      fit_text_(named(new QLabel(content_), "fit_text")),
+      step_(named(new QLabel(content_), "calibration_step")),
+      corner_(named(new QPushButton(content_), "corner")),
+      hand_(named(new QComboBox(content_), "writing_hand", tr("Writing hand"))) {
   setObjectName(QStringLiteral("device_choice_panel"));
   setAccessibleName(tr("Devices and their position"));
   setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   setWidgetResizable(true);
-  content_->setObjectName(QStringLiteral("information_content"));
   column_->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   column_->setSpacing(8);
 
   column_->addWidget(heading(tr("Device")));
   choices_->setSpacing(4);
   column_->addLayout(choices_);
-  searching_->setObjectName(QStringLiteral("searching"));
   searching_->setWordWrap(true);
   set_role(searching_, "muted");
   searching_->hide();
@@ -76,12 +75,9 @@ DeviceChoicePanel::DeviceChoicePanel(const DeviceActions& actions, QWidget* pare
 
   auto* fit_heading = heading(tr("Calibration"));
   column_->addWidget(fit_heading);
-  fit_text_->setObjectName(QStringLiteral("fit_text"));
   fit_text_->setWordWrap(true);
   set_role(fit_text_, "muted");
   column_->addWidget(fit_text_);
-  hand_->setObjectName(QStringLiteral("writing_hand"));
-  hand_->setAccessibleName(tr("Writing hand"));
   make_narrow(hand_);
   hand_->addItems({tr("Right hand"), tr("Left hand")});
   column_->addWidget(hand_);
@@ -94,9 +90,7 @@ DeviceChoicePanel::DeviceChoicePanel(const DeviceActions& actions, QWidget* pare
   auto* by_corners = button_for(actions.calibrate);
   auto* by_itself = button_for(actions.fit);
   column_->addWidget(by_corners);
-  step_->setObjectName(QStringLiteral("calibration_step"));
   step_->setWordWrap(true);
-  corner_->setObjectName(QStringLiteral("corner"));
   lines_->add(corner_, tr("Set corner here"));
   connect(corner_, &QPushButton::clicked, this, &DeviceChoicePanel::corner_shown);
   column_->addWidget(step_);
@@ -221,10 +215,10 @@ void DeviceChoicePanel::show_findings(const std::vector<devices::BackEndFindings
     if (!back_end.problem) continue;
     // The search cannot open a device that is in use here.
     if (back_end.problem->trouble == haptics::DeviceTrouble::in_use && ours) continue;
-    auto* reason = new QLabel(trouble_text(back_end.problem->trouble, device_name(back_end.back_end),
-                                           to_text(back_end.problem->error.remedy)),
-                              content_);
-    reason->setObjectName(QStringLiteral("reason"));
+    auto* reason = named(new QLabel(trouble_text(back_end.problem->trouble, device_name(back_end.back_end),
+                                                 to_text(back_end.problem->error.remedy)),
+                                    content_),
+                         "reason");
     reason->setWordWrap(true);
     reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
     reason->setToolTip(to_text(base::to_line(back_end.problem->error)));

@@ -14,6 +14,7 @@
 #include "device/device_actions.h"
 #include "nazori/devices/tablet_device.h"
 #include "widgets/flow_layout.h"
+#include "widgets/named.h"
 #include "widgets/number_slider.h"
 
 namespace nazori::ui {
@@ -36,12 +37,11 @@ QLabel* heading(const QString& text, QWidget* parent) {
 }  // namespace
 
 FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions, QWidget* parent)
-    : QScrollArea(parent), stylus_(stylus), content_(new QWidget(this)) {
+    : QScrollArea(parent), stylus_(stylus), content_(named(new QWidget(this), "information_content")) {
   setObjectName(QStringLiteral("feel_panel"));
   setAccessibleName(tr("What you feel"));
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWidgetResizable(true);
-  content_->setObjectName(QStringLiteral("information_content"));
   auto* column = new QVBoxLayout(content_);
   column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   column->setSpacing(8);
@@ -73,8 +73,7 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
   auto* trial = new QVBoxLayout(trial_);
   trial->setContentsMargins(0, 0, 0, 0);
   trial->addWidget(heading(tr("Feel a wall and a groove"), trial_));
-  strength_ = new QLabel(trial_);
-  strength_->setObjectName(QStringLiteral("strength"));
+  strength_ = named(new QLabel(trial_), "strength");
   strength_->setWordWrap(true);
   trial->addWidget(strength_);
   auto* row = new FlowLayout(kGap, kGap);
@@ -101,9 +100,7 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
   hold_ = slider(tr("Static friction"), "material_static_friction");
   slide_ = slider(tr("Dynamic friction"), "material_dynamic_friction");
   popthrough_ = slider(tr("Pop-through"), "material_popthrough");
-  texture_ = new QComboBox(content_);
-  texture_->setObjectName(QStringLiteral("material_texture"));
-  texture_->setAccessibleName(tr("Texture"));
+  texture_ = named(new QComboBox(content_), "material_texture", tr("Texture"));
   texture_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   texture_->setMinimumContentsLength(4);
   auto* texture_name = new QLabel(tr("Texture"), content_);

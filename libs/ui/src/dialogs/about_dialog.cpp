@@ -10,6 +10,7 @@
 
 #include "look/icons.h"
 #include "look/palette.h"
+#include "widgets/named.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -46,9 +47,7 @@ AboutDialog::AboutDialog(const std::vector<kanji::Source>& sources, QWidget* par
                        QStringLiteral("<br><span style=\"color:%1\">SHA-256 %2…</span>")
                            .arg(current_colours().muted.name(), to_text(source.sha256).left(16)));
   }
-  auto* text = new QTextBrowser(this);
-  text->setObjectName(QStringLiteral("licences"));
-  text->setAccessibleName(tr("Licences"));
+  auto* text = named(new QTextBrowser(this), "licences", tr("Licences"));
   text->setOpenExternalLinks(true);
   text->document()->setDocumentMargin(12);
   text->setHtml(html);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "look/palette.h"
+#include "widgets/named.h"
 
 namespace nazori::ui {
 KeyListDialog::KeyListDialog(const QList<ActionSet::Group>& groups, QWidget* parent) : QDialog(parent) {
@@ -39,8 +40,7 @@ KeyListDialog::KeyListDialog(const QList<ActionSet::Group>& groups, QWidget* par
     }
   }
   html += QStringLiteral("</table>");
-  auto* text = new QTextBrowser(this);
-  text->setObjectName(QStringLiteral("key_list"));
+  auto* text = named(new QTextBrowser(this), "key_list");
   text->setAccessibleName(windowTitle());
   text->document()->setDocumentMargin(12);
   text->setHtml(html);

@@ -22,6 +22,7 @@
 #include "functions/plot_words.h"
 #include "look/icons.h"
 #include "look/palette.h"
+#include "widgets/named.h"
 #include "widgets/sentence_label.h"
 #include "words/kanji_text.h"
 
@@ -77,31 +78,28 @@ double number_of(const QString& text) {
 
 PlotPanel::PlotPanel(QWidget* parent)
     : QScrollArea(parent),
-      content_(new QWidget(this)),
-      line_(new ExpressionLine(content_)),
+      content_(named(new QWidget(this), "plot_content")),
+      line_(named(new ExpressionLine(content_), "expression", tr("Expression"))),
       words_(sentence_label("expression_words", content_)),
       error_row_(new QWidget(content_)),
       error_sign_(new QLabel(error_row_)),
       error_(sentence_label("expression_error", error_row_)),
-      progress_(new QProgressBar(content_)),
-      examples_(new QComboBox(content_)),
-      axes_(new QCheckBox(tr("&Axes"), content_)),
-      ticks_(new QCheckBox(tr("Tic&ks"), content_)),
-      grid_(new QCheckBox(tr("&Grid"), content_)),
-      rim_(new QCheckBox(tr("Fra&me"), content_)),
-      width_(new QDoubleSpinBox(content_)),
-      size_(new QComboBox(content_)),
-      volume_(new QSlider(Qt::Horizontal, content_)),
-      mute_(new QCheckBox(tr("Soun&d off"), content_)) {
+      progress_(named(new QProgressBar(content_), "plot_progress", tr("Drawing"))),
+      examples_(named(new QComboBox(content_), "examples", tr("Examples"))),
+      axes_(named(new QCheckBox(tr("&Axes"), content_), "layer_axes")),
+      ticks_(named(new QCheckBox(tr("Tic&ks"), content_), "layer_ticks")),
+      grid_(named(new QCheckBox(tr("&Grid"), content_), "layer_grid")),
+      rim_(named(new QCheckBox(tr("Fra&me"), content_), "layer_rim")),
+      width_(named(new QDoubleSpinBox(content_), "groove_width", tr("Groove width in millimetres"))),
+      size_(named(new QComboBox(content_), "plate_size", tr("Samples per side"))),
+      volume_(named(new QSlider(Qt::Horizontal, content_), "volume", tr("Volume"))),
+      mute_(named(new QCheckBox(tr("Soun&d off"), content_), "no_sound")) {
   setObjectName(QStringLiteral("plot_panel"));
   setAccessibleName(tr("Expression and range"));
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWidgetResizable(true);
   setFocusPolicy(Qt::NoFocus);
-  content_->setObjectName(QStringLiteral("plot_content"));
 
-  line_->setObjectName(QStringLiteral("expression"));
-  line_->setAccessibleName(tr("Expression"));
   line_->setPlaceholderText(QStringLiteral("y = sin x"));
   line_->setToolTip(tr("Separate several expressions with semicolons. Up and Down: earlier expressions"));
   words_->setProperty("role", QStringLiteral("muted"));
@@ -111,8 +109,6 @@ PlotPanel::PlotPanel(QWidget* parent)
   error_layout->addWidget(error_sign_, 0, Qt::AlignTop);
   error_layout->addWidget(error_, 1);
   error_row_->hide();
-  progress_->setObjectName(QStringLiteral("plot_progress"));
-  progress_->setAccessibleName(tr("Drawing"));
   progress_->setRange(0, 100);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
@@ -121,8 +117,6 @@ PlotPanel::PlotPanel(QWidget* parent)
   progress_->setSizePolicy(keeps);
   progress_->hide();
 
-  examples_->setObjectName(QStringLiteral("examples"));
-  examples_->setAccessibleName(tr("Examples"));
   examples_->addItem(tr("Examples…"));
   for (const auto& example : kExamples) examples_->addItem(QString::fromUtf8(example.expression));
   examples_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -169,18 +163,12 @@ PlotPanel::PlotPanel(QWidget* parent)
 
   column->addSpacing(8);
   column->addWidget(heading(tr("Show on the plot"), content_));
-  axes_->setObjectName(QStringLiteral("layer_axes"));
-  ticks_->setObjectName(QStringLiteral("layer_ticks"));
-  grid_->setObjectName(QStringLiteral("layer_grid"));
-  rim_->setObjectName(QStringLiteral("layer_rim"));
   for (auto* layer : {axes_, ticks_, grid_, rim_}) {
     connect(layer, &QCheckBox::clicked, this, &PlotPanel::take_plate);
     column->addWidget(layer);
   }
   plate_form_ = new QFormLayout;
   plate_form_->setSpacing(6);
-  width_->setObjectName(QStringLiteral("groove_width"));
-  width_->setAccessibleName(tr("Groove width in millimetres"));
   width_->findChild<QLineEdit*>()->setAccessibleName(width_->accessibleName());
   width_->setRange(0.4, 10);
   width_->setSingleStep(0.1);
@@ -190,8 +178,6 @@ PlotPanel::PlotPanel(QWidget* parent)
   width_->setLocale(QLocale::system());
   connect(width_, &QDoubleSpinBox::valueChanged, this, &PlotPanel::take_plate);
   plate_form_->addRow(tr("Groo&ve width"), width_);
-  size_->setObjectName(QStringLiteral("plate_size"));
-  size_->setAccessibleName(tr("Samples per side"));
   for (const int side : {128, 256, 512, 1024, 2048}) size_->addItem(QString::number(side), side);
   connect(size_, &QComboBox::activated, this, &PlotPanel::take_plate);
   size_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -203,13 +189,10 @@ PlotPanel::PlotPanel(QWidget* parent)
   auto* sound = heading(tr("Vol&ume"), content_);
   sound->setBuddy(volume_);
   column->addWidget(sound);
-  volume_->setObjectName(QStringLiteral("volume"));
-  volume_->setAccessibleName(tr("Volume"));
   volume_->setRange(0, 100);
   volume_->setPageStep(10);
   connect(volume_, &QSlider::valueChanged, this, &PlotPanel::volume_changed);
   column->addWidget(volume_);
-  mute_->setObjectName(QStringLiteral("no_sound"));
   connect(mute_, &QCheckBox::clicked, this, &PlotPanel::mute_changed);
   column->addWidget(mute_);
   column->addStretch(1);

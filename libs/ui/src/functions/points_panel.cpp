@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "functions/plot_words.h"
+#include "widgets/named.h"
 
 namespace nazori::ui {
 namespace {
@@ -90,13 +91,12 @@ QTableWidgetItem* cell(const QString& text, const QString& words) {
 
 PointsPanel::PointsPanel(QWidget* parent)
     : QWidget(parent),
-      summary_(new QLabel(this)),
+      summary_(named(new QLabel(this), "plot_summary")),
       caption_(new QLabel(tr("Points of &interest"), this)),
-      table_(new QTableWidget(0, 3, this)),
+      table_(named(new QTableWidget(0, 3, this), "points_table", tr("Points of interest"))),
       empty_(new QLabel(tr("None in this range."), this)) {
   setObjectName(QStringLiteral("points_panel"));
   setAccessibleName(tr("About the plot"));
-  summary_->setObjectName(QStringLiteral("plot_summary"));
   summary_->setWordWrap(true);
   summary_->setTextFormat(Qt::PlainText);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -105,8 +105,6 @@ PointsPanel::PointsPanel(QWidget* parent)
   caption_->setWordWrap(true);
   empty_->setProperty("role", QStringLiteral("muted"));
   empty_->setWordWrap(true);
-  table_->setObjectName(QStringLiteral("points_table"));
-  table_->setAccessibleName(tr("Points of interest"));
   table_->setHorizontalHeaderLabels({tr("Type"), QStringLiteral("x"), QStringLiteral("y")});
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);

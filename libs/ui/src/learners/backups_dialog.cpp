@@ -15,6 +15,7 @@
 #include "events/signals.h"
 #include "learners/exchange_progress.h"
 #include "progress/study_charts.h"
+#include "widgets/named.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -46,12 +47,10 @@ BackupsDialog::BackupsDialog(base::Inbox& inbox, practice::Learner& learner,
       learner_(learner),
       exchange_(exchange),
       backups_(inbox, learner),
-      table_(new QTableWidget(0, kColumns, this)),
-      words_(new QLabel(this)) {
+      table_(named(new QTableWidget(0, kColumns, this), "backups_table", tr("Backups, newest first"))),
+      words_(named(new QLabel(this), "backups_words")) {
   setObjectName(QStringLiteral("backups_dialog"));
   setWindowTitle(tr("Backups of %1").arg(to_text(learner.profile())));
-  table_->setObjectName(QStringLiteral("backups_table"));
-  table_->setAccessibleName(tr("Backups, newest first"));
   table_->setHorizontalHeaderLabels(
       {tr("Type"), tr("Last study day"), tr("Times written"), tr("Characters")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -63,14 +62,11 @@ BackupsDialog::BackupsDialog(base::Inbox& inbox, practice::Learner& learner,
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  words_->setObjectName(QStringLiteral("backups_words"));
   words_->setWordWrap(true);
   words_->setTextFormat(Qt::PlainText);
-  auto* now = new QPushButton(tr("&Back up now"), this);
-  now->setObjectName(QStringLiteral("backup_now"));
+  auto* now = named(new QPushButton(tr("&Back up now"), this), "backup_now");
   now->setAutoDefault(false);
-  restore_ = new QPushButton(tr("&Restore…"), this);
-  restore_->setObjectName(QStringLiteral("backup_restore"));
+  restore_ = named(new QPushButton(tr("&Restore…"), this), "backup_restore");
   restore_->setAutoDefault(false);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "nazori/study/profiles.h"
+#include "widgets/named.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -20,25 +21,19 @@ namespace nazori::ui {
 LearnersDialog::LearnersDialog(practice::Learner& learner, QWidget* parent)
     : QDialog(parent),
       learner_(learner),
-      list_(new QListWidget(this)),
-      name_(new QLineEdit(this)),
-      words_(new QLabel(this)) {
+      list_(named(new QListWidget(this), "learners_list", tr("Learners"))),
+      name_(named(new QLineEdit(this), "learner_name", tr("Name (to add or rename)"))),
+      words_(named(new QLabel(this), "learners_words")) {
   setObjectName(QStringLiteral("learners_dialog"));
   setWindowTitle(tr("Learners"));
   auto* list_caption = new QLabel(tr("&Learners"), this);
   list_caption->setBuddy(list_);
-  list_->setObjectName(QStringLiteral("learners_list"));
-  list_->setAccessibleName(tr("Learners"));
   auto* name_caption = new QLabel(tr("&Name (to add or rename)"), this);
   name_caption->setBuddy(name_);
-  name_->setObjectName(QStringLiteral("learner_name"));
-  name_->setAccessibleName(tr("Name (to add or rename)"));
-  words_->setObjectName(QStringLiteral("learners_words"));
   words_->setWordWrap(true);
   words_->setTextFormat(Qt::PlainText);
   const auto button = [this](const char* name, const QString& text) {
-    auto* made = new QPushButton(text, this);
-    made->setObjectName(QString::fromLatin1(name));
+    auto* made = named(new QPushButton(text, this), name);
     made->setAutoDefault(false);
     return made;
   };

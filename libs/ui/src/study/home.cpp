@@ -14,19 +14,15 @@ constexpr int kLook_ms = 30'000;
 }  // namespace
 
 HomeActions::HomeActions(QWidget* window) : ActionSet(window) {
-  const auto key = [](const char* text) { return QStringList{QString::fromLatin1(text)}; };
   start = make("home_study", tr("&Start today's study"), tr("Start today's reviews and new characters"),
-               key("Ctrl+Return"));
-  leeches =
-      make("home_leeches_lesson", tr("Rele&arn difficult characters"),
-           tr("Relearn characters you forgot too often, starting with Watch"), key("Ctrl+Shift+Return"));
+               "Ctrl+Return", Icon::play);
+  leeches = make("home_leeches_lesson", tr("Rele&arn difficult characters"),
+                 tr("Relearn characters you forgot too often, starting with Watch"), "Ctrl+Shift+Return");
   undo = make("home_undo", tr("Undo las&t review"),
               tr("Undo the last saved review or change; repeat to go further back, even to earlier days"),
-              key("Ctrl+Shift+Z"));
+              "Ctrl+Shift+Z", Icon::undo);
   settings = make("home_study_settings", tr("Study se&ttings…"),
-                  tr("Daily goal, lists, order and desired retention"), key("Ctrl+,"));
-  draw(start, Icon::play);
-  draw(undo, Icon::undo);
+                  tr("Daily goal, lists, order and desired retention"), "Ctrl+,");
   add_group(tr("St&udy"), {start, leeches, nullptr, undo, nullptr, settings});
 }
 

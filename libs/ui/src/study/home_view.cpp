@@ -19,6 +19,7 @@
 
 #include "nazori/practice/day_outlook.h"
 #include "settings/preferences.h"
+#include "widgets/named.h"
 #include "widgets/sentence_label.h"
 #include "words/kanji_text.h"
 #include "words/learner_words.h"
@@ -40,13 +41,15 @@ QString in_a_row(const std::vector<char32_t>& characters) {
 }  // namespace
 
 HomeView::HomeView(practice::Learner& learner, const practice::StudySession& session, QWidget* parent)
-    : QScrollArea(parent), learner_(learner), session_(session), content_(new QWidget(this)) {
+    : QScrollArea(parent),
+      learner_(learner),
+      session_(session),
+      content_(named(new QWidget(this), "information_content")) {
   setObjectName(QStringLiteral("home_page"));
   setAccessibleName(tr("Today"));
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(QFrame::NoFrame);
-  content_->setObjectName(QStringLiteral("information_content"));
 
   day_ = sentence_label("home_day", content_);
   trouble_ = sentence_label("home_trouble", content_);
@@ -56,8 +59,7 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
   advice_ = sentence_label("home_advice", content_);
   leeches_ = sentence_label("home_leeches", content_);
   const auto button = [this](const char* name, const QString& text) {
-    auto* made = new QPushButton(text, content_);
-    made->setObjectName(QString::fromLatin1(name));
+    auto* made = named(new QPushButton(text, content_), name);
     made->setAutoDefault(true);  // Enter presses what has the keyboard
     return made;
   };

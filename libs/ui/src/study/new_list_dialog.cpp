@@ -10,6 +10,7 @@
 #include <QPushButton>
 
 #include "nazori/base/file.h"
+#include "widgets/named.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -23,17 +24,13 @@ constexpr std::size_t kLargestFile = 1'000'000;
 NewListDialog::NewListDialog(practice::Learner& learner, QWidget* parent)
     : QDialog(parent),
       learner_(learner),
-      name_(new QLineEdit(this)),
-      text_(new QPlainTextEdit(this)),
-      trouble_(new QLabel(this)) {
+      name_(named(new QLineEdit(this), "new_list_name")),
+      text_(named(new QPlainTextEdit(this), "new_list_text", tr("Characters"))),
+      trouble_(named(new QLabel(this), "new_list_trouble")) {
   setObjectName(QStringLiteral("new_list_dialog"));
   setWindowTitle(tr("New list"));
-  name_->setObjectName(QStringLiteral("new_list_name"));
-  text_->setObjectName(QStringLiteral("new_list_text"));
-  text_->setAccessibleName(tr("Characters"));
   text_->setPlaceholderText(tr("休日月火水木金土\n# text after # is a comment"));
   text_->setTabChangesFocus(true);
-  trouble_->setObjectName(QStringLiteral("new_list_trouble"));
   trouble_->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   auto* file = buttons->addButton(tr("From a file…"), QDialogButtonBox::ActionRole);

@@ -15,6 +15,7 @@
 #include "look/palette.h"
 #include "nazori/kanji/kana.h"
 #include "nazori/practice/session_question.h"
+#include "widgets/named.h"
 #include "words/kanji_text.h"
 #include "words/study_words.h"
 
@@ -38,23 +39,18 @@ SessionBar::SessionBar(const practice::StudySession& session, const SessionActio
       session_(session),
       actions_(actions),
       learner_(learner),
-      progress_(new QLabel(this)),
-      line_(new QProgressBar(this)),
-      question_(new QLabel(this)),
-      next_(new QPushButton(this)),
+      progress_(named(new QLabel(this), "session_progress")),
+      line_(named(new QProgressBar(this), "session_line", tr("Session progress"))),
+      question_(named(new QLabel(this), "session_question")),
+      next_(named(new QPushButton(this), "session_next")),
       ratings_(new QWidget(this)),
       grid_(new QGridLayout(ratings_)) {
   setObjectName(QStringLiteral("session_bar"));
   setAccessibleName(tr("Study session"));
-  progress_->setObjectName(QStringLiteral("session_progress"));
   progress_->setProperty("role", QStringLiteral("muted"));
-  line_->setObjectName(QStringLiteral("session_line"));
   line_->setTextVisible(false);
-  line_->setAccessibleName(tr("Session progress"));
-  question_->setObjectName(QStringLiteral("session_question"));
   question_->setWordWrap(true);
   question_->setTextFormat(Qt::RichText);
-  next_->setObjectName(QStringLiteral("session_next"));
   next_->setProperty("role", QStringLiteral("primary"));
   connect(next_, &QPushButton::clicked, actions.go_on, &QAction::trigger);
 

@@ -11,6 +11,7 @@
 #include "nazori/practice/character_history.h"
 #include "study/ink_gallery.h"
 #include "widgets/flow_layout.h"
+#include "widgets/named.h"
 #include "words/kanji_text.h"
 #include "words/session_words.h"
 #include "words/study_words.h"
@@ -24,8 +25,7 @@ constexpr std::size_t kMostEarlier = 3;
 constexpr std::size_t kMostHardStrokes = 3;
 
 QLabel* label(const char* name, const char* role, QWidget* parent) {
-  auto* made = new QLabel(parent);
-  made->setObjectName(QString::fromLatin1(name));
+  auto* made = named(new QLabel(parent), name);
   if (role != nullptr) made->setProperty("role", QString::fromLatin1(role));
   made->setWordWrap(true);
   made->setTextFormat(Qt::PlainText);
@@ -40,12 +40,10 @@ SessionPanel::SessionPanel(const practice::StudySession& session, const SessionA
   setObjectName(QStringLiteral("session_panel"));
   setAccessibleName(tr("Character being studied"));
   setAttribute(Qt::WA_StyledBackground);
-  auto* words = new QScrollArea(this);
-  words->setObjectName(QStringLiteral("session_words"));
+  auto* words = named(new QScrollArea(this), "session_words");
   words->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   words->setWidgetResizable(true);
-  auto* content = new QWidget(words);
-  content->setObjectName(QStringLiteral("information_content"));
+  auto* content = named(new QWidget(words), "information_content");
   kind_ = label("session_kind", nullptr, content);
   steps_ = label("session_steps", "muted", content);
   history_ = label("session_history", nullptr, content);
@@ -65,8 +63,7 @@ SessionPanel::SessionPanel(const practice::StudySession& session, const SessionA
         static_cast<QWidget*>(ink_heading_), static_cast<QWidget*>(gallery_)})
     column->addWidget(one);
   column->addStretch(1);
-  auto* foot = new QWidget(this);
-  foot->setObjectName(QStringLiteral("session_foot"));
+  auto* foot = named(new QWidget(this), "session_foot");
   auto* rows = new FlowLayout(kGap, kGap, foot);
   rows->setContentsMargins(0, 0, 0, 0);
   // Short texts, because the panel is narrow. The menu has the full ones.

@@ -15,6 +15,7 @@
 #include "study/new_list_dialog.h"
 #include "study/study_settings_dialog.h"
 #include "widgets/flow_layout.h"
+#include "widgets/named.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -23,9 +24,7 @@ namespace nazori::ui {
 QWidget* StudySettingsDialog::make_lists() {
   auto* page = add_page(tr("Lists"));
   auto* form = static_cast<QFormLayout*>(page->layout());
-  order_ = new QComboBox(page);
-  order_->setObjectName(QStringLiteral("study_order"));
-  order_->setAccessibleName(tr("Order of new characters"));
+  order_ = named(new QComboBox(page), "study_order", tr("Order of new characters"));
   order_->addItem(tr("by school grade"), static_cast<int>(study::NewOrder::grade));
   order_->addItem(tr("most common first"), static_cast<int>(study::NewOrder::frequency));
   order_->addItem(tr("fewest strokes first"), static_cast<int>(study::NewOrder::strokes));
@@ -33,9 +32,7 @@ QWidget* StudySettingsDialog::make_lists() {
   order_->addItem(tr("in list order"), static_cast<int>(study::NewOrder::own));
   order_->setCurrentIndex(order_->findData(static_cast<int>(before_.new_order)));
   form->addRow(tr("&Order of new characters"), order_);
-  lists_ = new QListWidget(page);
-  lists_->setObjectName(QStringLiteral("study_lists"));
-  lists_->setAccessibleName(tr("Lists to learn from"));
+  lists_ = named(new QListWidget(page), "study_lists", tr("Lists to learn from"));
   lists_->setMinimumHeight(QFontMetrics(font()).height() * 9);
   form->addRow(lists_);
   choice_ = muted_sentence("study_choice", page);
@@ -43,8 +40,7 @@ QWidget* StudySettingsDialog::make_lists() {
   auto* buttons = new QWidget(page);
   auto* flow = new FlowLayout(kButtonGap_px, kButtonGap_px, buttons);
   const auto button = [&](const char* name, const QString& text, auto&& what) {
-    auto* made = new QPushButton(text, buttons);
-    made->setObjectName(QString::fromLatin1(name));
+    auto* made = named(new QPushButton(text, buttons), name);
     connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
     made->setEnabled(learner_.can_write());
     flow->addWidget(made);

@@ -10,6 +10,7 @@
 
 #include "look/icons.h"
 #include "look/palette.h"
+#include "widgets/named.h"
 
 namespace nazori::ui {
 namespace {
@@ -19,11 +20,11 @@ constexpr int kRoomForTwo_em = 32;
 }  // namespace
 
 FeedbackLine::FeedbackLine(QWidget* parent)
-    : QFrame(parent), sign_(new QLabel(this)), text_(new QLabel(this)) {
+    : QFrame(parent),
+      sign_(named(new QLabel(this), "feedback_sign")),
+      text_(named(new QLabel(this), "feedback_text")) {
   setObjectName(QStringLiteral("feedback_line"));
   setAccessibleName(tr("Feedback"));
-  sign_->setObjectName(QStringLiteral("feedback_sign"));
-  text_->setObjectName(QStringLiteral("feedback_text"));
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -3,11 +3,12 @@
 
 #include <QLabel>
 
+#include "widgets/named.h"
+
 namespace nazori::ui {
 
 QLabel* sentence_label(const char* name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QString::fromLatin1(name));
+  auto* label = named(new QLabel(parent), name);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);

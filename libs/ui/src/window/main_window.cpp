@@ -25,6 +25,7 @@
 #include "widgets/feedback_line.h"
 #include "widgets/focus_frame.h"
 #include "widgets/key_guard.h"
+#include "widgets/named.h"
 #include "widgets/panes.h"
 #include "widgets/status_line.h"
 #include "window/actions.h"
@@ -179,8 +180,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   window.setStatusBar(status);
   build_tablet(setup.draws_tablet);
 
-  auto* middle = new QWidget(&window);
-  middle->setObjectName(QStringLiteral("middle"));
+  auto* middle = named(new QWidget(&window), "middle");
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -188,8 +188,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   column->addWidget(feedback);
   panes = new Panes(middle, &window);
   panes->set_mirrored(parts.preferences().left_handed);
-  stage = new QStackedWidget(&window);
-  stage->setObjectName(QStringLiteral("stage"));
+  stage = named(new QStackedWidget(&window), "stage");
   stage->addWidget(panes);
   window.setCentralWidget(stage);
 

@@ -80,11 +80,10 @@ DictationView::DictationView(DictationStage& stage, const StageViewParts& parts)
     : StageView(stage, parts.window_parts, parts.actions),
       dictation_(stage),
       speak_(parts.actions.add_practice("speak_word", tr("Spea&k the word"),
-                                        tr("Say the reading and the meaning of the word again"),
-                                        QStringLiteral("V"), Icon::sound)),
-      next_word_(parts.actions.add_practice("next_word", tr("Ne&xt word"),
-                                            tr("Write another word that has the character"),
-                                            QStringLiteral("W"), Icon::next)),
+                                        tr("Say the reading and the meaning of the word again"), "V",
+                                        Icon::sound)),
+      next_word_(parts.actions.add_practice(
+          "next_word", tr("Ne&xt word"), tr("Write another word that has the character"), "W", Icon::next)),
       strip_(new QWidget(&parts.window_parts.window())) {
   make_strip();
   on(speak_, [this] { dictation_.speak(); });
