@@ -13,7 +13,7 @@
 #include "characters/drawing_pad.h"
 #include "events/signals.h"
 #include "widgets/flow_layout.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -24,12 +24,10 @@ DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
       parts_(parts),
       pad_(new DrawingPad(this)),
       candidates_(named(new QListWidget(this), "candidates", tr("Similar characters"))),
-      words_(named(new QLabel(this), "draw_words")) {
+      words_(text_label("draw_words", this, "muted")) {
   setObjectName(QStringLiteral("draw_panel"));
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Draw to find"));
-  words_->setWordWrap(true);
-  words_->setProperty("role", QStringLiteral("muted"));
   words_->setText(
       tr("Enter: open the first match. Arrow keys: choose another. Ctrl+Z: undo a stroke. Delete: clear. "
          "Esc: close."));
@@ -128,7 +126,7 @@ void DrawPanel::select(int by) {
       tr("%1, %2 of %3.").arg(item->text()).arg(candidates_->currentRow() + 1).arg(candidates_->count()));
 }
 
-bool DrawPanel::take_key(int key, Qt::KeyboardModifiers modifiers) {
+bool DrawPanel::handle_key(int key, Qt::KeyboardModifiers modifiers) {
   const int columns =
       std::max(candidates_->viewport()->width() / std::max(candidates_->gridSize().width(), 1), 1);
   switch (key) {
@@ -169,7 +167,7 @@ bool DrawPanel::take_key(int key, Qt::KeyboardModifiers modifiers) {
 bool DrawPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (take_key(key->key(), key->modifiers())) return true;
+    if (handle_key(key->key(), key->modifiers())) return true;
   } else if (event->type() == QEvent::ShortcutOverride) {
     // These keys belong to the drawing here, even where they are shortcuts of the window.
     const auto* key = static_cast<QKeyEvent*>(event);

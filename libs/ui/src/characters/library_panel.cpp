@@ -4,7 +4,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,7 +18,7 @@
 #include "events/signals.h"
 #include "look/icons.h"
 #include "look/palette.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -31,10 +30,10 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
       delegate_(new CharacterTileDelegate(this)),
       search_(named(new QLineEdit(this), "search", tr("Find a character"))),
       lists_(named(new QComboBox(this), "lists", tr("List of characters"))),
-      count_(named(new QLabel(this), "list_count")),
+      count_(with_role(named(new QLabel(this), "list_count"), "muted")),
       row_(new QBoxLayout(QBoxLayout::LeftToRight)),
       grid_(named(new QListView(this), "character_grid", tr("Characters in the list"))),
-      nothing_(named(new QLabel(this), "nothing_found")),
+      nothing_(text_label("nothing_found", this, "muted")),
       stack_(new QStackedWidget(this)) {
   setObjectName(QStringLiteral("library_panel"));
   setAttribute(Qt::WA_StyledBackground);
@@ -61,10 +60,8 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
                                                    {kanji::List::all, tr("All characters")}};
   for (const auto& [list, name] : lists) lists_->addItem(name, static_cast<int>(list));
   lists_->setMaxVisibleItems(static_cast<int>(std::size(lists)));
-  lists_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  lists_->setMinimumContentsLength(5);
+  make_narrow(lists_, 5);
   lists_->setPlaceholderText(tr("Search results"));
-  count_->setProperty("role", QStringLiteral("muted"));
 
   grid_->setModel(model_);
   grid_->setItemDelegate(delegate_);
@@ -80,9 +77,7 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
   grid_->setMouseTracking(true);
   grid_->viewport()->installEventFilter(this);
 
-  nothing_->setWordWrap(true);
   nothing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  nothing_->setProperty("role", QStringLiteral("muted"));
   nothing_->setContentsMargins(6, 10, 6, 6);
   stack_->addWidget(grid_);
   stack_->addWidget(nothing_);

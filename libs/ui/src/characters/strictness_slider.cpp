@@ -10,14 +10,14 @@
 #include <cmath>
 
 #include "widgets/flow_layout.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 
 StrictnessSlider::StrictnessSlider(QWidget* parent)
     : QWidget(parent),
       slider_(named(new QSlider(Qt::Horizontal, this), "strictness", tr("Strictness"))),
-      words_(named(new QLabel(this), "strictness_words")) {
+      words_(text_label("strictness_words", this)) {
   auto* name = new QLabel(tr("Str&ictness"), this);
   name->setBuddy(slider_);
   slider_->setRange(0, kSteps);
@@ -25,7 +25,6 @@ StrictnessSlider::StrictnessSlider(QWidget* parent)
   slider_->setTickInterval(kSteps / 2);
   slider_->setTickPosition(QSlider::TicksBelow);
   slider_->setToolTip(tr("How strictly your writing is checked (Ctrl+[ and Ctrl+])"));
-  words_->setWordWrap(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -37,8 +36,7 @@ StrictnessSlider::StrictnessSlider(QWidget* parent)
   auto* scale = new QHBoxLayout;
   scale->setSpacing(4);
   const auto mark = [&](const QString& text, Qt::Alignment side) {
-    auto* label = new QLabel(text, this);
-    label->setProperty("role", QStringLiteral("muted"));
+    auto* label = with_role(new QLabel(text, this), "muted");
     label->setAlignment(side | Qt::AlignTop);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     scale->addWidget(label, 1);

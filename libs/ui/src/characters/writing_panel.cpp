@@ -10,7 +10,7 @@
 #include "characters/compare_view.h"
 #include "characters/strictness_slider.h"
 #include "characters/writing_report.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "look/icons.h"
 #include "look/palette.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -51,8 +51,7 @@ AboutDialog::AboutDialog(const std::vector<kanji::Source>& sources, QWidget* par
   text->setOpenExternalLinks(true);
   text->document()->setDocumentMargin(12);
   text->setHtml(html);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* buttons = dialog_buttons(QDialogButtonBox::Close, this);
   auto* head = new QHBoxLayout;
   head->setSpacing(16);
   head->addWidget(picture, 0, Qt::AlignTop);

@@ -6,7 +6,7 @@
 #include <QFormLayout>
 #include <QPushButton>
 
-#include "widgets/named.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 
@@ -29,11 +29,9 @@ SaveDialog::SaveDialog(int fixed_size, bool has_strokes, QWidget* parent)
                                                                     : tr("%1 × %1").arg(side),
                      side);
   }
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  auto* buttons = dialog_buttons(QDialogButtonBox::Cancel, this);
   auto* choose = buttons->addButton(tr("Choose file…"), QDialogButtonBox::AcceptRole);
   choose->setDefault(true);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 20, 20, 16);
   form->setSpacing(12);

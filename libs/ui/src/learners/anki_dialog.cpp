@@ -8,7 +8,7 @@
 #include <QSpinBox>
 
 #include "study/list_choice.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -31,11 +31,9 @@ AnkiDialog::AnkiDialog(const study::LearnerStore& store, QWidget* parent)
   deck_->setMaxLength(40);
   words_->setRange(0, kMostWords);
   words_->setValue(practice::AnkiChoice().words);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  auto* buttons = dialog_buttons(QDialogButtonBox::Cancel, this);
   auto* choose = buttons->addButton(tr("Choose file…"), QDialogButtonBox::AcceptRole);
   choose->setDefault(true);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 20, 20, 16);
   form->setSpacing(12);

@@ -11,7 +11,7 @@
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
 #include "study/list_choice.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -23,9 +23,7 @@ CharactersCard::CharactersCard(QWidget* drawing, QWidget* parent)
     : ChartCard(QStringLiteral("characters"), drawing, parent),
       list_(named(new ListChoice(drawing), "characters_list", tr("Characters to show"))),
       grid_(named(new StrengthGrid(drawing), "strength_grid")) {
-  auto* here = named(new QLabel(drawing), "strength_reading");
-  here->setProperty("role", QStringLiteral("muted"));
-  here->setWordWrap(true);
+  auto* here = text_label("strength_reading", drawing, "muted");
   auto* column = new QVBoxLayout(drawing);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);

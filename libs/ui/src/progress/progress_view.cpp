@@ -15,7 +15,7 @@
 #include "progress/characters_card.h"
 #include "progress/hard_strokes_card.h"
 #include "progress/study_charts.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
@@ -38,8 +38,8 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
       learner_(learner),
       scroll_(named(new QScrollArea(this), "progress_scroll")),
       content_(named(new QWidget(scroll_), "progress_content")),
-      trouble_(named(new QLabel(this), "progress_trouble")),
-      figures_(named(new QLabel(content_), "progress_figures")),
+      trouble_(text_label("progress_trouble", this)),
+      figures_(text_label("progress_figures", content_)),
       time_(named(new QComboBox(content_), "progress_time", tr("Period shown"))),
       work_(named(new QProgressBar(content_), "progress_work", tr("Calculating statistics"))),
       grid_(new QGridLayout),
@@ -51,12 +51,9 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
   setObjectName(QStringLiteral("progress_page"));
   setAccessibleName(tr("Progress"));
   setFocusPolicy(Qt::StrongFocus);
-  trouble_->setWordWrap(true);
   trouble_->setAlignment(Qt::AlignCenter);
   trouble_->setMargin(3 * kMargin);
   trouble_->hide();
-  figures_->setWordWrap(true);
-  figures_->setTextFormat(Qt::PlainText);
   figures_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   auto* caption = new QLabel(tr("Period s&hown"), content_);
   caption->setBuddy(time_);

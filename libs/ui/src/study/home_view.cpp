@@ -19,8 +19,7 @@
 
 #include "nazori/practice/day_outlook.h"
 #include "settings/preferences.h"
-#include "widgets/named.h"
-#include "widgets/sentence_label.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 #include "words/learner_words.h"
 #include "words/study_words.h"
@@ -47,15 +46,11 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
       content_(named(new QWidget(this), "information_content")) {
   setObjectName(QStringLiteral("home_page"));
   setAccessibleName(tr("Today"));
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(QFrame::NoFrame);
 
   day_ = sentence_label("home_day", content_);
-  trouble_ = sentence_label("home_trouble", content_);
-  trouble_->setProperty("role", QStringLiteral("trouble"));
-  summary_ = sentence_label("home_summary", content_);
-  summary_->setProperty("role", QStringLiteral("card"));
+  trouble_ = sentence_label("home_trouble", content_, "trouble");
+  summary_ = sentence_label("home_summary", content_, "card");
   advice_ = sentence_label("home_advice", content_);
   leeches_ = sentence_label("home_leeches", content_);
   const auto button = [this](const char* name, const QString& text) {
@@ -99,9 +94,7 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
   others->addStretch(1);
   column->addLayout(others);
   content_->setLayout(column);
-  setWidget(content_);
-  viewport()->setAutoFillBackground(false);
-  content_->setAutoFillBackground(false);
+  make_scrolling(this, content_);
   summary_->hide();
   fit();
 }

@@ -7,7 +7,6 @@
 #include <QFormLayout>
 #include <QInputDialog>
 #include <QLabel>
-#include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
@@ -20,8 +19,8 @@
 
 #include "nazori/study/statistics.h"
 #include "widgets/flow_layout.h"
-#include "widgets/named.h"
 #include "widgets/number_slider.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 #include "words/learner_words.h"
@@ -53,7 +52,7 @@ StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Prefe
   column->setContentsMargins(16, 16, 16, 12);
   column->addWidget(tabs_, 1);
   if (!learner.can_write()) {
-    auto* trouble = muted_sentence("study_settings_trouble", this);
+    auto* trouble = text_label("study_settings_trouble", this, "muted");
     trouble->setText(LearnerWords::sentence(learner.trouble()));
     column->addWidget(trouble);
   }
@@ -67,27 +66,16 @@ StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Prefe
   }
 }
 
-QLabel* StudySettingsDialog::muted_sentence(const char* name, QWidget* parent) {
-  auto* label = named(new QLabel(parent), name);
-  label->setWordWrap(true);
-  label->setProperty("role", QStringLiteral("muted"));
-  return label;
-}
-
 QWidget* StudySettingsDialog::add_page(const QString& name) {
   auto* area = new QScrollArea(tabs_);
-  area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* page = named(new QWidget(area), "information_content");
   auto* form = new QFormLayout(page);
   form->setContentsMargins(12, 16, 12, 12);
   form->setSpacing(10);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  area->setWidget(page);
-  area->viewport()->setAutoFillBackground(false);
-  page->setAutoFillBackground(false);
+  make_scrolling(area, page);
   tabs_->addTab(area, name);
   return page;
 }
@@ -117,7 +105,7 @@ QWidget* StudySettingsDialog::make_amount() {
                                 QStringLiteral("%1%"), 0, page);
   retention_->set_value(before_.fsrs.desired_retention * 100);
   form->addRow(retention_);
-  workload_ = muted_sentence("study_workload", page);
+  workload_ = text_label("study_workload", page, "muted");
   form->addRow(workload_);
   new_ = add_spin(page, tr("&New characters per day (maximum)"), "study_new", 0, 1000, before_.new_per_day);
   reviews_ =
@@ -151,7 +139,7 @@ QWidget* StudySettingsDialog::make_schedule() {
                     before_.leech_lapses);
   fuzz_ = add_check(page, tr("&Vary review intervals a little"), "study_fuzz", before_.fuzz);
   balance_ = add_check(page, tr("Pref&er days with fewer reviews"), "study_balance", before_.load_balance);
-  weights_words_ = muted_sentence("study_weights", page);
+  weights_words_ = text_label("study_weights", page, "muted");
   form->addRow(weights_words_);
   auto* buttons = new QWidget(page);
   auto* flow = new FlowLayout(kButtonGap_px, kButtonGap_px, buttons);
@@ -196,10 +184,7 @@ study::Settings StudySettingsDialog::settings() const {
   to.day_starts_at = day_starts_->value();
   to.time_zone = zone_->currentData().toString().toStdString();
   to.new_order = static_cast<study::NewOrder>(order_->currentData().toInt());
-  to.new_lists.clear();
-  for (int row = 0; row < lists_->count(); ++row)
-    if (lists_->item(row)->checkState() == Qt::Checked)
-      to.new_lists.push_back(lists_->item(row)->data(Qt::UserRole).toString().toStdString());
+  to.new_lists = chosen_lists();
   to.fuzz = fuzz_->isChecked();
   to.load_balance = balance_->isChecked();
   to.leech_lapses = leech_->value();

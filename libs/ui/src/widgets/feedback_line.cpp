@@ -10,7 +10,7 @@
 
 #include "look/icons.h"
 #include "look/palette.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
@@ -22,11 +22,9 @@ constexpr int kRoomForTwo_em = 32;
 FeedbackLine::FeedbackLine(QWidget* parent)
     : QFrame(parent),
       sign_(named(new QLabel(this), "feedback_sign")),
-      text_(named(new QLabel(this), "feedback_text")) {
+      text_(text_label("feedback_text", this)) {
   setObjectName(QStringLiteral("feedback_line"));
   setAccessibleName(tr("Feedback"));
-  text_->setWordWrap(true);
-  text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 9, 16, 9);
@@ -45,7 +43,7 @@ void FeedbackLine::announce(Feedback kind, const QString& sentence) {
   speak(sentence);
 }
 
-void FeedbackLine::answer(Feedback kind, const QString& sentence) {
+void FeedbackLine::respond(Feedback kind, const QString& sentence) {
   if (text_->text() != sentence) return announce(kind, sentence);
   kind_ = kind;
   draw_sign();

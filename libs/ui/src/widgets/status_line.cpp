@@ -2,7 +2,6 @@
 #include "widgets/status_line.h"
 
 #include <QEvent>
-#include <QFileInfo>
 #include <QLabel>
 #include <QLocale>
 #include <QResizeEvent>
@@ -11,7 +10,7 @@
 #include "events/signals.h"
 #include "nazori/practice/tablet_control.h"
 #include "nazori/practice/tablet_recording.h"
-#include "widgets/named.h"
+#include "widgets/parts.h"
 #include "words/device_text.h"
 #include "words/kanji_text.h"
 

@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
-#include "widgets/named.h"
+#include "widgets/parts.h"
 #include "window/actions.h"
 
 namespace nazori::ui {
