@@ -67,17 +67,17 @@ base::Result<ingest::Sources> sources_of(const BuildSettings& settings) {
 }
 
 /// The counts by the names of docs/schemas/database.json.
-auto counts_of(const ingest::Counts& counts) {
-  return std::array{std::pair<std::string_view, std::int64_t>{"characters", counts.characters},
-                    {"drawn_characters", counts.drawn_characters},
-                    {"variant_forms", counts.variant_forms},
-                    {"strokes", counts.strokes},
-                    {"components", counts.components},
-                    {"dictionary_entries", counts.dictionary_entries},
-                    {"alternative_orders", counts.alternative_orders},
-                    {"words", counts.words},
-                    {"common_words", counts.common_words},
-                    {"radicals", counts.radicals}};
+std::array<std::pair<std::string_view, std::int64_t>, 10> counts_of(const ingest::Counts& counts) {
+  return {{{"characters", counts.characters},
+           {"drawn_characters", counts.drawn_characters},
+           {"variant_forms", counts.variant_forms},
+           {"strokes", counts.strokes},
+           {"components", counts.components},
+           {"dictionary_entries", counts.dictionary_entries},
+           {"alternative_orders", counts.alternative_orders},
+           {"words", counts.words},
+           {"common_words", counts.common_words},
+           {"radicals", counts.radicals}}};
 }
 
 std::string counts_text(const ingest::Counts& counts, std::uintmax_t bytes) {

@@ -59,7 +59,7 @@ class LearnersTest : public WindowTest {
     return dialog.findChild<T*>(QString::fromLatin1(name));
   }
   /// Presses a button that opens a question, and answers it.
-  static void respond(QPushButton* button, const char* yes) {
+  static void answer(QPushButton* button, const char* yes) {
     QTimer::singleShot(0, button, [yes] {
       auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
       ASSERT_NE(question, nullptr);
