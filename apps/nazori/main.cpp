@@ -23,7 +23,7 @@ int refuse(const QString& what) {
 
 /// Qt aborts after some messages if the display does not answer; print one line instead and use the exit code
 /// of other environment errors.
-void tell_of_no_display(QtMsgType type, const QMessageLogContext& /*context*/, const QString& /*text*/) {
+void print_no_display(QtMsgType type, const QMessageLogContext& /*context*/, const QString& /*text*/) {
   if (type != QtFatalMsg) return;
   std::_Exit(refuse(QStringLiteral("the display does not respond (DISPLAY=%1, WAYLAND_DISPLAY=%2); use "
                                    "nazori-cli instead")
@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   // Help must also work without a display, where Qt would abort.
   const QString unseen = has_display() ? QString() : QStringLiteral("offscreen");
   if (!unseen.isEmpty()) qputenv("QT_QPA_PLATFORM", unseen.toUtf8());
-  const QtMessageHandler before = qInstallMessageHandler(tell_of_no_display);
+  const QtMessageHandler before = qInstallMessageHandler(print_no_display);
   QApplication application(argc, argv);
   qInstallMessageHandler(before);
   QApplication::setApplicationName(QStringLiteral("Nazori"));

@@ -11,7 +11,7 @@
 
 #include "characters.h"
 #include "json_answers.h"
-#include "nazori/base/utf8.h"
+#include "nazori/exchange/tablets.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/surface/height_map.h"
 #include "options.h"
@@ -80,16 +80,6 @@ base::Result<void> carve_one(Console& console, const kanji::Character& character
   return saved;
 }
 
-Json carved_json(const kanji::Character& character, const Target& target, const CarveSettings& settings) {
-  return {{"character", base::encode_utf8(character.code_point)},
-          {"code_point", kanji::code_point_text(character.code_point)},
-          {"variant", character.variant},
-          {"file", target.map.name()},
-          {"size", settings.size},
-          {"strokes_file", target.strokes ? Json(target.strokes->name()) : Json()},
-          {"stroke_count", character.strokes.size()}};
-}
-
 std::string carved_text(const kanji::Character& character, const Target& target,
                         const CarveSettings& settings) {
   // Nothing else may go to standard output together with a file.
@@ -120,7 +110,9 @@ int run(Console& console, const CarveSettings& settings) {
     if (auto done = carve_one(console, (*characters)[i], target, settings); !done)
       return console.refuse(done.error());
     if (settings.json) {
-      document.push_back(carved_json((*characters)[i], target, settings));
+      exchange::CarvedFiles files{target.map.name(), std::nullopt, settings.size};
+      if (target.strokes) files.strokes = target.strokes->name();
+      document.push_back(exchange::to_json((*characters)[i], files));
     } else {
       console.print(carved_text((*characters)[i], target, settings));
     }

@@ -103,12 +103,12 @@ OptionEntry option_entry(const CLI::Option& option) {
     // With a delimiter all values are in one word: --window=-1,1,-1,1.
     entry.values = option.get_delimiter() != '\0' ? 1 : std::max(1, option.get_items_expected_min());
   }
-  const auto note = [&entry](const std::string& text) {
+  const auto add = [&entry](const std::string& text) {
     entry.notes += (entry.notes.empty() ? "" : "; ") + text;
   };
-  if (!range.empty()) note(range);
-  if (!option.get_default_str().empty()) note("default: " + option.get_default_str());
-  if (entry.required && entry.argument.empty()) note("required");
+  if (!range.empty()) add(range);
+  if (!option.get_default_str().empty()) add("default: " + option.get_default_str());
+  if (entry.required && entry.argument.empty()) add("required");
   return entry;
 }
 

@@ -66,7 +66,7 @@ bool Console::flush() {
   return write_error_ == 0;
 }
 
-void Console::note(std::string_view text) const {
+void Console::inform(std::string_view text) const {
   if (!quiet_) to_stderr(fmt::format("{}: {}\n", name_, printable(text)));
 }
 

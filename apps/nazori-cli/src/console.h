@@ -27,7 +27,7 @@ class Console {
   bool flush();
 
   /// Prints a remark about the answer in one line on standard error; nothing in quiet mode.
-  void note(std::string_view text) const;
+  void inform(std::string_view text) const;
   /// Prints an error of usage or input in one line; nothing where the user stopped the work.
   /// @return kWrong; kInUse for Errc::in_use
   [[nodiscard]] int refuse(const base::Error& error) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "database_currency.h"
 #include "json_answers.h"
+#include "nazori/exchange/databases.h"
 #include "nazori/ingest/ingest.h"
 #include "nazori/kanji/kanji_database.h"
 #include "options.h"
@@ -64,17 +66,18 @@ base::Result<ingest::Sources> sources_of(const BuildSettings& settings) {
   return sources;
 }
 
-Json counts_json(const ingest::Counts& counts) {
-  return {{"characters", counts.characters},
-          {"drawn_characters", counts.drawn_characters},
-          {"variant_forms", counts.variant_forms},
-          {"strokes", counts.strokes},
-          {"components", counts.components},
-          {"dictionary_entries", counts.dictionary_entries},
-          {"alternative_orders", counts.alternative_orders},
-          {"words", counts.words},
-          {"common_words", counts.common_words},
-          {"radicals", counts.radicals}};
+/// The counts by the names of docs/schemas/database.json.
+std::array<std::pair<std::string_view, std::int64_t>, 10> counts_of(const ingest::Counts& counts) {
+  return {{{"characters", counts.characters},
+           {"drawn_characters", counts.drawn_characters},
+           {"variant_forms", counts.variant_forms},
+           {"strokes", counts.strokes},
+           {"components", counts.components},
+           {"dictionary_entries", counts.dictionary_entries},
+           {"alternative_orders", counts.alternative_orders},
+           {"words", counts.words},
+           {"common_words", counts.common_words},
+           {"radicals", counts.radicals}}};
 }
 
 std::string counts_text(const ingest::Counts& counts, std::uintmax_t bytes) {
@@ -108,7 +111,7 @@ int build(Console& console, const BuildSettings& settings) {
     const auto current = is_current(*sources, output);
     if (!current) return console.refuse(current.error());
     if (*current) {
-      console.print(settings.json ? to_text({{"path", output.string()}, {"built", false}})
+      console.print(settings.json ? to_text(exchange::to_json(output.string(), std::nullopt))
                                   : fmt::format("{}  is up to date\n", output.string()));
       return kDone;
     }
@@ -120,11 +123,9 @@ int build(Console& console, const BuildSettings& settings) {
   if (!report) return console.refuse(report.error());
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   if (settings.json) {
-    Json json{
-        {"path", output.string()}, {"built", true}, {"bytes", report->bytes}, {"took_s", spent.count()}};
-    json.update(counts_json(report->counts));
-    json["left_out"] = report->skipped_lines;
-    console.print(to_text(json));
+    const auto counts = counts_of(report->counts);
+    const exchange::BuiltDatabase built{report->bytes, spent.count(), counts, report->skipped_lines};
+    console.print(to_text(exchange::to_json(output.string(), built)));
     return kDone;
   }
   console.print(fmt::format("{}  built in {:.1f} s: {}", output.string(), spent.count(),
@@ -133,21 +134,6 @@ int build(Console& console, const BuildSettings& settings) {
     console.print(fmt::format("skipped, invalid format: {}\n", fmt::join(report->skipped_lines, " ")));
   }
   return kDone;
-}
-
-Json report_json(const fs::path& path, const ingest::CheckReport& report,
-                 std::span<const kanji::Source> sources) {
-  Json list = Json::array();
-  for (const kanji::Source& source : sources) {
-    list.push_back(Json{{"name", source.name},
-                        {"version", source.version},
-                        {"sha256", source.sha256},
-                        {"licence", source.licence}});
-  }
-  Json json{{"path", path.string()}, {"bytes", report.bytes}};
-  json.update(counts_json(report.counts));
-  json["sources"] = std::move(list);
-  return json;
 }
 
 /// The named database, or the one that is found.
@@ -165,7 +151,8 @@ int check(Console& console, const CheckSettings& settings) {
   if (!database) return console.deny(database.error());
   const std::vector<kanji::Source> sources = database->sources();
   if (settings.json) {
-    console.print(to_text(report_json(*path, *report, sources)));
+    console.print(to_text(
+        exchange::checked_database(path->string(), report->bytes, counts_of(report->counts), sources)));
     return kDone;
   }
   console.print(fmt::format("{}  is valid: {}", path->string(), counts_text(report->counts, report->bytes)));
@@ -178,7 +165,7 @@ int check(Console& console, const CheckSettings& settings) {
 int print_path(Console& console, bool json) {
   const auto path = kanji::KanjiDatabase::locate();
   if (!path) return console.deny(path.error());
-  console.print(json ? to_text({{"path", path->string()}}) : path->string() + "\n");
+  console.print(json ? to_text(exchange::database_path(path->string())) : path->string() + "\n");
   return kDone;
 }
 

@@ -13,9 +13,8 @@
 #include "characters.h"
 #include "followed_tablet.h"
 #include "json_answers.h"
-#include "nazori/base/utf8.h"
 #include "nazori/devices/simulated_device.h"
-#include "nazori/exchange/samples.h"
+#include "nazori/exchange/tablets.h"
 #include "nazori/tablet/carved_tablet.h"
 #include "options.h"
 #include "output_files.h"
@@ -44,80 +43,6 @@ constexpr int kMapSize = 512;
 double mm(double metres) { return metres * 1000; }
 double percent(double share) { return share * 100; }
 
-Json stroke_json(const devices::FollowedStroke& followed) {
-  return {{"stroke", followed.stroke},
-          {"length_m", followed.length_m},
-          {"duration_s", followed.duration_s},
-          {"aim_rms_m", followed.aim_rms_m},
-          {"aim_max_m", followed.aim_max_m},
-          {"tip_rms_m", followed.tip_rms_m},
-          {"tip_max_m", followed.tip_max_m},
-          {"mean_force_n", followed.mean_force_n},
-          {"peak_force_n", followed.peak_force_n},
-          {"contact_share", followed.contact_share},
-          {"snapped_share", followed.snapped_share},
-          {"mean_depth_m", followed.mean_depth_m},
-          {"slips", followed.slips},
-          {"traced_share", followed.followed_share}};
-}
-
-/// The distance of the tip from the lines, over all strokes.
-struct Tracking {
-  double rms_m = 0;
-  double max_m = 0;
-};
-Tracking tracking_of(const devices::HandReport& hand) {
-  Tracking tracking;
-  double squares = 0, weights = 0;
-  for (const devices::FollowedStroke& stroke : hand.strokes) {
-    const double weight = stroke.duration_s * stroke.contact_share;
-    squares += weight * stroke.tip_rms_m * stroke.tip_rms_m;
-    weights += weight;
-    tracking.max_m = std::max(tracking.max_m, stroke.tip_max_m);
-  }
-  if (weights > 0) tracking.rms_m = std::sqrt(squares / weights);
-  return tracking;
-}
-
-std::string_view scheduling_of(const devices::HandReport& hand) {
-  return hand.clock.real_time ? "SCHED_FIFO" : "SCHED_OTHER";
-}
-
-Json tablet_json(const kanji::Character& character, const FollowedTablet& followed,
-                 const DemoSettings& settings, const std::filesystem::path& picture) {
-  const devices::HandReport& hand = followed.hand;
-  Json strokes = Json::array();
-  for (const devices::FollowedStroke& stroke : hand.strokes) strokes.push_back(stroke_json(stroke));
-  const Tracking tracking = tracking_of(hand);
-  Json json{{"character", base::encode_utf8(character.code_point)},
-            {"code_point", kanji::code_point_text(character.code_point)},
-            {"variant", character.variant},
-            {"picture", picture.string()},
-            {"device", settings.hardware.name},
-            {"rate_hz", settings.hardware.rate_hz},
-            {"snapping", settings.snap},
-            {"tracking_rms_m", tracking.rms_m},
-            {"tracking_max_m", tracking.max_m},
-            {"work_on_hand_j", hand.work_on_hand_j},
-            {"dissipated_j", -hand.work_on_hand_j},
-            {"samples", exchange::to_json(followed.samples)},
-            {"strokes", std::move(strokes)}};
-  if (settings.real_time) {
-    json["timing"] = Json{{"real_time_scheduling", hand.clock.real_time},
-                          {"scheduling", scheduling_of(hand)},
-                          {"ticks", hand.timing.ticks},
-                          {"p999_tick_s", hand.p999_tick_s},
-                          {"p999_lateness_s", hand.p999_lateness_s},
-                          {"skipped_periods", hand.clock.missed},
-                          {"late_ticks", hand.timing.late_ticks},
-                          {"missed_ticks", hand.timing.missed_ticks},
-                          {"mean_tick_s", hand.timing.mean_tick_s},
-                          {"max_tick_s", hand.timing.max_tick_s},
-                          {"max_lateness_s", hand.timing.max_lateness_s}};
-  }
-  return json;
-}
-
 std::string describe(const std::string& name, const FollowedTablet& followed, const DemoSettings& settings) {
   const devices::HandReport& hand = followed.hand;
   std::string text = fmt::format(
@@ -135,7 +60,7 @@ std::string describe(const std::string& name, const FollowedTablet& followed, co
         s.mean_force_n, s.peak_force_n, percent(s.contact_share), mm(s.mean_depth_m), s.slips,
         percent(s.followed_share));
   }
-  const Tracking tracking = tracking_of(hand);
+  const exchange::HandTracking tracking = exchange::tracking_of(hand);
   text += fmt::format(
       "all strokes: tip error {:.2f} mm rms, {:.2f} mm at most; force {:.2f} N mean, {:.2f} N peak\n"
       "energy: {} {:.3f} mJ {} the hand\n",
@@ -147,7 +72,7 @@ std::string describe(const std::string& name, const FollowedTablet& followed, co
         "clock thread, {}: {} ticks, {} late, {} missed; a tick took {:.1f} us, 99.9 % at most {:.1f} us, "
         "all "
         "at most {:.1f} us; 99.9 % at most {:.3f} ms late, all at most {:.3f} ms\n",
-        scheduling_of(hand), hand.timing.ticks, hand.timing.late_ticks, hand.timing.missed_ticks,
+        exchange::scheduling_of(hand), hand.timing.ticks, hand.timing.late_ticks, hand.timing.missed_ticks,
         hand.timing.mean_tick_s * 1e6, hand.p999_tick_s * 1e6, hand.timing.max_tick_s * 1e6,
         hand.p999_lateness_s * 1e3, hand.timing.max_lateness_s * 1e3);
   }
@@ -216,7 +141,10 @@ int run(Console& console, const DemoSettings& settings) {
     if (drawn) drawn = picture.deliver(console);
     if (!drawn) return console.refuse(drawn.error());
     if (settings.json) {
-      document.push_back(tablet_json(character, *followed, settings, picture.path()));
+      document.push_back(exchange::to_json(character,
+                                           {settings.hardware.name, settings.hardware.rate_hz, settings.snap,
+                                            picture.path().string(), settings.real_time},
+                                           followed->hand, followed->samples));
     } else if (tells) {
       console.print(fmt::format("picture {}\n", picture.name()));
       if (record) console.print(fmt::format("recording {}\n", record->path.string()));

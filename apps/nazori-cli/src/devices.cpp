@@ -9,8 +9,8 @@
 
 #include "json_answers.h"
 #include "nazori/devices/device_catalogue.h"
-#include "nazori/devices/device_trial.h"
 #include "nazori/devices/every_back_end.h"
+#include "nazori/exchange/devices.h"
 #include "options.h"
 #include "stop.h"
 #include "text_layout.h"
@@ -25,72 +25,24 @@ struct DevicesSettings {
   bool json = false;
 };
 
-Json problem_json(const devices::DeviceProblem& problem) {
-  return {{"what", problem.error.what}, {"where", problem.error.where}, {"remedy", problem.error.remedy}};
-}
-
 int list(Console& console, devices::DeviceCatalogue& catalogue, const DevicesSettings& settings) {
-  Json document = Json::array();
+  const std::vector<devices::BackEndFindings> findings = catalogue.find();
   std::string text;
-  for (const devices::BackEndFindings& found : catalogue.find()) {
-    Json json{{"back_end", found.back_end}, {"devices", Json::array()}, {"problem", nullptr}};
+  for (const devices::BackEndFindings& found : findings) {
     text += found.back_end + "\n";
-    for (const devices::FoundDevice& device : found.devices) {
-      json["devices"].push_back({{"id", device.id},
-                                 {"name", device.name},
-                                 {"has_force", device.has_force},
-                                 {"automatic", device.automatic}});
+    for (const devices::FoundDevice& device : found.devices)
       text += fmt::format("  {}  {}{}\n", pad(device.id, 22), device.name,
                           device.has_force ? "" : "  (no force)");
-    }
-    if (found.problem) {
-      json["problem"] = problem_json(*found.problem);
+    if (found.problem)
       text += fmt::format("  {}: {}\n", found.devices.empty() ? "nothing found" : "but",
                           base::to_line(found.problem->error));
-    }
-    document.push_back(std::move(json));
   }
-  console.print(settings.json ? to_text(document) : text);
+  console.print(settings.json ? to_text(exchange::to_json(findings)) : text);
   return kDone;
 }
 
-Json trial_json(const std::string& id, const haptics::DeviceDescription& description,
-                const devices::TrialResult& trial, const haptics::DeviceStatus& status,
-                const devices::RealTimeReadiness& machine) {
-  Json histogram = Json::array();
-  for (std::size_t i = 0; i < trial.lateness.size(); ++i) {
-    histogram.push_back(
-        {{"up_to_s", i < devices::TrialResult::kEdges_s.size() ? Json(devices::TrialResult::kEdges_s[i])
-                                                               : Json(nullptr)},
-         {"ticks", trial.lateness[i]}});
-  }
-  return {{"id", id},
-          {"name", description.name},
-          {"has_force", description.has_force},
-          {"max_force_n", description.limits.max_force_n},
-          {"continuous_force_n", description.limits.continuous_force_n},
-          {"max_stiffness_n_m", description.limits.max_stiffness_n_m},
-          {"nominal_rate_hz", description.rate_hz},
-          {"rate_hz", trial.rate_hz},
-          {"seconds", trial.seconds},
-          {"ticks", trial.ticks},
-          {"absent_ticks", trial.absent},
-          {"lateness", std::move(histogram)},
-          {"max_lateness_s", trial.max_lateness_s},
-          {"rest_noise_m", trial.rest_noise_m >= 0 ? Json(trial.rest_noise_m) : Json(nullptr)},
-          {"round_trip_delay_s", status.delay_s > 0 ? Json(status.delay_s) : Json(nullptr)},
-          {"trouble", status.message.empty() ? Json(nullptr) : Json(status.message)},
-          {"machine",
-           {{"kernel", machine.kernel},
-            {"kernel_preempts", machine.kernel_preempts},
-            {"priority_limit", machine.priority_limit},
-            {"locked_bytes", machine.locked_bytes},
-            {"advice", machine.advice}}}};
-}
-
-std::string describe(const std::string& id, const haptics::DeviceDescription& description,
-                     const devices::TrialResult& trial, const haptics::DeviceStatus& status,
-                     const devices::RealTimeReadiness& machine) {
+std::string describe(const exchange::TriedDevice& tried) {
+  const auto& [id, description, trial, status, machine] = tried;
   std::string text = fmt::format("{}  {}\n", id, description.name);
   if (description.has_force) {
     text += fmt::format("limits      {:.2f} N peak, {:.2f} N continuous, {:.0f} N/m on the tablet\n",
@@ -141,11 +93,10 @@ int test(Console& console, devices::DeviceCatalogue& catalogue, const DevicesSet
     status = device.status();
   }
   device.stop();
-  const devices::TrialResult result = trial.result();
-  const devices::RealTimeReadiness machine = devices::real_time_readiness();
-  console.print(settings.json ? to_text(trial_json(opened->id, description, result, status, machine))
-                              : describe(opened->id, description, result, status, machine));
-  return status.state == haptics::DeviceState::lost || result.ticks == 0 ? kNo : kDone;
+  const exchange::TriedDevice tried{opened->id, description, trial.result(), status,
+                                    devices::real_time_readiness()};
+  console.print(settings.json ? to_text(exchange::to_json(tried)) : describe(tried));
+  return status.state == haptics::DeviceState::lost || tried.trial.ticks == 0 ? kNo : kDone;
 }
 
 int run(Console& console, const DevicesSettings& settings) {

@@ -12,7 +12,7 @@
 
 #include "characters.h"
 #include "json_answers.h"
-#include "nazori/exchange/samples.h"
+#include "nazori/exchange/tablets.h"
 #include "nazori/haptics/servo.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/recording/sample_statistics.h"
@@ -150,28 +150,18 @@ base::Result<Felt> feel(TrajectoryTicks& ticks, haptics::Servo& servo, SampleOut
   return felt;
 }
 
-/// Ratio of the hand's time to the computing time.
-double real_time_factor(const Felt& felt, double rate_hz) {
-  return felt.took_s > 0 ? static_cast<double>(felt.samples.samples) / rate_hz / felt.took_s : 0;
-}
-
-Json felt_json(const Felt& felt, const Subject& subject, const FeelSettings& settings, double rate_hz) {
-  Json json{{"subject", subject.name}, {"mode", settings.mode},   {"device", settings.hardware.name},
-            {"rate_hz", rate_hz},      {"input", settings.input}, {"output", settings.output}};
-  json.update(exchange::to_json(felt.samples));
-  json["late_ticks"] = felt.timing.late_ticks;
-  json["missed_ticks"] = felt.timing.missed_ticks;
-  json["mean_tick_s"] = felt.timing.mean_tick_s;
-  json["took_s"] = felt.took_s;
-  json["real_time_factor"] = real_time_factor(felt, rate_hz);
-  return json;
+exchange::FeltMotion motion_of(const Felt& felt, const Subject& subject, const FeelSettings& settings,
+                               double rate_hz) {
+  return {subject.name, settings.mode,  settings.hardware.name,
+          rate_hz,      settings.input, settings.output,
+          felt.samples, felt.timing,    felt.took_s};
 }
 
 std::string describe(const Felt& felt, const Subject& subject, const FeelSettings& settings, double rate_hz) {
   return fmt::format(
       "{}  mode {}, device {}\n{}replayed in {:.2f} s, {:.0f} times as fast as real time\n{}\n", subject.name,
       settings.mode, settings.hardware.name, statistics_text(felt.samples, rate_hz), felt.took_s,
-      real_time_factor(felt, rate_hz), settings.output);
+      motion_of(felt, subject, settings, rate_hz).real_time_factor(), settings.output);
 }
 
 int run(Console& console, const FeelSettings& settings) {
@@ -204,7 +194,7 @@ int run(Console& console, const FeelSettings& settings) {
   progress.clear();
   if (!felt) return console.refuse(felt.error());
   if (settings.json) {
-    console.print(to_text(felt_json(*felt, *subject, settings, ticks->rate_hz())));
+    console.print(to_text(exchange::to_json(motion_of(*felt, *subject, settings, ticks->rate_hz()))));
   } else if (!to_console) {
     console.print(describe(*felt, *subject, settings, ticks->rate_hz()));
   }

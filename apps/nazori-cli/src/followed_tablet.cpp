@@ -105,13 +105,12 @@ base::Result<FollowedTablet> follow_strokes(const tablet::CarvedTablet& tablet,
     recorder = std::move(*started);
   }
 
-  const auto ended = hand.run(clock, [&](double done) {
+  const auto ended = hand.run(clock, [&](double done, std::string_view step) {
     // The clock thread never waits for the recorder.
     if (recorder && clock == devices::HandClock::none) recorder->wait_for_room();
-    return progress(done, "tracing");
+    return progress(done, step);
   });
-  if (!ended) return tl::unexpected(ended.error());
-  if (!*ended) return tl::unexpected(stopped());
+  if (!ended) return tl::unexpected(ended.error().code == base::Errc::cancelled ? stopped() : ended.error());
   if (recorder) {
     const auto exporting = [&progress](double, std::string_view step) { return progress(1, step); };
     if (auto finished = recorder->finish(exporting); !finished)

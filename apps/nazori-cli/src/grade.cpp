@@ -67,8 +67,8 @@ exchange::GradeExplanation explained(const exchange::GradeAnswer& answer, const 
   return explanation;
 }
 
-base::Result<Json> answer(const Json& json, writing::ModelLibrary& library, const GradeSettings& settings,
-                          const writing::GradeOptions& options) {
+base::Result<Json> grade_one(const Json& json, writing::ModelLibrary& library, const GradeSettings& settings,
+                             const writing::GradeOptions& options) {
   const auto asked = exchange::read_grade_request(json);
   if (!asked) return tl::unexpected(asked.error());
   const auto entry = library.find(asked->character);
@@ -94,7 +94,7 @@ int run(Console& console, const GradeSettings& settings) {
   writing::GradeOptions options;
   options.strictness = *strictness;
   return answer_lines(console, exchange::refused_grade(),
-                      [&](const Json& request) { return answer(request, library, settings, options); });
+                      [&](const Json& request) { return grade_one(request, library, settings, options); });
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ class Practice {
     return true;
   }
   /// Executes a request. @return the errors of an invalid request.
-  [[nodiscard]] base::Result<void> answer(const Json& request);
+  [[nodiscard]] base::Result<void> execute(const Json& request);
   /// What happened since the last call, in order.
   [[nodiscard]] Json take_events() { return std::exchange(events_, Json::array()); }
 
@@ -153,7 +153,7 @@ base::Result<void> Practice::show(char32_t character, std::string_view stage) {
   return {};
 }
 
-base::Result<void> Practice::answer(const Json& json) {
+base::Result<void> Practice::execute(const Json& json) {
   const auto request = exchange::read_practice_request(json);
   if (!request) return tl::unexpected(request.error());
   const auto done = std::visit([this](const auto& what) { return obey(what); }, *request);
@@ -252,7 +252,7 @@ int run(Console& console, const PractiseSettings& settings) {
   if (!console.flush()) return kDone;
   return answer_lines(console, exchange::events_document(Json::array()),
                       [&](const Json& request) -> base::Result<Json> {
-                        const auto done = practice.answer(request);
+                        const auto done = practice.execute(request);
                         if (!done) return tl::unexpected(done.error());
                         return exchange::events_document(practice.take_events());
                       });

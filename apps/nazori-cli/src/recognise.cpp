@@ -18,8 +18,8 @@ struct RecogniseSettings {
   writing::RecogniseOptions options;
 };
 
-base::Result<Json> answer(const Json& request, const writing::Recogniser& recogniser,
-                          const writing::RecogniseOptions& options) {
+base::Result<Json> recognise_one(const Json& request, const writing::Recogniser& recogniser,
+                                 const writing::RecogniseOptions& options) {
   const auto ink = exchange::read_handwriting(request);
   if (!ink) return tl::unexpected(ink.error());
   const auto candidates = recogniser.recognise(*ink, options);
@@ -32,8 +32,9 @@ int run(Console& console, const RecogniseSettings& settings) {
   if (!database) return console.refuse(database.error());
   const auto recogniser = writing::Recogniser::make(*database);
   if (!recogniser) return console.refuse(recogniser.error());
-  return answer_lines(console, exchange::refused_candidates(),
-                      [&](const Json& request) { return answer(request, *recogniser, settings.options); });
+  return answer_lines(console, exchange::refused_candidates(), [&](const Json& request) {
+    return recognise_one(request, *recogniser, settings.options);
+  });
 }
 
 }  // namespace

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "json_answers.h"
-#include "nazori/exchange/samples.h"
+#include "nazori/exchange/recordings.h"
 #include "nazori/recording/recording_file.h"
 #include "nazori/recording/sample_statistics.h"
 #include "nazori/recording/session_recorder.h"
@@ -38,24 +36,8 @@ struct ExportSettings {
   bool json = false;
 };
 
-/// A recording read whole.
-struct RecordingReport {
-  recording::Session session;
-  SampleStatistics samples;
-  RecordingEnd end;
-  Recovery recovery = Recovery::not_needed;
-  std::uint64_t late_ticks = 0;  ///< began more than half a period late
-  std::uint64_t gaps = 0;        ///< number of missing tick numbers
-};
-
-/// "complete", "recovered", "being recorded" or "incomplete".
-std::string state_of(const RecordingEnd& end, Recovery recovery) {
-  if (end.finished) return end.recovered ? "recovered" : "complete";
-  return recovery == Recovery::in_progress ? "being recorded" : "incomplete";
-}
-
-base::Result<RecordingReport> read_report(const std::string& file, ProgressDisplay& progress) {
-  RecordingReport report;
+base::Result<exchange::ReadRecording> read_report(const std::string& file, ProgressDisplay& progress) {
+  exchange::ReadRecording report;
   const auto recovery = recording::recover(file);
   if (!recovery) return tl::unexpected(recovery.error());
   report.recovery = *recovery;
@@ -85,40 +67,9 @@ base::Result<RecordingReport> read_report(const std::string& file, ProgressDispl
   return report;
 }
 
-std::string start_text(const recording::Session& session) {
-  const auto seconds = static_cast<std::time_t>(std::floor(static_cast<double>(session.start_ns) * 1e-9));
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(seconds));
-}
-
-double lateness_s(const RecordingReport& report) {
-  return std::max(0.0, report.samples.longest_period_s - 1 / report.session.device.rate_hz);
-}
-
-Json report_json(const RecordingReport& report, const std::string& file) {
+std::string describe(const exchange::ReadRecording& report, const std::string& file) {
   const recording::Session& session = report.session;
-  Json json{{"file", file},
-            {"state", state_of(report.end, report.recovery)},
-            {"start", start_text(session)},
-            {"start_ns", session.start_ns},
-            {"device", session.device.name},
-            {"has_force", session.device.has_force},
-            {"rate_hz", session.device.rate_hz},
-            {"character", session.character},
-            {"tablet_width_m", session.shape.width_m},
-            {"tablet_depth_m", session.shape.depth_m},
-            {"lost", report.end.lost},
-            {"damaged", report.end.damaged},
-            {"gaps", report.gaps},
-            {"trailing_bytes", report.end.trailing_bytes},
-            {"late_ticks", report.late_ticks},
-            {"max_lateness_s", lateness_s(report)}};
-  json.update(exchange::to_json(report.samples));
-  return json;
-}
-
-std::string describe(const RecordingReport& report, const std::string& file) {
-  const recording::Session& session = report.session;
-  std::string state = state_of(report.end, report.recovery);
+  std::string state = std::string(report.state());
   if (report.end.recovered)
     state += ": the recording program was killed; the last ticks were recovered from memory";
   if (!report.end.finished && report.recovery == Recovery::nothing_left)
@@ -132,11 +83,11 @@ std::string describe(const RecordingReport& report, const std::string& file) {
       "{}"
       "clock    {} tick{} late, at most {:.3f} ms\n"
       "lost     {} while recording, {} damaged\n",
-      file, state, start_text(session), session.device.name, session.device.rate_hz,
+      file, state, report.start(), session.device.name, session.device.rate_hz,
       session.device.has_force ? "" : ", without force feedback",
       session.character.empty() ? "" : session.character + ", ", 1e3 * session.shape.width_m,
       1e3 * session.shape.depth_m, statistics_text(report.samples, session.device.rate_hz), report.late_ticks,
-      report.late_ticks == 1 ? "" : "s", 1e3 * lateness_s(report), report.end.lost, report.end.damaged);
+      report.late_ticks == 1 ? "" : "s", 1e3 * report.max_lateness_s(), report.end.lost, report.end.damaged);
 }
 
 int run_info(Console& console, const RecordInfoSettings& settings) {
@@ -144,7 +95,7 @@ int run_info(Console& console, const RecordInfoSettings& settings) {
   const auto report = read_report(settings.file, progress);
   progress.clear();
   if (!report) return console.refuse(report.error());
-  console.print(settings.json ? to_text(report_json(*report, settings.file))
+  console.print(settings.json ? to_text(exchange::to_json(*report, settings.file))
                               : describe(*report, settings.file));
   return kDone;
 }
@@ -165,10 +116,7 @@ int run_export(Console& console, const ExportSettings& settings) {
     return sent ? kDone : console.refuse(sent.error());
   }
   if (settings.json) {
-    console.print(to_text({{"file", place->name()},
-                           {"ticks", end->samples},
-                           {"damaged", end->damaged},
-                           {"finished", end->finished}}));
+    console.print(to_text(exchange::exported_recording(*end, place->name())));
     return kDone;
   }
   std::string note;

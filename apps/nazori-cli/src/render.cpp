@@ -9,6 +9,7 @@
 
 #include "characters.h"
 #include "json_answers.h"
+#include "nazori/exchange/tablets.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/surface/height_map.h"
 #include "nazori/tablet/carved_tablet.h"
@@ -59,7 +60,7 @@ base::Result<void> paint(Console& console, TabletPainter& painter, const tablet:
 /// A picture in the answer. @param name  of the character or the file in it.
 Json picture_json(const std::string& name, const OutputPlace& place, const RenderSettings& settings) {
   const auto size = parse_picture_size(settings.look.size).value_or(PictureSize{});
-  return {{"subject", name}, {"file", place.name()}, {"width", size.width}, {"height", size.height}};
+  return exchange::to_json({name, place.name(), size.width, size.height});
 }
 
 std::string picture_text(const std::string& name, const OutputPlace& place, const RenderSettings& settings) {

@@ -104,7 +104,8 @@ int run(Console& console, const SearchSettings& settings) {
     console.print(table(found));
   }
   if (all > found.size() && !settings.limit)
-    console.note(fmt::format("{} of {} characters are shown; --limit {} shows all", found.size(), all, all));
+    console.inform(
+        fmt::format("{} of {} characters are shown; --limit {} shows all", found.size(), all, all));
   if (!found.empty()) return kDone;
   return console.deny({base::Errc::not_found, "no matching character",
                        query.text.empty() ? "" : "'" + query.text + "'",

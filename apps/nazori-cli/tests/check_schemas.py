@@ -218,6 +218,9 @@ class Schemas(unittest.TestCase):
     def test_plots(self):
         self.answer("plots#plot", "plot", "y = tan(x); y = 1", "--window=-6,6,-4,4", "--size", "64")
         self.answer("plots#plot", "plot", "z = sin(x)cos(y)", "--size", "64")
+        # A file that the window saves; a test of libs/functions compares it with what is written.
+        with open(os.path.join(SCHEMAS, "../../libs/functions/tests/fixtures/plot.json"), encoding="utf-8") as text:
+            self.check("plots#plot_file", json.load(text))
 
     def test_tablets(self):
         self.answer("tablets#carve", "carve", "休木", "--output", self.folder.name, "--strokes", self.path("{}.str"),
@@ -233,10 +236,14 @@ class Schemas(unittest.TestCase):
 
     def test_devices(self):
         self.answer("devices#devices", "devices")
+        self.answer("devices#trial", "devices", "--test", "0.2", "--device", "simulated:touch")
 
     def test_database(self):
         path = self.answer("database#path", "database", "path")["path"]
         self.answer("database#check", "database", "check", path)
+        built = self.path("built.db")
+        self.assertTrue(self.answer("database#build", "database", "build", "--output", built)["built"])
+        self.assertFalse(self.answer("database#build", "database", "build", "--output", built)["built"])
 
     def test_schemas_say_what_they_are(self):
         for name in os.listdir(SCHEMAS):

@@ -24,8 +24,17 @@ double number_setting(const Settings& settings, std::string_view key, double fal
   return is_number ? std::clamp(value, low, high) : fallback;
 }
 
+bool flag_setting(const Settings& settings, std::string_view key, bool fallback) {
+  const std::string_view text = text_setting(settings, key);
+  return text == "true" || (text != "false" && fallback);
+}
+
 void set_number(Settings& settings, std::string key, double value) {
   settings.insert_or_assign(std::move(key), fmt::format("{}", value));
+}
+
+void set_flag(Settings& settings, std::string key, bool value) {
+  settings.insert_or_assign(std::move(key), value ? "true" : "false");
 }
 
 }  // namespace nazori::base

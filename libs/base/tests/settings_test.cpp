@@ -30,6 +30,16 @@ TEST(Settings, WhatIsNoNumberIsTheFallbackAndTheRestIsHeldInItsRange) {
   EXPECT_EQ(number_setting({{"n", "-1"}}, "n", 7, 0, 10), 0);
 }
 
+TEST(Settings, ASwitchComesBackAndAnythingElseIsTheFallback) {
+  Settings settings;
+  for (const bool value : {true, false}) {
+    set_flag(settings, "on", value);
+    EXPECT_EQ(flag_setting(settings, "on", !value), value);
+    EXPECT_EQ(flag_setting({{"on", "perhaps"}}, "on", value), value);
+    EXPECT_EQ(flag_setting({}, "on", value), value);
+  }
+}
+
 TEST(Settings, AnEnumerationIsStoredByItsNames) {
   EXPECT_EQ(named_setting({{"c", "green"}}, "c", kColours, Colour::red), Colour::green);
   EXPECT_EQ(named_setting({{"c", "Green"}}, "c", kColours, Colour::red), Colour::red);

@@ -117,7 +117,7 @@ Relief::Relief(std::span<float> samples, int size, CrossSection cross_section)
       tiles_in_row_((size + kTile - 1) / kTile),
       tiles_(static_cast<std::size_t>(tiles_in_row_) * static_cast<std::size_t>(tiles_in_row_)) {}
 
-void Relief::note(int row, int begin, int end) {
+void Relief::mark(int row, int begin, int end) {
   const int top = row / kTile * kTile;
   Tile* const tiles =
       tiles_.data() + static_cast<std::size_t>(row / kTile) * static_cast<std::size_t>(tiles_in_row_);
@@ -281,7 +281,7 @@ void Relief::join() {
       const float square = depths[x] * depths[x];
       out[x] += square - out[x] * square;
     }
-    note(row, used.begin, used.end);
+    mark(row, used.begin, used.end);
   }
 }
 

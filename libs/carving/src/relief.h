@@ -38,7 +38,7 @@ class Relief {
   float* row_of(int row, int begin, int end);
   void join();
   /// Records that samples [begin, end) of a row may have become full.
-  void note(int row, int begin, int end);
+  void mark(int row, int begin, int end);
   /// Whether nothing more can be cut in the tiles of a row of tiles from column `left` to column `right`.
   [[nodiscard]] bool is_full(int tile_row, double left, double right) const;
 

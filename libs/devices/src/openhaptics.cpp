@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "openhaptics_errors.h"
 #include "openhaptics_port.h"
 #include "servo_link.h"
 
@@ -27,50 +28,6 @@ constexpr auto kFirstRest = milliseconds(500);
 constexpr auto kLongestRest = milliseconds(8000);
 constexpr auto kFirstTick = milliseconds(250);
 constexpr auto kForgiven = std::chrono::seconds(10);  // without an error, before pauses are short again
-
-enum class ErrorKind : std::uint8_t { none, force, end, other };
-
-ErrorKind kind_of(unsigned int code) noexcept {
-  switch (code) {
-    case 0:
-      return ErrorKind::none;
-    case hd::warm_motors:
-    case hd::max_force:
-    case hd::force_impulse:
-    case hd::max_velocity:
-    case hd::mixed_forces:
-      return ErrorKind::force;
-    case hd::bad_handle:
-    case hd::device_fault:
-    case hd::communication:
-    case hd::configuration:
-    case hd::timer:
-    case hd::priority:
-    case hd::scheduler_full:
-      return ErrorKind::end;
-    default:
-      return ErrorKind::other;
-  }
-}
-
-DeviceTrouble trouble_of(unsigned int code) noexcept {
-  switch (code) {
-    case hd::warm_motors:
-      return DeviceTrouble::warm_motors;
-    case hd::max_velocity:
-      return DeviceTrouble::over_speed;
-    case hd::max_force:
-    case hd::force_impulse:
-    case hd::mixed_forces:
-      return DeviceTrouble::over_force;
-    case hd::communication:
-      return DeviceTrouble::communication_lost;
-    case hd::timer:
-      return DeviceTrouble::no_timer;
-    default:
-      return DeviceTrouble::device_fault;
-  }
-}
 
 class OpenHapticsDevice final : public haptics::HapticDevice {
  public:
@@ -129,21 +86,21 @@ base::Result<void> OpenHapticsDevice::start(haptics::ServoCallback& servo) {
   const hd::Functions& hd = port_->hd;
   const auto refuse = [&](const char* what, unsigned int code) {
     hd.disable(hd::kForceOutput);
-    (void)hd::take_errors(hd);
+    (void)hd::pop_errors(hd);
     const base::Error cause = trouble_error(trouble_of(code), "", static_cast<int>(code));
     return tl::unexpected(
         base::Error{base::Errc::device, what, port_->name, cause.what + "; " + cause.remedy});
   };
-  (void)hd::take_errors(hd);
+  (void)hd::pop_errors(hd);
   // A scheduler that did not start for one of these reasons reports no error the second time.
   const unsigned int before = hd::latched_error();
   hd.make_current(port_->handle);
   hd.enable(hd::kForceOutput);
-  if (const auto error = hd::take_errors(hd); error.code != 0)
+  if (const auto error = hd::pop_errors(hd); error.code != 0)
     return refuse("it does not output force", error.code);
   if (hd.set_scheduler_rate != nullptr && rate_hz_ != 1000) {
     hd.set_scheduler_rate(rate_hz_);
-    if (hd::take_errors(hd).code != 0)
+    if (hd::pop_errors(hd).code != 0)
       rate_hz_ = 1000;  // refused: the default is kept, which is not a failure
   }
   stopping_ = ended_ = ticked_ = false;
@@ -156,7 +113,7 @@ base::Result<void> OpenHapticsDevice::start(haptics::ServoCallback& servo) {
   calibration_ = DeviceTrouble::none;
   link_.start(servo, &OpenHapticsDevice::switch_off, this);
   scheduled_ = hd.schedule_asynchronous(&OpenHapticsDevice::scheduled, this, hd::kFirst);
-  if (const auto error = hd::take_errors(hd); error.code != 0) {
+  if (const auto error = hd::pop_errors(hd); error.code != 0) {
     link_.stop();
     return refuse("its scheduler does not accept the servo", error.code);
   }
@@ -166,7 +123,7 @@ base::Result<void> OpenHapticsDevice::start(haptics::ServoCallback& servo) {
     hd.start_scheduler();
   }
   // Force errors of the first ticks are handled by the servo.
-  auto error = hd::take_errors(hd);
+  auto error = hd::pop_errors(hd);
   if (kind_of(error.code) != ErrorKind::end && before != 0) {
     if (ticks_come())
       hd::forget_latched_error();
@@ -196,13 +153,13 @@ void OpenHapticsDevice::stop() noexcept {
     std::this_thread::sleep_for(milliseconds(1));
   hd.stop_scheduler();
   hd.unschedule(scheduled_);
-  (void)hd::take_errors(hd);
+  (void)hd::pop_errors(hd);
   // With the scheduler stopped this thread may write, whether or not the last ticks came. The frame of the
   // last tick would count as the only one allowed.
   hd.disable(hd::kOneFrameLimit);
   write_zero(true);
   hd.enable(hd::kOneFrameLimit);
-  (void)hd::take_errors(hd);
+  (void)hd::pop_errors(hd);
   started_ = false;
   link_.stop();
 }
@@ -224,7 +181,7 @@ unsigned int OpenHapticsDevice::leave() noexcept {
   leaving_ = true;
   const bool last = ++zero_ticks_ >= kZeroTicks;
   write_zero(last);
-  (void)hd::take_errors(port_->hd);
+  (void)hd::pop_errors(port_->hd);
   if (!last) return hd::kAgain;
   link_.confirm_off();
   ended_.store(true, std::memory_order_release);
@@ -319,7 +276,7 @@ unsigned int OpenHapticsDevice::tick() noexcept {
   in_frame_ = true;
   const Reading now = read();
   const DeviceTrouble calibration = calibrate(now);
-  bool goes_on = book(hd::take_errors(hd));
+  bool goes_on = book(hd::pop_errors(hd));
   const bool resting = Clock::now() < rest_until_;
   double force_n[3] = {0, 0, 0};
   if (!goes_on) {
@@ -345,7 +302,7 @@ unsigned int OpenHapticsDevice::tick() noexcept {
   hd.end_frame(port_->handle);
   in_frame_ = false;
   link_.note_delay_s(std::chrono::duration<double>(Clock::now() - begin).count());
-  if (goes_on && !book(hd::take_errors(hd))) {
+  if (goes_on && !book(hd::pop_errors(hd))) {
     goes_on = false;
     link_.pause(DeviceState::lost, trouble_of(error_), static_cast<std::int32_t>(error_), now.buttons);
   }

@@ -174,7 +174,7 @@ DeviceResult<Functions> load(const std::string& user_path) {
   return hd;
 }
 
-ErrorInfo take_errors(const Functions& hd) noexcept {
+ErrorInfo pop_errors(const Functions& hd) noexcept {
   // The newest error comes first; the oldest is the cause.
   ErrorInfo oldest{0, 0, kNoDevice};
   for (int i = 0; i < kMostErrors; ++i) {
@@ -198,12 +198,12 @@ DeviceResult<std::shared_ptr<Port>> Port::open(const Functions& hd, const OpenHa
   // A device named by the user is binding.
   if (wanted_name.empty()) names.insert(names.end(), {nullptr, "Default Device", "Default PHANToM"});
 
-  (void)take_errors(hd);
+  (void)pop_errors(hd);
   ErrorInfo first{0, 0, kNoDevice};
   std::string tried;
   for (const char* name : names) {
     const Handle handle = init_quietly(hd, name);
-    const ErrorInfo error = take_errors(hd);
+    const ErrorInfo error = pop_errors(hd);
     const bool plausible = handle != kNoDevice && (tried.empty() || handle <= kLargestHandle);
     if (plausible && error.code == 0) return std::shared_ptr<Port>(new Port(hd, handle));
     if (first.code == 0) first = error;
@@ -215,15 +215,15 @@ DeviceResult<std::shared_ptr<Port>> Port::open(const Functions& hd, const OpenHa
 }
 
 Port::~Port() {
-  (void)take_errors(hd);
+  (void)pop_errors(hd);
   hd.disable_device(handle);
-  (void)take_errors(hd);
+  (void)pop_errors(hd);
 }
 
 double Port::number(Enum what, double scale, double otherwise) const {
   double value = 0;
   hd.get_doubles(what, &value);
-  const bool failed = take_errors(hd).code != 0;
+  const bool failed = pop_errors(hd).code != 0;
   return !failed && std::isfinite(value) && value > 0 ? value * scale : otherwise;
 }
 
@@ -231,7 +231,7 @@ void Port::describe() {
   hd.make_current(handle);
   const auto text = [&](Enum what) {
     const char* value = hd.get_string(what);
-    return take_errors(hd).code == 0 && value != nullptr ? std::string(value) : std::string();
+    return pop_errors(hd).code == 0 && value != nullptr ? std::string(value) : std::string();
   };
   const std::string model = text(kModel), serial = text(kSerial);
   name = model.empty() ? "OpenHaptics device" : model;
@@ -245,17 +245,17 @@ void Port::describe() {
 
   std::array<double, 6> box{};
   hd.get_doubles(kUsableWorkspace, box.data());
-  if (take_errors(hd).code == 0 && box[3] > box[0] && box[4] > box[1] && box[5] > box[2])
+  if (pop_errors(hd).code == 0 && box[3] > box[0] && box[4] > box[1] && box[5] > box[2])
     workspace = {{box[0] * 1e-3, box[1] * 1e-3, box[2] * 1e-3},
                  {box[3] * 1e-3, box[4] * 1e-3, box[5] * 1e-3}};
 
   hd.get_integers(kCalibrationStyle, &calibration_styles);
-  if (take_errors(hd).code != 0) calibration_styles = 0;
+  if (pop_errors(hd).code != 0) calibration_styles = 0;
   Boolean switched = 0;
   hd.get_booleans(kInkwellSwitch, &switched);
-  reads_inkwell = take_errors(hd).code == 0;
+  reads_inkwell = pop_errors(hd).code == 0;
   hd.get_booleans(kSafetySwitch, &switched);
-  reads_safety_switch = take_errors(hd).code == 0;
+  reads_safety_switch = pop_errors(hd).code == 0;
 }
 
 }  // namespace nazori::devices::hd

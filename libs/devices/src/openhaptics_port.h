@@ -18,7 +18,7 @@ namespace nazori::devices::hd {
 [[nodiscard]] std::string remedy_for_missing(std::string_view words, std::string otherwise);
 
 /// Takes all errors off the library's stack. @return the oldest, code 0 where there was none. Real-time-safe.
-ErrorInfo take_errors(const Functions& hd) noexcept;
+ErrorInfo pop_errors(const Functions& hd) noexcept;
 
 /// The library reports errors of connection and timer only once per cause and later fails without one. This
 /// is the last such error since a device last ticked, 0 where there was none. Real-time-safe.

@@ -155,8 +155,9 @@ haptics::DeviceDescription SimulatedHand::describe() const { return inside_->dev
 haptics::Servo& SimulatedHand::servo() { return inside_->servo(); }
 HandReport SimulatedHand::report() const { return inside_->report(); }
 
-base::Result<bool> SimulatedHand::run(HandClock clock, const std::function<bool(double done)>& go_on) {
+base::Result<void> SimulatedHand::run(HandClock clock, const base::Progress& progress) {
   SimulatedDevice& device = inside_->device();
+  const auto go_on = [&progress](double done) { return !progress || progress(done, "tracing"); };
   bool goes_on = true;
   if (clock == HandClock::none) {
     for (std::uint64_t tick = 0; goes_on && !inside_->finished(); ++tick) {
@@ -174,7 +175,8 @@ base::Result<bool> SimulatedHand::run(HandClock clock, const std::function<bool(
     inside_->set_clock(device.clock());
     device.stop();
   }
-  return goes_on;
+  if (!goes_on) return base::fail(base::Errc::cancelled, "stopped");
+  return {};
 }
 
 }  // namespace nazori::devices

@@ -37,13 +37,12 @@ TEST(SimulatedHand, FollowsEveryStrokeInItsGroove) {
   const auto tablet = across_and_dot();
   SimulatedHand hand(tablet->paths(), scenes_of(*tablet, false), kTouch);
   double last = -1;
-  const auto ended = hand.run(HandClock::none, [&](double done) {
+  const auto ended = hand.run(HandClock::none, [&](double done, std::string_view) {
     EXPECT_GE(done, last);
     last = done;
     return true;
   });
   ASSERT_TRUE(ended);
-  EXPECT_TRUE(*ended);
   const HandReport report = hand.report();
   ASSERT_EQ(report.strokes.size(), 2U);
   const FollowedStroke& across = report.strokes[0];
@@ -66,7 +65,7 @@ TEST(SimulatedHand, FollowsEveryStrokeInItsGroove) {
 TEST(SimulatedHand, IsHeldByTheStrokeThatItIsAtWhereItsSceneSnaps) {
   const auto tablet = across_and_dot();
   SimulatedHand hand(tablet->paths(), scenes_of(*tablet, true), kTouch);
-  ASSERT_TRUE(hand.run(HandClock::none, [](double) { return true; }));
+  ASSERT_TRUE(hand.run(HandClock::none, {}));
   for (const FollowedStroke& stroke : hand.report().strokes) EXPECT_GT(stroke.snapped_share, 0.9);
 }
 
@@ -83,7 +82,7 @@ TEST(SimulatedHand, ShowsEveryTickToItsObserverAndDoesTheSameAgain) {
   const auto follow = [&] {
     Sums sums;
     SimulatedHand hand(tablet->paths(), scenes_of(*tablet, false), kTouch, &sums);
-    EXPECT_TRUE(hand.run(HandClock::none, [](double) { return true; }));
+    EXPECT_TRUE(hand.run(HandClock::none, {}));
     EXPECT_EQ(sums.ticks, hand.report().timing.ticks);
     return sums;
   };
@@ -97,9 +96,9 @@ TEST(SimulatedHand, ShowsEveryTickToItsObserverAndDoesTheSameAgain) {
 TEST(SimulatedHand, StopsWhenItIsToldTo) {
   const auto tablet = across_and_dot();
   SimulatedHand hand(tablet->paths(), scenes_of(*tablet, false), kTouch);
-  const auto ended = hand.run(HandClock::none, [](double done) { return done < 0.3; });
-  ASSERT_TRUE(ended);
-  EXPECT_FALSE(*ended);
+  const auto ended = hand.run(HandClock::none, [](double done, std::string_view) { return done < 0.3; });
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(ended.error().code, base::Errc::cancelled);
   EXPECT_EQ(hand.report().strokes[1].contact_share, 0) << "it did not come to the second stroke";
 }
 
@@ -110,16 +109,17 @@ TEST(SimulatedHand, WithoutStrokesOrPointsNothingFails) {
   EXPECT_TRUE(none.report().strokes.empty());
   const std::vector<haptics::StrokePath> empty(1);
   SimulatedHand dot(empty, {scene, scene}, kTouch);
-  ASSERT_TRUE(dot.run(HandClock::none, [](double) { return true; }));
+  ASSERT_TRUE(dot.run(HandClock::none, {}));
   EXPECT_EQ(dot.report().strokes[0].length_m, 0);
 }
 
 TEST(SimulatedHand, OnTheClockThreadItCanBeStopped) {
   const auto tablet = across_and_dot();
   SimulatedHand hand(tablet->paths(), scenes_of(*tablet, false), kTouch);
-  const auto ended = hand.run(HandClock::real_time, [](double done) { return done < 0.01; });
-  ASSERT_TRUE(ended);
-  EXPECT_FALSE(*ended);
+  const auto ended =
+      hand.run(HandClock::real_time, [](double done, std::string_view) { return done < 0.01; });
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(ended.error().code, base::Errc::cancelled);
   EXPECT_GT(hand.report().timing.ticks, 0U);
 }
 

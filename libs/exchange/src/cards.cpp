@@ -5,6 +5,7 @@
 #include <string>
 
 #include "nazori/base/utf8.h"
+#include "reading.h"
 
 namespace nazori::exchange {
 namespace {
@@ -43,6 +44,40 @@ Value to_json(const study::Card& card, const study::LearnerStore& learner) {
           {"leech", card.leech},
           {"next_stage", study::name_of(card.next_stage)},
           {"help", card.help}};
+}
+
+base::Result<ReadCard> read_card(const Value& document) {
+  constexpr double kShortest = 1e-4;  // days of stability
+  constexpr double kLongest = 1e9;
+  constexpr int kMost = 1'000'000'000;
+  json::Reader reader("");
+  auto from = reader.root(document);
+  ReadCard read;
+  study::Card& card = read.card;
+  study::Memory& memory = card.memory;
+  card.character = read_character(from, "character");
+  memory.phase = read_name(from, "state", study::phase_named);
+  const bool is_fresh = memory.phase == study::Phase::fresh;
+  memory.stability = from.number("stability", is_fresh ? 0 : kShortest, kLongest);
+  memory.difficulty = from.number("difficulty", is_fresh ? 0 : 1, 10);
+  read.retrievability = from.number("retrievability", 0, 1);
+  memory.scheduled_days = static_cast<int>(from.whole("scheduled_days", 0, kMost));
+  if (from.has("due")) {
+    const auto due = study::parse_time(from.text("due"));
+    if (!due) from.refuse("due", "is not a time", "give one like 2026-01-31T09:00:00Z");
+    if (due) memory.due = *due;
+  }
+  card.due_day = read_day(from, "due_day");
+  memory.reps = static_cast<int>(from.whole("reps", 0, kMost));
+  memory.lapses = static_cast<int>(from.whole("lapses", 0, kMost));
+  card.introduced = read_day(from, "introduced");
+  card.postponed_until = read_day(from, "postponed_until");
+  card.paused = from.truth("paused");
+  card.leech = from.truth("leech");
+  card.next_stage = read_name(from, "next_stage", study::stage_named);
+  card.help = from.number("help", 0, 1);
+  if (!reader.ok()) return tl::unexpected(reader.error());
+  return read;
 }
 
 Value reviewed(const study::Card& card, const study::Writing& writing, const study::LearnerStore& learner) {

@@ -6,6 +6,7 @@
 
 #include "nazori/base/utf8.h"
 #include "nazori/exchange/handwriting.h"
+#include "reading.h"
 
 namespace nazori::exchange {
 namespace {
@@ -96,6 +97,92 @@ Value motion_json(const std::vector<writing::PenMotion>& motions) {
   return array;
 }
 
+constexpr int kMost = 1'000'000;
+constexpr double kFarthest = 1e9;
+
+/// Whole numbers of an array.
+std::vector<int> read_wholes(JsonObject& from, const char* member) {
+  std::vector<int> numbers;
+  const Value* list = from.array(member);
+  if (list == nullptr) return numbers;
+  for (const auto& one : *list) {
+    if (!one.is_number_integer() || one < 0 || one > kMost) {
+      from.refuse(member, "is not a list of whole numbers");
+      break;
+    }
+    numbers.push_back(one.get<int>());
+  }
+  return numbers;
+}
+
+std::vector<std::string> read_texts(JsonObject& from, const char* member) {
+  std::vector<std::string> texts;
+  const Value* list = from.array(member);
+  if (list == nullptr) return texts;
+  for (const auto& one : *list) {
+    if (!one.is_string()) {
+      from.refuse(member, "is not a list of texts");
+      break;
+    }
+    texts.push_back(one.get<std::string>());
+  }
+  return texts;
+}
+
+writing::Mistake read_mistake(JsonObject& from) {
+  using Kind = kanji::MistakeKind;
+  writing::Mistake mistake;
+  mistake.kind = read_name(from, "kind", [](std::string_view name) {
+    return enumerator_named(name, kanji::MistakeKind::ending, kind_name);
+  });
+  mistake.stroke = static_cast<int>(from.whole("stroke", 0, kMost));
+  if (from.is_there("second")) mistake.second = static_cast<int>(from.whole("second", 0, kMost));
+  if (from.is_there("model")) mistake.model = read_wholes(from, "model");
+  if (from.is_there("split") && from.truth("split")) mistake.kind = Kind::split;
+  if (from.is_there("deviation"))
+    mistake.deviation = read_name(from, "deviation", [](std::string_view name) {
+      return enumerator_named(name, writing::Deviation::length, deviation_name);
+    });
+  if (from.is_there("resembles")) {
+    mistake.character = read_character(from, "resembles");
+    mistake.kind = Kind::other;
+  }
+  return mistake;
+}
+
+writing::StrokeVerdict read_verdict(JsonObject& from) {
+  writing::StrokeVerdict verdict;
+  verdict.ok = from.truth("ok");
+  if (from.has("matched")) verdict.matched = static_cast<int>(from.whole("matched", 0, kMost));
+  verdict.reversed = from.truth("reversed");
+  if (const auto offset = from.numbers("offset", 2); offset.size() == 2) {
+    verdict.offset_x = offset[0];
+    verdict.offset_y = offset[1];
+  }
+  verdict.size = from.number("size", 0, kFarthest);
+  verdict.angle_rad = from.number("angle", -kFarthest, kFarthest);
+  verdict.shape = from.number("shape", 0, kFarthest);
+  verdict.deviation = from.number("deviation", 0, kFarthest);
+  return verdict;
+}
+
+writing::PenMotion read_motion(JsonObject& from) {
+  writing::PenMotion motion;
+  motion.duration_s = from.number("duration_s", 0, kFarthest);
+  motion.pause_before_s = from.number("pause_before_s", -kFarthest, kFarthest);
+  motion.speed_peaks = static_cast<int>(from.whole("speed_peaks", 0, kMost));
+  motion.speed_at_end = from.number("speed_at_end", 0, kFarthest);
+  motion.pauses.resize(static_cast<std::size_t>(from.whole("pauses", 0, kMost / 100)));
+  if (from.is_there("pressure")) motion.pressure = from.number("pressure", 0, 1);
+  if (from.is_there("pressure_at_end")) motion.pressure_at_end = from.number("pressure_at_end", 0, 1);
+  if (from.is_there("lift")) {
+    const std::string lift = from.text("lift");
+    motion.lift = lift == "swept" ? writing::PenLift::swept : writing::PenLift::stopped;
+    if (lift != "swept" && lift != "stopped") from.refuse("lift", "is a name that is not known");
+  }
+  return motion;
+}
+
 }  // namespace
 
 base::Result<GradeRequest> read_grade_request(const Value& request) {
@@ -137,6 +224,35 @@ Value to_json(const GradeAnswer& answer) {
     if (!answer.motion.empty()) json["motion_explanation"] = answer.explanation->motion;
   }
   return json;
+}
+
+base::Result<GradeAnswer> read_grade(const Value& document) {
+  json::Reader reader("");
+  auto from = reader.root(document);
+  GradeAnswer answer;
+  writing::Grade& grade = answer.grade;
+  answer.character = read_character(from, "char");
+  grade.accepted = from.truth("accepted");
+  from.each("strokes", [&](JsonObject& one) { grade.strokes.push_back(read_verdict(one)); });
+  from.each("errors", [&](JsonObject& one) { grade.mistakes.push_back(read_mistake(one)); });
+  from.each("advice", [&](JsonObject& one) { grade.advice.push_back(read_mistake(one)); });
+  grade.score = static_cast<int>(from.whole("score", 0, 100));
+  if (from.has("form")) grade.form = static_cast<int>(from.whole("form", 1, writing::kBestForm));
+  auto parts = from.object("parts");
+  grade.parts = {parts.number("strokes", 0, 1), parts.number("order", 0, 1), parts.number("direction", 0, 1),
+                 parts.number("shape", 0, 1), parts.number("place", 0, 1)};
+  if (from.is_there("alternative")) grade.alternative.emplace().source = from.text("alternative");
+  if (from.is_there("variant")) grade.variant = from.text("variant");
+  if (from.is_there("motion"))
+    from.each("motion", [&](JsonObject& one) { answer.motion.push_back(read_motion(one)); });
+  if (from.is_there("explanation")) {
+    auto& explanation = answer.explanation.emplace();
+    explanation.verdict = read_texts(from, "explanation");
+    explanation.score = read_texts(from, "score_explanation");
+    if (from.is_there("motion_explanation")) explanation.motion = read_texts(from, "motion_explanation");
+  }
+  if (!reader.ok()) return tl::unexpected(reader.error());
+  return answer;
 }
 
 Value refused_grade() {

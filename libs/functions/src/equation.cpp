@@ -151,8 +151,8 @@ class Solver {
 
 }  // namespace
 
-EquationParts take_apart(const Expression& left, const Expression& right, const std::array<double, 2>& low,
-                         const std::array<double, 2>& high) {
+EquationParts split_equation(const Expression& left, const Expression& right,
+                             const std::array<double, 2>& low, const std::array<double, 2>& high) {
   const auto is_zero = [](const Expression& e) { return e->kind == NodeKind::number && e->value == 0; };
   const Expression whole = is_zero(right)  ? left
                            : is_zero(left) ? right

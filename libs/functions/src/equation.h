@@ -20,7 +20,8 @@ struct EquationParts {
 };
 
 /// @param low,high  the rectangle, x first.
-[[nodiscard]] EquationParts take_apart(const Expression& left, const Expression& right,
-                                       const std::array<double, 2>& low, const std::array<double, 2>& high);
+[[nodiscard]] EquationParts split_equation(const Expression& left, const Expression& right,
+                                           const std::array<double, 2>& low,
+                                           const std::array<double, 2>& high);
 
 }  // namespace nazori::functions

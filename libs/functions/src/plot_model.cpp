@@ -2,7 +2,9 @@
 #include "nazori/functions/plot_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace nazori::functions {
@@ -11,7 +13,36 @@ namespace {
 /// Seconds of a sweep of one curve, to be divided by the speed plus one.
 constexpr double kSweepSeconds = 12.0;
 
+// Of stored settings.
+constexpr double kFarthest = std::numeric_limits<double>::max();
+constexpr double kThinnest = 0.002, kThickest = 0.05;  // half of a groove's width, of the plate's side
+constexpr double kFewest = 128, kMost = 2048;          // samples of a side
+
+/// The borders of a window by the names under which they are stored.
+template <class W>
+auto borders(W& w) {
+  return std::array{std::pair{"x0", &w.x0}, std::pair{"x1", &w.x1}, std::pair{"y0", &w.y0},
+                    std::pair{"y1", &w.y1}};
+}
+
+/// Likewise what is carved beside the curves.
+template <class L>
+auto layers(L& l) {
+  return std::array{std::pair{"axes", &l.axes}, std::pair{"ticks", &l.ticks}, std::pair{"grid", &l.grid},
+                    std::pair{"rim", &l.rim}};
+}
+
 }  // namespace
+
+std::optional<double> read_number(const std::string& text, const ParseOptions& reading) {
+  const auto plot = parse(text, reading);
+  if (!plot || plot->statements.size() != 1) return std::nullopt;
+  const auto& statement = plot->statements.front();
+  if (statement.kind != StatementKind::explicit_y || !variables_of(statement.terms[0]).empty())
+    return std::nullopt;
+  const double value = constant_value(statement.terms[0]);
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
 
 tl::expected<void, SyntaxError> PlotModel::read(const std::string& expression, const ParseOptions& reading) {
   auto plot = parse(expression, reading);
@@ -80,13 +111,25 @@ SoundSettings PlotModel::sound() const {
   return settings;
 }
 
-void PlotModel::restore(const Window& window, const PlateSettings& plate, int speed) {
+void PlotModel::load(const base::Settings& settings) {
+  Window window = kFirstWindow;
+  for (auto [key, border] : borders(window))
+    *border = base::number_setting(settings, key, *border, -kFarthest, kFarthest);
   if (window.check()) window_ = window;
   first_window_ = window_;
-  plate_ = plate;
-  plate_.half_width = std::clamp(plate.half_width, 0.002, 0.05);
-  plate_.size = std::clamp(plate.size, 128, 2048);
-  speed_ = std::clamp(speed, kSlowest, kFastest);
+  plate_ = {};
+  for (auto [key, on] : layers(plate_.layers)) *on = base::flag_setting(settings, key, *on);
+  plate_.half_width = base::number_setting(settings, "half_width", plate_.half_width, kThinnest, kThickest);
+  plate_.size = static_cast<int>(base::number_setting(settings, "size", plate_.size, kFewest, kMost));
+  speed_ = static_cast<int>(base::number_setting(settings, "speed", speed_, kSlowest, kFastest));
+}
+
+void PlotModel::save(base::Settings& settings) const {
+  for (auto [key, border] : borders(window_)) base::set_number(settings, key, *border);
+  for (auto [key, on] : layers(plate_.layers)) base::set_flag(settings, key, *on);
+  base::set_number(settings, "half_width", plate_.half_width);
+  base::set_number(settings, "size", plate_.size);
+  base::set_number(settings, "speed", speed_);
 }
 
 PlotDocument PlotModel::document(const ParseOptions& reading) const {

@@ -70,7 +70,7 @@ class Speaker {
  public:
   explicit Speaker(Language language) : english_(language == Language::english), language_(language) {}
 
-  std::string say(const Expression& e) const {
+  std::string spoken(const Expression& e) const {
     const Node& n = *e;
     const auto& a = n.arguments;
     switch (n.kind) {
@@ -88,7 +88,7 @@ class Speaker {
         return fenced(a[0], 1) + (english_ ? " minus " : " 引く ") + fenced(a[1], 2);
       case NodeKind::multiply: {
         const bool quotient = a[0]->kind == NodeKind::divide;
-        return (quotient ? say(a[0]) + (english_ ? "," : "、") : fenced(a[0], 2)) +
+        return (quotient ? spoken(a[0]) + (english_ ? "," : "、") : fenced(a[0], 2)) +
                (english_ ? " times " : " かける ") + fenced(a[1], 3);
       }
       case NodeKind::divide:
@@ -104,8 +104,8 @@ class Speaker {
 
  private:
   std::string fenced(const Expression& e, int least) const {
-    if (strength(*e) >= least) return say(e);
-    return english_ ? "the quantity " + say(e) + " end" : "括弧 " + say(e) + " 括弧閉じ";
+    if (strength(*e) >= least) return spoken(e);
+    return english_ ? "the quantity " + spoken(e) + " end" : "括弧 " + spoken(e) + " 括弧閉じ";
   }
 
   std::string power(const std::vector<Expression>& a) const {
@@ -127,10 +127,10 @@ class Speaker {
         return fenced(a[0], 5) + (english_ ? " factorial" : " の階乗");
       case Function::log_base:
         return english_ ? "the logarithm to base " + fenced(a[0], 5) + " of " + fenced(a[1], 4)
-                        : say(a[0]) + " を底とする " + say(a[1]) + " の対数";
+                        : spoken(a[0]) + " を底とする " + spoken(a[1]) + " の対数";
       case Function::root:
-        return english_ ? "the " + say(a[0]) + "th root of " + fenced(a[1], 4)
-                        : say(a[1]) + " の " + say(a[0]) + " 乗根";
+        return english_ ? "the " + spoken(a[0]) + "th root of " + fenced(a[1], 4)
+                        : spoken(a[1]) + " の " + spoken(a[0]) + " 乗根";
       case Function::sin:
       case Function::cos:
       case Function::tan:
@@ -154,7 +154,7 @@ class Speaker {
         break;
     }
     std::string list = fenced(a[0], a.size() > 1 ? 1 : 2);
-    for (std::size_t i = 1; i < a.size(); ++i) list += (english_ ? " and " : " と ") + say(a[i]);
+    for (std::size_t i = 1; i < a.size(); ++i) list += (english_ ? " and " : " と ") + spoken(a[i]);
     return english_ ? "the " + std::string(words.english) + " of " + list
                     : list + " の" + std::string(words.japanese);
   }
@@ -174,7 +174,7 @@ std::string comparison(Comparison c, Language language) {
 }  // namespace
 
 std::string in_words(const Expression& expression, Language language) {
-  return Speaker(language).say(expression);
+  return Speaker(language).spoken(expression);
 }
 
 std::string in_words(const Statement& s, Language language) {

@@ -6,6 +6,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+
+#include "test_paths.h"
 
 namespace nazori::functions {
 namespace {
@@ -40,6 +43,18 @@ TEST(PlotDocument, ComesBackAsItWasSaved) {
   EXPECT_EQ(back->sound.volume, 0.25);
   EXPECT_FALSE(back->sound.earcons);
   EXPECT_EQ(to_json(*back), to_json(d));
+}
+
+// The same file is compared with docs/schemas/plots.json.
+TEST(PlotDocument, IsWrittenAsInTheFileOfTheSchemas) {
+  PlotDocument d;
+  d.expression = "z = sin(x)cos(y)";
+  d.title = "A surface";
+  d.window = {-3, 3, -2, 2};
+  d.plate.size = 256;
+  d.plate.heights = HeightRange{-1, 1};
+  std::ifstream file(std::string(test_paths::kFixtures) + "/plot.json");
+  EXPECT_EQ(to_json(d), std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
 TEST(PlotDocument, WhatIsLeftOutKeepsItsDefaultAndWhatIsUnknownIsPassedOver) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "nazori/functions/plot_examples.h"
+
 namespace nazori::functions {
 namespace {
 
@@ -101,22 +103,84 @@ TEST(PlotModel, ComesBackFromItsDocument) {
 
 TEST(PlotModel, SettingsOfAnEarlierDayAreBroughtIntoTheirRange) {
   PlotModel model;
-  PlateSettings plate;
-  plate.size = 7;
-  plate.half_width = 3;
-  model.restore({3, -3, 0, 1}, plate, 99);
+  model.load({{"x0", "3"},
+              {"x1", "-3"},
+              {"y0", "0"},
+              {"y1", "1"},
+              {"size", "7"},
+              {"half_width", "3"},
+              {"speed", "99"}});
   EXPECT_EQ(model.window(), PlotModel::kFirstWindow);
   EXPECT_EQ(model.plate().size, 128);
   EXPECT_EQ(model.plate().half_width, 0.05);
   EXPECT_EQ(model.speed(), 10);
-  plate.size = 9999;
-  plate.half_width = 0;
-  model.restore({-2, 2, -1, 1}, plate, -4);
+  model.load({{"x0", "-2"},
+              {"x1", "2"},
+              {"y0", "-1"},
+              {"y1", "1"},
+              {"size", "9999"},
+              {"half_width", "0"},
+              {"speed", "-4"}});
   EXPECT_EQ(model.window(), (Window{-2, 2, -1, 1}));
   EXPECT_EQ(model.reset_window().window, (Window{-2, 2, -1, 1}));
   EXPECT_EQ(model.plate().size, 2048);
   EXPECT_EQ(model.plate().half_width, 0.002);
   EXPECT_EQ(model.speed(), 1);
+}
+
+TEST(PlotModel, SettingsThatCannotBeReadAreTheFirstOnes) {
+  PlotModel model;
+  model.load({{"x0", "left"}, {"grid", "perhaps"}, {"rim", ""}, {"size", "many"}, {"speed", "fast"}});
+  EXPECT_EQ(model.window(), PlotModel::kFirstWindow);
+  EXPECT_TRUE(model.plate().layers.axes);
+  EXPECT_TRUE(model.plate().layers.ticks);
+  EXPECT_FALSE(model.plate().layers.grid);
+  EXPECT_TRUE(model.plate().layers.rim);
+  EXPECT_EQ(model.plate().size, 512);
+  EXPECT_EQ(model.plate().half_width, 0.0125);
+  EXPECT_EQ(model.speed(), 2);
+}
+
+TEST(PlotModel, StoredSettingsComeBack) {
+  PlotModel model;
+  ASSERT_TRUE(model.start_with({-0.1, 0.3, 2, 7.25}));
+  PlateSettings plate;
+  plate.layers = {false, false, true, false};
+  plate.half_width = 0.01;
+  plate.size = 256;
+  model.set_plate(plate);
+  (void)model.change_speed(+3);
+  base::Settings settings{{"volume", "30"}};
+  model.save(settings);
+  EXPECT_EQ(settings["volume"], "30") << "of another object";
+  PlotModel other;
+  other.load(settings);
+  EXPECT_EQ(other.window(), model.window());
+  EXPECT_EQ(other.plate().size, 256);
+  EXPECT_EQ(other.plate().half_width, 0.01);
+  EXPECT_FALSE(other.plate().layers.axes);
+  EXPECT_FALSE(other.plate().layers.ticks);
+  EXPECT_TRUE(other.plate().layers.grid);
+  EXPECT_FALSE(other.plate().layers.rim);
+  EXPECT_EQ(other.speed(), model.speed());
+}
+
+TEST(PlotModel, ANumberIsReadAsItMayBeTypedAnywhere) {
+  EXPECT_EQ(*read_number("-2", {}), -2);
+  EXPECT_NEAR(*read_number("-2pi", {}), -6.283185307179586, 1e-15);
+  EXPECT_NEAR(*read_number("1/3", {}), 1.0 / 3, 1e-16);
+  EXPECT_EQ(*read_number("1,5", {true}), 1.5);
+  for (const char* text : {"", "x", "y = 2", "1; 2", "1/0", "2 +", "x = 3"})
+    EXPECT_FALSE(read_number(text, {})) << text;
+}
+
+TEST(PlotExamples, CanBeDrawnAsTheyAre) {
+  EXPECT_EQ(plot_examples().size(), 14U);
+  for (const auto& example : plot_examples()) {
+    PlotModel model;
+    EXPECT_TRUE(model.read(std::string(example.expression), {})) << example.expression;
+    EXPECT_TRUE(model.start_with(example.window)) << example.expression;
+  }
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ EquationParts parts_of(const std::string& text, const std::array<double, 2>& low
   EXPECT_TRUE(plot) << text;
   const Statement& s = plot->statements[0];
   EXPECT_EQ(s.kind, StatementKind::implicit) << text;
-  return take_apart(s.terms[0], s.terms[1], low, high);
+  return split_equation(s.terms[0], s.terms[1], low, high);
 }
 
 TEST(TakeApart, SolvesWhatIsLinearInOneVariable) {

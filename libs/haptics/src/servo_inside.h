@@ -32,14 +32,14 @@ struct Servo::Inside {
 
   Vec3 step(const DeviceSample& sample) noexcept;
   void record() noexcept;
-  void take_scene() noexcept;
+  void adopt_scene() noexcept;
   Vec3 fault(const DeviceSample& sample) noexcept;
   void absent(const DeviceSample& sample) noexcept;
-  void seat(const Vec3& device_m) noexcept;
+  void place_proxy(const Vec3& device_m) noexcept;
   Vec3 contact_force(const Vec3& device_m) noexcept;
   void lose_hold(bool lifted) noexcept;
   Vec3 hold(const Vec3& device_m, double period) noexcept;
-  void tell_of_guidance() noexcept;
+  void report_guidance() noexcept;
 
   const DeviceDescription device;
   const double period_s;

@@ -65,7 +65,7 @@ void Servo::Inside::record() noexcept {
 }
 
 /// Puts the proxy at the device, or onto the surface if the device is inside the material.
-void Servo::Inside::seat(const Vec3& device_m) noexcept {
+void Servo::Inside::place_proxy(const Vec3& device_m) noexcept {
   contact.forget();
   if (scene != nullptr)
     contact.update(scene->surface, device_m, Friction{});
@@ -75,7 +75,7 @@ void Servo::Inside::seat(const Vec3& device_m) noexcept {
   contact.forget();
 }
 
-void Servo::Inside::take_scene() noexcept {
+void Servo::Inside::adopt_scene() noexcept {
   const ServoScene* next = offered.load(std::memory_order_acquire);
   if (next == scene) return;
   // Compared without reading the HapticScene, which is not in the cache.
@@ -111,11 +111,11 @@ void Servo::Inside::absent(const DeviceSample& from) noexcept {
 }
 
 void Servo::Inside::lose_hold(bool lifted) noexcept {
-  seat(sample.device_m);
+  place_proxy(sample.device_m);
   snap.forget();
   if (scene != nullptr) {
     guidance.lose(scene->plan, scene->guide, lifted);
-    tell_of_guidance();
+    report_guidance();
   }
   limiter.drop();
   passivity.forget();
@@ -123,7 +123,7 @@ void Servo::Inside::lose_hold(bool lifted) noexcept {
   pushed_through = false;
 }
 
-void Servo::Inside::tell_of_guidance() noexcept {
+void Servo::Inside::report_guidance() noexcept {
   sample.events = static_cast<std::uint16_t>(sample.events | guidance.events());
   sample.done_stroke = guidance.done_stroke();
   sample.guided_stroke = guidance.stroke();
@@ -147,7 +147,7 @@ Vec3 Servo::Inside::hold(const Vec3& device_m, double period) noexcept {
   const double snap_change_n = glm::length(snap.force_n() - before);
   const double left = std::max(0.1 * Guidance::kMostStep_n, Guidance::kMostStep_n - snap_change_n);
   guidance.update(scene->plan, scene->guide, {device_m, velocity, contact.touching(), period, left});
-  tell_of_guidance();
+  report_guidance();
   sample.guide_m = guidance.guide_m();
   passivity.grant(guidance.granted_j());
   Vec3 pull = snap.force_n();
@@ -177,7 +177,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
   sample.buttons = from.buttons;
   sample.force_n = Vec3(0);
   sample.done_stroke = 0;
-  take_scene();
+  adopt_scene();
 
   double period = period_s;
   bool fine = usable(from);

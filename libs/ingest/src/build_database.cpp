@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 #include <string>
@@ -21,6 +20,7 @@
 #include "nazori/base/program_folders.h"
 #include "nazori/base/unfinished_file.h"
 #include "nazori/ingest/ingest.h"
+#include "nazori/json/json.h"
 #include "source_files.h"
 #include "stroke_endings.h"
 #include "tables.h"
@@ -81,10 +81,10 @@ base::Result<KanjiVg> read_kanjivg(const fs::path& path, Steps& steps) {
   };
   const auto take = [&](std::string_view member, std::string content) -> base::Result<void> {
     if (member == kDescription) {
-      const auto json = nlohmann::json::parse(content, nullptr, false);
-      if (json.is_object() && json.contains("version") && json["version"].is_string()) {
-        out.version = json["version"].get<std::string>();
-      }
+      // A package without a version is accepted.
+      if (const auto json = json::parse(content); json && json->is_object())
+        if (const auto version = json->find("version"); version != json->end() && version->is_string())
+          out.version = version->get<std::string>();
       return {};
     }
     const std::string where = path.string() + ":" + std::string(member);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/practice/learner.h"
 
+#include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "nazori/study/profiles.h"
@@ -74,6 +76,40 @@ void Learner::while_closed(const std::function<std::string()>& work) {
   close();
   if (const std::string next = work(); !next.empty()) profile_ = next;
   open_again();
+}
+
+std::vector<std::string> Learner::profiles() const {
+  auto names = study::profiles(folder_);
+  if (std::find(names.begin(), names.end(), profile_) == names.end()) names.insert(names.begin(), profile_);
+  return names;
+}
+
+bool Learner::has_profile(const std::string& name) const {
+  const auto file = study::learner_file(folder_, name);
+  std::error_code ignored;
+  return file && std::filesystem::exists(file->parent_path(), ignored);
+}
+
+base::Result<void> Learner::rename_profile(const std::string& from, const std::string& to) {
+  if (from != profile_) return study::rename_profile(folder_, from, to);
+  base::Result<void> done;
+  while_closed([&] {
+    done = study::rename_profile(folder_, from, to);
+    return done ? to : std::string();
+  });
+  return done;
+}
+
+base::Result<std::filesystem::path> Learner::remove_profile(const std::string& name) {
+  if (name != profile_) return study::remove_profile(folder_, name);
+  base::Result<std::filesystem::path> removed;
+  while_closed([&]() -> std::string {
+    removed = study::remove_profile(folder_, name);
+    if (!removed) return {};
+    const auto left = study::profiles(folder_);
+    return left.empty() ? std::string(study::kDefaultProfile) : left.front();
+  });
+  return removed;
 }
 
 bool Learner::open() {

@@ -1,11 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/practice/memory_stage.h"
 
+#include <array>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "nazori/practice/stroke_report.h"
 
 namespace nazori::practice {
+namespace {
+
+constexpr std::array<std::string_view, 3> kGrooveNames{"hidden", "shown", "appears"};
+
+}  // namespace
+
+void MemoryStage::Options::load(const base::Settings& settings) {
+  judges_each = base::flag_setting(settings, "judge_each", judges_each);
+  groove = base::named_setting(settings, "groove", kGrooveNames, groove);
+  const double stored = base::number_setting(settings, "strictness", strictness, -1, 2);
+  if (stored >= 0 && stored <= 1) strictness = stored;
+}
+
+void MemoryStage::Options::save(base::Settings& settings) const {
+  base::set_flag(settings, "judge_each", judges_each);
+  settings.insert_or_assign("groove", std::string(kGrooveNames[static_cast<std::size_t>(groove)]));
+  base::set_number(settings, "strictness", strictness);
+}
 
 MemoryStage::MemoryStage(base::Inbox& inbox, TabletControl& control, WritingJudge& judge)
     : PracticeStage(control),

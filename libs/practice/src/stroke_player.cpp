@@ -110,6 +110,18 @@ double StrokePlayer::share_at(int stroke, double time_s) const {
   return length_m > 0 ? timed.pace.at(since_s).along / length_m : 0.0;
 }
 
+geometry::Polyline<geometry::TabletFrame> StrokePlayer::written(int stroke, double time_s) const {
+  const auto& timed = strokes_[static_cast<std::size_t>(stroke - 1)];
+  geometry::Polyline<geometry::TabletFrame> line;
+  const double share = share_at(stroke, time_s);
+  if (share <= 0) return line;
+  const auto end = geometry::place_at(timed.along_m, share * timed.along_m.back());
+  for (std::size_t i = 0; i <= end.segment; ++i) line.push_back({timed.points[i].x, timed.points[i].y});
+  const Vec3 tip_m = geometry::point_on<Vec3>(timed.points, end);
+  line.push_back({tip_m.x, tip_m.y});
+  return line;
+}
+
 StrokePlayer::Pose StrokePlayer::at(double time_s) const {
   Pose pose;
   if (strokes_.empty()) return pose;

@@ -86,6 +86,32 @@ void TabletControl::next_stroke() { set_current_stroke(current_ >= stroke_count(
 
 void TabletControl::previous_stroke() { set_current_stroke(current_ == 0 ? stroke_count() : current_ - 1); }
 
+void TabletControl::press_button(devices::ButtonDoes what) {
+  switch (what) {
+    case devices::ButtonDoes::nothing:
+      return;
+    case devices::ButtonDoes::next_stroke:
+      next_stroke();
+      return;
+    case devices::ButtonDoes::previous_stroke:
+      previous_stroke();
+      return;
+    case devices::ButtonDoes::all_strokes:
+      set_current_stroke(0);
+      return;
+    case devices::ButtonDoes::clear_ink:
+      clear_ink();
+      return;
+  }
+}
+
+void TabletControl::set_switches(const Switches& to) {
+  set_strokes_visible(to.strokes);
+  set_numbers_visible(to.numbers);
+  set_arrows_visible(to.arrows);
+  set_snapping(to.snapping);
+}
+
 void TabletControl::set_strokes_visible(bool on) { change(strokes_visible_, on, true); }
 void TabletControl::set_numbers_visible(bool on) { change(numbers_visible_, on, false); }
 void TabletControl::set_arrows_visible(bool on) { change(arrows_visible_, on, false); }

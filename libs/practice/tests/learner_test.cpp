@@ -185,6 +185,41 @@ TEST_F(PracticeLearner, WhileItIsClosedTheProfileMayBeRenamed) {
   EXPECT_EQ(learner_->profile(), "Mari");
 }
 
+TEST_F(PracticeLearner, LearnersAreListedRenamedAndRemovedTheCurrentOneToo) {
+  ASSERT_TRUE(learner_->switch_profile("次郎"));
+  ASSERT_TRUE(learner_->switch_profile("花子"));
+  EXPECT_TRUE(learner_->has_profile("次郎"));
+  EXPECT_FALSE(learner_->has_profile("三郎"));
+  EXPECT_FALSE(learner_->has_profile("../次郎"));
+  ASSERT_TRUE(learner_->rename_profile("次郎", "三郎"));
+  EXPECT_EQ(learner_->profile(), "花子") << "the current learner stays";
+  ASSERT_TRUE(learner_->rename_profile("花子", "一子"));
+  EXPECT_EQ(learner_->profile(), "一子");
+  EXPECT_TRUE(learner_->can_write());
+  EXPECT_FALSE(learner_->rename_profile("一子", "三郎")) << "another has this name";
+  EXPECT_EQ(learner_->profile(), "一子");
+  EXPECT_TRUE(learner_->can_write()) << "open again after the error";
+  EXPECT_THAT(learner_->profiles(), testing::IsSupersetOf({"一子", "三郎"}));
+  EXPECT_THAT(learner_->profiles(), testing::Not(testing::Contains("花子")));
+
+  const auto removed = learner_->remove_profile("一子");
+  ASSERT_TRUE(removed);
+  EXPECT_TRUE(std::filesystem::exists(*removed / "learner.db")) << "nothing is deleted";
+  EXPECT_NE(learner_->profile(), "一子");
+  EXPECT_TRUE(learner_->can_write());
+  while (learner_->has_profile(learner_->profile())) {
+    const std::string last = learner_->profile();
+    ASSERT_TRUE(learner_->remove_profile(last));
+    if (learner_->profile() == last) break;
+  }
+  EXPECT_EQ(learner_->profile(), study::kDefaultProfile) << "the last one is replaced by a new one";
+}
+
+TEST_F(PracticeLearner, ALearnerWithoutAFileIsListedToo) {
+  const Learner fresh(inbox_, place());
+  EXPECT_THAT(fresh.profiles(), testing::Contains(fresh.profile()));
+}
+
 TEST_F(PracticeLearner, LetGoItHasNoStoreUntilItIsOpenedAgain) {
   write(U'一');
   listen();

@@ -341,5 +341,30 @@ TEST_F(MemoryStageTest, WithoutADatabaseTheWritingIsKeptAndTheFailureReported) {
   EXPECT_EQ(memory.strokes().size(), 1U);
 }
 
+TEST(MemoryStageOptions, AreStoredByNameAndComeBack) {
+  MemoryStage::Options options{false, WritingGroove::Mode::appears, 0.85};
+  base::Settings settings{{"stage", "memory"}};
+  options.save(settings);
+  EXPECT_EQ(
+      settings,
+      (base::Settings{
+          {"groove", "appears"}, {"judge_each", "false"}, {"stage", "memory"}, {"strictness", "0.85"}}));
+  MemoryStage::Options read;
+  read.load(settings);
+  EXPECT_FALSE(read.judges_each);
+  EXPECT_EQ(read.groove, WritingGroove::Mode::appears);
+  EXPECT_EQ(read.strictness, 0.85);
+}
+
+TEST(MemoryStageOptions, WhatCannotBeReadIsAsAtFirst) {
+  for (const char* strictness : {"", "much", "-0.1", "1.5"}) {
+    MemoryStage::Options read;
+    read.load({{"groove", "deep"}, {"judge_each", "perhaps"}, {"strictness", strictness}});
+    EXPECT_TRUE(read.judges_each);
+    EXPECT_EQ(read.groove, WritingGroove::Mode::hidden);
+    EXPECT_EQ(read.strictness, writing::kNormal) << strictness;
+  }
+}
+
 }  // namespace
 }  // namespace nazori::practice

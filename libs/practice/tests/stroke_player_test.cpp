@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "nazori/geometry/polyline.h"
+
 namespace {
 
 using nazori::haptics::StrokePath;
@@ -90,6 +92,29 @@ TEST(StrokePlayer, NoStrokesAreNoFailure) {
   StrokePlayer brush;
   EXPECT_EQ(brush.duration_s(), 0);
   EXPECT_EQ(brush.at(1).stroke, 0);
+}
+
+TEST(StrokePlayer, TheWrittenPartGrowsFromTheStartToTheWholeStroke) {
+  const auto brush = player({{{-0.02, 0.02, 0}, {0.02, 0.02, 0}, {0.02, -0.02, 0}}, kLevel},
+                            {StrokeEnding::stop, StrokeEnding::stop});
+  EXPECT_TRUE(brush.written(1, 0).empty());
+  EXPECT_TRUE(brush.written(2, brush.end_s(1)).empty()) << "not begun";
+  double before_m = 0;
+  for (double t = brush.start_s(1); t <= brush.end_s(1); t += 0.05) {
+    const auto line = brush.written(1, t);
+    if (line.empty()) continue;
+    EXPECT_EQ(line.front().x, -0.02);
+    const double length_m = nazori::geometry::arc_length<nazori::geometry::TabletFrame>(line);
+    EXPECT_NEAR(length_m, brush.share_at(1, t) * 0.08, 1e-9);
+    EXPECT_GE(length_m, before_m);
+    before_m = length_m;
+    const auto tip_m = brush.at(t).tip_m;
+    EXPECT_NEAR(line.back().x, tip_m.x, 1e-12);
+    EXPECT_NEAR(line.back().y, tip_m.y, 1e-12);
+  }
+  const auto whole = brush.written(1, brush.duration_s());
+  EXPECT_NEAR(whole.back().x, 0.02, 1e-12);
+  EXPECT_NEAR(whole.back().y, -0.02, 1e-12);
 }
 
 }  // namespace

@@ -46,6 +46,38 @@ TEST(TabletControl, SteppingBackwardsWrapsThroughAllToTheLast) {
   EXPECT_EQ(seen, (std::vector{3, 2, 1, 0, 3}));
 }
 
+TEST(TabletControl, AButtonDoesWhatItIsSetToDo) {
+  using nazori::devices::ButtonDoes;
+  RunningTablet controller;
+  controller.set_tablet(three());
+  controller.press_button(ButtonDoes::next_stroke);
+  controller.press_button(ButtonDoes::next_stroke);
+  EXPECT_EQ(controller.current_stroke(), 2);
+  controller.press_button(ButtonDoes::previous_stroke);
+  EXPECT_EQ(controller.current_stroke(), 1);
+  controller.press_button(ButtonDoes::nothing);
+  controller.press_button(ButtonDoes::clear_ink);
+  EXPECT_EQ(controller.current_stroke(), 1);
+  controller.press_button(ButtonDoes::all_strokes);
+  EXPECT_EQ(controller.current_stroke(), 0);
+}
+
+TEST(TabletControl, ItsSwitchesAreSetTogetherAndComeBack) {
+  RunningTablet controller;
+  controller.set_switches({false, true, false, true});
+  EXPECT_FALSE(controller.strokes_visible());
+  EXPECT_TRUE(controller.numbers_visible());
+  EXPECT_FALSE(controller.arrows_visible());
+  EXPECT_TRUE(controller.snapping());
+  const auto before = controller.switches();
+  controller.set_switches({true, false, true, false});
+  EXPECT_TRUE(controller.strokes_visible());
+  EXPECT_FALSE(controller.numbers_visible());
+  controller.set_switches(before);
+  EXPECT_FALSE(controller.strokes_visible());
+  EXPECT_TRUE(controller.snapping());
+}
+
 TEST(TabletControl, WithoutStrokesSteppingStaysAtAll) {
   RunningTablet controller;
   controller.next_stroke();

@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
 
 /// The field at the start of `row`, without its quotes; `row` then begins after the comma. A field in quotes
 /// may contain commas.
-std::string_view take_field(std::string_view& row, bool& more) {
+std::string_view next_field(std::string_view& row, bool& more) {
   std::size_t from = 0;
   const std::string_view start = trimmed(row);
   if (!start.empty() && start.front() == '"') {
@@ -126,7 +126,7 @@ base::Result<void> TrajectoryReader::read_header() {
 
   std::array<int, kColumns.size()> seen{};
   for (bool more = true; more;) {
-    const std::string_view name = take_field(line, more);
+    const std::string_view name = next_field(line, more);
     const auto* column = std::find(kColumns.begin(), kColumns.end(), name);
     if (column == kColumns.end()) {
       meaning_.push_back(-1);
@@ -153,7 +153,7 @@ base::Result<void> TrajectoryReader::parse_row(std::string_view row, TrajectoryP
   for (bool more = true; more; ++column) {
     if (column == meaning_.size())
       return wrong(fmt::format("the row has more values than the header's {}", meaning_.size()));
-    const std::string_view field = take_field(row, more);
+    const std::string_view field = next_field(row, more);
     const int meaning = meaning_[column];
     if (meaning < 0) continue;
     const auto which = static_cast<std::size_t>(meaning);

@@ -114,6 +114,20 @@ void CardHistory::apply(const LogEntry& entry, const Settings& settings) {
   }
 }
 
+ReviewDelay review_delay(const Card& card, Time now, Day today) {
+  using Unit = ReviewDelay::Unit;
+  constexpr double kDaysInWords = 60, kDaysInMonth = 30.44, kDaysInYear = 365.25;
+  if (card.memory.phase != Phase::review) {
+    const auto minutes = std::chrono::round<std::chrono::minutes>(card.memory.due - now).count();
+    return {Unit::minutes, static_cast<double>(std::max<std::int64_t>(1, minutes))};
+  }
+  const double days =
+      card.due_day ? std::max<double>(1, static_cast<double>((*card.due_day - today).count())) : 1;
+  if (days < kDaysInWords) return {Unit::days, days};
+  if (days < kDaysInYear) return {Unit::months, std::round(days / kDaysInMonth)};
+  return {Unit::years, days / kDaysInYear};
+}
+
 bool changes_memory(const Settings& before, const Settings& after) {
   return before.fsrs.weights != after.fsrs.weights ||
          before.fsrs.short_term_steps != after.fsrs.short_term_steps;

@@ -96,6 +96,32 @@ std::span<const ReadyList> ready_lists() {
   return kLists;
 }
 
+ListIds list_ids(const LearnerStore& learner) {
+  ListIds known;
+  for (const auto& ready : ready_lists()) known.ids.push_back(ready.id);
+  if (const auto own = learner.lists())
+    for (const auto& list : *own) known.ids.push_back("list:" + list.name);
+  else
+    known.unread = own.error();
+  if (const auto tags = learner.tags())
+    for (const auto& [tag, characters] : *tags) known.ids.push_back("tag:" + tag);
+  else if (!known.unread)
+    known.unread = tags.error();
+  return known;
+}
+
+std::vector<std::string> ListIds::chosen_first(const std::vector<std::string>& chosen) const {
+  const auto has = [](const std::vector<std::string>& all, const std::string& id) {
+    return std::find(all.begin(), all.end(), id) != all.end();
+  };
+  std::vector<std::string> ordered;
+  for (const auto& id : chosen)
+    if ((unread || has(ids, id)) && !has(ordered, id)) ordered.push_back(id);
+  for (const auto& id : ids)
+    if (!has(ordered, id)) ordered.push_back(id);
+  return ordered;
+}
+
 const CharacterFacts* CharacterLists::facts(char32_t character) {
   const auto known = facts_.find(character);
   if (known != facts_.end()) return known->second.strokes > 0 ? &known->second : nullptr;

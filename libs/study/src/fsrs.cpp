@@ -195,7 +195,7 @@ int Fsrs::step_minutes(const Memory& before, Rating rating, int& next_step) cons
 }
 
 /// Sets phase, step, interval and due for a card that is in its steps or just enters them.
-void Fsrs::take_step(Memory& memory, const Memory& before, Rating rating, Time now) const {
+void Fsrs::set_step(Memory& memory, const Memory& before, Rating rating, Time now) const {
   int next_step = 0;
   const int wait = step_minutes(before, rating, next_step);
   memory.step = next_step;
@@ -268,7 +268,7 @@ Memory Fsrs::next(const Memory& memory, Rating rating, Time now, int elapsed_day
     result.due = now + days(result.scheduled_days);
     return result;
   }
-  take_step(result, memory, rating, now);
+  set_step(result, memory, rating, now);
   return result;
 }
 

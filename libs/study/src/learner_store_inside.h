@@ -63,7 +63,7 @@ struct LearnerStore::Inside {
   /// Reads timeline, undone actions, cards. @return Errc::parse for impossible data.
   [[nodiscard]] base::Result<void> load();
   [[nodiscard]] const Settings& settings() const { return timeline.back().second; }
-  void take_calendar();
+  void load_calendar();
 
   /// Writings and other entries of one character that were not undone. Throws SQLite::Exception, also for an
   /// invalid row, because a card must not be computed without it.

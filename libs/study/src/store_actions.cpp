@@ -225,7 +225,7 @@ base::Result<void> LearnerStore::change_settings(const Settings& settings, const
     }
     in.last_id = entry.id;
     in.cards = std::move(changed);
-    in.take_calendar();
+    in.load_calendar();
     return {};
   });
 }

@@ -75,7 +75,7 @@ LearnerStore::Inside::Inside(SQLite::Database opened, std::string file_name, Clo
       calendar(*Calendar::create("UTC")),
       timeline{{0, Settings{}}} {}
 
-void LearnerStore::Inside::take_calendar() {
+void LearnerStore::Inside::load_calendar() {
   // A time zone that this computer does not know must not keep a learner from studying.
   auto own = Calendar::create(settings().time_zone, settings().day_starts_at);
   if (!own) own = Calendar::create("", settings().day_starts_at);
@@ -103,7 +103,7 @@ base::Result<void> LearnerStore::Inside::load() {
   auto read = read_cards(db);
   if (!read && !rebuilds) return damaged("a card that cannot be");
   cards = std::move(read).value_or(Cards());
-  take_calendar();
+  load_calendar();
   return {};
 }
 

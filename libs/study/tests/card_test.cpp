@@ -226,5 +226,30 @@ TEST(EntryKinds, AreNamed) {
   EXPECT_EQ(entry.character, char32_t{0});
 }
 
+TEST(Card, SaysHowFarAwayItsReviewIsInTheUnitOfItsSize) {
+  using Unit = ReviewDelay::Unit;
+  const Time now = kFirst + hours(9);
+  Card card;
+  card.memory.phase = Phase::learning;
+  const std::pair<std::chrono::seconds, double> kSteps[] = {{std::chrono::seconds(-5), 1},
+                                                            {std::chrono::seconds(89), 1},
+                                                            {std::chrono::seconds(90), 2},
+                                                            {hours(1), 60}};
+  for (const auto& [time, minutes] : kSteps) {
+    card.memory.due = now + time;
+    EXPECT_EQ(review_delay(card, now, kFirst), (ReviewDelay{Unit::minutes, minutes})) << time.count();
+  }
+  card.memory.phase = Phase::review;
+  EXPECT_EQ(review_delay(card, now, kFirst), (ReviewDelay{Unit::days, 1})) << "no day is set";
+  const std::pair<int, ReviewDelay> kDays[] = {
+      {-3, {Unit::days, 1}},   {0, {Unit::days, 1}},      {2, {Unit::days, 2}},
+      {59, {Unit::days, 59}},  {60, {Unit::months, 2}},   {76, {Unit::months, 2}},
+      {77, {Unit::months, 3}}, {365, {Unit::months, 12}}, {366, {Unit::years, 366 / 365.25}}};
+  for (const auto& [count, delay] : kDays) {
+    card.due_day = kFirst + days(count);
+    EXPECT_EQ(review_delay(card, now, kFirst), delay) << count;
+  }
+}
+
 }  // namespace
 }  // namespace nazori::study

@@ -39,6 +39,25 @@ TEST(ReadyLists, AreTheSchoolYearsNamesKanaAndOldLevels) {
   EXPECT_EQ(ready_lists()[10].name, "old JLPT level 4 (before 2010)");
 }
 
+TEST(ListIds, AreTheBuiltInListsThenTheLearnersOwnAndTags) {
+  const auto known = list_ids(learner_with_notes());
+  ASSERT_EQ(known.ids.size(), ready_lists().size() + 3);
+  EXPECT_EQ(known.ids.front(), "grade-1");
+  EXPECT_THAT(std::vector(known.ids.end() - 3, known.ids.end()),
+              ElementsAre("list:none", "list:trees", "tag:exam"));
+  EXPECT_FALSE(known.unread);
+}
+
+TEST(ListIds, TheChosenOnesComeFirstAndThoseThatAreGoneAreLeftOut) {
+  const ListIds known{{"grade-1", "grade-2", "list:a"}, std::nullopt};
+  EXPECT_THAT(known.chosen_first({}), ElementsAre("grade-1", "grade-2", "list:a"));
+  EXPECT_THAT(known.chosen_first({"list:a", "list:gone", "grade-2", "list:a"}),
+              ElementsAre("list:a", "grade-2", "grade-1"));
+  const ListIds partly{{"grade-1"}, base::Error{}};
+  EXPECT_THAT(partly.chosen_first({"tag:unread", "grade-1"}), ElementsAre("tag:unread", "grade-1"))
+      << "what cannot be read now may still be there";
+}
+
 TEST(ReadyLists, HoldAsManyCharactersAsThereAre) {
   const LearnerStore store = learner_with_notes();
   CharacterLists lists(database());

@@ -18,7 +18,7 @@ namespace {
 class SundialActions final : public ActionSet {
  public:
   explicit SundialActions(QWidget* window) : ActionSet(window) {
-    turn = make("sundial_turn", QStringLiteral("&Turn"), QStringLiteral("Turn it"), {QStringLiteral("S")});
+    turn = make("sundial_turn", QStringLiteral("&Turn"), QStringLiteral("Turn it"), "S");
     add_group(QStringLiteral("S&undial"), {turn});
   }
   QAction* turn;
@@ -28,14 +28,16 @@ class SundialActions final : public ActionSet {
 class Sundial final : public Page {
  public:
   explicit Sundial(WindowParts& parts)
-      : Page(parts), actions_(new SundialActions(&parts.window())), panel_(new QWidget(&parts.window())) {
+      : Page(parts, {QStringLiteral("sundial"),
+                     QStringLiteral("&Sundial"),
+                     QStringLiteral("The hour"),
+                     Icon::reset_view,
+                     {}}),
+        actions_(new SundialActions(&parts.window())),
+        panel_(new QWidget(&parts.window())) {
     panel_->setObjectName(QStringLiteral("sundial_panel"));
     connect(actions_->turn, &QAction::triggered, this, [this] { ++turns_; });
   }
-  [[nodiscard]] QString id() const override { return QStringLiteral("sundial"); }
-  [[nodiscard]] QString name() const override { return QStringLiteral("&Sundial"); }
-  [[nodiscard]] QString purpose() const override { return QStringLiteral("The hour"); }
-  [[nodiscard]] Icon drawing() const override { return Icon::reset_view; }
   [[nodiscard]] Panel left() const override {
     return {panel_, QStringLiteral("Hours"), QStringLiteral("Hours")};
   }
@@ -60,14 +62,16 @@ class Sundial final : public Page {
 /// A page with a widget instead of the tablet.
 class Almanac final : public Page {
  public:
-  explicit Almanac(WindowParts& parts) : Page(parts), page_(new QPushButton(QStringLiteral("Day"))) {
+  explicit Almanac(WindowParts& parts)
+      : Page(parts, {QStringLiteral("almanac"),
+                     QStringLiteral("&Almanac"),
+                     QStringLiteral("The days"),
+                     Icon::library,
+                     {}}),
+        page_(new QPushButton(QStringLiteral("Day"))) {
     page_->setObjectName(QStringLiteral("almanac_page"));
     connect(page_, &QPushButton::clicked, this, [this] { this->parts().show_character(U'日'); });
   }
-  [[nodiscard]] QString id() const override { return QStringLiteral("almanac"); }
-  [[nodiscard]] QString name() const override { return QStringLiteral("&Almanac"); }
-  [[nodiscard]] QString purpose() const override { return QStringLiteral("The days"); }
-  [[nodiscard]] Icon drawing() const override { return Icon::library; }
   [[nodiscard]] QWidget* instead_of_tablet() const override { return page_; }
   void enter() override {}
 

@@ -298,11 +298,11 @@ TEST(FeedbackLine, SaysASentenceWithItsSignAndSpeaksItOnce) {
   EXPECT_EQ(line.sentence(), QStringLiteral("a"));
   EXPECT_EQ(text->accessibleName(), QStringLiteral("a"));
   EXPECT_EQ(line.accessibleDescription(), QStringLiteral("a"));
-  line.answer(Feedback::good, QStringLiteral("a"));
+  line.respond(Feedback::good, QStringLiteral("a"));
   EXPECT_NE(text->accessibleName(), QStringLiteral("a")) << "spoken again";
   EXPECT_EQ(line.kind(), Feedback::good);
   EXPECT_EQ(sign(), signs[1]);
-  line.answer(Feedback::hint, QStringLiteral("b"));
+  line.respond(Feedback::hint, QStringLiteral("b"));
   EXPECT_EQ(line.sentence(), QStringLiteral("b"));
   EXPECT_EQ(text->accessibleName(), QStringLiteral("b"));
   EXPECT_EQ(line.kind(), Feedback::hint);

@@ -264,7 +264,7 @@ TEST_F(StudyDays, ALeftHandedLayoutChangesSides) {
   const auto x_of = [this](const char* name) { return find(name)->mapTo(window_.get(), QPoint()).x(); };
   EXPECT_LT(x_of("library_panel"), x_of("information_panel"));
   the_parts->preferences().left_handed = true;
-  the_parts->note_study_settings();
+  the_parts->study_settings_changed();
   QCoreApplication::processEvents();
   EXPECT_GT(x_of("library_panel"), x_of("information_panel"));
   EXPECT_GE(find("tablet")->width(), 639);

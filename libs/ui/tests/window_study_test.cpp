@@ -73,7 +73,7 @@ TEST_F(Study, NoKeyHasTwoMeaningsAtAnyStepOfASession) {
     return keys.removeDuplicates();
   };
   the_parts->preferences().one_hand = OneHand::left;
-  the_parts->note_study_settings();
+  the_parts->study_settings_changed();
   while (session().state() != State::judged) {
     do_stage();
     ASSERT_FALSE(HasFatalFailure());
@@ -81,7 +81,7 @@ TEST_F(Study, NoKeyHasTwoMeaningsAtAnyStepOfASession) {
     if (session().state() == State::offered) go_on();
   }
   the_parts->preferences().one_hand = OneHand::right;
-  the_parts->note_study_settings();
+  the_parts->study_settings_changed();
   EXPECT_EQ(twice(), 0);
   press(Qt::Key_8);
   EXPECT_EQ(store().card(U'一').memory.reps, 1) << "the right hand's key for hard";

@@ -12,7 +12,7 @@ class CharacterActions final : public ActionSet {
   explicit CharacterActions(QWidget* window);
 
   /// Adds an action of one stage to the menu of practice. @param name, keys  as in ActionSet::make.
-  QAction* add_practice(const char* name, const QString& text, const QString& tip, const QString& key,
+  QAction* add_practice(const char* name, const QString& text, const QString& tip, const char* key,
                         Icon drawing);
 
   QAction *find, *next_character, *previous_character, *back, *forward;

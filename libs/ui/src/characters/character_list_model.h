@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QAbstractListModel>
-#include <vector>
 
 #include "nazori/practice/character_library.h"
 

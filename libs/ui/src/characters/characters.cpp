@@ -16,10 +16,12 @@
 #include "dialogs/file_exchange.h"
 #include "events/signals.h"
 #include "page/window_parts.h"
+#include "settings/stored_settings.h"
 #include "study/session_actions.h"
 #include "study/session_bar.h"
 #include "study/session_panel.h"
 #include "study/study_dialogs.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/feedback_tone.h"
 #include "words/kanji_text.h"
@@ -30,8 +32,7 @@ namespace {
 
 /// Puts widgets on top of each other; the last one is visible at first.
 QWidget* stack_up(const char* name, const QList<QWidget*>& pieces, QWidget* window) {
-  auto* side = new QWidget(window);
-  side->setObjectName(QString::fromLatin1(name));
+  auto* side = named(new QWidget(window), name);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -45,7 +46,11 @@ QWidget* stack_up(const char* name, const QList<QWidget*>& pieces, QWidget* wind
 }  // namespace
 
 Characters::Characters(WindowParts& parts)
-    : Page(parts),
+    : Page(parts, {QStringLiteral("characters"), tr("&Characters"),
+                   tr("Carved characters to see, feel and write"), Icon::strokes,
+                   tr("The character as grooves to trace. The left button presses the stylus down; the right "
+                      "button turns "
+                      "the tablet")}),
       practice_(parts.practice()),
       actions_(new CharacterActions(&parts.window())),
       session_actions_(new SessionActions(&parts.window())),
@@ -60,11 +65,8 @@ Characters::Characters(WindowParts& parts)
       right_side_(stack_up("right_side", {writing_panel_, information_panel_}, &parts.window())),
       files_(new FileExchange(&parts.workshop(), &parts.window())) {
   const Preferences& preferences = parts.preferences();
-  auto& tablet = parts.tablet();
-  tablet.set_strokes_visible(preferences.strokes_visible);
-  tablet.set_numbers_visible(preferences.numbers_visible);
-  tablet.set_arrows_visible(preferences.arrows_visible);
-  tablet.set_snapping(preferences.snapping);
+  parts.tablet().set_switches({preferences.strokes_visible, preferences.numbers_visible,
+                               preferences.arrows_visible, preferences.snapping});
   practice_.watch().set_reduced_motion(preferences.reduced_motion);
   practice_.set_first_character(preferences.kanji);
   files_->set_folder(preferences.folder);
@@ -83,17 +85,18 @@ void Characters::make_stage_views() {
   column->setContentsMargins(0, 0, 0, 0);
   QSettings settings(parts().settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
-  const QString last = settings.value(QStringLiteral("stage")).toString();
+  const base::Settings values = read_settings(settings);
+  const std::string_view last = base::text_setting(values, "stage");
   const StageViewParts view_parts{parts(), *actions_, writing_panel_};
   for (const auto& row : stage_rows()) {
     auto& stage = *practice_.stage_named(row.id);
     auto* action = actions_->stages[static_cast<qsizetype>(stages_.size())];
     auto* view = row.make_view(stage, view_parts);
     view->setParent(this);
-    view->load(settings);
+    view->load(values);
     if (auto* strip = view->above_tablet()) column->addWidget(strip);
     stages_.push_back({action, action->toolTip(), view});
-    if (last == to_text(row.id)) practice_.enter_stage(stage);
+    if (last == row.id) practice_.enter_stage(stage);
     connect(action, &QAction::triggered, this, [this, &stage] { practice_.enter_stage(stage); });
   }
 }
@@ -115,11 +118,6 @@ void Characters::show_available() {
 }
 
 Characters::~Characters() = default;
-
-QString Characters::id() const { return QStringLiteral("characters"); }
-QString Characters::name() const { return tr("&Characters"); }
-QString Characters::purpose() const { return tr("Carved characters to see, feel and write"); }
-Icon Characters::drawing() const { return Icon::strokes; }
 
 QString Characters::title() const {
   if (practice_.current_stage().hides_character()) return tr("Write from memory");
@@ -147,12 +145,6 @@ QList<Tool> Characters::tools() const {
   tools.append(Tool{});
   tools.append(current().view->tools());
   return tools;
-}
-
-QString Characters::tablet_description() const {
-  return tr(
-      "The character as grooves to trace. The left button presses the stylus down; the right button turns "
-      "the tablet");
 }
 
 void Characters::enter() {
@@ -202,8 +194,10 @@ void Characters::show_own() {
 }
 
 void Characters::save(QSettings& settings) const {
-  settings.setValue(QStringLiteral("stage"), to_text(practice_.current_stage().id()));
-  for (const auto& entry : stages_) entry.view->save(settings);
+  auto values = read_settings(settings);
+  values.insert_or_assign("stage", std::string(practice_.current_stage().id()));
+  for (const auto& entry : stages_) entry.view->save(values);
+  write_settings(settings, values);
 }
 
 void Characters::open_drawing(bool open) {
@@ -253,9 +247,6 @@ void Characters::ask_and_save() {
 }
 
 void Characters::connect_actions() {
-  const auto on = [this](QAction* action, auto&& what) {
-    connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
-  };
   on(actions_->find, [this] {
     if (actions_->draw_to_find->isChecked()) open_drawing(false);
     searching_ = true;
@@ -300,7 +291,7 @@ void Characters::connect_practice() {
 }
 
 void Characters::connect_work() {
-  connect(&parts(), &WindowParts::character_wanted, this, [this](char32_t code_point) {
+  connect(&parts(), &WindowParts::show_character, this, [this](char32_t code_point) {
     practice_.show(code_point);
     emit wants_to_be_entered();
   });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "nazori/practice/character_practice.h"
@@ -27,10 +26,6 @@ class Characters final : public Page {
   explicit Characters(WindowParts& parts);
   ~Characters() override;
 
-  [[nodiscard]] QString id() const override;
-  [[nodiscard]] QString name() const override;
-  [[nodiscard]] QString purpose() const override;
-  [[nodiscard]] Icon drawing() const override;
   [[nodiscard]] QString title() const override;
   [[nodiscard]] Panel left() const override;
   [[nodiscard]] Panel right() const override;
@@ -38,7 +33,6 @@ class Characters final : public Page {
   [[nodiscard]] QWidget* under_tablet() const override;
   [[nodiscard]] ActionSet* actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
-  [[nodiscard]] QString tablet_description() const override;
 
   void enter() override;
   void leave() override;

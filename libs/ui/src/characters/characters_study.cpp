@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page for characters during a study session.
-#include <QFontInfo>
 
 #include "characters/character_actions.h"
 #include "characters/characters.h"
@@ -35,9 +34,6 @@ void Characters::connect_session() {
 }
 
 void Characters::connect_study_actions() {
-  const auto on = [this](QAction* action, auto&& what) {
-    connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
-  };
   auto& session = parts().session();
   on(session_actions_->start, [&session] { (void)session.start(); });
   on(session_actions_->go_on, [this, &session] {
@@ -61,8 +57,8 @@ void Characters::connect_study_actions() {
     parts().focus_tablet();
   });
   // During a session these act on the character it asks for, otherwise on the character that is shown.
-  const auto aside = [this, on](QAction* action, void (practice::StudySession::*within)(),
-                                const std::function<void(char32_t)>& outside) {
+  const auto aside = [this](QAction* action, void (practice::StudySession::*within)(),
+                            const std::function<void(char32_t)>& outside) {
     on(action, [this, within, outside] {
       auto& running = parts().session();
       if (running.is_running() && !running.is_away())

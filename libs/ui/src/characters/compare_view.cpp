@@ -3,12 +3,11 @@
 
 #include <QFontInfo>
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <vector>
 
 #include "look/icons.h"
+#include "look/ink_painting.h"
 #include "look/palette.h"
 
 namespace nazori::ui {
@@ -17,22 +16,6 @@ namespace {
 constexpr int kFrame_ms = 16;
 constexpr int kGap = 10;
 constexpr int kMargin = 2;
-constexpr double kTabletWidth_m = 0.1;
-
-QPointF to_pixel(geometry::TabletPoint p, const QRectF& box) {
-  return {box.center().x() + p.x / kTabletWidth_m * box.width(),
-          box.center().y() - p.y / kTabletWidth_m * box.height()};
-}
-
-void paint_paper(QPainter& painter, const QRectF& box) {
-  const Colours& c = current_colours();
-  painter.setPen(QPen(c.line, 1));
-  painter.setBrush(c.surface);
-  painter.drawRoundedRect(box, 8, 8);
-  painter.setPen(QPen(c.line, 1, Qt::DashLine));
-  painter.drawLine(QPointF(box.center().x(), box.top() + 5), QPointF(box.center().x(), box.bottom() - 5));
-  painter.drawLine(QPointF(box.left() + 5, box.center().y()), QPointF(box.right() - 5, box.center().y()));
-}
 
 QColor colour_of(view::Verdict verdict) {
   const Colours& c = current_colours();
@@ -104,15 +87,19 @@ void CompareView::show_moment(double time_s) {
   emit moment_shown(time_s);
 }
 
+std::size_t CompareView::written(const practice::HandStroke& stroke) const {
+  if (time_s_ < 0) return stroke.size();
+  const double zero_s = strokes_.front().front().time_s.value_or(0);
+  const auto later = std::find_if(stroke.begin(), stroke.end(), [&](const auto& point) {
+    return point.time_s.value_or(0) - zero_s > time_s_;
+  });
+  return static_cast<std::size_t>(later - stroke.begin());
+}
+
 int CompareView::points_shown() const {
-  int count = 0;
-  for (const auto& stroke : strokes_)
-    for (const auto& point : stroke)
-      count +=
-          time_s_ < 0 || point.time_s.value_or(0) - strokes_.front().front().time_s.value_or(0) <= time_s_
-              ? 1
-              : 0;
-  return count;
+  std::size_t count = 0;
+  for (const auto& stroke : strokes_) count += written(stroke);
+  return static_cast<int>(count);
 }
 
 QSize CompareView::sizeHint() const {
@@ -132,8 +119,8 @@ void CompareView::paintEvent(QPaintEvent* /*event*/) {
   const double side = std::min((width() - kGap - 2.0 * kMargin) / 2, height() - 2.0 * kMargin - words);
   const QRectF own(kMargin, kMargin, side, side);
   const QRectF model(kMargin + side + kGap, kMargin, side, side);
-  paint_paper(painter, own);
-  paint_paper(painter, model);
+  paint_paper(painter, own, 8, 5, QPen(current_colours().line, 1));
+  paint_paper(painter, model, 8, 5, QPen(current_colours().line, 1));
   painter.setPen(current_colours().muted);
   painter.drawText(QRectF(own.left(), own.bottom() + 2, side, words), Qt::AlignCenter, tr("yours"));
   painter.drawText(QRectF(model.left(), model.bottom() + 2, side, words), Qt::AlignCenter, tr("model"));
@@ -142,25 +129,18 @@ void CompareView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void CompareView::paint_own(QPainter& painter, const QRectF& box) const {
-  const double per_m = box.width() / kTabletWidth_m;
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
     const auto& stroke = strokes_[i];
     const auto verdict = i < verdicts_.size() ? verdicts_[i] : view::Verdict::none;
     const QColor colour = colour_of(verdict);
-    const double zero_s = strokes_.front().front().time_s.value_or(0);
-    for (std::size_t k = 1; k < stroke.size(); ++k) {
-      if (time_s_ >= 0 && stroke[k].time_s.value_or(0) - zero_s > time_s_) return;
-      painter.setPen(QPen(colour, std::max(2 * per_m * view::ink_half_width_m(stroke[k]), 1.5), Qt::SolidLine,
-                          Qt::RoundCap, Qt::RoundJoin));
-      painter.drawLine(to_pixel(stroke[k - 1].at, box), to_pixel(stroke[k].at, box));
-    }
+    paint_ink(painter, std::span(stroke).first(written(stroke)), colour, box);
     if (time_s_ >= 0 || verdict == view::Verdict::none) continue;
     const Icon drawing = verdict == view::Verdict::right    ? Icon::tick
                          : verdict == view::Verdict::nearly ? Icon::advice
                                                             : Icon::cross;
     constexpr int kSign = 12;
     constexpr int kDisc = 9;
-    const QPointF middle = to_pixel(stroke.front().at, box) - QPointF(kDisc, kDisc) * 0.8;
+    const QPointF middle = on_sheet(stroke.front().at, box) - QPointF(kDisc, kDisc) * 0.8;
     painter.setPen(QPen(colour, 1));
     painter.setBrush(current_colours().surface);
     painter.drawEllipse(middle, kDisc, kDisc);
@@ -169,26 +149,14 @@ void CompareView::paint_own(QPainter& painter, const QRectF& box) const {
 }
 
 void CompareView::paint_model(QPainter& painter, const QRectF& box) const {
-  if (!model_) return;
-  const auto& paths = model_->paths();
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(current_colours().ink, std::max(box.width() * 0.035, 2.0), Qt::SolidLine, Qt::RoundCap,
                       Qt::RoundJoin));
-  for (std::size_t n = 0; n < paths.size(); ++n) {
-    const double share = time_s_ < 0 ? 1.0 : player_.share_at(static_cast<int>(n) + 1, time_s_);
-    if (share <= 0) continue;
-    const auto& points = paths[n].points;
-    double whole_m = 0;
-    for (std::size_t k = 1; k < points.size(); ++k) whole_m += glm::distance(points[k - 1], points[k]);
-    double left_m = whole_m * share;
-    QPainterPath path(to_pixel({points.front().x, points.front().y}, box));
-    for (std::size_t k = 1; k < points.size() && left_m > 0; ++k) {
-      const double piece_m = glm::distance(points[k - 1], points[k]);
-      const auto to = piece_m > left_m ? glm::mix(points[k - 1], points[k], left_m / piece_m) : points[k];
-      path.lineTo(to_pixel({to.x, to.y}, box));
-      left_m -= piece_m;
-    }
-    painter.drawPath(path);
+  for (int stroke = 1; stroke <= player_.stroke_count(); ++stroke) {
+    std::vector<QPointF> line;
+    for (const auto& at : player_.written(stroke, time_s_ < 0 ? player_.duration_s() : time_s_))
+      line.push_back(on_sheet(at, box));
+    painter.drawPolyline(line.data(), static_cast<int>(line.size()));
   }
 }
 

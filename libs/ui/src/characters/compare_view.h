@@ -47,6 +47,8 @@ class CompareView final : public QWidget {
   void paint_own(QPainter& painter, const QRectF& box) const;
   void paint_model(QPainter& painter, const QRectF& box) const;
   [[nodiscard]] double own_duration_s() const;
+  /// How many points of a stroke are visible.
+  [[nodiscard]] std::size_t written(const practice::HandStroke& stroke) const;
 
   std::vector<practice::HandStroke> strokes_;
   std::vector<view::Verdict> verdicts_;

@@ -13,6 +13,7 @@
 #include "characters/drawing_pad.h"
 #include "events/signals.h"
 #include "widgets/flow_layout.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -22,20 +23,15 @@ DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
     : QWidget(parent),
       parts_(parts),
       pad_(new DrawingPad(this)),
-      candidates_(new QListWidget(this)),
-      words_(new QLabel(this)) {
+      candidates_(named(new QListWidget(this), "candidates", tr("Similar characters"))),
+      words_(text_label("draw_words", this, "muted")) {
   setObjectName(QStringLiteral("draw_panel"));
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Draw to find"));
-  words_->setObjectName(QStringLiteral("draw_words"));
-  words_->setWordWrap(true);
-  words_->setProperty("role", QStringLiteral("muted"));
   words_->setText(
       tr("Enter: open the first match. Arrow keys: choose another. Ctrl+Z: undo a stroke. Delete: clear. "
          "Esc: close."));
 
-  candidates_->setObjectName(QStringLiteral("candidates"));
-  candidates_->setAccessibleName(tr("Similar characters"));
   candidates_->setViewMode(QListView::IconMode);
   candidates_->setFlow(QListView::LeftToRight);
   candidates_->setMovement(QListView::Static);
@@ -46,8 +42,7 @@ DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
   pad_->installEventFilter(this);
 
   const auto button = [this](const QString& text, const char* name, auto&& what) {
-    auto* made = new QPushButton(text, this);
-    made->setObjectName(QString::fromLatin1(name));
+    auto* made = named(new QPushButton(text, this), name);
     connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
     return made;
   };
@@ -131,7 +126,7 @@ void DrawPanel::select(int by) {
       tr("%1, %2 of %3.").arg(item->text()).arg(candidates_->currentRow() + 1).arg(candidates_->count()));
 }
 
-bool DrawPanel::take_key(int key, Qt::KeyboardModifiers modifiers) {
+bool DrawPanel::handle_key(int key, Qt::KeyboardModifiers modifiers) {
   const int columns =
       std::max(candidates_->viewport()->width() / std::max(candidates_->gridSize().width(), 1), 1);
   switch (key) {
@@ -172,7 +167,7 @@ bool DrawPanel::take_key(int key, Qt::KeyboardModifiers modifiers) {
 bool DrawPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (take_key(key->key(), key->modifiers())) return true;
+    if (handle_key(key->key(), key->modifiers())) return true;
   } else if (event->type() == QEvent::ShortcutOverride) {
     // These keys belong to the drawing here, even where they are shortcuts of the window.
     const auto* key = static_cast<QKeyEvent*>(event);

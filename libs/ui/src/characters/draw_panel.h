@@ -39,7 +39,7 @@ class DrawPanel final : public QWidget {
   void show_candidates(const std::vector<writing::Candidate>& candidates);
   void choose(int row);
   void select(int by);
-  bool take_key(int key, Qt::KeyboardModifiers modifiers);
+  bool handle_key(int key, Qt::KeyboardModifiers modifiers);
   void fit();
 
   WindowParts& parts_;

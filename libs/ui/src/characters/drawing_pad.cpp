@@ -6,6 +6,7 @@
 #include <QTabletEvent>
 #include <algorithm>
 
+#include "look/ink_painting.h"
 #include "look/palette.h"
 
 namespace nazori::ui {
@@ -102,12 +103,7 @@ void DrawingPad::paintEvent(QPaintEvent* /*event*/) {
   const Colours& c = current_colours();
   const double side = std::min(width(), height());
   const QRectF box(1, 1, side - 2, side - 2);
-  painter.setPen(QPen(hasFocus() ? c.indigo : c.line, hasFocus() ? 2 : 1));
-  painter.setBrush(c.surface);
-  painter.drawRoundedRect(box, 8, 8);
-  painter.setPen(QPen(c.line, 1, Qt::DashLine));
-  painter.drawLine(QPointF(side / 2, 8), QPointF(side / 2, side - 8));
-  painter.drawLine(QPointF(8, side / 2), QPointF(side - 8, side / 2));
+  paint_paper(painter, box, 8, 7, QPen(hasFocus() ? c.indigo : c.line, hasFocus() ? 2 : 1));
   if (ink_.strokes.empty()) {
     painter.setPen(c.muted);
     const QRectF room = box.adjusted(16, 16, -16, -16);

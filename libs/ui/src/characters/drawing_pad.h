@@ -3,7 +3,6 @@
 
 #include <QElapsedTimer>
 #include <QWidget>
-#include <vector>
 
 #include "nazori/writing/written_character.h"
 

@@ -3,8 +3,8 @@
 
 #include <QFontInfo>
 #include <QPainter>
-#include <QPainterPath>
 
+#include "look/ink_painting.h"
 #include "look/palette.h"
 #include "words/kanji_text.h"
 
@@ -32,13 +32,7 @@ void GlyphView::paintEvent(QPaintEvent* /*event*/) {
   const Colours& c = current_colours();
   const double side = std::min(width(), height());
   const QRectF box(0.5, 0.5, side - 1, side - 1);
-  p.setPen(QPen(c.line, 1));
-  p.setBrush(c.surface);
-  p.drawRoundedRect(box, 10, 10);
-  // The cross of practice paper.
-  p.setPen(QPen(c.line, 1, Qt::DashLine));
-  p.drawLine(QPointF(side / 2, box.top() + 6), QPointF(side / 2, box.bottom() - 6));
-  p.drawLine(QPointF(box.left() + 6, side / 2), QPointF(box.right() - 6, side / 2));
+  paint_paper(p, box, 10, 6, QPen(c.line, 1));
   if (!sheet_) return;
   const auto& character = sheet_->character;
   if (textbook_font_has(character.code_point)) {
@@ -60,15 +54,7 @@ void GlyphView::paintEvent(QPaintEvent* /*event*/) {
   p.scale(scale, scale);
   p.setPen(QPen(c.ink, 4.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   p.setBrush(Qt::NoBrush);
-  for (const auto& stroke : character.strokes) {
-    QPainterPath path;
-    for (const auto& point : stroke.line.points)
-      if (path.elementCount() == 0)
-        path.moveTo(point.x, point.y);
-      else
-        path.lineTo(point.x, point.y);
-    p.drawPath(path);
-  }
+  for (const auto& stroke : character.strokes) p.drawPath(path_through(stroke.line.points));
 }
 
 }  // namespace nazori::ui

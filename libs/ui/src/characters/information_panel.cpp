@@ -13,7 +13,9 @@
 #include "characters/glyph_view.h"
 #include "look/palette.h"
 #include "nazori/kanji/kana.h"
+#include "nazori/kanji/meanings.h"
 #include "widgets/flow_layout.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -21,33 +23,15 @@ namespace {
 
 constexpr int kMargin = 16;
 
-void set_role(QWidget* widget, const char* role) { widget->setProperty("role", QString::fromLatin1(role)); }
-
 void make_selectable(QLabel* label) {
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   label->setCursor(Qt::IBeamCursor);
 }
 
-void clear(QLayout* layout) {
-  while (QLayoutItem* item = layout->takeAt(0)) {
-    if (item->widget() != nullptr) {
-      item->widget()->hide();
-      item->widget()->deleteLater();
-    }
-    delete item;
-  }
-}
-
 /// The meanings in the language of the interface where KANJIDIC2 has it, else in English.
 QString meanings_of(const kanji::DictionaryEntry& entry) {
-  const std::string wanted = QLocale().name().section(QLatin1Char('_'), 0, 0).toStdString();
-  QStringList own;
-  QStringList english;
-  for (const auto& meaning : entry.meanings) {
-    if (meaning.language == wanted) own.append(to_text(meaning.text));
-    if (meaning.language == "en") english.append(to_text(meaning.text));
-  }
-  return (own.isEmpty() ? english : own).join(QStringLiteral(", "));
+  const auto own = kanji::meanings_in(QLocale().name().section(QLatin1Char('_'), 0, 0).toStdString(), entry);
+  return joined(own.empty() ? kanji::meanings_in("en", entry) : own, QStringLiteral(", "));
 }
 
 /// Words that are wider than the panel may be broken anywhere but near their ends.
@@ -60,25 +44,15 @@ QString breakable(const QString& text) {
 
 InformationPanel::InformationPanel(QWidget* parent)
     : QScrollArea(parent),
-      content_(new QWidget(this)),
+      content_(named(new QWidget(this), "information_content")),
       head_(new QBoxLayout(QBoxLayout::LeftToRight)),
       glyph_(new GlyphView(content_)),
-      meanings_(new QLabel(content_)),
-      facts_(new QLabel(content_)) {
+      meanings_(text_label("meanings", content_)),
+      facts_(text_label("facts", content_, "muted")) {
   setObjectName(QStringLiteral("information_panel"));
   setAccessibleName(tr("About the character"));
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setWidgetResizable(true);
-  content_->setObjectName(QStringLiteral("information_content"));
 
-  meanings_->setObjectName(QStringLiteral("meanings"));
-  meanings_->setWordWrap(true);
-  meanings_->setTextFormat(Qt::PlainText);
   make_selectable(meanings_);
-  facts_->setObjectName(QStringLiteral("facts"));
-  facts_->setWordWrap(true);
-  facts_->setTextFormat(Qt::PlainText);
-  set_role(facts_, "muted");
   make_selectable(facts_);
 
   auto* column = new QVBoxLayout(content_);
@@ -103,9 +77,7 @@ InformationPanel::InformationPanel(QWidget* parent)
   word_list_->setContentsMargins(0, 0, 0, 0);
   static_cast<QVBoxLayout*>(words_.box->layout())->addLayout(word_list_);
   column->addStretch(1);
-  setWidget(content_);
-  viewport()->setAutoFillBackground(false);
-  content_->setAutoFillBackground(false);
+  make_scrolling(this, content_);
   rebuild();
 }
 
@@ -116,8 +88,7 @@ InformationPanel::Section InformationPanel::add_section(const QString& name, con
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(3);
-  auto* heading = new QLabel(title, box);
-  set_role(heading, "heading");
+  auto* heading = with_role(new QLabel(title, box), "heading");
   column->addWidget(heading);
   auto* flow = new FlowLayout(horizontal_gap, vertical_gap);
   column->addLayout(flow);
@@ -136,7 +107,7 @@ QLabel* InformationPanel::add_label(FlowLayout* flow, const QString& text, doubl
     scaled.setPointSizeF(size_pt);
     label->setFont(scaled);
   }
-  if (muted) set_role(label, "muted");
+  if (muted) with_role(label, "muted");
   label->setMinimumWidth(0);
   make_selectable(label);
   flow->addWidget(label);
@@ -169,7 +140,7 @@ void InformationPanel::rebuild() {
   meanings_->setFont(large);
   fit();
   for (const Section* section : {&on_, &kun_, &radical_, &parts_, &words_}) {
-    clear(section->flow);
+    clear_layout(section->flow);
     section->box->setVisible(false);
     if (auto* heading = section->box->findChild<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) {
       QFont small = font();
@@ -177,7 +148,7 @@ void InformationPanel::rebuild() {
       heading->setFont(small);
     }
   }
-  clear(word_list_);
+  clear_layout(word_list_);
   if (sheet_) {
     fill_facts();
     fill_readings();
@@ -276,9 +247,8 @@ void InformationPanel::fill_parts() {
   const double size_pt = QFontInfo(font()).pointSizeF();
   for (const auto& part : sheet_->parts) {
     const QString element = to_text(part.element);
-    auto* button = new QPushButton(element, parts_.box);
+    auto* button = with_role(new QPushButton(element, parts_.box), "part");
     button->setObjectName(QStringLiteral("part_") + element);
-    set_role(button, "part");
     button->setFont(textbook_font(size_pt * 1.45));
     QString says = element;
     if (!part.original.empty() && part.original != part.element)
@@ -299,16 +269,10 @@ void InformationPanel::fill_words() {
   const double size_pt = QFontInfo(font()).pointSizeF();
   const Colours& c = current_colours();
   for (const auto& word : sheet_->words) {
-    auto* label = new QLabel(words_.box);
-    label->setObjectName(QStringLiteral("word"));
+    auto* label = named(new QLabel(words_.box), "word");
     label->setWordWrap(true);
     label->setTextFormat(Qt::RichText);
-    QStringList glosses;
-    for (const auto& gloss : word.glosses) {
-      if (glosses.size() == 3) break;
-      glosses.append(to_text(gloss));
-    }
-    const QString meaning = glosses.join(QStringLiteral("; "));
+    const QString meaning = joined(word.glosses, QStringLiteral("; "), 3);
     const QString text = to_text(word.text);
     const QString reading = word.reading == word.text ? QString() : to_text(word.reading);
     label->setText(

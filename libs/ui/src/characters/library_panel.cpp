@@ -4,7 +4,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,6 +18,7 @@
 #include "events/signals.h"
 #include "look/icons.h"
 #include "look/palette.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -28,20 +28,18 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
       library_(library),
       model_(new CharacterListModel(this)),
       delegate_(new CharacterTileDelegate(this)),
-      search_(new QLineEdit(this)),
-      lists_(new QComboBox(this)),
-      count_(new QLabel(this)),
+      search_(named(new QLineEdit(this), "search", tr("Find a character"))),
+      lists_(named(new QComboBox(this), "lists", tr("List of characters"))),
+      count_(with_role(named(new QLabel(this), "list_count"), "muted")),
       row_(new QBoxLayout(QBoxLayout::LeftToRight)),
-      grid_(new QListView(this)),
-      nothing_(new QLabel(this)),
+      grid_(named(new QListView(this), "character_grid", tr("Characters in the list"))),
+      nothing_(text_label("nothing_found", this, "muted")),
       stack_(new QStackedWidget(this)) {
   setObjectName(QStringLiteral("library_panel"));
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Characters"));
 
-  search_->setObjectName(QStringLiteral("search"));
   search_->setPlaceholderText(tr("休, yasumu, rest …"));
-  search_->setAccessibleName(tr("Find a character"));
   search_->setToolTip(tr("Search by character, by reading (kana or romaji) or by English meaning (Ctrl+F)"));
   search_->setClearButtonEnabled(true);
   lens_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
@@ -61,17 +59,10 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
                                                    {kanji::List::latin_and_digits, tr("Letters and digits")},
                                                    {kanji::List::all, tr("All characters")}};
   for (const auto& [list, name] : lists) lists_->addItem(name, static_cast<int>(list));
-  lists_->setObjectName(QStringLiteral("lists"));
-  lists_->setAccessibleName(tr("List of characters"));
   lists_->setMaxVisibleItems(static_cast<int>(std::size(lists)));
-  lists_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  lists_->setMinimumContentsLength(5);
+  make_narrow(lists_, 5);
   lists_->setPlaceholderText(tr("Search results"));
-  count_->setObjectName(QStringLiteral("list_count"));
-  count_->setProperty("role", QStringLiteral("muted"));
 
-  grid_->setObjectName(QStringLiteral("character_grid"));
-  grid_->setAccessibleName(tr("Characters in the list"));
   grid_->setModel(model_);
   grid_->setItemDelegate(delegate_);
   grid_->setFlow(QListView::LeftToRight);
@@ -86,10 +77,7 @@ LibraryPanel::LibraryPanel(practice::CharacterLibrary* library, QWidget* parent)
   grid_->setMouseTracking(true);
   grid_->viewport()->installEventFilter(this);
 
-  nothing_->setObjectName(QStringLiteral("nothing_found"));
-  nothing_->setWordWrap(true);
   nothing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  nothing_->setProperty("role", QStringLiteral("muted"));
   nothing_->setContentsMargins(6, 10, 6, 6);
   stack_->addWidget(grid_);
   stack_->addWidget(nothing_);

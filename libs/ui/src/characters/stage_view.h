@@ -10,8 +10,6 @@
 #include "page/page.h"
 #include "page/window_parts.h"
 
-class QSettings;
-
 namespace nazori::ui {
 
 /// The view of a practice stage: its actions, its tools and its sentences. Thread: interface.
@@ -36,8 +34,8 @@ class StageView : public QObject {
   }
   /// Why the stage cannot be chosen with the present character; empty: nothing is said.
   [[nodiscard]] virtual QString why_unavailable() const { return {}; }
-  virtual void load(const QSettings& /*settings*/) {}
-  virtual void save(QSettings& /*settings*/) const {}
+  virtual void load(const base::Settings& /*settings*/) {}
+  virtual void save(base::Settings& /*settings*/) const {}
 
  protected:
   /// Shows the state of the stage.

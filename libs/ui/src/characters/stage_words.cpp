@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include "characters/stroke_words.h"
+#include "nazori/kanji/meanings.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 #include "words/writing_language.h"
@@ -191,12 +192,7 @@ QString StageWords::of_strokes(const StageFeedback& f, const writing::Grade& gra
 QString StageWords::invitation_to_write(int strokes, const practice::MemoryStage& memory) {
   if (!memory.subject().sheet) return {};
   const auto& entry = memory.subject().sheet->character.entry;
-  QString meaning;
-  for (const auto& m : entry.meanings)
-    if (m.language == "en") {
-      meaning = to_text(m.text);
-      break;
-    }
+  const QString meaning = joined(kanji::meanings_in("en", entry), {}, 1);
   QString reading;
   if (!entry.kun_readings.empty())
     reading = kun_plain(kanji::split_kun(entry.kun_readings.front()));
@@ -218,15 +214,10 @@ QString StageWords::mistake(const StageFeedback& f, const writing::Grade& grade)
 }
 
 QString StageWords::judgement(const practice::MemoryStage& memory) {
-  constexpr int kMostSentences = 3;
+  constexpr std::size_t kMostSentences = 3;
   const auto& grade = memory.grade();
-  QStringList sentences;
-  for (const auto& sentence : writing::explain(grade, writing_language())) {
-    if (sentences.size() == kMostSentences) break;
-    sentences.append(to_text(sentence));
-  }
-  const QString between = writing_language() == writing::Language::japanese ? QString() : QStringLiteral(" ");
-  const QString found = sentences.join(between);
+  const QString between = between_sentences();
+  const QString found = joined(writing::explain(grade, writing_language()), between, kMostSentences);
   if (!grade.accepted) return tr("%1 Ctrl+Z: undo a stroke. O: show the model.").arg(found);
   QString words =
       grade.form ? tr("%1 Form: %2 of %3 stars.").arg(found).arg(*grade.form).arg(writing::kBestForm) : found;

@@ -10,22 +10,21 @@
 #include <cmath>
 
 #include "widgets/flow_layout.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 
 StrictnessSlider::StrictnessSlider(QWidget* parent)
-    : QWidget(parent), slider_(new QSlider(Qt::Horizontal, this)), words_(new QLabel(this)) {
+    : QWidget(parent),
+      slider_(named(new QSlider(Qt::Horizontal, this), "strictness", tr("Strictness"))),
+      words_(text_label("strictness_words", this)) {
   auto* name = new QLabel(tr("Str&ictness"), this);
   name->setBuddy(slider_);
-  slider_->setObjectName(QStringLiteral("strictness"));
-  slider_->setAccessibleName(tr("Strictness"));
   slider_->setRange(0, kSteps);
   slider_->setPageStep(kSteps / 4);
   slider_->setTickInterval(kSteps / 2);
   slider_->setTickPosition(QSlider::TicksBelow);
   slider_->setToolTip(tr("How strictly your writing is checked (Ctrl+[ and Ctrl+])"));
-  words_->setObjectName(QStringLiteral("strictness_words"));
-  words_->setWordWrap(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -37,8 +36,7 @@ StrictnessSlider::StrictnessSlider(QWidget* parent)
   auto* scale = new QHBoxLayout;
   scale->setSpacing(4);
   const auto mark = [&](const QString& text, Qt::Alignment side) {
-    auto* label = new QLabel(text, this);
-    label->setProperty("role", QStringLiteral("muted"));
+    auto* label = with_role(new QLabel(text, this), "muted");
     label->setAlignment(side | Qt::AlignTop);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     scale->addWidget(label, 1);

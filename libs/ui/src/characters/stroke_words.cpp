@@ -5,70 +5,56 @@
 
 namespace nazori::ui {
 
+namespace {
+
+struct Named {
+  char16_t stroke;
+  const char* name;
+};
+
+/// CJK strokes of Unicode, by the kinds that a learner tells apart.
+constexpr Named kNames[] = {
+    {0x31D0, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "horizontal stroke")},
+    {0x31D1, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "vertical stroke")},
+    {0x31D2, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "sweep to the left")},
+    {0x31D3, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "sweep to the left")},
+    {0x31CF, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "sweep to the right")},
+    {0x31DD, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "sweep to the right")},
+    {0x31D4, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "dot")},
+    {0x31C0, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "rising stroke")},
+    {0x31D6, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "horizontal stroke with a hook")},
+    {0x31DA, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "vertical stroke with a hook")},
+    {0x31D5, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "horizontal stroke that turns down")},
+    {0x31C6, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "horizontal stroke that turns down, with a hook")},
+    {0x31D7, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "vertical stroke that turns right")},
+    {0x31C4, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "vertical stroke that turns right")},
+    {0x31DF, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "vertical stroke that bends right, with a hook")},
+    {0x31D9, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "vertical stroke that rises at the end")},
+    {0x31C7, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "horizontal stroke that turns into a left sweep")},
+    {0x31C1, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "curved stroke with a hook")},
+    {0x31C2, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "slanting stroke with a hook")},
+    {0x31C3, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "flat curve with a hook")},
+    {0x31C8, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "horizontal stroke that bends, with a hook")},
+    {0x31E0, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "horizontal stroke that bends, with a hook")},
+    {0x31CA, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "horizontal stroke that turns down, then rises")},
+    {0x31DC, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "sweep to the left that turns right")},
+    {0x31DB, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "sweep to the left that turns into a dot")},
+    {0x31DE, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "stroke with three turns")},
+    {0x31C5, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "stroke with three turns")},
+    {0x31CE, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "stroke with three turns")},
+    {0x31C9, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "stroke with several turns and a hook")},
+    {0x31E1, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "stroke with several turns and a hook")},
+    {0x31CB, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "stroke with two turns and a sweep to the left")},
+    {0x31CC, QT_TRANSLATE_NOOP("nazori::ui::StrokeWords", "stroke that turns and curves, with a hook")},
+};
+
+}  // namespace
+
 QString StrokeWords::name(const std::string& type) {
   const QString text = to_text(type);
-  if (text.isEmpty()) return {};
-  switch (text.front().unicode()) {
-    case 0x31D0:
-      return tr("horizontal stroke");
-    case 0x31D1:
-      return tr("vertical stroke");
-    case 0x31D2:
-    case 0x31D3:
-      return tr("sweep to the left");
-    case 0x31CF:
-    case 0x31DD:
-      return tr("sweep to the right");
-    case 0x31D4:
-      return tr("dot");
-    case 0x31C0:
-      return tr("rising stroke");
-    case 0x31D6:
-      return tr("horizontal stroke with a hook");
-    case 0x31DA:
-      return tr("vertical stroke with a hook");
-    case 0x31D5:
-      return tr("horizontal stroke that turns down");
-    case 0x31C6:
-      return tr("horizontal stroke that turns down, with a hook");
-    case 0x31D7:
-    case 0x31C4:
-      return tr("vertical stroke that turns right");
-    case 0x31DF:
-      return tr("vertical stroke that bends right, with a hook");
-    case 0x31D9:
-      return tr("vertical stroke that rises at the end");
-    case 0x31C7:
-      return tr("horizontal stroke that turns into a left sweep");
-    case 0x31C1:
-      return tr("curved stroke with a hook");
-    case 0x31C2:
-      return tr("slanting stroke with a hook");
-    case 0x31C3:
-      return tr("flat curve with a hook");
-    case 0x31C8:
-    case 0x31E0:
-      return tr("horizontal stroke that bends, with a hook");
-    case 0x31CA:
-      return tr("horizontal stroke that turns down, then rises");
-    case 0x31DC:
-      return tr("sweep to the left that turns right");
-    case 0x31DB:
-      return tr("sweep to the left that turns into a dot");
-    case 0x31DE:
-    case 0x31C5:
-    case 0x31CE:
-      return tr("stroke with three turns");
-    case 0x31C9:
-    case 0x31E1:
-      return tr("stroke with several turns and a hook");
-    case 0x31CB:
-      return tr("stroke with two turns and a sweep to the left");
-    case 0x31CC:
-      return tr("stroke that turns and curves, with a hook");
-    default:
-      return {};
-  }
+  for (const auto& one : kNames)
+    if (text.startsWith(QChar(one.stroke))) return tr(one.name);
+  return {};
 }
 
 QString StrokeWords::ending(kanji::StrokeEnding ending) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "look/icons.h"
+#include "look/ink_painting.h"
 #include "look/palette.h"
 
 namespace nazori::ui {
@@ -15,7 +16,6 @@ namespace {
 
 constexpr int kBoxGap = 6;
 constexpr double kFrame = 2;  ///< width of the frame of the current box
-constexpr double kTabletSide_m = 0.1;
 constexpr int kSide_em = 5;
 constexpr int kSign_px = 14;
 
@@ -32,22 +32,6 @@ QColor ink_of(view::Verdict verdict) {
       break;
   }
   return c.ink;
-}
-
-void paint_strokes(QPainter& painter, const WordBoxes::Box& box, const QRectF& place) {
-  const double per_m = place.width() / kTabletSide_m;
-  const auto to = [&](geometry::TabletPoint at) {
-    return QPointF(place.center().x() + at.x * per_m, place.center().y() - at.y * per_m);
-  };
-  for (std::size_t i = 0; i < box.strokes.size(); ++i) {
-    const auto& stroke = box.strokes[i];
-    const QColor colour = ink_of(i < box.verdicts.size() ? box.verdicts[i] : view::Verdict::none);
-    for (std::size_t k = 1; k < stroke.size(); ++k) {
-      painter.setPen(QPen(colour, std::max(2 * per_m * view::ink_half_width_m(stroke[k]), 1.5), Qt::SolidLine,
-                          Qt::RoundCap, Qt::RoundJoin));
-      painter.drawLine(to(stroke[k - 1].at), to(stroke[k].at));
-    }
-  }
 }
 
 }  // namespace
@@ -90,15 +74,10 @@ void WordBoxes::paintEvent(QPaintEvent* /*event*/) {
     const auto& box = boxes_[i];
     const QRectF place =
         QRectF(static_cast<double>(i) * (side() + kBoxGap), 0, side(), side()).adjusted(1, 1, -1, -1);
-    painter.setBrush(c.surface);
-    painter.setPen(box.is_current ? QPen(c.indigo, kFrame) : QPen(c.line, 1));
-    painter.drawRoundedRect(place, 6, 6);
-    painter.setPen(QPen(c.line, 1, Qt::DashLine));
-    painter.drawLine(QPointF(place.center().x(), place.top() + 4),
-                     QPointF(place.center().x(), place.bottom() - 4));
-    painter.drawLine(QPointF(place.left() + 4, place.center().y()),
-                     QPointF(place.right() - 4, place.center().y()));
-    paint_strokes(painter, box, place);
+    paint_paper(painter, place, 6, 4, box.is_current ? QPen(c.indigo, kFrame) : QPen(c.line, 1));
+    for (std::size_t k = 0; k < box.strokes.size(); ++k)
+      paint_ink(painter, box.strokes[k],
+                ink_of(k < box.verdicts.size() ? box.verdicts[k] : view::Verdict::none), place);
     if (!box.is_finished) continue;
     const QPixmap mark = sign(box.is_right ? Icon::tick : Icon::cross, box.is_right ? c.moss : c.vermilion,
                               kSign_px, devicePixelRatioF());

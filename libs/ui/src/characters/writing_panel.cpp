@@ -10,6 +10,7 @@
 #include "characters/compare_view.h"
 #include "characters/strictness_slider.h"
 #include "characters/writing_report.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
@@ -22,7 +23,7 @@ constexpr int kUsualWidth = 280;
 
 WritingPanel::WritingPanel(QWidget* parent)
     : QScrollArea(parent),
-      content_(new QWidget(this)),
+      content_(named(new QWidget(this), "writing_content")),
       strictness_(new StrictnessSlider(content_)),
       compare_(new CompareView(content_)),
       report_(new WritingReport(content_)) {
@@ -33,7 +34,6 @@ WritingPanel::WritingPanel(QWidget* parent)
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   setFocusPolicy(Qt::TabFocus);
-  content_->setObjectName(QStringLiteral("writing_content"));
   auto* column = new QVBoxLayout(content_);
   column->setContentsMargins(12, 12, 12, 12);
   column->setSpacing(10);

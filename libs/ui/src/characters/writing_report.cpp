@@ -5,18 +5,14 @@
 #include <QVBoxLayout>
 
 #include "nazori/writing/explanation.h"
-#include "widgets/sentence_label.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 #include "words/writing_language.h"
 
 namespace nazori::ui {
 namespace {
 
-QString lines(const std::vector<std::string>& sentences) {
-  QStringList list;
-  for (const auto& sentence : sentences) list.append(to_text(sentence));
-  return list.join(QLatin1Char('\n'));
-}
+QString lines(const std::vector<std::string>& sentences) { return joined(sentences, QStringLiteral("\n")); }
 
 }  // namespace
 

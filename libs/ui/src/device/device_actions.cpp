@@ -4,17 +4,15 @@
 namespace nazori::ui {
 
 DeviceActions::DeviceActions(QWidget* window) : ActionSet(window) {
-  look_again = make("look_again", tr("&Look for devices"), tr("Search again for connected devices"),
-                    {QStringLiteral("F5")});
-  stronger =
-      make("stronger", tr("S&tronger"), tr("Make the test force stronger by 10% of the device's limit"),
-           {QStringLiteral("Ctrl+PgUp")});
-  weaker = make("weaker", tr("&Weaker"), tr("Make the test force weaker"), {QStringLiteral("Ctrl+PgDown")});
+  look_again = make("look_again", tr("&Look for devices"), tr("Search again for connected devices"), "F5",
+                    Icon::search);
+  stronger = make("stronger", tr("S&tronger"),
+                  tr("Make the test force stronger by 10% of the device's limit"), "Ctrl+PgUp");
+  weaker = make("weaker", tr("&Weaker"), tr("Make the test force weaker"), "Ctrl+PgDown");
   calibrate = make("calibrate", tr("Calibrate with &corners…"),
-                   tr("Point at three corners of the tablet with the stylus"), {QStringLiteral("C")});
+                   tr("Point at three corners of the tablet with the stylus"), "C");
   fit = make("fit", tr("&Fit automatically"),
-             tr("Use the largest tablet that the stylus can reach completely"), {QStringLiteral("Shift+C")});
-  draw(look_again, Icon::search);
+             tr("Use the largest tablet that the stylus can reach completely"), "Shift+C");
   add_group(tr("&Device"), {look_again, nullptr, stronger, weaker, nullptr, calibrate, fit});
 }
 

@@ -9,12 +9,13 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QVBoxLayout>
+#include <initializer_list>
 #include <numbers>
-#include <utility>
 
 #include "device/button_lines.h"
 #include "device/device_actions.h"
 #include "widgets/number_slider.h"
+#include "widgets/parts.h"
 #include "words/device_text.h"
 #include "words/kanji_text.h"
 
@@ -24,65 +25,37 @@ namespace {
 constexpr int kMargin = 16;
 constexpr double kDegree = std::numbers::pi / 180;
 
-void set_role(QWidget* widget, const char* role) { widget->setProperty("role", QString::fromLatin1(role)); }
-
-/// A box is as narrow as its panel, not as wide as its longest entry.
-void make_narrow(QComboBox* box) {
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(4);
-}
-
-void empty(QLayout* layout) {
-  while (QLayoutItem* item = layout->takeAt(0)) {
-    if (item->widget() != nullptr) {
-      item->widget()->hide();
-      item->widget()->deleteLater();
-    }
-    delete item;
-  }
-}
-
 }  // namespace
 
 DeviceChoicePanel::DeviceChoicePanel(const DeviceActions& actions, QWidget* parent)
     : QScrollArea(parent),
-      content_(new QWidget(this)),
+      content_(named(new QWidget(this), "information_content")),
       lines_(new ButtonLines(this, kMargin)),
       column_(new QVBoxLayout(content_)),
       choices_(new QVBoxLayout),
       group_(new QButtonGroup(this)),
-      searching_(new QLabel(tr("Searching for devices…"), content_)),
-      fit_text_(new QLabel(content_)),
-      step_(new QLabel(content_)),
-      corner_(new QPushButton(content_)),
-      hand_(new QComboBox(content_)) {
+      searching_(with_role(named(new QLabel(tr("Searching for devices…"), content_), "searching"), "muted")),
+      fit_text_(text_label("fit_text", content_, "muted")),
+      step_(text_label("calibration_step", content_)),
+      corner_(named(new QPushButton(content_), "corner")),
+      hand_(named(new QComboBox(content_), "writing_hand", tr("Writing hand"))) {
   setObjectName(QStringLiteral("device_choice_panel"));
   setAccessibleName(tr("Devices and their position"));
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-  setWidgetResizable(true);
-  content_->setObjectName(QStringLiteral("information_content"));
   column_->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   column_->setSpacing(8);
 
-  column_->addWidget(heading(tr("Device")));
+  column_->addWidget(heading(tr("Device"), content_));
   choices_->setSpacing(4);
   column_->addLayout(choices_);
-  searching_->setObjectName(QStringLiteral("searching"));
   searching_->setWordWrap(true);
-  set_role(searching_, "muted");
   searching_->hide();
   column_->addWidget(searching_);
   column_->addWidget(button_for(actions.look_again));
 
-  auto* fit_heading = heading(tr("Calibration"));
+  auto* fit_heading = heading(tr("Calibration"), content_);
   column_->addWidget(fit_heading);
-  fit_text_->setObjectName(QStringLiteral("fit_text"));
-  fit_text_->setWordWrap(true);
-  set_role(fit_text_, "muted");
   column_->addWidget(fit_text_);
-  hand_->setObjectName(QStringLiteral("writing_hand"));
-  hand_->setAccessibleName(tr("Writing hand"));
-  make_narrow(hand_);
+  make_narrow(hand_, 4);
   hand_->addItems({tr("Right hand"), tr("Left hand")});
   column_->addWidget(hand_);
   tilt_ = new NumberSlider(tr("Tilt of the tablet"), QStringLiteral("tilt"), 0, 90, 5,
@@ -94,16 +67,13 @@ DeviceChoicePanel::DeviceChoicePanel(const DeviceActions& actions, QWidget* pare
   auto* by_corners = button_for(actions.calibrate);
   auto* by_itself = button_for(actions.fit);
   column_->addWidget(by_corners);
-  step_->setObjectName(QStringLiteral("calibration_step"));
-  step_->setWordWrap(true);
-  corner_->setObjectName(QStringLiteral("corner"));
   lines_->add(corner_, tr("Set corner here"));
   connect(corner_, &QPushButton::clicked, this, &DeviceChoicePanel::corner_shown);
   column_->addWidget(step_);
   column_->addWidget(corner_);
   column_->addWidget(by_itself);
 
-  auto* button_heading = heading(tr("Stylus buttons"));
+  auto* button_heading = heading(tr("Stylus buttons"), content_);
   column_->addWidget(button_heading);
   const QStringList does{tr("do nothing"), tr("next stroke"), tr("previous stroke"), tr("all strokes"),
                          tr("clear ink")};
@@ -115,7 +85,7 @@ DeviceChoicePanel::DeviceChoicePanel(const DeviceActions& actions, QWidget* pare
     buttons_[i]->setObjectName(QStringLiteral("stylus_button_%1").arg(i + 1));
     buttons_[i]->setAccessibleName(name);
     buttons_[i]->addItems(does);
-    make_narrow(buttons_[i]);
+    make_narrow(buttons_[i], 4);
     label->setBuddy(buttons_[i]);
     column_->addWidget(label);
     column_->addWidget(buttons_[i]);
@@ -128,7 +98,7 @@ DeviceChoicePanel::DeviceChoicePanel(const DeviceActions& actions, QWidget* pare
     });
   }
 
-  auto* limit_heading = heading(tr("Limits"));
+  auto* limit_heading = heading(tr("Limits"), content_);
   column_->addWidget(limit_heading);
   force_ = new NumberSlider(tr("Force"), QStringLiteral("max_force"), 0.1, 1, 0.1, tr("%1 N"), 1, content_);
   stiffness_ = new NumberSlider(tr("Stiffness"), QStringLiteral("max_stiffness"), 50, 500, 10, tr("%1 N/m"),
@@ -137,11 +107,8 @@ DeviceChoicePanel::DeviceChoicePanel(const DeviceActions& actions, QWidget* pare
   column_->addWidget(stiffness_);
   column_->addStretch(1);
   for (QWidget* w :
-       {static_cast<QWidget*>(fit_heading), static_cast<QWidget*>(hand_), static_cast<QWidget*>(tilt_),
-        static_cast<QWidget*>(yaw_), static_cast<QWidget*>(by_corners), static_cast<QWidget*>(by_itself),
-        static_cast<QWidget*>(fit_text_), static_cast<QWidget*>(button_heading),
-        static_cast<QWidget*>(limit_heading), static_cast<QWidget*>(force_),
-        static_cast<QWidget*>(stiffness_)})
+       std::initializer_list<QWidget*>{fit_heading, hand_, tilt_, yaw_, by_corners, by_itself, fit_text_,
+                                       button_heading, limit_heading, force_, stiffness_})
     only_with_force_.push_back(w);
 
   const auto tell_posture = [this] {
@@ -160,27 +127,16 @@ DeviceChoicePanel::DeviceChoicePanel(const DeviceActions& actions, QWidget* pare
   connect(stiffness_, &NumberSlider::moved, this, tell_limits);
   connect(group_, &QButtonGroup::buttonClicked, this,
           [this](QAbstractButton* button) { emit chosen(button->property("device").toString()); });
-  setWidget(content_);
-  viewport()->setAutoFillBackground(false);
-  content_->setAutoFillBackground(false);
+  make_scrolling(this, content_);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   show_step({});
 }
 
 QPushButton* DeviceChoicePanel::button_for(QAction* action) {
-  auto* button = new QPushButton(content_);
-  button->setObjectName(QStringLiteral("button_") + action->objectName());
-  button->setToolTip(action->toolTip());
+  auto* button = action_button(action, {}, content_);
   button->setAccessibleName(without_mnemonic(action->text()));
   lines_->add(button, without_mnemonic(action->text()));
-  connect(button, &QPushButton::clicked, action, &QAction::trigger);
   return button;
-}
-
-QLabel* DeviceChoicePanel::heading(const QString& text) {
-  auto* label = new QLabel(text, content_);
-  label->setWordWrap(true);
-  set_role(label, "heading");
-  return label;
 }
 
 void DeviceChoicePanel::add_choice(const QString& id, const QString& text, bool checked) {
@@ -202,7 +158,7 @@ void DeviceChoicePanel::show_findings(const std::vector<devices::BackEndFindings
   const bool had_focus = focusWidget() != nullptr && qobject_cast<QRadioButton*>(focusWidget()) != nullptr;
   searching_->hide();
   for (auto* old : group_->buttons()) group_->removeButton(old);
-  empty(choices_);
+  clear_layout(choices_);
   add_choice({}, tr("Automatic (best available)"), chosen.isEmpty());
   bool listed = chosen.isEmpty();
   bool in_use_listed = false;
@@ -221,14 +177,10 @@ void DeviceChoicePanel::show_findings(const std::vector<devices::BackEndFindings
     if (!back_end.problem) continue;
     // The search cannot open a device that is in use here.
     if (back_end.problem->trouble == haptics::DeviceTrouble::in_use && ours) continue;
-    auto* reason = new QLabel(trouble_text(back_end.problem->trouble, device_name(back_end.back_end),
-                                           to_text(back_end.problem->error.remedy)),
-                              content_);
-    reason->setObjectName(QStringLiteral("reason"));
-    reason->setWordWrap(true);
-    reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* reason = sentence_label("reason", content_, "muted");
+    reason->setText(trouble_text(back_end.problem->trouble, device_name(back_end.back_end),
+                                 to_text(back_end.problem->error.remedy)));
     reason->setToolTip(to_text(base::to_line(back_end.problem->error)));
-    set_role(reason, "muted");
     reasons.append(reason);
   }
   if (!in_use_listed) {

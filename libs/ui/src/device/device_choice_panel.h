@@ -48,7 +48,6 @@ class DeviceChoicePanel final : public QScrollArea {
   void corner_shown();
 
  private:
-  QLabel* heading(const QString& text);
   QPushButton* button_for(QAction* action);
   void add_choice(const QString& id, const QString& text, bool checked);
 

@@ -4,13 +4,12 @@
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "device/device_actions.h"
 #include "device/device_choice_panel.h"
 #include "device/feel_panel.h"
 #include "events/signals.h"
+#include "nazori/tablet/trial_tablet.h"
 #include "settings/stored_settings.h"
 #include "words/device_text.h"
 #include "words/error_text.h"
@@ -18,26 +17,10 @@
 
 namespace nazori::ui {
 
-std::shared_ptr<const tablet::CarvedTablet> wall_and_groove(const geometry::TabletShape& shape) {
-  constexpr int kSize = 512;
-  auto map = surface::HeightMap::create(kSize);
-  if (!map) return nullptr;
-  for (int column = 0; column < kSize; ++column) {
-    const double x = static_cast<double>(column) / (kSize - 1);
-    // A floor, then a steep wall; a round groove in the plateau.
-    const double wall = 0.1 + 0.9 * std::clamp((x - 0.30) / 0.06, 0.0, 1.0);
-    const double off = (x - 0.68) / 0.035;
-    const double height = std::min(wall, 1 - 0.8 * std::exp(-off * off));
-    for (int row = 0; row < kSize; ++row) map->set(column, row, static_cast<float>(height));
-  }
-  tablet::TabletLine line;
-  line.points = {{0.68 * geometry::kGlyphSide, 15}, {0.68 * geometry::kGlyphSide, 94}};
-  auto made = tablet::CarvedTablet::from_height_map(std::move(*map), {line}, shape);
-  return made ? *made : nullptr;
-}
-
 DevicePage::DevicePage(WindowParts& parts)
-    : Page(parts),
+    : Page(parts, {QStringLiteral("device"), tr("&Device"),
+                   tr("The device you feel the tablet with, and the material of the tablet"), Icon::device,
+                   tr("A tablet to try the stylus on: a wall on the left, a groove on the right")}),
       stylus_(parts.tablet().device()),
       actions_(new DeviceActions(&parts.window())),
       choice_panel_(new DeviceChoicePanel(*actions_, &parts.window())),
@@ -56,13 +39,6 @@ DevicePage::DevicePage(WindowParts& parts)
 
 DevicePage::~DevicePage() = default;
 
-QString DevicePage::id() const { return QStringLiteral("device"); }
-QString DevicePage::name() const { return tr("&Device"); }
-QString DevicePage::purpose() const {
-  return tr("The device you feel the tablet with, and the material of the tablet");
-}
-Icon DevicePage::drawing() const { return Icon::device; }
-
 Page::Panel DevicePage::left() const {
   return {choice_panel_, tr("&Devices"), tr("Show or hide the devices")};
 }
@@ -77,13 +53,9 @@ QList<Tool> DevicePage::tools() const {
   return {{actions_->look_again, true}, {}, {actions_->weaker, true}, {actions_->stronger, true}};
 }
 
-QString DevicePage::tablet_description() const {
-  return tr("A tablet to try the stylus on: a wall on the left, a groove on the right");
-}
-
 void DevicePage::enter() {
   entered_ = true;
-  if (!trial_tablet_) trial_tablet_ = wall_and_groove({});
+  if (!trial_tablet_) trial_tablet_ = tablet::wall_and_groove({});
   parts().tablet().set_tablet(trial_tablet_);
   // A new strength restarts the device. For a moment the status does not know the problem.
   const auto status = stylus_.status();
@@ -117,16 +89,14 @@ void DevicePage::save(QSettings& settings) const {
 }
 
 void DevicePage::connect_actions() {
-  connect(actions_->look_again, &QAction::triggered, this, [this] {
+  on(actions_->look_again, [this] {
     if (stylus_.opened() == nullptr) stylus_.choose(stylus_.chosen());
     look_again();
   });
-  connect(actions_->stronger, &QAction::triggered, this,
-          [this] { set_strength(stylus_.strength() + kTrialStep); });
-  connect(actions_->weaker, &QAction::triggered, this,
-          [this] { set_strength(stylus_.strength() - kTrialStep); });
-  connect(actions_->calibrate, &QAction::triggered, this, [this] { calibrate(); });
-  connect(actions_->fit, &QAction::triggered, this, [this] {
+  on(actions_->stronger, [this] { set_strength(stylus_.strength() + kTrialStep); });
+  on(actions_->weaker, [this] { set_strength(stylus_.strength() - kTrialStep); });
+  on(actions_->calibrate, [this] { calibrate(); });
+  on(actions_->fit, [this] {
     settings().calibration.reset();
     reopen(tr("The tablet is now as large as the stylus can reach."));
   });
@@ -160,7 +130,7 @@ void DevicePage::connect_panels() {
             stylus_.apply_limits();
             parts().save_later();
           });
-  connect(choice_panel_, &DeviceChoicePanel::corner_shown, this, [this] { take_corner(); });
+  connect(choice_panel_, &DeviceChoicePanel::corner_shown, this, [this] { add_corner(); });
   connect(feel_panel_, &FeelPanel::material_changed, this, [this](const haptics::Material& material) {
     memory_.material = material;
     parts().tablet().set_material(material);
@@ -298,7 +268,7 @@ void DevicePage::calibrate() {
   parts().announce(Feedback::hint, tr("Point at three corners for the tablet, in the air or on your desk."));
 }
 
-void DevicePage::take_corner() {
+void DevicePage::add_corner() {
   const auto* opened = stylus_.opened();
   if (corner_ < 0 || opened == nullptr || stylus_.is_pointer()) {
     end_calibration(tr("The device was disconnected. The tablet was not changed."), Feedback::advice);
@@ -337,29 +307,13 @@ void DevicePage::end_calibration(const QString& sentence, Feedback kind) {
 
 void DevicePage::press_button(int number) {
   if (corner_ >= 0) {
-    take_corner();
+    add_corner();
     return;
   }
   if (stylus_.opened() == nullptr) return;
   const auto buttons = devices::settings_of(memory_.devices, stylus_.opened()->id).buttons;
   if (number < 0 || number >= static_cast<int>(buttons.size())) return;
-  auto& controller = parts().tablet();
-  switch (buttons[static_cast<std::size_t>(number)]) {
-    case devices::ButtonDoes::nothing:
-      return;
-    case devices::ButtonDoes::next_stroke:
-      controller.next_stroke();
-      return;
-    case devices::ButtonDoes::previous_stroke:
-      controller.previous_stroke();
-      return;
-    case devices::ButtonDoes::all_strokes:
-      controller.set_current_stroke(0);
-      return;
-    case devices::ButtonDoes::clear_ink:
-      controller.clear_ink();
-      return;
-  }
+  parts().tablet().press_button(buttons[static_cast<std::size_t>(number)]);
 }
 
 }  // namespace nazori::ui

@@ -28,15 +28,10 @@ class DevicePage final : public Page {
   explicit DevicePage(WindowParts& parts);
   ~DevicePage() override;
 
-  [[nodiscard]] QString id() const override;
-  [[nodiscard]] QString name() const override;
-  [[nodiscard]] QString purpose() const override;
-  [[nodiscard]] Icon drawing() const override;
   [[nodiscard]] Panel left() const override;
   [[nodiscard]] Panel right() const override;
   [[nodiscard]] ActionSet* actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
-  [[nodiscard]] QString tablet_description() const override;
   void enter() override;
   void leave() override;
   void save(QSettings& settings) const override;
@@ -58,7 +53,7 @@ class DevicePage final : public Page {
   /// The stored settings of the device in use, to be changed. They are made if there are none.
   devices::DeviceSettings& settings();
   void calibrate();
-  void take_corner();
+  void add_corner();
   void end_calibration(const QString& sentence, Feedback kind);
   void press_button(int number);
 
@@ -76,8 +71,5 @@ class DevicePage final : public Page {
   int corner_ = -1;  ///< the next corner to show; -1: no calibration
   std::array<haptics::Vec3, 3> corners_m_{};
 };
-
-/// The tablet of the trial: a wall on the left, a groove on the right.
-[[nodiscard]] std::shared_ptr<const tablet::CarvedTablet> wall_and_groove(const geometry::TabletShape& shape);
 
 }  // namespace nazori::ui

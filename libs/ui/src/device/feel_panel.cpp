@@ -7,7 +7,6 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -15,6 +14,7 @@
 #include "nazori/devices/tablet_device.h"
 #include "widgets/flow_layout.h"
 #include "widgets/number_slider.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
@@ -24,24 +24,12 @@ constexpr int kGap = 8;
 constexpr int kLook_ms = 100;
 constexpr int kLookAtRest_ms = 500;
 
-void set_role(QWidget* widget, const char* role) { widget->setProperty("role", QString::fromLatin1(role)); }
-
-QLabel* heading(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setWordWrap(true);
-  set_role(label, "heading");
-  return label;
-}
-
 }  // namespace
 
 FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions, QWidget* parent)
-    : QScrollArea(parent), stylus_(stylus), content_(new QWidget(this)) {
+    : QScrollArea(parent), stylus_(stylus), content_(named(new QWidget(this), "information_content")) {
   setObjectName(QStringLiteral("feel_panel"));
   setAccessibleName(tr("What you feel"));
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setWidgetResizable(true);
-  content_->setObjectName(QStringLiteral("information_content"));
   auto* column = new QVBoxLayout(content_);
   column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   column->setSpacing(8);
@@ -60,11 +48,8 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
       {"live_delay", tr("Latency")},
   }};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    lines_[i] = new QLabel(content_);
-    lines_[i]->setObjectName(QString::fromLatin1(names[i].first));
+    lines_[i] = sentence_label(names[i].first, content_);
     lines_[i]->setAccessibleName(names[i].second);
-    lines_[i]->setWordWrap(true);
-    lines_[i]->setTextInteractionFlags(Qt::TextSelectableByMouse);
     form->addRow(names[i].second, lines_[i]);
   }
   column->addLayout(form);
@@ -73,18 +58,11 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
   auto* trial = new QVBoxLayout(trial_);
   trial->setContentsMargins(0, 0, 0, 0);
   trial->addWidget(heading(tr("Feel a wall and a groove"), trial_));
-  strength_ = new QLabel(trial_);
-  strength_->setObjectName(QStringLiteral("strength"));
-  strength_->setWordWrap(true);
+  strength_ = text_label("strength", trial_);
   trial->addWidget(strength_);
   auto* row = new FlowLayout(kGap, kGap);
-  for (QAction* action : {actions.weaker, actions.stronger}) {
-    auto* button = new QPushButton(without_mnemonic(action->text()), trial_);
-    button->setObjectName(QStringLiteral("button_") + action->objectName());
-    button->setToolTip(action->toolTip());
-    connect(button, &QPushButton::clicked, action, &QAction::trigger);
-    row->addWidget(button);
-  }
+  for (QAction* action : {actions.weaker, actions.stronger})
+    row->addWidget(action_button(action, without_mnemonic(action->text()), trial_));
   trial->addLayout(row);
   column->addWidget(trial_);
 
@@ -101,11 +79,8 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
   hold_ = slider(tr("Static friction"), "material_static_friction");
   slide_ = slider(tr("Dynamic friction"), "material_dynamic_friction");
   popthrough_ = slider(tr("Pop-through"), "material_popthrough");
-  texture_ = new QComboBox(content_);
-  texture_->setObjectName(QStringLiteral("material_texture"));
-  texture_->setAccessibleName(tr("Texture"));
-  texture_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  texture_->setMinimumContentsLength(4);
+  texture_ = named(new QComboBox(content_), "material_texture", tr("Texture"));
+  make_narrow(texture_, 4);
   auto* texture_name = new QLabel(tr("Texture"), content_);
   texture_name->setBuddy(texture_);
   column->addWidget(texture_name);
@@ -114,9 +89,7 @@ FeelPanel::FeelPanel(devices::TabletDevice& stylus, const DeviceActions& actions
   column->addWidget(texture_);
   roughness_ = slider(tr("Roughness"), "material_roughness");
   column->addStretch(1);
-  setWidget(content_);
-  viewport()->setAutoFillBackground(false);
-  content_->setAutoFillBackground(false);
+  make_scrolling(this, content_);
   timer_.setInterval(kLook_ms);
   connect(&timer_, &QTimer::timeout, this, &FeelPanel::look);
 }

@@ -10,6 +10,7 @@
 
 #include "look/icons.h"
 #include "look/palette.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -46,14 +47,11 @@ AboutDialog::AboutDialog(const std::vector<kanji::Source>& sources, QWidget* par
                        QStringLiteral("<br><span style=\"color:%1\">SHA-256 %2…</span>")
                            .arg(current_colours().muted.name(), to_text(source.sha256).left(16)));
   }
-  auto* text = new QTextBrowser(this);
-  text->setObjectName(QStringLiteral("licences"));
-  text->setAccessibleName(tr("Licences"));
+  auto* text = named(new QTextBrowser(this), "licences", tr("Licences"));
   text->setOpenExternalLinks(true);
   text->document()->setDocumentMargin(12);
   text->setHtml(html);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* buttons = dialog_buttons(QDialogButtonBox::Close, this);
   auto* head = new QHBoxLayout;
   head->setSpacing(16);
   head->addWidget(picture, 0, Qt::AlignTop);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "look/palette.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 KeyListDialog::KeyListDialog(const QList<ActionSet::Group>& groups, QWidget* parent) : QDialog(parent) {
@@ -39,13 +40,11 @@ KeyListDialog::KeyListDialog(const QList<ActionSet::Group>& groups, QWidget* par
     }
   }
   html += QStringLiteral("</table>");
-  auto* text = new QTextBrowser(this);
-  text->setObjectName(QStringLiteral("key_list"));
+  auto* text = named(new QTextBrowser(this), "key_list");
   text->setAccessibleName(windowTitle());
   text->document()->setDocumentMargin(12);
   text->setHtml(html);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* buttons = dialog_buttons(QDialogButtonBox::Close, this);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   column->setSpacing(12);

@@ -6,18 +6,20 @@
 #include <QFormLayout>
 #include <QPushButton>
 
+#include "widgets/parts.h"
+
 namespace nazori::ui {
 
 SaveDialog::SaveDialog(int fixed_size, bool has_strokes, QWidget* parent)
-    : QDialog(parent), format_(new QComboBox(this)), size_(new QComboBox(this)) {
+    : QDialog(parent),
+      format_(named(new QComboBox(this), "save_format")),
+      size_(named(new QComboBox(this), "save_size")) {
   setObjectName(QStringLiteral("save_dialog"));
   setWindowTitle(tr("Save the tablet"));
-  format_->setObjectName(QStringLiteral("save_format"));
   format_->addItem(tr("Height map, 8-bit RAW (2005 format)"), static_cast<int>(practice::FileFormat::raw));
   format_->addItem(tr("Height map, 16-bit PNG"), static_cast<int>(practice::FileFormat::png));
   if (has_strokes)
     format_->addItem(tr("Stroke order, .str (2005 format)"), static_cast<int>(practice::FileFormat::strokes));
-  size_->setObjectName(QStringLiteral("save_size"));
   if (fixed_size > 0) {
     size_->addItem(tr("%1 × %1").arg(fixed_size), fixed_size);
     size_->setEnabled(false);
@@ -27,11 +29,9 @@ SaveDialog::SaveDialog(int fixed_size, bool has_strokes, QWidget* parent)
                                                                     : tr("%1 × %1").arg(side),
                      side);
   }
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  auto* buttons = dialog_buttons(QDialogButtonBox::Cancel, this);
   auto* choose = buttons->addButton(tr("Choose file…"), QDialogButtonBox::AcceptRole);
   choose->setDefault(true);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 20, 20, 16);
   form->setSpacing(12);

@@ -23,7 +23,7 @@ class FunctionActions final : public ActionSet {
   [[nodiscard]] QAction* on_tablet(QKeyCombination key) const;
 
  private:
-  QAction* make_on_tablet(const char* name, const QString& text, const QString& tip, const QString& key);
+  QAction* make_on_tablet(const char* name, const QString& text, const QString& tip, const char* key);
   QList<QAction*> on_tablet_;
 };
 

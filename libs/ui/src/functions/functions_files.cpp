@@ -2,7 +2,6 @@
 // Plots as files: open, save and export.
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QStandardPaths>
 
 #include "functions/expression_line.h"
 #include "functions/functions_page.h"
@@ -59,18 +58,17 @@ void FunctionsPage::ask_and_write(functions::PlotFile kind) {
     return;
   }
   if (!functions::can_be_written(shown()->request.plot, kind)) {
-    parts().answer(Feedback::advice, kind == functions::PlotFile::print
-                                         ? tr("A surface has no lines to print.")
-                                         : tr("A surface has no curve to play."));
+    parts().respond(Feedback::advice, kind == functions::PlotFile::print
+                                          ? tr("A surface has no lines to print.")
+                                          : tr("A surface has no curve to play."));
     return;
   }
-  QString folder = parts().preferences().folder;
-  if (folder.isEmpty()) folder = QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
   const auto extension = functions::extension_of(kind);
   const QString suffix = QString::fromLatin1(extension.data(), static_cast<qsizetype>(extension.size()));
-  QString path = QFileDialog::getSaveFileName(&parts().window(), tr("Save as"),
-                                              QStringLiteral("%1/%2.%3").arg(folder, tr("plot"), suffix),
-                                              file_filter(kind));
+  QString path = QFileDialog::getSaveFileName(
+      &parts().window(), tr("Save as"),
+      QStringLiteral("%1/%2.%3").arg(parts().preferences().start_folder(), tr("plot"), suffix),
+      file_filter(kind));
   parts().focus_tablet();
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;

@@ -4,8 +4,6 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QSettings>
-#include <algorithm>
-#include <cmath>
 
 #include "functions/expression_line.h"
 #include "functions/function_actions.h"
@@ -14,6 +12,7 @@
 #include "functions/plot_words.h"
 #include "functions/points_panel.h"
 #include "page/window_parts.h"
+#include "settings/stored_settings.h"
 #include "words/error_text.h"
 
 namespace nazori::ui {
@@ -24,7 +23,11 @@ constexpr int kTouch_ms = 25;
 }  // namespace
 
 FunctionsPage::FunctionsPage(WindowParts& parts)
-    : Page(parts),
+    : Page(parts,
+           {QStringLiteral("functions"), tr("F&unctions"), tr("Curves to see, feel and hear"), Icon::curve,
+            tr("The plot as grooves. Left and Right: move along the curve. Up and Down: go to another curve. "
+               "Tab: "
+               "next point of interest. H: play it. S: summary. Ctrl+L: expression. Ctrl+T: table")}),
       actions_(new FunctionActions(&parts.window())),
       panel_(new PlotPanel(&parts.window())),
       points_(new PointsPanel(&parts.window())),
@@ -43,10 +46,6 @@ FunctionsPage::FunctionsPage(WindowParts& parts)
 
 FunctionsPage::~FunctionsPage() = default;
 
-QString FunctionsPage::id() const { return QStringLiteral("functions"); }
-QString FunctionsPage::name() const { return tr("F&unctions"); }
-QString FunctionsPage::purpose() const { return tr("Curves to see, feel and hear"); }
-Icon FunctionsPage::drawing() const { return Icon::curve; }
 QString FunctionsPage::title() const { return QString::fromStdString(model_.expression()); }
 
 Page::Panel FunctionsPage::left() const {
@@ -74,32 +73,12 @@ QList<Tool> FunctionsPage::tools() const {
           {actions_->clear_ink}};
 }
 
-QString FunctionsPage::tablet_description() const {
-  return tr(
-      "The plot as grooves. Left and Right: move along the curve. Up and Down: go to another curve. Tab: "
-      "next point of interest. H: play it. S: summary. Ctrl+L: expression. Ctrl+T: table");
-}
-
 void FunctionsPage::load(const QSettings& settings) {
-  const auto number = [&settings](const char* key, double otherwise) {
-    bool good = false;
-    const double value = settings.value(QString::fromLatin1(key)).toDouble(&good);
-    return good && std::isfinite(value) ? value : otherwise;
-  };
-  const functions::Window& first = functions::PlotModel::kFirstWindow;
-  const functions::Window window{number("x0", first.x0), number("x1", first.x1), number("y0", first.y0),
-                                 number("y1", first.y1)};
-  const auto flag = [&settings](const char* key, bool otherwise) {
-    return settings.value(QString::fromLatin1(key), otherwise).toBool();
-  };
-  functions::PlateSettings plate;
-  plate.layers = {flag("axes", true), flag("ticks", true), flag("grid", false), flag("rim", true)};
-  plate.half_width = number("half_width", plate.half_width);
-  plate.size = settings.value(QStringLiteral("size"), plate.size).toInt();
-  model_.restore(window, plate, settings.value(QStringLiteral("speed"), model_.speed()).toInt());
-  snapping_ = flag("snapping", false);
-  sound_->set_volume(settings.value(QStringLiteral("volume"), 50).toInt());
-  sound_->set_muted(flag("muted", false));
+  const base::Settings values = read_settings(settings);
+  model_.load(values);
+  snapping_ = base::flag_setting(values, "snapping", false);
+  sound_->set_volume(static_cast<int>(base::number_setting(values, "volume", 50, 0, 100)));
+  sound_->set_muted(base::flag_setting(values, "muted", false));
   auto* line = panel_->line();
   line->set_history(settings.value(QStringLiteral("history")).toStringList());
   line->setText(
@@ -112,37 +91,23 @@ void FunctionsPage::load(const QSettings& settings) {
 }
 
 void FunctionsPage::save(QSettings& settings) const {
-  const auto& window = model_.window();
-  const auto& plate = model_.plate();
+  auto values = read_settings(settings);
+  model_.save(values);
+  base::set_flag(values, "snapping", snapping_);
+  base::set_number(values, "volume", sound_->volume());
+  base::set_flag(values, "muted", sound_->muted());
+  write_settings(settings, values);
   settings.setValue(QStringLiteral("expression"), model_.expression().empty()
                                                       ? panel_->line()->text()
                                                       : QString::fromStdString(model_.expression()));
   settings.setValue(QStringLiteral("history"), panel_->line()->history());
-  settings.setValue(QStringLiteral("x0"), window.x0);
-  settings.setValue(QStringLiteral("x1"), window.x1);
-  settings.setValue(QStringLiteral("y0"), window.y0);
-  settings.setValue(QStringLiteral("y1"), window.y1);
-  settings.setValue(QStringLiteral("axes"), plate.layers.axes);
-  settings.setValue(QStringLiteral("ticks"), plate.layers.ticks);
-  settings.setValue(QStringLiteral("grid"), plate.layers.grid);
-  settings.setValue(QStringLiteral("rim"), plate.layers.rim);
-  settings.setValue(QStringLiteral("half_width"), plate.half_width);
-  settings.setValue(QStringLiteral("size"), plate.size);
-  settings.setValue(QStringLiteral("speed"), model_.speed());
-  settings.setValue(QStringLiteral("snapping"), snapping_);
-  settings.setValue(QStringLiteral("volume"), sound_->volume());
-  settings.setValue(QStringLiteral("muted"), sound_->muted());
 }
 
 void FunctionsPage::enter() {
   entered_ = true;
   auto& controller = parts().tablet();
-  before_ = TabletSwitches{controller.strokes_visible(), controller.numbers_visible(),
-                           controller.arrows_visible(), controller.snapping()};
-  controller.set_strokes_visible(true);
-  controller.set_numbers_visible(false);
-  controller.set_arrows_visible(false);
-  controller.set_snapping(snapping_);
+  before_ = controller.switches();
+  controller.set_switches({true, false, false, snapping_});
   actions_->snap->setChecked(snapping_);
   controller.set_tablet(tablet_);
   QCoreApplication::instance()->installEventFilter(this);
@@ -162,11 +127,7 @@ void FunctionsPage::leave() {
   sound_->stop();
   auto& controller = parts().tablet();
   controller.lift_stylus();
-  if (!before_) return;
-  controller.set_strokes_visible(before_->strokes);
-  controller.set_numbers_visible(before_->numbers);
-  controller.set_arrows_visible(before_->arrows);
-  controller.set_snapping(before_->snapping);
+  if (before_) controller.set_switches(*before_);
 }
 
 void FunctionsPage::refresh_appearance() { panel_->refresh_appearance(); }
@@ -225,9 +186,6 @@ void FunctionsPage::connect_panels() {
 }
 
 void FunctionsPage::connect_window() {
-  const auto on = [this](QAction* action, auto&& what) {
-    connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
-  };
   on(actions_->expression, [this] {
     parts().open_left_panel();
     panel_->line()->setFocus(Qt::ShortcutFocusReason);
@@ -295,14 +253,14 @@ void FunctionsPage::draw() {
 
 void FunctionsPage::show_window(const functions::PlotEvent& event) {
   if (event.kind == functions::PlotEventKind::window_limit) {
-    parts().answer(Feedback::advice, event_words(event, {}));
+    parts().respond(Feedback::advice, event_words(event, {}));
     return;
   }
   panel_->show_window(event.window);
   parts().save_later();
   announce_summary_ = false;
   draw();
-  parts().answer(Feedback::hint, event_words(event, {}));
+  parts().respond(Feedback::hint, event_words(event, {}));
 }
 
 void FunctionsPage::show_plot(const practice::TabletPlot& plot) {

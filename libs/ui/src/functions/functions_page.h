@@ -8,6 +8,7 @@
 #include "nazori/functions/plot_explorer.h"
 #include "nazori/functions/plot_export.h"
 #include "nazori/functions/plot_model.h"
+#include "nazori/practice/tablet_control.h"
 #include "nazori/practice/tablet_plot.h"
 #include "page/page.h"
 
@@ -26,16 +27,11 @@ class FunctionsPage final : public Page {
   explicit FunctionsPage(WindowParts& parts);
   ~FunctionsPage() override;
 
-  [[nodiscard]] QString id() const override;
-  [[nodiscard]] QString name() const override;
-  [[nodiscard]] QString purpose() const override;
-  [[nodiscard]] Icon drawing() const override;
   [[nodiscard]] QString title() const override;
   [[nodiscard]] Panel left() const override;
   [[nodiscard]] Panel right() const override;
   [[nodiscard]] ActionSet* actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
-  [[nodiscard]] QString tablet_description() const override;
 
   void enter() override;
   void leave() override;
@@ -93,16 +89,13 @@ class FunctionsPage final : public Page {
   /// Draws and announces one curve or all of them, after the model has changed.
   void show_alone(const functions::PlotEvent& event);
 
-  struct TabletSwitches {
-    bool strokes, numbers, arrows, snapping;
-  };
-
   FunctionActions* actions_;
   PlotPanel* panel_;
   PointsPanel* points_;
   FunctionSound* sound_;
   bool entered_ = false;
-  std::optional<TabletSwitches> before_;  ///< what the tablet showed before this page was entered
+  std::optional<practice::TabletControl::Switches>
+      before_;  ///< what the tablet showed before this page was entered
   functions::PlotModel model_;
   functions::PlotExplorer explorer_;
   practice::Tablet tablet_;  ///< of the drawing that is shown

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sound of a plot: at the hand, by key, and the sweep along a curve.
-#include <algorithm>
 #include <cmath>
 
 #include "events/signals.h"
@@ -21,9 +20,6 @@ constexpr double kMoved_m = 1.5e-3;  ///< farther: the stylus was moved away fro
 }  // namespace
 
 void FunctionsPage::connect_sound() {
-  const auto on = [this](QAction* action, auto&& what) {
-    connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
-  };
   on(actions_->hear, [this] { hear(); });
   on(actions_->stop, [this] {
     export_.forget_sound();
@@ -35,7 +31,7 @@ void FunctionsPage::connect_sound() {
       explorer_.settle();
       points_->show_drawing(shown());
     }
-    parts().answer(Feedback::advice, tr("The drawing was stopped and may be incomplete."));
+    parts().respond(Feedback::advice, tr("The drawing was stopped and may be incomplete."));
   });
   const auto change_speed = [this](int by) {
     const auto event = model_.change_speed(by);
@@ -46,11 +42,11 @@ void FunctionsPage::connect_sound() {
   on(actions_->slower, [change_speed] { change_speed(-1); });
   on(actions_->louder, [this] {
     set_volume(sound_->volume() + 10);
-    parts().answer(Feedback::hint, tr("Volume %1").arg(sound_->volume()));
+    parts().respond(Feedback::hint, tr("Volume %1").arg(sound_->volume()));
   });
   on(actions_->quieter, [this] {
     set_volume(sound_->volume() - 10);
-    parts().answer(Feedback::hint, tr("Volume %1").arg(sound_->volume()));
+    parts().respond(Feedback::hint, tr("Volume %1").arg(sound_->volume()));
   });
   on(actions_->mute, [this](bool muted) { set_muted(muted); });
   on(actions_->reference, [this] { play_reference(); });
@@ -93,38 +89,38 @@ void FunctionsPage::follow_stylus() {
 void FunctionsPage::play_reference() {
   const auto cue = functions::reference_cue(model_.window());
   if (!cue) {
-    parts().answer(Feedback::hint, tr("y = 0 is outside the range."));
+    parts().respond(Feedback::hint, tr("y = 0 is outside the range."));
     return;
   }
   if (!can_be_heard()) return;
   sound_->touch_briefly(*cue);
   // If playing was refused just now, the feedback line already says why.
   if (sound_->is_refused()) return;
-  parts().answer(Feedback::hint, tr("This is the tone of y = 0."));
+  parts().respond(Feedback::hint, tr("This is the tone of y = 0."));
 }
 
 bool FunctionsPage::can_be_heard() const {
   if (sound_->muted())
-    parts().answer(Feedback::hint, tr("Sound is off. M: turn it on."));
+    parts().respond(Feedback::hint, tr("Sound is off. M: turn it on."));
   else if (sound_->is_refused())
-    parts().answer(Feedback::advice, tr("Sound is not available on this computer."));
+    parts().respond(Feedback::advice, tr("Sound is not available on this computer."));
   return !sound_->muted() && !sound_->is_refused();
 }
 
 void FunctionsPage::hear() {
   if (!shown() || !shown()->final) return;
   if (shown()->request.plot.is_surface()) {
-    parts().answer(Feedback::hint, tr("A surface has no curve to play."));
+    parts().respond(Feedback::hint, tr("A surface has no curve to play."));
     return;
   }
   if (!can_be_heard()) return;
   const auto& request = shown()->request;
-  parts().answer(Feedback::hint,
-                 localised(request.plate.alone < 0
-                               ? functions::in_words(request.plot, plot_language())
-                               : functions::in_words(
-                                     request.plot.statements[static_cast<std::size_t>(request.plate.alone)],
-                                     plot_language())));
+  parts().respond(Feedback::hint,
+                  localised(request.plate.alone < 0
+                                ? functions::in_words(request.plot, plot_language())
+                                : functions::in_words(
+                                      request.plot.statements[static_cast<std::size_t>(request.plate.alone)],
+                                      plot_language())));
   export_.compose(shown(), model_.sound());
 }
 

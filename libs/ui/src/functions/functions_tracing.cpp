@@ -33,9 +33,6 @@ bool is_tablet(const QObject* object) {
 }  // namespace
 
 void FunctionsPage::connect_trace() {
-  const auto on = [this](QAction* action, auto&& what) {
-    connect(action, &QAction::triggered, this, std::forward<decltype(what)>(what));
-  };
   using Way = functions::PlotExplorer::Way;
   on(actions_->step_on, [this] { announce(explorer_.step(Way::on)); });
   on(actions_->step_back, [this] { announce(explorer_.step(Way::back)); });
@@ -51,12 +48,12 @@ void FunctionsPage::connect_trace() {
   on(actions_->slope, [this] { announce(explorer_.slope()); });
   on(actions_->summary, [this] {
     if (shown())
-      parts().answer(Feedback::hint,
-                     QStringLiteral("%1 %2.").arg(what_is_shown(), window_words(shown()->request.window)));
+      parts().respond(Feedback::hint,
+                      QStringLiteral("%1 %2.").arg(what_is_shown(), window_words(shown()->request.window)));
   });
   on(actions_->beacon, [this] {
-    parts().answer(Feedback::good,
-                   event_words(explorer_.drop_beacon(), shown() ? shown()->request.plot : functions::Plot()));
+    parts().respond(Feedback::good, event_words(explorer_.drop_beacon(),
+                                                shown() ? shown()->request.plot : functions::Plot()));
   });
   on(actions_->next_beacon, [this] { announce(explorer_.go_to_next_beacon()); });
   on(actions_->alone, [this](bool alone) {
@@ -83,8 +80,8 @@ void FunctionsPage::connect_trace() {
     snapping_ = hold;
     controller.set_snapping(hold);
     parts().save_later();
-    parts().answer(Feedback::hint, hold ? tr("Snapping on: curves attract the stylus.")
-                                        : tr("Snapping off: the stylus moves freely."));
+    parts().respond(Feedback::hint, hold ? tr("Snapping on: curves attract the stylus.")
+                                         : tr("Snapping off: the stylus moves freely."));
   });
   on(actions_->clear_ink, [&controller] { controller.clear_ink(); });
 }
@@ -99,11 +96,11 @@ void FunctionsPage::show_alone(const functions::PlotEvent& event) {
   actions_->alone->setChecked(model_.plate().alone >= 0);
   announce_summary_ = false;
   draw();
-  parts().answer(Feedback::hint, event_words(event, *model_.plot()));
+  parts().respond(Feedback::hint, event_words(event, *model_.plot()));
 }
 
 void FunctionsPage::announce(const functions::PlotEvent& event) {
-  parts().answer(Feedback::hint, event_words(event, shown() ? shown()->request.plot : functions::Plot()));
+  parts().respond(Feedback::hint, event_words(event, shown() ? shown()->request.plot : functions::Plot()));
   if (!event.moves_hand()) return;
   if (event.kind == functions::PlotEventKind::point_reached) points_->set_current(event.number - 1);
   sound_->touch_briefly(explorer_.cue_of(*event.location));

@@ -22,7 +22,9 @@
 #include "functions/plot_words.h"
 #include "look/icons.h"
 #include "look/palette.h"
-#include "widgets/sentence_label.h"
+#include "nazori/functions/plot_examples.h"
+#include "nazori/functions/plot_model.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -32,87 +34,38 @@ constexpr int kMargin = 16;
 constexpr int kBeside_em = 11;  ///< room for a name beside its field
 constexpr double kTabletSide_mm = geometry::TabletShape{}.width_m * 1000;
 
-struct Example {
-  const char* expression;
-  functions::Window window;
-};
-
-constexpr double kPi = 3.14159265358979323846;
-const Example kExamples[] = {
-    {"y = sin x", {-5, 5, -5, 5}},
-    {"y = tan(x); y = sin x", {-6, 6, -4, 4}},
-    {"y = x^3 - 3x", {-3, 3, -4, 4}},
-    {"y = 1/x", {-5, 5, -5, 5}},
-    {"y = |x| - 1", {-3, 3, -2, 2}},
-    {"y = floor(x)", {-3.5, 3.5, -4.5, 4.5}},
-    {"y = e^x; y = ln x", {-4, 4, -4, 4}},
-    {"y = x^2; y = 2 - x^2", {-3, 3, -3, 5}},
-    {"x^2 + y^2 = 4", {-3, 3, -3, 3}},
-    {"y^2 = x^3 - x", {-2, 3, -3, 3}},
-    {"x = cos(3t); y = sin(2t); 0 <= t <= 2π", {-1.5, 1.5, -1.5, 1.5}},
-    {"r = 2cos(3θ); 0 <= θ <= π", {-2.5, 2.5, -2.5, 2.5}},
-    {"y > x^2", {-3, 3, -1, 5}},
-    {"z = sin(x) cos(y)", {-kPi, kPi, -kPi, kPi}},
-};
-
-QLabel* heading(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setProperty("role", QStringLiteral("heading"));
-  label->setWordWrap(true);
-  return label;
-}
-
-/// A number as it may be typed anywhere: "-2pi", "1/3", "1,5".
-double number_of(const QString& text) {
-  const auto plot = functions::parse(text.toStdString(), {uses_decimal_comma()});
-  if (!plot || plot->statements.size() != 1) return std::nan("");
-  const auto& statement = plot->statements.front();
-  if (statement.kind != functions::StatementKind::explicit_y ||
-      !functions::variables_of(statement.terms[0]).empty())
-    return std::nan("");
-  return functions::constant_value(statement.terms[0]);
-}
-
 }  // namespace
 
 PlotPanel::PlotPanel(QWidget* parent)
     : QScrollArea(parent),
-      content_(new QWidget(this)),
-      line_(new ExpressionLine(content_)),
-      words_(sentence_label("expression_words", content_)),
+      content_(named(new QWidget(this), "plot_content")),
+      line_(named(new ExpressionLine(content_), "expression", tr("Expression"))),
+      words_(sentence_label("expression_words", content_, "muted")),
       error_row_(new QWidget(content_)),
       error_sign_(new QLabel(error_row_)),
       error_(sentence_label("expression_error", error_row_)),
-      progress_(new QProgressBar(content_)),
-      examples_(new QComboBox(content_)),
-      axes_(new QCheckBox(tr("&Axes"), content_)),
-      ticks_(new QCheckBox(tr("Tic&ks"), content_)),
-      grid_(new QCheckBox(tr("&Grid"), content_)),
-      rim_(new QCheckBox(tr("Fra&me"), content_)),
-      width_(new QDoubleSpinBox(content_)),
-      size_(new QComboBox(content_)),
-      volume_(new QSlider(Qt::Horizontal, content_)),
-      mute_(new QCheckBox(tr("Soun&d off"), content_)) {
+      progress_(named(new QProgressBar(content_), "plot_progress", tr("Drawing"))),
+      examples_(named(new QComboBox(content_), "examples", tr("Examples"))),
+      axes_(named(new QCheckBox(tr("&Axes"), content_), "layer_axes")),
+      ticks_(named(new QCheckBox(tr("Tic&ks"), content_), "layer_ticks")),
+      grid_(named(new QCheckBox(tr("&Grid"), content_), "layer_grid")),
+      rim_(named(new QCheckBox(tr("Fra&me"), content_), "layer_rim")),
+      width_(named(new QDoubleSpinBox(content_), "groove_width", tr("Groove width in millimetres"))),
+      size_(named(new QComboBox(content_), "plate_size", tr("Samples per side"))),
+      volume_(named(new QSlider(Qt::Horizontal, content_), "volume", tr("Volume"))),
+      mute_(named(new QCheckBox(tr("Soun&d off"), content_), "no_sound")) {
   setObjectName(QStringLiteral("plot_panel"));
   setAccessibleName(tr("Expression and range"));
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setWidgetResizable(true);
   setFocusPolicy(Qt::NoFocus);
-  content_->setObjectName(QStringLiteral("plot_content"));
 
-  line_->setObjectName(QStringLiteral("expression"));
-  line_->setAccessibleName(tr("Expression"));
   line_->setPlaceholderText(QStringLiteral("y = sin x"));
   line_->setToolTip(tr("Separate several expressions with semicolons. Up and Down: earlier expressions"));
-  words_->setProperty("role", QStringLiteral("muted"));
   words_->setAccessibleName(tr("The expression in words"));
   auto* error_layout = new QHBoxLayout(error_row_);
   error_layout->setContentsMargins(0, 0, 0, 0);
   error_layout->addWidget(error_sign_, 0, Qt::AlignTop);
   error_layout->addWidget(error_, 1);
   error_row_->hide();
-  progress_->setObjectName(QStringLiteral("plot_progress"));
-  progress_->setAccessibleName(tr("Drawing"));
   progress_->setRange(0, 100);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
@@ -121,15 +74,13 @@ PlotPanel::PlotPanel(QWidget* parent)
   progress_->setSizePolicy(keeps);
   progress_->hide();
 
-  examples_->setObjectName(QStringLiteral("examples"));
-  examples_->setAccessibleName(tr("Examples"));
   examples_->addItem(tr("Examples…"));
-  for (const auto& example : kExamples) examples_->addItem(QString::fromUtf8(example.expression));
-  examples_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  examples_->setMinimumContentsLength(6);
+  for (const auto& example : functions::plot_examples()) examples_->addItem(to_text(example.expression));
+  make_narrow(examples_, 6);
   connect(examples_, &QComboBox::activated, this, [this](int row) {
-    if (row > 0)
-      emit example_chosen(QString::fromUtf8(kExamples[row - 1].expression), kExamples[row - 1].window);
+    if (row <= 0) return;
+    const auto& example = functions::plot_examples()[static_cast<std::size_t>(row - 1)];
+    emit example_chosen(to_text(example.expression), example.window);
   });
 
   auto* column = new QVBoxLayout(content_);
@@ -138,8 +89,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   auto* title = heading(tr("E&xpression"), content_);
   title->setBuddy(line_);
   for (QWidget* widget :
-       {static_cast<QWidget*>(title), static_cast<QWidget*>(line_), static_cast<QWidget*>(progress_),
-        static_cast<QWidget*>(words_), static_cast<QWidget*>(error_row_), static_cast<QWidget*>(examples_)})
+       std::initializer_list<QWidget*>{title, line_, progress_, words_, error_row_, examples_})
     column->addWidget(widget);
 
   column->addSpacing(8);
@@ -149,38 +99,28 @@ PlotPanel::PlotPanel(QWidget* parent)
   const QString names[] = {tr("x from"), tr("x to"), tr("y from"), tr("y to")};
   const char* ids[] = {"window_x0", "window_x1", "window_y0", "window_y1"};
   for (std::size_t i = 0; i < borders_.size(); ++i) {
-    borders_[i] = new QLineEdit(content_);
-    borders_[i]->setObjectName(QString::fromLatin1(ids[i]));
-    borders_[i]->setAccessibleName(names[i]);
-    connect(borders_[i], &QLineEdit::editingFinished, this, &PlotPanel::take_window);
+    borders_[i] = named(new QLineEdit(content_), ids[i], names[i]);
+    connect(borders_[i], &QLineEdit::editingFinished, this, &PlotPanel::read_window);
     window_form_->addRow(names[i], borders_[i]);
   }
   const QString height_names[] = {tr("z from"), tr("z to")};
   const char* height_ids[] = {"window_z0", "window_z1"};
   for (std::size_t i = 0; i < heights_.size(); ++i) {
-    heights_[i] = new QLineEdit(content_);
-    heights_[i]->setObjectName(QString::fromLatin1(height_ids[i]));
-    heights_[i]->setAccessibleName(height_names[i]);
+    heights_[i] = named(new QLineEdit(content_), height_ids[i], height_names[i]);
     heights_[i]->setToolTip(tr("Height range of a surface; leave empty to fit its values"));
-    connect(heights_[i], &QLineEdit::editingFinished, this, &PlotPanel::take_heights);
+    connect(heights_[i], &QLineEdit::editingFinished, this, &PlotPanel::read_heights);
     window_form_->addRow(height_names[i], heights_[i]);
   }
   column->addLayout(window_form_);
 
   column->addSpacing(8);
   column->addWidget(heading(tr("Show on the plot"), content_));
-  axes_->setObjectName(QStringLiteral("layer_axes"));
-  ticks_->setObjectName(QStringLiteral("layer_ticks"));
-  grid_->setObjectName(QStringLiteral("layer_grid"));
-  rim_->setObjectName(QStringLiteral("layer_rim"));
   for (auto* layer : {axes_, ticks_, grid_, rim_}) {
-    connect(layer, &QCheckBox::clicked, this, &PlotPanel::take_plate);
+    connect(layer, &QCheckBox::clicked, this, &PlotPanel::read_plate);
     column->addWidget(layer);
   }
   plate_form_ = new QFormLayout;
   plate_form_->setSpacing(6);
-  width_->setObjectName(QStringLiteral("groove_width"));
-  width_->setAccessibleName(tr("Groove width in millimetres"));
   width_->findChild<QLineEdit*>()->setAccessibleName(width_->accessibleName());
   width_->setRange(0.4, 10);
   width_->setSingleStep(0.1);
@@ -188,14 +128,11 @@ PlotPanel::PlotPanel(QWidget* parent)
   width_->setSuffix(tr(" mm"));
   width_->setKeyboardTracking(false);
   width_->setLocale(QLocale::system());
-  connect(width_, &QDoubleSpinBox::valueChanged, this, &PlotPanel::take_plate);
+  connect(width_, &QDoubleSpinBox::valueChanged, this, &PlotPanel::read_plate);
   plate_form_->addRow(tr("Groo&ve width"), width_);
-  size_->setObjectName(QStringLiteral("plate_size"));
-  size_->setAccessibleName(tr("Samples per side"));
   for (const int side : {128, 256, 512, 1024, 2048}) size_->addItem(QString::number(side), side);
-  connect(size_, &QComboBox::activated, this, &PlotPanel::take_plate);
-  size_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  size_->setMinimumContentsLength(4);
+  connect(size_, &QComboBox::activated, this, &PlotPanel::read_plate);
+  make_narrow(size_, 4);
   plate_form_->addRow(tr("Sam&ples"), size_);
   column->addLayout(plate_form_);
 
@@ -203,22 +140,16 @@ PlotPanel::PlotPanel(QWidget* parent)
   auto* sound = heading(tr("Vol&ume"), content_);
   sound->setBuddy(volume_);
   column->addWidget(sound);
-  volume_->setObjectName(QStringLiteral("volume"));
-  volume_->setAccessibleName(tr("Volume"));
   volume_->setRange(0, 100);
   volume_->setPageStep(10);
   connect(volume_, &QSlider::valueChanged, this, &PlotPanel::volume_changed);
   column->addWidget(volume_);
-  mute_->setObjectName(QStringLiteral("no_sound"));
   connect(mute_, &QCheckBox::clicked, this, &PlotPanel::mute_changed);
   column->addWidget(mute_);
   column->addStretch(1);
-  setWidget(content_);
-  viewport()->setAutoFillBackground(false);
-  content_->setAutoFillBackground(false);
+  make_scrolling(this, content_);
   // The fields shrink before the panel becomes too wide.
-  for (QWidget* field : {static_cast<QWidget*>(line_), static_cast<QWidget*>(examples_),
-                         static_cast<QWidget*>(width_), static_cast<QWidget*>(size_)})
+  for (QWidget* field : std::initializer_list<QWidget*>{line_, examples_, width_, size_})
     field->setMinimumWidth(1);
   connect(line_, &QLineEdit::textChanged, this, [this](const QString& text) {
     // The list shows the example that is in the field, or none if the field contains another expression.
@@ -312,24 +243,24 @@ void PlotPanel::show_window(const functions::Window& window) {
   }
 }
 
-void PlotPanel::take_window() {
+void PlotPanel::read_window() {
   functions::Window typed = window_;
   double* values[] = {&typed.x0, &typed.x1, &typed.y0, &typed.y1};
   for (std::size_t i = 0; i < borders_.size(); ++i) {
     if (!borders_[i]->isModified()) continue;
     borders_[i]->setModified(false);
-    const double value = number_of(borders_[i]->text());
-    if (!std::isfinite(value)) {
+    const auto value = functions::read_number(borders_[i]->text().toStdString(), {uses_decimal_comma()});
+    if (!value) {
       emit window_refused(borders_[i]->text());
       show_window(window_);
       return;
     }
-    *values[i] = value;
+    *values[i] = *value;
   }
   if (!(typed == window_)) emit window_typed(typed);
 }
 
-void PlotPanel::take_heights() {
+void PlotPanel::read_heights() {
   std::array<double, 2> typed{};
   int given = 0;
   bool modified = false;
@@ -339,7 +270,7 @@ void PlotPanel::take_heights() {
     const QString text = heights_[i]->text().trimmed();
     if (text.isEmpty()) continue;
     ++given;
-    typed[i] = number_of(text);
+    typed[i] = functions::read_number(text.toStdString(), {uses_decimal_comma()}).value_or(std::nan(""));
   }
   // With only one of the two numbers the range is still being typed.
   if (!modified || given == 1) return;
@@ -367,7 +298,7 @@ void PlotPanel::show_plate(const functions::PlateSettings& plate) {
   size_->setCurrentIndex(std::max(0, size_->findData(plate.size)));
 }
 
-void PlotPanel::take_plate() {
+void PlotPanel::read_plate() {
   plate_.layers = {axes_->isChecked(), ticks_->isChecked(), grid_->isChecked(), rim_->isChecked()};
   plate_.half_width = width_->value() / 2 / kTabletSide_mm;
   plate_.size = size_->currentData().toInt();

@@ -60,9 +60,9 @@ class PlotPanel final : public QScrollArea {
 
  private:
   void fit();
-  void take_window();
-  void take_heights();
-  void take_plate();
+  void read_window();
+  void read_heights();
+  void read_plate();
 
   QWidget* content_;
   ExpressionLine* line_;

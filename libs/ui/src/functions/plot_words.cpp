@@ -11,16 +11,16 @@
 namespace nazori::ui {
 namespace {
 
-QString translated(const char* text) { return QCoreApplication::translate("nazori::ui::plot_words", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(nazori::ui::plot_words)
+};
 
 /// Four significant digits; "minus", because screen readers pass over a hyphen.
 QString spoken(double value) {
-  if (std::isinf(value))
-    return value > 0 ? translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "infinity"))
-                     : translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "minus infinity"));
+  if (std::isinf(value)) return value > 0 ? Words::tr("infinity") : Words::tr("minus infinity");
   const double shown = std::abs(value) < 1e-12 ? 0 : value;
   const QString digits = number_text(std::abs(shown), 4);
-  return shown < 0 ? translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "minus %1")).arg(digits) : digits;
+  return shown < 0 ? Words::tr("minus %1").arg(digits) : digits;
 }
 
 /// The curve of this index in words.
@@ -86,14 +86,12 @@ QString point_words(const functions::PointOfInterest& point) {
 QString kind_words(functions::PointKind kind) { return to_text(functions::in_words(kind, plot_language())); }
 
 QString slope_words(double slope) {
-  if (std::isinf(slope))
-    return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "The curve is vertical here."));
-  return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "slope %1")).arg(spoken(slope));
+  if (std::isinf(slope)) return Words::tr("The curve is vertical here.");
+  return Words::tr("slope %1").arg(spoken(slope));
 }
 
 QString window_words(const functions::Window& window) {
-  return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words",
-                                      "x from %1 to %2, one tick is %3; y from %4 to %5, one tick is %6"))
+  return Words::tr("x from %1 to %2, one tick is %3; y from %4 to %5, one tick is %6")
       .arg(spoken(window.x0), spoken(window.x1), spoken(functions::tick_step(window.x0, window.x1)),
            spoken(window.y0), spoken(window.y1), spoken(functions::tick_step(window.y0, window.y1)));
 }
@@ -105,58 +103,48 @@ QString event_words(const functions::PlotEvent& event, const functions::Plot& pl
     case Kind::point_reached:
       return spot_words(event) + QLatin1Char('.');
     case Kind::next_branch:
-      return arrival_words(translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Next branch")), event);
+      return arrival_words(Words::tr("Next branch"), event);
     case Kind::end_of_branch:
-      return arrival_words(translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "End")), event);
+      return arrival_words(Words::tr("End"), event);
     case Kind::other_branch:
       return arrival_words(curve_words(plot, event.statement), event);
     case Kind::beacon_reached:
-      return arrival_words(
-          translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Marker %1")).arg(event.number), event);
+      return arrival_words(Words::tr("Marker %1").arg(event.number), event);
     case Kind::beacon_dropped:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Marker %1 set: %2."))
-          .arg(event.number)
-          .arg(spot_words(event));
+      return Words::tr("Marker %1 set: %2.").arg(event.number).arg(spot_words(event));
     case Kind::slope:
       return slope_words(event.slope);
     case Kind::curve_alone:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Only curve %1: %2."))
-          .arg(event.statement + 1)
-          .arg(curve_words(plot, event.statement));
+      return Words::tr("Only curve %1: %2.").arg(event.statement + 1).arg(curve_words(plot, event.statement));
     case Kind::all_curves:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "All curves are shown."));
+      return Words::tr("All curves are shown.");
     case Kind::groove:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Branch %1 of %2: %3"))
+      return Words::tr("Branch %1 of %2: %3")
           .arg(event.number)
           .arg(event.count)
           .arg(curve_words(plot, event.statement));
     case Kind::all_grooves:
-      return QCoreApplication::translate("nazori::ui::plot_words", "%n branches", nullptr, event.count);
+      return Words::tr("%n branches", nullptr, event.count);
     case Kind::speed:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Speed %1 of %2"))
-          .arg(event.number)
-          .arg(event.count);
+      return Words::tr("Speed %1 of %2").arg(event.number).arg(event.count);
     case Kind::window_changed:
       return window_words(event.window) + QLatin1Char('.');
     case Kind::no_curve:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no curve to follow here."));
+      return Words::tr("There is no curve to follow here.");
     case Kind::no_other_branch:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is no other curve or branch."));
+      return Words::tr("There is no other curve or branch.");
     case Kind::no_point:
-      return translated(
-          QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There are no points of interest in this range."));
+      return Words::tr("There are no points of interest in this range.");
     case Kind::no_location:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words",
-                                          "First move to a point on a curve with the arrow keys."));
+      return Words::tr("First move to a point on a curve with the arrow keys.");
     case Kind::no_slope:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "The curve has no slope here."));
+      return Words::tr("The curve has no slope here.");
     case Kind::no_beacon:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There are no markers yet. B: add one."));
+      return Words::tr("There are no markers yet. B: add one.");
     case Kind::only_one_curve:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "There is only one curve."));
+      return Words::tr("There is only one curve.");
     case Kind::window_limit:
-      return translated(
-          QT_TRANSLATE_NOOP("nazori::ui::plot_words", "The range cannot be changed any further."));
+      return Words::tr("The range cannot be changed any further.");
   }
   return {};
 }
@@ -164,14 +152,14 @@ QString event_words(const functions::PlotEvent& event, const functions::Plot& pl
 QString file_filter(functions::PlotFile kind) {
   switch (kind) {
     case functions::PlotFile::document:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Plots (*.json)"));
+      return Words::tr("Plots (*.json)");
     case functions::PlotFile::raw:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Height maps (*.raw)"));
+      return Words::tr("Height maps (*.raw)");
     case functions::PlotFile::png:
     case functions::PlotFile::print:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Pictures (*.png)"));
+      return Words::tr("Pictures (*.png)");
     case functions::PlotFile::sound:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Sounds (*.wav)"));
+      return Words::tr("Sounds (*.wav)");
   }
   return {};
 }

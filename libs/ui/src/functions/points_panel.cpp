@@ -4,8 +4,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
-#include <QResizeEvent>
-#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -15,6 +13,7 @@
 #include <utility>
 
 #include "functions/plot_words.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
@@ -90,38 +89,25 @@ QTableWidgetItem* cell(const QString& text, const QString& words) {
 
 PointsPanel::PointsPanel(QWidget* parent)
     : QWidget(parent),
-      summary_(new QLabel(this)),
-      caption_(new QLabel(tr("Points of &interest"), this)),
-      table_(new QTableWidget(0, 3, this)),
-      empty_(new QLabel(tr("None in this range."), this)) {
+      summary_(text_label("plot_summary", this)),
+      caption_(with_role(new QLabel(tr("Points of &interest"), this), "heading")),
+      table_(named(new QTableWidget(0, 3, this), "points_table", tr("Points of interest"))),
+      empty_(with_role(new QLabel(tr("None in this range."), this), "muted")) {
   setObjectName(QStringLiteral("points_panel"));
   setAccessibleName(tr("About the plot"));
-  summary_->setObjectName(QStringLiteral("plot_summary"));
-  summary_->setWordWrap(true);
-  summary_->setTextFormat(Qt::PlainText);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  caption_->setProperty("role", QStringLiteral("heading"));
   caption_->setBuddy(table_);
   caption_->setWordWrap(true);
-  empty_->setProperty("role", QStringLiteral("muted"));
   empty_->setWordWrap(true);
-  table_->setObjectName(QStringLiteral("points_table"));
-  table_->setAccessibleName(tr("Points of interest"));
   table_->setHorizontalHeaderLabels({tr("Type"), QStringLiteral("x"), QStringLiteral("y")});
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setTabKeyNavigation(false);
+  make_row_table(table_);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table_->setShowGrid(false);
-  table_->verticalHeader()->hide();
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setWordWrap(true);
   cells_ = new StackedCell(table_);
   table_->setItemDelegate(cells_);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setStretchLastSection(true);
   table_->viewport()->installEventFilter(this);
-  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   connect(table_, &QTableWidget::cellClicked, this, &PointsPanel::point_chosen);
   connect(table_, &QTableWidget::cellActivated, this, &PointsPanel::point_chosen);
   auto* column = new QVBoxLayout(this);

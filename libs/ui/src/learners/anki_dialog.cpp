@@ -8,6 +8,7 @@
 #include <QSpinBox>
 
 #include "study/list_choice.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -18,23 +19,21 @@ constexpr int kMostWords = 20;
 }  // namespace
 
 AnkiDialog::AnkiDialog(const study::LearnerStore& store, QWidget* parent)
-    : QDialog(parent), list_(new ListChoice(this)), deck_(new QLineEdit(this)), words_(new QSpinBox(this)) {
+    : QDialog(parent),
+      list_(named(new ListChoice(this), "anki_list")),
+      deck_(named(new QLineEdit(this), "anki_deck")),
+      words_(named(new QSpinBox(this), "anki_words")) {
   setObjectName(QStringLiteral("anki_dialog"));
   setWindowTitle(tr("Export for Anki"));
-  list_->setObjectName(QStringLiteral("anki_list"));
   list_->fill(store);
   if (store.cards().empty()) list_->set_list(QStringLiteral("grade-1"));
-  deck_->setObjectName(QStringLiteral("anki_deck"));
   deck_->setText(to_text(practice::AnkiChoice().deck));
   deck_->setMaxLength(40);
-  words_->setObjectName(QStringLiteral("anki_words"));
   words_->setRange(0, kMostWords);
   words_->setValue(practice::AnkiChoice().words);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  auto* buttons = dialog_buttons(QDialogButtonBox::Cancel, this);
   auto* choose = buttons->addButton(tr("Choose file…"), QDialogButtonBox::AcceptRole);
   choose->setDefault(true);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 20, 20, 16);
   form->setSpacing(12);

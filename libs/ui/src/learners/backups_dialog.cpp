@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learners/backups_dialog.h"
 
-#include <QDate>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -15,6 +14,7 @@
 #include "events/signals.h"
 #include "learners/exchange_progress.h"
 #include "progress/study_charts.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -46,34 +46,19 @@ BackupsDialog::BackupsDialog(base::Inbox& inbox, practice::Learner& learner,
       learner_(learner),
       exchange_(exchange),
       backups_(inbox, learner),
-      table_(new QTableWidget(0, kColumns, this)),
-      words_(new QLabel(this)) {
+      table_(named(new QTableWidget(0, kColumns, this), "backups_table", tr("Backups, newest first"))),
+      words_(text_label("backups_words", this)) {
   setObjectName(QStringLiteral("backups_dialog"));
   setWindowTitle(tr("Backups of %1").arg(to_text(learner.profile())));
-  table_->setObjectName(QStringLiteral("backups_table"));
-  table_->setAccessibleName(tr("Backups, newest first"));
   table_->setHorizontalHeaderLabels(
       {tr("Type"), tr("Last study day"), tr("Times written"), tr("Characters")});
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setTabKeyNavigation(false);
-  table_->setShowGrid(false);
-  table_->verticalHeader()->hide();
+  make_row_table(table_);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  words_->setObjectName(QStringLiteral("backups_words"));
-  words_->setWordWrap(true);
-  words_->setTextFormat(Qt::PlainText);
-  auto* now = new QPushButton(tr("&Back up now"), this);
-  now->setObjectName(QStringLiteral("backup_now"));
+  auto* now = named(new QPushButton(tr("&Back up now"), this), "backup_now");
   now->setAutoDefault(false);
-  restore_ = new QPushButton(tr("&Restore…"), this);
-  restore_->setObjectName(QStringLiteral("backup_restore"));
+  restore_ = named(new QPushButton(tr("&Restore…"), this), "backup_restore");
   restore_->setAutoDefault(false);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* buttons = dialog_buttons(QDialogButtonBox::Close, this);
   connect(now, &QPushButton::clicked, this, [this] { exchange_.back_up(); });
   connect(&progress, &ExchangeProgress::announced, this, [this](Feedback, const QString& sentence) {
     refresh();

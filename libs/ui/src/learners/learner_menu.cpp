@@ -3,7 +3,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QStandardPaths>
 
 #include "learners/anki_dialog.h"
 #include "learners/backups_dialog.h"
@@ -49,11 +48,6 @@ void LearnerMenu::show_backups() {
   parts_.focus_tablet();
 }
 
-QString LearnerMenu::folder() const {
-  const QString& last = parts_.preferences().folder;
-  return last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::HomeLocation) : last;
-}
-
 void LearnerMenu::remember_folder_of(const QString& path) {
   parts_.preferences().folder = QFileInfo(path).absolutePath();
   parts_.save_later();
@@ -82,7 +76,9 @@ void LearnerMenu::ask_and_write(Format format) {
   }
   QString path = QFileDialog::getSaveFileName(
       &parts_.window(), tr("Export"),
-      QStringLiteral("%1/%2.%3").arg(folder(), to_text(parts_.learner().profile()), suffix), filter);
+      QStringLiteral("%1/%2.%3")
+          .arg(parts_.preferences().start_folder(), to_text(parts_.learner().profile()), suffix),
+      filter);
   if (!path.isEmpty()) {
     if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
     remember_folder_of(path);
@@ -92,8 +88,9 @@ void LearnerMenu::ask_and_write(Format format) {
 }
 
 void LearnerMenu::ask_and_read() {
-  const QString path = QFileDialog::getOpenFileName(&parts_.window(), tr("Import"), folder(),
-                                                    tr("All study data (*.json);;All files (*)"));
+  const QString path =
+      QFileDialog::getOpenFileName(&parts_.window(), tr("Import"), parts_.preferences().start_folder(),
+                                   tr("All study data (*.json);;All files (*)"));
   if (!path.isEmpty()) {
     remember_folder_of(path);
     parts_.exchange().read(path.toStdString());

@@ -24,7 +24,6 @@ class LearnerMenu final : public QObject {
   void show_backups();
   void ask_and_write(practice::LearnerExchange::Format format);
   void ask_and_read();
-  [[nodiscard]] QString folder() const;
   void remember_folder_of(const QString& path);
 
   WindowParts& parts_;

@@ -9,9 +9,9 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "nazori/study/profiles.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -20,25 +20,17 @@ namespace nazori::ui {
 LearnersDialog::LearnersDialog(practice::Learner& learner, QWidget* parent)
     : QDialog(parent),
       learner_(learner),
-      list_(new QListWidget(this)),
-      name_(new QLineEdit(this)),
-      words_(new QLabel(this)) {
+      list_(named(new QListWidget(this), "learners_list", tr("Learners"))),
+      name_(named(new QLineEdit(this), "learner_name", tr("Name (to add or rename)"))),
+      words_(text_label("learners_words", this)) {
   setObjectName(QStringLiteral("learners_dialog"));
   setWindowTitle(tr("Learners"));
   auto* list_caption = new QLabel(tr("&Learners"), this);
   list_caption->setBuddy(list_);
-  list_->setObjectName(QStringLiteral("learners_list"));
-  list_->setAccessibleName(tr("Learners"));
   auto* name_caption = new QLabel(tr("&Name (to add or rename)"), this);
   name_caption->setBuddy(name_);
-  name_->setObjectName(QStringLiteral("learner_name"));
-  name_->setAccessibleName(tr("Name (to add or rename)"));
-  words_->setObjectName(QStringLiteral("learners_words"));
-  words_->setWordWrap(true);
-  words_->setTextFormat(Qt::PlainText);
   const auto button = [this](const char* name, const QString& text) {
-    auto* made = new QPushButton(text, this);
-    made->setObjectName(QString::fromLatin1(name));
+    auto* made = named(new QPushButton(text, this), name);
     made->setAutoDefault(false);
     return made;
   };
@@ -47,8 +39,7 @@ LearnersDialog::LearnersDialog(practice::Learner& learner, QWidget* parent)
   auto* add_button = button("learner_add", tr("&Add"));
   rename_ = button("learner_rename", tr("&Rename"));
   remove_ = button("learner_remove", tr("Re&move…"));
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* buttons = dialog_buttons(QDialogButtonBox::Close, this);
   connect(choose_, &QPushButton::clicked, this, &LearnersDialog::choose);
   connect(add_button, &QPushButton::clicked, this, &LearnersDialog::add);
   connect(rename_, &QPushButton::clicked, this, &LearnersDialog::rename);
@@ -88,12 +79,9 @@ QString LearnersDialog::chosen() const {
 
 void LearnersDialog::refresh() {
   list_->clear();
-  std::vector<std::string> names = study::profiles(learner_.folder());
-  const std::string& current = learner_.profile();
-  if (std::find(names.begin(), names.end(), current) == names.end()) names.insert(names.begin(), current);
-  for (const std::string& one : names) {
+  for (const std::string& one : learner_.profiles()) {
     const QString name = to_text(one);
-    const bool studies = one == current;
+    const bool studies = one == learner_.profile();
     auto* item = new QListWidgetItem(studies ? tr("✓ %1 (current)").arg(name) : name, list_);
     item->setData(Qt::UserRole, name);
     if (studies) list_->setCurrentItem(item);
@@ -108,9 +96,7 @@ QString LearnersDialog::typed_name() {
     name_->setFocus();
     return {};
   }
-  const auto file = study::learner_file(learner_.folder(), name.toStdString());
-  std::error_code ignored;
-  if (file && std::filesystem::exists(file->parent_path(), ignored)) {
+  if (learner_.has_profile(name.toStdString())) {
     show_words(tr("%1 already exists. Type another name.").arg(name));
     name_->setFocus();
     return {};
@@ -140,15 +126,7 @@ void LearnersDialog::rename() {
   if (from.isEmpty()) return;
   const QString to = typed_name();
   if (to.isEmpty()) return;
-  base::Result<void> done;
-  const auto work = [&]() -> std::string {
-    done = study::rename_profile(learner_.folder(), from.toStdString(), to.toStdString());
-    return done ? to.toStdString() : std::string();
-  };
-  if (from.toStdString() == learner_.profile())
-    learner_.while_closed(work);
-  else
-    (void)work();
+  const auto done = learner_.rename_profile(from.toStdString(), to.toStdString());
   refresh();
   if (!done) {
     show_words(tr("%1 could not be renamed: %2.").arg(from, reason(done.error())));
@@ -174,17 +152,7 @@ void LearnersDialog::remove() {
   question.setDefaultButton(QMessageBox::Cancel);
   question.exec();
   if (question.clickedButton() != yes) return;
-  base::Result<std::filesystem::path> kept;
-  const auto work = [&]() -> std::string {
-    kept = study::remove_profile(learner_.folder(), name.toStdString());
-    if (!kept) return {};
-    const auto left = study::profiles(learner_.folder());
-    return left.empty() ? std::string(study::kDefaultProfile) : left.front();
-  };
-  if (name.toStdString() == learner_.profile())
-    learner_.while_closed(work);
-  else
-    (void)work();
+  const auto kept = learner_.remove_profile(name.toStdString());
   refresh();
   show_words(kept ? tr("Removed %1. The folder is now in %2.").arg(name, to_text(kept->string()))
                   : tr("%1 could not be removed: %2.").arg(name, reason(kept.error())));

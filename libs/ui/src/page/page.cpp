@@ -5,7 +5,8 @@
 
 namespace nazori::ui {
 
-Page::Page(WindowParts& parts) : parts_(parts) {}
+Page::Page(WindowParts& parts, Description description)
+    : parts_(parts), description_(std::move(description)) {}
 
 Page::~Page() = default;
 

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "look/icons.h"
@@ -28,7 +29,16 @@ struct Tool {
 class Page : public QObject {
   Q_OBJECT
  public:
-  explicit Page(WindowParts& parts);
+  /// What never changes about a page.
+  struct Description {
+    QString id;  ///< never translated: its group in the settings, and part of object names ("go_characters")
+    QString name;     ///< as shown to the learner, with its mnemonic: "&Characters"
+    QString purpose;  ///< in one short line
+    Icon drawing;
+    QString tablet;  ///< the tablet's description for a screen reader
+  };
+
+  Page(WindowParts& parts, Description description);
   ~Page() override;
 
   /// A panel beside the tablet.
@@ -38,14 +48,11 @@ class Page : public QObject {
     QString tip;                ///< the tool tip of that entry
   };
 
-  /// Never translated: the name of its group in the settings, and part of the object name of its menu entry
-  /// ("go_characters").
-  [[nodiscard]] virtual QString id() const = 0;
-  /// The name shown to the learner, with its mnemonic: "&Characters".
-  [[nodiscard]] virtual QString name() const = 0;
-  /// Its purpose in one short line.
-  [[nodiscard]] virtual QString purpose() const = 0;
-  [[nodiscard]] virtual Icon drawing() const = 0;
+  [[nodiscard]] const QString& id() const { return description_.id; }
+  [[nodiscard]] const QString& name() const { return description_.name; }
+  [[nodiscard]] const QString& purpose() const { return description_.purpose; }
+  [[nodiscard]] Icon drawing() const { return description_.drawing; }
+  [[nodiscard]] const QString& tablet_description() const { return description_.tablet; }
   /// What the page shows now, for the title of the window.
   [[nodiscard]] virtual QString title() const { return {}; }
 
@@ -60,8 +67,6 @@ class Page : public QObject {
   [[nodiscard]] virtual ActionSet* actions() const { return nullptr; }
   /// The middle of the toolbar.
   [[nodiscard]] virtual QList<Tool> tools() const { return {}; }
-  /// The tablet's description for a screen reader.
-  [[nodiscard]] virtual QString tablet_description() const { return {}; }
 
   /// The page is shown: it sets its tablet and announces what can be done.
   virtual void enter() = 0;
@@ -90,9 +95,15 @@ class Page : public QObject {
 
  protected:
   [[nodiscard]] WindowParts& parts() const { return parts_; }
+  /// Calls `what` whenever an action is triggered.
+  template <class What>
+  void on(QAction* action, What what) {
+    connect(action, &QAction::triggered, this, std::move(what));
+  }
 
  private:
   WindowParts& parts_;
+  Description description_;
 };
 
 using MakePage = std::unique_ptr<Page> (*)(WindowParts&);

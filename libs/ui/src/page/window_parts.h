@@ -53,38 +53,29 @@ class WindowParts final : public QObject {
 
   /// Shows one sentence in the feedback line and sends it to the screen reader.
   void announce(Feedback kind, const QString& sentence);
-  /// As announce(), for the answer to a key: it is spoken even if the line already shows this sentence.
-  void answer(Feedback kind, const QString& sentence) { emit answered(kind, sentence); }
   /// As announce(), for events that the learner did not cause. While the window is opening, the sentence
   /// waits: the first sentence of the page would replace it.
   void announce_when_open(Feedback kind, const QString& sentence);
   /// The page shows its first content: announces what was waiting.
   void note_opened();
-  /// The settings have changed. They are written within a second.
-  void save_later() { emit save_wanted(); }
-  /// Gives the keyboard focus to the tablet or to what replaces it, as after a dialog.
-  void focus_tablet() { emit focus_wanted(); }
-  /// Closes panels that are open as drawers, after something was chosen in one.
-  void close_drawers() { emit drawers_done(); }
-  /// Opens the left panel, even out of full screen.
-  void open_left_panel() { emit left_panel_wanted(); }
-
-  /// Goes to another page, by its id. An id that is not registered changes nothing.
-  void go_to(const QString& page) { emit page_wanted(page); }
-  /// The study settings that concern the window have changed: keys, layout, questions.
-  void note_study_settings() { emit study_settings_changed(); }
-  /// From any page: goes to the page for characters and shows this one.
-  void show_character(char32_t code_point) { emit character_wanted(code_point); }
 
  signals:
   void announced(nazori::ui::Feedback kind, QString sentence);
-  void answered(nazori::ui::Feedback kind, QString sentence);
-  void save_wanted();
-  void focus_wanted();
-  void drawers_done();
-  void left_panel_wanted();
-  void character_wanted(char32_t code_point);
-  void page_wanted(QString page);
+  /// As announce(), for the answer to a key: it is spoken even if the line already shows this sentence.
+  void respond(nazori::ui::Feedback kind, QString sentence);
+  /// The settings have changed. They are written within a second.
+  void save_later();
+  /// Gives the keyboard focus to the tablet or to what replaces it, as after a dialog.
+  void focus_tablet();
+  /// Closes panels that are open as drawers, after something was chosen in one.
+  void close_drawers();
+  /// Opens the left panel, even out of full screen.
+  void open_left_panel();
+  /// Goes to another page, by its id. An id that is not registered changes nothing.
+  void go_to(QString page);
+  /// From any page: goes to the page for characters and shows this one.
+  void show_character(char32_t code_point);
+  /// The study settings that concern the window have changed: keys, layout, questions.
   void study_settings_changed();
   /// A character is shown, with its tablet.
   void character_shown(char32_t code_point);

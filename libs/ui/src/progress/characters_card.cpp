@@ -11,6 +11,7 @@
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
 #include "study/list_choice.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -20,15 +21,9 @@ CharactersCard::CharactersCard(QWidget* parent) : CharactersCard(new QWidget, pa
 
 CharactersCard::CharactersCard(QWidget* drawing, QWidget* parent)
     : ChartCard(QStringLiteral("characters"), drawing, parent),
-      list_(new ListChoice(drawing)),
-      grid_(new StrengthGrid(drawing)) {
-  list_->setObjectName(QStringLiteral("characters_list"));
-  list_->setAccessibleName(tr("Characters to show"));
-  grid_->setObjectName(QStringLiteral("strength_grid"));
-  auto* here = new QLabel(drawing);
-  here->setObjectName(QStringLiteral("strength_reading"));
-  here->setProperty("role", QStringLiteral("muted"));
-  here->setWordWrap(true);
+      list_(named(new ListChoice(drawing), "characters_list", tr("Characters to show"))),
+      grid_(named(new StrengthGrid(drawing), "strength_grid")) {
+  auto* here = text_label("strength_reading", drawing, "muted");
   auto* column = new QVBoxLayout(drawing);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);

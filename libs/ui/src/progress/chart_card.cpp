@@ -9,9 +9,9 @@
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "progress/day_chart.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
@@ -37,12 +37,7 @@ void ChartCard::build(const QString& id, QWidget* drawing) {
   setObjectName(id + QStringLiteral("_card"));
   setProperty("role", QStringLiteral("card"));
   const auto label = [&](const char* name, const char* role) {
-    auto* made = new QLabel(this);
-    made->setObjectName(id + QLatin1String(name));
-    made->setProperty("role", QString::fromLatin1(role));
-    made->setWordWrap(true);
-    made->setTextFormat(Qt::PlainText);
-    return made;
+    return text_label((id.toLatin1() + name).constData(), this, role);
   };
   heading_ = label("_heading", "card_title");
   summary_ = label("_summary", "");
@@ -62,15 +57,8 @@ void ChartCard::build(const QString& id, QWidget* drawing) {
   drawing_->setObjectName(id + QStringLiteral("_chart"));
   table_ = new QTableWidget(this);
   table_->setObjectName(id + QStringLiteral("_table"));
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setTabKeyNavigation(false);
-  table_->setShowGrid(false);
+  make_row_table(table_);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   stack_ = new QStackedWidget(this);
   stack_->addWidget(drawing_);
   stack_->addWidget(table_);

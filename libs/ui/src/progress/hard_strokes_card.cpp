@@ -5,8 +5,8 @@
 #include <QListWidget>
 #include <QLocale>
 #include <QPainter>
-#include <QPainterPath>
 
+#include "look/ink_painting.h"
 #include "look/palette.h"
 #include "nazori/geometry/point.h"
 #include "progress/study_charts.h"
@@ -71,15 +71,9 @@ void HardStrokeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
   for (std::size_t i = 0; i < lines.size(); ++i) {
     // The hard stroke is drawn thicker.
     const bool marked = static_cast<int>(i) == hard;
-    QPainterPath path;
-    for (const auto& point : lines[i].points)
-      if (path.elementCount() == 0)
-        path.moveTo(point.x, point.y);
-      else
-        path.lineTo(point.x, point.y);
     painter->setPen(
         QPen(marked ? c.vermilion : c.muted, marked ? 8 : 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter->drawPath(path);
+    painter->drawPath(path_through(lines[i].points));
   }
   painter->restore();
 }

@@ -3,7 +3,6 @@
 
 #include <QStyledItemDelegate>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "nazori/kanji/kanji_database.h"

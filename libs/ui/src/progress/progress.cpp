@@ -4,28 +4,48 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QSettings>
+#include <algorithm>
+#include <array>
 
 #include "events/signals.h"
 #include "page/window_parts.h"
 #include "progress/characters_card.h"
 #include "progress/progress_actions.h"
 #include "progress/progress_view.h"
+#include "settings/stored_settings.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
+namespace {
+
+using TimeShown = ProgressView::TimeShown;
+constexpr std::array kTimes{TimeShown::month, TimeShown::season, TimeShown::year, TimeShown::everything};
+constexpr std::array<std::string_view, 4> kTimeNames{"month", "season", "year", "everything"};
+
+/// By its name; until version 0.2 it was stored as its number of days.
+TimeShown read_time(const base::Settings& settings) {
+  const auto days = static_cast<int>(base::number_setting(settings, "time_shown", 92, 0, 366));
+  const auto old = std::find(kTimes.begin(), kTimes.end(), static_cast<TimeShown>(days)) - kTimes.begin();
+  return kTimes[base::named_setting(settings, "time_shown", kTimeNames, static_cast<std::size_t>(old) % 4)];
+}
+
+}  // namespace
 
 Progress::Progress(WindowParts& parts)
-    : Page(parts),
+    : Page(parts, {QStringLiteral("progress"),
+                   tr("P&rogress"),
+                   tr("Your progress in charts and numbers"),
+                   Icon::progress,
+                   {}}),
       actions_(new ProgressActions(&parts.window())),
       view_(new ProgressView(parts.learner(), &parts.window())),
       reader_(parts.inbox()) {
   QSettings settings(parts.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
-  view_->set_time_shown(static_cast<ProgressView::TimeShown>(
-      settings.value(QStringLiteral("time_shown"), static_cast<int>(ProgressView::TimeShown::season))
-          .toInt()));
-  view_->characters().set_list(settings.value(QStringLiteral("list")).toString());
+  const base::Settings values = read_settings(settings);
+  view_->set_time_shown(read_time(values));
+  view_->characters().set_list(to_text(base::text_setting(values, "list")));
   connect_actions();
   connect(view_, &ProgressView::opened, this,
           [this](char32_t character) { this->parts().show_character(character); });
@@ -50,10 +70,6 @@ Progress::Progress(WindowParts& parts)
 
 Progress::~Progress() = default;
 
-QString Progress::id() const { return QStringLiteral("progress"); }
-QString Progress::name() const { return tr("P&rogress"); }
-QString Progress::purpose() const { return tr("Your progress in charts and numbers"); }
-Icon Progress::drawing() const { return Icon::progress; }
 QString Progress::title() const { return tr("Progress of %1").arg(to_text(parts().learner().profile())); }
 QWidget* Progress::instead_of_tablet() const { return view_; }
 ActionSet* Progress::actions() const { return actions_; }
@@ -62,20 +78,20 @@ QList<Tool> Progress::tools() const { return {{actions_->numbers, true}, {action
 
 void Progress::connect_actions() {
   for (const auto& entry : actions_->card_entries)
-    connect(entry.action, &QAction::triggered, this, [this, id = entry.id] { view_->go_to(id); });
-  connect(actions_->numbers, &QAction::triggered, this, [this] {
+    on(entry.action, [this, id = entry.id] { view_->go_to(id); });
+  on(actions_->numbers, [this] {
     auto* card = view_->card_at_hand();
     card->set_shows_numbers(!card->shows_numbers());
     card->focus_content();
   });
-  connect(actions_->copy, &QAction::triggered, this, [this] { copy(*view_->card_at_hand()); });
+  on(actions_->copy, [this] { copy(*view_->card_at_hand()); });
   const auto change = [this](int by) {
     if (!view_->change_time_shown(by))
       parts().announce(Feedback::hint,
                        by > 0 ? tr("All data is shown.") : tr("One month is the shortest period."));
   };
-  connect(actions_->longer, &QAction::triggered, this, [change] { change(1); });
-  connect(actions_->shorter, &QAction::triggered, this, [change] { change(-1); });
+  on(actions_->longer, [change] { change(1); });
+  on(actions_->shorter, [change] { change(-1); });
 }
 
 void Progress::enter() {
@@ -108,8 +124,11 @@ void Progress::copy(const ChartCard& card) {
 void Progress::refresh_appearance() { view_->refresh_appearance(); }
 
 void Progress::save(QSettings& settings) const {
-  settings.setValue(QStringLiteral("time_shown"), static_cast<int>(view_->time_shown()));
-  settings.setValue(QStringLiteral("list"), view_->characters().list());
+  auto values = read_settings(settings);
+  const auto time = std::find(kTimes.begin(), kTimes.end(), view_->time_shown()) - kTimes.begin();
+  values.insert_or_assign("time_shown", std::string(kTimeNames[static_cast<std::size_t>(time)]));
+  values.insert_or_assign("list", view_->characters().list().toStdString());
+  write_settings(settings, values);
 }
 
 }  // namespace nazori::ui

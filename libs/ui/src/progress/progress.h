@@ -17,10 +17,6 @@ class Progress final : public Page {
   explicit Progress(WindowParts& parts);
   ~Progress() override;
 
-  [[nodiscard]] QString id() const override;
-  [[nodiscard]] QString name() const override;
-  [[nodiscard]] QString purpose() const override;
-  [[nodiscard]] Icon drawing() const override;
   [[nodiscard]] QString title() const override;
   [[nodiscard]] QWidget* instead_of_tablet() const override;
   [[nodiscard]] ActionSet* actions() const override;

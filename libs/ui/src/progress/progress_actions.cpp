@@ -7,11 +7,10 @@
 namespace nazori::ui {
 
 ProgressActions::ProgressActions(QWidget* window) : ActionSet(window) {
-  const auto key = [](const char* text) { return QStringList{QString::fromLatin1(text)}; };
   const auto go_to = [this](const QString& id, const QString& text, const QString& tip) {
     const auto name = QStringLiteral("progress_") + id;
-    card_entries.append(
-        {id, make(name.toLatin1().constData(), text, tip, {QString::number(card_entries.size() + 1)})});
+    card_entries.append({id, make(name.toLatin1().constData(), text, tip,
+                                  QByteArray::number(card_entries.size() + 1).constData())});
   };
   for (const practice::ChartKind& kind : practice::chart_kinds())
     go_to(StudyCharts::id(kind.id), StudyCharts::menu_text(kind.id), StudyCharts::menu_tip(kind.id));
@@ -19,13 +18,11 @@ ProgressActions::ProgressActions(QWidget* window) : ActionSet(window) {
   go_to(QStringLiteral("hard_strokes"), tr("&Hardest strokes"),
         tr("Go to the strokes you get wrong most often"));
   numbers = make("progress_numbers", tr("&Numbers or chart"),
-                 tr("Switch the current chart between numbers and drawing"), key("N"));
-  copy =
-      make("progress_copy", tr("Co&py numbers"), tr("Copy the numbers of the current chart"), key("Ctrl+C"));
-  longer = make("progress_longer", tr("&Longer period"), tr("Show a longer period"), key("L"));
-  shorter = make("progress_shorter", tr("Shor&ter period"), tr("Show a shorter period"), key("K"));
-  draw(numbers, Icon::numbers);
-  draw(copy, Icon::copy);
+                 tr("Switch the current chart between numbers and drawing"), "N", Icon::numbers);
+  copy = make("progress_copy", tr("Co&py numbers"), tr("Copy the numbers of the current chart"), "Ctrl+C",
+              Icon::copy);
+  longer = make("progress_longer", tr("&Longer period"), tr("Show a longer period"), "L");
+  shorter = make("progress_shorter", tr("Shor&ter period"), tr("Show a shorter period"), "K");
   QList<QAction*> group;
   for (const CardEntry& entry : card_entries) group.append(entry.action);
   group += {nullptr, numbers, copy, nullptr, longer, shorter};

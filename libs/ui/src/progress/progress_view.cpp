@@ -15,6 +15,7 @@
 #include "progress/characters_card.h"
 #include "progress/hard_strokes_card.h"
 #include "progress/study_charts.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
@@ -35,12 +36,12 @@ QList<ChartCard*> chart_cards(QWidget* parent) {
 ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
     : QWidget(parent),
       learner_(learner),
-      scroll_(new QScrollArea(this)),
-      content_(new QWidget(scroll_)),
-      trouble_(new QLabel(this)),
-      figures_(new QLabel(content_)),
-      time_(new QComboBox(content_)),
-      work_(new QProgressBar(content_)),
+      scroll_(named(new QScrollArea(this), "progress_scroll")),
+      content_(named(new QWidget(scroll_), "progress_content")),
+      trouble_(text_label("progress_trouble", this)),
+      figures_(text_label("progress_figures", content_)),
+      time_(named(new QComboBox(content_), "progress_time", tr("Period shown"))),
+      work_(named(new QProgressBar(content_), "progress_work", tr("Calculating statistics"))),
       grid_(new QGridLayout),
       charts_(chart_cards(content_)),
       characters_(new CharactersCard(content_)),
@@ -50,27 +51,17 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
   setObjectName(QStringLiteral("progress_page"));
   setAccessibleName(tr("Progress"));
   setFocusPolicy(Qt::StrongFocus);
-  content_->setObjectName(QStringLiteral("progress_content"));
-  trouble_->setObjectName(QStringLiteral("progress_trouble"));
-  trouble_->setWordWrap(true);
   trouble_->setAlignment(Qt::AlignCenter);
   trouble_->setMargin(3 * kMargin);
   trouble_->hide();
-  figures_->setObjectName(QStringLiteral("progress_figures"));
-  figures_->setWordWrap(true);
-  figures_->setTextFormat(Qt::PlainText);
   figures_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   auto* caption = new QLabel(tr("Period s&hown"), content_);
   caption->setBuddy(time_);
-  time_->setObjectName(QStringLiteral("progress_time"));
-  time_->setAccessibleName(tr("Period shown"));
   time_->addItem(tr("1 month"), static_cast<int>(TimeShown::month));
   time_->addItem(tr("3 months"), static_cast<int>(TimeShown::season));
   time_->addItem(tr("1 year"), static_cast<int>(TimeShown::year));
   time_->addItem(tr("All time"), static_cast<int>(TimeShown::everything));
   time_->setCurrentIndex(1);
-  work_->setObjectName(QStringLiteral("progress_work"));
-  work_->setAccessibleName(tr("Calculating statistics"));
   work_->setRange(0, 100);
   work_->setTextVisible(false);
   work_->hide();
@@ -88,7 +79,6 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
   column->addWidget(figures_);
   column->addLayout(choice);
   column->addLayout(grid_, 1);
-  scroll_->setObjectName(QStringLiteral("progress_scroll"));
   scroll_->setWidget(content_);
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -3,7 +3,6 @@
 
 #include <QFontInfo>
 #include <QPainter>
-#include <QScrollBar>
 
 #include "nazori/practice/strengths.h"
 #include "progress/role_colours.h"

@@ -33,6 +33,10 @@ QString Preferences::default_file() {
          QStringLiteral("/nazori/nazori.ini");
 }
 
+QString Preferences::start_folder() const {
+  return folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::HomeLocation) : folder;
+}
+
 Preferences Preferences::load(const QString& file) {
   const QSettings ini(file, QSettings::IniFormat);
   Preferences p;

@@ -46,6 +46,8 @@ struct Preferences {
   bool begin_at_home = true;                    ///< the window opens with Home, not with the last page
   QString folder;                               ///< where the last file was opened or saved
 
+  /// The folder in which a file dialog begins.
+  [[nodiscard]] QString start_folder() const;
   /// Reads an INI file. A missing or invalid value keeps its default.
   [[nodiscard]] static Preferences load(const QString& file);
   /// @return false where the file cannot be written.

@@ -14,29 +14,26 @@ constexpr int kLook_ms = 30'000;
 }  // namespace
 
 HomeActions::HomeActions(QWidget* window) : ActionSet(window) {
-  const auto key = [](const char* text) { return QStringList{QString::fromLatin1(text)}; };
   start = make("home_study", tr("&Start today's study"), tr("Start today's reviews and new characters"),
-               key("Ctrl+Return"));
-  leeches =
-      make("home_leeches_lesson", tr("Rele&arn difficult characters"),
-           tr("Relearn characters you forgot too often, starting with Watch"), key("Ctrl+Shift+Return"));
+               "Ctrl+Return", Icon::play);
+  leeches = make("home_leeches_lesson", tr("Rele&arn difficult characters"),
+                 tr("Relearn characters you forgot too often, starting with Watch"), "Ctrl+Shift+Return");
   undo = make("home_undo", tr("Undo las&t review"),
               tr("Undo the last saved review or change; repeat to go further back, even to earlier days"),
-              key("Ctrl+Shift+Z"));
+              "Ctrl+Shift+Z", Icon::undo);
   settings = make("home_study_settings", tr("Study se&ttings…"),
-                  tr("Daily goal, lists, order and desired retention"), key("Ctrl+,"));
-  draw(start, Icon::play);
-  draw(undo, Icon::undo);
+                  tr("Daily goal, lists, order and desired retention"), "Ctrl+,");
   add_group(tr("St&udy"), {start, leeches, nullptr, undo, nullptr, settings});
 }
 
 Home::Home(WindowParts& parts)
-    : Page(parts),
+    : Page(parts,
+           {QStringLiteral("home"), tr("H&ome"), tr("Today's reviews and new characters"), Icon::home, {}}),
       actions_(new HomeActions(&parts.window())),
       view_(new HomeView(parts.learner(), parts.session(), &parts.window())) {
-  connect(actions_->start, &QAction::triggered, this, [this] { start(false); });
-  connect(actions_->leeches, &QAction::triggered, this, [this] { start(true); });
-  connect(actions_->undo, &QAction::triggered, this, [this] {
+  on(actions_->start, [this] { start(false); });
+  on(actions_->leeches, [this] { start(true); });
+  on(actions_->undo, [this] {
     this->parts().session().undo();
     view_->show_summary({});  // the undone review is still counted in it
   });
@@ -45,7 +42,7 @@ Home::Home(WindowParts& parts)
   connect(view_, &HomeView::settings_wanted, actions_->settings, &QAction::trigger);
   connect(view_, &HomeView::free_writing_wanted, this,
           [this] { this->parts().go_to(QStringLiteral("characters")); });
-  connect(actions_->settings, &QAction::triggered, this, [this] {
+  on(actions_->settings, [this] {
     ask_study_settings(this->parts());
     this->parts().focus_tablet();
   });
@@ -58,10 +55,6 @@ Home::Home(WindowParts& parts)
 
 Home::~Home() = default;
 
-QString Home::id() const { return QStringLiteral("home"); }
-QString Home::name() const { return tr("H&ome"); }
-QString Home::purpose() const { return tr("Today's reviews and new characters"); }
-Icon Home::drawing() const { return Icon::home; }
 QWidget* Home::instead_of_tablet() const { return view_; }
 
 QList<Tool> Home::tools() const { return {{actions_->start, true}, {}, {actions_->undo, true}}; }

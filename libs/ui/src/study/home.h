@@ -24,10 +24,6 @@ class Home final : public Page {
   explicit Home(WindowParts& parts);
   ~Home() override;
 
-  [[nodiscard]] QString id() const override;
-  [[nodiscard]] QString name() const override;
-  [[nodiscard]] QString purpose() const override;
-  [[nodiscard]] Icon drawing() const override;
   [[nodiscard]] QWidget* instead_of_tablet() const override;
   [[nodiscard]] ActionSet* actions() const override { return actions_; }
   [[nodiscard]] QList<Tool> tools() const override;

@@ -19,7 +19,7 @@
 
 #include "nazori/practice/day_outlook.h"
 #include "settings/preferences.h"
-#include "widgets/sentence_label.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 #include "words/learner_words.h"
 #include "words/study_words.h"
@@ -40,24 +40,21 @@ QString in_a_row(const std::vector<char32_t>& characters) {
 }  // namespace
 
 HomeView::HomeView(practice::Learner& learner, const practice::StudySession& session, QWidget* parent)
-    : QScrollArea(parent), learner_(learner), session_(session), content_(new QWidget(this)) {
+    : QScrollArea(parent),
+      learner_(learner),
+      session_(session),
+      content_(named(new QWidget(this), "information_content")) {
   setObjectName(QStringLiteral("home_page"));
   setAccessibleName(tr("Today"));
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(QFrame::NoFrame);
-  content_->setObjectName(QStringLiteral("information_content"));
 
   day_ = sentence_label("home_day", content_);
-  trouble_ = sentence_label("home_trouble", content_);
-  trouble_->setProperty("role", QStringLiteral("trouble"));
-  summary_ = sentence_label("home_summary", content_);
-  summary_->setProperty("role", QStringLiteral("card"));
+  trouble_ = sentence_label("home_trouble", content_, "trouble");
+  summary_ = sentence_label("home_summary", content_, "card");
   advice_ = sentence_label("home_advice", content_);
   leeches_ = sentence_label("home_leeches", content_);
   const auto button = [this](const char* name, const QString& text) {
-    auto* made = new QPushButton(text, content_);
-    made->setObjectName(QString::fromLatin1(name));
+    auto* made = named(new QPushButton(text, content_), name);
     made->setAutoDefault(true);  // Enter presses what has the keyboard
     return made;
   };
@@ -97,9 +94,7 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
   others->addStretch(1);
   column->addLayout(others);
   content_->setLayout(column);
-  setWidget(content_);
-  viewport()->setAutoFillBackground(false);
-  content_->setAutoFillBackground(false);
+  make_scrolling(this, content_);
   summary_->hide();
   fit();
 }

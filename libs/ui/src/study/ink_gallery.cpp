@@ -4,11 +4,11 @@
 #include <QEvent>
 #include <QFontInfo>
 #include <QPainter>
-#include <QPainterPath>
 #include <QRegularExpression>
 #include <algorithm>
 #include <utility>
 
+#include "look/ink_painting.h"
 #include "look/palette.h"
 #include "nazori/geometry/frames.h"
 
@@ -28,17 +28,8 @@ void paint_piece(QPainter& painter, const study::Handwriting& ink, const QRectF&
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(c.ink, std::max(box.width() * kPen, 1.5), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   const double scale = box.width() / geometry::kGlyphSide;
-  for (const auto& stroke : ink) {
-    QPainterPath path;
-    for (const auto& at : geometry::line_of(stroke)) {
-      const QPointF to = box.topLeft() + QPointF(at.x, at.y) * scale;
-      if (path.elementCount() == 0)
-        path.moveTo(to);
-      else
-        path.lineTo(to);
-    }
-    painter.drawPath(path);
-  }
+  const QTransform to_box = QTransform::fromTranslate(box.left(), box.top()).scale(scale, scale);
+  for (const auto& stroke : ink) painter.drawPath(to_box.map(path_through(geometry::line_of(stroke))));
 }
 
 }  // namespace

@@ -5,14 +5,15 @@
 #include <QStandardItemModel>
 #include <algorithm>
 
+#include "nazori/study/character_lists.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
 
 ListChoice::ListChoice(QWidget* parent) : QComboBox(parent) {
-  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  setMinimumContentsLength(20);
+  make_narrow(this, 20);
   addItem(tr("Studied so far"), QString());
 }
 
@@ -33,17 +34,10 @@ void ListChoice::fill(const study::LearnerStore& store) {
   const QString before = list();
   clear();
   addItem(tr("Studied so far"), QString());
-  const auto add = [this](const QString& id) { addItem(name_of(id), id); };
-  for (const study::ReadyList& ready : study::ready_lists()) add(to_text(ready.id));
-  const auto own_lists = store.lists();
-  const auto tags = store.tags();
-  if (own_lists)
-    for (const study::CustomList& own : *own_lists) add(QStringLiteral("list:") + to_text(own.name));
-  if (tags)
-    for (const auto& [tag, characters] : *tags) add(QStringLiteral("tag:") + to_text(tag));
-  if (!own_lists || !tags) {
-    addItem(tr("Your lists and tags cannot be read: %1")
-                .arg(reason(own_lists ? tags.error() : own_lists.error())));
+  const auto known = study::list_ids(store);
+  for (const auto& id : known.ids) addItem(name_of(to_text(id)), to_text(id));
+  if (known.unread) {
+    addItem(tr("Your lists and tags cannot be read: %1").arg(reason(*known.unread)));
     if (auto* items = qobject_cast<QStandardItemModel*>(model())) items->item(count() - 1)->setEnabled(false);
   }
   set_list(before);

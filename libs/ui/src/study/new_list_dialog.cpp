@@ -10,6 +10,7 @@
 #include <QPushButton>
 
 #include "nazori/base/file.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -23,23 +24,18 @@ constexpr std::size_t kLargestFile = 1'000'000;
 NewListDialog::NewListDialog(practice::Learner& learner, QWidget* parent)
     : QDialog(parent),
       learner_(learner),
-      name_(new QLineEdit(this)),
-      text_(new QPlainTextEdit(this)),
-      trouble_(new QLabel(this)) {
+      name_(named(new QLineEdit(this), "new_list_name")),
+      text_(named(new QPlainTextEdit(this), "new_list_text", tr("Characters"))),
+      trouble_(text_label("new_list_trouble", this)) {
   setObjectName(QStringLiteral("new_list_dialog"));
   setWindowTitle(tr("New list"));
-  name_->setObjectName(QStringLiteral("new_list_name"));
-  text_->setObjectName(QStringLiteral("new_list_text"));
-  text_->setAccessibleName(tr("Characters"));
   text_->setPlaceholderText(tr("休日月火水木金土\n# text after # is a comment"));
   text_->setTabChangesFocus(true);
-  trouble_->setObjectName(QStringLiteral("new_list_trouble"));
-  trouble_->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   auto* file = buttons->addButton(tr("From a file…"), QDialogButtonBox::ActionRole);
   file->setObjectName(QStringLiteral("new_list_file"));
   connect(file, &QPushButton::clicked, this, &NewListDialog::read_file);
-  connect(buttons, &QDialogButtonBox::accepted, this, &NewListDialog::take);
+  connect(buttons, &QDialogButtonBox::accepted, this, &NewListDialog::read_and_accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 20, 20, 16);
@@ -65,7 +61,7 @@ void NewListDialog::read_file() {
     name_->setText(path.section(QLatin1Char('/'), -1).section(QLatin1Char('.'), 0, 0));
 }
 
-void NewListDialog::take() {
+void NewListDialog::read_and_accept() {
   const std::string name = name_->text().trimmed().toStdString();
   if (!study::can_be_name(name)) {
     trouble_->setText(tr("Give the list a name of at most 100 letters (33 in Japanese)."));

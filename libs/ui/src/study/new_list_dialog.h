@@ -20,7 +20,7 @@ class NewListDialog final : public QDialog {
 
  private:
   void read_file();
-  void take();
+  void read_and_accept();
 
   practice::Learner& learner_;
   study::CustomList list_;

@@ -6,33 +6,28 @@
 namespace nazori::ui {
 
 SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
-  const auto key = [](const char* text) { return QStringList{QString::fromLatin1(text)}; };
   start = make("study_start", tr("&Start today's study"), tr("Start today's reviews and new characters"),
-               key("Ctrl+Return"));
+               "Ctrl+Return", Icon::play);
   go_on = make("study_go_on", tr("&Next"), tr("Go to the next stage, or accept the suggested rating"),
-               key("Shift+Return"));
+               "Shift+Return", Icon::next);
   go_on->setEnabled(false);
-  rate = {make("rate_again", tr("&Again"), tr("Forgotten: comes back soon"), key("1")),
-          make("rate_hard", tr("&Hard"), tr("Remembered with effort"), key("2")),
-          make("rate_good", tr("Goo&d"), tr("Remembered"), key("3")),
-          make("rate_easy", tr("&Easy"), tr("Remembered easily"), key("4"))};
+  rate = {make("rate_again", tr("&Again"), tr("Forgotten: comes back soon"), "1"),
+          make("rate_hard", tr("&Hard"), tr("Remembered with effort"), "2"),
+          make("rate_good", tr("Goo&d"), tr("Remembered"), "3"),
+          make("rate_easy", tr("&Easy"), tr("Remembered easily"), "4")};
   undo = make("study_undo", tr("Undo las&t review"),
               tr("Undo the last saved review or change; repeat to go further back, even to earlier days"),
-              key("Ctrl+Shift+Z"));
+              "Ctrl+Shift+Z", Icon::undo);
   postpone = make("study_postpone", tr("&Postpone to tomorrow"), tr("Show this character tomorrow instead"),
-                  key("Ctrl+Shift+P"));
+                  "Ctrl+Shift+P");
   pause = make("study_pause", tr("S&uspend or resume"),
-               tr("A suspended character does not come up until you resume it"), key("Ctrl+Shift+U"));
-  reset =
-      make("study_reset", tr("Start &over"), tr("Treat this character as new again"), key("Ctrl+Shift+N"));
+               tr("A suspended character does not come up until you resume it"), "Ctrl+Shift+U");
+  reset = make("study_reset", tr("Start &over"), tr("Treat this character as new again"), "Ctrl+Shift+N");
   tags = make("study_tags", tr("&Tags…"), tr("Your own labels for this character; you can study by tag"),
-              key("Ctrl+Shift+T"));
-  end = make("study_end", tr("End the &session"), tr("Everything you rated is saved"), key("Ctrl+Shift+E"));
+              "Ctrl+Shift+T");
+  end = make("study_end", tr("End the &session"), tr("Everything you rated is saved"), "Ctrl+Shift+E");
   settings = make("study_settings", tr("Study se&ttings…"),
-                  tr("Daily goal, lists, order and desired retention"), key("Ctrl+,"));
-  draw(undo, Icon::undo);
-  draw(go_on, Icon::next);
-  draw(start, Icon::play);
+                  tr("Daily goal, lists, order and desired retention"), "Ctrl+,");
   QList<QAction*> all{start, go_on, nullptr};
   for (auto* one : rate) all.append(one);
   all.append({nullptr, undo, nullptr, postpone, pause, reset, tags, nullptr, end, settings});

@@ -15,6 +15,7 @@
 #include "look/palette.h"
 #include "nazori/kanji/kana.h"
 #include "nazori/practice/session_question.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 #include "words/study_words.h"
 
@@ -24,12 +25,6 @@ namespace {
 constexpr int kWide_em = 36;
 constexpr double kLarge = 1.25;  ///< size of the question, relative to other text
 
-QString joined(const std::vector<std::string>& texts, const QString& between) {
-  QStringList all;
-  for (const auto& text : texts) all.append(to_text(text));
-  return all.join(between);
-}
-
 }  // namespace
 
 SessionBar::SessionBar(const practice::StudySession& session, const SessionActions& actions,
@@ -38,34 +33,24 @@ SessionBar::SessionBar(const practice::StudySession& session, const SessionActio
       session_(session),
       actions_(actions),
       learner_(learner),
-      progress_(new QLabel(this)),
-      line_(new QProgressBar(this)),
-      question_(new QLabel(this)),
-      next_(new QPushButton(this)),
+      progress_(with_role(named(new QLabel(this), "session_progress"), "muted")),
+      line_(named(new QProgressBar(this), "session_line", tr("Session progress"))),
+      question_(named(new QLabel(this), "session_question")),
+      next_(with_role(named(new QPushButton(this), "session_next"), "primary")),
       ratings_(new QWidget(this)),
       grid_(new QGridLayout(ratings_)) {
   setObjectName(QStringLiteral("session_bar"));
   setAccessibleName(tr("Study session"));
-  progress_->setObjectName(QStringLiteral("session_progress"));
-  progress_->setProperty("role", QStringLiteral("muted"));
-  line_->setObjectName(QStringLiteral("session_line"));
   line_->setTextVisible(false);
-  line_->setAccessibleName(tr("Session progress"));
-  question_->setObjectName(QStringLiteral("session_question"));
   question_->setWordWrap(true);
   question_->setTextFormat(Qt::RichText);
-  next_->setObjectName(QStringLiteral("session_next"));
-  next_->setProperty("role", QStringLiteral("primary"));
   connect(next_, &QPushButton::clicked, actions.go_on, &QAction::trigger);
 
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setSpacing(6);
   for (std::size_t i = 0; i < rating_.size(); ++i) {
-    rating_[i] = new QPushButton(ratings_);
-    rating_[i]->setObjectName(QStringLiteral("button_") + actions.rate[i]->objectName());
-    rating_[i]->setToolTip(actions.rate[i]->toolTip());
+    rating_[i] = action_button(actions.rate[i], {}, ratings_);
     rating_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(rating_[i], &QPushButton::clicked, actions.rate[i], &QAction::trigger);
   }
   auto* head = new QHBoxLayout;
   head->setSpacing(12);

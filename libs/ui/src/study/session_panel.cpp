@@ -7,10 +7,12 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <initializer_list>
 
 #include "nazori/practice/character_history.h"
 #include "study/ink_gallery.h"
 #include "widgets/flow_layout.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 #include "words/session_words.h"
 #include "words/study_words.h"
@@ -23,15 +25,6 @@ constexpr int kGap = 6;
 constexpr std::size_t kMostEarlier = 3;
 constexpr std::size_t kMostHardStrokes = 3;
 
-QLabel* label(const char* name, const char* role, QWidget* parent) {
-  auto* made = new QLabel(parent);
-  made->setObjectName(QString::fromLatin1(name));
-  if (role != nullptr) made->setProperty("role", QString::fromLatin1(role));
-  made->setWordWrap(true);
-  made->setTextFormat(Qt::PlainText);
-  return made;
-}
-
 }  // namespace
 
 SessionPanel::SessionPanel(const practice::StudySession& session, const SessionActions& actions,
@@ -40,33 +33,26 @@ SessionPanel::SessionPanel(const practice::StudySession& session, const SessionA
   setObjectName(QStringLiteral("session_panel"));
   setAccessibleName(tr("Character being studied"));
   setAttribute(Qt::WA_StyledBackground);
-  auto* words = new QScrollArea(this);
-  words->setObjectName(QStringLiteral("session_words"));
-  words->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  words->setWidgetResizable(true);
-  auto* content = new QWidget(words);
-  content->setObjectName(QStringLiteral("information_content"));
-  kind_ = label("session_kind", nullptr, content);
-  steps_ = label("session_steps", "muted", content);
-  history_ = label("session_history", nullptr, content);
-  mistakes_ = label("session_faults", nullptr, content);
-  parts_ = label("session_parts", nullptr, content);
-  help_ = label("session_help", nullptr, content);
-  note_ = label("session_note", "muted", this);
-  ink_heading_ = label("session_ink_heading", "heading", content);
+  auto* words = named(new QScrollArea(this), "session_words");
+  auto* content = named(new QWidget(words), "information_content");
+  kind_ = text_label("session_kind", content);
+  steps_ = text_label("session_steps", content, "muted");
+  history_ = text_label("session_history", content);
+  mistakes_ = text_label("session_faults", content);
+  parts_ = text_label("session_parts", content);
+  help_ = text_label("session_help", content);
+  note_ = text_label("session_note", this, "muted");
+  ink_heading_ = text_label("session_ink_heading", content, "heading");
   ink_heading_->setText(tr("Earlier writing"));
   gallery_ = new InkGallery(content);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   column->setSpacing(10);
-  for (QWidget* one :
-       {static_cast<QWidget*>(kind_), static_cast<QWidget*>(steps_), static_cast<QWidget*>(history_),
-        static_cast<QWidget*>(mistakes_), static_cast<QWidget*>(parts_), static_cast<QWidget*>(help_),
-        static_cast<QWidget*>(ink_heading_), static_cast<QWidget*>(gallery_)})
+  for (QWidget* one : std::initializer_list<QWidget*>{kind_, steps_, history_, mistakes_, parts_, help_,
+                                                      ink_heading_, gallery_})
     column->addWidget(one);
   column->addStretch(1);
-  auto* foot = new QWidget(this);
-  foot->setObjectName(QStringLiteral("session_foot"));
+  auto* foot = named(new QWidget(this), "session_foot");
   auto* rows = new FlowLayout(kGap, kGap, foot);
   rows->setContentsMargins(0, 0, 0, 0);
   // Short texts, because the panel is narrow. The menu has the full ones.
@@ -76,26 +62,20 @@ SessionPanel::SessionPanel(const practice::StudySession& session, const SessionA
                                                   {actions.reset, tr("Start over")},
                                                   {actions.end, tr("End")}};
   for (const auto& [action, text] : buttons) {
-    auto* button = new QPushButton(text, foot);
+    auto* button = with_role(action_button(action, text, foot), "compact");
     button->setAccessibleName(action->iconText());
-    button->setProperty("role", QStringLiteral("compact"));
-    button->setObjectName(QStringLiteral("button_") + action->objectName());
-    button->setToolTip(action->toolTip());
-    connect(button, &QPushButton::clicked, action, &QAction::trigger);
     connect(action, &QAction::changed, button,
             [button, at = action] { button->setEnabled(at->isEnabled()); });
     rows->addWidget(button);
     buttons_.append(button);
   }
   fit_buttons();
-  words->setWidget(content);
-  words->viewport()->setAutoFillBackground(false);
-  content->setAutoFillBackground(false);
+  make_scrolling(words, content);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, kMargin);
   whole->addWidget(words, 1);
   // The note is directly above the button that undoes it.
-  for (auto* one : {static_cast<QWidget*>(note_), foot}) {
+  for (auto* one : std::initializer_list<QWidget*>{note_, foot}) {
     auto* row = new QHBoxLayout;
     row->setContentsMargins(kMargin, 0, kMargin, 0);
     row->addWidget(one);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/study_dialogs.h"
 
-#include <QCoreApplication>
 #include <QInputDialog>
 #include <QRegularExpression>
 
@@ -19,7 +18,7 @@ void ask_study_settings(WindowParts& parts) {
   if (dialog.exec() != QDialog::Accepted) return;
   dialog.fill(parts.preferences());
   parts.save_later();
-  parts.note_study_settings();
+  parts.study_settings_changed();
   const auto wanted = dialog.settings();
   if (learner.can_write() && wanted != learner.store().settings()) {
     if (practice::SettingsChange::takes_long(learner.store(), wanted)) {
@@ -29,8 +28,7 @@ void ask_study_settings(WindowParts& parts) {
     }
     if (!learner.report(learner.store().change_settings(wanted))) return;
   }
-  parts.announce(Feedback::good,
-                 QCoreApplication::translate("nazori::ui::StudySettingsDialog", "Settings saved."));
+  parts.announce(Feedback::good, StudySettingsDialog::tr("Settings saved."));
 }
 
 void ask_tags(WindowParts& parts, char32_t character) {
@@ -38,14 +36,11 @@ void ask_tags(WindowParts& parts, char32_t character) {
   const auto own = learner.store().tags_of(character);
   // An empty field would look as if there were no tags, and OK would replace the stored ones.
   if (!own) return learner.announce_unread(own.error());
-  QStringList before;
-  for (const auto& tag : *own) before.append(to_text(tag));
   bool fine = false;
   const QString text = QInputDialog::getText(
-      &parts.window(), QCoreApplication::translate("nazori::ui::StudySettingsDialog", "Tags"),
-      QCoreApplication::translate("nazori::ui::StudySettingsDialog", "Tags for %1, separated by commas:")
-          .arg(to_text(character)),
-      QLineEdit::Normal, before.join(QStringLiteral(", ")), &fine);
+      &parts.window(), StudySettingsDialog::tr("Tags"),
+      StudySettingsDialog::tr("Tags for %1, separated by commas:").arg(to_text(character)), QLineEdit::Normal,
+      joined(*own, QStringLiteral(", ")), &fine);
   if (!fine) return;
   std::vector<std::string> tags;
   static const QRegularExpression commas(QStringLiteral("[,、，]"));

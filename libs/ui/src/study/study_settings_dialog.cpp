@@ -7,7 +7,6 @@
 #include <QFormLayout>
 #include <QInputDialog>
 #include <QLabel>
-#include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
@@ -21,6 +20,7 @@
 #include "nazori/study/statistics.h"
 #include "widgets/flow_layout.h"
 #include "widgets/number_slider.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 #include "words/learner_words.h"
@@ -33,19 +33,18 @@ StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Prefe
       learner_(learner),
       before_(learner.store().settings()),
       weights_(before_.fsrs.weights),
-      tabs_(new QTabWidget(this)) {
+      tabs_(named(new QTabWidget(this), "study_settings_tabs")) {
   if (const auto pace = study::pace_of(learner.store())) pace_ = *pace;
   setObjectName(QStringLiteral("study_settings_dialog"));
   setWindowTitle(tr("Study settings"));
-  tabs_->setObjectName(QStringLiteral("study_settings_tabs"));
   tabs_->setUsesScrollButtons(true);
   tabs_->setDocumentMode(true);
   make_amount();
   make_lists();
   make_schedule();
   make_window(preferences);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  buttons->setObjectName(QStringLiteral("study_settings_buttons"));
+  auto* buttons = named(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this),
+                        "study_settings_buttons");
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   buttons->button(QDialogButtonBox::Ok)->setEnabled(learner.can_write());
@@ -53,7 +52,7 @@ StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Prefe
   column->setContentsMargins(16, 16, 16, 12);
   column->addWidget(tabs_, 1);
   if (!learner.can_write()) {
-    auto* trouble = muted_sentence("study_settings_trouble", this);
+    auto* trouble = text_label("study_settings_trouble", this, "muted");
     trouble->setText(LearnerWords::sentence(learner.trouble()));
     column->addWidget(trouble);
   }
@@ -67,37 +66,23 @@ StudySettingsDialog::StudySettingsDialog(practice::Learner& learner, const Prefe
   }
 }
 
-QLabel* StudySettingsDialog::muted_sentence(const char* name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QString::fromLatin1(name));
-  label->setWordWrap(true);
-  label->setProperty("role", QStringLiteral("muted"));
-  return label;
-}
-
 QWidget* StudySettingsDialog::add_page(const QString& name) {
   auto* area = new QScrollArea(tabs_);
-  area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* page = new QWidget(area);
-  page->setObjectName(QStringLiteral("information_content"));
+  auto* page = named(new QWidget(area), "information_content");
   auto* form = new QFormLayout(page);
   form->setContentsMargins(12, 16, 12, 12);
   form->setSpacing(10);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  area->setWidget(page);
-  area->viewport()->setAutoFillBackground(false);
-  page->setAutoFillBackground(false);
+  make_scrolling(area, page);
   tabs_->addTab(area, name);
   return page;
 }
 
 QSpinBox* StudySettingsDialog::add_spin(QWidget* page, const QString& name, const char* object, int low,
                                         int high, int value) {
-  auto* spin = new QSpinBox(page);
-  spin->setObjectName(QString::fromLatin1(object));
+  auto* spin = named(new QSpinBox(page), object);
   spin->setAccessibleName(QString(name).remove(QLatin1Char('&')));
   spin->setRange(low, high);
   spin->setValue(value);
@@ -106,8 +91,7 @@ QSpinBox* StudySettingsDialog::add_spin(QWidget* page, const QString& name, cons
 }
 
 QCheckBox* StudySettingsDialog::add_check(QWidget* page, const QString& name, const char* object, bool on) {
-  auto* check = new QCheckBox(name, page);
-  check->setObjectName(QString::fromLatin1(object));
+  auto* check = named(new QCheckBox(name, page), object);
   check->setChecked(on);
   static_cast<QFormLayout*>(page->layout())->addRow(check);
   return check;
@@ -121,16 +105,14 @@ QWidget* StudySettingsDialog::make_amount() {
                                 QStringLiteral("%1%"), 0, page);
   retention_->set_value(before_.fsrs.desired_retention * 100);
   form->addRow(retention_);
-  workload_ = muted_sentence("study_workload", page);
+  workload_ = text_label("study_workload", page, "muted");
   form->addRow(workload_);
   new_ = add_spin(page, tr("&New characters per day (maximum)"), "study_new", 0, 1000, before_.new_per_day);
   reviews_ =
       add_spin(page, tr("&Reviews per day (maximum)"), "study_reviews", 1, 10'000, before_.reviews_per_day);
   day_starts_ =
       add_spin(page, tr("A study &day starts at (hour)"), "study_day_starts", 0, 12, before_.day_starts_at);
-  zone_ = new QComboBox(page);
-  zone_->setObjectName(QStringLiteral("study_zone"));
-  zone_->setAccessibleName(tr("Time zone"));
+  zone_ = named(new QComboBox(page), "study_zone", tr("Time zone"));
   zone_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   zone_->addItem(tr("same as the computer"), QString());
   for (const auto& id : QTimeZone::availableTimeZoneIds()) {
@@ -157,15 +139,13 @@ QWidget* StudySettingsDialog::make_schedule() {
                     before_.leech_lapses);
   fuzz_ = add_check(page, tr("&Vary review intervals a little"), "study_fuzz", before_.fuzz);
   balance_ = add_check(page, tr("Pref&er days with fewer reviews"), "study_balance", before_.load_balance);
-  weights_words_ = muted_sentence("study_weights", page);
+  weights_words_ = text_label("study_weights", page, "muted");
   form->addRow(weights_words_);
   auto* buttons = new QWidget(page);
   auto* flow = new FlowLayout(kButtonGap_px, kButtonGap_px, buttons);
-  auto* import = new QPushButton(tr("Custom FSRS parameters…"), buttons);
-  import->setObjectName(QStringLiteral("weights_import"));
+  auto* import = named(new QPushButton(tr("Custom FSRS parameters…"), buttons), "weights_import");
   connect(import, &QPushButton::clicked, this, &StudySettingsDialog::import_weights);
-  auto* usual = new QPushButton(tr("Default parameters"), buttons);
-  usual->setObjectName(QStringLiteral("weights_default"));
+  auto* usual = named(new QPushButton(tr("Default parameters"), buttons), "weights_default");
   connect(usual, &QPushButton::clicked, this, [this] {
     weights_ = study::kDefaultWeights;
     show_weights();
@@ -184,9 +164,7 @@ QWidget* StudySettingsDialog::make_window(const Preferences& preferences) {
                         "study_by_words", preferences.asks_by_words);
   left_handed_ = add_check(page, tr("&Left-handed: swap the panels beside the tablet"), "study_left_handed",
                            preferences.left_handed);
-  one_hand_ = new QComboBox(page);
-  one_hand_->setObjectName(QStringLiteral("study_one_hand"));
-  one_hand_->setAccessibleName(tr("One-handed keys"));
+  one_hand_ = named(new QComboBox(page), "study_one_hand", tr("One-handed keys"));
   one_hand_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   one_hand_->addItem(tr("none"), static_cast<int>(OneHand::none));
   one_hand_->addItem(tr("left hand: 1 2 3 4, E next, W hint, X undo"), static_cast<int>(OneHand::left));
@@ -206,10 +184,7 @@ study::Settings StudySettingsDialog::settings() const {
   to.day_starts_at = day_starts_->value();
   to.time_zone = zone_->currentData().toString().toStdString();
   to.new_order = static_cast<study::NewOrder>(order_->currentData().toInt());
-  to.new_lists.clear();
-  for (int row = 0; row < lists_->count(); ++row)
-    if (lists_->item(row)->checkState() == Qt::Checked)
-      to.new_lists.push_back(lists_->item(row)->data(Qt::UserRole).toString().toStdString());
+  to.new_lists = chosen_lists();
   to.fuzz = fuzz_->isChecked();
   to.load_balance = balance_->isChecked();
   to.leech_lapses = leech_->value();

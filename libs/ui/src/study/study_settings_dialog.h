@@ -33,7 +33,6 @@ class StudySettingsDialog final : public QDialog {
  private:
   static constexpr int kButtonGap_px = 6;
 
-  static QLabel* muted_sentence(const char* name, QWidget* parent);
   QWidget* make_amount();
   QWidget* make_lists();
   QWidget* make_schedule();
@@ -53,6 +52,7 @@ class StudySettingsDialog final : public QDialog {
   void for_list(const std::function<base::Result<void>(std::span<const char32_t>)>& what,
                 const std::function<QString(int)>& done);
   [[nodiscard]] QString current_list() const;
+  [[nodiscard]] std::vector<std::string> chosen_lists() const;
 
   practice::Learner& learner_;
   study::Settings before_;

@@ -15,6 +15,7 @@
 #include "study/new_list_dialog.h"
 #include "study/study_settings_dialog.h"
 #include "widgets/flow_layout.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
 
@@ -23,9 +24,7 @@ namespace nazori::ui {
 QWidget* StudySettingsDialog::make_lists() {
   auto* page = add_page(tr("Lists"));
   auto* form = static_cast<QFormLayout*>(page->layout());
-  order_ = new QComboBox(page);
-  order_->setObjectName(QStringLiteral("study_order"));
-  order_->setAccessibleName(tr("Order of new characters"));
+  order_ = named(new QComboBox(page), "study_order", tr("Order of new characters"));
   order_->addItem(tr("by school grade"), static_cast<int>(study::NewOrder::grade));
   order_->addItem(tr("most common first"), static_cast<int>(study::NewOrder::frequency));
   order_->addItem(tr("fewest strokes first"), static_cast<int>(study::NewOrder::strokes));
@@ -33,18 +32,15 @@ QWidget* StudySettingsDialog::make_lists() {
   order_->addItem(tr("in list order"), static_cast<int>(study::NewOrder::own));
   order_->setCurrentIndex(order_->findData(static_cast<int>(before_.new_order)));
   form->addRow(tr("&Order of new characters"), order_);
-  lists_ = new QListWidget(page);
-  lists_->setObjectName(QStringLiteral("study_lists"));
-  lists_->setAccessibleName(tr("Lists to learn from"));
+  lists_ = named(new QListWidget(page), "study_lists", tr("Lists to learn from"));
   lists_->setMinimumHeight(QFontMetrics(font()).height() * 9);
   form->addRow(lists_);
-  choice_ = muted_sentence("study_choice", page);
+  choice_ = text_label("study_choice", page, "muted");
   form->addRow(choice_);
   auto* buttons = new QWidget(page);
   auto* flow = new FlowLayout(kButtonGap_px, kButtonGap_px, buttons);
   const auto button = [&](const char* name, const QString& text, auto&& what) {
-    auto* made = new QPushButton(text, buttons);
-    made->setObjectName(QString::fromLatin1(name));
+    auto* made = named(new QPushButton(text, buttons), name);
     connect(made, &QPushButton::clicked, this, std::forward<decltype(what)>(what));
     made->setEnabled(learner_.can_write());
     flow->addWidget(made);
@@ -78,45 +74,32 @@ QWidget* StudySettingsDialog::make_lists() {
   return page;
 }
 
+std::vector<std::string> StudySettingsDialog::chosen_lists() const {
+  std::vector<std::string> chosen;
+  for (int row = 0; row < lists_->count(); ++row)
+    if (lists_->item(row)->checkState() == Qt::Checked)
+      chosen.push_back(lists_->item(row)->data(Qt::UserRole).toString().toStdString());
+  return chosen;
+}
+
 void StudySettingsDialog::show_lists() {
   const QSignalBlocker quiet(lists_);
   const QString at = current_list();
-  QStringList chosen;
-  if (lists_->count() == 0) {
-    for (const auto& id : before_.new_lists) chosen.append(to_text(id));
-  } else {
-    for (int row = 0; row < lists_->count(); ++row)
-      if (lists_->item(row)->checkState() == Qt::Checked)
-        chosen.append(lists_->item(row)->data(Qt::UserRole).toString());
-  }
-  // The chosen lists first, in their order; then the others.
-  QStringList all = chosen;
-  QStringList there;
-  for (const auto& ready : study::ready_lists()) there.append(to_text(ready.id));
-  const auto own_lists = learner_.store().lists();
-  const auto tags = learner_.store().tags();
-  if (own_lists)
-    for (const auto& own : *own_lists) there.append(QStringLiteral("list:") + to_text(own.name));
-  if (tags)
-    for (const auto& [tag, members] : *tags) there.append(QStringLiteral("tag:") + to_text(tag));
-  // If lists or tags cannot be read now, the chosen ones stay chosen.
-  if (!own_lists || !tags) there.append(chosen);
-  for (const auto& id : there)
-    if (!all.contains(id)) all.append(id);
+  const auto chosen = lists_->count() == 0 ? before_.new_lists : chosen_lists();
+  const auto known = study::list_ids(learner_.store());
   lists_->clear();
-  for (const auto& id : all) {
-    if (!there.contains(id)) continue;
+  for (const auto& one : known.chosen_first(chosen)) {
+    const QString id = to_text(one);
     auto* item = new QListWidgetItem(ListChoice::name_of(id), lists_);
     item->setData(Qt::UserRole, id);
     item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-    item->setCheckState(chosen.contains(id) ? Qt::Checked : Qt::Unchecked);
+    const bool is_chosen = std::find(chosen.begin(), chosen.end(), one) != chosen.end();
+    item->setCheckState(is_chosen ? Qt::Checked : Qt::Unchecked);
     if (id == at) lists_->setCurrentItem(item);
   }
   if (lists_->currentRow() < 0) lists_->setCurrentRow(0);
   show_choice();
-  if (!own_lists || !tags)
-    choice_->setText(tr("Your lists and tags cannot be read: %1")
-                         .arg(reason(own_lists ? tags.error() : own_lists.error())));
+  if (known.unread) choice_->setText(tr("Your lists and tags cannot be read: %1").arg(reason(*known.unread)));
 }
 
 void StudySettingsDialog::show_choice() {

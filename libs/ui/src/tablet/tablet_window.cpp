@@ -2,7 +2,6 @@
 #include "tablet/tablet_window.h"
 
 #include <QCoreApplication>
-#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QScreen>
 #include <algorithm>

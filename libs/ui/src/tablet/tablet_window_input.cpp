@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mouse, pen, fingers, keys and dropped files on the tablet.
-#include <QCursor>
-#include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QKeyEvent>
 #include <QLineF>
-#include <QMimeData>
 #include <QMouseEvent>
 #include <QTabletEvent>
 #include <QTouchEvent>
-#include <QUrl>
 #include <QWheelEvent>
 #include <cmath>
 
 #include "tablet/tablet_window.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
 
 constexpr int kPenGone_ms = 500;  ///< the palm leaves the tablet this long after the pen
-
-QStringList local_files(const QMimeData* data) {
-  QStringList paths;
-  for (const auto& url : data->urls())
-    if (url.isLocalFile()) paths.append(url.toLocalFile());
-  return paths;
-}
 
 }  // namespace
 

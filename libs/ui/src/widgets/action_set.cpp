@@ -11,22 +11,22 @@ namespace nazori::ui {
 
 ActionSet::ActionSet(QWidget* window) : QObject(window), window_(window) {}
 
-QAction* ActionSet::make(const char* name, const QString& text, const QString& tip,
-                         const QStringList& key_list, bool checkable) {
+QAction* ActionSet::make(const char* name, const QString& text, const QString& tip, const char* key_list,
+                         bool checkable, std::optional<Icon> drawing) {
   QList<QKeySequence> keys;
-  for (const auto& key : key_list) keys.append(QKeySequence(key, QKeySequence::PortableText));
+  for (const QString& key : QString::fromLatin1(key_list).split(QLatin1Char(' ')))
+    keys.append(QKeySequence(key, QKeySequence::PortableText));
   auto* action = new QAction(text, this);
   action->setObjectName(QString::fromLatin1(name));
   action->setShortcuts(keys);
   action->setCheckable(checkable);
   action->setIconText(without_mnemonic(text).remove(QChar(0x2026)).trimmed());
   action->setStatusTip(tip);
-  action->setToolTip(
-      keys.isEmpty() ? tip
-                     : QStringLiteral("%1 (%2)").arg(tip, keys.front().toString(QKeySequence::NativeText)));
+  action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, keys.front().toString(QKeySequence::NativeText)));
   action->setIconVisibleInMenu(false);
   // A key must also work while the menu bar is hidden (full screen).
   window_->addAction(action);
+  if (drawing) drawings_.insert(action, *drawing);
   return action;
 }
 

@@ -7,6 +7,7 @@
 #include <QList>
 #include <QObject>
 #include <QString>
+#include <optional>
 
 #include "look/icons.h"
 
@@ -37,10 +38,13 @@ class ActionSet : public QObject {
  protected:
   explicit ActionSet(QWidget* window);
 
-  /// @param name  object name. @param key_list  the first is shown in the tool tip.
-  QAction* make(const char* name, const QString& text, const QString& tip, const QStringList& key_list,
-                bool checkable = false);
-  void draw(QAction* action, Icon drawing) { drawings_.insert(action, drawing); }
+  /// @param name  object name. @param key_list  with spaces between them; the first is shown in the tool tip.
+  QAction* make(const char* name, const QString& text, const QString& tip, const char* key_list,
+                bool checkable = false, std::optional<Icon> drawing = {});
+  QAction* make(const char* name, const QString& text, const QString& tip, const char* key_list,
+                Icon drawing) {
+    return make(name, text, tip, key_list, false, drawing);
+  }
   /// Makes these actions exclusive: one at a time is checked.
   void make_exclusive(const QList<QAction*>& actions);
   void add_group(const QString& title, const QList<QAction*>& actions) { groups_.append({title, actions}); }

@@ -10,6 +10,7 @@
 
 #include "look/icons.h"
 #include "look/palette.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
@@ -19,13 +20,11 @@ constexpr int kRoomForTwo_em = 32;
 }  // namespace
 
 FeedbackLine::FeedbackLine(QWidget* parent)
-    : QFrame(parent), sign_(new QLabel(this)), text_(new QLabel(this)) {
+    : QFrame(parent),
+      sign_(named(new QLabel(this), "feedback_sign")),
+      text_(text_label("feedback_text", this)) {
   setObjectName(QStringLiteral("feedback_line"));
   setAccessibleName(tr("Feedback"));
-  sign_->setObjectName(QStringLiteral("feedback_sign"));
-  text_->setObjectName(QStringLiteral("feedback_text"));
-  text_->setWordWrap(true);
-  text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 9, 16, 9);
@@ -44,7 +43,7 @@ void FeedbackLine::announce(Feedback kind, const QString& sentence) {
   speak(sentence);
 }
 
-void FeedbackLine::answer(Feedback kind, const QString& sentence) {
+void FeedbackLine::respond(Feedback kind, const QString& sentence) {
   if (text_->text() != sentence) return announce(kind, sentence);
   kind_ = kind;
   draw_sign();

@@ -16,7 +16,7 @@ class FeedbackLine final : public QFrame {
   explicit FeedbackLine(QWidget* parent = nullptr);
   void announce(Feedback kind, const QString& sentence);
   /// As announce(), but spoken even if the line already shows this sentence.
-  void answer(Feedback kind, const QString& sentence);
+  void respond(Feedback kind, const QString& sentence);
   [[nodiscard]] QString sentence() const;
   [[nodiscard]] Feedback kind() const { return kind_; }
 

@@ -2,7 +2,6 @@
 #include "widgets/status_line.h"
 
 #include <QEvent>
-#include <QFileInfo>
 #include <QLabel>
 #include <QLocale>
 #include <QResizeEvent>
@@ -11,6 +10,7 @@
 #include "events/signals.h"
 #include "nazori/practice/tablet_control.h"
 #include "nazori/practice/tablet_recording.h"
+#include "widgets/parts.h"
 #include "words/device_text.h"
 #include "words/kanji_text.h"
 
@@ -28,20 +28,14 @@ StatusLine::StatusLine(practice::TabletControl& controller, practice::TabletReco
     : QStatusBar(parent),
       controller_(controller),
       recording_(recording),
-      record_(new QLabel(this)),
-      device_(new QLabel(this)),
-      rate_(new QLabel(this)),
-      timing_(new QLabel(this)),
-      missed_(new QLabel(this)),
-      depth_(new QLabel(this)) {
+      record_(named(new QLabel(this), "recording")),
+      device_(named(new QLabel(this), "device")),
+      rate_(named(new QLabel(this), "rate")),
+      timing_(named(new QLabel(this), "timing")),
+      missed_(named(new QLabel(this), "missed")),
+      depth_(named(new QLabel(this), "depth")) {
   setObjectName(QStringLiteral("status_line"));
   setSizeGripEnabled(false);
-  record_->setObjectName(QStringLiteral("recording"));
-  device_->setObjectName(QStringLiteral("device"));
-  rate_->setObjectName(QStringLiteral("rate"));
-  timing_->setObjectName(QStringLiteral("timing"));
-  missed_->setObjectName(QStringLiteral("missed"));
-  depth_->setObjectName(QStringLiteral("depth"));
   rate_->setToolTip(tr("Force updates per second"));
   timing_->setToolTip(
       tr("Average time per update, longest delay of an update since the start, and longest delay of the "

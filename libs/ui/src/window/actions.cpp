@@ -45,82 +45,62 @@ void fill(QMenu& menu, const QList<QAction*>& actions, int room, const QString& 
 }  // namespace
 
 Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGroup(this)) {
-  open = make("open", tr("&Open…"), tr("Open a height map (RAW, PNG) or a stroke order file (.str)"),
-              {QStringLiteral("Ctrl+O")});
-  save = make("save", tr("&Save as…"), tr("Save the tablet as RAW, PNG or .str"), {QStringLiteral("Ctrl+S")});
+  open =
+      make("open", tr("&Open…"), tr("Open a height map (RAW, PNG) or a stroke order file (.str)"), "Ctrl+O");
+  save = make("save", tr("&Save as…"), tr("Save the tablet as RAW, PNG or .str"), "Ctrl+S");
   record = make("record", tr("&Record pen motion"), tr("Save every position and force of the pen to a file"),
-                {QStringLiteral("Ctrl+Shift+R")}, true);
-  quit = make("quit", tr("&Quit"), tr("Close Nazori"), {QStringLiteral("Q"), QStringLiteral("Ctrl+Q")});
+                "Ctrl+Shift+R", true);
+  quit = make("quit", tr("&Quit"), tr("Close Nazori"), "Q Ctrl+Q");
 
   groove_sound = make("groove_sound", tr("Groove s&ound"), tr("Play the sound of the stylus in the groove"),
-                      {QStringLiteral("Ctrl+M")}, true);
-  sound_louder = make("sound_louder", tr("Lo&uder"), tr("Make the groove sound louder"),
-                      {QStringLiteral("Ctrl+Shift+M")});
-  sound_softer = make("sound_softer", tr("Quie&ter"), tr("Make the groove sound quieter"),
-                      {QStringLiteral("Alt+Shift+M")});
+                      "Ctrl+M", true);
+  sound_louder = make("sound_louder", tr("Lo&uder"), tr("Make the groove sound louder"), "Ctrl+Shift+M");
+  sound_softer = make("sound_softer", tr("Quie&ter"), tr("Make the groove sound quieter"), "Alt+Shift+M");
   slope_help = make("slope_help", tr("Feel s&lopes with the mouse"),
                     tr("The pointer moves more slowly uphill and faster downhill, as if held in the groove"),
-                    {QStringLiteral("Ctrl+Shift+L")}, true);
-  wood = make("wood", tr("&Wood"), tr("Pale wood"), {QStringLiteral("Ctrl+1")}, true);
-  slate = make("slate", tr("S&late"), tr("Dark stone"), {QStringLiteral("Ctrl+2")}, true);
-  classic =
-      make("classic", tr("&Classic"), tr("The look of the 2005 program"), {QStringLiteral("Ctrl+3")}, true);
+                    "Ctrl+Shift+L", true);
+  wood = make("wood", tr("&Wood"), tr("Pale wood"), "Ctrl+1", true);
+  slate = make("slate", tr("S&late"), tr("Dark stone"), "Ctrl+2", true);
+  classic = make("classic", tr("&Classic"), tr("The look of the 2005 program"), "Ctrl+3", true);
   theme_desktop = make("theme_desktop", tr("&Desktop colours"), tr("Light or dark, following the desktop"),
-                       {QStringLiteral("Ctrl+Alt+1")}, true);
-  theme_light =
-      make("theme_light", tr("&Light colours"), tr("Always light"), {QStringLiteral("Ctrl+Alt+2")}, true);
-  theme_dark =
-      make("theme_dark", tr("Dar&k colours"), tr("Always dark"), {QStringLiteral("Ctrl+Alt+3")}, true);
+                       "Ctrl+Alt+1", true);
+  theme_light = make("theme_light", tr("&Light colours"), tr("Always light"), "Ctrl+Alt+2", true);
+  theme_dark = make("theme_dark", tr("Dar&k colours"), tr("Always dark"), "Ctrl+Alt+3", true);
   language_desktop = make("language_desktop", tr("Des&ktop language"), tr("Use the language of the desktop"),
-                          {QStringLiteral("Ctrl+Alt+0")}, true);
-  language_english = make("language_english", QStringLiteral("&English"), QStringLiteral("English"),
-                          {QStringLiteral("Ctrl+Alt+E")}, true);
-  language_japanese = make("language_japanese", QStringLiteral("日本語 (&J)"), QStringLiteral("日本語"),
-                           {QStringLiteral("Ctrl+Alt+J")}, true);
-  text_larger = make("text_larger", tr("&Larger text"), tr("Make the text larger"),
-                     {QStringLiteral("Ctrl++"), QStringLiteral("Ctrl+=")});
-  text_smaller =
-      make("text_smaller", tr("S&maller text"), tr("Make the text smaller"), {QStringLiteral("Ctrl+-")});
-  text_usual =
-      make("text_usual", tr("Defa&ult text size"), tr("Reset the text size"), {QStringLiteral("Ctrl+0")});
+                          "Ctrl+Alt+0", true);
+  language_english =
+      make("language_english", QStringLiteral("&English"), QStringLiteral("English"), "Ctrl+Alt+E", true);
+  language_japanese =
+      make("language_japanese", QStringLiteral("日本語 (&J)"), QStringLiteral("日本語"), "Ctrl+Alt+J", true);
+  text_larger = make("text_larger", tr("&Larger text"), tr("Make the text larger"), "Ctrl++ Ctrl+=");
+  text_smaller = make("text_smaller", tr("S&maller text"), tr("Make the text smaller"), "Ctrl+-");
+  text_usual = make("text_usual", tr("Defa&ult text size"), tr("Reset the text size"), "Ctrl+0");
   reduced_motion = make("reduced_motion", tr("&Reduce motion"), tr("No animations: changes appear at once"),
-                        {QStringLiteral("Ctrl+Alt+M")}, true);
+                        "Ctrl+Alt+M", true);
   // The page sets the text of these two.
-  left_panel = make("left_panel", {}, {}, {QStringLiteral("F2")}, true);
-  right_panel = make("right_panel", {}, {}, {QStringLiteral("F3")}, true);
-  full_screen =
-      make("full_screen", tr("&Full screen"), tr("Show only the tablet"), {QStringLiteral("F11")}, true);
+  left_panel = make("left_panel", {}, {}, "F2", true, Icon::library);
+  right_panel = make("right_panel", {}, {}, "F3", true, Icon::information);
+  full_screen = make("full_screen", tr("&Full screen"), tr("Show only the tablet"), "F11", true);
 
-  turn_left =
-      make("turn_left", tr("Turn left"), tr("Turn the tablet to the left"), {QStringLiteral("Ctrl+Left")});
-  turn_right = make("turn_right", tr("Turn right"), tr("Turn the tablet to the right"),
-                    {QStringLiteral("Ctrl+Right")});
-  tilt_up =
-      make("tilt_up", tr("Tilt away"), tr("Look at the tablet at an angle"), {QStringLiteral("Ctrl+Up")});
-  tilt_down = make("tilt_down", tr("Tilt back"), tr("Look more from above"), {QStringLiteral("Ctrl+Down")});
-  move_left = make("move_left", tr("Move left"), tr("Move the tablet to the left"),
-                   {QStringLiteral("Ctrl+Shift+Left")});
-  move_right = make("move_right", tr("Move right"), tr("Move the tablet to the right"),
-                    {QStringLiteral("Ctrl+Shift+Right")});
-  move_up = make("move_up", tr("Move up"), tr("Move the tablet up"), {QStringLiteral("Ctrl+Shift+Up")});
-  move_down =
-      make("move_down", tr("Move down"), tr("Move the tablet down"), {QStringLiteral("Ctrl+Shift+Down")});
-  zoom_in = make("zoom_in", tr("Zoom in"), tr("Zoom in"), {QStringLiteral("+"), QStringLiteral("=")});
-  zoom_out = make("zoom_out", tr("Zoom out"), tr("Zoom out"), {QStringLiteral("-")});
-  reset_view = make("reset_view", tr("Re&set view"), tr("Show the whole tablet from straight above"),
-                    {QStringLiteral("R")});
+  turn_left = make("turn_left", tr("Turn left"), tr("Turn the tablet to the left"), "Ctrl+Left");
+  turn_right = make("turn_right", tr("Turn right"), tr("Turn the tablet to the right"), "Ctrl+Right");
+  tilt_up = make("tilt_up", tr("Tilt away"), tr("Look at the tablet at an angle"), "Ctrl+Up");
+  tilt_down = make("tilt_down", tr("Tilt back"), tr("Look more from above"), "Ctrl+Down");
+  move_left = make("move_left", tr("Move left"), tr("Move the tablet to the left"), "Ctrl+Shift+Left");
+  move_right = make("move_right", tr("Move right"), tr("Move the tablet to the right"), "Ctrl+Shift+Right");
+  move_up = make("move_up", tr("Move up"), tr("Move the tablet up"), "Ctrl+Shift+Up");
+  move_down = make("move_down", tr("Move down"), tr("Move the tablet down"), "Ctrl+Shift+Down");
+  zoom_in = make("zoom_in", tr("Zoom in"), tr("Zoom in"), "+ =");
+  zoom_out = make("zoom_out", tr("Zoom out"), tr("Zoom out"), "-");
+  reset_view = make("reset_view", tr("Re&set view"), tr("Show the whole tablet from straight above"), "R",
+                    Icon::reset_view);
 
-  keys = make("keys", tr("&Keyboard shortcuts"), tr("All keyboard shortcuts and mouse actions"),
-              {QStringLiteral("F1")});
-  about =
-      make("about", tr("&About Nazori"), tr("Version, licences and sources"), {QStringLiteral("Shift+F1")});
+  keys = make("keys", tr("&Keyboard shortcuts"), tr("All keyboard shortcuts and mouse actions"), "F1");
+  about = make("about", tr("&About Nazori"), tr("Version, licences and sources"), "Shift+F1");
 
   make_exclusive({wood, slate, classic});
   make_exclusive({theme_desktop, theme_light, theme_dark});
   make_exclusive({language_desktop, language_english, language_japanese});
-  draw(left_panel, Icon::library);
-  draw(right_panel, Icon::information);
-  draw(reset_view, Icon::reset_view);
 
   file_ = {tr("&File"), {open, save, nullptr, record, nullptr, quit}};
   tablet_ = {tr("&Tablet"),
@@ -138,9 +118,8 @@ Actions::Actions(QWidget* window) : ActionSet(window), one_page_(new QActionGrou
 QAction* Actions::add_page(const Page& page) {
   const auto number = static_cast<int>(pages_.size()) + 1;
   const QByteArray name = "go_" + page.id().toLatin1();
-  auto* entry =
-      make(name.constData(), page.name(), page.purpose(), {QStringLiteral("Alt+%1").arg(number)}, true);
-  draw(entry, page.drawing());
+  const QByteArray key = "Alt+" + QByteArray::number(number);
+  auto* entry = make(name, page.name(), page.purpose(), key, true, page.drawing());
   pages_.append(entry);
   go_.actions.append(entry);
   one_page_->addAction(entry);

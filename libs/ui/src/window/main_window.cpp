@@ -9,14 +9,13 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <initializer_list>
 
 #include "learners/learner_actions.h"
 #include "learners/learner_menu.h"
@@ -26,6 +25,7 @@
 #include "widgets/focus_frame.h"
 #include "widgets/key_guard.h"
 #include "widgets/panes.h"
+#include "widgets/parts.h"
 #include "widgets/status_line.h"
 #include "window/actions.h"
 #include "window/back_ends.h"
@@ -41,13 +41,6 @@ namespace {
 constexpr QSize kFirstSize(1280, 800);
 constexpr QSize kLeastSize(560, 420);
 constexpr QSize kFrame(16, 48);  ///< of window managers, before the real frame is known
-
-QStringList local_files(const QMimeData* data) {
-  QStringList paths;
-  for (const auto& url : data->urls())
-    if (url.isLocalFile()) paths.append(url.toLocalFile());
-  return paths;
-}
 
 }  // namespace
 
@@ -179,8 +172,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   window.setStatusBar(status);
   build_tablet(setup.draws_tablet);
 
-  auto* middle = new QWidget(&window);
-  middle->setObjectName(QStringLiteral("middle"));
+  auto* middle = named(new QWidget(&window), "middle");
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -188,8 +180,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   column->addWidget(feedback);
   panes = new Panes(middle, &window);
   panes->set_mirrored(parts.preferences().left_handed);
-  stage = new QStackedWidget(&window);
-  stage->setObjectName(QStringLiteral("stage"));
+  stage = named(new QStackedWidget(&window), "stage");
   stage->addWidget(panes);
   window.setCentralWidget(stage);
 
@@ -334,8 +325,7 @@ void MainWindow::Inside::fit() {
 
 void MainWindow::Inside::set_full_screen(bool on) {
   actions->full_screen->setChecked(on);
-  for (QWidget* widget : {static_cast<QWidget*>(window.menuBar()), static_cast<QWidget*>(tool_bar),
-                          static_cast<QWidget*>(status)})
+  for (QWidget* widget : std::initializer_list<QWidget*>{window.menuBar(), tool_bar, status})
     widget->setVisible(!on);
   rail->setVisible(!on && pages.size() > 1);
   panes->set_alone(on);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QDateTime>
 #include <QFileDialog>
-#include <QStandardPaths>
 #include <algorithm>
 #include <cmath>
 
@@ -27,10 +26,6 @@ QString names(const std::vector<std::filesystem::path>& files) {
   for (const auto& file : files) list.append(to_text(file.string()));
   return list.join(QStringLiteral(", "));
 }
-
-}  // namespace
-
-namespace {
 
 constexpr double kTurnStep_px = 40;
 constexpr double kMoveStep_px = 60;
@@ -132,16 +127,16 @@ void MainWindow::Inside::connect_actions() {
 
 void MainWindow::Inside::connect_parts() {
   QObject::connect(&parts, &WindowParts::announced, feedback, &FeedbackLine::announce);
-  QObject::connect(&parts, &WindowParts::answered, feedback, &FeedbackLine::answer);
-  QObject::connect(&parts, &WindowParts::save_wanted, &window, [this] { save_later(); });
-  QObject::connect(&parts, &WindowParts::focus_wanted, &window, [this] { focus_tablet(); });
-  QObject::connect(&parts, &WindowParts::drawers_done, panes, &Panes::close_drawers);
-  QObject::connect(&parts, &WindowParts::left_panel_wanted, &window, [this] {
+  QObject::connect(&parts, &WindowParts::respond, feedback, &FeedbackLine::respond);
+  QObject::connect(&parts, &WindowParts::save_later, &window, [this] { save_later(); });
+  QObject::connect(&parts, &WindowParts::focus_tablet, &window, [this] { focus_tablet(); });
+  QObject::connect(&parts, &WindowParts::close_drawers, panes, &Panes::close_drawers);
+  QObject::connect(&parts, &WindowParts::open_left_panel, &window, [this] {
     if (actions->full_screen->isChecked()) set_full_screen(false);
     panes->open_left(true);
   });
   QObject::connect(&parts, &WindowParts::character_shown, &window, &MainWindow::character_shown);
-  QObject::connect(&parts, &WindowParts::page_wanted, &window, &MainWindow::go_to);
+  QObject::connect(&parts, &WindowParts::go_to, &window, &MainWindow::go_to);
   QObject::connect(&parts, &WindowParts::study_settings_changed, &window,
                    [this] { panes->set_mirrored(parts.preferences().left_handed); });
   QObject::connect(&parts, &WindowParts::opened, &window, &MainWindow::opened);
@@ -270,10 +265,7 @@ void MainWindow::Inside::record(bool on) {
     dialog.setDefaultSuffix(filter.contains(QLatin1String("csv")) ? QStringLiteral("csv")
                                                                   : QStringLiteral("nzr"));
   });
-  auto& preferences = parts.preferences();
-  dialog.setDirectory(preferences.folder.isEmpty()
-                          ? QStandardPaths::writableLocation(QStandardPaths::HomeLocation)
-                          : preferences.folder);
+  dialog.setDirectory(parts.preferences().start_folder());
   dialog.selectFile(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HHmm")));
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
   const QString path = dialog.selectedFiles().front();

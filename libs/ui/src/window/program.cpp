@@ -4,7 +4,6 @@
 #include <QApplication>
 #include <QMessageBox>
 #include <QSurfaceFormat>
-#include <QTimer>
 #include <utility>
 
 #include "look/appearance.h"

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
+#include "widgets/parts.h"
 #include "window/actions.h"
 
 namespace nazori::ui {
@@ -28,7 +29,7 @@ ToolBar::ToolBar(const Actions& actions, QWidget* parent)
     : QToolBar(tr("Toolbar"), parent),
       actions_(actions),
       looks_{actions.wood, actions.slate, actions.classic},
-      style_(new QToolButton(this)) {
+      style_(named(new QToolButton(this), "tool_style")) {
   setObjectName(QStringLiteral("tool_bar"));
   setMovable(false);
   setFloatable(false);
@@ -42,7 +43,6 @@ ToolBar::ToolBar(const Actions& actions, QWidget* parent)
   }
   style_->setMenu(looks);
   style_->setPopupMode(QToolButton::InstantPopup);
-  style_->setObjectName(QStringLiteral("tool_style"));
   style_->setFocusPolicy(Qt::TabFocus);
   style_->setToolTip(tr("Tablet style (Ctrl+1, 2, 3)"));
   style_->setToolButtonStyle(Qt::ToolButtonTextOnly);

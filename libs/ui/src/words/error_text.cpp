@@ -8,27 +8,28 @@
 namespace nazori::ui {
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("nazori::ui::reason", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(nazori::ui::reason)
+};
 
 QString kind(base::Errc code) {
   switch (code) {
     case base::Errc::bad_argument:
-      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "a value is out of range"));
+      return Words::tr("a value is out of range");
     case base::Errc::io:
-      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it could not be read or written"));
+      return Words::tr("it could not be read or written");
     case base::Errc::parse:
-      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "the file format is not valid"));
+      return Words::tr("the file format is not valid");
     case base::Errc::schema:
-      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it is a different kind of file than expected"));
+      return Words::tr("it is a different kind of file than expected");
     case base::Errc::not_found:
-      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it does not exist"));
+      return Words::tr("it does not exist");
     case base::Errc::device:
-      return words(
-          QT_TRANSLATE_NOOP("nazori::ui::reason", "the graphics driver or the device reported an error"));
+      return Words::tr("the graphics driver or the device reported an error");
     case base::Errc::cancelled:
-      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "it was stopped"));
+      return Words::tr("it was stopped");
     case base::Errc::in_use:
-      return words(QT_TRANSLATE_NOOP("nazori::ui::reason", "another program is using it"));
+      return Words::tr("another program is using it");
   }
   return {};
 }
@@ -43,9 +44,9 @@ QString reason(const base::Error& error) {
 }
 
 QString no_sound(const base::Error& error) {
-  return words(QT_TRANSLATE_NOOP("nazori::ui::reason",
-                                 "No sound: no working sound card was found (%1). Connect or switch on "
-                                 "speakers or headphones. Everything else works."))
+  return Words::tr(
+             "No sound: no working sound card was found (%1). Connect or switch on "
+             "speakers or headphones. Everything else works.")
       .arg(to_text(error.what));
 }
 

@@ -3,6 +3,7 @@
 
 #include <QFontDatabase>
 #include <QRawFont>
+#include <QStringList>
 #include <algorithm>
 
 namespace nazori::ui {
@@ -16,6 +17,12 @@ QString to_text(char32_t code_point) { return QString::fromUcs4(&code_point, 1);
 
 QString to_text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+QString joined(const std::vector<std::string>& texts, const QString& between, std::size_t most) {
+  QStringList all;
+  for (std::size_t i = 0; i < texts.size() && i < most; ++i) all.append(to_text(texts[i]));
+  return all.join(between);
 }
 
 QString kun_plain(const kanji::KunReading& r) { return to_text(kanji::kun_text(r)); }

@@ -4,8 +4,10 @@
 #include <QColor>
 #include <QFont>
 #include <QString>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "nazori/kanji/kun_reading.h"
 
@@ -13,6 +15,10 @@ namespace nazori::ui {
 
 [[nodiscard]] QString to_text(char32_t code_point);
 [[nodiscard]] QString to_text(std::string_view utf8);
+
+/// Texts with something between them. @param most  of them, from the first.
+[[nodiscard]] QString joined(const std::vector<std::string>& texts, const QString& between,
+                             std::size_t most = SIZE_MAX);
 
 /// A kun reading as shown to the learner: "やす・む".
 [[nodiscard]] QString kun_plain(const kanji::KunReading& reading);

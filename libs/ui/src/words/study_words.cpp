@@ -4,25 +4,12 @@
 #include <QDateTime>
 #include <QLocale>
 #include <QTimeZone>
-#include <algorithm>
-#include <cmath>
 
 namespace nazori::ui {
 namespace {
 
 using std::chrono::minutes;
-
-constexpr int kDaysInWords = 60;
-constexpr double kDaysInMonth = 30.44;
-constexpr double kDaysInYear = 365.25;
-
-int minutes_until(const study::Card& card, study::Time now) {
-  return std::max(1, static_cast<int>(std::chrono::round<minutes>(card.memory.due - now).count()));
-}
-
-int days_until(const study::Card& card, study::Day today) {
-  return card.due_day ? static_cast<int>((*card.due_day - today).count()) : 0;
-}
+using Unit = study::ReviewDelay::Unit;
 
 QDate date_of(study::Day day) { return QDate(1970, 1, 1).addDays(day.time_since_epoch().count()); }
 
@@ -57,23 +44,34 @@ QString StudyWords::stage(study::Stage stage) {
 }
 
 QString StudyWords::comes_again(const study::Card& card, study::Time now, study::Day today) {
-  if (card.memory.phase != study::Phase::review)
-    return tr("in %n minutes", nullptr, minutes_until(card, now));
-  const int days = days_until(card, today);
-  if (days <= 1) return tr("tomorrow");
-  if (days < kDaysInWords) return tr("in %n days", nullptr, days);
-  if (days < kDaysInYear)
-    return tr("in %n months", nullptr, static_cast<int>(std::lround(days / kDaysInMonth)));
-  return tr("in %1 years").arg(QLocale().toString(days / kDaysInYear, 'f', 1));
+  const auto delay = study::review_delay(card, now, today);
+  const int amount = static_cast<int>(delay.amount);
+  switch (delay.unit) {
+    case Unit::minutes:
+      return tr("in %n minutes", nullptr, amount);
+    case Unit::days:
+      return amount == 1 ? tr("tomorrow") : tr("in %n days", nullptr, amount);
+    case Unit::months:
+      return tr("in %n months", nullptr, amount);
+    case Unit::years:
+      return tr("in %1 years").arg(QLocale().toString(delay.amount, 'f', 1));
+  }
+  return {};
 }
 
 QString StudyWords::comes_again_short(const study::Card& card, study::Time now, study::Day today) {
-  const QLocale locale;
-  if (card.memory.phase != study::Phase::review) return tr("%1 min").arg(minutes_until(card, now));
-  const int days = std::max(1, days_until(card, today));
-  if (days < kDaysInWords) return tr("%1 d").arg(days);
-  if (days < kDaysInYear) return tr("%1 mo").arg(std::lround(days / kDaysInMonth));
-  return tr("%1 y").arg(locale.toString(days / kDaysInYear, 'f', 1));
+  const auto delay = study::review_delay(card, now, today);
+  switch (delay.unit) {
+    case Unit::minutes:
+      return tr("%1 min").arg(delay.amount);
+    case Unit::days:
+      return tr("%1 d").arg(delay.amount);
+    case Unit::months:
+      return tr("%1 mo").arg(delay.amount);
+    case Unit::years:
+      return tr("%1 y").arg(QLocale().toString(delay.amount, 'f', 1));
+  }
+  return {};
 }
 
 QString StudyWords::about(std::chrono::milliseconds time) {

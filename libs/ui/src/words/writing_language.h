@@ -12,4 +12,9 @@ namespace nazori::ui {
   return QLocale().language() == QLocale::Japanese ? writing::Language::japanese : writing::Language::english;
 }
 
+/// What stands between two sentences of it.
+[[nodiscard]] inline QString between_sentences() {
+  return writing_language() == writing::Language::japanese ? QString() : QStringLiteral(" ");
+}
+
 }  // namespace nazori::ui

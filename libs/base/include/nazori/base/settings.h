@@ -22,8 +22,14 @@ using Settings = std::map<std::string, std::string, std::less<>>;
 [[nodiscard]] double number_setting(const Settings& settings, std::string_view key, double fallback,
                                     double low, double high);
 
+/// A switch: "true" or "false"; `fallback` where there is neither.
+[[nodiscard]] bool flag_setting(const Settings& settings, std::string_view key, bool fallback);
+
 /// Stores a number so that reading it gives exactly the same number.
 void set_number(Settings& settings, std::string key, double value);
+
+/// Stores a switch.
+void set_flag(Settings& settings, std::string key, bool value);
 
 /// A value of an enumeration, counted from 0, by its name; `fallback` where there is none, or the name is
 /// unknown.

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "nazori/base/progress.h"
 #include "nazori/base/result.h"
 #include "nazori/devices/rt_thread.h"
 #include "nazori/devices/simulated_device.h"
@@ -93,11 +93,9 @@ class SimulatedHand {
   [[nodiscard]] haptics::Servo& servo();
 
   /// Follows all strokes, once per object.
-  /// @param go_on  called from time to time on this thread with the progress, 0..1; without a clock, between
-  ///   two ticks. Returning false stops.
-  /// @return whether the strokes were followed to their end: false where go_on returned false. The errors of
-  /// the clock thread.
-  [[nodiscard]] base::Result<bool> run(HandClock clock, const std::function<bool(double done)>& go_on);
+  /// @param progress  called from time to time on this thread; without a clock, between two ticks.
+  /// @return Errc::cancelled where `progress` stopped it; the errors of the clock thread.
+  [[nodiscard]] base::Result<void> run(HandClock clock, const base::Progress& progress);
 
   /// The result, after run().
   [[nodiscard]] HandReport report() const;

@@ -13,6 +13,14 @@ namespace nazori::exchange {
 
 /// A card as it is today for a learner (docs/schemas/study.json, card).
 [[nodiscard]] Value to_json(const study::Card& card, const study::LearnerStore& learner);
+/// A card that was read: what the document holds of it. What it does not hold (learning steps, practices) is
+/// as in a new card.
+struct ReadCard {
+  study::Card card;
+  double retrievability = 0;  ///< on the day of the document
+};
+/// Reads docs/schemas/study.json, card. @return Errc::parse with the member in Error::where.
+[[nodiscard]] base::Result<ReadCard> read_card(const Value& document);
 /// What was written, and the card after it (docs/schemas/study.json, review).
 [[nodiscard]] Value reviewed(const study::Card& card, const study::Writing& writing,
                              const study::LearnerStore& learner);

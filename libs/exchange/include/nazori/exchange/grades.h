@@ -41,6 +41,10 @@ struct GradeAnswer {
 /// docs/schemas/handwriting.json, grade. Strokes are counted from 0; numbers are rounded to four decimals.
 [[nodiscard]] Value to_json(const GradeAnswer& answer);
 
+/// Reads such an answer: all that the document holds, with numbers as they were rounded.
+/// @return Errc::parse with the member in Error::where.
+[[nodiscard]] base::Result<GradeAnswer> read_grade(const Value& answer);
+
 /// What the answer to a refused request holds besides "line" and "error" (docs/schemas/handwriting.json,
 /// refused_grade).
 [[nodiscard]] Value refused_grade();

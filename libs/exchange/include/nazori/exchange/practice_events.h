@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "nazori/base/result.h"
 #include "nazori/exchange/document.h"
@@ -53,6 +54,20 @@ struct SessionProgress {
 [[nodiscard]] Value to_json(const practice::SessionFeedback& event);
 /// Something failed that no stage reports: the database cannot be read.
 [[nodiscard]] Value error_event(const base::Error& error);
+
+/// A failure that no stage reported.
+struct FailureEvent {
+  std::string line;  ///< what is wrong, where, and what would be right
+};
+/// Any event of practice.
+using PracticeEvent = std::variant<CharacterShown, StageReport, StageFinished, SessionProgress,
+                                   practice::SessionFeedback, FailureEvent>;
+/// Reads docs/schemas/practice.json, event: all that it holds. Of a mistake it holds the kind, of an error
+/// its line. Names of a stage's own events and details are parts of `event`, which must outlive the answer.
+/// @return Errc::parse with the member in Error::where.
+[[nodiscard]] base::Result<PracticeEvent> read_practice_event(const Value& event);
+/// An event that read_practice_event() gave.
+[[nodiscard]] Value to_json(const PracticeEvent& event);
 
 /// One line of events (docs/schemas/practice.json, events). @param events  an array.
 [[nodiscard]] Value events_document(Value events);

@@ -4,11 +4,16 @@
 #include <optional>
 #include <string>
 
+#include "nazori/base/settings.h"
 #include "nazori/functions/drawing.h"
 #include "nazori/functions/plot_document.h"
 #include "nazori/functions/plot_event.h"
 
 namespace nazori::functions {
+
+/// A number as it may be typed anywhere: "-2pi", "1/3", "1,5". @return nothing for anything else, and where
+/// it is not finite.
+[[nodiscard]] std::optional<double> read_number(const std::string& text, const ParseOptions& reading);
 
 /// The state of a functions page that is worth saving: the expression, the visible part of the plane, the
 /// carving settings and the speed of the sound. Thread: one.
@@ -52,8 +57,12 @@ class PlotModel {
   /// Seconds per curve: 6 s at speed 1, 3 s at 3, 1.1 s at 10.
   [[nodiscard]] SoundSettings sound() const;
 
-  /// Restores saved settings; values out of range are limited to it, an invalid window is ignored.
-  void restore(const Window& window, const PlateSettings& plate, int speed);
+  /// Reads stored settings: the window ("x0", "x1", "y0", "y1"), the plate ("axes", "ticks", "grid", "rim",
+  /// "half_width", "size") and the "speed". Invalid values keep their defaults, values out of range are
+  /// limited to it, and an invalid window is ignored.
+  void load(const base::Settings& settings);
+  /// Stores all that load() reads; other keys are unchanged.
+  void save(base::Settings& settings) const;
   /// The document to save. @param reading  how the expression was parsed.
   [[nodiscard]] PlotDocument document(const ParseOptions& reading) const;
   /// Adopts the settings of a document. Its expression is not parsed yet.

@@ -49,6 +49,16 @@ class Learner {
   /// profile is opened.
   void let_go(LearnerEvent::Kind why);
 
+  /// Every learner, the current one among them, whether or not it has a file yet.
+  [[nodiscard]] std::vector<std::string> profiles() const;
+  /// Whether there is a folder of this name already.
+  [[nodiscard]] bool has_profile(const std::string& name) const;
+  /// Renames a learner, who may be the current one. @return the errors of study::rename_profile().
+  base::Result<void> rename_profile(const std::string& from, const std::string& to);
+  /// Removes a learner from the list, as study::remove_profile(). After the current one the first of the
+  /// others is opened, or a new one. @return its folder; the errors of study::remove_profile().
+  base::Result<std::filesystem::path> remove_profile(const std::string& name);
+
   [[nodiscard]] const std::string& profile() const { return profile_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// The learner.db of the profile.

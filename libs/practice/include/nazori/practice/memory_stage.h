@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "nazori/base/settings.h"
 #include "nazori/practice/practice_stage.h"
 #include "nazori/practice/writing_attempt.h"
 #include "nazori/practice/writing_groove.h"
@@ -21,6 +22,11 @@ class MemoryStage final : public PracticeStage {
     bool judges_each = true;  ///< every stroke as it ends; false: the writing at its end
     WritingGroove::Mode groove = WritingGroove::Mode::hidden;
     double strictness = writing::kNormal;  ///< 0..1
+
+    /// Reads stored settings ("judge_each", "groove", "strictness"); invalid values keep their defaults.
+    void load(const base::Settings& settings);
+    /// Stores all that load() reads; other keys are unchanged.
+    void save(base::Settings& settings) const;
   };
   enum class State : std::uint8_t { writing, judged, answer_shown };
 

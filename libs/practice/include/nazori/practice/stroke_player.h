@@ -42,6 +42,9 @@ class StrokePlayer {
   [[nodiscard]] double end_s(int stroke) const;
   /// The share of a stroke's length that is written at a moment.
   [[nodiscard]] double share_at(int stroke, double time_s) const;
+  /// The part of a stroke, from its start and as seen from above, that is written at a moment; empty before
+  /// the brush moves.
+  [[nodiscard]] geometry::Polyline<geometry::TabletFrame> written(int stroke, double time_s) const;
 
  private:
   struct Timed {

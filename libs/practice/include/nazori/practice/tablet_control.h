@@ -70,7 +70,20 @@ class TabletControl {
   /// As in the 2005 program: forwards and backwards, both wrapping through 0.
   void next_stroke();
   void previous_stroke();
+  /// Does what a button of the stylus is set to do.
+  void press_button(devices::ButtonDoes what);
 
+  /// What is shown of the strokes, and whether they attract the stylus.
+  struct Switches {
+    bool strokes = true;
+    bool numbers = true;
+    bool arrows = true;
+    bool snapping = false;
+  };
+  [[nodiscard]] Switches switches() const {
+    return {strokes_visible_, numbers_visible_, arrows_visible_, snapping_};
+  }
+  void set_switches(const Switches& to);
   [[nodiscard]] bool strokes_visible() const { return strokes_visible_; }
   [[nodiscard]] bool numbers_visible() const { return numbers_visible_; }
   [[nodiscard]] bool arrows_visible() const { return arrows_visible_; }

@@ -76,6 +76,18 @@ struct Card {
   friend bool operator==(const Card&, const Card&) = default;
 };
 
+/// How far away a review is, in the unit in which people say it.
+struct ReviewDelay {
+  enum class Unit : std::uint8_t { minutes, days, months, years };
+  Unit unit = Unit::days;
+  double amount = 1;  ///< from 1; whole but for years
+
+  friend bool operator==(const ReviewDelay&, const ReviewDelay&) = default;
+};
+/// When a card comes again: a learning step in minutes, a review in days, from two months on in months and
+/// from a year on in years.
+[[nodiscard]] ReviewDelay review_delay(const Card& card, Time now, Day today);
+
 /// Whether two settings give different numbers for the same reviews.
 [[nodiscard]] bool changes_memory(const Settings& before, const Settings& after);
 

@@ -36,6 +36,17 @@ struct ReadyList {
 /// old-jlpt-1.
 [[nodiscard]] std::span<const ReadyList> ready_lists();
 
+/// The lists that can be chosen.
+struct ListIds {
+  std::vector<std::string> ids;       ///< built-in ones, then "list:NAME" and "tag:NAME"
+  std::optional<base::Error> unread;  ///< why the learner's own lists or tags are missing
+
+  /// All of them, the chosen ones first and in their order. A chosen list that no longer exists is left out,
+  /// but not while lists are missing.
+  [[nodiscard]] std::vector<std::string> chosen_first(const std::vector<std::string>& chosen) const;
+};
+[[nodiscard]] ListIds list_ids(const LearnerStore& learner);
+
 /// Characters and lists of the kanji database, read when they are first needed. Thread-safe: no.
 class CharacterLists {
  public:

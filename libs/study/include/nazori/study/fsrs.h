@@ -131,7 +131,7 @@ class Fsrs {
   [[nodiscard]] double initial_difficulty(Rating rating) const;
   [[nodiscard]] double next_difficulty(double difficulty, Rating rating) const;
   [[nodiscard]] int step_minutes(const Memory& before, Rating rating, int& next_step) const;
-  void take_step(Memory& memory, const Memory& before, Rating rating, Time now) const;
+  void set_step(Memory& memory, const Memory& before, Rating rating, Time now) const;
   [[nodiscard]] int review_interval(const Memory& before, Rating rating, int elapsed_days) const;
   [[nodiscard]] int day_interval(const Memory& before, Rating rating, int elapsed_days) const;
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The view of the stage "Dictation": the word above the tablet, its actions, and its sentences.
-#include <QFontInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "characters/stage_table.h"
 #include "characters/stage_view.h"
@@ -14,7 +12,7 @@
 #include "nazori/practice/dictation_stage.h"
 #include "nazori/practice/model_fit.h"
 #include "nazori/writing/explanation.h"
-#include "widgets/sentence_label.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 #include "words/writing_language.h"
 
@@ -80,11 +78,10 @@ DictationView::DictationView(DictationStage& stage, const StageViewParts& parts)
     : StageView(stage, parts.window_parts, parts.actions),
       dictation_(stage),
       speak_(parts.actions.add_practice("speak_word", tr("Spea&k the word"),
-                                        tr("Say the reading and the meaning of the word again"),
-                                        QStringLiteral("V"), Icon::sound)),
-      next_word_(parts.actions.add_practice("next_word", tr("Ne&xt word"),
-                                            tr("Write another word that has the character"),
-                                            QStringLiteral("W"), Icon::next)),
+                                        tr("Say the reading and the meaning of the word again"), "V",
+                                        Icon::sound)),
+      next_word_(parts.actions.add_practice(
+          "next_word", tr("Ne&xt word"), tr("Write another word that has the character"), "W", Icon::next)),
       strip_(new QWidget(&parts.window_parts.window())) {
   make_strip();
   on(speak_, [this] { dictation_.speak(); });
@@ -105,8 +102,7 @@ void DictationView::make_strip() {
   strip_->setObjectName(QStringLiteral("dictation_strip"));
   strip_->setAccessibleName(tr("The word to write"));
   boxes_ = new WordBoxes(strip_);
-  reading_ = sentence_label("dictation_reading", strip_);
-  reading_->setProperty("role", QStringLiteral("title"));
+  reading_ = sentence_label("dictation_reading", strip_, "title");
   meaning_ = sentence_label("dictation_meaning", strip_);
   verdict_ = sentence_label("dictation_verdict", strip_);
   auto* words = new QVBoxLayout;
@@ -162,11 +158,7 @@ void DictationView::refresh_strip() {
 }
 
 QString DictationView::meaning() const {
-  const auto& glosses = dictation_.word()->word.glosses;
-  QStringList all;
-  for (const auto& gloss : glosses)
-    if (all.size() < kMostMeanings) all.append(to_text(gloss));
-  return all.join(QStringLiteral(", "));
+  return joined(dictation_.word()->word.glosses, QStringLiteral(", "), kMostMeanings);
 }
 
 QString DictationView::task() const {
@@ -178,11 +170,9 @@ QString DictationView::task() const {
 QString DictationView::found_in(const DictationStage::Box& box) const {
   const QString character = to_text(box.character);
   if (box.was_shown) return tr("%1: shown, not written from memory.").arg(character);
-  QStringList sentences;
-  for (const auto& sentence : writing::explain(box.writing.grade, writing_language()))
-    sentences.append(to_text(sentence));
-  const QString between = writing_language() == writing::Language::japanese ? QString() : QStringLiteral(" ");
-  return tr("%1: %2").arg(character, sentences.join(between));
+  const auto language = writing_language();
+  return tr("%1: %2").arg(character,
+                          joined(writing::explain(box.writing.grade, language), between_sentences()));
 }
 
 QString DictationView::verdict() const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/stages/guided_view.h"
 
-#include <QSettings>
-
 namespace nazori::ui {
 
 using Guide = practice::GuidedStage::Guide;
@@ -25,14 +23,14 @@ QList<Tool> GuidedView::tools() const {
           {actions().clear_ink}};
 }
 
-void GuidedView::load(const QSettings& settings) {
-  const bool is_led = settings.value(QStringLiteral("lead_hand"), false).toBool();
+void GuidedView::load(const base::Settings& settings) {
+  const bool is_led = base::flag_setting(settings, "lead_hand", false);
   actions().lead_hand->setChecked(is_led);
   guided_.set_leading(is_led);
 }
 
-void GuidedView::save(QSettings& settings) const {
-  settings.setValue(QStringLiteral("lead_hand"), guided_.leading());
+void GuidedView::save(base::Settings& settings) const {
+  base::set_flag(settings, "lead_hand", guided_.leading());
 }
 
 }  // namespace nazori::ui

@@ -15,8 +15,8 @@ class GuidedView final : public StageView {
   [[nodiscard]] QList<QAction*> own_actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
   /// Whether the hand is led is saved.
-  void load(const QSettings& settings) override;
-  void save(QSettings& settings) const override;
+  void load(const base::Settings& settings) override;
+  void save(base::Settings& settings) const override;
 
  private:
   practice::GuidedStage& guided_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/stages/memory_view.h"
 
-#include <QSettings>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -19,9 +18,7 @@ using State = practice::MemoryStage::State;
 
 namespace {
 
-/// The names of the settings.
-constexpr std::array<std::pair<Groove, const char*>, 3> kGrooves{
-    {{Groove::hidden, "hidden"}, {Groove::shown, "shown"}, {Groove::appears, "appears"}}};
+constexpr std::array kGrooves{Groove::hidden, Groove::shown, Groove::appears};
 
 QAction* action_of(const CharacterActions& actions, Groove groove) {
   switch (groove) {
@@ -54,8 +51,8 @@ void MemoryView::connect_writing() {
   on(actions().done, [this] { memory_.finish_writing(); });
   on(actions().hint, [this] { memory_.give_hint(); });
   on(actions().give_up, [this] { memory_.show_answer(); });
-  for (const auto& [groove, name] : kGrooves)
-    always_on(action_of(actions(), groove), [this, groove = groove] {
+  for (const Groove groove : kGrooves)
+    always_on(action_of(actions(), groove), [this, groove] {
       memory_.set_groove(groove);
       parts().save_later();
     });
@@ -133,28 +130,17 @@ QList<Tool> MemoryView::tools() const {
           {actions().compare_beside}, {actions().play}};
 }
 
-void MemoryView::load(const QSettings& settings) {
+void MemoryView::load(const base::Settings& settings) {
   practice::MemoryStage::Options options;
-  const QString groove = settings.value(QStringLiteral("groove")).toString();
-  for (const auto& [mode, name] : kGrooves)
-    if (groove == QLatin1String(name)) options.groove = mode;
-  action_of(actions(), options.groove)->setChecked(true);
-  bool is_number = false;
-  const double strictness = settings.value(QStringLiteral("strictness")).toDouble(&is_number);
-  if (is_number && strictness >= 0 && strictness <= 1) set_strictness(strictness);
+  options.load(settings);
+  set_strictness(options.strictness);
   options.strictness = panel_->strictness().strictness();
-  options.judges_each = settings.value(QStringLiteral("judge_each"), true).toBool();
+  action_of(actions(), options.groove)->setChecked(true);
   actions().judge_each->setChecked(options.judges_each);
   memory_.set_options(options);
 }
 
-void MemoryView::save(QSettings& settings) const {
-  const auto& options = memory_.options();
-  for (const auto& [mode, name] : kGrooves)
-    if (mode == options.groove) settings.setValue(QStringLiteral("groove"), QString::fromLatin1(name));
-  settings.setValue(QStringLiteral("strictness"), options.strictness);
-  settings.setValue(QStringLiteral("judge_each"), options.judges_each);
-}
+void MemoryView::save(base::Settings& settings) const { memory_.options().save(settings); }
 
 void MemoryView::set_strictness(double strictness) {
   panel_->strictness().set_strictness(strictness);

@@ -22,8 +22,8 @@ class MemoryView final : public StageView {
   [[nodiscard]] QString sentence(const practice::StageFeedback& feedback) const override {
     return StageWords::sentence(feedback, &memory_);
   }
-  void load(const QSettings& settings) override;
-  void save(QSettings& settings) const override;
+  void load(const base::Settings& settings) override;
+  void save(base::Settings& settings) const override;
 
  protected:
   void refresh() override;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "nazori/devices/simulated_hand.h"
+#include "nazori/exchange/document.h"
+#include "nazori/kanji/character.h"
+#include "nazori/recording/sample_statistics.h"
+
+namespace nazori::exchange {
+
+/// The files that a character was carved into.
+struct CarvedFiles {
+  std::string map;                     ///< height map
+  std::optional<std::string> strokes;  ///< .str
+  int size = 0;                        ///< samples a side of the map
+};
+/// docs/schemas/tablets.json, carve: one of its items.
+[[nodiscard]] Value to_json(const kanji::Character& character, const CarvedFiles& files);
+
+/// A picture that was painted (docs/schemas/tablets.json, render: one of its items).
+struct PaintedPicture {
+  std::string subject;  ///< a character, or the name of a file
+  std::string file;
+  int width = 0;   ///< pixels
+  int height = 0;  ///< pixels
+};
+[[nodiscard]] Value to_json(const PaintedPicture& picture);
+
+/// The distance of the tip from the lines, over all strokes that a hand followed.
+struct HandTracking {
+  double rms_m = 0;
+  double max_m = 0;
+};
+[[nodiscard]] HandTracking tracking_of(const devices::HandReport& hand);
+/// The scheduling of the hand's clock: "SCHED_FIFO" or "SCHED_OTHER".
+[[nodiscard]] std::string_view scheduling_of(const devices::HandReport& hand);
+
+/// How a simulated hand followed a tablet.
+struct FollowedBy {
+  std::string device;
+  double rate_hz = 0;
+  bool snapping = false;
+  std::string picture;        ///< file
+  bool in_real_time = false;  ///< the clock ran in real time: how punctual it was is part of the document
+};
+/// docs/schemas/tablets.json, demo: one of its items.
+[[nodiscard]] Value to_json(const kanji::Character& character, const FollowedBy& by,
+                            const devices::HandReport& hand, const recording::SampleStatistics& samples);
+
+/// How a recorded motion felt (docs/schemas/tablets.json, feel).
+struct FeltMotion {
+  std::string subject;
+  std::string mode;
+  std::string device;
+  double rate_hz = 0;
+  std::string input;   ///< file
+  std::string output;  ///< file
+  recording::SampleStatistics samples;
+  haptics::ServoTiming timing;
+  double took_s = 0;  ///< for computing
+  /// Ratio of the hand's time to the computing time.
+  [[nodiscard]] double real_time_factor() const;
+};
+[[nodiscard]] Value to_json(const FeltMotion& felt);
+
+}  // namespace nazori::exchange
