@@ -18,7 +18,9 @@
 namespace nazori::practice {
 namespace {
 
-constexpr double kDiffers = 7;  ///< glyph units between points of two strokes that are not the same
+constexpr double kDiffers = 7;   ///< glyph units between points of two strokes that are not the same
+constexpr double kNearby = 3.5;  ///< closer strokes are the same even if one is longer
+constexpr double kLonger = 1.25;
 constexpr double kNoCounterpart = 60;
 constexpr std::size_t kSamples = 9;
 constexpr std::size_t kQuestionsPerCharacter = 3;
@@ -53,6 +55,19 @@ double distance(const Points& a, const Points& b) {
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
     sum += std::hypot(a[i].x - b[i].x, a[i].y - b[i].y);
   return a.empty() || b.empty() ? kNoCounterpart : sum / static_cast<double>(kSamples);
+}
+
+double length(const Points& line) {
+  double sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+  return sum;
+}
+
+/// Whether two strokes that are each other's counterparts are not the same: elsewhere, or clearly longer.
+bool differs(const Points& a, const Points& b, double apart) {
+  const auto [shorter, longer] = std::minmax({length(a), length(b)});
+  return apart > kDiffers || (apart > kNearby && longer > kLonger * shorter);
 }
 
 std::vector<Points> sampled_strokes(const kanji::Character& character) {
@@ -96,7 +111,7 @@ StrokeContrast contrast_of(const kanji::Character& first, const kanji::Character
   const auto counterpart = base::cheapest_assignment(std::span<const double>(costs), size);
   for (std::size_t i = 0; i < a.size(); ++i) {
     const std::size_t j = counterpart[i];
-    if (j >= b.size() || costs[i * size + j] > kDiffers) continue;
+    if (j >= b.size() || differs(a[i], b[j], costs[i * size + j])) continue;
     out.first[i] = false;
     out.second[j] = false;
   }

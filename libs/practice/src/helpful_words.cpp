@@ -10,6 +10,7 @@
 #include "nazori/base/utf8.h"
 #include "nazori/kanji/gloss.h"
 #include "nazori/kanji/kana.h"
+#include "nazori/kanji/kun_reading.h"
 #include "nazori/kanji/meaning_text.h"
 
 namespace nazori::practice {
@@ -21,7 +22,7 @@ constexpr std::size_t kMostMeanings = 3;
 
 // What a word costs. A school year counts as much as two more characters.
 constexpr double kBasic = -40, kRare = 40, kAlone = -10, kOwnMeaning = -4;
-constexpr double kUnusual = 25, kInKana = 20, kAffix = 8, kUnexplained = 4;
+constexpr double kUnusual = 25, kInKana = 20, kAffix = 8, kUnexplained = 4, kItsReading = -1;
 constexpr double kPerOther = 1, kPerGrade = 3, kNoGrade = 25, kPerCharacter = 1.5;
 // And beside words that were chosen already.
 constexpr double kSameReading = 4, kSameStem = 14, kUnknownKanji = 12;
@@ -113,11 +114,14 @@ std::u32string kanji_of(const HelpfulWord& word) {
   return found;
 }
 
-/// 木曜 and 木曜日, 休む and お休み.
-bool is_nearly(const HelpfulWord& a, const HelpfulWord& b) {
+/// 木曜 and 木曜日, 休む and お休み; not 行く and 行う.
+bool is_nearly(const HelpfulWord& a, const HelpfulWord& b, char32_t character) {
   const std::u32string one = kanji_of(a);
   const std::u32string two = kanji_of(b);
-  if (one == two) return a.word.text != b.word.text || a.word.reading == b.word.reading;
+  const auto* first = piece_of(a, character);
+  const auto* second = piece_of(b, character);
+  const bool sounds_alike = first == nullptr || second == nullptr || first->reading == second->reading;
+  if (one == two) return sounds_alike;
   return one.size() > 1 && two.size() > 1 && (one.find(two) != one.npos || two.find(one) != two.npos);
 }
 
@@ -135,10 +139,14 @@ CharacterWords words_that_help(const kanji::KanjiDatabase& database, const kanji
   for (auto& one : out.words) {
     auto pieces = kanji::divide_reading(one.word.text, one.word.reading,
                                         [&database](char32_t c) { return database.readings(c); });
-    if (pieces)
+    if (pieces) {
       one.pieces = *std::move(pieces);
-    else
-      one.cost += kUnexplained;
+      const auto* piece = piece_of(one, character.code_point);
+      const auto reading = kanji::split_kun(piece != nullptr ? piece->from : std::string());
+      if (one.word.text == base::encode_utf8(character.code_point) + reading.okurigana)
+        one.cost += kItsReading;
+    }
+    if (one.pieces.empty()) one.cost += kUnexplained;
   }
   std::stable_sort(out.words.begin(), out.words.end(), is_cheaper);
   out.uses = uses_of(out.words, character);
@@ -155,7 +163,7 @@ std::vector<HelpfulWord> choose_words(const std::vector<HelpfulWord>& words, cha
     for (const auto& other : chosen) {
       const auto* its = piece_of(other, character);
       if (piece != nullptr && its != nullptr && piece->from == its->from) cost += kSameReading;
-      if (is_nearly(word, other)) cost += kSameStem;
+      if (is_nearly(word, other, character)) cost += kSameStem;
     }
     if (knows)
       for (const char32_t c : word.others)

@@ -43,6 +43,14 @@ TEST_F(HelpfulWords, OfATreeAreThoseAPupilKnows) {
   EXPECT_THAT(tree, Not(Contains("本木")));
 }
 
+TEST_F(HelpfulWords, OfVerbsWithDifferentReadingsBothAreChosen) {
+  EXPECT_THAT(chosen(U'行'), Contains("行く"));
+  EXPECT_THAT(chosen(U'行'), Contains("行う"));
+  const auto rest = chosen(U'休');
+  EXPECT_THAT(rest, Contains("休む"));
+  EXPECT_THAT(rest, Not(Contains("休み"))) << "it is nearly the same";
+}
+
 TEST_F(HelpfulWords, HaveNoMarksOfTheEditorsAndAtMostThreeMeanings) {
   for (const char32_t character : {U'木', U'生', U'上', U'人', U'鬱', U'あ'})
     for (const auto& word : words_of(character).words) {
