@@ -50,6 +50,36 @@ TEST_F(Finding, RomajiEnglishKanaAndTheCharacterItselfAllFindKyuu) {
   }
 }
 
+TEST_F(Finding, AWordIsFoundByItsReadingRomajiAndMeaning) {
+  for (const auto* words : {"きゅうじつ", "kyuujitsu", "holiday"}) {
+    auto* box = find<QLineEdit>("search");
+    box->setText(QString::fromUtf8(words));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [this] {
+          for (int row = 0; row < tiles()->rowCount(); ++row)
+            if (tile(row) == QStringLiteral("休日")) return true;
+          return false;
+        },
+        5000))
+        << words;
+  }
+}
+
+TEST_F(Finding, PartsAndRadicalsAreChosenInTables) {
+  auto* by_parts = find<QAction>("find_by_parts");
+  by_parts->trigger();
+  QPushButton* tree = nullptr;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (tree = find<QPushButton>("table_part_木")) != nullptr; }, 5000));
+  tree->click();
+  EXPECT_EQ(find<QLineEdit>("search")->text(), QStringLiteral("parts:木"));
+  find<QPushButton>("table_part_亻")->click();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return tile(0) == QStringLiteral("休"); }, 5000));
+  find<QAction>("find_by_radical")->trigger();
+  EXPECT_FALSE(by_parts->isChecked()) << "one table at a time";
+  find<QPushButton>("table_radical_9")->click();
+  EXPECT_TRUE(find<QLineEdit>("search")->text().contains(QStringLiteral("radical:9")));
+}
+
 TEST_F(Finding, EnterShowsTheBestFind) {
   QSignalSpy shown(window_.get(), &MainWindow::character_shown);
   auto* box = find<QLineEdit>("search");
