@@ -92,7 +92,11 @@ bool read_condition(std::string_view key, std::string_view value, TypedQuery& in
   const auto is_one_of = [key](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), key) != names.end();
   };
-  if (value.empty()) return false;
+  // A condition whose value is still being typed is none yet.
+  if (value.empty())
+    return is_one_of({"strokes", "画数", "総画", "radical", "部首",      "parts", "part", "パーツ",
+                      "grade",   "学年", "jlpt", "freq",    "frequency", "頻度",  "skip", "corner",
+                      "corners", "四角", "list", "リスト",  "tag",       "タグ"});
   if (is_one_of({"strokes", "画数", "総画"})) return read_strokes(value, query);
   if (is_one_of({"radical", "部首"})) return read_radical(value, query);
   if (is_one_of({"parts", "part", "パーツ"})) return read_parts(value, query);

@@ -12,13 +12,13 @@ namespace {
 using testing::ElementsAre;
 
 TEST(TypedQuery, WithoutConditionsIsTheText) {
-  for (const std::string text : {"休",           "yasumu",     "day off",     "きゅうじつ",  "24",
-                                 "1-2",          "画",         "a画",         "0画",         "201画",
-                                 "strokes:",     "strokes:x",  "strokes:6-5", "strokes:6-x", "radical:215",
-                                 "radical:0",    "radical:ab", "grade:11",    "jlpt:5",      "jlpt:0",
-                                 "freq:0",       "skip:5-1-1", "skip:x",      "corner:x",    "corner:2429.00",
-                                 "corner:242.9", "other:1",    "list:",       ":",           "1-2-x",
-                                 "5-2-3",        "123456",     "\xff:\xff"}) {
+  for (const std::string text :
+       {"休",           "yasumu",      "day off",    "きゅうじつ", "24",        "1-2",
+        "画",           "a画",         "0画",        "201画",      "strokes:x", "strokes:6-5",
+        "strokes:6-x",  "radical:215", "radical:0",  "radical:ab", "grade:11",  "jlpt:5",
+        "jlpt:0",       "freq:0",      "skip:5-1-1", "skip:x",     "corner:x",  "corner:2429.00",
+        "corner:242.9", "other:1",     "other:",     ":",          "1-2-x",     "5-2-3",
+        "123456",       "\xff:\xff"}) {
     TypedQuery expected;
     expected.query.text = text;
     EXPECT_EQ(read_query(text), expected) << text;
@@ -41,6 +41,13 @@ TEST(TypedQuery, TakesTheNumberOfStrokes) {
   }
   EXPECT_EQ(read_query("strokes:200").query.strokes, 200);
   EXPECT_EQ(read_query("strokes:6-6").query.most_strokes, 6);
+}
+
+TEST(TypedQuery, LeavesOutAConditionWhoseValueIsStillBeingTyped) {
+  for (const std::string text : {"strokes:", "画数：", "radical:", "parts:", "skip:", "corner:", "grade:",
+                                 "jlpt:", "freq:", "list:", "tag:"})
+    EXPECT_EQ(read_query(text), TypedQuery()) << text;
+  EXPECT_EQ(read_query("rest strokes:").query.text, "rest");
 }
 
 TEST(TypedQuery, TakesRadicalsAndParts) {

@@ -49,8 +49,10 @@ SearchAnswer search_answer(const kanji::KanjiDatabase& database, const kanji::Ty
   }
   if (is_text_alone(query)) {
     std::size_t at = answer.rows.size();
-    // A typed word comes before its characters.
-    if (!answer.rows.empty() && answer.rows.front().reason == kanji::Reason::itself && answer.characters > 1)
+    // A typed word comes before its characters, a single character before the words that it is.
+    const auto typed_characters = base::decode_utf8(query.text);
+    if (!answer.rows.empty() && answer.rows.front().reason == kanji::Reason::itself && typed_characters &&
+        typed_characters->size() > 1)
       at = 0;
     for (const auto& match : database.search_words(query.text, kMostFoundWords)) {
       const auto shown = first_shown(database, match.word.text);

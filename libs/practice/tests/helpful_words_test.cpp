@@ -51,6 +51,16 @@ TEST_F(HelpfulWords, OfVerbsWithDifferentReadingsBothAreChosen) {
   EXPECT_THAT(rest, Not(Contains("休み"))) << "it is nearly the same";
 }
 
+TEST_F(HelpfulWords, AKanjiThatIsAWordAndShortWordsComeFirst) {
+  EXPECT_EQ(chosen(U'語').front(), "語");
+  EXPECT_EQ(chosen(U'館').front(), "旅館") << "before 大使館 and 図書館";
+}
+
+TEST_F(HelpfulWords, OfEachReadingAreCommon) {
+  for (const char32_t character : {U'鬱', U'生', U'上', U'繊'})
+    for (const auto& use : words_of(character).uses) EXPECT_TRUE(use.word.word.common) << use.word.word.text;
+}
+
 TEST_F(HelpfulWords, HaveNoMarksOfTheEditorsAndAtMostThreeMeanings) {
   for (const char32_t character : {U'木', U'生', U'上', U'人', U'鬱', U'あ'})
     for (const auto& word : words_of(character).words) {

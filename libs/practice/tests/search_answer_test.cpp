@@ -52,7 +52,9 @@ TEST_F(Searched, ATypedWordComesBeforeItsCharacters) {
   EXPECT_EQ(found[0], "休日");
   EXPECT_THAT(found, Contains("休"));
   EXPECT_THAT(found, Contains("日"));
+  EXPECT_EQ(rows("休み").front(), "休み");
   EXPECT_EQ(rows("休").front(), "休") << "a character is itself";
+  EXPECT_EQ(rows("き").front(), "き");
 }
 
 TEST_F(Searched, CharactersThatMatchAsAWholeComeBeforeWords) {

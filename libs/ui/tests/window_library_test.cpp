@@ -32,9 +32,20 @@ TEST_F(Finding, TheFirstListIsTheEightyKanjiOfGradeOne) {
 
 TEST_F(Finding, AllListsTheSixThousandSevenHundredAndTwo) {
   auto* lists = find<QComboBox>("lists");
-  lists->setCurrentIndex(lists->count() - 1);
-  emit lists->activated(lists->count() - 1);
+  const int all = lists->findText(QStringLiteral("All characters"));
+  lists->setCurrentIndex(all);
+  emit lists->activated(all);
   EXPECT_TRUE(QTest::qWaitFor([this] { return tiles()->rowCount() == 6702; }, 5000)) << tiles()->rowCount();
+}
+
+TEST_F(Finding, OldJlptLevelsAreLists) {
+  auto* lists = find<QComboBox>("lists");
+  const int easiest = lists->findText(QStringLiteral("Old JLPT level 4 (before 2010)"));
+  ASSERT_GE(easiest, 0);
+  emit lists->activated(easiest);
+  EXPECT_EQ(find<QLineEdit>("search")->text(), QStringLiteral("jlpt:4"));
+  // KANJIDIC2 has 103 kanji of this level.
+  EXPECT_TRUE(QTest::qWaitFor([this] { return tiles()->rowCount() == 103; }, 5000)) << tiles()->rowCount();
 }
 
 TEST_F(Finding, RomajiEnglishKanaAndTheCharacterItselfAllFindKyuu) {

@@ -31,7 +31,7 @@ struct TypedQuery {
 ///     freq:500  頻度:500                     one of the 500 most frequent
 ///     list:NAME  tag:"MY TAG"                a list or tag of the learner
 ///
-/// A condition with a value that cannot be is text.
+/// A condition with a value that cannot be is text; one without a value is left out.
 [[nodiscard]] TypedQuery read_query(std::string_view typed);
 
 /// A typed line with another value of one condition: "rest parts:木" with "parts", "木日" gives "rest parts:木日".
