@@ -11,6 +11,8 @@
 #include "json_answers.h"
 #include "nazori/base/utf8.h"
 #include "nazori/exchange/characters.h"
+#include "nazori/practice/confusables.h"
+#include "nazori/practice/helpful_words.h"
 #include "options.h"
 #include "text_layout.h"
 #include "verbs.h"
@@ -26,7 +28,6 @@ struct InfoSettings {
 };
 
 constexpr int kLabelWidth = 12;
-constexpr int kWordsForPeople = 8;
 
 /// "on          キュウ", continued in lines under the first; nothing without items.
 std::string field(std::string_view label, std::span<const std::string> items, std::string_view separator,
@@ -119,6 +120,32 @@ std::string words_text(std::span<const kanji::Word> words, int width) {
   return text;
 }
 
+/// A word as learners read it: its glosses without the marks of the editors.
+kanji::Word plain(const practice::HelpfulWord& helpful) {
+  kanji::Word word = helpful.word;
+  word.glosses = helpful.meanings;
+  word.senses.assign(word.glosses.size(), 0);
+  for (std::size_t i = 0; i < word.senses.size(); ++i) word.senses[i] = static_cast<int>(i) + 1;
+  return word;
+}
+
+/// "ニン 三人": a word for each reading.
+std::string uses_text(const std::vector<practice::ReadingUse>& uses, int width) {
+  std::vector<std::string> items;
+  for (const auto& use : uses) items.push_back(with_middle_dot(use.reading) + " " + use.word.word.text);
+  return field("in words", items, "   ", width);
+}
+
+std::string confusables_text(const kanji::KanjiDatabase& database, char32_t character, int width) {
+  std::vector<std::string> items;
+  for (const char32_t other : practice::confusables_of(database, character)) {
+    const auto summary = database.summary(other);
+    const std::string meaning = summary ? summary->meaning : std::string();
+    items.push_back(base::encode_utf8(other) + (meaning.empty() ? "" : " " + meaning));
+  }
+  return field("looks like", items, "   ", width);
+}
+
 std::vector<std::string> meanings_in(const kanji::DictionaryEntry& entry, std::string_view language) {
   std::vector<std::string> texts;
   for (const kanji::Meaning& meaning : entry.meanings) {
@@ -128,7 +155,7 @@ std::vector<std::string> meanings_in(const kanji::DictionaryEntry& entry, std::s
 }
 
 std::string describe(const kanji::Character& character, const std::optional<kanji::Radical>& radical,
-                     std::span<const kanji::Word> words, int width) {
+                     const std::string& other_words, std::span<const kanji::Word> words, int width) {
   const kanji::DictionaryEntry& entry = character.entry;
   std::string text = headline(character);
   text += field("meanings", meanings_in(entry, "en"), ", ", width);
@@ -148,7 +175,7 @@ std::string describe(const kanji::Character& character, const std::optional<kanj
   text += field("variants", character.variants, "  ", width);
   if (entry.frequency) text += field("frequency", fmt::format("{} in newspapers", *entry.frequency));
   if (entry.old_jlpt_level) text += field("old JLPT", fmt::format("level {}", *entry.old_jlpt_level));
-  text += words_text(words, width);
+  text += other_words + words_text(words, width);
   return text;
 }
 
@@ -163,14 +190,22 @@ int run(Console& console, const InfoSettings& settings) {
   bool first = true;
   for (const kanji::Character& character : characters.found) {
     const auto radical = character.entry.radical ? database->radical(*character.entry.radical) : std::nullopt;
-    const int most =
-        settings.words.value_or(settings.json ? std::numeric_limits<int>::max() : kWordsForPeople);
-    const std::vector<kanji::Word> words =
-        most > 0 ? database->words(character.code_point, most) : std::vector<kanji::Word>{};
+    std::vector<kanji::Word> words;
+    std::string other_words;
+    if (settings.json || settings.words) {
+      const int most = settings.words.value_or(std::numeric_limits<int>::max());
+      if (most > 0) words = database->words(character.code_point, most);
+    } else {
+      const auto helpful = practice::words_that_help(*database, character);
+      for (const auto& word : practice::choose_words(helpful.words, character.code_point, {}))
+        words.push_back(plain(word));
+      other_words = confusables_text(*database, character.code_point, text_width()) +
+                    uses_text(helpful.uses, text_width());
+    }
     if (settings.json) {
       document.push_back(exchange::to_json(character, radical, words));
     } else {
-      console.print((first ? "" : "\n") + describe(character, radical, words, text_width()));
+      console.print((first ? "" : "\n") + describe(character, radical, other_words, words, text_width()));
     }
     first = false;
   }
@@ -188,7 +223,8 @@ void add_info(CLI::App& app, Action& chosen) {
                    "Characters, such as 休, 休日, 正-HzFst (a variant form) or U+4F11")
       ->required();
   verb->add_flag("--json", settings->json, "Print JSON with all data (see docs/command-line.md)");
-  verb->add_option("--words", settings->words, "Maximum number of words (default: 8; with --json: all)")
+  verb->add_option("--words", settings->words,
+                   "Maximum number of words, common ones first (default: six that help; with --json: all)")
       ->check(within(0, 100'000))
       ->type_name("N");
   add_database_option(*verb, settings->database);

@@ -42,6 +42,27 @@ TEST(Search, ConditionsAllHold) {
   EXPECT_THAT(found({"--grade", "1", "--strokes", "6", "--radical", "亻"}), testing::ElementsAre("休"));
 }
 
+TEST(Search, FindsByPartsAndCodes) {
+  // KANJIDIC2 (EDRDG, CC BY-SA 4.0): 休 has SKIP 1-2-4 and the four-corner code 2429.0.
+  EXPECT_THAT(found({"--parts", "木亻"}), Contains("休"));
+  EXPECT_THAT(found({"--skip", "1-2-4"}), Contains("休"));
+  EXPECT_THAT(found({"--four-corner", "2429.0"}), Contains("休"));
+  EXPECT_THAT(found({"--jlpt", "4", "--grade", "1"}), Contains("休"));
+  EXPECT_EQ(found({"--frequency", "50"}).size(), 50U);
+  expect_one_line(nazori_cli({"search", "--skip", "9-9-9"}), 2, {"SKIP", "1-2-4"});
+  expect_one_line(nazori_cli({"search", "--four-corner", "x"}), 2, {"four-corner", "2429.0"});
+}
+
+TEST(Search, NamesWordsWithTheirMeaning) {
+  for (const char* text : {"きゅうじつ", "kyuujitsu", "holiday"}) {
+    const Outcome run = nazori_cli({"search", text});
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.out, HasSubstr("休日")) << text;
+    EXPECT_THAT(run.out, HasSubstr("day off")) << text;
+  }
+  EXPECT_THAT(nazori_cli({"search", "off"}).out, HasSubstr("(day off)")) << "why 休 is found";
+}
+
 TEST(Search, TheFirstGradeHasEightyCharacters) {
   const auto characters = found({"--grade", "1"});
   EXPECT_EQ(std::set<std::string>(characters.begin(), characters.end()).size(), 80U);

@@ -36,6 +36,9 @@ constexpr auto kRules = std::to_array<Rule>({
      "(SELECT count(*) FROM stroke s WHERE s.form = g.form)"},
     {"a word in the index does not exist",
      "SELECT word FROM word_of WHERE word NOT IN (SELECT id FROM word)"},
+    {"a key of a word has no word",
+     "SELECT word FROM word_key WHERE word NOT IN (SELECT id FROM word) UNION ALL "
+     "SELECT word FROM word_meaning_key WHERE word NOT IN (SELECT id FROM word)"},
     {"places have gaps", "SELECT 1 FROM character GROUP BY 1 HAVING max(place) <> count(*) - 1"},
     {"a search key has no character",
      "SELECT place FROM reading_key WHERE place NOT IN (SELECT place FROM character) UNION ALL "

@@ -2,6 +2,7 @@
 #include "database_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "basic_words.h"
 #include "learning_order.h"
 #include "nazori/base/utf8.h"
 #include "nazori/kanji/meaning_text.h"
@@ -22,6 +24,7 @@ namespace {
 using kanji::CharacterKind;
 using kanji::KeyFit;
 using kanji::ReadingKind;
+using kanji::WordRank;
 
 std::int64_t number_of(char32_t c) { return static_cast<std::int64_t>(c); }
 
@@ -120,6 +123,34 @@ Keys meaning_keys(const kanji::DictionaryEntry& entry) {
   return keys;
 }
 
+/// Words with which nobody looks for a meaning that goes on with them.
+bool is_function_word(std::string_view word) {
+  constexpr auto kWords = std::to_array<std::string_view>(
+      {"a",  "about", "an", "and", "as",    "at", "be", "by",  "for", "from", "in",
+       "is", "it",    "of", "on",  "one's", "or", "s",  "the", "to",  "with"});
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+Keys gloss_keys(const EdictEntry& word) {
+  constexpr int kMostWords = 6;
+  Keys keys;
+  KeyFit fit = KeyFit::whole;
+  for (const auto& sense : word.senses) {
+    for (const std::string& gloss : sense) {
+      std::string phrase = kanji::fold_gloss(gloss);
+      offer(keys, phrase, fit);
+      int words = 1;
+      for (std::size_t gap = phrase.find(' '); gap != std::string::npos && words < kMostWords;
+           gap = phrase.find(' '), ++words) {
+        phrase.erase(0, gap + 1);
+        if (!is_function_word(phrase.substr(0, phrase.find(' ')))) offer(keys, phrase, KeyFit::name);
+      }
+      fit = KeyFit::part;
+    }
+  }
+  return keys;
+}
+
 void collect_elements(const kanji::Component& group, std::set<std::string>& elements) {
   for (const kanji::Component& child : group.children) {
     if (!child.element.empty()) elements.insert(child.element);
@@ -147,6 +178,8 @@ DatabaseWriter::DatabaseWriter(const std::filesystem::path& path)
       code_(db_, "INSERT INTO code VALUES(?, ?, ?, ?)"),
       word_(db_, "INSERT INTO word VALUES(?, ?, ?, ?, ?, ?)"),
       word_of_(db_, "INSERT INTO word_of VALUES(?, ?)"),
+      word_key_(db_, "INSERT INTO word_key VALUES(?, ?)"),
+      word_meaning_key_(db_, "INSERT INTO word_meaning_key VALUES(?, ?, ?)"),
       reading_key_(db_, "INSERT INTO reading_key VALUES(?, ?, ?)"),
       meaning_key_(db_, "INSERT INTO meaning_key VALUES(?, ?, ?)"),
       element_of_(db_, "INSERT INTO element_of VALUES(?, ?)") {}
@@ -262,8 +295,10 @@ void DatabaseWriter::add_word(const EdictEntry& word) {
     }
   }
   const std::int64_t id = words_++;
+  const WordRank rank = is_basic(word) ? WordRank::basic : word.common ? WordRank::common : WordRank::other;
   insert(word_, id, word.text, unless_empty(word.reading == word.text ? std::string() : word.reading),
-         word.parts_of_speech, word.common ? 1 : 0, glosses);
+         word.parts_of_speech, static_cast<int>(rank), glosses);
+  add_word_keys(word, id, rank != WordRank::other);
   const std::u32string text = base::decode_utf8(word.text).value_or(std::u32string());
   const auto is_kana = [](char32_t c) {
     return kind_of(c) == CharacterKind::hiragana || kind_of(c) == CharacterKind::katakana;
@@ -275,6 +310,14 @@ void DatabaseWriter::add_word(const EdictEntry& word) {
     if (kind_of(c) == CharacterKind::ideograph || (shows_kana && is_kana(c))) indexed.insert(c);
   }
   for (const char32_t c : indexed) insert(word_of_, number_of(c), id);
+}
+
+void DatabaseWriter::add_word_keys(const EdictEntry& word, std::int64_t id, bool is_common) {
+  std::set<std::string> keys{kanji::fold_reading(word.reading.empty() ? word.text : word.reading)};
+  if (!word.reading.empty()) keys.insert(word.text);
+  for (const std::string& key : keys) insert(word_key_, key, id);
+  if (!is_common) return;
+  for (const auto& [key, fit] : gloss_keys(word)) insert(word_meaning_key_, key, id, static_cast<int>(fit));
 }
 
 void DatabaseWriter::finish() { db_.exec("COMMIT"); }

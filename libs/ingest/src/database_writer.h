@@ -37,6 +37,7 @@ class DatabaseWriter {
 
  private:
   void add_entry(char32_t code_point, const kanji::DictionaryEntry& entry);
+  void add_word_keys(const EdictEntry& word, std::int64_t id, bool is_common);
   void add_keys(char32_t code_point, std::int64_t place, const DrawnForm* main,
                 const kanji::DictionaryEntry* entry);
 
@@ -44,7 +45,7 @@ class DatabaseWriter {
   SQLite::Statement source_, radical_, radical_form_, radical_name_;
   SQLite::Statement form_, stroke_, component_, order_;
   SQLite::Statement character_, stroke_count_, reading_, meaning_, code_;
-  SQLite::Statement word_, word_of_, reading_key_, meaning_key_, element_of_;
+  SQLite::Statement word_, word_of_, word_key_, word_meaning_key_, reading_key_, meaning_key_, element_of_;
   std::int64_t forms_ = 0;
   std::int64_t words_ = 0;
   std::int64_t sources_ = 0;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "basic_words.h"
 #include "nazori/base/utf8.h"
 
 namespace nazori::ingest {
@@ -91,6 +92,7 @@ WordPlace place_of_word(const EdictEntry& word,
   constexpr auto kUnusual = std::to_array<std::string_view>(
       {"(arch)", "(obs)", "(obsc)", "(rare)", "(ok)", "(oK)", "(ik)", "(iK)", "(io)", "(X)"});
   WordPlace place;
+  place.advanced = !is_basic(word);
   place.uncommon = !word.common;
   const std::string& gloss = word.senses.front().front();
   place.unusual = std::any_of(kUnusual.begin(), kUnusual.end(),

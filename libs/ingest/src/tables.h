@@ -11,6 +11,7 @@ namespace nazori::ingest {
 [[nodiscard]] std::string_view kana_endings_table();
 [[nodiscard]] std::string_view alternative_orders_table();
 [[nodiscard]] std::string_view radicals_table();
+[[nodiscard]] std::string_view basic_words_table();
 
 /// Parts of a text between separators; one more than there are separators.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);

@@ -53,7 +53,7 @@ class CheckDatabase : public testing::Test {
     writer.add_character(U'二', 1, &two, nullptr);
     writer.add_character(U'三', 2, nullptr, &entry);
     writer.add_word({"一", "いち", {{"one"}}, "n", true});
-    writer.add_word({"三", "さん", {{"three"}}, "n", false});
+    writer.add_word({"三", "みい", {{"three"}}, "n", false});
     writer.finish();
   }
   void exec(const std::string& sql) const {
@@ -90,12 +90,15 @@ TEST_F(CheckDatabase, FindsEachKindOfBrokenRow) {
       {"UPDATE component SET first_stroke = 2 WHERE form = 2 AND position = 1",
        "a group holds strokes that the form lacks"},
       {"INSERT INTO word_of VALUES(1, 9)", "a word in the index does not exist"},
+      {"INSERT INTO word_key VALUES('a', 9)", "a key of a word has no word"},
+      {"INSERT INTO word_meaning_key VALUES('a', 9, 0)", "a key of a word has no word"},
       {"INSERT INTO reading_key VALUES('a', 3, 0)", "a search key has no character"},
       {"INSERT INTO meaning_key VALUES('a', 3, 0)", "a search key has no character"},
       {"INSERT INTO element_of VALUES('a', 3)", "a search key has no character"},
       {"UPDATE stroke SET path = 'none' WHERE form = 1", "a stroke cannot be read: "},
       {"DELETE FROM stroke_count", "a table is empty"},
-      {"DELETE FROM word; DELETE FROM word_of", "a table is empty"},
+      {"DELETE FROM word; DELETE FROM word_of; DELETE FROM word_key; DELETE FROM word_meaning_key",
+       "a table is empty"},
       {"DELETE FROM radical", "a table is empty"}};
   for (const auto& [damage, told] : damages) {
     fill();

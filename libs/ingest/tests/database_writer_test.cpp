@@ -186,7 +186,8 @@ TEST_F(Writer, WritesACharacterWithWhatTheDictionarySays) {
               ElementsAre("20241|0|0|キュウ", "20241|1|1|やす.む", "20241|2|1|やす.まる", "20241|3|2|やす"));
   EXPECT_THAT(rows("SELECT * FROM meaning WHERE code_point = 20241"),
               ElementsAre("20241|0|en|Rest", "20241|1|en|day off", "20241|2|fr|repos"));
-  EXPECT_THAT(rows("SELECT * FROM code"), ElementsAre("20241|0|skip|1-2-4", "20241|1|deroo|2164"));
+  EXPECT_THAT(rows("SELECT * FROM code ORDER BY position"),
+              ElementsAre("20241|0|skip|1-2-4", "20241|1|deroo|2164"));
 }
 
 TEST_F(Writer, AReadingIsFoundWholeWithoutItsOkuriganaAndAsAName) {
@@ -246,10 +247,24 @@ TEST_F(Writer, WritesAWordAndWhoseWordItIs) {
     w.add_word({"ペン日日A", "x", {{"pen"}}, "", false});
   });
   EXPECT_THAT(rows("SELECT * FROM word"),
-              ElementsAre("0|休み|やすみ|n,vs|1|rest/recess\nvacation", "1|ああ|~|int|1|ah",
+              ElementsAre("0|休み|やすみ|n,vs|2|rest/recess\nvacation", "1|ああ|~|int|1|ah",
                           "2|いい|~|adj|0|good", "3|ペン日日A|x||0|pen"));
+  // 休み is in the table of basic words.
   // Of kana only common words that are written in kana alone.
   EXPECT_THAT(rows("SELECT * FROM word_of ORDER BY word"), ElementsAre("20241|0", "12354|1", "26085|3"));
+}
+
+TEST_F(Writer, AWordIsFoundByItsReadingTextAndTheGlossesOfCommonOnes) {
+  write([](DatabaseWriter& w) {
+    w.add_word({"休み", "ヤスみ", {{"(abbr) to rest", "day off (work)"}, {"rest of the day"}}, "n", true});
+    w.add_word({"ああ", "", {{"ah"}}, "int", true});
+    w.add_word({"欠", "けつ", {{"lack"}}, "n", false});
+  });
+  EXPECT_THAT(rows("SELECT * FROM word_key ORDER BY word, key"),
+              ElementsAre("やすみ|0", "休み|0", "ああ|1", "けつ|2", "欠|2"));
+  EXPECT_THAT(rows("SELECT * FROM word_meaning_key ORDER BY word, fit, key"),
+              ElementsAre("rest|0|0", "day off|0|1", "rest of the day|0|1", "day|0|2", "off|0|2", "ah|1|0"))
+      << "words such as of and the begin nothing";
 }
 
 }  // namespace

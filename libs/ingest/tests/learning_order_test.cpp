@@ -71,12 +71,12 @@ EdictEntry word(const std::string& text, const std::string& gloss = "x", bool co
 TEST(WordPlaces, CountHiraganaHalfAndSumTheRanksOfTheRest) {
   const std::map<char32_t, kanji::DictionaryEntry> dictionary{{U'休', entry(642, 1)}, {U'鬱', entry({}, 8)}};
   const auto place = [&](const std::string& text) { return place_of_word(word(text), dictionary); };
-  EXPECT_EQ(place("休み"), (WordPlace{false, false, 3, 642}));
-  EXPECT_EQ(place("ああ"), (WordPlace{false, false, 2, 0}));
-  EXPECT_EQ(place("鬱"), (WordPlace{false, false, 2, 2502}))
+  EXPECT_EQ(place("休み"), (WordPlace{true, false, false, 3, 642}));
+  EXPECT_EQ(place("ああ"), (WordPlace{true, false, false, 2, 0}));
+  EXPECT_EQ(place("鬱"), (WordPlace{true, false, false, 2, 2502}))
       << "without a rank it comes after all that have one";
-  EXPECT_EQ(place("ペン"), (WordPlace{false, false, 4, 2 * 2502}));
-  EXPECT_EQ(place("休休あ"), (WordPlace{false, false, 5, 2 * 642}));
+  EXPECT_EQ(place("ペン"), (WordPlace{true, false, false, 4, 2 * 2502}));
+  EXPECT_EQ(place("休休あ"), (WordPlace{true, false, false, 5, 2 * 642}));
 }
 
 TEST(WordPlaces, AreLateForUncommonAndUnusualWords) {
@@ -89,10 +89,10 @@ TEST(WordPlaces, AreLateForUncommonAndUnusualWords) {
   auto later = word("あ");
   later.senses.push_back({"(arch) old"});
   EXPECT_FALSE(place_of_word(later, {}).unusual) << "only its first gloss counts";
-  EXPECT_LT((WordPlace{false, true, 9, 9}), (WordPlace{true, false, 0, 0}));
-  EXPECT_LT((WordPlace{false, false, 9, 9}), (WordPlace{false, true, 0, 0}));
-  EXPECT_LT((WordPlace{false, false, 1, 9}), (WordPlace{false, false, 2, 0}));
-  EXPECT_LT((WordPlace{false, false, 1, 1}), (WordPlace{false, false, 1, 2}));
+  EXPECT_LT((WordPlace{true, false, true, 9, 9}), (WordPlace{true, true, false, 0, 0}));
+  EXPECT_LT((WordPlace{true, false, false, 9, 9}), (WordPlace{true, false, true, 0, 0}));
+  EXPECT_LT((WordPlace{true, false, false, 1, 9}), (WordPlace{true, false, false, 2, 0}));
+  EXPECT_LT((WordPlace{true, false, false, 1, 1}), (WordPlace{true, false, false, 1, 2}));
 }
 
 }  // namespace

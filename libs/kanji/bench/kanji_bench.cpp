@@ -5,8 +5,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "nazori/kanji/kanji_database.h"
+#include "nazori/kanji/part_picker.h"
+#include "nazori/kanji/query_text.h"
 
 namespace nazori::kanji {
 namespace {
@@ -60,6 +63,45 @@ BENCHMARK_CAPTURE(BM_Search, one_letter_s, "s")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(BM_Search, one_letter_n, "n")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(BM_Search, one_kana, "し")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(BM_Search, everything, "")->Unit(benchmark::kMicrosecond);
+
+/// What a key costs while a search is typed: characters with their reasons, and words.
+void BM_Key(benchmark::State& state, const char* text) {
+  measure(state, [&](const KanjiDatabase& database) {
+    const Query query = read_query(text).query;
+    return std::pair(database.matches(query), database.search_words(query.text, 12));
+  });
+}
+BENCHMARK_CAPTURE(BM_Key, one_letter_s, "s")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, three_letters, "sho")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, three_letters_of_meanings, "con")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, one_kana, "し")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, two_kana, "しょ")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, word_in_romaji, "kyuujitsu")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, word_in_english, "holiday")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, skip, "1-2-4")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, beginning_of_skip, "skip:1")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, four_corner, "2429")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, parts, "parts:口日")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_Key, strokes, "strokes:8-12")->Unit(benchmark::kMicrosecond);
+
+void BM_TableOfParts(benchmark::State& state) {
+  measure(state, [](const KanjiDatabase& database) { return database.parts(15); });
+}
+BENCHMARK(BM_TableOfParts)->Unit(benchmark::kMillisecond);
+
+void BM_ChoosePart(benchmark::State& state) {
+  const auto database = KanjiDatabase::open(database_path());
+  if (!database) {
+    state.SkipWithError(base::to_line(database.error()).c_str());
+    return;
+  }
+  const PartPicker picker(database->parts(15));
+  for (auto step : state) {
+    (void)step;
+    benchmark::DoNotOptimize(picker.choose({"口"}));
+  }
+}
+BENCHMARK(BM_ChoosePart)->Unit(benchmark::kMicrosecond);
 
 void BM_SearchWholeDictionary(benchmark::State& state) {
   measure(state, [](const KanjiDatabase& database) {

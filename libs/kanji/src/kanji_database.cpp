@@ -52,8 +52,8 @@ KanjiDatabase::Inside::Inside(SQLite::Database opened, std::string file)
       codes(db, "SELECT system, value FROM code WHERE code_point = ? ORDER BY position"),
       all_characters(
           db,
-          "SELECT place, code_point, kind, strokes, counted, grade, radical, meaning, reading FROM "
-          "character"),
+          "SELECT place, code_point, kind, strokes, counted, grade, radical, meaning, reading, old_jlpt, "
+          "frequency FROM character"),
       words(db,
             "SELECT w.text, w.reading, w.parts_of_speech, w.common, w.glosses FROM word_of o JOIN word w ON "
             "w.id = o.word WHERE o.code_point = ? ORDER BY o.word LIMIT ?"),
@@ -63,7 +63,16 @@ KanjiDatabase::Inside::Inside(SQLite::Database opened, std::string file)
       radical_names(db, "SELECT name FROM radical_name WHERE number = ? ORDER BY position"),
       sources(db, "SELECT name, version, sha256, licence FROM source ORDER BY position"),
       reading_keys(db, "SELECT key, place, fit FROM reading_key WHERE key >= ? AND key < ?"),
-      meaning_keys(db, "SELECT key, place, fit FROM meaning_key WHERE key >= ? AND key < ?") {
+      meaning_keys(db, "SELECT key, place, fit FROM meaning_key WHERE key >= ? AND key < ?"),
+      word(db, "SELECT text, reading, parts_of_speech, common, glosses FROM word WHERE id = ?"),
+      words_of_key(db, "SELECT word FROM word_key WHERE key = ?"),
+      words_after_key(db, "SELECT word FROM word_key WHERE key > ? AND key < ? AND word <= ?"),
+      words_of_meaning(db, "SELECT key, word, fit FROM word_meaning_key WHERE key >= ? AND key < ?"),
+      codes_of(db, "SELECT code_point FROM code WHERE system = ? AND value BETWEEN ? AND ?"),
+      all_radicals(db, "SELECT number FROM radical ORDER BY number"),
+      form_of_radical(db,
+                      "SELECT number FROM radical WHERE form = ?1 UNION ALL SELECT number FROM radical_form "
+                      "WHERE form = ?1 ORDER BY 1 LIMIT 1") {
   load_roster();
 }
 
@@ -89,6 +98,8 @@ void KanjiDatabase::Inside::load_roster() {
     entry.radical = row.number(6);
     entry.meaning = row.text(7);
     entry.reading = row.text(8);
+    entry.old_jlpt = row.number(9);
+    entry.frequency = row.number(10);
     places_.emplace(entry.code_point, static_cast<std::size_t>(place));
   }
 }
@@ -250,9 +261,53 @@ std::vector<Summary> KanjiDatabase::list(List which) const {
   });
 }
 
+std::optional<Summary> KanjiDatabase::summary(char32_t code_point) const {
+  const auto place = inside_->place_of(code_point);
+  return place ? std::optional(inside_->summary(*place)) : std::nullopt;
+}
+
+std::vector<std::string> KanjiDatabase::readings(char32_t code_point) const {
+  return inside_->answer_or<std::vector<std::string>>({}, [&] {
+    std::vector<std::string> out;
+    Rewound row(inside_->readings);
+    row->bind(1, static_cast<std::int64_t>(code_point));
+    while (row->executeStep()) {
+      if (static_cast<ReadingKind>(row.number(0)) != ReadingKind::nanori) out.push_back(row.text(1));
+    }
+    return out;
+  });
+}
+
 bool KanjiDatabase::draws(char32_t code_point) const {
   const auto place = inside_->place_of(code_point);
   return place && inside_->roster()[*place].drawn > 0;
+}
+
+Word KanjiDatabase::Inside::read_word(Rewound& row) {
+  Word word;
+  word.text = row.text(0);
+  word.reading = row->getColumn(1).isNull() ? word.text : row.text(1);
+  word.parts_of_speech = row.text(2);
+  const auto rank = static_cast<WordRank>(row.number(3));
+  word.common = rank != WordRank::other;
+  word.basic = rank == WordRank::basic;
+  int sense = 1;
+  std::string gloss;
+  const auto finish = [&] {
+    word.glosses.push_back(std::move(gloss));
+    word.senses.push_back(sense);
+    gloss.clear();
+  };
+  for (const char c : row.text(4)) {
+    if (c != '/' && c != '\n') {
+      gloss += c;
+      continue;
+    }
+    finish();
+    if (c == '\n') ++sense;
+  }
+  finish();
+  return word;
 }
 
 std::vector<Word> KanjiDatabase::words(char32_t code_point, int limit) const {
@@ -262,28 +317,7 @@ std::vector<Word> KanjiDatabase::words(char32_t code_point, int limit) const {
     row->bind(1, static_cast<std::int64_t>(code_point));
     row->bind(2, std::max(limit, 0));
     while (row->executeStep()) {
-      Word word;
-      word.text = row.text(0);
-      word.reading = row->getColumn(1).isNull() ? word.text : row.text(1);
-      word.parts_of_speech = row.text(2);
-      word.common = row.number(3) != 0;
-      int sense = 1;
-      std::string gloss;
-      const auto finish = [&] {
-        word.glosses.push_back(std::move(gloss));
-        word.senses.push_back(sense);
-        gloss.clear();
-      };
-      for (const char c : row.text(4)) {
-        if (c != '/' && c != '\n') {
-          gloss += c;
-          continue;
-        }
-        finish();
-        if (c == '\n') ++sense;
-      }
-      finish();
-      out.push_back(std::move(word));
+      out.push_back(Inside::read_word(row));
     }
     return out;
   });
@@ -299,22 +333,6 @@ std::vector<Summary> KanjiDatabase::containing(std::string_view element, int lim
       const auto place = static_cast<std::size_t>(row.number(0));
       if (place < inside_->roster().size()) out.push_back(inside_->summary(place));
     }
-    return out;
-  });
-}
-
-std::optional<Radical> KanjiDatabase::radical(int number) const {
-  return inside_->answer_or<std::optional<Radical>>(std::nullopt, [&]() -> std::optional<Radical> {
-    Rewound row(inside_->radical);
-    row->bind(1, number);
-    if (!row->executeStep()) return std::nullopt;
-    Radical out{number, row.text(0), {}, {}, row.text(2), row.number(1)};
-    Rewound form(inside_->radical_forms);
-    form->bind(1, number);
-    while (form->executeStep()) out.variant_forms.push_back(form.text(0));
-    Rewound name(inside_->radical_names);
-    name->bind(1, number);
-    while (name->executeStep()) out.japanese_names.push_back(name.text(0));
     return out;
   });
 }

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,10 +22,12 @@ namespace nazori::kanji {
 struct RosterEntry {
   char32_t code_point = 0;
   CharacterKind kind = CharacterKind::other;
-  int drawn = 0;    ///< strokes of the main form, 0 where nothing is drawn
-  int counted = 0;  ///< the dictionary's count, 0 where it has none
-  int grade = 0;    ///< 0: none
-  int radical = 0;  ///< 0: none
+  int drawn = 0;      ///< strokes of the main form, 0 where nothing is drawn
+  int counted = 0;    ///< the dictionary's count, 0 where it has none
+  int grade = 0;      ///< 0: none
+  int radical = 0;    ///< 0: none
+  int old_jlpt = 0;   ///< 0: none
+  int frequency = 0;  ///< 0: none
   std::string meaning;
   std::string reading;
 };
@@ -63,6 +66,19 @@ struct KanjiDatabase::Inside {
   }
   void note_trouble(const char* what);
 
+  class Conditions;
+  /// @param explained  whether the answers say which reading or meaning matches.
+  [[nodiscard]] std::vector<Match> find_matches(const Query& query, bool explained);
+  [[nodiscard]] std::string matching_reading(char32_t code_point, std::string_view key);
+  [[nodiscard]] std::string matching_meaning(char32_t code_point, std::string_view key);
+  /// Passes the words with this key to `take`, and whether the key is all of it.
+  void offer_words(std::string_view key, bool is_complete, std::int64_t last_common,
+                   const std::function<void(std::int64_t, bool)>& take);
+  /// -1 where there is none.
+  [[nodiscard]] std::int64_t last_common_word();
+  [[nodiscard]] std::optional<int> radical_of_form(const std::string& form);
+  [[nodiscard]] static Word read_word(Rewound& row);
+
   [[nodiscard]] const std::vector<RosterEntry>& roster() const { return roster_; }
   /// Rank of a character, or nullopt.
   [[nodiscard]] std::optional<std::size_t> place_of(char32_t code_point) const;
@@ -76,10 +92,13 @@ struct KanjiDatabase::Inside {
   SQLite::Statement all_characters, words, elements;
   SQLite::Statement radical, radical_forms, radical_names, sources;
   SQLite::Statement reading_keys, meaning_keys;
+  SQLite::Statement word, words_of_key, words_after_key, words_of_meaning;
+  SQLite::Statement codes_of, all_radicals, form_of_radical;
 
  private:
   void load_roster();
   std::vector<RosterEntry> roster_;
+  std::optional<std::int64_t> last_common_word_;
   std::unordered_map<char32_t, std::size_t> places_;
 };
 

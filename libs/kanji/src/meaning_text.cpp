@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/kanji/meaning_text.h"
 
+#include "nazori/kanji/gloss.h"
+
 namespace nazori::kanji {
 
 std::string fold_meaning(std::string_view meaning) {
@@ -17,6 +19,24 @@ std::string fold_meaning(std::string_view meaning) {
     gap = !kept;
   }
   return out;
+}
+
+std::string fold_gloss(std::string_view gloss) {
+  std::string open;
+  int depth = 0;
+  for (const char c : plain_gloss(gloss)) {
+    if (c == '(') ++depth;
+    if (depth == 0) open += c;
+    if (c == ')' && depth > 0) --depth;
+  }
+  std::string folded = fold_meaning(open);
+  for (const std::string_view article : {"to ", "a ", "an ", "the "}) {
+    if (folded.starts_with(article)) {
+      folded.erase(0, article.size());
+      break;
+    }
+  }
+  return folded;
 }
 
 }  // namespace nazori::kanji

@@ -83,7 +83,7 @@ CREATE TABLE word(
   text TEXT NOT NULL,
   reading TEXT,                   -- NULL: the same as text
   parts_of_speech TEXT NOT NULL,
-  common INTEGER NOT NULL,
+  common INTEGER NOT NULL,        -- WordRank
   glosses TEXT NOT NULL);         -- senses apart by line breaks, glosses of a sense by '/'
 CREATE TABLE word_of(code_point INTEGER, word INTEGER, PRIMARY KEY(code_point, word)) WITHOUT ROWID;
 
@@ -92,6 +92,12 @@ CREATE TABLE reading_key(key TEXT, place INTEGER, fit INTEGER NOT NULL,
   PRIMARY KEY(key, place)) WITHOUT ROWID;
 CREATE TABLE meaning_key(key TEXT, place INTEGER, fit INTEGER NOT NULL,
   PRIMARY KEY(key, place)) WITHOUT ROWID;
+-- The reading of a word as above, and its text if that has other characters than kana.
+CREATE TABLE word_key(key TEXT, word INTEGER, PRIMARY KEY(key, word)) WITHOUT ROWID;
+-- Of common words. Glosses without the marks of the editors, brackets and "to", "a", "an", "the" in front.
+CREATE TABLE word_meaning_key(key TEXT, word INTEGER, fit INTEGER NOT NULL,
+  PRIMARY KEY(key, word)) WITHOUT ROWID;
+CREATE INDEX code_value ON code(system, value);
 CREATE TABLE element_of(element TEXT, place INTEGER, PRIMARY KEY(element, place)) WITHOUT ROWID;
 )sql";
 }

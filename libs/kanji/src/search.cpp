@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "kanji_database_inside.h"
@@ -11,6 +13,7 @@
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/kanji/meaning_text.h"
 #include "nazori/kanji/romaji.h"
+#include "search_text.h"
 
 namespace nazori::kanji {
 namespace {
@@ -18,26 +21,35 @@ namespace {
 /// How well an answer matches, best first.
 enum Tier : std::uint8_t { itself, whole, part, name, beginning, none };
 
-/// The best tier of each character, by place.
+/// The best fit of a character, and by which key it was found.
+struct Fit {
+  Tier tier = Tier::none;
+  Reason reason = Reason::condition;
+  std::string key;
+};
+
+/// The best fits of all characters, by place.
 class Fits {
  public:
-  explicit Fits(std::size_t characters) : tiers_(characters, Tier::none) {}
-  void offer(std::size_t place, Tier tier) {
-    if (place < tiers_.size() && tier < tiers_[place]) tiers_[place] = tier;
+  explicit Fits(std::size_t characters) : fits_(characters) {}
+  void offer(std::size_t place, Tier tier, Reason reason, std::string_view key) {
+    if (place >= fits_.size() || tier >= fits_[place].tier) return;
+    fits_[place] = {tier, reason, std::string(key)};
   }
+  [[nodiscard]] const Fit& at(std::size_t place) const { return fits_[place]; }
   /// Ranks from the best tier to the worst, each tier with the commonest first.
   [[nodiscard]] std::vector<std::size_t> ordered() const {
-    std::vector<std::size_t> out;
-    for (int tier = Tier::itself; tier < Tier::none; ++tier) {
-      for (std::size_t place = 0; place < tiers_.size(); ++place) {
-        if (tiers_[place] == tier) out.push_back(place);
-      }
+    std::array<std::vector<std::size_t>, Tier::none> tiers;
+    for (std::size_t place = 0; place < fits_.size(); ++place) {
+      if (fits_[place].tier < Tier::none) tiers[fits_[place].tier].push_back(place);
     }
+    std::vector<std::size_t> out;
+    for (const auto& places : tiers) out.insert(out.end(), places.begin(), places.end());
     return out;
   }
 
  private:
-  std::vector<Tier> tiers_;
+  std::vector<Fit> fits_;
 };
 
 Tier tier_of(int fit) {
@@ -52,37 +64,17 @@ Tier tier_of(int fit) {
   return Tier::beginning;
 }
 
-/// Greater than every text that begins with `key`: no text contains the byte FF.
-std::string after_all_that_begin_with(std::string_view key) { return std::string(key) + "\xFF"; }
-
-bool is_kana(char32_t c) {
-  return (c >= 0x3041 && c <= 0x309F) || (c >= 0x30A0 && c <= 0x30FF) || (c >= 0xFF66 && c <= 0xFF9F);
-}
-bool is_latin_letter(char32_t c) { return c < 0x250 || c == U'’'; }
-bool is_space(char32_t c) { return c == U' ' || c == U'　' || c == U'\t' || c == U'\n' || c == U'\r'; }
-
-std::u32string trimmed(std::u32string text) {
-  while (!text.empty() && is_space(text.back())) text.pop_back();
-  text.erase(text.begin(), std::find_if(text.begin(), text.end(), [](char32_t c) { return !is_space(c); }));
-  return text;
-}
-
-/// Full-width letters and digits as plain ones.
-std::u32string narrowed(std::u32string text) {
-  for (char32_t& c : text) {
-    if (c >= 0xFF01 && c <= 0xFF5E) c -= 0xFEE0;
-  }
-  return text;
-}
-
-void offer_readings(SQLite::Statement& keys, std::string_view reading, Fits& fits) {
+/// @param best  of what is still being typed, everything is only a beginning.
+void offer_readings(SQLite::Statement& keys, std::string_view reading, Fits& fits, Tier best = Tier::itself) {
   if (reading.empty()) return;
   Rewound row(keys);
   row->bind(1, std::string(reading));
   row->bind(2, after_all_that_begin_with(reading));
   while (row->executeStep()) {
-    const bool same = row->getColumn(0).size() == static_cast<int>(reading.size());
-    fits.offer(static_cast<std::size_t>(row.number(1)), same ? tier_of(row.number(2)) : Tier::beginning);
+    const std::string_view key = row->getColumn(0).getText();
+    const Tier tier = key.size() == reading.size() ? tier_of(row.number(2)) : Tier::beginning;
+    const Reason reason = static_cast<KeyFit>(row.number(2)) == KeyFit::name ? Reason::name : Reason::reading;
+    fits.offer(static_cast<std::size_t>(row.number(1)), std::max(tier, best), reason, key);
   }
 }
 
@@ -99,71 +91,171 @@ void offer_meanings(SQLite::Statement& keys, std::string_view phrase, Fits& fits
     } else if (key[phrase.size()] == ' ') {
       tier = Tier::name;
     }
-    fits.offer(static_cast<std::size_t>(row.number(1)), tier);
+    fits.offer(static_cast<std::size_t>(row.number(1)), tier, Reason::meaning, key);
   }
+}
+
+/// "2429.0" for "24290".
+std::string with_dot(std::string code) {
+  constexpr std::size_t kDigits = 4;
+  if (code.size() > kDigits && code[kDigits] != '.') code.insert(kDigits, ".");
+  return code;
 }
 
 }  // namespace
 
-std::vector<Summary> KanjiDatabase::search(const Query& query) const {
-  return inside_->answer_or<std::vector<Summary>>({}, [&]() -> std::vector<Summary> {
-    const auto decoded = base::decode_utf8(query.text);
-    if (!decoded || query.limit < 1) return {};
-    const std::u32string typed = trimmed(*decoded);
-    const std::u32string text = narrowed(typed);
-    const auto& roster = inside_->roster();
+/// The characters that meet the conditions other than the text.
+class KanjiDatabase::Inside::Conditions {
+ public:
+  Conditions(Inside& database, const Query& query) : database_(database), query_(query) {
+    if (!query.skip.empty()) {
+      // A part of a code that is not its last is complete: 1-2 is not the beginning of 1-25-1.
+      const bool is_whole = std::count(query.skip.begin(), query.skip.end(), '-') == 2;
+      const bool is_open = query.skip.back() == '-';
+      require_code("skip", query.skip + (is_whole || is_open ? "" : "-"), is_whole && !is_open);
+    }
+    if (!query.four_corner.empty()) require_code("four_corner", with_dot(query.four_corner), false);
+    for (const std::string& part : query.parts) require_part(part);
+    if (query.among) narrow({query.among->begin(), query.among->end()});
+    radical_ = query.radical;
+    if (!query.radical_form.empty()) {
+      const auto number = database.radical_of_form(query.radical_form);
+      // No character has the radical 0.
+      radical_ = number && (!query.radical || query.radical == number) ? *number : -1;
+    }
+  }
 
-    const auto allowed = [&](std::size_t place) {
-      const RosterEntry& e = roster[place];
-      return (!query.drawn_only || e.drawn > 0) && (!query.grade || e.grade == *query.grade) &&
-             (!query.strokes || e.drawn == *query.strokes || e.counted == *query.strokes) &&
-             (!query.radical || e.radical == *query.radical);
-    };
+  [[nodiscard]] bool allow(std::size_t place) const {
+    const RosterEntry& e = database_.roster()[place];
+    const int least = query_.strokes.value_or(0);
+    const int most = query_.most_strokes.value_or(least);
+    const auto within = [&](int count) { return count >= least && count <= most; };
+    return (!query_.drawn_only || e.drawn > 0) && (!query_.grade || e.grade == *query_.grade) &&
+           (!query_.strokes || within(e.drawn) || within(e.counted)) &&
+           (!radical_ || e.radical == *radical_) &&
+           (!query_.old_jlpt_level || e.old_jlpt == *query_.old_jlpt_level) &&
+           (!query_.frequency || (e.frequency > 0 && e.frequency <= *query_.frequency)) &&
+           (!only_ || only_->contains(e.code_point));
+  }
 
-    std::vector<std::size_t> places;
-    const bool kana = std::all_of(text.begin(), text.end(),
-                                  [](char32_t c) { return is_kana(c) || c == U'.' || c == U'-'; });
-    const bool latin = std::all_of(text.begin(), text.end(), is_latin_letter);
-    if (text.empty()) {
-      for (std::size_t place = 0; place < roster.size(); ++place) places.push_back(place);
-    } else if (!kana && !latin) {
-      // Kana between kanji are okurigana: 休み finds 休.
-      for (const char32_t c : text) {
-        const auto place = is_kana(c) ? std::nullopt : inside_->place_of(c);
-        if (place && std::find(places.begin(), places.end(), *place) == places.end())
-          places.push_back(*place);
-      }
+ private:
+  using Set = std::unordered_set<char32_t>;
+  void narrow(Set with) {
+    if (only_) std::erase_if(with, [this](char32_t c) { return !only_->contains(c); });
+    only_ = std::move(with);
+  }
+  void require_code(const char* system, const std::string& begin, bool is_whole) {
+    Set found;
+    Rewound row(database_.codes_of);
+    row->bind(1, system);
+    row->bind(2, begin);
+    row->bind(3, is_whole ? begin : after_all_that_begin_with(begin));
+    while (row->executeStep()) found.insert(static_cast<char32_t>(row->getColumn(0).getInt64()));
+    narrow(std::move(found));
+  }
+  void require_part(const std::string& part) {
+    Set found;
+    Rewound row(database_.elements);
+    row->bind(1, part);
+    row->bind(2, static_cast<int>(database_.roster().size()));
+    while (row->executeStep()) {
+      const auto place = static_cast<std::size_t>(row.number(0));
+      if (place < database_.roster().size()) found.insert(database_.roster()[place].code_point);
+    }
+    if (const auto self = base::decode_utf8(part); self && self->size() == 1) found.insert(self->front());
+    narrow(std::move(found));
+  }
+
+  Inside& database_;
+  const Query& query_;
+  std::optional<Set> only_;
+  std::optional<int> radical_;
+};
+
+std::string KanjiDatabase::Inside::matching_reading(char32_t code_point, std::string_view key) {
+  Rewound row(readings);
+  row->bind(1, static_cast<std::int64_t>(code_point));
+  while (row->executeStep()) {
+    const std::string text = row.text(1);
+    if (fold_reading(text) == key || fold_reading(text.substr(0, text.find('.'))) == key) return text;
+  }
+  return std::string(key);
+}
+
+std::string KanjiDatabase::Inside::matching_meaning(char32_t code_point, std::string_view key) {
+  Rewound row(meanings);
+  row->bind(1, static_cast<std::int64_t>(code_point));
+  while (row->executeStep()) {
+    if (row.text(0) != "en") continue;
+    const std::string text = row.text(1);
+    const std::string folded = fold_meaning(text);
+    if (folded == key || folded.ends_with(" " + std::string(key))) return text;
+  }
+  return std::string(key);
+}
+
+std::vector<Match> KanjiDatabase::Inside::find_matches(const Query& query, bool explained) {
+  if (!base::decode_utf8(query.text) || query.limit < 1) return {};
+  const SearchText text = search_text_of(query.text);
+  const Conditions conditions(*this, query);
+  Fits fits(roster().size());
+  std::vector<std::size_t> places;
+  if (text.narrow.empty()) {
+    for (std::size_t place = 0; place < roster().size(); ++place) places.push_back(place);
+  } else if (!text.is_kana && !text.is_latin) {
+    // Kana between kanji are okurigana: 休み finds 休.
+    for (const char32_t c : text.narrow) {
+      const auto place = is_searched_kana(c) ? std::nullopt : place_of(c);
+      if (!place || std::find(places.begin(), places.end(), *place) != places.end()) continue;
+      fits.offer(*place, Tier::itself, Reason::itself, {});
+      places.push_back(*place);
+    }
+  } else {
+    if (text.narrow.size() == 1) {
+      const auto exactly = place_of(text.typed[0]);
+      const auto place = exactly ? exactly : place_of(text.narrow[0]);
+      if (place) fits.offer(*place, Tier::itself, Reason::itself, {});
+    }
+    const std::string spelled = base::encode_utf8(std::u32string_view(text.narrow));
+    if (text.is_kana) {
+      offer_readings(reading_keys, fold_reading(spelled), fits);
     } else {
-      Fits fits(roster.size());
-      if (text.size() == 1) {
-        const auto exactly = inside_->place_of(typed[0]);
-        const auto place = exactly ? exactly : inside_->place_of(text[0]);
-        if (place) fits.offer(*place, Tier::itself);
+      const auto complete = romaji_to_hiragana(spelled);
+      for (const std::string& reading : complete) offer_readings(reading_keys, reading, fits);
+      for (const std::string& start : romaji_beginnings(spelled)) {
+        if (std::find(complete.begin(), complete.end(), start) != complete.end()) continue;
+        offer_readings(reading_keys, start, fits, Tier::beginning);
       }
-      const std::string spelled = base::encode_utf8(std::u32string_view(text));
-      if (kana) {
-        offer_readings(inside_->reading_keys, fold_reading(spelled), fits);
-      } else {
-        const auto complete = romaji_to_hiragana(spelled);
-        for (const std::string& reading : complete) offer_readings(inside_->reading_keys, reading, fits);
-        for (const std::string& start : romaji_beginnings(spelled)) {
-          if (std::find(complete.begin(), complete.end(), start) != complete.end()) continue;
-          // The text typed so far is only the beginning of these.
-          Fits sooner(roster.size());
-          offer_readings(inside_->reading_keys, start, sooner);
-          for (const std::size_t place : sooner.ordered()) fits.offer(place, Tier::beginning);
-        }
-        offer_meanings(inside_->meaning_keys, fold_meaning(spelled), fits);
-      }
-      places = fits.ordered();
+      offer_meanings(meaning_keys, fold_meaning(spelled), fits);
     }
+    places = fits.ordered();
+  }
 
-    std::vector<Summary> out;
-    for (const std::size_t place : places) {
-      if (!allowed(place)) continue;
-      out.push_back(inside_->summary(place));
-      if (out.size() == static_cast<std::size_t>(query.limit)) break;
+  std::vector<Match> out;
+  for (const std::size_t place : places) {
+    if (!conditions.allow(place)) continue;
+    const Fit& fit = fits.at(place);
+    Match match{summary(place), fit.reason, {}, fit.tier <= Tier::part};
+    if (explained) {
+      const char32_t code_point = match.summary.code_point;
+      if (fit.reason == Reason::reading || fit.reason == Reason::name)
+        match.text = matching_reading(code_point, fit.key);
+      if (fit.reason == Reason::meaning) match.text = matching_meaning(code_point, fit.key);
     }
+    out.push_back(std::move(match));
+    if (out.size() == static_cast<std::size_t>(query.limit)) break;
+  }
+  return out;
+}
+
+std::vector<Match> KanjiDatabase::matches(const Query& query) const {
+  return inside_->answer_or<std::vector<Match>>({}, [&] { return inside_->find_matches(query, true); });
+}
+
+std::vector<Summary> KanjiDatabase::search(const Query& query) const {
+  return inside_->answer_or<std::vector<Summary>>({}, [&] {
+    std::vector<Summary> out;
+    for (Match& match : inside_->find_matches(query, false)) out.push_back(std::move(match.summary));
     return out;
   });
 }

@@ -177,10 +177,10 @@ TEST_F(SmallDatabase, AWordHasItsSensesAndGlosses) {
       "(5, 'ああ', NULL, 'int', 0, 'ah'), (8, '休', '', '', 2, '')");
   exec("INSERT INTO word_of VALUES(20241, 8), (20241, 3), (20241, 5)");
   const auto words = open().words(U'休', 9);
-  EXPECT_THAT(
-      words,
-      ElementsAre(Word{"休む", "やすむ", {"to rest", "to stop", "to sleep"}, {1, 1, 2}, "v5m", true},
-                  Word{"ああ", "ああ", {"ah"}, {1}, "int", false}, Word{"休", "", {""}, {1}, "", true}));
+  EXPECT_THAT(words,
+              ElementsAre(Word{"休む", "やすむ", {"to rest", "to stop", "to sleep"}, {1, 1, 2}, "v5m", true},
+                          Word{"ああ", "ああ", {"ah"}, {1}, "int", false},
+                          Word{"休", "", {""}, {1}, "", true, true}));
   EXPECT_EQ(open().words(U'休', 2).size(), 2U);
 }
 

@@ -61,10 +61,31 @@ struct Answer {
 using Sheet = std::shared_ptr<const CharacterSheet>;
 using Database = std::optional<kanji::KanjiDatabase>;
 
-struct SearchAnswer {
-  std::string text;
-  Summaries characters;
+struct SearchRequest {
+  std::string typed;
+  std::optional<std::vector<char32_t>> among;
 };
+
+struct Searched {
+  std::string typed;
+  std::shared_ptr<const SearchAnswer> answer;
+};
+
+struct TablesRequest {};
+using Tables = std::shared_ptr<const CharacterTables>;
+
+Tables tables_of(const kanji::KanjiDatabase& database, const TablesRequest& /*request*/) {
+  return std::make_shared<const CharacterTables>(
+      CharacterTables{kanji::PartPicker(database.parts(CharacterTables::kFewestUses)), database.radicals()});
+}
+
+using Facts = std::vector<ConfusableFacts>;
+
+Facts drill_of(const kanji::KanjiDatabase& database, const std::vector<char32_t>& characters) {
+  Facts facts;
+  for (const char32_t one : characters) facts.push_back(confusable_facts(database, one));
+  return facts;
+}
 
 struct ListAnswer {
   kanji::List which;
@@ -97,6 +118,9 @@ Sheet sheet_of(const kanji::KanjiDatabase& database, char32_t code_point) {
   sheet->parts = parts_of(database, *character);
   if (character->entry.radical) sheet->radical = database.radical(*character->entry.radical);
   sheet->words = database.words(code_point, CharacterLibrary::kMaxWords);
+  sheet->helpful = words_that_help(database, *character);
+  for (const char32_t other : confusables_of(database, code_point))
+    if (auto drawn = database.find(other)) sheet->confusables.push_back(*std::move(drawn));
   sheet->dictation =
       dictation_words(sheet->words, code_point, [&database](char32_t one) { return database.draws(one); });
   sheet->character = std::move(*character);
@@ -133,7 +157,9 @@ struct CharacterLibrary::Inside {
   std::shared_ptr<Database> database = std::make_shared<Database>();  ///< used by the background thread only
   std::shared_ptr<base::Background> background;
   std::unique_ptr<base::Latest<kanji::List, std::optional<Answer<ListAnswer>>>> lists;
-  std::unique_ptr<base::Latest<std::string, std::optional<Answer<SearchAnswer>>>> searches;
+  std::unique_ptr<base::Latest<SearchRequest, std::optional<Answer<Searched>>>> searches;
+  std::unique_ptr<base::Latest<TablesRequest, std::optional<Answer<Tables>>>> tables;
+  std::unique_ptr<base::Latest<std::vector<char32_t>, std::optional<Answer<Facts>>>> drills;
   std::unique_ptr<base::Latest<char32_t, std::optional<Answer<SheetAnswer>>>> sheets;
   std::unique_ptr<base::Latest<std::vector<char32_t>, std::optional<Answer<Characters>>>> characters;
 };
@@ -146,13 +172,16 @@ CharacterLibrary::Inside::Inside(CharacterLibrary& library, base::Inbox& inbox)
         return ListAnswer{which, shared(from.list(which))};
       },
       [this](const ListAnswer& answer) { owner.listed(answer.which, answer.characters); });
-  searches = latest<std::string, SearchAnswer>(
-      [](const KanjiDatabase& from, const std::string& text) {
-        kanji::Query query;
-        query.text = text;
-        return SearchAnswer{text, shared(from.search(query))};
+  searches = latest<SearchRequest, Searched>(
+      [](const KanjiDatabase& from, const SearchRequest& request) {
+        return Searched{request.typed, std::make_shared<const SearchAnswer>(search_answer(
+                                           from, kanji::read_query(request.typed), request.among))};
       },
-      [this](const SearchAnswer& answer) { owner.found(answer.text, answer.characters); });
+      [this](const Searched& searched) { owner.found(searched.typed, searched.answer); });
+  tables =
+      latest<TablesRequest, Tables>(tables_of, [this](const Tables& answer) { owner.tables_ready(answer); });
+  drills = latest<std::vector<char32_t>, Facts>(drill_of,
+                                                [this](const Facts& answer) { owner.drill_ready(answer); });
   sheets = latest<char32_t, SheetAnswer>(
       [](const KanjiDatabase& from, char32_t code_point) {
         return SheetAnswer{code_point, sheet_of(from, code_point)};
@@ -185,7 +214,15 @@ CharacterLibrary::~CharacterLibrary() = default;
 
 void CharacterLibrary::request_list(kanji::List which) { inside_->lists->request(which); }
 
-void CharacterLibrary::request_search(const std::string& text) { inside_->searches->request(text); }
+void CharacterLibrary::request_search(const std::string& typed, std::optional<std::vector<char32_t>> among) {
+  inside_->searches->request({typed, std::move(among)});
+}
+
+void CharacterLibrary::request_tables() { inside_->tables->request({}); }
+
+void CharacterLibrary::request_drill(std::vector<char32_t> characters) {
+  inside_->drills->request(std::move(characters));
+}
 
 void CharacterLibrary::request_sheet(char32_t code_point) { inside_->sheets->request(code_point); }
 

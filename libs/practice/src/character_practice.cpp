@@ -147,7 +147,18 @@ void CharacterPractice::show(char32_t character, bool remember) {
     step_ = path_.size() - 1;
   }
   awaited_ = character;
+  looks_up_ = false;
   library_.request_sheet(character);
+}
+
+void CharacterPractice::look_up(char32_t character) {
+  show(character);
+  looks_up_ = true;
+}
+
+bool CharacterPractice::asks_for_character(const PracticeStage& stage) {
+  const auto lesson = lesson_stage(stage);
+  return !lesson || lesson == study::Stage::memory;
 }
 
 void CharacterPractice::travel(int by) {
@@ -173,11 +184,14 @@ void CharacterPractice::use_tablet(char32_t character, const Tablet& tablet) {
   if (is_entered_) {
     // In a session at the stage that is due, else at the present one.
     auto& due = stage_for(session_.stage());
-    if (session_.is_running() && !session_.is_away() && &due != stage_)
-      enter_stage(due);
+    if (session_.is_running() && !session_.is_away() && &due != stage_) enter_stage(due);
+    // Only now: before, the stage would count for the session's character.
+    else if (looks_up_ && asks_for_character(*stage_) && (!session_.is_running() || session_.is_away()))
+      enter_stage(trace());
     else
       begin_stage();
   }
+  looks_up_ = false;
   hiding_changed();
   if (is_entered_) character_shown(character);
 }

@@ -36,6 +36,22 @@ StrengthLook look_of(Strength strength) {
   return {};
 }
 
+double bar_of(Strength strength) {
+  switch (strength) {
+    case Strength::learning:
+    case Strength::leech:
+      return 0.3;
+    case Strength::young:
+      return 0.6;
+    case Strength::mature:
+      return 1;
+    case Strength::unseen:
+    case Strength::paused:
+      return 0;
+  }
+  return 0;
+}
+
 std::vector<study::CharacterState> states_of(std::span<const char32_t> characters,
                                              const study::Statistics& statistics) {
   std::map<char32_t, study::CharacterState> studied;

@@ -18,6 +18,9 @@ using Kind = SessionFeedback::Kind;
 /// Of the reviews of characters that have words, one in so many asks by a word.
 constexpr int kEveryWord = 3;
 
+/// What one chosen character takes, about.
+constexpr milliseconds kChosen{60'000};
+
 }  // namespace
 
 StudySession::StudySession(Learner& learner, const base::Clock& clock) : learner_(learner), clock_(clock) {
@@ -46,12 +49,34 @@ bool StudySession::start(bool leeches) {
   }
   leech_lesson_ = leeches;
   leeches_ = leeches ? plan->leeches : std::vector<char32_t>();
+  has_choice_ = false;
+  begin();
+  return true;
+}
+
+bool StudySession::start_with(std::vector<char32_t> characters) {
+  if (!learner_.can_write()) {
+    announce(Kind::not_writable);
+    return false;
+  }
+  if (characters.empty()) {
+    announce(Kind::nothing_due);
+    return false;
+  }
+  leech_lesson_ = false;
+  leeches_.clear();
+  has_choice_ = true;
+  chosen_ = std::move(characters);
+  begin();
+  return true;
+}
+
+void StudySession::begin() {
   done_ = 0;
   last_event_.reset();
   summary_ = {};
   state_ = State::doing;
   next_task();
-  return true;
 }
 
 void StudySession::end(bool done) {
@@ -67,6 +92,11 @@ void StudySession::end(bool done) {
 }
 
 void StudySession::measure(const study::DayPlan& plan) {
+  if (has_choice_) {
+    left_ = static_cast<int>(chosen_.size());
+    time_left_ = kChosen * left_;
+    return;
+  }
   left_ = leech_lesson_ ? static_cast<int>(leeches_.size()) : static_cast<int>(plan.now.size());
   constexpr milliseconds kLeech{120'000};
   time_left_ = leech_lesson_ ? kLeech * left_ : plan.estimate;
@@ -88,7 +118,14 @@ void StudySession::next_task() {
     end(true);
     return;
   }
-  if (leech_lesson_) {
+  if (has_choice_) {
+    const auto card = store().card(chosen_.front());
+    study::StudyTask task;
+    task.kind = card.memory.phase == study::Phase::fresh ? study::TaskKind::fresh : study::TaskKind::review;
+    task.character = chosen_.front();
+    task.stage = task.kind == study::TaskKind::fresh ? card.next_stage : Stage::memory;
+    present(task);
+  } else if (leech_lesson_) {
     study::StudyTask task;
     task.character = leeches_.front();
     task.stage = Stage::watch;
@@ -185,6 +222,7 @@ void StudySession::rate(study::Rating rating) {
 void StudySession::finish_task() {
   ++done_;
   if (leech_lesson_) std::erase(leeches_, task_.character);
+  std::erase(chosen_, task_.character);
   next_task();
 }
 
@@ -274,6 +312,7 @@ void StudySession::put_aside(const base::Result<void>& done, SessionFeedback::Ki
   if (!learner_.report(done)) return;
   announce_event(about_character(kind));
   if (leech_lesson_) std::erase(leeches_, task_.character);
+  std::erase(chosen_, task_.character);
   next_task();
 }
 

@@ -21,7 +21,9 @@ struct LibraryUnderTest {
     library.listed.connect(
         [this](kanji::List which, const Summaries& all) { lists.emplace_back(which, all); });
     library.found.connect(
-        [this](const std::string& text, const Summaries& all) { searches.emplace_back(text, all); });
+        [this](const std::string& text, const auto& answer) { searches.emplace_back(text, answer); });
+    library.tables_ready.connect([this](const auto& all) { tables.push_back(all); });
+    library.drill_ready.connect([this](const auto& facts) { drills.push_back(facts); });
     library.sheet_ready.connect(
         [this](const std::shared_ptr<const CharacterSheet>& sheet) { sheets.push_back(sheet); });
     library.sheet_missing.connect([this](char32_t character) { missing.push_back(character); });
@@ -34,9 +36,11 @@ struct LibraryUnderTest {
   std::vector<std::vector<kanji::Source>> sources;
   std::vector<base::Error> failures;
   std::vector<std::pair<kanji::List, Summaries>> lists;
-  std::vector<std::pair<std::string, Summaries>> searches;
+  std::vector<std::pair<std::string, std::shared_ptr<const SearchAnswer>>> searches;
   std::vector<std::shared_ptr<const CharacterSheet>> sheets;
   std::vector<char32_t> missing;
+  std::vector<std::shared_ptr<const CharacterTables>> tables;
+  std::vector<std::vector<ConfusableFacts>> drills;
   base::Inbox inbox;
   CharacterLibrary library;
 };
@@ -108,8 +112,38 @@ TEST(CharacterLibrary, ListsAndSearchesCarryWhatWasAskedFor) {
   EXPECT_EQ(under.lists[0].first, kanji::List::grade_1);
   EXPECT_EQ(under.lists[0].second->size(), 80U) << "the kanji of the first school year";
   EXPECT_EQ(under.searches[0].first, "yasumu");
-  ASSERT_FALSE(under.searches[0].second->empty());
-  EXPECT_EQ(under.searches[0].second->front().code_point, U'休');
+  ASSERT_FALSE(under.searches[0].second->rows.empty());
+  EXPECT_EQ(under.searches[0].second->rows.front().character.code_point, U'休');
+}
+
+TEST(CharacterLibrary, ASearchMayBeAmongCharactersOfTheLearner) {
+  LibraryUnderTest under;
+  under.library.request_search("list:mine", std::vector<char32_t>{U'木', U'休'});
+  under.wait_for(under.searches, 1);
+  EXPECT_EQ(under.searches[0].second->characters, 2);
+}
+
+TEST(CharacterLibrary, ReadsTheTablesAndWhatADrillNeeds) {
+  LibraryUnderTest under;
+  under.library.request_tables();
+  under.library.request_drill({U'待', U'持'});
+  under.wait_for(under.tables, 1);
+  under.wait_for(under.drills, 1);
+  EXPECT_EQ(under.tables[0]->radicals.size(), 214U);
+  const auto choice = under.tables[0]->picker.choose({"木", "亻"});
+  EXPECT_NE(std::find(choice.characters.begin(), choice.characters.end(), U'休'), choice.characters.end());
+  ASSERT_EQ(under.drills[0].size(), 2U);
+  EXPECT_EQ(under.drills[0][0].meaning, "wait");
+}
+
+TEST(CharacterLibrary, ASheetHasWordsThatHelpAndCharactersThatAreConfused) {
+  LibraryUnderTest under;
+  under.library.request_sheet(U'土');
+  under.wait_for(under.sheets, 1);
+  EXPECT_FALSE(under.sheets[0]->helpful.words.empty());
+  ASSERT_FALSE(under.sheets[0]->confusables.empty());
+  EXPECT_EQ(under.sheets[0]->confusables[0].code_point, U'士');
+  EXPECT_EQ(under.sheets[0]->confusables[0].strokes.size(), 3U);
 }
 
 TEST(CharacterLibrary, OfSeveralRequestsOfOneKindTheNewestIsAnswered) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nazori/practice/character_practice.h"
 
+#include "nazori/practice/character_choice.h"
 #include "nazori/practice/dictation_stage.h"
 #include "session_under_test.h"
 #include "stage_under_test.h"
@@ -69,6 +70,44 @@ class CharacterPracticeTest : public LearnerTest {
   int own_shown_ = 0;
   bool enters_when_wanted_ = true;
 };
+
+TEST_F(CharacterPracticeTest, LookingUpShowsTheCharacterWhateverStageWasUsedLast) {
+  practice_.enter();
+  inbox_.run_until([&] { return !shown_.empty(); });
+  const auto look_up = [this](char32_t character) {
+    const auto before = shown_.size();
+    practice_.look_up(character);
+    inbox_.run_until([&] { return shown_.size() > before; });
+  };
+  for (PracticeStage* asking : {static_cast<PracticeStage*>(&practice_.memory()),
+                                static_cast<PracticeStage*>(&practice_.get<DictationStage>())}) {
+    practice_.enter_stage(*asking);
+    look_up(U'木');
+    EXPECT_EQ(stage(), Stage::trace) << asking->id();
+    EXPECT_FALSE(practice_.current_stage().hides_character());
+  }
+  practice_.enter_stage(practice_.watch());
+  look_up(U'林');
+  EXPECT_EQ(stage(), Stage::watch) << "it shows the character";
+  practice_.enter_stage(practice_.memory());
+  show(U'木');
+  EXPECT_EQ(stage(), Stage::memory) << "the next of a list is asked for as before";
+}
+
+TEST_F(CharacterPracticeTest, LookingUpDuringASessionDoesNotChangeItsStage) {
+  ASSERT_TRUE(mark_known(*learner_, U'木', 4));
+  ASSERT_TRUE(session_.start_with({U'木'}));
+  inbox_.run_until([&] { return !shown_.empty(); });
+  ASSERT_EQ(stage(), Stage::memory);
+  practice_.look_up(U'林');
+  inbox_.run_until([&] { return shown_.size() > 1; });
+  EXPECT_TRUE(session_.is_away());
+  EXPECT_EQ(stage(), Stage::trace);
+  session_.go_on();
+  inbox_.run_until([&] { return shown_.size() > 2; });
+  EXPECT_EQ(shown_.back(), U'木');
+  EXPECT_EQ(stage(), Stage::memory);
+}
 
 TEST_F(CharacterPracticeTest, EnteringShowsTheFirstCharacterToBeTraced) {
   practice_.set_first_character(U'木');

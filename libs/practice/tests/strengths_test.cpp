@@ -61,5 +61,16 @@ TEST(Strengths, AreCountedTheFirmestFirst) {
   EXPECT_TRUE(count_by_strength({}).empty());
 }
 
+TEST(Strengths, TheBarIsLongerTheBetterACharacterIsKnown) {
+  using study::Strength;
+  EXPECT_EQ(bar_of(Strength::unseen), 0);
+  EXPECT_EQ(bar_of(Strength::paused), 0);
+  EXPECT_GT(bar_of(Strength::learning), 0);
+  EXPECT_EQ(bar_of(Strength::leech), bar_of(Strength::learning));
+  EXPECT_GT(bar_of(Strength::young), bar_of(Strength::learning));
+  EXPECT_GT(bar_of(Strength::mature), bar_of(Strength::young));
+  EXPECT_EQ(bar_of(Strength::mature), 1);
+}
+
 }  // namespace
 }  // namespace nazori::practice

@@ -72,7 +72,11 @@ TEST_F(ActionTables, OfCharacters) {
   EXPECT_EQ(table_of(actions), lines(R"(
 [Character]
 find Ctrl+F
+*find_by_parts Ctrl+J
+*find_by_radical Ctrl+K
 *draw_to_find Ctrl+D
+-
+tell_apart Ctrl+Shift+D
 -
 next_character Ctrl+PgDown PgDown
 previous_character Ctrl+PgUp PgUp
@@ -171,10 +175,14 @@ rate_easy 4
 -
 study_undo Ctrl+Shift+Z
 -
+study_this Ctrl+Shift+S
+know_this Ctrl+Shift+Y
+add_to_list Ctrl+Shift+A
+study_tags Ctrl+Shift+T
+-
 study_postpone Ctrl+Shift+P
 study_pause Ctrl+Shift+U
 study_reset Ctrl+Shift+N
-study_tags Ctrl+Shift+T
 -
 study_end Ctrl+Shift+E
 study_settings Ctrl+,)"));

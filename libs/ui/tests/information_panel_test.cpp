@@ -160,16 +160,17 @@ TEST_F(InformationPanelTest, PartsLeadOnWhereTheyCan) {
   EXPECT_EQ(chosen.at(0).at(0).value<char32_t>(), U'人');
 }
 
-TEST_F(InformationPanelTest, AWordHasItsReadingAndThreeMeanings) {
+TEST_F(InformationPanelTest, AWordHasItsReadingAndMeanings) {
   auto made = sheet(U'休');
-  kanji::Word word;
-  word.text = "休日";
-  word.reading = "きゅうじつ";
-  word.glosses = {"holiday", "day < off", "rest", "fourth"};
-  kanji::Word kana;
-  kana.text = kana.reading = "やすみ";
-  kana.glosses = {"rest"};
-  made->words = {word, kana};
+  practice::HelpfulWord word;
+  word.word.text = "休日";
+  word.word.reading = "きゅうじつ";
+  word.meanings = {"holiday", "day < off", "rest"};
+  practice::HelpfulWord kana;
+  kana.word.text = kana.word.reading = "やすみ";
+  kana.meanings = {"rest"};
+  kana.cost = 1;
+  made->helpful.words = {word, kana};
   show(made);
   QStringList spoken;
   for (const auto* label : panel_.findChildren<QLabel*>(QStringLiteral("word")))
@@ -182,34 +183,63 @@ TEST_F(InformationPanelTest, AWordHasItsReadingAndThreeMeanings) {
             QStringLiteral("休日 きゅうじつ holiday; day < off; rest"));
 }
 
+TEST_F(InformationPanelTest, AKanjiOfAWordOpensIt) {
+  auto made = sheet(U'休');
+  practice::HelpfulWord word;
+  word.word.text = "休み日";
+  made->helpful.words = {word};
+  show(made);
+  QSignalSpy chosen(&panel_, &InformationPanel::character_chosen);
+  auto* label = panel_.findChild<QLabel*>(QStringLiteral("word"));
+  EXPECT_TRUE(label->text().contains(QStringLiteral("<a href=\"日\"")));
+  EXPECT_FALSE(label->text().contains(QStringLiteral("<a href=\"み\""))) << "kana are not links";
+  emit label->linkActivated(QStringLiteral("日"));
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen.at(0).at(0).value<char32_t>(), U'日');
+}
+
+TEST_F(InformationPanelTest, WordsOfKnownKanjiComeFirst) {
+  auto made = sheet(U'木');
+  practice::HelpfulWord unknown;
+  unknown.word.text = "木造";
+  unknown.others = {U'造'};
+  practice::HelpfulWord known;
+  known.word.text = "大木";
+  known.others = {U'大'};
+  known.cost = 1;
+  made->helpful.words = {unknown, known};
+  panel_.set_knows([](char32_t c) { return c == U'大'; });
+  show(made);
+  EXPECT_TRUE(
+      panel_.findChild<QLabel*>(QStringLiteral("word"))->accessibleName().startsWith(QStringLiteral("大木")));
+}
+
 TEST_F(InformationPanelTest, WhatIsToBeRememberedIsHidden) {
   auto made = sheet(U'休');
   made->character.entry.meanings = {{"en", "rest"}};
   made->character.entry.on_readings = {"キュウ"};
   made->radical = kanji::Radical{9, "人", {}, {"ひと"}, "person", 2};
   made->parts = {{"木", U'木', "", "tree"}};
-  kanji::Word word;
-  word.text = "休日";
-  made->words = {word};
+  practice::HelpfulWord word;
+  word.word.text = "休日";
+  made->helpful.words = {word};
+  made->helpful.uses = {{"キュウ", "きゅう", word}};
   show(made);
+  EXPECT_TRUE(texts("on_reading").front().contains(QStringLiteral("休日"))) << "a word shows the reading";
   const auto* glyph = panel_.findChild<QWidget*>(QStringLiteral("glyph"));
   for (const bool hidden : {true, false, true}) {
     panel_.set_hidden_character(hidden);
     EXPECT_EQ(glyph->isHidden(), hidden);
     EXPECT_EQ(text("meanings"), QStringLiteral("rest"));
     EXPECT_TRUE(has("on"));
+    EXPECT_EQ(texts("on_reading").front().contains(QStringLiteral("休日")), !hidden);
     for (const char* name : {"radical", "parts", "words"}) EXPECT_EQ(has(name), !hidden) << name;
   }
 }
 
 TEST_F(InformationPanelTest, AnotherCharacterIsReadFromTheTop) {
   auto made = sheet(U'休');
-  for (int i = 0; i < 60; ++i) {
-    kanji::Word word;
-    word.text = "休日";
-    word.glosses = {"holiday"};
-    made->words.push_back(word);
-  }
+  for (int i = 0; i < 60; ++i) made->parts.push_back({"木" + std::to_string(i), U'木', "", "tree"});
   show(made);
   QTest::qWait(0);
   auto* bar = panel_.verticalScrollBar();

@@ -48,8 +48,10 @@ TEST_F(Information, AClickOnAPartGoesThere) {
 }
 
 TEST_F(Information, ShowsWordsWithReadingsAndMeanings) {
-  const auto words = texts("word");
-  ASSERT_FALSE(words.isEmpty());
+  QStringList words;
+  for (const auto* label : window_->findChildren<QLabel*>(QStringLiteral("word")))
+    words.append(label->accessibleName());
+  EXPECT_LE(words.size(), 6);
   const QString all = words.join(QLatin1Char('\n'));
   EXPECT_TRUE(all.contains(QStringLiteral("休日")));
   EXPECT_TRUE(all.contains(QStringLiteral("きゅうじつ")));

@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListView>
+#include <QPushButton>
 
 #include "window_under_test.h"
 
@@ -31,9 +32,20 @@ TEST_F(Finding, TheFirstListIsTheEightyKanjiOfGradeOne) {
 
 TEST_F(Finding, AllListsTheSixThousandSevenHundredAndTwo) {
   auto* lists = find<QComboBox>("lists");
-  lists->setCurrentIndex(lists->count() - 1);
-  emit lists->activated(lists->count() - 1);
+  const int all = lists->findText(QStringLiteral("All characters"));
+  lists->setCurrentIndex(all);
+  emit lists->activated(all);
   EXPECT_TRUE(QTest::qWaitFor([this] { return tiles()->rowCount() == 6702; }, 5000)) << tiles()->rowCount();
+}
+
+TEST_F(Finding, OldJlptLevelsAreLists) {
+  auto* lists = find<QComboBox>("lists");
+  const int easiest = lists->findText(QStringLiteral("Old JLPT level 4 (before 2010)"));
+  ASSERT_GE(easiest, 0);
+  emit lists->activated(easiest);
+  EXPECT_EQ(find<QLineEdit>("search")->text(), QStringLiteral("jlpt:4"));
+  // KANJIDIC2 has 103 kanji of this level.
+  EXPECT_TRUE(QTest::qWaitFor([this] { return tiles()->rowCount() == 103; }, 5000)) << tiles()->rowCount();
 }
 
 TEST_F(Finding, RomajiEnglishKanaAndTheCharacterItselfAllFindKyuu) {
@@ -48,6 +60,36 @@ TEST_F(Finding, RomajiEnglishKanaAndTheCharacterItselfAllFindKyuu) {
     box->setText(QString::fromUtf8(words));
     EXPECT_TRUE(QTest::qWaitFor([this] { return tile(0) == QStringLiteral("休"); }, 5000)) << words;
   }
+}
+
+TEST_F(Finding, AWordIsFoundByItsReadingRomajiAndMeaning) {
+  for (const auto* words : {"きゅうじつ", "kyuujitsu", "holiday"}) {
+    auto* box = find<QLineEdit>("search");
+    box->setText(QString::fromUtf8(words));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [this] {
+          for (int row = 0; row < tiles()->rowCount(); ++row)
+            if (tile(row) == QStringLiteral("休日")) return true;
+          return false;
+        },
+        5000))
+        << words;
+  }
+}
+
+TEST_F(Finding, PartsAndRadicalsAreChosenInTables) {
+  auto* by_parts = find<QAction>("find_by_parts");
+  by_parts->trigger();
+  QPushButton* tree = nullptr;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (tree = find<QPushButton>("table_part_木")) != nullptr; }, 5000));
+  tree->click();
+  EXPECT_EQ(find<QLineEdit>("search")->text(), QStringLiteral("parts:木"));
+  find<QPushButton>("table_part_亻")->click();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return tile(0) == QStringLiteral("休"); }, 5000));
+  find<QAction>("find_by_radical")->trigger();
+  EXPECT_FALSE(by_parts->isChecked()) << "one table at a time";
+  find<QPushButton>("table_radical_9")->click();
+  EXPECT_TRUE(find<QLineEdit>("search")->text().contains(QStringLiteral("radical:9")));
 }
 
 TEST_F(Finding, EnterShowsTheBestFind) {

@@ -123,6 +123,16 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::SearchWords</name>
+    <message numerus="yes">
+        <source>%n strokes</source>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::SessionBar</name>
     <message numerus="yes">
         <source>a character with %n strokes</source>
@@ -305,6 +315,23 @@
         <translation>
             <numerusform>about %n minute</numerusform>
             <numerusform>about %n minutes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::TablePicker</name>
+    <message numerus="yes">
+        <source>%n strokes</source>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n strokes</source>
+        <translation>
+            <numerusform>%1, %n stroke</numerusform>
+            <numerusform>%1, %n strokes</numerusform>
         </translation>
     </message>
 </context>

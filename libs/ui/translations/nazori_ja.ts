@@ -791,6 +791,30 @@
         <source>Write a whole word that has the character, from its reading and meaning</source>
         <translation>読みと意味から、この文字を使う言葉を全部書きます</translation>
     </message>
+    <message>
+        <source>Find by p&amp;arts</source>
+        <translation>パーツで探す(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Find a character by the parts it is made of</source>
+        <translation>文字を組み立てているパーツから探します</translation>
+    </message>
+    <message>
+        <source>Find by &amp;radical</source>
+        <translation>部首で探す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Find a character by its radical</source>
+        <translation>部首から文字を探します</translation>
+    </message>
+    <message>
+        <source>&amp;Tell apart</source>
+        <translation>見分ける(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A short drill with the characters it is confused with</source>
+        <translation>間違えやすい文字を見分ける短い練習です</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::Characters</name>
@@ -857,6 +881,10 @@
     <message>
         <source>Closed. The tablet was not changed.</source>
         <translation>閉じました。文字板はそのままです。</translation>
+    </message>
+    <message>
+        <source>%1 is marked as known. It comes in a review %2. Ctrl+Shift+Z: undo.</source>
+        <translation>%1を学習済みにしました。%2に復習します。Ctrl+Shift+Z：取り消し。</translation>
     </message>
 </context>
 <context>
@@ -1456,6 +1484,49 @@
     <message>
         <source>Draw the character here</source>
         <translation>ここに文字を書いてください</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::DrillDialog</name>
+    <message>
+        <source>&amp;Write them</source>
+        <translation>書いてみる(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Which one is it?</source>
+        <translation>どちらの文字？</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>キー %1</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>閉じる(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Press the number of the character that belongs here.</source>
+        <translation>当てはまる文字の番号を押してください。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1／%2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right</source>
+        <translation>%2問中%1問正解</translation>
+    </message>
+    <message>
+        <source>✓ Correct: %1, %2.</source>
+        <translation>✓ 正解：%1（%2）。</translation>
+    </message>
+    <message>
+        <source>✗ It is %1 (%2), not %3.</source>
+        <translation>✗ 正しくは%1（%2）です。%3ではありません。</translation>
     </message>
 </context>
 <context>
@@ -2512,6 +2583,14 @@ Columns and rows:</source>
         <source>newspaper frequency: no. %1</source>
         <translation>新聞での頻度%1位</translation>
     </message>
+    <message>
+        <source>Easily confused</source>
+        <translation>間違えやすい文字</translation>
+    </message>
+    <message>
+        <source>Read %1, as in %2 (%3)</source>
+        <translation>読みは%1。例：%2（%3）</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::InkGallery</name>
@@ -2920,6 +2999,46 @@ Columns and rows:</source>
     <message>
         <source>Search results</source>
         <translation>検索結果</translation>
+    </message>
+    <message>
+        <source>By…</source>
+        <translation>条件…</translation>
+    </message>
+    <message>
+        <source>Search by strokes, radical, parts or code</source>
+        <translation>画数、部首、パーツ、コードで探す</translation>
+    </message>
+    <message>
+        <source>Parts…</source>
+        <translation>パーツ…</translation>
+    </message>
+    <message>
+        <source>Radical…</source>
+        <translation>部首…</translation>
+    </message>
+    <message>
+        <source>Number of strokes</source>
+        <translation>画数</translation>
+    </message>
+    <message>
+        <source>SKIP code</source>
+        <translation>SKIP コード</translation>
+    </message>
+    <message>
+        <source>Four-corner code</source>
+        <translation>四角号碼</translation>
+    </message>
+    <message>
+        <source>School grade</source>
+        <translation>学年</translation>
+    </message>
+    <message>
+        <source>Old JLPT level</source>
+        <translation>旧 JLPT の級</translation>
+    </message>
+    <message>
+        <source>The most frequent</source>
+        <translation>よく使われる文字</translation>
     </message>
 </context>
 <context>
@@ -3522,6 +3641,19 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::SearchWords</name>
+    <message>
+        <source>in names: %1</source>
+        <translation>名前での読み：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes</source>
+        <translation>
+            <numerusform>%n画</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::SessionActions</name>
     <message>
         <source>&amp;Start today&apos;s study</source>
@@ -3630,6 +3762,30 @@ Columns and rows:</source>
     <message>
         <source>St&amp;udy</source>
         <translation>学習(&amp;U)</translation>
+    </message>
+    <message>
+        <source>St&amp;udy this</source>
+        <translation>この字を学ぶ(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Learn this character now; it then comes back in reviews</source>
+        <translation>今この字を学びます。その後は復習で出てきます</translation>
+    </message>
+    <message>
+        <source>I &amp;know this</source>
+        <translation>もう知っている(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Skip the lesson: the character comes in a review after about a week</source>
+        <translation>レッスンを省きます。約1週間後に復習で出てきます</translation>
+    </message>
+    <message>
+        <source>Add to &amp;list…</source>
+        <translation>リストに加える(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Put this character into one of your own lists</source>
+        <translation>この字を自分のリストに入れます</translation>
     </message>
 </context>
 <context>
@@ -4123,6 +4279,21 @@ Columns and rows:</source>
     <message>
         <source>%1 Form: %2 of %3 stars.</source>
         <translation>%1字形は星%3つ中%2つです。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StandingBar</name>
+    <message>
+        <source>due today</source>
+        <translation>今日の復習</translation>
+    </message>
+    <message>
+        <source>comes again %1</source>
+        <translation>次は%1</translation>
+    </message>
+    <message>
+        <source>%1 likely to be remembered</source>
+        <translation>覚えている確率 %1</translation>
     </message>
 </context>
 <context>
@@ -4872,6 +5043,22 @@ Columns and rows:</source>
         <source>Window</source>
         <translation>ウィンドウ</translation>
     </message>
+    <message>
+        <source>Add to list</source>
+        <translation>リストに加える</translation>
+    </message>
+    <message>
+        <source>List for %1. Choose one, or type a new name; ✓: it is in the list already.</source>
+        <translation>%1を入れるリストを選ぶか、新しい名前を入力してください。✓：すでに入っています。</translation>
+    </message>
+    <message>
+        <source>Took %1 out of the list “%2”.</source>
+        <translation>%1をリスト「%2」から外しました。</translation>
+    </message>
+    <message>
+        <source>Added %1 to the list “%2”.</source>
+        <translation>%1をリスト「%2」に加えました。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::StudyWords</name>
@@ -4958,6 +5145,29 @@ Columns and rows:</source>
     <message>
         <source>%1 y</source>
         <translation>%1年</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::TablePicker</name>
+    <message>
+        <source>Parts by number of strokes</source>
+        <translation>画数順のパーツ</translation>
+    </message>
+    <message>
+        <source>Radicals by number of strokes</source>
+        <translation>画数順の部首</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes</source>
+        <translation>
+            <numerusform>%n画</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n strokes</source>
+        <translation>
+            <numerusform>%1、%n画</numerusform>
+        </translation>
     </message>
 </context>
 <context>

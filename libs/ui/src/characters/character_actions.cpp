@@ -33,6 +33,14 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   draw_to_find = make("draw_to_find", tr("&Draw to find"), tr("Find a character by drawing it"), "Ctrl+D",
                       true, Icon::pen);
 
+  find_by_parts = make("find_by_parts", tr("Find by p&arts"),
+                       tr("Find a character by the parts it is made of"), "Ctrl+J", true);
+  find_by_radical = make("find_by_radical", tr("Find by &radical"), tr("Find a character by its radical"),
+                         "Ctrl+K", true);
+  tell_apart =
+      make("tell_apart", tr("&Tell apart"), tr("A short drill with the characters it is confused with"),
+           "Ctrl+Shift+D");
+
   for (const auto& row : stage_rows()) {
     stages.append(make(row.id.data(), tr(row.name), tr(row.purpose), row.key, true, row.drawing));
   }
@@ -85,8 +93,8 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   make_exclusive({groove_hidden, groove_shown, groove_appears});
   make_exclusive({lenient, normal, strict});
 
-  add_group(tr("&Character"),
-            {find, draw_to_find, nullptr, next_character, previous_character, nullptr, back, forward});
+  add_group(tr("&Character"), {find, find_by_parts, find_by_radical, draw_to_find, nullptr, tell_apart,
+                               nullptr, next_character, previous_character, nullptr, back, forward});
   add_group(tr("&Strokes"), {next_stroke, previous_stroke, all_strokes, nullptr, strokes, numbers, arrows,
                              snap, nullptr, clear_ink});
   add_group(tr("&Practice"), stages + QList<QAction*>{nullptr, play, step_back, step_on, slower, faster, loop,

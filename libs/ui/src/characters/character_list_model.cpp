@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/character_list_model.h"
 
-#include <algorithm>
-
+#include "characters/search_words.h"
+#include "progress/study_charts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -10,45 +10,82 @@ namespace nazori::ui {
 void CharacterListModel::set_characters(practice::Summaries characters) {
   beginResetModel();
   characters_ = std::move(characters);
+  answer_.reset();
   endResetModel();
 }
 
+void CharacterListModel::set_answer(std::shared_ptr<const practice::SearchAnswer> answer) {
+  beginResetModel();
+  answer_ = std::move(answer);
+  endResetModel();
+}
+
+void CharacterListModel::set_strengths(StrengthOf strength_of) {
+  strength_of_ = std::move(strength_of);
+  refresh_strengths();
+}
+
+void CharacterListModel::refresh_strengths() {
+  if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1));
+}
+
+const practice::SearchRow* CharacterListModel::found(int row) const {
+  return answer_ ? &answer_->rows[static_cast<std::size_t>(row)] : nullptr;
+}
+
+const kanji::Summary& CharacterListModel::summary(int row) const {
+  const auto* one = found(row);
+  return one != nullptr ? one->character : (*characters_)[static_cast<std::size_t>(row)];
+}
+
 int CharacterListModel::row_of(char32_t code_point) const {
-  if (!characters_) return -1;
-  const auto found =
-      std::find_if(characters_->begin(), characters_->end(),
-                   [code_point](const kanji::Summary& s) { return s.code_point == code_point; });
-  return found == characters_->end() ? -1 : static_cast<int>(found - characters_->begin());
+  for (int row = 0; row < rowCount(); ++row) {
+    const auto* one = found(row);
+    if (summary(row).code_point == code_point && (one == nullptr || !one->word)) return row;
+  }
+  return -1;
 }
 
 char32_t CharacterListModel::at(int row) const {
-  return characters_ && row >= 0 && row < rowCount()
-             ? (*characters_)[static_cast<std::size_t>(row)].code_point
-             : 0;
+  return row >= 0 && row < rowCount() ? summary(row).code_point : 0;
 }
 
 int CharacterListModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || !characters_ ? 0 : static_cast<int>(characters_->size());
+  if (parent.isValid()) return 0;
+  if (answer_) return static_cast<int>(answer_->rows.size());
+  return characters_ ? static_cast<int>(characters_->size()) : 0;
+}
+
+QString CharacterListModel::describe(int row, const QString& separator) const {
+  if (const auto* one = found(row)) return SearchWords::head(*one) + separator + SearchWords::why(*one);
+  const auto& character = summary(row);
+  QStringList words{to_text(character.code_point)};
+  if (!character.meaning.empty()) words.append(to_text(character.meaning));
+  if (!character.reading.empty()) words.append(kun_plain(kanji::split_kun(character.reading)));
+  if (strength_of_) {
+    const auto strength = strength_of_(character.code_point);
+    if (strength != study::Strength::unseen) words.append(StudyCharts::strength(strength));
+  }
+  return words.join(separator);
 }
 
 QVariant CharacterListModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const auto& summary = (*characters_)[static_cast<std::size_t>(index.row())];
-  const auto describe = [&summary](const QString& separator) {
-    QStringList words{to_text(summary.code_point)};
-    if (!summary.meaning.empty()) words.append(to_text(summary.meaning));
-    if (!summary.reading.empty()) words.append(kun_plain(kanji::split_kun(summary.reading)));
-    return words.join(separator);
-  };
+  const auto* one = found(index.row());
   switch (role) {
     case Qt::DisplayRole:
-      return to_text(summary.code_point);
+      return one != nullptr ? SearchWords::head(*one) : to_text(summary(index.row()).code_point);
     case Qt::ToolTipRole:
-      return describe(QStringLiteral(" · "));
+      return describe(index.row(), QStringLiteral(" · "));
     case Qt::AccessibleTextRole:
-      return describe(QStringLiteral(", "));
+      return describe(index.row(), QStringLiteral(", "));
     case kCodePointRole:
-      return static_cast<uint>(summary.code_point);
+      return static_cast<uint>(summary(index.row()).code_point);
+    case kStrengthRole:
+      if (!strength_of_ || (one != nullptr && one->word)) return {};
+      return static_cast<int>(strength_of_(summary(index.row()).code_point));
+    case kWhyRole:
+      return one != nullptr ? SearchWords::why(*one) : QString();
     default:
       return {};
   }

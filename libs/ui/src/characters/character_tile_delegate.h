@@ -5,7 +5,8 @@
 
 namespace nazori::ui {
 
-/// A tile with one character in the textbook face. Its size follows the text size.
+/// A tile with one character in the textbook face and its strength, or the row of a search with the reason.
+/// The size follows the text size.
 class CharacterTileDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:
@@ -14,6 +15,7 @@ class CharacterTileDelegate final : public QStyledItemDelegate {
   void set_current(char32_t code_point) { current_ = code_point; }
   /// The side that suits a text size.
   [[nodiscard]] static int tile_side(const QFont& font);
+  [[nodiscard]] static int row_height(const QFont& font);
   void set_side(int side) { side_ = side; }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;

@@ -7,11 +7,13 @@
 #include <algorithm>
 
 #include "characters/character_actions.h"
+#include "characters/confusable_view.h"
 #include "characters/draw_panel.h"
 #include "characters/information_panel.h"
 #include "characters/library_panel.h"
 #include "characters/stage_table.h"
 #include "characters/stage_view.h"
+#include "characters/standing_bar.h"
 #include "characters/writing_panel.h"
 #include "dialogs/file_exchange.h"
 #include "events/signals.h"
@@ -54,8 +56,12 @@ Characters::Characters(WindowParts& parts)
       practice_(parts.practice()),
       actions_(new CharacterActions(&parts.window())),
       session_actions_(new SessionActions(&parts.window())),
-      library_panel_(new LibraryPanel(&parts.library(), &parts.window())),
+      library_panel_(new LibraryPanel(&parts.library(), &parts.learner(), &parts.window())),
       information_panel_(new InformationPanel(&parts.window())),
+      standing_bar_(new StandingBar(
+          {session_actions_->study_this, session_actions_->know_this, session_actions_->add_to_list},
+          &parts.window())),
+      confusable_view_(new ConfusableView({actions_->tell_apart}, &parts.window())),
       writing_panel_(new WritingPanel(&parts.window())),
       draw_panel_(new DrawPanel(parts, &parts.window())),
       session_panel_(new SessionPanel(parts.session(), *session_actions_, parts.learner(), &parts.window())),
@@ -78,6 +84,7 @@ Characters::Characters(WindowParts& parts)
   connect_work();
   connect_session();
   connect_study_actions();
+  connect_standing();
 }
 
 void Characters::make_stage_views() {
@@ -182,6 +189,7 @@ void Characters::show_character() {
   parts().save_later();
   show_available();
   information_panel_->show_character(sheet);
+  show_standing();
 }
 
 void Characters::show_own() {
@@ -209,6 +217,13 @@ void Characters::open_drawing(bool open) {
     draw_panel_->begin();
   else
     parts().focus_tablet();
+}
+
+void Characters::open_search() {
+  if (actions_->draw_to_find->isChecked()) open_drawing(false);
+  searching_ = true;
+  show_session();
+  parts().open_left_panel();
 }
 
 void Characters::close_drawing() {
@@ -248,11 +263,20 @@ void Characters::ask_and_save() {
 
 void Characters::connect_actions() {
   on(actions_->find, [this] {
-    if (actions_->draw_to_find->isChecked()) open_drawing(false);
-    searching_ = true;
-    show_session();
-    parts().open_left_panel();
+    open_search();
     library_panel_->focus_search();
+  });
+  on(actions_->find_by_parts, [this](bool open) {
+    open_search();
+    library_panel_->show_parts(open);
+  });
+  on(actions_->find_by_radical, [this](bool open) {
+    open_search();
+    library_panel_->show_radicals(open);
+  });
+  connect(library_panel_, &LibraryPanel::table_shown, this, [this](bool by_parts, bool by_radical) {
+    actions_->find_by_parts->setChecked(by_parts);
+    actions_->find_by_radical->setChecked(by_radical);
   });
   on(actions_->next_character, [this] {
     if (const char32_t next = library_panel_->neighbour(+1)) practice_.show(next);
@@ -292,7 +316,7 @@ void Characters::connect_practice() {
 
 void Characters::connect_work() {
   connect(&parts(), &WindowParts::show_character, this, [this](char32_t code_point) {
-    practice_.show(code_point);
+    practice_.look_up(code_point);
     emit wants_to_be_entered();
   });
   connect(files_, &FileExchange::announced, &parts(), &WindowParts::announce);
@@ -301,7 +325,7 @@ void Characters::connect_work() {
     parts().save_later();
   });
   connect(library_panel_, &LibraryPanel::character_chosen, this, [this](char32_t code_point) {
-    practice_.show(code_point);
+    practice_.look_up(code_point);
     parts().close_drawers();
   });
   connect(library_panel_, &LibraryPanel::list_changed, this, [this](kanji::List list) {
@@ -309,11 +333,11 @@ void Characters::connect_work() {
     parts().save_later();
   });
   connect(information_panel_, &InformationPanel::character_chosen, this,
-          [this](char32_t code_point) { practice_.show(code_point); });
+          [this](char32_t code_point) { practice_.look_up(code_point); });
   connect(draw_panel_, &DrawPanel::closed, this, &Characters::close_drawing);
   connect(draw_panel_, &DrawPanel::character_chosen, this, [this](char32_t code_point) {
     open_drawing(false);
-    practice_.show(code_point);
+    practice_.look_up(code_point);
     parts().close_drawers();
   });
 }

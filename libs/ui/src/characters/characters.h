@@ -9,6 +9,7 @@
 namespace nazori::ui {
 
 class CharacterActions;
+class ConfusableView;
 class DrawPanel;
 class FileExchange;
 class InformationPanel;
@@ -17,6 +18,7 @@ class SessionActions;
 class SessionBar;
 class SessionPanel;
 class StageView;
+class StandingBar;
 class WritingPanel;
 
 /// The page for characters: the list on the left, all about the character that is shown on the right.
@@ -59,11 +61,14 @@ class Characters final : public Page {
   void connect_work();
   void connect_session();
   void connect_study_actions();
+  void connect_standing();
+  void show_standing();
   void show_character();
   void show_own();
   void show_stage();
   void show_hiding();
   void show_session();
+  void open_search();
   void open_drawing(bool open);
   void close_drawing();
   void show_available();
@@ -75,6 +80,8 @@ class Characters final : public Page {
   SessionActions* session_actions_;
   LibraryPanel* library_panel_;
   InformationPanel* information_panel_;
+  StandingBar* standing_bar_;
+  ConfusableView* confusable_view_;
   WritingPanel* writing_panel_;
   DrawPanel* draw_panel_;
   SessionPanel* session_panel_;

@@ -5,12 +5,13 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "characters/confusable_view.h"
 #include "characters/glyph_view.h"
+#include "characters/word_label.h"
 #include "look/palette.h"
 #include "nazori/kanji/kana.h"
 #include "nazori/kanji/meanings.h"
@@ -34,10 +35,11 @@ QString meanings_of(const kanji::DictionaryEntry& entry) {
   return joined(own.empty() ? kanji::meanings_in("en", entry) : own, QStringLiteral(", "));
 }
 
-/// Words that are wider than the panel may be broken anywhere but near their ends.
-QString breakable(const QString& text) {
-  static const QRegularExpression kInside(QStringLiteral(R"((?<=\w{4})(?=\w{4}))"));
-  return QString(text).replace(kInside, QString(QChar(0x200B)));
+/// The word that shows a reading; nullptr where no common word has it.
+const practice::ReadingUse* use_of(const practice::CharacterWords& words, const std::string& reading) {
+  const auto use = std::find_if(words.uses.begin(), words.uses.end(),
+                                [&reading](const auto& one) { return one.reading == reading; });
+  return use == words.uses.end() ? nullptr : &*use;
 }
 
 }  // namespace
@@ -76,6 +78,7 @@ InformationPanel::InformationPanel(QWidget* parent)
   word_list_->setSpacing(9);
   word_list_->setContentsMargins(0, 0, 0, 0);
   static_cast<QVBoxLayout*>(words_.box->layout())->addLayout(word_list_);
+  confusables_ = add_section(QStringLiteral("confusables"), tr("Easily confused"), 8, 8);
   column->addStretch(1);
   make_scrolling(this, content_);
   rebuild();
@@ -139,7 +142,7 @@ void InformationPanel::rebuild() {
   large.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.2);
   meanings_->setFont(large);
   fit();
-  for (const Section* section : {&on_, &kun_, &radical_, &parts_, &words_}) {
+  for (const Section* section : {&on_, &kun_, &radical_, &parts_, &words_, &confusables_}) {
     clear_layout(section->flow);
     section->box->setVisible(false);
     if (auto* heading = section->box->findChild<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) {
@@ -149,6 +152,7 @@ void InformationPanel::rebuild() {
     }
   }
   clear_layout(word_list_);
+  if (standing_ != nullptr) standing_->setVisible(sheet_ != nullptr && !hides_character_);
   if (sheet_) {
     fill_facts();
     fill_readings();
@@ -156,6 +160,7 @@ void InformationPanel::rebuild() {
       fill_radical();
       fill_parts();
       fill_words();
+      fill_confusables();
     }
   } else {
     meanings_->clear();
@@ -206,8 +211,16 @@ void InformationPanel::fill_facts() {
 void InformationPanel::fill_readings() {
   const auto& entry = sheet_->character.entry;
   const QColor muted = current_colours().muted;
-  for (const auto& on : entry.on_readings)
-    add_label(on_.flow, to_text(on), 1.25, true)->setObjectName(QStringLiteral("on_reading"));
+  // The words would give the character away.
+  const auto add_example = [&](QLabel* label, const QString& reading, const std::string& published) {
+    const auto* use = hides_character_ ? nullptr : use_of(sheet_->helpful, published);
+    if (use != nullptr) show_example(label, reading, *use);
+  };
+  for (const auto& on : entry.on_readings) {
+    auto* label = add_label(on_.flow, to_text(on), 1.25, true);
+    label->setObjectName(QStringLiteral("on_reading"));
+    add_example(label, to_text(on), on);
+  }
   for (const auto& kun : entry.kun_readings) {
     const kanji::KunReading reading = kanji::split_kun(kun);
     auto* label = add_label(kun_.flow, kun_rich(reading, muted), 1.25, true);
@@ -217,9 +230,24 @@ void InformationPanel::fill_readings() {
     if (!reading.okurigana.empty())
       label->setToolTip(tr("The kanji is read %1; %2 follows in kana (okurigana)")
                             .arg(to_text(reading.stem), to_text(reading.okurigana)));
+    add_example(label, kun_plain(reading), kun);
   }
   on_.box->setVisible(!entry.on_readings.empty());
   kun_.box->setVisible(!entry.kun_readings.empty());
+}
+
+void InformationPanel::show_example(QLabel* label, const QString& reading, const practice::ReadingUse& use) {
+  const auto& word = use.word.word;
+  const QString muted = current_colours().muted.name();
+  const QString shown = label->textFormat() == Qt::RichText ? label->text() : label->text().toHtmlEscaped();
+  label->setTextFormat(Qt::RichText);
+  label->setText(QStringLiteral("%1 <span style=\"color:%2; font-size:%3pt\">%4</span>")
+                     .arg(shown, muted)
+                     .arg(QFontInfo(font()).pointSizeF() * 0.95)
+                     .arg(to_text(word.text).toHtmlEscaped()));
+  const QString says = tr("Read %1, as in %2 (%3)").arg(reading, to_text(word.text), to_text(word.reading));
+  label->setAccessibleName(says);
+  label->setToolTip(label->toolTip().isEmpty() ? says : label->toolTip() + QStringLiteral("\n") + says);
 }
 
 void InformationPanel::fill_radical() {
@@ -266,29 +294,31 @@ void InformationPanel::fill_parts() {
 }
 
 void InformationPanel::fill_words() {
-  const double size_pt = QFontInfo(font()).pointSizeF();
-  const Colours& c = current_colours();
-  for (const auto& word : sheet_->words) {
-    auto* label = named(new QLabel(words_.box), "word");
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::RichText);
-    const QString meaning = joined(word.glosses, QStringLiteral("; "), 3);
-    const QString text = to_text(word.text);
-    const QString reading = word.reading == word.text ? QString() : to_text(word.reading);
-    label->setText(
-        QStringLiteral("<span style=\"font-family:'Klee One'; font-size:%1pt\">%2</span>"
-                       "&nbsp; <span style=\"font-family:'Klee One'; font-size:%3pt; color:%4\">%5</span>"
-                       "<br>%6")
-            .arg(size_pt * 1.25)
-            .arg(text.toHtmlEscaped())
-            .arg(size_pt)
-            .arg(c.muted.name(), reading.toHtmlEscaped(),
-                 (is_narrow_ ? breakable(meaning) : meaning).toHtmlEscaped()));
-    label->setAccessibleName(QStringList{text, reading, meaning}.join(QStringLiteral(", ")));
-    make_selectable(label);
+  const char32_t character = sheet_->character.code_point;
+  for (const auto& word : practice::choose_words(sheet_->helpful.words, character, knows_)) {
+    auto* label = new WordLabel(word, is_narrow_, words_.box);
+    connect(label, &WordLabel::character_chosen, this, &InformationPanel::character_chosen);
     word_list_->addWidget(label);
   }
-  words_.box->setVisible(!sheet_->words.empty());
+  words_.box->setVisible(!sheet_->helpful.words.empty());
+}
+
+void InformationPanel::fill_confusables() {
+  if (confusable_view_ == nullptr || sheet_->confusables.empty()) return;
+  confusable_view_->show_sheet(*sheet_);
+  confusables_.box->setVisible(true);
+}
+
+void InformationPanel::set_standing(QWidget* standing) {
+  standing_ = standing;
+  static_cast<QVBoxLayout*>(content_->layout())->insertWidget(1, standing);
+  standing->setVisible(sheet_ != nullptr && !hides_character_);
+}
+
+void InformationPanel::set_confusables(ConfusableView* view) {
+  confusable_view_ = view;
+  static_cast<QVBoxLayout*>(confusables_.box->layout())->addWidget(view);
+  connect(view, &ConfusableView::character_chosen, this, &InformationPanel::character_chosen);
 }
 
 void InformationPanel::set_hidden_character(bool hidden) {

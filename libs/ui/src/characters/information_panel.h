@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QScrollArea>
+#include <functional>
 #include <memory>
 
 #include "nazori/practice/character_library.h"
@@ -12,6 +13,7 @@ class QVBoxLayout;
 
 namespace nazori::ui {
 
+class ConfusableView;
 class FlowLayout;
 class GlyphView;
 
@@ -29,6 +31,12 @@ class InformationPanel final : public QScrollArea {
   /// Shows only meanings and readings, not the character, its parts and its words: the learner writes it from
   /// memory.
   void set_hidden_character(bool hidden);
+  /// Whether the learner knows a character, for the choice of words; empty: that is not known.
+  void set_knows(std::function<bool(char32_t)> knows) { knows_ = std::move(knows); }
+  /// Puts a widget below meanings and facts. It is hidden where no character is shown.
+  void set_standing(QWidget* standing);
+  /// Puts a widget of characters that are confused with the one shown below its words.
+  void set_confusables(ConfusableView* view);
   /// Uses the current colours and text size.
   void refresh();
 
@@ -48,9 +56,11 @@ class InformationPanel final : public QScrollArea {
   void rebuild();
   void fill_facts();
   void fill_readings();
+  void show_example(QLabel* label, const QString& reading, const practice::ReadingUse& use);
   void fill_radical();
   void fill_parts();
   void fill_words();
+  void fill_confusables();
   void fit();
   QLabel* add_label(FlowLayout* flow, const QString& text, double scale, bool textbook, bool muted = false);
 
@@ -68,6 +78,10 @@ class InformationPanel final : public QScrollArea {
   Section parts_;
   Section words_;
   QVBoxLayout* word_list_;
+  Section confusables_;
+  ConfusableView* confusable_view_ = nullptr;
+  QWidget* standing_ = nullptr;
+  std::function<bool(char32_t)> knows_;
 };
 
 }  // namespace nazori::ui

@@ -13,16 +13,19 @@ class QLabel;
 class QLineEdit;
 class QListView;
 class QStackedWidget;
+class QToolButton;
 
 namespace nazori::ui {
 
 class CharacterTileDelegate;
+class TablePicker;
 
-/// Where a character is chosen: a search box, the built-in lists, and their characters as tiles.
+/// Where a character is chosen: a search box, tables of parts and radicals, the lists, and their characters
+/// as tiles. The answer to a search is rows that say why they match.
 class LibraryPanel final : public QWidget {
   Q_OBJECT
  public:
-  explicit LibraryPanel(practice::CharacterLibrary* library, QWidget* parent = nullptr);
+  LibraryPanel(practice::CharacterLibrary* library, practice::Learner* learner, QWidget* parent = nullptr);
 
   void show_list(kanji::List list);
   [[nodiscard]] kanji::List list() const { return list_; }
@@ -33,10 +36,15 @@ class LibraryPanel final : public QWidget {
 
  public slots:
   void focus_search();
+  /// Opens a table above the tiles, or closes it.
+  void show_parts(bool open);
+  void show_radicals(bool open);
 
  signals:
   void character_chosen(char32_t code_point);
   void list_changed(nazori::kanji::List list);
+  /// Which of the tables is open.
+  void table_shown(bool parts, bool radicals);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -46,16 +54,26 @@ class LibraryPanel final : public QWidget {
  private:
   void search(const QString& text);
   void show_characters(const practice::Summaries& characters);
+  void show_answer(const std::shared_ptr<const practice::SearchAnswer>& answer);
+  void show_count(int count, bool searched);
+  void fill_lists();
+  void choose_list(int row_number);
+  void show_table(int table);
+  void add_condition(const char* key, const QString& value);
+  void make_conditions();
   void fit_row();
   void fit_tiles();
   void draw_lens();
   void choose_first();
 
   practice::CharacterLibrary* library_;
+  practice::Learner* learner_;
   CharacterListModel* model_;
   CharacterTileDelegate* delegate_;
   QLineEdit* search_;
   QAction* lens_;
+  QToolButton* conditions_;  ///< opens the menu of what can be searched by
+  TablePicker* tables_;
   QComboBox* lists_;
   QLabel* count_;
   QBoxLayout* row_;  ///< of the box for lists and the count
@@ -65,6 +83,7 @@ class LibraryPanel final : public QWidget {
   kanji::List list_ = kanji::List::grade_1;
   char32_t current_ = 0;
   QString shown_search_;            ///< the search whose results the tiles show; empty: the list
+  bool shows_answer_ = false;       ///< rows instead of tiles
   bool choose_when_found_ = false;  ///< Enter was pressed before the results arrived
 };
 

@@ -25,12 +25,20 @@ SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
   reset = make("study_reset", tr("Start &over"), tr("Treat this character as new again"), "Ctrl+Shift+N");
   tags = make("study_tags", tr("&Tags…"), tr("Your own labels for this character; you can study by tag"),
               "Ctrl+Shift+T");
+  study_this = make("study_this", tr("St&udy this"),
+                    tr("Learn this character now; it then comes back in reviews"), "Ctrl+Shift+S");
+  know_this =
+      make("know_this", tr("I &know this"),
+           tr("Skip the lesson: the character comes in a review after about a week"), "Ctrl+Shift+Y");
+  add_to_list = make("add_to_list", tr("Add to &list…"), tr("Put this character into one of your own lists"),
+                     "Ctrl+Shift+A");
   end = make("study_end", tr("End the &session"), tr("Everything you rated is saved"), "Ctrl+Shift+E");
   settings = make("study_settings", tr("Study se&ttings…"),
                   tr("Daily goal, lists, order and desired retention"), "Ctrl+,");
   QList<QAction*> all{start, go_on, nullptr};
   for (auto* one : rate) all.append(one);
-  all.append({nullptr, undo, nullptr, postpone, pause, reset, tags, nullptr, end, settings});
+  all.append({nullptr, undo, nullptr, study_this, know_this, add_to_list, tags, nullptr, postpone, pause,
+              reset, nullptr, end, settings});
   add_group(tr("St&udy"), all);
 }
 
@@ -44,7 +52,8 @@ void SessionActions::show_state(const practice::StudySession& session, bool can_
     one->setEnabled(state == practice::StudySession::State::judged && !session.is_away());
   start->setEnabled(!running && can_write);
   end->setEnabled(running);
-  for (auto* one : {undo, postpone, pause, reset, tags}) one->setEnabled(can_write);
+  for (auto* one : {undo, postpone, pause, reset, tags, study_this, know_this, add_to_list})
+    one->setEnabled(can_write);
 }
 
 void SessionActions::set_one_hand(OneHand hand, QAction* hint, QAction* undo_stroke, QAction* done) {

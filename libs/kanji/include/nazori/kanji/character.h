@@ -106,7 +106,8 @@ struct Word {
   std::vector<std::string> glosses;  ///< English
   std::vector<int> senses;           ///< for each gloss the number of its sense, from 1, ascending
   std::string parts_of_speech;       ///< EDICT's marks, "n,adj-no"
-  bool common = false;               ///< marked (P)
+  bool common = false;               ///< marked (P), or basic
+  bool basic = false;                ///< taught first: our own table of basic words
 
   friend bool operator==(const Word&, const Word&) = default;
 };

@@ -12,32 +12,9 @@
 
 #include "nazori/base/result.h"
 #include "nazori/kanji/character.h"
+#include "nazori/kanji/query.h"
 
 namespace nazori::kanji {
-
-/// The conditions of a search. An answer meets all that are set.
-struct Query {
-  /// A character or several, a reading in kana (with or without the okurigana dot), romaji (Hepburn or
-  /// Kunrei, "kyuu", "kyû"), or the beginning of an English word of a meaning. Text that contains kanji finds
-  /// each of these kanji, in the order of the text. Empty: no condition.
-  std::string text;
-  std::optional<int> grade;
-  std::optional<int> strokes;  ///< as drawn, or as the dictionary counts them: they differ for a few
-  std::optional<int> radical;  ///< classical number 1..214
-  bool drawn_only = true;      ///< only characters that have strokes; false: the whole dictionary
-  int limit = 500;             ///< maximum number of answers, >= 1
-};
-
-/// One row of a list of characters.
-struct Summary {
-  char32_t code_point = 0;
-  std::string meaning;  ///< first English meaning, empty for kana and letters
-  std::string reading;  ///< first kun or on reading
-  int strokes = 0;      ///< number of strokes in the main form; the dictionary's where it is not drawn
-  std::optional<int> grade;
-
-  friend bool operator==(const Summary&, const Summary&) = default;
-};
 
 /// The built-in lists of characters.
 enum class List : std::uint8_t {
@@ -102,6 +79,11 @@ class KanjiDatabase {
   /// database.
   [[nodiscard]] std::optional<Character> find(char32_t code_point, std::string_view variant = {}) const;
 
+  /// The row of a character in lists; nullopt where it is not in the database. Does not read the file.
+  [[nodiscard]] std::optional<Summary> summary(char32_t code_point) const;
+  /// On and kun readings as the dictionary writes them. Faster than find().
+  [[nodiscard]] std::vector<std::string> readings(char32_t code_point) const;
+
   /// Whether a character has strokes. Does not read the file.
   [[nodiscard]] bool draws(char32_t code_point) const;
 
@@ -109,6 +91,15 @@ class KanjiDatabase {
   /// without their okurigana and other whole meanings; names and single words of meanings; then beginnings.
   /// Among equals the commoner comes first.
   [[nodiscard]] std::vector<Summary> search(const Query& query) const;
+
+  /// As search(), and why each of them matches.
+  [[nodiscard]] std::vector<Match> matches(const Query& query) const;
+
+  /// Words of the dictionary, best first: the whole word or reading, a whole gloss; then single words of a
+  /// gloss and beginnings. Among equals the commoner comes first. A meaning and a beginning find common words
+  /// only.
+  /// @param text  of a Query. @param limit  maximum number of words, >= 0.
+  [[nodiscard]] std::vector<WordMatch> search_words(std::string_view text, int limit) const;
 
   /// Members of a built-in list, in learning order (grades: by frequency, then code point; kana: as in the
   /// table of fifty sounds, then the voiced, then the small ones).
@@ -122,6 +113,16 @@ class KanjiDatabase {
 
   /// @param number 1..214; nullopt otherwise.
   [[nodiscard]] std::optional<Radical> radical(int number) const;
+
+  /// All 214 classical radicals, by number.
+  [[nodiscard]] std::vector<Radical> radicals() const;
+  /// The number of a radical by any of its forms, "亻"; nullopt for anything else.
+  [[nodiscard]] std::optional<int> radical_of_form(std::string_view form) const;
+
+  /// What can be chosen in a table of parts: parts that at least `fewest` characters with strokes have, with
+  /// these characters. A part that is a character itself is one of its characters. By number of strokes, then
+  /// the most used first.
+  [[nodiscard]] std::vector<PartUse> parts(int fewest) const;
 
   [[nodiscard]] std::vector<Source> sources() const;
 

@@ -11,4 +11,8 @@ namespace nazori::kanji {
 /// gives "day off work".
 [[nodiscard]] std::string fold_meaning(std::string_view meaning);
 
+/// A gloss of EDICT normalised for searching: without the marks of the editors, brackets and a "to", "a",
+/// "an" or "the" in front: "(uk) to rest (a while)" gives "rest".
+[[nodiscard]] std::string fold_gloss(std::string_view gloss);
+
 }  // namespace nazori::kanji

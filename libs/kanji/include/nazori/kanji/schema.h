@@ -12,7 +12,7 @@ namespace nazori::kanji {
 /// PRAGMA application_id of a kanji.db: "NZKD".
 inline constexpr std::int32_t kSchemaApplicationId = 0x4E5A4B44;
 /// PRAGMA user_version; goes up with every change of the layout or of what a column means.
-inline constexpr std::int32_t kSchemaVersion = 1;
+inline constexpr std::int32_t kSchemaVersion = 2;
 
 /// The CREATE statements, in SQL. They describe each table and column.
 [[nodiscard]] std::string_view schema_sql();
@@ -29,7 +29,15 @@ enum class CharacterKind : std::uint8_t {
 /// Values of reading.kind.
 enum class ReadingKind : std::uint8_t { on = 0, kun = 1, nanori = 2 };
 
-/// Values of reading_key.fit and meaning_key.fit: how well a key matches the character, best first.
+/// Values of word.common.
+enum class WordRank : std::uint8_t {
+  other = 0,
+  common = 1,  ///< EDICT's priority mark (P)
+  basic = 2,   ///< taught first: our own table of basic words
+};
+
+/// Values of the column fit of reading_key, meaning_key and word_meaning_key: how well a key matches, best
+/// first. Of a word, `whole` is its first gloss and `part` another one.
 enum class KeyFit : std::uint8_t {
   whole = 0,  ///< a whole reading; the whole of the first English meaning
   part = 1,   ///< a reading without its okurigana; the whole of another English meaning

@@ -11,7 +11,11 @@
 #include "nazori/base/executor.h"
 #include "nazori/base/signal.h"
 #include "nazori/kanji/kanji_database.h"
+#include "nazori/kanji/part_picker.h"
+#include "nazori/practice/confusables.h"
 #include "nazori/practice/dictation_words.h"
+#include "nazori/practice/helpful_words.h"
+#include "nazori/practice/search_answer.h"
 
 namespace nazori::practice {
 
@@ -30,7 +34,17 @@ struct CharacterSheet {
   std::optional<kanji::Radical> radical;
   std::vector<Part> parts;
   std::vector<kanji::Word> words;
+  CharacterWords helpful;
+  /// Characters that are easily confused with it, as they are drawn.
+  std::vector<kanji::Character> confusables;
   std::vector<DictationWord> dictation;  ///< those that can be asked for in a dictation, commonest first
+};
+
+/// What characters can be looked up by in tables.
+struct CharacterTables {
+  static constexpr int kFewestUses = 15;  ///< of a part in the table
+  kanji::PartPicker picker;
+  std::vector<kanji::Radical> radicals;
 };
 
 /// The characters of a list. Immutable, so that threads may share it.
@@ -52,8 +66,13 @@ class CharacterLibrary {
 
   /// Asks for all characters of a list; `listed` follows.
   void request_list(kanji::List which);
-  /// Searches with a kanji::Query::text; `found` follows.
-  void request_search(const std::string& text);
+  /// Searches with a line as kanji::read_query() reads it; `found` follows.
+  /// @param among  only these characters: practice::members_of() its lists.
+  void request_search(const std::string& typed, std::optional<std::vector<char32_t>> among = {});
+  /// Asks for the table of parts and the radicals, which are read once; `tables_ready` follows.
+  void request_tables();
+  /// Asks for what a drill of confusable characters needs; `drill_ready` follows.
+  void request_drill(std::vector<char32_t> characters);
   /// Asks for a character; `sheet_ready` or `sheet_missing` follows.
   void request_sheet(char32_t code_point);
   /// Asks for characters with their strokes, one after another; `characters_ready` follows.
@@ -63,7 +82,9 @@ class CharacterLibrary {
   /// The database cannot be opened, or not all of it can be read. The latter is reported once.
   base::Signal<const base::Error&> failed;
   base::Signal<kanji::List, const Summaries&> listed;
-  base::Signal<const std::string&, const Summaries&> found;
+  base::Signal<const std::string&, const std::shared_ptr<const SearchAnswer>&> found;
+  base::Signal<const std::shared_ptr<const CharacterTables>&> tables_ready;
+  base::Signal<const std::vector<ConfusableFacts>&> drill_ready;
   base::Signal<const std::shared_ptr<const CharacterSheet>&> sheet_ready;
   /// What was asked for, in its order; those without strokes are left out.
   base::Signal<const std::vector<kanji::Character>&> characters_ready;

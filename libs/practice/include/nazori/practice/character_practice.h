@@ -69,6 +69,8 @@ class CharacterPractice {
   /// Asks for a character; `character_shown` or `character_missing` follows.
   /// @param remember  whether go_back() leads to it later.
   void show(char32_t character, bool remember = true);
+  /// As show(), to look at the character: a stage that hides it gives way to tracing.
+  void look_up(char32_t character);
   /// Along the characters that were shown: -1 back, +1 forward. Nothing happens at the end of them.
   void travel(int by);
   /// Files are being loaded: a character that was asked for before must not come after them.
@@ -110,6 +112,8 @@ class CharacterPractice {
   void use_tablet(char32_t character, const Tablet& tablet);
   void use_own(const OwnTablet& loaded);
   void begin_stage();
+  /// Whether a stage asks for the character without showing it.
+  [[nodiscard]] static bool asks_for_character(const PracticeStage& stage);
   /// The stage of a lesson that it is; nothing: only the learner chooses it.
   [[nodiscard]] static std::optional<study::Stage> lesson_stage(const PracticeStage& stage);
 
@@ -124,6 +128,7 @@ class CharacterPractice {
   bool returns_ = false;  ///< during enter()
   char32_t first_ = U'休';
   std::shared_ptr<const CharacterSheet> sheet_;
+  bool looks_up_ = false;                         ///< the awaited character must be seen
   char32_t awaited_ = 0;                          ///< whose sheet was asked for last, 0 for none
   std::shared_ptr<const CharacterSheet> coming_;  ///< of the one that is being carved
   Tablet tablet_;

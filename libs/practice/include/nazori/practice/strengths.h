@@ -20,6 +20,9 @@ struct StrengthLook {
 };
 [[nodiscard]] StrengthLook look_of(study::Strength strength);
 
+/// The length of the bar on a tile, 0..1; 0: no bar.
+[[nodiscard]] double bar_of(study::Strength strength);
+
 /// The characters of a list with their states; a character without statistics is `unseen`.
 [[nodiscard]] std::vector<study::CharacterState> states_of(std::span<const char32_t> characters,
                                                            const study::Statistics& statistics);

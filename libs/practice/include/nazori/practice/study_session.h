@@ -46,6 +46,10 @@ class StudySession {
   /// Begins with what is due now; with the characters set apart where `leeches`.
   /// @return false where nothing is due, or nothing can be saved; why is announced.
   bool start(bool leeches = false);
+  /// Begins with these characters, each once, whether they are due or not: a new one with its lesson, any
+  /// other one from memory.
+  /// @return false where there are none, or nothing can be saved; why is announced.
+  bool start_with(std::vector<char32_t> characters);
   /// Ends it; what is not rated is not saved. @param done  there is nothing more to do.
   void end(bool done = false);
 
@@ -127,6 +131,7 @@ class StudySession {
   base::Signal<const SessionFeedback&> announced;
 
  private:
+  void begin();
   void next_task();
   void present(const study::StudyTask& task);
   void finish_task();
@@ -153,6 +158,8 @@ class StudySession {
   study::Stage stage_ = study::Stage::watch;
   bool leech_lesson_ = false;
   std::vector<char32_t> leeches_;  ///< still to do
+  bool has_choice_ = false;        ///< only the characters of start_with() are done
+  std::vector<char32_t> chosen_;   ///< of these still to do
   bool away_ = false;
   bool reviewed_ = false;  ///< the present task was written from memory
   bool looked_ = false;    ///< the learner looked before writing from memory
