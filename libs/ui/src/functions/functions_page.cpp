@@ -98,6 +98,8 @@ void FunctionsPage::load(const QSettings& settings) {
   plate.size = settings.value(QStringLiteral("size"), plate.size).toInt();
   model_.restore(window, plate, settings.value(QStringLiteral("speed"), model_.speed()).toInt());
   snapping_ = flag("snapping", false);
+  set_plot_speech(static_cast<functions::SpeechStyle>(
+      std::clamp(settings.value(QStringLiteral("speech"), 0).toInt(), 0, 2)));
   sound_->set_volume(settings.value(QStringLiteral("volume"), 50).toInt());
   sound_->set_muted(flag("muted", false));
   auto* line = panel_->line();
@@ -130,6 +132,7 @@ void FunctionsPage::save(QSettings& settings) const {
   settings.setValue(QStringLiteral("size"), plate.size);
   settings.setValue(QStringLiteral("speed"), model_.speed());
   settings.setValue(QStringLiteral("snapping"), snapping_);
+  settings.setValue(QStringLiteral("speech"), static_cast<int>(plot_speech()));
   settings.setValue(QStringLiteral("volume"), sound_->volume());
   settings.setValue(QStringLiteral("muted"), sound_->muted());
 }
@@ -277,7 +280,7 @@ void FunctionsPage::read_expression() {
     return;
   }
   const auto& plot = *model_.plot();
-  panel_->show_words(localised(functions::in_words(plot, plot_language())));
+  panel_->show_words(localised(functions::in_words(plot, plot_language(), plot_speech())));
   announce_summary_ = true;
   actions_->alone->setChecked(false);
   panel_->show_surface(plot.is_surface());
@@ -290,7 +293,7 @@ void FunctionsPage::draw() {
   // A page that is not shown draws nothing. enter() does it later.
   if (!model_.plot() || !entered_) return;
   panel_->show_progress(0);
-  plotter_.draw(model_.request(plot_language()));
+  plotter_.draw(model_.request(plot_language(), plot_speech()));
 }
 
 void FunctionsPage::show_window(const functions::PlotEvent& event) {
