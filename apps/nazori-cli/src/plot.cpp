@@ -25,6 +25,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr std::size_t kLargePlot = 1000;
+constexpr double kLargePlot_ms = 400;
+
 struct PlotSettings {
   std::string expression;
   std::vector<double> window;
@@ -35,6 +38,7 @@ struct PlotSettings {
   std::string print;
   std::string sound;
   std::string language = "en";
+  std::string speech = "verbose";
   bool points = false;
   bool decimal_comma = false;
   bool json = false;
@@ -141,9 +145,15 @@ int run(Console& console, PlotSettings s) {
 
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   const auto language = s.language == "ja" ? functions::Language::japanese : functions::Language::english;
+  const auto style = s.speech == "brief"        ? functions::SpeechStyle::brief
+                     : s.speech == "superbrief" ? functions::SpeechStyle::superbrief
+                                                : functions::SpeechStyle::verbose;
   exchange::PlotTimings timings;
   const auto start = Clock::now();
-  const auto picture = functions::draw(*plot, window, s.plate, progress.callback());
+  // A page of formulas must be answered, too, if not to the last detail: the summary says what is missing.
+  const bool large = functions::part_count(*plot) > kLargePlot;
+  const auto picture =
+      functions::draw(*plot, window, s.plate, progress.callback(), large ? kLargePlot_ms : 0);
   timings.draw_ms = ms_since(start);
   progress.clear();
   if (!picture) return console.refuse(picture.error());
@@ -156,13 +166,13 @@ int run(Console& console, PlotSettings s) {
     return sent ? kDone : console.refuse(sent.error());
   }
   if (s.json) {
-    console.print(to_text(exchange::to_json(*plot, *picture, points, timings, language)));
+    console.print(to_text(exchange::to_json(*plot, *picture, points, timings, language, style)));
     return kDone;
   }
   console.print(functions::canonical(*plot) + "\n" +
-                functions::summary(*plot, picture->tracing, points, language) + "\n");
+                functions::summary(*plot, picture->tracing, points, language, style) + "\n");
   if (s.points) {
-    for (const auto& p : points) console.print("  " + functions::in_words(p, language) + "\n");
+    for (const auto& p : points) console.print("  " + functions::in_words(p, language, style) + "\n");
   }
   return kDone;
 }
@@ -217,6 +227,10 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->check(CLI::IsMember({"en", "ja"}))
       ->capture_default_str()
       ->type_name("en|ja");
+  verb->add_option("--speech", s->speech, "How much is said around parts of an expression")
+      ->check(CLI::IsMember({"verbose", "brief", "superbrief"}))
+      ->capture_default_str()
+      ->type_name("verbose|brief|superbrief");
   verb->footer(
       "Examples:\n  nazori-cli plot 'y = tan(x); y = 1' --window=-6,6,-4,4 --output tan.png --points\n"
       "  nazori-cli plot 'r = 1 + cos(theta)' --window=-1,3,-2,2 --sound heart.wav --json");

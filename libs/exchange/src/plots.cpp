@@ -19,14 +19,25 @@ std::string key_of(functions::PointKind kind) {
 
 Value number_or_null(double v) { return std::isfinite(v) ? Value(v) : Value(nullptr); }
 
-Value point_json(const functions::PointOfInterest& p, functions::Language language) {
+Value point_json(const functions::PointOfInterest& p, functions::Language language,
+                 functions::SpeechStyle style) {
   Value point = {{"kind", key_of(p.kind)}, {"statement", p.statement + 1}};
   if (p.other >= 0) point["other_statement"] = p.other + 1;
   point["x"] = number_or_null(p.x);
   point["y"] = number_or_null(p.y);
   point["x_name"] = p.x_name.empty() ? Value(nullptr) : Value(p.x_name);
   point["y_name"] = p.y_name.empty() ? Value(nullptr) : Value(p.y_name);
-  point["words"] = functions::in_words(p, language);
+  if (p.jump) {
+    point["before"] = {number_or_null(p.jump->x_before), number_or_null(p.jump->y_before)};
+    point["after"] = {number_or_null(p.jump->x_after), number_or_null(p.jump->y_after)};
+    point["y_at"] = number_or_null(p.jump->y_at);
+  }
+  if (p.kind == functions::PointKind::slanted_asymptote) {
+    point["slope"] = p.slope;
+    point["intercept"] = p.intercept;
+  }
+  if (p.side != 0) point["side"] = p.side;
+  point["words"] = functions::in_words(p, language, style);
   return point;
 }
 
@@ -34,28 +45,28 @@ Value point_json(const functions::PointOfInterest& p, functions::Language langua
 
 Value to_json(const functions::Plot& plot, const functions::Picture& picture,
               const std::vector<functions::PointOfInterest>& points, const PlotTimings& timings,
-              functions::Language language) {
+              functions::Language language, functions::SpeechStyle style) {
   Value statements = Value::array();
   for (const functions::Statement& s : plot.statements) {
     statements.push_back(Value{{"kind", kind_name(s.kind)},
                                {"canonical", functions::canonical(s)},
-                               {"words", functions::in_words(s, language)}});
+                               {"words", functions::in_words(s, language, style)}});
   }
   Value list = Value::array();
-  for (const auto& p : points) list.push_back(point_json(p, language));
+  for (const auto& p : points) list.push_back(point_json(p, language, style));
   const functions::Tracing& t = picture.tracing;
   Value document = {
       {"kind", plot.statements.size() > 1 ? "multi" : kind_name(plot.statements[0].kind)},
       {"canonical", functions::canonical(plot)},
-      {"words", functions::in_words(plot, language)},
-      {"summary", functions::summary(plot, t, points, language)},
+      {"words", functions::in_words(plot, language, style)},
+      {"summary", functions::summary(plot, t, points, language, style)},
       {"window", {t.window.x0, t.window.x1, t.window.y0, t.window.y1}},
       {"tick_step",
        {functions::tick_step(t.window.x0, t.window.x1), functions::tick_step(t.window.y0, t.window.y1)}},
       {"size", picture.plate.heights.size()},
       {"statements", std::move(statements)},
       {"points", std::move(list)},
-      {"pieces", t.branches.size()},
+      {"pieces", functions::pieces(plot, t)},
       {"dense", t.dense},
       {"undecided_share", t.undecided_share()},
       {"timings_ms", {{"draw", timings.draw_ms}, {"points", timings.points_ms}}}};

@@ -16,19 +16,17 @@ Expression times(const Expression& a, const Expression& b) {
   return binary(NodeKind::multiply, a, b);
 }
 
-}  // namespace
-
-Fraction over_common_denominator(const Expression& e) {
+Fraction common_denominator(const Expression& e) {
   const auto& a = e->arguments;
   switch (e->kind) {
     case NodeKind::negate: {
-      const Fraction f = over_common_denominator(a[0]);
+      const Fraction f = common_denominator(a[0]);
       return {negate(f.numerator), f.denominator};
     }
     case NodeKind::add:
     case NodeKind::subtract: {
-      const Fraction f = over_common_denominator(a[0]);
-      const Fraction g = over_common_denominator(a[1]);
+      const Fraction f = common_denominator(a[0]);
+      const Fraction g = common_denominator(a[1]);
       if (!f.denominator && !g.denominator) return {binary(e->kind, f.numerator, g.numerator), nullptr};
       if (f.denominator && g.denominator && to_text(f.denominator) == to_text(g.denominator))
         return {binary(e->kind, f.numerator, g.numerator), f.denominator};
@@ -36,19 +34,19 @@ Fraction over_common_denominator(const Expression& e) {
               times(f.denominator, g.denominator)};
     }
     case NodeKind::multiply: {
-      const Fraction f = over_common_denominator(a[0]);
-      const Fraction g = over_common_denominator(a[1]);
+      const Fraction f = common_denominator(a[0]);
+      const Fraction g = common_denominator(a[1]);
       return {times(f.numerator, g.numerator), times(f.denominator, g.denominator)};
     }
     case NodeKind::divide: {
-      const Fraction f = over_common_denominator(a[0]);
-      const Fraction g = over_common_denominator(a[1]);
+      const Fraction f = common_denominator(a[0]);
+      const Fraction g = common_denominator(a[1]);
       return {times(f.numerator, g.denominator), times(f.denominator, g.numerator)};
     }
     case NodeKind::power: {
       const auto n = rational_value(a[1]);
       if (!n || n->q != 1 || n->p == 0 || std::abs(n->p) > kMostPower) break;
-      const Fraction f = over_common_denominator(a[0]);
+      const Fraction f = common_denominator(a[0]);
       const Expression power = number(static_cast<double>(std::abs(n->p)));
       const auto raised = [&](const Expression& b) {
         return !b || is_number(power, 1) ? b : binary(NodeKind::power, b, power);
@@ -63,6 +61,13 @@ Fraction over_common_denominator(const Expression& e) {
       break;
   }
   return {e, nullptr};
+}
+
+}  // namespace
+
+Fraction over_common_denominator(const Expression& e) {
+  if (node_count(e) > kMostNodesOfAlgebra) return {e, nullptr};
+  return common_denominator(e);
 }
 
 namespace {

@@ -83,6 +83,9 @@ struct Case {
 
 [[nodiscard]] std::size_t node_count(const Expression& e);
 
+/// Expressions of more parts are drawn as they are typed: simplifying them would take longer than drawing.
+inline constexpr std::size_t kMostNodesOfAlgebra = 600;
+
 /// Whether the expression is exactly this number.
 [[nodiscard]] inline bool is_number(const Expression& e, double v) {
   return e->kind == NodeKind::number && e->value == v;

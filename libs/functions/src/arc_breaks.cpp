@@ -23,6 +23,8 @@ ArcTracer::Sample ArcTracer::nearest_reliable(const Sample& from, double away) {
 }
 
 ArcTracer::Side ArcTracer::side(const Sample& near, double away) {
+  // e^(1/x) is beyond every number beside its pole.
+  if (std::isinf(near.u) || std::isinf(near.v)) return Side::growing;
   if (!near.exists()) return Side::undefined;
   const Sample far = sample(near.t + 64 * away);
   if (!far.exists()) return Side::settled;

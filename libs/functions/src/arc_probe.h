@@ -48,18 +48,6 @@ inline double beyond_rounding(double value, const Interval& enclosure) {
   return !enclosure.is_empty() && enclosure.is_bounded() && enclosure.contains(0) ? 0.0 : value;
 }
 
-/// y next to a point where it is not finite.
-inline double near_value(ArcProbe& probe, double t) {
-  const double h = 1e-9 * std::max(1.0, std::abs(t));
-  return (probe.at(t - h).y + probe.at(t + h).y) / 2;
-}
-
-/// Whether a point with slope 0 is a minimum.
-inline bool is_least(ArcProbe& probe, double t) {
-  const double h = 1e-5 * std::max(1.0, std::abs(t));
-  return probe.at(t - h).y > probe.at(t).y;
-}
-
 /// The argument in (low, high) where `f` changes sign.
 template <class F>
 double bisect(double low, double high, const F& f) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "algebra.h"
 #include "nazori/functions/curve_kinds.h"
 
 namespace nazori::functions {
@@ -27,6 +28,32 @@ std::optional<Arc> arc_of(const Statement& s, const Window& w, double m) {
     arc.to = along_x ? w.x(1 + m) : w.y(1 + m);
   }
   return arc;
+}
+
+std::vector<Arc> arcs_of(const Statement& s, const Window& window, double margin) {
+  if (auto arc = arc_of(s, window, margin)) return {std::move(*arc)};
+  if (curve_kind(s.kind).drawn_by != DrawnBy::polar_equation) return {};
+  const Expression whole = reduced(binary(NodeKind::subtract, s.terms[0], s.terms[1]));
+  const auto polynomial = Polynomial::of(whole);
+  const auto lone = polynomial ? polynomial->lone_power(Variable::r) : std::nullopt;
+  if (!lone) return {};
+  // c r^n + rest(theta) = 0
+  const Expression rest = substitute(whole, Variable::r, number(0));
+  const Expression power = binary(NodeKind::divide, negate(rest), number(lone->factor));
+  const Expression radius = call(Function::root, {number(lone->power), power});
+  const auto with = [&s](const Expression& r) {
+    const Expression angle = variable(Variable::theta);
+    return Arc{binary(NodeKind::multiply, r, call(Function::cos, {angle})),
+               binary(NodeKind::multiply, r, call(Function::sin, {angle})),
+               Variable::theta,
+               constant_value(s.from),
+               constant_value(s.to),
+               true,
+               s.from_is_open,
+               s.to_is_open};
+  };
+  if (lone->power % 2 == 1) return {with(radius)};
+  return {with(radius), with(negate(radius))};
 }
 
 Expression equation_of(const Statement& s) {

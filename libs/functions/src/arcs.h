@@ -12,6 +12,10 @@ namespace nazori::functions {
 /// equations and regions.
 [[nodiscard]] std::optional<Arc> arc_of(const Statement& s, const Window& window, double margin);
 
+/// All arcs that draw a statement: one of a course, one or two of an equation in r and theta with a single
+/// power of r, none of other kinds.
+[[nodiscard]] std::vector<Arc> arcs_of(const Statement& s, const Window& window, double margin = 0);
+
 /// F with F(x, y) = 0 for the statement, null for arcs over t or theta and for regions.
 [[nodiscard]] Expression equation_of(const Statement& s);
 

@@ -42,7 +42,8 @@ Drawing drawing_of(const PlotRequest& request, Picture&& picture, bool final) {
     std::erase_if(drawing.points,
                   [alone](const PointOfInterest& p) { return p.statement != alone || p.other >= 0; });
   }
-  drawing.summary = summary(summarised_plot(request), tracing, drawing.points, request.language);
+  drawing.summary =
+      summary(summarised_plot(request), tracing, drawing.points, request.language, request.speech);
   return drawing;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact_name.h"
 #include "nazori/functions/points.h"
 
 namespace nazori::functions {
@@ -11,10 +12,22 @@ namespace {
 
 constexpr double kTolerance = 2e-13;
 
-bool is_same(double a, double b) { return std::abs(a - b) <= kTolerance * std::max(1.0, std::abs(b)); }
+class Namer {
+ public:
+  explicit Namer(double tolerance) : tolerance_(tolerance) {}
+  [[nodiscard]] std::optional<std::string> name(double value) const;
 
-/// "3", "-2/5", for p/q of a value; q up to `most`, p not 0.
-std::optional<std::pair<long, long>> fraction_of(double v, long most) {
+ private:
+  [[nodiscard]] bool is_same(double a, double b) const {
+    return std::abs(a - b) <= tolerance_ * std::max(1.0, std::abs(b));
+  }
+  /// "3", "-2/5", for p/q of a value; q up to `most`, p not 0.
+  [[nodiscard]] std::optional<std::pair<long, long>> fraction_of(double v, long most) const;
+
+  double tolerance_;
+};
+
+std::optional<std::pair<long, long>> Namer::fraction_of(double v, long most) const {
   if (std::abs(v) > 1e6) return std::nullopt;
   for (long q = 1; q <= most; ++q) {
     const double p = std::round(v * static_cast<double>(q));
@@ -36,9 +49,7 @@ bool is_square_free(int n) {
   return true;
 }
 
-}  // namespace
-
-std::optional<std::string> exact_name(double value) {
+std::optional<std::string> Namer::name(double value) const {
   if (!std::isfinite(value)) return std::nullopt;
   // Rounding results such as sin(pi) count as zero.
   if (is_same(value, 0)) return "0";
@@ -74,7 +85,7 @@ std::optional<std::string> exact_name(double value) {
         if (b == 0) continue;
         const double rest = value * c - b * std::sqrt(static_cast<double>(n));
         const double a = std::round(rest);
-        if (a == 0 || std::abs(a) > 20 || std::abs(rest - a) > kTolerance * std::max(1.0, std::abs(value)))
+        if (a == 0 || std::abs(a) > 20 || std::abs(rest - a) > tolerance_ * std::max(1.0, std::abs(value)))
           continue;
         const std::string root =
             std::abs(b) == 1 ? fmt::format("sqrt({})", n) : fmt::format("{}*sqrt({})", std::abs(b), n);
@@ -84,6 +95,17 @@ std::optional<std::string> exact_name(double value) {
     }
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> exact_name(double value) { return Namer(kTolerance).name(value); }
+
+std::optional<double> exact_value_near(double value, double tolerance) {
+  const auto text = Namer(tolerance).name(value);
+  const auto parsed = text ? parse(*text) : tl::unexpected(SyntaxError{});
+  if (!parsed) return std::nullopt;
+  return constant_value(parsed->statements[0].terms[0]);
 }
 
 }  // namespace nazori::functions

@@ -12,6 +12,7 @@ int arity(Function f) {
     case Function::mod:
     case Function::atan2:
     case Function::root:
+    case Function::log_base:
     case Function::hypot:
       return 2;
     case Function::min:

@@ -173,7 +173,9 @@ Parser::Parsed Parser::exponent() {
 
 Parser::Parsed Parser::factored() {
   Parsed e = operand();
+  int raised = 0;
   while (e && (is(TokenKind::factorial) || is(TokenKind::superscript))) {
+    if (depth_ + ++raised > kMostDepth) return refuse(SyntaxFault::nested_too_deep);
     if (is(TokenKind::factorial)) {
       e = call(Function::factorial, {std::move(*e)});
     } else {

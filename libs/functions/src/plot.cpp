@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algebra.h"
 #include "nazori/functions/curve_kinds.h"
 #include "parser.h"
 
@@ -237,6 +238,14 @@ std::string canonical(const Plot& plot) {
   std::string text;
   for (const Statement& s : plot.statements) text += (text.empty() ? "" : "; ") + canonical(s);
   return text;
+}
+
+std::size_t part_count(const Plot& plot) {
+  std::size_t n = 0;
+  for (const Statement& s : plot.statements) {
+    for (const Expression& e : s.terms) n += node_count(e);
+  }
+  return n;
 }
 
 }  // namespace nazori::functions

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "algebra.h"
+#include "far_out.h"
+#include "nazori/functions/curve_kinds.h"
 #include "nazori/functions/points.h"
 
 namespace nazori::functions {
@@ -17,7 +20,7 @@ struct KindWords {
   std::string_view japanese;
 };
 // In the order of PointKind.
-constexpr std::array<KindWords, 15> kKinds{{{"zero", "zeros", "零点"},
+constexpr std::array<KindWords, 17> kKinds{{{"zero", "zeros", "零点"},
                                             {"y intercept", "y intercepts", "y切片"},
                                             {"maximum", "maxima", "極大"},
                                             {"minimum", "minima", "極小"},
@@ -31,10 +34,13 @@ constexpr std::array<KindWords, 15> kKinds{{{"zero", "zeros", "零点"},
                                             {"end", "ends", "端"},
                                             {"self-crossing", "self-crossings", "自己交差"},
                                             {"singular point", "singular points", "特異点"},
-                                            {"isolated point", "isolated points", "孤立点"}}};
+                                            {"isolated point", "isolated points", "孤立点"},
+                                            {"cusp", "cusps", "尖点"},
+                                            {"slanted asymptote", "slanted asymptotes", "斜めの漸近線"}}};
 
 /// Three significant digits, "minus" in words for listeners; an exact name comes first.
-std::string spoken(double v, const std::string& name, Language language) {
+std::string spoken(double v, const std::string& name, Language language,
+                   SpeechStyle style = SpeechStyle::verbose) {
   const bool english = language == Language::english;
   const double shown = std::abs(v) < 1e-12 ? 0 : v;
   std::string digits = fmt::format("{:.4g}", std::abs(shown));
@@ -43,8 +49,87 @@ std::string spoken(double v, const std::string& name, Language language) {
   const bool plain = name.find_first_not_of("-0123456789") == std::string::npos;
   if (plain) return digits;
   const auto parsed = parse(name);
-  const std::string words = parsed ? in_words(parsed->statements[0].terms[0], language) : name;
+  const std::string words = parsed ? in_words(parsed->statements[0].terms[0], language, style) : name;
   return english ? words + ", about " + digits : words + "、約" + digits;
+}
+
+/// A line y = m x + b.
+std::string line_in_words(const PointOfInterest& p, Language language, SpeechStyle style) {
+  const bool english = language == Language::english;
+  const auto value = [&](double v) { return spoken(v, exact_name(v).value_or(""), language, style); };
+  std::string text = "y = ";
+  if (p.slope == -1) text += english ? "minus " : "マイナス ";
+  if (std::abs(p.slope) != 1) text += value(p.slope) + (english ? " times " : " かける ");
+  text += "x";
+  if (std::abs(p.intercept) < 1e-12) return text;
+  if (p.intercept > 0) return text + (english ? " plus " : " 足す ") + value(p.intercept);
+  return text + (english ? " minus " : " 引く ") + value(-p.intercept);
+}
+
+/// Where the curve is beside an asymptote, if it is on one side only.
+std::string side_in_words(const PointOfInterest& p, Language language) {
+  if (p.side == 0) return {};
+  const bool english = language == Language::english;
+  const bool after = p.side > 0;
+  if (p.kind == PointKind::vertical_asymptote)
+    return english ? (after ? ", on its right side only" : ", on its left side only")
+                   : (after ? "（右側だけ）" : "（左側だけ）");
+  return english ? (after ? ", far to the right only" : ", far to the left only")
+                 : (after ? "（右の遠くだけ）" : "（左の遠くだけ）");
+}
+
+/// What is on both sides of a jump, and what is taken.
+std::string jump_in_words(const PointOfInterest& p, Language language, SpeechStyle style) {
+  const bool english = language == Language::english;
+  const auto value = [&](double v) { return spoken(v, exact_name(v).value_or(""), language, style); };
+  const Jump& j = *p.jump;
+  const bool upright = j.x_before == j.x_after;
+  const auto place = [&](double x, double y) {
+    return upright ? "y = " + value(y) : "x = " + value(x) + (english ? "; " : "、") + "y = " + value(y);
+  };
+  std::string text =
+      english ? fmt::format(" from {} to {}", place(j.x_before, j.y_before), place(j.x_after, j.y_after))
+              : fmt::format("{} から {} へ", place(j.x_before, j.y_before), place(j.x_after, j.y_after));
+  if (!upright) return text;
+  if (std::isnan(j.y_at)) return text + (english ? ", no value there" : "、そこに値はありません");
+  return text + (english ? ", the value is " : "、値は ") + value(j.y_at);
+}
+
+/// What y = f(x) does far out: ", far to the left y falls without bound, far to the right y approaches 1".
+std::string far_in_words(const Plot& plot, Language language, SpeechStyle style) {
+  if (plot.statements.size() != 1 || !curve_kind(plot.statements[0].kind).is_graph_of_x()) return {};
+  const Expression& f = plot.statements[0].terms[0];
+  if (!depends_on(f, Variable::x) || node_count(f) > kMostNodesOfAlgebra) return {};
+  const bool english = language == Language::english;
+  std::string text;
+  for (const int direction : {-1, 1}) {
+    const FarBehaviour far = far_behaviour(f, Variable::x, direction);
+    const bool left = direction < 0;
+    const std::string where = english ? (left ? ", far to the left y " : ", far to the right y ")
+                                      : (left ? "、左の遠くでは y は " : "、右の遠くでは y は ");
+    const bool up = far.kind == FarOut::rises || (far.kind == FarOut::slanted && far.slope * direction > 0);
+    switch (far.kind) {
+      case FarOut::unknown:
+      case FarOut::undefined:
+        break;
+      case FarOut::level: {
+        const std::string value =
+            spoken(far.intercept, exact_name(far.intercept).value_or(""), language, style);
+        if (far.coincides)
+          text += where + (english ? "is " + value : value + " です");
+        else
+          text += where + (english ? "approaches " + value : value + " に近づきます");
+        break;
+      }
+      case FarOut::rises:
+      case FarOut::falls:
+      case FarOut::slanted:
+        text += where + (english ? (up ? "rises without bound" : "falls without bound")
+                                 : (up ? "限りなく大きくなります" : "限りなく小さくなります"));
+        break;
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -54,14 +139,18 @@ std::string in_words(PointKind kind, Language language) {
   return std::string(language == Language::english ? words.one : words.japanese);
 }
 
-std::string in_words(const PointOfInterest& p, Language language) {
+std::string in_words(const PointOfInterest& p, Language language, SpeechStyle style) {
   const bool english = language == Language::english;
   std::string text = in_words(p.kind, language) + (english ? " at " : ": ");
   const char* joint = english ? "; " : "、";
-  if (!std::isnan(p.x)) text += (english ? "x = " : "x = ") + spoken(p.x, p.x_name, language);
+  if (p.kind == PointKind::slanted_asymptote)
+    return in_words(p.kind, language) + (english ? " " : ": ") + line_in_words(p, language, style) +
+           side_in_words(p, language);
+  if (!std::isnan(p.x)) text += "x = " + spoken(p.x, p.x_name, language, style);
+  if (p.jump) return text + (english ? "," : "、") + jump_in_words(p, language, style);
   if (!std::isnan(p.y))
-    text += (std::isnan(p.x) ? "" : joint) + std::string("y = ") + spoken(p.y, p.y_name, language);
-  return text;
+    text += (std::isnan(p.x) ? "" : joint) + std::string("y = ") + spoken(p.y, p.y_name, language, style);
+  return text + side_in_words(p, language);
 }
 
 std::string place_in_words(double x, double y, Language language) {
@@ -74,17 +163,18 @@ std::string place_in_words(double x, double y, Language language) {
 }
 
 std::string summary(const Plot& plot, const Tracing& tracing, const std::vector<PointOfInterest>& points,
-                    Language language) {
+                    Language language, SpeechStyle style) {
   const bool english = language == Language::english;
-  std::string text = in_words(plot, language);
+  std::string text = in_words(plot, language, style);
   const bool empty =
       tracing.branches.empty() && tracing.bars.empty() && tracing.dots.empty() && tracing.fills.empty();
   if (!plot.is_surface()) {
     if (empty) {
       text += english ? ": no points in this range" : "。この範囲に点はありません";
     } else if (!tracing.branches.empty()) {
-      const std::size_t n = tracing.branches.size();
-      text += english ? fmt::format(": {} {}", n, n == 1 ? "branch" : "branches") : fmt::format("。{}本", n);
+      const int n = pieces(plot, tracing);
+      text +=
+          english ? fmt::format(": {} {}", n, n == 1 ? "piece" : "pieces") : fmt::format("。{}つの部分", n);
     }
     std::map<PointKind, int> counts;
     for (const PointOfInterest& p : points) ++counts[p.kind];
@@ -93,6 +183,7 @@ std::string summary(const Plot& plot, const Tracing& tracing, const std::vector<
       text += english ? fmt::format(", {} {}", count, count == 1 ? words.one : words.many)
                       : fmt::format("、{} {}個", words.japanese, count);
     }
+    if (!empty) text += far_in_words(plot, language, style);
     if (tracing.dense) text += english ? ", a dense band" : "、密な帯";
     if (!tracing.complete) text += english ? ", not finished yet" : "、まだ途中です";
     if (tracing.undecided_share() > 0.001) {

@@ -13,8 +13,6 @@
 namespace nazori::functions {
 namespace {
 
-// Four for each zero of a sine, and a quarter more.
-constexpr int kMostBoxes = 60'000;
 // A piece this narrow, as a share of the range, in which this many boxes remain undecided counts as one
 // point: around a zero of third or higher order all values are smaller than rounding errors.
 constexpr double kClusterWidth = 1e-6;
@@ -23,8 +21,11 @@ constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 class RootFinder {
  public:
-  RootFinder(const Expression& f, Variable v)
-      : tape_(Tape::compile(std::array{f}, std::array{v})), values_(tape_.size()), duals_(tape_.size()) {}
+  RootFinder(const Expression& f, Variable v, int most_boxes)
+      : most_boxes_(most_boxes),
+        tape_(Tape::compile(std::array{f}, std::array{v})),
+        values_(tape_.size()),
+        duals_(tape_.size()) {}
 
   Roots run(double low, double high) {
     range_ = high - low;
@@ -86,7 +87,9 @@ class RootFinder {
         c.high = clusters_[i].high;
       const double margin = kClusterWidth * range_;
       const bool crosses = value(c.low - margin) * value(c.high + margin) < 0;
-      const double x = roundest_zero(crosses ? flattest(c.low, c.high) : touching(c.low, c.high).at, margin);
+      double x = roundest_zero(crosses ? flattest(c.low, c.high) : touching(c.low, c.high).at, margin);
+      // Of cos(x) - 1 + x^2/2 slopes are rounding errors, too: the whole piece is one point.
+      if (!is_zero_at(x)) x = roundest_zero(c.low + (c.high - c.low) / 2, (c.high - c.low) / 2 + margin);
       if (is_zero_at(x)) {
         found_.roots.push_back({x, crosses});
       } else {
@@ -129,8 +132,8 @@ class RootFinder {
     } else if (high - low <= kClusterWidth * range_) {
       return visit_narrow(low, high);
     }
-    if (++boxes_ > kMostBoxes) {
-      if (boxes_ == kMostBoxes + 1) ++found_.undecided;
+    if (++boxes_ > most_boxes_) {
+      if (boxes_ == most_boxes_ + 1) ++found_.undecided;
       return;
     }
     const D f = enclose(low, high);
@@ -219,6 +222,7 @@ class RootFinder {
     found_.roots.push_back({std::abs(value(low)) <= std::abs(value(high)) ? low : high, true});
   }
 
+  int most_boxes_;
   Tape tape_;
   std::vector<double> values_;
   std::vector<D> duals_;
@@ -233,8 +237,8 @@ class RootFinder {
 
 }  // namespace
 
-Roots find_roots(const Expression& f, Variable v, double low, double high) {
-  return RootFinder(f, v).run(low, high);
+Roots find_roots(const Expression& f, Variable v, double low, double high, int most_boxes) {
+  return RootFinder(f, v, most_boxes).run(low, high);
 }
 
 }  // namespace nazori::functions

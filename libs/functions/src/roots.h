@@ -22,6 +22,8 @@ struct Roots {
 /// All zeros of `f` in [low, high], by bisection with intervals: single ones are proven, double ones are
 /// accepted where rounding makes them indistinguishable from zero. Poles and jumps are never zeros. If there
 /// are many more than 12,000 zeros, only the first are found, and one piece is undecided.
-[[nodiscard]] Roots find_roots(const Expression& f, Variable v, double low, double high);
+/// @param most_boxes  limit of the work: four for each zero of a sine, and a quarter more.
+[[nodiscard]] Roots find_roots(const Expression& f, Variable v, double low, double high,
+                               int most_boxes = 60'000);
 
 }  // namespace nazori::functions

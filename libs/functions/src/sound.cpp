@@ -66,7 +66,11 @@ class Synthesizer {
   /// Adds an earcon to the existing samples.
   void mark(std::size_t at, PointKind kind, double pan) {
     Earcon earcon(kind, pan, settings_.sample_rate);
-    while (!earcon.is_over()) add(at++, earcon.next());
+    while (!earcon.is_over()) {
+      // A sign at the right border is heard to its end.
+      while (position() <= at) sound_.samples.insert(sound_.samples.end(), 2, 0.0F);
+      add(at++, earcon.next());
+    }
   }
 
   Sound finish() {

@@ -2,12 +2,15 @@
 // Rewriting for tighter intervals: what cancels on paper must not be left to rounding.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "algebra.h"
 
 namespace nazori::functions {
 namespace {
+
+Expression improved_tree(const Expression& e);
 
 /// c0 + c1 a + c2 a^2 + ... by Horner's rule.
 Expression horner(const std::vector<double>& c, const Expression& atom) {
@@ -52,8 +55,45 @@ Expression divided(const Expression& numerator, const Expression& denominator) {
     }
   }
   while (rest.size() > 1 && rest.back() == 0) rest.pop_back();
+  // Multiplied out, (x - 2)^2 is zero by rounding far around 2.
+  Expression below = lowest == 0 ? denominator : horner(by, d->atom);
+  const bool vanishes = rest.size() == 1 && rest[0] == 0;
+  if (const Expression root = vanishes ? pd->square_root() : nullptr) below = root;
   return binary(NodeKind::add, horner(quotient, d->atom),
-                binary(NodeKind::divide, horner(rest, d->atom), horner(by, d->atom)));
+                binary(NodeKind::divide, horner(rest, d->atom), below));
+}
+
+/// asin(p/q) = atan2(p sign(q), |s|) where q^2 - p^2 is the square of s: arcsin(2x/(1+x^2)), whose argument
+/// comes to 1 without passing it, but passes it by rounding. acos is pi/2 - asin. Null for all else.
+Expression arc_of_square(const Node& n) {
+  if (n.kind != NodeKind::function || (n.function != Function::asin && n.function != Function::acos))
+    return nullptr;
+  const Fraction f = over_common_denominator(n.arguments[0]);
+  if (!f.denominator) return nullptr;
+  const Expression& p = f.numerator;
+  const Expression& q = f.denominator;
+  const auto squared = [](const Expression& e) { return binary(NodeKind::power, e, number(2)); };
+  const auto gap = Polynomial::of(binary(NodeKind::subtract, squared(q), squared(p)));
+  const Expression s = gap ? gap->square_root() : nullptr;
+  if (!s) return nullptr;
+  // The root is known except for a factor.
+  const auto ratio = [&]() -> std::optional<Rational> {
+    for (const double factor : {1.0, 2.0, 3.0, 4.0, 0.5}) {
+      const auto rest =
+          Polynomial::of(binary(NodeKind::subtract, binary(NodeKind::subtract, squared(q), squared(p)),
+                                binary(NodeKind::multiply, number(factor * factor), squared(s))));
+      if (rest && rest->is_zero()) return rational_value(number(factor));
+    }
+    return std::nullopt;
+  }();
+  if (!ratio) return nullptr;
+  const Expression size = call(Function::abs, {s});
+  const double factor = static_cast<double>(ratio->p) / static_cast<double>(ratio->q);
+  const Expression angle =
+      call(Function::atan2, {binary(NodeKind::multiply, p, call(Function::sign, {q})),
+                             factor == 1 ? size : binary(NodeKind::multiply, number(factor), size)});
+  if (n.function == Function::asin) return angle;
+  return binary(NodeKind::subtract, binary(NodeKind::divide, constant(Constant::pi), number(2)), angle);
 }
 
 bool is_call(const Expression& e, Function f) { return e->kind == NodeKind::function && e->function == f; }
@@ -148,8 +188,8 @@ bool is_positive_power(const Expression& e) {
 Expression exponents_joined(NodeKind kind, const Expression& left, const Expression& right) {
   if (!is_positive_power(left) || !is_positive_power(right)) return nullptr;
   if (to_text(left->arguments[0]) != to_text(right->arguments[0])) return nullptr;
-  const Expression sum = improved(binary(kind == NodeKind::multiply ? NodeKind::add : NodeKind::subtract,
-                                         left->arguments[1], right->arguments[1]));
+  const Expression sum = improved_tree(binary(kind == NodeKind::multiply ? NodeKind::add : NodeKind::subtract,
+                                              left->arguments[1], right->arguments[1]));
   // If the exponent cancels, its domain must still be kept.
   if (variables_of(sum).empty() && !is_total(left->arguments[1])) return nullptr;
   return binary(NodeKind::power, left->arguments[0], sum);
@@ -217,14 +257,16 @@ Expression rationalised(const Node& n) {
 
 }  // namespace
 
-Expression improved(const Expression& e) {
+namespace {
+
+Expression improved_tree(const Expression& e) {
   if (e->arguments.empty()) return e;
   Node n = *reduced(e);
   if (n.kind == NodeKind::add || n.kind == NodeKind::subtract) {
     if (Expression better = collected(std::make_shared<const Node>(n))) return better;
   }
   if (Expression better = rationalised(n)) return better;
-  for (Expression& a : n.arguments) a = improved(a);
+  for (Expression& a : n.arguments) a = improved_tree(a);
   if (n.kind == NodeKind::divide) {
     if (Expression better = divided(n.arguments[0], n.arguments[1])) return better;
     if (Expression better = divided(with_exponentials(n.arguments[0]), with_exponentials(n.arguments[1])))
@@ -237,7 +279,15 @@ Expression improved(const Expression& e) {
     if (Expression better = exponents_joined(n.kind, n.arguments[0], n.arguments[1])) return better;
   }
   if (Expression better = inverse_undone(n)) return better;
+  if (Expression better = arc_of_square(n)) return better;
   return std::make_shared<const Node>(std::move(n));
+}
+
+}  // namespace
+
+Expression improved(const Expression& e) {
+  // Each part is compared with others: of long sums that would take as long as drawing them.
+  return node_count(e) > kMostNodesOfAlgebra ? reduced(e) : improved_tree(e);
 }
 
 }  // namespace nazori::functions

@@ -15,6 +15,7 @@
 #include "arcs.h"
 #include "equation.h"
 #include "nazori/functions/curve_kinds.h"
+#include "place_grid.h"
 #include "plane_tracer.h"
 #include "polar_region.h"
 #include "region_tracer.h"
@@ -24,10 +25,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostPlaces = 1000;
-
-Expression times(Expression a, Expression b) {
-  return binary(NodeKind::multiply, std::move(a), std::move(b));
-}
 
 class PlotTracer {
  public:
@@ -68,31 +65,12 @@ class PlotTracer {
     return true;
   }
 
-  static Arc polar_arc(const Statement& s, const Expression& radius) {
-    const Expression angle = variable(Variable::theta);
-    return {times(radius, call(Function::cos, {angle})),
-            times(radius, call(Function::sin, {angle})),
-            Variable::theta,
-            constant_value(s.from),
-            constant_value(s.to),
-            true,
-            s.from_is_open,
-            s.to_is_open};
-  }
-
   bool draw(const Arc& arc) { return ArcTracer(arc, statement_, settings_, out_, progress_).run(); }
 
   bool draw_polar(const Statement& s) {
     const Expression whole = reduced(binary(NodeKind::subtract, s.terms[0], s.terms[1]));
-    const auto polynomial = Polynomial::of(whole);
-    if (const auto lone = polynomial ? polynomial->lone_power(Variable::r) : std::nullopt) {
-      // c r^n + rest(theta) = 0
-      const Expression rest = substitute(whole, Variable::r, number(0));
-      const Expression power = binary(NodeKind::divide, negate(rest), number(lone->factor));
-      const Expression radius = call(Function::root, {number(lone->power), power});
-      if (!draw(polar_arc(s, radius))) return false;
-      return lone->power % 2 == 1 || draw(polar_arc(s, negate(radius)));
-    }
+    if (const std::vector<Arc> arcs = arcs_of(s, out_.window, settings_.margin); !arcs.empty())
+      return std::all_of(arcs.begin(), arcs.end(), [this](const Arc& arc) { return draw(arc); });
     PlaneEquation e;
     e.variables = {Variable::theta, Variable::r};
     const double reach = 1.1 * std::hypot(std::max(std::abs(low_[0]), std::abs(high_[0])),
@@ -161,19 +139,21 @@ class PlotTracer {
       b.closed = b.points.size() > 3 && std::hypot(first.u - last.u, first.v - last.v) < 1e-9;
       out_.branches.push_back(std::move(b));
     }
+    PlaceGrid ends(3 * found.leaf);
+    for (const PlaneSolution::Segment& segment : found.segments) {
+      ends.add(segment.from);
+      ends.add(segment.to);
+    }
     for (const PlatePoint& p : lonely) {
       const PlatePoint q = to_plate(p);
       out_.dots.push_back({statement_, q});
-      if (is_alone(p, found)) add_event(EventKind::isolated, q);
+      if (!ends.is_any_near(p)) add_event(EventKind::isolated, q);
     }
     // Along a double curve every box looks singular: only isolated ones are points of interest.
+    PlaceGrid places(8 * found.leaf);
+    for (const PlatePoint& p : found.singular) places.add(p);
     for (const PlatePoint& p : found.singular) {
-      const auto close =
-          std::count_if(found.singular.begin(), found.singular.end(), [&](const PlatePoint& q) {
-            return std::hypot(p.u - q.u, p.v - q.v) < 8 * found.leaf &&
-                   std::hypot(p.u - q.u, p.v - q.v) > 1e-7;
-          });
-      if (close == 0) add_event(EventKind::singular, to_plate(p));
+      if (!places.is_any_near(p, 1e-7)) add_event(EventKind::singular, to_plate(p));
     }
     for (const auto& f : found.fills) out_.fills.push_back({statement_, f[0], f[1]});
     out_.undecided_cells += static_cast<std::int64_t>(found.undecided.size());
@@ -235,17 +215,10 @@ class PlotTracer {
     return lonely;
   }
 
-  static bool is_alone(PlatePoint p, const PlaneSolution& found) {
-    return std::none_of(found.segments.begin(), found.segments.end(), [&](const PlaneSolution::Segment& s) {
-      return std::hypot(s.from.u - p.u, s.from.v - p.v) < 3 * found.leaf ||
-             std::hypot(s.to.u - p.u, s.to.v - p.v) < 3 * found.leaf;
-    });
-  }
-
   void add_event(EventKind kind, PlatePoint p) {
-    for (const Event& e : out_.events) {
-      if (e.kind == kind && std::hypot(out_.window.u(e.x) - p.u, out_.window.v(e.y) - p.v) < 1e-6) return;
-    }
+    PlaceGrid& known = kind == EventKind::isolated ? isolated_ : singular_;
+    if (known.is_any_near(p)) return;
+    known.add(p);
     out_.events.push_back({kind, statement_, 0, out_.window.x(p.u), out_.window.y(p.v), kNaN, kNaN});
   }
 
@@ -344,6 +317,8 @@ class PlotTracer {
   TraceSettings settings_;
   Tracing& out_;
   WorkProgress& progress_;
+  PlaceGrid isolated_{1e-6};
+  PlaceGrid singular_{1e-6};
   int statement_ = 0;
   double low_part_ = 0;
   double high_part_ = 1;

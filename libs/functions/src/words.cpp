@@ -66,9 +66,45 @@ std::string number_text(double v, Language language) {
   return fmt::format("{}", v);
 }
 
+/// "third", "21st", "12th".
+std::string ordinal(int n) {
+  constexpr std::array<std::string_view, 10> kSmall{"zeroth", "first", "second",  "third",  "fourth",
+                                                    "fifth",  "sixth", "seventh", "eighth", "ninth"};
+  if (n < 10) return std::string(kSmall[static_cast<std::size_t>(n)]);
+  const int last = n % 100 / 10 == 1 ? 0 : n % 10;
+  return fmt::format("{}{}", n, last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th");
+}
+
+/// The words around the parts of a tree, by language and style.
+struct Brackets {
+  std::string_view open, close;                   ///< around what binds less than its surroundings
+  std::string_view fraction, over, end_fraction;  ///< English: numerator first; Japanese: denominator first
+  std::string_view power, end_power;              ///< around an exponent of several parts
+  std::string_view of;                            ///< between a function and its argument
+};
+
+constexpr std::array<Brackets, 3> kEnglishBrackets{
+    {{"the quantity ", " end quantity", "the fraction with numerator ", " and denominator ", " end fraction",
+      " to the power of ", " end power", " of "},
+     {"quantity ", " end", "fraction ", " over ", " end fraction", " to the ", " end power", " of "},
+     {"open ", " close", "frac ", " over ", " end frac", " to ", " end", " "}}};
+constexpr std::array<Brackets, 3> kJapaneseBrackets{
+    {{"括弧 ", " 括弧閉じ", "分数 分母 ", " 分子 ", " 分数終わり", " の ", " 乗", " "},
+     {"括弧 ", " 閉じ", "分数 ", " 分の ", " 分数終わり", " の ", " 乗", " "},
+     {"かっこ ", " とじ", "分数 ", " 分の ", " 終わり", " の ", " 乗", " "}}};
+
+constexpr bool is_short_form(SpeechStyle style) { return style != SpeechStyle::verbose; }
+
+/// Speaks a tree so that it can be built again from what is heard. An operand is said without brackets where
+/// it is one of these: a number, a letter; a coefficient with its letter, "2 x", which is always one product;
+/// a function of such an operand; a square or a cube of a number, letter or function.
 class Speaker {
  public:
-  explicit Speaker(Language language) : english_(language == Language::english), language_(language) {}
+  Speaker(Language language, SpeechStyle style)
+      : english_(language == Language::english),
+        language_(language),
+        style_(style),
+        words_((english_ ? kEnglishBrackets : kJapaneseBrackets)[static_cast<std::size_t>(style)]) {}
 
   std::string spoken(const Expression& e) const {
     const Node& n = *e;
@@ -77,23 +113,22 @@ class Speaker {
       case NodeKind::number:
         return number_text(n.value, language_);
       case NodeKind::constant:
-        return n.constant == Constant::pi ? (english_ ? "pi" : "パイ") : std::string(name_of(n.constant));
+        if (n.constant == Constant::e) return "e";
+        if (n.constant == Constant::pi) return english_ ? "pi" : "パイ";
+        return english_ ? "tau" : "タウ";
       case NodeKind::variable:
         return n.variable == Variable::theta && !english_ ? "シータ" : std::string(name_of(n.variable));
       case NodeKind::negate:
-        return (english_ ? "minus " : "マイナス ") + fenced(a[0], 3);
+        return (english_ ? "minus " : "マイナス ") + operand(a[0], 4, true);
       case NodeKind::add:
-        return fenced(a[0], 1) + (english_ ? " plus " : " 足す ") + fenced(a[1], 2);
+        return operand(a[0], 1) + (english_ ? " plus " : " 足す ") + operand(a[1], 2);
       case NodeKind::subtract:
-        return fenced(a[0], 1) + (english_ ? " minus " : " 引く ") + fenced(a[1], 2);
-      case NodeKind::multiply: {
-        const bool quotient = a[0]->kind == NodeKind::divide;
-        return (quotient ? spoken(a[0]) + (english_ ? "," : "、") : fenced(a[0], 2)) +
-               (english_ ? " times " : " かける ") + fenced(a[1], 3);
-      }
+        return operand(a[0], 1) + (english_ ? " minus " : " 引く ") + operand(a[1], 2);
+      case NodeKind::multiply:
+        if (is_coefficient(n)) return spoken(a[0]) + " " + spoken(a[1]);
+        return operand(a[0], 2, true) + (english_ ? " times " : " かける ") + operand(a[1], 3, true);
       case NodeKind::divide:
-        if (english_) return fenced(a[0], 3) + " over " + fenced(a[1], 3);
-        return fenced(a[1], 3) + " 分の " + fenced(a[0], 3);
+        return fraction(a[0], a[1]);
       case NodeKind::power:
         return power(a);
       case NodeKind::function:
@@ -103,64 +138,139 @@ class Speaker {
   }
 
  private:
-  std::string fenced(const Expression& e, int least) const {
-    if (strength(*e) >= least) return spoken(e);
-    return english_ ? "the quantity " + spoken(e) + " end" : "括弧 " + spoken(e) + " 括弧閉じ";
+  static bool is_atom(const Expression& e) {
+    return (e->kind == NodeKind::number && e->value >= 0) || e->kind == NodeKind::constant ||
+           e->kind == NodeKind::variable;
+  }
+  /// 2 x, 3 pi: heard as one thing.
+  static bool is_coefficient(const Node& n) {
+    return n.kind == NodeKind::multiply && n.arguments[0]->kind == NodeKind::number &&
+           n.arguments[0]->value >= 0 &&
+           (n.arguments[1]->kind == NodeKind::variable || n.arguments[1]->kind == NodeKind::constant);
+  }
+  static bool is_short(const Expression& e) { return is_atom(e) || is_coefficient(*e); }
+
+  [[nodiscard]] std::string fenced(const Expression& e) const {
+    return std::string(words_.open) + spoken(e) + std::string(words_.close);
   }
 
-  std::string power(const std::vector<Expression>& a) const {
+  /// 1: terms of a sum, 2: of a product or behind a minus between two, 3: the second factor, 4: behind a
+  /// sign.
+  [[nodiscard]] std::string operand(const Expression& e, int least, bool is_factor = false) const {
+    // A simple fraction has no words at its ends.
+    if (e->kind == NodeKind::divide) return is_factor && is_simple_fraction(*e) ? fenced(e) : spoken(e);
+    const int strong = e->kind == NodeKind::negate ? 3 : strength(*e);
+    if (least == 3 && is_coefficient(*e)) return fenced(e);
+    return strong >= least ? spoken(e) : fenced(e);
+  }
+
+  static bool is_simple_fraction(const Node& n) {
+    return is_short(n.arguments[0]) && is_atom(n.arguments[1]);
+  }
+
+  [[nodiscard]] std::string fraction(const Expression& top, const Expression& bottom) const {
+    if (!in_fraction_ && is_short(top) && is_atom(bottom)) {
+      return english_ ? spoken(top) + " over " + spoken(bottom) : spoken(bottom) + " 分の " + spoken(top);
+    }
+    const Speaker inside = within_fraction();
+    const std::string first = inside.spoken(english_ ? top : bottom);
+    const std::string second = inside.spoken(english_ ? bottom : top);
+    return std::string(words_.fraction) + first + std::string(words_.over) + second +
+           std::string(words_.end_fraction);
+  }
+
+  /// A simple fraction inside another one is said with both ends, too.
+  [[nodiscard]] Speaker within_fraction() const {
+    Speaker inside = *this;
+    inside.in_fraction_ = true;
+    return inside;
+  }
+
+  [[nodiscard]] std::string raised(const Expression& e) const { return is_atom(e) ? spoken(e) : fenced(e); }
+
+  [[nodiscard]] std::string power(const std::vector<Expression>& a) const {
     const Node& n = *a[1];
-    const bool plain = n.kind == NodeKind::number;
-    // "x to the power of minus 2" is unambiguous when heard.
-    const bool whole = plain || (n.kind == NodeKind::negate && n.arguments[0]->kind == NodeKind::number);
-    if (!english_) return fenced(a[0], 5) + " の " + fenced(a[1], whole ? 0 : 5) + " 乗";
-    if (plain && n.value == 2) return fenced(a[0], 5) + " squared";
-    if (plain && n.value == 3) return fenced(a[0], 5) + " cubed";
-    return fenced(a[0], 5) + " to the power of " + fenced(a[1], whole ? 0 : 4);
+    const bool square = n.kind == NodeKind::number && n.value == 2;
+    const bool cube = n.kind == NodeKind::number && n.value == 3;
+    if ((square || cube) && a[0]->kind == NodeKind::function && has_raised_name(a[0]->function))
+      return function_name(a[0]->function) +
+             (english_ ? (square ? " squared" : " cubed") : (square ? " 2 乗" : " 3 乗")) +
+             argument(a[0]->arguments[0]);
+    const std::string base = raised(a[0]);
+    if (english_ && square) return base + " squared";
+    if (english_ && cube) return base + " cubed";
+    const bool whole = n.kind == NodeKind::number || is_atom(a[1]) ||
+                       (n.kind == NodeKind::negate && is_atom(n.arguments[0]));
+    if (!english_) return base + " の " + (whole ? spoken(a[1]) : fenced(a[1])) + " 乗";
+    return base + std::string(words_.power) + spoken(a[1]) + (whole ? "" : std::string(words_.end_power));
   }
 
-  std::string function(const Node& n) const {
-    const auto& words = kFunctionWords[static_cast<std::size_t>(n.function)];
+  static bool has_raised_name(Function f) {
+    return (f >= Function::sin && f <= Function::log2) || f == Function::erf || f == Function::gamma;
+  }
+
+  [[nodiscard]] std::string function_name(Function f) const {
+    const auto& words = kFunctionWords[static_cast<std::size_t>(f)];
+    return std::string(english_ ? words.english : words.japanese);
+  }
+
+  /// "of x", "of the quantity x plus 1 end quantity".
+  [[nodiscard]] std::string argument(const Expression& e) const {
+    const bool chained = english_ && e->kind == NodeKind::function && is_prefix(e->function);
+    return std::string(words_.of) + (is_short(e) || chained ? spoken(e) : fenced(e));
+  }
+
+  static bool is_prefix(Function f) {
+    switch (f) {
+      case Function::factorial:
+      case Function::min:
+      case Function::max:
+      case Function::mod:
+      case Function::atan2:
+      case Function::hypot:
+      case Function::root:
+      case Function::log_base:
+        return false;
+      default:
+        return true;
+    }
+  }
+
+  [[nodiscard]] std::string function(const Node& n) const {
     const auto& a = n.arguments;
     switch (n.function) {
       case Function::factorial:
-        return fenced(a[0], 5) + (english_ ? " factorial" : " の階乗");
+        return raised(a[0]) + (english_ ? " factorial" : " の階乗");
       case Function::log_base:
-        return english_ ? "the logarithm to base " + fenced(a[0], 5) + " of " + fenced(a[1], 4)
-                        : spoken(a[0]) + " を底とする " + spoken(a[1]) + " の対数";
-      case Function::root:
-        return english_ ? "the " + spoken(a[0]) + "th root of " + fenced(a[1], 4)
-                        : spoken(a[1]) + " の " + spoken(a[0]) + " 乗根";
-      case Function::sin:
-      case Function::cos:
-      case Function::tan:
-      case Function::cot:
-      case Function::sec:
-      case Function::csc:
-      case Function::asin:
-      case Function::acos:
-      case Function::atan:
-      case Function::acot:
-      case Function::sinh:
-      case Function::cosh:
-      case Function::tanh:
-      case Function::coth:
-      case Function::sech:
-      case Function::csch:
-        // As mathematicians say it: sine of 2 x.
-        return english_ ? std::string(words.english) + " of " + fenced(a[0], 2)
-                        : std::string(words.japanese) + " " + fenced(a[0], 2);
+        return english_ ? "logarithm to base " + raised(a[0]) + argument(a[1])
+                        : "底 " + raised(a[0]) + " の対数" + argument(a[1]);
+      case Function::root: {
+        const bool whole = a[0]->kind == NodeKind::number && a[0]->value == std::round(a[0]->value) &&
+                           a[0]->value >= 0 && a[0]->value < 1000;
+        if (!english_) return raised(a[0]) + " 乗根" + argument(a[1]);
+        const std::string index =
+            whole ? ordinal(static_cast<int>(a[0]->value)) + " root" : "root with index " + raised(a[0]);
+        return (is_short_form(style_) ? "" : "the ") + index + argument(a[1]);
+      }
       default:
         break;
     }
-    std::string list = fenced(a[0], a.size() > 1 ? 1 : 2);
+    std::string name = function_name(n.function);
+    if (english_ && !is_short_form(style_) && takes_article(n.function)) name = "the " + name;
+    if (a.size() == 1) return name + argument(a[0]);
+    std::string list = spoken(a[0]);
     for (std::size_t i = 1; i < a.size(); ++i) list += (english_ ? " and " : " と ") + spoken(a[i]);
-    return english_ ? "the " + std::string(words.english) + " of " + list
-                    : list + " の" + std::string(words.japanese);
+    return name + (english_ ? " of " : " ") + list + (english_ ? " end " : " ") + function_name(n.function) +
+           (english_ ? "" : " 終わり");
   }
+
+  static bool takes_article(Function f) { return f >= Function::exp && f != Function::gamma; }
 
   bool english_;
   Language language_;
+  SpeechStyle style_;
+  Brackets words_;
+  bool in_fraction_ = false;
 };
 
 std::string comparison(Comparison c, Language language) {
@@ -173,16 +283,16 @@ std::string comparison(Comparison c, Language language) {
 
 }  // namespace
 
-std::string in_words(const Expression& expression, Language language) {
-  return Speaker(language).spoken(expression);
+std::string in_words(const Expression& expression, Language language, SpeechStyle style) {
+  return Speaker(language, style).spoken(expression);
 }
 
-std::string in_words(const Statement& s, Language language) {
+std::string in_words(const Statement& s, Language language, SpeechStyle style) {
   const bool english = language == Language::english;
   const std::string equals = comparison(Comparison::equal, language);
   const auto range = [&](std::string_view parameter) {
-    const std::string from = in_words(s.from, language);
-    const std::string to = in_words(s.to, language);
+    const std::string from = in_words(s.from, language, style);
+    const std::string to = in_words(s.to, language, style);
     std::string text = english ? fmt::format(", for {} from {} to {}", parameter, from, to)
                                : fmt::format("、{} は {} から {} まで", parameter, from, to);
     if (s.from_is_open && s.to_is_open) return text + (english ? ", both excluded" : "、両端を除く");
@@ -197,15 +307,15 @@ std::string in_words(const Statement& s, Language language) {
       text += (i == 0 ? "" : english ? " and " : "、") + in_words(variable(*kind.left[i]), language) + equals;
     else if (i > 0)
       text += comparison(s.comparisons[i - 1], language);
-    text += in_words(s.terms[i], language);
+    text += in_words(s.terms[i], language, style);
   }
   return kind.says_range(s) ? text + range(in_words(variable(kind.parameter), language)) : text;
 }
 
-std::string in_words(const Plot& plot, Language language) {
+std::string in_words(const Plot& plot, Language language, SpeechStyle style) {
   std::string text;
   for (const Statement& s : plot.statements)
-    text += (text.empty() ? "" : language == Language::english ? "; " : "。") + in_words(s, language);
+    text += (text.empty() ? "" : language == Language::english ? "; " : "。") + in_words(s, language, style);
   return text;
 }
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "../src/newton.h"
+#include "../src/arc_probe.h"
 #include "../src/plane_tracer.h"
 #include "../src/polyline_crossings.h"
 #include "drawn_lines.h"
@@ -187,41 +187,6 @@ TEST(Crossings, AreFourHundredAtMost) {
   EXPECT_EQ(crossings_of(tracing_of(lines), 0, 1).size(), 361U);
 }
 
-TEST(Newton, MakesACrossingExactAndGivesUpFarAway) {
-  const Expression x = variable(Variable::x);
-  const Expression y = variable(Variable::y);
-  // x^2 + y = 3 and x - y = -1 meet at (1, 2).
-  const Expression f =
-      binary(NodeKind::subtract, binary(NodeKind::add, binary(NodeKind::power, x, number(2)), y), number(3));
-  const Expression g = binary(NodeKind::add, binary(NodeKind::subtract, x, y), number(1));
-  const PlatePoint p = refined(f, g, {1.02, 1.99});
-  EXPECT_NEAR(p.u, 1, 1e-14);
-  EXPECT_NEAR(p.v, 2, 1e-14);
-  const PlatePoint turned = refined(g, f, {1.02, 1.99});
-  EXPECT_NEAR(turned.u, 1, 1e-14);
-  EXPECT_NEAR(turned.v, 2, 1e-14);
-  // From (1.5, 2.5) it is a way of 0.71: more than a twentieth.
-  EXPECT_EQ(refined(f, g, {1.5, 2.5}).u, 1.5);
-  EXPECT_EQ(refined(g, g, {1.02, 1.99}).u, 1.02) << "no single place";
-  // Far from the origin in proportion.
-  const Expression h = binary(NodeKind::subtract, x, number(1000));
-  const Expression k = binary(NodeKind::subtract, y, number(1000));
-  EXPECT_EQ(refined(h, k, {1040, 1000}).u, 1000);
-  EXPECT_EQ(refined(h, k, {1100, 1000}).u, 1100);
-}
-
-TEST(Newton, FindsBothParametersOfACurveThatCrossesItself) {
-  // x = t^2, y = t^3 - t is at (1, 0) for t = -1 and t = 1.
-  const Expression t = variable(Variable::t);
-  const Arc arc{binary(NodeKind::power, t, number(2)),
-                binary(NodeKind::subtract, binary(NodeKind::power, t, number(3)), t), Variable::t, -2, 2};
-  ArcProbe probe(arc);
-  EXPECT_NEAR(same_place(probe, -0.95, 1.02), -1, 1e-14);
-  EXPECT_NEAR(same_place(probe, 1.02, -0.95), 1, 1e-14);
-  // Parallel at once: stays where it is.
-  EXPECT_EQ(same_place(probe, 0.5, 0.5), 0.5);
-}
-
 TEST(ArcProbe, TellsValuesSlopesAndMinima) {
   const Expression t = variable(Variable::t);
   const Arc arc{binary(NodeKind::power, t, number(3)), binary(NodeKind::power, t, number(2)), Variable::t, -2,
@@ -234,14 +199,6 @@ TEST(ArcProbe, TellsValuesSlopesAndMinima) {
   EXPECT_DOUBLE_EQ(at.slope_y, 3);
   EXPECT_TRUE(probe.slope_y(1.5).contains(3));
   EXPECT_LT(probe.slope_y(1.5).width(), 1e-12);
-  EXPECT_TRUE(is_least(probe, 0));
-  ArcProbe falling({t, negate(binary(NodeKind::power, t, number(2))), Variable::t, -2, 2});
-  EXPECT_FALSE(is_least(falling, 0));
-  // 1/t^2 - 1/t^2 + 5 - t has a gap at 0: both sides lead to 5.
-  const Expression inverse = binary(NodeKind::divide, number(0), t);
-  ArcProbe gap(
-      {t, binary(NodeKind::add, inverse, binary(NodeKind::subtract, number(5), t)), Variable::t, -2, 2});
-  EXPECT_NEAR(near_value(gap, 0), 5, 1e-12);
 }
 
 TEST(ArcProbe, SignChangesAreFoundOnceAndFlatPiecesAreNone) {

@@ -156,7 +156,7 @@ TEST(Parser, TellsEveryMistakeInJapaneseToo) {
 TEST(Parser, ANegativeNumberThatIsRaisedIsHeardAsOne) {
   // Made by superscripts: its own sign must not be taken for that of the power.
   const auto power = binary(NodeKind::power, number(-2), number(4));
-  EXPECT_EQ(in_words(power, Language::english), "the quantity minus 2 end to the power of 4");
+  EXPECT_EQ(in_words(power, Language::english), "the quantity minus 2 end quantity to the power of 4");
   EXPECT_EQ(to_text(power), "(-2)^4");
   const auto plot = parse("y = x⁻²");
   ASSERT_TRUE(plot);
@@ -174,11 +174,11 @@ TEST(Parser, ADeepNestIsAnErrorAndNotTheEndOfTheStack) {
 TEST(Parser, EchoesTheReadingInWords) {
   const auto plot = parse("y = 1/2x");
   ASSERT_TRUE(plot);
-  EXPECT_EQ(in_words(*plot, Language::english), "y equals 1 over 2, times x");
-  EXPECT_EQ(in_words(*plot, Language::japanese), "y イコール 2 分の 1、 かける x");
+  EXPECT_EQ(in_words(*plot, Language::english), "y equals the quantity 1 over 2 end quantity times x");
+  EXPECT_EQ(in_words(*plot, Language::japanese), "y イコール 括弧 2 分の 1 括弧閉じ かける x");
   const auto other = parse("y = 1/(2x)");
   ASSERT_TRUE(other);
-  EXPECT_EQ(in_words(*other, Language::english), "y equals 1 over the quantity 2 times x end");
+  EXPECT_EQ(in_words(*other, Language::english), "y equals the fraction with numerator 1 and denominator 2 x end fraction");
 }
 
 TEST(Parser, KeepsWhichEndsOfARangeAreLeftOut) {

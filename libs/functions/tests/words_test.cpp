@@ -29,44 +29,72 @@ struct Said {
 TEST(Words, ExpressionsAreSaidAsTheyAreRead) {
   const Said all[] = {
       {"x + y", "x plus y", "x 足す y"},
-      {"x - (y - 1)", "x minus the quantity y minus 1 end", "x 引く 括弧 y 引く 1 括弧閉じ"},
+      {"x - (y - 1)", "x minus the quantity y minus 1 end quantity", "x 引く 括弧 y 引く 1 括弧閉じ"},
       {"x - y + 1", "x minus y plus 1", "x 引く y 足す 1"},
-      {"2x y", "2 times x times y", "2 かける x かける y"},
-      {"2(x+1)", "2 times the quantity x plus 1 end", "2 かける 括弧 x 足す 1 括弧閉じ"},
-      {"(x+1)2", "the quantity x plus 1 end times 2", "括弧 x 足す 1 括弧閉じ かける 2"},
+      {"2x", "2 x", "2 x"},
+      {"2x y", "2 x times y", "2 x かける y"},
+      {"2(x y)", "2 times the quantity x times y end quantity", "2 かける 括弧 x かける y 括弧閉じ"},
+      {"2(x+1)", "2 times the quantity x plus 1 end quantity", "2 かける 括弧 x 足す 1 括弧閉じ"},
+      {"(x+1)2", "the quantity x plus 1 end quantity times 2", "括弧 x 足す 1 括弧閉じ かける 2"},
       {"x/y", "x over y", "y 分の x"},
-      {"x y/2", "the quantity x times y end over 2", "2 分の 括弧 x かける y 括弧閉じ"},
-      {"(x/y)*2", "x over y, times 2", "y 分の x、 かける 2"},
+      {"1 - x/2", "1 minus x over 2", "1 引く 2 分の x"},
+      {"x y/2", "the fraction with numerator x times y and denominator 2 end fraction",
+       "分数 分母 2 分子 x かける y 分数終わり"},
+      {"x/y/2",
+       "the fraction with numerator the fraction with numerator x and denominator y end fraction and "
+       "denominator 2 end fraction",
+       "分数 分母 2 分子 分数 分母 y 分子 x 分数終わり 分数終わり"},
+      {"(x/y)*2", "the quantity x over y end quantity times 2", "括弧 y 分の x 括弧閉じ かける 2"},
       {"-x", "minus x", "マイナス x"},
-      {"-(x+1)", "minus the quantity x plus 1 end", "マイナス 括弧 x 足す 1 括弧閉じ"},
+      {"-(x+1)", "minus the quantity x plus 1 end quantity", "マイナス 括弧 x 足す 1 括弧閉じ"},
       {"x^2", "x squared", "x の 2 乗"},
       {"x^3", "x cubed", "x の 3 乗"},
       {"x^4", "x to the power of 4", "x の 4 乗"},
       {"x^-2", "x to the power of minus 2", "x の マイナス 2 乗"},
       {"x^y", "x to the power of y", "x の y 乗"},
-      {"x^(y+1)", "x to the power of the quantity y plus 1 end", "x の 括弧 y 足す 1 括弧閉じ 乗"},
-      {"x^(y^2)", "x to the power of y squared", "x の 括弧 y の 2 乗 括弧閉じ 乗"},
-      {"x^-y", "x to the power of the quantity minus y end", "x の 括弧 マイナス y 括弧閉じ 乗"},
-      {"(x+1)^2", "the quantity x plus 1 end squared", "括弧 x 足す 1 括弧閉じ の 2 乗"},
-      {"(-x)^3", "the quantity minus x end cubed", "括弧 マイナス x 括弧閉じ の 3 乗"},
+      {"x^(y+1)", "x to the power of y plus 1 end power", "x の 括弧 y 足す 1 括弧閉じ 乗"},
+      {"x^(y^2)", "x to the power of y squared end power", "x の 括弧 y の 2 乗 括弧閉じ 乗"},
+      {"(x^y)^2", "the quantity x to the power of y end quantity squared", "括弧 x の y 乗 括弧閉じ の 2 乗"},
+      {"(x+1)^2", "the quantity x plus 1 end quantity squared", "括弧 x 足す 1 括弧閉じ の 2 乗"},
+      {"(-x)^3", "the quantity minus x end quantity cubed", "括弧 マイナス x 括弧閉じ の 3 乗"},
+      {"-x^3", "minus x cubed", "マイナス x の 3 乗"},
       {"pi e", "pi times e", "パイ かける e"},
       {"x + theta", "x plus theta", "x 足す シータ"},
       {"sin x", "sine of x", "サイン x"},
-      {"sin 2x", "sine of 2 times x", "サイン 2 かける x"},
-      {"cos(x+1)", "cosine of the quantity x plus 1 end", "コサイン 括弧 x 足す 1 括弧閉じ"},
+      {"sin 2x", "sine of 2 x", "サイン 2 x"},
+      {"sin(2) x", "sine of 2 times x", "サイン 2 かける x"},
+      {"cos(x+1)", "cosine of the quantity x plus 1 end quantity", "コサイン 括弧 x 足す 1 括弧閉じ"},
+      {"sin(x)^2", "sine squared of x", "サイン 2 乗 x"},
+      {"sin(x^2)", "sine of the quantity x squared end quantity", "サイン 括弧 x の 2 乗 括弧閉じ"},
+      {"ln(x)^2", "natural logarithm squared of x", "自然対数 2 乗 x"},
+      {"ln(x^2)", "the natural logarithm of the quantity x squared end quantity",
+       "自然対数 括弧 x の 2 乗 括弧閉じ"},
+      {"sin(x)/x", "the fraction with numerator sine of x and denominator x end fraction",
+       "分数 分母 x 分子 サイン x 分数終わり"},
+      {"sin(x/x)", "sine of the quantity x over x end quantity", "サイン 括弧 x 分の x 括弧閉じ"},
+      {"cos(x) sin(x)", "cosine of x times sine of x", "コサイン x かける サイン x"},
+      {"cos(x sin(x))", "cosine of the quantity x times sine of x end quantity",
+       "コサイン 括弧 x かける サイン x 括弧閉じ"},
+      {"sin(cos(x))", "sine of cosine of x", "サイン 括弧 コサイン x 括弧閉じ"},
       {"x!", "x factorial", "x の階乗"},
-      {"(x+1)!", "the quantity x plus 1 end factorial", "括弧 x 足す 1 括弧閉じ の階乗"},
-      {"log_2 x", "the logarithm to base 2 of x", "2 を底とする x の対数"},
-      {"log_2(x+1)", "the logarithm to base 2 of the quantity x plus 1 end", "2 を底とする x 足す 1 の対数"},
-      {"log_(x+1)2", "the logarithm to base the quantity x plus 1 end of 2", "x 足す 1 を底とする 2 の対数"},
-      {"root(4, x)", "the 4th root of x", "x の 4 乗根"},
-      {"root(4, x y)", "the 4th root of the quantity x times y end", "x かける y の 4 乗根"},
-      {"sqrt(x)", "the square root of x", "x の平方根"},
-      {"sqrt(x+1)", "the square root of the quantity x plus 1 end", "括弧 x 足す 1 括弧閉じ の平方根"},
-      {"sqrt(2x)", "the square root of 2 times x", "2 かける x の平方根"},
-      {"min(x, y+1)", "the minimum of x and y plus 1", "x と y 足す 1 の最小値"},
-      {"max(x+1, y)", "the maximum of x plus 1 and y", "x 足す 1 と y の最大値"},
-      {"atan2(y, x)", "the angle of y and x", "y と x の偏角"}};
+      {"(x+1)!", "the quantity x plus 1 end quantity factorial", "括弧 x 足す 1 括弧閉じ の階乗"},
+      {"gamma(x)", "gamma of x", "ガンマ関数 x"},
+      {"log_2 x", "logarithm to base 2 of x", "底 2 の対数 x"},
+      {"log_b(2, x)", "logarithm to base 2 of x", "底 2 の対数 x"},
+      {"log_(x+1)2", "logarithm to base the quantity x plus 1 end quantity of 2",
+       "底 括弧 x 足す 1 括弧閉じ の対数 2"},
+      {"root(3, x)", "the third root of x", "3 乗根 x"},
+      {"root(4, x y)", "the fourth root of the quantity x times y end quantity",
+       "4 乗根 括弧 x かける y 括弧閉じ"},
+      {"root(21, x)", "the 21st root of x", "21 乗根 x"},
+      {"root(12, x)", "the 12th root of x", "12 乗根 x"},
+      {"root(y, x)", "the root with index y of x", "y 乗根 x"},
+      {"cbrt(x)", "the cube root of x", "立方根 x"},
+      {"sqrt(x)", "the square root of x", "平方根 x"},
+      {"sqrt(x+1)", "the square root of the quantity x plus 1 end quantity", "平方根 括弧 x 足す 1 括弧閉じ"},
+      {"sqrt(x)+1", "the square root of x plus 1", "平方根 x 足す 1"},
+      {"min(x, y+1)", "the minimum of x and y plus 1 end minimum", "最小値 x と y 足す 1 最小値 終わり"},
+      {"atan2(y, x)", "the angle of y and x end angle", "偏角 y と x 偏角 終わり"}};
   for (const Said& s : all) {
     const Expression e = s.typed == std::string("x + theta")
                              ? binary(NodeKind::add, variable(Variable::x), variable(Variable::theta))
@@ -109,7 +137,8 @@ TEST(Words, EveryFunctionHasItsOwn) {
                                                      {Function::gamma, "gamma"},
                                                      {Function::erf, "error function"}};
   for (const auto& [f, name] : others)
-    EXPECT_EQ(in_words(call(f, {variable(Variable::x)}), kEnglish), "the " + std::string(name) + " of x");
+    EXPECT_EQ(in_words(call(f, {variable(Variable::x)}), kEnglish),
+              (f == Function::asinh || f == Function::gamma ? "" : "the ") + std::string(name) + " of x");
 }
 
 TEST(Words, StatementsAreSaidWithTheirComparisonsAndRanges) {
@@ -181,13 +210,15 @@ TEST(Words, EveryKindOfPointHasItsName) {
                            "end",
                            "self-crossing",
                            "singular point",
-                           "isolated point"};
+                           "isolated point",
+                           "cusp",
+                           "slanted asymptote"};
   std::set<std::string> japanese;
-  for (int k = 0; k < 15; ++k) {
+  for (int k = 0; k < 17; ++k) {
     EXPECT_EQ(in_words(static_cast<PointKind>(k), kEnglish), english[k]);
     EXPECT_TRUE(japanese.insert(in_words(static_cast<PointKind>(k), kJapanese)).second);
   }
-  EXPECT_EQ(static_cast<int>(PointKind::isolated), 14);
+  EXPECT_EQ(static_cast<int>(PointKind::slanted_asymptote), 16);
   EXPECT_EQ(in_words(PointKind::zero, kJapanese), "零点");
 }
 
@@ -210,15 +241,20 @@ TEST(Words, ASummaryCountsWhatIsThere) {
   EXPECT_EQ(sentence(), "y equals x: no points in this range.");
   EXPECT_EQ(summary(*plot, t, {}, kJapanese), "y イコール x。この範囲に点はありません。");
   t.dots.push_back({});
-  EXPECT_EQ(sentence(), "y equals x.");
+  EXPECT_EQ(sentence(),
+            "y equals x, far to the left y falls without bound, far to the right y rises without bound.");
   t.dots.clear();
   t.fills.push_back({});
-  EXPECT_EQ(sentence(), "y equals x.");
+  EXPECT_EQ(sentence(),
+            "y equals x, far to the left y falls without bound, far to the right y rises without bound.");
   t.fills.clear();
   t.bars.push_back({});
-  EXPECT_EQ(sentence(), "y equals x.");
+  EXPECT_EQ(sentence(),
+            "y equals x, far to the left y falls without bound, far to the right y rises without bound.");
   t.branches.resize(1);
-  EXPECT_EQ(sentence(), "y equals x: 1 branch.");
+  EXPECT_EQ(
+      sentence(),
+      "y equals x: 1 piece, far to the left y falls without bound, far to the right y rises without bound.");
   t.branches.resize(3);
   EXPECT_EQ(
       sentence({point(PointKind::maximum, 0, 0), point(PointKind::zero, 0, 0), point(PointKind::zero, 1, 0)}),
@@ -238,7 +274,9 @@ TEST(Words, ASummarySaysWhatIsUndecidedAboveATenthOfAPercent) {
   t.branches.resize(1);
   t.cells = 10'000;
   t.undecided_cells = 10;
-  EXPECT_EQ(summary(*plot, t, {}, kEnglish), "y equals x: 1 branch.");
+  EXPECT_EQ(
+      summary(*plot, t, {}, kEnglish),
+      "y equals x: 1 piece, far to the left y falls without bound, far to the right y rises without bound.");
   t.undecided_cells = 11;
   EXPECT_EQ(t.undecided_share(), 0.0011);
   EXPECT_EQ(summary(*plot, t, {}, kEnglish),

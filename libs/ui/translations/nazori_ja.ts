@@ -2125,6 +2125,14 @@ Columns and rows:</source>
         <source>Play the tone of y = 0 for comparison</source>
         <translation>比べるための y = 0 の音を鳴らします</translation>
     </message>
+    <message>
+        <source>Spoken &amp;form</source>
+        <translation>読み上げ方(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Change how expressions are read: verbose, brief, superbrief</source>
+        <translation>式の読み上げ方を変えます：くわしく、短く、ごく短く</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::FunctionsPage</name>
@@ -5360,6 +5368,18 @@ Columns and rows:</source>
     <message>
         <source>Sounds (*.wav)</source>
         <translation>音声 (*.wav)</translation>
+    </message>
+    <message>
+        <source>Spoken form: verbose</source>
+        <translation>式の読み上げ：くわしく</translation>
+    </message>
+    <message>
+        <source>Spoken form: brief</source>
+        <translation>式の読み上げ：短く</translation>
+    </message>
+    <message>
+        <source>Spoken form: superbrief</source>
+        <translation>式の読み上げ：ごく短く</translation>
     </message>
 </context>
 <context>

@@ -49,6 +49,8 @@ FunctionActions::FunctionActions(QWidget* window) : ActionSet(window) {
       make("trace_coordinates", tr("&Coordinates"), tr("Read out the coordinates of the point"), "C");
   slope = make("trace_slope", tr("S&lope"), tr("Read out the slope of the curve here"), "D");
   summary = make("trace_summary", tr("Su&mmary"), tr("Describe the plot in one sentence"), "S");
+  speech = make("trace_speech", tr("Spoken &form"),
+                tr("Change how expressions are read: verbose, brief, superbrief"), "Shift+S");
   beacon = make("trace_beacon", tr("A&dd a marker"), tr("Mark this place"), "B");
   next_beacon =
       make("trace_next_beacon", tr("&Go to the next marker"), tr("Go to the next marked place"), "G");
@@ -76,11 +78,10 @@ FunctionActions::FunctionActions(QWidget* window) : ActionSet(window) {
   add_group(tr("&Plot"),
             {expression, points, nullptr, zoom_in, zoom_out, pan_left, pan_right, pan_up, pan_down,
              reset_window, nullptr, export_raw, export_png, export_print, export_sound});
-  add_group(
-      tr("T&race"),
-      {step_on,    step_back,  tick_on,     tick_back, to_start,   to_end,  branch_on, branch_back, point_on,
-       point_back, nullptr,    coordinates, slope,     summary,    nullptr, beacon,    next_beacon, nullptr,
-       curve_on,   curve_back, all_curves,  alone,     next_alone, snap,    clear_ink});
+  add_group(tr("T&race"), {step_on,     step_back, tick_on,    tick_back,   to_start,    to_end,   branch_on,
+                           branch_back, point_on,  point_back, nullptr,     coordinates, slope,    summary,
+                           speech,      nullptr,   beacon,     next_beacon, nullptr,     curve_on, curve_back,
+                           all_curves,  alone,     next_alone, snap,        clear_ink});
   add_group(tr("S&ound"), {hear, stop, reference, nullptr, faster, slower, nullptr, louder, quieter, mute});
 }
 

@@ -79,6 +79,7 @@ void FunctionsPage::load(const QSettings& settings) {
   snapping_ = base::flag_setting(values, "snapping", false);
   sound_->set_volume(static_cast<int>(base::number_setting(values, "volume", 50, 0, 100)));
   sound_->set_muted(base::flag_setting(values, "muted", false));
+  set_plot_speech(static_cast<functions::SpeechStyle>(base::number_setting(values, "speech", 0, 0, 2)));
   auto* line = panel_->line();
   line->set_history(settings.value(QStringLiteral("history")).toStringList());
   line->setText(
@@ -95,6 +96,7 @@ void FunctionsPage::save(QSettings& settings) const {
   model_.save(values);
   base::set_flag(values, "snapping", snapping_);
   base::set_number(values, "volume", sound_->volume());
+  base::set_number(values, "speech", static_cast<int>(plot_speech()));
   base::set_flag(values, "muted", sound_->muted());
   write_settings(settings, values);
   settings.setValue(QStringLiteral("expression"), model_.expression().empty()
@@ -235,7 +237,7 @@ void FunctionsPage::read_expression() {
     return;
   }
   const auto& plot = *model_.plot();
-  panel_->show_words(localised(functions::in_words(plot, plot_language())));
+  panel_->show_words(localised(functions::in_words(plot, plot_language(), plot_speech())));
   announce_summary_ = true;
   actions_->alone->setChecked(false);
   panel_->show_surface(plot.is_surface());
@@ -248,7 +250,7 @@ void FunctionsPage::draw() {
   // A page that is not shown draws nothing. enter() does it later.
   if (!model_.plot() || !entered_) return;
   panel_->show_progress(0);
-  plotter_.draw(model_.request(plot_language()));
+  plotter_.draw(model_.request(plot_language(), plot_speech()));
 }
 
 void FunctionsPage::show_window(const functions::PlotEvent& event) {

@@ -117,10 +117,10 @@ void FunctionsPage::hear() {
   const auto& request = shown()->request;
   parts().respond(Feedback::hint,
                   localised(request.plate.alone < 0
-                                ? functions::in_words(request.plot, plot_language())
+                                ? functions::in_words(request.plot, plot_language(), plot_speech())
                                 : functions::in_words(
                                       request.plot.statements[static_cast<std::size_t>(request.plate.alone)],
-                                      plot_language())));
+                                      plot_language(), plot_speech())));
   export_.compose(shown(), model_.sound());
 }
 

@@ -51,6 +51,15 @@ void FunctionsPage::connect_trace() {
       parts().respond(Feedback::hint,
                       QStringLiteral("%1 %2.").arg(what_is_shown(), window_words(shown()->request.window)));
   });
+  on(actions_->speech, [this] {
+    set_plot_speech(static_cast<functions::SpeechStyle>((static_cast<int>(plot_speech()) + 1) % 3));
+    parts().save_later();
+    if (const auto& plot = model_.plot()) {
+      panel_->show_words(localised(functions::in_words(*plot, plot_language(), plot_speech())));
+      draw();
+    }
+    parts().answer(Feedback::good, speech_words(plot_speech()) + QLatin1Char('.'));
+  });
   on(actions_->beacon, [this] {
     parts().respond(Feedback::good, event_words(explorer_.drop_beacon(),
                                                 shown() ? shown()->request.plot : functions::Plot()));

@@ -15,6 +15,8 @@ struct Words {
   Q_DECLARE_TR_FUNCTIONS(nazori::ui::plot_words)
 };
 
+functions::SpeechStyle chosen_speech = functions::SpeechStyle::verbose;
+
 /// Four significant digits; "minus", because screen readers pass over a hyphen.
 QString spoken(double value) {
   if (std::isinf(value)) return value > 0 ? Words::tr("infinity") : Words::tr("minus infinity");
@@ -25,8 +27,8 @@ QString spoken(double value) {
 
 /// The curve of this index in words.
 QString curve_words(const functions::Plot& plot, int statement) {
-  return localised(
-      functions::in_words(plot.statements[static_cast<std::size_t>(statement)], plot_language()));
+  return localised(functions::in_words(plot.statements[static_cast<std::size_t>(statement)], plot_language(),
+                                       plot_speech()));
 }
 
 /// What is at the location of an event.
@@ -43,6 +45,22 @@ QString arrival_words(const QString& before, const functions::PlotEvent& event) 
 functions::Language plot_language() {
   return QLocale().language() == QLocale::Japanese ? functions::Language::japanese
                                                    : functions::Language::english;
+}
+
+functions::SpeechStyle plot_speech() { return chosen_speech; }
+
+void set_plot_speech(functions::SpeechStyle style) { chosen_speech = style; }
+
+QString speech_words(functions::SpeechStyle style) {
+  switch (style) {
+    case functions::SpeechStyle::verbose:
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Spoken form: verbose"));
+    case functions::SpeechStyle::brief:
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Spoken form: brief"));
+    case functions::SpeechStyle::superbrief:
+      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Spoken form: superbrief"));
+  }
+  return {};
 }
 
 bool uses_decimal_comma() { return QLocale::system().decimalPoint() == QLatin1String(","); }
@@ -80,7 +98,7 @@ QString location_words(const functions::PlotLocation& location) {
 }
 
 QString point_words(const functions::PointOfInterest& point) {
-  return localised(functions::in_words(point, plot_language()));
+  return localised(functions::in_words(point, plot_language(), plot_speech()));
 }
 
 QString kind_words(functions::PointKind kind) { return to_text(functions::in_words(kind, plot_language())); }

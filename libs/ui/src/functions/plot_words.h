@@ -10,6 +10,11 @@ namespace nazori::ui {
 
 /// The language of the interface, as the module `functions` names it.
 [[nodiscard]] functions::Language plot_language();
+/// How much is said around the parts of an expression: a setting of the page for functions.
+[[nodiscard]] functions::SpeechStyle plot_speech();
+void set_plot_speech(functions::SpeechStyle style);
+/// "Spoken form: brief".
+[[nodiscard]] QString speech_words(functions::SpeechStyle style);
 /// Whether the learner's desktop writes 1,5.
 [[nodiscard]] bool uses_decimal_comma();
 

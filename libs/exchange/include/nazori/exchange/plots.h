@@ -18,6 +18,7 @@ struct PlotTimings {
 /// What is known of a drawn plot (docs/schemas/plots.json, plot). Statements are counted from 1.
 [[nodiscard]] Value to_json(const functions::Plot& plot, const functions::Picture& picture,
                             const std::vector<functions::PointOfInterest>& points, const PlotTimings& timings,
-                            functions::Language language);
+                            functions::Language language,
+                            functions::SpeechStyle style = functions::SpeechStyle::verbose);
 
 }  // namespace nazori::exchange

@@ -19,6 +19,7 @@ struct PlotRequest {
   Window window;
   PlateSettings plate;
   Language language = Language::english;  ///< of Drawing::summary
+  SpeechStyle speech = SpeechStyle::verbose;
 };
 
 /// Friction of parts of a plate.

@@ -48,7 +48,7 @@ struct Plate {
   HeightRange range;  ///< of a surface
 };
 
-/// Distance between ticks for a range: 1, 2 or 5 times a power of ten, five to ten of them.
+/// Distance between ticks for a range: 1, 2 or 5 times a power of ten, four to ten of them.
 [[nodiscard]] double tick_step(double low, double high);
 
 /// Carves a tracing: grooves have the same perpendicular width everywhere, computed from the exact distance

@@ -63,14 +63,20 @@ struct ParseOptions {
 /// @param text  UTF-8 of at most 10,000 bytes, Unicode signs and full-width forms allowed.
 [[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {});
 
+/// The numbers, names and signs of all statements together.
+[[nodiscard]] std::size_t part_count(const Plot& plot);
+
 /// The plot as unambiguous text that parse() reads back: "y = (1/2)*x".
 [[nodiscard]] std::string canonical(const Plot& plot);
 [[nodiscard]] std::string canonical(const Statement& statement);
 
-/// The plot read aloud: "y equals 1 over 2, times x". Groups that could not be heard are marked by "the
-/// quantity ... end".
-[[nodiscard]] std::string in_words(const Plot& plot, Language language);
-[[nodiscard]] std::string in_words(const Statement& statement, Language language);
-[[nodiscard]] std::string in_words(const Expression& expression, Language language);
+/// The plot read aloud: "y equals the quantity 1 over 2 end quantity times x". What is heard can be told
+/// apart from every other expression.
+[[nodiscard]] std::string in_words(const Plot& plot, Language language,
+                                   SpeechStyle style = SpeechStyle::verbose);
+[[nodiscard]] std::string in_words(const Statement& statement, Language language,
+                                   SpeechStyle style = SpeechStyle::verbose);
+[[nodiscard]] std::string in_words(const Expression& expression, Language language,
+                                   SpeechStyle style = SpeechStyle::verbose);
 
 }  // namespace nazori::functions

@@ -30,7 +30,9 @@ class PlotModel {
   [[nodiscard]] const std::optional<Plot>& plot() const { return plot_; }
   [[nodiscard]] const std::string& expression() const { return expression_; }
   /// Call it only if there is a plot.
-  [[nodiscard]] PlotRequest request(Language language) const { return {*plot_, window_, plate_, language}; }
+  [[nodiscard]] PlotRequest request(Language language, SpeechStyle style = SpeechStyle::verbose) const {
+    return {*plot_, window_, plate_, language, style};
+  }
 
   [[nodiscard]] const Window& window() const { return window_; }
   /// Sets the window, which is also the one that reset_window() restores.

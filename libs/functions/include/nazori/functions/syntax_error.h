@@ -11,6 +11,15 @@ namespace nazori::functions {
 /// The languages of texts about expressions, points and errors.
 enum class Language : std::uint8_t { english, japanese };
 
+/// How much is said around the parts of a spoken expression. Each form is unambiguous: different trees never
+/// sound alike. The levels are those of MathSpeak; the words are those of ClearSpeak.
+/// @source ClearSpeak Rules and Preferences (ETS); The MathSpeak Grammar Rules (gh, LLC).
+enum class SpeechStyle : std::uint8_t {
+  verbose,     ///< "the quantity x plus 1 end quantity squared"
+  brief,       ///< "quantity x plus 1 end squared"
+  superbrief,  ///< "open x plus 1 close squared"
+};
+
 /// The errors in a text that should be an expression.
 enum class SyntaxFault : std::uint8_t {
   no_expression,

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "derivative.h"
+
+#include <utility>
+#include <vector>
+
+#include "algebra.h"
+
+namespace nazori::functions {
+namespace {
+
+constexpr std::size_t kMostNodes = 3000;
+
+// Sums and products that leave out 0 and 1. Null, which stands for "no closed form", stays null.
+Expression plus(const Expression& a, const Expression& b) {
+  if (!a || !b) return nullptr;
+  if (is_number(a, 0)) return b;
+  if (is_number(b, 0)) return a;
+  return binary(NodeKind::add, a, b);
+}
+
+Expression minus(const Expression& a) {
+  if (!a) return nullptr;
+  if (a->kind == NodeKind::number) return number(a->value == 0 ? 0 : -a->value, a->exact);
+  return a->kind == NodeKind::negate ? a->arguments[0] : negate(a);
+}
+
+Expression minus(const Expression& a, const Expression& b) {
+  if (!a || !b) return nullptr;
+  if (is_number(b, 0)) return a;
+  return is_number(a, 0) ? minus(b) : binary(NodeKind::subtract, a, b);
+}
+
+Expression times(const Expression& a, const Expression& b) {
+  if (!a || !b) return nullptr;
+  if (is_number(a, 0) || is_number(b, 0)) return number(0);
+  if (is_number(a, 1)) return b;
+  if (is_number(b, 1)) return a;
+  if (is_number(a, -1)) return minus(b);
+  if (is_number(b, -1)) return minus(a);
+  return binary(NodeKind::multiply, a, b);
+}
+
+Expression over(const Expression& a, const Expression& b) {
+  if (!a || !b) return nullptr;
+  if (is_number(a, 0)) return a;
+  return is_number(b, 1) ? a : binary(NodeKind::divide, a, b);
+}
+
+Expression squared(const Expression& a) { return binary(NodeKind::power, a, number(2)); }
+
+/// p/q as parse() would read it, so that rational_value() finds it again.
+Expression fraction(Rational r) {
+  const Expression top = number(static_cast<double>(r.p));
+  return r.q == 1 ? top : binary(NodeKind::divide, top, number(static_cast<double>(r.q)));
+}
+
+class Differentiator {
+ public:
+  explicit Differentiator(Variable v) : variable_(v) {}
+
+  Expression of(const Expression& e) {
+    if (!e || !depends_on(e, variable_)) return number(0);
+    if (++steps_ > kMostNodes) return nullptr;
+    const auto& a = e->arguments;
+    switch (e->kind) {
+      case NodeKind::number:
+      case NodeKind::constant:
+        return number(0);
+      case NodeKind::variable:
+        return number(1);
+      case NodeKind::negate:
+        return minus(of(a[0]));
+      case NodeKind::add:
+        return plus(of(a[0]), of(a[1]));
+      case NodeKind::subtract:
+        return minus(of(a[0]), of(a[1]));
+      case NodeKind::multiply:
+        return plus(times(of(a[0]), a[1]), times(a[0], of(a[1])));
+      case NodeKind::divide:
+        if (!depends_on(a[1], variable_)) return over(of(a[0]), a[1]);
+        return over(minus(times(of(a[0]), a[1]), times(a[0], of(a[1]))), squared(a[1]));
+      case NodeKind::power:
+        return of_power(a[0], a[1]);
+      case NodeKind::function:
+        return of_call(*e);
+    }
+    return nullptr;
+  }
+
+ private:
+  Expression of_power(const Expression& base, const Expression& exponent) {
+    const Expression whole = binary(NodeKind::power, base, exponent);
+    if (!depends_on(exponent, variable_)) {
+      const auto n = rational_value(exponent);
+      if (n && n->p == 0) return number(0);
+      Expression lower;
+      if (n && n->p == 2 * n->q) {
+        lower = base;
+      } else if (n) {
+        lower = n->p == n->q ? number(1) : binary(NodeKind::power, base, fraction({n->p - n->q, n->q}));
+      } else {
+        lower = over(whole, base);
+      }
+      return times(times(n ? fraction(*n) : exponent, lower), of(base));
+    }
+    const bool natural = base->kind == NodeKind::constant && base->constant == Constant::e;
+    const Expression log = natural ? number(1) : call(Function::ln, {base});
+    if (!depends_on(base, variable_)) return times(times(whole, log), of(exponent));
+    return times(whole, plus(times(of(exponent), log), times(exponent, over(of(base), base))));
+  }
+
+  Expression of_call(const Node& n) {
+    const auto& a = n.arguments;
+    const Expression& u = a[0];
+    const Expression one = number(1);
+    const auto f = [&u](Function which) { return call(which, {u}); };
+    const auto below_one = [&] { return binary(NodeKind::subtract, one, squared(u)); };
+    switch (n.function) {
+      case Function::sin:
+        return times(f(Function::cos), of(u));
+      case Function::cos:
+        return times(minus(f(Function::sin)), of(u));
+      case Function::tan:
+        return over(of(u), squared(f(Function::cos)));
+      case Function::asin:
+        return over(of(u), call(Function::sqrt, {below_one()}));
+      case Function::acos:
+        return minus(over(of(u), call(Function::sqrt, {below_one()})));
+      case Function::atan:
+        return over(of(u), binary(NodeKind::add, squared(u), one));
+      case Function::sinh:
+        return times(f(Function::cosh), of(u));
+      case Function::cosh:
+        return times(f(Function::sinh), of(u));
+      case Function::tanh:
+        return over(of(u), squared(f(Function::cosh)));
+      case Function::asinh:
+        return over(of(u), call(Function::sqrt, {binary(NodeKind::add, squared(u), one)}));
+      case Function::acosh:
+        return over(of(u), call(Function::sqrt, {binary(NodeKind::subtract, squared(u), one)}));
+      case Function::atanh:
+        return over(of(u), below_one());
+      case Function::ln:
+        return over(of(u), u);
+      case Function::log10:
+        return over(of(u), times(u, call(Function::ln, {number(10)})));
+      case Function::log2:
+        return over(of(u), times(u, call(Function::ln, {number(2)})));
+      case Function::sqrt:
+        return over(of(u), times(number(2), f(Function::sqrt)));
+      case Function::abs:
+        return times(f(Function::sign), of(u));
+      case Function::sign:
+      case Function::floor:
+      case Function::ceil:
+        return number(0);
+      case Function::erf:
+        return times(over(of(u), call(Function::sqrt, {constant(Constant::pi)})),
+                     times(number(2), binary(NodeKind::power, constant(Constant::e), negate(squared(u)))));
+      case Function::min:
+      case Function::max: {
+        if (a.size() != 2) return nullptr;
+        // min(a, b) = (a + b - |a - b|)/2
+        const Expression gap = call(Function::sign, {binary(NodeKind::subtract, a[0], a[1])});
+        const Expression bend = times(gap, minus(of(a[0]), of(a[1])));
+        const Expression sum = plus(of(a[0]), of(a[1]));
+        return over(n.function == Function::min ? minus(sum, bend) : plus(sum, bend), number(2));
+      }
+      case Function::atan2:
+        return over(minus(times(a[1], of(a[0])), times(a[0], of(a[1]))),
+                    binary(NodeKind::add, squared(a[0]), squared(a[1])));
+      default:
+        return nullptr;
+    }
+  }
+
+  Variable variable_;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace
+
+Expression derivative(const Expression& e, Variable v) {
+  if (!e || node_count(e) > kMostNodes) return nullptr;
+  Expression d = Differentiator(v).of(reduced(e));
+  return d && node_count(d) <= kMostNodes ? d : nullptr;
+}
+
+}  // namespace nazori::functions

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "equation_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "algebra.h"
+#include "arc_points.h"
+#include "derivative.h"
+#include "nazori/functions/tape.h"
+#include "plane_system.h"
+
+namespace nazori::functions {
+namespace {
+
+constexpr int kMostBoxes = 20'000;
+
+class EquationPoints {
+ public:
+  EquationPoints(const Expression& f, int statement, PointList& list)
+      : whole_(reduced(f)),
+        f_(square_free(f)),
+        statement_(statement),
+        list_(list),
+        whole_tape_(Tape::compile(std::array{whole_}, std::array{Variable::x, Variable::y})),
+        tape_(Tape::compile(std::array{f_}, std::array{Variable::x, Variable::y})),
+        values_(std::max(whole_tape_.size(), tape_.size())) {}
+
+  bool run() {
+    intercepts();
+    const Expression fx = derivative(f_, Variable::x);
+    const Expression fy = derivative(f_, Variable::y);
+    if (!fx || !fy) return false;
+    const Window& w = list_.window();
+    const std::array low{w.x0, w.y0};
+    const std::array high{w.x1, w.y1};
+    const std::array variables{Variable::x, Variable::y};
+    const std::array<Expression, 3> singular{fx, fy, f_};
+    const SystemRoots stops = solve_system(singular, variables, low, high, kMostBoxes);
+    for (const SystemRoot& r : stops.roots) {
+      if (is_defined(r.a, r.b)) classify(r.a, r.b);
+    }
+    if (depends_on(f_, Variable::x) && depends_on(f_, Variable::y)) {
+      const std::array<Expression, 2> level{f_, fx};
+      for (const SystemRoot& r : solve_system(level, variables, low, high, kMostBoxes).roots) {
+        if (is_defined(r.a, r.b)) extremum(r.a, r.b);
+      }
+    }
+    return stops.complete;
+  }
+
+ private:
+  double value(double x, double y) {
+    tape_.evaluate<double>(std::array{x, y}, values_);
+    return values_[tape_.output(0)];
+  }
+  bool exists(double x, double y) {
+    whole_tape_.evaluate<double>(std::array{x, y}, values_);
+    return std::isfinite(values_[whole_tape_.output(0)]);
+  }
+
+  /// Whether the equation as typed is defined there, at least from one side of a border of its domain.
+  bool is_defined(double x, double y) {
+    if (exists(x, y)) return true;
+    // Numbers with few decimals are exact: there it is undefined indeed.
+    const auto is_round = [](double v) { return std::round(v * 1e6) / 1e6 == v; };
+    if (is_round(x) && is_round(y)) return false;
+    const Window& w = list_.window();
+    const double hx = 4e-16 * std::max(std::abs(x), 1e-3 * (w.x1 - w.x0));
+    const double hy = 4e-16 * std::max(std::abs(y), 1e-3 * (w.y1 - w.y0));
+    int count = 0;
+    for (const int i : {-1, 0, 1}) {
+      for (const int j : {-1, 0, 1}) count += exists(x + i * hx, y + j * hy) ? 1 : 0;
+    }
+    // All around but not at the point itself: a gap.
+    return count > 0 && count < 8;
+  }
+
+  void intercepts() {
+    const Window& w = list_.window();
+    const auto along = [&](Variable fixed, Variable free, double low, double high, PointKind kind) {
+      const Expression on_axis = reduced(substitute(whole_, fixed, number(0)));
+      const auto p = Polynomial::of(over_common_denominator(on_axis).numerator);
+      if (p && p->is_zero()) return;
+      for (const double at : zeros_of(on_axis, free, low, high)) {
+        const bool zero = kind == PointKind::zero;
+        const double x = zero ? at : 0;
+        const double y = zero ? 0 : at;
+        if (is_defined(x, y)) list_.add(statement_, kind, x, y);
+      }
+    };
+    if (w.y0 <= 0 && w.y1 >= 0) along(Variable::y, Variable::x, w.x0, w.x1, PointKind::zero);
+    if (w.x0 <= 0 && w.x1 >= 0) along(Variable::x, Variable::y, w.y0, w.y1, PointKind::y_intercept);
+  }
+
+  /// Directions in which the curve leaves a point: changes of sign on a small circle of the plate.
+  std::vector<double> arms(double x, double y, double radius) {
+    constexpr int kSteps = 1440;
+    const Window& w = list_.window();
+    const auto at = [&](double angle) {
+      return value(x + radius * (w.x1 - w.x0) * std::cos(angle),
+                   y + radius * (w.y1 - w.y0) * std::sin(angle));
+    };
+    // Off round angles, so that no arm runs exactly through a sample.
+    const auto angle = [](int i) { return 0.0007 + 2 * std::numbers::pi * i / kSteps; };
+    std::vector<double> all;
+    double last = at(angle(0));
+    for (int i = 1; i <= kSteps; ++i) {
+      const double next = i == kSteps ? at(angle(0)) : at(angle(i));
+      if (std::isfinite(last) && std::isfinite(next) && (last < 0) != (next < 0))
+        all.push_back((angle(i - 1) + angle(i)) / 2);
+      last = next;
+    }
+    return all;
+  }
+
+  void classify(double x, double y) {
+    const std::vector<double> wide = arms(x, y, 1e-3);
+    const std::vector<double> near = arms(x, y, 1e-4);
+    const std::size_t count = std::min(wide.size(), near.size());
+    if (count >= 4) {
+      list_.add(statement_, PointKind::self_crossing, x, y);
+      return;
+    }
+    if (count == 0 && wide.empty()) {
+      list_.add(statement_, PointKind::isolated, x, y);
+      return;
+    }
+    if (near.size() == 2) {
+      double apart = near[1] - near[0];
+      apart = std::min(apart, 2 * std::numbers::pi - apart);
+      if (apart < 0.5 * std::numbers::pi) list_.add(statement_, PointKind::cusp, x, y);
+      return;
+    }
+    if (near.empty()) {
+      // Too narrow for this circle: a cusp has both arms on one side.
+      if (wide.size() == 2 && std::abs(wide[1] - wide[0]) < 1) list_.add(statement_, PointKind::cusp, x, y);
+    }
+  }
+
+  /// A level place of the curve: it is the highest or the lowest around if both arms run to one side.
+  void extremum(double x, double y) {
+    for (const PointKind k : {PointKind::cusp, PointKind::self_crossing, PointKind::isolated}) {
+      if (list_.has_near(statement_, k, x, y, 1e-5)) return;
+    }
+    const std::vector<double> all = arms(x, y, 1e-4);
+    if (all.size() != 2) return;
+    const double first = std::sin(all[0]);
+    const double second = std::sin(all[1]);
+    const bool level =
+        std::cos(all[0]) * std::cos(all[1]) < 0 && std::abs(first) < 0.5 && std::abs(second) < 0.5;
+    // A lone flat arm is hard to see on a small circle: the wide one decides.
+    const std::vector<double> wide = arms(x, y, 3e-3);
+    if (!level || wide.size() != 2) return;
+    const double a = std::sin(wide[0]);
+    const double b = std::sin(wide[1]);
+    if (std::abs(a) < 1e-3 && std::abs(b) < 1e-3) return;
+    if (a > 0 && b > 0) list_.add(statement_, PointKind::minimum, x, y);
+    if (a < 0 && b < 0) list_.add(statement_, PointKind::maximum, x, y);
+  }
+
+  Expression whole_;
+  Expression f_;
+  int statement_;
+  PointList& list_;
+  Tape whole_tape_;
+  Tape tape_;
+  std::vector<double> values_;
+};
+
+}  // namespace
+
+Expression square_free(const Expression& f) {
+  const Expression whole = without_even_roots(reduced(f));
+  Expression numerator = over_common_denominator(whole).numerator;
+  if (node_count(numerator) > 12 * node_count(whole) + 40) numerator = whole;
+  Expression product;
+  std::set<std::string> known;
+  const auto take = [&](const Expression& part) {
+    if (variables_of(part).empty() || !known.insert(to_text(part)).second) return;
+    product = product ? binary(NodeKind::multiply, product, part) : part;
+  };
+  for (const Expression& factor : zero_factors(numerator)) {
+    const auto p = Polynomial::of(factor);
+    const Expression root = p ? p->square_root() : nullptr;
+    if (!root) {
+      take(factor);
+      continue;
+    }
+    for (const Expression& part : zero_factors(root)) take(part);
+  }
+  return product ? product : whole;
+}
+
+bool add_points_of_equation(const Expression& f, int statement, PointList& list) {
+  return EquationPoints(f, statement, list).run();
+}
+
+}  // namespace nazori::functions
