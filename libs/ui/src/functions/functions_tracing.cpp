@@ -58,7 +58,7 @@ void FunctionsPage::connect_trace() {
       panel_->show_words(localised(functions::in_words(*plot, plot_language(), plot_speech())));
       draw();
     }
-    parts().answer(Feedback::good, speech_words(plot_speech()) + QLatin1Char('.'));
+    parts().respond(Feedback::good, speech_words(plot_speech()) + QLatin1Char('.'));
   });
   on(actions_->beacon, [this] {
     parts().respond(Feedback::good, event_words(explorer_.drop_beacon(),
