@@ -35,11 +35,17 @@ TEST_F(Confusables, AreThoseThatLearnersTakeForEachOther) {
 }
 
 TEST_F(Confusables, AreFewDifferentAndDrawn) {
-  for (const auto& one : database_.list(kanji::List::grade_3)) {
+  for (const auto& one : database_.list(kanji::List::all)) {
     const auto found = confusables_of(database_, one.code_point);
     EXPECT_LE(found.size(), 4U);
     EXPECT_THAT(found, Not(Contains(one.code_point)));
-    for (const char32_t other : found) EXPECT_TRUE(database_.draws(other));
+    const auto table = confusables_in_table(one.code_point);
+    for (const char32_t other : found) {
+      EXPECT_TRUE(database_.draws(other));
+      // What only looks alike must be a kanji that a learner meets.
+      if (std::find(table.begin(), table.end(), other) == table.end())
+        EXPECT_TRUE(database_.summary(other)->grade) << static_cast<std::uint32_t>(other);
+    }
     auto sorted = found;
     std::sort(sorted.begin(), sorted.end());
     EXPECT_EQ(std::adjacent_find(sorted.begin(), sorted.end()), sorted.end());
