@@ -59,6 +59,11 @@ void PracticeSpeech::say(Cause cause) {
 
 bool PracticeSpeech::speak() {
   const bool is_any = !reading().empty();
+  if (practice_.current_stage().id() == DictationStage::kId && is_any) {
+    // It also shows the question again.
+    practice_.get<DictationStage>().speak();
+    return true;
+  }
   say(Cause::wanted);
   return is_any;
 }

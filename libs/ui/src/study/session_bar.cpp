@@ -114,11 +114,11 @@ QString SessionBar::question(const practice::CharacterSheet& sheet) const {
   // Look-alikes stand beside the kana itself, as large as it is.
   QStringList others;
   for (const char32_t other : asks.lookalikes)
-    others.append(
-        tr("%1 is %2").arg(in_hand(to_text(other)), to_text(kanji::romaji_of(base::encode_utf8(other)))));
+    others.append(QStringLiteral("%1 %2").arg(in_hand(to_text(other)),
+                                              to_text(kanji::romaji_of(base::encode_utf8(other)))));
   if (!others.isEmpty())
     asked += QStringLiteral(" &nbsp;<span style=\"color:%1\">%2</span>")
-                 .arg(muted, tr("not to be confused: %1").arg(others.join(QStringLiteral(", "))));
+                 .arg(muted, tr("looks like %1").arg(others.join(QStringLiteral(", "))));
   return asked;
 }
 
