@@ -1461,7 +1461,7 @@
     </message>
     <message>
         <source>%1 is not right yet. Delete: write it again. Enter: next word.</source>
-        <translation>%1はまだ正しくありません。Delete：書き直す。Enter：次の言葉。</translation>
+        <translation>「%1」はまだ正しくありません。Enter：次の言葉、Delete：書き直す</translation>
     </message>
 </context>
 <context>
@@ -3946,7 +3946,7 @@ Columns and rows:</source>
     </message>
     <message>
         <source>Readings are not spoken. V: speak one.</source>
-        <translation>読みを自動では読み上げません。V：読み上げる。</translation>
+        <translation>読みを自動では読み上げません。V：読み上げる</translation>
     </message>
     <message>
         <source>Voice: %1.</source>
