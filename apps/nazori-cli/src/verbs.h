@@ -24,6 +24,7 @@ void add_record(CLI::App& app, Action& chosen);
 void add_grade(CLI::App& app, Action& chosen);
 void add_recognise(CLI::App& app, Action& chosen);
 void add_practise(CLI::App& app, Action& chosen);
+void add_speak(CLI::App& app, Action& chosen);
 void add_devices(CLI::App& app, Action& chosen);
 void add_study(CLI::App& app, Action& chosen);
 void add_database(CLI::App& app, Action& chosen);

@@ -11,6 +11,8 @@ member of each answer is renamed once, and must be refused then.
 import copy
 import json
 import os
+import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -140,6 +142,15 @@ class Schemas(unittest.TestCase):
         found = self.answers("handwriting#candidates", "handwriting#refused_candidates", "recognise",
                              lines=[{"id": 1, "strokes": BAR}, {"strokes": []}], code=2)
         self.assertEqual(found[0]["candidates"][0], "一")
+
+    def test_speech(self):
+        folder = self.path("sounds")
+        os.mkdir(folder)
+        head = struct.pack("<4sI4s4sIHHIIHH4sI", b"RIFF", 1636, b"WAVE", b"fmt ", 16, 1, 1, 8000, 16000, 2, 16, b"data", 1600)
+        with open(os.path.join(folder, "か.wav"), "wb") as wav:
+            wav.write(head + b"\0\x20" * 800)
+        self.answer("speech#spoken", "speak", "か", "--recordings", folder, "--output", self.path("か.wav"))
+        self.answer("speech#voices", "speak", "--voices", "--voice", "espeak-ng", code=0 if shutil.which("espeak-ng") else 1)
 
     def test_practice(self):
         cross = [[[14, 50], [95, 50]]], [[[54, 14], [54, 98]]]

@@ -135,7 +135,7 @@ TEST(Messages, HelpListsAllVerbsUnderOneHeading) {
   EXPECT_THAT(help, Not(HasSubstr("Subcommands")));
   for (const char* verb :
        {"info", "search", "carve", "render", "plot", "demo", "feel", "record", "devices", "database", "grade",
-        "recognise", "practise", "study", "completion", "manual", "help"})
+        "recognise", "practise", "speak", "study", "completion", "manual", "help"})
     EXPECT_NE(help.find(std::string("\n  ") + verb + " ", verbs), std::string::npos) << verb;
 }
 
@@ -167,6 +167,7 @@ TEST(Messages, QuietIsTakenByEveryVerb) {
                                                                                     {"grade"},
                                                                                     {"recognise"},
                                                                                     {"practise"},
+                                                                                    {"speak"},
                                                                                     {"study", "due"},
                                                                                     {"study", "review"},
                                                                                     {"study", "export"},

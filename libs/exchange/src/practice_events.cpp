@@ -61,6 +61,8 @@ Value to_json(const StageReport& event) {
     json["ending"] = name_of(what.ending);
   }
   if (what.leading != practice::Leading::none) json["leading"] = name_of(what.leading);
+  if (what.written != 0) json["written"] = base::encode_utf8(what.written);
+  if (what.asked != 0) json["asked"] = base::encode_utf8(what.asked);
   if (what.more == practice::MistakeHelp::hint) json["help"] = "hint";
   if (what.mistake) json["mistake"] = kanji::name_of(what.mistake->kind);
   if (what.error) json["error"] = base::to_line(*what.error);

@@ -57,6 +57,10 @@ KanjiDatabase::Inside::Inside(SQLite::Database opened, std::string file)
       words(db,
             "SELECT w.text, w.reading, w.parts_of_speech, w.common, w.glosses FROM word_of o JOIN word w ON "
             "w.id = o.word WHERE o.code_point = ? ORDER BY o.word LIMIT ?"),
+      heard_words(db,
+                  "SELECT text, reading, parts_of_speech, common, glosses FROM word WHERE common = 1 AND "
+                  "length(coalesce(reading, text)) BETWEEN 2 AND ? AND instr(coalesce(reading, text), ?) > 0 "
+                  "ORDER BY id LIMIT ?"),
       elements(db, "SELECT place FROM element_of WHERE element = ? ORDER BY place LIMIT ?"),
       radical(db, "SELECT form, strokes, english_name FROM radical WHERE number = ?"),
       radical_forms(db, "SELECT form FROM radical_form WHERE number = ? ORDER BY position"),
@@ -316,9 +320,19 @@ std::vector<Word> KanjiDatabase::words(char32_t code_point, int limit) const {
     Rewound row(inside_->words);
     row->bind(1, static_cast<std::int64_t>(code_point));
     row->bind(2, std::max(limit, 0));
-    while (row->executeStep()) {
-      out.push_back(Inside::read_word(row));
-    }
+    while (row->executeStep()) out.push_back(Inside::read_word(row));
+    return out;
+  });
+}
+
+std::vector<Word> KanjiDatabase::words_heard_with(char32_t kana, int most_kana, int limit) const {
+  return inside_->answer_or<std::vector<Word>>({}, [&] {
+    std::vector<Word> out;
+    Rewound row(inside_->heard_words);
+    row->bind(1, most_kana);
+    row->bind(2, base::encode_utf8(kana));
+    row->bind(3, std::max(limit, 0));
+    while (row->executeStep()) out.push_back(Inside::read_word(row));
     return out;
   });
 }

@@ -89,7 +89,7 @@ struct KanjiDatabase::Inside {
   std::optional<base::Error> trouble;  ///< the first error since it was opened
   SQLite::Statement character, form, variants, strokes, components, orders;
   SQLite::Statement stroke_counts, readings, meanings, codes;
-  SQLite::Statement all_characters, words, elements;
+  SQLite::Statement all_characters, words, heard_words, elements;
   SQLite::Statement radical, radical_forms, radical_names, sources;
   SQLite::Statement reading_keys, meaning_keys;
   SQLite::Statement word, words_of_key, words_after_key, words_of_meaning;

@@ -6,9 +6,13 @@
 
 #include "nazori/base/latest.h"
 #include "nazori/base/utf8.h"
+#include "nazori/kanji/kana_sound.h"
 
 namespace nazori::practice {
 namespace {
+
+/// Words that are read for a kana; nouns among them are asked for.
+constexpr int kMostHeard = 400;
 
 std::optional<char32_t> single(const std::string& text) {
   const auto points = base::decode_utf8(text);
@@ -121,8 +125,13 @@ Sheet sheet_of(const kanji::KanjiDatabase& database, char32_t code_point) {
   sheet->helpful = words_that_help(database, *character);
   for (const char32_t other : confusables_of(database, code_point))
     if (auto drawn = database.find(other)) sheet->confusables.push_back(*std::move(drawn));
-  sheet->dictation =
-      dictation_words(sheet->words, code_point, [&database](char32_t one) { return database.draws(one); });
+  const auto draws = [&database](char32_t one) { return database.draws(one); };
+  if (kanji::kana_sound(code_point))
+    sheet->dictation =
+        kana_words(database.words_heard_with(code_point, static_cast<int>(kMostDictated), kMostHeard),
+                   code_point, draws);
+  else
+    sheet->dictation = dictation_words(sheet->words, code_point, draws);
   sheet->character = std::move(*character);
   return sheet;
 }

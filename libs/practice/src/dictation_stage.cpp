@@ -47,6 +47,9 @@ DictationStage::DictationStage(const StageParts& parts)
   attempt_.eraser_used.connect([this] { undo(); });
   attempt_.checked.connect([this](bool is_about_new) { use_check(is_about_new); });
   attempt_.judged.connect([this] { finish_character(); });
+  attempt_.other_written.connect([this](char32_t written, char32_t asked, bool was_finished) {
+    use_other(written, asked, was_finished);
+  });
 }
 
 std::vector<StageCommand> DictationStage::commands() {
@@ -62,7 +65,8 @@ std::vector<StageCommand> DictationStage::commands() {
 StageDetails DictationStage::details(const StageFeedback& what) const {
   if (word() == nullptr) return {};
   if (what.own == kWordAsked || what.own == kSpeechWanted)
-    return {{"reading", word()->prompt()}, {"meaning", word()->word.glosses.front()}};
+    return {{"reading", word()->prompt()},
+            {"meaning", word()->word.glosses.empty() ? std::string() : word()->word.glosses.front()}};
   if (what.own == kCharacterWritten) return details_of(boxes_[static_cast<std::size_t>(what.stroke - 1)]);
   if (what.own != kWordJudged) return {};
   std::vector<StageDetails> characters;
@@ -192,6 +196,7 @@ void DictationStage::reopen(std::size_t position) {
   auto kept = std::move(boxes_[position].writing);
   boxes_[position].writing = {};
   boxes_[position].is_finished = false;
+  boxes_[position].other = 0;
   open(position);
   attempt_.restore(std::move(kept));
   attempt_.show_model_strokes({});
@@ -254,6 +259,22 @@ void DictationStage::finish_character() {
           .tone = tone_of(boxes_[next - 1]),
           .stroke = static_cast<int>(next),
           .other = static_cast<int>(next) + 1});
+}
+
+void DictationStage::use_other(char32_t written, char32_t asked, bool was_finished) {
+  if (!is_entered() || boxes_.empty()) return;
+  if (was_finished) {
+    // The answer may come when the next character, or none, is being written.
+    for (auto& box : boxes_)
+      if (box.character == asked && (box.is_finished || box.character == boxes_[position_].character) &&
+          !box.writing.grade.accepted)
+        box.other = written;
+    changed();
+  }
+  report({.event = StageEvent::other_character,
+          .tone = Tone::wrong,
+          .written = written,
+          .asked = was_finished ? asked : 0});
 }
 
 void DictationStage::finish_word() {
@@ -336,7 +357,7 @@ void DictationStage::next_word() {
 
 void DictationStage::speak() {
   if (word() == nullptr) return;
-  speech_wanted(word()->prompt());
+  speech_wanted(word()->spoken());
   report_own(kSpeechWanted, Tone::hint);
 }
 

@@ -40,6 +40,8 @@ MemoryStage::MemoryStage(base::Inbox& inbox, TabletControl& control, WritingJudg
   attempt_.eraser_used.connect([this] { undo(); });
   attempt_.checked.connect([this](bool is_about_new) { use_check(is_about_new); });
   attempt_.judged.connect([this] { finish(); });
+  attempt_.other_written.connect(
+      [this](char32_t written, char32_t asked, bool) { report_other(written, asked); });
 }
 
 std::vector<StageCommand> MemoryStage::commands() {
@@ -249,6 +251,15 @@ void MemoryStage::report_last_stroke() {
       report({.event = StageEvent::stroke_hinted, .tone = Tone::advice, .stroke = expected + 1});
       return;
   }
+}
+
+void MemoryStage::report_other(char32_t written, char32_t asked) {
+  // Only what is on the tablet now is spoken of; without verdicts nothing is given away before the end.
+  if (asked != character_ || (state_ == State::writing && !options_.judges_each)) return;
+  report({.event = StageEvent::other_character,
+          .tone = Tone::wrong,
+          .written = written,
+          .asked = hides_character() ? 0 : asked});
 }
 
 void MemoryStage::finish() {

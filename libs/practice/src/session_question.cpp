@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "nazori/base/utf8.h"
-#include "nazori/kanji/kana.h"
 #include "nazori/kanji/kun_reading.h"
 
 namespace nazori::practice {
@@ -13,6 +12,7 @@ namespace {
 constexpr std::size_t kMostMeanings = 4;
 constexpr std::size_t kMostGlosses = 3;
 constexpr std::size_t kMostReadings = 2;  ///< of each kind
+constexpr std::size_t kMostLookalikes = 3;
 constexpr std::string_view kGap = "◯";
 
 std::string with_gap(std::string word, const std::string& character) {
@@ -46,24 +46,32 @@ std::vector<std::string> readings_of(const kanji::DictionaryEntry& entry) {
   return found;
 }
 
+std::vector<char32_t> nearest_lookalikes(char32_t character) {
+  auto similar = kanji::similar_kana(character);
+  if (similar.size() > kMostLookalikes) similar.resize(kMostLookalikes);
+  return similar;
+}
+
 }  // namespace
 
 SessionQuestion question_of(const StudySession& session, const CharacterSheet& sheet) {
   const auto& character = sheet.character;
   SessionQuestion question;
+  question.script = kanji::script_of(character.code_point);
+  question.sound = kanji::kana_sound(character.code_point);
   question.strokes = static_cast<int>(character.strokes.size());
   if (const auto* word = session.word(); word != nullptr && session.stage() == study::Stage::memory) {
     question.gap = with_gap(word->text, base::encode_utf8(character.code_point));
-    question.reading = word->reading;
+    question.reading = question.sound ? kanji::romaji_of(word->reading) : word->reading;
     question.meanings = first_of(word->glosses, kMostGlosses);
     return question;
   }
-  if (!session.asks_from_memory()) question.shown = character.code_point;
+  if (!session.asks_from_memory()) {
+    question.shown = character.code_point;
+    question.lookalikes = nearest_lookalikes(character.code_point);
+  }
   question.meanings = meanings_of(character.entry);
   question.readings = readings_of(character.entry);
-  // Kana have no dictionary entry; the question shows the same kana of the other syllabary.
-  if (question.meanings.empty() && question.readings.empty())
-    question.other_kana = kanji::in_other_syllabary(character.code_point);
   return question;
 }
 

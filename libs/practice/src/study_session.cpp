@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "nazori/base/utf8.h"
+#include "nazori/kanji/kana_sound.h"
 
 namespace nazori::practice {
 namespace {
@@ -182,6 +183,17 @@ void StudySession::choose_word() {
   const auto card = store().card(task_.character);
   if (!asks_by_words_ || task_.kind == study::TaskKind::fresh) return;
   if ((card.memory.reps + static_cast<int>(task_.character)) % kEveryWord != 0) return;
+  if (kanji::kana_sound(task_.character)) {
+    // A kana is asked for by a word only where all its other kana are known.
+    for (const auto& one : sheet_->dictation) {
+      const auto is_known = [&](char32_t kana) { return kana == task_.character || knows(kana); };
+      const auto times = std::count(one.characters.begin(), one.characters.end(), task_.character);
+      if (times != 1 || !std::all_of(one.characters.begin(), one.characters.end(), is_known)) continue;
+      word_ = one.word;
+      return;
+    }
+    return;
+  }
   const std::string own = base::encode_utf8(task_.character);
   for (const auto& word : sheet_->words) {
     // A word of this character alone, or one that has it twice, asks for too little or too much.
@@ -200,7 +212,7 @@ base::Result<study::Card> StudySession::after(study::Rating rating) const {
 
 void StudySession::rate(study::Rating rating) {
   if (state_ != State::judged) return;
-  if (!save(Stage::memory, rating, proposed_, result_, ink_)) return;
+  if (!save(Stage::memory, rating, proposed_.rating, result_, ink_)) return;
   reviewed_ = true;
   const auto card = store().card(task_.character);
   SessionFeedback event = about_character(card.leech ? Kind::set_apart : Kind::rated);
@@ -237,7 +249,7 @@ void StudySession::go_on() {
     case State::doing:
       return;
     case State::judged:
-      rate(proposed_);
+      rate(proposed_.rating);
       return;
     case State::offered:
       if (is_over()) {

@@ -117,7 +117,7 @@ void StudySession::propose(study::WritingResult result, const std::vector<HandSt
   ink_ = to_handwriting(strokes);
   const auto usual = store().usual_writing(task_.character);
   if (!usual) learner_.announce_unread(usual.error());
-  proposed_ = study::proposed_rating(result_, usual.value_or(study::UsualWriting{}));
+  proposed_ = study::suggested_rating(result_, usual.value_or(study::UsualWriting{}));
   state_ = State::judged;
   changed();
 }

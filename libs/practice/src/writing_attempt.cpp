@@ -13,6 +13,13 @@ namespace {
 constexpr double kModelOver = 0.9;   ///< opacity of the model over the writing
 constexpr double kModelHint = 0.75;  ///< and of a hint
 
+/// The character that the grader has found in place of the one asked for; 0: none.
+char32_t other_in(const writing::Grade& grade) {
+  for (const auto& mistake : grade.mistakes)
+    if (mistake.kind == kanji::MistakeKind::other) return mistake.character;
+  return 0;
+}
+
 }  // namespace
 
 WritingAttempt::WritingAttempt(TabletControl& tablet, WritingJudge& judge)
@@ -22,6 +29,8 @@ WritingAttempt::WritingAttempt(TabletControl& tablet, WritingJudge& judge)
           [this](std::uint64_t number, const writing::Grade& grade) { use_grade(number, grade); })),
       failed_(judge.judging_failed.connect(
           [this](std::uint64_t number, const base::Error& error) { use_error(number, error); })),
+      named_(judge.named.connect(
+          [this](std::uint64_t number, char32_t character) { use_name(number, character); })),
       reported_(judge.pen_reported.connect([this](std::uint64_t number, const PenReport& pen) {
         if (number == whole_number_) content_.pen = pen;
       })),
@@ -37,7 +46,10 @@ void WritingAttempt::begin(char32_t character, Tablet model) {
   character_ = character;
   model_ = std::move(model);
   is_open_ = true;
+  // A word goes on with its next character before the answer about the one before is there.
+  const auto naming = names_whole_ && named_for_ != character ? naming_ : 0;
   clear();
+  naming_ = naming;
 }
 
 void WritingAttempt::end() {
@@ -45,10 +57,14 @@ void WritingAttempt::end() {
   awaited_ = 0;
   live_number_ = whole_number_ = 0;
   content_ = {};
+  tried_.clear();
+  naming_ = 0;
 }
 
 void WritingAttempt::clear() {
   content_ = {};
+  tried_.clear();
+  naming_ = 0;
   is_refused_ = false;
   live_number_ = whole_number_ = 0;
   recorder_.drop();
@@ -83,6 +99,8 @@ void WritingAttempt::record(std::span<const haptics::ServoSample> samples) {
 
 void WritingAttempt::add(HandStroke stroke, bool shows_verdict) {
   drop_refused();
+  naming_ = 0;
+  if (tried_.size() < writing::kMaxInkStrokes) tried_.push_back(stroke);
   content_.strokes.push_back(std::move(stroke));
   content_.seen.push_back(shows_verdict);
   content_.hinted.clear();
@@ -104,11 +122,13 @@ bool WritingAttempt::undo(bool shows_verdicts) {
     recorder_.drop();
   } else if (!content_.strokes.empty()) {
     content_.strokes.pop_back();
+    if (!tried_.empty()) tried_.pop_back();
     show_verdicts(shows_verdicts);
   } else {
     return false;
   }
   is_refused_ = false;
+  naming_ = 0;
   content_.hinted.clear();
   content_.hints = 0;
   awaits_report_ = false;
@@ -159,16 +179,42 @@ void WritingAttempt::use_grade(std::uint64_t number, const writing::Grade& grade
   if (!is_open_ || content_.strokes.empty()) return;
   if (number == whole_number_) {
     content_.grade = grade;
+    const char32_t asked = character_;
+    const char32_t other = other_in(grade);
+    if (!grade.accepted && other == 0) name_other(true);
     judged();
+    if (other != 0) other_written(other, asked, true);
   } else if (number == live_number_) {
     content_.grade = grade;
-    checked(std::exchange(awaits_report_, false));
+    const bool is_about_new = std::exchange(awaits_report_, false);
+    checked(is_about_new);
+    if (is_about_new && !grade.mistakes.empty()) name_other(false);
   }
 }
 
 void WritingAttempt::use_error(std::uint64_t number, const base::Error& error) {
   if (number == awaited_) awaited_ = 0;
   if (number == live_number_ || number == whole_number_) failed(error);
+}
+
+void WritingAttempt::name_other(bool as_a_whole) {
+  if (!as_a_whole) {
+    // While it is written, only what is mostly wrong can be another character: 木 is the beginning of 林.
+    const auto right = static_cast<std::size_t>(
+        std::count_if(content_.grade.strokes.begin(), content_.grade.strokes.end(),
+                      [](const writing::StrokeVerdict& verdict) { return verdict.ok; }));
+    if (tried_.empty() || 2 * right >= tried_.size() || (tried_.size() == 1 && stroke_count() != 1)) return;
+  }
+  named_for_ = character_;
+  names_whole_ = as_a_whole;
+  naming_ = judge_.name_other(to_ink(tried_.empty() ? content_.strokes : tried_, geometry::TabletShape{}),
+                              character_);
+}
+
+void WritingAttempt::use_name(std::uint64_t number, char32_t character) {
+  if (number != naming_) return;
+  naming_ = 0;
+  if (character != 0) other_written(character, named_for_, names_whole_);
 }
 
 void WritingAttempt::show(const Look& look) const {

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "nazori/base/latest.h"
+#include "nazori/kanji/kana.h"
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/writing/model_library.h"
 
@@ -51,21 +53,60 @@ struct Books {
   }
 };
 
+/// Candidates that are looked at to name another character.
+constexpr int kMostNamed = 8;
+
+/// Whether two characters of different scripts look the same, so that one cannot be told from the other.
+bool looks_same(char32_t a, char32_t b) {
+  constexpr std::u32string_view kPairs = U"へヘべベぺペ口ロ力カ二ニ一ー夕タ工エ卜ト八ハ千チ";
+  for (std::size_t i = 0; i + 1 < kPairs.size(); i += 2)
+    if ((kPairs[i] == a && kPairs[i + 1] == b) || (kPairs[i] == b && kPairs[i + 1] == a)) return true;
+  return false;
+}
+
 /// The recogniser, once its data are loaded.
 struct Reader {
   explicit Reader(std::filesystem::path from) : path(std::move(from)) {}
 
   std::filesystem::path path;
   std::optional<writing::Recogniser> recogniser;
+  std::optional<kanji::KanjiDatabase> database;
+  std::optional<writing::ModelLibrary> models;
 
   base::Result<void> learn() {
     if (recogniser) return {};
-    const auto database = kanji::KanjiDatabase::open(path);
-    if (!database) return tl::unexpected(database.error());
-    auto made = writing::Recogniser::make(*database);
+    auto opened = kanji::KanjiDatabase::open(path);
+    if (!opened) return tl::unexpected(opened.error());
+    auto made = writing::Recogniser::make(*opened);
     if (!made) return tl::unexpected(made.error());
     recogniser.emplace(std::move(*made));
+    database.emplace(std::move(*opened));
+    models.emplace(*database);
     return {};
+  }
+
+  /// The other character that the ink is; 0: none.
+  char32_t name(const writing::WrittenCharacter& ink, char32_t asked) {
+    if (!learn()) return 0;
+    const auto candidates = recogniser->recognise(ink, {.limit = kMostNamed, .unfinished = false});
+    if (!candidates) return 0;
+    char32_t found = 0;
+    for (const auto& candidate : *candidates) {
+      // What is liker the character that was asked for is a bad writing of it.
+      if (candidate.character == asked) break;
+      if (kanji::script_of(candidate.character) == kanji::Script::latin ||
+          looks_same(candidate.character, asked))
+        continue;
+      const auto entry = models->find(candidate.character);
+      if (!entry) continue;
+      const auto grade =
+          writing::grade(ink, (*entry)->model, {.strictness = writing::kOrderIsAdvice}, (*entry)->lookalikes);
+      if (!grade || !grade->accepted) continue;
+      // 口 rather than ロ where a kanji was asked for.
+      if (kanji::script_of(candidate.character) == kanji::script_of(asked)) return candidate.character;
+      if (found == 0) found = candidate.character;
+    }
+    return found;
   }
 
   base::Result<std::vector<writing::Candidate>> read(const writing::WrittenCharacter& ink, int limit) {
@@ -88,6 +129,17 @@ struct Reader {
     }
     return all;
   }
+};
+
+struct InkToName {
+  writing::WrittenCharacter ink;
+  char32_t asked;
+};
+
+/// Another character with its request number.
+struct Name {
+  std::uint64_t number;
+  char32_t character;
 };
 
 struct InkToRead {
@@ -134,12 +186,19 @@ struct WritingJudge::Inside {
                 judge.recognised(answer.number, *answer.found);
               else
                 judge.recognising_failed(answer.number, answer.found.error());
-            }) {}
+            }),
+        namer(
+            recogniser_thread,
+            [reader = reader](const InkToName& request, const auto& run) {
+              return Name{run.ticket(), reader->name(request.ink, request.asked)};
+            },
+            [&judge](const Name& answer) { judge.named(answer.number, answer.character); }) {}
 
   base::Latest<JudgeRequest, Judgement> grader;
   std::shared_ptr<Reader> reader;  ///< used by its thread only
   std::shared_ptr<base::Background> recogniser_thread;
   base::Latest<InkToRead, Reading> recogniser;
+  base::Latest<InkToName, Name> namer;
 };
 
 WritingJudge::WritingJudge(base::Inbox& inbox, const std::filesystem::path& database)
@@ -151,6 +210,10 @@ std::uint64_t WritingJudge::judge(const JudgeRequest& request) { return inside_-
 
 std::uint64_t WritingJudge::recognise(const writing::WrittenCharacter& ink, int limit) {
   return inside_->recogniser.request({ink, limit});
+}
+
+std::uint64_t WritingJudge::name_other(const writing::WrittenCharacter& ink, char32_t asked) {
+  return inside_->namer.request({ink, asked});
 }
 
 void WritingJudge::prepare_recogniser() {

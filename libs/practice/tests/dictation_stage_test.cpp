@@ -328,5 +328,23 @@ TEST_F(DictationStageTest, TheEraserOfThePenTakesBackAStroke) {
   EXPECT_TRUE(on_tablet().empty());
 }
 
+TEST_F(DictationStageTest, AnotherCharacterThanTheOneAskedIsNamedWhenItIsFinished) {
+  enter(U'日', {"日本"});
+  const auto other = character(U'大');
+  for (int n = 1; n <= 3; ++n) write(line(other, n));
+  EXPECT_EQ(last().event, StageEvent::other_character);
+  EXPECT_EQ(last().asked, 0U);
+  dictation_.finish_writing();
+  wait();
+  EXPECT_EQ(dictation_.position(), 1U) << "the next is being written";
+  EXPECT_EQ(last().event, StageEvent::other_character);
+  EXPECT_EQ(last().written, U'大');
+  EXPECT_EQ(last().asked, U'日');
+  EXPECT_EQ(box(0).other, U'大');
+  EXPECT_EQ(box(1).other, 0U);
+  dictation_.undo();
+  EXPECT_EQ(box(0).other, 0U);
+}
+
 }  // namespace
 }  // namespace nazori::practice

@@ -41,9 +41,44 @@ TEST(DictationWords, KnowTheirCharacters) {
   EXPECT_EQ(found[0].prompt(), "きゅうじつ");
 }
 
-TEST(DictationWords, OneInKanaIsAskedForInTheOtherSyllabary) {
-  EXPECT_EQ(dictation_words({word("あの", "あの")}, U'あ', any).at(0).prompt(), "アノ");
-  EXPECT_EQ(dictation_words({word("ケーキ", "ケーキ")}, U'ケ', any).at(0).prompt(), "けーき");
+TEST(DictationWords, OneInKanaIsAskedForInRomajiNeverInTheOtherSyllabary) {
+  const auto found = dictation_words({word("あの", "あの")}, U'あ', any);
+  EXPECT_EQ(found.at(0).prompt(), "ano");
+  EXPECT_EQ(found.at(0).spoken(), "あの");
+  EXPECT_TRUE(found.at(0).is_in_kana());
+  EXPECT_EQ(dictation_words({word("ケーキ", "ケーキ")}, U'ケ', any).at(0).prompt(), "kēki");
+  EXPECT_FALSE(dictation_words({word("休み", "やすみ")}, U'休', any).at(0).is_in_kana());
+}
+
+TEST(KanaWords, AreTheSyllablesWithASmallKanaThenNounsByTheirReading) {
+  auto particle = word("きに", "きに");
+  particle.parts_of_speech = "exp,prt";
+  auto rare = word("木目", "きめ");
+  rare.common = false;
+  const std::vector heard{word("秋", "あき"),           particle,          rare, word("空き", "あき"),
+                          word("木曜日", "もくようび"), word("駅", "えき")};
+  const auto found = kana_words(heard, U'き', any);
+  EXPECT_EQ(texts(found), (std::vector<std::string>{"きゃ", "きゅ", "きょ", "あき", "えき"}));
+  EXPECT_TRUE(found[0].is_syllable);
+  EXPECT_EQ(found[0].prompt(), "kya");
+  EXPECT_FALSE(found[3].is_syllable);
+  EXPECT_EQ(found[3].prompt(), "aki");
+  EXPECT_EQ(found[3].characters, (std::vector<char32_t>{U'あ', U'き'}));
+  EXPECT_EQ(found[3].word.glosses.front(), "meaning");
+}
+
+TEST(KanaWords, StayInTheSyllabaryAndLeaveOutWhatCannotBeDrawn) {
+  const std::vector heard{word("カー", "カー"), word("カに", "カに")};
+  EXPECT_EQ(texts(kana_words(heard, U'カ', any)), (std::vector<std::string>{"カー"}));
+  EXPECT_EQ(texts(kana_words({}, U'キ', [](char32_t one) { return one != U'ュ'; })),
+            (std::vector<std::string>{"キャ", "キョ"}));
+}
+
+TEST(KanaWords, ThoseOfKnownKanaComeFirst) {
+  const auto words = kana_words({word("秋", "あき"), word("駅", "えき")}, U'き', any);
+  const auto knows = [](char32_t one) { return one == U'え' || one == U'ゃ'; };
+  EXPECT_EQ(texts(best_known_first(words, U'き', knows)),
+            (std::vector<std::string>{"きゃ", "えき", "きゅ", "きょ", "あき"}));
 }
 
 TEST(DictationWords, ThoseOfKanjiThatTheLearnerKnowsComeFirstInTheirOldOrder) {

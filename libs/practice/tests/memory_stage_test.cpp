@@ -366,5 +366,63 @@ TEST(MemoryStageOptions, WhatCannotBeReadIsAsAtFirst) {
   }
 }
 
+TEST_F(MemoryStageTest, AnotherCharacterThanTheOneAskedIsNamedAtOnceWithoutGivingTheAnswerAway) {
+  enter(U'日');
+  const auto other = character(U'大');
+  for (int n = 1; n <= 3; ++n) write(line(other, n));
+  inbox_.run_until([&] { return !memory_.is_busy(); });
+  EXPECT_EQ(last().event, StageEvent::other_character);
+  EXPECT_EQ(last().tone, Tone::wrong);
+  EXPECT_EQ(last().written, U'大');
+  EXPECT_EQ(last().asked, 0U) << "it is still to be written from memory";
+  memory_.finish_writing();
+  inbox_.run_until([&] { return !memory_.is_busy(); });
+  EXPECT_EQ(last().event, StageEvent::other_character);
+  EXPECT_EQ(last().written, U'大');
+  EXPECT_EQ(last().asked, U'日');
+  EXPECT_FALSE(grades_.at(0).accepted);
+}
+
+TEST_F(MemoryStageTest, AnotherCharacterIsNamedInALessonTooThoughItsStrokesWereRefused) {
+  memory_.set_on_mistake([](int) { return MissReply::try_again; });
+  enter(U'日');
+  const auto other = character(U'大');
+  for (int n = 1; n <= 3; ++n) write(line(other, n));
+  inbox_.run_until([&] { return !memory_.is_busy(); });
+  EXPECT_EQ(last().event, StageEvent::other_character);
+  EXPECT_EQ(last().written, U'大');
+}
+
+TEST_F(MemoryStageTest, ALookalikeIsNamedByTheVerdict) {
+  enter(U'土');
+  memory_.set_judges_each(false);
+  const auto other = character(U'士');
+  for (int n = 1; n <= 3; ++n) write(line(other, n));
+  memory_.finish_writing();
+  inbox_.run_until([&] { return !memory_.is_busy() && !grades_.empty(); });
+  EXPECT_EQ(last().event, StageEvent::other_character);
+  EXPECT_EQ(last().written, U'士');
+  EXPECT_EQ(last().asked, U'土');
+}
+
+TEST_F(MemoryStageTest, TheBeginningOfTheCharacterIsNotTakenForAnother) {
+  enter(U'林');
+  for (int n = 1; n <= 3; ++n) write(n);
+  write(reversed(line(subject_, 4)));
+  inbox_.run_until([&] { return !memory_.is_busy(); });
+  const auto all = events();
+  EXPECT_EQ(std::count(all.begin(), all.end(), StageEvent::other_character), 0) << "木 is how 林 begins";
+}
+
+TEST_F(MemoryStageTest, JudgedAtTheEndNothingIsNamedBefore) {
+  enter(U'日');
+  memory_.set_judges_each(false);
+  const auto other = character(U'大');
+  for (int n = 1; n <= 3; ++n) write(line(other, n));
+  inbox_.run_until([&] { return !memory_.is_busy(); });
+  const auto all = events();
+  EXPECT_EQ(std::count(all.begin(), all.end(), StageEvent::other_character), 0);
+}
+
 }  // namespace
 }  // namespace nazori::practice

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "nazori/base/utf8.h"
 #include "session_under_test.h"
 
 namespace nazori::practice {
@@ -45,7 +46,7 @@ TEST_F(Question, IsTheCharacterWithItsMeaningsAndReadingsUntilItIsAskedFromMemor
   EXPECT_THAT(question.readings, ElementsAre("キュウ", "ク", "やす・む", "やす・まる"));
   EXPECT_EQ(question.strokes, 6);
   EXPECT_EQ(question.gap, "");
-  EXPECT_EQ(question.other_kana, 0U);
+  EXPECT_FALSE(question.sound);
   practise();
   const auto asked = question_of(*session_, shown);
   EXPECT_EQ(asked.shown, 0U) << "what the learner must know is not shown";
@@ -54,13 +55,20 @@ TEST_F(Question, IsTheCharacterWithItsMeaningsAndReadingsUntilItIsAskedFromMemor
   EXPECT_EQ(question_of(*session_, shown).shown, U'休');
 }
 
-TEST_F(Question, OfAKanaIsTheOtherSyllabarys) {
-  learn_from({U'か', U'カ'});
-  for (const char32_t other : {U'カ', U'か'}) {
+TEST_F(Question, OfAKanaIsItsSoundAndItsSyllabary) {
+  learn_from({U'ぬ', U'ヌ'});
+  for (const auto script : {kanji::Script::hiragana, kanji::Script::katakana}) {
     ASSERT_TRUE(session_->start());
+    EXPECT_EQ(question_of(*session_, sheet()).lookalikes.front(),
+              script == kanji::Script::hiragana ? U'め' : U'ス')
+        << "beside the kana itself";
     practise();
     const auto question = question_of(*session_, sheet());
-    EXPECT_EQ(question.other_kana, other);
+    ASSERT_TRUE(question.sound);
+    EXPECT_EQ(question.sound->romaji, "nu");
+    EXPECT_EQ(question.script, script);
+    EXPECT_EQ(question.shown, 0U);
+    EXPECT_THAT(question.lookalikes, IsEmpty()) << "they would give it away";
     EXPECT_THAT(question.meanings, IsEmpty());
     EXPECT_THAT(question.readings, IsEmpty());
     write(true);
@@ -69,13 +77,47 @@ TEST_F(Question, OfAKanaIsTheOtherSyllabarys) {
   }
 }
 
+TEST_F(Question, OfAKanaMayBeAWordWhoseOtherKanaAreKnown) {
+  session_->set_asks_by_words(true);
+  learn_from({U'い', U'ぬ'});
+  auto given = std::make_shared<CharacterSheet>();
+  given->character = *learner_->database()->find(U'ぬ');
+  for (const char* reading : {"ぬの", "いぬ"}) {
+    DictationWord one;
+    one.word.text = one.word.reading = reading;
+    one.word.glosses = {"gloss"};
+    for (const char32_t c : *base::decode_utf8(reading)) one.characters.push_back(c);
+    given->dictation.push_back(one);
+  }
+  study::Writing writing;
+  writing.rating = study::Rating::easy;
+  ASSERT_TRUE(learner_->store().add_writing(U'い', 2, writing));
+  int by_word = 0;
+  for (int review = 0; review < 3; ++review) {
+    ASSERT_TRUE(learner_->store().add_writing(U'ぬ', 2, writing));
+    const auto& store = learner_->store();
+    clock_.advance(*store.card(U'ぬ').due_day - store.today() + std::chrono::days(1));
+    ASSERT_TRUE(session_->start());
+    while (session_->character() != U'ぬ') session_->postpone();
+    session_->set_sheet(given);
+    const auto question = question_of(*session_, *given);
+    if (session_->word() != nullptr) {
+      ++by_word;
+      EXPECT_EQ(question.gap, "い◯") << "の is not known";
+      EXPECT_EQ(question.reading, "inu") << "kana would show the answer";
+    }
+    session_->end();
+  }
+  EXPECT_EQ(by_word, 1) << "one in three";
+}
+
 TEST_F(Question, WithoutAnyOfTheseIsANumberOfStrokes) {
   learn_from({U'休'});
   ASSERT_TRUE(session_->start());
   CharacterSheet bare = sheet();
   bare.character.entry = {};
   const auto question = question_of(*session_, bare);
-  EXPECT_EQ(question.other_kana, 0U);
+  EXPECT_FALSE(question.sound);
   EXPECT_EQ(question.strokes, 6);
 }
 

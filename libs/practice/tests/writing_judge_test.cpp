@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -157,6 +158,46 @@ TEST(WritingJudge, WhatEndsHereAndWhatGoesOnAreOfferedByTurnsEachOnce) {
   EXPECT_EQ(found, expected);
   EXPECT_EQ(found.size(), static_cast<std::size_t>(kLimit));
   EXPECT_EQ(found.front(), U'休');
+}
+
+TEST(WritingJudge, NamesTheOtherCharacterThatWasWritten) {
+  const auto named = [](char32_t asked, char32_t written, bool backwards = false) {
+    Court court;
+    std::vector<std::pair<std::uint64_t, char32_t>> names;
+    court.judge.named.connect([&](std::uint64_t number, char32_t name) { names.emplace_back(number, name); });
+    auto ink = request(asked, written).ink;
+    if (backwards) std::reverse(ink.strokes.begin(), ink.strokes.end());
+    const auto number = court.judge.name_other(ink, asked);
+    court.wait_for(names, 1);
+    EXPECT_EQ(names[0].first, number);
+    return names[0].second;
+  };
+  EXPECT_EQ(named(U'日', U'大'), U'大');
+  EXPECT_EQ(named(U'日', U'大', true), U'大') << "whatever the order of its strokes";
+  EXPECT_EQ(named(U'め', U'ぬ'), U'ぬ');
+  EXPECT_EQ(named(U'日', U'日'), 0U) << "it is the one that was asked for";
+  EXPECT_EQ(named(U'へ', U'ヘ'), 0U) << "they look the same";
+  EXPECT_EQ(named(U'水', U'口'), U'口') << "a kanji where a kanji was asked for";
+  EXPECT_EQ(named(U'ホ', U'ロ'), U'ロ');
+}
+
+TEST(WritingJudge, NamesNothingInAScrawlOrWithoutADatabase) {
+  for (const auto& path : {database(), std::filesystem::path("/nowhere/kanji.db")}) {
+    Court court(path);
+    std::vector<char32_t> names;
+    court.judge.named.connect([&](std::uint64_t, char32_t name) { names.push_back(name); });
+    writing::WrittenCharacter ink;
+    for (int i = 0; i < 5; ++i) {
+      auto& stroke = ink.strokes.emplace_back();
+      for (int j = 0; j < 12; ++j)
+        stroke.push_back(
+            {{10.0 + 70 * ((j * 7 + i * 3) % 5) / 4.0, 10.0 + 70 * ((j * 5 + i * 11) % 7) / 6.0}});
+    }
+    (void)court.judge.name_other(ink, U'日');
+    (void)court.judge.name_other({}, U'日');
+    court.wait_for(names, 1);
+    EXPECT_EQ(names[0], 0U);
+  }
 }
 
 }  // namespace

@@ -7,8 +7,11 @@
 #include <array>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "nazori/base/utf8.h"
+#include "nazori/kanji/kana.h"
+#include "nazori/kanji/kana_sound.h"
 
 namespace nazori::study {
 namespace {
@@ -197,6 +200,25 @@ std::vector<char32_t> sort_for_learning(std::vector<char32_t> characters, NewOrd
                         one != nullptr && !one->grade && !one->frequency ? 0 : frequency(one));
     });
   };
+  if (order != NewOrder::own) {
+    // Kana come first, and in the order in which they are taught; the other orders are about kanji.
+    const auto rest = std::stable_partition(characters.begin(), characters.end(), [](char32_t one) {
+      return kanji::teaching_rank(one).has_value();
+    });
+    const std::vector<char32_t> others(rest, characters.end());
+    characters.erase(rest, characters.end());
+    if (!characters.empty()) {
+      const auto first = kanji::script_of(characters.front());
+      std::stable_sort(characters.begin(), characters.end(), [&](char32_t a, char32_t b) {
+        return std::pair(kanji::script_of(a) != first, *kanji::teaching_rank(a)) <
+               std::pair(kanji::script_of(b) != first, *kanji::teaching_rank(b));
+      });
+      const auto sorted = sort_for_learning(others, order, facts);
+      characters.insert(characters.end(), sorted.begin(), sorted.end());
+      return characters;
+    }
+    characters = others;
+  }
   switch (order) {
     case NewOrder::own:
       break;

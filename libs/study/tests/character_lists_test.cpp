@@ -160,6 +160,15 @@ TEST(LearningOrder, WhatIsNotKnownComesLastAndEqualOnesStayAsTheyCame) {
   EXPECT_EQ(sorted(U"zcfyaedb", NewOrder::grade), U"febcadzy");
 }
 
+TEST(LearningOrder, KanaComeFirstAndAsTheTableHasThemInEveryOrderButTheOwn) {
+  for (const NewOrder order :
+       {NewOrder::grade, NewOrder::frequency, NewOrder::strokes, NewOrder::components}) {
+    EXPECT_EQ(sorted(U"aきがあゃんかアイ", order), U"あかきんゃがアイa") << name_of(order);
+    EXPECT_EQ(sorted(U"イかアあ", order), U"アイあか") << "the syllabary that was chosen first";
+  }
+  EXPECT_EQ(sorted(U"aきがあ", NewOrder::own), U"aきがあ");
+}
+
 TEST(LearningOrder, PartsComeFirstByTheirStrokesAndRingsAreBroken) {
   // g is made of c (2 strokes), h (8) and itself; h of a and of g again.
   EXPECT_EQ(sorted(U"ahgc", NewOrder::components), U"cahg");

@@ -29,6 +29,43 @@ TEST(ProposedRating, FlawlessAndNotSlowIsEasyOnceThePaceIsKnown) {
   EXPECT_EQ(proposed_rating(good(95), {seconds(9), 5}), Rating::good);
 }
 
+TEST(SuggestedRating, NamesTheFirstReasonThatHolds) {
+  using Reason = RatingReason;
+  const auto reason = [](WritingResult result, const UsualWriting& usual = {seconds(10), 3}) {
+    const auto suggested = suggested_rating(result, usual);
+    EXPECT_EQ(suggested.rating, proposed_rating(result, usual));
+    return suggested.reason;
+  };
+  WritingResult result = good(95);
+  EXPECT_EQ(reason(result), Reason::quick);
+  EXPECT_EQ(reason(result, {}), Reason::usual);
+  result.duration = seconds(21);
+  EXPECT_EQ(reason(result), Reason::slow);
+  result.score = 69;
+  EXPECT_EQ(reason(result), Reason::form);
+  result.mistakes = {{kanji::MistakeKind::ending, 0}};
+  EXPECT_EQ(reason(result), Reason::form);
+  result.mistakes = {{kanji::MistakeKind::order, 0}};
+  EXPECT_EQ(reason(result), Reason::mistake);
+  result.help = 0.2;
+  EXPECT_EQ(reason(result), Reason::some_help);
+  result.misses = 1;
+  EXPECT_EQ(reason(result), Reason::missed_strokes);
+  result.hints = 1;
+  EXPECT_EQ(reason(result), Reason::hint);
+  result.help = 0.6;
+  EXPECT_EQ(reason(result), Reason::much_help);
+  result.hints = 2;
+  EXPECT_EQ(reason(result), Reason::many_hints);
+  result.accepted = false;
+  EXPECT_EQ(reason(result), Reason::not_accepted);
+  result.shown_strokes = 1;
+  EXPECT_EQ(reason(result), Reason::strokes_shown);
+  EXPECT_EQ(name_of(Reason::not_accepted), "not-accepted");
+  EXPECT_EQ(name_of(Reason::usual), "usual");
+  EXPECT_EQ(name_of(static_cast<Reason>(12)), "");
+}
+
 TEST(ProposedRating, EndingsAreAdviceOnly) {
   WritingResult result = good(95);
   result.mistakes = {{kanji::MistakeKind::ending, 1}};

@@ -129,7 +129,17 @@ more_lenient Ctrl+[
 more_strict Ctrl+]
 *lenient Ctrl+Alt+L
 *normal Ctrl+Alt+N
-*strict Ctrl+Alt+T)"));
+*strict Ctrl+Alt+T
+[Speech]
+speak V
+*speaks_itself Shift+V
+-
+*voice_automatic Alt+Shift+B
+*voice_open_jtalk Alt+Shift+J
+*voice_dispatcher Alt+Shift+D
+*voice_espeak Alt+Shift+E
+-
+voice_file Alt+Shift+V)"));
   expect_words(actions);
 }
 
@@ -152,7 +162,7 @@ TEST_F(ActionTables, WhatStandsInAToolbarHasAPicture) {
       lines("draw_to_find\nnext_stroke\nprevious_stroke\nstrokes\nnumbers\narrows\nsnap\nclear_ink\nwatch\n"
             "trace\nguided\nmemory\ndictation\nplay\nstep_back\nstep_on\nslower\nfaster\nloop\nby_groove\nby_"
             "starts\n"
-            "lead_hand\nundo_stroke\ndone\nhint\ngive_up\ncompare_over\ncompare_beside"));
+            "lead_hand\nundo_stroke\ndone\nhint\ngive_up\ncompare_over\ncompare_beside\nspeak"));
   SessionActions session(&window_);
   EXPECT_EQ(with_icons(session), lines("study_start\nstudy_go_on\nstudy_undo"));
   HomeActions home(&window_);

@@ -33,6 +33,9 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   p.asks_by_words = false;
   p.left_handed = true;
   p.one_hand = nazori::ui::OneHand::right;
+  p.speaks = false;
+  p.voice = QStringLiteral("open-jtalk");
+  p.voice_file = folder.filePath(QStringLiteral("声.htsvoice"));
   p.folder = folder.filePath(QStringLiteral("漢字"));
   ASSERT_TRUE(p.save(file));
   const auto read = Preferences::load(file);
@@ -55,6 +58,9 @@ TEST(Preferences, WhatIsSavedIsReadAgain) {
   EXPECT_FALSE(read.asks_by_words);
   EXPECT_TRUE(read.left_handed);
   EXPECT_EQ(read.one_hand, nazori::ui::OneHand::right);
+  EXPECT_FALSE(read.speaks);
+  EXPECT_EQ(read.voice, p.voice);
+  EXPECT_EQ(read.voice_file, p.voice_file);
   EXPECT_EQ(read.folder, p.folder);
 }
 

@@ -94,12 +94,12 @@ TEST_F(SessionWidgets, TheQuestionHasFourMeaningsAndTwoReadingsOfEachKindAndNoCh
   EXPECT_EQ(all.question(), QString());
 }
 
-TEST_F(SessionWidgets, OneSyllabaryAsksForTheOtherAndWhatHasNoWordsForItsStrokes) {
+TEST_F(SessionWidgets, AKanaIsAskedForByItsSoundAndWhatHasNoWordsByItsStrokes) {
   for (const auto& [character, words] :
-       {std::pair(U'あ', "hiragana for ア"), std::pair(U'ん', "hiragana for ン"),
-        std::pair(U'ア', "katakana for あ"), std::pair(U'ぁ', "hiragana for ァ"),
-        std::pair(U'ン', "katakana for ん"), std::pair(U'ァ', "katakana for ぁ"),
-        std::pair(U'一', "a character with 1 stroke"), std::pair(U'二', "a character with 2 strokes")}) {
+       {std::pair(U'あ', "hiragana: a"), std::pair(U'ん', "hiragana: n"), std::pair(U'ツ', "katakana: tsu"),
+        std::pair(U'ぢ', "hiragana: ji (typed di)"), std::pair(U'ー', "katakana: the long vowel mark"),
+        std::pair(U'ァ', "katakana: small a"), std::pair(U'一', "a character with 1 stroke"),
+        std::pair(U'二', "a character with 2 strokes")}) {
     learn_from({character});
     ASSERT_TRUE(session_->start()) << words;
     ASSERT_EQ(session_->character(), character);

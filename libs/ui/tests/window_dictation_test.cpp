@@ -130,7 +130,7 @@ TEST_F(Dictation, MistakesAreToldForEachCharacter) {
 
 TEST_F(Dictation, KeysUndoClearHintSpeakAndAskForAnotherWord) {
   begin(U'休');
-  EXPECT_TRUE(action("speak_word")->isEnabled());
+  EXPECT_TRUE(action("speak")->isEnabled());
   press(Qt::Key_H);
   EXPECT_TRUE(feedback().contains(QStringLiteral("blue"))) << feedback().toStdString();
   const auto word = *stage().word();
@@ -151,7 +151,7 @@ TEST_F(Dictation, KeysUndoClearHintSpeakAndAskForAnotherWord) {
   ASSERT_TRUE(wait());
   EXPECT_NE(stage().word()->word.text, word.word.text);
   press(Qt::Key_F8);
-  EXPECT_FALSE(action("speak_word")->isEnabled());
+  EXPECT_TRUE(action("speak")->isEnabled()) << "every stage speaks";
   EXPECT_FALSE(action("next_word")->isEnabled());
 }
 

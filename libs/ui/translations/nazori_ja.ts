@@ -815,6 +815,66 @@
         <source>A short drill with the characters it is confused with</source>
         <translation>間違えやすい文字を見分ける短い練習です</translation>
     </message>
+    <message>
+        <source>S&amp;peech</source>
+        <translation>音声(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Speak</source>
+        <translation>読み上げる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Speak the reading or the word</source>
+        <translation>読みまたは言葉を読み上げます</translation>
+    </message>
+    <message>
+        <source>Speak &amp;readings</source>
+        <translation>自動で読み上げる(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Speak kana and words when they are asked for, and readings after the answer</source>
+        <translation>かなや言葉は出題のときに、読みは答えのあとに読み上げます</translation>
+    </message>
+    <message>
+        <source>&amp;Best voice</source>
+        <translation>最適な声(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Use the best voice that is installed</source>
+        <translation>インストールされている中で最もよい声を使います</translation>
+    </message>
+    <message>
+        <source>&amp;Open JTalk</source>
+        <translation>Open JTalk(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Speak with Open JTalk</source>
+        <translation>Open JTalk で読み上げます</translation>
+    </message>
+    <message>
+        <source>Speech &amp;Dispatcher</source>
+        <translation>Speech Dispatcher(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Speak with the voice of the desktop, as a screen reader does</source>
+        <translation>スクリーンリーダーと同じデスクトップの声で読み上げます</translation>
+    </message>
+    <message>
+        <source>&amp;eSpeak NG</source>
+        <translation>eSpeak NG(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Speak with eSpeak NG, plainly</source>
+        <translation>eSpeak NG で抑揚なしに読み上げます</translation>
+    </message>
+    <message>
+        <source>&amp;Voice file…</source>
+        <translation>声のファイル(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Choose a voice for Open JTalk (.htsvoice)</source>
+        <translation>Open JTalk の声（.htsvoice）を選びます</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::Characters</name>
@@ -1368,14 +1428,6 @@
 <context>
     <name>nazori::ui::DictationView</name>
     <message>
-        <source>Spea&amp;k the word</source>
-        <translation>言葉を読み上げる(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Say the reading and the meaning of the word again</source>
-        <translation>言葉の読みと意味をもう一度伝えます</translation>
-    </message>
-    <message>
         <source>Ne&amp;xt word</source>
         <translation>次の言葉(&amp;X)</translation>
     </message>
@@ -1408,10 +1460,6 @@
         <translation>正解：100点中%1点</translation>
     </message>
     <message>
-        <source>Not quite: %1/100</source>
-        <translation>もう少し：100点中%1点</translation>
-    </message>
-    <message>
         <source>No word of two or three characters can be asked for. Choose another character.</source>
         <translation>この文字には、書き取りに使える2文字か3文字の言葉がありません。別の文字を選んでください。</translation>
     </message>
@@ -1432,8 +1480,16 @@
         <translation>「%1」は正解です。100点中%2点。Enter：次の言葉</translation>
     </message>
     <message>
-        <source>%1 is not right yet: %2 of 100 points. Delete: write it again. Enter: next word.</source>
-        <translation>「%1」はもう少しです。100点中%2点。Delete：書き直す、Enter：次の言葉</translation>
+        <source>one syllable of two kana</source>
+        <translation>かな2字で1音</translation>
+    </message>
+    <message>
+        <source>Not quite</source>
+        <translation>もう少し</translation>
+    </message>
+    <message>
+        <source>%1 is not right yet. Delete: write it again. Enter: next word.</source>
+        <translation>「%1」はまだ正しくありません。Enter：次の言葉、Delete：書き直す</translation>
     </message>
 </context>
 <context>
@@ -3806,14 +3862,6 @@ Columns and rows:</source>
         <source>Session progress</source>
         <translation>学習の進み具合</translation>
     </message>
-    <message>
-        <source>hiragana for %1</source>
-        <translation>%1 のひらがな</translation>
-    </message>
-    <message>
-        <source>katakana for %1</source>
-        <translation>%1 のカタカナ</translation>
-    </message>
     <message numerus="yes">
         <source>a character with %n strokes</source>
         <translation>
@@ -3847,6 +3895,14 @@ Columns and rows:</source>
     <message>
         <source>%1  ⏎</source>
         <translation>%1  ⏎</translation>
+    </message>
+    <message>
+        <source>Suggested: %1 (%2)</source>
+        <translation>おすすめ：%1（%2）</translation>
+    </message>
+    <message>
+        <source>looks like %1</source>
+        <translation>似ている字：%1</translation>
     </message>
 </context>
 <context>
@@ -4040,6 +4096,45 @@ Columns and rows:</source>
     <message>
         <source>The study settings were not kept: %1. They are as they were.</source>
         <translation>学習の設定を保存できませんでした：%1。設定は元のままです。</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::SpokenReadings</name>
+    <message>
+        <source>There is no reading to speak.</source>
+        <translation>読み上げる読みがありません。</translation>
+    </message>
+    <message>
+        <source>Readings are spoken.</source>
+        <translation>読みを自動で読み上げます。</translation>
+    </message>
+    <message>
+        <source>Readings are not spoken. V: speak one.</source>
+        <translation>読みを自動では読み上げません。V：読み上げる</translation>
+    </message>
+    <message>
+        <source>Voice: %1.</source>
+        <translation>声：%1。</translation>
+    </message>
+    <message>
+        <source>No Japanese voice is installed. Install the package espeak-ng.</source>
+        <translation>日本語の声がインストールされていません。パッケージ espeak-ng をインストールしてください。</translation>
+    </message>
+    <message>
+        <source>%1 cannot speak: something is missing (%2).</source>
+        <translation>%1 で読み上げられません。必要なものがありません（%2）。</translation>
+    </message>
+    <message>
+        <source>Cannot speak: %1.</source>
+        <translation>読み上げられません：%1。</translation>
+    </message>
+    <message>
+        <source>Voice for Open JTalk</source>
+        <translation>Open JTalk の声</translation>
+    </message>
+    <message>
+        <source>Voices (*.htsvoice)</source>
+        <translation>声 (*.htsvoice)</translation>
     </message>
 </context>
 <context>
@@ -4287,6 +4382,14 @@ Columns and rows:</source>
     <message>
         <source>%1 Form: %2 of %3 stars.</source>
         <translation>%1字形は星%3つ中%2つです。</translation>
+    </message>
+    <message>
+        <source>That is %1, another character.</source>
+        <translation>それは別の字「%1」です。</translation>
+    </message>
+    <message>
+        <source>That is %1; %2 was asked.</source>
+        <translation>それは「%1」です。書くのは「%2」でした。</translation>
     </message>
 </context>
 <context>
@@ -5153,6 +5256,70 @@ Columns and rows:</source>
     <message>
         <source>%1 y</source>
         <translation>%1年</translation>
+    </message>
+    <message>
+        <source>not written correctly</source>
+        <translation>正しく書けなかった</translation>
+    </message>
+    <message>
+        <source>strokes were shown</source>
+        <translation>画を見せてもらった</translation>
+    </message>
+    <message>
+        <source>several hints</source>
+        <translation>ヒントを何度も使った</translation>
+    </message>
+    <message>
+        <source>written with help</source>
+        <translation>ガイドを使った</translation>
+    </message>
+    <message>
+        <source>with a hint</source>
+        <translation>ヒントを使った</translation>
+    </message>
+    <message>
+        <source>a stroke was wrong at first</source>
+        <translation>はじめに画を間違えた</translation>
+    </message>
+    <message>
+        <source>correct, with a mistake</source>
+        <translation>正解だが間違いがある</translation>
+    </message>
+    <message>
+        <source>correct, but the form is poor</source>
+        <translation>正解だが形が整っていない</translation>
+    </message>
+    <message>
+        <source>correct, but slower than usual</source>
+        <translation>正解だがいつもより遅い</translation>
+    </message>
+    <message>
+        <source>no mistakes, and quick</source>
+        <translation>間違いがなく速い</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>正解</translation>
+    </message>
+    <message>
+        <source>the long vowel mark</source>
+        <translation>長音符</translation>
+    </message>
+    <message>
+        <source>small %1</source>
+        <translation>小さい %1</translation>
+    </message>
+    <message>
+        <source>%1 (typed %2)</source>
+        <translation>%1（入力は %2）</translation>
+    </message>
+    <message>
+        <source>hiragana: %1</source>
+        <translation>ひらがな：%1</translation>
+    </message>
+    <message>
+        <source>katakana: %1</source>
+        <translation>カタカナ：%1</translation>
     </message>
 </context>
 <context>

@@ -101,6 +101,8 @@ std::string_view name_of(StageEvent event) {
       return "all_hints_given";
     case StageEvent::answer_shown:
       return "answer_shown";
+    case StageEvent::other_character:
+      return "other_character";
     case StageEvent::judges_each:
       return "judges_each";
     case StageEvent::judges_at_end:

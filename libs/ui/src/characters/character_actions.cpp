@@ -88,6 +88,8 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
       make("compare_beside", tr("Your writing beside the &model"),
            tr("Show your writing and the model side by side and replay both"), "B", true, Icon::beside);
 
+  make_sound();
+
   make_exclusive(stages);
   make_exclusive({by_groove, by_starts});
   make_exclusive({groove_hidden, groove_shown, groove_appears});
@@ -103,6 +105,28 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   add_group(tr("&Writing"), {undo_stroke, done, hint, give_up, nullptr, compare_over, compare_beside, nullptr,
                              judge_each, groove_hidden, groove_shown, groove_appears, nullptr, more_lenient,
                              more_strict, lenient, normal, strict});
+  add_group(tr("S&peech"), {speak, speaks_itself, nullptr, voice_automatic, voice_open_jtalk,
+                            voice_dispatcher, voice_espeak, nullptr, voice_file});
+}
+
+void CharacterActions::make_sound() {
+  speak = make("speak", tr("&Speak"), tr("Speak the reading or the word"), {QStringLiteral("V")});
+  speaks_itself = make("speaks_itself", tr("Speak &readings"),
+                       tr("Speak kana and words when they are asked for, and readings after the answer"),
+                       {QStringLiteral("Shift+V")}, true);
+  voice_automatic = make("voice_automatic", tr("&Best voice"), tr("Use the best voice that is installed"),
+                         {QStringLiteral("Alt+Shift+B")}, true);
+  voice_open_jtalk = make("voice_open_jtalk", tr("&Open JTalk"), tr("Speak with Open JTalk"),
+                          {QStringLiteral("Alt+Shift+J")}, true);
+  voice_dispatcher = make("voice_dispatcher", tr("Speech &Dispatcher"),
+                          tr("Speak with the voice of the desktop, as a screen reader does"),
+                          {QStringLiteral("Alt+Shift+D")}, true);
+  voice_espeak = make("voice_espeak", tr("&eSpeak NG"), tr("Speak with eSpeak NG, plainly"),
+                      {QStringLiteral("Alt+Shift+E")}, true);
+  voice_file = make("voice_file", tr("&Voice file…"), tr("Choose a voice for Open JTalk (.htsvoice)"),
+                    {QStringLiteral("Alt+Shift+V")});
+  make_exclusive({voice_automatic, voice_open_jtalk, voice_dispatcher, voice_espeak});
+  draw(speak, Icon::sound);
 }
 
 QAction* CharacterActions::add_practice(const char* name, const QString& text, const QString& tip,

@@ -11,6 +11,7 @@
 #include "characters/draw_panel.h"
 #include "characters/information_panel.h"
 #include "characters/library_panel.h"
+#include "characters/spoken_readings.h"
 #include "characters/stage_table.h"
 #include "characters/stage_view.h"
 #include "characters/standing_bar.h"
@@ -69,7 +70,8 @@ Characters::Characters(WindowParts& parts)
       above_tablet_(new QWidget(&parts.window())),
       left_side_(stack_up("left_side", {draw_panel_, session_panel_, library_panel_}, &parts.window())),
       right_side_(stack_up("right_side", {writing_panel_, information_panel_}, &parts.window())),
-      files_(new FileExchange(&parts.workshop(), &parts.window())) {
+      files_(new FileExchange(&parts.workshop(), &parts.window())),
+      spoken_readings_(new SpokenReadings(parts, *actions_, this)) {
   const Preferences& preferences = parts.preferences();
   parts.tablet().set_switches({preferences.strokes_visible, preferences.numbers_visible,
                                preferences.arrows_visible, preferences.snapping});
@@ -149,6 +151,8 @@ ActionSet* Characters::actions() const { return actions_; }
 QList<Tool> Characters::tools() const {
   QList<Tool> tools;
   for (const auto& entry : stages_) tools.append({entry.action, true});
+  tools.append(Tool{});
+  tools.append({actions_->speak});
   tools.append(Tool{});
   tools.append(current().view->tools());
   return tools;

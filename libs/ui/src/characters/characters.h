@@ -17,6 +17,7 @@ class LibraryPanel;
 class SessionActions;
 class SessionBar;
 class SessionPanel;
+class SpokenReadings;
 class StageView;
 class StandingBar;
 class WritingPanel;
@@ -90,6 +91,7 @@ class Characters final : public Page {
   QWidget* left_side_;   ///< the list, or the panel for finding a character by drawing it
   QWidget* right_side_;  ///< the report on the writing above the information
   FileExchange* files_;
+  SpokenReadings* spoken_readings_;
   std::vector<StageEntry> stages_;
   bool searching_ = false;  ///< the list is shown instead of the session
 };

@@ -180,6 +180,8 @@ QString StageWords::of_strokes(const StageFeedback& f, const writing::Grade& gra
       return tr("All remaining strokes are shown in blue.");
     case StageEvent::answer_shown:
       return tr("This is how it is written. Delete: clear and try again.");
+    case StageEvent::other_character:
+      return other_character(f.written, f.asked);
     case StageEvent::judges_each:
       return tr("Each stroke is checked as you finish it.");
     case StageEvent::judges_at_end:
@@ -187,6 +189,11 @@ QString StageWords::of_strokes(const StageFeedback& f, const writing::Grade& gra
     default:
       return {};
   }
+}
+
+QString StageWords::other_character(char32_t written, char32_t asked) {
+  return asked == 0 ? tr("That is %1, another character.").arg(to_text(written))
+                    : tr("That is %1; %2 was asked.").arg(to_text(written), to_text(asked));
 }
 
 QString StageWords::invitation_to_write(int strokes, const practice::MemoryStage& memory) {

@@ -21,6 +21,9 @@ class StageWords {
   [[nodiscard]] static QString of_strokes(const practice::StageFeedback& feedback,
                                           const writing::Grade& grade);
 
+  /// "That is 大; 日 was asked." @param asked  0: not to be named yet.
+  [[nodiscard]] static QString other_character(char32_t written, char32_t asked);
+
  private:
   [[nodiscard]] static QString watching(const practice::StageFeedback& feedback);
   [[nodiscard]] static QString tracing(const practice::StageFeedback& feedback);

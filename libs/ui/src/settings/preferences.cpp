@@ -56,6 +56,9 @@ Preferences Preferences::load(const QString& file) {
   p.snapping = ini.value(QStringLiteral("tablet/snapping"), p.snapping).toBool();
   p.groove_sound = ini.value(QStringLiteral("sound/groove"), p.groove_sound).toBool();
   p.sound_volume = std::clamp(ini.value(QStringLiteral("sound/volume"), p.sound_volume).toDouble(), 0.0, 1.0);
+  p.speaks = ini.value(QStringLiteral("speech/on"), p.speaks).toBool();
+  p.voice = ini.value(QStringLiteral("speech/voice")).toString();
+  p.voice_file = ini.value(QStringLiteral("speech/voice_file")).toString();
   p.slope_help = ini.value(QStringLiteral("tablet/slope_help"), p.slope_help).toBool();
   p.style = read_name(ini, QStringLiteral("tablet/style"), kStyles, p.style);
   p.theme = read_name(ini, QStringLiteral("window/theme"), kThemes, p.theme);
@@ -94,6 +97,9 @@ bool Preferences::save(const QString& file) const {
   ini.setValue(QStringLiteral("tablet/snapping"), snapping);
   ini.setValue(QStringLiteral("sound/groove"), groove_sound);
   ini.setValue(QStringLiteral("sound/volume"), sound_volume);
+  ini.setValue(QStringLiteral("speech/on"), speaks);
+  ini.setValue(QStringLiteral("speech/voice"), voice);
+  ini.setValue(QStringLiteral("speech/voice_file"), voice_file);
   ini.setValue(QStringLiteral("tablet/slope_help"), slope_help);
   ini.setValue(QStringLiteral("tablet/style"), QLatin1String(kStyles[static_cast<std::size_t>(style)]));
   ini.setValue(QStringLiteral("study/profile"), profile);

@@ -33,6 +33,9 @@ struct Preferences {
   bool snapping = false;
   bool groove_sound = false;
   double sound_volume = 0.5;  ///< 0..1
+  bool speaks = true;         ///< readings are spoken by themselves
+  QString voice;              ///< name of a speech::VoiceKind; empty: automatic
+  QString voice_file;         ///< of Open JTalk; empty: the first that is installed
   bool slope_help = false;    ///< the mouse slows down on slopes
   view::Style style = view::Style::wood;
   ThemeChoice theme = ThemeChoice::desktop;

@@ -13,7 +13,8 @@
 #include <utility>
 
 #include "look/palette.h"
-#include "nazori/kanji/kana.h"
+#include "nazori/base/utf8.h"
+#include "nazori/kanji/kana_sound.h"
 #include "nazori/practice/session_question.h"
 #include "widgets/parts.h"
 #include "words/kanji_text.h"
@@ -91,14 +92,18 @@ QString SessionBar::question(const practice::CharacterSheet& sheet) const {
     asked +=
         QStringLiteral("<b>%1</b> &nbsp;").arg(joined(asks.meanings, QStringLiteral(", ")).toHtmlEscaped());
   if (!asks.readings.empty()) asked += in_hand(joined(asks.readings, QStringLiteral("、")));
-  if (asks.meanings.empty() && asks.readings.empty()) {
-    if (asks.other_kana == 0)
-      asked += tr("a character with %n strokes", nullptr, asks.strokes);
-    else if (kanji::script_of(asks.other_kana) == kanji::Script::katakana)
-      asked += tr("hiragana for %1").arg(in_hand(to_text(asks.other_kana)));
-    else
-      asked += tr("katakana for %1").arg(in_hand(to_text(asks.other_kana)));
-  }
+  if (asks.sound)
+    asked += StudyWords::kana_asked(*asks.sound, asks.script).toHtmlEscaped();
+  else if (asks.meanings.empty() && asks.readings.empty())
+    asked += tr("a character with %n strokes", nullptr, asks.strokes);
+  // Look-alikes stand beside the kana itself, as large as it is.
+  QStringList others;
+  for (const char32_t other : asks.lookalikes)
+    others.append(QStringLiteral("%1 %2").arg(in_hand(to_text(other)),
+                                              to_text(kanji::romaji_of(base::encode_utf8(other)))));
+  if (!others.isEmpty())
+    asked += QStringLiteral(" &nbsp;<span style=\"color:%1\">%2</span>")
+                 .arg(muted, tr("looks like %1").arg(others.join(QStringLiteral(", "))));
   return asked;
 }
 
@@ -130,6 +135,9 @@ void SessionBar::show_ratings() {
   ratings_->setVisible(judged);
   task_->setVisible(!judged);
   if (!judged) return;
+  progress_->setText(
+      tr("Suggested: %1 (%2)")
+          .arg(StudyWords::rating(session_.proposed()), StudyWords::reason(session_.reason())));
   const auto now = learner_.store().now();
   const auto today = learner_.store().today();
   for (std::size_t i = 0; i < rating_.size(); ++i) {

@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <QTimeZone>
 
+#include "words/kanji_text.h"
+
 namespace nazori::ui {
 namespace {
 
@@ -27,6 +29,45 @@ QString StudyWords::rating(study::Rating rating) {
       return tr("Easy");
   }
   return {};
+}
+
+QString StudyWords::reason(study::RatingReason reason) {
+  using Reason = study::RatingReason;
+  switch (reason) {
+    case Reason::not_accepted:
+      return tr("not written correctly");
+    case Reason::strokes_shown:
+      return tr("strokes were shown");
+    case Reason::many_hints:
+      return tr("several hints");
+    case Reason::much_help:
+    case Reason::some_help:
+      return tr("written with help");
+    case Reason::hint:
+      return tr("with a hint");
+    case Reason::missed_strokes:
+      return tr("a stroke was wrong at first");
+    case Reason::mistake:
+      return tr("correct, with a mistake");
+    case Reason::form:
+      return tr("correct, but the form is poor");
+    case Reason::slow:
+      return tr("correct, but slower than usual");
+    case Reason::quick:
+      return tr("no mistakes, and quick");
+    case Reason::usual:
+      break;
+  }
+  return tr("correct");
+}
+
+QString StudyWords::kana_asked(const kanji::KanaSound& sound, kanji::Script script) {
+  const QString romaji = to_text(sound.romaji);
+  const QString plain = sound.romaji == "-"    ? tr("the long vowel mark")
+                        : sound.is_small       ? tr("small %1").arg(romaji)
+                        : !sound.typed.empty() ? tr("%1 (typed %2)").arg(romaji, to_text(sound.typed))
+                                               : romaji;
+  return script == kanji::Script::hiragana ? tr("hiragana: %1").arg(plain) : tr("katakana: %1").arg(plain);
 }
 
 QString StudyWords::stage(study::Stage stage) {

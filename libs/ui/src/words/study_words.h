@@ -5,6 +5,8 @@
 #include <QString>
 #include <chrono>
 
+#include "nazori/kanji/kana.h"
+#include "nazori/kanji/kana_sound.h"
 #include "nazori/study/card.h"
 #include "nazori/study/learner_store.h"
 
@@ -14,8 +16,11 @@ namespace nazori::ui {
 class StudyWords {
   Q_DECLARE_TR_FUNCTIONS(nazori::ui::StudyWords)
  public:
-  [[nodiscard]] static QString rating(study::Rating rating);  ///< "Good"
-  [[nodiscard]] static QString stage(study::Stage stage);     ///< "Trace"
+  [[nodiscard]] static QString rating(study::Rating rating);        ///< "Good"
+  [[nodiscard]] static QString reason(study::RatingReason reason);  ///< "you asked for a hint"
+  /// A kana by its sound: "hiragana: ji (typed di)", "katakana: small tsu".
+  [[nodiscard]] static QString kana_asked(const kanji::KanaSound& sound, kanji::Script script);
+  [[nodiscard]] static QString stage(study::Stage stage);  ///< "Trace"
   /// When a card comes again: "in 10 minutes", "tomorrow", "in 4 days", "in 3 months".
   [[nodiscard]] static QString comes_again(const study::Card& card, study::Time now, study::Day today);
   /// The same where there is little room: "10 min", "1 d", "4 d", "3 mo".

@@ -43,6 +43,7 @@ class DictationStage final : public PracticeStage {
     bool is_finished = false;
     bool was_shown = false;  ///< the learner asked for the answer
     int hints = 0;
+    char32_t other = 0;  ///< the other character that was written; 0: none is known
     /// Written from memory, and accepted.
     [[nodiscard]] bool is_accepted() const { return is_finished && writing.grade.accepted && !was_shown; }
   };
@@ -55,7 +56,7 @@ class DictationStage final : public PracticeStage {
   }
   [[nodiscard]] std::vector<StageCommand> commands() override;
   [[nodiscard]] bool is_busy() const override {
-    return is_entered() && (state_ == State::coming || attempt_.is_judging());
+    return is_entered() && (state_ == State::coming || attempt_.is_judging() || attempt_.is_naming());
   }
   [[nodiscard]] StageDetails details(const StageFeedback& what) const override;
   void forget() override;
@@ -110,6 +111,7 @@ class DictationStage final : public PracticeStage {
   /// Goes back to a character that was finished.
   void reopen(std::size_t position);
   void use_check(bool is_about_new);
+  void use_other(char32_t written, char32_t asked, bool was_finished);
   void finish_character();
   void finish_word();
   void set_state(State state);

@@ -36,7 +36,7 @@ class MemoryStage final : public PracticeStage {
   static constexpr std::string_view kId = "memory";
   [[nodiscard]] std::string_view id() const override { return kId; }
   [[nodiscard]] std::vector<StageCommand> commands() override;
-  [[nodiscard]] bool is_busy() const override { return is_judging(); }
+  [[nodiscard]] bool is_busy() const override { return is_judging() || attempt_.is_naming(); }
   [[nodiscard]] StageDetails details(const StageFeedback& what) const override;
   void forget() override;
   [[nodiscard]] bool hides_character() const override;
@@ -117,6 +117,7 @@ class MemoryStage final : public PracticeStage {
   void clear();
   void invite();
   void use_check(bool is_about_new);
+  void report_other(char32_t written, char32_t asked);
   void report_last_stroke();
   void finish();
   [[nodiscard]] Tone tone_of_judgement() const;

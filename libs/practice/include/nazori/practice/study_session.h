@@ -85,7 +85,9 @@ class StudySession {
   [[nodiscard]] const std::optional<SessionFeedback>& last_event() const { return last_event_; }
 
   // When judged.
-  [[nodiscard]] study::Rating proposed() const { return proposed_; }
+  [[nodiscard]] study::Rating proposed() const { return proposed_.rating; }
+  /// Why that rating is suggested.
+  [[nodiscard]] study::RatingReason reason() const { return proposed_.reason; }
   [[nodiscard]] const study::WritingResult& result() const { return result_; }
   /// The card as it would be after a rating.
   [[nodiscard]] base::Result<study::Card> after(study::Rating rating) const;
@@ -177,7 +179,7 @@ class StudySession {
   int missed_stroke_ = -1;
   int misses_of_stroke_ = 0;
   study::WritingResult result_;
-  study::Rating proposed_ = study::Rating::good;
+  study::SuggestedRating proposed_;
   study::Handwriting ink_;
 
   std::optional<SessionFeedback> last_event_;

@@ -53,7 +53,10 @@ class WritingAttempt {
   /// Begins the same character again.
   void clear();
   /// Goes on with what was put aside.
-  void restore(Content content) { content_ = std::move(content); }
+  void restore(Content content) {
+    content_ = std::move(content);
+    tried_ = content_.strokes;
+  }
   /// What is written, which is gone here.
   [[nodiscard]] Content take() { return std::exchange(content_, {}); }
 
@@ -66,6 +69,8 @@ class WritingAttempt {
   [[nodiscard]] int stroke_count() const;
   /// Whether an answer of the judge is still to come.
   [[nodiscard]] bool is_judging() const { return awaited_ != 0; }
+  /// Whether it is still to be found out if another character was written.
+  [[nodiscard]] bool is_naming() const { return naming_ != 0; }
   /// As many strokes as the model has, and none of them wrong or missing.
   [[nodiscard]] bool is_complete() const;
   /// Strokes of the model that are not written, from 0.
@@ -109,11 +114,17 @@ class WritingAttempt {
   /// The judge answered about the writing as a whole.
   base::Signal<> judged;
   base::Signal<const base::Error&> failed;
+  /// Another character was written than the one that was asked for: which, the one asked for, and whether the
+  /// writing was judged as a whole. It may come after begin() with the next character.
+  base::Signal<char32_t, char32_t, bool> other_written;
 
  private:
   void record(std::span<const haptics::ServoSample> samples);
   void use_grade(std::uint64_t number, const writing::Grade& grade);
   void use_error(std::uint64_t number, const base::Error& error);
+  void use_name(std::uint64_t number, char32_t character);
+  /// Finds out whether another character is written, where the grade lets one suspect it.
+  void name_other(bool as_a_whole);
 
   TabletControl& tablet_;
   WritingJudge& judge_;
@@ -122,13 +133,17 @@ class WritingAttempt {
   double strictness_ = writing::kNormal;
   PenRecorder recorder_;
   Content content_;
+  std::vector<HandStroke> tried_;  ///< as they were written, also those that a lesson refused
+  std::uint64_t naming_ = 0;       ///< number of the request until it is answered
+  char32_t named_for_ = 0;         ///< the character that was asked for then
+  bool names_whole_ = false;
   std::uint64_t live_number_ = 0;
   std::uint64_t whole_number_ = 0;
   std::uint64_t awaited_ = 0;   ///< number of the newest request until it is answered
   bool awaits_report_ = false;  ///< the answer to come is about a stroke just written
   bool is_refused_ = false;
   bool is_open_ = false;  ///< between begin() and end()
-  base::Connection judged_, failed_, reported_, pressed_, sampled_, erased_;
+  base::Connection judged_, failed_, named_, reported_, pressed_, sampled_, erased_;
 };
 
 }  // namespace nazori::practice

@@ -47,6 +47,10 @@ class WritingJudge {
   /// turn.
   /// @return the number that comes back with the answer. @param limit  most candidates, >= 1.
   std::uint64_t recognise(const writing::WrittenCharacter& ink, int limit);
+  /// Asks whether the ink is another character than the one asked for; `named` follows. Only a character that
+  /// the ink is accepted as, whatever the order of its strokes, is named.
+  /// @return the number that comes back with the answer.
+  std::uint64_t name_other(const writing::WrittenCharacter& ink, char32_t asked);
   /// Loads the recogniser's data now, so that the first answer is as fast as the others.
   void prepare_recogniser();
 
@@ -54,6 +58,8 @@ class WritingJudge {
   base::Signal<std::uint64_t, const PenReport&> pen_reported;
   base::Signal<std::uint64_t, const writing::Grade&> judged;
   base::Signal<std::uint64_t, const std::vector<writing::Candidate>&> recognised;
+  /// The other character that was written; 0: none. Ink that cannot be read is none, too.
+  base::Signal<std::uint64_t, char32_t> named;
   /// Nothing was judged.
   base::Signal<std::uint64_t, const base::Error&> judging_failed;
   /// Nothing was recognised.

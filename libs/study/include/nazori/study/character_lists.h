@@ -73,7 +73,9 @@ class CharacterLists {
   std::map<char32_t, CharacterFacts> facts_;
 };
 
-/// Sorts characters. Equal ones keep their order; a character for which a fact is unknown comes last.
+/// Sorts characters. Equal ones keep their order; a character for which a fact is unknown comes last. In
+/// every order but NewOrder::own kana come before kanji and by kanji::teaching_rank(), the syllabary of the
+/// first one before the other.
 [[nodiscard]] std::vector<char32_t> sort_for_learning(
     std::vector<char32_t> characters, NewOrder order,
     const std::function<const CharacterFacts*(char32_t)>& facts);

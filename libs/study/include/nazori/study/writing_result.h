@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "nazori/kanji/mistake_kind.h"
@@ -50,6 +51,32 @@ struct RatingRule {
   int usual_needs = 3;     ///< number of earlier writings that are needed before the duration counts
 };
 
+/// Why a rating is suggested. For `again` and `hard` it is the first that holds, in this order.
+enum class RatingReason : std::uint8_t {
+  not_accepted,    ///< again, where nothing was shown
+  strokes_shown,   ///< again: a stroke, or the answer, was shown
+  many_hints,      ///< again
+  much_help,       ///< again
+  hint,            ///< hard
+  missed_strokes,  ///< hard: strokes were rejected while writing
+  some_help,       ///< hard
+  mistake,         ///< hard: accepted with a mistake other than an ending
+  form,            ///< hard: the score is low
+  slow,            ///< hard
+  quick,           ///< easy: without a mistake, and at least as fast as usual
+  usual,           ///< good
+};
+/// "not-accepted", "hint", "quick": for data formats; empty for an invalid number.
+[[nodiscard]] std::string_view name_of(RatingReason reason);
+
+/// A rating with its reason.
+struct SuggestedRating {
+  Rating rating = Rating::good;
+  RatingReason reason = RatingReason::usual;
+
+  friend bool operator==(const SuggestedRating&, const SuggestedRating&) = default;
+};
+
 /// The suggested rating of a writing; the learner may choose another one.
 ///
 /// - again: not accepted, a stroke had to be shown, more than `most_hints` hints, or help over `most_help`.
@@ -58,6 +85,9 @@ struct RatingRule {
 /// - easy: none of these, no mistake, a score from `score_for_easy` on, and not slower than `quick` times the
 ///   usual duration, which must be known.
 /// - good: everything else.
+[[nodiscard]] SuggestedRating suggested_rating(const WritingResult& result, const UsualWriting& usual,
+                                               const RatingRule& rule = {});
+/// The same without the reason.
 [[nodiscard]] Rating proposed_rating(const WritingResult& result, const UsualWriting& usual,
                                      const RatingRule& rule = {});
 

@@ -31,20 +31,12 @@ class DictationView final : public StageView {
   DictationView(DictationStage& stage, const StageViewParts& parts);
 
   [[nodiscard]] QList<QAction*> own_actions() const override {
-    return {speak_,         next_word_,     actions().undo_stroke, actions().clear_ink,
-            actions().done, actions().hint, actions().give_up};
+    return {next_word_,     actions().undo_stroke, actions().clear_ink,
+            actions().done, actions().hint,        actions().give_up};
   }
   [[nodiscard]] QList<Tool> tools() const override {
-    return {{speak_, true},
-            {},
-            {actions().undo_stroke},
-            {actions().clear_ink},
-            {},
-            {actions().hint, true},
-            {actions().give_up},
-            {actions().done, true},
-            {},
-            {next_word_, true}};
+    return {{actions().undo_stroke}, {actions().clear_ink},  {}, {actions().hint, true},
+            {actions().give_up},     {actions().done, true}, {}, {next_word_, true}};
   }
   [[nodiscard]] QWidget* above_tablet() const override { return strip_; }
   [[nodiscard]] QString sentence(const practice::StageFeedback& feedback) const override;
@@ -65,7 +57,6 @@ class DictationView final : public StageView {
   [[nodiscard]] QString verdict() const;
 
   DictationStage& dictation_;
-  QAction* speak_;
   QAction* next_word_;
   QWidget* strip_;
   WordBoxes* boxes_;
@@ -77,14 +68,10 @@ class DictationView final : public StageView {
 DictationView::DictationView(DictationStage& stage, const StageViewParts& parts)
     : StageView(stage, parts.window_parts, parts.actions),
       dictation_(stage),
-      speak_(parts.actions.add_practice("speak_word", tr("Spea&k the word"),
-                                        tr("Say the reading and the meaning of the word again"), "V",
-                                        Icon::sound)),
       next_word_(parts.actions.add_practice(
           "next_word", tr("Ne&xt word"), tr("Write another word that has the character"), "W", Icon::next)),
       strip_(new QWidget(&parts.window_parts.window())) {
   make_strip();
-  on(speak_, [this] { dictation_.speak(); });
   on(next_word_, [this] { dictation_.next_word(); });
   on(actions().undo_stroke, [this] { dictation_.undo(); });
   on(actions().clear_ink, [this] { dictation_.start_over(); });
@@ -127,7 +114,6 @@ void DictationView::refresh() {
     for (auto* action : {actions().undo_stroke, actions().clear_ink, actions().done})
       action->setEnabled(writes || is_over);
   }
-  speak_->setEnabled(writes || is_over);
   next_word_->setEnabled(writes || is_over);
   refresh_strip();
 }
@@ -158,6 +144,7 @@ void DictationView::refresh_strip() {
 }
 
 QString DictationView::meaning() const {
+  if (dictation_.word()->is_syllable) return tr("one syllable of two kana");
   return joined(dictation_.word()->word.glosses, QStringLiteral(", "), kMostMeanings);
 }
 
@@ -170,6 +157,7 @@ QString DictationView::task() const {
 QString DictationView::found_in(const DictationStage::Box& box) const {
   const QString character = to_text(box.character);
   if (box.was_shown) return tr("%1: shown, not written from memory.").arg(character);
+  if (box.other != 0) return StageWords::other_character(box.other, box.character);
   const auto language = writing_language();
   return tr("%1: %2").arg(character,
                           joined(writing::explain(box.writing.grade, language), between_sentences()));
@@ -177,8 +165,8 @@ QString DictationView::found_in(const DictationStage::Box& box) const {
 
 QString DictationView::verdict() const {
   QStringList lines;
-  lines.append(dictation_.is_accepted() ? tr("Correct: %1/100").arg(dictation_.score())
-                                        : tr("Not quite: %1/100").arg(dictation_.score()));
+  // A refused word shows what to mend, and no figure beside it.
+  lines.append(dictation_.is_accepted() ? tr("Correct: %1/100").arg(dictation_.score()) : tr("Not quite"));
   for (const auto& box : dictation_.boxes()) lines.append(found_in(box));
   return lines.join(QLatin1Char('\n'));
 }
@@ -199,13 +187,12 @@ QString DictationView::sentence(const practice::StageFeedback& feedback) const {
   if (feedback.own == DictationStage::kCharacterWritten)
     return tr("%1 %2").arg(found_in(dictation_.boxes()[static_cast<std::size_t>(feedback.stroke - 1)]),
                            task());
-  if (feedback.own == DictationStage::kWordJudged)
-    return (dictation_.is_accepted()
-                ? tr("%1 is right: %2 of 100 points. Enter: next word.")
-                : tr("%1 is not right yet: %2 of 100 points. Delete: write it again. Enter: "
-                     "next word."))
-        .arg(to_text(dictation_.word()->word.text))
-        .arg(dictation_.score());
+  if (feedback.own == DictationStage::kWordJudged) {
+    const QString word = to_text(dictation_.word()->word.text);
+    return dictation_.is_accepted()
+               ? tr("%1 is right: %2 of 100 points. Enter: next word.").arg(word).arg(dictation_.score())
+               : tr("%1 is not right yet. Delete: write it again. Enter: next word.").arg(word);
+  }
   return {};
 }
 

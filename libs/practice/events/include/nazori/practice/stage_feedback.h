@@ -85,7 +85,8 @@ enum class StageEvent : std::uint8_t {
   hint_given,                  ///< stroke is shown
   all_hints_given,
   answer_shown,
-  judges_each,  ///< every stroke is judged as it ends
+  other_character,  ///< what is written is another character: written; asked
+  judges_each,      ///< every stroke is judged as it ends
   judges_at_end,
 
   own,  ///< what only one stage reports: its name is in `own`
@@ -116,6 +117,8 @@ struct StageFeedback {
   double value = 0;
   Leading leading = Leading::none;
   MistakeHelp more = MistakeHelp::none;
+  char32_t written = 0;   ///< the character that was written
+  char32_t asked = 0;     ///< the one that was to be written; 0 while the learner must know it
   std::string type = {};  ///< of a stroke, as KanjiVG names it; empty where it has none
   kanji::StrokeEnding ending = kanji::StrokeEnding::stop;
   std::optional<writing::Mistake> mistake = {};
