@@ -58,7 +58,7 @@ KanjiDatabase::Inside::Inside(SQLite::Database opened, std::string file)
             "SELECT w.text, w.reading, w.parts_of_speech, w.common, w.glosses FROM word_of o JOIN word w ON "
             "w.id = o.word WHERE o.code_point = ? ORDER BY o.word LIMIT ?"),
       heard_words(db,
-                  "SELECT text, reading, parts_of_speech, common, glosses FROM word WHERE common = 1 AND "
+                  "SELECT text, reading, parts_of_speech, common, glosses FROM word WHERE common > 0 AND "
                   "length(coalesce(reading, text)) BETWEEN 2 AND ? AND instr(coalesce(reading, text), ?) > 0 "
                   "ORDER BY id LIMIT ?"),
       elements(db, "SELECT place FROM element_of WHERE element = ? ORDER BY place LIMIT ?"),
