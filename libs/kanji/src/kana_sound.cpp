@@ -94,9 +94,9 @@ std::string glide(char32_t first, char32_t small) {
   const Row* const row = row_of(first);
   if (vowel == std::u32string_view::npos || row == nullptr) return {};
   // ファ, ティ, ウィ, シェ: the consonant of the first with the vowel of the second.
-  std::string letters(row->romaji.substr(0, row->romaji.size() - 1));
-  if (first == U'う') letters = "w";
-  return letters.empty() ? std::string() : letters + "aiueo"[vowel];
+  const std::string_view consonant =
+      first == U'う' ? std::string_view("w") : row->romaji.substr(0, row->romaji.size() - 1);
+  return consonant.empty() ? std::string() : std::string(consonant) + "aiueo"[vowel];
 }
 
 /// The letter with a macron.
