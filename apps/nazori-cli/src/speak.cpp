@@ -39,25 +39,24 @@ std::vector<std::string> voice_names() {
   return names;
 }
 
-int list_voices(Console& console, const speech::Voices& voices, base::Result<speech::VoiceState> used,
+int list_voices(Console& console, const speech::Voices& voices, const base::Result<speech::VoiceState>& used,
                 bool json) {
   Json document = Json::array();
+  std::string text;
   for (const auto& state : voices.find()) {
     const bool is_used = used && used->kind == state.kind;
     const std::string voice(speech::name_of(state.kind));
-    if (json) {
-      "voice", voice
-    }
-    , {"name", is_used ? used->name : state.name}, {"usable", !state.error}, {"used", is_used}, {
-      "problem", state.error ? Json(base::to_line(*state.error)) : Json()
-    }
-  });
-  else console.print(fmt::format(
-      "{:<18} {}\n", voice,
-      state.error ? base::to_line(*state.error) : (is_used ? used->name + ", speaks now" : state.name)));
-}
-if (json) console.print(to_text(document));
-return used ? kDone : kNo;
+    const std::string name = is_used ? used->name : state.name;
+    document.push_back({{"voice", voice},
+                        {"name", name},
+                        {"usable", !state.error},
+                        {"used", is_used},
+                        {"problem", state.error ? Json(base::to_line(*state.error)) : Json()}});
+    text += fmt::format("{:<18} {}{}\n", voice, state.error ? base::to_line(*state.error) : name,
+                        is_used ? ", speaks now" : "");
+  }
+  console.print(json ? to_text(document) : text);
+  return used ? kDone : kNo;
 }
 
 Json spoken_json(const speech::Spoken& spoken, const std::string& file) {

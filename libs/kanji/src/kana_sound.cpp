@@ -110,6 +110,8 @@ std::string lengthened(char vowel) {
 }  // namespace
 
 std::optional<KanaSound> kana_sound(char32_t kana) {
+  // ヷ to ヺ have no hiragana.
+  if (kana >= U'ヷ' && kana <= U'ヺ') return KanaSound{std::string("v") + "aieo"[kana - U'ヷ'], "", false};
   const Row* const row = row_of(kana);
   if (row == nullptr) return std::nullopt;
   return KanaSound{std::string(row->romaji), std::string(row->typed),

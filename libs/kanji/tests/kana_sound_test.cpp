@@ -36,6 +36,7 @@ TEST(KanaSound, SaysHowKanaThatSoundTheSameAreTyped) {
   EXPECT_EQ(*kana_sound(U'ゃ'), (KanaSound{"ya", "", true}));
   EXPECT_EQ(*kana_sound(U'ッ'), (KanaSound{"tsu", "", true}));
   EXPECT_EQ(*kana_sound(U'ー'), (KanaSound{"-", "", false}));
+  EXPECT_EQ(*kana_sound(U'ヹ'), (KanaSound{"ve", "", false}));
   for (const char32_t other : {U'休', U'a', U'ゝ', U'。', char32_t{0}}) EXPECT_FALSE(kana_sound(other));
 }
 

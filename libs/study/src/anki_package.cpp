@@ -11,7 +11,7 @@
 
 #include "nazori/base/utf8.h"
 #include "nazori/json/json.h"
-#include "nazori/kanji/romaji.h"
+#include "nazori/kanji/kana_sound.h"
 #include "nazori/study/exchange.h"
 
 namespace nazori::study {
@@ -204,52 +204,15 @@ std::string picture_name(char32_t character) {
   return fmt::format("nazori-{:05x}.svg", static_cast<unsigned>(character));
 }
 
-/// Kana that romaji cannot type: nullptr where `hiragana` is none of them.
-const char* special_sound(std::string_view hiragana) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 13> kSpecial{{{"っ", "small tsu"},
-                                                                               {"ゃ", "small ya"},
-                                                                               {"ゅ", "small yu"},
-                                                                               {"ょ", "small yo"},
-                                                                               {"ゎ", "small wa"},
-                                                                               {"ゕ", "small ka"},
-                                                                               {"ゖ", "small ke"},
-                                                                               {"ゔ", "vu"},
-                                                                               {"ヷ", "va"},
-                                                                               {"ヸ", "vi"},
-                                                                               {"ヹ", "ve"},
-                                                                               {"ヺ", "vo"},
-                                                                               {"ー", "long vowel mark"}}};
-  for (const auto& [kana, name] : kSpecial) {
-    if (kana == hiragana) return name;
-  }
-  return nullptr;
-}
-
 /// What a kana is asked for by: "ka (katakana)"; nothing for other characters.
 std::string sound_of(char32_t kana) {
-  const std::string own = base::encode_utf8(kana);
-  const std::string hiragana = kanji::to_hiragana(own);
-  constexpr std::array<const char*, 6> kIrregular{"shi", "chi", "tsu", "fu", "ji", "n"};
-  const auto name = [&](const std::string& romaji) {
-    return romaji + (kana >= kFirstKatakana && kana <= kLastKatakana ? " (katakana)" : " (hiragana)");
-  };
-  const auto spells = [&](const std::string& romaji) {
-    const std::vector<std::string> kana_of_it = kanji::romaji_to_hiragana(romaji);
-    return !kana_of_it.empty() && kana_of_it.front() == hiragana;
-  };
-  if (const char* special = special_sound(hiragana)) return name(special);
-  for (const char* romaji : kIrregular) {
-    if (spells(romaji)) return name(romaji);
-  }
-  for (const char* consonant :
-       {"", "k", "s", "t", "n", "h", "m", "y", "r", "w", "g", "z", "d", "b", "p", "x"}) {
-    for (const char* vowel : {"a", "i", "u", "e", "o"}) {
-      const std::string romaji = std::string(consonant) + vowel;
-      if (!spells(romaji)) continue;
-      return name(consonant == std::string_view("x") ? std::string("small ") + vowel : romaji);
-    }
-  }
-  return {};
+  const auto sound = kanji::kana_sound(kana);
+  if (!sound) return {};
+  // Of kana that sound the same, how they are typed tells which is meant.
+  std::string name = sound->typed.empty() ? sound->romaji : sound->typed;
+  if (name == "-") name = "long vowel mark";
+  return (sound->is_small ? "small " : "") + name +
+         (kana >= kFirstKatakana && kana <= kLastKatakana ? " (katakana)" : " (hiragana)");
 }
 
 std::string fields_of(const kanji::Character& character, std::span<const kanji::Word> words) {
