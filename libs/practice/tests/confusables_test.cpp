@@ -43,8 +43,9 @@ TEST_F(Confusables, AreFewDifferentAndDrawn) {
     for (const char32_t other : found) {
       EXPECT_TRUE(database_.draws(other));
       // What only looks alike must be a kanji that a learner meets.
-      if (std::find(table.begin(), table.end(), other) == table.end())
+      if (std::find(table.begin(), table.end(), other) == table.end()) {
         EXPECT_TRUE(database_.summary(other)->grade) << static_cast<std::uint32_t>(other);
+      }
     }
     auto sorted = found;
     std::sort(sorted.begin(), sorted.end());

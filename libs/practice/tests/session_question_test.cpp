@@ -86,7 +86,9 @@ TEST_F(Question, OfAKanaMayBeAWordWhoseOtherKanaAreKnown) {
     DictationWord one;
     one.word.text = one.word.reading = reading;
     one.word.glosses = {"gloss"};
-    for (const char32_t c : *base::decode_utf8(reading)) one.characters.push_back(c);
+    const auto kana = base::decode_utf8(reading);
+    ASSERT_TRUE(kana);
+    for (const char32_t c : *kana) one.characters.push_back(c);
     given->dictation.push_back(one);
   }
   study::Writing writing;
