@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/feedback_line.h"
 
-#include <QAccessible>
 #include <QEvent>
 #include <QFontInfo>
 #include <QHBoxLayout>
@@ -11,6 +10,7 @@
 #include "look/icons.h"
 #include "look/palette.h"
 #include "widgets/parts.h"
+#include "widgets/spoken_line.h"
 
 namespace nazori::ui {
 namespace {
@@ -22,7 +22,8 @@ constexpr int kRoomForTwo_em = 32;
 FeedbackLine::FeedbackLine(QWidget* parent)
     : QFrame(parent),
       sign_(named(new QLabel(this), "feedback_sign")),
-      text_(text_label("feedback_text", this)) {
+      text_(text_label("feedback_text", this)),
+      spoken_(new SpokenLine(this)) {
   setObjectName(QStringLiteral("feedback_line"));
   setAccessibleName(tr("Feedback"));
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -47,17 +48,13 @@ void FeedbackLine::respond(Feedback kind, const QString& sentence) {
   if (text_->text() != sentence) return announce(kind, sentence);
   kind_ = kind;
   draw_sign();
-  // A screen reader ignores a name that did not change. An inaudible space makes it a new name.
-  speak(text_->accessibleName() == sentence ? sentence + QChar(QChar::Nbsp) : sentence);
+  speak(sentence);
 }
 
 void FeedbackLine::speak(const QString& sentence) {
   text_->setAccessibleName(sentence);
   setAccessibleDescription(sentence);
-  QAccessibleEvent spoken(text_, QAccessible::NameChanged);
-  QAccessible::updateAccessibility(&spoken);
-  QAccessibleEvent alert(text_, QAccessible::Alert);
-  QAccessible::updateAccessibility(&alert);
+  spoken_->speak(kind_ == Feedback::hint ? Urgency::queued : Urgency::at_once, sentence);
 }
 
 QString FeedbackLine::sentence() const { return text_->text(); }

@@ -9,7 +9,9 @@ class QLabel;
 
 namespace nazori::ui {
 
-/// One sentence and one sign below the tablet, also spoken to assistive technology.
+class SpokenLine;
+
+/// One sentence and one sign below the tablet, also spoken by the screen reader.
 class FeedbackLine final : public QFrame {
   Q_OBJECT
  public:
@@ -31,6 +33,7 @@ class FeedbackLine final : public QFrame {
 
   QLabel* sign_;
   QLabel* text_;
+  SpokenLine* spoken_;
   Feedback kind_ = Feedback::hint;
 };
 

@@ -21,6 +21,7 @@
 #include "learners/learner_menu.h"
 #include "look/appearance.h"
 #include "tablet/tablet_window.h"
+#include "widgets/choice_access.h"
 #include "widgets/feedback_line.h"
 #include "widgets/focus_frame.h"
 #include "widgets/key_guard.h"
@@ -159,6 +160,7 @@ MainWindow::Inside::Inside(MainWindow& owner, const Setup& setup, Appearance& lo
 MainWindow::Inside::~Inside() { delete tablet_container; }
 
 void MainWindow::Inside::build(const Setup& setup) {
+  describe_choices();
   actions = new Actions(&window);
   learner_menu = new LearnerMenu(parts);
   for (const auto& group : learner_menu->actions().groups()) actions->add_menu(group);

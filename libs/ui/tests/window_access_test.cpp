@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a screen reader finds: every control has a role, a name and, where it holds one, a value; the Tab key
+// goes through all of them, forwards and backwards.
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QMenu>
+#include <QTimer>
+
+#include "window_under_test.h"
+
+namespace nazori::ui {
+namespace {
+
+class Access : public WindowTest {
+ protected:
+  QList<QAction*> pages() {
+    QList<QAction*> all;
+    for (auto* action : window_->findChildren<QAction*>())
+      if (action->objectName().startsWith(QStringLiteral("go_")) && action->isCheckable()) all.append(action);
+    return all;
+  }
+  void go_to(QAction* page) {
+    page->trigger();
+    settle();
+  }
+  static void settle() {
+    for (int pass = 0; pass < 5; ++pass) {
+      QCoreApplication::sendPostedEvents();
+      QCoreApplication::processEvents();
+    }
+  }
+};
+
+bool holds_a_value(QAccessible::Role role) {
+  return role == QAccessible::ComboBox || role == QAccessible::SpinBox || role == QAccessible::Slider ||
+         role == QAccessible::ProgressBar;
+}
+
+bool is_control(const QAccessibleInterface& part) {
+  const auto state = part.state();
+  if (state.invisible || part.rect().isEmpty()) return false;
+  switch (part.role()) {
+    case QAccessible::PushButton:
+    case QAccessible::CheckBox:
+    case QAccessible::RadioButton:
+    case QAccessible::PageTab:
+    case QAccessible::ButtonMenu:
+    case QAccessible::ButtonDropDown:
+    case QAccessible::EditableText:
+    case QAccessible::Graphic:
+      return true;
+    default:
+      return holds_a_value(part.role()) || state.focusable;
+  }
+}
+
+QString place(QAccessibleInterface* part) {
+  QStringList names;
+  for (auto* at = part; at != nullptr && names.size() < 6; at = at->parent()) {
+    const auto* object = at->object();
+    names.prepend(object != nullptr && !object->objectName().isEmpty()
+                      ? object->objectName()
+                      : QString::fromLatin1(object != nullptr ? object->metaObject()->className() : "item"));
+  }
+  return names.join(QLatin1Char('/'));
+}
+
+/// What is missing in the tree below `part`, a line each.
+void find_missing(QAccessibleInterface* part, QStringList& missing) {
+  if (part == nullptr) return;
+  if (is_control(*part)) {
+    if (part->role() == QAccessible::NoRole || part->role() == QAccessible::Client)
+      missing.append(place(part) + QStringLiteral(": no role"));
+    if (part->text(QAccessible::Name).trimmed().isEmpty())
+      missing.append(place(part) + QStringLiteral(": no name"));
+    if (holds_a_value(part->role()) && part->valueInterface() == nullptr &&
+        part->text(QAccessible::Value).isEmpty())
+      missing.append(place(part) + QStringLiteral(": no value"));
+  }
+  // The rows of long lists are all alike: the first ones stand for them.
+  const int children = std::min(part->childCount(), 200);
+  for (int i = 0; i < children; ++i) {
+    auto* child = part->child(i);
+    if (child != nullptr && !child->state().invisible) find_missing(child, missing);
+  }
+}
+
+QString missing_in(QWidget* widget) {
+  QStringList missing;
+  find_missing(QAccessible::queryAccessibleInterface(widget), missing);
+  missing.removeDuplicates();
+  return missing.join(QLatin1Char('\n'));
+}
+
+TEST_F(Access, EveryControlOfEveryPageHasARoleANameAndAValue) {
+  for (auto* page : pages()) {
+    go_to(page);
+    EXPECT_EQ(missing_in(window_.get()), QString()) << page->objectName().toStdString();
+  }
+}
+
+TEST_F(Access, EveryControlOfEveryDialogHasARoleANameAndAValue) {
+  int seen = 0;
+  QTimer look;
+  QString opened_by;
+  QObject::connect(&look, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    EXPECT_EQ(missing_in(dialog), QString()) << opened_by.toStdString();
+    ++seen;
+    dialog->reject();
+  });
+  look.start(10);
+  for (auto* page : pages()) {
+    go_to(page);
+    for (auto* action : window_->findChildren<QAction*>()) {
+      // Three dots say that a dialog follows. Those for files are the desktop's own.
+      const bool files = action->objectName().contains(QStringLiteral("open")) ||
+                         action->objectName().contains(QStringLiteral("record")) ||
+                         action->objectName().contains(QStringLiteral("export")) ||
+                         action->objectName().contains(QStringLiteral("import"));
+      if (!action->text().endsWith(QStringLiteral("…")) || !action->isEnabled() || files) continue;
+      opened_by = action->objectName();
+      action->trigger();
+      settle();
+    }
+  }
+  EXPECT_GE(seen, 5);
+}
+
+TEST_F(Access, TabGoesThroughEveryPageAndComesBackAndBackTabTakesTheSameWay) {
+  for (auto* page : pages()) {
+    go_to(page);
+    QStringList forwards, backwards;
+    const auto walk = [&](Qt::Key key, QStringList& way) {
+      auto* first = QApplication::focusWidget();
+      ASSERT_NE(first, nullptr) << page->objectName().toStdString();
+      for (int i = 0; i < 200; ++i) {
+        auto* at = QApplication::focusWidget();
+        ASSERT_NE(at, nullptr) << way.join(QLatin1Char(' ')).toStdString();
+        way.append(at->objectName().isEmpty() ? QString::fromLatin1(at->metaObject()->className())
+                                              : at->objectName());
+        QTest::keyClick(at, key, key == Qt::Key_Backtab ? Qt::ShiftModifier : Qt::NoModifier);
+        if (QApplication::focusWidget() == first) return;
+      }
+      ADD_FAILURE() << page->objectName().toStdString()
+                    << ": Tab never comes back: " << way.join(QLatin1Char(' ')).toStdString();
+    };
+    walk(Qt::Key_Tab, forwards);
+    walk(Qt::Key_Backtab, backwards);
+    std::cout << page->objectName().toStdString() << " | " << forwards.join(' ').toStdString() << "\n   | "
+              << backwards.join(' ').toStdString() << std::endl;
+    EXPECT_GE(forwards.size(), 3) << page->objectName().toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace nazori::ui
