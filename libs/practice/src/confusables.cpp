@@ -94,7 +94,13 @@ std::vector<char32_t> confusables_of(const kanji::KanjiDatabase& database, char3
     if (is_kanji && summary && summary->grade && std::find(found.begin(), found.end(), other) == found.end())
       found.push_back(other);
   }
-  std::erase_if(found, [&database](char32_t one) { return !database.draws(one); });
+  // Kanji outside the lists of school and names are no help either, unless one of them is asked for.
+  const auto own = database.summary(character);
+  const bool is_taught = own && own->grade;
+  std::erase_if(found, [&](char32_t one) {
+    const auto other = database.summary(one);
+    return !database.draws(one) || (is_taught && is_kanji && !(other && other->grade));
+  });
   if (found.size() > most) found.resize(most);
   return found;
 }

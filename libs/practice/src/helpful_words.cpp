@@ -25,7 +25,7 @@ constexpr double kBasic = -40, kRare = 40, kAlone = -10, kOwnMeaning = -4;
 constexpr double kUnusual = 25, kInKana = 20, kAffix = 8, kUnexplained = 4, kItsReading = -1;
 constexpr double kPerOther = 1, kPerGrade = 3, kNoGrade = 25, kPerCharacter = 1.5;
 // And beside words that were chosen already.
-constexpr double kSameReading = 4, kSameStem = 14, kUnknownKanji = 12;
+constexpr double kSameReading = 4, kSameStem = 14, kUnknownKanji = 6;
 
 bool is_kanji(char32_t c) { return kanji::script_of(c) == kanji::Script::other && c != U'々'; }
 
@@ -165,9 +165,9 @@ std::vector<HelpfulWord> choose_words(const std::vector<HelpfulWord>& words, cha
       if (piece != nullptr && its != nullptr && piece->from == its->from) cost += kSameReading;
       if (is_nearly(word, other, character)) cost += kSameStem;
     }
-    if (knows)
-      for (const char32_t c : word.others)
-        if (!knows(c)) cost += kUnknownKanji;
+    if (knows &&
+        std::any_of(word.others.begin(), word.others.end(), [&knows](char32_t c) { return !knows(c); }))
+      cost += kUnknownKanji;
     return cost;
   };
   while (chosen.size() < std::min(most, words.size())) {

@@ -8,6 +8,7 @@
 #include "nazori/base/utf8.h"
 #include "nazori/kanji/gloss.h"
 #include "nazori/kanji/kana.h"
+#include "nazori/kanji/meaning_text.h"
 #include "nazori/practice/list_members.h"
 
 namespace nazori::practice {
@@ -24,6 +25,19 @@ std::optional<char32_t> first_shown(const kanji::KanjiDatabase& database, const 
     if (!shown) shown = c;
   }
   return shown;
+}
+
+/// The first meanings of a word, before them the one that was searched for.
+std::vector<std::string> meanings_of(const kanji::WordMatch& match, const std::string& text) {
+  auto meanings = kanji::plain_glosses(match.word, match.word.glosses.size());
+  if (match.by_meaning) {
+    const std::string wanted = " " + kanji::fold_gloss(text);
+    std::stable_partition(meanings.begin(), meanings.end(), [&wanted](const std::string& meaning) {
+      return (" " + kanji::fold_gloss(meaning)).find(wanted) != std::string::npos;
+    });
+  }
+  if (meanings.size() > kMostMeanings) meanings.resize(kMostMeanings);
+  return meanings;
 }
 
 /// Whether the query is its text alone.
@@ -58,11 +72,10 @@ SearchAnswer search_answer(const kanji::KanjiDatabase& database, const kanji::Ty
       const auto shown = first_shown(database, match.word.text);
       const auto character = shown ? database.summary(*shown) : std::nullopt;
       if (!character) continue;
-      SearchRow row{
-          *character,
-          match.by_meaning ? kanji::Reason::meaning : kanji::Reason::reading,
-          {},
-          FoundWord{match.word.text, match.word.reading, kanji::plain_glosses(match.word, kMostMeanings)}};
+      SearchRow row{*character,
+                    match.by_meaning ? kanji::Reason::meaning : kanji::Reason::reading,
+                    {},
+                    FoundWord{match.word.text, match.word.reading, meanings_of(match, query.text)}};
       if (match.whole)
         answer.rows.insert(answer.rows.begin() + static_cast<std::ptrdiff_t>(at++), std::move(row));
       else

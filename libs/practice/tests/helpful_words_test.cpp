@@ -41,6 +41,9 @@ TEST_F(HelpfulWords, OfATreeAreThoseAPupilKnows) {
   EXPECT_THAT(tree, Contains("木曜日"));
   EXPECT_THAT(tree, Contains("大木"));
   EXPECT_THAT(tree, Not(Contains("本木")));
+  const auto beginner = chosen(U'木', [](char32_t) { return false; });
+  EXPECT_THAT(beginner, Contains("木曜日")) << "also for somebody who knows no other kanji";
+  EXPECT_THAT(beginner, Contains("大木"));
 }
 
 TEST_F(HelpfulWords, OfVerbsWithDifferentReadingsBothAreChosen) {

@@ -46,6 +46,11 @@ TEST_F(Searched, AWordIsFoundByReadingRomajiAndMeaning) {
   EXPECT_EQ(row.character.code_point, U'休') << "it leads to its first kanji";
 }
 
+TEST_F(Searched, AWordBeginsWithTheMeaningThatWasSearchedFor) {
+  for (const auto& row : search("holiday").rows)
+    if (row.word) EXPECT_NE(row.word->meanings.front().find("holiday"), std::string::npos) << row.word->text;
+}
+
 TEST_F(Searched, ATypedWordComesBeforeItsCharacters) {
   const auto found = rows("休日");
   ASSERT_GE(found.size(), 3U);

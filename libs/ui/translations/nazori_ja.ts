@@ -1565,8 +1565,8 @@
         <translation>閉じる(&amp;C)</translation>
     </message>
     <message>
-        <source>Press the number of the character that belongs here.</source>
-        <translation>当てはまる文字の番号を押してください。</translation>
+        <source>Which character belongs here? Press 1 to %1.</source>
+        <translation>当てはまる文字はどれ？ 1～%1のキーで答えてください。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -3063,10 +3063,6 @@ Columns and rows:</source>
     <message>
         <source>Search results</source>
         <translation>検索結果</translation>
-    </message>
-    <message>
-        <source>By…</source>
-        <translation>条件…</translation>
     </message>
     <message>
         <source>Search by strokes, radical, parts or code</source>

@@ -83,14 +83,20 @@ void CharacterTileDelegate::paint(QPainter* painter, const QStyleOptionViewItem&
     }
     head.setWidth(std::min(wide, std::max(most, tile.height())));
     painter->drawText(head, Qt::AlignCenter | Qt::TextDontClip, text);
-    painter->setFont(option.font);
-    painter->setPen(c.ink);
+    // What matches above the rest.
     const QRectF beside = tile.adjusted(head.width() + 4, 3, -6, -3);
-    const QRectF needed = QFontMetricsF(option.font).boundingRect(beside, Qt::TextWordWrap, why);
-    const bool fits = needed.height() <= beside.height();
-    painter->drawText(
-        beside, Qt::AlignVCenter | Qt::AlignLeft | (fits ? Qt::TextWordWrap : 0),
-        fits ? why : QFontMetricsF(option.font).elidedText(why, Qt::ElideRight, beside.width()));
+    const QString between = QStringLiteral(" · ");
+    const QString rest = why.section(between, 1);
+    painter->setFont(option.font);
+    const QFontMetricsF metrics(option.font);
+    const auto line = [&](const QRectF& place, const QString& words, const QColor& colour) {
+      painter->setPen(colour);
+      painter->drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
+                        metrics.elidedText(words, Qt::ElideRight, place.width()));
+    };
+    const QRectF upper(beside.topLeft(), QSizeF(beside.width(), beside.height() / (rest.isEmpty() ? 1 : 2)));
+    line(upper, why.section(between, 0, 0), c.ink);
+    if (!rest.isEmpty()) line(upper.translated(0, upper.height()), rest, c.muted);
   } else {
     painter->drawText(tile, Qt::AlignCenter | Qt::TextDontClip, text);
   }

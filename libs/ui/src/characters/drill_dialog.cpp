@@ -77,7 +77,9 @@ DrillDialog::DrillDialog(const std::vector<practice::ConfusableFacts>& character
     accept();
   });
   setMinimumWidth(QFontInfo(font()).pixelSize() * 28);
-  verdict_->setText(tr("Press the number of the character that belongs here."));
+  close->setAutoDefault(false);
+  write_->setAutoDefault(false);
+  verdict_->setText(tr("Which character belongs here? Press 1 to %1.").arg(characters.size()));
   ask();
 }
 

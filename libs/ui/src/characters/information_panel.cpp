@@ -214,7 +214,8 @@ void InformationPanel::fill_readings() {
   // The words would give the character away.
   const auto add_example = [&](QLabel* label, const QString& reading, const std::string& published) {
     const auto* use = hides_character_ ? nullptr : use_of(sheet_->helpful, published);
-    if (use != nullptr) show_example(label, reading, *use);
+    const bool is_itself = use != nullptr && to_text(use->word.word.text).size() == 1;
+    if (use != nullptr && !is_itself) show_example(label, reading, *use);
   };
   for (const auto& on : entry.on_readings) {
     auto* label = add_label(on_.flow, to_text(on), 1.25, true);

@@ -335,7 +335,7 @@ void LibraryPanel::add_condition(const char* key, const QString& value) {
 
 void LibraryPanel::make_conditions() {
   conditions_->setObjectName(QStringLiteral("search_conditions"));
-  conditions_->setText(tr("By…"));
+  conditions_->setText(QStringLiteral("⋯"));
   conditions_->setAccessibleName(tr("Search by strokes, radical, parts or code"));
   conditions_->setToolTip(conditions_->accessibleName());
   conditions_->setPopupMode(QToolButton::InstantPopup);
