@@ -15,8 +15,16 @@ namespace {
 
 struct RecogniseSettings {
   std::string database;
+  std::string among = "all";
   writing::RecogniseOptions options;
 };
+
+writing::Among among_of(const std::string& word) {
+  if (word == "kana") return writing::Among::kana;
+  if (word == "kanji") return writing::Among::kanji;
+  if (word == "letters") return writing::Among::letters;
+  return writing::Among::all;
+}
 
 base::Result<Json> recognise_one(const Json& request, const writing::Recogniser& recogniser,
                                  const writing::RecogniseOptions& options) {
@@ -32,8 +40,10 @@ int run(Console& console, const RecogniseSettings& settings) {
   if (!database) return console.refuse(database.error());
   const auto recogniser = writing::Recogniser::make(*database);
   if (!recogniser) return console.refuse(recogniser.error());
+  auto options = settings.options;
+  options.among = among_of(settings.among);
   return answer_lines(console, exchange::refused_candidates(), [&](const Json& request) {
-    return recognise_one(request, *recogniser, settings.options);
+    return recognise_one(request, *recogniser, options);
   });
 }
 
@@ -49,6 +59,10 @@ void add_recognise(CLI::App& app, Action& chosen) {
       ->type_name("N");
   verb->add_flag("--unfinished", settings->options.unfinished,
                  "The drawing may be unfinished: also suggest characters that start like it");
+  verb->add_option("--among", settings->among, "Search only these characters (letters: also digits)")
+      ->check(CLI::IsMember({"all", "kana", "kanji", "letters"}))
+      ->capture_default_str()
+      ->type_name("SCRIPT");
   add_database_option(*verb, settings->database);
   verb->footer(
       "Each input line gets one output line at once, best candidates first.\n"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "nazori/base/latest.h"
@@ -72,6 +73,7 @@ struct Reader {
   std::optional<writing::Recogniser> recogniser;
   std::optional<kanji::KanjiDatabase> database;
   std::optional<writing::ModelLibrary> models;
+  std::unordered_map<char32_t, kanji::Summary> summaries;
 
   base::Result<void> learn() {
     if (recogniser) return {};
@@ -79,6 +81,7 @@ struct Reader {
     if (!opened) return tl::unexpected(opened.error());
     auto made = writing::Recogniser::make(*opened);
     if (!made) return tl::unexpected(made.error());
+    for (auto& summary : opened->list(kanji::List::all)) summaries.emplace(summary.code_point, summary);
     recogniser.emplace(std::move(*made));
     database.emplace(std::move(*opened));
     models.emplace(*database);
@@ -109,19 +112,22 @@ struct Reader {
     return found;
   }
 
-  base::Result<std::vector<writing::Candidate>> read(const writing::WrittenCharacter& ink, int limit) {
+  base::Result<std::vector<FoundCharacter>> read(const writing::WrittenCharacter& ink, int limit,
+                                                 writing::Among among) {
     if (auto learned = learn(); !learned) return tl::unexpected(learned.error());
-    const auto ends_here = recogniser->recognise(ink, {.limit = limit, .unfinished = false});
+    const auto ends_here = recogniser->recognise(ink, {.limit = limit, .unfinished = false, .among = among});
     if (!ends_here) return tl::unexpected(ends_here.error());
-    const auto goes_on = recogniser->recognise(ink, {.limit = limit, .unfinished = true});
+    const auto goes_on = recogniser->recognise(ink, {.limit = limit, .unfinished = true, .among = among});
     if (!goes_on) return tl::unexpected(goes_on.error());
-    std::vector<writing::Candidate> all;
+    std::vector<FoundCharacter> all;
     const auto add = [&](const std::vector<writing::Candidate>& from, std::size_t i) {
       if (i >= from.size() || all.size() >= static_cast<std::size_t>(limit)) return;
-      const bool known = std::any_of(all.begin(), all.end(), [&](const writing::Candidate& other) {
+      const bool known = std::any_of(all.begin(), all.end(), [&](const FoundCharacter& other) {
         return other.character == from[i].character;
       });
-      if (!known) all.push_back(from[i]);
+      if (known) return;
+      const auto& summary = summaries[from[i].character];
+      all.push_back({from[i].character, from[i].likeness, summary.meaning, summary.reading});
     };
     for (std::size_t i = 0; i < std::max(ends_here->size(), goes_on->size()); ++i) {
       add(*ends_here, i);
@@ -145,6 +151,7 @@ struct Name {
 struct InkToRead {
   writing::WrittenCharacter ink;
   int limit;
+  writing::Among among;
 };
 
 /// An answer with its request number.
@@ -155,7 +162,7 @@ struct Numbered {
 };
 
 using Judgement = Numbered<Books::Answer>;
-using Reading = Numbered<std::vector<writing::Candidate>>;
+using Reading = Numbered<std::vector<FoundCharacter>>;
 
 }  // namespace
 
@@ -179,7 +186,7 @@ struct WritingJudge::Inside {
         recogniser(
             recogniser_thread,
             [reader = reader](const InkToRead& request, const auto& run) {
-              return Reading{run.ticket(), reader->read(request.ink, request.limit)};
+              return Reading{run.ticket(), reader->read(request.ink, request.limit, request.among)};
             },
             [&judge](const Reading& answer) {
               if (answer.found)
@@ -208,8 +215,9 @@ WritingJudge::~WritingJudge() = default;
 
 std::uint64_t WritingJudge::judge(const JudgeRequest& request) { return inside_->grader.request(request); }
 
-std::uint64_t WritingJudge::recognise(const writing::WrittenCharacter& ink, int limit) {
-  return inside_->recogniser.request({ink, limit});
+std::uint64_t WritingJudge::recognise(const writing::WrittenCharacter& ink, int limit,
+                                      writing::Among among) {
+  return inside_->recogniser.request({ink, limit, among});
 }
 
 std::uint64_t WritingJudge::name_other(const writing::WrittenCharacter& ink, char32_t asked) {

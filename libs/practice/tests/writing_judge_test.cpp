@@ -36,7 +36,7 @@ struct Court {
     judge.pen_reported.connect([this](std::uint64_t number, const PenReport& pen) {
       order.push_back("pen " + std::to_string(number) + " " + std::to_string(pen.motions.size()));
     });
-    judge.recognised.connect([this](std::uint64_t number, const std::vector<writing::Candidate>& found) {
+    judge.recognised.connect([this](std::uint64_t number, const std::vector<FoundCharacter>& found) {
       recognised.emplace_back(number, found);
     });
     judge.judging_failed.connect(
@@ -51,7 +51,7 @@ struct Court {
 
   std::vector<std::string> order;
   std::vector<std::pair<std::uint64_t, writing::Grade>> judged;
-  std::vector<std::pair<std::uint64_t, std::vector<writing::Candidate>>> recognised;
+  std::vector<std::pair<std::uint64_t, std::vector<FoundCharacter>>> recognised;
   std::vector<std::uint64_t> not_judged, not_recognised;
   base::Inbox inbox;
   WritingJudge judge;

@@ -3,214 +3,60 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <utility>
 
 #include "alignment.h"
-#include "lookalike_contrast.h"
-#include "nazori/base/utf8.h"
-#include "nazori/geometry/svg_path.h"
 #include "nazori/writing/grade.h"
-#include "quick_strokes.h"
-#include "stroke_picture.h"
+#include "shortlist.h"
 
 namespace nazori::writing {
 namespace {
-
-/// A known character: the position of its strokes in the common arrays.
-struct Known {
-  char32_t code_point = 0;
-  int place = 0;  // 0: the commonest
-  std::size_t first_stroke = 0;
-  std::size_t strokes = 0;
-};
-
-}  // namespace
-
-struct RecogniserInside {
-  std::vector<Known> characters;
-  std::vector<Picture> pictures;    // of each character
-  std::vector<ThreePoints> points;  // of each stroke
-  std::vector<std::size_t> starts;  // of each stroke in `lines`, and one more
-  std::vector<float> lines;         // x and y alternating
-
-  [[nodiscard]] FlatLine line(std::size_t stroke) const {
-    return FlatLine(lines).subspan(starts[stroke], starts[stroke + 1] - starts[stroke]);
-  }
-  [[nodiscard]] std::vector<FlatLine> lines_of(const Known& known) const {
-    std::vector<FlatLine> result;
-    for (std::size_t k = 0; k < known.strokes; ++k) result.push_back(line(known.first_stroke + k));
-    return result;
-  }
-
-  void begin_character(char32_t code_point, int place) {
-    characters.push_back({code_point, place, points.size(), 0});
-  }
-  void add_point(geometry::GlyphPoint p) {
-    lines.push_back(static_cast<float>(p.x));
-    lines.push_back(static_cast<float>(p.y));
-  }
-  void end_stroke() {
-    const std::size_t start = starts.empty() ? 0 : starts.back();
-    if (starts.empty()) starts.push_back(0);
-    starts.push_back(lines.size());
-    points.push_back(three_points(FlatLine(lines).subspan(start)));
-    ++characters.back().strokes;
-  }
-  void finish() {
-    std::erase_if(characters, [](const Known& k) { return k.strokes == 0; });
-    std::stable_sort(characters.begin(), characters.end(),
-                     [](const Known& a, const Known& b) { return a.place < b.place; });
-    pictures.reserve(characters.size());
-    for (const auto& k : characters) pictures.push_back(make_picture(lines_of(k)));
-  }
-};
-
-namespace {
-
-/// A few points of each curve are enough, because they are resampled for comparison.
-void add_path(RecogniserInside& inside, const geometry::BezierPath& path) {
-  auto from = path.start;
-  inside.add_point(from);
-  for (const auto& piece : path.pieces) {
-    for (const double t : {0.25, 0.5, 0.75}) {
-      const double s = 1 - t;
-      inside.add_point(from * (s * s * s) + piece[0] * (3 * s * s * t) + piece[1] * (3 * s * t * t) +
-                       piece[2] * (t * t * t));
-    }
-    inside.add_point(piece[2]);
-    from = piece[2];
-  }
-  inside.end_stroke();
-}
-
-/// The drawn strokes in all forms needed for comparison.
-struct Drawn {
-  std::vector<Shape> shapes;
-  QuickDrawing points;
-  Picture picture{};
-};
-
-Drawn look_at(const WrittenCharacter& ink) {
-  Drawn d;
-  std::vector<std::vector<float>> flat;
-  std::vector<ThreePoints> points;
-  for (const auto& s : ink.strokes) {
-    d.shapes.push_back(make_shape<WritingFrame>(geometry::line_of(s)));
-    const auto& whole = d.shapes.back().whole;
-    auto& line = flat.emplace_back();
-    for (std::size_t k = 0; k < kSamples; ++k) {
-      line.push_back(whole.x[k]);
-      line.push_back(whole.y[k]);
-    }
-    points.push_back(three_points(line));
-  }
-  d.points = quick_drawing(points);
-  const std::vector<FlatLine> lines(flat.begin(), flat.end());
-  d.picture = make_picture(lines);
-  return d;
-}
-
-/// The `count` smallest of `scores`, by index.
-std::vector<std::size_t> smallest(const std::vector<float>& scores, std::size_t count) {
-  std::vector<std::size_t> index;
-  for (std::size_t i = 0; i < scores.size(); ++i)
-    if (scores[i] < std::numeric_limits<float>::max()) index.push_back(i);
-  count = std::min(count, index.size());
-  std::nth_element(index.begin(), index.begin() + static_cast<std::ptrdiff_t>(count), index.end(),
-                   [&scores](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });
-  index.resize(count);
-  return index;
-}
-
-/// Characters worth a closer comparison: selected by their picture, and by three points of each stroke in
-/// order, also with one stroke missing or extra; the most similar first.
-std::vector<std::size_t> shortlist(const RecogniserInside& inside, const Drawn& drawn, bool unfinished) {
-  // The picture of a beginning differs from that of the whole.
-  const std::size_t most_by_picture = unfinished ? 18 : 26;
-  const std::size_t most_by_order = unfinished ? 28 : 14;
-  constexpr float kNever = std::numeric_limits<float>::max();
-  constexpr float kPerStroke = 0.01F;
-  constexpr std::size_t kWithAGap = 8;
-  constexpr std::size_t kOneTooMany = 4;
-  const auto n = drawn.shapes.size();
-  std::vector<float> by_picture(inside.characters.size(), kNever);
-  std::vector<float> by_order(inside.characters.size(), kNever);
-  std::vector<float> with_a_gap(inside.characters.size(), kNever);
-  std::vector<float> one_too_many(inside.characters.size(), kNever);
-  for (std::size_t i = 0; i < inside.characters.size(); ++i) {
-    const auto& known = inside.characters[i];
-    const auto m = known.strokes;
-    // In quick writing strokes are joined: more often too few are drawn than too many.
-    if (m + 2 + m / 8 >= n && m <= 2 * n + 2) {
-      const float apart = static_cast<float>(m > n ? m - n : n - m);
-      by_picture[i] = kPerStroke * apart - likeness(drawn.picture, inside.pictures[i]);
-    }
-    const auto points = std::span(inside.points).subspan(known.first_stroke, m);
-    if (!unfinished && m == n + 1) with_a_gap[i] = distance_with_a_gap(drawn.points, points);
-    if (!unfinished && m + 1 == n) one_too_many[i] = distance_with_one_too_many(drawn.points, points);
-    if (m == n || (unfinished && m > n))
-      by_order[i] = distance_in_order(drawn.points, points) + (m == n ? 0.0F : 0.01F);
-  }
-  auto result = smallest(by_picture, most_by_picture);
-  for (const auto i : smallest(by_order, most_by_order)) result.push_back(i);
-  for (const auto i : smallest(with_a_gap, kWithAGap)) result.push_back(i);
-  for (const auto i : smallest(one_too_many, kOneTooMany)) result.push_back(i);
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  std::stable_sort(result.begin(), result.end(),
-                   [&by_picture](std::size_t a, std::size_t b) { return by_picture[a] < by_picture[b]; });
-  return result;
-}
 
 struct Scored {
   std::size_t index = 0;
   double cost = 0;
 };
 
-Form form_of(const RecogniserInside& inside, const Known& known) {
-  Form form;
-  form.shapes.reserve(known.strokes);
-  std::vector<double> xs;
-  std::vector<double> ys;
-  for (std::size_t k = 0; k < known.strokes; ++k) {
-    const auto line = inside.line(known.first_stroke + k);
-    xs.clear();
-    ys.clear();
-    for (std::size_t i = 0; i + 1 < line.size(); i += 2) {
-      xs.push_back(static_cast<double>(line[i]));
-      ys.push_back(static_cast<double>(line[i + 1]));
-    }
-    form.shapes.push_back(make_shape(xs, ys));
-  }
-  return form;
-}
+/// What speaks for a character, in one unit; lower is likelier. The weights are those under which the right
+/// characters of drawings by people who know the strokes and by people who do not are likeliest
+/// (docs/writing.md).
+struct Weights {
+  double rare = 0.275;   // for each e-fold in rank
+  double kana = -0.285;  // kanji: 0
+  double letter = -0.119;
+  double mark = 1.0;
+  double size = 1.95;  // for each e-fold that it is larger or smaller in the box than the model
+  // Of a writer who just copies the looks:
+  double stranger = -0.62;
+  double looks = 6.07;   // for the net's likeness 0
+  double drawn = 1.67;   // of drawn ink that the model lacks
+  double model = 2.36;   // of the model's ink that was not drawn
+  double count = 0.197;  // for each stroke more or less
+  // Of a writer who knows the strokes, beside the strokes:
+  double looks_known = 26;
+  double drawn_known = 3.39;
+  double model_known = 1.48;
+  // Of a writer who knows the strokes, but wrote one that spoils the looks:
+  double spoiled = 5.6;
+  // Within this all three are possible.
+  double spread = 3.735;
+};
+constexpr Weights kWeights;
 
-/// A drawing is likelier to be a kanji than a kana with the same strokes (二, ニ), and rarely a letter or a
-/// mark.
 double cost_of_kind(char32_t c) {
-  constexpr double kKana = 0.8;
-  constexpr double kOther = 1.6;
   const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
-  if (within(0x3041, 0x3096) || within(0x30A1, 0x30FA)) return kKana;
-  return within(0x3400, 0x9FFF) || within(0xF900, 0xFAFF) || c >= 0x20000 ? 0 : kOther;
+  if (within(0x3041, 0x3096) || within(0x30A1, 0x30FA) || c == U'ー') return kWeights.kana;
+  if (is_among(c, Among::letters)) return kWeights.letter;
+  const bool kanji =
+      within(0x3400, 0x9FFF) || within(0xF900, 0xFAFF) || c >= 0x20000 || c == U'々' || c == U'〇';
+  return kanji ? 0 : kWeights.mark;
 }
 
-/// Cost for each stroke, common characters a little cheaper. Nullopt where it is not below `limit`.
-std::optional<double> cost_of(const RecogniserInside& inside, const Drawn& drawn, std::size_t index,
-                              bool unfinished, double limit) {
-  constexpr double kRare = 0.12;     // for each e-fold in rank
-  constexpr double kPicture = 12.0;  // for likeness 0
-  const auto& known = inside.characters[index];
-  const bool beginning = unfinished && known.strokes > drawn.shapes.size();
-  double cost = kRare * std::log(20.0 + known.place) + cost_of_kind(known.code_point);
-  if (beginning)
-    cost += 0.5;
-  else
-    cost += kPicture * (1 - static_cast<double>(likeness(drawn.picture, inside.pictures[index])));
-  if (cost >= limit) return std::nullopt;
-  const auto form = form_of(inside, known);
+/// Cost of laying the strokes over the model's, for each drawn stroke; only roughly known where it is above
+/// `limit`.
+double cost_of_strokes(const KnownCharacters& all, const Known& known, const Drawn& drawn, bool beginning,
+                       double limit) {
+  const auto form = all.form(known);
   std::vector<Shape> pairs;
   if (const auto n = drawn.shapes.size(); n < known.strokes) {
     // Strokes after the last drawn one are ignored.
@@ -222,60 +68,98 @@ std::optional<double> cost_of(const RecogniserInside& inside, const Drawn& drawn
   const auto count = static_cast<double>(drawn.shapes.size());
   const auto a =
       align_roughly({drawn.shapes, form.shapes, pairs, {}, beginning ? Extent::beginning : Extent::whole},
-                    static_cast<float>((limit - cost) * count));
-  cost += static_cast<double>(a.cost) / count;
-  return cost < limit ? std::optional(cost) : std::nullopt;
+                    static_cast<float>(std::max(limit, 0.0) * count));
+  return static_cast<double>(a.cost) / count;
+}
+
+/// Of a drawing that may go on: strokes in order, and the picture where the model has no more of them.
+double cost_of_beginning(const KnownCharacters& all, const Drawn& drawn, std::size_t character,
+                         double limit) {
+  constexpr double kRare = 0.12;
+  constexpr double kKana = 0.8;
+  constexpr double kOther = 1.6;
+  constexpr double kGoesOn = 0.5;
+  constexpr double kPicture = 12.0;  // for likeness 0
+  const auto& known = all.characters()[character];
+  const bool beginning = known.strokes > drawn.shapes.size();
+  double cost = kRare * std::log(20.0 + known.place);
+  if (!is_among(known.code_point, Among::kanji))
+    cost += is_among(known.code_point, Among::kana) ? kKana : kOther;
+  cost += beginning ? kGoesOn
+                    : kPicture * (1 - static_cast<double>(likeness(drawn.picture, all.picture(character))));
+  return cost + cost_of_strokes(all, known, drawn, beginning, limit - cost);
+}
+
+/// A writer either knows the strokes, or just copies the looks: what is likelier counts most.
+double cost_of(const KnownCharacters& all, const Drawn& drawn, const Listed& listed, double limit) {
+  constexpr int kMostStrokes = 4;
+  constexpr double kMostSize = 1.5;
+  const auto& w = kWeights;
+  const auto& known = all.characters()[listed.character];
+  double cost = w.rare * std::log(20.0 + known.place) + cost_of_kind(known.code_point);
+  if (drawn.extent > 0 && known.extent > 0)
+    cost +=
+        w.size * std::min(std::abs(std::log(drawn.extent / static_cast<double>(known.extent))), kMostSize);
+  const double unlike = 1 - static_cast<double>(listed.likeness);
+  const auto apart = all.ink_distance(drawn.ink, listed.character);
+  const auto ink_drawn = static_cast<double>(apart.drawn);
+  const auto ink_model = static_cast<double>(apart.model);
+  const int strokes = static_cast<int>(known.strokes) - static_cast<int>(drawn.shapes.size());
+  const double by_looks = cost + w.stranger + w.looks * unlike + w.drawn * ink_drawn + w.model * ink_model +
+                          w.count * std::min(std::abs(strokes), kMostStrokes);
+  const double looks_known = w.looks_known * unlike + w.drawn_known * ink_drawn + w.model_known * ink_model;
+  const double others = cost + std::min(looks_known, w.spoiled);
+  const double laid_over = cost_of_strokes(all, known, drawn, false, limit + 2 * w.spread - others);
+  const double by_strokes = cost + looks_known + laid_over;
+  const double spoiled = cost + w.spoiled + laid_over;
+  const double least = std::min({by_looks, by_strokes, spoiled});
+  double sum = 0;
+  for (const double c : {by_looks, by_strokes, spoiled}) sum += std::exp((least - c) / w.spread);
+  return least - w.spread * std::log(sum);
+}
+
+/// Of two that look the same the kanji comes before the kana (ニ and 二).
+void put_kanji_first(const KnownCharacters& all, std::vector<Scored>& scored) {
+  constexpr float kTwin = 0.87F;
+  for (auto& kanji : scored) {
+    if (!is_among(all.characters()[kanji.index].code_point, Among::kanji)) continue;
+    for (const auto& kana : scored)
+      if (is_among(all.characters()[kana.index].code_point, Among::kana) && kana.cost < kanji.cost &&
+          likeness(all.forms()[kanji.index].embedding, all.forms()[kana.index].embedding) > kTwin)
+        kanji.cost = kana.cost;
+  }
+  std::stable_sort(scored.begin(), scored.end(), [&](const Scored& a, const Scored& b) {
+    if (a.cost != b.cost) return a.cost < b.cost;
+    return is_among(all.characters()[a.index].code_point, Among::kanji) &&
+           !is_among(all.characters()[b.index].code_point, Among::kanji);
+  });
+}
+
+double likeness_of(double cost, bool unfinished) {
+  constexpr double kOfTheModel = -1.8;  // the cost of a common kanji's own strokes
+  return unfinished ? 1 / (1 + std::max(0.0, cost) / 8) : 1 / (1 + std::max(0.0, cost - kOfTheModel) / 4);
 }
 
 }  // namespace
 
-Recogniser::Recogniser(std::unique_ptr<const RecogniserInside> inside) : inside_(std::move(inside)) {}
+Recogniser::Recogniser(std::unique_ptr<const KnownCharacters> known) : known_(std::move(known)) {}
 Recogniser::Recogniser(Recogniser&&) noexcept = default;
 Recogniser& Recogniser::operator=(Recogniser&&) noexcept = default;
 Recogniser::~Recogniser() = default;
 
 base::Result<Recogniser> Recogniser::make(const kanji::KanjiDatabase& database) {
-  auto inside = std::make_unique<RecogniserInside>();
-  char32_t current = 0;
-  char32_t damaged = 0;
-  database.for_each_stroke([&](const kanji::StrokePath& stroke) {
-    const auto path = geometry::parse_svg_path(stroke.path);
-    if (!path) damaged = stroke.code_point;
-    if (!path) return;
-    if (inside->characters.empty() || stroke.code_point != current)
-      inside->begin_character(stroke.code_point, stroke.place);
-    current = stroke.code_point;
-    add_path(*inside, *path);
-  });
-  inside->finish();
-  if (database.trouble()) return tl::unexpected(*database.trouble());
-  if (damaged != 0)
-    return base::fail(base::Errc::schema, "A stroke of this character is no path.",
-                      base::encode_utf8(damaged), "build it again: nazori-cli database build");
-  if (inside->characters.empty())
-    return base::fail(base::Errc::not_found, "the database has no characters with strokes", {},
-                      "build it again: nazori-cli database build");
-  return Recogniser(std::move(inside));
+  auto known = KnownCharacters::load(database);
+  if (!known) return tl::unexpected(known.error());
+  return Recogniser(std::make_unique<const KnownCharacters>(std::move(*known)));
 }
 
 base::Result<Recogniser> Recogniser::make(const std::vector<kanji::Character>& characters) {
-  auto inside = std::make_unique<RecogniserInside>();
-  int place = 0;
-  for (const auto& c : characters) {
-    inside->begin_character(c.code_point, place++);
-    for (const auto& s : c.strokes) {
-      if (s.line.points.empty()) continue;
-      for (const auto& p : s.line.points) inside->add_point(p);
-      inside->end_stroke();
-    }
-  }
-  inside->finish();
-  if (inside->characters.empty())
-    return base::fail(base::Errc::not_found, "none of the characters has strokes");
-  return Recogniser(std::move(inside));
+  auto known = KnownCharacters::load(characters);
+  if (!known) return tl::unexpected(known.error());
+  return Recogniser(std::make_unique<const KnownCharacters>(std::move(*known)));
 }
 
-int Recogniser::size() const { return static_cast<int>(inside_->characters.size()); }
+int Recogniser::size() const { return static_cast<int>(known_->characters().size()); }
 
 base::Result<std::vector<Candidate>> Recogniser::recognise(const WrittenCharacter& ink,
                                                            const RecogniseOptions& options) const {
@@ -283,20 +167,26 @@ base::Result<std::vector<Candidate>> Recogniser::recognise(const WrittenCharacte
   if (options.limit < 1) return base::fail(base::Errc::bad_argument, "must be at least 1", "limit");
   const auto drawn = look_at(ink);
   constexpr double kUnlikely = 1e6;
+  constexpr std::size_t kFewest = 12;  // so that those that look the same meet
+  const auto limit = static_cast<std::size_t>(options.limit);
+  const auto kept = std::max(limit, kFewest);
   std::vector<Scored> scored;  // ascending
-  for (const auto index : shortlist(*inside_, drawn, options.unfinished)) {
-    const bool full = scored.size() == static_cast<std::size_t>(options.limit);
-    const auto cost =
-        cost_of(*inside_, drawn, index, options.unfinished, full ? scored.back().cost : kUnlikely);
-    if (!cost) continue;
+  for (const auto& listed : shortlist(*known_, drawn, options)) {
+    const bool full = scored.size() == kept;
+    const double worst = full ? scored.back().cost : kUnlikely;
+    const double cost = options.unfinished ? cost_of_beginning(*known_, drawn, listed.character, worst)
+                                           : cost_of(*known_, drawn, listed, worst);
+    if (cost >= worst) continue;
     if (full) scored.pop_back();
-    const auto place = std::upper_bound(scored.begin(), scored.end(), *cost,
+    const auto place = std::upper_bound(scored.begin(), scored.end(), cost,
                                         [](double c, const Scored& s) { return c < s.cost; });
-    scored.insert(place, {index, *cost});
+    scored.insert(place, {listed.character, cost});
   }
+  if (!options.unfinished) put_kanji_first(*known_, scored);
+  if (scored.size() > limit) scored.resize(limit);
   std::vector<Candidate> result;
   for (const auto& s : scored)
-    result.push_back({inside_->characters[s.index].code_point, 1 / (1 + std::max(0.0, s.cost) / 8)});
+    result.push_back({known_->characters()[s.index].code_point, likeness_of(s.cost, options.unfinished)});
   return result;
 }
 

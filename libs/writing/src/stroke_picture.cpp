@@ -4,48 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ink_moments.h"
+
 namespace nazori::writing {
-namespace {
-
-/// Mean and spread of the ink.
-struct InkMoments {
-  float x = 0, y = 0, spread_x = 0, spread_y = 0;
-};
-
-InkMoments moments_of(std::span<const FlatLine> strokes) {
-  float length = 0, x = 0, y = 0, xx = 0, yy = 0;
-  for (const auto& s : strokes) {
-    for (std::size_t i = 2; i + 1 < s.size(); i += 2) {
-      const float dx = s[i] - s[i - 2];
-      const float dy = s[i + 1] - s[i - 1];
-      const float w = std::sqrt(dx * dx + dy * dy);
-      const float mx = (s[i] + s[i - 2]) / 2;
-      const float my = (s[i + 1] + s[i - 1]) / 2;
-      length += w;
-      x += w * mx;
-      y += w * my;
-      xx += w * (mx * mx + dx * dx / 12);
-      yy += w * (my * my + dy * dy / 12);
-    }
-  }
-  if (length <= 0) return {0, 0, 1, 1};
-  x /= length;
-  y /= length;
-  const float spread_x = std::sqrt(std::max(xx / length - x * x, 0.0F));
-  const float spread_y = std::sqrt(std::max(yy / length - y * y, 0.0F));
-  // A flat character stays flat.
-  constexpr float kMostSquashed = 0.6F;
-  const float larger = std::max({spread_x, spread_y, 1e-6F});
-  return {x, y, std::max(spread_x, kMostSquashed * larger), std::max(spread_y, kMostSquashed * larger)};
-}
-
-}  // namespace
 
 Picture make_picture(std::span<const FlatLine> strokes) {
   constexpr float kHalfWidth = 2.2F;  // of the picture, in spreads
   constexpr auto kCells = static_cast<int>(kPictureCells);
   constexpr float kStep = 0.45F;  // cells between two marks
-  const auto m = moments_of(strokes);
+  auto m = ink_moments(strokes);
+  // A flat character stays flat.
+  constexpr float kMostSquashed = 0.6F;
+  const float larger = std::max({m.spread_x, m.spread_y, 1e-6F});
+  m.spread_x = std::max(m.spread_x, kMostSquashed * larger);
+  m.spread_y = std::max(m.spread_y, kMostSquashed * larger);
   const float scale_x = static_cast<float>(kCells) / (2 * kHalfWidth * m.spread_x);
   const float scale_y = static_cast<float>(kCells) / (2 * kHalfWidth * m.spread_y);
   constexpr float kMiddle = static_cast<float>(kCells) / 2;

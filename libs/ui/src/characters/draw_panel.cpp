@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "characters/draw_panel.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QFontInfo>
 #include <QKeyEvent>
@@ -10,27 +11,59 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "characters/candidate_delegate.h"
 #include "characters/drawing_pad.h"
 #include "events/signals.h"
+#include "nazori/kanji/kana.h"
 #include "widgets/flow_layout.h"
 #include "widgets/parts.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
+#include "words/writing_language.h"
 
 namespace nazori::ui {
+namespace {
+
+/// What a found character is, in a few words: "katakana", "kanji, power".
+QString kind_of(const practice::FoundCharacter& found) {
+  const char32_t c = found.character;
+  switch (kanji::script_of(c)) {
+    case kanji::Script::hiragana:
+      return DrawPanel::tr("hiragana");
+    case kanji::Script::katakana:
+      return DrawPanel::tr("katakana");
+    case kanji::Script::latin:
+      if (c >= U'0' && c <= U'9') return DrawPanel::tr("digit");
+      return writing::is_among(c, writing::Among::letters) ? DrawPanel::tr("letter") : DrawPanel::tr("sign");
+    case kanji::Script::other:
+      break;
+  }
+  if (!writing::is_among(c, writing::Among::kanji)) return DrawPanel::tr("sign");
+  const QString what =
+      to_text(writing_language() == writing::Language::japanese ? found.reading : found.meaning);
+  return what.isEmpty() ? DrawPanel::tr("kanji") : DrawPanel::tr("kanji, %1").arg(what);
+}
+
+/// "力 (kanji, power)"
+QString with_kind(const QString& character, const QString& kind) {
+  return DrawPanel::tr("%1 (%2)").arg(character, kind);
+}
+
+}  // namespace
 
 DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
     : QWidget(parent),
       parts_(parts),
       pad_(new DrawingPad(this)),
+      among_(new QComboBox(this)),
       candidates_(named(new QListWidget(this), "candidates", tr("Similar characters"))),
       words_(text_label("draw_words", this, "muted")) {
   setObjectName(QStringLiteral("draw_panel"));
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Draw to find"));
   words_->setText(
-      tr("Enter: open the first match. Arrow keys: choose another. Ctrl+Z: undo a stroke. Delete: clear. "
-         "Esc: close."));
+      tr("Enter: open the first match. Arrow keys: choose another. Page Down: search only kana, kanji or "
+         "letters. Ctrl+Z: undo a stroke. Delete: clear. Esc: close."));
 
   candidates_->setViewMode(QListView::IconMode);
   candidates_->setFlow(QListView::LeftToRight);
@@ -38,7 +71,18 @@ DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
   candidates_->setResizeMode(QListView::Adjust);
   candidates_->setUniformItemSizes(true);
   candidates_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  candidates_->setItemDelegate(new CandidateDelegate(candidates_));
   candidates_->installEventFilter(this);
+
+  among_->setObjectName(QStringLiteral("draw_among"));
+  among_->setAccessibleName(tr("Search among"));
+  among_->setToolTip(tr("Which characters are searched (Page Up, Page Down)"));
+  const std::pair<writing::Among, QString> choices[] = {{writing::Among::all, tr("All characters")},
+                                                        {writing::Among::kana, tr("Kana")},
+                                                        {writing::Among::kanji, tr("Kanji")},
+                                                        {writing::Among::letters, tr("Letters and digits")}};
+  for (const auto& [among, name] : choices) among_->addItem(name, static_cast<int>(among));
+  connect(among_, &QComboBox::currentIndexChanged, this, [this] { ask(); });
   pad_->installEventFilter(this);
 
   const auto button = [this](const QString& text, const char* name, auto&& what) {
@@ -56,6 +100,7 @@ DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
   column->setSpacing(8);
   column->addWidget(pad_);
   column->addLayout(row);
+  column->addWidget(among_);
   column->addWidget(candidates_, 1);
   column->addWidget(words_);
 
@@ -63,7 +108,7 @@ DrawPanel::DrawPanel(WindowParts& parts, QWidget* parent)
   connect(candidates_, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { choose(candidates_->row(item)); });
   subscribe(parts_.judge().recognised, this,
-            [this](std::uint64_t ticket, const std::vector<writing::Candidate>& candidates) {
+            [this](std::uint64_t ticket, const std::vector<practice::FoundCharacter>& candidates) {
               if (ticket == ticket_) show_candidates(candidates);
             });
   subscribe(parts_.judge().recognising_failed, this, [this](std::uint64_t ticket, const base::Error& error) {
@@ -90,10 +135,11 @@ void DrawPanel::ask() {
     candidates_->clear();
     return;
   }
-  ticket_ = parts_.judge().recognise(ink, kMostCandidates);
+  ticket_ = parts_.judge().recognise(ink, kMostCandidates,
+                                     static_cast<writing::Among>(among_->currentData().toInt()));
 }
 
-void DrawPanel::show_candidates(const std::vector<writing::Candidate>& candidates) {
+void DrawPanel::show_candidates(const std::vector<practice::FoundCharacter>& candidates) {
   const char32_t before = candidates_->currentItem() != nullptr && candidates_->currentRow() > 0
                               ? static_cast<char32_t>(candidates_->currentItem()->data(Qt::UserRole).toUInt())
                               : 0;
@@ -103,11 +149,15 @@ void DrawPanel::show_candidates(const std::vector<writing::Candidate>& candidate
     auto* item = new QListWidgetItem(to_text(candidate.character), candidates_);
     item->setTextAlignment(Qt::AlignCenter);
     item->setData(Qt::UserRole, static_cast<uint>(candidate.character));
+    const QString kind = kind_of(candidate);
+    item->setData(CandidateDelegate::kKindRole, kind);
+    item->setData(Qt::AccessibleTextRole, with_kind(item->text(), kind));
+    item->setToolTip(with_kind(item->text(), kind));
     if (candidate.character == before) row = candidates_->count() - 1;
   }
   candidates_->setCurrentRow(row);
   if (!candidates.empty())
-    parts_.announce(Feedback::hint, tr("Best match: %1. Enter: open it.").arg(candidates_->item(0)->text()));
+    parts_.announce(Feedback::hint, tr("Best match: %1. Enter: open it.").arg(candidates_->item(0)->toolTip()));
 }
 
 void DrawPanel::choose(int row) {
@@ -123,7 +173,12 @@ void DrawPanel::select(int by) {
   const auto* item = candidates_->currentItem();
   parts_.announce(
       Feedback::hint,
-      tr("%1, %2 of %3.").arg(item->text()).arg(candidates_->currentRow() + 1).arg(candidates_->count()));
+      tr("%1, %2 of %3.").arg(item->toolTip()).arg(candidates_->currentRow() + 1).arg(candidates_->count()));
+}
+
+void DrawPanel::choose_among(int by) {
+  among_->setCurrentIndex(std::clamp(among_->currentIndex() + by, 0, among_->count() - 1));
+  parts_.respond(Feedback::hint, tr("Searching: %1.").arg(among_->currentText()));
 }
 
 bool DrawPanel::handle_key(int key, Qt::KeyboardModifiers modifiers) {
@@ -145,6 +200,12 @@ bool DrawPanel::handle_key(int key, Qt::KeyboardModifiers modifiers) {
       return true;
     case Qt::Key_Down:
       select(columns);
+      return true;
+    case Qt::Key_PageUp:
+      choose_among(-1);
+      return true;
+    case Qt::Key_PageDown:
+      choose_among(+1);
       return true;
     case Qt::Key_Delete:
       pad_->clear();
@@ -178,6 +239,8 @@ bool DrawPanel::eventFilter(QObject* watched, QEvent* event) {
       case Qt::Key_Right:
       case Qt::Key_Up:
       case Qt::Key_Down:
+      case Qt::Key_PageUp:
+      case Qt::Key_PageDown:
       case Qt::Key_Delete:
       case Qt::Key_Backspace:
         if (key->modifiers() != Qt::NoModifier && key->modifiers() != Qt::KeypadModifier) break;
@@ -210,7 +273,7 @@ void DrawPanel::fit() {
   // The items have the font of their list, whatever size it is given later.
   candidates_->setFont(textbook_font(QFontInfo(font()).pointSizeF() * 1.8));
   const int em = QFontInfo(font()).pixelSize();
-  candidates_->setGridSize({em * 3, em * 3});
+  candidates_->setGridSize({em * 9 / 2, em * 4});
   // The candidates need the space more.
   constexpr int kRoomForWords = 26;
   words_->setVisible(height() >= kRoomForWords * em);

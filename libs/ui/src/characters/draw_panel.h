@@ -6,6 +6,7 @@
 
 #include "page/window_parts.h"
 
+class QComboBox;
 class QLabel;
 class QListWidget;
 
@@ -36,14 +37,17 @@ class DrawPanel final : public QWidget {
 
  private:
   void ask();
-  void show_candidates(const std::vector<writing::Candidate>& candidates);
+  void show_candidates(const std::vector<practice::FoundCharacter>& candidates);
   void choose(int row);
   void select(int by);
+  /// Searches all characters, kana, kanji or letters.
+  void choose_among(int by);
   bool handle_key(int key, Qt::KeyboardModifiers modifiers);
   void fit();
 
   WindowParts& parts_;
   DrawingPad* pad_;
+  QComboBox* among_;
   QListWidget* candidates_;
   QLabel* words_;
   std::uint64_t ticket_ = 0;

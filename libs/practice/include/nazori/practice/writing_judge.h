@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "nazori/base/executor.h"
@@ -30,6 +31,16 @@ struct PenReport {
   std::vector<writing::MotionRemark> remarks;
 };
 
+/// A character that was drawn perhaps, and what tells it from those that look like it (カ and 力).
+struct FoundCharacter {
+  char32_t character = 0;
+  double likeness = 0;  ///< 1 for the model itself, towards 0 for anything else
+  std::string meaning;  ///< first English meaning, empty for kana and letters
+  std::string reading;  ///< first reading, empty for kana and letters
+
+  friend bool operator==(const FoundCharacter&, const FoundCharacter&) = default;
+};
+
 /// Grades and recognises writing on separate threads: requests return at once, answers come as signals. Of
 /// several requests of one kind only the newest is answered. The recogniser loads all characters at the first
 /// request. Thread: the owner of the inbox.
@@ -45,8 +56,10 @@ class WritingJudge {
   std::uint64_t judge(const JudgeRequest& request);
   /// Requests candidates: characters that are complete and characters that continue, the likeliest of both in
   /// turn.
-  /// @return the number that comes back with the answer. @param limit  most candidates, >= 1.
-  std::uint64_t recognise(const writing::WrittenCharacter& ink, int limit);
+  /// @return the number that comes back with the answer. @param limit  most candidates, >= 1. @param among  the
+  /// characters that are searched.
+  std::uint64_t recognise(const writing::WrittenCharacter& ink, int limit,
+                          writing::Among among = writing::Among::all);
   /// Asks whether the ink is another character than the one asked for; `named` follows. Only a character that
   /// the ink is accepted as, whatever the order of its strokes, is named.
   /// @return the number that comes back with the answer.
@@ -57,7 +70,7 @@ class WritingJudge {
   /// The pen motion of a finished writing; emitted just before `judged` with the same number.
   base::Signal<std::uint64_t, const PenReport&> pen_reported;
   base::Signal<std::uint64_t, const writing::Grade&> judged;
-  base::Signal<std::uint64_t, const std::vector<writing::Candidate>&> recognised;
+  base::Signal<std::uint64_t, const std::vector<FoundCharacter>&> recognised;
   /// The other character that was written; 0: none. Ink that cannot be read is none, too.
   base::Signal<std::uint64_t, char32_t> named;
   /// Nothing was judged.

@@ -7,6 +7,7 @@
 #include "nazori/base/result.h"
 #include "nazori/kanji/character.h"
 #include "nazori/kanji/kanji_database.h"
+#include "nazori/writing/among.h"
 #include "nazori/writing/written_character.h"
 
 namespace nazori::writing {
@@ -23,12 +24,13 @@ struct RecogniseOptions {
   int limit = 10;  ///< maximum number of candidates, >= 1
   bool unfinished =
       false;  ///< strokes may still follow: characters that begin with these strokes are candidates, too
+  Among among = Among::all;  ///< only these characters
 };
 
-struct RecogniserInside;
+class KnownCharacters;
 
-/// Finds the characters of a database by their strokes, whatever the order and direction in which they were
-/// drawn, also with a stroke missing, extra or joined to the next. Thread-safe once made.
+/// Finds the characters of a database by their strokes, whatever their number, order and direction.
+/// Thread-safe once made.
 class Recogniser {
  public:
   /// Loads every character of the database that has strokes.
@@ -50,8 +52,8 @@ class Recogniser {
   [[nodiscard]] int size() const;
 
  private:
-  explicit Recogniser(std::unique_ptr<const RecogniserInside> inside);
-  std::unique_ptr<const RecogniserInside> inside_;
+  explicit Recogniser(std::unique_ptr<const KnownCharacters> known);
+  std::unique_ptr<const KnownCharacters> known_;
 };
 
 }  // namespace nazori::writing
