@@ -42,9 +42,8 @@ int run(Console& console, const RecogniseSettings& settings) {
   if (!recogniser) return console.refuse(recogniser.error());
   auto options = settings.options;
   options.among = among_of(settings.among);
-  return answer_lines(console, exchange::refused_candidates(), [&](const Json& request) {
-    return recognise_one(request, *recogniser, options);
-  });
+  return answer_lines(console, exchange::refused_candidates(),
+                      [&](const Json& request) { return recognise_one(request, *recogniser, options); });
 }
 
 }  // namespace

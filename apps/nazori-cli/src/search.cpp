@@ -147,7 +147,8 @@ int run(Console& console, const SearchSettings& settings) {
     if (!words.empty()) console.print((found.empty() ? "" : "\n") + word_table(words));
   }
   if (all > found.size() && !settings.limit)
-    console.inform(fmt::format("{} of {} characters are shown; --limit {} shows all", found.size(), all, all));
+    console.inform(
+        fmt::format("{} of {} characters are shown; --limit {} shows all", found.size(), all, all));
   if (!found.empty() || !words.empty()) return kDone;
   return console.deny({base::Errc::not_found, "no matching character",
                        query.text.empty() ? "" : "'" + query.text + "'",

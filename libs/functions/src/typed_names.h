@@ -44,12 +44,12 @@ inline constexpr FunctionName kFunctions[] = {
     {U"min", Function::min},       {U"max", Function::max},
     {U"mod", Function::mod},       {U"hypot", Function::hypot},
 };
-// Names that end in digits, and log_b (base first), stand only where a parenthesis follows: "log2(x)", but "log2x" is log(2x).
-inline constexpr FunctionName kNumberedFunctions[] = {
-    {U"log2", Function::log2},
-                                                    {U"log10", Function::log10},
-                                                    {U"log_b", Function::log_base},
-                                                    {U"atan2", Function::atan2}};
+// Names that end in digits, and log_b (base first), stand only where a parenthesis follows: "log2(x)", but
+// "log2x" is log(2x).
+inline constexpr FunctionName kNumberedFunctions[] = {{U"log2", Function::log2},
+                                                      {U"log10", Function::log10},
+                                                      {U"log_b", Function::log_base},
+                                                      {U"atan2", Function::atan2}};
 
 struct VariableName {
   std::u32string_view text;

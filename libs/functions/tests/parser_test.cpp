@@ -178,7 +178,8 @@ TEST(Parser, EchoesTheReadingInWords) {
   EXPECT_EQ(in_words(*plot, Language::japanese), "y イコール 括弧 2 分の 1 括弧閉じ かける x");
   const auto other = parse("y = 1/(2x)");
   ASSERT_TRUE(other);
-  EXPECT_EQ(in_words(*other, Language::english), "y equals the fraction with numerator 1 and denominator 2 x end fraction");
+  EXPECT_EQ(in_words(*other, Language::english),
+            "y equals the fraction with numerator 1 and denominator 2 x end fraction");
 }
 
 TEST(Parser, KeepsWhichEndsOfARangeAreLeftOut) {

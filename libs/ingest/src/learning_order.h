@@ -23,11 +23,12 @@ namespace nazori::ingest {
 [[nodiscard]] std::vector<char32_t> learning_order(
     const std::set<char32_t>& drawn, const std::map<char32_t, kanji::DictionaryEntry>& dictionary);
 
-/// How early a learner should see a word; the smaller the earlier. First come the basic words of our own table.
-/// EDICT only marks common words with (P), so among these: words in ordinary use before archaic, rare and irregular ones, then shorter before longer
-/// ones, where hiragana count half, then those whose kanji are together the more frequent in newspapers.
+/// How early a learner should see a word; the smaller the earlier. First come the basic words of our own
+/// table. EDICT only marks common words with (P), so among these: words in ordinary use before archaic, rare
+/// and irregular ones, then shorter before longer ones, where hiragana count half, then those whose kanji are
+/// together the more frequent in newspapers.
 struct WordPlace {
-  bool advanced = false;           ///< not a basic word
+  bool advanced = false;  ///< not a basic word
   bool uncommon = false;
   bool unusual = false;            ///< marked archaic, obsolete, obscure, rare or irregular
   std::int32_t length = 0;         ///< 1 for each hiragana, 2 for each other character

@@ -215,8 +215,7 @@ WritingJudge::~WritingJudge() = default;
 
 std::uint64_t WritingJudge::judge(const JudgeRequest& request) { return inside_->grader.request(request); }
 
-std::uint64_t WritingJudge::recognise(const writing::WrittenCharacter& ink, int limit,
-                                      writing::Among among) {
+std::uint64_t WritingJudge::recognise(const writing::WrittenCharacter& ink, int limit, writing::Among among) {
   return inside_->recogniser.request({ink, limit, among});
 }
 

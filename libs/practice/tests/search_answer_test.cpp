@@ -48,7 +48,9 @@ TEST_F(Searched, AWordIsFoundByReadingRomajiAndMeaning) {
 
 TEST_F(Searched, AWordBeginsWithTheMeaningThatWasSearchedFor) {
   for (const auto& row : search("holiday").rows)
-    if (row.word) EXPECT_NE(row.word->meanings.front().find("holiday"), std::string::npos) << row.word->text;
+    if (row.word) {
+      EXPECT_NE(row.word->meanings.front().find("holiday"), std::string::npos) << row.word->text;
+    }
 }
 
 TEST_F(Searched, ATypedWordComesBeforeItsCharacters) {

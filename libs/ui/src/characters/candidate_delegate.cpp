@@ -18,8 +18,8 @@ void CandidateDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
   style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
 
   painter->save();
-  painter->setPen(item.palette.color(
-      item.state.testFlag(QStyle::State_Selected) ? QPalette::HighlightedText : QPalette::Text));
+  painter->setPen(item.palette.color(item.state.testFlag(QStyle::State_Selected) ? QPalette::HighlightedText
+                                                                                 : QPalette::Text));
   QFont small = QApplication::font();
   small.setPointSizeF(small.pointSizeF() * 0.75);
   const int line = QFontMetrics(small).height();

@@ -35,11 +35,10 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
 
   find_by_parts = make("find_by_parts", tr("Find by p&arts"),
                        tr("Find a character by the parts it is made of"), "Ctrl+J", true);
-  find_by_radical = make("find_by_radical", tr("Find by &radical"), tr("Find a character by its radical"),
-                         "Ctrl+K", true);
-  tell_apart =
-      make("tell_apart", tr("&Tell apart"), tr("A short drill with the characters it is confused with"),
-           "Ctrl+Shift+D");
+  find_by_radical =
+      make("find_by_radical", tr("Find by &radical"), tr("Find a character by its radical"), "Ctrl+K", true);
+  tell_apart = make("tell_apart", tr("&Tell apart"),
+                    tr("A short drill with the characters it is confused with"), "Ctrl+Shift+D");
 
   for (const auto& row : stage_rows()) {
     stages.append(make(row.id.data(), tr(row.name), tr(row.purpose), row.key, true, row.drawing));
@@ -110,23 +109,22 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
 }
 
 void CharacterActions::make_sound() {
-  speak = make("speak", tr("&Speak"), tr("Speak the reading or the word"), {QStringLiteral("V")});
+  speak = make("speak", tr("&Speak"), tr("Speak the reading or the word"), "V", Icon::sound);
   speaks_itself = make("speaks_itself", tr("Speak &readings"),
                        tr("Speak kana and words when they are asked for, and readings after the answer"),
-                       {QStringLiteral("Shift+V")}, true);
+                       "Shift+V", true);
   voice_automatic = make("voice_automatic", tr("&Best voice"), tr("Use the best voice that is installed"),
-                         {QStringLiteral("Alt+Shift+B")}, true);
-  voice_open_jtalk = make("voice_open_jtalk", tr("&Open JTalk"), tr("Speak with Open JTalk"),
-                          {QStringLiteral("Alt+Shift+J")}, true);
-  voice_dispatcher = make("voice_dispatcher", tr("Speech &Dispatcher"),
-                          tr("Speak with the voice of the desktop, as a screen reader does"),
-                          {QStringLiteral("Alt+Shift+D")}, true);
-  voice_espeak = make("voice_espeak", tr("&eSpeak NG"), tr("Speak with eSpeak NG, plainly"),
-                      {QStringLiteral("Alt+Shift+E")}, true);
-  voice_file = make("voice_file", tr("&Voice file…"), tr("Choose a voice for Open JTalk (.htsvoice)"),
-                    {QStringLiteral("Alt+Shift+V")});
+                         "Alt+Shift+B", true);
+  voice_open_jtalk =
+      make("voice_open_jtalk", tr("&Open JTalk"), tr("Speak with Open JTalk"), "Alt+Shift+J", true);
+  voice_dispatcher =
+      make("voice_dispatcher", tr("Speech &Dispatcher"),
+           tr("Speak with the voice of the desktop, as a screen reader does"), "Alt+Shift+D", true);
+  voice_espeak =
+      make("voice_espeak", tr("&eSpeak NG"), tr("Speak with eSpeak NG, plainly"), "Alt+Shift+E", true);
+  voice_file =
+      make("voice_file", tr("&Voice file…"), tr("Choose a voice for Open JTalk (.htsvoice)"), "Alt+Shift+V");
   make_exclusive({voice_automatic, voice_open_jtalk, voice_dispatcher, voice_espeak});
-  draw(speak, Icon::sound);
 }
 
 QAction* CharacterActions::add_practice(const char* name, const QString& text, const QString& tip,

@@ -157,7 +157,8 @@ void DrawPanel::show_candidates(const std::vector<practice::FoundCharacter>& can
   }
   candidates_->setCurrentRow(row);
   if (!candidates.empty())
-    parts_.announce(Feedback::hint, tr("Best match: %1. Enter: open it.").arg(candidates_->item(0)->toolTip()));
+    parts_.announce(Feedback::hint,
+                    tr("Best match: %1. Enter: open it.").arg(candidates_->item(0)->toolTip()));
 }
 
 void DrawPanel::choose(int row) {

@@ -14,7 +14,8 @@ class SearchWords {
  public:
   /// What the row shows large: "休", "休日".
   [[nodiscard]] static QString head(const practice::SearchRow& row);
-  /// Why it is found, in two parts: "やす・む · rest", "きゅうじつ · holiday; day off", "in names: のぶ · rest".
+  /// Why it is found, in two parts: "やす・む · rest", "きゅうじつ · holiday; day off", "in names: のぶ ·
+  /// rest".
   [[nodiscard]] static QString why(const practice::SearchRow& row);
 };
 

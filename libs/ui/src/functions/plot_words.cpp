@@ -54,11 +54,11 @@ void set_plot_speech(functions::SpeechStyle style) { chosen_speech = style; }
 QString speech_words(functions::SpeechStyle style) {
   switch (style) {
     case functions::SpeechStyle::verbose:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Spoken form: verbose"));
+      return Words::tr("Spoken form: verbose");
     case functions::SpeechStyle::brief:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Spoken form: brief"));
+      return Words::tr("Spoken form: brief");
     case functions::SpeechStyle::superbrief:
-      return translated(QT_TRANSLATE_NOOP("nazori::ui::plot_words", "Spoken form: superbrief"));
+      return Words::tr("Spoken form: superbrief");
   }
   return {};
 }

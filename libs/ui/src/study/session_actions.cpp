@@ -27,9 +27,8 @@ SessionActions::SessionActions(QWidget* window) : ActionSet(window) {
               "Ctrl+Shift+T");
   study_this = make("study_this", tr("St&udy this"),
                     tr("Learn this character now; it then comes back in reviews"), "Ctrl+Shift+S");
-  know_this =
-      make("know_this", tr("I &know this"),
-           tr("Skip the lesson: the character comes in a review after about a week"), "Ctrl+Shift+Y");
+  know_this = make("know_this", tr("I &know this"),
+                   tr("Skip the lesson: the character comes in a review after about a week"), "Ctrl+Shift+Y");
   add_to_list = make("add_to_list", tr("Add to &list…"), tr("Put this character into one of your own lists"),
                      "Ctrl+Shift+A");
   end = make("study_end", tr("End the &session"), tr("Everything you rated is saved"), "Ctrl+Shift+E");

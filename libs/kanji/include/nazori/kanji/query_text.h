@@ -34,9 +34,11 @@ struct TypedQuery {
 /// A condition with a value that cannot be is text; one without a value is left out.
 [[nodiscard]] TypedQuery read_query(std::string_view typed);
 
-/// A typed line with another value of one condition: "rest parts:木" with "parts", "木日" gives "rest parts:木日".
+/// A typed line with another value of one condition: "rest parts:木" with "parts", "木日" gives "rest
+/// parts:木日".
 /// @param key  as read_query() reads it, in English. @param value  empty: without the condition.
-[[nodiscard]] std::string with_condition(std::string_view typed, std::string_view key, std::string_view value);
+[[nodiscard]] std::string with_condition(std::string_view typed, std::string_view key,
+                                         std::string_view value);
 
 /// Whether a text has the form of a SKIP code or of its beginning: "1-2-4", "1-2", "4-". The kind is 1..4.
 [[nodiscard]] bool is_skip(std::string_view text);

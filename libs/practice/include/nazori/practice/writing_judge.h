@@ -56,8 +56,8 @@ class WritingJudge {
   std::uint64_t judge(const JudgeRequest& request);
   /// Requests candidates: characters that are complete and characters that continue, the likeliest of both in
   /// turn.
-  /// @return the number that comes back with the answer. @param limit  most candidates, >= 1. @param among  the
-  /// characters that are searched.
+  /// @return the number that comes back with the answer. @param limit  most candidates, >= 1. @param among
+  /// the characters that are searched.
   std::uint64_t recognise(const writing::WrittenCharacter& ink, int limit,
                           writing::Among among = writing::Among::all);
   /// Asks whether the ink is another character than the one asked for; `named` follows. Only a character that
