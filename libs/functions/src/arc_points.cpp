@@ -36,7 +36,7 @@ class ArcPoints {
     const auto start = std::array{x_.value(arc.from), y_.value(arc.from)};
     const auto end = std::array{x_.value(arc.to), y_.value(arc.to)};
     const Window& w = list.window();
-    closed_ = kind_.has_own_parameter() && std::abs(start[0] - end[0]) < 1e-9 * (w.x1 - w.x0) &&
+    closed_ = arc.ends_are_real && std::abs(start[0] - end[0]) < 1e-9 * (w.x1 - w.x0) &&
               std::abs(start[1] - end[1]) < 1e-9 * (w.y1 - w.y0);
     for (const Branch& b : list.tracing().branches) {
       if (b.statement == statement && b.has_parameter) branches_.push_back(&b);
@@ -59,7 +59,7 @@ class ArcPoints {
       inflections(x_, slope_x_);
       cusps_of_graph(slope_x_);
     }
-    if (kind_.has_own_parameter()) {
+    if (arc_.ends_are_real) {
       cusps();
       for (const SelfCrossing& c :
            self_crossings(arc_, statement_, x_, y_, slope_x_, slope_y_, list_.tracing()))

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -18,6 +19,7 @@ namespace nazori::functions {
 namespace {
 
 constexpr int kMostBoxes = 20'000;
+constexpr std::ptrdiff_t kMostLines = 1000;
 
 class EquationPoints {
  public:
@@ -32,6 +34,11 @@ class EquationPoints {
 
   bool run() {
     intercepts();
+    // So many lines have more points than can be told: those that tracing found are enough.
+    const auto& branches = list_.tracing().branches;
+    const auto lines = std::count_if(branches.begin(), branches.end(),
+                                     [this](const Branch& b) { return b.statement == statement_; });
+    if (lines > kMostLines) return false;
     const Expression fx = derivative(f_, Variable::x);
     const Expression fy = derivative(f_, Variable::y);
     if (!fx || !fy) return false;
@@ -46,6 +53,8 @@ class EquationPoints {
     }
     if (depends_on(f_, Variable::x) && depends_on(f_, Variable::y)) {
       const std::array<Expression, 2> level{f_, fx};
+      const Expression bend = derivative(fx, Variable::x);
+      if (bend) bend_ = Tape::compile(std::array{bend, fy}, std::array{Variable::x, Variable::y});
       for (const SystemRoot& r : solve_system(level, variables, low, high, kMostBoxes).roots) {
         if (is_defined(r.a, r.b)) extremum(r.a, r.b);
       }
@@ -147,6 +156,17 @@ class EquationPoints {
     for (const PointKind k : {PointKind::cusp, PointKind::self_crossing, PointKind::isolated}) {
       if (list_.has_near(statement_, k, x, y, 1e-5)) return;
     }
+    if (bend_) {
+      // Where the curve is level it bends by y'' = -Fxx/Fy.
+      std::vector<double> registers(bend_->size());
+      bend_->evaluate<double>(std::array{x, y}, registers);
+      const double fxx = registers[bend_->output(0)] * (list_.window().x1 - list_.window().x0);
+      const double fy = registers[bend_->output(1)] * (list_.window().y1 - list_.window().y0);
+      if (std::isfinite(fxx + fy) && std::abs(fxx) > 1e-6 * std::abs(fy) && fy != 0) {
+        list_.add(statement_, fxx / fy < 0 ? PointKind::minimum : PointKind::maximum, x, y);
+        return;
+      }
+    }
     const std::vector<double> all = arms(x, y, 1e-4);
     if (all.size() != 2) return;
     const double first = std::sin(all[0]);
@@ -170,6 +190,7 @@ class EquationPoints {
   Tape whole_tape_;
   Tape tape_;
   std::vector<double> values_;
+  std::optional<Tape> bend_;
 };
 
 }  // namespace

@@ -18,11 +18,19 @@ using Long = long double;
 constexpr std::array<Long, 5> kMantissas{1.0L, 1.618033988749895L, 2.718281828459045L, 4.669201609102990L,
                                          7.3890560989L};
 constexpr int kFirst = 1;
-constexpr int kLast = 8;
+constexpr int kLast = 8;  // of far_behaviour
+constexpr int kShortest = 4;
 
 class FarLook {
  public:
-  FarLook(const Expression& f, Variable v, int direction) : f_(f, v), direction_(direction) {}
+  /// @param last  the sequence goes to this power of ten.
+  FarLook(const Expression& f, Variable v, int direction, int last = kLast)
+      : f_(f, v), direction_(direction), last_(last) {}
+
+  /// The limit, if it is one.
+  [[nodiscard]] std::optional<double> level() const {
+    return limit([this](Long x) { return value(x); }, last_ == kLast);
+  }
 
   FarBehaviour run() {
     int undefined = 0;
@@ -69,7 +77,7 @@ class FarLook {
     const auto x_of = [](int k, std::size_t m) { return std::pow(10.0L, k) * kMantissas[m]; };
     std::array<Long, kLast + 1> low{};
     std::array<Long, kLast + 1> high{};
-    for (int k = kFirst; k <= kLast; ++k) {
+    for (int k = kFirst; k <= last_; ++k) {
       low[static_cast<std::size_t>(k)] = INFINITY;
       high[static_cast<std::size_t>(k)] = -INFINITY;
       for (std::size_t m = 0; m < kMantissas.size(); ++m) {
@@ -83,9 +91,9 @@ class FarLook {
       }
     }
     // The value with the fewest decimals, or with a name, that all later samples approach.
-    const Long last = f(x_of(kLast, 2));
-    const Long before = f(x_of(kLast - 2, 2));
-    const Long earlier = f(x_of(kLast - 4, 2));
+    const Long last = f(x_of(last_, 2));
+    const Long before = f(x_of(last_ - (last_ - 2) / 3, 2));
+    const Long earlier = f(x_of(last_ - 2 * ((last_ - 2) / 3), 2));
     std::vector<double> guesses;
     // Aitken's extrapolation.
     const Long d1 = before - earlier;
@@ -120,16 +128,16 @@ class FarLook {
     };
     const Long noise = 1e-9L * std::max(1.0L, std::abs(static_cast<Long>(limit))) + doubt;
     bool halves = true;
-    for (int k = 3; k + 1 <= kLast; ++k) {
+    for (int k = std::min(3, last_ - 2); k + 1 <= last_; ++k) {
       const Long next = distance(k + 1);
       halves = halves && (next <= 0.6L * distance(k) || next <= noise);
     }
     if (halves &&
-        distance(kLast) <= std::max(noise, 2e-3L * std::max(1.0L, std::abs(static_cast<Long>(limit)))))
+        distance(last_) <= std::max(noise, 2e-3L * std::max(1.0L, std::abs(static_cast<Long>(limit)))))
       return true;
     if (!is_function) return false;
     // Slowly: nearer at every step, and near enough at the largest numbers.
-    for (int k = 3; k + 1 <= kLast; ++k) {
+    for (int k = 3; k + 1 <= last_; ++k) {
       if (!(distance(k + 1) < distance(k))) return false;
     }
     const Long huge = std::abs(value(1e4000L) - limit);
@@ -169,6 +177,7 @@ class FarLook {
 
   OneVariable f_;
   Long direction_;
+  int last_;
 };
 
 }  // namespace
@@ -176,9 +185,12 @@ class FarLook {
 std::optional<double> limit_at(const Expression& f, Variable v, double at, int side) {
   const Expression step = binary(NodeKind::divide, number(side), variable(v));
   const Expression moved = at == 0 ? step : binary(NodeKind::add, number(at), step);
-  const FarBehaviour far = far_behaviour(substitute(reduced(f), v, moved), v, 1);
-  if (far.kind != FarOut::level) return std::nullopt;
-  return far.intercept;
+  const Expression g = substitute(reduced(f), v, moved);
+  // Where two large parts nearly cancel, (1 - cos(x))/x^2, nearer is less exact.
+  for (int last = kLast; last >= kShortest; last -= 2) {
+    if (const auto limit = FarLook(g, v, 1, last).level()) return limit;
+  }
+  return std::nullopt;
 }
 
 FarBehaviour far_behaviour(const Expression& f, Variable v, int direction) {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meetings.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "algebra.h"
 #include "arc_points.h"
+#include "arc_probe.h"
 #include "arcs.h"
 #include "equation_points.h"
 #include "one_variable.h"
@@ -110,21 +113,31 @@ class Meetings {
 
   /// Whether the arms of both curves alternate around a point: then they cross there.
   bool alternates(const Tape& tape, std::vector<double>& registers, const SystemRoot& r) const {
-    constexpr int kSteps = 1440;
+    constexpr int kSteps = 720;
     const Window& w = list_.window();
-    std::vector<int> order;
-    std::array<double, 2> last{};
-    for (int i = 0; i <= kSteps; ++i) {
-      const double angle = 0.0007 + 2 * std::numbers::pi * i / kSteps;
+    const auto value = [&](double angle, std::size_t k) {
       tape.evaluate<double>(std::array{r.a + 1e-3 * (w.x1 - w.x0) * std::cos(angle),
                                        r.b + 1e-3 * (w.y1 - w.y0) * std::sin(angle)},
                             registers);
-      for (std::size_t k = 0; k < 2; ++k) {
-        const double v = registers[tape.output(k)];
-        if (i > 0 && (v < 0) != (last[k] < 0)) order.push_back(static_cast<int>(k));
-        last[k] = v;
+      return registers[tape.output(k)];
+    };
+    const auto angle = [](int i) { return 0.0007 + 2 * std::numbers::pi * i / kSteps; };
+    std::vector<std::pair<double, int>> arms;
+    for (std::size_t k = 0; k < 2; ++k) {
+      double last = value(angle(0), k);
+      for (int i = 1; i <= kSteps; ++i) {
+        const double next = value(angle(i % kSteps), k);
+        if ((next < 0) != (last < 0)) {
+          // Arms of curves that touch are close to each other.
+          arms.emplace_back(bisect(angle(i - 1), angle(i), [&](double at) { return value(at, k); }),
+                            static_cast<int>(k));
+        }
+        last = next;
       }
     }
+    std::sort(arms.begin(), arms.end());
+    std::vector<int> order;
+    for (const auto& arm : arms) order.push_back(arm.second);
     // Between two arms of one curve there is an odd number of arms of the other.
     for (std::size_t i = 0; i < order.size(); ++i) {
       int between = 0;

@@ -39,7 +39,7 @@ std::optional<Line> clipped(const Line& line) {
   const auto at = [&](double share) {
     return PlatePoint{line.p.u + (line.q.u - line.p.u) * share, line.p.v + (line.q.v - line.p.v) * share};
   };
-  return Line{at(first), at(last)};
+  return Line{first == 0 ? line.p : at(first), last == 1 ? line.q : at(last)};
 }
 
 double distance(PlatePoint p, const Line& line) {
@@ -122,6 +122,11 @@ class PieceCounter {
       if (!group || std::hypot(inside->p.u - last.u, inside->p.v - last.v) > 1e-9) group = groups_.add();
       last = inside->q;
       parts_.push_back({*inside, *group});
+      const bool is_loose = !branch.has_parameter && !branch.boundary && !branch.closed;
+      const auto is_at = [](PlatePoint a, const CurvePoint& b) { return a.u == b.u && a.v == b.v; };
+      if (is_loose && i == 0 && is_at(inside->p, p)) ends_.emplace_back(inside->p, *group);
+      if (is_loose && i + 2 == branch.points.size() && is_at(inside->q, q))
+        ends_.emplace_back(inside->q, *group);
     }
   }
 
@@ -182,19 +187,8 @@ class PieceCounter {
   void join_loose_ends() {
     constexpr double kReach = 0.008;
     constexpr std::size_t kMostEnds = 200;
-    std::vector<std::pair<PlatePoint, std::size_t>> ends;
-    for (const Branch& b : tracing_.branches) {
-      if (b.statement != statement_ || b.has_parameter || b.boundary || b.closed) continue;
-      for (const CurvePoint* p : {&b.points.front(), &b.points.back()}) {
-        if (p->u < 0 || p->u > 1 || p->v < 0 || p->v > 1) continue;
-        const PlatePoint at{p->u, p->v};
-        const auto own = std::find_if(parts_.begin(), parts_.end(),
-                                      [&](const Part& part) { return distance(at, part.line) < 1e-9; });
-        if (own != parts_.end()) ends.emplace_back(at, own->group);
-      }
-    }
-    if (ends.size() > kMostEnds) return;
-    for (const auto& [at, group] : ends) {
+    if (ends_.size() > kMostEnds) return;
+    for (const auto& [at, group] : ends_) {
       double best = kReach;
       std::optional<std::size_t> nearest;
       for (const Part& part : parts_) {
@@ -258,6 +252,7 @@ class PieceCounter {
   int statement_;
   Groups groups_;
   std::vector<Part> parts_;
+  std::vector<std::pair<PlatePoint, std::size_t>> ends_;  // of lines of equations, inside the window
 };
 
 }  // namespace

@@ -76,7 +76,7 @@ class PointFinder {
         break;
       case EventKind::end:
         // A limit that is not attained is known to some ten digits.
-        if (!is_passed_through(e)) put(PointKind::end, e.x, exact_limit(e, limit(e.y)));
+        if (!is_passed_through(e)) add_end(e);
         break;
       case EventKind::singular:
         if (complete_[static_cast<std::size_t>(e.statement)]) break;
@@ -143,6 +143,34 @@ class PointFinder {
   static double limit(double y) {
     const double near = std::round(y * 1e4) / 1e4;
     return std::abs(near - y) < 1e-9 * std::max(1.0, std::abs(y)) ? near : y;
+  }
+
+  void add_end(const Event& e) {
+    const Statement& s = list_.statement(e.statement);
+    if (!curve_kind(s.kind).is_graph_of_x() || exact_name(e.y)) {
+      list_.add(e.statement, PointKind::end, e.x, exact_limit(e, limit(e.y)), e.parameter);
+      return;
+    }
+    // sqrt(x^2 - 3) ends between two numbers: the last one with a value is not yet the end.
+    const OneVariable f(s.terms[0], Variable::x);
+    const double reach = 1e-9 * (tracing_.window.x1 - tracing_.window.x0);
+    const bool after = std::isfinite(f.value(e.x + reach));
+    if (after == std::isfinite(f.value(e.x - reach))) {
+      list_.add(e.statement, PointKind::end, e.x, exact_limit(e, limit(e.y)), e.parameter);
+      return;
+    }
+    const int side = after ? 1 : -1;
+    double inside = e.x + side * reach;
+    double outside = e.x - side * reach;
+    for (int i = 0; i < 100; ++i) {
+      const double middle = inside + (outside - inside) / 2;
+      if (middle == inside || middle == outside) break;
+      (std::isfinite(f.value(middle)) ? inside : outside) = middle;
+    }
+    const auto exact = limit_at(s.terms[0], Variable::x, inside, side);
+    const double height = tracing_.window.y1 - tracing_.window.y0;
+    list_.add(e.statement, PointKind::end, inside,
+              exact && std::abs(*exact - e.y) < 0.01 * height ? *exact : limit(e.y), e.parameter);
   }
 
   /// The value that y = f(x) approaches at a place where it has none.

@@ -114,7 +114,7 @@ TEST(Improved, LeavesTheDomainAsItWas) {
 
 TEST(Improved, WritesWhatItIsSaidToWrite) {
   const std::pair<const char*, const char*> rewritten[] = {
-      {"(x^2-1)/(x-1)", "x + 1 + 0/(x + -1)"},
+      {"(x^2-1)/(x-1)", "x + 1 + 0/(x - 1)"},
       {"(2x^2+3)/(x+1)", "2*x + -2 + 5/(x + 1)"},
       {"cosh(x) - sinh(x)", "e^(-x)"},
       {"cosh(x) + sinh(x)", "e^x"},
