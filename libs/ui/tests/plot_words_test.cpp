@@ -89,7 +89,11 @@ TEST(PlotWords, EveryEventHasASentence) {
   EXPECT_TRUE(words(Kind::window_changed).startsWith(QStringLiteral("x from minus 6 to 6, one tick is")));
   for (auto kind = static_cast<int>(Kind::here); kind <= static_cast<int>(Kind::window_limit); ++kind)
     EXPECT_FALSE(words(static_cast<Kind>(kind)).isEmpty()) << kind;
-  event.point = functions::PointOfInterest{functions::PointKind::zero, 0, -1, 1, 0, 0, "1", "0"};
+  functions::PointOfInterest zero;
+  zero.x = 1;
+  zero.x_name = "1";
+  zero.y_name = "0";
+  event.point = zero;
   EXPECT_EQ(words(Kind::point_reached), point_words(*event.point) + QLatin1Char('.'));
 }
 
