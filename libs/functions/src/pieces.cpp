@@ -260,8 +260,11 @@ class PieceCounter {
 int pieces_of(const Tracing& tracing, int statement) { return PieceCounter(tracing, statement).run(); }
 
 int pieces(const Plot& plot, const Tracing& tracing) {
+  // A curve that is shown alone keeps its index in the whole plot.
+  int last = static_cast<int>(plot.statements.size()) - 1;
+  for (const Branch& b : tracing.branches) last = std::max(last, b.statement);
   int n = 0;
-  for (std::size_t i = 0; i < plot.statements.size(); ++i) n += pieces_of(tracing, static_cast<int>(i));
+  for (int i = 0; i <= last; ++i) n += pieces_of(tracing, i);
   return n;
 }
 

@@ -251,19 +251,35 @@ TEST(Words, ASummaryCountsWhatIsThere) {
   t.bars.push_back({});
   EXPECT_EQ(sentence(),
             "y equals x, far to the left y falls without bound, far to the right y rises without bound.");
-  t.branches.resize(1);
+  t.bars.clear();
+  // Straight lines across the window, one above the other.
+  const auto line_at = [](double v) {
+    Branch branch;
+    branch.points.resize(2);
+    branch.points[0].v = branch.points[1].v = v;
+    branch.points[1].u = 1;
+    return branch;
+  };
+  t.branches = {line_at(0.5)};
   EXPECT_EQ(
       sentence(),
       "y equals x: 1 piece, far to the left y falls without bound, far to the right y rises without bound.");
-  t.branches.resize(3);
+  t.branches = {line_at(0.2), line_at(0.5), line_at(0.8)};
   EXPECT_EQ(
       sentence({point(PointKind::maximum, 0, 0), point(PointKind::zero, 0, 0), point(PointKind::zero, 1, 0)}),
-      "y equals x: 3 branches, 2 zeros, 1 maximum.");
-  EXPECT_EQ(summary(*plot, t, {point(PointKind::zero, 0, 0)}, kJapanese), "y イコール x。3本、零点 1個。");
+      "y equals x: 3 pieces, 2 zeros, 1 maximum, far to the left y falls without bound, far to the right y "
+      "rises without bound.");
+  EXPECT_EQ(summary(*plot, t, {point(PointKind::zero, 0, 0)}, kJapanese),
+            "y イコール x。3つの部分、零点 1個、左の遠くでは y は 限りなく小さくなります、右の遠くでは y は "
+            "限りなく大きくなります。");
   t.dense = true;
   t.complete = false;
-  EXPECT_EQ(sentence(), "y equals x: 3 branches, a dense band, not finished yet.");
-  EXPECT_EQ(summary(*plot, t, {}, kJapanese), "y イコール x。3本、密な帯、まだ途中です。");
+  EXPECT_EQ(sentence(),
+            "y equals x: 3 pieces, far to the left y falls without bound, far to the right y rises without "
+            "bound, a dense band, not finished yet.");
+  EXPECT_EQ(summary(*plot, t, {}, kJapanese),
+            "y イコール x。3つの部分、左の遠くでは y は 限りなく小さくなります、右の遠くでは y は "
+            "限りなく大きくなります、密な帯、まだ途中です。");
 }
 
 TEST(Words, ASummarySaysWhatIsUndecidedAboveATenthOfAPercent) {
@@ -271,7 +287,10 @@ TEST(Words, ASummarySaysWhatIsUndecidedAboveATenthOfAPercent) {
   ASSERT_TRUE(plot);
   Tracing t;
   t.window = {-1, 1, -2, 2};
-  t.branches.resize(1);
+  Branch branch;
+  branch.points.resize(2);
+  branch.points[1].u = branch.points[1].v = 1;
+  t.branches.push_back(branch);
   t.cells = 10'000;
   t.undecided_cells = 10;
   EXPECT_EQ(
@@ -280,14 +299,16 @@ TEST(Words, ASummarySaysWhatIsUndecidedAboveATenthOfAPercent) {
   t.undecided_cells = 11;
   EXPECT_EQ(t.undecided_share(), 0.0011);
   EXPECT_EQ(summary(*plot, t, {}, kEnglish),
-            "y equals x: 1 branch, part of the plot could not be determined.");
+            "y equals x: 1 piece, far to the left y falls without bound, far to the right y rises without "
+            "bound, part of the plot could not be determined.");
   t.undecided_places.push_back({0.75, 0.25});
   t.undecided_places.push_back({0.1, 0.1});
   EXPECT_EQ(summary(*plot, t, {}, kEnglish),
-            "y equals x: 1 branch, part of the plot could not be determined, first near x = about 0.5; y = "
-            "minus 1.");
+            "y equals x: 1 piece, far to the left y falls without bound, far to the right y rises without "
+            "bound, part of the plot could not be determined, first near x = about 0.5; y = minus 1.");
   EXPECT_EQ(summary(*plot, t, {}, kJapanese),
-            "y イコール x。1本、一部は判定できませんでした（x = 約0.5、y = マイナス1 の近くなど）。");
+            "y イコール x。1つの部分、左の遠くでは y は 限りなく小さくなります、右の遠くでは y は "
+            "限りなく大きくなります、一部は判定できませんでした（x = 約0.5、y = マイナス1 の近くなど）。");
   const auto surface = parse("z = x y");
   ASSERT_TRUE(surface);
   EXPECT_EQ(summary(*surface, t, {}, kEnglish), "z equals x times y.");

@@ -239,7 +239,7 @@ TEST_F(InformationPanelTest, WhatIsToBeRememberedIsHidden) {
 
 TEST_F(InformationPanelTest, AnotherCharacterIsReadFromTheTop) {
   auto made = sheet(U'休');
-  for (int i = 0; i < 60; ++i) made->parts.push_back({"木" + std::to_string(i), U'木', "", "tree"});
+  for (int i = 0; i < 300; ++i) made->parts.push_back({"木" + std::to_string(i), U'木', "", "tree"});
   show(made);
   QTest::qWait(0);
   auto* bar = panel_.verticalScrollBar();

@@ -163,7 +163,7 @@ TEST_F(Dictation, ACharacterWithoutAWordCannotBeDictatedAndTheWindowSaysWhy) {
   EXPECT_TRUE(action("dictation")->toolTip().startsWith(QStringLiteral("No word")));
   begin(U'休');
   show(U'A');
-  EXPECT_TRUE(feedback().startsWith(QStringLiteral("No word"))) << feedback().toStdString();
+  EXPECT_FALSE(action("dictation")->isChecked()) << "who looks a character up sees it";
   EXPECT_FALSE(find("dictation_strip")->isVisible());
   EXPECT_FALSE(action("hint")->isEnabled());
   show(U'休');
@@ -176,7 +176,7 @@ TEST_F(Dictation, TheStageSurvivesARestartAndHasAButtonWithAPicture) {
   EXPECT_FALSE(action("dictation")->icon().isNull());
   EXPECT_NE(find<QToolButton>("tool_dictation"), nullptr);
   window_->close();
-  open_window(U'休');
+  open_window();
   EXPECT_TRUE(action("dictation")->isChecked());
   EXPECT_TRUE(QTest::qWaitFor([this] { return find("dictation_strip")->isVisible(); }, 10000));
 }

@@ -44,6 +44,7 @@ trace_point_back Shift+Tab
 trace_coordinates C
 trace_slope D
 trace_summary S
+trace_speech Shift+S
 -
 trace_beacon B
 trace_next_beacon G

@@ -94,7 +94,7 @@ class WindowTest : public testing::Test {
 
   template <class T = QWidget>
   T* find(const char* name) {
-    return window_->findChild<T*>(QString::fromLatin1(name));
+    return window_->findChild<T*>(QString::fromUtf8(name));
   }
   QAction* action(const char* name) { return window_->findChild<QAction*>(QString::fromLatin1(name)); }
   QString text(const char* label) { return find<QLabel>(label)->text(); }

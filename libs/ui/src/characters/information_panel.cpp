@@ -92,6 +92,7 @@ InformationPanel::Section InformationPanel::add_section(const QString& name, con
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(3);
   auto* heading = with_role(new QLabel(title, box), "heading");
+  heading->setWordWrap(true);
   column->addWidget(heading);
   auto* flow = new FlowLayout(horizontal_gap, vertical_gap);
   column->addLayout(flow);

@@ -61,4 +61,9 @@ WordLabel::WordLabel(const practice::HelpfulWord& word, bool is_narrow, QWidget*
   });
 }
 
+bool WordLabel::focusNextPrevChild(bool next) {
+  // QLabel never leaves its links backwards (seen with Qt 6.4): Shift+Tab would be caught in the word.
+  return next ? QLabel::focusNextPrevChild(true) : QFrame::focusNextPrevChild(false);
+}
+
 }  // namespace nazori::ui

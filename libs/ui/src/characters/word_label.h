@@ -16,6 +16,9 @@ class WordLabel final : public QLabel {
 
  signals:
   void character_chosen(char32_t code_point);
+
+ protected:
+  bool focusNextPrevChild(bool next) override;
 };
 
 }  // namespace nazori::ui

@@ -43,6 +43,7 @@ void SpokenLine::send(const QString& text) {
   QAccessible::updateAccessibility(&named);
   QAccessibleEvent shown(this, QAccessible::ObjectShow);
   QAccessible::updateAccessibility(&shown);
+  emit spoken(text);
 }
 
 }  // namespace nazori::ui

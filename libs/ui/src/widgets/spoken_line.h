@@ -25,6 +25,10 @@ class SpokenLine final : public QWidget {
   /// A sentence that is waiting already is not said twice.
   void speak(Urgency urgency, const QString& sentence);
 
+ signals:
+  /// Assistive technology was told this.
+  void spoken(QString text);
+
  private:
   void send(const QString& text);
 
