@@ -85,7 +85,13 @@ TEST_F(Finding, PartsAndRadicalsAreChosenInTables) {
   tree->click();
   EXPECT_EQ(find<QLineEdit>("search")->text(), QStringLiteral("parts:木"));
   find<QPushButton>("table_part_亻")->click();
-  EXPECT_TRUE(QTest::qWaitFor([this] { return tile(0) == QStringLiteral("休"); }, 5000));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [this] {
+        for (int row = 0; row < tiles()->rowCount(); ++row)
+          if (tile(row) == QStringLiteral("休")) return true;
+        return false;
+      },
+      5000));
   find<QAction>("find_by_radical")->trigger();
   EXPECT_FALSE(by_parts->isChecked()) << "one table at a time";
   find<QPushButton>("table_radical_9")->click();
