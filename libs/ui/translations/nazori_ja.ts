@@ -1499,10 +1499,6 @@
         <translation>手書きで探す</translation>
     </message>
     <message>
-        <source>Enter: open the first match. Arrow keys: choose another. Ctrl+Z: undo a stroke. Delete: clear. Esc: close.</source>
-        <translation>Enter で先頭の文字を開き、矢印キーで選び直せます。Ctrl+Z で一画取り消し、Delete で消去、Esc で閉じます。</translation>
-    </message>
-    <message>
         <source>Similar characters</source>
         <translation>似ている文字</translation>
     </message>
@@ -1533,6 +1529,70 @@
     <message>
         <source>%1, %2 of %3.</source>
         <translation>%1（%3字中%2番目）。</translation>
+    </message>
+    <message>
+        <source>hiragana</source>
+        <translation>ひらがな</translation>
+    </message>
+    <message>
+        <source>katakana</source>
+        <translation>カタカナ</translation>
+    </message>
+    <message>
+        <source>digit</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>letter</source>
+        <translation>英字</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>記号</translation>
+    </message>
+    <message>
+        <source>kanji</source>
+        <translation>漢字</translation>
+    </message>
+    <message>
+        <source>kanji, %1</source>
+        <translation>漢字、%1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Enter: open the first match. Arrow keys: choose another. Page Down: search only kana, kanji or letters. Ctrl+Z: undo a stroke. Delete: clear. Esc: close.</source>
+        <translation>Enter：最初の候補を開く。矢印キー：ほかの候補を選ぶ。Page Down：かな、漢字、英字だけから探す。Ctrl+Z：1画戻す。Delete：消す。Esc：閉じる。</translation>
+    </message>
+    <message>
+        <source>Search among</source>
+        <translation>探す範囲</translation>
+    </message>
+    <message>
+        <source>Which characters are searched (Page Up, Page Down)</source>
+        <translation>どの文字から探すか（Page Up、Page Down）</translation>
+    </message>
+    <message>
+        <source>All characters</source>
+        <translation>すべての文字</translation>
+    </message>
+    <message>
+        <source>Kana</source>
+        <translation>かな</translation>
+    </message>
+    <message>
+        <source>Kanji</source>
+        <translation>漢字</translation>
+    </message>
+    <message>
+        <source>Letters and digits</source>
+        <translation>英字・数字</translation>
+    </message>
+    <message>
+        <source>Searching: %1.</source>
+        <translation>探す範囲：%1。</translation>
     </message>
 </context>
 <context>
