@@ -217,7 +217,9 @@ TEST_F(Inverse3, AServoThatStandsStillDoesNotGoOnPushing) {
 }
 
 TEST_F(Inverse3, TheServosThreadNeverWaitsForTheService) {
+  // Before the device, which calls them until it is destroyed.
   test::Push push({0, 0, 1});
+  FeltPlane ticks;
   OpenedDevice device = opened();
   ASSERT_TRUE(device.device->start(push));
   EXPECT_TRUE(comes_true([&] { return force() > 0.1; }));
@@ -226,7 +228,6 @@ TEST_F(Inverse3, TheServosThreadNeverWaitsForTheService) {
       test::comes_to(*device.device, DeviceState::paused, DeviceTrouble::too_slow);
   EXPECT_GT(slow.rate_hz, 0);
   // While waiting for an answer, the servo continues to tick.
-  FeltPlane ticks;
   device.device->stop();
   ASSERT_TRUE(device.device->start(ticks));
   const int begun = service->messages;
