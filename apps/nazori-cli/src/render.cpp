@@ -108,8 +108,9 @@ int run_characters(Console& console, const RenderSettings& settings) {
     if (!progress.show(static_cast<double>(i) / static_cast<double>(characters->size()), "drawing " + name)) {
       return console.refuse({base::Errc::cancelled, "stopped", name, ""});
     }
-    const auto tablet = tablet::CarvedTablet::from_lines(
-        (*characters)[i].lines(), settings.map_size.value_or(kPictureSize), settings.brush);
+    const auto tablet =
+        tablet::CarvedTablet::from_lines(tablet::tablet_lines((*characters)[i].lines()),
+                                         settings.map_size.value_or(kPictureSize), settings.brush);
     if (!tablet) return console.refuse(tablet.error());
     if (auto done = paint(console, *painter, **tablet, settings, name, (*paths)[i]); !done)
       return console.refuse(done.error());

@@ -30,7 +30,8 @@ FunctionsPage::FunctionsPage(WindowParts& parts)
       actions_(new FunctionActions(&parts.window())),
       panel_(new PlotPanel(&parts.window())),
       points_(new PointsPanel(&parts.window())),
-      sound_(new FunctionSound(this)) {
+      sound_(new FunctionSound(this)),
+      hand_(parts.tablet(), explorer_) {
   touch_timer_.setInterval(kTouch_ms);
   QSettings settings(parts.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
@@ -272,7 +273,7 @@ void FunctionsPage::show_plot(const practice::TabletPlot& plot) {
   if (!entered_) return;
   parts().tablet().set_tablet(tablet_);
   if (!drawing.final) return;
-  if (put_ && explorer_.location()) put_stylus();
+  if (hand_.is_put() && explorer_.location()) put_stylus();
   if (announce_summary_ && !panel_->line()->hasFocus())
     parts().announce(Feedback::hint, localised(drawing.summary));
 }
