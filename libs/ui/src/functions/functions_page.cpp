@@ -26,8 +26,7 @@ FunctionsPage::FunctionsPage(WindowParts& parts)
     : Page(parts,
            {QStringLiteral("functions"), tr("F&unctions"), tr("Curves to see, feel and hear"), Icon::curve,
             tr("The plot as grooves. Left and Right: move along the curve. Up and Down: go to another curve. "
-               "Tab: "
-               "next point of interest. H: play it. S: summary. Ctrl+L: expression. Ctrl+T: table")}),
+               "N: next point of interest. H: play it. S: summary. Ctrl+L: expression. Ctrl+T: table")}),
       actions_(new FunctionActions(&parts.window())),
       panel_(new PlotPanel(&parts.window())),
       points_(new PointsPanel(&parts.window())),
