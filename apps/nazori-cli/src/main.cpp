@@ -31,6 +31,7 @@ void add_verbs(CLI::App& app, Action& chosen) {
   nazori::cli::add_search(app, chosen);
   nazori::cli::add_carve(app, chosen);
   nazori::cli::add_render(app, chosen);
+  nazori::cli::add_model(app, chosen);
   nazori::cli::add_plot(app, chosen);
   nazori::cli::add_demo(app, chosen);
   nazori::cli::add_feel(app, chosen);

@@ -17,6 +17,7 @@ void add_info(CLI::App& app, Action& chosen);
 void add_search(CLI::App& app, Action& chosen);
 void add_carve(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
+void add_model(CLI::App& app, Action& chosen);
 void add_plot(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);
 void add_feel(CLI::App& app, Action& chosen);
