@@ -135,7 +135,7 @@ TEST(Messages, HelpListsAllVerbsUnderOneHeading) {
   EXPECT_THAT(help, Not(HasSubstr("Subcommands")));
   for (const char* verb : {"info",  "search", "carve",     "render",     "model",  "plot",      "demo",
                            "feel",  "record", "devices",   "database",   "grade",  "recognise", "practise",
-                           "speak", "study",  "completion", "manual", "help"})
+                           "speak", "study",  "worksheet", "completion", "manual", "help"})
     EXPECT_NE(help.find(std::string("\n  ") + verb + " ", verbs), std::string::npos) << verb;
 }
 
@@ -156,6 +156,7 @@ TEST(Messages, QuietIsTakenByEveryVerb) {
                                                                                     {"carve"},
                                                                                     {"render"},
                                                                                     {"model"},
+                                                                                    {"worksheet"},
                                                                                     {"plot"},
                                                                                     {"demo"},
                                                                                     {"feel"},
