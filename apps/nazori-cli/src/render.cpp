@@ -60,7 +60,7 @@ base::Result<void> paint(Console& console, TabletPainter& painter, const tablet:
 /// A picture in the answer. @param name  of the character or the file in it.
 Json picture_json(const std::string& name, const OutputPlace& place, const RenderSettings& settings) {
   const auto size = parse_picture_size(settings.look.size).value_or(PictureSize{});
-  return exchange::to_json({name, place.name(), size.width, size.height});
+  return exchange::to_json(exchange::PaintedPicture{name, place.name(), size.width, size.height});
 }
 
 std::string picture_text(const std::string& name, const OutputPlace& place, const RenderSettings& settings) {
