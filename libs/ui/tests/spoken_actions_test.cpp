@@ -17,6 +17,9 @@ class SpokenKeys : public WindowTest {
     pages_ = {
         [](WindowParts& parts) -> std::unique_ptr<Page> { return std::make_unique<Characters>(parts); }};
   }
+  bool hears(Qt::Key key, Qt::KeyboardModifiers modifiers, const QString& awaited) {
+    return spoken_after(key, modifiers, awaited).contains(awaited);
+  }
   /// Presses a key and waits until this is spoken. @return all that was spoken meanwhile.
   QString spoken_after(Qt::Key key, Qt::KeyboardModifiers modifiers, const QString& awaited) {
     QSignalSpy spoken(find<SpokenLine>("spoken_line"), &SpokenLine::spoken);
@@ -35,15 +38,14 @@ class SpokenKeys : public WindowTest {
 
 TEST_F(SpokenKeys, WhatIsSwitchedIsSpokenWithItsState) {
   show(U'十');
-  EXPECT_EQ(spoken_after(Qt::Key_N, {}, QStringLiteral("off")), QStringLiteral("Numbers: off|"));
-  EXPECT_EQ(spoken_after(Qt::Key_N, {}, QStringLiteral("on")), QStringLiteral("Numbers: on|"));
+  EXPECT_TRUE(hears(Qt::Key_N, {}, QStringLiteral("Numbers: off")));
+  EXPECT_TRUE(hears(Qt::Key_N, {}, QStringLiteral("Numbers: on")));
 }
 
 TEST_F(SpokenKeys, OneOfSeveralAndWhatIsDoneOnceAreSpokenByName) {
   show(U'十');
-  EXPECT_EQ(spoken_after(Qt::Key_2, Qt::ControlModifier, QStringLiteral("Slate")), QStringLiteral("Slate|"));
-  EXPECT_EQ(spoken_after(Qt::Key_Left, Qt::ControlModifier, QStringLiteral("Turn")),
-            QStringLiteral("Turn left|"));
+  EXPECT_TRUE(hears(Qt::Key_2, Qt::ControlModifier, QStringLiteral("Slate")));
+  EXPECT_TRUE(hears(Qt::Key_Left, Qt::ControlModifier, QStringLiteral("Turn left")));
 }
 
 TEST_F(SpokenKeys, WhatHasASentenceOfItsOwnIsNotNamedToo) {
@@ -57,8 +59,8 @@ TEST_F(SpokenKeys, WhatIsChosenWithoutItsKeyWasReadInItsMenu) {
   show(U'十');
   QSignalSpy spoken(find<SpokenLine>("spoken_line"), &SpokenLine::spoken);
   action("numbers")->trigger();
-  EXPECT_EQ(spoken_after(Qt::Key_A, {}, QStringLiteral("Arrows")), QStringLiteral("Arrows: off|"));
-  EXPECT_EQ(spoken.count(), 1);
+  EXPECT_TRUE(hears(Qt::Key_A, {}, QStringLiteral("Arrows: off")));
+  for (const auto& one : spoken) EXPECT_FALSE(one.front().toString().contains(QStringLiteral("Numbers")));
 }
 
 TEST_F(SpokenKeys, APanelThatIsFoldedAwayGivesTheKeyboardToTheTablet) {
