@@ -354,7 +354,7 @@ void add_plot(CLI::App& app, Action& chosen) {
   verb->add_flag("--decimal-comma", s->decimal_comma,
                  "Read 1,5 as a decimal number in argument lists too: min(1,5; x)");
   verb->add_option("--set", s->values, "Value of a parameter of the expression: --set a=1.5")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->type_name("LETTER=NUMBER");
   verb->add_option("--table", s->table, "Table of values of each curve: x (or its parameter) from, to, step")
       ->delimiter(',')

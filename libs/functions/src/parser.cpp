@@ -133,6 +133,14 @@ tl::unexpected<SyntaxError> Parser::missing_operand() const {
 }
 
 tl::unexpected<SyntaxError> Parser::not_closed(const Token& open) const {
+  if (is(TokenKind::comma)) {
+    // [1, 2], or [(1, 2), (3, 4)]
+    auto first = std::find_if(tokens_.begin(), tokens_.end(),
+                              [&open](const Token& t) { return t.column == open.column; });
+    if (first != tokens_.begin() && std::prev(first)->bracket == U'[') --first;
+    if (first->kind == TokenKind::open && first->bracket == U'[')
+      return tl::unexpected(SyntaxError{first->column, SyntaxFault::list});
+  }
   return tl::unexpected(
       SyntaxError{now().column, SyntaxFault::bracket_open, open.text, closing(open.bracket), open.column, 0});
 }

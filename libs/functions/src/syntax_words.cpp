@@ -39,13 +39,16 @@ SyntaxWords english(const SyntaxError& e) {
       return {"the character " + quoted + " is not allowed here",
               "expected a number, a variable, a function or an operator"};
     case SyntaxFault::two_decimal_signs:
-      return {"a number has two decimal points", "expected a digit or an operator"};
+      return {"a number has two decimal points",
+              "expected a digit or an operator, and a space behind a comma between two numbers"};
     case SyntaxFault::number_too_large:
       return {"the number " + quoted + " is too large", "expected a number up to 1.7e308"};
     case SyntaxFault::raised_digit_missing:
       return {"a superscript digit is missing", "expected one of ⁰ to ⁹"};
     case SyntaxFault::unknown_function:
-      return {"unknown function " + quoted, "expected a function such as sin, ln, sqrt, floor or gamma"};
+      return {
+          "unknown function " + quoted,
+          "expected a function such as sin, ln, sqrt, floor or gamma, or a definition such as f(x) = x^2"};
     case SyntaxFault::unknown_name:
       return {"unknown name " + quoted,
               "expected x, y, t, r, theta, pi, e, a function or a letter with a definition such as a = 2"};
@@ -104,6 +107,9 @@ SyntaxWords english(const SyntaxError& e) {
     case SyntaxFault::not_equal:
       return {"what should " + quoted + " draw? Points that are not on the curve fill the plane",
               "write y = x for the curve, or y < x or y > x for both sides"};
+    case SyntaxFault::list:
+      return {"lists in square brackets cannot be read",
+              "write each curve with \";\" between them, y = x; y = 2x, and points as (1, 2), (3, 4)"};
     case SyntaxFault::line_break:
       return {"does a new expression start at this line?",
               "write \";\" between two expressions, or an operator between two parts of one"};
@@ -152,13 +158,15 @@ SyntaxWords japanese(const SyntaxError& e) {
     case SyntaxFault::unknown_character:
       return {"文字" + quoted + "はここでは使えません", "数、変数、関数、または演算記号が必要です"};
     case SyntaxFault::two_decimal_signs:
-      return {"1つの数に小数点が2つあります", "数字または演算記号が必要です"};
+      return {"1つの数に小数点が2つあります",
+              "数字または演算記号が必要です。2つの数の間なら、コンマの後に空白を入れてください"};
     case SyntaxFault::number_too_large:
       return {"数" + quoted + "は大きすぎます", "1.7e308 までの数にしてください"};
     case SyntaxFault::raised_digit_missing:
       return {"上付きの数字がありません", "⁰ から ⁹ のどれかが必要です"};
     case SyntaxFault::unknown_function:
-      return {quoted + "という関数はありません", "sin、ln、sqrt、floor、gamma などの関数が必要です"};
+      return {quoted + "という関数はありません",
+              "sin、ln、sqrt、floor、gamma などの関数か、「f(x) = x^2」のような定義が必要です"};
     case SyntaxFault::unknown_name:
       return {quoted + "という名前はありません",
               "x、y、t、r、theta、pi、e、関数、または「a = 2」のように定義した文字が必要です"};
@@ -214,6 +222,9 @@ SyntaxWords japanese(const SyntaxError& e) {
     case SyntaxFault::not_equal:
       return {quoted + "では何をかきますか。等しくない点は平面全体に広がります",
               "曲線は「y = x」、両側の領域は「y < x or y > x」と書いてください"};
+    case SyntaxFault::list:
+      return {"角括弧で囲んだリストは読めません",
+              "曲線は「y = x; y = 2x」のように「;」で区切り、点は「(1, 2), (3, 4)」と書いてください"};
     case SyntaxFault::line_break:
       return {"この行から新しい式が始まりますか",
               "2つの式の間には「;」を、1つの式の中なら演算記号を書いてください"};

@@ -352,7 +352,8 @@ std::string in_words(const Expression& expression, Language language, SpeechStyl
 }
 
 std::string in_words(const Statement& typed, Language language, SpeechStyle style) {
-  const auto [s, conditions] = without_conditions(typed);
+  const RestrictedStatement restricted = without_conditions(typed);
+  const Statement& s = restricted.plain;
   const bool english = language == Language::english;
   const std::string equals = comparison(Comparison::equal, language);
   const auto range = [&](std::string_view parameter) {
@@ -381,7 +382,7 @@ std::string in_words(const Statement& typed, Language language, SpeechStyle styl
       text += comparison(s.comparisons[i - 1], language);
     text += in_words(s.terms[i], language, style);
   }
-  for (const Expression& c : conditions)
+  for (const Expression& c : restricted.conditions)
     text += (english ? ", only where " : "、ただし ") + in_words(c, language, style);
   return kind.says_range(s) ? text + range(in_words(variable(kind.parameter), language)) : text;
 }

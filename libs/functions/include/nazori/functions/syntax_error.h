@@ -63,6 +63,7 @@ enum class SyntaxFault : std::uint8_t {
   choice_in_region,             ///< "or" in the braces of an inequality
   point_not_two_numbers,
   not_equal,   ///< subject is the sign
+  list,        ///< square brackets around several values
   line_break,  ///< between two parts that would be multiplied, before subject
   // Questions: what can be read in two ways. They do not stop reading.
   ask_exponent,  ///< subject is a number such as 1e3
