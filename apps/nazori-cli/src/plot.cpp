@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -12,11 +13,13 @@
 
 #include "json_answers.h"
 #include "nazori/exchange/plots.h"
+#include "nazori/functions/braille.h"
 #include "nazori/functions/plate.h"
 #include "nazori/functions/points.h"
 #include "nazori/functions/print_picture.h"
 #include "nazori/functions/sound.h"
 #include "nazori/functions/tablet_curves.h"
+#include "nazori/functions/value_table.h"
 #include "nazori/model/raised.h"
 #include "nazori/surface/height_map.h"
 #include "options.h"
@@ -45,6 +48,9 @@ struct PlotSettings {
   double model_side_mm = 120;
   std::string language = "en";
   std::string speech = "verbose";
+  std::vector<std::string> values;
+  std::string braille;
+  std::vector<double> table;
   bool points = false;
   bool decimal_comma = false;
   bool json = false;
@@ -82,7 +88,29 @@ base::Result<Files> files_of(const PlotSettings& s) {
   return files;
 }
 
-base::Result<functions::Plot> read(const PlotSettings& s) {
+/// Puts a=1.5 into the expression.
+base::Result<void> set_parameter(PlotSettings& s, const std::string& assignment) {
+  const base::Error wrong{base::Errc::bad_argument, "\"" + assignment + "\" sets no parameter", "--set",
+                          "give a letter of the expression and a number, such as a=1.5"};
+  const std::size_t sign = assignment.find('=');
+  if (sign == std::string::npos) return tl::unexpected(wrong);
+  const std::string digits = assignment.substr(sign + 1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size()) return tl::unexpected(wrong);
+  auto text = functions::with_parameter(s.expression, assignment.substr(0, sign), value, {s.decimal_comma});
+  if (!text) return tl::unexpected(wrong);
+  s.expression = std::move(*text);
+  return {};
+}
+
+base::Result<functions::Plot> read(PlotSettings& s) {
+  // A text that cannot be read is refused for what is wrong in it, not for what it does not define.
+  if (auto typed = functions::parse(s.expression, {s.decimal_comma}); !typed)
+    return tl::unexpected(typed.error().to_error());
+  for (const std::string& assignment : s.values) {
+    if (auto done = set_parameter(s, assignment); !done) return tl::unexpected(std::move(done.error()));
+  }
   auto plot = functions::parse(s.expression, {s.decimal_comma});
   if (!plot) return tl::unexpected(plot.error().to_error());
   return std::move(*plot);
@@ -170,6 +198,22 @@ const OutputPlace* console_file(const Files& files) {
   return nullptr;
 }
 
+/// x and y of each row, and "undefined".
+base::Result<std::string> table_text(const functions::Plot& plot, const PlotSettings& s) {
+  std::string text;
+  for (const functions::Statement& statement : plot.statements) {
+    const auto rows = functions::value_table(statement, {s.table[0], s.table[1], s.table[2]});
+    if (!rows) return tl::unexpected(rows.error());
+    text += functions::canonical(statement) + "\n";
+    const auto shown = [](double v) {
+      return std::isfinite(v) ? fmt::format("{:.10g}", v + 0.0) : std::string("undefined");
+    };
+    for (const functions::ValueRow& row : *rows)
+      text += fmt::format("  {}\t{}\n", shown(row.x), shown(row.y));
+  }
+  return text;
+}
+
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -220,12 +264,35 @@ int run(Console& console, PlotSettings s) {
     const auto sent = file->deliver(console);
     return sent ? kDone : console.refuse(sent.error());
   }
+  std::string table;
+  exchange::Value tables = exchange::Value::array();
+  if (!s.table.empty()) {
+    auto text = table_text(*plot, s);
+    if (!text) {
+      base::Error error = text.error();
+      if (error.where == "table") error.where = "--table";
+      return console.refuse(error);
+    }
+    table = std::move(*text);
+    for (const functions::Statement& statement : plot->statements)
+      tables.push_back(
+          exchange::to_json(*functions::value_table(statement, {s.table[0], s.table[1], s.table[2]})));
+  }
   if (s.json) {
-    console.print(to_text(exchange::to_json(*plot, *picture, points, timings, language, style)));
+    exchange::Value answer = exchange::to_json(*plot, *picture, points, timings, language, style);
+    if (!s.table.empty()) answer["tables"] = std::move(tables);
+    console.print(to_text(std::move(answer)));
     return kDone;
   }
   console.print(functions::canonical(*plot) + "\n" +
                 functions::summary(*plot, picture->tracing, points, language, style) + "\n");
+  if (!s.braille.empty())
+    console.print(functions::in_braille(*plot, s.braille == "ueb" ? functions::BrailleCode::ueb
+                                                                  : functions::BrailleCode::nemeth) +
+                  "\n");
+  for (const functions::SyntaxError& q : plot->questions)
+    console.print(fmt::format("Column {}: {}\n", q.column, functions::question_words(q, language)));
+  console.print(table);
   if (s.points) {
     for (const auto& p : points) console.print("  " + functions::in_words(p, language, style) + "\n");
   }
@@ -240,7 +307,8 @@ void add_plot(CLI::App& app, Action& chosen) {
   verb->add_option(
           "expression", s->expression,
           "y = tan(x), x^2 + y^2 = 1, y > x^2, x = cos(t); y = sin(t); 0 <= t <= pi, r = 1 + cos(theta), "
-          "z = sin(x)cos(y); several curves separated by ;")
+          "z = sin(x)cos(y), y = {x<0: -x, x>=0: x}, y = x^2 {0<=x<=2}, f(x) = a x^2; a = 2; y = f'(x), "
+          "(1, 2); several curves separated by ;")
       ->required();
   verb->add_option("--window", s->window, "Visible range of the plane (default: -10,10,-10,10)")
       ->delimiter(',')
@@ -285,6 +353,16 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->type_name("MM");
   verb->add_flag("--decimal-comma", s->decimal_comma,
                  "Read 1,5 as a decimal number in argument lists too: min(1,5; x)");
+  verb->add_option("--set", s->values, "Value of a parameter of the expression: --set a=1.5")
+      ->allow_extra_args(false)
+      ->type_name("LETTER=NUMBER");
+  verb->add_option("--table", s->table, "Table of values of each curve: x (or its parameter) from, to, step")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("FROM,TO,STEP");
+  verb->add_option("--braille", s->braille, "Expressions in Braille, too: nemeth or ueb")
+      ->check(CLI::IsMember({"nemeth", "ueb"}))
+      ->type_name("nemeth|ueb");
   verb->add_flag("--points", s->points, "List the points of interest");
   verb->add_flag("--json", s->json, "Answer in JSON (see docs/functions.md)");
   verb->add_option("--language", s->language, "Language of the sentences: en or ja")

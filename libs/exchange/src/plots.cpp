@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "nazori/functions/braille.h"
 #include "nazori/functions/curve_kinds.h"
 
 namespace nazori::exchange {
@@ -48,12 +49,21 @@ Value to_json(const functions::Plot& plot, const functions::Picture& picture,
               functions::Language language, functions::SpeechStyle style) {
   Value statements = Value::array();
   for (const functions::Statement& s : plot.statements) {
-    statements.push_back(Value{{"kind", kind_name(s.kind)},
+    statements.push_back(Value{{"kind", s.is_point ? "point" : kind_name(s.kind)},
                                {"canonical", functions::canonical(s)},
-                               {"words", functions::in_words(s, language, style)}});
+                               {"words", functions::in_words(s, language, style)},
+                               {"braille",
+                                {{"nemeth", functions::in_braille(s, functions::BrailleCode::nemeth)},
+                                 {"ueb", functions::in_braille(s, functions::BrailleCode::ueb)}}}});
   }
   Value list = Value::array();
   for (const auto& p : points) list.push_back(point_json(p, language, style));
+  Value parameters = Value::array();
+  for (const functions::Parameter& p : plot.parameters)
+    parameters.push_back(Value{{"name", p.name}, {"value", p.value}, {"from", p.from}, {"to", p.to}});
+  Value questions = Value::array();
+  for (const functions::SyntaxError& q : plot.questions)
+    questions.push_back(Value{{"column", q.column}, {"words", functions::question_words(q, language)}});
   const functions::Tracing& t = picture.tracing;
   Value document = {
       {"kind", plot.statements.size() > 1 ? "multi" : kind_name(plot.statements[0].kind)},
@@ -65,6 +75,8 @@ Value to_json(const functions::Plot& plot, const functions::Picture& picture,
        {functions::tick_step(t.window.x0, t.window.x1), functions::tick_step(t.window.y0, t.window.y1)}},
       {"size", picture.plate.heights.size()},
       {"statements", std::move(statements)},
+      {"parameters", std::move(parameters)},
+      {"questions", std::move(questions)},
       {"points", std::move(list)},
       {"pieces", functions::pieces(plot, t)},
       {"dense", t.dense},
@@ -72,6 +84,12 @@ Value to_json(const functions::Plot& plot, const functions::Picture& picture,
       {"timings_ms", {{"draw", timings.draw_ms}, {"points", timings.points_ms}}}};
   if (plot.is_surface()) document["z"] = {picture.plate.range.low, picture.plate.range.high};
   return document;
+}
+
+Value to_json(const std::vector<functions::ValueRow>& table) {
+  Value rows = Value::array();
+  for (const functions::ValueRow& row : table) rows.push_back({number_or_null(row.x), number_or_null(row.y)});
+  return rows;
 }
 
 }  // namespace nazori::exchange

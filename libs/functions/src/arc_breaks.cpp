@@ -13,6 +13,16 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+/// Whether two cases meet exactly at `t`: there the curve has the value that its case gives it.
+bool is_border(const Expression& e, Variable parameter, double t) {
+  if (e->kind == NodeKind::function && e->function >= Function::less && e->function <= Function::equal) {
+    const Expression gap = binary(NodeKind::subtract, e->arguments[0], e->arguments[1]);
+    if (constant_value(substitute(gap, parameter, number(t))) == 0) return true;
+  }
+  return std::any_of(e->arguments.begin(), e->arguments.end(),
+                     [&](const Expression& a) { return is_border(a, parameter, t); });
+}
+
 }  // namespace
 
 /// The sample itself or the first reliable one in steps that double from `away` on.
@@ -49,7 +59,8 @@ void ArcTracer::settle_break(const Sample& left, const Sample& right, const Box&
   const bool joined = is_near(a, b, reach) && before != Side::growing && after != Side::growing;
   if (joined) {
     const bool missing = !at.exists() || !is_near(at, a, reach);
-    if (is_inside(a) && (missing || has(box.cause(), Cause::pole))) {
+    const bool given = is_border(arc_.x, arc_.parameter, at.t) || is_border(arc_.y, arc_.parameter, at.t);
+    if (is_inside(a) && (missing || (has(box.cause(), Cause::pole) && !given))) {
       Sample hole = a;
       hole.t = at.t;
       hole.u = (a.u + b.u) / 2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "derivative.h"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -57,7 +58,9 @@ Expression fraction(Rational r) {
 
 class Differentiator {
  public:
-  explicit Differentiator(Variable v) : variable_(v) {}
+  /// @param exact  the result is defined only where the derivative exists: not for ln(x) below 0, nor in the
+  ///               corner of |x|.
+  Differentiator(Variable v, bool exact) : variable_(v), exact_(exact) {}
 
   Expression of(const Expression& e) {
     if (!e || !depends_on(e, variable_)) return number(0);
@@ -138,23 +141,30 @@ class Differentiator {
       case Function::asinh:
         return over(of(u), call(Function::sqrt, {binary(NodeKind::add, squared(u), one)}));
       case Function::acosh:
-        return over(of(u), call(Function::sqrt, {binary(NodeKind::subtract, squared(u), one)}));
+        return where_above(u, one,
+                           over(of(u), call(Function::sqrt, {binary(NodeKind::subtract, squared(u), one)})));
       case Function::atanh:
-        return over(of(u), below_one());
+        return where_above(one, f(Function::abs), over(of(u), below_one()));
       case Function::ln:
-        return over(of(u), u);
+        return where_above(u, number(0), over(of(u), u));
       case Function::log10:
-        return over(of(u), times(u, call(Function::ln, {number(10)})));
+        return where_above(u, number(0), over(of(u), times(u, call(Function::ln, {number(10)}))));
       case Function::log2:
-        return over(of(u), times(u, call(Function::ln, {number(2)})));
+        return where_above(u, number(0), over(of(u), times(u, call(Function::ln, {number(2)}))));
       case Function::sqrt:
         return over(of(u), times(number(2), f(Function::sqrt)));
       case Function::abs:
-        return times(f(Function::sign), of(u));
+        return times(sign_of(u), of(u));
       case Function::sign:
+        return where_above(f(Function::abs), number(0), number(0));
       case Function::floor:
+        return where_above(u, f(Function::floor), number(0));
       case Function::ceil:
-        return number(0);
+        return where_above(f(Function::ceil), u, number(0));
+      case Function::where:
+        return of_where(a[0], a[1]);
+      case Function::choose:
+        return of_choice(a[0], a[1], a[2]);
       case Function::erf:
         return times(over(of(u), call(Function::sqrt, {constant(Constant::pi)})),
                      times(number(2), binary(NodeKind::power, constant(Constant::e), negate(squared(u)))));
@@ -162,7 +172,7 @@ class Differentiator {
       case Function::max: {
         if (a.size() != 2) return nullptr;
         // min(a, b) = (a + b - |a - b|)/2
-        const Expression gap = call(Function::sign, {binary(NodeKind::subtract, a[0], a[1])});
+        const Expression gap = sign_of(binary(NodeKind::subtract, a[0], a[1]));
         const Expression bend = times(gap, minus(of(a[0]), of(a[1])));
         const Expression sum = plus(of(a[0]), of(a[1]));
         return over(n.function == Function::min ? minus(sum, bend) : plus(sum, bend), number(2));
@@ -175,7 +185,98 @@ class Differentiator {
     }
   }
 
+  Expression where_above(const Expression& a, const Expression& b, const Expression& value) const {
+    if (!exact_ || !value) return value;
+    return call(Function::where, {call(Function::greater, {a, b}), value});
+  }
+
+  [[nodiscard]] Expression sign_of(const Expression& u) const {
+    if (!exact_) return call(Function::sign, {u});
+    return call(Function::choose,
+                {call(Function::greater, {u, number(0)}), number(1),
+                 call(Function::where, {call(Function::less, {u, number(0)}), number(-1)})});
+  }
+
+  Expression of_where(const Expression& condition, const Expression& value) {
+    const Expression slope = of(value);
+    return slope ? call(Function::where, {exact_ ? inside(condition) : condition, slope}) : nullptr;
+  }
+
+  Expression of_choice(const Expression& condition, const Expression& yes, const Expression& no) {
+    const Expression first = of(yes);
+    const Expression second = of(no);
+    if (!first || !second) return nullptr;
+    if (!exact_ || meets(condition, yes, no, first, second))
+      return call(Function::choose, {condition, first, second});
+    return call(Function::choose,
+                {inside(condition), first, call(Function::where, {inside(opposite(condition)), second})});
+  }
+
+  /// The condition without its border.
+  static Expression inside(const Expression& condition) {
+    Node n = *condition;
+    if (n.function == Function::less_equal) n.function = Function::less;
+    if (n.function == Function::greater_equal) n.function = Function::greater;
+    if (n.function == Function::both || n.function == Function::either) {
+      for (Expression& a : n.arguments) a = inside(a);
+    }
+    // A single place has no slope.
+    if (n.function == Function::equal)
+      return call(
+          Function::less,
+          {call(Function::abs, {binary(NodeKind::subtract, n.arguments[0], n.arguments[1])}), number(0)});
+    return std::make_shared<const Node>(std::move(n));
+  }
+
+  static Expression opposite(const Expression& condition) {
+    Node n = *condition;
+    switch (n.function) {
+      case Function::less:
+        n.function = Function::greater_equal;
+        break;
+      case Function::less_equal:
+        n.function = Function::greater;
+        break;
+      case Function::greater:
+        n.function = Function::less_equal;
+        break;
+      case Function::greater_equal:
+        n.function = Function::less;
+        break;
+      case Function::both:
+      case Function::either:
+        n.function = n.function == Function::both ? Function::either : Function::both;
+        for (Expression& a : n.arguments) a = opposite(a);
+        break;
+      default:
+        return call(Function::either,
+                    {call(Function::less, n.arguments), call(Function::greater, n.arguments)});
+    }
+    return std::make_shared<const Node>(std::move(n));
+  }
+
+  /// Whether two cases with the border "variable = number" have the same value and the same slope there, so
+  /// that the slope exists.
+  [[nodiscard]] bool meets(const Expression& condition, const Expression& yes, const Expression& no,
+                           const Expression& first, const Expression& second) const {
+    if (condition->function > Function::greater_equal) return false;
+    const auto& a = condition->arguments;
+    const auto is_variable = [this](const Expression& e) {
+      return e->kind == NodeKind::variable && e->variable == variable_;
+    };
+    if (!is_variable(a[0]) && !is_variable(a[1])) return false;
+    const Expression& border = a[is_variable(a[0]) ? 1 : 0];
+    if (!variables_of(border).empty()) return false;
+    const auto agree = [&](const Expression& p, const Expression& q) {
+      const double v = constant_value(substitute(p, variable_, border));
+      const double w = constant_value(substitute(q, variable_, border));
+      return std::abs(v - w) <= 1e-12 * (1 + std::abs(v));
+    };
+    return agree(yes, no) && agree(first, second);
+  }
+
   Variable variable_;
+  bool exact_ = false;
   std::size_t steps_ = 0;
 };
 
@@ -183,7 +284,13 @@ class Differentiator {
 
 Expression derivative(const Expression& e, Variable v) {
   if (!e || node_count(e) > kMostNodes) return nullptr;
-  Expression d = Differentiator(v).of(reduced(e));
+  Expression d = Differentiator(v, false).of(reduced(e));
+  return d && node_count(d) <= kMostNodes ? d : nullptr;
+}
+
+Expression slope_where_defined(const Expression& e, Variable v) {
+  if (!e || node_count(e) > kMostNodes) return nullptr;
+  Expression d = Differentiator(v, true).of(reduced(e));
   return d && node_count(d) <= kMostNodes ? d : nullptr;
 }
 

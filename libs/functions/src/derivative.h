@@ -10,4 +10,8 @@ namespace nazori::functions {
 /// would grow over some thousand parts.
 [[nodiscard]] Expression derivative(const Expression& e, Variable v);
 
+/// The derivative as a function of its own: defined only where it exists, so not in the corner of |x|, at the
+/// jumps of floor(x), or where ln(x) itself is undefined. Null as above.
+[[nodiscard]] Expression slope_where_defined(const Expression& e, Variable v);
+
 }  // namespace nazori::functions

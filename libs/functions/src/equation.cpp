@@ -18,25 +18,29 @@ Expression guarded(const Expression& e, const Expression& guard) {
 
 class Solver {
  public:
-  Solver(Expression whole, const std::array<double, 2>& low, const std::array<double, 2>& high)
-      : low_(low), high_(high) {
-    parts_.whole = std::move(whole);
+  /// @param plain      what is zero
+  /// @param conditions  where it counts
+  Solver(Expression plain, const std::vector<Expression>& conditions, const std::array<double, 2>& low,
+         const std::array<double, 2>& high)
+      : plain_(std::move(plain)), low_(low), high_(high) {
+    parts_.whole = plain_;
+    for (const Expression& c : conditions) parts_.whole = call(Function::where, {c, parts_.whole});
   }
 
   EquationParts run() {
-    const std::vector<Case> cases = cases_of(parts_.whole);
+    const std::vector<Case> cases = cases_of(plain_);
     for (const Case& c : cases) {
       const auto p = Polynomial::of(over_common_denominator(c.expression).numerator);
       if (p && p->is_zero()) parts_.areas.push_back(c.not_negative);
     }
     if (!parts_.areas.empty()) {
-      add_plane(parts_.whole);
+      add_plane(plain_);
       return std::move(parts_);
     }
     if (cases.size() > 1 && add_cases(cases)) return std::move(parts_);
-    const Expression numerator = over_common_denominator(parts_.whole).numerator;
-    const bool fits = node_count(numerator) <= kMostGrowth * node_count(parts_.whole) + 40;
-    for (const Expression& factor : zero_factors(fits ? numerator : parts_.whole)) add(factor);
+    const Expression numerator = over_common_denominator(plain_).numerator;
+    const bool fits = node_count(numerator) <= kMostGrowth * node_count(plain_) + 40;
+    for (const Expression& factor : zero_factors(fits ? numerator : plain_)) add(factor);
     return std::move(parts_);
   }
 
@@ -144,6 +148,7 @@ class Solver {
     parts_.equations.push_back(std::move(e));
   }
 
+  Expression plain_;
   EquationParts parts_;
   std::array<double, 2> low_;
   std::array<double, 2> high_;
@@ -154,10 +159,13 @@ class Solver {
 EquationParts split_equation(const Expression& left, const Expression& right,
                              const std::array<double, 2>& low, const std::array<double, 2>& high) {
   const auto is_zero = [](const Expression& e) { return e->kind == NodeKind::number && e->value == 0; };
-  const Expression whole = is_zero(right)  ? left
-                           : is_zero(left) ? right
-                                           : binary(NodeKind::subtract, left, right);
-  return Solver(without_even_roots(reduced(whole)), low, high).run();
+  // The conditions of "left = right {x > 0}" are set aside, so that algebra sees the equation itself.
+  std::vector<Expression> conditions;
+  Expression l = left;
+  for (; l->kind == NodeKind::function && l->function == Function::where; l = l->arguments[1])
+    conditions.push_back(l->arguments[0]);
+  const Expression whole = is_zero(right) ? l : is_zero(l) ? right : binary(NodeKind::subtract, l, right);
+  return Solver(without_even_roots(reduced(whole)), conditions, low, high).run();
 }
 
 }  // namespace nazori::functions

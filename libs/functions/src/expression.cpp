@@ -16,11 +16,12 @@ namespace {
 
 constexpr std::int64_t kMostRational = 1'000'000'000'000;
 
-constexpr std::array<std::string_view, 42> kFunctionNames{
-    "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",  "acos",  "atan", "acot",  "sinh",
-    "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh", "atanh", "exp",  "ln",    "log",
-    "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",  "floor", "ceil", "round", "trunc",
-    "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",   "atan2", "hypot"};
+constexpr std::array<std::string_view, 51> kFunctionNames{
+    "sin",  "cos",   "tan",       "cot",  "sec",  "csc",   "asin",  "acos",  "atan",  "acot",  "sinh",
+    "cosh", "tanh",  "coth",      "sech", "csch", "asinh", "acosh", "atanh", "exp",   "ln",    "log",
+    "log2", "log_b", "sqrt",      "cbrt", "root", "abs",   "sign",  "floor", "ceil",  "round", "trunc",
+    "frac", "gamma", "factorial", "erf",  "min",  "max",   "mod",   "atan2", "hypot", "<",     "<=",
+    ">",    ">=",    "=",         "and",  "or",   "where", "choose"};
 
 std::string wrapped(const Expression& e, int least) {
   std::string text = to_text(e);
@@ -163,6 +164,7 @@ Expression reduced_call(Function f, const std::vector<Expression>& a) {
 }  // namespace
 
 int strength(const Node& n) {
+  if (is_degrees(n)) return 5;
   switch (n.kind) {
     case NodeKind::add:
     case NodeKind::subtract:
@@ -175,7 +177,7 @@ int strength(const Node& n) {
     case NodeKind::power:
       return 4;
     default:
-      return n.kind == NodeKind::number && n.value < 0 ? 3 : 5;
+      return n.kind == NodeKind::number && n.name.empty() && n.value < 0 ? 3 : 5;
   }
 }
 
@@ -184,6 +186,26 @@ Expression number(double value, bool exact) {
   n.value = value;
   n.exact = exact;
   return std::make_shared<const Node>(std::move(n));
+}
+
+Expression parameter(std::string name, double value, bool exact) {
+  Node n;
+  n.value = value;
+  n.exact = exact;
+  n.name = std::move(name);
+  return std::make_shared<const Node>(std::move(n));
+}
+
+Expression degrees(Expression a) {
+  return binary(NodeKind::multiply, std::move(a),
+                binary(NodeKind::divide, constant(Constant::pi), number(180)));
+}
+
+bool is_degrees(const Node& n) {
+  if (n.kind != NodeKind::multiply || n.arguments[1]->kind != NodeKind::divide) return false;
+  const auto& a = n.arguments[1]->arguments;
+  return a[0]->kind == NodeKind::constant && a[0]->constant == Constant::pi &&
+         a[1]->kind == NodeKind::number && a[1]->name.empty() && a[1]->value == 180;
 }
 
 Expression constant(Constant which) {
@@ -257,11 +279,42 @@ std::string_view name_of(Constant c) {
 
 std::string_view name_of(Function f) { return kFunctionNames[static_cast<std::size_t>(f)]; }
 
+namespace {
+
+/// The right side of the last comparison of a condition.
+const Expression& last_term(const Node& condition) {
+  const Expression& last = condition.arguments[1];
+  return is_condition(last->function) && last->kind == NodeKind::function ? last_term(*last) : last;
+}
+
+std::string condition_text(const Node& n) {
+  const auto& a = n.arguments;
+  const std::string sign(name_of(n.function));
+  if (n.function != Function::both) return to_text(a[0]) + " " + sign + " " + to_text(a[1]);
+  // 0 < x and x < 2 is written as it is mostly typed, 0 < x < 2: it is the same tree.
+  const Node& next = *a[1];
+  if (to_text(last_term(*a[0])) == to_text(next.arguments[0]))
+    return to_text(a[0]) + " " + std::string(name_of(next.function)) + " " + to_text(next.arguments[1]);
+  return to_text(a[0]) + " and " + to_text(a[1]);
+}
+
+/// What stands between the braces.
+std::string cases_text(const Node& n) {
+  std::string text = to_text(n.arguments[0]) + ": " + to_text(n.arguments[1]);
+  if (n.function == Function::where) return text;
+  const Node& rest = *n.arguments[2];
+  const bool more = rest.kind == NodeKind::function &&
+                    (rest.function == Function::choose || rest.function == Function::where);
+  return text + ", " + (more ? cases_text(rest) : to_text(n.arguments[2]));
+}
+
+}  // namespace
+
 std::string to_text(const Expression& e) {
   const Node& n = *e;
   switch (n.kind) {
     case NodeKind::number:
-      return decimal(n.value);
+      return n.name.empty() ? decimal(n.value) : n.name;
     case NodeKind::constant:
       return std::string(name_of(n.constant));
     case NodeKind::variable:
@@ -273,6 +326,7 @@ std::string to_text(const Expression& e) {
     case NodeKind::subtract:
       return wrapped(n.arguments[0], 1) + " - " + wrapped(n.arguments[1], 2);
     case NodeKind::multiply: {
+      if (is_degrees(n)) return wrapped(n.arguments[0], 5) + "°";
       // (1/2)*x rather than 1/2*x: the same tree, but unambiguous for people.
       const bool quotient = n.arguments[0]->kind == NodeKind::divide;
       return wrapped(n.arguments[0], quotient ? 3 : 2) + "*" + wrapped(n.arguments[1], 3);
@@ -287,6 +341,8 @@ std::string to_text(const Expression& e) {
     case NodeKind::function:
       break;
   }
+  if (is_condition(n.function)) return condition_text(n);
+  if (n.function == Function::where || n.function == Function::choose) return "{" + cases_text(n) + "}";
   if (n.function == Function::abs) return fmt::format("|{}|", to_text(n.arguments[0]));
   if (n.function == Function::factorial) return wrapped(n.arguments[0], 5) + "!";
   std::string text(name_of(n.function));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parser.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace nazori::functions {
@@ -17,20 +18,69 @@ bool closes(char32_t open, char32_t close) {
 
 tl::expected<std::vector<Relation>, SyntaxError> Parser::run() {
   std::vector<Relation> relations;
+  if (auto lines = check_lines(); !lines) return tl::unexpected(std::move(lines.error()));
+  if (auto found = find_definitions(); !found) return tl::unexpected(std::move(found.error()));
+  bool either = false;
   while (true) {
     while (is(TokenKind::semicolon)) ++at_;
     if (is(TokenKind::end)) break;
-    auto one = relation();
-    if (!one) return tl::unexpected(std::move(one.error()));
-    relations.push_back(std::move(*one));
-    if (!is(TokenKind::semicolon) && !is(TokenKind::end)) {
+    const auto taken = take_parameter();
+    if (!taken) return tl::unexpected(taken.error());
+    if (!*taken) {
+      auto one = relation();
+      if (!one) return tl::unexpected(std::move(one.error()));
+      one->either = std::exchange(either, false);
+      for (const Expression& e : one->terms) {
+        if (is_too_large(e)) return tl::unexpected(SyntaxError{one->column, SyntaxFault::too_many_parts});
+      }
+      relations.push_back(std::move(*one));
+    }
+    if (!relations.empty() && relations.back().is_point && is(TokenKind::comma)) {
+      ++at_;
+    } else if (is(TokenKind::either)) {
+      either = true;
+      ++at_;
+      if (!starts_operand() && !is(TokenKind::minus) && !is(TokenKind::plus)) return missing_operand();
+    } else if (!is(TokenKind::semicolon) && !is(TokenKind::end)) {
       return refuse(SyntaxFault::does_not_fit, now().text);
     }
   }
   if (relations.empty()) {
     return refuse(SyntaxFault::no_expression);
   }
+  sort_parameters();
   return relations;
+}
+
+/// A line break between two parts that would otherwise be multiplied.
+tl::expected<void, SyntaxError> Parser::check_lines() const {
+  const auto goes_on = [](const Token& t) {
+    switch (t.kind) {
+      case TokenKind::plus:
+      case TokenKind::minus:
+      case TokenKind::times:
+      case TokenKind::divide:
+      case TokenKind::power:
+      case TokenKind::comma:
+      case TokenKind::comparison:
+      case TokenKind::semicolon:
+      case TokenKind::colon:
+      case TokenKind::both:
+      case TokenKind::either:
+      case TokenKind::end:
+        return true;
+      default:
+        return false;
+    }
+  };
+  for (std::size_t i = 1; i < tokens_.size(); ++i) {
+    const Token& before = tokens_[i - 1];
+    const Token& t = tokens_[i];
+    if (!t.line_before || goes_on(before) || goes_on(t)) continue;
+    if (before.kind == TokenKind::open || t.kind == TokenKind::close || t.bracket == U'{') continue;
+    return tl::unexpected(SyntaxError{t.column, SyntaxFault::line_break, t.text});
+  }
+  return {};
 }
 
 bool Parser::starts_operand() const {
@@ -40,8 +90,10 @@ bool Parser::starts_operand() const {
     case TokenKind::constant:
     case TokenKind::function:
     case TokenKind::root:
-    case TokenKind::open:
+    case TokenKind::name:
       return true;
+    case TokenKind::open:
+      return brace() != Brace::restriction;
     case TokenKind::bar:
       return open_bars_ == 0;
     default:
@@ -53,6 +105,27 @@ tl::unexpected<SyntaxError> Parser::refuse(SyntaxFault fault, std::string subjec
   return tl::unexpected(SyntaxError{now().column, fault, std::move(subject)});
 }
 
+void Parser::ask(const Token& at, SyntaxFault fault, std::string subject) {
+  // What is defined is read once more where it is used.
+  for (const SyntaxError& q : definitions_.questions) {
+    if (q.column == at.column && q.fault == fault) return;
+  }
+  if (definitions_.questions.size() < kMostQuestions)
+    definitions_.questions.push_back({at.column, fault, std::move(subject)});
+}
+
+/// 1e3 is 1*e*3 here, and 1000 in most programs.
+void Parser::ask_about_exponent() {
+  const auto token = [this](std::size_t i) { return at_ + i < tokens_.size() ? tokens_[at_ + i] : Token{}; };
+  const Token e = token(1);
+  if (e.kind != TokenKind::constant || e.constant != Constant::e || e.text != "e" || e.space_before) return;
+  const Token sign = token(2);
+  const bool is_signed = sign.kind == TokenKind::minus || sign.kind == TokenKind::plus;
+  const Token digits = is_signed ? token(3) : sign;
+  if (sign.space_before || digits.kind != TokenKind::number || digits.space_before) return;
+  ask(now(), SyntaxFault::ask_exponent, now().text + "e" + (is_signed ? sign.text : "") + digits.text);
+}
+
 tl::unexpected<SyntaxError> Parser::missing_operand() const {
   if (at_ > 0 && tokens_[at_ - 1].kind != TokenKind::semicolon)
     return refuse(SyntaxFault::operand_missing, tokens_[at_ - 1].text);
@@ -60,6 +133,14 @@ tl::unexpected<SyntaxError> Parser::missing_operand() const {
 }
 
 tl::unexpected<SyntaxError> Parser::not_closed(const Token& open) const {
+  if (is(TokenKind::comma)) {
+    // [1, 2], or [(1, 2), (3, 4)]
+    auto first = std::find_if(tokens_.begin(), tokens_.end(),
+                              [&open](const Token& t) { return t.column == open.column; });
+    if (first != tokens_.begin() && std::prev(first)->bracket == U'[') --first;
+    if (first->kind == TokenKind::open && first->bracket == U'[')
+      return tl::unexpected(SyntaxError{first->column, SyntaxFault::list});
+  }
   return tl::unexpected(
       SyntaxError{now().column, SyntaxFault::bracket_open, open.text, closing(open.bracket), open.column, 0});
 }
@@ -70,23 +151,31 @@ tl::expected<void, SyntaxError> Parser::close(const Token& open) {
   return {};
 }
 
-// "y(x) = ..." says the same as "y = ...".
+// "y(x) = ..." and "f(x) = ..." are drawn as "y = ...".
 void Parser::skip_definition_head() {
   if (at_ + 4 >= tokens_.size()) return;
   const auto kind = [this](std::size_t i) { return tokens_[at_ + i].kind; };
-  const bool fits = kind(0) == TokenKind::variable && tokens_[at_].variable == Variable::y &&
+  const bool named = kind(0) == TokenKind::name;
+  const bool fits = (named || (kind(0) == TokenKind::variable && tokens_[at_].variable == Variable::y)) &&
                     kind(1) == TokenKind::open && kind(2) == TokenKind::variable &&
-                    tokens_[at_ + 2].variable == Variable::x && kind(3) == TokenKind::close &&
+                    (named || tokens_[at_ + 2].variable == Variable::x) && kind(3) == TokenKind::close &&
                     kind(4) == TokenKind::comparison;
-  if (fits) at_ += 3;
+  if (fits && (!named || is_function_head(tokens_.subspan(at_)))) at_ += 3;
 }
 
-tl::expected<Relation, SyntaxError> Parser::relation() {
+/// Terms with the comparisons between them.
+tl::expected<Relation, SyntaxError> Parser::chain() {
   Relation r;
   r.column = now().column;
+  const Token& head = now();
   const std::size_t start = at_;
   skip_definition_head();
+  std::optional<Variable> local;
   if (at_ != start) {
+    if (head.kind == TokenKind::name) {
+      r.name = head.text;
+      local = tokens_[start + 2].variable;
+    }
     r.terms.push_back(variable(Variable::y));
     ++at_;
   } else {
@@ -100,6 +189,57 @@ tl::expected<Relation, SyntaxError> Parser::relation() {
     auto next = sum();
     if (!next) return tl::unexpected(std::move(next.error()));
     r.terms.push_back(std::move(*next));
+  }
+  auto conditions = restrictions();
+  if (!conditions) return tl::unexpected(std::move(conditions.error()));
+  r.conditions = std::move(*conditions);
+  if (local) {
+    if (auto body = body_of(*definition(r.name)); !body) return tl::unexpected(std::move(body.error()));
+  }
+  if (local && *local != Variable::x) {
+    for (Expression& e : r.terms) e = substitute(e, *local, variable(Variable::x));
+    for (Expression& e : r.conditions) e = substitute(e, *local, variable(Variable::x));
+  }
+  return r;
+}
+
+bool Parser::starts_point() const {
+  if (!is(TokenKind::open) || now().bracket != U'(') return false;
+  int depth = 0;
+  bool separated = false;
+  for (std::size_t i = at_; i < tokens_.size(); ++i) {
+    const Token& t = tokens_[i];
+    if (t.kind == TokenKind::open) ++depth;
+    if (t.kind == TokenKind::comma && depth == 1) separated = true;
+    if (t.kind != TokenKind::close || --depth > 0) continue;
+    const TokenKind next = tokens_[i + 1].kind;
+    return separated && (next == TokenKind::end || next == TokenKind::semicolon || next == TokenKind::comma);
+  }
+  return false;
+}
+
+tl::expected<Relation, SyntaxError> Parser::point() {
+  Relation r;
+  r.column = now().column;
+  r.is_point = true;
+  auto places = argument_list();
+  if (!places) return tl::unexpected(std::move(places.error()));
+  const bool are_numbers = std::all_of(places->begin(), places->end(),
+                                       [](const Expression& e) { return variables_of(e).empty(); });
+  if (places->size() != 2 || !are_numbers)
+    return tl::unexpected(SyntaxError{r.column, SyntaxFault::point_not_two_numbers});
+  r.terms = std::move(*places);
+  return r;
+}
+
+tl::expected<Relation, SyntaxError> Parser::relation() {
+  if (starts_point()) return point();
+  auto r = chain();
+  while (r && is(TokenKind::both)) {
+    ++at_;
+    auto next = chain();
+    if (!next) return next;
+    r->also.push_back(std::move(*next));
   }
   return r;
 }
@@ -174,10 +314,12 @@ Parser::Parsed Parser::exponent() {
 Parser::Parsed Parser::factored() {
   Parsed e = operand();
   int raised = 0;
-  while (e && (is(TokenKind::factorial) || is(TokenKind::superscript))) {
+  while (e && (is(TokenKind::factorial) || is(TokenKind::superscript) || is(TokenKind::degree))) {
     if (depth_ + ++raised > kMostDepth) return refuse(SyntaxFault::nested_too_deep);
     if (is(TokenKind::factorial)) {
       e = call(Function::factorial, {std::move(*e)});
+    } else if (is(TokenKind::degree)) {
+      e = degrees(std::move(*e));
     } else {
       e = binary(NodeKind::power, std::move(*e), number(now().value));
     }
@@ -190,6 +332,7 @@ Parser::Parsed Parser::operand() {
   const Token& token = now();
   switch (token.kind) {
     case TokenKind::number:
+      ask_about_exponent();
       ++at_;
       return number(token.value, token.exact);
     case TokenKind::variable:
@@ -199,7 +342,9 @@ Parser::Parsed Parser::operand() {
       ++at_;
       return constant(token.constant);
     case TokenKind::open:
-      return group();
+      return brace() == Brace::cases ? cases() : group();
+    case TokenKind::name:
+      return named();
     case TokenKind::bar:
       return bars();
     case TokenKind::function:
@@ -239,7 +384,12 @@ Parser::Parsed Parser::bars() {
 
 Parser::Parsed Parser::group() {
   const Token open = now();
+  if (brace() == Brace::restriction) return refuse(SyntaxFault::condition_alone, open.text);
   ++at_;
+  if (open.bracket == U'[') ask(open, SyntaxFault::ask_brackets);
+  if (is(TokenKind::number) && tokens_[at_ + 1].kind == TokenKind::close &&
+      now().text.find(',') != std::string::npos)
+    ask(open, SyntaxFault::ask_point, now().text);
   const int bars_outside = std::exchange(open_bars_, 0);
   Parsed inner = sum();
   open_bars_ = bars_outside;

@@ -39,15 +39,19 @@ SyntaxWords english(const SyntaxError& e) {
       return {"the character " + quoted + " is not allowed here",
               "expected a number, a variable, a function or an operator"};
     case SyntaxFault::two_decimal_signs:
-      return {"a number has two decimal points", "expected a digit or an operator"};
+      return {"a number has two decimal points",
+              "expected a digit or an operator, and a space behind a comma between two numbers"};
     case SyntaxFault::number_too_large:
       return {"the number " + quoted + " is too large", "expected a number up to 1.7e308"};
     case SyntaxFault::raised_digit_missing:
       return {"a superscript digit is missing", "expected one of ⁰ to ⁹"};
     case SyntaxFault::unknown_function:
-      return {"unknown function " + quoted, "expected a function such as sin, ln, sqrt, floor or gamma"};
+      return {
+          "unknown function " + quoted,
+          "expected a function such as sin, ln, sqrt, floor or gamma, or a definition such as f(x) = x^2"};
     case SyntaxFault::unknown_name:
-      return {"unknown name " + quoted, "expected x, y, t, r, theta, pi, e or a function"};
+      return {"unknown name " + quoted,
+              "expected x, y, t, r, theta, pi, e, a function or a letter with a definition such as a = 2"};
     case SyntaxFault::too_long:
       return {"the text is longer than 10000 bytes", "expected a shorter expression"};
     case SyntaxFault::not_utf8:
@@ -69,6 +73,58 @@ SyntaxWords english(const SyntaxError& e) {
       return {"the equation has only one side", "expected r = f(theta)"};
     case SyntaxFault::height_misplaced:
       return {"z can only appear alone on one side", "expected z = f(x, y)"};
+    case SyntaxFault::condition_alone:
+      return {"there is nothing in front of the condition", "expected y = x^2 {0 <= x <= 2}"};
+    case SyntaxFault::condition_missing:
+      return {"a condition is missing", "expected a comparison such as x < 0"};
+    case SyntaxFault::value_missing:
+      return {"the value of a case is missing", "expected {condition: value, condition: value}"};
+    case SyntaxFault::defined_twice:
+      return {quoted + " is defined twice", "expected one definition for each letter"};
+    case SyntaxFault::defined_by_itself:
+      return {quoted + " is defined by itself", "expected a definition without " + quoted};
+    case SyntaxFault::not_a_number:
+      return {quoted + " is not a number", "expected a value such as a = 2, or a function f(x) = ..."};
+    case SyntaxFault::other_variable:
+      return {quoted + " contains " + e.closing, "expected only the variable in its parentheses"};
+    case SyntaxFault::other_variable_in_condition:
+      return {"the condition contains " + e.subject, "expected x, y and t"};
+    case SyntaxFault::outside_its_range:
+      return {"the value of " + quoted + " is outside its range", "expected a value inside the range"};
+    case SyntaxFault::no_derivative:
+      return {"the derivative of " + quoted + " is not known",
+              "expected a function without gamma or factorial"};
+    case SyntaxFault::too_many_parts:
+      return {"the expression is too large when its functions are written out", "expected a simpler one"};
+    case SyntaxFault::two_equations:
+      return {"two equations joined by \"and\" have single points in common",
+              "write \";\" between them: the points where they cross are listed"};
+    case SyntaxFault::choice_in_region:
+      return {"\"or\" cannot restrict an inequality",
+              "write one inequality for each case, with \"or\" between them"};
+    case SyntaxFault::point_not_two_numbers:
+      return {"a point consists of two numbers", "expected (1, 2)"};
+    case SyntaxFault::not_equal:
+      return {"what should " + quoted + " draw? Points that are not on the curve fill the plane",
+              "write y = x for the curve, or y < x or y > x for both sides"};
+    case SyntaxFault::list:
+      return {"lists in square brackets cannot be read",
+              "write each curve with \";\" between them, y = x; y = 2x, and points as (1, 2), (3, 4)"};
+    case SyntaxFault::line_break:
+      return {"does a new expression start at this line?",
+              "write \";\" between two expressions, or an operator between two parts of one"};
+    case SyntaxFault::ask_exponent:
+      return {fmt::format("is {} a power of ten? It is read as a product with the number e", e.subject),
+              "write 1000 or 10^3 for a power of ten, 1*e*3 for the product"};
+    case SyntaxFault::ask_point:
+      return {fmt::format("is ({}) a point? It is read as a number with a decimal comma", e.subject),
+              "write a space behind the comma, (1, 2), for a point, and 1.2 for the number"};
+    case SyntaxFault::ask_brackets:
+      return {"do the square brackets mean the integer part? They are read as parentheses",
+              "write floor(x) for the integer part, (x) for parentheses"};
+    case SyntaxFault::ask_both:
+      return {"must both inequalities hold? Each is drawn for itself",
+              "write \"and\" where both hold, \"or\" where one is enough"};
   }
   return {};
 }
@@ -102,15 +158,18 @@ SyntaxWords japanese(const SyntaxError& e) {
     case SyntaxFault::unknown_character:
       return {"文字" + quoted + "はここでは使えません", "数、変数、関数、または演算記号が必要です"};
     case SyntaxFault::two_decimal_signs:
-      return {"1つの数に小数点が2つあります", "数字または演算記号が必要です"};
+      return {"1つの数に小数点が2つあります",
+              "数字または演算記号が必要です。2つの数の間なら、コンマの後に空白を入れてください"};
     case SyntaxFault::number_too_large:
       return {"数" + quoted + "は大きすぎます", "1.7e308 までの数にしてください"};
     case SyntaxFault::raised_digit_missing:
       return {"上付きの数字がありません", "⁰ から ⁹ のどれかが必要です"};
     case SyntaxFault::unknown_function:
-      return {quoted + "という関数はありません", "sin、ln、sqrt、floor、gamma などの関数が必要です"};
+      return {quoted + "という関数はありません",
+              "sin、ln、sqrt、floor、gamma などの関数か、「f(x) = x^2」のような定義が必要です"};
     case SyntaxFault::unknown_name:
-      return {quoted + "という名前はありません", "x、y、t、r、theta、pi、e、または関数が必要です"};
+      return {quoted + "という名前はありません",
+              "x、y、t、r、theta、pi、e、関数、または「a = 2」のように定義した文字が必要です"};
     case SyntaxFault::too_long:
       return {"式が 10000 バイトを超えています", "もっと短い式にしてください"};
     case SyntaxFault::not_utf8:
@@ -132,6 +191,55 @@ SyntaxWords japanese(const SyntaxError& e) {
       return {"等式の片側がありません", "「r = f(theta)」にしてください"};
     case SyntaxFault::height_misplaced:
       return {"z は片側に単独で書きます", "「z = f(x, y)」にしてください"};
+    case SyntaxFault::condition_alone:
+      return {"条件の前に式がありません", "「y = x^2 {0 <= x <= 2}」のように書いてください"};
+    case SyntaxFault::condition_missing:
+      return {"条件がありません", "「x < 0」のような比較が必要です"};
+    case SyntaxFault::value_missing:
+      return {"場合の値がありません", "「{条件: 値, 条件: 値}」のように書いてください"};
+    case SyntaxFault::defined_twice:
+      return {quoted + "が2回定義されています", "文字の定義は1回だけにしてください"};
+    case SyntaxFault::defined_by_itself:
+      return {quoted + "が" + quoted + "自身で定義されています", quoted + "を使わずに定義してください"};
+    case SyntaxFault::not_a_number:
+      return {quoted + "が数ではありません", "「a = 2」のような値か、「f(x) = …」のような関数が必要です"};
+    case SyntaxFault::other_variable:
+      return {quoted + "に " + e.closing + " が入っています", "括弧の中の変数だけを使ってください"};
+    case SyntaxFault::other_variable_in_condition:
+      return {"条件に " + e.subject + " が入っています", "x、y、t だけを使ってください"};
+    case SyntaxFault::outside_its_range:
+      return {quoted + "の値が範囲の外にあります", "範囲の中の値にしてください"};
+    case SyntaxFault::no_derivative:
+      return {quoted + "の導関数が分かりません", "ガンマ関数や階乗のない関数にしてください"};
+    case SyntaxFault::too_many_parts:
+      return {"関数を展開すると式が大きすぎます", "もっと簡単な式にしてください"};
+    case SyntaxFault::two_equations:
+      return {"「and」で結んだ2つの等式の共通部分は点です", "間に「;」を書くと、交点が一覧に出ます"};
+    case SyntaxFault::choice_in_region:
+      return {"不等式の条件に「or」は使えません", "場合ごとに不等式を書き、間に「or」を置いてください"};
+    case SyntaxFault::point_not_two_numbers:
+      return {"点は2つの数で書きます", "「(1, 2)」のように書いてください"};
+    case SyntaxFault::not_equal:
+      return {quoted + "では何をかきますか。等しくない点は平面全体に広がります",
+              "曲線は「y = x」、両側の領域は「y < x or y > x」と書いてください"};
+    case SyntaxFault::list:
+      return {"角括弧で囲んだリストは読めません",
+              "曲線は「y = x; y = 2x」のように「;」で区切り、点は「(1, 2), (3, 4)」と書いてください"};
+    case SyntaxFault::line_break:
+      return {"この行から新しい式が始まりますか",
+              "2つの式の間には「;」を、1つの式の中なら演算記号を書いてください"};
+    case SyntaxFault::ask_exponent:
+      return {fmt::format("{} は 10 の累乗ですか。今は数 e との積として読んでいます", e.subject),
+              "10 の累乗は「1000」か「10^3」、積は「1*e*3」と書いてください"};
+    case SyntaxFault::ask_point:
+      return {fmt::format("({}) は点ですか。今は小数として読んでいます", e.subject),
+              "点は「(1, 2)」のようにコンマの後に空白を、小数は「1.2」と書いてください"};
+    case SyntaxFault::ask_brackets:
+      return {"角括弧は整数部分（ガウス記号）ですか。今は普通の括弧として読んでいます",
+              "整数部分は「floor(x)」、括弧は「(x)」と書いてください"};
+    case SyntaxFault::ask_both:
+      return {"2つの不等式は同時に成り立つものですか。今は別々の領域としてかいています",
+              "同時なら「and」、どちらかなら「or」を間に書いてください"};
   }
   return {};
 }
@@ -140,6 +248,15 @@ SyntaxWords japanese(const SyntaxError& e) {
 
 SyntaxWords in_words(const SyntaxError& error, Language language) {
   return language == Language::english ? english(error) : japanese(error);
+}
+
+std::string question_words(const SyntaxError& question, Language language) {
+  SyntaxWords words = in_words(question, language);
+  if (language == Language::japanese) return words.message + "。" + words.expected + "。";
+  for (std::string* s : {&words.message, &words.expected}) {
+    if (!s->empty() && (*s)[0] >= 'a' && (*s)[0] <= 'z') (*s)[0] = static_cast<char>((*s)[0] - 'a' + 'A');
+  }
+  return words.message + ". " + words.expected + ".";
 }
 
 base::Error SyntaxError::to_error() const {

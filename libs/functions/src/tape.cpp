@@ -134,6 +134,7 @@ class Tape::Builder {
       case NodeKind::function:
         break;
     }
+    if (n.function >= Function::less) return cases(n);
     const auto op = op_of(n.function);
     if (!op) return add(reduced(e));
     const std::uint32_t a = add(n.arguments[0]);
@@ -153,12 +154,12 @@ class Tape::Builder {
         op == Op::sinh || op == Op::cosh || op == Op::gamma) {
       tape_.can_overflow_ = true;
     }
-    return push({op, a, b, p, q, 0, 0, 0});
+    return push({op, a, b, p, q, 0, 0, 0, 0});
   }
 
   std::uint32_t number(double v, bool exact) {
-    if (exact) return push({Op::constant, 0, 0, 0, 1, v, v, v});
-    return push({Op::constant, 0, 0, 0, 1, v, Rounding<double>::down(v), Rounding<double>::up(v)});
+    if (exact) return push({Op::constant, 0, 0, 0, 1, v, v, v, 0});
+    return push({Op::constant, 0, 0, 0, 1, v, Rounding<double>::down(v), Rounding<double>::up(v), 0});
   }
 
   std::uint32_t constant(Constant c) {
@@ -175,8 +176,35 @@ class Tape::Builder {
 
   std::uint32_t input(Variable v) {
     const auto found = std::find(inputs_.begin(), inputs_.end(), v);
-    if (found == inputs_.end()) return push({Op::undefined, 0, 0, 0, 1, 0, 0, 0});
-    return push({Op::input, static_cast<std::uint32_t>(found - inputs_.begin()), 0, 0, 1, 0, 0, 0});
+    if (found == inputs_.end()) return push({Op::undefined, 0, 0, 0, 1, 0, 0, 0, 0});
+    return push({Op::input, static_cast<std::uint32_t>(found - inputs_.begin()), 0, 0, 1, 0, 0, 0, 0});
+  }
+
+  /// Conditions, and values that depend on one.
+  std::uint32_t cases(const Node& n) {
+    const std::uint32_t a = add(n.arguments[0]);
+    const std::uint32_t b = add(n.arguments[1]);
+    switch (n.function) {
+      case Function::less:
+        return step(Op::above_zero, step(Op::subtract, b, a));
+      case Function::less_equal:
+        return step(Op::at_least_zero, step(Op::subtract, b, a));
+      case Function::greater:
+        return step(Op::above_zero, step(Op::subtract, a, b));
+      case Function::greater_equal:
+        return step(Op::at_least_zero, step(Op::subtract, a, b));
+      case Function::equal:
+        return step(Op::min, step(Op::at_least_zero, step(Op::subtract, a, b)),
+                    step(Op::at_least_zero, step(Op::subtract, b, a)));
+      case Function::both:
+        return step(Op::min, a, b);
+      case Function::either:
+        return step(Op::max, a, b);
+      case Function::where:
+        return step(Op::where, a, b);
+      default:
+        return push({Op::choose, a, b, 0, 1, 0, 0, 0, add(n.arguments[2])});
+    }
   }
 
   std::uint32_t power(const Node& n) {
@@ -345,6 +373,18 @@ void Tape::evaluate(std::span<const T> inputs, std::span<T> registers) const {
         break;
       case Op::max:
         r[i] = max(a, b);
+        break;
+      case Op::at_least_zero:
+        r[i] = at_least_zero(a);
+        break;
+      case Op::above_zero:
+        r[i] = above_zero(a);
+        break;
+      case Op::where:
+        r[i] = where(a, b);
+        break;
+      case Op::choose:
+        r[i] = choose(a, b, r[s.c]);
         break;
     }
   }

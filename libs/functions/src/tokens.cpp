@@ -70,12 +70,16 @@ class Tokenizer {
   Tokenizer(std::u32string text, const ParseOptions& options) : text_(std::move(text)), options_(options) {
     shown_ = text_;
     std::transform(text_.begin(), text_.end(), text_.begin(), plain);
+    defined_ = defined_letters(text_);
   }
 
   tl::expected<std::vector<Token>, SyntaxError> run() {
     while (true) {
       const std::size_t before = at_;
-      while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+      while (at_ < text_.size() && is_space(text_[at_])) {
+        line_before_ = line_before_ || text_[at_] == U'\n';
+        ++at_;
+      }
       space_before_ = at_ > before;
       if (at_ >= text_.size()) break;
       if (auto error = next()) return tl::unexpected(std::move(*error));
@@ -96,6 +100,7 @@ class Tokenizer {
     token.text = base::encode_utf8(std::u32string_view(shown_).substr(at_, length));
     token.space_before = space_before_;
     space_before_ = false;
+    token.line_before = std::exchange(line_before_, false);
     at_ += length;
     tokens_.push_back(std::move(token));
     return tokens_.back();
@@ -124,7 +129,31 @@ class Tokenizer {
         push(TokenKind::power, 1);
         return {};
       case U'!':
+        if (peek(1) == U'=') return question(SyntaxFault::not_equal, 2);
         push(TokenKind::factorial, 1);
+        return {};
+      case U'≠':
+        return question(SyntaxFault::not_equal, 1);
+      case U'°':
+      case U'º':
+        push(TokenKind::degree, 1);
+        return {};
+      case U'\'':
+      case U'’':
+      case U'′':
+        push(TokenKind::prime, 1).value = 1;
+        return {};
+      case U'″':
+        push(TokenKind::prime, 1).value = 2;
+        return {};
+      case U':':
+        push(TokenKind::colon, 1);
+        return {};
+      case U'∧':
+        push(TokenKind::both, 1);
+        return {};
+      case U'∨':
+        push(TokenKind::either, 1);
         return {};
       case U'_':
         push(TokenKind::underscore, 1);
@@ -183,12 +212,30 @@ class Tokenizer {
   void bracket(TokenKind kind, char32_t c) {
     // The function before the innermost parenthesis decides whether a comma separates arguments.
     if (kind == TokenKind::open) {
-      argument_lists_.push_back(!tokens_.empty() && tokens_.back().kind == TokenKind::function &&
-                                takes_several(tokens_.back().function));
+      const bool arguments = !tokens_.empty() && tokens_.back().kind == TokenKind::function &&
+                             takes_several(tokens_.back().function);
+      argument_lists_.push_back(arguments || (c == U'{' && are_cases()));
     } else if (!argument_lists_.empty()) {
       argument_lists_.pop_back();
     }
     push(kind, 1).bracket = c;
+  }
+
+  [[nodiscard]] std::optional<SyntaxError> question(SyntaxFault fault, std::size_t length) const {
+    return SyntaxError{static_cast<int>(at_) + 1, fault,
+                       base::encode_utf8(std::u32string_view(shown_).substr(at_, length))};
+  }
+
+  /// Whether what stands in this brace is cases, "{x < 0: 1,5}": a comma then separates.
+  [[nodiscard]] bool are_cases() const {
+    int depth = 0;
+    for (std::size_t i = at_; i < text_.size(); ++i) {
+      const char32_t c = text_[i];
+      if (c == U'{' || c == U'(' || c == U'[') ++depth;
+      if ((c == U'}' || c == U')' || c == U']') && --depth == 0) return false;
+      if (c == U':' && depth == 1) return true;
+    }
+    return false;
   }
 
   static bool takes_several(Function f) {
@@ -305,6 +352,10 @@ class Tokenizer {
       }
     }
     const std::u32string_view run = std::u32string_view(text_).substr(at_, length);
+    if (run == U"and" || run == U"or") {
+      push(run == U"and" ? TokenKind::both : TokenKind::either, length);
+      return {};
+    }
     std::vector<std::size_t> cuts;
     std::vector<bool> dead(length + 1, false);
     if (!cut(run, 0, cuts, dead)) {
@@ -317,7 +368,7 @@ class Tokenizer {
     return {};
   }
 
-  static std::size_t longest_first(std::u32string_view rest, std::size_t shorter_than) {
+  [[nodiscard]] std::size_t longest_first(std::u32string_view rest, std::size_t shorter_than) const {
     std::size_t best = 0;
     const auto consider = [&](std::u32string_view word) {
       if (word.size() < shorter_than && word.size() > best && rest.substr(0, word.size()) == word)
@@ -326,11 +377,12 @@ class Tokenizer {
     for (const auto& n : kFunctions) consider(n.text);
     for (const auto& n : kVariables) consider(n.text);
     for (const auto& n : kConstants) consider(n.text);
+    if (defined_.contains(rest[0])) consider(rest.substr(0, 1));
     return best;
   }
 
-  static bool cut(std::u32string_view run, std::size_t from, std::vector<std::size_t>& cuts,
-                  std::vector<bool>& dead) {
+  bool cut(std::u32string_view run, std::size_t from, std::vector<std::size_t>& cuts,
+           std::vector<bool>& dead) const {
     if (from == run.size()) return true;
     if (dead[from]) return false;
     const std::u32string_view rest = run.substr(from);
@@ -363,6 +415,9 @@ class Tokenizer {
         return;
       }
     }
+    // In small letters: A and a are one parameter.
+    const std::string letter = base::encode_utf8(word);
+    push(TokenKind::name, length).text = letter;
   }
 
   std::u32string text_;
@@ -370,6 +425,8 @@ class Tokenizer {
   ParseOptions options_;
   std::size_t at_ = 0;
   bool space_before_ = false;
+  bool line_before_ = false;
+  DefinedLetters defined_;
   std::vector<bool> argument_lists_;
   std::vector<Token> tokens_;
 };

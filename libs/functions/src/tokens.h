@@ -30,6 +30,12 @@ enum class TokenKind : std::uint8_t {
   underscore,
   comparison,
   semicolon,
+  colon,
+  both,    ///< "and"
+  either,  ///< "or"
+  degree,  ///< the raised circle
+  prime,   ///< of a derivative; `value` counts them
+  name,    ///< of a parameter or a function of the text: Token::text
   end
 };
 
@@ -47,7 +53,19 @@ struct Token {
   char32_t bracket = 0;  ///< of open and close: ( [ {
   int degree = 2;        ///< of a root sign
   bool space_before = false;
+  bool line_before = false;  ///< a line break stands before it
 };
+
+/// The letters that a text defines: "a = 2", "0 <= b <= 3", "f(x) = x^2".
+struct DefinedLetters {
+  std::u32string parameters;
+  std::u32string functions;
+  [[nodiscard]] bool contains(char32_t letter) const {
+    return (parameters + functions).find(letter) != std::u32string::npos;
+  }
+};
+/// @param text  in small letters, with one spelling for each sign.
+[[nodiscard]] DefinedLetters defined_letters(std::u32string_view text);
 
 /// Splits text into tokens, the last of kind `end`. Runs of letters are cut into known names, longest first:
 /// "xsinx" is x, sin, x.

@@ -225,19 +225,26 @@ class PlotTracer {
   bool draw_region(const Statement& typed) {
     const Statement s = in_the_plane(typed);
     std::vector<Condition> conditions;
+    std::vector<std::size_t> owners;  // the comparison that each condition comes from
     for (std::size_t i = 0; i < s.comparisons.size(); ++i) {
       const Comparison c = s.comparisons[i];
+      if (c == Comparison::both) continue;
       const bool falls = c == Comparison::greater || c == Comparison::greater_equal;
       const Expression difference = reduced(falls ? binary(NodeKind::subtract, s.terms[i], s.terms[i + 1])
                                                   : binary(NodeKind::subtract, s.terms[i + 1], s.terms[i]));
       conditions.push_back({difference, is_strict(c)});
+      owners.push_back(i);
       // An equality inside a chain: both ways.
-      if (c == Comparison::equal) conditions.push_back({negate(difference), false});
+      if (c == Comparison::equal) {
+        conditions.push_back({negate(difference), false});
+        owners.push_back(i);
+      }
     }
     for (Condition& bound : angle_bounds(typed)) conditions.push_back(std::move(bound));
     if (!RegionTracer(conditions, nullptr, statement_, settings_, out_, progress_).run()) return false;
     const std::size_t first_event = out_.events.size();
     for (std::size_t i = 0; i < s.comparisons.size(); ++i) {
+      if (s.comparisons[i] == Comparison::both) continue;
       const std::size_t begin = out_.branches.size();
       const std::size_t first_dot = out_.dots.size();
       const std::size_t first_bar = out_.bars.size();
@@ -252,7 +259,7 @@ class PlotTracer {
       if (!drawn) return false;
       std::vector<Condition> others;
       for (std::size_t j = 0; j < conditions.size(); ++j) {
-        if (j != i) others.push_back({conditions[j].expression, false});
+        if (j >= owners.size() || owners[j] != i) others.push_back({conditions[j].expression, false});
       }
       const bool strict = is_strict(s.comparisons[i]);
       keep_where(others, begin, strict);

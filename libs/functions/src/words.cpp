@@ -6,6 +6,7 @@
 
 #include "nazori/functions/curve_kinds.h"
 #include "nazori/functions/plot.h"
+#include "restricted_statement.h"
 #include "strength.h"
 
 namespace nazori::functions {
@@ -81,17 +82,48 @@ struct Brackets {
   std::string_view fraction, over, end_fraction;  ///< English: numerator first; Japanese: denominator first
   std::string_view power, end_power;              ///< around an exponent of several parts
   std::string_view of;                            ///< between a function and its argument
+  std::string_view part, part_where, end_part;    ///< around a value and its condition
+  std::string_view cases, end_cases;
 };
 
 constexpr std::array<Brackets, 3> kEnglishBrackets{
     {{"the quantity ", " end quantity", "the fraction with numerator ", " and denominator ", " end fraction",
-      " to the power of ", " end power", " of "},
-     {"quantity ", " end", "fraction ", " over ", " end fraction", " to the ", " end power", " of "},
-     {"open ", " close", "frac ", " over ", " end frac", " to ", " end", " "}}};
+      " to the power of ", " end power", " of ", "the part of ", " where ", " end part", "the cases ",
+      " end cases"},
+     {"quantity ", " end", "fraction ", " over ", " end fraction", " to the ", " end power", " of ", "part ",
+      " where ", " end part", "cases ", " end cases"},
+     {"open ", " close", "frac ", " over ", " end frac", " to ", " end", " ", "part ", " where ", " end part",
+      "cases ", " end cases"}}};
 constexpr std::array<Brackets, 3> kJapaneseBrackets{
-    {{"括弧 ", " 括弧閉じ", "分数 分母 ", " 分子 ", " 分数終わり", " の ", " 乗", " "},
-     {"括弧 ", " 閉じ", "分数 ", " 分の ", " 分数終わり", " の ", " 乗", " "},
-     {"かっこ ", " とじ", "分数 ", " 分の ", " 終わり", " の ", " 乗", " "}}};
+    {{"括弧 ", " 括弧閉じ", "分数 分母 ", " 分子 ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
+      " 部分終わり", "場合分け ", " 場合分け終わり"},
+     {"括弧 ", " 閉じ", "分数 ", " 分の ", " 分数終わり", " の ", " 乗", " ", "部分 ", " ただし ",
+      " 部分終わり", "場合分け ", " 場合分け終わり"},
+     {"かっこ ", " とじ", "分数 ", " 分の ", " 終わり", " の ", " 乗", " ", "部分 ", " ただし ",
+      " 部分終わり", "場合 ", " 場合終わり"}}};
+
+std::string comparison(Comparison c, Language language) {
+  constexpr std::array<std::string_view, 6> kEnglish{" equals ",          " is less than ", " is at most ",
+                                                     " is greater than ", " is at least ",  " and "};
+  constexpr std::array<std::string_view, 6> kJapanese{" イコール ", " 小なり ",         " 小なりイコール ",
+                                                      " 大なり ",   " 大なりイコール ", " かつ "};
+  return std::string((language == Language::english ? kEnglish : kJapanese)[static_cast<std::size_t>(c)]);
+}
+
+Comparison comparison_of(Function f) {
+  switch (f) {
+    case Function::less:
+      return Comparison::less;
+    case Function::less_equal:
+      return Comparison::less_equal;
+    case Function::greater:
+      return Comparison::greater;
+    case Function::greater_equal:
+      return Comparison::greater_equal;
+    default:
+      return Comparison::equal;
+  }
+}
 
 constexpr bool is_short_form(SpeechStyle style) { return style != SpeechStyle::verbose; }
 
@@ -111,7 +143,7 @@ class Speaker {
     const auto& a = n.arguments;
     switch (n.kind) {
       case NodeKind::number:
-        return number_text(n.value, language_);
+        return n.name.empty() ? number_text(n.value, language_) : n.name;
       case NodeKind::constant:
         if (n.constant == Constant::e) return "e";
         if (n.constant == Constant::pi) return english_ ? "pi" : "パイ";
@@ -125,6 +157,7 @@ class Speaker {
       case NodeKind::subtract:
         return operand(a[0], 1) + (english_ ? " minus " : " 引く ") + operand(a[1], 2);
       case NodeKind::multiply:
+        if (is_degrees(n)) return raised(a[0]) + (english_ ? " degrees" : " 度");
         if (is_coefficient(n)) return spoken(a[0]) + " " + spoken(a[1]);
         return operand(a[0], 2, true) + (english_ ? " times " : " かける ") + operand(a[1], 3, true);
       case NodeKind::divide:
@@ -138,17 +171,20 @@ class Speaker {
   }
 
  private:
+  static bool is_plain_number(const Node& n) {
+    return n.kind == NodeKind::number && (n.value >= 0 || !n.name.empty());
+  }
   static bool is_atom(const Expression& e) {
-    return (e->kind == NodeKind::number && e->value >= 0) || e->kind == NodeKind::constant ||
-           e->kind == NodeKind::variable;
+    return is_plain_number(*e) || e->kind == NodeKind::constant || e->kind == NodeKind::variable;
   }
   /// 2 x, 3 pi: heard as one thing.
   static bool is_coefficient(const Node& n) {
-    return n.kind == NodeKind::multiply && n.arguments[0]->kind == NodeKind::number &&
-           n.arguments[0]->value >= 0 &&
+    return n.kind == NodeKind::multiply && is_plain_number(*n.arguments[0]) &&
            (n.arguments[1]->kind == NodeKind::variable || n.arguments[1]->kind == NodeKind::constant);
   }
-  static bool is_short(const Expression& e) { return is_atom(e) || is_coefficient(*e); }
+  static bool is_short(const Expression& e) {
+    return is_atom(e) || is_coefficient(*e) || (is_degrees(*e) && is_atom(e->arguments[0]));
+  }
 
   [[nodiscard]] std::string fenced(const Expression& e) const {
     return std::string(words_.open) + spoken(e) + std::string(words_.close);
@@ -230,14 +266,50 @@ class Speaker {
       case Function::hypot:
       case Function::root:
       case Function::log_base:
+      case Function::where:
+      case Function::choose:
         return false;
       default:
         return true;
     }
   }
 
+  [[nodiscard]] std::string condition(const Node& n) const {
+    const auto& a = n.arguments;
+    if (n.function == Function::either)
+      return condition(*a[0]) + (english_ ? " or " : " または ") + condition(*a[1]);
+    if (n.function != Function::both)
+      return spoken(a[0]) + comparison(comparison_of(n.function), language_) + spoken(a[1]);
+    const Node* last = a[0].get();
+    while (last->function == Function::both) last = last->arguments[1].get();
+    // 0 < x < 2
+    if (to_text(last->arguments[1]) == to_text(a[1]->arguments[0]))
+      return condition(*a[0]) + comparison(comparison_of(a[1]->function), language_) +
+             spoken(a[1]->arguments[1]);
+    return condition(*a[0]) + comparison(Comparison::both, language_) + condition(*a[1]);
+  }
+
+  /// "minus x if x is less than 0; otherwise x"
+  [[nodiscard]] std::string cases(const Node& n) const {
+    const std::string value = spoken(n.arguments[1]);
+    const std::string when = condition(*n.arguments[0]);
+    const std::string one = english_ ? value + " if " + when : when + " のとき " + value;
+    if (n.function == Function::where) return one;
+    const Node& rest = *n.arguments[2];
+    const bool more = rest.kind == NodeKind::function &&
+                      (rest.function == Function::choose || rest.function == Function::where);
+    if (more) return one + (english_ ? "; " : "、") + cases(rest);
+    return one + (english_ ? "; otherwise " : "、その他 ") + spoken(n.arguments[2]);
+  }
+
   [[nodiscard]] std::string function(const Node& n) const {
     const auto& a = n.arguments;
+    if (is_condition(n.function)) return condition(n);
+    if (n.function == Function::where)
+      return std::string(words_.part) + spoken(a[1]) + std::string(words_.part_where) + condition(*a[0]) +
+             std::string(words_.end_part);
+    if (n.function == Function::choose)
+      return std::string(words_.cases) + cases(n) + std::string(words_.end_cases);
     switch (n.function) {
       case Function::factorial:
         return raised(a[0]) + (english_ ? " factorial" : " の階乗");
@@ -273,21 +345,15 @@ class Speaker {
   bool in_fraction_ = false;
 };
 
-std::string comparison(Comparison c, Language language) {
-  constexpr std::array<std::string_view, 5> kEnglish{" equals ", " is less than ", " is at most ",
-                                                     " is greater than ", " is at least "};
-  constexpr std::array<std::string_view, 5> kJapanese{" イコール ", " 小なり ", " 小なりイコール ",
-                                                      " 大なり ", " 大なりイコール "};
-  return std::string((language == Language::english ? kEnglish : kJapanese)[static_cast<std::size_t>(c)]);
-}
-
 }  // namespace
 
 std::string in_words(const Expression& expression, Language language, SpeechStyle style) {
   return Speaker(language, style).spoken(expression);
 }
 
-std::string in_words(const Statement& s, Language language, SpeechStyle style) {
+std::string in_words(const Statement& typed, Language language, SpeechStyle style) {
+  const RestrictedStatement restricted = without_conditions(typed);
+  const Statement& s = restricted.plain;
   const bool english = language == Language::english;
   const std::string equals = comparison(Comparison::equal, language);
   const auto range = [&](std::string_view parameter) {
@@ -300,15 +366,24 @@ std::string in_words(const Statement& s, Language language, SpeechStyle style) {
     const std::string& out = s.from_is_open ? from : to;
     return text + (english ? fmt::format(", {} excluded", out) : fmt::format("、{} を除く", out));
   };
+  if (s.is_point) {
+    const std::string x = in_words(s.terms[0], language, style);
+    const std::string y = in_words(s.terms[1], language, style);
+    return english ? fmt::format("the point with x {} and y {}", x, y) : fmt::format("点 x {}、y {}", x, y);
+  }
   const CurveKind& kind = curve_kind(s.kind);
   std::string text;
   for (std::size_t i = 0; i < s.terms.size(); ++i) {
-    if (kind.left[0])
+    if (!s.name.empty())
+      text += (english ? s.name + " of x" : s.name + "、x の関数") + equals;
+    else if (kind.left[0])
       text += (i == 0 ? "" : english ? " and " : "、") + in_words(variable(*kind.left[i]), language) + equals;
     else if (i > 0)
       text += comparison(s.comparisons[i - 1], language);
     text += in_words(s.terms[i], language, style);
   }
+  for (const Expression& c : restricted.conditions)
+    text += (english ? ", only where " : "、ただし ") + in_words(c, language, style);
   return kind.says_range(s) ? text + range(in_words(variable(kind.parameter), language)) : text;
 }
 
@@ -316,6 +391,14 @@ std::string in_words(const Plot& plot, Language language, SpeechStyle style) {
   std::string text;
   for (const Statement& s : plot.statements)
     text += (text.empty() ? "" : language == Language::english ? "; " : "。") + in_words(s, language, style);
+  const bool english = language == Language::english;
+  for (const Parameter& p : plot.parameters) {
+    const auto say = [language](double v) { return number_text(v, language); };
+    text += (english ? "; " : "。") + p.name + comparison(Comparison::equal, language) + say(p.value);
+    if (!p.range_given) continue;
+    text += english ? fmt::format(", from {} to {}", say(p.from), say(p.to))
+                    : fmt::format("、{} から {} まで", say(p.from), say(p.to));
+  }
   return text;
 }
 

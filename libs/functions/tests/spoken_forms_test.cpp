@@ -19,7 +19,7 @@ class RandomTrees {
   explicit RandomTrees(unsigned seed) : random_(seed) {}
 
   Expression tree(int depth) {
-    const int kind = depth == 0 ? below(4) : below(16);
+    const int kind = depth == 0 ? below(5) : below(20);
     const auto deeper = [&] { return tree(depth - 1 - below(2) < 0 ? 0 : depth - 1 - below(2)); };
     switch (kind) {
       case 0:
@@ -31,7 +31,16 @@ class RandomTrees {
       case 3:
         return constant(below(2) == 0 ? Constant::pi : Constant::e);
       case 4:
+        return below(2) == 0 ? parameter("a", -2, true) : number(1);
+      case 15:
         return negate(deeper());
+      case 16:
+        return degrees(deeper());
+      case 17:
+        return call(Function::where, {condition(), deeper()});
+      case 18:
+      case 19:
+        return call(Function::choose, {condition(), deeper(), deeper()});
       case 5:
       case 6:
         return binary(NodeKind::add, deeper(), deeper());
@@ -52,7 +61,23 @@ class RandomTrees {
 
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
 
+  Expression comparison() {
+    constexpr std::array kSigns{Function::less, Function::less_equal, Function::greater,
+                                Function::greater_equal, Function::equal};
+    return call(kSigns[static_cast<std::size_t>(below(5))], {tree(1), tree(1)});
+  }
+
  private:
+  /// "or" of chains joined by "and", as it is parsed.
+  Expression condition() {
+    const auto all = [this] {
+      const Expression one = comparison();
+      return below(3) == 0 ? call(Function::both, {one, comparison()}) : one;
+    };
+    const Expression first = all();
+    return below(4) == 0 ? call(Function::either, {first, all()}) : first;
+  }
+
   Expression function(const Expression& a, const Expression& b) {
     constexpr std::array kOfOne{Function::sin,  Function::cos, Function::tan,       Function::ln,
                                 Function::sqrt, Function::abs, Function::factorial, Function::gamma,
@@ -71,7 +96,10 @@ constexpr std::array kLanguages{Language::english, Language::japanese};
 
 /// The same tree with one part changed: the pairs that are most easily confused.
 Expression changed(const Expression& e, RandomTrees& random) {
-  if (e->arguments.empty() || random.below(4) == 0) return random.tree(1);
+  const bool is_value = e->kind != NodeKind::function || !is_condition(e->function);
+  // A condition stays one: only parse() makes these trees.
+  if (e->arguments.empty() || (is_value && random.below(4) == 0)) return random.tree(1);
+  if (!is_value && e->function <= Function::equal && random.below(4) == 0) return random.comparison();
   Node n = *e;
   if (n.arguments.size() == 2 && random.below(3) == 0) {
     // (a b) c for a (b c), and the like.

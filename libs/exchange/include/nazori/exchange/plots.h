@@ -6,6 +6,7 @@
 #include "nazori/exchange/document.h"
 #include "nazori/functions/plate.h"
 #include "nazori/functions/points.h"
+#include "nazori/functions/value_table.h"
 
 namespace nazori::exchange {
 
@@ -20,5 +21,7 @@ struct PlotTimings {
                             const std::vector<functions::PointOfInterest>& points, const PlotTimings& timings,
                             functions::Language language,
                             functions::SpeechStyle style = functions::SpeechStyle::verbose);
+/// A table of values: rows of x and y, null where undefined.
+[[nodiscard]] Value to_json(const std::vector<functions::ValueRow>& table);
 
 }  // namespace nazori::exchange

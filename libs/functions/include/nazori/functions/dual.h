@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "nazori/functions/interval.h"
 
@@ -30,6 +31,23 @@ namespace nazori::functions {
 [[nodiscard]] inline long double min(long double a, long double b) { return std::isnan(a) || a < b ? a : b; }
 [[nodiscard]] inline double max(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 [[nodiscard]] inline long double max(long double a, long double b) { return std::isnan(a) || a > b ? a : b; }
+
+[[nodiscard]] inline double at_least_zero(double v) { return std::isnan(v) ? v : v >= 0 ? 1 : 0; }
+[[nodiscard]] inline long double at_least_zero(long double v) { return std::isnan(v) ? v : v >= 0 ? 1 : 0; }
+[[nodiscard]] inline double above_zero(double v) { return std::isnan(v) ? v : v > 0 ? 1 : 0; }
+[[nodiscard]] inline long double above_zero(long double v) { return std::isnan(v) ? v : v > 0 ? 1 : 0; }
+[[nodiscard]] inline double where(double condition, double a) {
+  return condition > 0.5 ? a : std::numeric_limits<double>::quiet_NaN();
+}
+[[nodiscard]] inline long double where(long double condition, long double a) {
+  return condition > 0.5L ? a : std::numeric_limits<long double>::quiet_NaN();
+}
+[[nodiscard]] inline double choose(double condition, double a, double b) {
+  return std::isnan(condition) ? condition : condition > 0.5 ? a : b;
+}
+[[nodiscard]] inline long double choose(long double condition, long double a, long double b) {
+  return std::isnan(condition) ? condition : condition > 0.5L ? a : b;
+}
 
 /// A value with its derivatives by N variables (forward mode). Over intervals the derivatives enclose every
 /// slope on the box, one-sided slopes at corners included; their decorations are not used. Thread-safe.
@@ -89,6 +107,19 @@ BasicInterval<R> share_of_smaller(const BasicInterval<R>& a, const BasicInterval
   if (a.upper < b.lower) return R(1);
   if (b.upper < a.lower) return R(0);
   return {R(0), R(1)};
+}
+
+template <class T>
+T slope_of_choice(const T& condition, const T& a, const T& b) {
+  return choose(condition, a, b);
+}
+/// Where both cases are in the box the value may jump between them.
+template <class R>
+BasicInterval<R> slope_of_choice(const BasicInterval<R>& condition, const BasicInterval<R>& a,
+                                 const BasicInterval<R>& b) {
+  if (condition.lower > R(0.5)) return a;
+  if (condition.upper < R(0.5)) return b;
+  return BasicInterval<R>::entire(Decoration::partial, Cause::jump);
 }
 
 template <class T>
@@ -307,6 +338,28 @@ Dual<T, N> atan2(const Dual<T, N>& y, const Dual<T, N>& x) {
   Dual<T, N> r(T(atan2(y.value, x.value)));
   const T radius = square(x.value) + square(y.value);
   for (std::size_t i = 0; i < N; ++i) r.slopes[i] = (x.value * y.slopes[i] - y.value * x.slopes[i]) / radius;
+  return r;
+}
+
+template <class T, int N>
+Dual<T, N> at_least_zero(const Dual<T, N>& a) {
+  return Dual<T, N>(at_least_zero(a.value));
+}
+template <class T, int N>
+Dual<T, N> above_zero(const Dual<T, N>& a) {
+  return Dual<T, N>(above_zero(a.value));
+}
+template <class T, int N>
+Dual<T, N> where(const Dual<T, N>& condition, const Dual<T, N>& a) {
+  Dual<T, N> r(where(condition.value, a.value));
+  r.slopes = a.slopes;
+  return r;
+}
+template <class T, int N>
+Dual<T, N> choose(const Dual<T, N>& condition, const Dual<T, N>& a, const Dual<T, N>& b) {
+  Dual<T, N> r(choose(condition.value, a.value, b.value));
+  for (std::size_t i = 0; i < N; ++i)
+    r.slopes[i] = detail::slope_of_choice(condition.value, a.slopes[i], b.slopes[i]);
   return r;
 }
 

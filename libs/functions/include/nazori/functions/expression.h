@@ -15,6 +15,8 @@ enum class Variable : std::uint8_t { x, y, z, t, theta, r };
 enum class Constant : std::uint8_t { pi, e, tau };
 
 /// Functions that can be typed, all real: where the real value does not exist the function is undefined.
+/// The last ones, from `less` on, are the conditions and cases in braces: a comparison is 1 where it holds
+/// and 0 where it does not.
 enum class Function : std::uint8_t {
   sin,
   cos,
@@ -57,8 +59,20 @@ enum class Function : std::uint8_t {
   max,
   mod,
   atan2,
-  hypot
+  hypot,
+  less,           ///< of two: a < b
+  less_equal,     ///< of two: a <= b
+  greater,        ///< of two: a > b
+  greater_equal,  ///< of two: a >= b
+  equal,          ///< of two: a = b
+  both,           ///< of two conditions: "and"
+  either,         ///< of two conditions: "or"
+  where,          ///< of a condition and a value: the value where the condition holds, else undefined
+  choose          ///< of a condition and two values: the first where it holds, else the second
 };
+
+/// The functions that are conditions.
+[[nodiscard]] constexpr bool is_condition(Function f) { return f >= Function::less && f <= Function::either; }
 
 enum class NodeKind : std::uint8_t {
   number,
@@ -80,8 +94,9 @@ using Expression = std::shared_ptr<const Node>;
 /// One node of an expression. Never changed after it was made.
 struct Node {
   NodeKind kind = NodeKind::number;
-  double value = 0;   ///< of a number: the double nearest to the typed one
-  bool exact = true;  ///< whether `value` equals the typed number exactly (0.5 does, 0.1 does not)
+  double value = 0;    ///< of a number: the double nearest to the typed one
+  bool exact = true;   ///< whether `value` equals the typed number exactly (0.5 does, 0.1 does not)
+  std::string name{};  ///< of a number that is a parameter: the letter it was typed as; else empty
   Constant constant = Constant::pi;
   Variable variable = Variable::x;
   Function function = Function::sin;
@@ -89,11 +104,18 @@ struct Node {
 };
 
 [[nodiscard]] Expression number(double value, bool exact = true);
+/// The number that a parameter stands for now. It is written and spoken by its name.
+[[nodiscard]] Expression parameter(std::string name, double value, bool exact);
 [[nodiscard]] Expression constant(Constant which);
 [[nodiscard]] Expression variable(Variable which);
 [[nodiscard]] Expression negate(Expression a);
 [[nodiscard]] Expression binary(NodeKind kind, Expression a, Expression b);
 [[nodiscard]] Expression call(Function function, std::vector<Expression> arguments);
+
+/// The angle `a` of degrees in radians: a*(pi/180).
+[[nodiscard]] Expression degrees(Expression a);
+/// Whether the tree has the form that degrees() makes; arguments[0] is then the number of degrees.
+[[nodiscard]] bool is_degrees(const Node& n);
 
 /// The variables that occur.
 [[nodiscard]] std::set<Variable> variables_of(const Expression& e);

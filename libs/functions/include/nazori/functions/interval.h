@@ -282,6 +282,55 @@ BasicInterval<R> max(const BasicInterval<R>& a, const BasicInterval<R>& b) {
   return -min(-a, -b);
 }
 
+namespace detail {
+
+/// 1 where a sign is proven, 0 where its opposite is, [0, 1] with a jump where both may occur.
+template <class R>
+BasicInterval<R> truth(const BasicInterval<R>& a, bool always, bool never) {
+  if (a.is_empty()) return a;
+  const Decoration proven =
+      a.decoration >= Decoration::defined ? Decoration::continuous : Decoration::partial;
+  if (always) return {R(1), R(1), proven, a.cause};
+  if (never) return {R(0), R(0), proven, a.cause};
+  return {R(0), R(1), std::min(proven, Decoration::defined), a.cause | Cause::jump};
+}
+
+}  // namespace detail
+
+/// 1 where a >= 0, else 0. What is constant over the box is continuous, also of an `a` that jumps.
+template <class R>
+BasicInterval<R> at_least_zero(const BasicInterval<R>& a) {
+  return detail::truth(a, a.lower >= 0, a.upper < 0);
+}
+/// 1 where a > 0, else 0.
+template <class R>
+BasicInterval<R> above_zero(const BasicInterval<R>& a) {
+  return detail::truth(a, a.lower > 0, a.upper <= 0);
+}
+/// `a` where the condition is 1, undefined where it is 0.
+template <class R>
+BasicInterval<R> where(const BasicInterval<R>& condition, const BasicInterval<R>& a) {
+  if (condition.is_empty() || a.is_empty() || condition.upper < R(0.5))
+    return BasicInterval<R>::empty(condition.cause | a.cause | Cause::domain);
+  if (condition.lower > R(0.5) && condition.decoration >= Decoration::defined) return a;
+  return a.weakened(Decoration::partial, condition.cause | Cause::domain);
+}
+/// `a` where the condition is 1, `b` where it is 0.
+template <class R>
+BasicInterval<R> choose(const BasicInterval<R>& condition, const BasicInterval<R>& a,
+                        const BasicInterval<R>& b) {
+  if (condition.is_empty()) return condition;
+  const bool proven = condition.decoration >= Decoration::defined;
+  if (condition.lower > R(0.5) || condition.upper < R(0.5)) {
+    const BasicInterval<R>& only = condition.lower > R(0.5) ? a : b;
+    return proven || only.is_empty() ? only : only.weakened(Decoration::partial, condition.cause);
+  }
+  if (a.is_empty() && b.is_empty()) return BasicInterval<R>::empty(a.cause | b.cause);
+  const bool one_is_empty = a.is_empty() || b.is_empty();
+  return hull(a, b).weakened(one_is_empty || !proven ? Decoration::partial : Decoration::defined,
+                             condition.cause | (one_is_empty ? Cause::domain : Cause::jump));
+}
+
 // The elementary functions over double and long double (interval.cpp, interval_special.cpp). Arguments
 // outside a domain are cut off and weaken the proof; `power` takes real powers of a base that is not
 // negative, `power_integer` whole powers of any base, `power_rational` the real p/q-th power, q > 0, p/q in

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,14 @@
 
 namespace nazori::functions {
 
-enum class Comparison : std::uint8_t { equal, less, less_equal, greater, greater_equal };
+enum class Comparison : std::uint8_t {
+  equal,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  both,  ///< no comparison: "and" between two chains, y > 0 and y < 2
+};
 
 /// "<" or ">", which exclude the border.
 [[nodiscard]] constexpr bool is_strict(Comparison c) {
@@ -22,7 +30,7 @@ enum class StatementKind : std::uint8_t {
   explicit_y,      ///< y = f(x): terms[0] = f
   explicit_x,      ///< x = g(y): terms[0] = g
   implicit,        ///< terms[0] = terms[1], in x and y
-  inequality,      ///< terms[0] ? terms[1] ? ..., a chain of comparisons in x and y
+  inequality,      ///< terms[0] ? terms[1] ? ..., chains of comparisons in x and y, all of which hold
   parametric,      ///< terms[0] = x(t), terms[1] = y(t)
   polar,           ///< r = f(theta): terms[0] = f
   polar_implicit,  ///< terms[0] = terms[1], in r and theta
@@ -40,11 +48,25 @@ struct Statement {
   bool to_is_open = false;
   bool range_given = false;  ///< false: the default 0 to 2 pi is used
   int column = 1;            ///< where it starts in the text
+  std::string name{};        ///< of f(x) = ...: "f"; else empty
+  bool is_point = false;     ///< of parametric: typed as (1, 2), a single point
+};
+
+/// A number with a name, "a = 2", that a slider can change: "0 <= a <= 3".
+struct Parameter {
+  std::string name;
+  double value = 0;
+  double from = -10;
+  double to = 10;
+  bool range_given = false;  ///< false: -10 to 10, or further if the value is
 };
 
 /// The content of one line of text: one or several statements. Immutable after parse(); thread-safe.
 struct Plot {
   std::vector<Statement> statements;
+  std::vector<Parameter> parameters{};
+  /// What can be read in two ways, with the reading that was taken: 1e3 is 1*e*3.
+  std::vector<SyntaxError> questions{};
   [[nodiscard]] bool is_surface() const {
     return statements.size() == 1 && statements[0].kind == StatementKind::surface;
   }
@@ -60,8 +82,17 @@ struct ParseOptions {
 /// without a sign, from left to right (1/2x is (1/2)*x); sign; power, from right to left; factorial. A
 /// function without parentheses applies to the product that follows: sin 2x, ln|x|, sqrt x + 1 = sqrt(x) + 1.
 /// sin^2 x is (sin x)^2, sin^-1 x is asin x. log is to base 10, ln natural; 2e3 is 2*e*3.
+/// A brace behind an expression restricts it, y = x^2 {0 <= x <= 2}; a brace with colons is cases, of which
+/// the first whose condition holds is taken: {x < 0: -x, x >= 0: x}. "and" joins conditions and inequalities,
+/// "or" separates inequalities. f(x) = a x^2 defines a function, a = 2 a parameter, 0 <= a <= 3 its range;
+/// f'(x) is the derivative.
 /// @param text  UTF-8 of at most 10,000 bytes, Unicode signs and full-width forms allowed.
 [[nodiscard]] tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions& options = {});
+
+/// The text with the value of a parameter replaced or, where it has only a range, added.
+/// @return nothing where `text` cannot be read or has no such parameter, or the value is not finite.
+[[nodiscard]] std::optional<std::string> with_parameter(std::string_view text, std::string_view name,
+                                                        double value, const ParseOptions& options = {});
 
 /// The numbers, names and signs of all statements together.
 [[nodiscard]] std::size_t part_count(const Plot& plot);

@@ -48,6 +48,28 @@ enum class SyntaxFault : std::uint8_t {
   polar_mixed,       ///< r and theta with the variable subject
   nothing_equal,     ///< an expression in r and theta without "="
   height_misplaced,  ///< z is not alone on one side
+  condition_alone,   ///< a condition in braces without an expression in front of it
+  condition_missing,
+  value_missing,                ///< of a case: the ":" after the condition
+  defined_twice,                ///< the letter subject
+  defined_by_itself,            ///< the letter subject
+  not_a_number,                 ///< the parameter subject is no finite number
+  other_variable,               ///< the function subject contains the variable `closing`
+  other_variable_in_condition,  ///< subject; of a curve with a parameter
+  outside_its_range,            ///< the value of the parameter subject
+  no_derivative,                ///< of the function subject
+  too_many_parts,               ///< of an expression, once its functions are written out
+  two_equations,                ///< joined by "and"
+  choice_in_region,             ///< "or" in the braces of an inequality
+  point_not_two_numbers,
+  not_equal,   ///< subject is the sign
+  list,        ///< square brackets around several values
+  line_break,  ///< between two parts that would be multiplied, before subject
+  // Questions: what can be read in two ways. They do not stop reading.
+  ask_exponent,  ///< subject is a number such as 1e3
+  ask_point,     ///< subject is a number with a comma, alone in parentheses
+  ask_brackets,  ///< square brackets
+  ask_both,      ///< ";" between two inequalities
 };
 
 /// Why a text cannot be parsed: the kind and place of the error, as data that can be expressed in any
@@ -57,7 +79,7 @@ struct SyntaxError {
   int column = 1;
   SyntaxFault fault = SyntaxFault::no_expression;
   std::string subject{};  ///< the typed text that is wrong: a sign, a name, a number
-  std::string closing{};  ///< of bracket_open: the sign that is missing
+  std::string closing{};  ///< of bracket_open: the sign that is missing; of other_variable: the variable
   int number = 0;  ///< bar_open and bracket_open: a column; argument_count: the number of arguments given
   int wanted = 0;  ///< argument_count: the number required; below 0: that many or more
 
@@ -71,5 +93,7 @@ struct SyntaxWords {
   std::string expected;  ///< "expected a number, a variable, a function or \"(\""
 };
 [[nodiscard]] SyntaxWords in_words(const SyntaxError& error, Language language);
+/// A question about what can be read in two ways, as whole sentences: "Must both inequalities hold? ...".
+[[nodiscard]] std::string question_words(const SyntaxError& question, Language language);
 
 }  // namespace nazori::functions

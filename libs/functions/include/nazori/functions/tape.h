@@ -81,7 +81,11 @@ class Tape {
     ceil,
     sign,
     min,
-    max
+    max,
+    at_least_zero,
+    above_zero,
+    where,
+    choose
   };
 
  private:
@@ -94,6 +98,7 @@ class Tape {
     double value = 0;  ///< value of a constant, with the bounds of the typed number
     double lower = 0;
     double upper = 0;
+    std::uint32_t c = 0;  ///< third operand, of choose
     friend bool operator==(const Step&, const Step&) = default;
   };
   class Builder;
