@@ -109,11 +109,12 @@ class Judge {
     double roughness = 0;
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
       const auto& link = alignment_.links[k];
-      const auto left =
-          residue(transformed(drawn_[static_cast<std::size_t>(link.drawn)], alignment_.map),
-                  form_.shapes[static_cast<std::size_t>(link.model)], link.difference, places[k]);
-      judgements.push_back(
-          judge(link.difference, places[k], left, form_.shapes[static_cast<std::size_t>(link.model)].touch));
+      const auto& model = form_.shapes[static_cast<std::size_t>(link.model)];
+      auto difference = link.difference;
+      auto left = residue(transformed(drawn_[static_cast<std::size_t>(link.drawn)], alignment_.map), model,
+                          difference, places[k]);
+      if (model.free_slant) ignore_slant(model.whole, difference, left);
+      judgements.push_back(judge(difference, places[k], left, model.touch));
       roughness += std::sqrt(std::min(judgements.back().deviation, 1.0));
     }
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
