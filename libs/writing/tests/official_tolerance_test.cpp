@@ -34,7 +34,7 @@ Change stretched(std::size_t stroke, double by) {
   };
 }
 
-/// A straight line from the model's start, as long as the model's stroke.
+/// A straight line from the model's start to a point.
 Change straight(std::size_t stroke, double to_x, double to_y) {
   return [=](WrittenCharacter& ink) {
     auto& points = ink.strokes.at(stroke);
