@@ -11,8 +11,8 @@ namespace nazori::devices {
 namespace {
 
 TEST(SimulatedHandTimes, ATickTakesSomeTimeAndWithoutAClockNoneIsLate) {
-  const auto tablet =
-      *tablet::CarvedTablet::from_lines({{{{40, 50}, {70, 50}}, kanji::StrokeEnding::stop, {}}}, 128);
+  const auto tablet = *tablet::CarvedTablet::from_lines(
+      {kanji::StrokeLine{{{40, 50}, {70, 50}}, kanji::StrokeEnding::stop, {}}}, 128);
   const std::vector scenes{tablet->scene({}, {}), tablet->scene({}, {})};
   SimulatedHand hand(tablet->paths(), scenes, SimulatedHardware::touch());
   ASSERT_TRUE(hand.run(HandClock::none, {}));

@@ -374,8 +374,8 @@ TEST_F(TabletDeviceSwaps, WithoutADeviceNothingIsReopenedOrRestarted) {
 }
 
 TEST_F(TabletDeviceSwaps, ASceneReachesTheDeviceActiveOrPaused) {
-  const auto tablet =
-      *tablet::CarvedTablet::from_lines({{{{20, 40}, {80, 40}}, kanji::StrokeEnding::stop, {}}}, 256);
+  const auto tablet = *tablet::CarvedTablet::from_lines(
+      {kanji::StrokeLine{{{20, 40}, {80, 40}}, kanji::StrokeEnding::stop, {}}}, 256);
   choose("a:arm");
   const auto pushes = [&] {
     // The force ramps up; a millimetre below the plateau.
@@ -402,8 +402,8 @@ TEST_F(TabletDeviceSwaps, ASceneReachesTheDeviceActiveOrPaused) {
 }
 
 TEST_F(TabletDeviceSwaps, TheBetterOneWaitsForTheEndOfTheStroke) {
-  const auto tablet =
-      *tablet::CarvedTablet::from_lines({{{{20, 40}, {80, 40}}, kanji::StrokeEnding::stop, {}}}, 256);
+  const auto tablet = *tablet::CarvedTablet::from_lines(
+      {kanji::StrokeLine{{{20, 40}, {80, 40}}, kanji::StrokeEnding::stop, {}}}, 256);
   a_.plugged_in = false;
   device_.set_scene(tablet->scene({}, {}));
   choose("a:arm");
@@ -427,8 +427,8 @@ TEST_F(TabletDeviceSwaps, TheBetterOneWaitsForTheEndOfTheStroke) {
 }
 
 TEST_F(TabletDeviceSwaps, OneThatWaitsIsClosedWhereAnotherIsChosen) {
-  const auto tablet =
-      *tablet::CarvedTablet::from_lines({{{{20, 40}, {80, 40}}, kanji::StrokeEnding::stop, {}}}, 256);
+  const auto tablet = *tablet::CarvedTablet::from_lines(
+      {kanji::StrokeLine{{{20, 40}, {80, 40}}, kanji::StrokeEnding::stop, {}}}, 256);
   a_.plugged_in = false;
   device_.set_scene(tablet->scene({}, {}));
   choose("a:arm");

@@ -20,7 +20,7 @@ std::shared_ptr<const nazori::tablet::CarvedTablet> two() {
   std::vector<nazori::kanji::StrokeLine> lines(2);
   lines[0].points = {{21.8, 54.5}, {87.2, 54.5}};
   lines[1].points = {{87.2, 54.5}, {87.2, 98.1}};
-  return *nazori::tablet::CarvedTablet::from_lines(lines, 128);
+  return *nazori::tablet::CarvedTablet::from_lines(nazori::tablet::tablet_lines(lines), 128);
 }
 
 class KeyPenOnATablet : public testing::Test {

@@ -4246,6 +4246,17 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::SpokenActions</name>
+    <message>
+        <source>%1: on</source>
+        <translation>%1：オン</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1：オフ</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::SpokenReadings</name>
     <message>
         <source>There is no reading to speak.</source>

@@ -98,11 +98,7 @@ TEST(RunEnds, WhatHasNoLengthHasNone) {
   EXPECT_EQ(run_ends(Points{{20, 50}, {40, 50}, {40, 50}, {60, 50}}), Ends{3});
 }
 
-kanji::StrokeLine stroke(Points points) {
-  kanji::StrokeLine line;
-  line.points = std::move(points);
-  return line;
-}
+Points stroke(Points points) { return points; }
 
 const geometry::TabletShape kHand{};
 constexpr double kUnit_m = 0.1 / 109;  // of the glyph box on a tablet of 10 cm
@@ -116,8 +112,8 @@ void expect_at(glm::vec2 found_m, GlyphPoint wanted) {
 
 TEST(StrokeGeometry, HasALineForEachPieceWithTheNumberOfItsStroke) {
   const auto made = make_stroke_geometry(
-      std::vector{stroke({{10, 20}, {30, 20}, {30, 20}, {30, 50}}), stroke({{70, 80}}), stroke({})}, {},
-      kHand);
+      std::vector<Points>{stroke({{10, 20}, {30, 20}, {30, 20}, {30, 50}}), stroke({{70, 80}}), stroke({})},
+      {}, kHand);
   ASSERT_EQ(made.lines.size(), 4U) << "a repeated point makes none";
   const std::vector<std::pair<GlyphPoint, GlyphPoint>> wanted{
       {{10, 20}, {30, 20}}, {{30, 20}, {30, 50}}, {{70, 80}, {70, 80}}, {{0, 0}, {0, 0}}};
@@ -136,7 +132,7 @@ TEST(StrokeGeometry, HasALineForEachPieceWithTheNumberOfItsStroke) {
 }
 
 TEST(StrokeGeometry, AHeadOf2005IsTwoLinesOfFiveGridUnitsThirtyDegreesApartFromTheStroke) {
-  const auto made = make_stroke_geometry(std::vector{stroke({{10, 20}, {60, 20}})}, {}, kHand);
+  const auto made = make_stroke_geometry(std::vector<Points>{stroke({{10, 20}, {60, 20}})}, {}, kHand);
   ASSERT_EQ(made.classic_heads.size(), 2U);
   EXPECT_EQ(made.shown_classic_heads, 2U);
   const double size_m = 5 * 0.1 / 127;
@@ -173,7 +169,7 @@ auto groove(double half_width, double plateau = 1) {
 TEST(StrokeGeometry, InkFillsTheGrooveInStepsOfOneUnit) {
   constexpr double kHalf = 6;
   const auto made =
-      make_stroke_geometry(std::vector{stroke({{20, 54.5}, {60.4, 54.5}}), stroke({{80, 54.5}})},
+      make_stroke_geometry(std::vector<Points>{stroke({{20, 54.5}, {60.4, 54.5}}), stroke({{80, 54.5}})},
                            relief_of(512, groove(kHalf)), kHand);
   ASSERT_EQ(made.ink_ranges.size(), 2U);
   const InkRange& range = made.ink_ranges[0];
@@ -202,7 +198,7 @@ TEST(StrokeGeometry, InkFillsTheGrooveInStepsOfOneUnit) {
 TEST(StrokeGeometry, InkReachesToTheNearerEdge) {
   // The groove is 3 units wide to the one side and 9 to the other, and so is its mirror image.
   for (const bool mirrored : {false, true}) {
-    const auto made = make_stroke_geometry(std::vector{stroke({{20, 54.5}, {80, 54.5}})},
+    const auto made = make_stroke_geometry(std::vector<Points>{stroke({{20, 54.5}, {80, 54.5}})},
                                            relief_of(512,
                                                      [&](double, double y) {
                                                        const double below = mirrored ? 54.5 - y : y - 54.5;
@@ -217,7 +213,7 @@ TEST(StrokeGeometry, WhereGroovesCrossInkIsNoWider) {
   for (const bool at_the_start : {false, true}) {
     const double crossing = at_the_start ? 20 : 50;
     const auto made = make_stroke_geometry(
-        std::vector{stroke({{20, 54.5}, {80, 54.5}})},
+        std::vector<Points>{stroke({{20, 54.5}, {80, 54.5}})},
         relief_of(512,
                   [&](double x, double y) {
                     return std::abs(y - 54.5) < 4 || std::abs(x - crossing) < 5 ? 0.3 : 1.0;
@@ -234,7 +230,7 @@ TEST(StrokeGeometry, AcrossACrossingTheWidthOfATaperGoesOnEvenly) {
   // From 6 to 4 units over 60 units along; a groove crosses the middle.
   const auto half = [](double x) { return 6 - 2 * (x - 20) / 60; };
   const auto made = make_stroke_geometry(
-      std::vector{stroke({{20, 54.5}, {80, 54.5}})},
+      std::vector<Points>{stroke({{20, 54.5}, {80, 54.5}})},
       relief_of(1024,
                 [&](double x, double y) {
                   return std::abs(y - 54.5) < half(x) || std::abs(x - 65) < 5 ? 0.3 : 1.0;
@@ -250,7 +246,7 @@ TEST(StrokeGeometry, AcrossACrossingTheWidthOfATaperGoesOnEvenly) {
 }
 
 TEST(StrokeGeometry, WithoutAReliefInkIsTwoAndAHalfUnitsToEachSideAndNeverMoreThanTwenty) {
-  const std::vector strokes{stroke({{20, 54.5}, {80, 54.5}})};
+  const std::vector<Points> strokes{stroke({{20, 54.5}, {80, 54.5}})};
   EXPECT_NEAR(make_stroke_geometry(strokes, {}, kHand).ink[10].radius_m.x, 2.5 * kUnit_m, 1e-7);
   const auto wide = make_stroke_geometry(strokes, relief_of(128, groove(40)), kHand);
   EXPECT_NEAR(wide.ink[10].radius_m.x, 20 * kUnit_m, 1e-7);
@@ -258,7 +254,7 @@ TEST(StrokeGeometry, WithoutAReliefInkIsTwoAndAHalfUnitsToEachSideAndNeverMoreTh
 
 TEST(StrokeGeometry, ThePlateauIsTheMostFrequentHeightOfTheUpperHalf) {
   const auto plateau = [](double half_width, double height) {
-    return make_stroke_geometry(std::vector{stroke({{20, 54.5}, {80, 54.5}})},
+    return make_stroke_geometry(std::vector<Points>{stroke({{20, 54.5}, {80, 54.5}})},
                                 relief_of(128, groove(half_width, height)), kHand)
         .plateau;
   };
@@ -270,12 +266,12 @@ TEST(StrokeGeometry, ThePlateauIsTheMostFrequentHeightOfTheUpperHalf) {
   EXPECT_LE(plateau(5, 0.5), 0.5 + 1.01 / 2048);
   EXPECT_EQ(plateau(5, 0.45), 1) << "that is all groove";
   // A lower plateau has its ink as wide.
-  const auto low = make_stroke_geometry(std::vector{stroke({{20, 54.5}, {80, 54.5}})},
+  const auto low = make_stroke_geometry(std::vector<Points>{stroke({{20, 54.5}, {80, 54.5}})},
                                         relief_of(512, groove(6, 0.7)), kHand);
   EXPECT_NEAR(low.ink[20].radius_m.x, 6 * kUnit_m, 0.35 * kUnit_m);
 }
 
-glm::dvec2 side_of_the_first(std::vector<kanji::StrokeLine> strokes) {
+glm::dvec2 side_of_the_first(std::vector<Points> strokes) {
   return make_stroke_geometry(strokes, {}, kHand).anchors.front().side;
 }
 

@@ -96,6 +96,13 @@ void Characters::show_session() {
   session_actions_->show_state(session, parts().learner().can_write());
   const bool drawing = actions_->draw_to_find->isChecked();
   const bool studied = session.is_running() && !searching_;
+  // The keyboard must not go to whatever comes after a panel that closes.
+  const auto* keyboard = library_panel_->window()->focusWidget();
+  const auto closes = [keyboard](const QWidget* panel, bool stays) {
+    return !stays && keyboard != nullptr && panel->isVisible() && panel->isAncestorOf(keyboard);
+  };
+  if (closes(library_panel_, !studied && !drawing) || closes(session_panel_, studied && !drawing))
+    parts().focus_tablet();
   session_panel_->setVisible(studied && !drawing);
   library_panel_->setVisible(!studied && !drawing);
   if (!practice_.is_entered()) return;

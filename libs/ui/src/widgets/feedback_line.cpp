@@ -54,7 +54,13 @@ void FeedbackLine::respond(Feedback kind, const QString& sentence) {
 void FeedbackLine::speak(const QString& sentence) {
   text_->setAccessibleName(sentence);
   setAccessibleDescription(sentence);
+  if (!sentence.isEmpty()) ++times_spoken_;
   spoken_->speak(kind_ == Feedback::hint ? Urgency::queued : Urgency::at_once, sentence);
+}
+
+void FeedbackLine::speak_unseen(const QString& sentence) {
+  ++times_spoken_;
+  spoken_->speak(Urgency::queued, sentence);
 }
 
 QString FeedbackLine::sentence() const { return text_->text(); }

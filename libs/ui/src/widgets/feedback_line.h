@@ -19,6 +19,10 @@ class FeedbackLine final : public QFrame {
   void announce(Feedback kind, const QString& sentence);
   /// As announce(), but spoken even if the line already shows this sentence.
   void respond(Feedback kind, const QString& sentence);
+  /// Only spoken: the line keeps its sentence.
+  void speak_unseen(const QString& sentence);
+  /// How many sentences were given to the screen reader.
+  [[nodiscard]] int times_spoken() const { return times_spoken_; }
   [[nodiscard]] QString sentence() const;
   [[nodiscard]] Feedback kind() const { return kind_; }
 
@@ -34,6 +38,7 @@ class FeedbackLine final : public QFrame {
   QLabel* sign_;
   QLabel* text_;
   SpokenLine* spoken_;
+  int times_spoken_ = 0;
   Feedback kind_ = Feedback::hint;
 };
 

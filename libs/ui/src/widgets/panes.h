@@ -49,9 +49,13 @@ class Panes final : public QSplitter {
 
  signals:
   void opened(bool left, bool right);
+  /// A panel with the keyboard is about to be hidden. Without an answer Qt gives the keyboard to whatever
+  /// comes next, which may be in the rail.
+  void keyboard_closing();
 
  private:
   void show_panels(bool left, bool right);
+  [[nodiscard]] bool has_keyboard(const QWidget* panel) const;
 
   QWidget* left_;  ///< holds the panels of all pages, one of them shown
   QWidget* right_;

@@ -32,6 +32,7 @@
 #include "window/back_ends.h"
 #include "window/main_window_inside.h"
 #include "window/page_rail.h"
+#include "window/spoken_actions.h"
 #include "window/tool_bar.h"
 #include "words/kanji_text.h"
 #include "words/study_words.h"
@@ -56,6 +57,7 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
   inside_->connect_actions();
   inside_->connect_parts();
   inside_->connect_tablet();
+  new SpokenActions(*this, *inside_->feedback);
 
   const auto& preferences = inside_->parts.preferences();
   inside_->panes->set_open(preferences.left_open, preferences.right_open);

@@ -145,6 +145,7 @@ void MainWindow::Inside::connect_parts() {
   subscribe(parts.library().failed, &window, [this](const base::Error& error) {
     parts.announce(Feedback::wrong, MainWindow::tr("Kanji database: %1.").arg(reason(error)));
   });
+  QObject::connect(panes, &Panes::keyboard_closing, &window, [this] { focus_tablet(); });
   QObject::connect(panes, &Panes::opened, &window, [this](bool left, bool right) {
     actions->left_panel->setChecked(left);
     actions->right_panel->setChecked(right);
