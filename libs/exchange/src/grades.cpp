@@ -209,6 +209,7 @@ Value to_json(const GradeAnswer& answer) {
              {"advice", mistakes_json(grade.advice)},
              {"score", grade.score},
              {"form", grade.form ? Value(*grade.form) : Value()},
+             {"probability", rounded(grade.probability)},
              {"parts",
               {{"strokes", rounded(p.strokes)},
                {"order", rounded(p.order)},
@@ -238,6 +239,7 @@ base::Result<GradeAnswer> read_grade(const Value& document) {
   from.each("advice", [&](JsonObject& one) { grade.advice.push_back(read_mistake(one)); });
   grade.score = static_cast<int>(from.whole("score", 0, 100));
   if (from.has("form")) grade.form = static_cast<int>(from.whole("form", 1, writing::kBestForm));
+  grade.probability = from.number("probability", 0, 1);
   auto parts = from.object("parts");
   grade.parts = {parts.number("strokes", 0, 1), parts.number("order", 0, 1), parts.number("direction", 0, 1),
                  parts.number("shape", 0, 1), parts.number("place", 0, 1)};

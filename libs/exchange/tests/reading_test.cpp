@@ -172,6 +172,7 @@ TEST(ReadGrades, EveryMistakeComesBackWithAllThatItHolds) {
   answer.grade.accepted = true;
   answer.grade.score = 91;
   answer.grade.form = 4;
+  answer.grade.probability = 0.875;
   answer.grade.variant = "Kaisho";
   answer.grade.alternative.emplace().source = "a book";
   answer.grade.parts = {0.5, 0.25, 1, 0.75, 0.125};
@@ -228,10 +229,11 @@ TEST(ReadGrades, WhatIsNoneSaysWhere) {
   answer.grade.mistakes = {{}};
   const Value fine = to_json(answer);
   EXPECT_EQ(wrong(fine), "read");
-  for (const char* member : {"char", "accepted", "strokes", "errors", "advice", "score", "parts"})
+  for (const char* member : {"char", "accepted", "strokes", "errors", "advice", "score", "probability", "parts"})
     EXPECT_EQ(wrong(without(fine, member)), std::string("line 1, ") + member);
   EXPECT_EQ(wrong(with(fine, "score", 101)), "line 1, score");
   EXPECT_EQ(wrong(with(fine, "form", 6)), "line 1, form");
+  EXPECT_EQ(wrong(with(fine, "probability", 1.5)), "line 1, probability");
   Value other = fine;
   other["strokes"][0]["offset"] = Value::array({1});
   EXPECT_EQ(wrong(other), "line 1, strokes/0/offset");

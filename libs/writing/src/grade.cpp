@@ -13,6 +13,7 @@
 #include "lookalike_contrast.h"
 #include "model_inside.h"
 #include "placement.h"
+#include "probability.h"
 #include "residue.h"
 #include "standing_out.h"
 #include "stroke_order_mistakes.h"
@@ -88,6 +89,7 @@ class Judge {
   /// A form that is not the one that was asked for must fit better, and no stroke of it may stand out.
   void demand(double share) {
     limit_ *= share;
+    share_ = share;
     is_other_form_ = true;
   }
 
@@ -107,18 +109,22 @@ class Judge {
     double roughness = 0;
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
       const auto& link = alignment_.links[k];
-      const auto left =
-          residue(transformed(drawn_[static_cast<std::size_t>(link.drawn)], alignment_.map),
-                  form_.shapes[static_cast<std::size_t>(link.model)], link.difference, places[k]);
-      judgements.push_back(
-          judge(link.difference, places[k], left, form_.shapes[static_cast<std::size_t>(link.model)].touch));
+      const auto& model = form_.shapes[static_cast<std::size_t>(link.model)];
+      auto difference = link.difference;
+      auto left = residue(transformed(drawn_[static_cast<std::size_t>(link.drawn)], alignment_.map), model,
+                          difference, places[k]);
+      if (model.free_slant) ignore_slant(model.whole, difference, left);
+      judgements.push_back(judge(difference, places[k], left, model.touch));
       roughness += std::sqrt(std::min(judgements.back().deviation, 1.0));
     }
     for (std::size_t k = 0; k < alignment_.links.size(); ++k) {
       const auto& link = alignment_.links[k];
       const auto& judged = judgements[k];
-      const double limit =
-          limit_ * allowance(roughness - std::sqrt(std::min(judged.deviation, 1.0)), judgements.size() - 1);
+      const double allowed =
+          allowance(roughness - std::sqrt(std::min(judged.deviation, 1.0)), judgements.size() - 1);
+      const double limit = limit_ * allowed;
+      strangest_ = std::max(
+          strangest_, judged.deviation / allowed / (link.difference.reversed ? kCertainly : 1) / share_);
       auto& verdict = grade_.strokes[static_cast<std::size_t>(link.drawn)];
       describe(link, judged, verdict);
       if (link.drawn_count == 2) {
@@ -244,6 +250,7 @@ class Judge {
         grade_.advice.push_back(std::move(mistake));
       } else {
         verdict.ok = false;
+        strangest_ = std::max(strangest_, kJustBeyond * limit_ / share_);
         add(std::move(mistake));
       }
     }
@@ -269,6 +276,7 @@ class Judge {
       std::erase_if(grade_.mistakes, [](const Mistake& f) { return f.kind == kanji::MistakeKind::missing; });
     }
     grade_.accepted = grade_.mistakes.empty();
+    grade_.probability = probability_of(grade_, strangest_);
     score();
     if (grade_.accepted && !options_.unfinished) grade_.form = form_stars(grade_);
   }
@@ -301,6 +309,8 @@ class Judge {
   const std::vector<kanji::AlternativeOrder>& orders_;
   const GradeOptions& options_;
   double limit_;
+  double share_ = 1;      // of the limit
+  double strangest_ = 0;  // deviation of the strangest stroke, 1 at the limit of normal strictness
   bool is_other_form_ = false;
   Alignment alignment_;
   Grade grade_;
@@ -337,6 +347,7 @@ Grade grade_shapes(std::span<const Shape> drawn, const std::optional<Affine>& bo
       best.mistakes.push_back(std::move(mistake));
       best.parts.strokes = 0;  // however well they were written, they are not this character's
       best.score = points_of(best.parts);
+      best.probability = probability_of(best, 1);
     }
   }
   return best;

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "grade_shapes.h"
+#include "judgement.h"
+#include "probability.h"
 
 namespace nazori::writing {
 namespace {
@@ -107,6 +109,8 @@ base::Result<Grade> grade_live(const WrittenCharacter& ink, const Model& model, 
   if (!options.unfinished) finish_live(live, whole);
   live.accepted = live.mistakes.empty();
   if (!live.accepted) live.form.reset();
+  if (!live.accepted && whole.accepted)
+    live.probability = probability_of(live, kJustBeyond * deviation_limit(options.strictness));
   return live;
 }
 

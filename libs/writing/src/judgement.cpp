@@ -46,6 +46,24 @@ Judgement judge(const StrokeDifference& d, const Placement& placement, const Res
   return j;
 }
 
+bool is_level_or_upright(const Samples& model, float turn_rad) {
+  constexpr float kMostTurn = 0.95F;  // radians; a dot that is drawn backwards is turned further
+  constexpr float kOff = 0.14F;       // sine of what a level or upright line may be off
+  if (std::abs(turn_rad) > kMostTurn) return false;
+  const float dx = model.x.back() - model.x.front();
+  const float dy = model.y.back() - model.y.front();
+  const float across = dx * std::cos(turn_rad) - dy * std::sin(turn_rad);
+  const float down = dx * std::sin(turn_rad) + dy * std::cos(turn_rad);
+  return std::min(std::abs(across), std::abs(down)) <= kOff * std::hypot(dx, dy);
+}
+
+void ignore_slant(const Samples& model, StrokeDifference& difference, Residue& residue) {
+  constexpr float kStraight = 0.05F;
+  if (residue.bend > kStraight || !is_level_or_upright(model, residue.turn_rad)) return;
+  difference.proportion = std::min(difference.proportion, residue.bend);
+  residue.turn_rad = 0;
+}
+
 double deviation_limit(double strictness) {
   constexpr double kAtLenient = 1.7;
   constexpr double kAtStrict = 1 / 1.7;

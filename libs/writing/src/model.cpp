@@ -33,6 +33,15 @@ float freedom_of_short_strokes(const Samples& model) {
   return 1 + std::exp(-ratio * ratio) * (kLeast + (kMost - kLeast) * slant - 1);
 }
 
+/// Whether `lower` lies below the centre of `upper` and reaches further on both sides, as the bar of 言 does
+/// below its dot. The dots of 氵 do not.
+bool is_above(const Samples& upper, const Samples& lower) {
+  const auto [upper_left, upper_right] = std::minmax_element(upper.x.begin(), upper.x.end());
+  const auto [left, right] = std::minmax_element(lower.x.begin(), lower.x.end());
+  return *std::min_element(lower.y.begin(), lower.y.end()) > upper.centre_y &&
+         *left<*upper_left&& * right> * upper_right;
+}
+
 base::Result<Form> make_form(const kanji::Character& character) {
   if (character.strokes.empty())
     return base::fail(base::Errc::bad_argument, "the character has no strokes", {},
@@ -54,6 +63,9 @@ base::Result<Form> make_form(const kanji::Character& character) {
     form.endings.push_back(stroke.line.ending);
     form.free_ending.push_back(two_types || stroke.line.ending == kanji::StrokeEnding::either ? 1 : 0);
   }
+  for (std::size_t k = 0; k + 1 < form.shapes.size(); ++k)
+    form.shapes[k].free_slant = character.strokes[k].type.starts_with("㇔") &&
+                                is_above(form.shapes[k].whole, form.shapes[k + 1].whole);
   for (std::size_t k = 0; k + 1 < form.shapes.size(); ++k)
     form.pairs.push_back(joined(form.shapes[k].whole, form.shapes[k + 1].whole));
   return form;

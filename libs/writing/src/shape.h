@@ -36,6 +36,7 @@ struct Shape {
   bool kicked = false;          ///< it ends like a hook; a fold may do so, too
   float touch = 14;             ///< of a model stroke: much below this length it may be as short as a touch
   float freedom = 1;            ///< of a model stroke: how much more its shape may vary than is usual
+  bool free_slant = false;      ///< of a model stroke: a dot above a bar may be level or upright, too
 };
 
 /// x' = a x + b y + tx, y' = c x + d y + ty.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fit.h"
+#include "judgement.h"
 #include "residue.h"
 
 namespace nazori::writing {
@@ -175,9 +176,11 @@ std::vector<Conspicuous> conspicuous_strokes(std::span<const Link> links, std::s
     double greatest = 1;
     for (std::size_t k = 0; k < links.size(); ++k) {
       if (left_out[k]) continue;
-      const auto s = standing_out(k, links, drawn, model, map, left_out);
+      auto s = standing_out(k, links, drawn, model, map, left_out);
       if (!s) continue;
-      const double length = static_cast<double>(model[static_cast<std::size_t>(links[k].model)].whole.length);
+      const auto& own = model[static_cast<std::size_t>(links[k].model)];
+      if (own.free_slant && is_level_or_upright(own.whole, s->turn_rad)) s->turn_rad = 0;
+      const double length = static_cast<double>(own.whole.length);
       const auto e = excess(*s, length, tolerance);
       if (e.most <= greatest) continue;
       greatest = e.most;

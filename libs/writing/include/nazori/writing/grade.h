@@ -83,6 +83,8 @@ struct Grade {
   int score = 0;            ///< 0..100: the parts by their points
   std::optional<int> form;  ///< how well an accepted character is formed, 1 (careless) to kBestForm; none
                             ///< for what is refused or unfinished
+  double probability = 0;   ///< that a teacher would accept it: calibrated on real writing and on spoiled
+                            ///< copies of it (docs/writing.md)
 };
 
 /// The best form: the writing of a careful hand.
@@ -101,6 +103,11 @@ inline constexpr double kStrict = 1.0;
 /// wrong endings are mistakes.
 inline constexpr double kOrderIsAdvice = 0.25;
 inline constexpr double kEndingsCount = 0.85;
+
+/// The probability that a stroke of a strange shape, size or place must leave for the writing to be accepted:
+/// the strictness is this threshold. Order and endings follow the limits above.
+/// @pre strictness 0..1
+[[nodiscard]] double needed_probability(double strictness);
 
 /// Maximum number of points and strokes of one writing.
 inline constexpr std::size_t kMaxInkPoints = 50'000;
