@@ -58,6 +58,7 @@ Spine::Spine(const SpineForm& form, const SpineFriction& friction) : n_(form.seg
     length_[i] /= sum;
     along_[i + 1] = along_[i] + length_[i];
   }
+  for (std::size_t k = 1; k < n; ++k) clear_[k] = form.thickness * (1 - std::pow(along_[k], form.bulge));
   for (std::size_t i = 0; i < n; ++i) {
     const double radius = 1 + (form.taper - 1) * along_[i];
     // Half a segment on each side of a joint bends at it. Behind the root joint is the holder, which is
@@ -88,7 +89,7 @@ double Spine::energy(const Joints& bend, const std::array<SpinePoint, kSize + 1>
     sum += slipping(bend[i] - inner_[i], stiffness_[i] * friction_.inner_share, friction_.inner_rad).energy;
   }
   for (std::size_t k = 1; k <= n; ++k) {
-    const double push = std::max(0.0, push_[k] - kPaper * nodes[k].z);
+    const double push = std::max(0.0, push_[k] - kPaper * (nodes[k].z - clear_[k]));
     sum += 0.5 * push * push / kPaper;
     if (limit_[k] > 0)
       sum += slipping(nodes[k].x - anchor_[k], friction_.sideways, limit_[k] / friction_.sideways).energy;
@@ -101,7 +102,7 @@ void Spine::derivatives(const Joints& bend, const std::array<SpinePoint, kSize +
   const auto n = static_cast<std::size_t>(n_);
   Nodes fx, fz, kx, kz;  // derivatives of the energy by the place of each node
   for (std::size_t k = 1; k <= n; ++k) {
-    const double push = push_[k] - kPaper * nodes[k].z;
+    const double push = push_[k] - kPaper * (nodes[k].z - clear_[k]);
     fz[k] = push > 0 ? -push : 0.0;
     kz[k] = push > 0 ? kPaper : 0.0;
     const Resistance drag =
@@ -227,8 +228,8 @@ bool Spine::step_to(const SpinePose& pose) noexcept {
     if (!good) break;
     double entered = 0, changed = 0, total = 0;
     for (std::size_t k = 1; k <= n; ++k) {
-      const double push = std::max(0.0, push_[k] - kPaper * nodes[k].z);
-      entered = std::max(entered, push > 0 ? std::abs(nodes[k].z) : -nodes[k].z);
+      const double push = std::max(0.0, push_[k] - kPaper * (nodes[k].z - clear_[k]));
+      entered = std::max(entered, push > 0 ? std::abs(nodes[k].z - clear_[k]) : clear_[k] - nodes[k].z);
       push_[k] = push;
       total += push;
     }
@@ -272,7 +273,7 @@ void Spine::settle() noexcept {
       inner_[i] = bend_[i] - std::copysign(friction_.inner_rad, stretch);
   }
   for (std::size_t k = 1; k <= n; ++k) {
-    nodes_[k].z = std::max(0.0, nodes_[k].z);
+    nodes_[k].z = std::max(clear_[k], nodes_[k].z);
     const double most = limit_[k] / friction_.sideways;
     anchor_[k] = nodes_[k].x - std::clamp(nodes_[k].x - anchor_[k], -most, most);
     drag_[k] = -friction_.sideways * (nodes_[k].x - anchor_[k]);

@@ -20,6 +20,8 @@ struct SpineForm {
   int segments = 6;        ///< 1..Spine::kMostSegments
   double tip_segment = 1;  ///< length of the last segment over that of the first, > 0
   double taper = 1;        ///< radius of the tuft at the tip over that at the root, > 0
+  double thickness = 0;    ///< height of the middle line over the paper where the root lies on it [L]
+  double bulge = 4;        ///< how full the tuft is: that height falls as 1 - along^bulge to the tip
   double taper_power = 2;  ///< bending stiffness EI ~ radius^power: 4 for a solid rod, 2 for loose hair
   double own_bend_rad =
       0.005;  ///< bend of the whole hair at rest: decides to which side a straight tuft bends
@@ -62,7 +64,8 @@ class Spine {
   static constexpr double kStep = 0.02;      ///< longest step of the root [L]
   static constexpr double kTurn_rad = 0.05;  ///< largest step of the tilt
   static constexpr int kMostSteps = 64;      ///< of one move; a longer move has longer steps
-  static constexpr double kTouching = 1e-3;  ///< a node that is at most so high touches [L]
+  static constexpr double kTouching =
+      1e-3;  ///< a node that is at most so far above its clearance touches [L]
 
   explicit Spine(const SpineForm& form, const SpineFriction& friction = {});
 
@@ -81,13 +84,17 @@ class Spine {
 
   [[nodiscard]] int segments() const noexcept { return n_; }
   [[nodiscard]] const SpinePose& pose() const noexcept { return pose_; }
-  /// Root first, tip last: segments() + 1 of them, none below the paper.
+  /// Root first, tip last: segments() + 1 of them, none nearer to the paper than clearances().
   [[nodiscard]] std::span<const SpinePoint> nodes() const noexcept {
     return {nodes_.data(), static_cast<std::size_t>(n_) + 1};
   }
   /// Distance along the hair of each node from the root [L].
   [[nodiscard]] std::span<const double> along() const noexcept {
     return {along_.data(), static_cast<std::size_t>(n_) + 1};
+  }
+  /// Height over the paper at which each node touches it [L], >= 0.
+  [[nodiscard]] std::span<const double> clearances() const noexcept {
+    return {clear_.data(), static_cast<std::size_t>(n_) + 1};
   }
   /// Push of the paper on each node, upwards, >= 0.
   [[nodiscard]] std::span<const double> pushes() const noexcept {
@@ -129,7 +136,7 @@ class Spine {
 
   int n_;
   Joints length_{}, stiffness_{}, rest_{};
-  Nodes along_{};
+  Nodes along_{}, clear_{};
   SpineFriction friction_;
   SpinePoint tip_force_;
 
