@@ -32,11 +32,11 @@ constexpr int kClumps = 9;
 constexpr double kLeans_rad = 0.05;                           // a holder that leans less is upright
 constexpr double kTurned_rad = kPi * (3 - 2.23606797749979);  // golden angle
 constexpr int kMostSteps = 32;
+constexpr int kStepsPerSweep = 2;  // within a report of the pen
 constexpr int kTowParts = 4;
 constexpr double kRests_m = 1e-6;    // a bristle that moves by less in a step rests
 constexpr double kWidestPart = 2.5;  // of a bristle that is dragged aside, over the breadth of the bristle
 constexpr int kMostParts = 12;       // of a bristle that is dragged aside
-constexpr double kLowest = 0.15;     // the root comes no nearer to the paper [L]
 constexpr std::size_t kBetween = 2;  // stations on each segment of the spine
 
 /// Points spread evenly over the unit circle. @source H. Vogel, Mathematical Biosciences 44, 1979.
@@ -133,7 +133,7 @@ double Tuft::radius_m(double along) const noexcept {
 /// The pose in the plane of the bend, whose x is 0 at the holder's foot.
 SpinePose Tuft::spine_pose(const HolderPose& pose) const noexcept {
   const double tilt = -std::atan(std::tan(pose.lean_rad) * std::cos(pose.lean_to_rad - azimuth_));
-  const double height = std::max(kLowest, std::cos(tilt) - pose.depth_m / form_.hair_m);
+  const double height = std::max(kLowestRoot, std::cos(tilt) - pose.depth_m / form_.hair_m);
   return {{-height * std::tan(tilt), height}, tilt};
 }
 
@@ -263,6 +263,7 @@ void Tuft::touch(std::vector<Contact>& contacts) {
     const PaperPoint root_side = on_paper(first), tip_side = on_paper(final);
     contact.middle = (root_side + tip_side) * 0.5;
     contact.half = (tip_side - root_side) * 0.5;
+    contact.reach_m = std::sqrt(geometry::dot(contact.half, contact.half));
     contact.pressure = std::clamp(1 - lowest / reach, 0.0, 1.0) * pressed;
     contact.band_m = std::max(kThinnest_m, covers * (first.half_width + final.half_width));
     for (const Station* end : {&first, &final}) {
@@ -286,42 +287,39 @@ void Tuft::touch(std::vector<Contact>& contacts) {
 }
 
 void Tuft::sweep(double seconds, std::vector<BristleSegment>& swept) const {
+  const double per_s = seconds > 0 ? 1 / seconds : 0.0;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Contact& now = now_[i];
     const Contact& before = before_[i];
     if (now.pressure < 0) continue;
-    BristleSegment segment;
-    segment.from = segment.to = now.middle;
-    segment.pressure = now.pressure;
-    segment.width_m = now.band_m;
-    segment.length_m = 2 * geometry::length(now.half);
-    segment.wetness = wetness_;
-    segment.pigment = pigment_;
     const PaperPoint way = before.pressure >= 0 ? now.middle - before.middle : PaperPoint{};
-    const double far = geometry::length(way);
-    if (far < kRests_m) {
-      swept.push_back(segment);
+    const double far2 = geometry::dot(way, way);
+    const double length = 2 * now.reach_m;
+    if (far2 < kRests_m * kRests_m) {
+      swept.push_back({now.middle, now.middle, now.pressure, now.band_m, length, std::sqrt(far2) * per_s,
+                       wetness_, pigment_});
       continue;
     }
+    const double reach = 0.5 * (now.reach_m + before.reach_m);
+    const double far = std::sqrt(far2);
     const PaperPoint half = (now.half + before.half) * 0.5;
-    const double reach = geometry::length(half);
-    const double along = reach > 1e-9 ? geometry::dot(way, half) / (far * reach) : 0.0;
+    const double along = reach > 1e-9 ? std::clamp(geometry::dot(way, half) / (far * reach), -1.0, 1.0) : 0.0;
     // The end that goes ahead comes first to new paper.
-    segment.from = before.middle + before.half * along;
-    segment.to = now.middle + now.half * along;
-    if (seconds > 0) segment.speed_m_s = geometry::distance(segment.from, segment.to) / seconds;
+    const PaperPoint from = before.middle + before.half * along, to = now.middle + now.half * along;
+    const double speed = std::sqrt(geometry::dot(to - from, to - from)) * per_s;
     // Hair that is dragged aside sweeps with its whole length, as several bristles side by side.
-    const double aside = std::sqrt(std::max(0.0, 1 - along * along));
-    const int parts = static_cast<int>(std::clamp(std::ceil(2 * reach * aside / (kWidestPart * now.band_m)),
-                                                  1.0, static_cast<double>(kMostParts)));
-    segment.length_m /= parts;
-    segment.width_m = std::max(now.band_m, 2 * reach * aside / parts);
-    const BristleSegment whole = segment;
+    const double aside = std::sqrt(1 - along * along);
+    const double breadth = 2 * reach * aside;
+    if (breadth <= kWidestPart * now.band_m) {
+      swept.push_back(
+          {from, to, now.pressure, std::max(now.band_m, breadth), length, speed, wetness_, pigment_});
+      continue;
+    }
+    const int parts = std::min(kMostParts, 1 + static_cast<int>(breadth / (kWidestPart * now.band_m)));
     for (int part = 0; part < parts; ++part) {
       const double t = aside * ((2 * part + 1.0) / parts - 1);
-      segment.from = whole.from + before.half * t;
-      segment.to = whole.to + now.half * t;
-      swept.push_back(segment);
+      swept.push_back({from + before.half * t, to + now.half * t, now.pressure,
+                       std::max(now.band_m, breadth / parts), length / parts, speed, wetness_, pigment_});
     }
   }
 }
@@ -353,6 +351,7 @@ void Tuft::move_to(const HolderPose& pose, std::vector<BristleSegment>& swept) {
               : 1.0;
   const int steps = static_cast<int>(std::clamp(std::ceil(needed), 1.0, static_cast<double>(kMostSteps)));
   const double seconds = std::max(0.0, to.time_s - from.time_s) / steps;
+  int unswept = 0;
   for (int i = 1; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
     HolderPose next;
@@ -363,9 +362,12 @@ void Tuft::move_to(const HolderPose& pose, std::vector<BristleSegment>& swept) {
     next.lean_to_rad = from.lean_to_rad + t * turn;
     next.twist_rad = from.twist_rad + t * twist;
     step_to(next);
+    ++unswept;
+    if (unswept < kStepsPerSweep && i < steps) continue;
     std::swap(before_, now_);
     touch(now_);
-    if (touching_ > 0) sweep(seconds, swept);
+    if (touching_ > 0) sweep(seconds * unswept, swept);
+    unswept = 0;
   }
 }
 

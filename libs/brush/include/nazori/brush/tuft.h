@@ -90,6 +90,7 @@ class Tuft {
     geometry::PaperPoint middle, half;
     double pressure = -1;  // < 0: none
     double band_m = 0;     // breadth of the bristle
+    double reach_m = 0;    // length of half
   };
   struct Station;
 

@@ -36,6 +36,9 @@ struct TuftForm {
   [[nodiscard]] SpineFriction friction(double wetness) const;
 };
 
+/// The root of the hair comes no nearer to the paper than this [length of the hair].
+inline constexpr double kLowestRoot = 0.15;
+
 /// Smallest and largest number of a brush (fude): 1 is the thickest.
 inline constexpr int kThickestBrush = 1, kThinnestBrush = 6;
 
