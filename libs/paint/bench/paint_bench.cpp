@@ -54,8 +54,7 @@ BENCHMARK(BM_StepOfACharacter)
     ->Args({1024, 1, 2})
     ->Args({512, 1, 1})
     ->Iterations(600)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+    ->Unit(benchmark::kMillisecond);
 
 /// Every tile wet and flowing.
 void BM_StepOfAFullSheet(benchmark::State& state) {
@@ -67,17 +66,13 @@ void BM_StepOfAFullSheet(benchmark::State& state) {
   sheet.step();
   for (auto _ : state) sheet.step({static_cast<int>(state.range(1)), true});
   state.counters["awake"] = sheet.tiles_awake();
-  state.counters["ns_per_cell"] =
-      benchmark::Counter(static_cast<double>(size) * size * 1e-9,
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(BM_StepOfAFullSheet)
     ->Args({512, 1})
     ->Args({1024, 1})
     ->Args({1024, 2})
     ->Iterations(100)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+    ->Unit(benchmark::kMillisecond);
 
 /// 400 bristles over a patch of 9 mm, moved by 0.5 mm: 120 mm/s at 240 events a second.
 void BM_DepositOfAnEvent(benchmark::State& state) {

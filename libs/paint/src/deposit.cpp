@@ -62,14 +62,14 @@ struct Offer {
   std::array<TotalAmount, kSlots> pigment_left;
 };
 
-void give(Sheet::Inside& sheet, Tile& tile, std::size_t cell, std::size_t padded, Offer& offer) {
-  if (tile.height[padded] < offer.lowest_height) return;
+void give(Sheet::Inside& sheet, Tile& tile, std::size_t cell, Offer& offer) {
   const Amount has = tile.surface[cell] + tile.fibre[cell];
   const auto water =
       static_cast<Amount>(std::min<TotalAmount>(std::max(offer.film - has, 0), offer.water_left));
   PigmentAmounts pigment{};
   Amount any = water;
   for (std::size_t k = 0; k < kSlots; ++k) {
+    if (offer.pigment[k] == 0) continue;
     const Amount wanted = std::max(offer.pigment[k] - tile.moving[k][cell], 0);
     pigment[k] = static_cast<Amount>(std::min<TotalAmount>(wanted, offer.pigment_left[k]));
     any |= pigment[k];
@@ -82,9 +82,10 @@ void give(Sheet::Inside& sheet, Tile& tile, std::size_t cell, std::size_t padded
   tile.surface[cell] += water;
   offer.water_left -= water;
   for (std::size_t k = 0; k < kSlots; ++k) {
+    if (pigment[k] == 0) continue;
     tile.moving[k][cell] += pigment[k];
     offer.pigment_left[k] -= pigment[k];
-    if (pigment[k] != 0) tile.slots |= static_cast<std::uint8_t>(1U << k);
+    tile.slots |= static_cast<std::uint8_t>(1U << k);
   }
   tile.is_wet = true;
   sheet.touch_tile(tile);
@@ -94,17 +95,20 @@ void sweep(Sheet::Inside& sheet, const Band& band, Offer& offer) {
   const double last_cell = sheet.size - 1;
   const double top_row = std::ceil(std::min(band.ay, band.by) - band.radius);
   const double bottom_row = std::floor(std::max(band.ay, band.by) + band.radius);
-  const int first_row = static_cast<int>(std::clamp(top_row, 0.0, last_cell + 1));
-  const int last_row = static_cast<int>(std::clamp(bottom_row, -1.0, last_cell));
-  for (int row = first_row; row <= last_row; ++row) {
+  const auto first_row = static_cast<std::size_t>(std::clamp(top_row, 0.0, last_cell + 1));
+  const auto end_row = static_cast<std::size_t>(std::clamp(bottom_row, -1.0, last_cell) + 1);
+  for (std::size_t row = first_row; row < end_row; ++row) {
     double first = 0, last = 0;
-    if (!band.columns(row, first, last)) continue;
-    const int begin = static_cast<int>(std::clamp(std::ceil(first), 0.0, last_cell + 1));
-    const int end = static_cast<int>(std::clamp(std::floor(last), -1.0, last_cell));
-    for (int column = begin; column <= end; ++column) {
-      Tile& tile = sheet.tile_at(column, row);
-      const auto padded = static_cast<std::size_t>((row % kTile + 1) * kPadded + column % kTile + 1);
-      give(sheet, tile, Sheet::Inside::cell_at(column, row), padded, offer);
+    if (!band.columns(static_cast<double>(row), first, last)) continue;
+    const auto begin = static_cast<std::size_t>(std::clamp(std::ceil(first), 0.0, last_cell + 1));
+    const auto end = static_cast<std::size_t>(std::clamp(std::floor(last), -1.0, last_cell) + 1);
+    const std::size_t tile_row = row / kTile * static_cast<std::size_t>(sheet.tiles_a_side);
+    const std::size_t y = row % kTile;
+    for (std::size_t column = begin; column < end; ++column) {
+      Tile& tile = *sheet.tiles[tile_row + column / kTile];
+      const std::size_t x = column % kTile;
+      if (tile.height[(y + 1) * kPadded + x + 1] < offer.lowest_height) continue;
+      give(sheet, tile, y * kTile + x, offer);
     }
   }
 }

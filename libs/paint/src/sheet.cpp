@@ -291,8 +291,10 @@ void Sheet::dry_now() {
       tile->surface[cell] = tile->fibre[cell] = 0;
       for (std::size_t k = 0; k < kSlots; ++k) {
         if (tile->fixed[k][cell] + tile->moving[k][cell] > kMostFixed) inside_->cover(*tile, cell);
-        tile->fixed[k][cell] += tile->moving[k][cell];
-        tile->moving[k][cell] = 0;
+        // More than a cell can hold stays on it as it is.
+        const Amount fixes = std::min(tile->moving[k][cell], kMostFixed - tile->fixed[k][cell]);
+        tile->fixed[k][cell] += fixes;
+        tile->moving[k][cell] -= fixes;
       }
     }
     inside_->settle(*tile);

@@ -32,11 +32,49 @@ void publish(Tile& tile, Side side, std::size_t first, std::size_t stride) {
     const std::size_t cell = first + i * stride;
     edge.fibre[i] = tile.fibre[cell];
     edge.water[i] = tile.fibre[cell] + tile.surface[cell];
-    for (std::size_t k = 0; k < kSlots; ++k) edge.moving[k][i] = tile.moving[k][cell];
+  }
+  for (std::size_t k = 0; k < kSlots; ++k) {
+    if ((tile.slots >> k & 1U) == 0) continue;
+    for (std::size_t i = 0; i < kTile; ++i) edge.moving[k][i] = tile.moving[k][first + i * stride];
   }
   if (edge == tile.edges[side]) return;
   tile.edges[side] = edge;
   tile.edges_changed |= bit(side);
+}
+
+/// Rows of a tile in which something can change.
+struct Rows {
+  std::size_t first = kTile, last = 0;  // from first to before last
+  void include(std::size_t y) {
+    first = std::min(first, y);
+    last = std::max(last, y + 1);
+  }
+};
+
+Rows rows_of(const Tile& tile, std::uint8_t slots, const std::array<const Edge*, 4>& neighbours) {
+  Rows rows;
+  for (std::size_t y = 0; y < kTile; ++y) {
+    Amount any = 0;
+    for (std::size_t x = y * kTile; x < (y + 1) * kTile; ++x) any |= tile.surface[x] | tile.fibre[x];
+    for (std::size_t k = 0; k < kSlots; ++k) {
+      if ((slots >> k & 1U) == 0) continue;
+      for (std::size_t x = y * kTile; x < (y + 1) * kTile; ++x) any |= tile.moving[k][x];
+    }
+    if (neighbours[left] != nullptr) any |= neighbours[left]->fibre[y];
+    if (neighbours[right] != nullptr) any |= neighbours[right]->fibre[y];
+    if (any == 0) continue;
+    // Water also flows into the rows beside it.
+    rows.include(y > 0 ? y - 1 : 0);
+    rows.include(std::min<std::size_t>(y + 1, kTile - 1));
+  }
+  const auto is_wet = [](const Edge* edge) {
+    Amount any = 0;
+    for (std::size_t i = 0; edge != nullptr && i < kTile; ++i) any |= edge->fibre[i];
+    return any != 0;
+  };
+  if (is_wet(neighbours[top])) rows.include(0);
+  if (is_wet(neighbours[bottom])) rows.include(kTile - 1);
+  return rows;
 }
 
 void load_fibre(const Tile& tile, const std::array<const Edge*, 4>& neighbours, Local& fibre) {
@@ -83,8 +121,8 @@ void load_pigment(const Tile& tile, const std::array<const Edge*, 4>& neighbours
   }
 }
 
-void load_paper(const StepRules& rules, const Tile& tile, Scratch& s) {
-  for (std::size_t y = 0; y < kPadded; ++y) {
+void load_paper(const StepRules& rules, const Tile& tile, const Rows& rows, Scratch& s) {
+  for (std::size_t y = rows.first; y < rows.last + 2; ++y) {
     const std::uint16_t* height = tile.height.data() + y * kPadded;
     const std::uint16_t* density = tile.density.data() + y * kPadded;
     for (std::size_t x = 0; x < kPadded; ++x) {
@@ -105,15 +143,15 @@ std::int32_t flow(float a, float b, float pinning_a, float pinning_b, float cond
   return stops ? 0 : static_cast<std::int32_t>(q);
 }
 
-void find_flow(Scratch& s) {
-  for (std::size_t y = 0; y < kTile; ++y) {
+void find_flow(const Rows& rows, Scratch& s) {
+  for (std::size_t y = rows.first; y < rows.last; ++y) {
     const auto& f = s.fibre[y + 1];
     const auto& n = s.pinning[y + 1];
     const auto& k = s.conductivity[y + 1];
     for (std::size_t x = 0; x <= kTile; ++x)
       s.across[y][x] = flow(f[x], f[x + 1], n[x], n[x + 1], k[x], k[x + 1]);
   }
-  for (std::size_t y = 0; y <= kTile; ++y) {
+  for (std::size_t y = rows.first; y <= rows.last; ++y) {
     const auto &f = s.fibre[y], &g = s.fibre[y + 1];
     const auto &n = s.pinning[y], &o = s.pinning[y + 1];
     const auto &k = s.conductivity[y], &l = s.conductivity[y + 1];
@@ -130,14 +168,14 @@ std::int32_t carried(std::int32_t q, float mobility, float concentration_a, floa
   return taker > static_cast<float>(kMostMoving) ? 0 : p;
 }
 
-void find_pigment_flow(float mobility, std::size_t slot, Scratch& s) {
-  for (std::size_t y = 0; y < kTile; ++y) {
+void find_pigment_flow(float mobility, std::size_t slot, const Rows& rows, Scratch& s) {
+  for (std::size_t y = rows.first; y < rows.last; ++y) {
     const auto& c = s.concentration[y + 1];
     const auto& p = s.moving[y + 1];
     for (std::size_t x = 0; x <= kTile; ++x)
       s.pigment_across[slot][y][x] = carried(s.across[y][x], mobility, c[x], c[x + 1], p[x], p[x + 1]);
   }
-  for (std::size_t y = 0; y <= kTile; ++y) {
+  for (std::size_t y = rows.first; y <= rows.last; ++y) {
     const auto &c = s.concentration[y], &d = s.concentration[y + 1];
     const auto &p = s.moving[y], &q = s.moving[y + 1];
     for (std::size_t x = 0; x < kTile; ++x)
@@ -151,8 +189,8 @@ struct Changes {
   TotalAmount evaporated = 0;
 };
 
-void move_water(const StepRules& rules, Tile& tile, Scratch& s, Changes& changes) {
-  for (std::size_t y = 0; y < kTile; ++y) {
+void move_water(const StepRules& rules, const Rows& rows, Tile& tile, Scratch& s, Changes& changes) {
+  for (std::size_t y = rows.first; y < rows.last; ++y) {
     Amount* surface = tile.surface.data() + y * kTile;
     Amount* fibre = tile.fibre.data() + y * kTile;
     const auto &above = s.fibre[y], &here = s.fibre[y + 1], &below = s.fibre[y + 2];
@@ -188,10 +226,11 @@ void move_water(const StepRules& rules, Tile& tile, Scratch& s, Changes& changes
   }
 }
 
-void move_pigment(const StepRules& rules, Tile& tile, std::size_t slot, const Scratch& s, Changes& changes) {
+void move_pigment(const StepRules& rules, const Rows& rows, Tile& tile, std::size_t slot, const Scratch& s,
+                  Changes& changes) {
   const Faces &across = s.pigment_across[slot], &down = s.pigment_down[slot];
   std::uint32_t any = 0;
-  for (std::size_t y = 0; y < kTile; ++y) {
+  for (std::size_t y = rows.first; y < rows.last; ++y) {
     Amount* moving = tile.moving[slot].data() + y * kTile;
     Amount* fixed = tile.fixed[slot].data() + y * kTile;
     const std::uint16_t* height = tile.height.data() + (y + 1) * kPadded + 1;
@@ -232,20 +271,25 @@ bool step_tile(const StepRules& rules, Tile& tile, const std::array<const Edge*,
       if (any != 0) slots |= static_cast<std::uint8_t>(1U << k);
     }
   }
+  const Rows rows = rows_of(tile, slots, neighbours);
+  if (rows.last == 0) {
+    tile.is_wet = false;
+    return false;
+  }
   Scratch s;
   load_fibre(tile, neighbours, s.fibre);
-  load_paper(rules, tile, s);
-  find_flow(s);
+  load_paper(rules, tile, rows, s);
+  find_flow(rows, s);
   // The pigment's flow needs the water as it was before the step.
   for (std::size_t k = 0; k < kSlots; ++k) {
     if ((slots >> k & 1U) == 0) continue;
     load_pigment(tile, neighbours, k, s);
-    find_pigment_flow(rules.mobility[k], k, s);
+    find_pigment_flow(rules.mobility[k], k, rows, s);
   }
   Changes changes;
-  move_water(rules, tile, s, changes);
+  move_water(rules, rows, tile, s, changes);
   for (std::size_t k = 0; k < kSlots; ++k)
-    if ((slots >> k & 1U) != 0) move_pigment(rules, tile, k, s, changes);
+    if ((slots >> k & 1U) != 0) move_pigment(rules, rows, tile, k, s, changes);
   tile.evaporated += changes.evaporated;
   tile.slots = slots;
   tile.is_wet = changes.water != 0;

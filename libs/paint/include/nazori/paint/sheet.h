@@ -84,7 +84,8 @@ class Sheet {
 
   /// Lets kStep_s pass: water seeps, spreads and dries, pigment goes with it and settles.
   void step(const StepOptions& options = {});
-  /// Dries the sheet at once: all water evaporates, all pigment stays where it is.
+  /// Dries the sheet at once: all water evaporates, all pigment stays where it is, up to 10 kOne
+  /// of a slot in a cell; what is more stays loose.
   void dry_now();
   /// While a sheet is frozen, step() does nothing.
   void set_frozen(bool frozen);
