@@ -12,6 +12,7 @@
 #include "characters.h"
 #include "json_answers.h"
 #include "nazori/exchange/tablets.h"
+#include "nazori/kanji/centre_lines.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/surface/height_map.h"
 #include "options.h"
@@ -74,7 +75,8 @@ base::Result<void> carve_one(Console& console, const kanji::Character& character
                                                         : surface::save_png(*map, target.map.path(), depth);
   if (saved) saved = target.map.deliver(console);
   if (saved && target.strokes) {
-    saved = kanji::StrokeOrder::from_lines(lines, settings.size).save(target.strokes->path());
+    saved = kanji::StrokeOrder::from_lines(kanji::centre_lines(lines), settings.size)
+                .save(target.strokes->path());
     if (saved) saved = target.strokes->deliver(console);
   }
   return saved;

@@ -121,7 +121,8 @@ int run(Console& console, const DemoSettings& settings) {
   for (std::size_t i = 0; i < characters->size(); ++i) {
     const kanji::Character& character = (*characters)[i];
     const std::string name = kanji::name_of(character).text();
-    const auto tablet = tablet::CarvedTablet::from_lines(character.lines(), kMapSize, settings.brush);
+    const auto tablet =
+        tablet::CarvedTablet::from_lines(tablet::tablet_lines(character.lines()), kMapSize, settings.brush);
     if (!tablet) return console.refuse(tablet.error());
     std::optional<Record> record;
     if (!recordings.empty()) record = Record{recordings[i], name};

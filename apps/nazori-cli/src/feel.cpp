@@ -81,7 +81,7 @@ tl::expected<Subject, int> subject_of(Console& console, const FeelSettings& sett
   }
   const auto characters = characters_with_strokes(console, settings.characters, settings.database);
   if (!characters) return tl::unexpected(characters.error());
-  auto tablet = tablet::CarvedTablet::from_lines(characters->front().lines(),
+  auto tablet = tablet::CarvedTablet::from_lines(tablet::tablet_lines(characters->front().lines()),
                                                  settings.own.map_size.value_or(kCarvedSize), settings.brush);
   if (!tablet) return tl::unexpected(console.refuse(tablet.error()));
   return Subject{names->front().text(), std::move(*tablet)};

@@ -31,6 +31,7 @@ void add_verbs(CLI::App& app, Action& chosen) {
   nazori::cli::add_search(app, chosen);
   nazori::cli::add_carve(app, chosen);
   nazori::cli::add_render(app, chosen);
+  nazori::cli::add_model(app, chosen);
   nazori::cli::add_plot(app, chosen);
   nazori::cli::add_demo(app, chosen);
   nazori::cli::add_feel(app, chosen);
@@ -42,6 +43,7 @@ void add_verbs(CLI::App& app, Action& chosen) {
   nazori::cli::add_practise(app, chosen);
   nazori::cli::add_speak(app, chosen);
   nazori::cli::add_study(app, chosen);
+  nazori::cli::add_worksheet(app, chosen);
   nazori::cli::add_completion(app, chosen);
   nazori::cli::add_manual(app, chosen);
   nazori::cli::add_help(app, chosen);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -15,9 +16,12 @@
 #include "nazori/functions/points.h"
 #include "nazori/functions/print_picture.h"
 #include "nazori/functions/sound.h"
+#include "nazori/functions/tablet_curves.h"
+#include "nazori/model/raised.h"
 #include "nazori/surface/height_map.h"
 #include "options.h"
 #include "output_files.h"
+#include "solid_model.h"
 #include "verbs.h"
 
 namespace nazori::cli {
@@ -37,6 +41,8 @@ struct PlotSettings {
   std::string mask;
   std::string print;
   std::string sound;
+  std::string model;
+  double model_side_mm = 120;
   std::string language = "en";
   std::string speech = "verbose";
   bool points = false;
@@ -50,6 +56,7 @@ struct Files {
   std::optional<OutputPlace> mask;
   std::optional<OutputPlace> print;
   std::optional<OutputPlace> sound;
+  std::optional<OutputPlace> model;
 };
 
 base::Result<Files> files_of(const PlotSettings& s) {
@@ -70,6 +77,7 @@ base::Result<Files> files_of(const PlotSettings& s) {
   if (auto r = check(files.mask, "--mask", s.mask, {".png"}); !r) return tl::unexpected(r.error());
   if (auto r = check(files.print, "--print", s.print, {".png"}); !r) return tl::unexpected(r.error());
   if (auto r = check(files.sound, "--sound", s.sound, {".wav"}); !r) return tl::unexpected(r.error());
+  if (auto r = check(files.model, "--model", s.model, {".stl", ".3mf"}); !r) return tl::unexpected(r.error());
   if (auto fine = check_distinct(named, s.json); !fine) return tl::unexpected(std::move(fine.error()));
   return files;
 }
@@ -111,9 +119,52 @@ base::Result<void> save(const Files& files, const functions::Picture& picture, c
   return {};
 }
 
+std::vector<model::RaisedTick> ticks_of(double low, double high) {
+  std::vector<model::RaisedTick> ticks;
+  const double step = functions::tick_step(low, high);
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k)
+    ticks.push_back({(k * step - low) / (high - low), fmt::format("{:.6g}", k == 0 ? 0.0 : k * step)});
+  return ticks;
+}
+
+/// The plot as raised lines, or as a raised surface.
+base::Result<void> save_solid(const functions::Plot& plot, const functions::Picture& picture,
+                              const PlotSettings& s, const OutputPlace& place) {
+  constexpr double kTolerance_mm = 0.02;
+  constexpr int kStyles = 3;
+  const functions::Window& w = picture.tracing.window;
+  model::RaisedPlot raised;
+  model::RaisedPlotSettings settings;
+  settings.side_mm = s.model_side_mm;
+  raised.x_ticks = ticks_of(w.x0, w.x1);
+  raised.y_ticks = ticks_of(w.y0, w.y1);
+  if (w.y0 <= 0 && w.y1 >= 0) raised.x_axis = w.v(0);
+  if (w.x0 <= 0 && w.x1 >= 0) raised.y_axis = w.u(0);
+  if (plot.is_surface()) {
+    raised.surface = &picture.plate.heights;
+  } else {
+    const geometry::TabletShape shape{1, 1};
+    for (const functions::TabletCurve& curve :
+         functions::tablet_curves(picture.tracing, picture.plate.heights.size(), shape, 1e-4)) {
+      model::RaisedCurve line;
+      line.style = static_cast<model::CurveStyle>(curve.statement % kStyles);
+      for (const geometry::TabletPoint p : curve.points) {
+        const auto at = functions::plate_place(p, picture.plate.heights.size(), shape);
+        line.line.push_back({at.u, at.v});
+      }
+      raised.curves.push_back(std::move(line));
+    }
+  }
+  const auto plate = model::raised_plot(raised, settings);
+  if (!plate) return tl::unexpected(plate.error());
+  const auto made = save_model(*plate, place, functions::canonical(plot), kTolerance_mm);
+  if (!made) return tl::unexpected(made.error());
+  return {};
+}
+
 /// The file that goes to standard output, if any.
 const OutputPlace* console_file(const Files& files) {
-  for (const auto* place : {&files.output, &files.mask, &files.print, &files.sound}) {
+  for (const auto* place : {&files.output, &files.mask, &files.print, &files.sound, &files.model}) {
     if (*place && (*place)->is_console()) return &**place;
   }
   return nullptr;
@@ -161,6 +212,10 @@ int run(Console& console, PlotSettings s) {
   const auto points = functions::points_of_interest(*plot, picture->tracing);
   timings.points_ms = ms_since(before);
   if (auto saved = save(*files, *picture, *plot, points); !saved) return console.refuse(saved.error());
+  if (files->model) {
+    if (auto saved = save_solid(*plot, *picture, s, *files->model); !saved)
+      return console.refuse(saved.error());
+  }
   if (const OutputPlace* const file = console_file(*files)) {
     const auto sent = file->deliver(console);
     return sent ? kDone : console.refuse(sent.error());
@@ -219,6 +274,15 @@ void add_plot(CLI::App& app, Action& chosen) {
       ->type_name("FILE");
   verb->add_option("--sound", s->sound, "Sound of the curves as WAV: pitch is height, left to right is x")
       ->type_name("FILE");
+  verb->add_option(
+          "--model", s->model,
+          "Solid model for fingers: raised curves or a raised surface, axes, and ticks in braille: .stl or "
+          ".3mf")
+      ->type_name("FILE");
+  verb->add_option("--model-size-mm", s->model_side_mm, "Side of the square of the plot in the model")
+      ->check(within(40, 400))
+      ->capture_default_str()
+      ->type_name("MM");
   verb->add_flag("--decimal-comma", s->decimal_comma,
                  "Read 1,5 as a decimal number in argument lists too: min(1,5; x)");
   verb->add_flag("--points", s->points, "List the points of interest");

@@ -60,7 +60,7 @@ base::Result<void> paint(Console& console, TabletPainter& painter, const tablet:
 /// A picture in the answer. @param name  of the character or the file in it.
 Json picture_json(const std::string& name, const OutputPlace& place, const RenderSettings& settings) {
   const auto size = parse_picture_size(settings.look.size).value_or(PictureSize{});
-  return exchange::to_json({name, place.name(), size.width, size.height});
+  return exchange::to_json(exchange::PaintedPicture{name, place.name(), size.width, size.height});
 }
 
 std::string picture_text(const std::string& name, const OutputPlace& place, const RenderSettings& settings) {
@@ -108,8 +108,9 @@ int run_characters(Console& console, const RenderSettings& settings) {
     if (!progress.show(static_cast<double>(i) / static_cast<double>(characters->size()), "drawing " + name)) {
       return console.refuse({base::Errc::cancelled, "stopped", name, ""});
     }
-    const auto tablet = tablet::CarvedTablet::from_lines(
-        (*characters)[i].lines(), settings.map_size.value_or(kPictureSize), settings.brush);
+    const auto tablet =
+        tablet::CarvedTablet::from_lines(tablet::tablet_lines((*characters)[i].lines()),
+                                         settings.map_size.value_or(kPictureSize), settings.brush);
     if (!tablet) return console.refuse(tablet.error());
     if (auto done = paint(console, *painter, **tablet, settings, name, (*paths)[i]); !done)
       return console.refuse(done.error());

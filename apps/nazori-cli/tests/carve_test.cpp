@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "nazori/kanji/centre_lines.h"
 #include "nazori/kanji/kanji_database.h"
 #include "nazori/kanji/stroke_order.h"
 #include "nazori/surface/height_map.h"
@@ -67,7 +68,7 @@ TEST(Carve, TheStrokeFileLiesOnTheSameGrid) {
       0);
   const auto order = kanji::StrokeOrder::load(folder / "a.str", 300);
   ASSERT_TRUE(order) << base::to_line(order.error());
-  EXPECT_EQ(*order, kanji::StrokeOrder::from_lines(lines_of_rest(), 300));
+  EXPECT_EQ(*order, kanji::StrokeOrder::from_lines(kanji::centre_lines(lines_of_rest()), 300));
   EXPECT_EQ(order->count(), 6U);
 }
 

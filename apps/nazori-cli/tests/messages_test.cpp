@@ -133,9 +133,9 @@ TEST(Messages, HelpListsAllVerbsUnderOneHeading) {
   ASSERT_NE(verbs, std::string::npos);
   EXPECT_THAT(help, Not(HasSubstr("SUBCOMMAND")));
   EXPECT_THAT(help, Not(HasSubstr("Subcommands")));
-  for (const char* verb :
-       {"info", "search", "carve", "render", "plot", "demo", "feel", "record", "devices", "database", "grade",
-        "recognise", "practise", "speak", "study", "completion", "manual", "help"})
+  for (const char* verb : {"info",  "search", "carve",     "render",     "model",  "plot",      "demo",
+                           "feel",  "record", "devices",   "database",   "grade",  "recognise", "practise",
+                           "speak", "study",  "worksheet", "completion", "manual", "help"})
     EXPECT_NE(help.find(std::string("\n  ") + verb + " ", verbs), std::string::npos) << verb;
 }
 
@@ -155,6 +155,8 @@ TEST(Messages, QuietIsTakenByEveryVerb) {
                                                                                     {"search"},
                                                                                     {"carve"},
                                                                                     {"render"},
+                                                                                    {"model"},
+                                                                                    {"worksheet"},
                                                                                     {"plot"},
                                                                                     {"demo"},
                                                                                     {"feel"},

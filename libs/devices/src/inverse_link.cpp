@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "force_guard.h"
-#include "real_time.h"
 
 namespace nazori::devices::inverse {
 namespace {
@@ -16,18 +15,13 @@ namespace {
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
 using haptics::Vec3;
-using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr auto kPeriod =
-    std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kPeriod_s));
 constexpr auto kAnswerWait = milliseconds(20);
 constexpr auto kFirstRetry = milliseconds(500);
 constexpr auto kLongestRetry = milliseconds(10'000);
-constexpr auto kAfterTick = microseconds(100);  // a tick takes a few microseconds
-constexpr auto kServoWait = milliseconds(20);   // for a tick; then the force is zero
-constexpr auto kLook = milliseconds(5);         // between attempts to connect
-constexpr double kKeyDoubt_s = 0.2;             // of force commanded and none reported
+constexpr auto kLook = milliseconds(5);  // between attempts to connect
+constexpr double kKeyDoubt_s = 0.2;      // of force commanded and none reported
 constexpr double kKeyDoubt_n = 0.05;
 constexpr int kMostBadMessages = 20;  // in a row
 
@@ -51,22 +45,10 @@ base::Result<void> ArmLink::start() {
   next_try_ = last_good_ = Clock::now();
   delay_s_ = 0;
   publish(DeviceTrouble::not_ready, nullptr);
-  try {
-    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
-  } catch (const std::system_error& e) {
-    return base::fail(base::Errc::device, std::string("the service thread cannot be started: ") + e.what(),
-                      arm_.device_id);
-  }
-  // Lower priority than the servo, whose requests it handles.
-  (void)make_real_time(thread_.native_handle(), kServoPriority - 1);
-  return {};
+  return thread_.start(arm_.device_id, [this](const std::stop_token& stop) { run(stop); });
 }
 
-void ArmLink::stop() noexcept {
-  if (!thread_.joinable()) return;
-  thread_.request_stop();
-  thread_.join();
-}
+void ArmLink::stop() noexcept { thread_.stop(); }
 
 void ArmLink::run(const std::stop_token& stop) noexcept {
   try {
@@ -102,7 +84,7 @@ void ArmLink::publish(DeviceTrouble trouble, const ArmState* arm) {
   } else if (!goes_on_alone && seconds(now - last_good_) > settings_.give_up_s) {
     lost_ = true;
   }
-  ArmPose& pose = servo_.poses.back();
+  ArmPose& pose = servo_.exchange.poses.back();
   pose = {};
   pose.number = ++poses_;
   pose.at = now;
@@ -113,7 +95,7 @@ void ArmLink::publish(DeviceTrouble trouble, const ArmState* arm) {
   pose.delay_s = delay_s_;
   if (connection_) pose.buttons = state_.buttons;
   if (arm != nullptr && arm->position_m) pose.position_m = to_device_frame(*arm->position_m - arm_.centre_m);
-  servo_.poses.publish();
+  servo_.exchange.poses.publish();
 }
 
 void ArmLink::disconnect(DeviceTrouble why) {
@@ -179,17 +161,7 @@ DeviceTrouble ArmLink::read() {
   return trouble;
 }
 
-Vec3 ArmLink::await_force() {
-  const auto end = Clock::now() + kServoWait;
-  for (;;) {
-    const ArmForce& force = servo_.forces.latest();
-    if (force.answers == poses_) return to_service_frame(force.force_n);
-    const auto now = Clock::now();
-    if (now > end) return Vec3(0);
-    // Just after the next tick, so that its force is sent at once.
-    std::this_thread::sleep_until(std::max(force.at + kPeriod, now) + kAfterTick);
-  }
-}
+Vec3 ArmLink::await_force() { return to_service_frame(servo_.exchange.await(poses_).force_n); }
 
 void ArmLink::turn() {
   switch (connection_->receive_newest(message_, kAnswerWait)) {

@@ -5,11 +5,11 @@
 #include <memory>
 #include <stop_token>
 #include <string>
-#include <thread>
 
 #include "inverse_connection.h"
 #include "inverse_messages.h"
 #include "inverse_servo.h"
+#include "link_thread.h"
 #include "nazori/devices/inverse_service.h"
 
 namespace nazori::devices::inverse {
@@ -35,6 +35,9 @@ struct ArmAddress {
 /// missing for too long. Forces are sent only while a servo ticks and the arm has no fault.
 class ArmLink {
  public:
+  /// The service takes the force off when the session ends.
+  static constexpr ForceGuard::Off kWriteZero = nullptr;
+
   ArmLink(InverseServiceSettings settings, ArmAddress arm, ArmServo& servo);
   ~ArmLink();
   ArmLink(const ArmLink&) = delete;
@@ -45,7 +48,7 @@ class ArmLink {
   /// After the servo's clock has stopped. The last message sets zero force; then the session ends, and with
   /// it any force.
   void stop() noexcept;
-  [[nodiscard]] bool is_running() const noexcept { return thread_.joinable(); }
+  [[nodiscard]] bool is_running() const noexcept { return thread_.is_running(); }
 
  private:
   void run(const std::stop_token& stop) noexcept;
@@ -78,7 +81,7 @@ class ArmLink {
   std::uint64_t poses_ = 0;
   double delay_s_ = 0;
   int bad_messages_ = 0;
-  std::jthread thread_;  // declared last, so that it ends before the other members are destroyed
+  LinkThread thread_;  // declared last, so that it ends before the other members are destroyed
 };
 
 }  // namespace nazori::devices::inverse

@@ -89,7 +89,7 @@ class InverseBackEnd final : public BackEnd {
     haptics::DeviceLimits limits = SimulatedHardware::inverse3().limits;
     limits.max_force_n = std::min(std::max(settings_.force_cap_n, 0.1), 10.0);
     limits.continuous_force_n = std::min(limits.continuous_force_n, limits.max_force_n);
-    limits.delay_s = settings_.delay_s ? std::clamp(*settings_.delay_s, 0.0, inverse::kTooSlow_s)
+    limits.delay_s = settings_.delay_s ? std::clamp(*settings_.delay_s, 0.0, kTooSlow_s)
                                        : measure_delay(*session->connection, address);
 
     const double half = reach_m(type_of(*arm)) / std::sqrt(3.0);
@@ -154,10 +154,10 @@ class InverseBackEnd final : public BackEnd {
       round_trips.push_back(std::chrono::duration<double>(Clock::now() - sent).count());
       message = tick.write(Vec3(0));
     }
-    if (round_trips.empty()) return inverse::kTooSlow_s;
+    if (round_trips.empty()) return kTooSlow_s;
     const auto middle = round_trips.begin() + static_cast<std::ptrdiff_t>(round_trips.size() / 2);
     std::nth_element(round_trips.begin(), middle, round_trips.end());
-    return std::min(2 * *middle + inverse::kPeriod_s, inverse::kTooSlow_s);
+    return std::min(2 * *middle + kLinkPeriod_s, kTooSlow_s);
   }
 
   InverseServiceSettings settings_;

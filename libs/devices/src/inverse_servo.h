@@ -4,16 +4,11 @@
 #include <chrono>
 #include <cstdint>
 
-#include "nazori/haptics/latest_value.h"
-#include "servo_link.h"
+#include "link_exchange.h"
 
 namespace nazori::devices::inverse {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double kPeriod_s = 0.001;
-/// No force is given for an older position, because the hand has moved on.
-constexpr double kTooSlow_s = 0.020;
 
 /// The last state of the arm that the link received.
 struct ArmPose {
@@ -41,19 +36,17 @@ class ArmServo {
   ArmServo(ServoLink& link, double planned_delay_s) : link_(link), planned_delay_s_(planned_delay_s) {}
 
   /// Before the first tick. Thread: interface, while nothing ticks.
-  void start() noexcept;
+  void start() noexcept { exchange.reset(); }
   /// Thread: servo.
   void tick() noexcept;
   /// The arm was set to zero force while forces were not allowed. Thread: the link's.
   void confirm_no_force() noexcept { link_.confirm_no_force(); }
 
-  haptics::LatestValue<ArmPose> poses{ArmPose{}};     ///< written by the link, read by the servo
-  haptics::LatestValue<ArmForce> forces{ArmForce{}};  ///< the other way
+  LinkExchange<ArmPose, ArmForce> exchange;
 
  private:
   ServoLink& link_;
   const double planned_delay_s_;
-  bool lost_ = false;
 };
 
 }  // namespace nazori::devices::inverse

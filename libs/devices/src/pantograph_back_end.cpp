@@ -73,10 +73,10 @@ double measure_delay(SerialPort& port, const pantograph::BoardSetup& setup) {
       break;
     round_trips.push_back(std::chrono::duration<double>(Clock::now() - asked).count());
   }
-  if (round_trips.empty()) return pantograph::kTooSlow_s;
+  if (round_trips.empty()) return kTooSlow_s;
   const auto middle = round_trips.begin() + static_cast<std::ptrdiff_t>(round_trips.size() / 2);
   std::nth_element(round_trips.begin(), middle, round_trips.end());
-  return std::min(2 * *middle + pantograph::kPeriod_s, pantograph::kTooSlow_s);
+  return std::min(2 * *middle + kLinkPeriod_s, kTooSlow_s);
 }
 
 class PantographBackEnd final : public BackEnd {
@@ -171,7 +171,7 @@ class PantographBackEnd final : public BackEnd {
                                : "what is there does not answer as Haply's board does",
                        node.path.string(),
                        "it must run Haply's firmware, M0 0.3 or M3 1.5; see docs/devices.md, Haply 2diy");
-    board.limits.delay_s = settings_.delay_s ? std::clamp(*settings_.delay_s, 0.0, pantograph::kTooSlow_s)
+    board.limits.delay_s = settings_.delay_s ? std::clamp(*settings_.delay_s, 0.0, kTooSlow_s)
                                              : measure_delay(**port, board.model.setup);
     open_[node.path.string()] = *port;
     return OpenedDevice{std::move(id), pantograph_device(std::move(board), *mapping, request.shape), fit,

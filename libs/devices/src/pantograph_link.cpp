@@ -4,27 +4,18 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <string>
-#include <system_error>
 #include <utility>
-
-#include "real_time.h"
 
 namespace nazori::devices::pantograph {
 namespace {
 
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
-using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr auto kPeriod =
-    std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kPeriod_s));
-constexpr auto kAfterTick = microseconds(100);  // a tick takes a few microseconds
-constexpr auto kServoWait = milliseconds(20);   // for a tick; then the torque is zero
-constexpr auto kQuiet = milliseconds(3);        // silence after which an answer is complete
-constexpr int kMostZeros = 4;                   // that are sent until one is confirmed
-constexpr int kStaleWrite_ms = 25;              // time within which a pending torque is written
+constexpr auto kQuiet = milliseconds(3);  // silence after which an answer is complete
+constexpr int kMostZeros = 4;             // that are sent until one is confirmed
+constexpr int kStaleWrite_ms = 25;        // time within which a pending torque is written
 
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
@@ -69,23 +60,10 @@ base::Result<void> BoardLink::start() {
   last_good_ = Clock::now();
   delay_s_ = 0;
   publish(DeviceState::paused, DeviceTrouble::not_ready, {});
-  try {
-    // The thread that ends the program waits for this thread's zero, so it must not be this thread.
-    const SignalsBlocked inherited;
-    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
-  } catch (const std::system_error& e) {
-    return base::fail(base::Errc::device, std::string("the device thread cannot be started: ") + e.what());
-  }
-  // Lower priority than the servo, whose requests it handles.
-  (void)make_real_time(thread_.native_handle(), kServoPriority - 1);
-  return {};
+  return thread_.start({}, [this](const std::stop_token& stop) { run(stop); });
 }
 
-void BoardLink::stop() noexcept {
-  if (!thread_.joinable()) return;
-  thread_.request_stop();
-  thread_.join();
-}
+void BoardLink::stop() noexcept { thread_.stop(); }
 
 void BoardLink::write_zero_at_end(void* link) noexcept {
   const BoardLink& self = *static_cast<BoardLink*>(link);
@@ -115,7 +93,7 @@ bool BoardLink::ask() noexcept {
 }
 
 void BoardLink::publish(DeviceState state, DeviceTrouble trouble, const Reading& reading) noexcept {
-  BoardPose& pose = servo_.poses.back();
+  BoardPose& pose = servo_.exchange.poses.back();
   pose.number = ++poses_;
   pose.at = Clock::now();
   pose.state = state;
@@ -123,20 +101,10 @@ void BoardLink::publish(DeviceState state, DeviceTrouble trouble, const Reading&
   pose.angle_deg = reading.angle_deg;
   pose.pressed = reading.pressed;
   pose.delay_s = delay_s_;
-  servo_.poses.publish();
+  servo_.exchange.poses.publish();
 }
 
-PerJoint BoardLink::await_torques() noexcept {
-  const auto end = Clock::now() + kServoWait;
-  for (;;) {
-    const BoardTorques& torques = servo_.torques.latest();
-    if (torques.answers == poses_) return torques.torque_n_m;
-    const auto now = Clock::now();
-    if (now > end) return {0, 0};
-    // Just after the next tick, so that its torques are sent at once.
-    std::this_thread::sleep_until(std::max(torques.at + kPeriod, now) + kAfterTick);
-  }
-}
+PerJoint BoardLink::await_torques() noexcept { return servo_.exchange.await(poses_).torque_n_m; }
 
 void BoardLink::turn() noexcept {
   Reading reading;

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <memory>
 #include <stop_token>
-#include <thread>
 
+#include "link_thread.h"
 #include "pantograph_serial.h"
 #include "pantograph_servo.h"
 
@@ -45,10 +45,11 @@ class BoardLink {
   /// After the servo's clock has stopped. Returns when the board has confirmed a torque of zero, or after
   /// about 0.1 s without a confirmation.
   void stop() noexcept;
-  [[nodiscard]] bool is_running() const noexcept { return thread_.joinable(); }
+  [[nodiscard]] bool is_running() const noexcept { return thread_.is_running(); }
 
   /// Writes zero without this object's thread. Safe in signal handlers. @param link  a BoardLink.
   static void write_zero_at_end(void* link) noexcept;
+  static constexpr ForceGuard::Off kWriteZero = &write_zero_at_end;
 
  private:
   void run(const std::stop_token& stop) noexcept;
@@ -74,7 +75,7 @@ class BoardLink {
   Clock::time_point asked_at_, last_good_;
   std::uint64_t poses_ = 0;
   double delay_s_ = 0;
-  std::jthread thread_;  // declared last, so that it ends before the other members are destroyed
+  LinkThread thread_;  // declared last, so that it ends before the other members are destroyed
 };
 
 }  // namespace nazori::devices::pantograph

@@ -4,17 +4,12 @@
 #include <chrono>
 #include <cstdint>
 
-#include "nazori/haptics/latest_value.h"
+#include "link_exchange.h"
 #include "pantograph_model.h"
-#include "servo_link.h"
 
 namespace nazori::devices::pantograph {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double kPeriod_s = 0.001;
-/// No force is given for an older pose, because the hand has moved on.
-constexpr double kTooSlow_s = 0.020;
 
 /// The last state of the board that the link received.
 struct BoardPose {
@@ -53,8 +48,7 @@ class BoardServo {
   /// Thread: servo.
   void tick() noexcept;
 
-  haptics::LatestValue<BoardPose> poses{BoardPose{}};          ///< written by the link, read by the servo
-  haptics::LatestValue<BoardTorques> torques{BoardTorques{}};  ///< the other way
+  LinkExchange<BoardPose, BoardTorques> exchange;
 
  private:
   /// Position of the tip, device frame. The plane has no depth, so the button presses the tip down; without a
@@ -65,7 +59,6 @@ class BoardServo {
   const Linkage linkage_;
   const bool has_button_;
   const double planned_delay_s_, half_width_m_, depth_m_;
-  bool lost_ = false;
   double halfway_m_ = 0, height_m_ = 0;  // of the tip above the plateau, tablet frame
 };
 

@@ -19,12 +19,8 @@ constexpr double kHand_s =
 }  // namespace
 
 void BoardServo::start() noexcept {
-  lost_ = false;
   halfway_m_ = height_m_ = kHover_m;
-  poses.back() = {};
-  poses.publish();
-  torques.back() = {};
-  torques.publish();
+  exchange.reset();
 }
 
 Vec3 BoardServo::tip(const LinkagePose& pose, bool pressed) noexcept {
@@ -35,7 +31,7 @@ Vec3 BoardServo::tip(const LinkagePose& pose, bool pressed) noexcept {
   const Vec3 on_tablet = mapping.to_tablet_m(at);
   const bool within = std::max(std::abs(on_tablet.x), std::abs(on_tablet.y)) <= half_width_m_;
   const double target = (has_button_ ? pressed : within) ? -kDeepest * depth_m_ : kHover_m;
-  constexpr double kPass = kPeriod_s / (kPeriod_s + kHand_s);
+  constexpr double kPass = kLinkPeriod_s / (kLinkPeriod_s + kHand_s);
   halfway_m_ += (target - halfway_m_) * kPass;
   height_m_ += (halfway_m_ - height_m_) * kPass;
   at.z += height_m_ / fit.scale;
@@ -43,30 +39,27 @@ Vec3 BoardServo::tip(const LinkagePose& pose, bool pressed) noexcept {
 }
 
 void BoardServo::tick() noexcept {
-  if (lost_) return;
-  const BoardPose& pose = poses.latest();
-  const auto now = Clock::now();
-  BoardTorques answer;
+  if (exchange.is_lost()) return;
+  const BoardPose& pose = exchange.poses.latest();
+  BoardTorques& answer = exchange.commands.back();
+  answer = {};
   answer.answers = pose.number;
-  answer.at = now;
+  answer.at = Clock::now();
   const std::uint32_t buttons = pose.pressed ? 1U : 0U;
-  const bool is_old = std::chrono::duration<double>(now - pose.at).count() > kTooSlow_s;
-  if (pose.trouble != DeviceTrouble::none) {
-    lost_ = pose.state == DeviceState::lost;
-    link_.pause(pose.state, pose.trouble, 0, buttons);
-  } else if (is_old || pose.delay_s > kTooSlow_s) {
-    link_.pause(DeviceState::paused, DeviceTrouble::too_slow, 0, buttons);
-  } else if (const LinkagePose arms = pose_at(linkage_, pose.angle_deg); arms.kind != PoseKind::regular) {
-    // The handle cannot be here with correct angles, so it was not at rest when the board was set up.
-    link_.pause(DeviceState::paused, DeviceTrouble::not_at_rest, 0, buttons);
-  } else {
-    link_.set_delay_s(pose.delay_s);
-    const Vec3 force = link_.feel(tip(arms, pose.pressed), buttons);
-    answer.torque_n_m = torques_for(
-        arms, softened(kPeriod_s, planned_delay_s_, pose.delay_s) * to_linkage_frame(force), kMostTorque_n_m);
+  if (!exchange.pauses(link_, pose, answer.at, buttons)) {
+    const LinkagePose arms = pose_at(linkage_, pose.angle_deg);
+    if (arms.kind != PoseKind::regular) {
+      // The handle cannot be here with correct angles, so it was not at rest when the board was set up.
+      link_.pause(DeviceState::paused, DeviceTrouble::not_at_rest, 0, buttons);
+    } else {
+      link_.set_delay_s(pose.delay_s);
+      const Vec3 force = link_.feel(tip(arms, pose.pressed), buttons);
+      answer.torque_n_m =
+          torques_for(arms, softened(kLinkPeriod_s, planned_delay_s_, pose.delay_s) * to_linkage_frame(force),
+                      kMostTorque_n_m);
+    }
   }
-  torques.back() = answer;
-  torques.publish();
+  exchange.commands.publish();
 }
 
 }  // namespace nazori::devices::pantograph

@@ -35,10 +35,10 @@ class ArmServoTicks : public testing::Test {
     return pose;
   }
   ArmForce answer_to(const ArmPose& pose) {
-    servo.poses.back() = pose;
-    servo.poses.publish();
+    servo.exchange.poses.back() = pose;
+    servo.exchange.poses.publish();
     servo.tick();
-    return servo.forces.latest();
+    return servo.exchange.commands.latest();
   }
   haptics::DeviceStatus status_of(const ArmPose& pose) {
     return test::status_after(link, [&] { (void)answer_to(pose); });
@@ -83,7 +83,7 @@ TEST_F(ArmServoTicks, APoseOfMoreThanTwentyMillisecondsIsNotFelt) {
   ArmPose pose = pressed();
   pose.at = Clock::now() - std::chrono::microseconds(20'100);
   expect_paused(pose, DeviceTrouble::too_slow);
-  EXPECT_EQ(servo.forces.latest().answers, 7U);
+  EXPECT_EQ(servo.exchange.commands.latest().answers, 7U);
   pose = pressed();
   pose.delay_s = 0.0201;
   expect_paused(pose, DeviceTrouble::too_slow);
@@ -107,7 +107,8 @@ TEST_F(ArmServoTicks, TroublePausesAndALossIsForEver) {
   EXPECT_EQ(plane.ticks, ticks);
   EXPECT_EQ(link.status().state, DeviceState::lost);
   servo.start();
-  EXPECT_EQ(servo.forces.latest().answers, 0U) << "an answer of the run before would be taken for a new one";
+  EXPECT_EQ(servo.exchange.commands.latest().answers, 0U)
+      << "an answer of the run before would be taken for a new one";
   EXPECT_GT(answer_to(pressed()).force_n.z, 0);
 }
 

@@ -61,10 +61,10 @@ class BoardServoTicks : public testing::TestWithParam<bool> {
     return pose;
   }
   BoardTorques answer_to(const BoardPose& pose) {
-    servo.poses.back() = pose;
-    servo.poses.publish();
+    servo.exchange.poses.back() = pose;
+    servo.exchange.poses.publish();
     servo.tick();
-    return servo.torques.latest();
+    return servo.exchange.commands.latest();
   }
   haptics::DeviceStatus status_of(const BoardPose& pose) {
     return test::status_after(link, [&] { (void)answer_to(pose); });
@@ -141,7 +141,7 @@ TEST_P(BoardServoTicks, APoseOfMoreThanTwentyMillisecondsIsNotFelt) {
   BoardPose pose = at(0, 0);
   pose.at = Clock::now() - std::chrono::microseconds(20'100);
   EXPECT_TRUE(is_limp(answer_to(pose)));
-  EXPECT_EQ(servo.torques.latest().answers, 7U);
+  EXPECT_EQ(servo.exchange.commands.latest().answers, 7U);
   EXPECT_FALSE(right.last.present);
   EXPECT_EQ(status_of(pose).trouble, DeviceTrouble::too_slow);
   EXPECT_EQ(status_of(pose).message.find("code"), std::string::npos);
@@ -179,7 +179,8 @@ TEST_P(BoardServoTicks, TroublePausesAndALossIsForEver) {
   EXPECT_EQ(right.ticks, ticks);
   EXPECT_EQ(link.status().state, DeviceState::lost);
   servo.start();
-  EXPECT_EQ(servo.torques.latest().answers, 0U) << "an answer of the run before would be taken for a new one";
+  EXPECT_EQ(servo.exchange.commands.latest().answers, 0U)
+      << "an answer of the run before would be taken for a new one";
   EXPECT_FALSE(is_limp(answer_to(at(0, 0))));
 }
 

@@ -29,10 +29,11 @@ constexpr int kStrokes = 4;
 /// A stop, a corner with a hook, a sweep across both, a dot.
 std::shared_ptr<const tablet::CarvedTablet> character() {
   return *tablet::CarvedTablet::from_lines(
-      {{{{20, 30}, {85, 30}}, StrokeEnding::stop, {}},
-       {{{25, 50}, {80, 50}, {80, 90}, {72, 83}}, StrokeEnding::hook, {}},
-       {{{52, 15}, {50, 45}, {42, 70}, {22, 97}}, StrokeEnding::taper, {}},
-       {{{88, 12}, {94, 19}}, StrokeEnding::stop, {}}},
+      tablet::tablet_lines(
+          std::vector<kanji::StrokeLine>{{{{20, 30}, {85, 30}}, StrokeEnding::stop, {}},
+                                         {{{25, 50}, {80, 50}, {80, 90}, {72, 83}}, StrokeEnding::hook, {}},
+                                         {{{52, 15}, {50, 45}, {42, 70}, {22, 97}}, StrokeEnding::taper, {}},
+                                         {{{88, 12}, {94, 19}}, StrokeEnding::stop, {}}}),
       256);
 }
 

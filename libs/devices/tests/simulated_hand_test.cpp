@@ -16,7 +16,9 @@ using kanji::StrokeEnding;
 /// A stroke across of 60 glyph units, and a dot.
 std::shared_ptr<const tablet::CarvedTablet> across_and_dot() {
   return *tablet::CarvedTablet::from_lines(
-      {{{{20, 40}, {80, 40}}, StrokeEnding::stop, {}}, {{{60, 75}, {66, 81}}, StrokeEnding::stop, {}}}, 256);
+      tablet::tablet_lines(std::vector<kanji::StrokeLine>{{{{20, 40}, {80, 40}}, StrokeEnding::stop, {}},
+                                                          {{{60, 75}, {66, 81}}, StrokeEnding::stop, {}}}),
+      256);
 }
 
 std::vector<std::shared_ptr<const haptics::HapticScene>> scenes_of(const tablet::CarvedTablet& tablet,

@@ -42,15 +42,15 @@ base::Result<OwnTablet> load_own_tablet(OwnFiles files, int carved_size, const c
   }
   OwnTablet own;
   own.map_size = map ? map->size() : 0;
-  std::vector<kanji::StrokeLine> lines;
+  std::vector<tablet::TabletLine> lines;
   if (!files.strokes.empty()) {
     const auto side = grid_of(files, own.map_size);
     if (!side) return tl::unexpected(side.error());
     const auto order = kanji::StrokeOrder::load(files.strokes, *side);
     if (!order) return tl::unexpected(order.error());
-    lines = order->to_lines(*side);
+    lines = tablet::tablet_lines(order->to_lines(*side));
   }
-  auto tablet = map ? tablet::CarvedTablet::from_height_map(std::move(*map), tablet::tablet_lines(lines))
+  auto tablet = map ? tablet::CarvedTablet::from_height_map(std::move(*map), std::move(lines))
                     : tablet::CarvedTablet::from_lines(std::move(lines), carved_size, brush);
   if (!tablet) return tl::unexpected(std::move(tablet.error()));
   own.tablet = *std::move(tablet);

@@ -69,6 +69,18 @@ Value to_json(const PaintedPicture& picture) {
           {"height", picture.height}};
 }
 
+Value to_json(const SolidModel& model) {
+  return {{"subject", model.subject},
+          {"file", model.file},
+          {"width_mm", model.width_mm},
+          {"height_mm", model.height_mm},
+          {"thickness_mm", model.thickness_mm},
+          {"volume_mm3", model.volume_mm3},
+          {"triangles", model.triangles},
+          {"error_mm", model.error_mm},
+          {"strokes_without_number", model.without_number}};
+}
+
 HandTracking tracking_of(const devices::HandReport& hand) {
   HandTracking tracking;
   double squares = 0, weights = 0;

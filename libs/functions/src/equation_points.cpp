@@ -10,10 +10,10 @@
 #include <string>
 
 #include "algebra.h"
-#include "arc_points.h"
 #include "derivative.h"
 #include "nazori/functions/tape.h"
 #include "plane_system.h"
+#include "zeros.h"
 
 namespace nazori::functions {
 namespace {

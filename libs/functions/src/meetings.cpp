@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "algebra.h"
-#include "arc_points.h"
 #include "arc_probe.h"
 #include "arcs.h"
 #include "equation_points.h"
 #include "one_variable.h"
 #include "plane_system.h"
+#include "zeros.h"
 
 namespace nazori::functions {
 namespace {

@@ -8,13 +8,13 @@
 #include <numbers>
 #include <string>
 
-#include "../src/arc_points.h"
 #include "../src/derivative.h"
 #include "../src/equation_points.h"
 #include "../src/far_out.h"
 #include "../src/one_variable.h"
 #include "../src/place_grid.h"
 #include "../src/plane_system.h"
+#include "../src/zeros.h"
 #include "nazori/functions/points.h"
 
 namespace nazori::functions {

@@ -173,15 +173,16 @@ base::Result<void> StrokeOrder::save(const std::filesystem::path& path) const {
   return base::write_file(path, to_bytes());
 }
 
-StrokeOrder StrokeOrder::from_lines(std::span<const StrokeLine> lines, int grid_size) {
+StrokeOrder StrokeOrder::from_lines(std::span<const geometry::Polyline<geometry::GlyphFrame>> lines,
+                                    int grid_size) {
   // Leaving out points and rounding the rest may together move the line by at most one sample.
   constexpr double kTolerance = 0.25;
   StrokeOrder order;
   const double last = grid_size - 1;
-  for (const StrokeLine& line : lines) {
+  for (const auto& line : lines) {
     std::vector<geometry::GridPoint> grid;
-    grid.reserve(line.points.size());
-    for (const geometry::GlyphPoint p : line.points) grid.push_back(geometry::glyph_to_grid(p, grid_size));
+    grid.reserve(line.size());
+    for (const geometry::GlyphPoint p : line) grid.push_back(geometry::glyph_to_grid(p, grid_size));
     Points points;
     for (const geometry::GridPoint p : simplify(grid, kTolerance)) {
       const auto whole = [last](double v) {

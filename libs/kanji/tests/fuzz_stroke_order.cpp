@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "nazori/kanji/centre_lines.h"
 #include "nazori/kanji/stroke_order.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -13,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // Each content has only one valid encoding, so what was read is written identically. Lines made from it
     // stay on the grid.
     if (order->to_bytes() != std::vector<std::uint8_t>(data, data + size)) std::abort();
-    if (!StrokeOrder::parse(StrokeOrder::from_lines(order->to_lines(grid), grid).to_bytes(), grid))
+    if (!StrokeOrder::parse(StrokeOrder::from_lines(centre_lines(order->to_lines(grid)), grid).to_bytes(),
+                            grid))
       std::abort();
   }
   return 0;

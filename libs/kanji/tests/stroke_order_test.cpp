@@ -12,6 +12,7 @@
 #include "nazori/base/file.h"
 #include "nazori/geometry/frames.h"
 #include "nazori/geometry/polyline.h"
+#include "nazori/kanji/centre_lines.h"
 
 namespace nazori::kanji {
 namespace {
@@ -187,7 +188,7 @@ TEST(StrokeOrder, FromLinesKeepsBendsWithinOneSampleWithFewPoints) {
   StrokeLine corner{{{10, 10}, {90, 10}, {90, 95}, {84, 89}}, StrokeEnding::hook, {}};
   for (const int size : {64, 128, 1024}) {
     const std::vector<StrokeLine> lines{arc, corner};
-    const StrokeOrder order = StrokeOrder::from_lines(lines, size);
+    const StrokeOrder order = StrokeOrder::from_lines(centre_lines(lines), size);
     ASSERT_EQ(order.count(), 2U);
     EXPECT_LE(farthest(arc, order.stroke(1), size), 1.0) << size;
     EXPECT_LE(farthest(corner, order.stroke(2), size), 1.0) << size;
@@ -195,23 +196,23 @@ TEST(StrokeOrder, FromLinesKeepsBendsWithinOneSampleWithFewPoints) {
     EXPECT_LT(order.stroke(1).size(), 80U);
     EXPECT_TRUE(StrokeOrder::parse(order.to_bytes(), size));
   }
-  EXPECT_LT(StrokeOrder::from_lines(std::vector{arc}, 128).stroke(1).size(), 40U);
+  EXPECT_LT(StrokeOrder::from_lines(centre_lines(std::vector{arc}), 128).stroke(1).size(), 40U);
 }
 
 TEST(StrokeOrder, LinesComeBackFromAFileAsTheyWere) {
   const auto order = StrokeOrder::parse(kyuu_of_2005(), 128).value();
-  EXPECT_EQ(StrokeOrder::from_lines(order.to_lines(128), 128), order);
+  EXPECT_EQ(StrokeOrder::from_lines(centre_lines(order.to_lines(128)), 128), order);
 }
 
 TEST(StrokeOrder, PointsBeyondTheBoxAreHeldAtItsEdge) {
   const StrokeLine line{{{-20, 50}, {130, 50}}, StrokeEnding::stop, {}};
-  EXPECT_EQ(StrokeOrder::from_lines(std::vector{line}, 110).stroke(1),
+  EXPECT_EQ(StrokeOrder::from_lines(centre_lines(std::vector{line}), 110).stroke(1),
             (StrokeOrder::Points{{0, 50}, {109, 50}}));
 }
 
 TEST(StrokeOrder, ALineThatIsOnePointStaysAStroke) {
   const StrokeLine dot{{{54.5, 54.5}, {54.6, 54.5}}, StrokeEnding::stop, {}};
-  const auto order = StrokeOrder::from_lines(std::vector{dot}, 110);
+  const auto order = StrokeOrder::from_lines(centre_lines(std::vector{dot}), 110);
   ASSERT_EQ(order.count(), 1U);
   EXPECT_EQ(order.stroke(1).size(), 1U);
 }
@@ -225,7 +226,7 @@ StrokeLine on_grid(const std::vector<geometry::GridPoint>& points, int size) {
 TEST(StrokeOrder, ABendOfMoreThanAQuarterOfASampleIsKept) {
   constexpr int kSize = 128;
   const auto points = [](std::vector<geometry::GridPoint> line) {
-    return StrokeOrder::from_lines(std::vector{on_grid(line, kSize)}, kSize).stroke(1);
+    return StrokeOrder::from_lines(centre_lines(std::vector{on_grid(line, kSize)}), kSize).stroke(1);
   };
   // Both bends are rounded to the next row.
   EXPECT_EQ(points({{0, 10.4}, {50, 10.64}, {100, 10.4}}), (StrokeOrder::Points{{0, 10}, {100, 10}}));
@@ -245,7 +246,7 @@ TEST(StrokeOrder, ABendOfMoreThanAQuarterOfASampleIsKept) {
 TEST(StrokeOrder, LinesWithoutPointsAreNoStrokesAndNumbersThatAreNoneStandAtTheEdge) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const std::vector<StrokeLine> lines{StrokeLine{}, {{{kNone, 109}, {109, kNone}}, StrokeEnding::stop, {}}};
-  const StrokeOrder order = StrokeOrder::from_lines(lines, 110);
+  const StrokeOrder order = StrokeOrder::from_lines(centre_lines(lines), 110);
   ASSERT_EQ(order.count(), 1U);
   EXPECT_EQ(order.stroke(1), (StrokeOrder::Points{{0, 109}, {109, 0}}));
 }

@@ -49,7 +49,7 @@ base::Result<void> save_tablet(const tablet::CarvedTablet& carved, const std::fi
                                FileFormat format, int size, bool own_map) {
   if (own_map) size = carved.height_map().size();
   if (format == FileFormat::strokes)
-    return kanji::StrokeOrder::from_lines(tablet::stroke_lines(carved.lines()), size).save(path);
+    return kanji::StrokeOrder::from_lines(tablet::centre_lines(carved.lines()), size).save(path);
   const surface::HeightMap* map = &carved.height_map();
   surface::HeightMap again;
   if (!own_map && map->size() != size) {
@@ -64,7 +64,7 @@ base::Result<void> save_tablet(const tablet::CarvedTablet& carved, const std::fi
 
 struct CarveRequest {
   char32_t code_point;
-  std::vector<kanji::StrokeLine> lines;
+  std::vector<tablet::TabletLine> lines;
 };
 
 struct LoadRequest {
@@ -142,7 +142,7 @@ TabletWorkshop::TabletWorkshop(base::Inbox& inbox) : inside_(std::make_unique<In
 TabletWorkshop::~TabletWorkshop() = default;
 
 void TabletWorkshop::carve(const kanji::Character& character) {
-  inside_->latest.request(CarveRequest{character.code_point, character.lines()});
+  inside_->latest.request(CarveRequest{character.code_point, tablet::tablet_lines(character.lines())});
 }
 
 void TabletWorkshop::load(const path& map_path, const path& strokes_path, const OwnTablet& onto,

@@ -12,9 +12,9 @@ WritingGroove::WritingGroove(base::Inbox& inbox, std::function<void(const Tablet
     : put_(std::move(put)),
       carver_(
           "carver", inbox,
-          [](const std::vector<std::pair<int, kanji::StrokeLine>>& strokes, const auto&) {
+          [](const std::vector<std::pair<int, tablet::TabletLine>>& strokes, const auto&) {
             Carved carved;
-            std::vector<kanji::StrokeLine> lines;
+            std::vector<tablet::TabletLine> lines;
             for (const auto& [n, line] : strokes) {
               carved.strokes.push_back(n);
               lines.push_back(line);
@@ -45,8 +45,8 @@ void WritingGroove::carve(std::vector<int> strokes) {
     put_(blank_tablet());
     return;
   }
-  std::vector<std::pair<int, kanji::StrokeLine>> lines;
-  const auto all = tablet::stroke_lines(model_->lines());
+  std::vector<std::pair<int, tablet::TabletLine>> lines;
+  const auto& all = model_->lines();
   lines.reserve(strokes.size());
   for (const int n : strokes) lines.emplace_back(n, all[static_cast<std::size_t>(n)]);
   carver_.request(std::move(lines));

@@ -58,13 +58,13 @@ class StageTest : public testing::Test {
     for (int i = 0; i < 3; ++i)
       lines[static_cast<std::size_t>(i)].points = {{20, 24.5 + 30 * i}, {89, 24.5 + 30 * i}};
     lines[2].ending = kanji::StrokeEnding::taper;
-    return {nullptr, *tablet::CarvedTablet::from_lines(lines, 128)};
+    return {nullptr, *tablet::CarvedTablet::from_lines(tablet::tablet_lines(lines), 128)};
   }
   /// A character of the database, with its tablet.
   static StageSubject character(char32_t code_point) {
     auto sheet = std::make_shared<CharacterSheet>();
     sheet->character = *kanji::KanjiDatabase::open(test::database())->find(code_point);
-    return {sheet, *tablet::CarvedTablet::from_lines(sheet->character.lines(), 128)};
+    return {sheet, *tablet::CarvedTablet::from_lines(tablet::tablet_lines(sheet->character.lines()), 128)};
   }
   /// The centre line of a stroke of the subject, from 1.
   static std::vector<geometry::TabletPoint> line(const StageSubject& subject, int stroke) {

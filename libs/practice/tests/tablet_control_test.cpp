@@ -21,7 +21,7 @@ std::shared_ptr<const nazori::tablet::CarvedTablet> three() {
   std::vector<nazori::kanji::StrokeLine> lines(3);
   for (int i = 0; i < 3; ++i)
     lines[static_cast<std::size_t>(i)].points = {{20, 24.5 + 30 * i}, {89, 24.5 + 30 * i}};
-  return *nazori::tablet::CarvedTablet::from_lines(lines, 128);
+  return *nazori::tablet::CarvedTablet::from_lines(nazori::tablet::tablet_lines(lines), 128);
 }
 
 TEST(TabletControl, SteppingForwardsGoesThroughEveryStrokeAndWrapsThroughAll) {

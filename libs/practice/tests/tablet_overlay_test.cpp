@@ -20,7 +20,7 @@ std::shared_ptr<const tablet::CarvedTablet> two_level_strokes() {
   std::vector<kanji::StrokeLine> lines(2);
   for (int i = 0; i < 2; ++i)
     lines[static_cast<std::size_t>(i)].points = {{20, 34.5 + 40 * i}, {89, 34.5 + 40 * i}};
-  return *tablet::CarvedTablet::from_lines(lines, 128);
+  return *tablet::CarvedTablet::from_lines(tablet::tablet_lines(lines), 128);
 }
 
 class Drawn : public testing::Test {

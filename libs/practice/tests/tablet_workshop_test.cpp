@@ -158,7 +158,7 @@ TEST(Saving, ACarvedTabletIsWrittenInEachFormatAndReadAgain) {
   const Folder folder;
   std::vector<kanji::StrokeLine> lines(1);
   lines[0].points = {{20, 54.5}, {89, 54.5}};
-  const Tablet tablet = *tablet::CarvedTablet::from_lines(lines, 256);
+  const Tablet tablet = *tablet::CarvedTablet::from_lines(tablet::tablet_lines(lines), 256);
   WorkshopUnderTest under;
   auto& workshop = under.workshop;
   const auto path = [&folder](const char* name) { return folder / name; };
@@ -182,7 +182,7 @@ TEST(Saving, ACarvedTabletIsWrittenInEachFormatAndReadAgain) {
 TEST(Saving, AFolderThatCannotBeWrittenIsReported) {
   std::vector<kanji::StrokeLine> lines(1);
   lines[0].points = {{20, 54.5}, {89, 54.5}};
-  const Tablet tablet = *tablet::CarvedTablet::from_lines(lines, 64);
+  const Tablet tablet = *tablet::CarvedTablet::from_lines(tablet::tablet_lines(lines), 64);
   WorkshopUnderTest under;
   under.workshop.save(tablet, "/nonexistent/a.raw", FileFormat::raw, 64, false);
   under.wait_for(under.failed, 1);

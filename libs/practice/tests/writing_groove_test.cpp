@@ -17,7 +17,7 @@ struct GrooveUnderTest {
     std::vector<kanji::StrokeLine> lines(2);
     lines[0].points = {{30, 30}, {80, 30}};
     lines[1].points = {{20, 80}, {90, 80}};
-    model = *tablet::CarvedTablet::from_lines(lines, 128);
+    model = *tablet::CarvedTablet::from_lines(tablet::tablet_lines(lines), 128);
   }
   /// Depth of the newest tablet at a height of the glyph frame, 0..1 of a full groove.
   [[nodiscard]] double depth_at(double y) const {

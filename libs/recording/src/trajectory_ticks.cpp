@@ -44,15 +44,17 @@ base::Result<TrajectoryTicks> TrajectoryTicks::create(TrajectoryReader reader,
     return ticks;
   }
   if (ticks.ahead_.size() < 2) return ticks;
-  const double measured = 1 / median_distance(ticks.ahead_);
-  if (!(measured >= kLowestRate_hz && measured <= kHighestRate_hz)) {
-    return base::fail(
-        base::Errc::parse,
-        fmt::format("the rows are {:g} s apart, which is not the rate of a servo", 1 / measured), "t",
-        "give --rate 1000 to have points between them");
-  }
+  const double distance_s = median_distance(ticks.ahead_);
+  const double measured = 1 / distance_s;
+  // Rounded first: the times of rows at the highest rate are rounded, so a distance may be a little too
+  // short.
   const double whole = std::round(measured);
   ticks.rate_hz_ = std::abs(measured - whole) <= kNearlyWhole * whole ? whole : measured;
+  if (!(ticks.rate_hz_ >= kLowestRate_hz && ticks.rate_hz_ <= kHighestRate_hz)) {
+    return base::fail(base::Errc::parse,
+                      fmt::format("the rows are {:g} s apart, which is not the rate of a servo", distance_s),
+                      "t", "give --rate 1000 to have points between them");
+  }
   return ticks;
 }
 

@@ -80,6 +80,21 @@ TEST(TrajectoryTicks, OnlyRatesThatAServoMayHaveAreTaken) {
       "them)");
 }
 
+TEST(TrajectoryTicks, RowsAtTheFirstAndTheLastRateAreTakenHoweverTheirTimesAreRounded) {
+  for (const double start_s : {0.0, 0.1, 5.0, 1234.5, 86'400.0}) {
+    const auto at = [start_s](double period_s) {
+      std::string text = "t,x,y,z\n";
+      for (int i = 0; i < 50; ++i) text += fmt::format("{},0,0,0\n", start_s + period_s * i);
+      return text;
+    };
+    for (const double rate_hz : {20.0, 20'000.0}) {
+      const Ticks got = ticks(at(1 / rate_hz));
+      EXPECT_EQ(got.rate_hz, rate_hz) << start_s << ": " << got.trouble;
+      EXPECT_EQ(got.points.size(), 50U);
+    }
+  }
+}
+
 TEST(TrajectoryTicks, TheFirstThousandDistancesGiveTheRate) {
   std::string text = rows(1001, 0.001);
   for (int i = 1; i <= 2000; ++i) text += fmt::format("{},0,0,0\n", 6 + 0.01 * i);

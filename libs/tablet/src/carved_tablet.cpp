@@ -12,7 +12,6 @@ namespace nazori::tablet {
 namespace {
 
 using geometry::GlyphPoint;
-using kanji::StrokeLine;
 
 // 0.5 glyph units are 0.46 mm on a tablet of 100 mm: the rise of a hook, which takes a few units, is sampled
 // to a hundredth of the depth. A stroke file may hold millions of long segments, so the total is bounded too.
@@ -103,20 +102,21 @@ base::Result<void> check_lines(std::span<const TabletLine> lines) {
 }  // namespace
 
 base::Result<std::shared_ptr<const CarvedTablet>> CarvedTablet::from_lines(
-    std::vector<StrokeLine> lines, int size, const carving::Brush& brush,
+    std::vector<TabletLine> lines, int size, const carving::Brush& brush,
     const geometry::TabletShape& shape) {
   if (auto ok = check_shape(shape); !ok) return tl::unexpected(std::move(ok.error()));
-  auto map = carving::carve(lines, size, brush);
+  const std::vector<kanji::StrokeLine> strokes = stroke_lines(lines);
+  auto map = carving::carve(strokes, size, brush);
   if (!map) return tl::unexpected(std::move(map.error()));
   auto surface = surface::SmoothSurface::create(*map);
   if (!surface) return tl::unexpected(std::move(surface.error()));
 
   std::shared_ptr<CarvedTablet> tablet(new CarvedTablet);
-  const carving::Brush carved = carving::fitted(brush, lines);
-  tablet->lines_ = tablet_lines(lines);
+  const carving::Brush carved = carving::fitted(brush, strokes);
+  tablet->lines_ = std::move(lines);
   tablet->paths_ = paths_of(tablet->lines_, shape, [&](std::size_t line, double length) {
-    const double hook = carving::hook_length(lines[line]);
-    return [&carved, ending = lines[line].ending, length, hook](const Place& place) {
+    const double hook = carving::hook_length(strokes[line]);
+    return [&carved, ending = strokes[line].ending, length, hook](const Place& place) {
       return carving::brush_at(carved, ending, place.s, length, hook).depth;
     };
   });

@@ -7,6 +7,13 @@ std::vector<TabletLine> tablet_lines(std::span<const kanji::StrokeLine> strokes)
   return {strokes.begin(), strokes.end()};
 }
 
+std::vector<geometry::Polyline<geometry::GlyphFrame>> centre_lines(std::span<const TabletLine> lines) {
+  std::vector<geometry::Polyline<geometry::GlyphFrame>> all;
+  all.reserve(lines.size());
+  for (const TabletLine& line : lines) all.push_back(line.points);
+  return all;
+}
+
 std::vector<kanji::StrokeLine> stroke_lines(std::span<const TabletLine> lines) {
   std::vector<kanji::StrokeLine> strokes;
   strokes.reserve(lines.size());

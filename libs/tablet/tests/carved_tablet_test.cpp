@@ -27,9 +27,9 @@ StrokeLine line(std::vector<GlyphPoint> points, StrokeEnding ending = StrokeEndi
   return {std::move(points), ending, std::nullopt};
 }
 
-std::shared_ptr<const CarvedTablet> carved(std::vector<StrokeLine> lines, int size = 256,
+std::shared_ptr<const CarvedTablet> carved(const std::vector<StrokeLine>& lines, int size = 256,
                                            const carving::Brush& brush = {}) {
-  auto tablet = CarvedTablet::from_lines(std::move(lines), size, brush);
+  auto tablet = CarvedTablet::from_lines(tablet_lines(lines), size, brush);
   EXPECT_TRUE(tablet) << base::to_line(tablet.error());
   return tablet ? *tablet : nullptr;
 }
@@ -117,11 +117,23 @@ TEST(CarvedTablet, APathHasNoMorePointsThanItNeeds) {
   EXPECT_EQ(tablet->paths()[2].points.size(), 4U) << "a bend between points that are repeated is kept, too";
 }
 
+TEST(CarvedTablet, ACurveIsCarvedToItsEndAndStaysWithoutAnEnding) {
+  const std::vector<GlyphPoint> points{{20, 30}, {90, 30}};
+  const auto curve = *CarvedTablet::from_lines({TabletLine(points)}, 128);
+  const auto stops = carved({line(points, StrokeEnding::stop)}, 128);
+  const auto sweeps = carved({line(points, StrokeEnding::taper)}, 128);
+  EXPECT_FALSE(curve->lines().front().ending);
+  EXPECT_EQ(stops->lines().front().ending, StrokeEnding::stop);
+  EXPECT_EQ(curve->height_map(), stops->height_map());
+  EXPECT_NE(curve->height_map(), sweeps->height_map());
+  EXPECT_EQ(curve->paths().front().points, stops->paths().front().points);
+}
+
 TEST(CarvedTablet, ThePathsRiseByTheLengthWalkedRoundEveryBend) {
   const std::vector<StrokeLine> lines{line({{20, 30}, {90, 30}, {90, 85}, {84, 80}}, StrokeEnding::hook),
                                       line({{30, 50}, {50, 50}, {50, 95}}, StrokeEnding::taper)};
   const geometry::TabletShape shape{0.3, 0.02};
-  const auto tablet = *CarvedTablet::from_lines(lines, 128, {}, shape);
+  const auto tablet = *CarvedTablet::from_lines(tablet_lines(lines), 128, {}, shape);
   const carving::Brush brush = carving::fitted({}, lines);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const double hook = carving::hook_length(lines[k]);

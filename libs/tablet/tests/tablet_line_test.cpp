@@ -15,13 +15,14 @@ TEST(TabletLine, OfAStrokeHasItsEndingAndACurveHasNone) {
   EXPECT_EQ(tablet_lines(std::vector{stroke, stroke}), (std::vector<TabletLine>{line, line}));
 }
 
-TEST(TabletLine, WithoutAnEndingIsDrawnAsAStrokeThatStops) {
+TEST(TabletLine, WithoutAnEndingIsCarvedAsAStrokeThatStops) {
   const geometry::Polyline<geometry::GlyphFrame> curve{{1, 2}, {3, 4}};
   const TabletLine hook = kanji::StrokeLine{curve, kanji::StrokeEnding::hook, {}};
   const auto strokes = stroke_lines(std::vector{TabletLine(curve), hook});
   ASSERT_EQ(strokes.size(), 2U);
   EXPECT_EQ(strokes[0], (kanji::StrokeLine{curve, kanji::StrokeEnding::stop, {}}));
   EXPECT_EQ(strokes[1].ending, kanji::StrokeEnding::hook);
+  EXPECT_EQ(centre_lines(std::vector{TabletLine(curve), hook}), (std::vector{curve, curve}));
 }
 
 }  // namespace

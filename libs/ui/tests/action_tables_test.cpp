@@ -130,6 +130,12 @@ more_strict Ctrl+]
 *lenient Ctrl+Alt+L
 *normal Ctrl+Alt+N
 *strict Ctrl+Alt+T
+[Pen by keys]
+*key_pen M
+-
+pen_down P
+pen_start T
+pen_where I
 [Speech]
 speak V
 *speaks_itself Shift+V

@@ -128,6 +128,11 @@ class DeviceChoice : public testing::Test {
     if (trouble != DeviceTrouble::none) made.problem = {trouble, {base::Errc::device, "what", "", "do this"}};
     return made;
   }
+  void show_findings(const std::vector<devices::BackEndFindings>& findings, const QString& chosen,
+                     const QString& in_use, const QString& in_use_name) {
+    panel_.show_choices(devices::device_choices(findings, chosen.toStdString(), in_use.toStdString(),
+                                                in_use_name.toStdString()));
+  }
   static haptics::DeviceDescription arm() { return {"Arm", 1000, true, {}}; }
 
   QWidget window_;
@@ -138,9 +143,9 @@ class DeviceChoice : public testing::Test {
 TEST_F(DeviceChoice, ListsTheBestThenWhatWasFoundThenWhy) {
   panel_.show_searching();
   EXPECT_TRUE(find("searching")->isVisible());
-  panel_.show_findings({findings("Arms", {{"a:1", "Arm one", true, true}, {"a:2", "Arm two", true, true}}),
-                        findings("Touch", {}, DeviceTrouble::device_absent)},
-                       {}, QStringLiteral("a:2"), QStringLiteral("Arm two"));
+  show_findings({findings("Arms", {{"a:1", "Arm one", true, true}, {"a:2", "Arm two", true, true}}),
+                 findings("Touch", {}, DeviceTrouble::device_absent)},
+                {}, QStringLiteral("a:2"), QStringLiteral("Arm two"));
   EXPECT_FALSE(find("searching")->isVisible());
   EXPECT_EQ(choices(), (QStringList{QStringLiteral("|Automatic (best available)*"),
                                     QStringLiteral("a:1|Arm one"), QStringLiteral("a:2|Arm two – in use")}));
@@ -150,18 +155,18 @@ TEST_F(DeviceChoice, ListsTheBestThenWhatWasFoundThenWhy) {
 }
 
 TEST_F(DeviceChoice, MarksTheOneThatWasChosen) {
-  panel_.show_findings({findings("Arms", {{"a:1", "Arm one", true, true}, {"a:2", "Arm two", true, true}})},
-                       QStringLiteral("a:1"), QStringLiteral("a:2"), QStringLiteral("Arm two"));
+  show_findings({findings("Arms", {{"a:1", "Arm one", true, true}, {"a:2", "Arm two", true, true}})},
+                QStringLiteral("a:1"), QStringLiteral("a:2"), QStringLiteral("Arm two"));
   EXPECT_EQ(choices(), (QStringList{QStringLiteral("|Automatic (best available)"),
                                     QStringLiteral("a:1|Arm one*"), QStringLiteral("a:2|Arm two – in use")}));
 }
 
 TEST_F(DeviceChoice, ListsWhatIsInUseOrWasChosenThoughItWasNotFound) {
-  panel_.show_findings({}, QStringLiteral("gone:1"), QStringLiteral("pointer"), QStringLiteral("Mouse"));
+  show_findings({}, QStringLiteral("gone:1"), QStringLiteral("pointer"), QStringLiteral("Mouse"));
   EXPECT_EQ(choices(), (QStringList{QStringLiteral("|Automatic (best available)"),
                                     QStringLiteral("pointer|Mouse – in use"),
                                     QStringLiteral("gone:1|gone:1 – not connected*")}));
-  panel_.show_findings({}, QStringLiteral("pointer"), QStringLiteral("pointer"), QStringLiteral("Mouse"));
+  show_findings({}, QStringLiteral("pointer"), QStringLiteral("pointer"), QStringLiteral("Mouse"));
   EXPECT_EQ(choices(), (QStringList{QStringLiteral("|Automatic (best available)"),
                                     QStringLiteral("pointer|Mouse – in use*")}));
 }
@@ -172,7 +177,7 @@ TEST_F(DeviceChoice, DoesNotSayThatWhatIsOpenHereIsInUse) {
                        findings("Others", {{"o:1", "Other", true, true}}, DeviceTrouble::in_use),
                        findings(used, {}, DeviceTrouble::no_permission)};
   };
-  panel_.show_findings(both("Third"), {}, QStringLiteral("a:1"), QStringLiteral("Arm"));
+  show_findings(both("Third"), {}, QStringLiteral("a:1"), QStringLiteral("Arm"));
   ASSERT_EQ(reasons().size(), 2);
   EXPECT_TRUE(reasons()[0].startsWith(QStringLiteral("Others is in use")));
   EXPECT_TRUE(reasons()[1].startsWith(QStringLiteral("Third is connected, but")));
@@ -180,8 +185,8 @@ TEST_F(DeviceChoice, DoesNotSayThatWhatIsOpenHereIsInUse) {
 
 TEST_F(DeviceChoice, TellsWhichOneAHandChooses) {
   QSignalSpy chosen(&panel_, &DeviceChoicePanel::chosen);
-  panel_.show_findings({findings("Arms", {{"a:1", "Arm", true, true}})}, {}, QStringLiteral("pointer"),
-                       QStringLiteral("Mouse"));
+  show_findings({findings("Arms", {{"a:1", "Arm", true, true}})}, {}, QStringLiteral("pointer"),
+                QStringLiteral("Mouse"));
   EXPECT_EQ(chosen.count(), 0);
   find<QRadioButton>("device_a:1")->click();
   EXPECT_EQ(chosen.takeFirst().at(0).toString(), QStringLiteral("a:1"));
@@ -194,8 +199,8 @@ TEST_F(DeviceChoice, KeepsTheKeyboardAmongTheDevicesWhenTheyAreListedAnew) {
   panel_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
   const auto list = [&] {
-    panel_.show_findings({findings("Arms", {{"a:1", "Arm", true, true}})}, QStringLiteral("a:1"),
-                         QStringLiteral("a:1"), QStringLiteral("Arm"));
+    show_findings({findings("Arms", {{"a:1", "Arm", true, true}})}, QStringLiteral("a:1"),
+                  QStringLiteral("a:1"), QStringLiteral("Arm"));
     QCoreApplication::processEvents();
   };
   list();

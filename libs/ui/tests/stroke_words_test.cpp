@@ -78,7 +78,7 @@ class StageWordsTest : public StrokeWordsTest {
   void put_three() {
     std::vector<kanji::StrokeLine> lines(3);
     for (int i = 0; i < 3; ++i) lines[static_cast<std::size_t>(i)].points = line(i, 89);
-    controller_.set_tablet(*tablet::CarvedTablet::from_lines(lines, 128));
+    controller_.set_tablet(*tablet::CarvedTablet::from_lines(tablet::tablet_lines(lines), 128));
   }
   static test::Points line(int stroke, double to) {
     return {{20, 24.5 + 30 * stroke}, {to, 24.5 + 30 * stroke}};

@@ -23,7 +23,7 @@ class CameraByHand : public testing::Test {
   CameraByHand() {
     std::vector<kanji::StrokeLine> lines(1);
     lines[0].points = {{20, 54.5}, {89, 54.5}};
-    controller_.set_tablet(*tablet::CarvedTablet::from_lines(lines, 64));
+    controller_.set_tablet(*tablet::CarvedTablet::from_lines(tablet::tablet_lines(lines), 64));
     window_.resize(800, 600);
     window_.set_reduced_motion(true);
     controller_.pressed.connect([this](const geometry::TabletPoint& at) { pressed_ = at; });

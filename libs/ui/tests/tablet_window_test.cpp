@@ -29,7 +29,7 @@ using PointerType = QPointingDevice::PointerType;
 std::shared_ptr<const tablet::CarvedTablet> one_stroke() {
   std::vector<kanji::StrokeLine> lines(1);
   lines[0].points = {{20, 54.5}, {89, 54.5}};
-  return *tablet::CarvedTablet::from_lines(lines, 64);
+  return *tablet::CarvedTablet::from_lines(tablet::tablet_lines(lines), 64);
 }
 
 class PenAndFingers : public testing::Test {

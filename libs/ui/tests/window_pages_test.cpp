@@ -136,8 +136,8 @@ TEST_F(PagesOfTheWindow, TheSameKeyDoesWhatThePageInTheWindowMeans) {
 }
 
 TEST_F(PagesOfTheWindow, MenusAndToolsAreThoseOfThePage) {
-  EXPECT_EQ(menus(), (QStringList{"File", "Learner", "Character", "Strokes", "Practice", "Writing", "Speech",
-                                  "Study", "Tablet", "View", "Go", "Help"}));
+  EXPECT_EQ(menus(), (QStringList{"File", "Learner", "Character", "Strokes", "Practice", "Writing",
+                                  "Pen by keys", "Speech", "Study", "Tablet", "View", "Go", "Help"}));
   press(Qt::Key_2, Qt::AltModifier);
   EXPECT_EQ(menus(), (QStringList{"File", "Learner", "Sundial", "Tablet", "View", "Go", "Help"}));
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

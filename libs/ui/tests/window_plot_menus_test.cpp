@@ -38,8 +38,8 @@ trace_start Home
 trace_end End
 trace_branch_on Up
 trace_branch_back Down
-trace_point_on Tab
-trace_point_back Shift+Tab
+trace_point_on N
+trace_point_back Shift+N
 -
 trace_coordinates C
 trace_slope D

@@ -436,6 +436,42 @@
 <context>
     <name>nazori::ui::CharacterActions</name>
     <message>
+        <source>Pen by &amp;keys</source>
+        <translation>キーで動かすペン(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Move the pen by key</source>
+        <translation>キーでペンを動かす(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Explore and write with the arrow keys or the number pad; Shift: fine steps</source>
+        <translation>矢印キーかテンキーで字をたどり、書きます。Shift：細かく動かす</translation>
+    </message>
+    <message>
+        <source>Pen &amp;down or up</source>
+        <translation>ペンを下ろす／上げる(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Put the pen down, or lift it</source>
+        <translation>ペンを下ろします。もう一度押すと上げます</translation>
+    </message>
+    <message>
+        <source>To the next &amp;start</source>
+        <translation>次の書き始めへ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Go to the start of the next stroke</source>
+        <translation>次の画の書き始めへ動かします</translation>
+    </message>
+    <message>
+        <source>&amp;Where is the pen?</source>
+        <translation>ペンの場所(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Say where the pen is</source>
+        <translation>ペンがどこにあるかを知らせます</translation>
+    </message>
+    <message>
         <source>&amp;More lenient</source>
         <translation>もう少しやさしく(&amp;M)</translation>
     </message>
@@ -2277,8 +2313,8 @@ Columns and rows:</source>
         <translation>注目点を表示／非表示にします</translation>
     </message>
     <message>
-        <source>The plot as grooves. Left and Right: move along the curve. Up and Down: go to another curve. Tab: next point of interest. H: play it. S: summary. Ctrl+L: expression. Ctrl+T: table</source>
-        <translation>溝として彫られたグラフ。左右の矢印キーで曲線に沿って動き、上下の矢印キーで別の曲線へ移ります。Tab：次の注目点、H：音を鳴らす、S：要約、Ctrl+L：式、Ctrl+T：表</translation>
+        <source>The plot as grooves. Left and Right: move along the curve. Up and Down: go to another curve. N: next point of interest. H: play it. S: summary. Ctrl+L: expression. Ctrl+T: table</source>
+        <translation>溝として彫られたグラフ。左右の矢印キーで曲線に沿って動き、上下の矢印キーで別の曲線へ移ります。N：次の注目点、H：音を鳴らす、S：要約、Ctrl+L：式、Ctrl+T：表</translation>
     </message>
     <message>
         <source>This range cannot be shown: %1.</source>
@@ -2788,6 +2824,61 @@ Columns and rows:</source>
     <message>
         <source>eraser end of the pen</source>
         <translation>ペンの消しゴム側</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::KeyWriting</name>
+    <message>
+        <source>Stroke %1.</source>
+        <translation>%1画目です。</translation>
+    </message>
+    <message>
+        <source>Start of stroke %1.</source>
+        <translation>%1画目の書き始めです。</translation>
+    </message>
+    <message>
+        <source>End of stroke %1.</source>
+        <translation>%1画目の終わりです。</translation>
+    </message>
+    <message>
+        <source>Beside stroke %1.</source>
+        <translation>%1画目から外れました。</translation>
+    </message>
+    <message>
+        <source>Edge of the tablet.</source>
+        <translation>文字板の端です。</translation>
+    </message>
+    <message>
+        <source>Pen down.</source>
+        <translation>ペンを下ろしました。</translation>
+    </message>
+    <message>
+        <source>Pen up.</source>
+        <translation>ペンを上げました。</translation>
+    </message>
+    <message>
+        <source>There are no strokes on this tablet.</source>
+        <translation>この文字板には画がありません。</translation>
+    </message>
+    <message>
+        <source>%1% from the left, %2% from the top.</source>
+        <translation>左から%1%、上から%2%です。</translation>
+    </message>
+    <message>
+        <source>No stroke here: %1</source>
+        <translation>ここに画はありません。%1</translation>
+    </message>
+    <message>
+        <source>Stroke %1, %2% of its length: %3</source>
+        <translation>%1画目の%2%の所です。%3</translation>
+    </message>
+    <message>
+        <source>The keys move the pen. Arrow keys: move. P: pen down or up. T: next start. I: where.</source>
+        <translation>キーでペンを動かします。矢印キー：動かす、P：下ろす／上げる、T：次の書き始め、I：場所</translation>
+    </message>
+    <message>
+        <source>The keys no longer move the pen.</source>
+        <translation>キーでペンを動かすのをやめました。</translation>
     </message>
 </context>
 <context>

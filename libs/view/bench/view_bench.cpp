@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nazori/carving/carve.h"
+#include "nazori/kanji/centre_lines.h"
 #include "nazori/view/offscreen.h"
 #include "nazori/view/tablet_view.h"
 
@@ -47,7 +48,7 @@ struct Stage {
   Stage(int map_size, Style style) {
     view->set_style(style);
     view->set_height_map(carving::carve(rest(), map_size).value());
-    view->set_strokes(rest());
+    view->set_strokes(kanji::centre_lines(rest()));
     view->set_camera(Camera::resting());
     overlay.strokes_visible = true;
     overlay.cursor = Cursor{};
@@ -114,7 +115,7 @@ void BM_AnotherCharacter(benchmark::State& state) {
   const auto map = carving::carve(rest(), static_cast<int>(state.range(0))).value();
   for (auto _ : state) {
     stage.view->set_height_map(map);
-    stage.view->set_strokes(rest());
+    stage.view->set_strokes(kanji::centre_lines(rest()));
     stage.draw();
   }
 }

@@ -266,14 +266,14 @@ std::vector<std::size_t> run_ends(std::span<const GlyphPoint> points) {
   return ends;
 }
 
-StrokeGeometry make_stroke_geometry(std::span<const kanji::StrokeLine> strokes, const Relief& relief,
+StrokeGeometry make_stroke_geometry(std::span<const GlyphLine> strokes, const Relief& relief,
                                     const geometry::TabletShape& shape) {
   StrokeGeometry geometry;
   geometry.plateau = plateau_of(relief);
   std::vector<GlyphLine> lines;
   double length = 0;
-  for (const kanji::StrokeLine& stroke : strokes) {
-    GlyphLine line = without_repeats(stroke.points);
+  for (const GlyphLine& stroke : strokes) {
+    GlyphLine line = without_repeats(stroke);
     if (line.empty()) line.push_back({0, 0});
     length += geometry::arc_length(std::span<const GlyphPoint>(line));
     lines.push_back(std::move(line));

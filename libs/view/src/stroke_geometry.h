@@ -68,7 +68,8 @@ struct StrokeGeometry {
 [[nodiscard]] std::vector<std::size_t> run_ends(std::span<const geometry::GlyphPoint> line);
 
 /// @param relief  the carved tablet, from which the width of each groove is read; size 0 when there is none.
-[[nodiscard]] StrokeGeometry make_stroke_geometry(std::span<const kanji::StrokeLine> strokes,
-                                                  const Relief& relief, const geometry::TabletShape& shape);
+[[nodiscard]] StrokeGeometry make_stroke_geometry(
+    std::span<const geometry::Polyline<geometry::GlyphFrame>> strokes, const Relief& relief,
+    const geometry::TabletShape& shape);
 
 }  // namespace nazori::view

@@ -101,7 +101,7 @@ struct TabletView::Inside {
 
   surface::HeightMap map;
   geometry::TabletShape shape;
-  std::vector<kanji::StrokeLine> lines;
+  std::vector<geometry::Polyline<geometry::GlyphFrame>> lines;
   Relief ink_relief;
   Look look;
   Camera camera;
@@ -220,8 +220,8 @@ void TabletView::set_height_map(const surface::HeightMap& map, const geometry::T
   ++inside_->content;
 }
 
-void TabletView::set_strokes(std::span<const kanji::StrokeLine> strokes) {
-  inside_->lines.assign(strokes.begin(), strokes.end());
+void TabletView::set_strokes(std::vector<geometry::Polyline<geometry::GlyphFrame>> lines) {
+  inside_->lines = std::move(lines);
   inside_->strokes_stale = true;
   ++inside_->content;
 }

@@ -224,7 +224,7 @@ TEST_F(Stylus, ItsShadowFallsAwayFromTheLight) {
 TEST_F(Stylus, CarriesTheColourOfTheCurrentStroke) {
   Studio& studio = *shared_;
   ready(studio, Style::wood);
-  studio.view->set_strokes(std::vector{fixtures::straight({10, 100}, {100, 100})});
+  studio.view->set_strokes(kanji::centre_lines(std::vector{fixtures::straight({10, 100}, {100, 100})}));
   Cursor cursor;
   cursor.axis = {1, 0, 0.3};
   cursor.touching = true;

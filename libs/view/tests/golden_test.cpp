@@ -52,7 +52,7 @@ TEST_P(Golden, LooksAsItDidWhenAPersonLookedAtIt) {
   studio.view->set_style(scene.style);
   studio.view->set_theme(scene.theme);
   studio.view->set_height_map(carved(rest()));
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   studio.view->set_camera(scene.camera);
   Overlay overlay;
   overlay.strokes_visible = scene.strokes;

@@ -28,7 +28,7 @@ TEST_P(InkInEveryLook, InkAddedPieceByPieceGivesThePictureOfInkAddedAtOnce) {
   studio.view->set_style(std::get<0>(GetParam()));
   studio.view->set_theme(std::get<1>(GetParam()));
   studio.view->set_height_map(carved(rest()));
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   studio.view->set_camera({0.3, 0.7, 1.2, {}});
   Overlay overlay;
   overlay.strokes_visible = true;
@@ -48,7 +48,7 @@ TEST_P(InkInEveryLook, InkAddedPieceByPieceGivesThePictureOfInkAddedAtOnce) {
   again.view->set_style(std::get<0>(GetParam()));
   again.view->set_theme(std::get<1>(GetParam()));
   again.view->set_height_map(carved(rest()));
-  again.view->set_strokes(rest());
+  again.view->set_strokes(kanji::centre_lines(rest()));
   again.view->set_camera({0.3, 0.7, 1.2, {}});
   EXPECT_EQ(changed_pixels(slowly, again.shoot(overlay), 6), 0);
 }
@@ -58,7 +58,7 @@ TEST_P(InkInEveryLook, InkGrowsWithTheShareTraced) {
   studio.view->set_style(std::get<0>(GetParam()));
   studio.view->set_theme(std::get<1>(GetParam()));
   studio.view->set_height_map(carved(rest()));
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   Overlay overlay;
   const Picture bare = studio.shoot(overlay);
   std::array<double, 6> ink{};
@@ -82,7 +82,7 @@ TEST(Ink, InkFollowsTheStrokeFromItsStartByArcLength) {
   const auto lines = std::vector{straight({20, 54}, {90, 54})};
   Studio studio(500, 500);
   studio.view->set_height_map(carved(lines));
-  studio.view->set_strokes(lines);
+  studio.view->set_strokes(kanji::centre_lines(lines));
   Overlay overlay;
   const Picture bare = studio.shoot(overlay);
   const std::array<double, 1> ink{0.5};
@@ -101,7 +101,7 @@ TEST(Ink, InkFollowsTheStrokeFromItsStartByArcLength) {
 TEST(Ink, InkStaysInTheGroove) {
   Studio studio(500, 500);
   studio.view->set_height_map(carved(rest()));
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   Overlay overlay;
   const Picture bare = studio.shoot(overlay);
   const std::array<double, 6> ink{1, 1, 1, 1, 1, 1};
@@ -127,7 +127,7 @@ TEST(Ink, InkStaysInTheGrooveWhereThePlateauIsLower) {
     for (int column = 0; column < map.size(); ++column) map.set(column, row, map.at(column, row) * kPlateau);
   Studio studio(500, 500);
   studio.view->set_height_map(map);
-  studio.view->set_strokes(lines);
+  studio.view->set_strokes(kanji::centre_lines(lines));
   Overlay overlay;
   const Picture bare = studio.shoot(overlay);
   const std::array<double, 1> ink{0.8};
@@ -153,11 +153,11 @@ TEST(Ink, OfTheCharacterBeforeNothingIsLeft) {
   const std::array<double, 1> one{1};
   Studio studio(500, 500);
   studio.view->set_height_map(carved(before));
-  studio.view->set_strokes(before);
+  studio.view->set_strokes(kanji::centre_lines(before));
   overlay.groove_ink = full;
   (void)studio.shoot(overlay);
   studio.view->set_height_map(carved(after));
-  studio.view->set_strokes(after);
+  studio.view->set_strokes(kanji::centre_lines(after));
   overlay.groove_ink = none;
   (void)studio.shoot(overlay);
   overlay.groove_ink = one;
@@ -165,7 +165,7 @@ TEST(Ink, OfTheCharacterBeforeNothingIsLeft) {
 
   Studio fresh(500, 500);
   fresh.view->set_height_map(carved(after));
-  fresh.view->set_strokes(after);
+  fresh.view->set_strokes(kanji::centre_lines(after));
   EXPECT_EQ(changed_pixels(fresh.shoot(overlay), picture, 6), 0);
 }
 
@@ -173,7 +173,7 @@ TEST(Ink, TheCurrentStrokeIsVermilionAndFinishedStrokesAreNot) {
   const auto lines = std::vector{straight({20, 30}, {90, 30}), straight({20, 80}, {90, 80})};
   Studio studio(500, 500);
   studio.view->set_height_map(carved(lines));
-  studio.view->set_strokes(lines);
+  studio.view->set_strokes(kanji::centre_lines(lines));
   Overlay overlay;
   overlay.current_stroke = 2;
   const std::array<double, 2> ink{1, 1};

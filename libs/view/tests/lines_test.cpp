@@ -44,7 +44,8 @@ class Lines : public testing::Test {
     studio_.view->set_style(Style::wood);
     studio_.view->set_theme(Theme::light);
     studio_.view->set_camera({});
-    studio_.view->set_strokes(std::vector{straight({20, 54.5}, {90, 54.5}), straight({20, 90}, {90, 90})});
+    studio_.view->set_strokes(
+        kanji::centre_lines(std::vector{straight({20, 54.5}, {90, 54.5}), straight({20, 90}, {90, 90})}));
     overlay_.strokes_visible = true;
     overlay_.arrows_visible = false;
     overlay_.numbers_visible = false;
@@ -122,7 +123,7 @@ TEST_F(Lines, SeeThroughLinesAreMixedOnceWithWhatLiesUnderThem) {
   // Their pieces overlap by half their width.
   kanji::StrokeLine pieces;
   for (int i = 0; i <= 7; ++i) pieces.points.push_back({20 + i * 10.0, 54.5});
-  studio_.view->set_strokes(std::vector{pieces});
+  studio_.view->set_strokes(kanji::centre_lines(std::vector{pieces}));
   const Picture without = bare();
   for (const double opacity : {0.5, 0.25}) {
     overlay_.lines_opacity = opacity;
@@ -213,7 +214,7 @@ TEST_F(Lines, ANumberIsADiscOfTenPixelsWithARingAndADotOnItsStart) {
 TEST_F(Lines, ANumberThatHadToMoveAwayIsLedToByDots) {
   // So many start at one point that most numbers are far from it.
   std::vector<kanji::StrokeLine> lines(12, straight({54, 54}, {54.2, 54}));
-  studio_.view->set_strokes(lines);
+  studio_.view->set_strokes(kanji::centre_lines(lines));
   overlay_.numbers_visible = true;
   overlay_.lines_opacity = 0;
   const Picture without = bare();
@@ -251,8 +252,8 @@ TEST_F(Lines, TheTextScaleIsHeldBetweenAHalfAndFour) {
 TEST_F(Lines, OfStartsOutsideThePictureThereIsNoNumber) {
   overlay_.numbers_visible = true;
   const auto corner = [](double x, double y) { return straight({x, y}, {54.5, 54.5}); };
-  studio_.view->set_strokes(
-      std::vector{corner(54, 5), corner(104, 54), corner(54, 104), corner(5, 54), corner(54.5, 50)});
+  studio_.view->set_strokes(kanji::centre_lines(
+      std::vector{corner(54, 5), corner(104, 54), corner(54, 104), corner(5, 54), corner(54.5, 50)}));
   studio_.view->set_camera({0, 0, 5, {}});
   (void)studio_.shoot(overlay_);
   ASSERT_EQ(studio_.view->numbers().size(), 1U);

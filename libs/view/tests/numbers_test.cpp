@@ -89,7 +89,7 @@ Overlay all_strokes() {
 TEST(StrokeNumbers, AreReadableAndNeverMirroredFromAnySide) {
   Studio studio(700, 700);
   studio.view->set_height_map(surface::HeightMap::create(64).value());
-  studio.view->set_strokes(nine_strokes());
+  studio.view->set_strokes(kanji::centre_lines(nine_strokes()));
   for (const Camera& camera :
        {Camera{}, Camera{3.1, 0.3, 1, {}}, Camera{1.5, 1.0, 1, {}}, Camera{-0.8, 1.35, 1, {}}}) {
     studio.view->set_camera(camera);
@@ -111,7 +111,7 @@ TEST(StrokeNumbers, AreReadableAndNeverMirroredFromAnySide) {
 TEST(StrokeNumbers, StandBesideTheirStarts) {
   Studio studio(700, 700);
   studio.view->set_height_map(surface::HeightMap::create(64).value());
-  studio.view->set_strokes(nine_strokes());
+  studio.view->set_strokes(kanji::centre_lines(nine_strokes()));
   (void)studio.shoot(all_strokes());
   const auto lines = nine_strokes();
   for (const NumberPlace& place : studio.view->numbers()) {
@@ -131,7 +131,7 @@ TEST(StrokeNumbers, NeverHideEachOtherHoweverCrowded) {
   lines.push_back(lines.front());  // two strokes from one point
   Studio studio(640, 480);
   studio.view->set_height_map(surface::HeightMap::create(64).value());
-  studio.view->set_strokes(lines);
+  studio.view->set_strokes(kanji::centre_lines(lines));
   for (const double text_scale : {1.0, 28.0 / 12.0}) {
     for (const Camera& camera :
          {Camera{}, Camera{1, 1.3, 1, {}}, Camera{0, 0, 0.2, {}}, Camera{2, 0.5, 3, {}}}) {
@@ -164,7 +164,7 @@ TEST(StrokeNumbers, AThousandThatStartInOnePlaceOverlapNowhereAndStayNear) {
 TEST(StrokeNumbers, KeepTheirSizeOnScreenAtEveryZoomAndGrowWithTheText) {
   Studio studio(640, 480);
   studio.view->set_height_map(surface::HeightMap::create(64).value());
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   Overlay overlay;
   overlay.strokes_visible = true;
   for (const double zoom : {0.2, 1.0, 3.0}) {
@@ -183,7 +183,7 @@ TEST(StrokeNumbers, KeepTheirSizeOnScreenAtEveryZoomAndGrowWithTheText) {
 TEST(StrokeNumbers, AreNeverHiddenByTheTabletOnAnyOrbit) {
   Studio studio(500, 400);
   studio.view->set_height_map(fixtures::carved(rest()));
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   studio.view->set_refinement(Refinement::always);
   Overlay overlay;
   overlay.strokes_visible = true;
@@ -205,7 +205,7 @@ TEST(StrokeNumbers, AreNeverHiddenByTheTabletOnAnyOrbit) {
 TEST(StrokeNumbers, AreNotHiddenByTheStylus) {
   Studio studio(500, 400);
   studio.view->set_height_map(surface::HeightMap::create(64).value());
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   Overlay overlay;
   overlay.strokes_visible = true;
   const Picture without = studio.shoot(overlay);
@@ -231,7 +231,7 @@ TEST(StrokeNumbers, AreNotHiddenByTheStylus) {
 TEST(StrokeNumbers, CanBeSwitchedOffAndFollowTheChosenStroke) {
   Studio studio(500, 400);
   studio.view->set_height_map(surface::HeightMap::create(64).value());
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   Overlay overlay;
   (void)studio.shoot(overlay);
   EXPECT_TRUE(studio.view->numbers().empty());

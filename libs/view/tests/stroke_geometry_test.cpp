@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 namespace nazori::view {
@@ -11,9 +12,7 @@ namespace {
 const geometry::TabletShape kShape{};
 
 std::vector<ArrowHead> heads_of(const std::vector<geometry::GlyphPoint>& points) {
-  kanji::StrokeLine line;
-  line.points = points;
-  return make_stroke_geometry(std::vector{line}, {}, kShape).heads;
+  return make_stroke_geometry(std::array{points}, {}, kShape).heads;
 }
 
 void expect_head(const ArrowHead& head, geometry::GlyphPoint tip, double right, double up) {

@@ -98,7 +98,7 @@ TEST(TabletView, TheDarkThemeHasNoBrightPlateInIt) {
 TEST(TabletView, NothingIsSentAgainWhileTracingAndOrbiting) {
   Studio studio(320, 240);
   studio.view->set_height_map(carved(rest()));
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   Overlay overlay;
   overlay.strokes_visible = true;
   overlay.cursor = Cursor{};
@@ -121,7 +121,7 @@ TEST(TabletView, NothingIsSentAgainWhileTracingAndOrbiting) {
 TEST(TabletView, AStillPictureIsKeptAndOnlyTheCursorIsDrawn) {
   Studio studio(320, 240);
   studio.view->set_height_map(carved(rest()));
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   Overlay overlay;
   overlay.strokes_visible = true;
   (void)studio.shoot(overlay);
@@ -140,7 +140,7 @@ TEST(TabletView, OnlyTheChosenStrokeIsDrawnAndNoneChosenMeansAll) {
   Studio studio(600, 600);
   studio.view->set_style(Style::classic);
   studio.view->set_height_map(carved(lines));
-  studio.view->set_strokes(lines);
+  studio.view->set_strokes(kanji::centre_lines(lines));
   const auto drawn = [&](int current, geometry::GlyphPoint p) {
     Overlay overlay;
     overlay.strokes_visible = true;
@@ -166,7 +166,8 @@ TEST(TabletView, AnArrowheadPointsAlongItsStroke) {
     for (const double angle : {0.0, 0.8, 1.9, 3.3, 4.4, 5.6}) {
       const geometry::GlyphPoint way{std::cos(angle), std::sin(angle)};
       const geometry::GlyphPoint middle{54, 54};
-      studio.view->set_strokes(std::vector{straight(middle - way * 30, middle + way * 30)});
+      studio.view->set_strokes(
+          kanji::centre_lines(std::vector{straight(middle - way * 30, middle + way * 30)}));
       Overlay overlay;
       overlay.strokes_visible = true;
       overlay.numbers_visible = false;
@@ -253,7 +254,7 @@ TEST(TabletView, TheClassicCursorIsAGreenConeOfAboutTwentyPixels) {
 TEST(TabletView, DrawsIntoTheFramebufferThatIsBoundWhateverTheStateOfTheContext) {
   Studio studio(300, 200);
   studio.view->set_height_map(carved(rest()));
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   Overlay overlay;
   overlay.strokes_visible = true;
   overlay.cursor = Cursor{};
@@ -271,7 +272,7 @@ TEST(TabletView, DrawsIntoTheFramebufferThatIsBoundWhateverTheStateOfTheContext)
   glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 8);
-  studio.view->set_strokes(rest());
+  studio.view->set_strokes(kanji::centre_lines(rest()));
   const Picture dirty = studio.shoot(overlay);
   EXPECT_EQ(changed_pixels(clean, dirty, 0), 0);
 

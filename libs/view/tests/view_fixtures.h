@@ -8,6 +8,7 @@
 
 #include "nazori/carving/carve.h"
 #include "nazori/geometry/frames.h"
+#include "nazori/kanji/centre_lines.h"
 #include "nazori/view/offscreen.h"
 #include "nazori/view/tablet_view.h"
 

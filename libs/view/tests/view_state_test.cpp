@@ -30,7 +30,7 @@ class Everything : public testing::Test {
     studio_.view->set_camera({});
     studio_.view->set_refinement(Refinement::when_still);
     studio_.view->set_height_map(carved(rest()));
-    studio_.view->set_strokes(rest());
+    studio_.view->set_strokes(kanji::centre_lines(rest()));
     stroke_.verdict = Verdict::right;
     stroke_.points = {{{-0.02, 0.01}}, {{0.02, 0.01}}};
     stroke_.half_width_m = 0.001;
@@ -42,7 +42,7 @@ class Everything : public testing::Test {
   }
   /// The same picture without anything cached from earlier ones.
   Picture anew(const Overlay& overlay) {
-    studio_.view->set_strokes(rest());
+    studio_.view->set_strokes(kanji::centre_lines(rest()));
     return studio_.shoot(overlay);
   }
   static inline std::unique_ptr<Studio> shared_;
@@ -90,7 +90,7 @@ TEST_F(Everything, IsDrawnAlikeWhateverOthersHaveLeftSwitchedOn) {
     glCullFace(GL_FRONT_AND_BACK);
     glDepthFunc(GL_NEVER);
     glEnable(feature);
-    studio_.view->set_strokes(rest());  // the whole picture is drawn again
+    studio_.view->set_strokes(kanji::centre_lines(rest()));  // the whole picture is drawn again
     const Picture picture = studio_.shoot(overlay_);
     glDisable(feature);
     EXPECT_EQ(changed_pixels(clean, picture, 0), 0) << feature;
@@ -98,7 +98,7 @@ TEST_F(Everything, IsDrawnAlikeWhateverOthersHaveLeftSwitchedOn) {
   glDisable(GL_MULTISAMPLE);
   glDepthMask(GL_FALSE);
   glDepthRange(1, 0);
-  studio_.view->set_strokes(rest());
+  studio_.view->set_strokes(kanji::centre_lines(rest()));
   EXPECT_EQ(changed_pixels(clean, studio_.shoot(overlay_), 0), 0);
   GLuint sampler = 0;
   glGenSamplers(1, &sampler);
@@ -106,7 +106,7 @@ TEST_F(Everything, IsDrawnAlikeWhateverOthersHaveLeftSwitchedOn) {
   glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glSamplerParameterf(sampler, GL_TEXTURE_MIN_LOD, 5);
   for (const GLuint unit : {0U, 1U}) glBindSampler(unit, sampler);
-  studio_.view->set_strokes(rest());
+  studio_.view->set_strokes(kanji::centre_lines(rest()));
   EXPECT_EQ(changed_pixels(clean, studio_.shoot(overlay_), 0), 0);
   glDeleteSamplers(1, &sampler);
 }

@@ -87,6 +87,7 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
       make("compare_beside", tr("Your writing beside the &model"),
            tr("Show your writing and the model side by side and replay both"), "B", true, Icon::beside);
 
+  make_key_pen();
   make_sound();
 
   make_exclusive(stages);
@@ -104,8 +105,17 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   add_group(tr("&Writing"), {undo_stroke, done, hint, give_up, nullptr, compare_over, compare_beside, nullptr,
                              judge_each, groove_hidden, groove_shown, groove_appears, nullptr, more_lenient,
                              more_strict, lenient, normal, strict});
+  add_group(tr("Pen by &keys"), {key_pen, nullptr, pen_down, pen_start, pen_where});
   add_group(tr("S&peech"), {speak, speaks_itself, nullptr, voice_automatic, voice_open_jtalk,
                             voice_dispatcher, voice_espeak, nullptr, voice_file});
+}
+
+void CharacterActions::make_key_pen() {
+  key_pen = make("key_pen", tr("&Move the pen by key"),
+                 tr("Explore and write with the arrow keys or the number pad; Shift: fine steps"), "M", true);
+  pen_down = make("pen_down", tr("Pen &down or up"), tr("Put the pen down, or lift it"), "P");
+  pen_start = make("pen_start", tr("To the next &start"), tr("Go to the start of the next stroke"), "T");
+  pen_where = make("pen_where", tr("&Where is the pen?"), tr("Say where the pen is"), "I");
 }
 
 void CharacterActions::make_sound() {

@@ -26,10 +26,12 @@ class CharacterActions final : public ActionSet {
   QAction *groove_hidden, *groove_shown, *groove_appears;
   QAction *more_lenient, *more_strict, *lenient, *normal, *strict;
   QAction *compare_over, *compare_beside;
+  QAction *key_pen, *pen_down, *pen_start, *pen_where;
   QAction *speak, *speaks_itself;
   QAction *voice_automatic, *voice_open_jtalk, *voice_dispatcher, *voice_espeak, *voice_file;
 
  private:
+  void make_key_pen();
   void make_sound();
 
   qsizetype practice_;  ///< the group of the stages

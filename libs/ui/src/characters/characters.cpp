@@ -10,6 +10,7 @@
 #include "characters/confusable_view.h"
 #include "characters/draw_panel.h"
 #include "characters/information_panel.h"
+#include "characters/key_writing.h"
 #include "characters/library_panel.h"
 #include "characters/spoken_readings.h"
 #include "characters/stage_table.h"
@@ -71,7 +72,8 @@ Characters::Characters(WindowParts& parts)
       left_side_(stack_up("left_side", {draw_panel_, session_panel_, library_panel_}, &parts.window())),
       right_side_(stack_up("right_side", {writing_panel_, information_panel_}, &parts.window())),
       files_(new FileExchange(&parts.workshop(), &parts.window())),
-      spoken_readings_(new SpokenReadings(parts, *actions_, this)) {
+      spoken_readings_(new SpokenReadings(parts, *actions_, this)),
+      key_writing_(new KeyWriting(parts, *actions_, this)) {
   const Preferences& preferences = parts.preferences();
   parts.tablet().set_switches({preferences.strokes_visible, preferences.numbers_visible,
                                preferences.arrows_visible, preferences.snapping});
@@ -164,6 +166,7 @@ void Characters::enter() {
 }
 
 void Characters::leave() {
+  key_writing_->end();
   practice_.leave();
   session_bar_->hide();
 }

@@ -13,6 +13,7 @@ class ConfusableView;
 class DrawPanel;
 class FileExchange;
 class InformationPanel;
+class KeyWriting;
 class LibraryPanel;
 class SessionActions;
 class SessionBar;
@@ -92,6 +93,7 @@ class Characters final : public Page {
   QWidget* right_side_;  ///< the report on the writing above the information
   FileExchange* files_;
   SpokenReadings* spoken_readings_;
+  KeyWriting* key_writing_;
   std::vector<StageEntry> stages_;
   bool searching_ = false;  ///< the list is shown instead of the session
 };

@@ -53,22 +53,10 @@ CompareView::CompareView(QWidget* parent) : QWidget(parent) {
 
 void CompareView::show_writing(const std::vector<practice::HandStroke>& strokes,
                                const std::vector<view::Verdict>& verdicts, const practice::Tablet& model) {
-  strokes_ = strokes;
+  replay_.set(strokes, model);
   verdicts_ = verdicts;
-  if (model != model_) {
-    model_ = model;
-    player_.set_strokes(model->paths(), model->lines());
-  }
   update();
 }
-
-double CompareView::own_duration_s() const {
-  return strokes_.empty()
-             ? 0.0
-             : strokes_.back().back().time_s.value_or(0) - strokes_.front().front().time_s.value_or(0);
-}
-
-double CompareView::duration_s() const { return std::max(own_duration_s(), player_.duration_s()); }
 
 void CompareView::set_playing(bool playing) {
   if (playing) {
@@ -85,21 +73,6 @@ void CompareView::show_moment(double time_s) {
   time_s_ = time_s;
   update();
   emit moment_shown(time_s);
-}
-
-std::size_t CompareView::written(const practice::HandStroke& stroke) const {
-  if (time_s_ < 0) return stroke.size();
-  const double zero_s = strokes_.front().front().time_s.value_or(0);
-  const auto later = std::find_if(stroke.begin(), stroke.end(), [&](const auto& point) {
-    return point.time_s.value_or(0) - zero_s > time_s_;
-  });
-  return static_cast<std::size_t>(later - stroke.begin());
-}
-
-int CompareView::points_shown() const {
-  std::size_t count = 0;
-  for (const auto& stroke : strokes_) count += written(stroke);
-  return static_cast<int>(count);
 }
 
 QSize CompareView::sizeHint() const {
@@ -129,18 +102,17 @@ void CompareView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void CompareView::paint_own(QPainter& painter, const QRectF& box) const {
-  for (std::size_t i = 0; i < strokes_.size(); ++i) {
-    const auto& stroke = strokes_[i];
+  for (std::size_t i = 0; i < replay_.strokes().size(); ++i) {
     const auto verdict = i < verdicts_.size() ? verdicts_[i] : view::Verdict::none;
     const QColor colour = colour_of(verdict);
-    paint_ink(painter, std::span(stroke).first(written(stroke)), colour, box);
+    paint_ink(painter, replay_.written(i, time_s_), colour, box);
     if (time_s_ >= 0 || verdict == view::Verdict::none) continue;
     const Icon drawing = verdict == view::Verdict::right    ? Icon::tick
                          : verdict == view::Verdict::nearly ? Icon::advice
                                                             : Icon::cross;
     constexpr int kSign = 12;
     constexpr int kDisc = 9;
-    const QPointF middle = on_sheet(stroke.front().at, box) - QPointF(kDisc, kDisc) * 0.8;
+    const QPointF middle = on_sheet(replay_.strokes()[i].front().at, box) - QPointF(kDisc, kDisc) * 0.8;
     painter.setPen(QPen(colour, 1));
     painter.setBrush(current_colours().surface);
     painter.drawEllipse(middle, kDisc, kDisc);
@@ -152,10 +124,9 @@ void CompareView::paint_model(QPainter& painter, const QRectF& box) const {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(current_colours().ink, std::max(box.width() * 0.035, 2.0), Qt::SolidLine, Qt::RoundCap,
                       Qt::RoundJoin));
-  for (int stroke = 1; stroke <= player_.stroke_count(); ++stroke) {
+  for (int stroke = 1; stroke <= replay_.model_strokes(); ++stroke) {
     std::vector<QPointF> line;
-    for (const auto& at : player_.written(stroke, time_s_ < 0 ? player_.duration_s() : time_s_))
-      line.push_back(on_sheet(at, box));
+    for (const auto& at : replay_.model_written(stroke, time_s_)) line.push_back(on_sheet(at, box));
     painter.drawPolyline(line.data(), static_cast<int>(line.size()));
   }
 }

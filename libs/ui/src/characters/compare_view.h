@@ -6,9 +6,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "nazori/practice/pen_recorder.h"
-#include "nazori/practice/stroke_player.h"
-#include "nazori/practice/tablet_workshop.h"
+#include "nazori/practice/writing_replay.h"
 #include "nazori/view/inked_stroke.h"
 
 class QPainter;
@@ -28,9 +26,9 @@ class CompareView final : public QWidget {
   /// Shows both as they were at this time since the start [s].
   void show_moment(double time_s);
   /// When the longer of the two ends [s].
-  [[nodiscard]] double duration_s() const;
+  [[nodiscard]] double duration_s() const { return replay_.duration_s(); }
   /// How many points of the writing are visible.
-  [[nodiscard]] int points_shown() const;
+  [[nodiscard]] int points_shown() const { return static_cast<int>(replay_.points_written(time_s_)); }
 
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
@@ -46,14 +44,8 @@ class CompareView final : public QWidget {
  private:
   void paint_own(QPainter& painter, const QRectF& box) const;
   void paint_model(QPainter& painter, const QRectF& box) const;
-  [[nodiscard]] double own_duration_s() const;
-  /// How many points of a stroke are visible.
-  [[nodiscard]] std::size_t written(const practice::HandStroke& stroke) const;
-
-  std::vector<practice::HandStroke> strokes_;
+  practice::WritingReplay replay_;
   std::vector<view::Verdict> verdicts_;
-  practice::Tablet model_;
-  practice::StrokePlayer player_;
   QTimer timer_;
   QElapsedTimer since_;
   double time_s_ = -1;  ///< below 0: all

@@ -152,43 +152,28 @@ void DeviceChoicePanel::add_choice(const QString& id, const QString& text, bool 
 
 void DeviceChoicePanel::show_searching() { searching_->show(); }
 
-void DeviceChoicePanel::show_findings(const std::vector<devices::BackEndFindings>& findings,
-                                      const QString& chosen, const QString& in_use,
-                                      const QString& in_use_name) {
+void DeviceChoicePanel::show_choices(const devices::DeviceChoices& choices) {
   const bool had_focus = focusWidget() != nullptr && qobject_cast<QRadioButton*>(focusWidget()) != nullptr;
   searching_->hide();
   for (auto* old : group_->buttons()) group_->removeButton(old);
   clear_layout(choices_);
-  add_choice({}, tr("Automatic (best available)"), chosen.isEmpty());
-  bool listed = chosen.isEmpty();
-  bool in_use_listed = false;
-  QList<QWidget*> reasons;
-  for (const auto& back_end : findings) {
-    bool ours = false;
-    for (const auto& device : back_end.devices) {
-      const QString id = to_text(device.id);
-      QString text = device_name(device.name);
-      ours = ours || id == in_use;
-      in_use_listed = in_use_listed || id == in_use;
-      if (id == in_use) text = tr("%1 – in use").arg(text);
-      add_choice(id, text, id == chosen);
-      listed = listed || id == chosen;
-    }
-    if (!back_end.problem) continue;
-    // The search cannot open a device that is in use here.
-    if (back_end.problem->trouble == haptics::DeviceTrouble::in_use && ours) continue;
+  for (const auto& choice : choices.devices) {
+    using State = devices::DeviceChoice::State;
+    const QString name = device_name(choice.name);
+    add_choice(to_text(choice.id),
+               choice.id.empty()                      ? tr("Automatic (best available)")
+               : choice.state == State::in_use        ? tr("%1 – in use").arg(name)
+               : choice.state == State::not_connected ? tr("%1 – not connected").arg(to_text(choice.name))
+                                                      : name,
+               choice.chosen);
+  }
+  for (const auto& back_end : choices.problems) {
     auto* reason = sentence_label("reason", content_, "muted");
     reason->setText(trouble_text(back_end.problem->trouble, device_name(back_end.back_end),
                                  to_text(back_end.problem->error.remedy)));
     reason->setToolTip(to_text(base::to_line(back_end.problem->error)));
-    reasons.append(reason);
+    choices_->addWidget(reason);
   }
-  if (!in_use_listed) {
-    add_choice(in_use, tr("%1 – in use").arg(in_use_name), in_use == chosen);
-    listed = listed || in_use == chosen;
-  }
-  if (!listed) add_choice(chosen, tr("%1 – not connected").arg(chosen), true);
-  for (auto* reason : reasons) choices_->addWidget(reason);
   if (had_focus && group_->checkedButton() != nullptr) group_->checkedButton()->setFocus();
 }
 

@@ -5,8 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "nazori/devices/back_end.h"
-#include "nazori/devices/device_settings.h"
+#include "nazori/devices/device_setup.h"
 
 class QAction;
 class QButtonGroup;
@@ -28,12 +27,9 @@ class DeviceChoicePanel final : public QScrollArea {
  public:
   DeviceChoicePanel(const DeviceActions& actions, QWidget* parent);
 
-  /// Shows that devices are being searched, until show_findings().
+  /// Shows that devices are being searched, until show_choices().
   void show_searching();
-  /// @param chosen  id; empty: the best. @param in_use  id of what is open, "pointer" for none; with its
-  /// name.
-  void show_findings(const std::vector<devices::BackEndFindings>& findings, const QString& chosen,
-                     const QString& in_use, const QString& in_use_name);
+  void show_choices(const devices::DeviceChoices& choices);
   /// @param own  limits of the device; without force there is nothing to fit or limit.
   void show_device(const devices::DeviceSettings& settings, const haptics::DeviceDescription& own,
                    double scale);

@@ -37,10 +37,9 @@ FunctionActions::FunctionActions(QWidget* window) : ActionSet(window) {
                              tr("Go to the next curve or branch"), "Up");
   branch_back = make_on_tablet("trace_branch_back", tr("&Previous curve or branch"),
                                tr("Go to the previous curve or branch"), "Down");
-  point_on =
-      make_on_tablet("trace_point_on", tr("Next po&int"), tr("Go to the next point of interest"), "Tab");
+  point_on = make_on_tablet("trace_point_on", tr("Next po&int"), tr("Go to the next point of interest"), "N");
   point_back = make_on_tablet("trace_point_back", tr("Previous p&oint"),
-                              tr("Go to the previous point of interest"), "Shift+Tab");
+                              tr("Go to the previous point of interest"), "Shift+N");
   pan_left = make_on_tablet("plot_pan_left", tr("Pan &left"), tr("Show more on the left"), "Shift+Left");
   pan_right = make_on_tablet("plot_pan_right", tr("Pan r&ight"), tr("Show more on the right"), "Shift+Right");
   pan_up = make_on_tablet("plot_pan_up", tr("Pan &up"), tr("Show more above"), "Shift+Up");
@@ -97,9 +96,7 @@ QAction* FunctionActions::make_on_tablet(const char* name, const QString& text, 
 
 QAction* FunctionActions::on_tablet(QKeyCombination key) const {
   const Qt::KeyboardModifiers modifiers = key.keyboardModifiers() & ~Qt::KeypadModifier;
-  const bool back = key.key() == Qt::Key_Backtab;
-  const QKeySequence pressed(QKeyCombination(back ? Qt::KeyboardModifiers(Qt::ShiftModifier) : modifiers,
-                                             back ? Qt::Key_Tab : key.key()));
+  const QKeySequence pressed(QKeyCombination(modifiers, key.key()));
   for (auto* action : on_tablet_)
     if (action->shortcut() == pressed) return action;
   return nullptr;

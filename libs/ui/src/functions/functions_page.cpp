@@ -26,12 +26,12 @@ FunctionsPage::FunctionsPage(WindowParts& parts)
     : Page(parts,
            {QStringLiteral("functions"), tr("F&unctions"), tr("Curves to see, feel and hear"), Icon::curve,
             tr("The plot as grooves. Left and Right: move along the curve. Up and Down: go to another curve. "
-               "Tab: "
-               "next point of interest. H: play it. S: summary. Ctrl+L: expression. Ctrl+T: table")}),
+               "N: next point of interest. H: play it. S: summary. Ctrl+L: expression. Ctrl+T: table")}),
       actions_(new FunctionActions(&parts.window())),
       panel_(new PlotPanel(&parts.window())),
       points_(new PointsPanel(&parts.window())),
-      sound_(new FunctionSound(this)) {
+      sound_(new FunctionSound(this)),
+      hand_(parts.tablet(), explorer_) {
   touch_timer_.setInterval(kTouch_ms);
   QSettings settings(parts.settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
@@ -273,7 +273,7 @@ void FunctionsPage::show_plot(const practice::TabletPlot& plot) {
   if (!entered_) return;
   parts().tablet().set_tablet(tablet_);
   if (!drawing.final) return;
-  if (put_ && explorer_.location()) put_stylus();
+  if (hand_.is_put() && explorer_.location()) put_stylus();
   if (announce_summary_ && !panel_->line()->hasFocus())
     parts().announce(Feedback::hint, localised(drawing.summary));
 }

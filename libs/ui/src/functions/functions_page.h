@@ -8,7 +8,7 @@
 #include "nazori/functions/plot_explorer.h"
 #include "nazori/functions/plot_export.h"
 #include "nazori/functions/plot_model.h"
-#include "nazori/practice/tablet_control.h"
+#include "nazori/practice/plot_hand.h"
 #include "nazori/practice/tablet_plot.h"
 #include "page/page.h"
 
@@ -98,10 +98,10 @@ class FunctionsPage final : public Page {
       before_;  ///< what the tablet showed before this page was entered
   functions::PlotModel model_;
   functions::PlotExplorer explorer_;
+  practice::PlotHand hand_;
   practice::Tablet tablet_;  ///< of the drawing that is shown
   bool snapping_ = false;
-  bool announce_summary_ = true;              ///< the next picture is of another expression
-  std::optional<geometry::TabletPoint> put_;  ///< where the keys put the stylus
+  bool announce_summary_ = true;  ///< the next picture is of another expression
   QTimer touch_timer_;
   EventLoopInbox inbox_;
   // Declared last so that their threads end before the objects they use are destroyed.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sound of a plot: at the hand, by key, and the sweep along a curve.
-#include <cmath>
-
 #include "events/signals.h"
 #include "functions/function_actions.h"
 #include "functions/function_sound.h"
@@ -13,12 +11,6 @@
 #include "words/error_text.h"
 
 namespace nazori::ui {
-namespace {
-
-constexpr double kMoved_m = 1.5e-3;  ///< farther: the stylus was moved away from where the keys put it
-
-}  // namespace
-
 void FunctionsPage::connect_sound() {
   on(actions_->hear, [this] { hear(); });
   on(actions_->stop, [this] {
@@ -62,27 +54,14 @@ void FunctionsPage::connect_sound() {
 }
 
 void FunctionsPage::follow_stylus() {
-  auto& controller = parts().tablet();
   // The next move of the stylus starts the sound again.
-  if (controller.device().is_resting()) touch_timer_.stop();
-  const auto& sample = controller.latest();
-  const geometry::TabletPoint tip{sample.proxy_m.x, sample.proxy_m.y};
-  if (put_) {
-    if (std::hypot(tip.x - put_->x, tip.y - put_->y) < kMoved_m || !controller.is_pressed()) return;
-    // Either a hand moved the stylus, or it has not arrived yet where the keys sent it.
-    const geometry::TabletPoint wanted{sample.device_m.x, sample.device_m.y};
-    if (std::hypot(wanted.x - put_->x, wanted.y - put_->y) < kMoved_m) return;
-  }
-  if (!sample.touching || !shown() || !shown()->final) {
-    if (!put_) sound_->touch({});
-    return;
-  }
-  put_.reset();
-  const auto hand = functions::plate_place(tip, shown()->picture.plate.heights.size(), tablet_->shape());
-  const auto touch = explorer_.touch(hand);
+  if (parts().tablet().device().is_resting()) touch_timer_.stop();
+  const auto felt = hand_.follow();
+  if (!felt) return;
+  const auto& touch = felt->touch;
   sound_->touch(touch.cue, touch.trembles);
   if (touch.reached == nullptr) return;
-  sound_->sign(touch.reached->kind, 2 * hand.u - 1);
+  sound_->sign(touch.reached->kind, 2 * felt->at.u - 1);
   parts().announce(Feedback::hint, point_words(*touch.reached) + QLatin1Char('.'));
 }
 

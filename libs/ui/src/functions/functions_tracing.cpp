@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QTimer>
-#include <cmath>
 
 #include "functions/function_actions.h"
 #include "functions/function_sound.h"
@@ -14,9 +13,6 @@
 
 namespace nazori::ui {
 namespace {
-
-constexpr double kSlide_m = 2.5e-3;  ///< farther than a step: the stylus is lifted on the way
-constexpr int kLift_ms = 30;
 
 /// The window of the tablet still receives keys until the window system has moved the focus to another
 /// widget.
@@ -118,18 +114,10 @@ void FunctionsPage::announce(const functions::PlotEvent& event) {
 }
 
 void FunctionsPage::put_stylus() {
-  const auto size = shown()->picture.plate.heights.size();
-  const auto from = put_;
-  put_ = functions::tablet_place(explorer_.location()->at, size, tablet_->shape());
-  auto& controller = parts().tablet();
-  if (from && std::hypot(from->x - put_->x, from->y - put_->y) < kSlide_m) {
-    controller.move_stylus(*put_, true);
-    return;
-  }
-  // The stylus is lifted over walls. Pressed, it would get stuck behind one.
-  controller.move_stylus(*put_, false);
-  QTimer::singleShot(kLift_ms, this, [this, to = *put_] {
-    if (entered_ && put_ && put_->x == to.x && put_->y == to.y) parts().tablet().move_stylus(to, true);
+  const auto lifted = hand_.put();
+  if (!lifted) return;
+  QTimer::singleShot(practice::PlotHand::kLift, this, [this, to = *lifted] {
+    if (entered_) hand_.press(to);
   });
 }
 

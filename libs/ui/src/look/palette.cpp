@@ -19,16 +19,16 @@ double luminance(const QColor& c) {
 }  // namespace
 
 const Colours& light_colours() {
-  static const Colours light{QColor(0xF7F4EC), QColor(0xFFFDF8), QColor(0xD9D2C3),
-                             QColor(0x1F1B16), QColor(0x625C52), QColor(0xB5301F),
-                             QColor(0x274C84), QColor(0x476A2E), QColor(0x855A00)};
+  static const Colours light{QColor(0xF7F4EC), QColor(0xFFFDF8), QColor(0xD9D2C3), QColor(0x8A8272),
+                             QColor(0x1F1B16), QColor(0x625C52), QColor(0xB5301F), QColor(0x274C84),
+                             QColor(0x476A2E), QColor(0x855A00)};
   return light;
 }
 
 const Colours& dark_colours() {
-  static const Colours dark{QColor(0x1B1917), QColor(0x26231F), QColor(0x453F37),
-                            QColor(0xEFE9DD), QColor(0xB3AA9B), QColor(0xFF8F78),
-                            QColor(0x9FBBEE), QColor(0xAFCB8E), QColor(0xEBBB62)};
+  static const Colours dark{QColor(0x1B1917), QColor(0x26231F), QColor(0x453F37), QColor(0x80786A),
+                            QColor(0xEFE9DD), QColor(0xB3AA9B), QColor(0xFF8F78), QColor(0x9FBBEE),
+                            QColor(0xAFCB8E), QColor(0xEBBB62)};
   return dark;
 }
 

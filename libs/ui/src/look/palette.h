@@ -8,10 +8,12 @@ namespace nazori::ui {
 
 /// The colours of the window: paper, ink and one accent. Each has one meaning everywhere.
 struct Colours {
-  QColor paper;      ///< behind everything
-  QColor surface;    ///< fields and tiles
-  QColor line;       ///< thin separators
-  QColor ink;        ///< text
+  QColor paper;    ///< behind everything
+  QColor surface;  ///< fields and tiles
+  QColor line;     ///< thin separators
+  QColor
+      edge;    ///< borders of what can be operated: fields, buttons, check boxes, scroll bars; 3 : 1 at least
+  QColor ink;  ///< text
   QColor muted;      ///< secondary text, okurigana
   QColor vermilion;  ///< the current stroke, the one button to press next; with a cross: wrong
   QColor indigo;     ///< links, selection, the focus ring

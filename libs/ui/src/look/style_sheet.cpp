@@ -13,6 +13,7 @@ QString style_sheet(const Colours& c) {
       {QStringLiteral("paper"), c.paper.name()},
       {QStringLiteral("surface"), c.surface.name()},
       {QStringLiteral("line"), c.line.name()},
+      {QStringLiteral("edge"), c.edge.name()},
       {QStringLiteral("ink"), c.ink.name()},
       {QStringLiteral("muted"), c.muted.name()},
       {QStringLiteral("indigo"), c.indigo.name()},

@@ -113,7 +113,7 @@ void TabletWindow::paintGL() {
     const auto& carved = controller_->tablet();
     if (carved) {
       view_->set_height_map(carved->height_map(), carved->shape());
-      view_->set_strokes(tablet::stroke_lines(carved->lines()));
+      view_->set_strokes(tablet::centre_lines(carved->lines()));
     } else {
       view_->set_height_map({});
       view_->set_strokes({});

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "nazori/devices/simulated_hand.h"
 #include "nazori/exchange/document.h"
@@ -28,6 +30,20 @@ struct PaintedPicture {
   int height = 0;  ///< pixels
 };
 [[nodiscard]] Value to_json(const PaintedPicture& picture);
+
+/// A solid model that was written (docs/schemas/tablets.json, model).
+struct SolidModel {
+  std::string subject;  ///< a character, a word, an expression or the name of a file
+  std::string file;
+  double width_mm = 0;      ///< left to right
+  double height_mm = 0;     ///< bottom to top
+  double thickness_mm = 0;  ///< from the table to the highest point
+  double volume_mm3 = 0;
+  std::size_t triangles = 0;
+  double error_mm = 0;              ///< greatest distance from the relief
+  std::vector<int> without_number;  ///< strokes (from 1) for whose number there was no room
+};
+[[nodiscard]] Value to_json(const SolidModel& model);
 
 /// The distance of the tip from the lines, over all strokes that a hand followed.
 struct HandTracking {

@@ -53,8 +53,10 @@ class StrokeOrder {
   [[nodiscard]] static base::Result<StrokeOrder> load(const std::filesystem::path& path, int grid_size);
   [[nodiscard]] base::Result<void> save(const std::filesystem::path& path) const;
 
-  /// The strokes of a character on a grid of `grid_size`, points rounded to whole samples, bends kept.
-  [[nodiscard]] static StrokeOrder from_lines(std::span<const StrokeLine> lines, int grid_size);
+  /// Lines, such as the strokes of a character (kanji::centre_lines()) or curves, on a grid of `grid_size`:
+  /// points rounded to whole samples, bends kept.
+  [[nodiscard]] static StrokeOrder from_lines(std::span<const geometry::Polyline<geometry::GlyphFrame>> lines,
+                                              int grid_size);
   /// The strokes as lines in the glyph frame. A file does not say how strokes end: the ending is hook where
   /// the last segment is short and turns by more than 60 degrees, otherwise either.
   [[nodiscard]] std::vector<StrokeLine> to_lines(int grid_size) const;

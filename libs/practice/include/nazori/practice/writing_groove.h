@@ -41,7 +41,7 @@ class WritingGroove {
   Mode mode_ = Mode::hidden;
   Tablet model_;             ///< null: ended
   std::vector<int> carved_;  ///< strokes whose grooves have appeared
-  base::Latest<std::vector<std::pair<int, kanji::StrokeLine>>, Carved> carver_;
+  base::Latest<std::vector<std::pair<int, tablet::TabletLine>>, Carved> carver_;
 };
 
 }  // namespace nazori::practice

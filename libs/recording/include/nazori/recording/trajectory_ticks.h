@@ -21,7 +21,7 @@ class TrajectoryTicks {
   /// @param rate_hz  of the ticks; nothing: each row is a tick, and the rate is one over the median distance
   /// of the first kMeasured rows, rounded to a whole number where that is within 0.1 % of it (1000 for a
   /// single row).
-  /// @return Errc::parse where the rows' rate lies outside kLowestRate_hz..kHighestRate_hz; the errors of
+  /// @return Errc::parse where this rate lies outside kLowestRate_hz..kHighestRate_hz; the errors of
   /// TrajectoryReader.
   [[nodiscard]] static base::Result<TrajectoryTicks> create(TrajectoryReader reader,
                                                             std::optional<double> rate_hz);

@@ -9,7 +9,6 @@
 #include "nazori/carving/carve.h"
 #include "nazori/geometry/frames.h"
 #include "nazori/haptics/haptic_scene.h"
-#include "nazori/kanji/stroke.h"
 #include "nazori/surface/height_map.h"
 #include "nazori/surface/smooth_surface.h"
 #include "nazori/tablet/tablet_line.h"
@@ -22,10 +21,10 @@ namespace nazori::tablet {
 /// never on the servo thread.
 class CarvedTablet {
  public:
-  /// Carves `lines` at `size` samples a side.
+  /// Carves `lines` at `size` samples a side. A line without an ending is carved as one that stops.
   /// @return the errors of carving::carve.
   [[nodiscard]] static base::Result<std::shared_ptr<const CarvedTablet>> from_lines(
-      std::vector<kanji::StrokeLine> lines, int size, const carving::Brush& brush = {},
+      std::vector<TabletLine> lines, int size, const carving::Brush& brush = {},
       const geometry::TabletShape& shape = {});
 
   /// Makes a tablet from an existing relief and any number of lines, whose depth is read from the relief.

@@ -24,9 +24,14 @@ struct TabletLine {
   friend bool operator==(const TabletLine&, const TabletLine&) = default;
 };
 
+/// Strokes of a character as lines of a tablet.
 [[nodiscard]] std::vector<TabletLine> tablet_lines(std::span<const kanji::StrokeLine> strokes);
 
-/// The lines as strokes, to be carved, drawn or saved; one without an ending is given a stop.
+/// The lines alone, to be drawn or saved.
+[[nodiscard]] std::vector<geometry::Polyline<geometry::GlyphFrame>> centre_lines(
+    std::span<const TabletLine> lines);
+
+/// The lines as strokes, to be carved: one without an ending is carved as one that stops.
 [[nodiscard]] std::vector<kanji::StrokeLine> stroke_lines(std::span<const TabletLine> lines);
 
 }  // namespace nazori::tablet

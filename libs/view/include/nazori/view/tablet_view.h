@@ -110,7 +110,8 @@ class TabletView {
 
   /// An empty map draws the background only.
   void set_height_map(const surface::HeightMap& map, const geometry::TabletShape& shape = {});
-  void set_strokes(std::span<const kanji::StrokeLine> strokes);
+  /// The lines to be drawn and numbered: strokes of a character in their order, or curves.
+  void set_strokes(std::vector<geometry::Polyline<geometry::GlyphFrame>> lines);
   void set_style(Style style);
   void set_theme(Theme theme);
   void set_hand(Hand hand);

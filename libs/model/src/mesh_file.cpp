@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/model/mesh_file.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+namespace nazori::model {
+namespace {
+
+constexpr std::size_t kStlHeader = 80;
+constexpr std::size_t kStlTriangle = 50;
+
+void append_number(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
+  for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+void append_float(std::vector<std::uint8_t>& bytes, float value) {
+  append_number(bytes, std::bit_cast<std::uint32_t>(value));
+}
+
+std::array<float, 3> normal_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
+  std::array<double, 3> u{};
+  std::array<double, 3> v{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] = static_cast<double>(mesh.vertices[t[1]][i]) - mesh.vertices[t[0]][i];
+    v[i] = static_cast<double>(mesh.vertices[t[2]][i]) - mesh.vertices[t[0]][i];
+  }
+  const std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                u[0] * v[1] - u[1] * v[0]};
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length),
+          static_cast<float>(n[2] / length)};
+}
+
+/// A length in millimetres with up to four decimals, which is a tenth of a micrometre.
+void append_length(std::string& text, float mm) {
+  long units = std::lround(static_cast<double>(mm) * 10000);
+  if (units < 0) {
+    text += '-';
+    units = -units;
+  }
+  std::array<char, 24> digits{};
+  const auto whole = std::to_chars(digits.data(), digits.data() + digits.size(), units / 10000);
+  text.append(digits.data(), whole.ptr);
+  long rest = units % 10000;
+  if (rest == 0) return;
+  text += '.';
+  for (long place = 1000; rest != 0; place /= 10) {
+    text += static_cast<char>('0' + rest / place);
+    rest %= place;
+  }
+}
+
+void append_index(std::string& text, std::uint32_t index) {
+  std::array<char, 12> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), index);
+  text.append(digits.data(), end.ptr);
+}
+
+std::string escaped(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '&') {
+      text += "&amp;";
+    } else if (c == '<') {
+      text += "&lt;";
+    } else if (c == '"') {
+      text += "&quot;";
+    } else if (static_cast<unsigned char>(c) >= 0x20) {
+      text += c;
+    }
+  }
+  return text;
+}
+
+std::string model_xml(const Mesh& mesh, const std::string& name) {
+  std::string xml;
+  xml.reserve(mesh.triangles.size() * 70);
+  xml += R"(<?xml version="1.0" encoding="UTF-8"?>
+<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
+<metadata name="Application">Nazori</metadata>
+<resources><object id="1" type="model" name=")";
+  xml += escaped(name);
+  xml += "\"><mesh><vertices>\n";
+  for (const auto& v : mesh.vertices) {
+    xml += "<vertex x=\"";
+    append_length(xml, v[0]);
+    xml += "\" y=\"";
+    append_length(xml, v[1]);
+    xml += "\" z=\"";
+    append_length(xml, v[2]);
+    xml += "\"/>\n";
+  }
+  xml += "</vertices><triangles>\n";
+  for (const auto& t : mesh.triangles) {
+    xml += "<triangle v1=\"";
+    append_index(xml, t[0]);
+    xml += "\" v2=\"";
+    append_index(xml, t[1]);
+    xml += "\" v3=\"";
+    append_index(xml, t[2]);
+    xml += "\"/>\n";
+  }
+  xml += "</triangles></mesh></object></resources>\n<build><item objectid=\"1\"/></build>\n</model>\n";
+  return xml;
+}
+
+constexpr std::string_view kContentTypes = R"(<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
+</Types>
+)";
+constexpr std::string_view kRelations = R"(<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Id="rel0" Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+</Relationships>
+)";
+
+la_ssize_t take_bytes(archive* /*zip*/, void* to, const void* bytes, std::size_t size) {
+  auto& all = *static_cast<std::vector<std::uint8_t>*>(to);
+  const auto* const first = static_cast<const std::uint8_t*>(bytes);
+  all.insert(all.end(), first, first + size);
+  return static_cast<la_ssize_t>(size);
+}
+
+/// @return false where libarchive refuses. A file has no time: libarchive would write the hour of the
+/// place where it runs.
+bool append_file(archive* zip, const char* name, std::string_view content) {
+  const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(),
+                                                                            &archive_entry_free);
+  archive_entry_set_pathname(entry.get(), name);
+  archive_entry_set_filetype(entry.get(), AE_IFREG);
+  archive_entry_set_perm(entry.get(), 0644);
+  archive_entry_set_size(entry.get(), static_cast<la_int64_t>(content.size()));
+  return archive_write_header(zip, entry.get()) == ARCHIVE_OK &&
+         archive_write_data(zip, content.data(), content.size()) == static_cast<la_ssize_t>(content.size());
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> to_stl(const Mesh& mesh) {
+  // A header that begins with "solid" would be taken for the text form.
+  constexpr std::string_view kHeader = "Nazori, binary STL, millimetres";
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(kStlHeader + 4 + kStlTriangle * mesh.triangles.size());
+  bytes.assign(kHeader.begin(), kHeader.end());
+  bytes.resize(kStlHeader, ' ');
+  append_number(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& t : mesh.triangles) {
+    for (const float x : normal_of(mesh, t)) append_float(bytes, x);
+    for (const std::uint32_t corner : t) {
+      for (const float x : mesh.vertices[corner]) append_float(bytes, x);
+    }
+    bytes.insert(bytes.end(), {0, 0});
+  }
+  return bytes;
+}
+
+base::Result<std::vector<std::uint8_t>> to_3mf(const Mesh& mesh, const std::string& name) {
+  std::vector<std::uint8_t> bytes;
+  const std::unique_ptr<archive, decltype(&archive_write_free)> zip(archive_write_new(), &archive_write_free);
+  const bool done =
+      archive_write_set_format_zip(zip.get()) == ARCHIVE_OK &&
+      archive_write_set_format_option(zip.get(), "zip", "compression-level", "3") == ARCHIVE_OK &&
+      archive_write_set_bytes_in_last_block(zip.get(), 1) == ARCHIVE_OK &&
+      archive_write_open(zip.get(), &bytes, nullptr, &take_bytes, nullptr) == ARCHIVE_OK &&
+      append_file(zip.get(), "[Content_Types].xml", kContentTypes) &&
+      append_file(zip.get(), "_rels/.rels", kRelations) &&
+      append_file(zip.get(), "3D/3dmodel.model", model_xml(mesh, name)) &&
+      archive_write_close(zip.get()) == ARCHIVE_OK;
+  if (!done) {
+    const char* const why = archive_error_string(zip.get());
+    return base::fail(base::Errc::io, why != nullptr ? why : "the archive cannot be made", "3MF");
+  }
+  return bytes;
+}
+
+}  // namespace nazori::model
