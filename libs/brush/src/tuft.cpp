@@ -24,7 +24,6 @@ constexpr double kHalfSpread = 0.25;     // depth at which it is half of that [L
 constexpr double kHalfPressure = 0.10;   // depth at which a bristle has half of its pressure [L]
 constexpr double kPoint = 0.04;          // radius of a wet tuft at its tip, over that at its root
 constexpr double kBlunt = 0.20;          // more for a dry one
-constexpr double kSlender = 0.75;        // how the radius falls towards the tip
 constexpr double kSplitsBelow = 0.5;     // wetness
 constexpr double kJoins = 0.92;          // how near the hairs of a clump come to its centre
 constexpr double kThinner = 0.6;         // a bristle without the film of ink around it

@@ -113,7 +113,7 @@ void sweep(Sheet::Inside& sheet, const Band& band, Offer& offer) {
   }
 }
 
-/// The share of the cells that a bristle wets: docs/paint.md, "Kasure".
+/// The share of the cells that a bristle wets: docs/brush.md, "Kasure".
 double wetted_share(const Paper& paper, const BristleSegment& s, double wetness) {
   const double resistance = s.speed_m_s * paper.kasure_s;
   const double supply = wetness * s.length_m;

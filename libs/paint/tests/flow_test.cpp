@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laws of the flow: docs/paint.md.
+// The laws of the flow: docs/brush.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>

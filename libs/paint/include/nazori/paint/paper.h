@@ -12,7 +12,7 @@
 namespace nazori::paint {
 
 /// The properties of a kind of paper. Lengths in metres, times in seconds; what has no unit is a fraction.
-/// @source the model of docs/paint.md; the names of the papers are those of the trade, the values were chosen
+/// @source the model of docs/brush.md; the names of the papers are those of the trade, the values were chosen
 /// by eye.
 struct Paper {
   std::string name = "hanshi";

@@ -78,7 +78,7 @@ class Sheet {
   /// pigment). Negative amounts count as 0.
   /// @return what it took: water, then pigment.
   std::pair<Amount, PigmentAmounts> drop(int column, int row, Amount water, const PigmentAmounts& pigment);
-  /// Takes ink from the brush along the segments: docs/paint.md, "Deposit". Values that are not finite, and
+  /// Takes ink from the brush along the segments: docs/brush.md, "Deposit". Values that are not finite, and
   /// what lies beside the sheet, are passed over.
   void touch(std::span<const geometry::BristleSegment> segments, InkLoad& load);
 
