@@ -57,9 +57,10 @@ TEST(Paint, AFastStrokeLeavesLessInkThanASlowOne) {
   EXPECT_GT(fast["ink_left"], slow["ink_left"]);
 }
 
-TEST(Paint, AThickerBrushPaintsMoreAndALiftedOneNothing) {
+TEST(Paint, AThickerBrushPaintsMoreUnderTheSamePressureAndALiftedOneNothing) {
   const TemporaryFolder folder;
-  const std::string line = write(folder / "line.csv", line_csv(1));
+  const std::string line =
+      write(folder / "line.json", R"({"strokes":[[[0.1,0.5],[0.9,0.5]]],"pressures":[[0.6,0.6]]})");
   EXPECT_GT(painted(folder, line, {"--number", "1"})["painted_mm2"],
             painted(folder, line, {"--number", "6"})["painted_mm2"]);
   const auto above = painted(folder, write(folder / "above.csv", "t,x,y,z\n0,0,0,0.01\n1,0.02,0,0.01\n"));
