@@ -35,6 +35,7 @@ void add_verbs(CLI::App& app, Action& chosen) {
   nazori::cli::add_plot(app, chosen);
   nazori::cli::add_demo(app, chosen);
   nazori::cli::add_feel(app, chosen);
+  nazori::cli::add_paint(app, chosen);
   nazori::cli::add_record(app, chosen);
   nazori::cli::add_devices(app, chosen);
   nazori::cli::add_database(app, chosen);

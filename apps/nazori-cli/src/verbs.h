@@ -21,6 +21,7 @@ void add_model(CLI::App& app, Action& chosen);
 void add_plot(CLI::App& app, Action& chosen);
 void add_demo(CLI::App& app, Action& chosen);
 void add_feel(CLI::App& app, Action& chosen);
+void add_paint(CLI::App& app, Action& chosen);
 void add_record(CLI::App& app, Action& chosen);
 void add_grade(CLI::App& app, Action& chosen);
 void add_recognise(CLI::App& app, Action& chosen);

@@ -241,6 +241,7 @@ class Schemas(unittest.TestCase):
                     self.path("d.nzr"))
         self.answer("tablets#record_info", "record", "info", self.path("d.nzr"))
         self.answer("tablets#record_export", "record", "export", self.path("d.nzr"), "--output", self.path("d.csv"))
+        self.answer("tablets#paint", "paint", self.path("d.csv"), "--output", self.path("w.png"), "--cells", "128")
         self.answer("tablets#feel", "feel", "一", "--input", self.path("d.csv"), "--output", self.path("f.csv"))
 
     def test_pictures(self):

@@ -81,6 +81,19 @@ Value to_json(const SolidModel& model) {
           {"strokes_without_number", model.without_number}};
 }
 
+Value to_json(const PaintedSheet& sheet) {
+  return {{"script", sheet.script},
+          {"file", sheet.file},
+          {"paper", sheet.paper},
+          {"brush", sheet.brush},
+          {"size", sheet.size},
+          {"samples", sheet.samples},
+          {"seconds", sheet.seconds},
+          {"painted_mm2", sheet.painted_mm2},
+          {"ink_left", sheet.ink_left},
+          {"frames", sheet.frames}};
+}
+
 HandTracking tracking_of(const devices::HandReport& hand) {
   HandTracking tracking;
   double squares = 0, weights = 0;

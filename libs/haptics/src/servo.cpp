@@ -57,7 +57,7 @@ ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDesc
   const Snapping& snapping = scene->snapping;
   const Guiding& guiding = scene->guiding;
   const DeviceLimits& limits = device.limits;
-  if (scene->surface && scene->shape.width_m > 0 && scene->shape.depth_m > 0)
+  if (scene->surface && !scene->soft_tip && scene->shape.width_m > 0 && scene->shape.depth_m > 0)
     surface = TabletSurface(*scene->surface, scene->shape);
   const auto with = [&material](double added) {
     const double hold = coefficient(material.static_friction + added);
@@ -86,10 +86,16 @@ ServoScene::ServoScene(std::shared_ptr<const HapticScene> from, const DeviceDesc
   // passive.
   const double most = std::min(limits.max_stiffness_n_m,
                                passive_stiffness_n_m(b, damping_n_s_m, period_of(device), limits.delay_s));
+  if (scene->soft_tip) stiffness_n_m = damping_n_s_m = 0;
   if (stiffness_n_m + pull_n_m > most) {
     const double part = most / (stiffness_n_m + pull_n_m);
     stiffness_n_m *= part;
     pull_n_m *= part;
+  }
+
+  if (scene->soft_tip) {
+    soft = SoftTipTable(*scene->soft_tip, std::max(0.0, most - pull_n_m), limits.max_force_n);
+    if (soft.exists()) soft_tip = scene->soft_tip.get();
   }
 
   if (guiding.mode != GuidingMode::off) {

@@ -12,6 +12,7 @@
 #include "nazori/haptics/latest_value.h"
 #include "nazori/haptics/sample_ring.h"
 #include "nazori/haptics/servo.h"
+#include "nazori/haptics/soft_contact.h"
 #include "servo_scene.h"
 
 namespace nazori::haptics {
@@ -37,6 +38,7 @@ struct Servo::Inside {
   void absent(const DeviceSample& sample) noexcept;
   void place_proxy(const Vec3& device_m) noexcept;
   Vec3 contact_force(const Vec3& device_m) noexcept;
+  [[nodiscard]] bool touching() const noexcept { return contact.touching() || soft.touching(); }
   void lose_hold(bool lifted) noexcept;
   Vec3 hold(const Vec3& device_m, double period) noexcept;
   void report_guidance() noexcept;
@@ -59,6 +61,7 @@ struct Servo::Inside {
   // Servo thread.
   const ServoScene* scene = nullptr;
   SurfaceContact contact;
+  SoftContact soft;
   StrokeConstraint snap;
   Guidance guidance;
   ForceLimiter limiter;

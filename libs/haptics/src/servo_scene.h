@@ -10,6 +10,7 @@
 #include "guidance.h"
 #include "guidance_plan.h"
 #include "nazori/haptics/haptic_scene.h"
+#include "nazori/haptics/soft_contact.h"
 #include "nazori/haptics/stroke_constraint.h"
 #include "nazori/haptics/stroke_index.h"
 #include "nazori/haptics/surface_contact.h"
@@ -27,6 +28,8 @@ struct ServoScene {
   std::shared_ptr<const HapticScene> scene;
   std::uint64_t generation;
   TabletSurface surface;
+  SoftTipTable soft;
+  const SoftTip* soft_tip = nullptr;  ///< of `scene`, to compare it
   /// Friction of each zone of the surface; the first is of the material alone.
   std::vector<Friction> frictions;
   double stiffness_n_m = 0;

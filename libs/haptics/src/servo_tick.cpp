@@ -67,6 +67,7 @@ void Servo::Inside::record() noexcept {
 /// Puts the proxy at the device, or onto the surface if the device is inside the material.
 void Servo::Inside::place_proxy(const Vec3& device_m) noexcept {
   contact.forget();
+  soft.forget();
   if (scene != nullptr)
     contact.update(scene->surface, device_m, Friction{});
   else
@@ -82,7 +83,9 @@ void Servo::Inside::adopt_scene() noexcept {
   const bool same_surface = scene != nullptr && scene->surface == next->surface;
   const bool same_material = scene != nullptr && scene->stiffness_n_m == next->stiffness_n_m &&
                              scene->damping_n_s_m == next->damping_n_s_m;
-  if (!same_surface || (!same_material && contact.touching())) limiter.restart_ramp();
+  const bool same_tip = scene == nullptr || scene->soft_tip == next->soft_tip;
+  if (!same_tip) soft.forget();
+  if (!same_surface || !same_tip || (!same_material && contact.touching())) limiter.restart_ramp();
   if (!same_surface) pushed_through = false;
   snap.let_go();
   if (scene == nullptr || scene->lesson != next->lesson)
@@ -146,13 +149,13 @@ Vec3 Servo::Inside::hold(const Vec3& device_m, double period) noexcept {
   // Both may change at once; together they must not make a step either.
   const double snap_change_n = glm::length(snap.force_n() - before);
   const double left = std::max(0.1 * Guidance::kMostStep_n, Guidance::kMostStep_n - snap_change_n);
-  guidance.update(scene->plan, scene->guide, {device_m, velocity, contact.touching(), period, left});
+  guidance.update(scene->plan, scene->guide, {device_m, velocity, touching(), period, left});
   report_guidance();
   sample.guide_m = guidance.guide_m();
   passivity.grant(guidance.granted_j());
   Vec3 pull = snap.force_n();
   // The surface supports the tip. A shallow stroke that runs over a deeper groove must not lift it off.
-  if (scene->surface.exists() && pull.z > 0) pull.z = 0;
+  if ((scene->surface.exists() || scene->soft.exists()) && pull.z > 0) pull.z = 0;
   return pull + guidance.force_n();
 }
 
@@ -222,6 +225,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     sample.proxy_m = device_m;
     if (scene == nullptr) {
       contact.free_at(device_m);
+      soft.forget();
       snap.forget();
     } else {
       contact.update(scene->surface, device_m, scene->friction_at(contact.proxy_m()));
@@ -243,6 +247,12 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
         stored_j = 0.5 * scene->stiffness_n_m * glm::dot(lag, lag);
       }
       sample.proxy_m = contact.proxy_m();
+      if (scene->soft.exists()) {
+        soft.update(scene->soft, device_m);
+        wanted = textured(soft.force_n(), Vec3(0, 0, 1), device_m, scene->texture, scene->roughness);
+        stored_j = soft.stored_j();
+        sample.proxy_m.z = std::max(0.0, device_m.z);
+      }
       wanted += hold(device_m, period);
 
       passivity.observe(moved, limiter.last_n(), period, stored_j);
@@ -257,7 +267,7 @@ Vec3 Servo::Inside::step(const DeviceSample& from) noexcept {
     sample.force_n = limiter.limit(wanted, period_s);
   }
 
-  sample.touching = fine && from.present && contact.touching();
+  sample.touching = fine && from.present && touching();
   const bool guided = scene != nullptr && scene->guide.mode != GuidingMode::off;
   sample.stroke = !guided ? snap.stroke() : guidance.writing() ? guidance.stroke() : 0;
   if (!fine || !from.present || !guided) sample.guide_m = sample.device_m;

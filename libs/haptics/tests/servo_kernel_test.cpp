@@ -27,6 +27,8 @@ TEST(ServoTick, NeverEntersTheKernelEvenWhenScenesChangeFaultsComeAndTheQueueIsF
     scene->strokes.push_back({{{-0.04, 0, -0.01}, {0.04, 0, -0.01}}});
     scene->snapping.enabled = mode == GuidingMode::off;
     scene->guiding.mode = mode;
+    if (mode == GuidingMode::disturb)
+      scene->soft_tip = std::make_shared<SoftTip>(SoftTip{0.005, {0, 0.1, 0.3, 0.4}});
     servo.set_scene(scene);
     EXPECT_TRUE(ends_without_system_call([&] {
       double time_s = 0;

@@ -9,6 +9,7 @@
 
 #include "levels.h"
 #include "nazori/base/file.h"
+#include "nazori/surface/colour_picture.h"
 #include "nazori/surface/height_map.h"
 
 namespace nazori::surface {
@@ -282,6 +283,36 @@ base::Result<void> save_png(const HeightMap& map, const std::filesystem::path& p
     return base::fail(base::Errc::bad_argument, "there is no height map to save", path.string());
   const std::vector<std::uint8_t> bytes = to_png(map, depth);
   if (bytes.empty()) return base::fail(base::Errc::io, "there is not enough memory to write", path.string());
+  return base::write_file(path, bytes);
+}
+
+std::vector<std::uint8_t> to_png(const ColourPicture& picture) {
+  std::vector<std::uint8_t> bytes;
+  if (picture.width < 1 || picture.height < 1) return bytes;
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(picture.width);
+  if (picture.rgb.size() != row_bytes * static_cast<std::size_t>(picture.height)) return bytes;
+  Writer writer(bytes);
+  if (!writer.is_ready()) return bytes;
+  png_structp png = writer.png();
+  const bool done = guarded(png, [&] {
+    png_set_write_fn(png, png_get_error_ptr(png), on_write, on_flush);
+    png_set_IHDR(png, writer.info(), static_cast<png_uint_32>(picture.width),
+                 static_cast<png_uint_32>(picture.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(png, writer.info(), PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png, writer.info());
+    for (int y = 0; y < picture.height; ++y)
+      png_write_row(png, picture.rgb.data() + static_cast<std::size_t>(y) * row_bytes);
+    png_write_end(png, nullptr);
+  });
+  if (!done) bytes.clear();
+  return bytes;
+}
+
+base::Result<void> save_png(const ColourPicture& picture, const std::filesystem::path& path) {
+  const std::vector<std::uint8_t> bytes = to_png(picture);
+  if (bytes.empty())
+    return base::fail(base::Errc::bad_argument, "there is no picture to save", path.string());
   return base::write_file(path, bytes);
 }
 

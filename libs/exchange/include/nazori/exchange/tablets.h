@@ -45,6 +45,21 @@ struct SolidModel {
 };
 [[nodiscard]] Value to_json(const SolidModel& model);
 
+/// A sheet that a brush wrote on (docs/schemas/tablets.json, paint).
+struct PaintedSheet {
+  std::string script;  ///< file
+  std::string file;
+  std::string paper;
+  std::string brush;
+  int size = 0;             ///< pixels a side
+  std::size_t samples = 0;  ///< moments of the script
+  double seconds = 0;       ///< from the first to the last of them
+  double painted_mm2 = 0;   ///< area with pigment, that of the model too
+  double ink_left = 0;      ///< in the brush, 0..1
+  int frames = 0;           ///< pictures in the folder
+};
+[[nodiscard]] Value to_json(const PaintedSheet& sheet);
+
 /// The distance of the tip from the lines, over all strokes that a hand followed.
 struct HandTracking {
   double rms_m = 0;

@@ -8,6 +8,7 @@
 #include "nazori/geometry/frames.h"
 #include "nazori/haptics/friction_zones.h"
 #include "nazori/haptics/haptic_device.h"
+#include "nazori/haptics/soft_tip.h"
 #include "nazori/surface/smooth_surface.h"
 
 namespace nazori::haptics {
@@ -85,6 +86,9 @@ struct HapticScene {
   std::vector<StrokePath> strokes;
   Snapping snapping;
   Guiding guiding;
+  /// Not null: the tip bends on a flat sheet at z = 0, and there is no surface; of the material only texture
+  /// and roughness have an effect.
+  std::shared_ptr<const SoftTip> soft_tip;
 };
 
 }  // namespace nazori::haptics

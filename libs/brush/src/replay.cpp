@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/brush/replay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nazori::brush {
+namespace {
+
+/// The pressure of a hand that moves with `speed_m_s`.
+double pressure_at(double speed_m_s, const Handling& handling) {
+  const double slow = std::max(handling.slow_m_s, 1e-6), fast = std::max(handling.fast_m_s, 2e-6);
+  if (speed_m_s <= slow) return kSlowPressure;
+  if (speed_m_s >= fast) return kFastPressure;
+  // Hands tell speeds apart by their ratio.
+  const double share = std::log(speed_m_s / slow) / std::log(fast / slow);
+  return kSlowPressure + share * (kFastPressure - kSlowPressure);
+}
+
+}  // namespace
+
+PenToHolder::PenToHolder(const TuftForm& form, const Handling& handling)
+    : hair_m_(form.hair_m), handling_(handling) {}
+
+HolderPose PenToHolder::next(const PenSample& sample) noexcept {
+  HolderPose pose;
+  pose.time_s = sample.time_s;
+  pose.at = sample.at;
+  pose.lean_rad = sample.lean_rad;
+  pose.lean_to_rad = sample.lean_to_rad;
+  pose.twist_rad = sample.twist_rad;
+  const double deepest = handling_.full_depth * hair_m_;
+  if (sample.height_m) {
+    pose.depth_m = -*sample.height_m;
+  } else if (!sample.down) {
+    pose.depth_m = -handling_.lifted_m;
+    guessed_ = 0;
+  } else if (sample.pressure) {
+    pose.depth_m = deepest * *sample.pressure;
+  } else if (!handling_.guess_pressure) {
+    pose.depth_m = deepest * handling_.steady_pressure;
+  } else {
+    if (before_ && before_->down) {
+      const double seconds = sample.time_s - before_->time_s;
+      if (seconds > 0) {
+        const double wanted = pressure_at(geometry::distance(before_->at, sample.at) / seconds, handling_);
+        const double rest = handling_.settles_s > 0 ? std::exp(-seconds / handling_.settles_s) : 0.0;
+        guessed_ = wanted + (guessed_ - wanted) * rest;
+      }
+    }
+    pose.depth_m = deepest * guessed_;
+  }
+  before_ = sample;
+  return pose;
+}
+
+base::Result<std::vector<geometry::BristleSegment>> replay(Tuft& tuft, std::span<const PenSample> samples,
+                                                           const Handling& handling) {
+  const auto wrong = [](std::size_t number, std::string what) {
+    return base::fail(base::Errc::bad_argument, std::move(what), fmt::format("sample {}", number));
+  };
+  PenToHolder holder(tuft.form(), handling);
+  std::vector<geometry::BristleSegment> swept;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const PenSample& sample = samples[i];
+    for (const double value : {sample.time_s, sample.at.x, sample.at.y, sample.lean_rad, sample.lean_to_rad,
+                               sample.twist_rad, sample.pressure.value_or(0), sample.height_m.value_or(0)})
+      if (!std::isfinite(value)) return wrong(i + 1, "every number must be finite");
+    if (sample.pressure && (*sample.pressure < 0 || *sample.pressure > 1))
+      return wrong(i + 1, fmt::format("the pressure is {}, but must be 0 to 1", *sample.pressure));
+    if (i > 0 && sample.time_s <= samples[i - 1].time_s)
+      return wrong(i + 1, "the time must be after that of the sample before");
+    tuft.move_to(holder.next(sample), swept);
+  }
+  return swept;
+}
+
+}  // namespace nazori::brush

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/brush/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace nazori::brush {
+namespace {
+
+TuftForm number_4() { return *tuft_form(4); }
+
+PenSample pen(double time_s, double x, std::optional<double> pressure = {}) {
+  PenSample sample;
+  sample.time_s = time_s;
+  sample.at = {x, 0};
+  sample.pressure = pressure;
+  return sample;
+}
+
+TEST(PenToHolder, PressureBecomesDepthInProportion) {
+  PenToHolder holder(number_4(), {});
+  EXPECT_DOUBLE_EQ(holder.next(pen(0, 0, 0.0)).depth_m, 0);
+  EXPECT_DOUBLE_EQ(holder.next(pen(1, 0, 0.5)).depth_m, 0.5 * 0.35 * 0.055);
+  EXPECT_DOUBLE_EQ(holder.next(pen(2, 0, 1.0)).depth_m, 0.35 * 0.055);
+}
+
+TEST(PenToHolder, TheHeightOfADeviceIsTakenAsItIs) {
+  PenToHolder holder(number_4(), {});
+  PenSample sample = pen(0, 0, 1.0);
+  sample.height_m = 0.003;
+  EXPECT_DOUBLE_EQ(holder.next(sample).depth_m, -0.003);
+  sample.height_m = -0.004;
+  sample.down = false;
+  EXPECT_DOUBLE_EQ(holder.next(sample).depth_m, 0.004);
+}
+
+TEST(PenToHolder, APenThatIsNotDownIsAboveThePaper) {
+  PenToHolder holder(number_4(), {});
+  PenSample sample = pen(0, 0, 0.7);
+  sample.down = false;
+  EXPECT_DOUBLE_EQ(holder.next(sample).depth_m, -0.005);
+}
+
+TEST(PenToHolder, PlaceLeanAndTwistArePassedOn) {
+  PenToHolder holder(number_4(), {});
+  PenSample sample = pen(3, 0.01, 0.5);
+  sample.lean_rad = 0.2;
+  sample.lean_to_rad = 1.1;
+  sample.twist_rad = -0.4;
+  const HolderPose pose = holder.next(sample);
+  EXPECT_EQ(pose.time_s, 3);
+  EXPECT_EQ(pose.at, (geometry::PaperPoint{0.01, 0}));
+  EXPECT_EQ(pose.lean_rad, 0.2);
+  EXPECT_EQ(pose.lean_to_rad, 1.1);
+  EXPECT_EQ(pose.twist_rad, -0.4);
+}
+
+/// Depth, over that at full pressure, after moving for `seconds` at a speed.
+double guessed(double speed_m_s, double seconds, double per_s, const Handling& handling = {}) {
+  PenToHolder holder(number_4(), handling);
+  double depth = 0;
+  const int count = static_cast<int>(std::lround(seconds * per_s));
+  for (int i = 0; i <= count; ++i) depth = holder.next(pen(i / per_s, speed_m_s * i / per_s)).depth_m;
+  return depth / (0.35 * 0.055);
+}
+
+TEST(PenToHolder, WithoutPressureASlowHandPressesAndAFastOneDoesNot) {
+  EXPECT_NEAR(guessed(0.01, 1, 100), kSlowPressure, 1e-3);
+  EXPECT_NEAR(guessed(0.02, 1, 100), kSlowPressure, 1e-3);
+  EXPECT_NEAR(guessed(0.5, 1, 100), kFastPressure, 1e-3);
+  // The middle by ratio.
+  EXPECT_NEAR(guessed(std::sqrt(0.02 * 0.4), 1, 100), (kSlowPressure + kFastPressure) / 2, 1e-3);
+}
+
+TEST(PenToHolder, TheGuessBeginsAtNothingAndSettlesWhateverTheRateOfReports) {
+  EXPECT_EQ(guessed(0.1, 0, 100), 0);
+  EXPECT_NEAR(guessed(0.01, 0.06, 1000), kSlowPressure * (1 - std::exp(-1)), 1e-9);
+  EXPECT_NEAR(guessed(0.1, 0.1, 60), guessed(0.1, 0.1, 1000), 1e-9);
+}
+
+TEST(PenToHolder, TheGuessBeginsAgainWhereThePenComesDownAgain) {
+  PenToHolder holder(number_4(), {});
+  for (int i = 0; i < 50; ++i) (void)holder.next(pen(0.01 * i, 0));
+  PenSample up = pen(0.6, 0);
+  up.down = false;
+  (void)holder.next(up);
+  EXPECT_EQ(holder.next(pen(0.7, 0)).depth_m, 0);
+}
+
+TEST(PenToHolder, TheGuessCanBeSwitchedOff) {
+  Handling handling;
+  handling.guess_pressure = false;
+  EXPECT_DOUBLE_EQ(guessed(0.5, 0.5, 100, handling), 0.5);
+  EXPECT_DOUBLE_EQ(guessed(0.01, 0.5, 100, handling), 0.5);
+}
+
+TEST(Replay, SweepsWhatTheTuftSweepsStepByStep) {
+  std::vector<PenSample> samples;
+  for (int i = 0; i <= 50; ++i) samples.push_back(pen(0.01 * i, 0.001 * i, 0.5));
+  samples.back().down = false;
+  Tuft tuft(number_4()), other(number_4());
+  const auto swept = replay(tuft, samples);
+  ASSERT_TRUE(swept.has_value());
+  std::vector<geometry::BristleSegment> wanted;
+  PenToHolder holder(number_4(), {});
+  for (const PenSample& sample : samples) other.move_to(holder.next(sample), wanted);
+  ASSERT_EQ(swept->size(), wanted.size());
+  EXPECT_GT(wanted.size(), 1000U);
+  EXPECT_EQ(swept->back().to, wanted.back().to);
+  EXPECT_FALSE(tuft.touching());
+}
+
+TEST(Replay, OfNothingSweepsNothing) {
+  Tuft tuft(number_4());
+  const auto swept = replay(tuft, {});
+  ASSERT_TRUE(swept.has_value());
+  EXPECT_TRUE(swept->empty());
+}
+
+TEST(Replay, NamesTheSampleThatIsWrong) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto error_of = [](const std::vector<PenSample>& samples) {
+    Tuft tuft(number_4());
+    const auto swept = replay(tuft, samples);
+    return swept.has_value() ? std::string() : swept.error().where + ": " + swept.error().what;
+  };
+  EXPECT_EQ(error_of({pen(0, 0, 0.5), pen(0, 0, 0.5)}),
+            "sample 2: the time must be after that of the sample before");
+  EXPECT_EQ(error_of({pen(0, nan, 0.5)}), "sample 1: every number must be finite");
+  EXPECT_EQ(error_of({pen(0, 0, 0.5), pen(1, 0, 1.5)}), "sample 2: the pressure is 1.5, but must be 0 to 1");
+  EXPECT_EQ(error_of({pen(0, 0, -0.5)}), "sample 1: the pressure is -0.5, but must be 0 to 1");
+  PenSample high = pen(0, 0);
+  high.height_m = nan;
+  EXPECT_EQ(error_of({high}), "sample 1: every number must be finite");
+  EXPECT_EQ(error_of({pen(0, 0, 0.0), pen(1, 0, 1.0)}), "");
+}
+
+}  // namespace
+}  // namespace nazori::brush

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fields of a sheet, tile by tile.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "nazori/base/executor.h"
+#include "nazori/paint/sheet.h"
+
+namespace nazori::paint {
+
+inline constexpr int kTile = 32;
+inline constexpr int kCells = kTile * kTile;
+/// Row length of the paper's own fields, which repeat one cell of each neighbour.
+inline constexpr int kPadded = kTile + 2;
+
+inline constexpr Amount kMostWater = 16 * kOne;
+/// Above it a cell takes no more moving pigment. An eighth at most comes through each of its four sides, so
+/// that twice this is never exceeded.
+inline constexpr Amount kMostMoving = 8 * kOne;
+inline constexpr Amount kMostFixed = 10 * kOne;
+
+using Field = std::array<Amount, kCells>;
+
+/// What a neighbouring tile needs of one side of a tile, as it was before the step.
+struct Edge {
+  std::array<Amount, kTile> fibre{}, water{};
+  std::array<std::array<Amount, kTile>, kSlots> moving{};
+  friend bool operator==(const Edge&, const Edge&) = default;
+};
+
+enum Side : std::uint8_t { left, right, top, bottom };
+
+/// The dry layers below the newest one.
+struct Ground {
+  Field covered{};                                         ///< their pigment
+  std::array<std::array<float, kCells>, 3> reflectance{};  ///< what they and the paper reflect, inside
+  friend bool operator==(const Ground&, const Ground&) = default;
+};
+
+struct Tile {
+  alignas(64) Field surface{}, fibre{};
+  std::array<Field, kSlots> moving{}, fixed{};
+  std::array<std::uint16_t, kPadded * kPadded> height{}, density{};
+  std::array<Edge, 4> edges{};
+  std::unique_ptr<Ground> ground;
+  TotalAmount evaporated = 0;
+  std::uint64_t version = 0;       ///< another number after every change of a field
+  std::uint8_t slots = 0;          ///< bit k: moving[k] or fixed[k] may hold something
+  bool is_wet = false;             ///< any water
+  bool has_changed = false;        ///< since its edges were published
+  std::uint8_t edges_changed = 0;  ///< bit of each Side: for this step
+};
+
+/// Numbers of the paper, as the step needs them.
+struct StepRules {
+  float conductivity = 0, conductivity_loss = 0;
+  float pinning = 0, pinning_height = 0, pinning_density = 0;  // in units of water
+  Amount absorption = 0, evaporation = 0, rim_evaporation = 0;
+  float fixing = 0;
+  std::array<float, kSlots> granulation{}, mobility{};
+};
+
+struct Sheet::Inside {
+  int size = 0;
+  int tiles_a_side = 0;
+  Paper paper;
+  std::array<Pigment, kSlots> palette;
+  StepRules rules;
+  Bands paper_inside{};  ///< what the paper reflects, inside
+  std::vector<std::unique_ptr<Tile>> tiles;
+  bool is_frozen = false;
+  int awake = 0;
+  std::uint64_t versions = 0;
+  std::vector<Tile*> active;
+  std::unique_ptr<base::Executor> second;
+
+  [[nodiscard]] Tile& tile_at(int column, int row) const {
+    return *tiles[static_cast<std::size_t>(row / kTile * tiles_a_side + column / kTile)];
+  }
+  [[nodiscard]] static std::size_t cell_at(int column, int row) {
+    return static_cast<std::size_t>(row % kTile * kTile + column % kTile);
+  }
+  void touch_tile(Tile& tile) {
+    tile.has_changed = true;
+    tile.version = ++versions;
+  }
+  /// Makes the fixed pigment of a cell part of the ground.
+  void cover(Tile& tile, std::size_t cell) const;
+  void make_rules();
+  /// Sets what follows from the fields of a tile: slots, is_wet, edges. For tiles that were filled from
+  /// outside.
+  void settle(Tile& tile);
+};
+
+/// Copies the sides of a tile into its edges and notes which of them changed.
+void publish_edges(Tile& tile);
+/// One step of a tile. @param neighbours  the edges that face it; nullptr at the border of the sheet.
+/// @return whether anything changed.
+[[nodiscard]] bool step_tile(const StepRules& rules, Tile& tile,
+                             const std::array<const Edge*, 4>& neighbours);
+
+/// Height and density of every cell of a sheet, each equally distributed over 0..65535, row by row.
+struct Grain {
+  std::vector<std::uint16_t> height, density;
+};
+[[nodiscard]] Grain make_grain(int size, double grain_m, std::uint32_t seed);
+
+}  // namespace nazori::paint

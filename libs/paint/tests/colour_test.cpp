@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nazori/paint/colour.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sheet_under_test.h"
+
+namespace nazori::paint {
+namespace {
+
+// P. Kubelka 1948: the closed form, the stack of layers and the endless layer agree.
+TEST(Colour, TheClosedFormIsTheLayerOverItsGround) {
+  for (const double kx : {1e-3, 0.1, 1.0, 4.0})
+    for (const double sx : {0.01, 0.3, 2.0, 20.0})
+      for (const double ground : {0.0, 0.4, 0.95})
+        EXPECT_NEAR(reflectance_over(layer_of(kx, sx), ground), reflectance_in_closed_form(kx, sx, ground),
+                    1e-12)
+            << kx << ' ' << sx << ' ' << ground;
+}
+
+TEST(Colour, TwoHalvesOfALayerAreTheLayer) {
+  for (const double kx : {0.0, 0.2, 3.0}) {
+    for (const double sx : {0.0, 0.5, 6.0}) {
+      const Layer whole = layer_of(kx, sx), half = layer_of(kx / 2, sx / 2);
+      const Layer stack = over(half, half);
+      EXPECT_NEAR(stack.reflected, whole.reflected, 1e-12);
+      EXPECT_NEAR(stack.transmitted, whole.transmitted, 1e-12);
+      const Layer third = layer_of(kx / 3, sx / 3), rest = layer_of(kx * 2 / 3, sx * 2 / 3);
+      EXPECT_NEAR(over(third, rest).reflected, whole.reflected, 1e-12);
+      EXPECT_NEAR(over(rest, third).transmitted, whole.transmitted, 1e-12);
+    }
+  }
+}
+
+TEST(Colour, LayersWithoutScatteringOrAbsorptionHaveTheirKnownForms) {
+  EXPECT_NEAR(layer_of(0.7, 0).transmitted, std::exp(-0.7), 1e-12);  // Lambert and Beer
+  EXPECT_EQ(layer_of(0.7, 0).reflected, 0);
+  EXPECT_NEAR(layer_of(0, 2).reflected, 2.0 / 3, 1e-12);  // S x / (1 + S x)
+  EXPECT_NEAR(layer_of(0, 2).transmitted, 1.0 / 3, 1e-12);
+  EXPECT_EQ(layer_of(0, 0).transmitted, 1);
+  EXPECT_NEAR(layer_of(1e-15, 2).reflected, 2.0 / 3, 1e-9);
+}
+
+TEST(Colour, AThickLayerHidesItsGround) {
+  const double endless = reflectance_of_endless(0.25 / 0.5);
+  EXPECT_NEAR(reflectance_over(layer_of(250, 500), 0), endless, 1e-12);
+  EXPECT_NEAR(reflectance_over(layer_of(250, 500), 0.9), endless, 1e-12);
+  EXPECT_NEAR(reflectance_over(layer_of(25, 50), 0.9), endless, 1e-12);
+  EXPECT_NEAR(endless, 1.5 - std::sqrt(1.25), 1e-15);
+}
+
+TEST(Colour, TheSurfaceOfPaintIsTakenAwayAgain) {
+  EXPECT_EQ(seen_from_inside(0), 0);
+  EXPECT_NEAR(seen_from_inside(1), 1 - 0.035, 1e-12);
+  for (const double seen : {0.05, 0.3, 0.9})
+    EXPECT_NEAR(seen_from_inside(inside_from_seen(seen)), seen, 1e-12);
+  EXPECT_NEAR(seen_from_inside(0.5), 0.965 * 0.4 * 0.5 / 0.7, 1e-12);
+}
+
+// IEC 61966-2-1.
+TEST(Colour, ScreenValuesAreThoseOfSrgb) {
+  EXPECT_EQ(to_screen(0), 0);
+  EXPECT_EQ(to_screen(1), 255);
+  EXPECT_EQ(to_screen(7), 255);
+  EXPECT_EQ(to_screen(-1), 0);
+  EXPECT_EQ(to_screen(0.2140), 127);
+  EXPECT_EQ(to_screen(0.5), 188);
+  EXPECT_EQ(to_screen(0.002), 7);
+}
+
+TEST(Colour, PigmentsAreFoundByTheirNames) {
+  EXPECT_EQ(find_pigment("vermilion")->name, "vermilion");
+  const auto unknown = find_pigment("puce");
+  EXPECT_EQ(unknown.error().code, base::Errc::not_found);
+  EXPECT_NE(unknown.error().remedy.find("sumi-blue"), std::string::npos);
+}
+
+Bands seen_over_white(const Pigment& pigment, double amount) {
+  Bands seen{};
+  for (std::size_t band = 0; band < 3; ++band)
+    seen[band] = seen_from_inside(
+        reflectance_over(layer_of(pigment.absorption[band] * amount, pigment.scattering[band] * amount),
+                         inside_from_seen(0.9)));
+  return seen;
+}
+
+TEST(Colour, ThinSumiIsBluishOrBrownishAndThickSumiIsBlack) {
+  const Bands blue = seen_over_white(find_pigment("sumi-blue").value(), 0.15);
+  EXPECT_GT(blue[2], blue[0] * 1.1);
+  const Bands brown = seen_over_white(find_pigment("sumi-brown").value(), 0.15);
+  EXPECT_GT(brown[0], brown[2] * 1.1);
+  for (const char* name : {"sumi", "sumi-blue", "sumi-brown"})
+    for (const double band : seen_over_white(find_pigment(name).value(), 1.5)) EXPECT_LT(band, 0.01) << name;
+}
+
+TEST(Colour, VermilionCoversInkAndRoseDoesNot) {
+  const auto over_ink = [](const char* name) {
+    const Pigment paint = find_pigment(name).value();
+    return seen_from_inside(
+        reflectance_over(layer_of(paint.absorption[0] * 3, paint.scattering[0] * 3), 0.01));
+  };
+  EXPECT_GT(over_ink("vermilion"), 0.25);
+  EXPECT_LT(over_ink("quinacridone-rose"), 0.1);
+}
+
+}  // namespace
+}  // namespace nazori::paint
