@@ -164,7 +164,7 @@ int run(Console& console, WorksheetSettings s) {
   for (kanji::Character& character : found.found) {
     const char32_t code_point = character.code_point;
     characters.push_back({std::move(character), wants_words ? database->words(code_point, kMostPrintedWords)
-                                                              : std::vector<kanji::Word>()});
+                                                            : std::vector<kanji::Word>()});
   }
   ProgressDisplay progress(console, ProgressDisplay::Plain::silent);
   const auto pdf = print::worksheet_pdf(characters, s.sheet, progress.callback());

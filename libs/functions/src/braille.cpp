@@ -242,21 +242,6 @@ class Writer {
     cells_.space();
   }
 
-  static Comparison sign_of(Function f) {
-    switch (f) {
-      case Function::less:
-        return Comparison::less;
-      case Function::less_equal:
-        return Comparison::less_equal;
-      case Function::greater:
-        return Comparison::greater;
-      case Function::greater_equal:
-        return Comparison::greater_equal;
-      default:
-        return Comparison::equal;
-    }
-  }
-
   void condition(const Node& n) {
     const auto& a = n.arguments;
     if (n.function == Function::both || n.function == Function::either) {
@@ -265,7 +250,7 @@ class Writer {
       while (last->function == Function::both) last = last->arguments[1].get();
       // 0 < x < 2
       if (n.function == Function::both && to_text(last->arguments[1]) == to_text(a[1]->arguments[0])) {
-        comparison(sign_of(a[1]->function));
+        comparison(comparison_of(a[1]->function));
         return write(a[1]->arguments[1]);
       }
       cells_.space();
@@ -274,7 +259,7 @@ class Writer {
       return condition(*a[1]);
     }
     write(a[0]);
-    comparison(sign_of(n.function));
+    comparison(comparison_of(n.function));
     write(a[1]);
   }
 

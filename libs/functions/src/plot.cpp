@@ -164,21 +164,6 @@ class Reader {
     return true;
   }
 
-  static Comparison comparison_of(Function f) {
-    switch (f) {
-      case Function::less:
-        return Comparison::less;
-      case Function::less_equal:
-        return Comparison::less_equal;
-      case Function::greater:
-        return Comparison::greater;
-      case Function::greater_equal:
-        return Comparison::greater_equal;
-      default:
-        return Comparison::equal;
-    }
-  }
-
   static Expression as_condition(const Relation& r) {
     constexpr std::array kFunctions{Function::equal, Function::less, Function::less_equal, Function::greater,
                                     Function::greater_equal};
@@ -361,6 +346,21 @@ tl::expected<Plot, SyntaxError> parse(std::string_view text, const ParseOptions&
   if (plot && options.decimal_comma)
     std::erase_if(plot->questions, [](const SyntaxError& q) { return q.fault == SyntaxFault::ask_point; });
   return plot;
+}
+
+Comparison comparison_of(Function f) {
+  switch (f) {
+    case Function::less:
+      return Comparison::less;
+    case Function::less_equal:
+      return Comparison::less_equal;
+    case Function::greater:
+      return Comparison::greater;
+    case Function::greater_equal:
+      return Comparison::greater_equal;
+    default:
+      return Comparison::equal;
+  }
 }
 
 RestrictedStatement without_conditions(const Statement& s) {

@@ -14,4 +14,7 @@ struct RestrictedStatement {
 };
 [[nodiscard]] RestrictedStatement without_conditions(const Statement& s);
 
+/// The comparison that a node of a condition makes; of another function `equal`.
+[[nodiscard]] Comparison comparison_of(Function f);
+
 }  // namespace nazori::functions

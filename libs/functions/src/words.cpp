@@ -110,21 +110,6 @@ std::string comparison(Comparison c, Language language) {
   return std::string((language == Language::english ? kEnglish : kJapanese)[static_cast<std::size_t>(c)]);
 }
 
-Comparison comparison_of(Function f) {
-  switch (f) {
-    case Function::less:
-      return Comparison::less;
-    case Function::less_equal:
-      return Comparison::less_equal;
-    case Function::greater:
-      return Comparison::greater;
-    case Function::greater_equal:
-      return Comparison::greater_equal;
-    default:
-      return Comparison::equal;
-  }
-}
-
 constexpr bool is_short_form(SpeechStyle style) { return style != SpeechStyle::verbose; }
 
 /// Speaks a tree so that it can be built again from what is heard. An operand is said without brackets where
