@@ -14,6 +14,7 @@
 #include "json_answers.h"
 #include "nazori/base/file.h"
 #include "nazori/base/utf8.h"
+#include "nazori/exchange/tablets.h"
 #include "options.h"
 #include "output_files.h"
 #include "study_session.h"
@@ -172,10 +173,13 @@ int run(Console& console, WorksheetSettings s) {
   if (!pdf) return console.refuse(pdf.error());
   if (auto saved = base::write_file(place->path(), *pdf); !saved) return console.refuse(saved.error());
   if (auto sent = place->deliver(console); !sent) return console.refuse(sent.error());
-  if (!place->is_console())
-    console.print(fmt::format("{}  {}, {} bytes\n", place->name(),
-                              counted(static_cast<std::int64_t>(characters.size()), "character"),
-                              pdf->size()));
+  if (place->is_console()) return kDone;
+  const exchange::PrintedSheet sheet{place->name(), s.layout, characters.size(), pdf->size()};
+  console.print(s.study.json
+                    ? to_text(exchange::to_json(sheet))
+                    : fmt::format("{}  {}, {} bytes\n", sheet.file,
+                                  counted(static_cast<std::int64_t>(sheet.character_count), "character"),
+                                  sheet.bytes));
   return kDone;
 }
 
@@ -190,6 +194,7 @@ void add_worksheet(CLI::App& app, Action& chosen) {
   verb->add_option("-o,--output", s->output, "Output .pdf; - is standard output")
       ->required()
       ->type_name("FILE");
+  verb->add_flag("--json", s->study.json, "Print JSON (see docs/command-line.md)");
   const std::string which = "Which characters";
   verb->add_option("--grade", s->grades, "Every kanji of a school grade; may be repeated")
       ->check(within(1, 6))

@@ -237,6 +237,7 @@ class Schemas(unittest.TestCase):
         self.answer("tablets#carve", "carve", "休木", "--output", self.folder.name, "--strokes", self.path("{}.str"),
                     "--size", "64")
         self.answer("tablets#model", "model", "鬱", "--raised", "--size-mm", "60", "--output", self.path("m.stl"))
+        self.answer("tablets#worksheet", "worksheet", "休木", "--output", self.path("w.pdf"))
         self.answer("tablets#demo", "demo", "一", "--output", self.path("d.png"), "--size", "64", "--record",
                     self.path("d.nzr"))
         self.answer("tablets#record_info", "record", "info", self.path("d.nzr"))

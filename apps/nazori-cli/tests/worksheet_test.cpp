@@ -21,6 +21,17 @@ TEST(Worksheet, CharactersAreOnIt) {
   for (const char* part : {"休", "永", "キュウ", "Week 3"}) EXPECT_THAT(text, HasSubstr(part));
 }
 
+TEST(Worksheet, JsonTellsWhatWasWritten) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      nazori_cli({"worksheet", "休永", "--layout", "cards", "--json", "--output", folder / "a.pdf"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const auto bytes = std::filesystem::file_size(folder / "a.pdf");
+  for (const std::string& part : {std::string(R"("layout": "cards")"), std::string(R"("characters": 2)"),
+                                  R"("bytes": )" + std::to_string(bytes), std::string("a.pdf")})
+    EXPECT_THAT(run.out, HasSubstr(part));
+}
+
 TEST(Worksheet, EveryKanjiOfATextIsOnItOnce) {
   const TemporaryFolder folder;
   write(folder / "a.txt", "木の下で休む。木と人。");

@@ -81,6 +81,13 @@ Value to_json(const SolidModel& model) {
           {"strokes_without_number", model.without_number}};
 }
 
+Value to_json(const PrintedSheet& sheet) {
+  return {{"file", sheet.file},
+          {"layout", sheet.layout},
+          {"characters", sheet.character_count},
+          {"bytes", sheet.bytes}};
+}
+
 Value to_json(const PaintedSheet& sheet) {
   return {{"script", sheet.script},     {"file", sheet.file},
           {"paper", sheet.paper},       {"brush", sheet.brush},

@@ -22,6 +22,7 @@ TEST(Handwriting, IsStrokesOfPointsWithTimesAndPressures) {
   EXPECT_EQ(ink->strokes[0][1].time_s, 0.25);
   EXPECT_EQ(ink->strokes[1][0].pressure, 1);
   ASSERT_TRUE(ink->box);
+  EXPECT_EQ(ink->box->corner.x, 10);
   EXPECT_EQ(ink->box->corner.y, 20);
   EXPECT_EQ(ink->box->side, 30);
 }

@@ -50,7 +50,7 @@ TEST(StrokeIndex, FindsTheNearestPlaceAsTryingAllSegmentsDoes) {
 TEST(StrokeIndex, LeavesOutWhatIsNoStrokeAndKeepsTheNumbers) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<StrokePath> strokes{
-      {{}}, {{{nan, 0, 0}}}, {{{0, 0, 0}, {0, nan, 0}, {0, 0, 0}, {0.01, 0, 0}}}};
+      {{}}, {{{nan, 0, 0}}}, {{{0, 0, 0}, {0, nan, 0}, {0, 0, nan}, {0.01, 0, 0}}}};
   const StrokeIndex index(strokes, 0);
   const auto hit = index.nearest({0.005, 0, 0.001}, 1);
   ASSERT_GE(hit.segment, 0);

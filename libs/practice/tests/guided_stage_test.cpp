@@ -28,6 +28,7 @@ TEST_F(GuidedStageTest, HelpFadesWithEachTimeWithoutAMistakeAndThenThereIsNone) 
     const auto overlay = tablet_.overlay();
     EXPECT_DOUBLE_EQ(overlay.lines_opacity, lines[time]);
     EXPECT_EQ(overlay.numbers_visible, time == 0);
+    EXPECT_EQ(overlay.arrows_visible, time < 2);
     EXPECT_EQ(tablet_.snapping_in_effect(), time < 3);
     write_all();
     EXPECT_EQ(last().event, time < 2 ? StageEvent::guided_less_help : StageEvent::guided_without_help);

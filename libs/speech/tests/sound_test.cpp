@@ -44,6 +44,25 @@ TEST(SoundFile, LimitsWhatIsTooLoudAndHasNothingOfNothing) {
   EXPECT_FALSE(to_wav({0, {1.0F}}));
 }
 
+TEST(SoundFile, WhatIsNoNumberIsSilentAndWhatIsBeyondTheRangeIsLimited) {
+  const StandInVoices folder;
+  SF_INFO info{};
+  info.samplerate = 8000;
+  info.channels = 1;
+  info.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
+  const std::string file = folder.path("float.wav").string();
+  SNDFILE* out = sf_open(file.c_str(), SFM_WRITE, &info);
+  ASSERT_NE(out, nullptr);
+  const std::vector<float> frames{NAN, 1.3F, -1.3F, INFINITY, 0.25F};
+  sf_writef_float(out, frames.data(), static_cast<sf_count_t>(frames.size()));
+  sf_close(out);
+  const auto sound = read_sound(file);
+  ASSERT_TRUE(sound) << base::to_line(sound.error());
+  EXPECT_EQ(sound->samples, (std::vector<float>{0, 1, -1, 0, 0.25F}));
+}
+
+TEST(SoundFile, LastsAtMostTwentySeconds) { EXPECT_EQ(kMostSound_s, 20); }
+
 TEST(SoundFile, MixesTwoChannelsIntoOne) {
   const StandInVoices folder;
   SF_INFO info{};

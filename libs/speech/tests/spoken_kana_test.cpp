@@ -53,6 +53,7 @@ TEST(SpokenKana, RefusesAllElse) {
   EXPECT_EQ(said("ka"), "refused: only kana can be spoken");
   EXPECT_EQ(said("\xE3\x81"), "refused: is not UTF-8");
   std::string most;
+  EXPECT_EQ(kMostSpokenKana, 60U);
   for (std::size_t i = 0; i < kMostSpokenKana; ++i) most += "か";
   EXPECT_EQ(said(most), most);
   EXPECT_EQ(said(most + "か"), "refused: is too long to be spoken");

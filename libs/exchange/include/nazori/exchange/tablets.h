@@ -45,6 +45,15 @@ struct SolidModel {
 };
 [[nodiscard]] Value to_json(const SolidModel& model);
 
+/// A worksheet that was written (docs/schemas/tablets.json, worksheet).
+struct PrintedSheet {
+  std::string file;
+  std::string layout;               ///< practice, quiz, cards or manuscript
+  std::size_t character_count = 0;  ///< 0: manuscript paper
+  std::size_t bytes = 0;
+};
+[[nodiscard]] Value to_json(const PrintedSheet& sheet);
+
 /// A sheet that a brush wrote on (docs/schemas/tablets.json, paint).
 struct PaintedSheet {
   std::string script;  ///< file
