@@ -142,8 +142,8 @@ TEST(OfficialTolerance, ADotThatLeansToTheOtherSideIsRefused) {
 
 std::vector<bool> free_slants(const std::vector<std::string>& strokes) {
   std::vector<bool> free;
-  for (const auto& shape : model_of(character(U'言', strokes)).inside().main.shapes)
-    free.push_back(shape.free_slant);
+  const Model model = model_of(character(U'言', strokes));
+  for (const auto& shape : model.inside().main.shapes) free.push_back(shape.free_slant);
   return free;
 }
 
