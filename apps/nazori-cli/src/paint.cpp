@@ -56,9 +56,9 @@ struct PaintSettings {
 };
 
 const std::map<std::string, brush::Hair>& hairs() {
-  static const std::map<std::string, brush::Hair> kHairs{
+  static const std::map<std::string, brush::Hair> all{
       {"goat", brush::Hair::goat}, {"mixed", brush::Hair::mixed}, {"weasel", brush::Hair::weasel}};
-  return kHairs;
+  return all;
 }
 
 base::Result<paint::Paper> paper_of(const std::string& name) {
