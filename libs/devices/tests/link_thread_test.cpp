@@ -71,6 +71,7 @@ TEST(LinkExchange, TheCommandForAPoseIsAwaitedAndOneForAnotherIsNoForce) {
     exchange.commands.publish();
   });
   while (exchange.await(9).answers != 9) continue;
+  servo.join();
   exchange.reset();
   EXPECT_EQ(exchange.await(9).force_n, 0) << "it belongs to the run before";
 }

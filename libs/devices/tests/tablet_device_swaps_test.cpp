@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -28,33 +29,50 @@ struct Arm {
   DeviceState state = DeviceState::running;
   DeviceTrouble trouble = DeviceTrouble::none;
   haptics::ServoCallback* servo = nullptr;  ///< while it runs
-  std::vector<std::string> log;             ///< "open", "start", "stop", "close"
 
+  /// "open", "start", "stop", "close". A device is closed on another thread.
+  [[nodiscard]] std::vector<std::string> log() const {
+    const std::scoped_lock lock(mutex_);
+    return log_;
+  }
+  void add(const std::string& what) {
+    const std::scoped_lock lock(mutex_);
+    log_.push_back(what);
+  }
+  void forget() {
+    const std::scoped_lock lock(mutex_);
+    log_.clear();
+  }
   haptics::Vec3 tick(double z_m, std::uint32_t buttons = 0) const {
     return servo->tick({0.001, {0, 0, z_m}, buttons, true});
   }
   [[nodiscard]] int count(std::string_view what) const {
-    return static_cast<int>(std::count(log.begin(), log.end(), what));
+    const auto all = log();
+    return static_cast<int>(std::count(all.begin(), all.end(), what));
   }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> log_;
 };
 
 /// The arm as a device.
 class ArmOfATest final : public haptics::HapticDevice {
  public:
-  explicit ArmOfATest(Arm& arm) : arm_(arm) { arm_.log.emplace_back("open"); }
-  ~ArmOfATest() override { arm_.log.emplace_back("close"); }
+  explicit ArmOfATest(Arm& arm) : arm_(arm) { arm_.add("open"); }
+  ~ArmOfATest() override { arm_.add("close"); }
   ArmOfATest(const ArmOfATest&) = delete;
   ArmOfATest& operator=(const ArmOfATest&) = delete;
   [[nodiscard]] haptics::DeviceDescription describe() const override { return {arm_.name, 1000, true, {}}; }
   [[nodiscard]] base::Result<void> start(haptics::ServoCallback& servo) override {
     if (!arm_.starts) return base::fail(base::Errc::device, "it does not start", arm_.name, arm_.remedy);
     arm_.servo = &servo;
-    arm_.log.emplace_back("start");
+    arm_.add("start");
     return {};
   }
   void stop() noexcept override {
     arm_.servo = nullptr;
-    arm_.log.emplace_back("stop");
+    arm_.add("stop");
   }
   [[nodiscard]] haptics::DeviceStatus status() const override {
     return {arm_.state, arm_.trouble, "why", 7, 0, 0};
@@ -119,8 +137,8 @@ class TabletDeviceSwaps : public testing::Test {
   void forget() {
     events_.clear();
     kinds_.clear();
-    a_.log.clear();
-    b_.log.clear();
+    a_.forget();
+    b_.forget();
   }
   /// Waits for the thread that opens and closes.
   void let_close(const Arm& arm, int times = 1) {
@@ -155,7 +173,7 @@ TEST_F(TabletDeviceSwaps, TheNextBestServesUntilTheChosenOneIsThere) {
 
   pass(3s);
   EXPECT_TRUE(kinds_.empty()) << "retrying is silent";
-  EXPECT_TRUE(b_.log.empty()) << "and leaves the active one as it is";
+  EXPECT_TRUE(b_.log().empty()) << "and leaves the active one as it is";
   a_.plugged_in = true;
   pass(2999ms);
   EXPECT_EQ(device_.opened()->id, "b:arm");
@@ -164,11 +182,11 @@ TEST_F(TabletDeviceSwaps, TheNextBestServesUntilTheChosenOneIsThere) {
   EXPECT_FALSE(device_.is_pointer());
   EXPECT_EQ(kinds_, std::vector{Kind::taken});
   let_close(b_);
-  EXPECT_EQ(b_.log, (std::vector<std::string>{"stop", "close"}));
+  EXPECT_EQ(b_.log(), (std::vector<std::string>{"stop", "close"}));
 
   forget();
   pass(120s);
-  EXPECT_TRUE(a_.log.empty()) << "the chosen one is there: nothing is searched for";
+  EXPECT_TRUE(a_.log().empty()) << "the chosen one is there: nothing is searched for";
 }
 
 TEST_F(TabletDeviceSwaps, ASearchThatTakesLongIsRepeatedLessOften) {
@@ -203,7 +221,7 @@ TEST_F(TabletDeviceSwaps, OneThatOpensButDoesNotStartGivesWayToTheNextAndIsRetri
   EXPECT_EQ(events_[0].message, "switch it off") << "what to do";
   EXPECT_EQ(device_.opened()->id, "b:arm");
   let_close(a_);
-  EXPECT_EQ(a_.log, (std::vector<std::string>{"open", "close"})) << "it is tried once in a search";
+  EXPECT_EQ(a_.log(), (std::vector<std::string>{"open", "close"})) << "it is tried once in a search";
   forget();
   pass(3s);
   EXPECT_TRUE(kinds_.empty()) << "retrying is silent";
@@ -227,15 +245,15 @@ TEST_F(TabletDeviceSwaps, WithoutARemedyTheErrorItselfIsTold) {
 TEST_F(TabletDeviceSwaps, ChoosingAnotherStopsTheForceBeforeThePointerTakesOver) {
   choose("");
   EXPECT_EQ(device_.opened()->id, "a:arm") << "the first with force";
-  device_.leaving.connect([&] { a_.log.emplace_back("leaving"); });
-  device_.changed.connect([&] { a_.log.emplace_back("changed"); });
+  device_.leaving.connect([&] { a_.add("leaving"); });
+  device_.changed.connect([&] { a_.add("changed"); });
   forget();
   device_.choose("b:arm");
   EXPECT_TRUE(device_.is_searching());
   EXPECT_TRUE(device_.is_pointer());
-  EXPECT_EQ(a_.log.at(0), "stop");
-  EXPECT_EQ(a_.log.at(1), "leaving");
-  EXPECT_EQ(a_.log.at(2), "changed");
+  EXPECT_EQ(a_.log().at(0), "stop");
+  EXPECT_EQ(a_.log().at(1), "leaving");
+  EXPECT_EQ(a_.log().at(2), "changed");
   inbox_.run_until([this] { return !device_.is_searching(); });
   EXPECT_EQ(device_.opened()->id, "b:arm");
   EXPECT_EQ(a_.count("close"), 1);
@@ -323,16 +341,16 @@ TEST_F(TabletDeviceSwaps, OneThatIsPausedWhenItIsOpenedWaitsWhileThePointerWrite
 
 TEST_F(TabletDeviceSwaps, TheStrengthRestartsItOnlyWhereItChanges) {
   choose("a:arm");
-  device_.leaving.connect([&] { a_.log.emplace_back("leaving"); });
-  device_.changed.connect([&] { a_.log.emplace_back("changed"); });
+  device_.leaving.connect([&] { a_.add("leaving"); });
+  device_.changed.connect([&] { a_.add("changed"); });
   forget();
   device_.set_strength(1);
   device_.set_strength(7);
   EXPECT_EQ(device_.strength(), 1);
-  EXPECT_TRUE(a_.log.empty());
+  EXPECT_TRUE(a_.log().empty());
   const auto own = device_.own_description().limits;
   device_.set_strength(0.25);
-  EXPECT_EQ(a_.log, (std::vector<std::string>{"leaving", "stop", "start", "changed"}));
+  EXPECT_EQ(a_.log(), (std::vector<std::string>{"leaving", "stop", "start", "changed"}));
   EXPECT_DOUBLE_EQ(device_.describe().limits.max_force_n, own.max_force_n / 4);
   EXPECT_DOUBLE_EQ(device_.describe().limits.continuous_force_n, own.continuous_force_n / 4);
   EXPECT_DOUBLE_EQ(device_.describe().limits.max_stiffness_n_m, own.max_stiffness_n_m / 4);
@@ -343,11 +361,11 @@ TEST_F(TabletDeviceSwaps, TheStrengthRestartsItOnlyWhereItChanges) {
 TEST_F(TabletDeviceSwaps, WhilePausedARestartLeavesTheTabletToThePointer) {
   a_.state = DeviceState::paused;
   choose("a:arm");
-  device_.leaving.connect([&] { a_.log.emplace_back("leaving"); });
-  device_.changed.connect([&] { a_.log.emplace_back("changed"); });
+  device_.leaving.connect([&] { a_.add("leaving"); });
+  device_.changed.connect([&] { a_.add("changed"); });
   forget();
   device_.apply_limits();
-  EXPECT_EQ(a_.log, (std::vector<std::string>{"stop", "start"}));
+  EXPECT_EQ(a_.log(), (std::vector<std::string>{"stop", "start"}));
 }
 
 TEST_F(TabletDeviceSwaps, OneThatDoesNotRestartIsLost) {
@@ -414,15 +432,15 @@ TEST_F(TabletDeviceSwaps, TheBetterOneWaitsForTheEndOfTheStroke) {
   ASSERT_TRUE(device_.latest().touching);
   forget();
   pass(3s);
-  EXPECT_EQ(a_.log, std::vector<std::string>{"open"});
+  EXPECT_EQ(a_.log(), std::vector<std::string>{"open"});
   EXPECT_EQ(device_.opened()->id, "b:arm");
   pass(10s);
-  EXPECT_EQ(a_.log, std::vector<std::string>{"open"}) << "it is opened once, and started at the end";
-  EXPECT_TRUE(b_.log.empty());
+  EXPECT_EQ(a_.log(), std::vector<std::string>{"open"}) << "it is opened once, and started at the end";
+  EXPECT_TRUE(b_.log().empty());
   for (int i = 0; i < 10; ++i) (void)b_.tick(0.01);
   pass(200ms);
   EXPECT_EQ(device_.opened()->id, "a:arm");
-  EXPECT_EQ(a_.log, (std::vector<std::string>{"open", "start"}));
+  EXPECT_EQ(a_.log(), (std::vector<std::string>{"open", "start"}));
   EXPECT_EQ(kinds_, std::vector{Kind::taken});
 }
 
