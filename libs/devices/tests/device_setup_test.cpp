@@ -3,14 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <chrono>
-#include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "scripted_device.h"
+#include "tablet_device_under_test.h"
 
 namespace nazori::devices {
 namespace {
@@ -66,34 +63,13 @@ TEST(DeviceChoices, AProblemThatOurOwnUseOfTheDeviceCausesIsNotShown) {
 
 /// A tablet with an arm that the test moves, and how a learner sets it up. Deadlines follow the test's clock;
 /// the servos run in real time.
-class DeviceSetupTest : public testing::Test {
+class DeviceSetupTest : public test::TabletWithAnArm {
  protected:
   using enum DeviceNewsKind;
 
   DeviceSetupTest() {
     setup_.news.connect([this](const DeviceNews& news) { news_.push_back(news); });
     setup_.settled.connect([this] { ++settled_; });
-  }
-  /// Runs the inbox until `wish` is true; at most for a real minute.
-  template <class Wish>
-  [[nodiscard]] bool comes(Wish wish) {
-    const auto give_up = std::chrono::steady_clock::now() + 60s;
-    while (!wish()) {
-      if (std::chrono::steady_clock::now() > give_up) return false;
-      std::array<haptics::ServoSample, 256> samples;
-      (void)device_.take_samples(samples);
-      while (inbox_.run_one()) continue;
-      pass(0ms);
-      std::this_thread::sleep_for(1ms);
-    }
-    return true;
-  }
-  void pass(std::chrono::milliseconds time) {
-    clock_.advance(time);
-    if (woken_at_ && *woken_at_ <= clock_.steady()) {
-      woken_at_.reset();
-      device_.update();
-    }
   }
   [[nodiscard]] bool settles() {
     const bool came = comes([this] { return !device_.is_searching() && settled_ > 0; });
@@ -117,13 +93,8 @@ class DeviceSetupTest : public testing::Test {
     }));
   }
 
-  std::shared_ptr<test::Script> script_ = std::make_shared<test::Script>();
   std::vector<DeviceNews> news_;
   int settled_ = 0;
-  std::optional<base::Clock::Steady> woken_at_;
-  base::Inbox inbox_;
-  base::ManualClock clock_{base::Clock::Calendar{}};
-  TabletDevice device_{inbox_, clock_, [this](base::Clock::Steady at) { woken_at_ = at; }};
   DeviceSetup setup_{device_, test::only(script_)};
 };
 

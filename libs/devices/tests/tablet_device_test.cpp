@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <thread>
 
-#include "scripted_device.h"
+#include "tablet_device_under_test.h"
 
 namespace nazori::devices {
 namespace {
@@ -17,36 +15,19 @@ using namespace std::chrono_literals;
 using haptics::DeviceState;
 using haptics::DeviceTrouble;
 
-/// A tablet with an arm that the test moves. Its deadlines follow a clock that the test sets; the servos run
-/// in real time.
-class TabletDeviceTest : public testing::Test {
+/// What a device is given and tells until its end; a base class, so that it outlives the device.
+struct GivenAndTold {
+  RememberedDevices remembered_;
+  std::vector<DeviceEvent> events_;
+};
+
+class TabletDeviceTest : protected GivenAndTold, public test::TabletWithAnArm {
  protected:
   using enum DeviceEventKind;
 
   TabletDeviceTest() {
     device_.happened.connect([this](const DeviceEvent& event) { events_.push_back(event); });
     device_.set_devices(test::only(script_), {}, [this] { return remembered_; });
-  }
-  /// Advances the clock in steps and runs the inbox until `wish` is true; at most for a real minute.
-  template <class Wish>
-  [[nodiscard]] bool comes(Wish wish, std::chrono::milliseconds step = 0ms) {
-    const auto give_up = std::chrono::steady_clock::now() + 60s;
-    while (!wish()) {
-      if (std::chrono::steady_clock::now() > give_up) return false;
-      std::array<haptics::ServoSample, 256> samples;
-      (void)device_.take_samples(samples);
-      while (inbox_.run_one()) continue;
-      pass(step);
-      std::this_thread::sleep_for(1ms);
-    }
-    return true;
-  }
-  void pass(std::chrono::milliseconds time) {
-    clock_.advance(time);
-    if (woken_at_ && *woken_at_ <= clock_.steady()) {
-      woken_at_.reset();
-      device_.update();
-    }
   }
   [[nodiscard]] int count(DeviceEventKind kind) const {
     return static_cast<int>(
@@ -60,14 +41,6 @@ class TabletDeviceTest : public testing::Test {
     ASSERT_FALSE(device_.is_pointer());
     events_.clear();
   }
-
-  std::shared_ptr<test::Script> script_ = std::make_shared<test::Script>();
-  RememberedDevices remembered_;
-  std::vector<DeviceEvent> events_;
-  std::optional<base::Clock::Steady> woken_at_;
-  base::Inbox inbox_;
-  base::ManualClock clock_{base::Clock::Calendar{}};
-  TabletDevice device_{inbox_, clock_, [this](base::Clock::Steady at) { woken_at_ = at; }};
 };
 
 TEST_F(TabletDeviceTest, ADeviceThatIsFoundInTheMiddleOfAStrokeWaitsForItsEnd) {

@@ -229,7 +229,8 @@ TEST(ReadGrades, WhatIsNoneSaysWhere) {
   answer.grade.mistakes = {{}};
   const Value fine = to_json(answer);
   EXPECT_EQ(wrong(fine), "read");
-  for (const char* member : {"char", "accepted", "strokes", "errors", "advice", "score", "probability", "parts"})
+  for (const char* member :
+       {"char", "accepted", "strokes", "errors", "advice", "score", "probability", "parts"})
     EXPECT_EQ(wrong(without(fine, member)), std::string("line 1, ") + member);
   EXPECT_EQ(wrong(with(fine, "score", 101)), "line 1, score");
   EXPECT_EQ(wrong(with(fine, "form", 6)), "line 1, form");

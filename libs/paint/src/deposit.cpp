@@ -55,7 +55,7 @@ struct Band {
 
 /// What one bristle brings, and what is left of it.
 struct Offer {
-  Amount film;                  // water that a cell shall hold
+  Amount film;                  // water that the cell is to hold
   PigmentAmounts pigment;       // likewise
   std::uint16_t lowest_height;  // of the cells that it reaches
   TotalAmount water_left;       // in units of the sheet

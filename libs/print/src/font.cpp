@@ -16,9 +16,9 @@ namespace {
 bool is_radical(char32_t c) { return c >= 0x2E80 && c <= 0x2FDF; }
 
 std::string file_of(const std::string& family) {
-  // A configuration of our own can be released; the shared one keeps memory until the program ends.
-  const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfigAndFonts(),
-                                                                     &FcConfigDestroy);
+  // Loaded once. The configuration that fontconfig shares with other libraries is never released.
+  static const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfigAndFonts(),
+                                                                            &FcConfigDestroy);
   const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> pattern(FcPatternCreate(), &FcPatternDestroy);
   FcPatternAddString(pattern.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family.c_str()));
   FcPatternAddInteger(pattern.get(), FC_WEIGHT, FC_WEIGHT_REGULAR);

@@ -44,18 +44,22 @@ TEST(SoundFile, LimitsWhatIsTooLoudAndHasNothingOfNothing) {
   EXPECT_FALSE(to_wav({0, {1.0F}}));
 }
 
-TEST(SoundFile, WhatIsNoNumberIsSilentAndWhatIsBeyondTheRangeIsLimited) {
-  const StandInVoices folder;
+/// Writes a sound file of 8,000 frames a second. @param format  as in libsndfile.
+void write_frames(const std::string& file, int format, int channels, const std::vector<float>& frames) {
   SF_INFO info{};
   info.samplerate = 8000;
-  info.channels = 1;
-  info.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
-  const std::string file = folder.path("float.wav").string();
+  info.channels = channels;
+  info.format = format;
   SNDFILE* out = sf_open(file.c_str(), SFM_WRITE, &info);
   ASSERT_NE(out, nullptr);
-  const std::vector<float> frames{NAN, 1.3F, -1.3F, INFINITY, 0.25F};
-  sf_writef_float(out, frames.data(), static_cast<sf_count_t>(frames.size()));
+  sf_writef_float(out, frames.data(), static_cast<sf_count_t>(frames.size()) / channels);
   sf_close(out);
+}
+
+TEST(SoundFile, WhatIsNoNumberIsSilentAndWhatIsBeyondTheRangeIsLimited) {
+  const StandInVoices folder;
+  const std::string file = folder.path("float.wav").string();
+  write_frames(file, SF_FORMAT_WAV | SF_FORMAT_FLOAT, 1, {NAN, 1.3F, -1.3F, INFINITY, 0.25F});
   const auto sound = read_sound(file);
   ASSERT_TRUE(sound) << base::to_line(sound.error());
   EXPECT_EQ(sound->samples, (std::vector<float>{0, 1, -1, 0, 0.25F}));
@@ -65,20 +69,13 @@ TEST(SoundFile, LastsAtMostTwentySeconds) { EXPECT_EQ(kMostSound_s, 20); }
 
 TEST(SoundFile, MixesTwoChannelsIntoOne) {
   const StandInVoices folder;
-  SF_INFO info{};
-  info.samplerate = 8000;
-  info.channels = 2;
-  info.format = SF_FORMAT_OGG | SF_FORMAT_VORBIS;
   const std::string file = folder.path("stereo.ogg").string();
-  SNDFILE* out = sf_open(file.c_str(), SFM_WRITE, &info);
-  ASSERT_NE(out, nullptr);
   std::vector<float> frames;
   for (int i = 0; i < 4000; ++i) {
     frames.push_back(0.6F * std::sin(0.3F * static_cast<float>(i)));
     frames.push_back(0.2F * std::sin(0.3F * static_cast<float>(i)));
   }
-  sf_writef_float(out, frames.data(), 4000);
-  sf_close(out);
+  write_frames(file, SF_FORMAT_OGG | SF_FORMAT_VORBIS, 2, frames);
   const auto sound = read_sound(file);
   ASSERT_TRUE(sound) << base::to_line(sound.error());
   EXPECT_EQ(sound->samples.size(), 4000U);

@@ -10,6 +10,7 @@
 #include "study/session_bar.h"
 #include "study/session_panel.h"
 #include "study/study_dialogs.h"
+#include "widgets/parts.h"
 #include "words/kanji_text.h"
 
 namespace nazori::ui {
@@ -96,15 +97,12 @@ void Characters::show_session() {
   session_actions_->show_state(session, parts().learner().can_write());
   const bool drawing = actions_->draw_to_find->isChecked();
   const bool studied = session.is_running() && !searching_;
-  // The keyboard must not go to whatever comes after a panel that closes.
-  const auto* keyboard = library_panel_->window()->focusWidget();
-  const auto closes = [keyboard](const QWidget* panel, bool stays) {
-    return !stays && keyboard != nullptr && panel->isVisible() && panel->isAncestorOf(keyboard);
-  };
-  if (closes(library_panel_, !studied && !drawing) || closes(session_panel_, studied && !drawing))
+  const bool lists = !studied && !drawing;
+  const bool asks = studied && !drawing;
+  if ((!lists && has_keyboard(*library_panel_)) || (!asks && has_keyboard(*session_panel_)))
     parts().focus_tablet();
-  session_panel_->setVisible(studied && !drawing);
-  library_panel_->setVisible(!studied && !drawing);
+  session_panel_->setVisible(asks);
+  library_panel_->setVisible(lists);
   if (!practice_.is_entered()) return;
   session_bar_->show_state(practice_.sheet());
   session_panel_->show_state(practice_.sheet());

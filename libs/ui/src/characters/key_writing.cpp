@@ -126,12 +126,12 @@ KeyWriting::KeyWriting(WindowParts& parts, CharacterActions& actions, QObject* p
   connect(actions_.pen_where, &QAction::triggered, this,
           [this] { parts_.respond(Feedback::hint, key_pen_words(pen_.where())); });
   show_actions();
-  QCoreApplication::instance()->installEventFilter(this);
 }
 
 void KeyWriting::switch_on(bool on) {
   if (on) {
     (void)pen_.begin();
+    QCoreApplication::instance()->installEventFilter(this);
     emit parts_.focus_tablet();
     parts_.respond(
         Feedback::hint,
@@ -145,6 +145,7 @@ void KeyWriting::switch_on(bool on) {
 
 void KeyWriting::end() {
   pen_.end();
+  QCoreApplication::instance()->removeEventFilter(this);
   silence_.stop();
   sound_.stop();
   actions_.key_pen->setChecked(false);

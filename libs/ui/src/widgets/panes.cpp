@@ -4,6 +4,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/parts.h"
+
 namespace nazori::ui {
 namespace {
 
@@ -92,15 +94,10 @@ void Panes::set_alone(bool alone) {
 void Panes::show_panels(bool left, bool right) {
   left = left && !alone_ && left_panel_ != nullptr;
   right = right && !alone_ && right_panel_ != nullptr;
-  if ((!left && has_keyboard(left_)) || (!right && has_keyboard(right_))) emit keyboard_closing();
+  if ((!left && has_keyboard(*left_)) || (!right && has_keyboard(*right_))) emit keyboard_closing();
   left_->setVisible(left);
   right_->setVisible(right);
   emit opened(left, right);
-}
-
-bool Panes::has_keyboard(const QWidget* panel) const {
-  const auto* with_it = window()->focusWidget();
-  return with_it != nullptr && panel->isVisibleTo(this) && panel->isAncestorOf(with_it);
 }
 
 void Panes::fit(int window_width, int text_pt) {

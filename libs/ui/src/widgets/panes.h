@@ -55,7 +55,6 @@ class Panes final : public QSplitter {
 
  private:
   void show_panels(bool left, bool right);
-  [[nodiscard]] bool has_keyboard(const QWidget* panel) const;
 
   QWidget* left_;  ///< holds the panels of all pages, one of them shown
   QWidget* right_;

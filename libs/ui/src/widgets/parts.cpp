@@ -83,6 +83,11 @@ QDialogButtonBox* dialog_buttons(QDialogButtonBox::StandardButtons which, QDialo
   return buttons;
 }
 
+bool has_keyboard(const QWidget& panel) {
+  const auto* with_it = panel.window()->focusWidget();
+  return with_it != nullptr && panel.isVisible() && panel.isAncestorOf(with_it);
+}
+
 QStringList local_files(const QMimeData* data) {
   QStringList paths;
   for (const auto& url : data->urls())

@@ -54,6 +54,10 @@ void clear_layout(QLayout* layout);
 /// Buttons that accept and reject a dialog.
 [[nodiscard]] QDialogButtonBox* dialog_buttons(QDialogButtonBox::StandardButtons which, QDialog* dialog);
 
+/// Whether the keyboard is in a panel that is shown. Before the panel is hidden the keyboard is given to the
+/// tablet, or Qt gives it to whatever comes next.
+[[nodiscard]] bool has_keyboard(const QWidget& panel);
+
 /// The files of this computer that are being dropped.
 [[nodiscard]] QStringList local_files(const QMimeData* data);
 

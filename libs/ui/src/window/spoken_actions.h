@@ -8,9 +8,9 @@ namespace nazori::ui {
 
 class FeedbackLine;
 
-/// Speaks what a key did where nothing else is said about it: a key without an answer is silence for somebody
-/// who does not see the window. An action that is switched is spoken with its state, one of several to choose
-/// from and any other by its name. What is chosen in a menu was read there. Thread: interface.
+/// Speaks the action of a key where nothing else is said about it, for people who do not see the window. An
+/// action that can be on or off is spoken with its state, every other one by its name. What is chosen in a
+/// menu is not spoken, because the screen reader has read it there. Thread: interface.
 class SpokenActions final : public QObject {
   Q_OBJECT
  public:
