@@ -72,9 +72,9 @@ base::Result<std::vector<char32_t>> from_study(const WorksheetSettings& s) {
   if (!session) return tl::unexpected(std::move(session.error()));
   std::vector<char32_t> all;
   if (!s.list.empty()) {
-    const auto members = session->lists().members(s.list, session->learner());
+    auto members = session->lists().members(s.list, session->learner());
     if (!members) return members;
-    all = *members;
+    all = *std::move(members);
   }
   if (s.due || s.hardest) {
     const auto plan = session->plan();

@@ -86,8 +86,11 @@ class ForceGuard {
   static void hold_and_stop(int number) noexcept;
 
  private:
+  // Private static members are named as the others are.
+  // NOLINTBEGIN(readability-identifier-naming)
   static inline std::atomic<Forces> forces_{Forces::allowed};
   static inline constinit thread_local ForceSlot* own_ = nullptr;
+  // NOLINTEND(readability-identifier-naming)
   ForceSlot* slot_ = nullptr;
 };
 

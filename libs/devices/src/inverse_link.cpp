@@ -149,7 +149,7 @@ DeviceTrouble ArmLink::read() {
     trouble = DeviceTrouble::communication_lost;
   else if (arm->calibrated == false)
     trouble = DeviceTrouble::not_calibrated;
-  else if (arm->ready == false)
+  else if (arm->ready == false)  // NOLINT(bugprone-branch-clone): the order of the checks matters
     trouble = DeviceTrouble::not_ready;
   else if (!arm->position_m)
     trouble = DeviceTrouble::bad_message;

@@ -12,7 +12,7 @@ namespace nazori::devices {
 constexpr int kServoPriority = 40;
 
 /// Bytes of a servo thread's stack that are in memory before its first tick.
-constexpr std::size_t kServoStack = 128 * 1024;
+constexpr std::size_t kServoStack = std::size_t{128} * 1024;
 
 /// Schedules a thread as SCHED_FIFO. @return false where the system's rtprio limit does not allow it.
 bool make_real_time(pthread_t thread, int priority) noexcept;

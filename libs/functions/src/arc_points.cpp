@@ -106,7 +106,8 @@ class ArcPoints {
 
   /// The certain sign of `f` beside `t`, 0 where there is none.
   [[nodiscard]] int sign_beside(const OneVariable& f, double t, int side) const {
-    for (double h = 1e-8 * span_; h < 2e-3 * span_; h *= 8) {
+    double h = 1e-8 * span_;
+    for (int i = 0; i < kSidesTried; ++i, h *= 8) {
       const auto s = beside(t, side * h);
       if (!s) return 0;
       const double v = f.certain_value(*s);

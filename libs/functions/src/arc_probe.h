@@ -12,6 +12,10 @@
 
 namespace nazori::functions {
 
+/// How many places beside a value are tried for a certain sign: at 1e-8 of the span, then each time at eight
+/// times the distance.
+inline constexpr int kSidesTried = 6;
+
 /// Values and slopes of an arc.
 class ArcProbe {
  public:

@@ -233,12 +233,12 @@ class Writer {
 
   void comparison(Comparison c) {
     const Signs& s = cells_.signs();
-    const std::array<std::string_view, 5> kSigns{s.equals, s.less, s.less_equal, s.greater, s.greater_equal};
+    const std::array<std::string_view, 5> signs{s.equals, s.less, s.less_equal, s.greater, s.greater_equal};
     cells_.space();
     if (c == Comparison::both)
       cells_.put(word("and"));
     else
-      cells_.put(kSigns[static_cast<std::size_t>(c)]);
+      cells_.put(signs[static_cast<std::size_t>(c)]);
     cells_.space();
   }
 
@@ -367,9 +367,8 @@ class Writer {
       exponent(e);
       return argument(base->arguments[0], followed);
     }
-    if (is_atom(base))
-      write(base);
-    else if (base->kind == NodeKind::function && base->function == Function::sqrt)
+    const bool is_root = base->kind == NodeKind::function && base->function == Function::sqrt;
+    if (is_atom(base) || is_root)
       write(base);
     else
       grouped(base);

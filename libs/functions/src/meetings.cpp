@@ -92,7 +92,8 @@ class Meetings {
 
   static int sign_beside(const OneVariable& g, double t, int side, const Arc& arc) {
     const double span = arc.to - arc.from;
-    for (double h = 1e-8 * span; h < 2e-3 * span; h *= 8) {
+    double h = 1e-8 * span;
+    for (int i = 0; i < kSidesTried; ++i, h *= 8) {
       const double v = g.certain_value(t + side * h);
       if (v != 0 && !std::isnan(v)) return v < 0 ? -1 : 1;
     }
@@ -137,6 +138,7 @@ class Meetings {
     }
     std::sort(arms.begin(), arms.end());
     std::vector<int> order;
+    order.reserve(arms.size());
     for (const auto& arm : arms) order.push_back(arm.second);
     // Between two arms of one curve there is an odd number of arms of the other.
     for (std::size_t i = 0; i < order.size(); ++i) {

@@ -23,7 +23,7 @@ base::Result<std::vector<ValueRow>> value_table(const Statement& statement, cons
   const Tape tape = Tape::compile(std::array{course.x, course.y}, std::array{kind.parameter});
   std::vector<double> registers(tape.size());
   std::vector<ValueRow> rows;
-  for (double i = 0; i <= count; ++i) {
+  for (int i = 0; i <= static_cast<int>(count); ++i) {
     const double at = steps.from + i * steps.step;
     tape.evaluate<double>(std::array{at}, registers);
     rows.push_back({at, registers[tape.output(0)], registers[tape.output(1)]});

@@ -278,7 +278,7 @@ class Speaker {
   [[nodiscard]] std::string cases(const Node& n) const {
     const std::string value = spoken(n.arguments[1]);
     const std::string when = condition(*n.arguments[0]);
-    const std::string one = english_ ? value + " if " + when : when + " のとき " + value;
+    std::string one = english_ ? value + " if " + when : when + " のとき " + value;
     if (n.function == Function::where) return one;
     const Node& rest = *n.arguments[2];
     const bool more = rest.kind == NodeKind::function &&

@@ -69,8 +69,8 @@ void add_braille(Plate& plate, const std::vector<BrailleCell>& cells, PlatePoint
   for (std::size_t i = 0; i < cells.size(); ++i) {
     for (unsigned dot = 0; dot < 6; ++dot) {
       if ((cells[i] >> dot & 1U) == 0) continue;
-      const double column = dot / 3;
-      const double row = 2 - dot % 3;
+      const unsigned column = dot / 3;
+      const unsigned row = 2 - dot % 3;
       plate.add_dot({lower_left.x + inset + static_cast<double>(i) * size.cell_distance_mm +
                          column * size.dot_distance_mm,
                      lower_left.y + inset + row * size.dot_distance_mm},

@@ -155,7 +155,7 @@ base::Result<PlateMesh> mesh_of(const Plate& plate, const MeshSettings& settings
   std::size_t most = settings.most_triangles * 3 / 4;
   result.error_mm = upper.refine(settings.tolerance_mm, most);
   const std::vector<GridSample> rim = rim_of(upper, plate.columns(), plate.rows());
-  const std::size_t others = 4 * rim.size() + 6 * kRingCorners * builder.rings().size();
+  const std::size_t others = 4 * rim.size() + std::size_t{6} * kRingCorners * builder.rings().size();
   if (settings.most_triangles > others + most) {
     most = settings.most_triangles - others;
     // A finer face may have more samples on its rim, two triangles of the lower face and the wall for each.

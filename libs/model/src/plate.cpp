@@ -12,7 +12,7 @@ namespace nazori::model {
 namespace {
 
 // (1 - x^2)^2 is one half here: the foot of a line is this much farther out than its half height.
-const double kHalfHeight = std::sqrt(1 - std::sqrt(0.5));
+const double half_height = std::sqrt(1 - std::sqrt(0.5));
 constexpr double kSunkShare = 1.0 / 3;
 constexpr double kSinkingMm = 8;
 constexpr double kSinkingShare = 0.4;
@@ -96,7 +96,7 @@ void Plate::put(const surface::HeightMap& map, PlatePoint lower_left, double sid
 void Plate::add_line(std::span<const PlatePoint> line, const RaisedLine& profile, LineEnd end) {
   const double total = geometry::arc_length(line);
   const double sinking = std::min(kSinkingMm, kSinkingShare * total);
-  const double radius = profile.width_mm / 2 / kHalfHeight;
+  const double radius = profile.width_mm / 2 / half_height;
   const auto raise = [&](PlatePoint from, PlatePoint to, double before) {
     const double segment = geometry::distance(from, to);
     const auto cell = [&](double mm, int count, bool up) {

@@ -52,9 +52,11 @@ class Occupied {
 std::optional<Box> box_beside(PlatePoint at, PlatePoint direction, double width, double height, double clear,
                               const Plate& plate, const Occupied& occupied) {
   const double behind = std::atan2(-direction.y, -direction.x);
-  for (double distance = 2; distance <= kFarthestNumber_mm; distance += 0.5) {
+  for (int half_mm = 4; 0.5 * half_mm <= kFarthestNumber_mm; ++half_mm) {
+    const double distance = 0.5 * half_mm;
     for (int step = 0; step < 24; ++step) {
-      const double angle = behind + (step % 2 == 0 ? 1 : -1) * ((step + 1) / 2) * std::numbers::pi / 12;
+      const int turns = (step % 2 == 0 ? 1 : -1) * ((step + 1) / 2);
+      const double angle = behind + turns * std::numbers::pi / 12;
       // The box touches the circle around the start with the side that looks to it.
       const double x = at.x + std::cos(angle) * (distance + width / 2);
       const double y = at.y + std::sin(angle) * (distance + height / 2);
@@ -80,7 +82,8 @@ void for_each_piece(const PlateLine& line, CurveStyle style, const Add& add) {
   const double length = geometry::arc_length(std::span<const PlatePoint>(line));
   const double raised_mm = style == CurveStyle::dashed ? 8 : 0;
   const double period_mm = style == CurveStyle::dashed ? 12 : 4.5;
-  for (double from = 0; from <= length; from += period_mm) {
+  for (int number = 0; number * period_mm <= length; ++number) {
+    const double from = number * period_mm;
     const double to = std::min(from + raised_mm, length);
     PlateLine piece{geometry::point_at(std::span<const PlatePoint>(line), from)};
     double before = 0;

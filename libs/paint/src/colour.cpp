@@ -18,7 +18,7 @@ Pigment pigment(std::string name, Bands absorption, Bands scattering, double mob
 
 std::span<const Pigment> pigments() {
   // Soot hardly scatters. Fine soot of pine looks bluish where it is thin, soot of oil brownish.
-  static const std::array kPigments{
+  static const std::array all{
       pigment("sumi", {4.2, 4.2, 4.2}, {0.02, 0.02, 0.02}, 0.9, 0.3),
       pigment("sumi-blue", {4.6, 4.2, 3.7}, {0.02, 0.022, 0.03}, 0.9, 0.4),
       pigment("sumi-brown", {3.8, 4.2, 4.8}, {0.03, 0.024, 0.02}, 0.9, 0.2),
@@ -32,7 +32,7 @@ std::span<const Pigment> pigments() {
       pigment("burnt-umber", {0.74, 1.54, 2.10}, {0.09, 0.09, 0.004}, 0.6, 0.90),
       pigment("french-ultramarine", {0.86, 0.86, 0.06}, {0.005, 0.005, 0.09}, 0.7, 0.91),
   };
-  return kPigments;
+  return all;
 }
 
 base::Result<Pigment> find_pigment(std::string_view name) {
@@ -83,7 +83,7 @@ double inside_from_seen(double seen) { return seen / ((1 - kSurface) * (1 - kInn
 std::uint8_t to_screen(double linear) {
   const double light = std::clamp(linear, 0.0, 1.0);
   const double coded = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(coded * 255 + 0.5);
+  return static_cast<std::uint8_t>(std::lround(coded * 255));
 }
 
 }  // namespace nazori::paint

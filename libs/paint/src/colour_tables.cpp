@@ -25,13 +25,13 @@ double ColourTables::amount_at(double place) {
 }
 
 const std::array<std::uint8_t, ColourTables::kScreenSteps + 1>& ColourTables::screen_table() {
-  static const auto kTable = [] {
+  static const auto made = [] {
     std::array<std::uint8_t, kScreenSteps + 1> table{};
     for (std::size_t i = 0; i <= kScreenSteps; ++i)
       table[i] = to_screen(static_cast<double>(i) / static_cast<double>(kScreenSteps));
     return table;
   }();
-  return kTable;
+  return made;
 }
 
 ColourTables::ColourTables(const std::array<Pigment, kSlots>& palette, const Bands& paper) {
@@ -54,17 +54,18 @@ ColourTables::ColourTables(const std::array<Pigment, kSlots>& palette, const Ban
 }
 
 const std::vector<ColourTables::Node>& ColourTables::nodes() {
-  static const std::vector<Node> kTable = [] {
+  static const std::vector<Node> made = [] {
     constexpr double kLast = kNodes - 1;
     std::vector<Node> table(kNodes * kNodes);
     for (std::size_t i = 0; i < table.size(); ++i) {
+      const std::size_t row = i / kNodes;
       const Layer layer = layer_of(amount_at(static_cast<double>(i % kNodes) / kLast),
-                                   amount_at(static_cast<double>(i / kNodes) / kLast));
+                                   amount_at(static_cast<double>(row) / kLast));
       table[i] = {static_cast<float>(layer.reflected), static_cast<float>(layer.transmitted)};
     }
     return table;
   }();
-  return kTable;
+  return made;
 }
 
 BandValues ColourTables::over_ground(const std::array<float, kSlots>& amounts,

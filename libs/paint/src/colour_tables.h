@@ -33,6 +33,8 @@ class ColourTables {
                                        const BandValues& ground) const;
   /// The screen's value for linear light in 0..1.
   [[nodiscard]] static std::uint8_t screen(float linear) {
+    // For each pixel: of what is not negative, this rounds as lround does.
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings)
     return screen_table()[static_cast<std::size_t>(std::clamp(linear, 0.0F, 1.0F) * kScreenSteps + 0.5F)];
   }
 

@@ -2,6 +2,7 @@
 // What the paper takes from the bristles of a brush.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "inside.h"
 
@@ -29,8 +30,8 @@ struct Band {
 
   /// The columns of the band in a row. @return false where there are none.
   [[nodiscard]] bool columns(double y, double& first, double& last) const {
-    first = INFINITY;
-    last = -INFINITY;
+    first = std::numeric_limits<double>::infinity();
+    last = -first;
     const auto add_end = [&](double x, double dy) {
       const double square = radius * radius - dy * dy;
       if (square < 0) return;

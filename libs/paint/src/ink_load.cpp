@@ -8,8 +8,8 @@
 namespace nazori::paint {
 namespace {
 
-constexpr double kCellArea_m2 = 1e-8;  // of 0.1 mm
-constexpr TotalAmount kTipShare = 4;   // the tip is a quarter of the tuft
+constexpr double kCellArea_sqm = 1e-8;  // of 0.1 mm
+constexpr TotalAmount kTipShare = 4;    // the tip is a quarter of the tuft
 constexpr double kMostConcentration = 4;
 
 /// `part` of `whole` that goes with `water` of `all`.
@@ -69,7 +69,7 @@ InkLoad dipped(double capacity_m3, double fullness, const Concentrations& tip, c
   // So many full cells that sums of several loads still fit.
   constexpr double kMostCells = 4e9;
   const double cells =
-      std::min(std::clamp(capacity_m3, 0.0, 1e-5) / (kCellArea_m2 * paper_depth_m), kMostCells);
+      std::min(std::clamp(capacity_m3, 0.0, 1e-5) / (kCellArea_sqm * paper_depth_m), kMostCells);
   load.capacity = static_cast<TotalAmount>(cells * kOne);
   const auto water =
       static_cast<TotalAmount>(static_cast<double>(load.capacity) * std::clamp(fullness, 0.0, 1.0));

@@ -44,7 +44,7 @@ struct Ground {
 struct Tile {
   alignas(64) Field surface{}, fibre{};
   std::array<Field, kSlots> moving{}, fixed{};
-  std::array<std::uint16_t, kPadded * kPadded> height{}, density{};
+  std::array<std::uint16_t, std::size_t{kPadded} * kPadded> height{}, density{};
   std::array<Edge, 4> edges{};
   std::unique_ptr<Ground> ground;
   TotalAmount evaporated = 0;
@@ -79,10 +79,15 @@ struct Sheet::Inside {
   std::unique_ptr<base::Executor> second;
 
   [[nodiscard]] Tile& tile_at(int column, int row) const {
-    return *tiles[static_cast<std::size_t>(row / kTile * tiles_a_side + column / kTile)];
+    return *tiles[static_cast<std::size_t>(row / kTile) * static_cast<std::size_t>(tiles_a_side) +
+                  static_cast<std::size_t>(column / kTile)];
   }
   [[nodiscard]] static std::size_t cell_at(int column, int row) {
-    return static_cast<std::size_t>(row % kTile * kTile + column % kTile);
+    return static_cast<std::size_t>(row % kTile) * kTile + static_cast<std::size_t>(column % kTile);
+  }
+  /// As cell_at(), in a field with a frame of one cell.
+  [[nodiscard]] static std::size_t padded_at(int column, int row) {
+    return static_cast<std::size_t>(row % kTile + 1) * kPadded + static_cast<std::size_t>(column % kTile + 1);
   }
   void touch_tile(Tile& tile) {
     tile.has_changed = true;

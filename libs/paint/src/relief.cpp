@@ -52,7 +52,7 @@ surface::HeightMap relief_of(const Sheet& sheet, const ReliefOptions& options) {
   for (int row = 0; row < sheet.size(); ++row) {
     for (int column = 0; column < sheet.size(); ++column) {
       const Tile& tile = sheet.inside().tile_at(column, row);
-      const auto padded = static_cast<std::size_t>((row % kTile + 1) * kPadded + column % kTile + 1);
+      const auto padded = sheet.inside().padded_at(column, row);
       const double paint =
           options.per_filling *
           static_cast<double>(

@@ -37,8 +37,9 @@ void fill_grain(Sheet::Inside& sheet) {
     for (int y = 0; y < kPadded; ++y) {
       for (int x = 0; x < kPadded; ++x) {
         const int column = std::clamp(column0 + x - 1, 0, last), row = std::clamp(row0 + y - 1, 0, last);
-        const auto from = static_cast<std::size_t>(row * sheet.size + column);
-        const auto to = static_cast<std::size_t>(y * kPadded + x);
+        const auto from = static_cast<std::size_t>(row) * static_cast<std::size_t>(sheet.size) +
+                          static_cast<std::size_t>(column);
+        const auto to = static_cast<std::size_t>(y) * kPadded + static_cast<std::size_t>(x);
         tile.height[to] = grain.height[from];
         tile.density[to] = grain.density[from];
       }
@@ -216,8 +217,7 @@ Cell Sheet::at(int column, int row) const {
     cell.fixed[k] = tile.fixed[k][i];
   }
   cell.covered = tile.ground ? tile.ground->covered[i] : 0;
-  cell.height =
-      tile.height[static_cast<std::size_t>((row % kTile + 1) * kPadded + column % kTile + 1)] / 65535.0;
+  cell.height = tile.height[Sheet::Inside::padded_at(column, row)] / 65535.0;
   return cell;
 }
 

@@ -12,11 +12,13 @@ namespace {
 
 /// What the paper is missing of its light while it is wet, 0..1.
 float wetness_of(const Tile& tile, std::size_t cell) {
-  return std::min(static_cast<float>(tile.surface[cell] + tile.fibre[cell]) * (1.0F / kOne), 1.0F);
+  return std::min(
+      static_cast<float>(tile.surface[cell] + tile.fibre[cell]) * (1.0F / static_cast<float>(kOne)), 1.0F);
 }
 
 float amount_of(const Tile& tile, std::size_t slot, std::size_t cell) {
-  return static_cast<float>(tile.moving[slot][cell] + tile.fixed[slot][cell]) * (1.0F / kOne);
+  return static_cast<float>(tile.moving[slot][cell] + tile.fixed[slot][cell]) *
+         (1.0F / static_cast<float>(kOne));
 }
 
 /// The slot of the only pigment in a tile; kSlots where there are several.

@@ -141,9 +141,11 @@ std::u32string fitting(Fonts& fonts, const std::vector<std::u32string>& entries,
                        double most) {
   std::u32string text;
   for (const std::u32string& entry : entries) {
-    const std::u32string longer = text.empty() ? entry : text + std::u32string(between) + entry;
+    std::u32string longer = text;
+    if (!longer.empty()) longer += between;
+    longer += entry;
     if (fonts.width(longer) > most) break;
-    text = longer;
+    text = std::move(longer);
   }
   return text;
 }

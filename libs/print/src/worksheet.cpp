@@ -145,7 +145,8 @@ double Sheets::practice_depth(const kanji::Character& character, int rows) const
   if (s_.steps) {
     const int in_row = std::max(1, static_cast<int>((flow_length() + 1e-6) / step_mm()));
     const int strokes = static_cast<int>(character.strokes.size());
-    depth += kGap_mm / 2 + (strokes + in_row - 1) / in_row * step_mm();
+    const int step_rows = (strokes + in_row - 1) / in_row;
+    depth += kGap_mm / 2 + step_rows * step_mm();
   }
   if (rows > 0) depth += kGap_mm / 2 + rows * s_.cell_mm;
   return depth;
@@ -218,19 +219,21 @@ void Sheets::practice(std::size_t i) {
     const int in_row = std::max(1, static_cast<int>((flow.length() + 1e-6) / step));
     const auto strokes = static_cast<int>(one.character.strokes.size());
     for (int stroke = 0; stroke < strokes; ++stroke) {
-      const Rect box = flow.rect(stroke % in_row * step, at + stroke / in_row * step, step, step);
+      const int row = stroke / in_row;
+      const Rect box = flow.rect(stroke % in_row * step, at + row * step, step, step);
       place_cell(canvas, box, std::nullopt);
       const auto last = static_cast<std::size_t>(stroke);
       if (stroke > 0) canvas.in_square(box, strokes_content(one.character, 0, last), 0.62);
       canvas.in_square(box, strokes_content(one.character, last, last + 1), 0);
     }
-    at += (strokes + in_row - 1) / in_row * step;
+    const int step_rows = (strokes + in_row - 1) / in_row;
+    at += step_rows * step;
   }
   if (rows > 0) at += kGap_mm / 2;
   const int in_row = cells_in_row();
   for (int cell = 0; cell < rows * in_row; ++cell) {
-    const Rect box =
-        flow.rect(cell % in_row * s_.cell_mm, at + cell / in_row * s_.cell_mm, s_.cell_mm, s_.cell_mm);
+    const int row = cell / in_row;
+    const Rect box = flow.rect(cell % in_row * s_.cell_mm, at + row * s_.cell_mm, s_.cell_mm, s_.cell_mm);
     place_cell(canvas, box, s_.guide);
     if (cell < s_.copies) {
       const double share = s_.copies > 1 ? static_cast<double>(cell) / (s_.copies - 1) : 0;
@@ -325,7 +328,7 @@ void Sheets::cards() {
   const double card_width = std::min(kCardWidth_mm, width);
   const double left = (size_.width - columns * card_width) / 2;
   const double top = kMargin_mm + kCutMark_mm;
-  const auto on_page = static_cast<std::size_t>(columns * rows);
+  const auto on_page = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   for (std::size_t first = 0; first < characters_.size(); first += on_page) {
     for (const bool back : {false, true}) {
       Canvas& canvas = new_page(false);
@@ -344,8 +347,8 @@ void Sheets::cards() {
         const int place = static_cast<int>(i - first);
         // Turned over at its long side, a sheet has its left column on the right.
         const int column = back ? columns - 1 - place % columns : place % columns;
-        const Rect card{left + column * card_width, top + place / columns * kCardHeight_mm, card_width,
-                        kCardHeight_mm};
+        const int row = place / columns;
+        const Rect card{left + column * card_width, top + row * kCardHeight_mm, card_width, kCardHeight_mm};
         if (back) {
           card_back(canvas, i, card);
         } else {

@@ -72,7 +72,7 @@ base::Result<bool> TrajectoryTicks::next(TrajectoryPoint& point) {
   // Rounding must not lose the last tick.
   while (to_.time_s < time_s - kRounding / rate_hz_) {
     from_ = to_;
-    const auto more = next_row(to_);
+    auto more = next_row(to_);
     if (!more || !*more) return more;
   }
   const double whole = to_.time_s - from_.time_s;

@@ -9,6 +9,7 @@
 
 #include "characters/character_actions.h"
 #include "page/window_parts.h"
+#include "widgets/parts.h"
 #include "words/error_text.h"
 
 namespace nazori::ui {
@@ -67,11 +68,6 @@ std::optional<Direction> direction_of(const QKeyEvent& key) {
 bool is_middle_of_pad(const QKeyEvent& key) {
   return key.modifiers().testFlag(Qt::KeypadModifier) &&
          (key.key() == Qt::Key_5 || key.key() == Qt::Key_Clear);
-}
-
-bool is_tablet(const QObject* object) {
-  return object->objectName() == QLatin1String("tablet") ||
-         object->objectName() == QLatin1String("tablet_window");
 }
 
 int percent(double share) { return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * 100)); }

@@ -7,9 +7,11 @@
 #include "functions/function_actions.h"
 #include "functions/function_sound.h"
 #include "functions/functions_page.h"
+#include "functions/plot_panel.h"
 #include "functions/plot_words.h"
 #include "functions/points_panel.h"
 #include "page/window_parts.h"
+#include "widgets/parts.h"
 
 namespace nazori::ui {
 namespace {
@@ -19,11 +21,6 @@ namespace {
 bool belongs_elsewhere(const QObject* watched, const QWidget* keyboard) {
   return qobject_cast<const QWidget*>(watched) == nullptr && keyboard != nullptr &&
          keyboard->objectName() != QLatin1String("tablet");
-}
-
-bool is_tablet(const QObject* object) {
-  return object->objectName() == QLatin1String("tablet") ||
-         object->objectName() == QLatin1String("tablet_window");
 }
 
 }  // namespace

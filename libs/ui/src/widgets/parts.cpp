@@ -88,6 +88,11 @@ bool has_keyboard(const QWidget& panel) {
   return with_it != nullptr && panel.isVisible() && panel.isAncestorOf(with_it);
 }
 
+bool is_tablet(const QObject* object) {
+  return object->objectName() == QLatin1String("tablet") ||
+         object->objectName() == QLatin1String("tablet_window");
+}
+
 QStringList local_files(const QMimeData* data) {
   QStringList paths;
   for (const auto& url : data->urls())

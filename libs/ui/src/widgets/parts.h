@@ -58,6 +58,9 @@ void clear_layout(QLayout* layout);
 /// tablet, or Qt gives it to whatever comes next.
 [[nodiscard]] bool has_keyboard(const QWidget& panel);
 
+/// Whether keys that this object receives are meant for the tablet: its widget, or the window inside it.
+[[nodiscard]] bool is_tablet(const QObject* object);
+
 /// The files of this computer that are being dropped.
 [[nodiscard]] QStringList local_files(const QMimeData* data);
 
