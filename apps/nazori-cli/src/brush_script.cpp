@@ -96,7 +96,7 @@ base::Result<BrushScript> handwriting_of(const json::Value& request, double side
     const auto letters =
         name->is_string() ? base::decode_utf8(name->get<std::string>()) : std::optional<std::u32string>();
     if (!letters || letters->size() != 1)
-      return base::fail(Errc::bad_argument, "is not one character", "char", "give one, such as \"休\"");
+      return base::fail(Errc::bad_argument, "must be one character", "char", "give one, such as \"休\"");
     script.character = letters->front();
   }
   if (!ink->box)

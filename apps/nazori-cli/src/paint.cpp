@@ -183,7 +183,7 @@ base::Result<void> check(const BrushScript& script, const PaintSettings& setting
                         "create it first");
   }
   if (settings.model && !script.character)
-    return base::fail(base::Errc::bad_argument, "names no character", settings.script,
+    return base::fail(base::Errc::bad_argument, "does not say which character it is", settings.script,
                       "give \"char\" in handwriting, or omit --model");
   if (script.samples.empty() && !settings.model)
     return base::fail(base::Errc::bad_argument, "has no strokes", settings.script);
@@ -321,12 +321,12 @@ void add_paint(CLI::App& app, Action& chosen) {
   verb->add_option("--load", s->load, "How full the brush is")
       ->check(within(0, 1))
       ->capture_default_str()
-      ->type_name("PART")
+      ->type_name("FRACTION")
       ->group(tools);
   verb->add_option("--strength", s->strength, "Pigment in the ink; 1 is undiluted")
       ->check(within(0, 4))
       ->capture_default_str()
-      ->type_name("PART")
+      ->type_name("FRACTION")
       ->group(tools);
   verb->add_option("--lean", s->lean_deg, "Lean of the holder to the lower right")
       ->check(within(0, 60))

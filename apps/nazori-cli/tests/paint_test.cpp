@@ -131,11 +131,11 @@ TEST(Paint, WrongScriptsAreRefusedInOneLine) {
   EXPECT_THAT(refused(write(folder / "d.json", R"({"strokes":[[[0,0]]],"pressures":[[1.5]]})")),
               HasSubstr("a pressure is 0 to 1"));
   EXPECT_THAT(refused(write(folder / "e.json", R"({"strokes":[[[0,0]]],"char":"休日"})")),
-              HasSubstr("is not one character"));
+              HasSubstr("must be one character"));
   EXPECT_THAT(refused(write(folder / "f.csv", "t,x,y,z\n0,0,0,0\n700,0,0,0\n")),
               HasSubstr("longer than 600"));
   const std::string good = write(folder / "g.json", R"({"strokes":[[[0,0],[1,1]]]})");
-  EXPECT_THAT(refused(good, {"--model"}), HasSubstr("names no character"));
+  EXPECT_THAT(refused(good, {"--model"}), HasSubstr("does not say which character it is"));
   EXPECT_THAT(refused(good, {"--paper", "silk"}), HasSubstr("gasenshi"));
   EXPECT_THAT(refused(good, {"--ink", "milk"}), HasSubstr("sumi"));
   EXPECT_THAT(refused(good, {"--frames", folder / "nowhere"}), HasSubstr("does not exist"));

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sheets.h"
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "nazori/base/utf8.h"
+
+namespace nazori::print {
+
+void Sheets::quiz_line(const kanji::Word& word, const Flow& flow, double across, Canvas& canvas,
+                       bool answer) {
+  const std::u32string text = wide(word.text);
+  const double cells = static_cast<double>(text.size()) * s_.cell_mm;
+  const double begin = cells + kGap_mm;  // of the text
+  const double length = flow.length() - begin;
+  const double middle = across + (s_.cell_mm - kText_mm * 2.6) / 2;
+  flow.text(canvas, begin, middle, cut(fonts_, wide(word.reading), length / kText_mm), kText_mm);
+  if (!word.glosses.empty())
+    flow.text(canvas, begin, middle + kText_mm * 1.4,
+              cut(fonts_, wide(word.glosses.front()), length / kText_mm), kText_mm, 0.25);
+  double along = 0;
+  for (const char32_t letter : text) {
+    const Rect box = flow.rect(along, across, s_.cell_mm, s_.cell_mm);
+    place_cell(canvas, box, s_.guide);
+    along += s_.cell_mm;
+    const auto known = index_.find(base::encode_utf8(letter));
+    const double size = s_.cell_mm * 0.8;
+    const double inset = s_.cell_mm * 0.1;
+    if (known == index_.end()) {  // What is not asked for is printed.
+      canvas.vertical_letter(box.x + inset, box.y + inset, letter, size, 0.35);
+    } else if (answer) {
+      used_.insert(known->second);
+      canvas.character(static_cast<int>(known->second), box, 0);
+      canvas.text(box.x + inset, box.y + s_.cell_mm * 0.8, {&letter, 1}, size, 0, true);
+    }
+  }
+}
+
+void Sheets::quiz() {
+  struct Line {
+    const kanji::Word* word;
+    double across;
+  };
+  std::vector<Line> lines;
+  const auto close = [&] {
+    if (!s_.answers || lines.empty()) return;
+    Canvas& back = new_page(false);
+    const std::u32string title = label("Answers", "答え");
+    back.text(kMargin_mm, kMargin_mm + 4.5, title, 4);
+    for (const Line& line : lines) quiz_line(*line.word, Flow(area(), s_.vertical), line.across, back, true);
+  };
+  std::set<std::string> asked;
+  for (const SheetCharacter& one : characters_) {
+    const Flow flow(area(), s_.vertical);
+    for (const kanji::Word& word : one.words) {
+      const double cells = static_cast<double>(wide(word.text).size()) * s_.cell_mm;
+      if (cells > flow.length() * 0.6 || !asked.insert(word.text).second) continue;
+      if (lines.empty() || used_depth_ + s_.cell_mm > flow.depth() + 1e-6) {
+        close();
+        lines.clear();
+        new_page(true);
+      }
+      quiz_line(word, flow, used_depth_, *pages_.back(), false);
+      lines.push_back({&word, used_depth_});
+      used_depth_ += s_.cell_mm + kGap_mm;
+      break;
+    }
+  }
+  close();
+}
+
+}  // namespace nazori::print

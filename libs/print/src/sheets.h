@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "canvas.h"
+#include "nazori/base/progress.h"
+#include "nazori/base/result.h"
+#include "nazori/base/utf8.h"
+#include "nazori/print/worksheet.h"
+#include "sheet_parts.h"
+
+namespace nazori::print {
+
+constexpr double kHeader_mm = 9;
+constexpr double kFooter_mm = 4;
+constexpr double kGap_mm = 3;
+constexpr double kText_mm = 3.6;
+constexpr double kLargestStep_mm = 12;
+constexpr double kSmallestModel_mm = 24;
+constexpr double kLargestModel_mm = 60;
+
+/// Millimetres.
+struct Size {
+  double width;
+  double height;
+};
+
+/// Of one page; of a booklet, half a sheet.
+[[nodiscard]] Size size_of(const SheetSettings& s);
+
+/// The pages of a document.
+class Sheets {
+ public:
+  Sheets(const std::vector<SheetCharacter>& characters, const SheetSettings& settings, Fonts fonts)
+      : characters_(characters), s_(settings), fonts_(std::move(fonts)), size_(size_of(settings)) {
+    for (std::size_t i = 0; i < characters.size(); ++i)
+      index_.emplace(base::encode_utf8(characters[i].character.code_point), i);
+  }
+
+  base::Result<void> draw(const base::Progress& progress);
+  [[nodiscard]] std::string file();
+
+ private:
+  [[nodiscard]] Rect area() const {
+    return {kMargin_mm, kMargin_mm + kHeader_mm, size_.width - 2 * kMargin_mm,
+            size_.height - 2 * kMargin_mm - kHeader_mm - kFooter_mm};
+  }
+  Canvas& new_page(bool with_header);
+  void draw_header(Canvas& canvas);
+  /// A cell with its guides; without, a thin box.
+  void place_cell(Canvas& canvas, const Rect& rect, std::optional<Guide> guide);
+  void practice(std::size_t i);
+  double practice_depth(const kanji::Character& character, int rows) const;
+  void draw_facts(const SheetCharacter& one, const Flow& flow, double along, double across, double length,
+                  double depth);
+  void draw_model(const SheetCharacter& one, std::size_t i, const Rect& box);
+  void quiz();
+  void quiz_line(const kanji::Word& word, const Flow& flow, double across, Canvas& canvas, bool answer);
+  void cards();
+  void card_front(Canvas& canvas, std::size_t i, const Rect& card);
+  void card_back(std::size_t i, const Rect& card);
+  void manuscript();
+  [[nodiscard]] std::u32string label(const char* english, const char* japanese) const {
+    return wide(s_.language == Language::japanese ? japanese : english);
+  }
+  [[nodiscard]] double model_mm() const {
+    return std::clamp(s_.cell_mm * 1.6, kSmallestModel_mm, kLargestModel_mm);
+  }
+  [[nodiscard]] double step_mm() const { return std::min(s_.cell_mm, kLargestStep_mm); }
+  [[nodiscard]] double flow_length() const { return s_.vertical ? area().height : area().width; }
+  [[nodiscard]] double flow_depth() const { return s_.vertical ? area().width : area().height; }
+  [[nodiscard]] int cells_in_row() const {
+    return std::max(1, static_cast<int>((flow_length() + 1e-6) / s_.cell_mm));
+  }
+
+  const std::vector<SheetCharacter>& characters_;
+  const SheetSettings& s_;
+  Fonts fonts_;
+  Size size_;
+  std::map<std::string, std::size_t> index_;
+  std::vector<std::unique_ptr<Canvas>> pages_;
+  /// A cell of one size, which is written once and placed often: side in micrometres, kind.
+  std::map<std::pair<long, bool>, std::string> cells_;
+  std::set<std::size_t> used_;  // characters that are drawn as an object
+  double used_depth_ = 0;       // of the last page
+};
+
+}  // namespace nazori::print
