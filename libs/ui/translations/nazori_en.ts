@@ -133,12 +133,22 @@
     </message>
 </context>
 <context>
-    <name>nazori::ui::SessionBar</name>
+    <name>nazori::ui::QuestionView</name>
     <message numerus="yes">
         <source>a character with %n strokes</source>
         <translation>
             <numerusform>a character with %n stroke</numerusform>
             <numerusform>a character with %n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::SessionBar</name>
+    <message numerus="yes">
+        <source>%n min left</source>
+        <translation>
+            <numerusform>%n min left</numerusform>
+            <numerusform>%n min left</numerusform>
         </translation>
     </message>
 </context>
