@@ -3,7 +3,6 @@
 #include "study/session_panel.h"
 
 #include <QLabel>
-#include <QPushButton>
 #include <QWidget>
 
 #include "chosen_session_under_test.h"
@@ -151,24 +150,6 @@ TEST_F(SessionPanelTest, WithNothingWrittenEarlierTodaysWritingStandsNotAlone) {
   SessionPanel panel(*session_, *learner_, &window_);
   panel.show_state(sheet());
   EXPECT_TRUE(window_.findChild<InkGallery*>(QStringLiteral("ink_gallery"))->pieces().empty());
-}
-
-TEST_F(SessionPanelTest, ItsButtonsDoWhatTheActionsDo) {
-  SessionPanel panel(*session_, *learner_, &window_);
-  for (QAction* action : {actions_.undo, actions_.postpone, actions_.pause, actions_.reset, actions_.end}) {
-    auto* button = window_.findChild<QPushButton*>(QStringLiteral("button_") + action->objectName());
-    ASSERT_NE(button, nullptr) << action->objectName().toStdString();
-    EXPECT_EQ(button->accessibleName(), action->iconText());
-    EXPECT_EQ(button->toolTip(), action->toolTip());
-    int done = 0;
-    QObject::connect(action, &QAction::triggered, &window_, [&] { ++done; });
-    action->setEnabled(false);
-    EXPECT_FALSE(button->isEnabled());
-    action->setEnabled(true);
-    EXPECT_TRUE(button->isEnabled());
-    button->click();
-    EXPECT_EQ(done, 1);
-  }
 }
 
 }  // namespace
