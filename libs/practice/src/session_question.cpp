@@ -18,7 +18,7 @@ constexpr std::size_t kMostLookalikes = 3;
 constexpr std::size_t kLongestWord = 5;  ///< characters of a word beside the question
 constexpr std::string_view kRepeats = "々";
 constexpr double kFull_em = 36;
-constexpr double kLines_em = 24;
+constexpr double kLines_em = 30;
 
 std::size_t times_in(const std::string& text, const std::string& part) {
   std::size_t times = 0;

@@ -276,7 +276,7 @@ TEST(QuestionRoom, GrowsWithTheHeightOfTheWindow) {
   EXPECT_EQ(room_for_question(600.0 / 16), QuestionRoom::full);
   EXPECT_EQ(room_for_question(768.0 / 37), QuestionRoom::line);
   EXPECT_EQ(room_for_question(600.0 / 37), QuestionRoom::line) << "the largest text in the smallest window";
-  EXPECT_EQ(room_for_question(1080.0 / 37), QuestionRoom::lines);
+  EXPECT_EQ(room_for_question(1200.0 / 37), QuestionRoom::lines);
 }
 
 }  // namespace

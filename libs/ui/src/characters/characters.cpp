@@ -103,8 +103,18 @@ void Characters::make_stage_views() {
   auto* column = new QVBoxLayout(above_tablet_);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(session_bar_);
-  column->addWidget(question_view_);
+  // In a low window the bar and the question share a line.
+  auto* head = new QBoxLayout(QBoxLayout::TopToBottom);
+  head->setSpacing(0);
+  head->addWidget(session_bar_);
+  head->addWidget(question_view_, 1);
+  column->addLayout(head);
+  connect(question_view_, &QuestionView::room_changed, this, [this, head](practice::QuestionRoom room) {
+    const bool is_low = room == practice::QuestionRoom::line;
+    head->setDirection(is_low ? QBoxLayout::RightToLeft : QBoxLayout::TopToBottom);
+    session_bar_->set_short(is_low);
+    session_answers_->show_state();
+  });
   QSettings settings(parts().settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
   const base::Settings values = read_settings(settings);

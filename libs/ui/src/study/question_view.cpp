@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QTextDocument>
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "look/palette.h"
@@ -28,6 +29,8 @@ using practice::SessionQuestion;
 constexpr double kLarge = 1.8;   ///< size of the meaning, relative to other text
 constexpr double kMiddle = 1.4;  ///< of readings and words
 constexpr double kLeast = 0.85;  ///< of all of it, where a long question needs room
+constexpr double kOneLine = 1.15;
+constexpr double kLeastOfLine = 0.65;
 constexpr double kStep = 0.9;
 
 /// Spans of rich text in the sizes of a question.
@@ -68,7 +71,8 @@ class QuestionText {
 
  private:
   [[nodiscard]] QString span(const QString& text, double size, const QString& style) const {
-    const double scale = std::max(is_one_line_ ? std::min(size, 1.15) * share_ : size * share_, kLeast);
+    const double scale = is_one_line_ ? std::max(std::min(size, kOneLine) * share_, kLeastOfLine)
+                                      : std::max(size * share_, kLeast);
     return QStringLiteral("<span style=\"font-size:%1pt; %2\">%3</span>")
         .arg(text_pt_ * scale)
         .arg(style, text.toHtmlEscaped());
@@ -141,6 +145,7 @@ void QuestionView::show_state(const std::shared_ptr<const practice::CharacterShe
 }
 
 void QuestionView::refresh() {
+  if (const auto now = session_room(*this); std::exchange(room_, now) != now) emit room_changed(now);
   setVisible(session_.is_running());
   if (!session_.is_running()) {
     said_.clear();
@@ -149,15 +154,11 @@ void QuestionView::refresh() {
   const bool judged = session_.state() == practice::StudySession::State::judged && !session_.is_away();
   question_->setVisible(!judged);
   answer_->setVisible(judged);
+  fit();
   if (judged)
     show_verdict();
   else
     show_question();
-  fit();
-}
-
-QuestionRoom QuestionView::room() const {
-  return practice::room_for_question(static_cast<double>(window()->height()) / QFontInfo(font()).pixelSize());
 }
 
 void QuestionView::show_question() {
@@ -172,7 +173,7 @@ void QuestionView::show_question() {
     return;
   }
   const auto whole = practice::question_of(session_, *sheet_);
-  const auto asks = practice::shortened(whole, room());
+  const auto asks = practice::shortened(whole, room_);
   const double text_pt = QFontInfo(font()).pointSizeF();
   // A long question is written smaller until it fits.
   QTextDocument page;
@@ -181,7 +182,7 @@ void QuestionView::show_question() {
   page.setTextWidth(std::max(width() - 32, 100));
   QString text;
   for (double share = 1; share > 0.4; share *= kStep) {
-    text = QuestionText(text_pt, share, room()).of(asks);
+    text = QuestionText(text_pt, share, room_).of(asks);
     page.setHtml(text);
     if (page.size().height() <= minimumHeight()) break;
   }
@@ -230,10 +231,11 @@ void QuestionView::show_verdict() {
 }
 
 void QuestionView::fit() {
-  const double text_pt = QFontInfo(font()).pointSizeF();
-  const int line = QFontMetrics(font()).lineSpacing();
+  const QFont own = session_font(room_);
+  const double text_pt = own.pointSizeF();
+  const int line = QFontMetrics(own).lineSpacing();
   const auto lines = [&] {
-    switch (room()) {
+    switch (room_) {
       case QuestionRoom::full:
         return 4.0;
       case QuestionRoom::lines:
@@ -241,20 +243,20 @@ void QuestionView::fit() {
       case QuestionRoom::line:
         break;
     }
-    return 1.3;
+    return 1.5;
   };
-  const bool is_low = room() == QuestionRoom::line;
+  const bool is_low = room_ == QuestionRoom::line;
   setFixedHeight(static_cast<int>(lines() * line));
   const QFont answer = textbook_font(is_low ? text_pt : 2 * text_pt);
   if (character_->font() != answer) character_->setFont(answer);
-  if (show_->font() != session_font()) show_->setFont(session_font());
+  for (QWidget* one : std::initializer_list<QWidget*>{verdict_line_, show_})
+    if (one->font().pointSizeF() != text_pt) one->setFont(own);
   // In a low window the reason is told beside the ratings' names only.
   reason_->setVisible(!is_low);
 }
 
 bool QuestionView::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize && watched == window() && session_.is_running()) {
-    fit();
     refresh();
   }
   return QFrame::eventFilter(watched, event);

@@ -34,6 +34,12 @@ class QuestionView final : public QFrame {
   void show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet, const Verdict& verdict);
   /// Shows the same in the current colours, text size and room.
   void refresh();
+
+ signals:
+  /// There is another room for the question than before.
+  void room_changed(nazori::practice::QuestionRoom room);
+
+ public:
   /// The question in words, for those who do not see it.
   [[nodiscard]] static QString spoken(const practice::SessionQuestion& asks);
 
@@ -43,7 +49,6 @@ class QuestionView final : public QFrame {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  [[nodiscard]] practice::QuestionRoom room() const;
   void show_question();
   void show_verdict();
   void say_question(const practice::SessionQuestion& asks);
@@ -52,6 +57,7 @@ class QuestionView final : public QFrame {
   const practice::StudySession& session_;
   std::shared_ptr<const practice::CharacterSheet> sheet_;  ///< shown last
   Verdict verdict_;
+  practice::QuestionRoom room_ = practice::QuestionRoom::full;
   QString said_;  ///< the question that was spoken last
   QLabel* question_;
   QWidget* answer_;  ///< the verdict, and what was asked

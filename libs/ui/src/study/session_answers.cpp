@@ -2,7 +2,7 @@
 #include "study/session_answers.h"
 
 #include <QEvent>
-#include <QFontInfo>
+#include <QFontMetrics>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -20,6 +20,7 @@ namespace {
 using practice::NextStep;
 
 constexpr int kSides_px = 36;  ///< of a button, beside its words
+constexpr int kRoomForFour_em = 30;
 
 /// "Hint  H".
 QString with_key(const QAction& action) {
@@ -142,7 +143,7 @@ void SessionAnswers::show_next() {
 }
 
 void SessionAnswers::fit() {
-  const QFont own = session_font();
+  const QFont own = session_font(session_room(*this));
   for (auto* one : findChildren<QPushButton*>())
     if (one->font() != own) one->setFont(own);
   const QFontMetrics metrics(own);
@@ -164,9 +165,9 @@ void SessionAnswers::fit() {
     rating_[i]->setFixedHeight(line + (columns == 4 ? line / 2 : line / 3));
   }
   // As high as what follows, whatever is shown now.
-  const bool is_narrow = width() < QFontInfo(own).pixelSize() * 36;
   const int one = line + line / 2;
-  setMinimumHeight((is_narrow ? 2 * (line + line / 3) + grid_->spacing() : one) + 12);
+  const int two = 2 * (line + line / 3) + grid_->spacing();
+  setMinimumHeight((width() < metrics.height() * kRoomForFour_em ? two : one) + 12);
 }
 
 void SessionAnswers::changeEvent(QEvent* event) {

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <algorithm>
+#include <initializer_list>
 
 #include "nazori/practice/session_steps.h"
 #include "study/session_text_size.h"
@@ -54,9 +55,7 @@ SessionBar::SessionBar(const practice::StudySession& session, const SessionActio
   row->setSpacing(12);
   row->addWidget(progress_);
   row->addWidget(line_, 1);
-  for (QWidget* one : {static_cast<QWidget*>(time_), static_cast<QWidget*>(note_),
-                       static_cast<QWidget*>(undo_), static_cast<QWidget*>(more_)})
-    row->addWidget(one);
+  for (QWidget* one : std::initializer_list<QWidget*>{time_, note_, undo_, more_}) row->addWidget(one);
   fit();
 }
 
@@ -74,6 +73,11 @@ void SessionBar::show_state() {
   fit();
 }
 
+void SessionBar::set_short(bool is_short) {
+  is_short_ = is_short;
+  fit();
+}
+
 void SessionBar::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
   if (event->type() == QEvent::FontChange) fit();
@@ -87,10 +91,12 @@ void SessionBar::resizeEvent(QResizeEvent* event) {
 void SessionBar::fit() {
   const int em = QFontInfo(font()).pixelSize();
   line_->setFixedHeight(std::max(6, em / 3));
-  note_->setVisible(!note_->text().isEmpty() && width() >= em * kRoomForNote_em);
-  time_->setVisible(width() >= em * kRoomForTime_em);
-  const QFont own = session_font();
-  for (QWidget* one : {static_cast<QWidget*>(undo_), static_cast<QWidget*>(more_)})
+  note_->setVisible(!is_short_ && !note_->text().isEmpty() && width() >= em * kRoomForNote_em);
+  time_->setVisible(!is_short_ && width() >= em * kRoomForTime_em);
+  line_->setVisible(!is_short_);
+  setSizePolicy(is_short_ ? QSizePolicy::Maximum : QSizePolicy::Preferred, QSizePolicy::Fixed);
+  const QFont own = session_font(session_room(*this));
+  for (QWidget* one : std::initializer_list<QWidget*>{progress_, time_, note_, undo_, more_})
     if (one->font() != own) one->setFont(own);
 }
 

@@ -20,6 +20,9 @@ class SessionBar final : public QFrame {
   SessionBar(const practice::StudySession& session, const SessionActions& actions, QWidget* parent);
 
   void show_state();
+  /// Stands beside the question, with nothing but the number and the buttons. @param is_short  in a low
+  /// window.
+  void set_short(bool is_short);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -35,6 +38,7 @@ class SessionBar final : public QFrame {
   QLabel* note_;
   QPushButton* undo_;
   QToolButton* more_;
+  bool is_short_ = false;
 };
 
 }  // namespace nazori::ui

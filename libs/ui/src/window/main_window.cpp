@@ -43,6 +43,7 @@ namespace {
 
 constexpr QSize kFirstSize(1280, 800);
 constexpr QSize kLeastSize(560, 420);
+constexpr int kLargeText_pt = 20;
 constexpr QSize kFrame(16, 48);  ///< of window managers, before the real frame is known
 
 }  // namespace
@@ -346,7 +347,9 @@ void MainWindow::Inside::show_room() {
   // Large text in a small window: the tablet comes before the figures of the device.
   const double height_em = static_cast<double>(window.height()) / QFontInfo(window.font()).pixelSize();
   const bool is_low = practice::room_for_question(height_em) == practice::QuestionRoom::line;
-  status->setVisible(!full && !(folded.list && is_low && !parts.recording().is_on()));
+  const bool is_tight = folded.list && is_low;
+  status->setVisible(!full && !(is_tight && !parts.recording().is_on()));
+  feedback->set_compact(is_tight && window.font().pointSizeF() > kLargeText_pt);
 }
 
 void MainWindow::Inside::set_full_screen(bool on) {
