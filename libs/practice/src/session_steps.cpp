@@ -38,7 +38,9 @@ NextStep next_step(const StudySession& session, bool has_unjudged) {
 
 FoldedPanels folded_panels(const StudySession& session) {
   if (!session.is_running() || session.is_away()) return {};
-  return {true, session.state() != SessionState::judged};
+  // The lesson of a difficult character shows its parts and its hardest strokes beside the tablet.
+  const bool is_lesson = session.is_leech_lesson() && !session.asks_from_memory();
+  return {true, session.state() != SessionState::judged && !is_lesson};
 }
 
 }  // namespace nazori::practice

@@ -23,21 +23,19 @@ class SessionPanelTest : public ChosenSessionTest {
   QWidget window_;
 };
 
-TEST_F(SessionPanelTest, SaysWhyACharacterComesAndWhichStageItIsAt) {
+TEST_F(SessionPanelTest, SaysWhyACharacterComes) {
   know(U'八');
   learn_from({U'一'});
   ASSERT_TRUE(session_->start());
   SessionPanel panel(*session_, *learner_, &window_);
   panel.show_state(nullptr);
   EXPECT_EQ(shown("session_kind"), QStringLiteral("Review"));
-  EXPECT_EQ(shown("session_steps"), QStringLiteral("Watch  Trace  Guided  ▸Memory"));
   EXPECT_EQ(shown("session_history"), QStringLiteral("Written from memory: once"));
   bring(U'八');
   write(true);
   session_->rate(Rating::good);
   panel.show_state(nullptr);
   EXPECT_EQ(shown("session_kind"), QStringLiteral("New"));
-  EXPECT_EQ(shown("session_steps"), QStringLiteral("▸Watch  Trace  Guided  Memory"));
   EXPECT_EQ(shown("session_history"), QStringLiteral("Not yet written from memory."));
   bring(session_->character());
   learn();
@@ -79,27 +77,6 @@ TEST_F(SessionPanelTest, TellsWhatWasForgottenAndWhichThreeStrokesWentWrongMost)
   EXPECT_EQ(shown("session_faults"),
             QStringLiteral(
                 "Stroke 3 was wrong 3 times.\nStroke 6 was wrong 2 times.\nStroke 2 was wrong 2 times."));
-}
-
-TEST_F(SessionPanelTest, SaysWhatHelpLoweredTheProposal) {
-  know(U'八');
-  learn_from({});
-  ASSERT_TRUE(session_->start());
-  bring(U'八');
-  SessionPanel panel(*session_, *learner_, &window_);
-  session_->add_hint();
-  session_->add_hint();
-  for (int i = 0; i < 3; ++i) (void)session_->add_mistake(0);
-  panel.show_state(sheet());
-  EXPECT_EQ(shown("session_help"), QStringLiteral("(hidden)"));
-  write(true);
-  panel.show_state(sheet());
-  EXPECT_EQ(shown("session_help"),
-            QStringLiteral("Suggested: “Again” (1 stroke shown, 2 hints, 3 mistakes)."));
-  session_->reopen();
-  write(false);
-  panel.show_state(sheet());
-  EXPECT_EQ(shown("session_help"), QStringLiteral("(hidden)")) << "the fault itself says why";
 }
 
 TEST_F(SessionPanelTest, ShowsTheLastThreeWritingsFromMemoryBesideTodays) {

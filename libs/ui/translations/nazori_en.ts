@@ -175,27 +175,6 @@
             <numerusform>Stroke %1 was wrong %n times.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n strokes shown</source>
-        <translation>
-            <numerusform>%n stroke shown</numerusform>
-            <numerusform>%n strokes shown</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n hints</source>
-        <translation>
-            <numerusform>%n hint</numerusform>
-            <numerusform>%n hints</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n mistakes</source>
-        <translation>
-            <numerusform>%n mistake</numerusform>
-            <numerusform>%n mistakes</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>nazori::ui::StageWords</name>

@@ -4172,28 +4172,6 @@ Columns and rows:</source>
         <source>Parts: %1.</source>
         <translation>パーツ：%1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n strokes shown</source>
-        <translation>
-            <numerusform>表示した画：%n画</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n hints</source>
-        <translation>
-            <numerusform>ヒント：%n回</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n mistakes</source>
-        <translation>
-            <numerusform>間違い：%n回</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Suggested: “%1” (%2).</source>
-        <translation>おすすめは「%1」です（%2）。</translation>
-    </message>
     <message>
         <source>Relearning: forgotten too often</source>
         <translation>覚え直し：苦手な文字</translation>

@@ -48,10 +48,12 @@ SessionAnswers::SessionAnswers(const practice::StudySession& session, const Sess
   row->setSpacing(6);
   for (auto* action : help) {
     auto* button = with_role(action_button(action, with_key(*action), task_), "compact");
-    connect(action, &QAction::changed, button, [button, action] {
+    const auto follow = [button, action] {
       button->setText(with_key(*action));
       button->setEnabled(action->isEnabled());
-    });
+    };
+    connect(action, &QAction::changed, button, follow);
+    follow();
     button->setAccessibleName(action->iconText());
     row->addWidget(button);
     help_.append(button);

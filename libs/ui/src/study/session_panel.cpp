@@ -24,19 +24,17 @@ SessionPanel::SessionPanel(const practice::StudySession& session, practice::Lear
   setObjectName(QStringLiteral("session_panel"));
   setAccessibleName(tr("Character being studied"));
   kind_ = text_label("session_kind", this);
-  steps_ = text_label("session_steps", this, "muted");
   history_ = text_label("session_history", this);
   mistakes_ = text_label("session_faults", this);
   parts_ = text_label("session_parts", this);
-  help_ = text_label("session_help", this);
   ink_heading_ = text_label("session_ink_heading", this, "heading");
   ink_heading_->setText(tr("Earlier writing"));
   gallery_ = new InkGallery(this);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
-  for (QWidget* one : std::initializer_list<QWidget*>{kind_, steps_, history_, mistakes_, parts_, help_,
-                                                      ink_heading_, gallery_})
+  for (QWidget* one :
+       std::initializer_list<QWidget*>{kind_, history_, mistakes_, parts_, ink_heading_, gallery_})
     column->addWidget(one);
   hide();
 }
@@ -69,19 +67,6 @@ QString SessionPanel::hard_strokes() const {
   return lines.join(QLatin1Char('\n'));
 }
 
-QString SessionPanel::help_used() const {
-  if (session_.state() != practice::StudySession::State::judged || session_.is_away()) return {};
-  const auto& result = session_.result();
-  if (!result.accepted) return {};
-  QStringList used;
-  if (result.shown_strokes > 0) used.append(tr("%n strokes shown", nullptr, result.shown_strokes));
-  if (result.hints > 0) used.append(tr("%n hints", nullptr, result.hints));
-  if (result.misses > 0) used.append(tr("%n mistakes", nullptr, result.misses));
-  if (used.isEmpty()) return {};
-  return tr("Suggested: “%1” (%2).")
-      .arg(StudyWords::rating(session_.proposed()), used.join(QStringLiteral(", ")));
-}
-
 void SessionPanel::show_ink() {
   std::vector<InkGallery::Piece> pieces;
   if (session_.state() == practice::StudySession::State::judged && !session_.is_away()) {
@@ -104,17 +89,7 @@ void SessionPanel::show_state(const std::shared_ptr<const practice::CharacterShe
   large.setWeight(QFont::DemiBold);
   kind_->setFont(large);
   kind_->setText(why());
-  QStringList steps;
-  for (const auto stage : study::kStages) {
-    const bool here = stage == session_.stage();
-    const QString step = here ? QStringLiteral("▸") + StudyWords::stage(stage) : StudyWords::stage(stage);
-    steps.append(step);
-  }
-  steps_->setText(steps.join(QStringLiteral("  ")));
   history_->setText(history());
-  const QString help = help_used();
-  help_->setText(help);
-  help_->setVisible(!help.isEmpty());
   const bool secret = session_.asks_from_memory();
   const QString hard = secret ? QString() : hard_strokes();
   mistakes_->setText(hard);

@@ -27,19 +27,15 @@ class SessionPanel final : public QWidget {
   [[nodiscard]] QString why() const;
   [[nodiscard]] QString history() const;
   [[nodiscard]] QString hard_strokes() const;
-  /// Why the suggested rating of an accepted writing is lower than the learner may expect.
-  [[nodiscard]] QString help_used() const;
   void show_ink();
 
   const practice::StudySession& session_;
   practice::Learner& learner_;
   std::shared_ptr<const practice::CharacterSheet> sheet_;  ///< shown last
   QLabel* kind_;
-  QLabel* steps_;
   QLabel* history_;
   QLabel* mistakes_;
   QLabel* parts_;
-  QLabel* help_;
   QLabel* ink_heading_;
   InkGallery* gallery_;
 };
