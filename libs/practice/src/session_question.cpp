@@ -79,8 +79,11 @@ std::optional<QuestionWord> helpful_word(const StudySession& session, const Char
                                          const std::string& own) {
   const auto knows = [&session](char32_t c) { return session.knows(c); };
   const bool is_shown = !session.asks_from_memory();
-  for (const auto& one :
-       choose_words(sheet.helpful.words, sheet.character.code_point, knows, kMostHelpfulWords)) {
+  auto words = choose_words(sheet.helpful.words, sheet.character.code_point, knows, kMostHelpfulWords);
+  // A word with another kanji says more than the kun reading, which is part of the question already.
+  std::stable_partition(words.begin(), words.end(),
+                        [](const HelpfulWord& one) { return !one.others.empty(); });
+  for (const auto& one : words) {
     if (!asks_well(one, own)) continue;
     QuestionWord word;
     word.meanings = first_of(one.meanings, 1, is_shown ? std::string() : own);

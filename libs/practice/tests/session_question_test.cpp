@@ -187,6 +187,7 @@ TEST_F(Question, HasAShortWordWithTheCharacterLeftOutThatTheLearnerKnowsTheRestO
   given.character = *learner_->database()->find(U'学');
   given.helpful.words = {
       helpful("学", "がく", "learning", {}),          // alone it asks for too little
+      helpful("学ぶ", "まなぶ", "to learn", {}),      // its kun reading asks for it already
       helpful("学々", "がくがく", "again", {U'々'}),  // a sign that repeats it would show where it is
       helpful("大学入学試験", "だいがくにゅうがくしけん", "examination", {U'大', U'入', U'試', U'験'}),
       helpful("学校", "がっこう", "school", {U'校'}),

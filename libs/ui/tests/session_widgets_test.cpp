@@ -54,7 +54,8 @@ class SessionWidgets : public ChosenSessionTest {
     }
     void show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet) {
       bar.show_state();
-      question_view.show_state(sheet, {QStringLiteral("Not quite"), QStringLiteral("Not quite.")});
+      question_view.show_state(
+          sheet, {QStringLiteral("Not quite"), QStringLiteral("Not quite."), QStringLiteral("Not")});
       answers.show_state();
     }
     template <class T>

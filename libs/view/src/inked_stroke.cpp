@@ -14,6 +14,7 @@ constexpr double kLaidFlat = 0.6;  // of its width more, of a brush on its side
 // The brush of inked().
 constexpr double kBrush_m = 0.0009;   ///< half of its width, and more of the pressed width
 constexpr double kPressed = 0.55;     ///< share of the pressed width that is added
+constexpr double kSmoothed_m = 0.006;     ///< on which the brush follows the speed of the hand
 constexpr double kEntry_m = 0.0025;   ///< on which the brush opens
 constexpr double kEntryWidth = 0.6;   ///< where it comes down
 constexpr double kFastest = 0.78;     ///< width where the hand is fast
@@ -82,7 +83,7 @@ InkedStroke inked(const geometry::WrittenStroke<geometry::TabletFrame>& stroke, 
       along_m += step_m;
       const double step_s = point.time_s.value_or(0) - drawn.points[i - 1].time_s.value_or(0);
       const double now = step_s > 0 && mean_m_s > 0 ? step_m / step_s / mean_m_s : 1;
-      speed += 0.2 * (std::min(now, 3.0) - speed);
+      speed += (1 - std::exp(-step_m / kSmoothed_m)) * (std::min(now, 3.0) - speed);
     }
     double width = std::clamp(kSlowest - 0.17 * (speed - 0.3), kFastest, kSlowest);
     width *= std::min(1.0, kEntryWidth + (1 - kEntryWidth) * along_m / kEntry_m);

@@ -113,7 +113,7 @@ void Characters::make_stage_views() {
     const bool is_low = room == practice::QuestionRoom::line;
     head->setDirection(is_low ? QBoxLayout::RightToLeft : QBoxLayout::TopToBottom);
     session_bar_->set_short(is_low);
-    session_answers_->show_state();
+    if (practice_.is_entered()) session_answers_->show_state();
   });
   QSettings settings(parts().settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());

@@ -111,10 +111,11 @@ void Characters::show_session() {
   const auto& memory = practice_.memory();
   const bool is_checked = memory.state() == practice::MemoryStage::State::judged;
   session_bar_->show_state();
-  question_view_->show_state(practice_.sheet(),
-                             is_checked ? QuestionView::Verdict{WritingReport::verdict(memory.grade()),
-                                                                WritingReport::spoken_verdict(memory.grade())}
-                                        : QuestionView::Verdict{tr("Answer shown"), tr("Answer shown")});
+  QuestionView::Verdict verdict{tr("Answer shown"), tr("Answer shown"), tr("Answer shown")};
+  if (is_checked)
+    verdict = {WritingReport::verdict(memory.grade()), WritingReport::spoken_verdict(memory.grade()),
+               WritingReport::stars(memory.grade())};
+  question_view_->show_state(practice_.sheet(), verdict);
   session_answers_->show_state();
   session_panel_->show_state(practice_.sheet());
   emit room_changed();

@@ -225,8 +225,8 @@ QString StageWords::judgement(const practice::MemoryStage& memory) {
   const auto& grade = memory.grade();
   const QString between = between_sentences();
   // What to mend is one thing at a time; the panel beside the tablet has all of it.
-  const QString found = joined(writing::explain(grade, writing_language()), between,
-                               grade.accepted ? kMostSentences : 1);
+  const QString found =
+      joined(writing::explain(grade, writing_language()), between, grade.accepted ? kMostSentences : 1);
   if (!grade.accepted) return tr("%1 D: show it.").arg(found);
   QString words =
       grade.form ? tr("%1 Form: %2 of %3 stars.").arg(found).arg(*grade.form).arg(writing::kBestForm) : found;

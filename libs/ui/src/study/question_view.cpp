@@ -104,6 +104,7 @@ QuestionView::QuestionView(const practice::StudySession& session, QAction* show,
   setObjectName(QStringLiteral("question_view"));
   setAccessibleName(tr("Question"));
   question_->setWordWrap(true);
+  reason_->setWordWrap(false);
   question_->setTextFormat(Qt::RichText);
   question_->setAlignment(Qt::AlignCenter);
   const auto name_button = [this, show] {
@@ -141,16 +142,14 @@ void QuestionView::show_state(const std::shared_ptr<const practice::CharacterShe
                               const Verdict& verdict) {
   sheet_ = sheet;
   verdict_ = verdict;
+  setVisible(session_.is_running());
+  if (!session_.is_running()) said_.clear();
   refresh();
 }
 
 void QuestionView::refresh() {
   if (const auto now = session_room(*this); std::exchange(room_, now) != now) emit room_changed(now);
-  setVisible(session_.is_running());
-  if (!session_.is_running()) {
-    said_.clear();
-    return;
-  }
+  if (isHidden()) return;
   const bool judged = session_.state() == practice::StudySession::State::judged && !session_.is_away();
   question_->setVisible(!judged);
   answer_->setVisible(judged);
@@ -220,10 +219,10 @@ void QuestionView::show_verdict() {
   said_.clear();
   const Colours& c = current_colours();
   const bool accepted = session_.result().accepted;
-  verdict_line_->setText(QStringLiteral("<span style=\"color:%1\">%2</span> %3")
-                             .arg((accepted ? c.moss : c.vermilion).name(),
-                                  accepted ? QStringLiteral("✓") : QStringLiteral("✗"),
-                                  verdict_.words.toHtmlEscaped()));
+  verdict_line_->setText(
+      QStringLiteral("<span style=\"color:%1\">%2</span> %3")
+          .arg((accepted ? c.moss : c.vermilion).name(), accepted ? QStringLiteral("✓") : QStringLiteral("✗"),
+               (room_ == QuestionRoom::line ? verdict_.brief : verdict_.words).toHtmlEscaped()));
   verdict_line_->setAccessibleName(verdict_.spoken);
   reason_->setText(tr("Suggested: %1 (%2)")
                        .arg(StudyWords::rating(session_.proposed()), StudyWords::reason(session_.reason())));
@@ -251,25 +250,23 @@ void QuestionView::fit() {
   if (character_->font() != answer) character_->setFont(answer);
   for (QWidget* one : std::initializer_list<QWidget*>{verdict_line_, show_})
     if (one->font().pointSizeF() != text_pt) one->setFont(own);
-  // In a low window the reason is told beside the ratings' names only.
+  // In a low window the suggested rating has its colour only.
   reason_->setVisible(!is_low);
 }
 
 bool QuestionView::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && watched == window() && session_.is_running()) {
-    refresh();
-  }
+  if (event->type() == QEvent::Resize && watched == window()) refresh();
   return QFrame::eventFilter(watched, event);
 }
 
 void QuestionView::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
-  if (event->type() == QEvent::FontChange && session_.is_running()) refresh();
+  if (event->type() == QEvent::FontChange) refresh();
 }
 
 void QuestionView::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
-  if (session_.is_running()) refresh();
+  refresh();
 }
 
 }  // namespace nazori::ui

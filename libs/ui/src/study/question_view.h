@@ -25,6 +25,7 @@ class QuestionView final : public QFrame {
   struct Verdict {
     QString words;   ///< "Correct. Form: ★★★★☆"
     QString spoken;  ///< for a screen reader, which does not count stars
+    QString brief;   ///< where there is little room: "★★★★☆"
   };
 
   /// @param show  shows on the tablet what should have been written.

@@ -6,6 +6,7 @@
 
 #include "study/session_actions.h"
 
+class QFontMetrics;
 class QGridLayout;
 class QPushButton;
 
@@ -27,17 +28,15 @@ class SessionAnswers final : public QFrame {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void show_ratings();
-  void show_next();
-  /// The words of a rating. @param at  its place among the four.
-  [[nodiscard]] QString words(std::size_t at, bool are_short) const;
-  void fit();
+  void show_ratings(const QFontMetrics& metrics);
+  void show_next(const QFontMetrics& metrics);
 
   const practice::StudySession& session_;
   const SessionActions& actions_;
   const practice::Learner& learner_;
   QWidget* task_;  ///< help and the next step
-  QList<QPushButton*> help_;
+  QList<QAction*> help_actions_;
+  QList<QPushButton*> help_;  ///< in the same order
   QPushButton* next_;
   QWidget* ratings_;
   QGridLayout* grid_;

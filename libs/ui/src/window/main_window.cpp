@@ -344,11 +344,11 @@ void MainWindow::Inside::show_room() {
   panes->fold(folded.list, folded.information);
   const bool full = actions->full_screen->isChecked();
   tool_bar->setVisible(!full && !folded.list);
-  // Large text in a small window: the tablet comes before the figures of the device.
+  // The tablet comes before the figures of the device, not before the sign of a recording.
+  status->setVisible(!full && (!folded.list || parts.recording().is_on()));
   const double height_em = static_cast<double>(window.height()) / QFontInfo(window.font()).pixelSize();
   const bool is_low = practice::room_for_question(height_em) == practice::QuestionRoom::line;
   const bool is_tight = folded.list && is_low;
-  status->setVisible(!full && !(is_tight && !parts.recording().is_on()));
   feedback->set_compact(is_tight && window.font().pointSizeF() > kLargeText_pt);
 }
 
