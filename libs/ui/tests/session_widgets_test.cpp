@@ -27,19 +27,14 @@ class SessionWidgets : public ChosenSessionTest {
  protected:
   struct Bar {
     Bar(practice::StudySession& session, practice::Learner& learner)
-        : hint(QStringLiteral("Hint"), &window),
-          finish(QStringLiteral("Finish"), &window),
-          show(QStringLiteral("Show"), &window),
-          actions(&window),
+        : actions(&window),
           bar(session, actions, &window),
-          question_view(session, &show, &window),
-          answers(session, actions, learner, {&hint}, &window) {
-      hint.setObjectName(QStringLiteral("hint"));
-      hint.setShortcut(Qt::Key_H);
-      show.setObjectName(QStringLiteral("show_right"));
-      show.setShortcut(Qt::Key_D);
-      finish.setShortcut(Qt::Key_Return);
-      actions.set_one_hand(OneHand::none, &hint, &hint, &finish);
+          question_view(session, action("show_right", "Show", Qt::Key_D), &window),
+          answers(session, actions, learner, {action("hint", "Hint", Qt::Key_H)}, &window),
+          show(window.findChild<QAction*>(QStringLiteral("show_right"))),
+          finish(action("done", "Finish", Qt::Key_Return)) {
+      auto* hint = window.findChild<QAction*>(QStringLiteral("hint"));
+      actions.set_one_hand(OneHand::none, hint, hint, finish);
       auto* column = new QVBoxLayout(&window);
       column->setContentsMargins(0, 0, 0, 0);
       column->addWidget(&bar);
@@ -70,12 +65,19 @@ class SessionWidgets : public ChosenSessionTest {
     QPushButton* rating(const char* name) {
       return find<QPushButton>((std::string("button_rate_") + name).c_str());
     }
+    QAction* action(const char* name, const char* text, Qt::Key key) {
+      auto* made = new QAction(QString::fromLatin1(text), &window);
+      made->setObjectName(QString::fromLatin1(name));
+      made->setShortcut(key);
+      return made;
+    }
     QWidget window;
-    QAction hint, finish, show;
     SessionActions actions;
     SessionBar bar;
     QuestionView question_view;
     SessionAnswers answers;
+    QAction* show;
+    QAction* finish;
     QStringList spoken;
   };
 };
@@ -263,16 +265,16 @@ TEST_F(SessionWidgets, TheVerdictTakesThePlaceOfTheQuestionAndTheRatingsThatOfTh
   const QString question = all.question();
   const int height = all.question_view.height();
   int finished = 0;
-  QObject::connect(&all.finish, &QAction::triggered, &all.window, [&] { ++finished; });
+  QObject::connect(all.finish, &QAction::triggered, &all.window, [&] { ++finished; });
   all.find<QPushButton>("session_next")->click();
   EXPECT_EQ(finished, 1) << "the button does what its key does";
   write(true);
-  all.show.setEnabled(false);
+  all.show->setEnabled(false);
   all.show_state(sheet());
   QCoreApplication::processEvents();
   EXPECT_TRUE(all.find<QLabel>("session_question")->isHidden());
   EXPECT_FALSE(all.find<QPushButton>("button_show_right")->isVisible()) << "nothing is wrong";
-  all.show.setEnabled(true);
+  all.show->setEnabled(true);
   EXPECT_TRUE(all.find<QPushButton>("button_show_right")->isVisible());
   EXPECT_EQ(all.find<QPushButton>("button_show_right")->text(), QStringLiteral("▶ Show  D"));
   EXPECT_TRUE(all.find<QLabel>("session_verdict")->text().contains(QStringLiteral("✓")));

@@ -199,7 +199,7 @@ TEST_F(SessionWindow, TheRightStrokesMoveUntilTheyAreThere) {
 
 TEST_F(SessionWindow, AWritingCrossIsSwitchedByKeyShownInEveryStageAndRemembered) {
   using view::WritingCross;
-  window_->go_to(QStringLiteral("characters"));
+  show(U'十');
   const auto cross = [] { return the_parts->tablet().overlay().cross; };
   EXPECT_EQ(cross(), WritingCross::none);
   press(Qt::Key_C);
@@ -214,7 +214,7 @@ TEST_F(SessionWindow, AWritingCrossIsSwitchedByKeyShownInEveryStageAndRemembered
   EXPECT_TRUE(window_->close());
   EXPECT_EQ(Preferences::load(folder_.filePath(QStringLiteral("nazori.ini"))).cross, WritingCross::quarters);
   open_home();
-  window_->go_to(QStringLiteral("characters"));
+  show(U'十');
   EXPECT_EQ(cross(), WritingCross::quarters);
   press(Qt::Key_C);
   EXPECT_EQ(cross(), WritingCross::none);
