@@ -71,6 +71,7 @@ SessionAnswers::SessionAnswers(const practice::StudySession& session, const Sess
   for (std::size_t i = 0; i < rating_.size(); ++i) {
     rating_[i] = action_button(actions.rate[i], {}, ratings_);
     rating_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    rating_[i]->setProperty("is_rating", true);
   }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kSide_px, kMargin_px, kSide_px, kMargin_px);
