@@ -5,7 +5,6 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QFontInfo>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenuBar>
@@ -20,7 +19,6 @@
 #include "learners/learner_actions.h"
 #include "learners/learner_menu.h"
 #include "look/appearance.h"
-#include "nazori/practice/session_question.h"
 #include "tablet/tablet_window.h"
 #include "widgets/choice_access.h"
 #include "widgets/feedback_line.h"
@@ -43,7 +41,6 @@ namespace {
 
 constexpr QSize kFirstSize(1280, 800);
 constexpr QSize kLeastSize(560, 420);
-constexpr int kLargeText_pt = 20;
 constexpr QSize kFrame(16, 48);  ///< of window managers, before the real frame is known
 
 }  // namespace
@@ -337,29 +334,6 @@ void MainWindow::Inside::fit() {
   const int taken = rail->isVisibleTo(&window) ? 2 * rail->sizeHint().width() : 0;
   panes->fit(window.width() - taken, parts.preferences().text_pt);
   if (current != nullptr) show_room();
-}
-
-void MainWindow::Inside::show_room() {
-  const auto folded = current->folded();
-  panes->fold(folded.list, folded.information);
-  const bool full = actions->full_screen->isChecked();
-  tool_bar->setVisible(!full && !folded.list);
-  // The tablet comes before the figures of the device, not before the sign of a recording.
-  status->setVisible(!full && (!folded.list || parts.recording().is_on()));
-  const double height_em = static_cast<double>(window.height()) / QFontInfo(window.font()).pixelSize();
-  const bool is_low = practice::room_for_question(height_em) == practice::QuestionRoom::line;
-  const bool is_tight = folded.list && is_low;
-  feedback->set_compact(is_tight && window.font().pointSizeF() > kLargeText_pt);
-}
-
-void MainWindow::Inside::set_full_screen(bool on) {
-  actions->full_screen->setChecked(on);
-  window.menuBar()->setVisible(!on);
-  show_room();
-  rail->setVisible(!on && pages.size() > 1);
-  panes->set_alone(on);
-  window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
-                           : window.windowState() & ~Qt::WindowFullScreen);
 }
 
 void MainWindow::Inside::focus_tablet() {

@@ -30,8 +30,8 @@ enum class NextStep : std::uint8_t {
 /// @param has_unjudged  something is written that is not checked as a whole.
 [[nodiscard]] NextStep next_step(const StudySession& session, bool has_unjudged);
 
-/// Whether the tablet needs the room of the panels beside it: while something is to be written. The list comes
-/// back with the end of the session, the information also with a verdict. In the lesson of a difficult
+/// Whether the tablet needs the room of the panels beside it: while something is to be written. The list
+/// comes back with the end of the session, the information also with a verdict. In the lesson of a difficult
 /// character the information stays.
 struct FoldedPanels {
   bool list = false;
