@@ -184,7 +184,8 @@ void GuidedStage::record(std::span<const haptics::ServoSample> samples) {
   }
   if (!has_changed) return;
   auto all = written_;
-  if (!recorder_.current().empty()) all.push_back(view::inked(recorder_.current(), view::Verdict::none));
+  if (!recorder_.current().empty())
+    all.push_back(view::inked(recorder_.current(), view::Verdict::none, false));
   tablet().set_writing(std::move(all));
 }
 

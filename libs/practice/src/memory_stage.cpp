@@ -161,6 +161,7 @@ void MemoryStage::clear() {
   replay_stopped();
   // What is to be written from memory is not shown beside the empty tablet.
   look_ = {};
+  correction_.clear();
   started_over();
   attempt_.begin(character_, subject().tablet);
   put_groove();
@@ -184,6 +185,7 @@ void MemoryStage::invite() {
 
 void MemoryStage::set_state(State state) {
   state_ = state;
+  correction_.clear();
   hiding_changed();
 }
 
@@ -316,6 +318,27 @@ void MemoryStage::set_model_over(bool on) {
   show_writing();
 }
 
+bool MemoryStage::can_show_right() const {
+  return is_entered() && state_ == State::judged && subject().tablet &&
+         !strokes_to_show(grade(), stroke_count()).empty();
+}
+
+void MemoryStage::show_right(bool moves) {
+  if (!can_show_right()) return;
+  replay_stopped();
+  correction_.begin(*subject().tablet, strokes_to_show(grade(), stroke_count()));
+  if (!moves) correction_.finish();
+  show_writing();
+  changed();
+}
+
+void MemoryStage::advance_right(double passed_s) {
+  if (!is_showing_right()) return;
+  correction_.advance(passed_s);
+  show_writing();
+  if (!is_showing_right()) changed();
+}
+
 void MemoryStage::show_moment(std::optional<double> time_s) {
   if (!is_entered()) return;
   look_.moment_s = time_s;
@@ -326,6 +349,7 @@ void MemoryStage::show_writing() {
   if (!is_entered()) return;
   if (subject().tablet) writing_shown();
   look_.fits_model = options_.groove == WritingGroove::Mode::hidden;
+  look_.correction = correction_.parts();
   attempt_.show(look_);
 }
 

@@ -72,12 +72,25 @@ ModelFit fit_model(const std::vector<HandStroke>& written, const writing::Grade&
   return fit;
 }
 
-view::InkedStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit, double opacity) {
+view::InkedStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit, double opacity,
+                             double share) {
   view::InkedStroke line;
   line.verdict = view::Verdict::shown;
   line.opacity = opacity;
   line.half_width_m = kLineHalfWidth_m;
-  for (const auto& p : line_of(stroke)) line.points.push_back({fit.apply(p)});
+  const auto points = line_of(stroke);
+  double length_m = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length_m += geometry::distance(points[i - 1], points[i]);
+  double left_m = length_m * share;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double step_m = i == 0 ? 0 : geometry::distance(points[i - 1], points[i]);
+    if (share < 1 && step_m > left_m) {
+      line.points.push_back({fit.apply(points[i - 1] + (points[i] - points[i - 1]) * (left_m / step_m))});
+      break;
+    }
+    left_m -= step_m;
+    line.points.push_back({fit.apply(points[i])});
+  }
   return line;
 }
 

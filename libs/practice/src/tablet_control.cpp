@@ -117,6 +117,7 @@ void TabletControl::set_numbers_visible(bool on) { change(numbers_visible_, on, 
 void TabletControl::set_arrows_visible(bool on) { change(arrows_visible_, on, false); }
 void TabletControl::set_snapping(bool on) { change(snapping_, on, true); }
 void TabletControl::set_style(view::Style style) { change(style_, style, false); }
+void TabletControl::set_cross(view::WritingCross cross) { change(cross_, cross, false); }
 
 void TabletControl::set_guides(const std::optional<TabletGuides>& guides) {
   guides_ = guides;
@@ -299,6 +300,7 @@ view::Overlay TabletControl::overlay() {
   overlay.current_stroke = current_;
   overlay.groove_ink = demonstration_ ? demonstration_->ink : ink_.progress();
   overlay.writing = drawn_writing_;
+  overlay.cross = tablet_ ? cross_ : view::WritingCross::none;
   if (demonstration_) overlay.cursor = demonstration_->brush;
   shown_s_ = 0;
   if (draws_stylus()) {

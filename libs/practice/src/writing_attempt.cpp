@@ -228,16 +228,23 @@ void WritingAttempt::show(const Look& look) const {
     if (!shown.empty())
       all.push_back(view::inked(shown, content_.seen[i] ? of_strokes[i] : view::Verdict::none));
   }
-  if (!recorder_.current().empty()) all.push_back(view::inked(recorder_.current(), view::Verdict::none));
+  if (!recorder_.current().empty())
+    all.push_back(view::inked(recorder_.current(), view::Verdict::none, false));
   if (model_) {
     const auto& paths = model_->paths();
     const ModelFit fit = look.fits_model ? fit_model(strokes, content_.grade, paths) : ModelFit{};
     for (int n = 0; n < stroke_count(); ++n) {
+      // What is being drawn is not there before it is drawn.
+      const bool is_drawn = std::any_of(look.correction.begin(), look.correction.end(),
+                                        [n](const Correction::Part& part) { return part.stroke == n; });
+      if (is_drawn) continue;
       const auto& hinted = content_.hinted;
       if (look.model_over || std::find(hinted.begin(), hinted.end(), n) != hinted.end())
         all.push_back(
             model_line(paths[static_cast<std::size_t>(n)], fit, look.model_over ? kModelOver : kModelHint));
     }
+    for (const auto& part : look.correction)
+      all.push_back(model_line(paths[static_cast<std::size_t>(part.stroke)], fit, 1, part.share));
   }
   tablet_.set_writing(std::move(all));
 }

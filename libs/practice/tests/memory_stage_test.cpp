@@ -424,5 +424,31 @@ TEST_F(MemoryStageTest, JudgedAtTheEndNothingIsNamedBefore) {
   EXPECT_EQ(std::count(all.begin(), all.end(), StageEvent::other_character), 0);
 }
 
+TEST_F(MemoryStageTest, TheRightStrokesAreDrawnOverAWritingThatCouldBeBetterUntilItGoesOn) {
+  const auto drawn = [this] {
+    const auto& writing = tablet_.overlay().writing;
+    return std::count_if(writing.begin(), writing.end(), [](const view::InkedStroke& stroke) {
+      return stroke.verdict == view::Verdict::shown && stroke.opacity == 1;
+    });
+  };
+  enter(U'十');
+  EXPECT_FALSE(memory_.can_show_right()) << "it would show the answer";
+  memory_.set_judges_each(false);
+  write(reversed(line(subject_, 1)));
+  write(2);
+  memory_.finish_writing();
+  inbox_.run_until([&] { return !memory_.is_busy() && !grades_.empty(); });
+  ASSERT_TRUE(memory_.can_show_right());
+  memory_.show_right(true);
+  EXPECT_TRUE(memory_.is_showing_right());
+  EXPECT_EQ(drawn(), 0);
+  for (int i = 0; i < 1000 && memory_.is_showing_right(); ++i) memory_.advance_right(0.05);
+  EXPECT_FALSE(memory_.is_showing_right());
+  EXPECT_EQ(drawn(), 1) << "only the stroke that was drawn from its end";
+  memory_.start_over();
+  EXPECT_EQ(drawn(), 0);
+  EXPECT_FALSE(memory_.can_show_right());
+}
+
 }  // namespace
 }  // namespace nazori::practice

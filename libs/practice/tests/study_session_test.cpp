@@ -2,6 +2,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "nazori/practice/session_steps.h"
 #include "session_under_test.h"
 
 namespace nazori::practice {
@@ -211,6 +212,7 @@ TEST_F(Session, OfALeechEndsWithoutAReview) {
   ASSERT_TRUE(session_->start(true));
   EXPECT_EQ(session_->character(), first);
   EXPECT_TRUE(session_->is_leech_lesson());
+  EXPECT_EQ(folded_panels(*session_), (FoldedPanels{true, false})) << "its parts stand beside the tablet";
   for (const Stage stage : {Stage::watch, Stage::trace, Stage::guided}) {
     EXPECT_FALSE(session_->is_over());
     session_->finish_stage(stage, {});

@@ -53,6 +53,17 @@ TEST_F(Drawn, AreTheSwitchesOfTheLearner) {
   EXPECT_EQ(controller_.current_stroke(), 0);
 }
 
+TEST_F(Drawn, IsTheWritingCrossWhereThereIsATablet) {
+  EXPECT_EQ(controller_.overlay().cross, view::WritingCross::none);
+  int changes = 0;
+  const auto changed = controller_.picture_changed.connect([&] { ++changes; });
+  controller_.set_cross(view::WritingCross::quarters);
+  EXPECT_EQ(controller_.overlay().cross, view::WritingCross::quarters);
+  EXPECT_EQ(changes, 1) << "a new picture is asked for";
+  controller_.set_tablet(nullptr);
+  EXPECT_EQ(controller_.overlay().cross, view::WritingCross::none);
+}
+
 TEST_F(Drawn, AreTheGuidesOfAStageInPlaceOfTheSwitches) {
   TabletGuides guides;
   guides.lines_opacity = 0.4;

@@ -92,6 +92,7 @@ all_strokes 0
 *numbers N
 *arrows A
 *snap F
+writing_cross C
 -
 clear_ink Del
 [Practice]
@@ -117,6 +118,7 @@ done Return Enter
 hint H
 give_up G
 -
+show_right D
 *compare_over O
 *compare_beside B
 -
@@ -165,10 +167,10 @@ TEST_F(ActionTables, WhatStandsInAToolbarHasAPicture) {
   CharacterActions characters(&window_);
   EXPECT_EQ(
       with_icons(characters),
-      lines("draw_to_find\nnext_stroke\nprevious_stroke\nstrokes\nnumbers\narrows\nsnap\nclear_ink\nwatch\n"
+      lines("draw_to_find\nnext_stroke\nprevious_stroke\nstrokes\nnumbers\narrows\nsnap\nwriting_cross\nclear_ink\nwatch\n"
             "trace\nguided\nmemory\ndictation\nplay\nstep_back\nstep_on\nslower\nfaster\nloop\nby_groove\nby_"
             "starts\n"
-            "lead_hand\nundo_stroke\ndone\nhint\ngive_up\ncompare_over\ncompare_beside\nspeak"));
+            "lead_hand\nundo_stroke\ndone\nhint\ngive_up\nshow_right\ncompare_over\ncompare_beside\nspeak"));
   SessionActions session(&window_);
   EXPECT_EQ(with_icons(session), lines("study_start\nstudy_go_on\nstudy_undo"));
   HomeActions home(&window_);

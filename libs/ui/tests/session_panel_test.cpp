@@ -3,7 +3,6 @@
 #include "study/session_panel.h"
 
 #include <QLabel>
-#include <QPushButton>
 #include <QWidget>
 
 #include "chosen_session_under_test.h"
@@ -22,27 +21,22 @@ class SessionPanelTest : public ChosenSessionTest {
     return label->isHidden() ? QStringLiteral("(hidden)") : label->text();
   }
   QWidget window_;
-  SessionActions actions_{&window_};
 };
 
-TEST_F(SessionPanelTest, SaysWhyACharacterComesAndWhichStageItIsAt) {
+TEST_F(SessionPanelTest, SaysWhyACharacterComes) {
   know(U'八');
   learn_from({U'一'});
   ASSERT_TRUE(session_->start());
-  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  SessionPanel panel(*session_, *learner_, &window_);
   panel.show_state(nullptr);
   EXPECT_EQ(shown("session_kind"), QStringLiteral("Review"));
-  EXPECT_EQ(shown("session_steps"), QStringLiteral("Watch  Trace  Guided  ▸Memory"));
   EXPECT_EQ(shown("session_history"), QStringLiteral("Written from memory: once"));
-  EXPECT_EQ(shown("session_note"), QStringLiteral("(hidden)"));
   bring(U'八');
   write(true);
   session_->rate(Rating::good);
   panel.show_state(nullptr);
   EXPECT_EQ(shown("session_kind"), QStringLiteral("New"));
-  EXPECT_EQ(shown("session_steps"), QStringLiteral("▸Watch  Trace  Guided  Memory"));
   EXPECT_EQ(shown("session_history"), QStringLiteral("Not yet written from memory."));
-  EXPECT_TRUE(shown("session_note").startsWith(QStringLiteral("Saved: 八, Good. Next review in")));
   bring(session_->character());
   learn();
   session_->rate(Rating::again);
@@ -71,7 +65,7 @@ TEST_F(SessionPanelTest, TellsWhatWasForgottenAndWhichThreeStrokesWentWrongMost)
   know(U'八', Rating::again, result);
   learn_from({});
   ASSERT_TRUE(session_->start());
-  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  SessionPanel panel(*session_, *learner_, &window_);
   panel.show_state(sheet());
   if (session_->stage() == Stage::memory) {
     EXPECT_EQ(shown("session_faults"), QStringLiteral("(hidden)")) << "it would help to remember";
@@ -83,27 +77,6 @@ TEST_F(SessionPanelTest, TellsWhatWasForgottenAndWhichThreeStrokesWentWrongMost)
   EXPECT_EQ(shown("session_faults"),
             QStringLiteral(
                 "Stroke 3 was wrong 3 times.\nStroke 6 was wrong 2 times.\nStroke 2 was wrong 2 times."));
-}
-
-TEST_F(SessionPanelTest, SaysWhatHelpLoweredTheProposal) {
-  know(U'八');
-  learn_from({});
-  ASSERT_TRUE(session_->start());
-  bring(U'八');
-  SessionPanel panel(*session_, actions_, *learner_, &window_);
-  session_->add_hint();
-  session_->add_hint();
-  for (int i = 0; i < 3; ++i) (void)session_->add_mistake(0);
-  panel.show_state(sheet());
-  EXPECT_EQ(shown("session_help"), QStringLiteral("(hidden)"));
-  write(true);
-  panel.show_state(sheet());
-  EXPECT_EQ(shown("session_help"),
-            QStringLiteral("Suggested: “Again” (1 stroke shown, 2 hints, 3 mistakes)."));
-  session_->reopen();
-  write(false);
-  panel.show_state(sheet());
-  EXPECT_EQ(shown("session_help"), QStringLiteral("(hidden)")) << "the fault itself says why";
 }
 
 TEST_F(SessionPanelTest, ShowsTheLastThreeWritingsFromMemoryBesideTodays) {
@@ -125,7 +98,7 @@ TEST_F(SessionPanelTest, ShowsTheLastThreeWritingsFromMemoryBesideTodays) {
   learn_from({});
   ASSERT_TRUE(session_->start());
   bring(U'八');
-  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  SessionPanel panel(*session_, *learner_, &window_);
   auto* gallery = window_.findChild<InkGallery*>(QStringLiteral("ink_gallery"));
   panel.show_state(sheet());
   EXPECT_TRUE(gallery->isHidden());
@@ -151,27 +124,9 @@ TEST_F(SessionPanelTest, WithNothingWrittenEarlierTodaysWritingStandsNotAlone) {
   ASSERT_TRUE(session_->start());
   bring(U'八');
   write(true);
-  SessionPanel panel(*session_, actions_, *learner_, &window_);
+  SessionPanel panel(*session_, *learner_, &window_);
   panel.show_state(sheet());
   EXPECT_TRUE(window_.findChild<InkGallery*>(QStringLiteral("ink_gallery"))->pieces().empty());
-}
-
-TEST_F(SessionPanelTest, ItsButtonsDoWhatTheActionsDo) {
-  SessionPanel panel(*session_, actions_, *learner_, &window_);
-  for (QAction* action : {actions_.undo, actions_.postpone, actions_.pause, actions_.reset, actions_.end}) {
-    auto* button = window_.findChild<QPushButton*>(QStringLiteral("button_") + action->objectName());
-    ASSERT_NE(button, nullptr) << action->objectName().toStdString();
-    EXPECT_EQ(button->accessibleName(), action->iconText());
-    EXPECT_EQ(button->toolTip(), action->toolTip());
-    int done = 0;
-    QObject::connect(action, &QAction::triggered, &window_, [&] { ++done; });
-    action->setEnabled(false);
-    EXPECT_FALSE(button->isEnabled());
-    action->setEnabled(true);
-    EXPECT_TRUE(button->isEnabled());
-    button->click();
-    EXPECT_EQ(done, 1);
-  }
 }
 
 }  // namespace

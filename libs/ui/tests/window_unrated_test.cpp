@@ -306,13 +306,12 @@ TEST_F(Unrated, TheQuestionAndTheHeadingTakeAnotherLookAtOnce) {
   ASSERT_FALSE(HasFatalFailure());
   const double small = QFontInfo(window_->font()).pointSizeF();
   const auto asked = [this] { return text("session_question"); };
-  ASSERT_TRUE(asked().contains(QStringLiteral("font-size:%1pt").arg(small * 1.25))) << asked().toStdString();
+  ASSERT_TRUE(asked().contains(QStringLiteral("font-size:%1pt").arg(small * 1.8))) << asked().toStdString();
   action("text_larger")->trigger();
   action("text_larger")->trigger();
   const double large = QFontInfo(window_->font()).pointSizeF();
   ASSERT_GT(large, small);
-  EXPECT_TRUE(asked().contains(QStringLiteral("font-size:%1pt").arg(large * 1.25))) << asked().toStdString();
-  EXPECT_DOUBLE_EQ(QFontInfo(find("session_kind")->font()).pointSizeF(), large);
+  EXPECT_TRUE(asked().contains(QStringLiteral("font-size:%1pt").arg(large * 1.8))) << asked().toStdString();
   for (auto* label : window_->findChildren<QLabel*>())
     if (label->isVisible() && !label->text().isEmpty()) {
       EXPECT_GE(QFontInfo(label->font()).pointSizeF(), large * 0.85) << label->objectName().toStdString();
@@ -324,10 +323,9 @@ TEST_F(Unrated, WithTheLargestTextEveryButtonOfTheSessionIsInTheWindow) {
   ASSERT_FALSE(HasFatalFailure());
   while (action("text_larger")->isEnabled()) action("text_larger")->trigger();
   resize(1280, 800);
-  for (const char* name :
-       {"button_rate_again", "button_rate_hard", "button_rate_good", "button_rate_easy", "button_study_undo",
-        "button_study_postpone", "button_study_pause", "button_study_reset", "button_study_end"}) {
-    auto* button = find<QPushButton>(name);
+  for (const char* name : {"button_rate_again", "button_rate_hard", "button_rate_good", "button_rate_easy",
+                           "button_study_undo", "session_menu"}) {
+    auto* button = find<QAbstractButton>(name);
     ASSERT_TRUE(button->isVisible()) << name;
     EXPECT_EQ(button->visibleRegion().boundingRect(), button->rect()) << name;
     EXPECT_GE(button->width(), button->minimumSizeHint().width())

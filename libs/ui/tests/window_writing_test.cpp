@@ -110,7 +110,7 @@ TEST_F(Writing, JudgedAtTheEndNothingIsMarkedBefore) {
   EXPECT_TRUE(memory().has_unjudged());
   action("judge_each")->trigger();
   action("done")->trigger();
-  ASSERT_TRUE(says("O: show the model.")) << said();
+  ASSERT_TRUE(says("D: show it.")) << said();
   EXPECT_EQ(verdict(), view::Verdict::right) << "judged as a whole, it is seen";
   EXPECT_FALSE(memory().has_unjudged());
 }

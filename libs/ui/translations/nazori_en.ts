@@ -133,12 +133,22 @@
     </message>
 </context>
 <context>
-    <name>nazori::ui::SessionBar</name>
+    <name>nazori::ui::QuestionView</name>
     <message numerus="yes">
         <source>a character with %n strokes</source>
         <translation>
             <numerusform>a character with %n stroke</numerusform>
             <numerusform>a character with %n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::SessionBar</name>
+    <message numerus="yes">
+        <source>%n min left</source>
+        <translation>
+            <numerusform>%n min left</numerusform>
+            <numerusform>%n min left</numerusform>
         </translation>
     </message>
 </context>
@@ -163,27 +173,6 @@
         <translation>
             <numerusform>Stroke %1 was wrong once.</numerusform>
             <numerusform>Stroke %1 was wrong %n times.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n strokes shown</source>
-        <translation>
-            <numerusform>%n stroke shown</numerusform>
-            <numerusform>%n strokes shown</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n hints</source>
-        <translation>
-            <numerusform>%n hint</numerusform>
-            <numerusform>%n hints</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n mistakes</source>
-        <translation>
-            <numerusform>%n mistake</numerusform>
-            <numerusform>%n mistakes</numerusform>
         </translation>
     </message>
 </context>

@@ -911,6 +911,22 @@
         <source>Choose a voice for Open JTalk (.htsvoice)</source>
         <translation>Open JTalk の声（.htsvoice）を選びます</translation>
     </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>正しい書き方(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Draw the right strokes over your writing</source>
+        <translation>書いた字の上に正しい画を書きます</translation>
+    </message>
+    <message>
+        <source>&amp;Writing cross</source>
+        <translation>マス目(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Thin lines on the tablet: 十, 田 or none</source>
+        <translation>文字板の細い線：十、田、なし</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::Characters</name>
@@ -981,6 +997,22 @@
     <message>
         <source>%1 is marked as known. It comes in a review %2. Ctrl+Shift+Z: undo.</source>
         <translation>%1を学習済みにしました。%2に復習します。Ctrl+Shift+Z：取り消し。</translation>
+    </message>
+    <message>
+        <source>Writing cross off.</source>
+        <translation>マス目を消しました。</translation>
+    </message>
+    <message>
+        <source>Writing cross: 十.</source>
+        <translation>マス目：十。</translation>
+    </message>
+    <message>
+        <source>Writing cross: 田.</source>
+        <translation>マス目：田。</translation>
+    </message>
+    <message>
+        <source>Answer shown</source>
+        <translation>答えを表示</translation>
     </message>
 </context>
 <context>
@@ -4000,28 +4032,10 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
-    <name>nazori::ui::SessionBar</name>
+    <name>nazori::ui::SessionAnswers</name>
     <message>
-        <source>Study session</source>
-        <translation>今日の学習</translation>
-    </message>
-    <message>
-        <source>Session progress</source>
-        <translation>学習の進み具合</translation>
-    </message>
-    <message numerus="yes">
-        <source>a character with %n strokes</source>
-        <translation>
-            <numerusform>%n画の文字</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 of %2 · %3 left</source>
-        <translation>%1／%2 · 残り%3</translation>
-    </message>
-    <message>
-        <source>This is not the character you are being asked for.</source>
-        <translation>これは今の問題の文字ではありません。</translation>
+        <source>Next step</source>
+        <translation>次の操作</translation>
     </message>
     <message>
         <source>%1: %2, suggested</source>
@@ -4030,6 +4044,10 @@ Columns and rows:</source>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Finish  ⏎</source>
+        <translation>判定  ⏎</translation>
     </message>
     <message>
         <source>Back to the session  ⏎</source>
@@ -4043,13 +4061,67 @@ Columns and rows:</source>
         <source>%1  ⏎</source>
         <translation>%1  ⏎</translation>
     </message>
+</context>
+<context>
+    <name>nazori::ui::QuestionView</name>
+    <message>
+        <source>Question</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>looks like</source>
+        <translation>似ている字</translation>
+    </message>
+    <message>
+        <source>This is not the character you are being asked for.</source>
+        <translation>これは今の問題の文字ではありません。</translation>
+    </message>
+    <message>
+        <source> blank </source>
+        <translation>（空欄）</translation>
+    </message>
+    <message numerus="yes">
+        <source>a character with %n strokes</source>
+        <translation>
+            <numerusform>%n画の文字</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Suggested: %1 (%2)</source>
         <translation>おすすめ：%1（%2）</translation>
     </message>
+</context>
+<context>
+    <name>nazori::ui::SessionBar</name>
     <message>
-        <source>looks like %1</source>
-        <translation>似ている字：%1</translation>
+        <source>Study session</source>
+        <translation>今日の学習</translation>
+    </message>
+    <message>
+        <source>Session progress</source>
+        <translation>学習の進み具合</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>取り消す</translation>
+    </message>
+    <message>
+        <source>More for this character</source>
+        <translation>この文字のメニュー</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1／%2</translation>
+    </message>
+    <message>
+        <source>almost done</source>
+        <translation>もうすぐ終わり</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n min left</source>
+        <translation>
+            <numerusform>残り%n分</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4099,48 +4171,6 @@ Columns and rows:</source>
     <message>
         <source>Parts: %1.</source>
         <translation>パーツ：%1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n strokes shown</source>
-        <translation>
-            <numerusform>表示した画：%n画</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n hints</source>
-        <translation>
-            <numerusform>ヒント：%n回</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n mistakes</source>
-        <translation>
-            <numerusform>間違い：%n回</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Suggested: “%1” (%2).</source>
-        <translation>おすすめは「%1」です（%2）。</translation>
-    </message>
-    <message>
-        <source>Suspend</source>
-        <translation>休止</translation>
-    </message>
-    <message>
-        <source>Start over</source>
-        <translation>最初から</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>終える</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>取り消す</translation>
-    </message>
-    <message>
-        <source>Tomorrow</source>
-        <translation>明日に延期</translation>
     </message>
     <message>
         <source>Relearning: forgotten too often</source>
@@ -4534,8 +4564,8 @@ Columns and rows:</source>
         <translation>%1H で書く場所を表示します。</translation>
     </message>
     <message>
-        <source>%1 Ctrl+Z: undo a stroke. O: show the model.</source>
-        <translation>%1Ctrl+Z で一画取り消し、O で手本を重ねます。</translation>
+        <source>%1 D: show it.</source>
+        <translation>%1 D：書き方を見る。</translation>
     </message>
     <message>
         <source>%1 Form: %2 of %3 stars.</source>

@@ -92,7 +92,6 @@ constexpr Palette kSlateDark{
 /// On a pale ground: wood by day, and the white plateau of 2005.
 constexpr WritingColours kOnPale{
     .unjudged = from_hex(0x2A2623),
-    .right = from_hex(0x3B5A24),
     .nearly = from_hex(0x7A5000),
     .wrong = from_hex(0xA82A1A),
     .shown = from_hex(0x274C84),
@@ -102,7 +101,6 @@ constexpr WritingColours kOnPale{
 /// On a dark one: slate, and wood by night.
 constexpr WritingColours kOnDark{
     .unjudged = from_hex(0xF1E7D0),
-    .right = from_hex(0xAFCB8E),
     .nearly = from_hex(0xEBBB62),
     .wrong = from_hex(0xFFA28F),
     .shown = from_hex(0x9FBBEE),

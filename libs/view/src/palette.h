@@ -39,7 +39,6 @@ struct Palette {
 /// 1 against the sign's ground.
 struct WritingColours {
   Colour unjudged;
-  Colour right;
   Colour nearly;
   Colour wrong;
   Colour shown;

@@ -262,7 +262,7 @@ void TabletView::draw(int width, int height, double scale, const Overlay& overla
     inside_->canvas.show(static_cast<GLuint>(target));
   }
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
-  inside_->writing.draw(projection, overlay.writing, inside_->look, scale,
+  inside_->writing.draw(projection, overlay, inside_->look, scale,
                         std::clamp(overlay.text_scale, kMinTextScale, kMaxTextScale), inside_->statistics);
   if (overlay.cursor) {
     const StrokeChoice& choice = inside_->drawn.strokes;

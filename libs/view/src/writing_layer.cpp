@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "disc_shader.h"
 #include "gl_upload.h"
@@ -15,6 +17,10 @@ namespace {
 
 constexpr double kSignRadius = 10;  ///< logical pixels, as the discs of numbers
 constexpr double kSignGap = 3;
+constexpr float kCrossHalfSide_m = 0.046F;  ///< of a tablet 0.1 m wide
+constexpr float kCrossHalfWidth_m = 0.0001F;
+constexpr float kDash_m = 0.0012F;
+constexpr float kCrossOpacity = 0.38F;
 
 /// A disc of changing radius moved along the face of the tablet.
 constexpr const char* kInkVertex = R"glsl(
@@ -57,14 +63,14 @@ void main() {
 }
 )glsl";
 
-/// A disc that faces the learner, with a tick, a cross or an exclamation mark.
+/// A disc that faces the learner, with a cross or an exclamation mark.
 constexpr const char* kSignFragment = R"glsl(
 in vec2 place;
 uniform vec3 disc;
 uniform float ring;
 uniform vec3 ground;
 uniform vec3 mark;
-uniform int sign;      // 1 tick, 2 exclamation mark, 3 cross
+uniform bool crossed;  // else an exclamation mark
 out vec4 colour;
 float to_line(vec2 p, vec2 a, vec2 b) {
   vec2 way = b - a;
@@ -73,9 +79,8 @@ float to_line(vec2 p, vec2 a, vec2 b) {
 void main() {
   vec2 p = place / disc.z;
   float d;
-  if (sign == 1) d = min(to_line(p, vec2(-0.46, -0.02), vec2(-0.12, -0.36)), to_line(p, vec2(-0.12, -0.36), vec2(0.46, 0.36)));
-  else if (sign == 2) d = min(to_line(p, vec2(0.0, 0.52), vec2(0.0, -0.10)), length(p - vec2(0.0, -0.48)));
-  else d = min(to_line(p, vec2(-0.36, -0.36), vec2(0.36, 0.36)), to_line(p, vec2(-0.36, 0.36), vec2(0.36, -0.36)));
+  if (crossed) d = min(to_line(p, vec2(-0.36, -0.36), vec2(0.36, 0.36)), to_line(p, vec2(-0.36, 0.36), vec2(0.36, -0.36)));
+  else d = min(to_line(p, vec2(0.0, 0.52), vec2(0.0, -0.10)), length(p - vec2(0.0, -0.48)));
   float r = length(place);
   float drawn = clamp((0.13 - d) * disc.z + 0.5, 0.0, 1.0);
   vec3 face = mix(mark, ground, clamp(disc.z - ring - r + 0.5, 0.0, 1.0));
@@ -85,14 +90,13 @@ void main() {
 
 const Colour& colour_of(const WritingColours& colours, Verdict verdict) {
   switch (verdict) {
-    case Verdict::right:
-      return colours.right;
     case Verdict::nearly:
       return colours.nearly;
     case Verdict::wrong:
       return colours.wrong;
     case Verdict::shown:
       return colours.shown;
+    case Verdict::right:
     case Verdict::none:
       break;
   }
@@ -100,9 +104,7 @@ const Colour& colour_of(const WritingColours& colours, Verdict verdict) {
 }
 
 bool has_sign(const InkedStroke& stroke) {
-  return (stroke.verdict == Verdict::right || stroke.verdict == Verdict::nearly ||
-          stroke.verdict == Verdict::wrong) &&
-         !stroke.points.empty();
+  return (stroke.verdict == Verdict::nearly || stroke.verdict == Verdict::wrong) && !stroke.points.empty();
 }
 
 glm::vec2 place_of(const geometry::WrittenPoint<geometry::TabletFrame>& point) {
@@ -129,21 +131,40 @@ base::Result<WritingLayer> WritingLayer::create() {
   return WritingLayer(std::move(*ink), std::move(*sign));
 }
 
-void WritingLayer::draw(const Projection& projection, std::span<const InkedStroke> strokes, const Look& look,
-                        double scale, double text_scale, DrawStatistics& statistics) {
-  signs_.clear();
-  if (strokes.empty()) return;
-  const WritingColours& colours = writing_colours(look.style, look.theme);
+std::vector<WritingLayer::Piece> WritingLayer::dashes_of(WritingCross cross, const glm::vec4& colour) {
   std::vector<Piece> pieces;
+  const auto dash = [&](glm::vec2 from, glm::vec2 to) {
+    const float length = glm::distance(from, to);
+    const int count = std::max(1, static_cast<int>(std::lround(length / kDash_m)) | 1);
+    for (int i = 0; i < count; i += 2)
+      pieces.push_back({glm::mix(from, to, static_cast<float>(i) / static_cast<float>(count)),
+                        glm::mix(from, to, static_cast<float>(i + 1) / static_cast<float>(count)),
+                        glm::vec2(kCrossHalfWidth_m), colour});
+  };
+  if (cross == WritingCross::none) return pieces;
+  constexpr float kEnd = kCrossHalfSide_m;
+  dash({-kEnd, 0}, {kEnd, 0});
+  dash({0, kEnd}, {0, -kEnd});
+  if (cross == WritingCross::halves) return pieces;
+  const glm::vec2 corners[] = {{-kEnd, kEnd}, {kEnd, kEnd}, {kEnd, -kEnd}, {-kEnd, -kEnd}, {-kEnd, kEnd}};
+  for (std::size_t i = 0; i + 1 < std::size(corners); ++i) dash(corners[i], corners[i + 1]);
+  return pieces;
+}
+
+void WritingLayer::draw(const Projection& projection, const Overlay& overlay, const Look& look, double scale,
+                        double text_scale, DrawStatistics& statistics) {
+  const auto strokes = overlay.writing;
+  signs_.clear();
+  if (strokes.empty() && overlay.cross == WritingCross::none) return;
+  const WritingColours& colours = writing_colours(look.style, look.theme);
+  std::vector<Piece> pieces = dashes_of(overlay.cross, glm::vec4(colours.unjudged, kCrossOpacity));
   for (const auto& stroke : strokes) {
     const glm::vec4 colour(colour_of(colours, stroke.verdict), static_cast<float>(stroke.opacity));
     for (std::size_t i = 0; i < stroke.points.size(); ++i) {
       if (i == 0 && stroke.points.size() > 1) continue;
-      const auto& from = stroke.points[i == 0 ? 0 : i - 1];
-      const auto& to = stroke.points[i];
-      const glm::vec2 radius_m(stroke.half_width_m.value_or(ink_half_width_m(from)),
-                               stroke.half_width_m.value_or(ink_half_width_m(to)));
-      pieces.push_back({place_of(from), place_of(to), radius_m, colour});
+      const std::size_t before = i == 0 ? 0 : i - 1;
+      const glm::vec2 radius_m(stroke.half_width_at(before), stroke.half_width_at(i));
+      pieces.push_back({place_of(stroke.points[before]), place_of(stroke.points[i]), radius_m, colour});
     }
   }
   glEnable(GL_BLEND);
@@ -201,7 +222,7 @@ void WritingLayer::draw_sign(const Projection& projection, const SignPlace& plac
   sign_.set("ring", static_cast<float>(scale));
   sign_.set("ground", colours.ground_of_sign);
   sign_.set("mark", colour_of(colours, place.verdict));
-  sign_.set("sign", place.verdict == Verdict::right ? 1 : place.verdict == Verdict::nearly ? 2 : 3);
+  sign_.set("crossed", place.verdict == Verdict::wrong ? 1 : 0);
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 

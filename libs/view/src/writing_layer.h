@@ -16,9 +16,9 @@ class WritingLayer {
  public:
   [[nodiscard]] static base::Result<WritingLayer> create();
 
-  /// @param scale  device pixels per logical pixel.
-  void draw(const Projection& projection, std::span<const InkedStroke> strokes, const Look& look,
-            double scale, double text_scale, DrawStatistics& statistics);
+  /// Draws the writing and the cross under it. @param scale  device pixels per logical pixel.
+  void draw(const Projection& projection, const Overlay& overlay, const Look& look, double scale,
+            double text_scale, DrawStatistics& statistics);
   /// The signs of the last draw.
   [[nodiscard]] std::span<const SignPlace> signs() const { return signs_; }
 
@@ -32,6 +32,7 @@ class WritingLayer {
     friend bool operator==(const Piece&, const Piece&) = default;
   };
   WritingLayer(ShaderProgram ink, ShaderProgram sign);
+  static std::vector<Piece> dashes_of(WritingCross cross, const glm::vec4& colour);
   void place_signs(const Projection& projection, std::span<const InkedStroke> strokes, double radius);
   void draw_sign(const Projection& projection, const SignPlace& place, const Look& look, double scale);
 

@@ -31,7 +31,7 @@ class Everything : public testing::Test {
     studio_.view->set_refinement(Refinement::when_still);
     studio_.view->set_height_map(carved(rest()));
     studio_.view->set_strokes(kanji::centre_lines(rest()));
-    stroke_.verdict = Verdict::right;
+    stroke_.verdict = Verdict::wrong;
     stroke_.points = {{{-0.02, 0.01}}, {{0.02, 0.01}}};
     stroke_.half_width_m = 0.001;
     writing_ = {stroke_};

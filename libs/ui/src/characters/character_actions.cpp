@@ -86,6 +86,10 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   compare_beside =
       make("compare_beside", tr("Your writing beside the &model"),
            tr("Show your writing and the model side by side and replay both"), "B", true, Icon::beside);
+  show_right =
+      make("show_right", tr("Sho&w"), tr("Draw the right strokes over your writing"), "D", Icon::overlaid);
+  writing_cross = make("writing_cross", tr("&Writing cross"), tr("Thin lines on the tablet: 十, 田 or none"),
+                       "C", Icon::beside);
 
   make_key_pen();
   make_sound();
@@ -98,13 +102,13 @@ CharacterActions::CharacterActions(QWidget* window) : ActionSet(window) {
   add_group(tr("&Character"), {find, find_by_parts, find_by_radical, draw_to_find, nullptr, tell_apart,
                                nullptr, next_character, previous_character, nullptr, back, forward});
   add_group(tr("&Strokes"), {next_stroke, previous_stroke, all_strokes, nullptr, strokes, numbers, arrows,
-                             snap, nullptr, clear_ink});
+                             snap, writing_cross, nullptr, clear_ink});
   add_group(tr("&Practice"), stages + QList<QAction*>{nullptr, play, step_back, step_on, slower, faster, loop,
                                                       nullptr, by_groove, by_starts, lead_hand});
   practice_ = groups().size() - 1;
-  add_group(tr("&Writing"), {undo_stroke, done, hint, give_up, nullptr, compare_over, compare_beside, nullptr,
-                             judge_each, groove_hidden, groove_shown, groove_appears, nullptr, more_lenient,
-                             more_strict, lenient, normal, strict});
+  add_group(tr("&Writing"), {undo_stroke, done, hint, give_up, nullptr, show_right, compare_over,
+                             compare_beside, nullptr, judge_each, groove_hidden, groove_shown, groove_appears,
+                             nullptr, more_lenient, more_strict, lenient, normal, strict});
   add_group(tr("Pen by &keys"), {key_pen, nullptr, pen_down, pen_start, pen_where});
   add_group(tr("S&peech"), {speak, speaks_itself, nullptr, voice_automatic, voice_open_jtalk,
                             voice_dispatcher, voice_espeak, nullptr, voice_file});

@@ -25,7 +25,8 @@ class CharacterActions final : public ActionSet {
   QAction *undo_stroke, *done, *hint, *give_up, *judge_each;
   QAction *groove_hidden, *groove_shown, *groove_appears;
   QAction *more_lenient, *more_strict, *lenient, *normal, *strict;
-  QAction *compare_over, *compare_beside;
+  QAction *compare_over, *compare_beside, *show_right;
+  QAction* writing_cross;
   QAction *key_pen, *pen_down, *pen_start, *pen_where;
   QAction *speak, *speaks_itself;
   QAction *voice_automatic, *voice_open_jtalk, *voice_dispatcher, *voice_espeak, *voice_file;

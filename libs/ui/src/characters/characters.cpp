@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <initializer_list>
 
 #include "characters/character_actions.h"
 #include "characters/confusable_view.h"
@@ -21,7 +22,9 @@
 #include "events/signals.h"
 #include "page/window_parts.h"
 #include "settings/stored_settings.h"
+#include "study/question_view.h"
 #include "study/session_actions.h"
+#include "study/session_answers.h"
 #include "study/session_bar.h"
 #include "study/session_panel.h"
 #include "study/study_dialogs.h"
@@ -34,14 +37,15 @@ namespace nazori::ui {
 
 namespace {
 
-/// Puts widgets on top of each other; the last one is visible at first.
-QWidget* stack_up(const char* name, const QList<QWidget*>& pieces, QWidget* window) {
+/// Puts widgets on top of each other; the last one is visible at first. @param each_fills  one at a time is
+/// shown, and fills the side.
+QWidget* stack_up(const char* name, const QList<QWidget*>& pieces, bool each_fills, QWidget* window) {
   auto* side = named(new QWidget(window), name);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   for (auto* piece : pieces) {
-    column->addWidget(piece, piece == pieces.front() && pieces.size() == 2 ? 0 : 1);
+    column->addWidget(piece, each_fills || piece == pieces.back() ? 1 : 0);
     piece->setVisible(piece == pieces.back());
   }
   return side;
@@ -66,11 +70,15 @@ Characters::Characters(WindowParts& parts)
       confusable_view_(new ConfusableView({actions_->tell_apart}, &parts.window())),
       writing_panel_(new WritingPanel(&parts.window())),
       draw_panel_(new DrawPanel(parts, &parts.window())),
-      session_panel_(new SessionPanel(parts.session(), *session_actions_, parts.learner(), &parts.window())),
-      session_bar_(new SessionBar(parts.session(), *session_actions_, parts.learner(), &parts.window())),
+      session_panel_(new SessionPanel(parts.session(), parts.learner(), &parts.window())),
+      session_bar_(new SessionBar(parts.session(), *session_actions_, &parts.window())),
+      question_view_(new QuestionView(parts.session(), actions_->show_right, &parts.window())),
+      session_answers_(new SessionAnswers(parts.session(), *session_actions_, parts.learner(),
+                                          {actions_->hint, actions_->undo_stroke, actions_->give_up},
+                                          &parts.window())),
       above_tablet_(new QWidget(&parts.window())),
-      left_side_(stack_up("left_side", {draw_panel_, session_panel_, library_panel_}, &parts.window())),
-      right_side_(stack_up("right_side", {writing_panel_, information_panel_}, &parts.window())),
+      left_side_(stack_up("left_side", {draw_panel_, library_panel_}, true, &parts.window())),
+      right_side_(stack_up("right_side", {writing_panel_, information_panel_}, false, &parts.window())),
       files_(new FileExchange(&parts.workshop(), &parts.window())),
       spoken_readings_(new SpokenReadings(parts, *actions_, this)),
       key_writing_(new KeyWriting(parts, *actions_, this)) {
@@ -94,6 +102,19 @@ Characters::Characters(WindowParts& parts)
 void Characters::make_stage_views() {
   auto* column = new QVBoxLayout(above_tablet_);
   column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  // In a low window the bar and the question share a line.
+  auto* head = new QBoxLayout(QBoxLayout::TopToBottom);
+  head->setSpacing(0);
+  head->addWidget(session_bar_);
+  head->addWidget(question_view_, 1);
+  column->addLayout(head);
+  connect(question_view_, &QuestionView::room_changed, this, [this, head](practice::QuestionRoom room) {
+    const bool is_low = room == practice::QuestionRoom::line;
+    head->setDirection(is_low ? QBoxLayout::RightToLeft : QBoxLayout::TopToBottom);
+    session_bar_->set_short(is_low);
+    if (practice_.is_entered()) session_answers_->show_state();
+  });
   QSettings settings(parts().settings_file(), QSettings::IniFormat);
   settings.beginGroup(id());
   const base::Settings values = read_settings(settings);
@@ -146,7 +167,9 @@ Page::Panel Characters::right() const {
 
 QWidget* Characters::above_tablet() const { return above_tablet_; }
 
-QWidget* Characters::under_tablet() const { return session_bar_; }
+QWidget* Characters::under_tablet() const { return session_answers_; }
+
+practice::FoldedPanels Characters::folded() const { return practice::folded_panels(parts().session()); }
 
 ActionSet* Characters::actions() const { return actions_; }
 
@@ -162,13 +185,16 @@ QList<Tool> Characters::tools() const {
 
 void Characters::enter() {
   practice_.enter();
+  show_cross();
   show_session();
 }
 
 void Characters::leave() {
   key_writing_->end();
   practice_.leave();
-  session_bar_->hide();
+  parts().tablet().set_cross(view::WritingCross::none);
+  for (auto* one : std::initializer_list<QWidget*>{session_bar_, question_view_, session_answers_})
+    one->hide();
 }
 
 void Characters::show_stage() {
@@ -190,7 +216,6 @@ void Characters::show_hiding() {
 
 void Characters::show_character() {
   const auto& sheet = practice_.sheet();
-  searching_ = false;
   parts().preferences().kanji = sheet->character.code_point;
   practice_.set_first_character(sheet->character.code_point);
   parts().save_later();
@@ -228,7 +253,6 @@ void Characters::open_drawing(bool open) {
 
 void Characters::open_search() {
   if (actions_->draw_to_find->isChecked()) open_drawing(false);
-  searching_ = true;
   show_session();
   parts().open_left_panel();
 }
@@ -242,7 +266,7 @@ void Characters::close_drawing() {
 void Characters::refresh_appearance() {
   information_panel_->refresh();
   session_actions_->draw_icons();
-  session_bar_->refresh();
+  question_view_->refresh();
   session_panel_->refresh();
 }
 
@@ -284,6 +308,14 @@ void Characters::connect_actions() {
   connect(library_panel_, &LibraryPanel::table_shown, this, [this](bool by_parts, bool by_radical) {
     actions_->find_by_parts->setChecked(by_parts);
     actions_->find_by_radical->setChecked(by_radical);
+  });
+  on(actions_->writing_cross, [this] {
+    auto& cross = parts().preferences().cross;
+    cross = static_cast<view::WritingCross>((static_cast<int>(cross) + 1) % 3);
+    show_cross();
+    parts().save_later();
+    const QString names[] = {tr("Writing cross off."), tr("Writing cross: 十."), tr("Writing cross: 田.")};
+    emit parts().respond(Feedback::hint, names[static_cast<std::size_t>(cross)]);
   });
   on(actions_->next_character, [this] {
     if (const char32_t next = library_panel_->neighbour(+1)) practice_.show(next);

@@ -15,7 +15,9 @@ class FileExchange;
 class InformationPanel;
 class KeyWriting;
 class LibraryPanel;
+class QuestionView;
 class SessionActions;
+class SessionAnswers;
 class SessionBar;
 class SessionPanel;
 class SpokenReadings;
@@ -35,6 +37,7 @@ class Characters final : public Page {
   [[nodiscard]] Panel right() const override;
   [[nodiscard]] QWidget* above_tablet() const override;
   [[nodiscard]] QWidget* under_tablet() const override;
+  [[nodiscard]] practice::FoldedPanels folded() const override;
   [[nodiscard]] ActionSet* actions() const override;
   [[nodiscard]] QList<Tool> tools() const override;
 
@@ -70,6 +73,7 @@ class Characters final : public Page {
   void show_stage();
   void show_hiding();
   void show_session();
+  void show_cross();
   void open_search();
   void open_drawing(bool open);
   void close_drawing();
@@ -88,6 +92,8 @@ class Characters final : public Page {
   DrawPanel* draw_panel_;
   SessionPanel* session_panel_;
   SessionBar* session_bar_;
+  QuestionView* question_view_;
+  SessionAnswers* session_answers_;
   QWidget* above_tablet_;
   QWidget* left_side_;   ///< the list, or the panel for finding a character by drawing it
   QWidget* right_side_;  ///< the report on the writing above the information
@@ -95,7 +101,6 @@ class Characters final : public Page {
   SpokenReadings* spoken_readings_;
   KeyWriting* key_writing_;
   std::vector<StageEntry> stages_;
-  bool searching_ = false;  ///< the list is shown instead of the session
 };
 
 }  // namespace nazori::ui

@@ -3,10 +3,14 @@
 
 #include "characters/character_actions.h"
 #include "characters/characters.h"
+#include "characters/information_panel.h"
 #include "characters/library_panel.h"
+#include "characters/writing_report.h"
 #include "events/signals.h"
 #include "page/window_parts.h"
+#include "study/question_view.h"
 #include "study/session_actions.h"
+#include "study/session_answers.h"
 #include "study/session_bar.h"
 #include "study/session_panel.h"
 #include "study/study_dialogs.h"
@@ -17,10 +21,13 @@ namespace nazori::ui {
 
 void Characters::connect_session() {
   auto& session = parts().session();
+  information_panel_->set_head(session_panel_);
   subscribe(session.changed, this, [this] { show_session(); });
   subscribe(session.ended, this, [this] { parts().go_to(QStringLiteral("home")); });
-  subscribe(practice_.memory().changed, this,
-            [this] { session_actions_->set_has_unjudged(practice_.memory().has_unjudged()); });
+  subscribe(practice_.memory().changed, this, [this] {
+    session_actions_->set_has_unjudged(practice_.memory().has_unjudged());
+    if (practice_.is_entered()) session_answers_->show_state();
+  });
   subscribe(parts().learner().changed, this, [this] { show_session(); });
   subscribe(parts().learner().profile_changed, this, [this] {
     for (const auto& stage : practice_.stages()) stage->forget();
@@ -92,20 +99,26 @@ void Characters::connect_study_actions() {
   });
 }
 
+void Characters::show_cross() { parts().tablet().set_cross(parts().preferences().cross); }
+
 void Characters::show_session() {
   const auto& session = parts().session();
   session_actions_->show_state(session, parts().learner().can_write());
-  const bool drawing = actions_->draw_to_find->isChecked();
-  const bool studied = session.is_running() && !searching_;
-  const bool lists = !studied && !drawing;
-  const bool asks = studied && !drawing;
-  if ((!lists && has_keyboard(*library_panel_)) || (!asks && has_keyboard(*session_panel_)))
-    parts().focus_tablet();
-  session_panel_->setVisible(asks);
+  const bool lists = !actions_->draw_to_find->isChecked();
+  if (!lists && has_keyboard(*library_panel_)) parts().focus_tablet();
   library_panel_->setVisible(lists);
   if (!practice_.is_entered()) return;
-  session_bar_->show_state(practice_.sheet());
+  const auto& memory = practice_.memory();
+  const bool is_checked = memory.state() == practice::MemoryStage::State::judged;
+  session_bar_->show_state();
+  QuestionView::Verdict verdict{tr("Answer shown"), tr("Answer shown"), tr("Answer shown")};
+  if (is_checked)
+    verdict = {WritingReport::verdict(memory.grade()), WritingReport::spoken_verdict(memory.grade()),
+               WritingReport::stars(memory.grade())};
+  question_view_->show_state(practice_.sheet(), verdict);
+  session_answers_->show_state();
   session_panel_->show_state(practice_.sheet());
+  emit room_changed();
 }
 
 }  // namespace nazori::ui

@@ -311,9 +311,14 @@ void InformationPanel::fill_confusables() {
   confusables_.box->setVisible(true);
 }
 
+void InformationPanel::set_head(QWidget* head) {
+  static_cast<QVBoxLayout*>(content_->layout())->insertWidget(0, head);
+}
+
 void InformationPanel::set_standing(QWidget* standing) {
   standing_ = standing;
-  static_cast<QVBoxLayout*>(content_->layout())->insertWidget(1, standing);
+  auto* column = static_cast<QVBoxLayout*>(content_->layout());
+  column->insertWidget(column->indexOf(head_) + 1, standing);
   standing->setVisible(sheet_ != nullptr && !hides_character_);
 }
 

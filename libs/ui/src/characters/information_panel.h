@@ -33,6 +33,8 @@ class InformationPanel final : public QScrollArea {
   void set_hidden_character(bool hidden);
   /// Whether the learner knows a character, for the choice of words; empty: that is not known.
   void set_knows(std::function<bool(char32_t)> knows) { knows_ = std::move(knows); }
+  /// Puts a widget above everything else. It shows and hides itself.
+  void set_head(QWidget* head);
   /// Puts a widget below meanings and facts. It is hidden where no character is shown.
   void set_standing(QWidget* standing);
   /// Puts a widget of characters that are confused with the one shown below its words.

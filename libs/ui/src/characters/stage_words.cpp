@@ -224,8 +224,10 @@ QString StageWords::judgement(const practice::MemoryStage& memory) {
   constexpr std::size_t kMostSentences = 3;
   const auto& grade = memory.grade();
   const QString between = between_sentences();
-  const QString found = joined(writing::explain(grade, writing_language()), between, kMostSentences);
-  if (!grade.accepted) return tr("%1 Ctrl+Z: undo a stroke. O: show the model.").arg(found);
+  // What to mend is one thing at a time; the panel beside the tablet has all of it.
+  const QString found =
+      joined(writing::explain(grade, writing_language()), between, grade.accepted ? kMostSentences : 1);
+  if (!grade.accepted) return tr("%1 D: show it.").arg(found);
   QString words =
       grade.form ? tr("%1 Form: %2 of %3 stars.").arg(found).arg(*grade.form).arg(writing::kBestForm) : found;
   // At most one remark is about how the pen moved, and only if there is no other remark.

@@ -37,10 +37,12 @@ QLabel* WritingReport::add_label(const char* name, const char* role) {
 
 QString WritingReport::verdict(const writing::Grade& grade) {
   if (!grade.accepted) return tr("Not quite");
-  if (!grade.form) return tr("Correct");
-  const int form = *grade.form;
-  return tr("Correct. Form: %1")
-      .arg(QString(form, QChar(0x2605)) + QString(writing::kBestForm - form, QChar(0x2606)));
+  return grade.form ? tr("Correct. Form: %1").arg(stars(grade)) : tr("Correct");
+}
+
+QString WritingReport::stars(const writing::Grade& grade) {
+  if (!grade.form) return verdict(grade);
+  return QString(*grade.form, QChar(0x2605)) + QString(writing::kBestForm - *grade.form, QChar(0x2606));
 }
 
 QString WritingReport::spoken_verdict(const writing::Grade& grade) {

@@ -18,12 +18,14 @@ class WritingReport final : public QWidget {
   explicit WritingReport(QWidget* parent);
 
   void show_grade(const writing::Grade& grade, const practice::PenReport& pen);
+  /// "Correct. Form: ★★★★☆"; a refused writing has no stars.
+  [[nodiscard]] static QString verdict(const writing::Grade& grade);
+  /// "★★★★☆"; of a refused writing the verdict.
+  [[nodiscard]] static QString stars(const writing::Grade& grade);
+  /// The same for a screen reader, which does not count stars.
+  [[nodiscard]] static QString spoken_verdict(const writing::Grade& grade);
 
  private:
-  /// "Correct. Form: ★★★★☆"; a refused writing has no stars.
-  static QString verdict(const writing::Grade& grade);
-  /// The same for a screen reader, which does not count stars.
-  static QString spoken_verdict(const writing::Grade& grade);
   QLabel* add_label(const char* name, const char* role);
 
   QLabel* verdict_;

@@ -18,7 +18,7 @@ QString style_sheet(const Colours& c) {
       {QStringLiteral("muted"), c.muted.name()},
       {QStringLiteral("indigo"), c.indigo.name()},
       {QStringLiteral("vermilion"), c.vermilion.name()},
-      {QStringLiteral("vermilion_hover"), blend(c.vermilion, c.ink, 0.15).name()},
+      {QStringLiteral("indigo_hover"), blend(c.indigo, c.ink, 0.15).name()},
       {QStringLiteral("hover"), blend(c.paper, c.line, 0.45).name()},
       {QStringLiteral("press"), blend(c.paper, c.line, 0.9).name()},
       {QStringLiteral("tint"), blend(c.surface, c.indigo, 0.13).name()},

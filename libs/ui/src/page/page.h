@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "look/icons.h"
+#include "nazori/practice/session_steps.h"
 #include "widgets/action_set.h"
 
 class QSettings;
@@ -60,8 +61,10 @@ class Page : public QObject {
   [[nodiscard]] virtual Panel right() const { return {}; }
   /// A widget above the tablet. The page shows and hides what is in it. nullptr: none.
   [[nodiscard]] virtual QWidget* above_tablet() const { return nullptr; }
-  /// A widget between the tablet and the feedback line. The page shows and hides it. nullptr: none.
+  /// A widget under the tablet and the feedback line. The page shows and hides it. nullptr: none.
   [[nodiscard]] virtual QWidget* under_tablet() const { return nullptr; }
+  /// Whether the page needs the room of panels and toolbar for the tablet.
+  [[nodiscard]] virtual practice::FoldedPanels folded() const { return {}; }
   /// A widget that replaces the tablet and its panels. nullptr: the tablet is shown.
   [[nodiscard]] virtual QWidget* instead_of_tablet() const { return nullptr; }
   [[nodiscard]] virtual ActionSet* actions() const { return nullptr; }
@@ -90,6 +93,8 @@ class Page : public QObject {
   void title_changed();
   /// tools() has changed.
   void tools_changed();
+  /// folded() may have changed.
+  void room_changed();
   /// The page must be shown: something was requested that only this page can show.
   void wants_to_be_entered();
 

@@ -20,6 +20,7 @@ Enum read_name(const QSettings& ini, const QString& key, const char* const (&nam
 }
 
 constexpr const char* kStyles[] = {"classic", "wood", "slate"};
+constexpr const char* kCrosses[] = {"none", "halves", "quarters"};
 constexpr const char* kHands[] = {"none", "left", "right"};
 constexpr const char* kThemes[] = {"desktop", "light", "dark"};
 constexpr const char* kLists[] = {"grade_1",  "grade_2",  "grade_3",          "grade_4",
@@ -61,6 +62,7 @@ Preferences Preferences::load(const QString& file) {
   p.voice_file = ini.value(QStringLiteral("speech/voice_file")).toString();
   p.slope_help = ini.value(QStringLiteral("tablet/slope_help"), p.slope_help).toBool();
   p.style = read_name(ini, QStringLiteral("tablet/style"), kStyles, p.style);
+  p.cross = read_name(ini, QStringLiteral("tablet/cross"), kCrosses, p.cross);
   p.theme = read_name(ini, QStringLiteral("window/theme"), kThemes, p.theme);
   p.text_pt =
       std::clamp(ini.value(QStringLiteral("window/text_pt"), p.text_pt).toInt(), kMinText_pt, kMaxText_pt);
@@ -102,6 +104,7 @@ bool Preferences::save(const QString& file) const {
   ini.setValue(QStringLiteral("speech/voice_file"), voice_file);
   ini.setValue(QStringLiteral("tablet/slope_help"), slope_help);
   ini.setValue(QStringLiteral("tablet/style"), QLatin1String(kStyles[static_cast<std::size_t>(style)]));
+  ini.setValue(QStringLiteral("tablet/cross"), QLatin1String(kCrosses[static_cast<std::size_t>(cross)]));
   ini.setValue(QStringLiteral("study/profile"), profile);
   ini.setValue(QStringLiteral("study/asks_by_words"), asks_by_words);
   ini.setValue(QStringLiteral("window/left_handed"), left_handed);

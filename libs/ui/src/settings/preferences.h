@@ -38,6 +38,7 @@ struct Preferences {
   QString voice_file;         ///< of Open JTalk; empty: the first that is installed
   bool slope_help = false;    ///< the mouse slows down on slopes
   view::Style style = view::Style::wood;
+  view::WritingCross cross = view::WritingCross::none;
   ThemeChoice theme = ThemeChoice::desktop;
   int text_pt = kMinText_pt;
   bool reduced_motion = false;

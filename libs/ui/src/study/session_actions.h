@@ -28,6 +28,9 @@ class SessionActions final : public ActionSet {
   void set_one_hand(OneHand hand, QAction* hint, QAction* undo_stroke, QAction* done);
   /// Whether a writing waits to be judged.
   void set_has_unjudged(bool has_unjudged);
+  [[nodiscard]] bool has_unjudged() const { return has_unjudged_; }
+  /// The action that has a writing judged, as set_one_hand() was given it.
+  [[nodiscard]] QAction* done() const { return done_; }
 
  private:
   void give_keys();

@@ -1,100 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/session_panel.h"
 
-#include <QApplication>
-#include <QEvent>
 #include <QLabel>
-#include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <initializer_list>
 
 #include "nazori/practice/character_history.h"
 #include "study/ink_gallery.h"
-#include "widgets/flow_layout.h"
 #include "widgets/parts.h"
 #include "words/kanji_text.h"
-#include "words/session_words.h"
 #include "words/study_words.h"
 
 namespace nazori::ui {
 namespace {
 
-constexpr int kMargin = 12;
-constexpr int kGap = 6;
 constexpr std::size_t kMostEarlier = 3;
 constexpr std::size_t kMostHardStrokes = 3;
 
 }  // namespace
 
-SessionPanel::SessionPanel(const practice::StudySession& session, const SessionActions& actions,
-                           practice::Learner& learner, QWidget* parent)
+SessionPanel::SessionPanel(const practice::StudySession& session, practice::Learner& learner, QWidget* parent)
     : QWidget(parent), session_(session), learner_(learner) {
   setObjectName(QStringLiteral("session_panel"));
   setAccessibleName(tr("Character being studied"));
-  setAttribute(Qt::WA_StyledBackground);
-  auto* words = named(new QScrollArea(this), "session_words");
-  auto* content = named(new QWidget(words), "information_content");
-  kind_ = text_label("session_kind", content);
-  steps_ = text_label("session_steps", content, "muted");
-  history_ = text_label("session_history", content);
-  mistakes_ = text_label("session_faults", content);
-  parts_ = text_label("session_parts", content);
-  help_ = text_label("session_help", content);
-  note_ = text_label("session_note", this, "muted");
-  ink_heading_ = text_label("session_ink_heading", content, "heading");
+  kind_ = text_label("session_kind", this);
+  history_ = text_label("session_history", this);
+  mistakes_ = text_label("session_faults", this);
+  parts_ = text_label("session_parts", this);
+  ink_heading_ = text_label("session_ink_heading", this, "heading");
   ink_heading_->setText(tr("Earlier writing"));
-  gallery_ = new InkGallery(content);
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  gallery_ = new InkGallery(this);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
-  for (QWidget* one : std::initializer_list<QWidget*>{kind_, steps_, history_, mistakes_, parts_, help_,
-                                                      ink_heading_, gallery_})
+  for (QWidget* one :
+       std::initializer_list<QWidget*>{kind_, history_, mistakes_, parts_, ink_heading_, gallery_})
     column->addWidget(one);
-  column->addStretch(1);
-  auto* foot = named(new QWidget(this), "session_foot");
-  auto* rows = new FlowLayout(kGap, kGap, foot);
-  rows->setContentsMargins(0, 0, 0, 0);
-  // Short texts, because the panel is narrow. The menu has the full ones.
-  const std::pair<QAction*, QString> buttons[] = {{actions.undo, tr("Undo")},
-                                                  {actions.postpone, tr("Tomorrow")},
-                                                  {actions.pause, tr("Suspend")},
-                                                  {actions.reset, tr("Start over")},
-                                                  {actions.end, tr("End")}};
-  for (const auto& [action, text] : buttons) {
-    auto* button = with_role(action_button(action, text, foot), "compact");
-    button->setAccessibleName(action->iconText());
-    connect(action, &QAction::changed, button,
-            [button, at = action] { button->setEnabled(at->isEnabled()); });
-    rows->addWidget(button);
-    buttons_.append(button);
-  }
-  fit_buttons();
-  make_scrolling(words, content);
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, kMargin);
-  whole->addWidget(words, 1);
-  // The note is directly above the button that undoes it.
-  for (auto* one : std::initializer_list<QWidget*>{note_, foot}) {
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(kMargin, 0, kMargin, 0);
-    row->addWidget(one);
-    whole->addLayout(row);
-  }
-}
-
-void SessionPanel::fit_buttons() {
-  // The panel does not grow with the text: beyond this size the buttons keep a little behind.
-  constexpr int kUsual_pt = 20;
-  constexpr double kSmaller = 0.85;
-  QFont own = QApplication::font();
-  if (own.pointSize() > kUsual_pt) own.setPointSizeF(own.pointSize() * kSmaller);
-  for (auto* button : buttons_) button->setFont(own);
-}
-
-void SessionPanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) fit_buttons();
+  hide();
 }
 
 QString SessionPanel::why() const {
@@ -125,19 +67,6 @@ QString SessionPanel::hard_strokes() const {
   return lines.join(QLatin1Char('\n'));
 }
 
-QString SessionPanel::help_used() const {
-  if (session_.state() != practice::StudySession::State::judged || session_.is_away()) return {};
-  const auto& result = session_.result();
-  if (!result.accepted) return {};
-  QStringList used;
-  if (result.shown_strokes > 0) used.append(tr("%n strokes shown", nullptr, result.shown_strokes));
-  if (result.hints > 0) used.append(tr("%n hints", nullptr, result.hints));
-  if (result.misses > 0) used.append(tr("%n mistakes", nullptr, result.misses));
-  if (used.isEmpty()) return {};
-  return tr("Suggested: “%1” (%2).")
-      .arg(StudyWords::rating(session_.proposed()), used.join(QStringLiteral(", ")));
-}
-
 void SessionPanel::show_ink() {
   std::vector<InkGallery::Piece> pieces;
   if (session_.state() == practice::StudySession::State::judged && !session_.is_away()) {
@@ -154,25 +83,13 @@ void SessionPanel::show_ink() {
 
 void SessionPanel::show_state(const std::shared_ptr<const practice::CharacterSheet>& sheet) {
   sheet_ = sheet;
+  setVisible(session_.is_running() && !session_.is_away());
   if (!session_.is_running()) return;
   QFont large = font();
   large.setWeight(QFont::DemiBold);
   kind_->setFont(large);
   kind_->setText(why());
-  QStringList steps;
-  for (const auto stage : study::kStages) {
-    const bool here = stage == session_.stage();
-    const QString step = here ? QStringLiteral("▸") + StudyWords::stage(stage) : StudyWords::stage(stage);
-    steps.append(step);
-  }
-  steps_->setText(steps.join(QStringLiteral("  ")));
   history_->setText(history());
-  const QString help = help_used();
-  help_->setText(help);
-  help_->setVisible(!help.isEmpty());
-  const QString note = SessionWords::sentence(session_.last_event());
-  note_->setText(note);
-  note_->setVisible(!note.isEmpty());
   const bool secret = session_.asks_from_memory();
   const QString hard = secret ? QString() : hard_strokes();
   mistakes_->setText(hard);

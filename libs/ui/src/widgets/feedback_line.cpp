@@ -16,6 +16,8 @@ namespace nazori::ui {
 namespace {
 
 constexpr int kRoomForTwo_em = 32;
+constexpr int kMargin_px = 9;
+constexpr double kCompact = 0.72;
 
 }  // namespace
 
@@ -28,7 +30,7 @@ FeedbackLine::FeedbackLine(QWidget* parent)
   setAccessibleName(tr("Feedback"));
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 9, 16, 9);
+  row->setContentsMargins(16, kMargin_px, 16, kMargin_px);
   row->setSpacing(10);
   row->addWidget(sign_, 0, Qt::AlignVCenter);
   row->addWidget(text_, 1);
@@ -76,7 +78,18 @@ void FeedbackLine::resizeEvent(QResizeEvent* event) {
   fit();
 }
 
+void FeedbackLine::set_compact(bool is_compact) {
+  if (is_compact == is_compact_) return;
+  is_compact_ = is_compact;
+  fit();
+}
+
 void FeedbackLine::fit() {
+  QFont own = font();
+  if (is_compact_) own.setPointSizeF(own.pointSizeF() * kCompact);
+  if (text_->font() != own) text_->setFont(own);
+  const int margin = is_compact_ ? kMargin_px / 3 : kMargin_px;
+  layout()->setContentsMargins(16, margin, 16, margin);
   // Always reserves two lines, so that the tablet above does not move under the pen. In a low window with
   // large text that space is needed elsewhere.
   const bool roomy = window()->height() >= kRoomForTwo_em * QFontInfo(font()).pixelSize();

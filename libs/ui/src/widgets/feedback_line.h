@@ -21,6 +21,8 @@ class FeedbackLine final : public QFrame {
   void respond(Feedback kind, const QString& sentence);
   /// Only spoken: the line keeps its sentence.
   void speak_unseen(const QString& sentence);
+  /// Writes in smaller letters and closer to its neighbours, where the tablet needs the room.
+  void set_compact(bool is_compact);
   /// How many sentences were given to the screen reader.
   [[nodiscard]] int times_spoken() const { return times_spoken_; }
   [[nodiscard]] QString sentence() const;
@@ -39,6 +41,7 @@ class FeedbackLine final : public QFrame {
   QLabel* text_;
   SpokenLine* spoken_;
   int times_spoken_ = 0;
+  bool is_compact_ = false;
   Feedback kind_ = Feedback::hint;
 };
 

@@ -58,7 +58,7 @@ void Panes::set_panels(QWidget* left, QWidget* right) {
   put(right, right_panel_, right_);
   left_panel_ = left;
   right_panel_ = right;
-  show_panels(!drawers_ && left_wanted_, !drawers_ && right_wanted_);
+  show_wanted();
 }
 
 QWidget* Panes::shown_left() const { return left_->isVisibleTo(this) ? left_panel_ : nullptr; }
@@ -68,27 +68,37 @@ QWidget* Panes::shown_right() const { return right_->isVisibleTo(this) ? right_p
 void Panes::set_open(bool left, bool right) {
   left_wanted_ = left;
   right_wanted_ = right;
-  if (!drawers_) show_panels(left, right);
+  if (!drawers_) show_wanted();
 }
 
 void Panes::open_left(bool open) {
-  if (!drawers_) left_wanted_ = open;
+  if (!drawers_ && !left_folded_) left_wanted_ = open;
   show_panels(open, right_->isVisibleTo(this) && !(drawers_ && open));
 }
 
 void Panes::open_right(bool open) {
-  if (!drawers_) right_wanted_ = open;
+  if (!drawers_ && !right_folded_) right_wanted_ = open;
   show_panels(left_->isVisibleTo(this) && !(drawers_ && open), open);
 }
 
 void Panes::close_drawers() {
-  if (drawers_) show_panels(false, false);
+  if (drawers_ || left_folded_ || right_folded_) show_wanted();
 }
 
 void Panes::set_alone(bool alone) {
   alone_ = alone;
-  const bool both = !drawers_;
-  show_panels(both && left_wanted_, both && right_wanted_);
+  show_wanted();
+}
+
+void Panes::fold(bool left, bool right) {
+  if (left == left_folded_ && right == right_folded_) return;
+  left_folded_ = left;
+  right_folded_ = right;
+  show_wanted();
+}
+
+void Panes::show_wanted() {
+  show_panels(!drawers_ && left_wanted_ && !left_folded_, !drawers_ && right_wanted_ && !right_folded_);
 }
 
 void Panes::show_panels(bool left, bool right) {
@@ -104,7 +114,7 @@ void Panes::fit(int window_width, int text_pt) {
   const bool drawers = window_width < kDrawers_px;
   if (drawers != drawers_) {
     drawers_ = drawers;
-    show_panels(!drawers && left_wanted_, !drawers && right_wanted_);
+    show_wanted();
   }
   // Larger text may have wider panels, but never more than half of the window together.
   const int larger = std::max(text_pt - 12, 0);

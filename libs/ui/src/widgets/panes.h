@@ -35,6 +35,9 @@ class Panes final : public QSplitter {
   [[nodiscard]] bool right_wanted() const { return right_wanted_; }
   /// Shows only the tablet.
   void set_alone(bool alone);
+  /// Folds panels away for as long as the page needs their room; afterwards they are as they were. The
+  /// learner can still open a folded one for a moment.
+  void fold(bool left, bool right);
 
   /// The panels change sides, for learners who write with the left hand.
   void set_mirrored(bool mirrored);
@@ -55,6 +58,8 @@ class Panes final : public QSplitter {
 
  private:
   void show_panels(bool left, bool right);
+  /// Shows the panels that the learner wants and that have room.
+  void show_wanted();
 
   QWidget* left_;  ///< holds the panels of all pages, one of them shown
   QWidget* right_;
@@ -64,6 +69,8 @@ class Panes final : public QSplitter {
   int right_wish_ = QWIDGETSIZE_MAX;
   bool drawers_ = false;
   bool alone_ = false;
+  bool left_folded_ = false;
+  bool right_folded_ = false;
   bool mirrored_ = false;
   bool left_wanted_ = true;
   bool right_wanted_ = true;

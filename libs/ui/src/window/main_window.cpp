@@ -15,7 +15,6 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <initializer_list>
 
 #include "learners/learner_actions.h"
 #include "learners/learner_menu.h"
@@ -197,7 +196,7 @@ void MainWindow::Inside::build(const Setup& setup) {
     if (auto* bar = page.above_tablet()) column->insertWidget(0, bar);
     if (auto* bar = page.under_tablet()) {
       bar->hide();
-      column->insertWidget(column->indexOf(feedback), bar);
+      column->addWidget(bar);
     }
     if (auto* replacement = page.instead_of_tablet()) {
       auto* holder = new QWidget(stage);
@@ -216,6 +215,9 @@ void MainWindow::Inside::build(const Setup& setup) {
     QObject::connect(&page, &Page::title_changed, &window, [this] { show_title(); });
     QObject::connect(&page, &Page::tools_changed, &window, [this, &page] {
       if (current == &page) tool_bar->enter(page);
+    });
+    QObject::connect(&page, &Page::room_changed, &window, [this, &page] {
+      if (current == &page) show_room();
     });
   }
   rail = new PageRail(actions->pages(), &window);
@@ -260,7 +262,12 @@ void MainWindow::Inside::enter(Page& page) {
   auto* replacement = page.instead_of_tablet();
   auto* holder = replacement != nullptr ? replacement->parentWidget() : panes;
   auto* words_under = replacement != nullptr ? holder : panes->widget(1);
-  if (feedback->parentWidget() != words_under) words_under->layout()->addWidget(feedback);
+  if (feedback->parentWidget() != words_under) {
+    auto* column = static_cast<QVBoxLayout*>(words_under->layout());
+    // Under the tablet, above what the page has there.
+    auto* tablet = replacement != nullptr ? replacement : tablet_container->parentWidget();
+    column->insertWidget(column->indexOf(tablet) + 1, feedback);
+  }
   feedback->announce(Feedback::hint, {});
   if (replacement == nullptr) panes->set_panels(page.left().widget, page.right().widget);
   stage->setCurrentWidget(holder);
@@ -275,6 +282,7 @@ void MainWindow::Inside::enter(Page& page) {
     }
   }
   page.enter();
+  show_room();
   show_title();
   focus_tablet();
   parts.preferences().page = page.id();
@@ -325,16 +333,7 @@ void MainWindow::Inside::fit() {
   // The tablet has half of the window, with or without the rail.
   const int taken = rail->isVisibleTo(&window) ? 2 * rail->sizeHint().width() : 0;
   panes->fit(window.width() - taken, parts.preferences().text_pt);
-}
-
-void MainWindow::Inside::set_full_screen(bool on) {
-  actions->full_screen->setChecked(on);
-  for (QWidget* widget : std::initializer_list<QWidget*>{window.menuBar(), tool_bar, status})
-    widget->setVisible(!on);
-  rail->setVisible(!on && pages.size() > 1);
-  panes->set_alone(on);
-  window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
-                           : window.windowState() & ~Qt::WindowFullScreen);
+  if (current != nullptr) show_room();
 }
 
 void MainWindow::Inside::focus_tablet() {

@@ -39,6 +39,8 @@ struct MainWindow::Inside {
   void apply_appearance();
   void refresh_appearance();
   void fit();
+  /// Folds away what the page needs no room for.
+  void show_room();
   void set_text_size(int text_pt);
   void set_language(const QString& language);
   void record(bool on);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QDateTime>
 #include <QFileDialog>
+#include <QFontInfo>
+#include <QMenuBar>
 #include <algorithm>
 #include <cmath>
 
@@ -8,12 +10,14 @@
 #include "dialogs/key_list_dialog.h"
 #include "events/signals.h"
 #include "look/appearance.h"
+#include "nazori/practice/session_question.h"
 #include "tablet/tablet_window.h"
 #include "widgets/feedback_line.h"
 #include "widgets/panes.h"
 #include "widgets/status_line.h"
 #include "window/actions.h"
 #include "window/main_window_inside.h"
+#include "window/page_rail.h"
 #include "window/tool_bar.h"
 #include "words/error_text.h"
 #include "words/kanji_text.h"
@@ -27,6 +31,7 @@ QString names(const std::vector<std::filesystem::path>& files) {
   return list.join(QStringLiteral(", "));
 }
 
+constexpr int kLargeText_pt = 20;
 constexpr double kTurnStep_px = 40;
 constexpr double kMoveStep_px = 60;
 constexpr double kZoomStep = 1.25;
@@ -168,6 +173,29 @@ void MainWindow::Inside::refresh_appearance() {
   if (tablet_window == nullptr) return;
   tablet_window->set_theme(appearance.is_dark() ? view::Theme::dark : view::Theme::light);
   tablet_window->set_text_size(parts.preferences().text_pt);
+}
+
+void MainWindow::Inside::show_room() {
+  const auto folded = current->folded();
+  panes->fold(folded.list, folded.information);
+  const bool full = actions->full_screen->isChecked();
+  tool_bar->setVisible(!full && !folded.list);
+  // The tablet comes before the figures of the device, not before the sign of a recording.
+  status->setVisible(!full && (!folded.list || parts.recording().is_on()));
+  const double height_em = static_cast<double>(window.height()) / QFontInfo(window.font()).pixelSize();
+  const bool is_low = practice::room_for_question(height_em) == practice::QuestionRoom::line;
+  const bool is_tight = folded.list && is_low;
+  feedback->set_compact(is_tight && window.font().pointSizeF() > kLargeText_pt);
+}
+
+void MainWindow::Inside::set_full_screen(bool on) {
+  actions->full_screen->setChecked(on);
+  window.menuBar()->setVisible(!on);
+  show_room();
+  rail->setVisible(!on && pages.size() > 1);
+  panes->set_alone(on);
+  window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
+                           : window.windowState() & ~Qt::WindowFullScreen);
 }
 
 void MainWindow::Inside::connect_recording() {

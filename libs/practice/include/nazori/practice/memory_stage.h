@@ -84,6 +84,14 @@ class MemoryStage final : public PracticeStage {
 
   /// Lays the model over the writing.
   void set_model_over(bool on);
+  /// Whether the writing was judged and something in it could be better.
+  [[nodiscard]] bool can_show_right() const;
+  /// Draws the right strokes over the writing; again from the beginning each time. @param moves  false: they
+  /// are there at once.
+  void show_right(bool moves);
+  /// Whether they are still being drawn: advance_right() then draws on.
+  [[nodiscard]] bool is_showing_right() const { return correction_.is_moving(); }
+  void advance_right(double passed_s);
   /// Shows the writing as it was at a moment after its beginning [s]; nothing: all of it.
   void show_moment(std::optional<double> time_s);
 
@@ -131,6 +139,7 @@ class MemoryStage final : public PracticeStage {
   Options options_;
   WritingAttempt attempt_;
   WritingAttempt::Look look_;
+  Correction correction_;
   State state_ = State::writing;
   char32_t character_ = 0;  ///< that is being written
   std::optional<Aside> aside_;

@@ -25,9 +25,10 @@ struct ModelFit {
 [[nodiscard]] ModelFit fit_model(const std::vector<HandStroke>& written, const writing::Grade& grade,
                                  std::span<const haptics::StrokePath> model);
 
-/// A stroke of the model as a line drawn over the writing. @param opacity 0..1
+/// A stroke of the model as a line drawn over the writing. @param opacity 0..1. @param share  0..1 of its
+/// length that is drawn, from its start.
 [[nodiscard]] view::InkedStroke model_line(const haptics::StrokePath& stroke, const ModelFit& fit,
-                                           double opacity);
+                                           double opacity, double share = 1);
 
 /// The colour and sign of each written stroke: `wrong` for a mistake, `nearly` for advice or an accepted
 /// deviation.

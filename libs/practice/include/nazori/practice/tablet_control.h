@@ -98,6 +98,9 @@ class TabletControl {
   void set_arrows_visible(bool on);
   void set_snapping(bool on);
   void set_style(view::Style style);
+  [[nodiscard]] view::WritingCross cross() const { return cross_; }
+  /// Shows thin lines on the tablet, whatever stage is practised.
+  void set_cross(view::WritingCross cross);
 
   void set_guides(const std::optional<TabletGuides>& guides);
   /// Whether the active device can lead the hand.
@@ -191,6 +194,7 @@ class TabletControl {
   bool arrows_visible_ = true;
   bool snapping_ = false;
   view::Style style_ = view::Style::wood;
+  view::WritingCross cross_ = view::WritingCross::none;
   std::optional<TabletGuides> guides_;
   std::optional<Demonstration> demonstration_;
   std::vector<view::InkedStroke> writing_;

@@ -8,6 +8,7 @@
 
 #include "nazori/base/result.h"
 #include "nazori/base/signal.h"
+#include "nazori/practice/correction.h"
 #include "nazori/practice/pen_recorder.h"
 #include "nazori/practice/tablet_control.h"
 #include "nazori/practice/tablet_workshop.h"
@@ -35,6 +36,7 @@ class WritingAttempt {
         moment_s;             ///< the writing as it was so long after its beginning; nothing: all of it
     bool model_over = false;  ///< the whole model lies over the writing
     bool fits_model = true;   ///< the model is moved and sized to lie over what is written
+    std::vector<Correction::Part> correction = {};  ///< right strokes that are being drawn over the writing
   };
   /// What a hint shows.
   enum class Hint : std::uint8_t {

@@ -18,6 +18,7 @@ using State = practice::MemoryStage::State;
 
 namespace {
 
+constexpr int kFrame_ms = 16;
 constexpr std::array kGrooves{Groove::hidden, Groove::shown, Groove::appears};
 
 QAction* action_of(const CharacterActions& actions, Groove groove) {
@@ -93,6 +94,12 @@ void MemoryView::connect_comparing() {
     refresh();
     if (on) parts().announce(Feedback::hint, tr("Your writing beside the model. Space: replay both."));
   });
+  on(actions().show_right, [this] { show_right(); });
+  drawing_.setTimerType(Qt::PreciseTimer);
+  connect(&drawing_, &QTimer::timeout, this, [this] {
+    memory_.advance_right(static_cast<double>(since_.restart()) / 1000);
+    if (!memory_.is_showing_right()) drawing_.stop();
+  });
   on(actions().play, [this] { set_playing(actions().play->isChecked()); });
   connect(compare_, &CompareView::moment_shown, this,
           [this](double time_s) { memory_.show_moment(time_s < 0 ? std::nullopt : std::optional(time_s)); });
@@ -112,6 +119,12 @@ void MemoryView::connect_comparing() {
   });
 }
 
+void MemoryView::show_right() {
+  memory_.show_right(!parts().preferences().reduced_motion);
+  since_.start();
+  if (memory_.is_showing_right()) drawing_.start(kFrame_ms);
+}
+
 void MemoryView::set_playing(bool playing) {
   actions().play->setChecked(playing);
   compare_->set_playing(playing);
@@ -121,13 +134,21 @@ QList<QAction*> MemoryView::own_actions() const {
   const auto& a = actions();
   return {a.undo_stroke,   a.clear_ink,    a.done,           a.hint,           a.give_up,     a.judge_each,
           a.groove_hidden, a.groove_shown, a.groove_appears, a.more_lenient,   a.more_strict, a.lenient,
-          a.normal,        a.strict,       a.compare_over,   a.compare_beside, a.play};
+          a.normal,        a.strict,       a.compare_over,   a.compare_beside, a.show_right,  a.play};
 }
 
 QList<Tool> MemoryView::tools() const {
-  return {{actions().undo_stroke},    {actions().clear_ink},  {}, {actions().hint, true},
-          {actions().give_up},        {actions().done, true}, {}, {actions().compare_over},
-          {actions().compare_beside}, {actions().play}};
+  return {{actions().undo_stroke},
+          {actions().clear_ink},
+          {},
+          {actions().hint, true},
+          {actions().give_up},
+          {actions().done, true},
+          {},
+          {actions().show_right},
+          {actions().compare_over},
+          {actions().compare_beside},
+          {actions().play}};
 }
 
 void MemoryView::load(const base::Settings& settings) {
@@ -157,6 +178,7 @@ void MemoryView::refresh() {
   actions().compare_over->setEnabled(is_entered() && any);
   actions().compare_beside->setEnabled(is_entered() && any);
   actions().play->setEnabled(is_entered() && any);
+  actions().show_right->setEnabled(memory_.can_show_right());
   panel_->setVisible(is_entered());
 }
 

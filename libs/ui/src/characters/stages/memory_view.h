@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
+#include <QTimer>
+
 #include "characters/stage_view.h"
 #include "nazori/practice/memory_stage.h"
 
@@ -34,10 +37,13 @@ class MemoryView final : public StageView {
   void connect_comparing();
   void set_strictness(double strictness);
   void set_playing(bool playing);
+  void show_right();
 
   practice::MemoryStage& memory_;
   WritingPanel* panel_;
   CompareView* compare_;
+  QTimer drawing_;  ///< while the right strokes are being drawn
+  QElapsedTimer since_;
 };
 
 }  // namespace nazori::ui

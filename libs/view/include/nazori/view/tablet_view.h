@@ -29,6 +29,13 @@ enum class Style : std::uint8_t {
 /// Colours that depend on the desktop's theme.
 enum class Theme : std::uint8_t { light, dark };
 
+/// Thin dashed lines on the face of the tablet, as on practice paper.
+enum class WritingCross : std::uint8_t {
+  none,
+  halves,    ///< 十: a line down and a line across the middle
+  quarters,  ///< 田: the same within a square
+};
+
 /// The stylus as drawn.
 struct Cursor {
   glm::dvec3 proxy_m{0};
@@ -59,6 +66,7 @@ struct Overlay {
   std::span<const double> groove_ink;
   /// Flat ink on the tablet's face, drawn in this order: the learner's own writing, and models over it.
   std::span<const InkedStroke> writing;
+  WritingCross cross = WritingCross::none;
   std::optional<Cursor> cursor;
   /// Size of interface text relative to 12 pt: numbers, arrowheads and lines grow with it. 0.5..4.
   double text_scale = 1;
