@@ -71,6 +71,23 @@ TEST_F(Outlook, StepsOfTodayComeBeforeTheLimitThatIsReached) {
   EXPECT_EQ(outlook_of(learner_->store(), plan), (DayOutlook{Kind::later_today, 2, clock_.calendar()}));
 }
 
+TEST_F(Outlook, TheDayIsGreetedByTheLearnersClock) {
+  const auto at = [this](const char* zone, const char* now) {
+    clock_.set_calendar(*study::parse_time(now));
+    auto settings = learner_->store().settings();
+    settings.time_zone = zone;
+    EXPECT_TRUE(learner_->store().change_settings(settings));
+    return part_of_day(learner_->store());
+  };
+  EXPECT_EQ(at("UTC", "2026-03-02T04:00Z"), PartOfDay::morning);
+  EXPECT_EQ(at("UTC", "2026-03-02T11:59Z"), PartOfDay::morning);
+  EXPECT_EQ(at("UTC", "2026-03-02T12:00Z"), PartOfDay::afternoon);
+  EXPECT_EQ(at("UTC", "2026-03-02T17:59Z"), PartOfDay::afternoon);
+  EXPECT_EQ(at("UTC", "2026-03-02T18:00Z"), PartOfDay::evening);
+  EXPECT_EQ(at("UTC", "2026-03-03T03:59Z"), PartOfDay::evening) << "the study day is not over";
+  EXPECT_EQ(at("Asia/Tokyo", "2026-03-02T03:00Z"), PartOfDay::afternoon) << "noon in Tokyo";
+}
+
 TEST_F(Outlook, DaysInARowAreCountedUpToToday) {
   EXPECT_EQ(streak_now(learner_->store()).days, 0);
   for (int day = 1; day <= 3; ++day) {
