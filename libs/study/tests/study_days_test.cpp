@@ -203,7 +203,7 @@ TEST(StudyDays, OfAFileOfVersionOneAreWorkedOut) {
   }
   // Reading leaves the file as it is.
   const std::string before = test::bytes_of(file);
-  const StudyDay only{*parse_day("2026-01-01"), 1, 1};
+  const StudyDay only{*parse_day("2026-01-01"), 1, 1, 1};
   EXPECT_THAT(must(must(LearnerStore::open(file, Access::read)).study_days()), ElementsAre(only));
   EXPECT_EQ(test::bytes_of(file), before);
   EXPECT_THAT(must(must(LearnerStore::open(file, Access::write)).study_days()), ElementsAre(only));
