@@ -289,11 +289,13 @@ TEST_F(HomeViewTest, EachListThatIsBeingLearnedHasABarWithItsNumbers) {
   EXPECT_EQ(bars[0]->findChild<QLabel*>(QStringLiteral("milestone_name"))->text(),
             QStringLiteral("My list: few"));
   EXPECT_EQ(bars[0]->findChild<QLabel*>(QStringLiteral("milestone_reached"))->text(),
-            QStringLiteral("1 of 4 · done in about 3 days"));
+            QStringLiteral("1 of 4"));
+  EXPECT_EQ(bars[0]->findChild<QLabel*>(QStringLiteral("milestone_done"))->text(),
+            QStringLiteral("Done in about 3 days at this pace."));
   EXPECT_EQ(bars[0]->findChild<QProgressBar*>()->maximum(), 4);
   EXPECT_EQ(bars[0]->findChild<QProgressBar*>()->value(), 1);
   EXPECT_EQ(bars[1]->findChild<QProgressBar*>()->accessibleName(), QStringLiteral("All school kanji"));
-  EXPECT_EQ(bars[1]->findChild<QProgressBar*>()->accessibleDescription(), QStringLiteral("1 of 2,136"));
+  EXPECT_EQ(bars[1]->findChild<QProgressBar*>()->accessibleDescription(), QStringLiteral("1 of 2,136."));
 }
 
 TEST_F(HomeViewTest, WhatIsForgottenOftenIsOfferedAnotherLesson) {

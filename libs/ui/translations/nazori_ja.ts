@@ -2831,14 +2831,6 @@ Columns and rows:</source>
         <comment>learned, of all</comment>
         <translation>%2字中%1字</translation>
     </message>
-    <message>
-        <source>%1 · done</source>
-        <translation>%1・修了</translation>
-    </message>
-    <message>
-        <source>%1 · done in %2</source>
-        <translation>%1・あと%2</translation>
-    </message>
     <message numerus="yes">
         <source>about %n days</source>
         <translation>
@@ -2918,6 +2910,14 @@ Columns and rows:</source>
     <message>
         <source>You first watch each new character, then trace it, then write it with less and less help, and finally from memory. It comes back just before you would forget it.</source>
         <translation>新しい字は、まず見て、次になぞり、ガイドを減らしながら書き、最後は見ないで書きます。忘れそうになる少し前にまた出てきます。</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>修了しました。</translation>
+    </message>
+    <message>
+        <source>Done in %1 at this pace.</source>
+        <translation>このペースならあと%1です。</translation>
     </message>
 </context>
 <context>

@@ -208,26 +208,31 @@ MilestoneBar::MilestoneBar(QWidget* parent)
     : QWidget(parent),
       name_(text_label("milestone_name", this)),
       reached_(text_label("milestone_reached", this, "muted")),
-      bar_(named(new QProgressBar(this), "milestone_bar")) {
+      bar_(named(new QProgressBar(this), "milestone_bar")),
+      done_(text_label("milestone_done", this, "muted")) {
   reached_->setAlignment(Qt::AlignRight);
   bar_->setTextVisible(false);
   bar_->setFixedHeight(8);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
+  grid->setVerticalSpacing(4);
   grid->addWidget(name_, 0, 0);
   grid->addWidget(reached_, 0, 1);
   grid->addWidget(bar_, 1, 0, 1, 2);
-  grid->setColumnStretch(0, 2);
-  grid->setColumnStretch(1, 3);
+  grid->addWidget(done_, 2, 0, 1, 2);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
 }
 
 void MilestoneBar::show_milestone(const practice::Milestone& milestone) {
   name_->setText(HomeWords::list(milestone));
-  reached_->setText(HomeWords::reached(milestone));
+  reached_->setText(HomeWords::count(milestone));
+  done_->setText(HomeWords::done(milestone));
+  done_->setVisible(!done_->text().isEmpty());
   bar_->setRange(0, std::max(1, milestone.size));
   bar_->setValue(milestone.learned);
   bar_->setAccessibleName(name_->text());
-  bar_->setAccessibleDescription(reached_->text());
+  bar_->setAccessibleDescription(QStringLiteral("%1. %2").arg(reached_->text(), done_->text()).trimmed());
 }
 
 }  // namespace nazori::ui

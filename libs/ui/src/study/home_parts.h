@@ -87,7 +87,7 @@ class InkRow final : public QWidget {
   bool all_ = false;
 };
 
-/// A name, how far it is in words, and a bar below them.
+/// A list with how many of its characters are learned, a bar below them, and when it is done.
 class MilestoneBar final : public QWidget {
   Q_OBJECT
  public:
@@ -98,6 +98,7 @@ class MilestoneBar final : public QWidget {
   QLabel* name_;
   QLabel* reached_;
   QProgressBar* bar_;
+  QLabel* done_;
 };
 
 }  // namespace nazori::ui

@@ -123,11 +123,12 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
   right_ = column_of({new_title_, new_.box, ink_title_, ink_card_, care_title_, care_card_}, content_);
   header_ = new QGridLayout;
   header_->setHorizontalSpacing(kGap);
+  header_->setVerticalSpacing(kGap / 4);
   grid_ = new QGridLayout;
   grid_->setHorizontalSpacing(2 * kGap);
   grid_->setVerticalSpacing(kGap);
   auto* column = new QVBoxLayout(content_);
-  column->setSpacing(2 * kGap);
+  column->setSpacing(kGap * 4 / 3);
   column->addLayout(header_);
   column->addLayout(grid_);
   column->addStretch(1);
@@ -350,17 +351,17 @@ void HomeView::fit() {
   greeting_->setFont(large);
   const int room = std::min(viewport()->width() - 2 * kMargin, em * kWidest_em);
   const int beside = std::max(kMargin, (viewport()->width() - room) / 2);
-  content_->layout()->setContentsMargins(beside, 2 * kMargin, beside, kMargin);
+  content_->layout()->setContentsMargins(beside, kMargin, beside, kMargin);
   const bool two = room >= em * kTwoColumns_em;
   header_->addWidget(greeting_, 0, 0);
   header_->addWidget(day_, two ? 0 : 1, two ? 1 : 0);
   day_->setAlignment(two ? Qt::AlignRight | Qt::AlignBottom : Qt::AlignLeft);
   grid_->addWidget(left_, 0, 0);
   grid_->addWidget(right_, two ? 0 : 1, two ? 1 : 0);
-  grid_->setColumnStretch(0, 2);
-  grid_->setColumnStretch(1, two ? 3 : 0);
-  header_->setColumnStretch(0, 2);
-  header_->setColumnStretch(1, two ? 3 : 0);
+  grid_->setColumnStretch(0, 3);
+  grid_->setColumnStretch(1, two ? 4 : 0);
+  header_->setColumnStretch(0, 3);
+  header_->setColumnStretch(1, two ? 4 : 0);
 }
 
 void HomeView::changeEvent(QEvent* event) {

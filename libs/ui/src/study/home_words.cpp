@@ -62,11 +62,10 @@ QString HomeWords::count(const practice::Milestone& milestone) {
       .arg(locale.toString(milestone.learned), locale.toString(milestone.size));
 }
 
-QString HomeWords::reached(const practice::Milestone& milestone) {
-  const QString learned = count(milestone);
-  if (milestone.size > 0 && milestone.learned == milestone.size) return tr("%1 · done").arg(learned);
-  if (!milestone.days_left) return learned;
-  return tr("%1 · done in %2").arg(learned, about_days(*milestone.days_left));
+QString HomeWords::done(const practice::Milestone& milestone) {
+  if (milestone.size > 0 && milestone.learned == milestone.size) return tr("Done.");
+  return milestone.days_left ? tr("Done in %1 at this pace.").arg(about_days(*milestone.days_left))
+                             : QString();
 }
 
 QString HomeWords::about_days(int days) {

@@ -28,8 +28,8 @@ class HomeWords {
   [[nodiscard]] static QString list(const practice::Milestone& milestone);
   /// "180 of 200".
   [[nodiscard]] static QString count(const practice::Milestone& milestone);
-  /// "180 of 200 · done in about 2 weeks".
-  [[nodiscard]] static QString reached(const practice::Milestone& milestone);
+  /// "Done in about 2 weeks at this pace.", "Done."; empty where nothing is foretold.
+  [[nodiscard]] static QString done(const practice::Milestone& milestone);
   /// "about 2 weeks", "about 4 years".
   [[nodiscard]] static QString about_days(int days);
   /// "14 written, 12 right".
