@@ -275,8 +275,8 @@ TEST_F(ProgressTest, TheCalendarIsWalkedByKeysAndSpoken) {
   press(Qt::Key_Home);
   EXPECT_EQ(year->accessibleDescription(), QStringLiteral("1 Jan 2026: no study"));
   year->set_day(59);
-  EXPECT_EQ(year->accessibleDescription(), QStringLiteral("1 Mar 2026: from memory 3, new 3, 1 min"));
-  EXPECT_EQ(text("calendar_reading"), year->accessibleDescription());
+  EXPECT_EQ(year->accessibleDescription(), QStringLiteral("1 Mar 2026: from memory 6, new 3, 1 min"));
+  EXPECT_EQ(text("calendar_here"), year->accessibleDescription());
   EXPECT_EQ(year->toolTip(), year->accessibleDescription());
   press(Qt::Key_PageUp);
   EXPECT_EQ(year->calendar().year, 2026) << "nothing was studied before";

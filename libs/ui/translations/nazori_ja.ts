@@ -4137,10 +4137,6 @@ Columns and rows:</source>
         <translation>これらを練習する（%1）</translation>
     </message>
     <message>
-        <source>More: what comes, recall, time, speed and smoothness of the pen</source>
-        <translation>さらに詳しく：これからの復習、思い出せた割合、時間、ペンの速さとなめらかさ</translation>
-    </message>
-    <message>
         <source>Less: hide the charts</source>
         <translation>グラフを隠す</translation>
     </message>

@@ -33,7 +33,7 @@ CalendarCard::CalendarCard(QWidget* drawing, QWidget* parent)
   later_->setText(QStringLiteral("▶"));
   later_->setToolTip(tr("Later year (Page Down)"));
   name_->setWordWrap(false);
-  auto* here = text_label("calendar_reading", drawing, "muted");
+  auto* here = text_label("calendar_here", drawing, "muted");
   auto* years = new QHBoxLayout;
   years->addWidget(earlier_);
   years->addWidget(name_);

@@ -48,18 +48,18 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
       trouble_(text_label("progress_trouble", this)),
       title_(text_label("progress_title", content_)),
       way_(text_label("progress_way", content_, "muted")),
-      figures_(text_label("progress_figures", content_)),
-      practise_(with_role(named(new QPushButton(content_), "progress_practise_button"), "link")),
-      more_(with_role(named(new QPushButton(content_), "progress_more_button"), "link")),
-      more_box_(named(new QWidget(content_), "progress_more_box")),
-      time_(named(new QComboBox(more_box_), "progress_time", tr("Period shown"))),
       work_(named(new QProgressBar(content_), "progress_work", tr("Calculating statistics"))),
-      first_grid_(new QGridLayout),
-      grid_(new QGridLayout),
-      charts_(chart_cards(more_box_)),
       calendar_(new CalendarCard(content_)),
       characters_(new CharactersCard(content_)),
       hard_strokes_(new HardStrokesCard(content_)),
+      practise_(with_role(named(new QPushButton(content_), "progress_practise_button"), "link")),
+      more_(with_role(named(new QPushButton(content_), "progress_more_button"), "link")),
+      more_box_(named(new QWidget(content_), "progress_more_box")),
+      figures_(text_label("progress_figures", more_box_)),
+      time_(named(new QComboBox(more_box_), "progress_time", tr("Period shown"))),
+      first_grid_(new QGridLayout),
+      grid_(new QGridLayout),
+      charts_(chart_cards(more_box_)),
       cards_(QList<ChartCard*>{calendar_, characters_, hard_strokes_} + charts_),
       at_hand_(cards_.front()) {
   setObjectName(QStringLiteral("progress_page"));
@@ -185,8 +185,7 @@ void ProgressView::set_shows_more(bool more) {
   const bool changes = more != shows_more();
   if (!more && at_hand_ != nullptr && more_box_->isAncestorOf(at_hand_)) at_hand_ = cards_.front();
   more_box_->setVisible(more);
-  more_->setText((more ? QStringLiteral("▾ ") : QStringLiteral("▸ ")) +
-                 tr("More: what comes, recall, time, speed and smoothness of the pen"));
+  more_->setText((more ? QStringLiteral("▾ ") : QStringLiteral("▸ ")) + tr("More charts and figures"));
   more_->setAccessibleName(more ? tr("Less: hide the charts") : tr("More charts and figures"));
   more_->setToolTip(tr("Show or hide the charts (M)"));
   if (changes) emit more_changed(more);
@@ -355,7 +354,6 @@ void ProgressView::arrange() {
   for (int i = 0; i < charts_.size(); ++i) grid_->addWidget(charts_[i], i / columns, i % columns);
   for (auto* grid : {first_grid_, grid_})
     for (int i = 0; i < 2; ++i) grid->setColumnStretch(i, i < columns ? 1 : 0);
-  for (int i = 1; i < cards_.size(); ++i) QWidget::setTabOrder(cards_[i - 1], cards_[i]);
 }
 
 }  // namespace nazori::ui

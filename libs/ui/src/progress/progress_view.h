@@ -86,17 +86,19 @@ class ProgressView final : public QWidget {
   QScrollArea* scroll_;
   QWidget* content_;
   QLabel* trouble_;
-  QLabel *title_, *way_, *figures_;
-  QPushButton *practise_, *more_;
-  QWidget* more_box_;
-  QComboBox* time_;
+  QLabel *title_, *way_;
   QProgressBar* work_;
-  QGridLayout *first_grid_, *grid_;
-  /// Those of practice::chart_kinds(), in its order.
-  QList<ChartCard*> charts_;
+  // In this order the Tab key goes through them.
   CalendarCard* calendar_;
   CharactersCard* characters_;
   HardStrokesCard* hard_strokes_;
+  QPushButton *practise_, *more_;
+  QWidget* more_box_;
+  QLabel* figures_;
+  QComboBox* time_;
+  QGridLayout *first_grid_, *grid_;
+  /// Those of practice::chart_kinds(), in its order.
+  QList<ChartCard*> charts_;
   QList<ChartCard*> cards_;  ///< the others, then the charts
   ChartCard* at_hand_;
   int columns_ = 0;

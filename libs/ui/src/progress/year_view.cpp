@@ -32,7 +32,7 @@ QColor colour_of_level(practice::DayLevel level, const Colours& c) {
 
 }  // namespace
 
-YearView::YearView(QWidget* parent) : QWidget(parent) {
+YearView::YearView(QWidget* parent) : QFrame(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -196,7 +196,7 @@ void YearView::keyPressEvent(QKeyEvent* event) {
       emit year_wanted(+1);
       return;
     default:
-      QWidget::keyPressEvent(event);
+      QFrame::keyPressEvent(event);
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QWidget>
+#include <QFrame>
 
 #include "nazori/practice/year_calendar.h"
 
@@ -9,7 +9,7 @@ namespace nazori::ui {
 
 /// Paints the calendar of a year, one square a day, with the months above it and the levels below it. The
 /// pointer and the arrow keys go from day to day. Thread: interface.
-class YearView final : public QWidget {
+class YearView final : public QFrame {
   Q_OBJECT
  public:
   explicit YearView(QWidget* parent = nullptr);
