@@ -60,6 +60,14 @@ TEST_F(Outlook, WhatIsPostponedComesOnItsDay) {
   EXPECT_EQ(outlook(), (DayOutlook{Kind::reviews_tomorrow, 1, {}}));
 }
 
+TEST_F(Outlook, APostponedCharacterThatIsStillNewIsNoReviewOfTomorrow) {
+  study::Writing watched;
+  watched.stage = study::Stage::watch;
+  ASSERT_TRUE(learner_->store().add_writing(U'一', 1, watched));
+  ASSERT_TRUE(learner_->store().postpone(std::vector<char32_t>{U'一'}, learner_->store().today() + days(1)));
+  EXPECT_EQ(outlook().kind, Kind::nothing_tomorrow);
+}
+
 TEST_F(Outlook, StepsOfTodayComeBeforeTheLimitThatIsReached) {
   study::DayPlan plan;
   plan.day = learner_->store().today();

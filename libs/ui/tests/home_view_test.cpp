@@ -180,28 +180,8 @@ TEST_F(HomeViewTest, WithNothingToDoItSaysWhyAndOffersMore) {
 TEST_F(HomeViewTest, SaysHowManyReviewsTomorrowBrings) {
   learn_from({}, 0);
   write(U'一', Rating::easy);
-  const auto due = learner_->store().card(U'一').due_day;
-  ASSERT_TRUE(due);
-  now_ += *due - learner_->store().today() - days(1);
+  now_ += *learner_->store().card(U'一').due_day - learner_->store().today() - days(1);
   EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. 1 review is due tomorrow."));
-  const char32_t one = U'一';
-  ASSERT_TRUE(learner_->store().postpone(std::span(&one, 1), *due + days(1)));
-  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Nothing is due tomorrow."));
-  now_ += days(1);
-  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. 1 review is due tomorrow."))
-      << "postponed to it";
-  ASSERT_TRUE(learner_->store().pause(std::span(&one, 1)));
-  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Nothing is due tomorrow."));
-}
-
-TEST_F(HomeViewTest, APostponedCharacterThatIsStillNewIsNoReviewOfTomorrow) {
-  learn_from({U'一'}, 0);
-  study::Writing practice;
-  practice.stage = study::Stage::watch;
-  ASSERT_TRUE(learner_->store().add_writing(U'一', 1, practice));
-  const char32_t one = U'一';
-  ASSERT_TRUE(learner_->store().postpone(std::span(&one, 1), learner_->store().today() + days(1)));
-  EXPECT_EQ(text("home_advice"), QStringLiteral("Done for today. Nothing is due tomorrow."));
 }
 
 TEST_F(HomeViewTest, ReviewsBeyondTheLimitWait) {
@@ -391,22 +371,6 @@ TEST_F(HomeViewTest, NoWordIsCutOffInANarrowWindowWithTheLargestText) {
   EXPECT_EQ(clipped(740, 500), QStringList());
   now_ += days(60);
   EXPECT_EQ(clipped(740, 500), QStringList());
-}
-
-TEST_F(HomeViewTest, SpeaksJapanese) {
-  install_language(QStringLiteral("ja"));
-  HomeActions actions(&window_);
-  HomeView view(*learner_, *session_, actions);
-  learn_from({U'休', U'駅'}, 2);
-  write(U'休', Rating::again);
-  view.refresh();
-  EXPECT_EQ(view.findChild<QLabel*>(QStringLiteral("home_greeting"))->text(),
-            QStringLiteral("おはようございます"));
-  EXPECT_EQ(view.findChild<QPushButton*>(QStringLiteral("home_start"))->accessibleName(),
-            QStringLiteral("始める：新しい字1字・約3分"));
-  EXPECT_EQ(view.findChild<QLabel*>(QStringLiteral("home_written"))->text(),
-            QStringLiteral("1回書いて、0回正解"));
-  install_language(QStringLiteral("en"));
 }
 
 TEST_F(HomeViewTest, TheButtonToPressNextIsIndigoInBothThemes) {

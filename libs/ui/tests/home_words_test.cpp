@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sentences of Home, and the picture of a week.
+// The sentences of Home in both languages, and the picture of a week.
 #include "study/home_words.h"
 
 #include <QFile>
+#include <QLabel>
+#include <QPushButton>
 
 #include "look/palette.h"
 #include "session_under_test.h"
+#include "study/home.h"
+#include "study/home_view.h"
 #include "study/period_picture.h"
 #include "words/language.h"
 #include "words/trouble_words.h"
@@ -43,12 +47,37 @@ TEST(TroubleWords, EveryKindOfMistakeHasASentence) {
   EXPECT_EQ(often[2], QStringLiteral("Stroke 3 of 語 is often left out."));
 }
 
-class PeriodPictureTest : public SessionTest {
+class HomeOfALearner : public SessionTest {
  protected:
   void SetUp() override { install_language(QStringLiteral("en")); }
 };
 
-TEST_F(PeriodPictureTest, APictureOfTheWeekShowsTheInkAndIsWrittenBesideAndRenamed) {
+TEST_F(HomeOfALearner, SpeaksJapanese) {
+  ASSERT_TRUE(learner_->store().save_list({"few", {U'休', U'駅'}}));
+  auto settings = learner_->store().settings();
+  settings.new_lists = {"list:few"};
+  ASSERT_TRUE(learner_->store().change_settings(settings));
+  learner_->renew_order();
+  study::Writing writing;
+  writing.rating = study::Rating::again;
+  writing.result.accepted = false;
+  writing.result.duration = std::chrono::seconds(20);
+  ASSERT_TRUE(learner_->store().add_writing(U'休', 6, writing));
+  install_language(QStringLiteral("ja"));
+  QWidget window;
+  const HomeActions actions(&window);
+  HomeView view(*learner_, *session_, actions);
+  view.refresh();
+  EXPECT_EQ(view.findChild<QLabel*>(QStringLiteral("home_greeting"))->text(),
+            QStringLiteral("おはようございます"));
+  EXPECT_EQ(view.findChild<QPushButton*>(QStringLiteral("home_start"))->accessibleName(),
+            QStringLiteral("始める：新しい字1字・約3分"));
+  EXPECT_EQ(view.findChild<QLabel*>(QStringLiteral("home_written"))->text(),
+            QStringLiteral("1回書いて、0回正解"));
+  install_language(QStringLiteral("en"));
+}
+
+TEST_F(HomeOfALearner, APictureOfTheWeekShowsTheInkAndIsWrittenBesideAndRenamed) {
   const auto& store = learner_->store();
   const auto week = practice::week_of(store.today());
   ASSERT_TRUE(PeriodPicture::draw(store, week));
