@@ -24,11 +24,21 @@ DayOutlook outlook_of(const study::LearnerStore& learner, const study::DayPlan& 
   return {learner.settings().new_per_day > 0 ? Kind::new_tomorrow : Kind::nothing_tomorrow, 0, {}};
 }
 
+PartOfDay part_of_day(const study::LearnerStore& learner) {
+  constexpr std::chrono::hours kNoon{12};
+  constexpr std::chrono::hours kEvening{18};
+  const auto since_midnight = learner.now() - learner.calendar().begin_of(learner.today()) +
+                              std::chrono::hours(learner.settings().day_starts_at);
+  if (since_midnight < kNoon) return PartOfDay::morning;
+  return since_midnight < kEvening ? PartOfDay::afternoon : PartOfDay::evening;
+}
+
 study::Streak streak_now(const study::LearnerStore& learner) {
   std::vector<study::Day> all;
   if (const auto days = learner.study_days()) {
     all.reserve(days->size());
-    for (const study::StudyDay& day : *days) all.push_back(day.day);
+    for (const study::StudyDay& day : *days)
+      if (day.writings > 0) all.push_back(day.day);
   }
   return study::streak_of(all, learner.today());
 }

@@ -162,7 +162,7 @@ void Learner::announce_unsaved(const base::Error& error) {
 
 void Learner::announce_unread(const base::Error& error) { announced(event(Kind::unread, error)); }
 
-base::Result<study::DayPlan> Learner::plan() {
+base::Result<std::span<const char32_t>> Learner::learning_order() {
   const auto& settings = store_->settings();
   if (!order_ || ordered_by_.new_order != settings.new_order || ordered_by_.new_lists != settings.new_lists) {
     order_.reset();
@@ -172,7 +172,13 @@ base::Result<study::DayPlan> Learner::plan() {
     order_ = *std::move(order);
     ordered_by_ = settings;
   }
-  return study::plan_day(*store_, *order_);
+  return std::span<const char32_t>(*order_);
+}
+
+base::Result<study::DayPlan> Learner::plan() {
+  const auto order = learning_order();
+  if (!order) return tl::unexpected(order.error());
+  return study::plan_day(*store_, *order);
 }
 
 void Learner::renew_order() {

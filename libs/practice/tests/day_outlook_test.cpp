@@ -60,6 +60,14 @@ TEST_F(Outlook, WhatIsPostponedComesOnItsDay) {
   EXPECT_EQ(outlook(), (DayOutlook{Kind::reviews_tomorrow, 1, {}}));
 }
 
+TEST_F(Outlook, APostponedCharacterThatIsStillNewIsNoReviewOfTomorrow) {
+  study::Writing watched;
+  watched.stage = study::Stage::watch;
+  ASSERT_TRUE(learner_->store().add_writing(U'一', 1, watched));
+  ASSERT_TRUE(learner_->store().postpone(std::vector<char32_t>{U'一'}, learner_->store().today() + days(1)));
+  EXPECT_EQ(outlook().kind, Kind::nothing_tomorrow);
+}
+
 TEST_F(Outlook, StepsOfTodayComeBeforeTheLimitThatIsReached) {
   study::DayPlan plan;
   plan.day = learner_->store().today();
@@ -69,6 +77,23 @@ TEST_F(Outlook, StepsOfTodayComeBeforeTheLimitThatIsReached) {
   later.due = clock_.calendar();
   plan.later_today = {later, later};
   EXPECT_EQ(outlook_of(learner_->store(), plan), (DayOutlook{Kind::later_today, 2, clock_.calendar()}));
+}
+
+TEST_F(Outlook, TheDayIsGreetedByTheLearnersClock) {
+  const auto at = [this](const char* zone, const char* now) {
+    clock_.set_calendar(*study::parse_time(now));
+    auto settings = learner_->store().settings();
+    settings.time_zone = zone;
+    EXPECT_TRUE(learner_->store().change_settings(settings));
+    return part_of_day(learner_->store());
+  };
+  EXPECT_EQ(at("UTC", "2026-03-02T04:00Z"), PartOfDay::morning);
+  EXPECT_EQ(at("UTC", "2026-03-02T11:59Z"), PartOfDay::morning);
+  EXPECT_EQ(at("UTC", "2026-03-02T12:00Z"), PartOfDay::afternoon);
+  EXPECT_EQ(at("UTC", "2026-03-02T17:59Z"), PartOfDay::afternoon);
+  EXPECT_EQ(at("UTC", "2026-03-02T18:00Z"), PartOfDay::evening);
+  EXPECT_EQ(at("UTC", "2026-03-03T03:59Z"), PartOfDay::evening) << "the study day is not over";
+  EXPECT_EQ(at("Asia/Tokyo", "2026-03-02T03:00Z"), PartOfDay::afternoon) << "noon in Tokyo";
 }
 
 TEST_F(Outlook, DaysInARowAreCountedUpToToday) {

@@ -101,7 +101,7 @@ void rebuild_days(SQLite::Database& db) {
   std::map<char32_t, CharacterDays> all;
   SQLite::Statement log(db,
                         "SELECT character, kind, day, coalesce(stage, 0), coalesce(rating, 1), "
-                        "coalesce(duration_ms, 0) FROM log "
+                        "coalesce(duration_ms, 0), coalesce(proposed, 1) FROM log "
                         "WHERE kind IN (?, ?) AND character IS NOT NULL "
                         "AND action NOT IN (SELECT undoes FROM log WHERE undoes IS NOT NULL) ORDER BY id");
   log.bind(1, static_cast<int>(EntryKind::writing));
@@ -114,6 +114,7 @@ void rebuild_days(SQLite::Database& db) {
     entry.writing.stage = static_cast<Stage>(log.getColumn(3).getInt());
     entry.writing.rating = static_cast<Rating>(log.getColumn(4).getInt());
     entry.writing.result.duration = milliseconds(log.getColumn(5).getInt64());
+    entry.writing.proposed = static_cast<Rating>(log.getColumn(6).getInt());
     all[entry.character].take(entry);
   }
   RowWriter rows(db);
@@ -125,11 +126,12 @@ void rebuild_days(SQLite::Database& db) {
 
 base::Result<std::vector<StudyDay>> LearnerStore::study_days() const {
   return inside_->guarded([&]() -> base::Result<std::vector<StudyDay>> {
-    SQLite::Statement rows(inside_->db, "SELECT day, writings, reviews FROM study_day ORDER BY day");
+    SQLite::Statement rows(inside_->db,
+                           "SELECT day, writings, reviews, introduced FROM study_day ORDER BY day");
     std::vector<StudyDay> days;
     while (rows.executeStep()) {
-      days.push_back(
-          {day_of(rows.getColumn(0).getInt64()), rows.getColumn(1).getInt(), rows.getColumn(2).getInt()});
+      days.push_back({day_of(rows.getColumn(0).getInt64()), rows.getColumn(1).getInt(),
+                      rows.getColumn(2).getInt(), rows.getColumn(3).getInt()});
     }
     return days;
   });
@@ -144,6 +146,20 @@ base::Result<std::vector<char32_t>> LearnerStore::reviewed_on(Day day) const {
     std::vector<char32_t> characters;
     while (rows.executeStep()) characters.push_back(static_cast<char32_t>(rows.getColumn(0).getInt64()));
     return characters;
+  });
+}
+
+base::Result<std::map<char32_t, int>> LearnerStore::failed_days(Day first) const {
+  return inside_->guarded([&]() -> base::Result<std::map<char32_t, int>> {
+    SQLite::Statement rows(inside_->db,
+                           "SELECT character, count(DISTINCT day) FROM character_day WHERE day >= ? AND "
+                           "outcome = ? GROUP BY character");
+    rows.bind(1, number_of(first));
+    rows.bind(2, static_cast<int>(DayOutcome::failed));
+    std::map<char32_t, int> days;
+    while (rows.executeStep())
+      days.emplace(static_cast<char32_t>(rows.getColumn(0).getInt64()), rows.getColumn(1).getInt());
+    return days;
   });
 }
 

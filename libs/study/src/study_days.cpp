@@ -9,12 +9,14 @@ void CharacterDays::take(const LogEntry& entry) {
     return;
   }
   if (entry.kind != EntryKind::writing) return;
-  if (is_new_) {
+  const bool was_new = is_new_;
+  is_new_ = false;
+  if (is_marked_known(entry.writing)) return;
+  if (was_new) {
     days_.push_back({entry.day, DayOutcome::introduced});
-  } else if (days_.back().day != entry.day) {
+  } else if (days_.empty() || days_.back().day != entry.day) {
     days_.push_back({entry.day, std::nullopt});
   }
-  is_new_ = false;
   CharacterDay& today = days_.back();
   today.time += entry.writing.result.duration;
   ++today.writings;

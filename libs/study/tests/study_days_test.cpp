@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <functional>
 #include <map>
 #include <set>
 
@@ -73,6 +74,26 @@ TEST(CharacterDays, ACharacterThatStartsOverIsNewOnTheSameDayToo) {
                           on(2, DayOutcome::failed, 9, 1, 1)));
 }
 
+TEST(CharacterDays, ACharacterThatWasMarkedAsKnownWasNotWritten) {
+  LogEntry known = written(1, Stage::memory, Rating::easy, 0);
+  known.writing.proposed = Rating::easy;
+  ASSERT_TRUE(is_marked_known(known.writing));
+  CharacterDays days;
+  days.take(known);
+  EXPECT_TRUE(days.days().empty());
+  days.take(written(1, Stage::memory, Rating::good, 5));
+  days.take(known);
+  EXPECT_THAT(days.days(), ElementsAre(on(1, DayOutcome::recalled, 5, 1, 1))) << "nor introduced";
+  for (const auto& change : std::vector<std::function<void(Writing&)>>{
+           [](Writing& w) { w.stage = Stage::guided; }, [](Writing& w) { w.rating = Rating::good; },
+           [](Writing& w) { w.proposed = Rating::good; },
+           [](Writing& w) { w.result.duration = milliseconds(1); }}) {
+    Writing other = known.writing;
+    change(other);
+    EXPECT_FALSE(is_marked_known(other));
+  }
+}
+
 /// The sums by their definition, from the whole log.
 struct FromTheLog {
   std::map<Day, StudyDay> days;
@@ -95,9 +116,11 @@ struct FromTheLog {
     });
     EXPECT_TRUE(read);
     for (const auto& [character, history] : histories) {
-      for (const CharacterDay& day : history.days())
-        if (day.outcome && day.time.count() > 0)
-          times[*day.outcome].emplace_back(day.day, character, day.time);
+      for (const CharacterDay& day : history.days()) {
+        if (!day.outcome || day.time.count() == 0) continue;
+        times[*day.outcome].emplace_back(day.day, character, day.time);
+        if (*day.outcome == DayOutcome::introduced) ++days[day.day].introduced;
+      }
     }
     for (auto& [outcome, all] : times) {
       std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
@@ -180,7 +203,7 @@ TEST(StudyDays, OfAFileOfVersionOneAreWorkedOut) {
   }
   // Reading leaves the file as it is.
   const std::string before = test::bytes_of(file);
-  const StudyDay only{*parse_day("2026-01-01"), 1, 1};
+  const StudyDay only{*parse_day("2026-01-01"), 1, 1, 1};
   EXPECT_THAT(must(must(LearnerStore::open(file, Access::read)).study_days()), ElementsAre(only));
   EXPECT_EQ(test::bytes_of(file), before);
   EXPECT_THAT(must(must(LearnerStore::open(file, Access::write)).study_days()), ElementsAre(only));

@@ -212,7 +212,16 @@ TEST_F(ActionTables, OfHome) {
   EXPECT_EQ(table_of(actions), lines(R"(
 [Study]
 home_study Ctrl+Return
+home_reviews R
+home_more F
+home_ahead A
+home_practise P
 home_leeches_lesson Ctrl+Shift+Return
+home_choose C
+-
+*home_all_ink I
+home_week W
+home_month M
 -
 home_undo Ctrl+Shift+Z
 -
@@ -224,12 +233,16 @@ TEST_F(ActionTables, OfProgress) {
   const ProgressActions actions(&window_);
   EXPECT_EQ(table_of(actions), lines(R"(
 [Progress]
-progress_forecast 1
-progress_retention 2
-progress_activity 3
-progress_motion 4
-progress_characters 5
-progress_hard_strokes 6
+progress_calendar 1
+progress_characters 2
+progress_hard_strokes 3
+progress_forecast 4
+progress_retention 5
+progress_activity 6
+progress_motion 7
+-
+*progress_more M
+progress_practise P
 -
 progress_numbers N
 progress_copy Ctrl+C

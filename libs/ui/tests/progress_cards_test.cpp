@@ -20,6 +20,7 @@
 #include "progress/progress_view.h"
 #include "progress/strength_grid.h"
 #include "progress/study_charts.h"
+#include "progress/year_view.h"
 #include "session_under_test.h"
 #include "study/list_choice.h"
 #include "words/language.h"
@@ -215,7 +216,9 @@ TEST_F(ProgressCards, AHardStrokeIsSaidAndItsCharacterOpens) {
   auto* list = card.findChild<QListWidget*>(QStringLiteral("hard_strokes_chart"));
   ASSERT_EQ(list->count(), 2);
   EXPECT_EQ(list->item(0)->text(),
-            QStringLiteral("Stroke 3 of 休 was wrong in 4 of 9 attempts: wrong shape or position (4)"));
+            QStringLiteral("Stroke 3 had the wrong shape or position in 4 of 9 writings."));
+  EXPECT_EQ(list->item(1)->data(Qt::AccessibleTextRole).toString(),
+            QStringLiteral("人: Stroke 1 was out of order in 2 of 5 writings."));
   EXPECT_EQ(text(card, "hard_strokes_summary"),
             QStringLiteral("Strokes that were wrong more than once: 2. Enter: open the character."));
   EXPECT_EQ(list->currentRow(), 0);
@@ -298,7 +301,7 @@ TEST_F(ProgressPageTest, TheFiguresSayWhatStudyBrought) {
   EXPECT_EQ(figures()[0], QStringLiteral("Days in a row: 0, longest 12"));
   s.characters.clear();
   show(s);
-  EXPECT_TRUE(figures()[0].startsWith(QStringLiteral("Nothing studied yet.")));
+  EXPECT_TRUE(text(view_, "progress_way").startsWith(QStringLiteral("Nothing studied yet.")));
 }
 
 TEST_F(ProgressPageTest, ChartsOfTimeBeginWhereItIsChosen) {
@@ -331,7 +334,8 @@ TEST_F(ProgressPageTest, ChartsOfTimeBeginWhereItIsChosen) {
 
 TEST_F(ProgressPageTest, EveryChartIsOnItsCard) {
   show(statistics());
-  const char* const ids[] = {"forecast", "retention", "activity", "motion", "characters", "hard_strokes"};
+  const char* const ids[] = {"forecast",   "retention",    "activity", "motion",
+                             "characters", "hard_strokes", "calendar"};
   for (const char* id : ids) {
     auto* card = view_.card(QString::fromLatin1(id));
     EXPECT_EQ(card->objectName(), QString::fromLatin1(id) + QStringLiteral("_card"));
@@ -343,11 +347,12 @@ TEST_F(ProgressPageTest, EveryChartIsOnItsCard) {
     ASSERT_EQ(wanted.count(), 1) << id;
     EXPECT_EQ(wanted.at(0).at(0).value<ChartCard*>(), card);
   }
-  EXPECT_EQ(view_.card(QStringLiteral("unknown"))->objectName(), QStringLiteral("forecast_card"));
+  EXPECT_EQ(view_.card(QStringLiteral("unknown"))->objectName(), QStringLiteral("calendar_card"));
 }
 
 TEST_F(ProgressPageTest, CardsStandInTwoColumnsWhereThereIsRoomForAHundredLetters) {
   show(statistics());
+  view_.set_shows_more(true);
   view_.show();
   const int letter = view_.fontMetrics().averageCharWidth();
   const auto column_of = [this](const char* id) {
@@ -359,6 +364,7 @@ TEST_F(ProgressPageTest, CardsStandInTwoColumnsWhereThereIsRoomForAHundredLetter
   EXPECT_EQ(column_of("retention"), 1);
   EXPECT_EQ(column_of("activity"), 0);
   EXPECT_EQ(column_of("hard_strokes"), 1);
+  EXPECT_EQ(column_of("characters"), 0);
   const auto* first = view_.card(QStringLiteral("forecast"));
   EXPECT_NEAR(first->width(), view_.card(QStringLiteral("retention"))->width(), 2);
   view_.resize(letter * 100 - 2, 900);
@@ -391,7 +397,9 @@ TEST_F(ProgressPageTest, WhatHasTheKeyboardIsAtHandAndWhatIsOpenedIsTold) {
   view_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
   view_.setFocus();
-  EXPECT_TRUE(view_.findChild<DayChart*>(QStringLiteral("forecast_chart"))->hasFocus());
+  EXPECT_TRUE(view_.findChild<YearView*>()->hasFocus());
+  view_.go_to(QStringLiteral("forecast"));
+  EXPECT_TRUE(view_.shows_more()) << "a chart that is folded away is shown";
   view_.findChild<DayChart*>(QStringLiteral("motion_chart"))->setFocus();
   EXPECT_EQ(view_.card_at_hand()->objectName(), QStringLiteral("motion_card"));
   view_.go_to(QStringLiteral("hard_strokes"));

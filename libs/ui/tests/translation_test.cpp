@@ -81,11 +81,11 @@ TEST(EnglishTexts, KnowOneFromMany) {
   EXPECT_EQ(strokes(1), QStringLiteral("1 stroke"));
   EXPECT_EQ(strokes(6), QStringLiteral("6 strokes"));
   const auto streak = [](int n) {
-    return QCoreApplication::translate("nazori::ui::HomeView", "days in a row", nullptr, n);
+    return QCoreApplication::translate("nazori::ui::HomeWords", "%n days in a row", nullptr, n);
   };
-  EXPECT_EQ(streak(0), QStringLiteral("days in a row"));
-  EXPECT_EQ(streak(1), QStringLiteral("day in a row"));
-  EXPECT_EQ(streak(7), QStringLiteral("days in a row"));
+  EXPECT_EQ(streak(0), QStringLiteral("0 days in a row"));
+  EXPECT_EQ(streak(1), QStringLiteral("1 day in a row"));
+  EXPECT_EQ(streak(7), QStringLiteral("7 days in a row"));
 }
 
 TEST(EnglishTexts, HaveBothFormsOfEveryCountedOne) {

@@ -2,6 +2,7 @@
 // A study session in the window, from its start to its summary.
 #include <QPushButton>
 
+#include "study/home_parts.h"
 #include "study/ink_gallery.h"
 #include "study_under_test.h"
 
@@ -14,11 +15,10 @@ using Study = StudyTest;
 
 TEST_F(Study, TheWindowOpensWithWhatIsDueAndOneKeyStarts) {
   EXPECT_EQ(window_->windowTitle(), QStringLiteral("Home – Nazori"));
-  EXPECT_EQ(text("home_due"), QStringLiteral("0"));
-  EXPECT_EQ(text("home_new"), QStringLiteral("1"));
-  EXPECT_EQ(text("home_time"), QStringLiteral("3"));
-  EXPECT_EQ(text("home_streak"), QStringLiteral("0"));
-  EXPECT_TRUE(text("home_advice").contains(QStringLiteral("一")));
+  EXPECT_EQ(find("home_start")->accessibleName(), QStringLiteral("Start: 1 new character · about 3 minutes"));
+  EXPECT_EQ(text("home_day"), QStringLiteral("Monday 2 March")) << "no streak, and no word about it";
+  ASSERT_EQ(window_->findChildren<CharacterTile*>().size(), 1);
+  EXPECT_EQ(window_->findChild<CharacterTile*>()->accessibleName(), QStringLiteral("一, one"));
   EXPECT_EQ(window_->focusWidget(), find("home_start"));
   start();
   ASSERT_TRUE(is_shown());
@@ -94,7 +94,7 @@ TEST_F(Study, MeaningAndReadingsAreAskedAndTheCharacterIsHidden) {
   press(Qt::Key_4);
   now_ += std::chrono::days(8);
   open_home();
-  EXPECT_EQ(text("home_due"), QStringLiteral("1"));
+  EXPECT_TRUE(find("home_start")->accessibleName().startsWith(QStringLiteral("Start: 1 review and 1 new")));
   start();
   ASSERT_TRUE(is_shown());
   EXPECT_EQ(session().task().kind, study::TaskKind::review);
@@ -203,23 +203,55 @@ TEST_F(Study, TheEndTellsWhatWasDoneAndWhatComes) {
   press(Qt::Key_3);
   EXPECT_FALSE(session().is_running());
   EXPECT_TRUE(find("home_page")->isVisible());
-  EXPECT_TRUE(text("home_summary").contains(QStringLiteral("Written from memory: 2")))
-      << text("home_summary").toStdString();
-  EXPECT_TRUE(text("home_summary").contains(QStringLiteral("Good 2")));
+  EXPECT_EQ(text("home_ink_title"), QStringLiteral("Today, in your hand"));
+  EXPECT_EQ(text("home_written"), QStringLiteral("2 written, 2 right"));
+  EXPECT_EQ(find<InkRow>("ink_row")->inks().size(), 1U) << "one of each character";
   EXPECT_TRUE(text("home_advice").contains(QStringLiteral("Done for today")))
       << text("home_advice").toStdString();
   EXPECT_FALSE(find("home_start")->isVisible());
-  EXPECT_EQ(text("home_streak"), QStringLiteral("1"));
+  EXPECT_TRUE(text("home_day").endsWith(QStringLiteral("1 day in a row")));
+  EXPECT_TRUE(find("home_more")->isVisible()) << "more may be learned";
+  EXPECT_EQ(window_->focusWidget(), find("home_more"));
 }
 
-TEST_F(Study, WhatIsTakenBackIsNoLongerInTheSummary) {
+TEST_F(Study, FiveMoreNewCharactersComeByOneKeyAfterTheGoalOfTheDay) {
   start();
   learn();
   press(Qt::Key_4);
-  ASSERT_TRUE(find("home_summary")->isVisible());
-  EXPECT_EQ(text("home_streak"), QStringLiteral("1"));
+  ASSERT_TRUE(find("home_page")->isVisible());
+  press(Qt::Key_F);
+  ASSERT_TRUE(session().is_running());
+  EXPECT_EQ(session().total(), 5);
+  EXPECT_EQ(session().character(), U'二');
+  session().end();
+  press(Qt::Key_A);
+  ASSERT_TRUE(session().is_running());
+  EXPECT_EQ(session().character(), U'一') << "the next to become due";
+}
+
+TEST_F(Study, WhatWasHardTodayIsPractisedByOneKey) {
+  learn_and_come_back();
+  ASSERT_FALSE(HasFatalFailure());
+  press(Qt::Key_P);
+  write_from_memory(false);
+  go_on();
+  session().end();
+  EXPECT_EQ(text("home_written"), QStringLiteral("1 written, 0 right"));
+  EXPECT_EQ(find<QPushButton>("home_practise")->text(), QStringLiteral("Practise these, 1 min"));
+  press(Qt::Key_P);
+  ASSERT_TRUE(session().is_running());
+  EXPECT_EQ(session().character(), U'一');
+  EXPECT_EQ(session().stage(), study::Stage::memory);
+}
+
+TEST_F(Study, WhatIsTakenBackIsNoLongerShownAsWritten) {
+  start();
+  learn();
+  press(Qt::Key_4);
+  ASSERT_TRUE(find("home_written")->isVisible());
   press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_FALSE(find("home_summary")->isVisible());
+  EXPECT_FALSE(find("home_written")->isVisible());
+  EXPECT_FALSE(find("ink_row")->isVisible());
 }
 
 TEST_F(Study, WhatWasKeptLastStandsAboveTheButtonThatTakesItBack) {

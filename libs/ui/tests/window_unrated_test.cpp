@@ -236,13 +236,13 @@ TEST_F(Unrated, AnotherLearnerSeesNeitherTheInkNorTheSummaryOfTheLast) {
   press(Qt::Key_4);
   session().end();
   window_->go_to(QStringLiteral("home"));
-  ASSERT_TRUE(find("home_summary")->isVisible());
+  ASSERT_TRUE(find("home_written")->isVisible());
   window_->go_to(QStringLiteral("characters"));
   press(Qt::Key_F8);
   memory().add_stroke(stroke(1));
   window_->go_to(QStringLiteral("home"));
   ASSERT_TRUE(the_parts->learner().switch_profile("aiko"));
-  EXPECT_FALSE(find("home_summary")->isVisible());
+  EXPECT_FALSE(find("home_written")->isVisible());
   window_->go_to(QStringLiteral("characters"));
   press(Qt::Key_F8);
   EXPECT_TRUE(memory().strokes().empty());

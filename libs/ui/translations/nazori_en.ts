@@ -4,6 +4,65 @@
 <context>
     <name>nazori::ui::HomeView</name>
     <message numerus="yes">
+        <source>%n characters were forgotten too often and taken out of reviews: %1</source>
+        <translation>
+            <numerusform>%n character was forgotten too often and taken out of reviews: %1</numerusform>
+            <numerusform>%n characters were forgotten too often and taken out of reviews: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::HomeWords</name>
+    <message numerus="yes">
+        <source>%n days in a row</source>
+        <translation>
+            <numerusform>%n day in a row</numerusform>
+            <numerusform>%n days in a row</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reviews</source>
+        <translation>
+            <numerusform>%n review</numerusform>
+            <numerusform>%n reviews</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new characters</source>
+        <translation>
+            <numerusform>%n new character</numerusform>
+            <numerusform>%n new characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n days</source>
+        <translation>
+            <numerusform>about a day</numerusform>
+            <numerusform>about %n days</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n weeks</source>
+        <translation>
+            <numerusform>about a week</numerusform>
+            <numerusform>about %n weeks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n months</source>
+        <translation>
+            <numerusform>about a month</numerusform>
+            <numerusform>about %n months</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n years</source>
+        <translation>
+            <numerusform>about a year</numerusform>
+            <numerusform>about %n years</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Done for now. %n characters come back today, the first at %1.</source>
         <translation>
             <numerusform>Done for now. %n character comes back today, at %1.</numerusform>
@@ -45,55 +104,6 @@
             <numerusform>%n more reviews will wait for another day because of your daily limit.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>minutes (estimate)</source>
-        <translation>
-            <numerusform>minute (estimate)</numerusform>
-            <numerusform>minutes (estimate)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n characters were forgotten too often and taken out of reviews: %1</source>
-        <translation>
-            <numerusform>%n character was forgotten too often and taken out of reviews: %1</numerusform>
-            <numerusform>%n characters were forgotten too often and taken out of reviews: %1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Written from memory: %n</source>
-        <translation>
-            <numerusform>Written from memory: %n</numerusform>
-            <numerusform>Written from memory: %n</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Start: %n characters, %1</source>
-        <translation>
-            <numerusform>Start: %n character, %1</numerusform>
-            <numerusform>Start: %n characters, %1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>days in a row</source>
-        <translation>
-            <numerusform>day in a row</numerusform>
-            <numerusform>days in a row</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>days in a row (day off used this week)</source>
-        <translation>
-            <numerusform>day in a row (day off used this week)</numerusform>
-            <numerusform>days in a row (day off used this week)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>days in a row (one day off per week is fine)</source>
-        <translation>
-            <numerusform>day in a row (one day off per week is fine)</numerusform>
-            <numerusform>days in a row (one day off per week is fine)</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>nazori::ui::InformationPanel</name>
@@ -119,6 +129,30 @@
         <translation>
             <numerusform>%n character</numerusform>
             <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::PeriodPicture</name>
+    <message numerus="yes">
+        <source>%n characters in my own hand</source>
+        <translation>
+            <numerusform>%n character in my own hand</numerusform>
+            <numerusform>%n characters in my own hand</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new</source>
+        <translation>
+            <numerusform>%n new</numerusform>
+            <numerusform>%n new</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n study days</source>
+        <translation>
+            <numerusform>%n study day</numerusform>
+            <numerusform>%n study days</numerusform>
         </translation>
     </message>
 </context>

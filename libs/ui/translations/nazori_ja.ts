@@ -434,6 +434,61 @@
     </message>
 </context>
 <context>
+    <name>nazori::ui::CalendarCard</name>
+    <message>
+        <source>Earlier year</source>
+        <translation>前の年</translation>
+    </message>
+    <message>
+        <source>Later year</source>
+        <translation>次の年</translation>
+    </message>
+    <message>
+        <source>Earlier year (Page Up)</source>
+        <translation>前の年（Page Up）</translation>
+    </message>
+    <message>
+        <source>Later year (Page Down)</source>
+        <translation>次の年（Page Down）</translation>
+    </message>
+    <message>
+        <source>Calendar</source>
+        <translation>学習カレンダー</translation>
+    </message>
+    <message>
+        <source>Study days in %1: %2. Darker squares: written or practised more often.</source>
+        <translation>%1年の学習日数：%2日。色が濃いほど、書いたり練習したりした回数の多い日です。</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>日</translation>
+    </message>
+    <message>
+        <source>From memory</source>
+        <translation>見ないで書いた回数</translation>
+    </message>
+    <message>
+        <source>Practised</source>
+        <translation>練習した回数</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新しい字</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Calendar of %1. Arrow keys: day by day and week by week. Levels: %2.</source>
+        <translation>%1年の学習カレンダー。矢印キーで1日ずつ、1週間ずつ移ります。色の段階：%2回。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::CharacterActions</name>
     <message>
         <source>Pen by &amp;keys</source>
@@ -926,6 +981,18 @@
     <message>
         <source>Thin lines on the tablet: 十, 田 or none</source>
         <translation>文字板の細い線：十、田、なし</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::CharacterTile</name>
+    <message>
+        <source>%1, %2</source>
+        <comment>character, meaning</comment>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>Show %1 and its words</source>
+        <translation>「%1」とその言葉を表示します</translation>
     </message>
 </context>
 <context>
@@ -2452,10 +2519,6 @@ Columns and rows:</source>
 <context>
     <name>nazori::ui::HardStrokesCard</name>
     <message>
-        <source>Stroke %1 of %2 was wrong in %3 of %4 attempts: %5</source>
-        <translation>「%2」の%1画目：%4回中%3回間違い。%5</translation>
-    </message>
-    <message>
         <source>Hardest strokes</source>
         <translation>苦手な画</translation>
     </message>
@@ -2466,6 +2529,11 @@ Columns and rows:</source>
     <message>
         <source>Strokes that were wrong more than once: %1. Enter: open the character.</source>
         <translation>2回以上間違えた画：%1。Enter で文字を開きます。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>character, sentence</comment>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -2481,6 +2549,46 @@ Columns and rows:</source>
     <message>
         <source>Enter: start. Each review is saved as soon as you rate it.</source>
         <translation>Enter で始めます。評価するとすぐに保存されます。</translation>
+    </message>
+    <message>
+        <source>No reviews are due now.</source>
+        <translation>今する復習はありません。</translation>
+    </message>
+    <message>
+        <source>All characters of your lists are begun.</source>
+        <translation>リストの文字はすべて学習を始めています。</translation>
+    </message>
+    <message>
+        <source>There is nothing to review ahead.</source>
+        <translation>先に復習できる文字はありません。</translation>
+    </message>
+    <message>
+        <source>No character needs care now.</source>
+        <translation>今、特に練習が必要な文字はありません。</translation>
+    </message>
+    <message>
+        <source>Nothing was written from memory in this time.</source>
+        <translation>この期間に見ないで書いた字はありません。</translation>
+    </message>
+    <message>
+        <source>Picture of the month</source>
+        <translation>今月の画像</translation>
+    </message>
+    <message>
+        <source>Picture of the week</source>
+        <translation>今週の画像</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved: %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>%1: %2. Nothing was saved.</source>
+        <translation>%1：%2。保存していません。</translation>
     </message>
 </context>
 <context>
@@ -2521,6 +2629,70 @@ Columns and rows:</source>
         <source>St&amp;udy</source>
         <translation>学習(&amp;U)</translation>
     </message>
+    <message>
+        <source>Only &amp;reviews</source>
+        <translation>復習だけする(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Start today&apos;s reviews without new characters</source>
+        <translation>新しい字なしで、今日の復習だけを始めます</translation>
+    </message>
+    <message>
+        <source>&amp;Five more new characters</source>
+        <translation>新しい字をあと5字(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Learn five more new characters today, beyond your daily goal</source>
+        <translation>1日の目標を超えて、今日あと5字を新しく学習します</translation>
+    </message>
+    <message>
+        <source>Review a&amp;head</source>
+        <translation>先に復習する(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Review the next characters before they are due, twenty at most</source>
+        <translation>次に復習する文字を、期日より前に復習します（最大20字）</translation>
+    </message>
+    <message>
+        <source>&amp;Practise what was hard</source>
+        <translation>難しかった文字を練習する(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Write the characters that need care from memory once</source>
+        <translation>練習が必要な文字を、見ないで1回ずつ書きます</translation>
+    </message>
+    <message>
+        <source>&amp;Choose characters</source>
+        <translation>文字を選ぶ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Go to the Characters page</source>
+        <translation>「文字」のページへ移ります</translation>
+    </message>
+    <message>
+        <source>See all hand&amp;writing</source>
+        <translation>書いた字をすべて見る(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show everything you wrote on the last day, or one row of it</source>
+        <translation>最後の学習日に書いた字を、すべて、または1行だけ表示します</translation>
+    </message>
+    <message>
+        <source>Picture of the wee&amp;k…</source>
+        <translation>今週の画像(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Save what you wrote this week as a picture (PNG)</source>
+        <translation>今週書いた字を画像（PNG）として保存します</translation>
+    </message>
+    <message>
+        <source>Picture of the &amp;month…</source>
+        <translation>今月の画像(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Save what you wrote this month as a picture (PNG)</source>
+        <translation>今月書いた字を画像（PNG）として保存します</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::HomeView</name>
@@ -2541,8 +2713,183 @@ Columns and rows:</source>
         <translation>学習の設定…</translation>
     </message>
     <message>
-        <source>Choose a character</source>
+        <source>Continue the session</source>
+        <translation>学習を続ける</translation>
+    </message>
+    <message>
+        <source>Enter or Space: start</source>
+        <translation>Enter またはスペースキーで始めます</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters were forgotten too often and taken out of reviews: %1</source>
+        <translation>
+            <numerusform>何度も忘れたため、%n字を復習から外しました：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Five more new characters</source>
+        <translation>新しい字をあと5字</translation>
+    </message>
+    <message>
+        <source>Review ahead</source>
+        <translation>先に復習する</translation>
+    </message>
+    <message>
+        <source>Choose characters</source>
         <translation>文字を選ぶ</translation>
+    </message>
+    <message>
+        <source>On the way</source>
+        <translation>これまでの歩み</translation>
+    </message>
+    <message>
+        <source>New today</source>
+        <translation>今日の新しい字</translation>
+    </message>
+    <message>
+        <source>What you write from memory will appear here, in your own hand.</source>
+        <translation>見ないで書いた字が、あなたの筆跡のままここに並びます。</translation>
+    </message>
+    <message>
+        <source>Picture of the week…</source>
+        <translation>今週の画像…</translation>
+    </message>
+    <message>
+        <source>Picture of the month…</source>
+        <translation>今月の画像…</translation>
+    </message>
+    <message>
+        <source>Needs care</source>
+        <translation>練習が必要な文字</translation>
+    </message>
+    <message>
+        <source>One day off a week is fine; this week&apos;s is used.</source>
+        <translation>週に1日休んでも途切れません（今週の休みは使用済み）。</translation>
+    </message>
+    <message>
+        <source>One day off a week is fine.</source>
+        <translation>週に1日休んでも途切れません。</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>始める</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>work, time</comment>
+        <translation>%1・%2</translation>
+    </message>
+    <message>
+        <source>Only reviews, %1</source>
+        <translation>復習だけ（%1）</translation>
+    </message>
+    <message>
+        <source>Today, in your hand</source>
+        <translation>今日書いた字</translation>
+    </message>
+    <message>
+        <source>Yesterday, in your hand</source>
+        <translation>昨日書いた字</translation>
+    </message>
+    <message>
+        <source>%1, in your hand</source>
+        <comment>a day</comment>
+        <translation>%1に書いた字</translation>
+    </message>
+    <message>
+        <source>Not right every time today.</source>
+        <translation>今日はうまくいかないときがありました。</translation>
+    </message>
+    <message>
+        <source>Practise these, %1</source>
+        <translation>これらを練習する（%1）</translation>
+    </message>
+    <message>
+        <source>Show less</source>
+        <translation>1行だけ表示</translation>
+    </message>
+    <message>
+        <source>See all</source>
+        <translation>すべて見る</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::HomeWords</name>
+    <message>
+        <source>Good morning</source>
+        <translation>おはようございます</translation>
+    </message>
+    <message>
+        <source>Good afternoon</source>
+        <translation>こんにちは</translation>
+    </message>
+    <message>
+        <source>Good evening</source>
+        <translation>こんばんは</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n days in a row</source>
+        <translation>
+            <numerusform>%n日連続</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reviews</source>
+        <translation>
+            <numerusform>復習%n件</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new characters</source>
+        <translation>
+            <numerusform>新しい字%n字</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>reviews and new characters</comment>
+        <translation>%1と%2</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1分</translation>
+    </message>
+    <message>
+        <source>All school kanji</source>
+        <translation>常用漢字全体</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>learned, of all</comment>
+        <translation>%2字中%1字</translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n days</source>
+        <translation>
+            <numerusform>約%n日</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n weeks</source>
+        <translation>
+            <numerusform>約%n週間</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n months</source>
+        <translation>
+            <numerusform>約%nか月</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n years</source>
+        <translation>
+            <numerusform>約%n年</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 written, %2 right</source>
+        <translation>%1回書いて、%2回正解</translation>
     </message>
     <message numerus="yes">
         <source>Done for now. %n characters come back today, the first at %1.</source>
@@ -2565,6 +2912,14 @@ Columns and rows:</source>
         <translation>
             <numerusform>今日は終わりです。明日は%n件の復習があります。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Done for today. Tomorrow: new characters, no reviews.</source>
+        <translation>今日は終わりです。明日は新しい字だけで、復習はありません。</translation>
+    </message>
+    <message>
+        <source>Done for today. Nothing is due tomorrow.</source>
+        <translation>今日は終わりです。明日の分はありません。</translation>
     </message>
     <message numerus="yes">
         <source>%n reviews are waiting. No hurry: do %1 today, starting with the characters you know best.</source>
@@ -2589,98 +2944,12 @@ Columns and rows:</source>
         <translation>新しい字は、まず見て、次になぞり、ガイドを減らしながら書き、最後は見ないで書きます。忘れそうになる少し前にまた出てきます。</translation>
     </message>
     <message>
-        <source>New today: %1</source>
-        <translation>今日の新しい字：%1</translation>
+        <source>Done.</source>
+        <translation>修了しました。</translation>
     </message>
     <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>due now</source>
-        <translation>今日の復習</translation>
-    </message>
-    <message>
-        <source>new (%1 already done today)</source>
-        <translation>新しい字（今日は%1字済み）</translation>
-    </message>
-    <message>
-        <source>new today</source>
-        <translation>新しい字</translation>
-    </message>
-    <message numerus="yes">
-        <source>minutes (estimate)</source>
-        <translation>
-            <numerusform>分（目安）</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>days in a row</source>
-        <translation>
-            <numerusform>日連続</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>days in a row (day off used this week)</source>
-        <translation>
-            <numerusform>日連続（今週の休みは使用済み）</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>days in a row (one day off per week is fine)</source>
-        <translation>
-            <numerusform>日連続（週に1日休んでも途切れません）</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Continue the session</source>
-        <translation>学習を続ける</translation>
-    </message>
-    <message>
-        <source>Enter or Space: start</source>
-        <translation>Enter またはスペースキーで始めます</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n characters were forgotten too often and taken out of reviews: %1</source>
-        <translation>
-            <numerusform>何度も忘れたため、%n字を復習から外しました：%1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Written from memory: %n</source>
-        <translation>
-            <numerusform>見ないで書いた回数：%n回</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>New: %1</source>
-        <translation>新しい字：%1</translation>
-    </message>
-    <message>
-        <source>Relearned: %1</source>
-        <translation>覚え直した文字：%1</translation>
-    </message>
-    <message>
-        <source>Coming back soon: %1</source>
-        <translation>まもなくまた出る文字：%1</translation>
-    </message>
-    <message>
-        <source>Time: %1</source>
-        <translation>時間：%1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Start: %n characters, %1</source>
-        <translation>
-            <numerusform>始める（%n字、%1）</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Done for today. Tomorrow: new characters, no reviews.</source>
-        <translation>今日は終わりです。明日は新しい字だけで、復習はありません。</translation>
-    </message>
-    <message>
-        <source>Done for today. Nothing is due tomorrow.</source>
-        <translation>今日は終わりです。明日の分はありません。</translation>
+        <source>Done in %1 at this pace.</source>
+        <translation>このペースならあと%1です。</translation>
     </message>
 </context>
 <context>
@@ -2789,6 +3058,13 @@ Columns and rows:</source>
     <message>
         <source>Earlier writing beside today&apos;s</source>
         <translation>前に書いたものと今日のもの</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::InkRow</name>
+    <message>
+        <source>Your handwriting: %1</source>
+        <translation>書いた字：%1</translation>
     </message>
 </context>
 <context>
@@ -3511,6 +3787,31 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::PeriodPicture</name>
+    <message>
+        <source>Week of %1</source>
+        <translation>%1からの1週間</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters in my own hand</source>
+        <translation>
+            <numerusform>自分の手で書いた字：%n字</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new</source>
+        <translation>
+            <numerusform>新しい字：%n字</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n study days</source>
+        <translation>
+            <numerusform>学習日数：%n日</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::PlotPanel</name>
     <message>
         <source>&amp;Axes</source>
@@ -3713,6 +4014,10 @@ Columns and rows:</source>
         <source>Copied “%1” (rows: %2).</source>
         <translation>「%1」の数値をコピーしました（%2行）。</translation>
     </message>
+    <message>
+        <source>No stroke has been wrong more than once.</source>
+        <translation>2回以上間違えた画はありません。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::ProgressActions</name>
@@ -3767,6 +4072,30 @@ Columns and rows:</source>
     <message>
         <source>&amp;Progress</source>
         <translation>学習の記録(&amp;P)</translation>
+    </message>
+    <message>
+        <source>C&amp;alendar</source>
+        <translation>学習カレンダー(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Go to the calendar of the year</source>
+        <translation>1年の学習カレンダーへ移ります</translation>
+    </message>
+    <message>
+        <source>M&amp;ore charts and figures</source>
+        <translation>詳しいグラフと数値(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show or hide the charts</source>
+        <translation>グラフを表示または非表示にします</translation>
+    </message>
+    <message>
+        <source>Practise the hardest &amp;strokes</source>
+        <translation>よく間違える画を練習する(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Write the characters of the hardest strokes from memory once</source>
+        <translation>よく間違える画のある文字を、見ないで1回ずつ書きます</translation>
     </message>
 </context>
 <context>
@@ -3830,6 +4159,49 @@ Columns and rows:</source>
     <message>
         <source>Characters: %1 studied, %2 learned</source>
         <translation>文字：学習した字 %1、身についた字 %2</translation>
+    </message>
+    <message>
+        <source>Write these characters from memory once (P)</source>
+        <translation>これらの文字を、見ないで1回ずつ書きます（P）</translation>
+    </message>
+    <message>
+        <source>Practise these, %1</source>
+        <translation>これらを練習する（%1）</translation>
+    </message>
+    <message>
+        <source>Less: hide the charts</source>
+        <translation>グラフを隠す</translation>
+    </message>
+    <message>
+        <source>More charts and figures</source>
+        <translation>詳しいグラフと数値を表示</translation>
+    </message>
+    <message>
+        <source>Show or hide the charts (M)</source>
+        <translation>グラフを表示または非表示にします（M）</translation>
+    </message>
+    <message>
+        <source>%1 school kanji</source>
+        <comment>405 of 2,136</comment>
+        <translation>常用漢字 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>list, 40 of 46</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2, at this pace done in %3.</source>
+        <translation>%1：%2。このペースならあと%3です。</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>list, 40 of 46</comment>
+        <translation>%1：%2。</translation>
+    </message>
+    <message>
+        <source>At this pace, all of them in %1.</source>
+        <translation>このペースなら、全部であと%1です。</translation>
     </message>
 </context>
 <context>
@@ -4593,6 +4965,19 @@ Columns and rows:</source>
     <message>
         <source>%1 likely to be remembered</source>
         <translation>覚えている確率 %1</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::StartButton</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>start, what</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <comment>the key</comment>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -5549,6 +5934,81 @@ Columns and rows:</source>
     </message>
 </context>
 <context>
+    <name>nazori::ui::TroubleWords</name>
+    <message>
+        <source>%1 is often forgotten.</source>
+        <translation>「%1」をよく忘れます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2 is often out of order.</source>
+        <translation>「%2」の%1画目の順番をよく間違えます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2 is often written backwards.</source>
+        <translation>「%2」の%1画目がよく逆向きになります。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2 is often left out.</source>
+        <translation>「%2」の%1画目がよく抜けます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2 is often joined to another one.</source>
+        <translation>「%2」の%1画目がよく他の画とつながります。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2 is often written in pieces.</source>
+        <translation>「%2」の%1画目がよく途中で切れます。</translation>
+    </message>
+    <message>
+        <source>%1 often gets one stroke too many.</source>
+        <translation>「%1」の画がよく1画多くなります。</translation>
+    </message>
+    <message>
+        <source>%1 is often mistaken for another character.</source>
+        <translation>「%1」をよく別の文字と間違えます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2 often has the wrong shape or position.</source>
+        <translation>「%2」の%1画目の形や位置をよく間違えます。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 was out of order in %2 of %3 writings.</source>
+        <translation>%1画目：%3回中%2回、順番が違いました。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 was written backwards in %2 of %3 writings.</source>
+        <translation>%1画目：%3回中%2回、逆向きでした。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 was left out in %2 of %3 writings.</source>
+        <translation>%1画目：%3回中%2回、抜けました。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 was joined to another one in %2 of %3 writings.</source>
+        <translation>%1画目：%3回中%2回、他の画とつながりました。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 was written in pieces in %2 of %3 writings.</source>
+        <translation>%1画目：%3回中%2回、途中で切れました。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 was one too many in %2 of %3 writings.</source>
+        <translation>%1画目：%3回中%2回、余分でした。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 belonged to another character in %2 of %3 writings.</source>
+        <translation>%1画目：%3回中%2回、別の文字の画でした。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 ended wrongly in %2 of %3 writings.</source>
+        <translation>%1画目：%3回中%2回、終わり方が違いました。</translation>
+    </message>
+    <message>
+        <source>Stroke %1 had the wrong shape or position in %2 of %3 writings.</source>
+        <translation>%1画目：%3回中%2回、形や位置が違いました。</translation>
+    </message>
+</context>
+<context>
     <name>nazori::ui::WatchView</name>
     <message>
         <source>%1 of %2 · %3×</source>
@@ -5610,6 +6070,55 @@ Columns and rows:</source>
     <message>
         <source>Correct. Form: %1 of %2 stars</source>
         <translation>正解。字形は星%2つ中%1つ</translation>
+    </message>
+</context>
+<context>
+    <name>nazori::ui::YearView</name>
+    <message>
+        <source>%1, today: no study yet</source>
+        <translation>%1、今日：まだ学習していません</translation>
+    </message>
+    <message>
+        <source>%1: no study</source>
+        <translation>%1：学習なし</translation>
+    </message>
+    <message>
+        <source>from memory %1</source>
+        <translation>見ないで書いた%1回</translation>
+    </message>
+    <message>
+        <source>practised %1</source>
+        <translation>練習%1回</translation>
+    </message>
+    <message>
+        <source>new %1</source>
+        <translation>新しい字%1字</translation>
+    </message>
+    <message>
+        <source>%1, today: %2</source>
+        <translation>%1、今日：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>times</comment>
+        <translation>%1～%2</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <comment>times</comment>
+        <translation>%1以上</translation>
     </message>
 </context>
 <context>

@@ -41,4 +41,13 @@ void paint_ink(QPainter& painter, std::span<const geometry::WrittenPoint<geometr
   }
 }
 
+void paint_handwriting(QPainter& painter, const geometry::WrittenStrokes<geometry::GlyphFrame>& ink,
+                       const QRectF& box, const QColor& colour, double pen) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colour, std::max(box.width() * pen, 1.5), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const double scale = box.width() / geometry::kGlyphSide;
+  const QTransform to_box = QTransform::fromTranslate(box.left(), box.top()).scale(scale, scale);
+  for (const auto& stroke : ink) painter.drawPath(to_box.map(path_through(geometry::line_of(stroke))));
+}
+
 }  // namespace nazori::ui

@@ -21,6 +21,11 @@ void paint_paper(QPainter& painter, const QRectF& sheet, double corner, double g
 void paint_ink(QPainter& painter, std::span<const geometry::WrittenPoint<geometry::TabletFrame>> ink,
                const QColor& colour, const QRectF& sheet);
 
+/// Handwriting as it was saved, in a square box that stands for the whole tablet.
+/// @param pen  width of the ink, as a share of the side of the box.
+void paint_handwriting(QPainter& painter, const geometry::WrittenStrokes<geometry::GlyphFrame>& ink,
+                       const QRectF& box, const QColor& colour, double pen);
+
 /// The path through points that have an x and a y.
 template <class Points>
 [[nodiscard]] QPainterPath path_through(const Points& points) {

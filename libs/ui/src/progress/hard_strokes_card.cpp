@@ -11,6 +11,7 @@
 #include "nazori/geometry/point.h"
 #include "progress/study_charts.h"
 #include "words/kanji_text.h"
+#include "words/trouble_words.h"
 
 namespace nazori::ui {
 namespace {
@@ -96,13 +97,10 @@ void HardStrokesCard::show_strokes(const study::Statistics& statistics,
   static_cast<HardStrokeDelegate*>(list_->itemDelegate())->set_database(database);
   list_->clear();
   for (const auto& stroke : statistics.hard_strokes) {
-    const QString words = tr("Stroke %1 of %2 was wrong in %3 of %4 attempts: %5")
-                              .arg(stroke.stroke + 1)
-                              .arg(to_text(stroke.character))
-                              .arg(stroke.mistakes)
-                              .arg(stroke.writings)
-                              .arg(StudyCharts::mistakes(stroke));
+    const QString words = TroubleWords::counted(practice::trouble_of(stroke));
     auto* item = new QListWidgetItem(words, list_);
+    item->setData(Qt::AccessibleTextRole,
+                  tr("%1: %2", "character, sentence").arg(to_text(stroke.character), words));
     item->setData(HardStrokeDelegate::kCharacterRole, static_cast<uint>(stroke.character));
     item->setData(HardStrokeDelegate::kStrokeRole, stroke.stroke);
   }

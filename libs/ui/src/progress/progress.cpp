@@ -46,7 +46,15 @@ Progress::Progress(WindowParts& parts)
   const base::Settings values = read_settings(settings);
   view_->set_time_shown(read_time(values));
   view_->characters().set_list(to_text(base::text_setting(values, "list")));
+  const bool more = base::flag_setting(values, "more", false);
+  view_->set_shows_more(more);
+  actions_->more->setChecked(more);
   connect_actions();
+  connect(view_, &ProgressView::more_changed, this, [this](bool shown) {
+    actions_->more->setChecked(shown);
+    this->parts().save_later();
+  });
+  connect(view_, &ProgressView::practise_wanted, actions_->practise, &QAction::trigger);
   connect(view_, &ProgressView::opened, this,
           [this](char32_t character) { this->parts().show_character(character); });
   connect(view_, &ProgressView::copy_wanted, this, [this](const ChartCard* card) { copy(*card); });
@@ -65,7 +73,13 @@ Progress::Progress(WindowParts& parts)
     if (entered_) read();
   };
   subscribe(parts.learner().changed, this, note);
-  subscribe(parts.learner().profile_changed, this, [this] { emit title_changed(); });
+  subscribe(parts.learner().profile_changed, this, [this] {
+    // What is still being worked out belongs to the previous learner.
+    reader_.cancel();
+    view_->clear();
+    stale_ = true;
+    emit title_changed();
+  });
 }
 
 Progress::~Progress() = default;
@@ -79,6 +93,17 @@ QList<Tool> Progress::tools() const { return {{actions_->numbers, true}, {action
 void Progress::connect_actions() {
   for (const auto& entry : actions_->card_entries)
     on(entry.action, [this, id = entry.id] { view_->go_to(id); });
+  on(actions_->more, [this](bool shown) { view_->set_shows_more(shown); });
+  on(actions_->practise, [this] {
+    auto& session = parts().session();
+    const auto hardest = view_->hardest();
+    if (session.is_running())
+      parts().go_to(QStringLiteral("characters"));
+    else if (hardest.empty())
+      parts().announce(Feedback::hint, tr("No stroke has been wrong more than once."));
+    else
+      session.start_with(hardest);
+  });
   on(actions_->numbers, [this] {
     auto* card = view_->card_at_hand();
     card->set_shows_numbers(!card->shows_numbers());
@@ -128,6 +153,7 @@ void Progress::save(QSettings& settings) const {
   const auto time = std::find(kTimes.begin(), kTimes.end(), view_->time_shown()) - kTimes.begin();
   values.insert_or_assign("time_shown", std::string(kTimeNames[static_cast<std::size_t>(time)]));
   values.insert_or_assign("list", view_->characters().list().toStdString());
+  base::set_flag(values, "more", view_->shows_more());
   write_settings(settings, values);
 }
 

@@ -17,7 +17,7 @@ class ProgressActions final : public ActionSet {
     QAction* action;
   };
   QList<CardEntry> card_entries;  ///< in the page's order; their keys are 1, 2, 3, ...
-  QAction *numbers, *copy, *longer, *shorter;
+  QAction *more, *practise, *numbers, *copy, *longer, *shorter;
 };
 
 }  // namespace nazori::ui

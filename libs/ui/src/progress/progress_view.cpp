@@ -3,18 +3,24 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QFontInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "nazori/practice/extra_study.h"
+#include "nazori/practice/milestones.h"
 #include "nazori/practice/study_charts.h"
+#include "progress/calendar_card.h"
 #include "progress/characters_card.h"
 #include "progress/hard_strokes_card.h"
 #include "progress/study_charts.h"
+#include "study/home_words.h"
 #include "widgets/parts.h"
 
 namespace nazori::ui {
@@ -23,6 +29,7 @@ namespace {
 constexpr int kMargin = 16;
 constexpr int kGap = 14;
 constexpr int kLettersForTwoColumns = 100;
+constexpr int kWidest_em = 100;
 
 QList<ChartCard*> chart_cards(QWidget* parent) {
   QList<ChartCard*> cards;
@@ -39,14 +46,21 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
       scroll_(named(new QScrollArea(this), "progress_scroll")),
       content_(named(new QWidget(scroll_), "progress_content")),
       trouble_(text_label("progress_trouble", this)),
-      figures_(text_label("progress_figures", content_)),
-      time_(named(new QComboBox(content_), "progress_time", tr("Period shown"))),
+      title_(text_label("progress_title", content_)),
+      way_(text_label("progress_way", content_, "muted")),
       work_(named(new QProgressBar(content_), "progress_work", tr("Calculating statistics"))),
-      grid_(new QGridLayout),
-      charts_(chart_cards(content_)),
+      calendar_(new CalendarCard(content_)),
       characters_(new CharactersCard(content_)),
       hard_strokes_(new HardStrokesCard(content_)),
-      cards_(charts_ + QList<ChartCard*>{characters_, hard_strokes_}),
+      practise_(with_role(named(new QPushButton(content_), "progress_practise_button"), "link")),
+      more_(with_role(named(new QPushButton(content_), "progress_more_button"), "link")),
+      more_box_(named(new QWidget(content_), "progress_more_box")),
+      figures_(text_label("progress_figures", more_box_)),
+      time_(named(new QComboBox(more_box_), "progress_time", tr("Period shown"))),
+      first_grid_(new QGridLayout),
+      grid_(new QGridLayout),
+      charts_(chart_cards(more_box_)),
+      cards_(QList<ChartCard*>{calendar_, characters_, hard_strokes_} + charts_),
       at_hand_(cards_.front()) {
   setObjectName(QStringLiteral("progress_page"));
   setAccessibleName(tr("Progress"));
@@ -55,7 +69,7 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
   trouble_->setMargin(3 * kMargin);
   trouble_->hide();
   figures_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  auto* caption = new QLabel(tr("Period s&hown"), content_);
+  auto* caption = new QLabel(tr("Period s&hown"), more_box_);
   caption->setBuddy(time_);
   time_->addItem(tr("1 month"), static_cast<int>(TimeShown::month));
   time_->addItem(tr("3 months"), static_cast<int>(TimeShown::season));
@@ -65,20 +79,33 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
   work_->setRange(0, 100);
   work_->setTextVisible(false);
   work_->hide();
+  more_->setAutoDefault(true);
+  practise_->setAutoDefault(true);
+  practise_->setToolTip(tr("Write these characters from memory once (P)"));
 
   auto* choice = new QHBoxLayout;
   choice->setSpacing(8);
   choice->addWidget(caption);
   choice->addWidget(time_);
-  choice->addWidget(work_, 1);
   choice->addStretch(1);
+  first_grid_->setSpacing(kGap);
   grid_->setSpacing(kGap);
+  auto* more = new QVBoxLayout(more_box_);
+  more->setContentsMargins(0, 0, 0, 0);
+  more->setSpacing(kGap);
+  more->addWidget(figures_);
+  more->addLayout(choice);
+  more->addLayout(grid_);
   auto* column = new QVBoxLayout(content_);
-  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   column->setSpacing(kGap);
-  column->addWidget(figures_);
-  column->addLayout(choice);
-  column->addLayout(grid_, 1);
+  column->addWidget(title_);
+  column->addWidget(way_);
+  column->addWidget(work_);
+  column->addLayout(first_grid_);
+  column->addWidget(more_, 0, Qt::AlignLeft);
+  column->addWidget(more_box_);
+  column->addStretch(1);
+  hard_strokes_->layout()->addWidget(practise_);
   scroll_->setWidget(content_);
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -87,7 +114,10 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(scroll_, 1);
   all->addWidget(trouble_, 1);
+  more_box_->hide();
 
+  connect(more_, &QPushButton::clicked, this, [this] { set_shows_more(!shows_more()); });
+  connect(practise_, &QPushButton::clicked, this, &ProgressView::practise_wanted);
   connect(time_, &QComboBox::currentIndexChanged, this, [this] {
     show_charts(false);
     emit time_changed();
@@ -102,7 +132,14 @@ ProgressView::ProgressView(practice::Learner& learner, QWidget* parent)
     connect(card, &ChartCard::copy_wanted, this, [this, card] { emit copy_wanted(card); });
   connect(qApp, &QApplication::focusChanged, this,
           [this](const QWidget* /*old*/, QWidget* now) { note_focus(now); });
-  show_statistics(std::make_shared<const study::Statistics>());
+  clear();
+  set_shows_more(false);
+}
+
+void ProgressView::clear() {
+  study::Statistics none;
+  none.today = learner_.store().today();
+  show_statistics(std::make_shared<const study::Statistics>(std::move(none)));
 }
 
 // The card with the focus is destroyed after the list of cards. That moves the focus, and the slot would use
@@ -113,10 +150,15 @@ void ProgressView::show_statistics(const practice::SharedStatistics& statistics)
   statistics_ = statistics;
   show_work(1);
   show_trouble({});
+  show_way();
   show_figures();
+  calendar_->show_calendar(*statistics_);
   show_charts(true);
   show_characters();
   hard_strokes_->show_strokes(*statistics_, learner_.database());
+  const auto hard = hardest();
+  practise_->setVisible(!hard.empty() && learner_.can_write());
+  practise_->setText(tr("Practise these, %1").arg(HomeWords::minutes(practice::practice_time(hard.size()))));
   arrange();
 }
 
@@ -137,15 +179,66 @@ void ProgressView::show_charts(bool all) {
   }
 }
 
-void ProgressView::show_figures() {
-  const auto& s = *statistics_;
-  const QLocale locale;
-  if (s.characters.empty()) {
-    figures_->setText(
+bool ProgressView::shows_more() const { return !more_box_->isHidden(); }
+
+void ProgressView::set_shows_more(bool more) {
+  const bool changes = more != shows_more();
+  if (!more && at_hand_ != nullptr && more_box_->isAncestorOf(at_hand_)) at_hand_ = cards_.front();
+  more_box_->setVisible(more);
+  more_->setText((more ? QStringLiteral("▾ ") : QStringLiteral("▸ ")) + tr("More charts and figures"));
+  more_->setAccessibleName(more ? tr("Less: hide the charts") : tr("More charts and figures"));
+  more_->setToolTip(tr("Show or hide the charts (M)"));
+  if (changes) emit more_changed(more);
+}
+
+std::vector<char32_t> ProgressView::hardest() const {
+  constexpr std::size_t kMost = 4;
+  std::vector<char32_t> found;
+  for (const auto& stroke : statistics_->hard_strokes)
+    if (found.size() < kMost && std::find(found.begin(), found.end(), stroke.character) == found.end())
+      found.push_back(stroke.character);
+  return found;
+}
+
+void ProgressView::show_way() {
+  if (statistics_->characters.empty()) {
+    title_->setText(tr("Progress"));
+    way_->setText(
         tr("Nothing studied yet. Start with a few characters on Home, or trace one on the Characters page. "
            "Your progress will appear here in charts and tables."));
     return;
   }
+  const auto reached = practice::milestones(learner_);
+  if (!reached || reached->empty()) {
+    title_->setText(tr("Progress"));
+    way_->clear();
+    return;
+  }
+  // All school kanji where they are learned, else the list that is learned now.
+  const auto& whole = reached->back().list == practice::kSchoolKanji ? reached->back() : reached->front();
+  title_->setText(whole.list == practice::kSchoolKanji
+                      ? tr("%1 school kanji", "405 of 2,136").arg(HomeWords::count(whole))
+                      : tr("%1: %2", "list, 40 of 46").arg(HomeWords::list(whole), HomeWords::count(whole)));
+  QStringList said;
+  for (const auto& one : *reached) {
+    if (&one == &whole) {
+      if (one.days_left)
+        said.append(tr("At this pace, all of them in %1.").arg(HomeWords::about_days(*one.days_left)));
+      continue;
+    }
+    said.append(
+        one.days_left
+            ? tr("%1: %2, at this pace done in %3.")
+                  .arg(HomeWords::list(one), HomeWords::count(one), HomeWords::about_days(*one.days_left))
+            : tr("%1: %2.", "list, 40 of 46").arg(HomeWords::list(one), HomeWords::count(one)));
+  }
+  way_->setText(said.join(QLocale().language() == QLocale::Japanese ? QString() : QStringLiteral(" ")));
+  way_->setVisible(!said.isEmpty());
+}
+
+void ProgressView::show_figures() {
+  const auto& s = *statistics_;
+  const QLocale locale;
   QStringList lines;
   lines.append(tr("Days in a row: %1, longest %2%3")
                    .arg(locale.toString(s.streak.days), locale.toString(s.streak.longest),
@@ -211,13 +304,14 @@ ChartCard* ProgressView::card_at_hand() const { return at_hand_; }
 
 void ProgressView::go_to(const QString& id) {
   at_hand_ = card(id);
+  if (charts_.contains(at_hand_)) set_shows_more(true);
   at_hand_->focus_content();
   scroll_to(at_hand_);
 }
 
 void ProgressView::scroll_to(ChartCard* card) {
-  // Together with the first row of cards, the figures above it are shown.
-  if (cards_.indexOf(card) < columns_)
+  // Together with the first card, the figures above it are shown.
+  if (card == cards_.front())
     scroll_->ensureVisible(0, 0);
   else
     scroll_->ensureWidgetVisible(card, 0, kMargin);
@@ -242,14 +336,24 @@ void ProgressView::resizeEvent(QResizeEvent* event) {
 }
 
 void ProgressView::arrange() {
+  const int em = std::max(1, QFontInfo(font()).pixelSize());
+  const int beside = std::max(kMargin, (width() - em * kWidest_em) / 2);
+  content_->layout()->setContentsMargins(beside, kMargin, beside, kMargin);
+  QFont large = font();
+  large.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.7);
+  title_->setFont(large);
   const int letters = width() / std::max(1, fontMetrics().averageCharWidth());
   const int columns = letters >= kLettersForTwoColumns ? 2 : 1;
   if (columns == columns_) return;
   columns_ = columns;
+  while (first_grid_->count() > 0) delete first_grid_->takeAt(0);
+  first_grid_->addWidget(calendar_, 0, 0, 1, columns);
+  first_grid_->addWidget(characters_, 1, 0);
+  first_grid_->addWidget(hard_strokes_, columns == 2 ? 1 : 2, columns - 1);
   while (grid_->count() > 0) delete grid_->takeAt(0);
-  for (int i = 0; i < cards_.size(); ++i) grid_->addWidget(cards_[i], i / columns, i % columns);
-  for (int i = 0; i < 2; ++i) grid_->setColumnStretch(i, i < columns ? 1 : 0);
-  for (int i = 1; i < cards_.size(); ++i) QWidget::setTabOrder(cards_[i - 1], cards_[i]);
+  for (int i = 0; i < charts_.size(); ++i) grid_->addWidget(charts_[i], i / columns, i % columns);
+  for (auto* grid : {first_grid_, grid_})
+    for (int i = 0; i < 2; ++i) grid->setColumnStretch(i, i < columns ? 1 : 0);
 }
 
 }  // namespace nazori::ui

@@ -3,6 +3,7 @@
 
 #include <QList>
 #include <QWidget>
+#include <vector>
 
 #include "nazori/practice/learner.h"
 #include "nazori/practice/statistics_reader.h"
@@ -12,14 +13,17 @@ class QComboBox;
 class QGridLayout;
 class QLabel;
 class QProgressBar;
+class QPushButton;
 class QScrollArea;
 
 namespace nazori::ui {
 
+class CalendarCard;
 class CharactersCard;
 class HardStrokesCard;
 
-/// The widget of the page for progress: some figures, then a card for each chart. Thread: interface.
+/// The widget of the page for progress: how far the learner is, the calendar, the characters and the hardest
+/// strokes; then, folded away, more figures and a card for each chart. Thread: interface.
 class ProgressView final : public QWidget {
   Q_OBJECT
  public:
@@ -30,6 +34,8 @@ class ProgressView final : public QWidget {
   ~ProgressView() override;
 
   void show_statistics(const practice::SharedStatistics& statistics);
+  /// Shows nothing of a learner, until the next show_statistics().
+  void clear();
   /// Shows one sentence instead of everything; empty: the cards again.
   void show_trouble(const QString& sentence);
   /// Progress of reading the study history: 0..1; 1 hides it.
@@ -40,6 +46,12 @@ class ProgressView final : public QWidget {
   void set_time_shown(TimeShown time);
   /// Longer (+1) or shorter (-1). @return false at the end.
   bool change_time_shown(int by);
+
+  /// Whether the charts are shown.
+  [[nodiscard]] bool shows_more() const;
+  void set_shows_more(bool more);
+  /// The characters of the hardest strokes, to be practised; at most four.
+  [[nodiscard]] std::vector<char32_t> hardest() const;
 
   [[nodiscard]] CharactersCard& characters() const { return *characters_; }
   /// The card with this id. Never nullptr: if there is no such card, the first one.
@@ -52,6 +64,8 @@ class ProgressView final : public QWidget {
   void opened(char32_t character);
   void copy_wanted(nazori::ui::ChartCard* card);
   void time_changed();
+  void more_changed(bool more);
+  void practise_wanted();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -59,6 +73,7 @@ class ProgressView final : public QWidget {
 
  private:
   void arrange();
+  void show_way();
   void show_figures();
   /// @param all  also those that do not look back.
   void show_charts(bool all);
@@ -71,15 +86,20 @@ class ProgressView final : public QWidget {
   QScrollArea* scroll_;
   QWidget* content_;
   QLabel* trouble_;
-  QLabel* figures_;
-  QComboBox* time_;
+  QLabel *title_, *way_;
   QProgressBar* work_;
-  QGridLayout* grid_;
-  /// Those of practice::chart_kinds(), in its order.
-  QList<ChartCard*> charts_;
+  // In this order the Tab key goes through them.
+  CalendarCard* calendar_;
   CharactersCard* characters_;
   HardStrokesCard* hard_strokes_;
-  QList<ChartCard*> cards_;  ///< the charts, then the others
+  QPushButton *practise_, *more_;
+  QWidget* more_box_;
+  QLabel* figures_;
+  QComboBox* time_;
+  QGridLayout *first_grid_, *grid_;
+  /// Those of practice::chart_kinds(), in its order.
+  QList<ChartCard*> charts_;
+  QList<ChartCard*> cards_;  ///< the others, then the charts
   ChartCard* at_hand_;
   int columns_ = 0;
 };

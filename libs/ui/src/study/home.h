@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QTimer>
+#include <vector>
 
 #include "page/page.h"
 
@@ -14,10 +15,11 @@ class HomeActions final : public ActionSet {
   Q_OBJECT
  public:
   explicit HomeActions(QWidget* window);
-  QAction *start, *leeches, *undo, *settings;
+  QAction *start, *reviews, *more, *ahead, *practise, *leeches, *choose;
+  QAction *all_ink, *week, *month, *undo, *settings;
 };
 
-/// The first page: what is due today, and the button that starts a session.
+/// The first page: what is due today and the button that starts a session, and what was written last.
 class Home final : public Page {
   Q_OBJECT
  public:
@@ -33,6 +35,8 @@ class Home final : public Page {
 
  private:
   void start(bool leeches);
+  void start_with(const std::vector<char32_t>& characters, const QString& if_none);
+  void save_picture(bool of_month);
   void refresh();
 
   HomeActions* actions_;

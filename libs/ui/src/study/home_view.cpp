@@ -6,40 +6,59 @@
 #include <QFontInfo>
 #include <QFrame>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
-#include <QPushButton>
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <vector>
 
-#include "nazori/practice/day_outlook.h"
+#include "nazori/practice/extra_study.h"
+#include "nazori/practice/hard_characters.h"
 #include "settings/preferences.h"
+#include "study/home.h"
+#include "study/home_parts.h"
+#include "study/home_words.h"
+#include "widgets/flow_layout.h"
 #include "widgets/parts.h"
 #include "words/kanji_text.h"
 #include "words/learner_words.h"
 #include "words/study_words.h"
+#include "words/trouble_words.h"
 
 namespace nazori::ui {
 namespace {
 
 constexpr int kMargin = 28;
-constexpr int kWidest_em = 60;  ///< longer lines are hard to read
-constexpr int kMostShown = 12;  ///< characters in a sentence
+constexpr int kGap = 18;
+constexpr int kWidest_em = 88;      ///< of the content: what is farther apart does not belong together
+constexpr int kTwoColumns_em = 48;  ///< narrower content is one column
+constexpr std::size_t kMostNew = 10;
+constexpr std::size_t kMostHard = 3;
+constexpr std::size_t kMostInk = 200;
+constexpr double kSmallTile = 0.55;
 
-QString in_a_row(const std::vector<char32_t>& characters) {
-  QString text;
-  for (std::size_t i = 0; i < characters.size() && i < kMostShown; ++i) text += to_text(characters[i]);
-  return characters.size() > kMostShown ? text + QStringLiteral("…") : text;
+QWidget* column_of(std::initializer_list<QWidget*> parts, QWidget* parent) {
+  auto* box = new QWidget(parent);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap);
+  for (auto* part : parts) column->addWidget(part);
+  column->addStretch(1);
+  return box;
+}
+
+QWidget* flow_of(std::initializer_list<QWidget*> parts, QWidget* parent) {
+  auto* box = new QWidget(parent);
+  auto* flow = new FlowLayout(kGap / 2, kGap / 2, box);
+  for (auto* part : parts) flow->addWidget(part);
+  return box;
 }
 
 }  // namespace
 
-HomeView::HomeView(practice::Learner& learner, const practice::StudySession& session, QWidget* parent)
+HomeView::HomeView(practice::Learner& learner, const practice::StudySession& session,
+                   const HomeActions& actions, QWidget* parent)
     : QScrollArea(parent),
       learner_(learner),
       session_(session),
@@ -48,79 +67,94 @@ HomeView::HomeView(practice::Learner& learner, const practice::StudySession& ses
   setAccessibleName(tr("Today"));
   setFrameShape(QFrame::NoFrame);
 
-  day_ = sentence_label("home_day", content_);
+  greeting_ = text_label("home_greeting", content_);
+  day_ = sentence_label("home_day", content_, "muted");
   trouble_ = sentence_label("home_trouble", content_, "trouble");
-  summary_ = sentence_label("home_summary", content_, "card");
-  advice_ = sentence_label("home_advice", content_);
-  leeches_ = sentence_label("home_leeches", content_);
-  const auto button = [this](const char* name, const QString& text) {
-    auto* made = named(new QPushButton(text, content_), name);
-    made->setAutoDefault(true);  // Enter presses what has the keyboard
-    return made;
-  };
-  again_ = button("home_try_again", tr("Try again"));
-  start_ = button("home_start", {});
-  start_->setProperty("role", QStringLiteral("primary"));
-  leech_button_ = button("home_leech_lesson", tr("Relearn these"));
-  settings_ = button("home_settings", tr("Study settings…"));
-  free_writing_ = button("home_free_writing", tr("Choose a character"));
+  again_ = named(new QPushButton(tr("Try again"), content_), "home_try_again");
+  again_->setAutoDefault(true);  // Enter presses what has the keyboard
   connect(again_, &QPushButton::clicked, this, [this] { learner_.open_again(); });
-  connect(start_, &QPushButton::clicked, this, &HomeView::start_wanted);
-  connect(leech_button_, &QPushButton::clicked, this, &HomeView::leeches_wanted);
-  connect(settings_, &QPushButton::clicked, this, &HomeView::settings_wanted);
-  connect(free_writing_, &QPushButton::clicked, this, &HomeView::free_writing_wanted);
+  start_ = named(new StartButton(content_), "home_start");
+  start_->setToolTip(tr("Enter or Space: start"));
+  connect(start_, &QPushButton::clicked, actions.start, &QAction::trigger);
+  reviews_ = button(actions.reviews, "home_reviews", {});
+  more_ = button(actions.more, "home_more", tr("Five more new characters"));
+  ahead_ = button(actions.ahead, "home_ahead", tr("Review ahead"));
+  choose_ = button(actions.choose, "home_free_writing", tr("Choose characters"));
+  settings_ = button(actions.settings, "home_settings", tr("Study settings…"));
+  advice_ = sentence_label("home_advice", content_);
 
+  way_title_ = heading(tr("On the way"), content_);
+  auto* way = new QWidget(content_);
+  way_ = new QVBoxLayout(way);
+  way_->setContentsMargins(0, 0, 0, 0);
+  way_->setSpacing(kGap);
+  way_card_ = card("home_way", {way});
+
+  new_title_ = heading(tr("New today"), content_);
+  new_.box = named(new QWidget(content_), "home_new");
+  new FlowLayout(kGap / 2, kGap / 2, new_.box);
+
+  ink_title_ = heading({}, content_);
+  ink_title_->setObjectName(QStringLiteral("home_ink_title"));
+  ink_ = new InkRow(content_);
+  ink_empty_ = text_label("home_ink_empty", content_, "muted");
+  ink_empty_->setText(tr("What you write from memory will appear here, in your own hand."));
+  ink_figures_ = sentence_label("home_written", content_, "muted");
+  all_ink_ = button(actions.all_ink, "home_all_ink", {}, "link");
+  week_ = button(actions.week, "home_week", tr("Picture of the week…"), "link");
+  month_ = button(actions.month, "home_month", tr("Picture of the month…"), "link");
+  ink_card_ =
+      card("home_ink", {ink_, ink_empty_, ink_figures_, flow_of({all_ink_, week_, month_}, content_)});
+  connect(ink_, &InkRow::resized, this, [this] { all_ink_->setVisible(ink_->has_more()); });
+
+  care_title_ = heading(tr("Needs care"), content_);
+  care_.box = named(new QWidget(content_), "home_care_characters");
+  new FlowLayout(kGap / 2, kGap / 2, care_.box);
+  care_words_ = sentence_label("home_care", content_);
+  practise_ = button(actions.practise, "home_practise", {}, "link");
+  leeches_ = sentence_label("home_leeches", content_);
+  relearn_ = button(actions.leeches, "home_leech_lesson", tr("Relearn these"), "link");
+  care_card_ = card("home_care_card", {care_.box, care_words_, flow_of({practise_}, content_), leeches_,
+                                       flow_of({relearn_}, content_)});
+
+  left_ = column_of({trouble_, again_, start_, advice_,
+                     flow_of({reviews_, more_, ahead_, choose_, settings_}, content_), way_card_},
+                    content_);
+  right_ = column_of({new_title_, new_.box, ink_title_, ink_card_, care_title_, care_card_}, content_);
+  header_ = new QGridLayout;
+  header_->setHorizontalSpacing(kGap);
+  header_->setVerticalSpacing(kGap / 4);
   grid_ = new QGridLayout;
-  grid_->setSpacing(12);
-  for (const auto& [which, name] : {std::pair(due, "home_due"), std::pair(fresh, "home_new"),
-                                    std::pair(minutes, "home_time"), std::pair(streak, "home_streak")})
-    tiles_[which] = make_tile(name);
-
-  auto* column = new QVBoxLayout;
-  column->setSpacing(16);
-  column->addWidget(day_);
-  column->addWidget(trouble_);
-  column->addWidget(again_, 0, Qt::AlignLeft);
-  column->addWidget(summary_);
-  column->addWidget(start_);
+  grid_->setHorizontalSpacing(2 * kGap);
+  grid_->setVerticalSpacing(kGap);
+  auto* column = new QVBoxLayout(content_);
+  column->setSpacing(kGap * 4 / 3);
+  column->addLayout(header_);
   column->addLayout(grid_);
-  column->addWidget(advice_);
-  column->addWidget(leeches_);
-  column->addWidget(leech_button_, 0, Qt::AlignLeft);
   column->addStretch(1);
-  auto* others = new QHBoxLayout;
-  others->addWidget(settings_);
-  others->addWidget(free_writing_);
-  others->addStretch(1);
-  column->addLayout(others);
-  content_->setLayout(column);
+  way_card_->layout()->setSpacing(kGap);
+  qobject_cast<QVBoxLayout*>(way_card_->layout())->insertWidget(0, way_title_);
   make_scrolling(this, content_);
-  summary_->hide();
+  show_all_ink(false);
   fit();
 }
 
-HomeView::Tile HomeView::make_tile(const char* name) {
-  Tile tile;
-  tile.frame = new QFrame(content_);
-  tile.frame->setProperty("role", QStringLiteral("card"));
-  tile.number = new QLabel(tile.frame);
-  tile.number->setObjectName(QString::fromLatin1(name));
-  tile.words = new QLabel(tile.frame);
-  tile.words->setWordWrap(true);
-  tile.words->setProperty("role", QStringLiteral("muted"));
-  auto* column = new QVBoxLayout(tile.frame);
-  column->setContentsMargins(16, 12, 16, 12);
-  column->setSpacing(2);
-  column->addWidget(tile.number);
-  column->addWidget(tile.words);
-  column->addStretch(1);
-  return tile;
+QPushButton* HomeView::button(QAction* action, const char* name, const QString& text, const char* role) {
+  auto* made = named(new QPushButton(text, content_), name);
+  made->setAutoDefault(true);
+  made->setToolTip(action->toolTip());
+  if (role != nullptr) with_role(made, role);
+  connect(made, &QPushButton::clicked, action, &QAction::trigger);
+  return made;
 }
 
-void HomeView::show_tile(TileName which, const QString& number, const QString& words) {
-  tiles_[which].number->setText(number);
-  tiles_[which].words->setText(words);
-  tiles_[which].number->setAccessibleName(QStringLiteral("%1 %2").arg(number, words));
+QWidget* HomeView::card(const char* name, std::initializer_list<QWidget*> parts) {
+  auto* frame = with_role(named(new QFrame(content_), name), "card");
+  auto* column = new QVBoxLayout(frame);
+  column->setContentsMargins(kGap, kGap, kGap, kGap);
+  column->setSpacing(kGap / 2);
+  for (auto* part : parts) column->addWidget(part);
+  return frame;
 }
 
 void HomeView::set_text(QLabel* label, const QString& text) {
@@ -128,64 +162,151 @@ void HomeView::set_text(QLabel* label, const QString& text) {
   label->setVisible(!text.isEmpty());
 }
 
-QString HomeView::after_the_work(const study::DayPlan& plan) const {
-  using Kind = practice::DayOutlook::Kind;
-  const auto& store = learner_.store();
-  const auto outlook = practice::outlook_of(store, plan);
-  switch (outlook.kind) {
-    case Kind::later_today:
-      return tr("Done for now. %n characters come back today, the first at %1.", nullptr, outlook.characters)
-          .arg(StudyWords::minute(outlook.first, store.calendar()));
-    case Kind::limit_reached:
-      return tr("Done for today: you have reached your daily limit. %n reviews will wait until tomorrow.",
-                nullptr, outlook.characters);
-    case Kind::nothing_to_learn:
-      return tr(
-          "Nothing to learn yet. In the study settings, choose lists and how many new characters you want "
-          "per day.");
-    case Kind::reviews_tomorrow:
-      return tr("Done for today. %n reviews are due tomorrow.", nullptr, outlook.characters);
-    case Kind::new_tomorrow:
-      return tr("Done for today. Tomorrow: new characters, no reviews.");
-    case Kind::nothing_tomorrow:
-      return tr("Done for today. Nothing is due tomorrow.");
+void HomeView::show_tiles(Tiles& tiles, const std::vector<char32_t>& characters, bool captions) {
+  tiles.box->setVisible(!characters.empty());
+  if (tiles.shown == characters) return;
+  tiles.shown = characters;
+  clear_layout(tiles.box->layout());
+  for (const char32_t character : characters) {
+    auto* tile = new CharacterTile(character,
+                                   captions ? HomeWords::caption(learner_.database(), character) : QString(),
+                                   captions ? 1 : kSmallTile, tiles.box);
+    connect(tile, &QPushButton::clicked, this, [this, character] { emit character_wanted(character); });
+    tiles.box->layout()->addWidget(tile);
+    tile->show();
   }
-  return {};
 }
 
-QString HomeView::advice(const study::DayPlan& plan) const {
-  if (plan.now.empty()) return after_the_work(plan);
-  QStringList said;
-  if (plan.gentle) {
-    said.append(
-        tr("%n reviews are waiting. No hurry: do %1 today, starting with the characters you know best.",
-           nullptr, plan.gentle->overdue)
-            .arg(plan.gentle->per_day));
-    said.append(
-        tr("You will catch up in %n days, on %1. No new characters until then.", nullptr, plan.gentle->days)
-            .arg(StudyWords::day(plan.gentle->last_day)));
-  } else if (plan.held_back > 0) {
-    said.append(tr("%n more reviews will wait for another day because of your daily limit.", nullptr,
-                   plan.held_back));
+void HomeView::show_header() {
+  const auto& store = learner_.store();
+  greeting_->setText(HomeWords::greeting(practice::part_of_day(store)));
+  QStringList said{StudyWords::day(store.today())};
+  const auto run = practice::streak_now(store);
+  if (run.days > 0) said.append(HomeWords::streak(run));
+  if (const QString profile = to_text(learner_.profile()); profile != Preferences().profile)
+    said.append(profile);
+  day_->setText(said.join(QStringLiteral(" · ")));
+  day_->setToolTip(run.days == 0      ? QString()
+                   : run.day_off_used ? tr("One day off a week is fine; this week's is used.")
+                                      : tr("One day off a week is fine."));
+}
+
+void HomeView::show_work(const study::DayPlan& plan) {
+  const auto& store = learner_.store();
+  const bool running = session_.is_running();
+  const int fresh = plan.count(study::TaskKind::fresh);
+  const int due = static_cast<int>(plan.now.size()) - fresh;
+  can_start_ = running || (!plan.now.empty() && learner_.can_write());
+  start_->setVisible(can_start_);
+  start_->show_work(
+      running ? tr("Continue the session") : tr("Start"),
+      plan.now.empty()
+          ? QString()
+          : tr("%1 · %2", "work, time").arg(HomeWords::work(due, fresh), StudyWords::about(plan.estimate)));
+  const auto reviews = practice::reviews_now(store, plan);
+  const bool is_choice = can_start_ && !running && due > 0 && fresh > 0 && reviews.has_value();
+  reviews_->setVisible(is_choice);
+  if (is_choice) reviews_->setText(tr("Only reviews, %1").arg(HomeWords::minutes(reviews->estimate)));
+  const bool is_done = plan.now.empty() && !running && learner_.can_write();
+  const auto next = is_done ? practice::new_characters(learner_, 1) : std::vector<char32_t>();
+  more_->setVisible(is_done && plan.held_back == 0 && next && !next->empty());
+  ahead_->setVisible(is_done && plan.held_back == 0 && !practice::reviews_ahead(store, 1).empty());
+  set_text(advice_, plan.now.empty() ? HomeWords::outlook(practice::outlook_of(store, plan), store.calendar())
+                                     : HomeWords::advice(plan, store.cards().empty()));
+}
+
+void HomeView::show_way() {
+  const auto reached = practice::milestones(learner_);
+  const auto bars = way_card_->findChildren<MilestoneBar*>();
+  const std::size_t count = reached ? reached->size() : 0;
+  way_card_->setVisible(count > 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    auto* bar = i < static_cast<std::size_t>(bars.size()) ? bars[static_cast<qsizetype>(i)] : nullptr;
+    if (bar == nullptr) {
+      bar = new MilestoneBar(content_);
+      way_->addWidget(bar);
+    }
+    bar->show_milestone((*reached)[i]);
+    bar->show();
   }
-  if (learner_.store().cards().empty())
-    said.append(
-        tr("You first watch each new character, then trace it, then write it with less and less help, and "
-           "finally from memory. It comes back just before you would forget it."));
-  std::vector<char32_t> news;
+  for (auto i = static_cast<qsizetype>(count); i < bars.size(); ++i) bars[i]->hide();
+}
+
+void HomeView::show_last_day(const study::DayPlan& plan) {
+  const auto& store = learner_.store();
+  auto today = practice::writing_record(store, plan.day, plan.day);
+  if (!today) today = practice::WritingRecord();
+  std::vector<char32_t> fresh = today->fresh;
   for (const auto& task : plan.now)
-    if (task.kind == study::TaskKind::fresh) news.push_back(task.character);
-  if (!news.empty()) said.append(tr("New today: %1").arg(in_a_row(news)));
-  return said.join(QLatin1Char('\n'));
+    if (task.kind == study::TaskKind::fresh && fresh.size() < kMostNew &&
+        std::find(fresh.begin(), fresh.end(), task.character) == fresh.end())
+      fresh.push_back(task.character);
+  if (fresh.size() > kMostNew) fresh.resize(kMostNew);
+  new_title_->setVisible(!fresh.empty());
+  show_tiles(new_, fresh, true);
+
+  practice::WritingRecord shown = *today;
+  if (shown.writings.empty())
+    if (auto last = practice::last_record_before(store, plan.day); last && *last) shown = **std::move(last);
+  const bool is_today = shown.first == plan.day;
+  const auto inks = practice::inks_of(store, shown.best_of_each(), kMostInk);
+  const bool any = !shown.writings.empty();
+  ink_->show_inks(inks ? *inks : std::vector<practice::InkedWriting>());
+  ink_->setVisible(inks && !inks->empty());
+  ink_empty_->setVisible(!any);
+  const bool was_yesterday = shown.first + std::chrono::days(1) == plan.day;
+  ink_title_->setText(!any || is_today ? tr("Today, in your hand")
+                      : was_yesterday  ? tr("Yesterday, in your hand")
+                                       : tr("%1, in your hand", "a day").arg(StudyWords::day(shown.first)));
+  set_text(ink_figures_, any ? HomeWords::written(shown) : QString());
+  all_ink_->setVisible(ink_->has_more());
+  week_->setVisible(any);
+  month_->setVisible(any);
+  show_care(plan, *today);
+}
+
+void HomeView::show_care(const study::DayPlan& plan, const practice::WritingRecord& today) {
+  const auto& store = learner_.store();
+  std::vector<practice::HardCharacter> hard;
+  for (const char32_t character : today.hard) {
+    if (hard.size() >= kMostHard) break;
+    const auto trouble = practice::stroke_trouble(store, character,
+                                                  store.today() - std::chrono::days(practice::kHardDays - 1));
+    hard.push_back({character, 1, trouble ? *trouble : std::nullopt});
+  }
+  const bool is_of_today = !hard.empty();
+  if (!is_of_today)
+    if (auto found = practice::hard_characters(store, kMostHard)) hard = *std::move(found);
+  // Difficult characters are named below, with a lesson of their own.
+  std::erase_if(hard, [&plan](const auto& one) {
+    return std::find(plan.leeches.begin(), plan.leeches.end(), one.character) != plan.leeches.end();
+  });
+  hard_.clear();
+  for (const auto& one : hard) hard_.push_back(one.character);
+  const bool can_practise = learner_.can_write() && !session_.is_running();
+  show_tiles(care_, hard_, false);
+  const auto worst =
+      std::find_if(hard.begin(), hard.end(), [](const auto& one) { return one.stroke.has_value(); });
+  set_text(care_words_, worst != hard.end() ? TroubleWords::often(*worst)
+                        : hard.empty()      ? QString()
+                        : is_of_today       ? tr("Not right every time today.")
+                                            : TroubleWords::often(hard.front()));
+  practise_->setVisible(!hard.empty() && can_practise);
+  practise_->setText(tr("Practise these, %1").arg(HomeWords::minutes(practice::practice_time(hard.size()))));
+  const int leeches = static_cast<int>(plan.leeches.size());
+  set_text(leeches_, leeches == 0 ? QString()
+                                  : tr("%n characters were forgotten too often and taken out of reviews: %1",
+                                       nullptr, leeches)
+                                        .arg(HomeWords::in_a_row(plan.leeches)));
+  relearn_->setVisible(leeches > 0 && can_practise);
+  care_title_->setVisible(leeches > 0 || !hard.empty());
+  care_card_->setVisible(leeches > 0 || !hard.empty());
 }
 
 void HomeView::refresh() {
   QWidget* keyboard = QApplication::focusWidget();
   if (keyboard != nullptr && !isAncestorOf(keyboard)) keyboard = nullptr;
-  const auto& store = learner_.store();
-  const QString day = StudyWords::day(store.today());
-  const QString profile = to_text(learner_.profile());
-  day_->setText(profile == Preferences().profile ? day : tr("%1 · %2").arg(day, profile));
+  show_header();
   set_text(trouble_,
            LearnerWords::sentence(learner_.trouble() ? learner_.trouble() : learner_.backup_trouble()));
   again_->setVisible(!learner_.can_write());
@@ -194,37 +315,18 @@ void HomeView::refresh() {
     set_text(trouble_, to_text(base::to_line(plan.error())));
     return;
   }
-  const QLocale locale;
-  const int news = plan->count(study::TaskKind::fresh);
-  const int reviews = static_cast<int>(plan->now.size()) - news;
-  show_tile(due, locale.toString(reviews), tr("due now"));
-  show_tile(fresh, locale.toString(news),
-            plan->new_done > 0 ? tr("new (%1 already done today)").arg(plan->new_done) : tr("new today"));
-  const auto rounded = std::chrono::round<std::chrono::minutes>(plan->estimate).count();
-  const int whole = plan->now.empty() ? 0 : std::max(1, static_cast<int>(rounded));
-  show_tile(minutes, locale.toString(whole), tr("minutes (estimate)", nullptr, whole));
-  const auto run = practice::streak_now(store);
-  show_tile(streak, locale.toString(run.days),
-            run.days == 0      ? tr("days in a row", nullptr, 0)
-            : run.day_off_used ? tr("days in a row (day off used this week)", nullptr, run.days)
-                               : tr("days in a row (one day off per week is fine)", nullptr, run.days));
+  show_work(*plan);
+  show_way();
+  show_last_day(*plan);
+  move_focus(keyboard);
+}
 
-  const bool running = session_.is_running();
-  can_start_ = running || (!plan->now.empty() && learner_.can_write());
-  start_->setVisible(can_start_);
-  start_->setText(running ? tr("Continue the session")
-                          : tr("Start: %n characters, %1", nullptr, static_cast<int>(plan->now.size()))
-                                .arg(StudyWords::about(plan->estimate)));
-  start_->setToolTip(tr("Enter or Space: start"));
-  set_text(advice_, advice(*plan));
-  const int leeches = static_cast<int>(plan->leeches.size());
-  set_text(leeches_, leeches == 0 ? QString()
-                                  : tr("%n characters were forgotten too often and taken out of reviews: %1",
-                                       nullptr, leeches)
-                                        .arg(in_a_row(plan->leeches)));
-  leech_button_->setVisible(leeches > 0 && !running && learner_.can_write());
+void HomeView::move_focus(QWidget* keyboard) {
   QWidget* first = start_;
-  if (!can_start_) first = learner_.can_write() ? static_cast<QWidget*>(settings_) : again_;
+  if (!can_start_) {
+    first = again_;
+    if (learner_.can_write()) first = !more_->isHidden() ? more_ : !ahead_->isHidden() ? ahead_ : settings_;
+  }
   // The widget with the focus may be hidden now, or may no longer be the first thing to do.
   const bool moves = keyboard == focusProxy() || (keyboard != nullptr && !keyboard->isVisible());
   setFocusProxy(first);
@@ -237,44 +339,29 @@ void HomeView::refresh() {
   });
 }
 
-void HomeView::show_summary(const practice::SessionSummary& summary) {
-  QStringList said;
-  if (summary.reviews > 0) {
-    said.append(tr("Written from memory: %n", nullptr, summary.reviews));
-    QStringList counts;
-    for (std::size_t i = 0; i < study::kRatings.size(); ++i)
-      if (summary.ratings[i] > 0)
-        counts.append(
-            QStringLiteral("%1 %2").arg(StudyWords::rating(study::kRatings[i])).arg(summary.ratings[i]));
-    said.append(counts.join(QStringLiteral(" · ")));
-  }
-  if (!summary.met.empty()) said.append(tr("New: %1").arg(in_a_row(summary.met)));
-  if (!summary.lessons.empty()) said.append(tr("Relearned: %1").arg(in_a_row(summary.lessons)));
-  if (!summary.again.empty()) said.append(tr("Coming back soon: %1").arg(in_a_row(summary.again)));
-  if (summary.reviews + summary.practices > 0)
-    said.append(tr("Time: %1").arg(StudyWords::about(summary.time)));
-  set_text(summary_, said.join(QLatin1Char('\n')));
+void HomeView::show_all_ink(bool all) {
+  ink_->show_all(all);
+  all_ink_->setText(all ? tr("Show less") : tr("See all"));
 }
 
 void HomeView::fit() {
   const int em = QFontInfo(font()).pixelSize();
   QFont large = font();
-  large.setPointSizeF(QFontInfo(font()).pointSizeF() * 2.2);
-  for (const auto& tile : tiles_) tile.number->setFont(large);
-  QFont heading = font();
-  heading.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.5);
-  day_->setFont(heading);
-  QFont button = font();
-  button.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.25);
-  start_->setFont(button);
+  large.setPointSizeF(QFontInfo(font()).pointSizeF() * 1.7);
+  greeting_->setFont(large);
   const int room = std::min(viewport()->width() - 2 * kMargin, em * kWidest_em);
   const int beside = std::max(kMargin, (viewport()->width() - room) / 2);
   content_->layout()->setContentsMargins(beside, kMargin, beside, kMargin);
-  const int columns = room >= em * 40 ? 4 : room >= em * 20 ? 2 : 1;
-  for (std::size_t i = 0; i < tiles_.size(); ++i) {
-    grid_->addWidget(tiles_[i].frame, static_cast<int>(i) / columns, static_cast<int>(i) % columns);
-    grid_->setColumnStretch(static_cast<int>(i), static_cast<int>(i) < columns ? 1 : 0);
-  }
+  const bool two = room >= em * kTwoColumns_em;
+  header_->addWidget(greeting_, 0, 0);
+  header_->addWidget(day_, two ? 0 : 1, two ? 1 : 0);
+  day_->setAlignment(two ? Qt::AlignRight | Qt::AlignBottom : Qt::AlignLeft);
+  grid_->addWidget(left_, 0, 0);
+  grid_->addWidget(right_, two ? 0 : 1, two ? 1 : 0);
+  grid_->setColumnStretch(0, 3);
+  grid_->setColumnStretch(1, two ? 4 : 0);
+  header_->setColumnStretch(0, 3);
+  header_->setColumnStretch(1, two ? 4 : 0);
 }
 
 void HomeView::changeEvent(QEvent* event) {

@@ -1,74 +1,95 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QList>
 #include <QScrollArea>
-#include <array>
+#include <vector>
 
+#include "nazori/practice/day_record.h"
 #include "nazori/practice/learner.h"
 #include "nazori/practice/study_session.h"
-#include "nazori/study/statistics.h"
 
-class QFrame;
 class QGridLayout;
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace nazori::ui {
 
-/// The widget of Home: what is due now, how long it takes, and one button to start.
+class HomeActions;
+class InkRow;
+class StartButton;
+
+/// The widget of Home: what is due now and one button to start; how far the learner is; what is new, what was
+/// written last, and what needs care.
 class HomeView final : public QScrollArea {
   Q_OBJECT
  public:
-  HomeView(practice::Learner& learner, const practice::StudySession& session, QWidget* parent = nullptr);
+  /// @param actions  that its buttons trigger.
+  HomeView(practice::Learner& learner, const practice::StudySession& session, const HomeActions& actions,
+           QWidget* parent = nullptr);
 
-  /// Reads the plan of the day again.
+  /// Reads the day of the learner again.
   void refresh();
   /// Whether the last refresh() found something to start or to continue.
   [[nodiscard]] bool can_start() const { return can_start_; }
-  /// Shows the summary of the last session on top, until the next one starts.
-  void show_summary(const practice::SessionSummary& summary);
+  /// What needs care: what was not right today, else what often fails.
+  [[nodiscard]] const std::vector<char32_t>& hard() const { return hard_; }
+  /// Shows all of the last day's handwriting, or one row of it.
+  void show_all_ink(bool all);
 
  signals:
-  void start_wanted();
-  void leeches_wanted();
-  void settings_wanted();
-  void free_writing_wanted();
+  void character_wanted(char32_t character);
 
  protected:
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct Tile {
-    QFrame* frame = nullptr;
-    QLabel* number = nullptr;
-    QLabel* words = nullptr;
+  /// Rows of tiles, made again where they are to show others.
+  struct Tiles {
+    QWidget* box = nullptr;
+    std::vector<char32_t> shown;
   };
-  enum TileName : std::uint8_t { due, fresh, minutes, streak, tile_count };
-
-  Tile make_tile(const char* name);
-  void show_tile(TileName which, const QString& number, const QString& words);
-  [[nodiscard]] QString advice(const study::DayPlan& plan) const;
-  [[nodiscard]] QString after_the_work(const study::DayPlan& plan) const;
+  QPushButton* button(QAction* action, const char* name, const QString& text, const char* role = nullptr);
+  QWidget* card(const char* name, std::initializer_list<QWidget*> parts);
   void set_text(QLabel* label, const QString& text);
+  void show_tiles(Tiles& tiles, const std::vector<char32_t>& characters, bool captions);
+  void show_header();
+  void show_work(const study::DayPlan& plan);
+  void show_way();
+  void show_last_day(const study::DayPlan& plan);
+  void show_care(const study::DayPlan& plan, const practice::WritingRecord& today);
+  void move_focus(QWidget* keyboard);
   void fit();
 
   practice::Learner& learner_;
   const practice::StudySession& session_;
   bool can_start_ = false;
+  std::vector<char32_t> hard_;
   QWidget* content_;
-  QLabel* day_;
-  QLabel* trouble_;
+  QLabel *greeting_, *day_, *trouble_, *advice_, *leeches_;
   QPushButton* again_;
-  QLabel* summary_;
+  StartButton* start_;
+  QPushButton *reviews_, *choose_, *settings_, *more_, *ahead_;
+  QLabel* way_title_;
+  QWidget* way_card_;
+  QVBoxLayout* way_;
+  QLabel* new_title_;
+  Tiles new_;
+  QLabel* ink_title_;
+  QWidget* ink_card_;
+  InkRow* ink_;
+  QLabel *ink_figures_, *ink_empty_;
+  QPushButton *all_ink_, *week_, *month_;
+  QLabel* care_title_;
+  QWidget* care_card_;
+  Tiles care_;
+  QLabel* care_words_;
+  QPushButton *practise_, *relearn_;
+  QGridLayout* header_;
   QGridLayout* grid_;
-  std::array<Tile, tile_count> tiles_;
-  QPushButton* start_;
-  QLabel* advice_;
-  QLabel* leeches_;
-  QPushButton* leech_button_;
-  QPushButton* settings_;
-  QPushButton* free_writing_;
+  QWidget *left_, *right_;
 };
 
 }  // namespace nazori::ui

@@ -10,7 +10,6 @@
 
 #include "look/ink_painting.h"
 #include "look/palette.h"
-#include "nazori/geometry/frames.h"
 
 namespace nazori::ui {
 namespace {
@@ -25,11 +24,7 @@ void paint_piece(QPainter& painter, const study::Handwriting& ink, const QRectF&
   painter.setPen(QPen(c.line, 1));
   painter.setBrush(c.surface);
   painter.drawRoundedRect(box, 6, 6);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(c.ink, std::max(box.width() * kPen, 1.5), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  const double scale = box.width() / geometry::kGlyphSide;
-  const QTransform to_box = QTransform::fromTranslate(box.left(), box.top()).scale(scale, scale);
-  for (const auto& stroke : ink) painter.drawPath(to_box.map(path_through(geometry::line_of(stroke))));
+  paint_handwriting(painter, ink, box, c.ink, kPen);
 }
 
 }  // namespace

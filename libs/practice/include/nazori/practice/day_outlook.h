@@ -29,6 +29,15 @@ struct DayOutlook {
 /// @param plan  of today, with nothing to do now.
 [[nodiscard]] DayOutlook outlook_of(const study::LearnerStore& learner, const study::DayPlan& plan);
 
+/// How people greet each other now.
+enum class PartOfDay : std::uint8_t {
+  morning,    ///< until 12:00
+  afternoon,  ///< until 18:00
+  evening,    ///< until the study day ends
+};
+/// By the learner's clock and zone.
+[[nodiscard]] PartOfDay part_of_day(const study::LearnerStore& learner);
+
 /// The days in a row up to today; 0 where the history cannot be read.
 [[nodiscard]] study::Streak streak_now(const study::LearnerStore& learner);
 

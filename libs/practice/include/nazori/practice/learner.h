@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,9 @@ class Learner {
   /// kanji.db, for another thread to open.
   [[nodiscard]] const std::filesystem::path& database_file() const { return database_file_; }
   [[nodiscard]] const kanji::KanjiDatabase* database() const { return database_ ? &*database_ : nullptr; }
+  /// Every character of the chosen lists, in learning order. Valid until something is done, set or renewed.
+  /// @return the errors of study::CharacterLists::in_learning_order().
+  [[nodiscard]] base::Result<std::span<const char32_t>> learning_order();
   /// The plan of today. Takes a few milliseconds, however long the history is.
   [[nodiscard]] base::Result<study::DayPlan> plan();
   /// Notices a new study day. To be called every minute.

@@ -23,6 +23,8 @@ class StatisticsReader {
 
   /// @param now  the present time of the learner's clock.
   void request(const std::filesystem::path& learner, study::Time now);
+  /// Drops the request, if there is one: its answer never arrives.
+  void cancel() { work_.cancel(); }
   [[nodiscard]] bool is_busy() const { return work_.is_busy(); }
 
   /// Progress of the newest request, 0..1.

@@ -152,6 +152,8 @@ class LearnerStore {
   [[nodiscard]] base::Result<std::vector<StudyDay>> study_days() const;
   /// Characters that were written from memory on a day, ascending.
   [[nodiscard]] base::Result<std::vector<char32_t>> reviewed_on(Day day) const;
+  /// Characters whose first review of a day failed, with the number of such days from `first` on.
+  [[nodiscard]] base::Result<std::map<char32_t, int>> failed_days(Day first) const;
   /// Durations of the newest character days with an outcome. @param most  maximum number of durations; `days`
   /// counts all.
   [[nodiscard]] base::Result<OutcomeTimes> newest_times(DayOutcome outcome, int most) const;

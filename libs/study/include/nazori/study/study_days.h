@@ -17,7 +17,7 @@ enum class DayOutcome : std::uint8_t {
   introduced = 2,  ///< the character was new on this day
 };
 
-/// All writings of one character on one study day.
+/// All writings of one character on one study day. A character that was marked as known was not written.
 struct CharacterDay {
   Day day{};
   std::optional<DayOutcome> outcome;  ///< nullopt: practised, not reviewed
@@ -46,8 +46,9 @@ class CharacterDays {
 /// All writings of one study day.
 struct StudyDay {
   Day day{};
-  int writings = 0;  ///< in every stage
-  int reviews = 0;   ///< of these from memory
+  int writings = 0;    ///< in every stage
+  int reviews = 0;     ///< of these from memory
+  int introduced = 0;  ///< characters that were new and took any time
 
   friend bool operator==(const StudyDay&, const StudyDay&) = default;
 };
