@@ -54,24 +54,30 @@ std::vector<char32_t> nearest_lookalikes(char32_t character) {
 
 }  // namespace
 
-SessionQuestion question_of(const StudySession& session, const CharacterSheet& sheet) {
-  const auto& character = sheet.character;
+SessionQuestion question_about(const kanji::Character& character) {
   SessionQuestion question;
   question.script = kanji::script_of(character.code_point);
   question.sound = kanji::kana_sound(character.code_point);
   question.strokes = static_cast<int>(character.strokes.size());
+  question.meanings = meanings_of(character.entry);
+  question.readings = readings_of(character.entry);
+  return question;
+}
+
+SessionQuestion question_of(const StudySession& session, const CharacterSheet& sheet) {
+  const auto& character = sheet.character;
+  SessionQuestion question = question_about(character);
   if (const auto* word = session.word(); word != nullptr && session.stage() == study::Stage::memory) {
     question.gap = with_gap(word->text, base::encode_utf8(character.code_point));
     question.reading = question.sound ? kanji::romaji_of(word->reading) : word->reading;
     question.meanings = first_of(word->glosses, kMostGlosses);
+    question.readings.clear();
     return question;
   }
   if (!session.asks_from_memory()) {
     question.shown = character.code_point;
     question.lookalikes = nearest_lookalikes(character.code_point);
   }
-  question.meanings = meanings_of(character.entry);
-  question.readings = readings_of(character.entry);
   return question;
 }
 

@@ -22,6 +22,7 @@ constexpr std::array<double, kDaysOfReturn> kShareOfReturn{0.5, 0.75, 0.9};
 /// The study days so far, including today.
 struct Past {
   std::set<char32_t> reviewed_today;
+  std::set<char32_t> introduced_today;
   std::vector<Day> days;  ///< days with a review, oldest first
   Pace pace;
 };
@@ -31,9 +32,12 @@ base::Result<Past> read_past(const LearnerStore& learner, Day today) {
   if (!studied) return tl::unexpected(studied.error());
   const auto reviewed = learner.reviewed_on(today);
   if (!reviewed) return tl::unexpected(reviewed.error());
+  const auto introduced = learner.introduced_on(today);
+  if (!introduced) return tl::unexpected(introduced.error());
   const auto pace = pace_of(learner);
   if (!pace) return tl::unexpected(pace.error());
   Past past;
+  past.introduced_today.insert(introduced->begin(), introduced->end());
   past.reviewed_today.insert(reviewed->begin(), reviewed->end());
   for (const StudyDay& day : *studied)
     if (day.reviews > 0) past.days.push_back(day.day);
@@ -122,8 +126,9 @@ base::Result<DayPlan> plan_day(const LearnerStore& learner, std::span<const char
   std::vector<StudyTask> begun;
   int overdue = 0;
   for (const auto& [character, card] : learner.cards()) {
-    if (card.introduced == today) ++plan.new_done;
-    const bool new_today = card.introduced == today;
+    // What was only marked as known today is no new character of the day.
+    const bool new_today = card.introduced == today && past->introduced_today.contains(character);
+    if (new_today) ++plan.new_done;
     if (past->reviewed_today.contains(character) && !new_today) ++plan.reviews_done;
     if (card.paused || (card.postponed_until && *card.postponed_until > today)) continue;
     if (card.leech) {

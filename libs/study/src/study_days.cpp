@@ -8,10 +8,11 @@ void CharacterDays::take(const LogEntry& entry) {
     is_new_ = true;
     return;
   }
+  if (entry.kind == EntryKind::known) is_new_ = false;
   if (entry.kind != EntryKind::writing) return;
   if (is_new_) {
     days_.push_back({entry.day, DayOutcome::introduced});
-  } else if (days_.back().day != entry.day) {
+  } else if (days_.empty() || days_.back().day != entry.day) {
     days_.push_back({entry.day, std::nullopt});
   }
   is_new_ = false;

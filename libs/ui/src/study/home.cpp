@@ -23,7 +23,9 @@ HomeActions::HomeActions(QWidget* window) : ActionSet(window) {
               "Ctrl+Shift+Z", Icon::undo);
   settings = make("home_study_settings", tr("Study se&ttings…"),
                   tr("Daily goal, lists, order and desired retention"), "Ctrl+,");
-  add_group(tr("St&udy"), {start, leeches, nullptr, undo, nullptr, settings});
+  choices = make("home_choices", tr("Change &what I learn…"),
+                 tr("What you want to write, what you know already, and how long a day"), "Ctrl+Shift+G");
+  add_group(tr("St&udy"), {start, leeches, nullptr, undo, nullptr, choices, settings});
 }
 
 Home::Home(WindowParts& parts)
@@ -42,6 +44,7 @@ Home::Home(WindowParts& parts)
   connect(view_, &HomeView::settings_wanted, actions_->settings, &QAction::trigger);
   connect(view_, &HomeView::free_writing_wanted, this,
           [this] { this->parts().go_to(QStringLiteral("characters")); });
+  on(actions_->choices, [this] { this->parts().go_to(QStringLiteral("start")); });
   on(actions_->settings, [this] {
     ask_study_settings(this->parts());
     this->parts().focus_tablet();

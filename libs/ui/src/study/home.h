@@ -14,7 +14,7 @@ class HomeActions final : public ActionSet {
   Q_OBJECT
  public:
   explicit HomeActions(QWidget* window);
-  QAction *start, *leeches, *undo, *settings;
+  QAction *start, *leeches, *undo, *settings, *choices;
 };
 
 /// The first page: what is due today, and the button that starts a session.

@@ -10,6 +10,7 @@
 #include "events/signals.h"
 #include "nazori/practice/tablet_control.h"
 #include "nazori/practice/tablet_recording.h"
+#include "widgets/input_watch.h"
 #include "widgets/parts.h"
 #include "words/device_text.h"
 #include "words/kanji_text.h"
@@ -47,6 +48,7 @@ StatusLine::StatusLine(practice::TabletControl& controller, practice::TabletReco
   }
   since_.start();
   show_device();
+  connect(&InputWatch::of_program(), &InputWatch::changed, this, &StatusLine::show_device);
   show_recording();
   subscribe(controller_.device().changed, this, [this] {
     ticks_ = 0;
@@ -69,7 +71,12 @@ StatusLine::StatusLine(practice::TabletControl& controller, practice::TabletReco
 void StatusLine::show_device() {
   const auto device = controller_.device().describe();
   const QString name = device_name(device.name);
-  device_->setText(device.has_force ? name : tr("%1 (no force)").arg(name));
+  const auto& input = InputWatch::of_program();
+  if (controller_.device().is_pointer())
+    device_->setText(input.sentence({}));
+  else
+    device_->setText(device.has_force ? name : tr("%1 (no force)").arg(name));
+  fit();
 }
 
 void StatusLine::show_recording() {

@@ -66,6 +66,9 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
   } else {
     const auto& all = inside_->pages;
     QString first = setup.page;
+    if (first.isEmpty() && preferences.begin_at_home)
+      for (const auto& page : all)
+        if (page->comes_first()) first = page->id();
     if (first.isEmpty())
       first = preferences.begin_at_home && all.front()->id() == QLatin1String("home") ? all.front()->id()
                                                                                       : preferences.page;
@@ -207,11 +210,13 @@ void MainWindow::Inside::build(const Setup& setup) {
       page_column->addWidget(replacement, 1);
       stage->addWidget(holder);
     }
-    auto* entry = actions->add_page(page);
-    QObject::connect(entry, &QAction::triggered, &window, [this, &page] {
-      enter(page);
-      focus_tablet();  // even if the page is already shown: this is the way back from its lists
-    });
+    if (page.is_listed()) {
+      auto* entry = entries[&page] = actions->add_page(page);
+      QObject::connect(entry, &QAction::triggered, &window, [this, &page] {
+        enter(page);
+        focus_tablet();  // even if the page is already shown: this is the way back from its lists
+      });
+    }
     QObject::connect(&page, &Page::wants_to_be_entered, &window, [this, &page] { enter(page); });
     QObject::connect(&page, &Page::title_changed, &window, [this] { show_title(); });
     QObject::connect(&page, &Page::tools_changed, &window, [this, &page] {
@@ -220,7 +225,7 @@ void MainWindow::Inside::build(const Setup& setup) {
   }
   rail = new PageRail(actions->pages(), &window);
   window.addToolBar(Qt::LeftToolBarArea, rail);
-  rail->setVisible(pages.size() > 1);
+  rail->setVisible(entries.size() > 1);
 }
 
 void MainWindow::Inside::build_tablet(bool draws_tablet) {
@@ -253,9 +258,7 @@ void MainWindow::Inside::enter(Page& page) {
   current = &page;
   if (auto* own = page.actions()) own->set_in_force(true);
   actions->enter(page, window.menuBar());
-  const auto entry =
-      std::find_if(pages.begin(), pages.end(), [&](const auto& one) { return one.get() == current; });
-  actions->pages()[entry - pages.begin()]->setChecked(true);
+  if (auto* entry = entries.value(current)) entry->setChecked(true);
 
   auto* replacement = page.instead_of_tablet();
   auto* holder = replacement != nullptr ? replacement->parentWidget() : panes;
@@ -277,6 +280,7 @@ void MainWindow::Inside::enter(Page& page) {
   page.enter();
   show_title();
   focus_tablet();
+  if (!page.is_listed()) return;
   parts.preferences().page = page.id();
   save_later();
 }
@@ -331,7 +335,7 @@ void MainWindow::Inside::set_full_screen(bool on) {
   actions->full_screen->setChecked(on);
   for (QWidget* widget : std::initializer_list<QWidget*>{window.menuBar(), tool_bar, status})
     widget->setVisible(!on);
-  rail->setVisible(!on && pages.size() > 1);
+  rail->setVisible(!on && entries.size() > 1);
   panes->set_alone(on);
   window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
                            : window.windowState() & ~Qt::WindowFullScreen);
