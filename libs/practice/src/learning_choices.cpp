@@ -162,12 +162,11 @@ base::Result<char32_t> first_new(Learner& learner, const study::StudyChoices& ch
 std::span<const int> daily_minutes() { return kMinutes; }
 
 DailyAmount amount_for(int minutes, bool is_kana) {
-  constexpr double kReviewsPerNew = 7;
-  const double learn_s = is_kana ? 60 : 180;
-  const double review_s = is_kana ? 10 : 24;
+  constexpr double kKana_s = 60 + 6 * 10;
+  constexpr double kKanji_s = 180 + 10 * 24;
   constexpr double kReview_s = 24;
   const double all_s = 60.0 * minutes;
-  return {std::max(1, static_cast<int>(std::lround(all_s / (learn_s + kReviewsPerNew * review_s)))),
+  return {std::max(1, static_cast<int>(std::lround(all_s / (is_kana ? kKana_s : kKanji_s)))),
           std::max(1, static_cast<int>(all_s / kReview_s))};
 }
 

@@ -99,11 +99,10 @@ TEST_F(LearningChoices, TheMinutesOfADayAreNotExceededInTheLongRun) {
   for (const bool kana : {true, false})
     for (const int minutes : daily_minutes()) {
       const auto amount = amount_for(minutes, kana);
-      const double new_s = kana ? 60 : 180;
-      const double review_s = kana ? 10 : 24;
+      const double per_new_s = kana ? 60 + 6 * 10 : 180 + 10 * 24;
       EXPECT_LE(amount.reviews * 24, minutes * 60) << "reviews alone fit";
-      EXPECT_NEAR(amount.new_characters * (new_s + 7 * review_s), minutes * 60,
-                  (new_s + 7 * review_s) / 2 + 50);
+      if (minutes * 60 >= per_new_s)
+        EXPECT_NEAR(amount.new_characters * per_new_s, minutes * 60, per_new_s / 2);
     }
   EXPECT_EQ(amount_for(10, true), (DailyAmount{5, 25})) << "あいうえお on the first day";
   EXPECT_EQ(amount_for(5, false).new_characters, 1);

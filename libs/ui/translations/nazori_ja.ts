@@ -4757,6 +4757,10 @@ Columns and rows:</source>
         <source>There are no characters to test.</source>
         <translation>テストする文字がありません。</translation>
     </message>
+    <message>
+        <source>Enter: start. Tab and the arrow keys: other answers.</source>
+        <translation>Enter で始めます。ほかの答えは Tab と矢印キーで選べます。</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::StartView</name>

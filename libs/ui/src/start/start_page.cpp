@@ -86,6 +86,7 @@ void StartPage::enter() {
   if (!is_open_) begin_again();
   show_input();
   show_plan();
+  parts().announce(Feedback::hint, tr("Enter: start. Tab and the arrow keys: other answers."));
   QTimer::singleShot(0, &parts(), &WindowParts::note_opened);
 }
 

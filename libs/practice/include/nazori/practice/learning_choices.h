@@ -61,9 +61,9 @@ struct DailyAmount {
 
   friend bool operator==(const DailyAmount&, const DailyAmount&) = default;
 };
-/// What takes about so many minutes a day in the long run. Each new character of a day stands for one that is
-/// learned and seven that are reviewed: 60 s and 7 * 10 s for kana, 180 s and 7 * 24 s for kanji
-/// (docs/study.md, Pace). Reviews alone never take longer than the minutes.
+/// What takes about so many minutes a day. A new kanji of each day takes 180 s to learn, and ten reviews of
+/// 24 s a day for those that were new before; a kana 60 s and six reviews of 10 s (docs/study.md, First
+/// start). Reviews alone never take longer than the minutes.
 [[nodiscard]] DailyAmount amount_for(int minutes, bool is_kana);
 
 /// The answers that lead to these settings, as far as they can be told.
