@@ -78,6 +78,12 @@ NewOrder order_of(LearningGoal goal, NewOrder present) {
   return present;
 }
 
+/// CJK ideographs and 々, not punctuation, which has strokes in the database, too.
+bool is_kanji(char32_t one) {
+  return one == U'々' || (one >= 0x3400 && one <= 0x9FFF) || (one >= 0xF900 && one <= 0xFAFF) ||
+         (one >= 0x20000 && one <= 0x3FFFF);
+}
+
 bool is_own(const std::string& list) { return list.starts_with("list:") || list.starts_with("tag:"); }
 
 base::Result<std::string> free_name(const study::LearnerStore& store, const std::string& wanted) {
@@ -201,11 +207,8 @@ Characters characters_in(std::string_view text, const std::function<bool(char32_
   if (!decoded) return {};
   for (const char32_t one : *decoded) {
     if (!seen.insert(one).second) continue;
-    const auto script = kanji::script_of(one);
-    if (script == kanji::Script::latin || !can_be_studied(one)) continue;
-    const bool is_kana = script != kanji::Script::other;
-    if (is_kana && !kanji::teaching_rank(one)) continue;
-    (is_kana ? kana : kanji).push_back(one);
+    const bool is_kana = kanji::teaching_rank(one).has_value();
+    if ((is_kana || is_kanji(one)) && can_be_studied(one)) (is_kana ? kana : kanji).push_back(one);
   }
   auto& found = kanji.empty() ? kana : kanji;
   if (found.size() > kMostOwn) found.resize(kMostOwn);

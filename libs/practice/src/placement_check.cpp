@@ -13,6 +13,7 @@ constexpr double kScale = 16;
 /// After the fewest questions the check ends where half of what is probable spans less than this on the
 /// scale.
 constexpr double kNarrow = 0.15;
+constexpr double kDoubt = 0.05;
 constexpr int kInTens = 100;
 constexpr int kInFives = 20;
 
@@ -78,6 +79,8 @@ int PlacementCheck::quantile(double share) const {
 }
 
 int PlacementCheck::rounded_ability() const {
+  // Nobody is said to know a few who may well know none.
+  if (quantile(kDoubt) == 0) return 0;
   const int exact = ability();
   const int step = exact >= kInTens ? 10 : exact >= kInFives ? 5 : 1;
   return std::min((exact + step / 2) / step * step, static_cast<int>(characters_.size()));

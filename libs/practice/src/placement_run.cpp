@@ -78,7 +78,7 @@ void PlacementRun::show() const {
 }
 
 void PlacementRun::add_stroke(HandStroke stroke) {
-  if (!check_ || attempt_.is_full() || attempt_.is_judging()) return;
+  if (!check_ || attempt_.is_full()) return;
   attempt_.add(std::move(stroke), false);
   show();
   changed();

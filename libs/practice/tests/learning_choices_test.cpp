@@ -101,8 +101,9 @@ TEST_F(LearningChoices, TheMinutesOfADayAreNotExceededInTheLongRun) {
       const auto amount = amount_for(minutes, kana);
       const double per_new_s = kana ? 60 + 6 * 10 : 180 + 10 * 24;
       EXPECT_LE(amount.reviews * 24, minutes * 60) << "reviews alone fit";
-      if (minutes * 60 >= per_new_s)
+      if (minutes * 60 >= per_new_s) {
         EXPECT_NEAR(amount.new_characters * per_new_s, minutes * 60, per_new_s / 2);
+      }
     }
   EXPECT_EQ(amount_for(10, true), (DailyAmount{5, 25})) << "あいうえお on the first day";
   EXPECT_EQ(amount_for(5, false).new_characters, 1);

@@ -54,6 +54,7 @@ TEST_F(Placement, WritingIsJudgedAndTheNextCharacterIsAsked) {
       write(U'一');
     } else if (meaning == "two") {
       write(U'二');
+      EXPECT_EQ(answers_.back(), PlacementAnswer::written) << "every stroke counts, however fast they follow";
     } else {
       run_.do_not_know();
     }

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "nazori/kanji/kana_sound.h"
 #include "nazori/study/pace.h"
 
 namespace nazori::study {
@@ -17,6 +18,7 @@ using std::chrono::milliseconds;
 using std::chrono::minutes;
 
 constexpr minutes kAhead{20};
+constexpr minutes kNewKana{1};  ///< until the learner's own pace is known
 constexpr std::array<double, kDaysOfReturn> kShareOfReturn{0.5, 0.75, 0.9};
 
 /// The study days so far, including today.
@@ -61,7 +63,9 @@ int day_of_return(std::vector<Day> all, Day today) {
 milliseconds time_for(const StudyTask& task, const Pace& pace) {
   switch (task.kind) {
     case TaskKind::fresh:
-      return pace.introduced;
+      // A kana has few strokes, one sound and no meaning. Once there is a history, that decides.
+      return pace.introduced_days < kPaceNeeds && kanji::teaching_rank(task.character) ? kNewKana
+                                                                                       : pace.introduced;
     case TaskKind::step:
       return pace.recalled;
     case TaskKind::review:

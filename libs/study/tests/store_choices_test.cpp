@@ -203,6 +203,11 @@ TEST_F(Choices, AKnownCharacterThatIsWrittenIsAReviewAndNotNew) {
   EXPECT_EQ(must(store_.study_days()), studied) << "also when the days are worked out again";
 }
 
+TEST_F(Choices, NewKanaTakeAMinuteUntilThePaceIsKnown) {
+  EXPECT_EQ(must(plan_day(store_, std::array{U'あ', U'い'})).estimate, std::chrono::minutes(2));
+  EXPECT_EQ(must(plan_day(store_, std::array{kRest, kTree})).estimate, std::chrono::minutes(6));
+}
+
 TEST_F(Choices, KnowingResumesAndEndsTheDifficulty) {
   ASSERT_TRUE(store_.pause(std::array{kRest}));
   Settings settings = store_.settings();

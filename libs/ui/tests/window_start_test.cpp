@@ -132,6 +132,7 @@ TEST_F(WindowStart, KeysAloneChooseEveryAnswer) {
   press(Qt::Key_Down);
   EXPECT_NE(button(), QStringLiteral("Write 日")) << "grade 2 is known";
   press(Qt::Key_Tab);
+  EXPECT_TRUE(find("start_minutes_10")->hasFocus()) << window_->focusWidget()->objectName().toStdString();
   press(Qt::Key_Right);
   EXPECT_TRUE(find("start_minutes_20")->hasFocus());
   press(Qt::Key_Return);

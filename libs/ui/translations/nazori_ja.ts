@@ -2877,15 +2877,15 @@ Columns and rows:</source>
     </message>
     <message>
         <source>You are writing with your finger. A pen works better.</source>
-        <translation>指で書いています。ペンのほうが書きやすくなります。</translation>
+        <translation>指で書いています。ペンのほうが書きやすいです。</translation>
     </message>
     <message>
         <source>You are writing with the mouse. Your pen tablet works better.</source>
-        <translation>マウスで書いています。お持ちのペンタブレットのほうが書きやすくなります。</translation>
+        <translation>マウスで書いています。お持ちのペンタブレットのほうが書きやすいです。</translation>
     </message>
     <message>
         <source>You are writing with the mouse. A pen tablet works better.</source>
-        <translation>マウスで書いています。ペンタブレットのほうが書きやすくなります。</translation>
+        <translation>マウスで書いています。ペンタブレットのほうが書きやすいです。</translation>
     </message>
 </context>
 <context>

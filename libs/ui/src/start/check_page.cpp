@@ -83,8 +83,11 @@ void CheckPage::make_question() {
 }
 
 void CheckPage::make_buttons() {
-  auto* flow = new FlowLayout(kGap, kGap, buttons_);
-  flow->setContentsMargins(16, 8, 16, 8);
+  auto* around = new QVBoxLayout(buttons_);
+  around->setContentsMargins(16, 8, 16, 8);
+  auto* row = new QWidget(buttons_);
+  around->addWidget(row);
+  auto* flow = new FlowLayout(kGap, kGap, row);
   auto* done = action_button(actions_->done, tr("Finish  ⏎"), buttons_);
   done->setObjectName(QStringLiteral("check_done_button"));
   flow->addWidget(done);

@@ -78,6 +78,7 @@ StartView::StartView(QWidget* parent)
 QLabel* StartView::add_question(const QString& words) {
   auto* label = text_label("start_question", content_);
   label->setText(words);
+  static_cast<QVBoxLayout*>(content_->layout())->addSpacing(kGap / 2);
   content_->layout()->addWidget(label);
   return label;
 }
@@ -189,7 +190,11 @@ void StartView::add_end() {
 
 void StartView::choose(QButtonGroup* group, int id) {
   group->setExclusive(false);
-  for (auto* button : group->buttons()) button->setChecked(group->id(button) == id);
+  for (auto* button : group->buttons()) {
+    button->setChecked(group->id(button) == id);
+    // Tab stops once in each row: at the chosen answer, else at the first.
+    button->setFocusPolicy(group->id(button) == std::max(id, 0) ? Qt::StrongFocus : Qt::ClickFocus);
+  }
   group->setExclusive(true);
 }
 
