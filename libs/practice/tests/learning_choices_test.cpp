@@ -202,11 +202,13 @@ TEST_F(LearningChoices, ASecondOwnListGetsItsOwnName) {
 
 TEST_F(LearningChoices, TakenInOneStepTheyAreUndoneInOneStep) {
   const auto before = settings();
-  auto answers = own("木林森");
+  auto answers = own("木道");
   answers.minutes = 40;
   answers.known = known(Kind::up_to_grade, 1);
   const auto made = plan(answers);
+  EXPECT_EQ(made.first, U'道') << "木 is of grade 1";
   ASSERT_TRUE(take_plan(*learner_, made));
+  ASSERT_FALSE(learner_->plan()->now.empty());
   EXPECT_EQ(learner_->plan()->now.front().character, made.first);
   EXPECT_TRUE(is_new(*study::LearnerStore::in_memory()));
   EXPECT_FALSE(is_new(learner_->store()));
