@@ -2887,6 +2887,18 @@ Columns and rows:</source>
         <source>You are writing with the mouse. A pen tablet works better.</source>
         <translation>マウスで書いています。ペンタブレットのほうが書きやすいです。</translation>
     </message>
+    <message>
+        <source>Pen</source>
+        <translation>ペン</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>指</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>マウス</translation>
+    </message>
 </context>
 <context>
     <name>nazori::ui::KeyListDialog</name>

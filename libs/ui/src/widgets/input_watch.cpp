@@ -5,6 +5,7 @@
 #include <QInputDevice>
 #include <QPointer>
 #include <QPointerEvent>
+#include <QRegularExpression>
 #include <algorithm>
 
 namespace nazori::ui {
@@ -39,6 +40,13 @@ QString InputWatch::sentence(const QString& device) const {
                        : tr("You are writing with the mouse. A pen tablet works better.");
   }
   return {};
+}
+
+QStringList InputWatch::shorter_and_shorter() const {
+  const QString word = kind_ == Kind::pen ? tr("Pen") : kind_ == Kind::finger ? tr("Finger") : tr("Mouse");
+  const QString all = sentence({});
+  const auto end = all.indexOf(QRegularExpression(QStringLiteral("[.。]")));
+  return {all, all.left(end + 1), word};
 }
 
 bool InputWatch::eventFilter(QObject* /*watched*/, QEvent* event) {

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 namespace nazori::ui {
 
@@ -20,6 +21,8 @@ class InputWatch final : public QObject {
   /// What the learner writes with, in one sentence. @param device  that drives the tablet in place of the
   /// pointer; empty: none.
   [[nodiscard]] QString sentence(const QString& device) const;
+  /// The same of the pointer, as long as there is room: the sentence, its beginning, or one word.
+  [[nodiscard]] QStringList shorter_and_shorter() const;
 
  signals:
   void changed();

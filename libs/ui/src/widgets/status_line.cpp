@@ -71,11 +71,9 @@ StatusLine::StatusLine(practice::TabletControl& controller, practice::TabletReco
 void StatusLine::show_device() {
   const auto device = controller_.device().describe();
   const QString name = device_name(device.name);
-  const auto& input = InputWatch::of_program();
-  if (controller_.device().is_pointer())
-    device_->setText(input.sentence({}));
-  else
-    device_->setText(device.has_force ? name : tr("%1 (no force)").arg(name));
+  device_->setText(device.has_force ? name : tr("%1 (no force)").arg(name));
+  device_->setToolTip(
+      InputWatch::of_program().sentence(controller_.device().is_pointer() ? QString() : name));
   fit();
 }
 
@@ -123,6 +121,12 @@ void StatusLine::fit() {
   // Labels that do not fit are left out completely, the least important first. The page "Device" shows all of
   // them.
   int room = contentsRect().width() - kMargin;
+  if (controller_.device().is_pointer()) {
+    for (const QString& words : InputWatch::of_program().shorter_and_shorter()) {
+      device_->setText(words);
+      if (device_->sizeHint().width() + kGap <= room) break;
+    }
+  }
   bool full = false;
   for (auto* label : {record_, device_, depth_, rate_, missed_, timing_}) {
     if (label->text().isEmpty() || (label == record_ && !recording_.is_on() && !recording_.is_exporting())) {
