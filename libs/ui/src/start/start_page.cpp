@@ -61,8 +61,9 @@ QWidget* StartPage::instead_of_tablet() const { return view_; }
 
 bool StartPage::comes_first() const {
   const auto& learner = parts().learner();
-  return learner.can_write() && practice::is_new(learner.store()) &&
-         !parts().preferences().skipped_start.contains(to_text(learner.profile()));
+  const auto& preferences = parts().preferences();
+  return preferences.begin_at_home && learner.can_write() && practice::is_new(learner.store()) &&
+         !preferences.skipped_start.contains(to_text(learner.profile()));
 }
 
 void StartPage::begin_again() {

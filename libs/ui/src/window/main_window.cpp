@@ -66,7 +66,7 @@ MainWindow::MainWindow(const Setup& setup, Appearance& appearance)
   } else {
     const auto& all = inside_->pages;
     QString first = setup.page;
-    if (first.isEmpty() && preferences.begin_at_home)
+    if (first.isEmpty())
       for (const auto& page : all)
         if (page->comes_first()) first = page->id();
     if (first.isEmpty())
